@@ -1,0 +1,34 @@
+//! The figures of the book: one file a chapter, one style for all.
+//!
+//! A figure takes values from the library and draws them; it computes no physics itself.
+
+use spinning_bodies::Result;
+
+/// A finished figure. Alt text and caption are part of the type: there is no figure without them.
+#[derive(Debug, Clone)]
+pub struct Figure {
+    /// The one message, as a sentence; first sentence of the caption.
+    pub claim: String,
+    /// The rest of the caption: parameters and computed numbers, as Markdown-free plain text with `$…$` formulas.
+    pub details: String,
+    /// What is seen and what follows from it, for readers who do not see it. Plain text.
+    pub alt: String,
+    /// The picture, a complete SVG document.
+    pub svg: String,
+}
+
+/// A figure that can be drawn by name.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// Name of the figure, of its file `figures/svg/NAME.svg` and of its anchor in the book.
+    pub name: &'static str,
+    /// Chapter that shows it: the name of its Markdown file without the ending.
+    pub chapter: &'static str,
+    /// Draws it.
+    pub draw: fn() -> Result<Figure>,
+}
+
+/// All figures, in the order of the book.
+pub fn all() -> &'static [Entry] {
+    &[]
+}

@@ -1,0 +1,146 @@
+//! One error type: each variant names the violated condition and the value that violated it.
+
+/// What a constructor or a function refuses, and why.
+///
+/// Every variant prints as one line that names the quantity, the condition and the offending value.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A quantity is infinite or not a number.
+    #[error("{quantity} must be finite, got {value}")]
+    NotFinite {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A quantity that must be greater than zero is not.
+    #[error("{quantity} must be positive, got {value}")]
+    NotPositive {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A quantity that may be zero is negative.
+    #[error("{quantity} must not be negative, got {value}")]
+    Negative {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A quantity lies outside the interval on which the formula holds.
+    #[error("{quantity} must lie between {least} and {greatest}, got {value}")]
+    OutOfRange {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+        /// Least admissible value.
+        least: f64,
+        /// Greatest admissible value.
+        greatest: f64,
+    },
+    /// A direction was asked of the zero vector.
+    #[error("{quantity} must not be the zero vector")]
+    ZeroVector {
+        /// Name of the vector.
+        quantity: &'static str,
+    },
+    /// Moments of inertia that no body has (tutorial 2.4: `I1 + I2 >= I3`).
+    #[error(
+        "principal moments must satisfy I1 + I2 >= I3, got {smallest} + {middle} < {largest}; no body has these"
+    )]
+    TriangleInequality {
+        /// Smallest moment, kg m².
+        smallest: f64,
+        /// Middle moment, kg m².
+        middle: f64,
+        /// Largest moment, kg m².
+        largest: f64,
+    },
+    /// A matrix that should be symmetric is not.
+    #[error(
+        "the inertia matrix must be symmetric, got {upper} above and {lower} below the diagonal in row {row}, column {column}"
+    )]
+    NotSymmetric {
+        /// Row of the entry above the diagonal, counted from 0.
+        row: usize,
+        /// Column of the entry above the diagonal, counted from 0.
+        column: usize,
+        /// Entry above the diagonal.
+        upper: f64,
+        /// Its mirror image.
+        lower: f64,
+    },
+    /// A list that must have members is empty.
+    #[error("{quantity} must not be empty")]
+    Empty {
+        /// Name of the list.
+        quantity: &'static str,
+    },
+    /// A triangle names a vertex that the mesh does not have.
+    #[error(
+        "triangle {triangle} names vertex {index}, but the mesh has {vertices} vertices, numbered from 0"
+    )]
+    VertexIndex {
+        /// Number of the triangle, from 0.
+        triangle: usize,
+        /// The vertex it names.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// Some edge of a mesh is not shared by exactly two triangles that run along it in opposite directions.
+    #[error(
+        "the mesh is open or inconsistently oriented: each edge must be run along once in each direction"
+    )]
+    OpenMesh,
+    /// A mesh encloses no volume, or a negative one.
+    #[error("the mesh must enclose a positive volume, got {volume} m³{hint}")]
+    NoVolume {
+        /// Signed volume, m³.
+        volume: f64,
+        /// What to try.
+        hint: &'static str,
+    },
+    /// A condition that has no variant of its own; the text states it.
+    #[error("{condition}, got {value}")]
+    Condition {
+        /// The condition, as "x must ...".
+        condition: &'static str,
+        /// The value that violates it.
+        value: f64,
+    },
+}
+
+/// The result of everything in this library that can refuse.
+pub type Result<T> = core::result::Result<T, Error>;
+
+/// `value`, if it is finite.
+pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity, value })
+    }
+}
+
+/// `value`, if it is finite and greater than zero.
+pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
+    if finite(quantity, value)? > 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { quantity, value })
+    }
+}
+
+/// `value`, if it is finite and not less than zero.
+pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
+    if finite(quantity, value)? >= 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::Negative { quantity, value })
+    }
+}

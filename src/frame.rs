@@ -1,0 +1,293 @@
+//! Body and space axes (tutorial 2.2, 5.1): vectors that know whose axes they are written in.
+//!
+//! A vector's three numbers mean nothing until one says whose axes they refer to. The knack of this
+//! subject is to keep angular velocity and angular momentum apart, and the second knack is to keep
+//! their components along the body's axes apart from those along the axes of space. Here the
+//! compiler does the second: a [`BodyVector`] and a [`SpaceVector`] cannot be added, and only an
+//! [`Attitude`] turns one into the other.
+//!
+//! ```
+//! use spinning_bodies::frame::{Attitude, BodyVector};
+//!
+//! let quarter_turn = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), std::f64::consts::FRAC_PI_2)?;
+//! let nose = quarter_turn.to_space(BodyVector::new(1.0, 0.0, 0.0));
+//! assert!((nose.y() - 1.0).abs() < 1e-15);
+//! # Ok::<(), spinning_bodies::Error>(())
+//! ```
+//!
+//! ```compile_fail
+//! use spinning_bodies::frame::{BodyVector, SpaceVector};
+//! let nonsense = BodyVector::new(1.0, 0.0, 0.0) + SpaceVector::new(1.0, 0.0, 0.0);
+//! ```
+
+use core::fmt;
+use core::marker::PhantomData;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
+
+use crate::error::{Error, Result, finite};
+
+/// Axes attached to the body, turning with it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Body {}
+
+/// Axes at rest.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Space {}
+
+/// Three components along the axes `Axes`; the unit is that of the quantity it holds.
+pub struct FrameVector<Axes> {
+    components: Vector3<f64>,
+    axes: PhantomData<Axes>,
+}
+
+/// A vector by its components along the body's axes.
+pub type BodyVector = FrameVector<Body>;
+
+/// A vector by its components along axes at rest.
+pub type SpaceVector = FrameVector<Space>;
+
+impl<Axes> FrameVector<Axes> {
+    /// The vector with these three components.
+    pub const fn new(x: f64, y: f64, z: f64) -> Self {
+        Self::from_components(Vector3::new(x, y, z))
+    }
+
+    /// The vector with the components of an ordinary `Vector3`.
+    pub const fn from_components(components: Vector3<f64>) -> Self {
+        Self {
+            components,
+            axes: PhantomData,
+        }
+    }
+
+    /// The zero vector.
+    pub const fn zero() -> Self {
+        Self::new(0.0, 0.0, 0.0)
+    }
+
+    /// The components, stripped of their axes.
+    pub const fn components(&self) -> Vector3<f64> {
+        self.components
+    }
+
+    /// First component.
+    pub fn x(&self) -> f64 {
+        self.components.x
+    }
+
+    /// Second component.
+    pub fn y(&self) -> f64 {
+        self.components.y
+    }
+
+    /// Third component.
+    pub fn z(&self) -> f64 {
+        self.components.z
+    }
+
+    /// Scalar product ⟨a, b⟩.
+    pub fn dot(&self, other: &Self) -> f64 {
+        self.components.dot(&other.components)
+    }
+
+    /// Vector product a ∧ b.
+    pub fn cross(&self, other: &Self) -> Self {
+        Self::from_components(self.components.cross(&other.components))
+    }
+
+    /// Length, without overflow or underflow on the way.
+    pub fn norm(&self) -> f64 {
+        self.x().hypot(self.y()).hypot(self.z())
+    }
+
+    /// Whether all three components are finite.
+    pub fn is_finite(&self) -> bool {
+        self.components.iter().all(|c| c.is_finite())
+    }
+
+    /// The unit vector of the same direction.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] and [`Error::ZeroVector`], with `quantity` as its name.
+    pub fn direction(&self, quantity: &'static str) -> Result<Self> {
+        for component in self.components.iter() {
+            finite(quantity, *component)?;
+        }
+        let largest = self.components.amax();
+        if largest == 0.0 {
+            return Err(Error::ZeroVector { quantity });
+        }
+        let scaled = self.components / largest;
+        Ok(Self::from_components(scaled / scaled.norm()))
+    }
+}
+
+impl<Axes> Clone for FrameVector<Axes> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<Axes> Copy for FrameVector<Axes> {}
+
+impl<Axes> PartialEq for FrameVector<Axes> {
+    fn eq(&self, other: &Self) -> bool {
+        self.components == other.components
+    }
+}
+
+impl<Axes> fmt::Debug for FrameVector<Axes> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let axes = core::any::type_name::<Axes>();
+        let axes = axes.rsplit("::").next().unwrap_or(axes);
+        write!(f, "{axes}({}, {}, {})", self.x(), self.y(), self.z())
+    }
+}
+
+impl<Axes> Add for FrameVector<Axes> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::from_components(self.components + other.components)
+    }
+}
+
+impl<Axes> AddAssign for FrameVector<Axes> {
+    fn add_assign(&mut self, other: Self) {
+        self.components += other.components;
+    }
+}
+
+impl<Axes> Sub for FrameVector<Axes> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::from_components(self.components - other.components)
+    }
+}
+
+impl<Axes> SubAssign for FrameVector<Axes> {
+    fn sub_assign(&mut self, other: Self) {
+        self.components -= other.components;
+    }
+}
+
+impl<Axes> Neg for FrameVector<Axes> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::from_components(-self.components)
+    }
+}
+
+impl<Axes> Mul<f64> for FrameVector<Axes> {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Self::from_components(self.components * factor)
+    }
+}
+
+impl<Axes> Mul<FrameVector<Axes>> for f64 {
+    type Output = FrameVector<Axes>;
+    fn mul(self, vector: FrameVector<Axes>) -> FrameVector<Axes> {
+        vector * self
+    }
+}
+
+impl<Axes> Div<f64> for FrameVector<Axes> {
+    type Output = Self;
+    fn div(self, divisor: f64) -> Self {
+        Self::from_components(self.components / divisor)
+    }
+}
+
+impl<Axes> core::iter::Sum for FrameVector<Axes> {
+    fn sum<I: Iterator<Item = Self>>(vectors: I) -> Self {
+        vectors.fold(Self::zero(), Add::add)
+    }
+}
+
+/// How the body stands in space: the rotation that turns body axes into space axes, as a unit quaternion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attitude(UnitQuaternion<f64>);
+
+impl Attitude {
+    /// Body axes and space axes coincide.
+    pub fn identity() -> Self {
+        Self(UnitQuaternion::identity())
+    }
+
+    /// The attitude with quaternion `w + x i + y j + z k`, normalised.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if a component is not finite, [`Error::ZeroVector`] if all are zero.
+    pub fn from_quaternion(w: f64, x: f64, y: f64, z: f64) -> Result<Self> {
+        for component in [w, x, y, z] {
+            finite("a quaternion component", component)?;
+        }
+        let largest = [w, x, y, z].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+        if largest == 0.0 {
+            return Err(Error::ZeroVector {
+                quantity: "the attitude quaternion",
+            });
+        }
+        let scaled = Quaternion::new(w / largest, x / largest, y / largest, z / largest);
+        Ok(Self(UnitQuaternion::from_quaternion(scaled)))
+    }
+
+    /// The attitude after a turn by `angle` (radians, right-handed) about an axis, from the identity.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] and [`Error::ZeroVector`] for an axis or angle that is none.
+    pub fn about_axis(axis: BodyVector, angle: f64) -> Result<Self> {
+        let axis = axis.direction("the axis of rotation")?;
+        let angle = finite("the angle of rotation", angle)?;
+        let axis = Unit::new_unchecked(axis.components());
+        Ok(Self(UnitQuaternion::from_axis_angle(&axis, angle)))
+    }
+
+    /// The quaternion.
+    pub fn quaternion(&self) -> UnitQuaternion<f64> {
+        self.0
+    }
+
+    /// The same vector, by its components along the axes of space.
+    pub fn to_space(&self, vector: BodyVector) -> SpaceVector {
+        SpaceVector::from_components(self.0 * vector.components())
+    }
+
+    /// The same vector, by its components along the axes of the body.
+    pub fn to_body(&self, vector: SpaceVector) -> BodyVector {
+        BodyVector::from_components(self.0.inverse_transform_vector(&vector.components()))
+    }
+
+    /// Angle of the rotation between two attitudes, radians, in 0…π; accurate for small angles.
+    pub fn angle_to(&self, other: &Self) -> f64 {
+        let difference = self.0.inverse() * other.0;
+        2.0 * difference.imag().norm().atan2(difference.w.abs())
+    }
+}
+
+/// Transport theorem (5.1), towards space: dA/dt = ∂A/∂t + Ω ∧ A.
+///
+/// `rate_seen_from_body` is ∂A/∂t, the rate of A's body components; `omega` is Ω in rad/s. The result is
+/// dA/dt, the rate an observer at rest sees, written along the body's axes.
+pub fn rate_seen_from_space(
+    rate_seen_from_body: BodyVector,
+    omega: BodyVector,
+    vector: BodyVector,
+) -> BodyVector {
+    rate_seen_from_body + omega.cross(&vector)
+}
+
+/// Transport theorem (5.1), towards the body: ∂A/∂t = dA/dt − Ω ∧ A.
+///
+/// `rate_seen_from_space` is dA/dt, the rate an observer at rest sees, written along the axes of
+/// space, as are `omega` and `vector`. The result is ∂A/∂t, the rate a rider on the body sees, still written
+/// along the axes of space.
+pub fn rate_seen_from_body(
+    rate_seen_from_space: SpaceVector,
+    omega: SpaceVector,
+    vector: SpaceVector,
+) -> SpaceVector {
+    rate_seen_from_space - omega.cross(&vector)
+}

@@ -102,7 +102,10 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
     let (d0, d1, d2) = (m00 - mean, m11 - mean, m22 - mean);
     let size = [d0, d1, d2, m01, m02, m12]
         .into_iter()
-        .fold(0.0, |size, x: f64| if x.abs() > size { x.abs() } else { size });
+        .fold(
+            0.0,
+            |size, x: f64| if x.abs() > size { x.abs() } else { size },
+        );
     let (down, up) = powers_of_two(size);
     let b = Deviator {
         diagonal: [d0 * down, d1 * down, d2 * down],

@@ -156,8 +156,7 @@ fn principal_axes_of_a_hundred_thousand_matrices() {
         }
     }
     // Two-sided: observed on the reference platform, moments, axes, residual.
-    println!("{worst:?}");
-    for (worst, observed) in worst.into_iter().zip([5.2e-16, 1.0e-15, 1.0e-15]) {
+    for (worst, observed) in worst.into_iter().zip([9.0e-16, 9.0e-16, 9.5e-16]) {
         assert!(
             worst <= observed && worst >= 0.4 * observed,
             "{worst:e} {observed:e}"
@@ -307,17 +306,23 @@ fn meshes_in_huge_and_tiny_units() -> Result<()> {
     let triangles = solid.triangles();
     let vertices = solid.vertices(1.0)?;
     let plain = mesh_mass_properties(&vertices, &triangles, 1.0)?;
-    // 2^±500 is about 10^±150; the density makes the mass, and the length squared, come out in range.
-    for power in [-500, -340, -250, -60, 60, 180, 300, 500] {
+    // 2^±400 is about 10^±120. The density keeps the moments in range, where a density can: I goes as its fifth power.
+    for power in [-400, -340, -250, -60, 60, 180, 300, 400] {
         let unit = 2_f64.powi(power);
         let scaled: Vec<_> = vertices.iter().map(|v| v.map(|x| x * unit)).collect();
-        let target = (-3 * power).clamp(-1000, 1000);
+        let target = (-4 * power).clamp(-1000, 1000);
         let body = mesh_mass_properties(&scaled, &triangles, 2_f64.powi(target))?;
         let mass = 2_f64.powi(3 * power + target);
         assert!((body.mass() / mass / plain.mass() - 1.0).abs() <= 4.0 * EPS);
         let expected = plain.inertia().matrix() * mass * unit * unit;
         assert!((body.inertia().matrix() - expected).amax() <= 4.0 * EPS * expected.amax());
     }
+    // Beyond, the volume is found all the same, but the moments have no number.
+    let huge: Vec<_> = vertices.iter().map(|v| v.map(|x| x * 1e150)).collect();
+    assert!(matches!(
+        mesh_mass_properties(&huge, &triangles, 1e-300),
+        Err(Error::NotFinite { .. })
+    ));
     Ok(())
 }
 
@@ -360,21 +365,19 @@ fn meshes_that_are_no_bodies() -> Result<()> {
             ));
         }
     }
-    // Flat, in a plane that no coordinate knows: the determinants are rounding noise of either sign.
+    // Flat, in a plane that no coordinate knows: o + iA + jB with integers of 20 bits is exact, and so is the scaling,
+    // but the determinants, of 60 bits, are rounding noise of either sign.
     let mut uniform = Uniform(103);
-    for _ in 0..500 {
-        let turn = uniform.attitude();
-        let shift = uniform.vector();
-        let scale = 10_f64.powf(200.0 * uniform.signed());
-        let flat: Vec<[f64; 3]> = (0..4)
-            .map(|_| {
-                let point = vector([uniform.signed(), uniform.signed(), 0.0]) + shift;
-                (turn.to_space(point) * scale).components().into()
-            })
+    for _ in 0..2000 {
+        let mut integers = || [0; 3].map(|_| (uniform.signed() * 1_048_576.0).round());
+        let (o, a, b) = (integers(), integers(), integers());
+        let scale = 2_f64.powi((600.0 * uniform.signed()) as i32);
+        let flat: Vec<[f64; 3]> = [(0.0, 0.0), (3.0, 1.0), (2.0, 5.0), (-1.0, 4.0)]
+            .into_iter()
+            .map(|(i, j)| [0, 1, 2].map(|k| scale * (o[k] + i * a[k] + j * b[k])))
             .collect();
         let refused = refuse(&flat, &[[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]);
-        // Four points turned and rounded are coplanar to rounding only: what they enclose is below the noise.
-        assert!(matches!(refused, Error::NoVolume { .. }), "{refused}");
+        assert!(matches!(refused, Error::NoVolume { hint, .. } if hint.contains("plane")));
     }
     // A plate a billion times thinner than wide is a body, along the axes or across.
     for turn in [Attitude::identity(), uniform.attitude()] {

@@ -4,12 +4,20 @@
 //!
 //! | section | module | what it computes |
 //! |---|---|---|
+//! | 1.1 | [`phenomena`] | turning round at angular momentum zero |
 //! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem |
+//! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them |
+//! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids |
+//! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks |
 //! | | [`error`] | the one error type |
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
+pub mod conservation;
 pub mod error;
 pub mod frame;
+pub mod impacts;
+pub mod phenomena;
+pub mod rotating_fluid;
 
 pub use error::{Error, Result};

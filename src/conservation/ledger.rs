@@ -234,14 +234,15 @@ impl Ledger {
     /// of `first`.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] with the name of the quantity.
+    /// [`Error::NotFinite`] with the name of the quantity, also if its length overflows.
     pub fn open_vector<Axes>(
         &mut self,
         name: &'static str,
         first: FrameVector<Axes>,
     ) -> Result<VectorAccount> {
         let value = vector_value(name, first)?;
-        self.push(name, Law::Conserved, value, value.magnitude());
+        let scale = finite(name, value.magnitude())?;
+        self.push(name, Law::Conserved, value, scale);
         Ok(VectorAccount(self.entries.len() - 1))
     }
 

@@ -6,6 +6,7 @@
 //! |---|---|---|
 //! | 1.1 | [`phenomena`] | turning round at angular momentum zero |
 //! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem |
+//! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule |
 //! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them |
 //! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids |
 //! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks |
@@ -17,6 +18,7 @@ pub mod conservation;
 pub mod error;
 pub mod frame;
 pub mod impacts;
+pub mod inertia;
 pub mod phenomena;
 pub mod rotating_fluid;
 

@@ -52,7 +52,12 @@ impl MaclaurinSpheroid {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::OutOfRange`].
     pub fn from_axis_ratio(c_over_a: f64) -> Result<Self> {
-        let q = within("the axis ratio of a spheroid", c_over_a, f64::MIN_POSITIVE, 1.0)?;
+        let q = within(
+            "the axis ratio of a spheroid",
+            c_over_a,
+            f64::MIN_POSITIVE,
+            1.0,
+        )?;
         Ok(Self::from_ratio(q))
     }
 
@@ -152,7 +157,12 @@ impl JacobiEllipsoid {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::OutOfRange`].
     pub fn from_axis_ratio(b_over_a: f64) -> Result<Self> {
-        let middle = within("the axis ratio b/a of a Jacobi ellipsoid", b_over_a, 1e-3, 1.0)?;
+        let middle = within(
+            "the axis ratio b/a of a Jacobi ellipsoid",
+            b_over_a,
+            1e-3,
+            1.0,
+        )?;
         Ok(Self {
             middle,
             shortest: equilibrium_axis_ratio(middle),

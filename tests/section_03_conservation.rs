@@ -1,5 +1,10 @@
 //! Section 3 of the tutorial: conservation laws, the ledger, and the star that turns.
 
+#![expect(
+    clippy::excessive_precision,
+    reason = "expected values keep all the digits they were computed to"
+)]
+
 use approx::assert_relative_eq;
 use num_rational::Ratio;
 use proptest::prelude::*;
@@ -444,7 +449,7 @@ fn coefficient_by_quadrature(q: f64, along: f64) -> f64 {
 // claim: C3.5-1
 #[test]
 fn s3_5_maclaurin_spheroids() {
-    // Against 32 digits; the bound is in units of the last place. Observed: 3 and 4.
+    // Against 32 digits, in units of machine epsilon. Observed: 4 and 4.
     let (mut worst, mut worst_ratio) = (0.0_f64, 0.0_f64);
     for line in include_str!("reference/maclaurin.csv").lines().skip(1) {
         let row: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
@@ -452,8 +457,8 @@ fn s3_5_maclaurin_spheroids() {
         worst = worst.max((star.rotation() / row[1] - 1.0).abs() / f64::EPSILON);
         worst_ratio = worst_ratio.max((star.energy_ratio() / row[2] - 1.0).abs() / f64::EPSILON);
     }
-    assert!(worst <= 4.0, "{worst} ulp");
-    assert!(worst_ratio <= 5.0, "{worst_ratio} ulp");
+    assert!(worst <= 4.5, "{worst} ulp");
+    assert!(worst_ratio <= 4.5, "{worst_ratio} ulp");
 
     let rotation = |e| MaclaurinSpheroid::from_eccentricity(e).unwrap().rotation();
     assert_relative_eq!(
@@ -576,7 +581,29 @@ fn s3_5_jacobi_ellipsoids_branch_off() {
         );
         assert!(star.angular_momentum() > branch.angular_momentum());
     }
-    // The sense of b: as near to 1 as one likes, without a jump from the limit a²−b² → 0.
+    // Twenty digits from quadrature in multiple precision. Observed 7e-16.
+    for (b, c, rotation) in [
+        (
+            0.5,
+            0.383_308_578_573_099_843_7,
+            0.309_557_013_747_839_172_16,
+        ),
+        (
+            0.1,
+            0.096_815_242_566_304_156_552,
+            0.060_472_160_195_441_782_64,
+        ),
+    ] {
+        let star = JacobiEllipsoid::from_axis_ratio(b).unwrap();
+        assert_relative_eq!(star.axes()[2], c, max_relative = 1.2e-15, epsilon = 0.0);
+        assert_relative_eq!(
+            star.rotation(),
+            rotation,
+            max_relative = 1.2e-15,
+            epsilon = 0.0
+        );
+    }
+    // As near to 1 as one likes, without a jump from the limit a²−b² → 0.
     let near = JacobiEllipsoid::from_axis_ratio(1.0 - 1e-9).unwrap();
     assert_relative_eq!(
         near.axes()[2],

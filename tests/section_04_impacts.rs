@@ -1,5 +1,10 @@
 //! Section 4.2 of the tutorial: a meteorite strikes a planet and sticks.
 
+#![expect(
+    clippy::excessive_precision,
+    reason = "expected values keep all the digits they were computed to"
+)]
+
 use approx::assert_relative_eq;
 use num_rational::Ratio;
 use proptest::prelude::*;

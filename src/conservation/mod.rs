@@ -25,8 +25,10 @@
 mod force;
 mod ledger;
 mod particles;
+mod sum;
 
 pub use force::{ForceAndTorque, angular_momentum_rate, uniform_gravity};
-pub use ledger::{CompensatedSum, Entry, Law, Ledger, ScalarAccount, VectorAccount};
+pub use ledger::{Entry, Law, Ledger, ScalarAccount, VectorAccount};
 pub(crate) use particles::finite_vector;
 pub use particles::{AngularMomentumParts, EnergyParts, Particle, Particles};
+pub use sum::CompensatedSum;

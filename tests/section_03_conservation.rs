@@ -612,7 +612,7 @@ fn s3_5_jacobi_ellipsoids_branch_off() {
     );
 }
 
-// claim: C3.5-3
+// claim: C3.5-3, C1.1-3
 #[test]
 fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
     let body = Waist {

@@ -694,6 +694,8 @@ fn anything() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn nothing_panics_and_no_drift_is_nan(values in prop::collection::vec(anything(), 9)) {
         let vector = V::new(values[0], values[1], values[2]);

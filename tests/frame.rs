@@ -223,6 +223,8 @@ fn anything() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn there_and_back_again(q in [-1.0..1.0_f64, -1.0..1.0, -1.0..1.0, 0.1..1.0], a in [-5.0..5.0_f64, -5.0..5.0, -5.0..5.0]) {
         let attitude = Attitude::from_quaternion(q[3], q[0], q[1], q[2]).unwrap();

@@ -585,6 +585,8 @@ fn moderate() -> impl Strategy<Value = V> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn nothing_panics_on_any_input(n in prop::collection::vec(anything(), 12)) {
         let planet = Planet::spherical(n[0], n[1], V::new(n[2], n[3], n[4]), V::new(n[5], n[6], n[7]));

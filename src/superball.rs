@@ -137,6 +137,8 @@ pub fn friction_impulse<T: Num + Copy>(before: Motion<T>, surface: Surface, kapp
 }
 
 /// The motions after bounces 1, 2, 3, … off floor, ceiling, floor, … (4.6). Endless; each step is one [`bounce`].
+///
+/// In fractions of fixed-width integers it is as long as they are: past 43 bounces of the ball `Ratio<i128>` overflows, as [`bounce`] says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnderTable<T> {
     motion: Motion<T>,
@@ -266,7 +268,7 @@ impl BounceRotation {
     /// The motion after `bounces` bounces, floor first: V_n = V cos nδ + √κ RΩ sin nδ, and its companion (4.6).
     ///
     /// For a start without spin these are the Chebyshev polynomials V T_n and ±2/(1+κ) V U_{n−1} at cos δ.
-    /// Error: n·2⁻¹⁰⁴ in phase plus two units in the last place of the larger part; below one unit for n up to 10¹⁵. The energy is
+    /// Error: about n·2⁻¹⁰² in phase plus two units in the last place of the larger part. Observed for n = 10¹²: 3e-16. The energy is
     /// right to a few roundings for every n. Cost: at most 128 products of two pairs, whatever n. A start that is not
     /// finite gives a motion that is not.
     pub fn after(&self, start: Motion<f64>, bounces: u64) -> Motion<f64> {

@@ -280,13 +280,13 @@ fn s6_5_long_times() {
     let omega = top.omega_at(BodyVector::new(1.0, 0.0, 0.7), 1e12);
     assert_relative_eq!(
         omega.x(),
-        0.774863333502428785,
+        0.774_863_333_502_428_8,
         max_relative = 0.0,
         epsilon = 2.3e-16
     );
     assert_relative_eq!(
         omega.y(),
-        0.632128795731932958,
+        0.632_128_795_731_932_9,
         max_relative = 0.0,
         epsilon = 2.3e-16
     );

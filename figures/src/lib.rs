@@ -4,6 +4,14 @@
 
 use spinning_bodies::Result;
 
+mod compare;
+pub mod finish;
+mod inertia;
+mod solid;
+pub mod style;
+
+pub use compare::{Difference, compare};
+
 /// A finished figure. Alt text and caption are part of the type: there is no figure without them.
 #[derive(Debug, Clone)]
 pub struct Figure {
@@ -30,5 +38,16 @@ pub struct Entry {
 
 /// All figures, in the order of the book.
 pub fn all() -> &'static [Entry] {
-    &[]
+    &[
+        Entry {
+            name: "ellipsoid-of-inertia",
+            chapter: "inertia",
+            draw: inertia::ellipsoid,
+        },
+        Entry {
+            name: "cube-rosettes",
+            chapter: "inertia",
+            draw: inertia::rosettes,
+        },
+    ]
 }

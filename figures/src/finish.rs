@@ -118,9 +118,9 @@ fn rich(body: &str, size: f64) -> String {
                 (&rest[2..end], level, rest.get(end + 1..).unwrap_or(""))
             }
             _ => {
-                let end = rest[1..]
+                let end = rest
                     .char_indices()
-                    .map(|(k, c)| (k + 1, c))
+                    .skip(1)
                     .find(|(k, c)| *c == '*' || (matches!(c, '_' | '^') && rest[k + 1..].starts_with('{')))
                     .map_or(rest.len(), |(k, _)| k);
                 (&rest[..end], 0.0, &rest[end..])

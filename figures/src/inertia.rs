@@ -53,7 +53,7 @@ pub fn ellipsoid() -> Result<Figure> {
     };
 
     let semi = Vector3::from(semi);
-    let view = View::new(-1.08, 0.44, [292.0, 208.0], 56.0);
+    let view = View::new(-0.9, 0.46, [300.0, 196.0], 54.0);
     Ok(figure("ellipsoid-of-inertia", 390.0, words, |pen| {
         box_with_bulges(pen, &view, &half, &semi);
         let names = [
@@ -61,10 +61,10 @@ pub fn ellipsoid() -> Result<Figure> {
             format!("*I*_{{2}} = {}", number(moments[1], 0)),
             format!("*I*_{{3}} = {}", number(moments[2], 0)),
         ];
-        let reach = [1.5, 1.35, 1.7];
+        let reach = [1.2, 1.5, 1.5];
         let texts: [(f64, f64, Anchor); 3] = [
             (10.0, 5.0, Anchor::Start),
-            (10.0, 6.0, Anchor::Start),
+            (-8.0, 14.0, Anchor::End),
             (0.0, -9.0, Anchor::Middle),
         ];
         for k in 0..3 {
@@ -84,7 +84,9 @@ pub fn ellipsoid() -> Result<Figure> {
             for piece in hidden {
                 pen.line(&piece, stroke(Role::Ink, AXIS).alpha(HIDDEN).dotted());
             }
-            let tip = view.project(&along(semi[k] + reach[k]));
+            // The middle axis is named at its near end.
+            let side = if k == 1 { -1.0 } else { 1.0 };
+            let tip = view.project(&along(side * (semi[k] + reach[k])));
             let (dx, dy, anchor) = texts[k];
             pen.text([tip[0] + dx, tip[1] + dy], anchor, &names[k], label(Role::Ink));
         }
@@ -211,7 +213,7 @@ pub fn rosettes() -> Result<Figure> {
         put(pen, at(left, slant, 9.0), Anchor::Start, "vertex");
         put(pen, at(left, side, 8.0), Anchor::Start, "edge");
         let [up, slant, side] = brick.quiz;
-        put(pen, at(right, up, 12.0), Anchor::Middle, &format!("face {}", number(up.1, 3)));
+        put(pen, at(right, up, 34.0), Anchor::Middle, &format!("face {}", number(up.1, 3)));
         put(pen, at(right, slant, 9.0), Anchor::Start, &format!("vertex {}", number(slant.1, 3)));
         let inside = at(right, side, -8.0);
         pen.text([inside[0], inside[1] - 6.0], Anchor::End, &format!("edge {}", number(side.1, 3)), small(Role::Ink));
@@ -281,7 +283,12 @@ fn regular_solid(pen: &mut Pen<'_>, solid: PlatonicSolid, center: Point, radius:
     };
     let corners: Vec<Vector3<f64>> = vertices.into_iter().map(Vector3::from).collect();
     let size = corners.iter().map(Vector3::norm).fold(0.0, f64::max);
-    let view = View::new(0.42, 0.36, center, radius / size);
+    let (azimuth, elevation) = match solid {
+        PlatonicSolid::Tetrahedron => (-0.42, 0.3),
+        PlatonicSolid::Icosahedron => (0.3, 0.22),
+        _ => (0.42, 0.36),
+    };
+    let view = View::new(azimuth, elevation, center, radius / size);
     let light = Vector3::new(0.25, -0.55, 0.8);
     for face in solid.faces() {
         let face: Vec<Vector3<f64>> = face.iter().map(|&k| corners[k as usize]).collect();

@@ -5,10 +5,15 @@
 use spinning_bodies::Result;
 
 mod compare;
+mod euler_top;
 pub mod finish;
+mod impacts;
 mod inertia;
+mod pythagoras;
+mod rolling;
 mod solid;
 pub mod style;
+mod superball;
 
 pub use compare::{Difference, compare};
 
@@ -48,6 +53,31 @@ pub fn all() -> &'static [Entry] {
             name: "cube-rosettes",
             chapter: "inertia",
             draw: inertia::rosettes,
+        },
+        Entry {
+            name: "meteorite",
+            chapter: "impacts",
+            draw: impacts::meteorite,
+        },
+        Entry {
+            name: "billiard",
+            chapter: "rolling",
+            draw: rolling::billiard,
+        },
+        Entry {
+            name: "superball",
+            chapter: "superball",
+            draw: superball::under_the_table,
+        },
+        Entry {
+            name: "polar-circles",
+            chapter: "euler-top",
+            draw: euler_top::polar_circles,
+        },
+        Entry {
+            name: "gas-box",
+            chapter: "pythagoras",
+            draw: pythagoras::gas_box,
         },
     ]
 }

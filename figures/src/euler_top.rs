@@ -2,11 +2,13 @@
 
 use core::f64::consts::TAU;
 
+use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::{SymmetricTop, earth};
 use spinning_bodies::frame::BodyVector;
 
 use crate::Figure;
+use crate::solid::{View, ellipse, hull};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, arc, figure, label, number,
     polar, small, stroke,
@@ -165,4 +167,91 @@ pub fn polar_circles() -> Result<Figure> {
             &format!("outer lane, {}° to go", number(lag, 0)),
         );
     }))
+}
+
+/// Length of the sides of the cones, units.
+const SIDE: f64 = 196.0;
+
+/// A flat and a long body: the cone of the axis of rotation in the body rolls on the one in space.
+pub fn precession_cones() -> Result<Figure> {
+    let omega = BodyVector::new(0.7, 0.0, 1.0);
+    let (flat, long) = (SymmetricTop::new(1.0, 1.7)?, SymmetricTop::new(1.0, 0.5)?);
+    let (flat_cones, long_cones) = (flat.cones(omega)?, long.cones(omega)?);
+    let degrees = |angle: f64| number(angle.to_degrees(), 1);
+
+    let words = Words {
+        claim: "A body cone rolls on a space cone: round it if the body is flat, on its outside if it is long.".to_owned(),
+        details: format!(
+            "The cones of a free symmetric top touch along $\\Omega$; the space cone, about $L$, stands still. Half-angles of \
+             body cone and space cone: {} and {} degrees for $I_3/I_1 = {}$, {} and {} degrees for $I_3/I_1 = {}$, both with \
+             $\\Omega_\\perp/\\Omega_3 = {}$.",
+            degrees(flat_cones.body),
+            degrees(flat_cones.space),
+            flat.axial(),
+            degrees(long_cones.body),
+            degrees(long_cones.space),
+            long.axial(),
+            omega.x(),
+        ),
+        alt: format!(
+            "Two pairs of cones with a common tip. Left, a flat body: the wide cone of {} degrees about the body's axis \
+             surrounds the narrow cone of {} degrees about the vertical angular momentum. Right, a long body: the two cones \
+             stand side by side. Each pair touches along the angular velocity, so one cone rolls on the other.",
+            degrees(flat_cones.body),
+            degrees(flat_cones.space),
+        ),
+    };
+
+    Ok(figure("precession-cones", 372.0, words, |pen| {
+        let panels = [
+            (&flat_cones, -1.0, [174.0, 300.0], "flat"),
+            (&long_cones, 1.0, [394.0, 300.0], "long"),
+        ];
+        for (cones, side, tip, name) in panels {
+            // L upright; Omega on the right of it, the axis beyond L if the body is flat, beyond Omega if it is long.
+            let view = View::new(-core::f64::consts::FRAC_PI_2, 0.3, tip, SIDE);
+            let tilted = |angle: f64| Vector3::new(angle.sin(), 0.0, angle.cos());
+            let (l, spin, axis) = (
+                tilted(0.0),
+                tilted(cones.space),
+                tilted(side * cones.nutation),
+            );
+            cone(pen, &view, &axis, cones.body, Role::Ink);
+            cone(pen, &view, &l, cones.space, Role::AngularMomentum);
+            for (vector, text, role, width) in [
+                (axis, "*x*_{3}", Role::Ink, SECONDARY),
+                (l, "*L*", Role::AngularMomentum, DATA),
+                (spin, "*Ω*", Role::Omega, 2.8),
+            ] {
+                let end = view.project(&(vector * 1.2));
+                pen.arrow(tip, end, stroke(role, width));
+                let beyond = view.project(&(vector * 1.29));
+                pen.text(
+                    [beyond[0], beyond[1] + 5.0],
+                    Anchor::Middle,
+                    text,
+                    label(role),
+                );
+            }
+            pen.text(
+                [tip[0], tip[1] + 44.0],
+                Anchor::Middle,
+                name,
+                label(Role::Ink),
+            );
+        }
+    }))
+}
+
+/// A cone with its tip in the origin, seen from outside.
+fn cone(pen: &mut Pen<'_>, view: &View, axis: &Vector3<f64>, half_angle: f64, role: Role) {
+    let across = Vector3::y().cross(axis).normalize();
+    let (s, c) = half_angle.sin_cos();
+    let rim = view.trace(&ellipse(axis * c, across * s, Vector3::y() * s, 180));
+    let mut outline = rim.clone();
+    outline.push(view.project(&Vector3::zeros()));
+    let outline = hull(&outline);
+    pen.fill(&outline, role, 0.09);
+    pen.outline(&outline, stroke(role, AXIS));
+    pen.line(&rim, stroke(role, SECONDARY));
 }

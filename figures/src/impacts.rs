@@ -19,7 +19,7 @@ const SPIN: f64 = 186.0;
 /// The magnifying glass.
 const GLASS: Point = [492.0, 146.0];
 const GLASS_RADIUS: f64 = 74.0;
-const MAGNIFIED: f64 = 9.0;
+const MAGNIFIED: f64 = 24.0;
 
 /// A planet before and after a hit, exactly and in first order.
 pub fn meteorite() -> Result<Figure> {
@@ -130,12 +130,12 @@ pub fn meteorite() -> Result<Figure> {
 fn glass(pen: &mut Pen<'_>, exact: Point, rough: Point) {
     pen.ring(
         exact,
-        GLASS_RADIUS / MAGNIFIED + 1.0,
+        GLASS_RADIUS / MAGNIFIED + 3.0,
         stroke(Role::Ink, AXIS),
     );
     let (dx, dy) = (GLASS[0] - exact[0], GLASS[1] - exact[1]);
     let along = dy.atan2(dx);
-    let start = [exact[0] + 9.2 * along.cos(), exact[1] + 9.2 * along.sin()];
+    let start = [exact[0] + 6.1 * along.cos(), exact[1] + 6.1 * along.sin()];
     let stop = [
         GLASS[0] - GLASS_RADIUS * along.cos(),
         GLASS[1] - GLASS_RADIUS * along.sin(),

@@ -75,6 +75,11 @@ pub fn all() -> &'static [Entry] {
             draw: euler_top::polar_circles,
         },
         Entry {
+            name: "precession-cones",
+            chapter: "euler-top",
+            draw: euler_top::precession_cones,
+        },
+        Entry {
             name: "gas-box",
             chapter: "pythagoras",
             draw: pythagoras::gas_box,

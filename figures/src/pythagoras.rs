@@ -70,6 +70,10 @@ pub fn gas_box() -> Result<Figure> {
                 let t = (f64::from(k) + 0.5) / f64::from(count);
                 let on = between(from, to, t);
                 let inside = [on[0] - 17.0 * outward[0], on[1] - 17.0 * outward[1]];
+                // Near a corner there is no room for one.
+                if !well_inside(inside, [a, r, b]) {
+                    continue;
+                }
                 pen.arrow(
                     inside,
                     [on[0] - outward[0], on[1] - outward[1]],
@@ -162,6 +166,15 @@ pub fn gas_box() -> Result<Figure> {
         );
         pen.text([40.0, 72.0], Anchor::Start, &sum, sized(Role::Torque, 18.0));
     }))
+}
+
+/// Whether a point is more than a few units from every side of a triangle, corners anticlockwise on the page.
+fn well_inside(p: Point, corners: [Point; 3]) -> bool {
+    (0..3).all(|k| {
+        let (a, b) = (corners[k], corners[(k + 1) % 3]);
+        let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+        (u[1] * v[0] - u[0] * v[1]) / u[0].hypot(u[1]) > 9.0
+    })
 }
 
 /// A multiple of one half as a whole number or a fraction, anything else with two decimals.

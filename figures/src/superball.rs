@@ -28,7 +28,7 @@ const EDGE: f64 = -0.62;
 /// Flashes in a flight: the quarter keeps the balls going up clear of those coming down.
 const FLASHES: f64 = 6.25;
 /// Where the picture ends on the right and at the top: flights.
-const LEAVES: f64 = 1.22;
+const LEAVES: f64 = 1.2;
 
 /// Where a ball is drawn: `x` in flights from the first bounce, `height` 0 on the floor and 1 at the ceiling.
 fn place(x: f64, height: f64) -> Point {
@@ -107,8 +107,8 @@ pub fn under_the_table() -> Result<Figure> {
             pen.disc(place(-t, t), 2.2, Role::Ink, 1.0);
         }
         pen.arrow(
-            place(-1.24, 1.24),
-            place(-1.08, 1.08),
+            place(-1.265, 1.265),
+            place(-1.145, 1.145),
             stroke(Role::Ink, DATA),
         );
 
@@ -122,7 +122,7 @@ pub fn under_the_table() -> Result<Figure> {
             let spin = motion.rim_speed * FLIGHT / RADIUS;
             loop {
                 let t = f64::from(flash) / FLASHES - leg as f64;
-                if t >= end {
+                if t >= end.min(1.1) {
                     break;
                 }
                 // The sector is the turn since the flash before, or since the bounce if that is later.
@@ -159,10 +159,9 @@ pub fn under_the_table() -> Result<Figure> {
             );
             pen.disc(center, 1.6, Role::Omega, 1.0);
         }
-        let last = [path[2], path[3]];
         pen.arrow(
-            between(last[0], last[1], 0.93),
-            between(last[0], last[1], 1.05),
+            between(path[2], path[3], 0.93),
+            path[3],
             stroke(Role::Ink, DATA),
         );
 

@@ -158,7 +158,7 @@ pub fn polar_circles() -> Result<Figure> {
             pen,
             148.0,
             &format!("rigid: {} days", number(rigid.period, 0)),
-            "inner lane, back at the start",
+            "inner lane, back home",
         );
         note(
             pen,
@@ -174,7 +174,7 @@ const SIDE: f64 = 196.0;
 
 /// A flat and a long body: the cone of the axis of rotation in the body rolls on the one in space.
 pub fn precession_cones() -> Result<Figure> {
-    let omega = BodyVector::new(0.7, 0.0, 1.0);
+    let omega = BodyVector::new(0.56, 0.0, 1.0);
     let (flat, long) = (SymmetricTop::new(1.0, 1.7)?, SymmetricTop::new(1.0, 0.5)?);
     let (flat_cones, long_cones) = (flat.cones(omega)?, long.cones(omega)?);
     let degrees = |angle: f64| number(angle.to_degrees(), 1);
@@ -204,8 +204,8 @@ pub fn precession_cones() -> Result<Figure> {
 
     Ok(figure("precession-cones", 372.0, words, |pen| {
         let panels = [
-            (&flat_cones, -1.0, [174.0, 300.0], "flat"),
-            (&long_cones, 1.0, [394.0, 300.0], "long"),
+            (&flat_cones, -1.0, [166.0, 300.0], "flat"),
+            (&long_cones, 1.0, [372.0, 300.0], "long"),
         ];
         for (cones, side, tip, name) in panels {
             // L upright; Omega on the right of it, the axis beyond L if the body is flat, beyond Omega if it is long.
@@ -234,11 +234,23 @@ pub fn precession_cones() -> Result<Figure> {
                 );
             }
             pen.text(
-                [tip[0], tip[1] + 44.0],
+                [tip[0], tip[1] + 40.0],
                 Anchor::Middle,
                 name,
                 label(Role::Ink),
             );
+        }
+        for (at, anchor, text, role) in [
+            ([84.0, 290.0], Anchor::End, "body cone", Role::Ink),
+            (
+                [324.0, 240.0],
+                Anchor::End,
+                "space cone",
+                Role::AngularMomentum,
+            ),
+            ([470.0, 306.0], Anchor::Start, "body cone", Role::Ink),
+        ] {
+            pen.text(at, anchor, text, small(role));
         }
     }))
 }

@@ -179,6 +179,8 @@ fn box_with_bulges(pen: &mut Pen<'_>, view: &View, half: &Vector3<f64>, semi: &V
         let [seen, hidden] = view.split(&curve, |p| {
             !box_hides(half, p, &view.toward) && !ellipsoid_hides(semi, p, &view.toward)
         });
+        // Rims at the back would only confuse.
+        let hidden = if width == AXIS { Vec::new() } else { hidden };
         for piece in hidden {
             pen.line(&piece, stroke(Role::Ink, HAIR).alpha(HIDDEN));
         }

@@ -77,7 +77,8 @@ fn straighten(piece: &mut Vec<Point>) {
         return;
     };
     let off = |p: &Point| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-    if piece.iter().all(|p| off(p).abs() < 1e-6) && a != b {
+    let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+    if length > 1.0 && piece.iter().all(|p| off(p).abs() < 1e-6 * length) {
         *piece = vec![a, b];
     }
 }

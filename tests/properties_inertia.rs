@@ -75,7 +75,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn shapes_never_panic(m in any(), a in any(), b in any(), c in any(), n in any::<u32>(), corner in prop::array::uniform3(prop::array::uniform2(any()))) {
+    fn shapes_never_panic(m in any(), a in any(), b in any(), c in any(), n in prop::num::u32::ANY, corner in prop::array::uniform3(prop::array::uniform2(any()))) {
         let mut all = vec![
             shapes::cuboid(m, [a, b, c]), shapes::hollow_box(m, [a, b, c]), shapes::wire_box(m, [a, b, c]),
             shapes::hollow_cube(m, a), shapes::wire_cube(m, a), shapes::ball(m, a), shapes::spherical_shell(m, a),

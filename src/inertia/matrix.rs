@@ -49,7 +49,9 @@ impl InertiaMatrix {
         }
         let symmetric = matrix * 0.5 + matrix.transpose() * 0.5;
         finite("the trace of the inertia matrix", symmetric.trace())?;
-        let [smallest, middle, largest] = symmetric_axes(&symmetric).moments();
+        // Judged in a smaller unit near the end of the range, where an indefinite matrix has moments without a number.
+        let unit = if symmetric.amax() > 1e300 { 0.125 } else { 1.0 };
+        let [smallest, middle, largest] = symmetric_axes(&(symmetric * unit)).moments();
         let slack = relative * largest.abs().max(smallest.abs());
         if smallest < -slack {
             return Err(Error::Negative {

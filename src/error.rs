@@ -105,6 +105,12 @@ pub enum Error {
         /// What to try.
         hint: &'static str,
     },
+    /// Routh's rule was asked about a body of which it does not speak.
+    #[error("Routh's rule does not hold for {body}")]
+    RouthDoesNotApply {
+        /// The kind of body.
+        body: &'static str,
+    },
     /// A condition that has no variant of its own; the text states it.
     #[error("{condition}, got {value}")]
     Condition {

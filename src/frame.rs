@@ -224,7 +224,9 @@ impl Attitude {
         for component in [w, x, y, z] {
             finite("a quaternion component", component)?;
         }
-        let largest = [w, x, y, z].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+        let largest = [w, x, y, z]
+            .into_iter()
+            .fold(0.0, |m: f64, c| m.max(c.abs()));
         if largest == 0.0 {
             return Err(Error::ZeroVector {
                 quantity: "the attitude quaternion",

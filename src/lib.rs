@@ -5,11 +5,13 @@
 //! | section | module | what it computes |
 //! |---|---|---|
 //! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem |
+//! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule |
 //! | | [`error`] | the one error type |
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
 pub mod error;
 pub mod frame;
+pub mod inertia;
 
 pub use error::{Error, Result};

@@ -1,0 +1,248 @@
+//! The inertia matrix itself (tutorial 2.2 to 2.4, 2.7, 2.8).
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::principal::{PrincipalAxes, symmetric_axes};
+use crate::error::{Error, Result, finite, not_negative};
+use crate::frame::{Attitude, BodyVector};
+
+/// The inertia matrix I about some point, kg m²: symmetric, and such as a body can have.
+///
+/// The point is not stored: [`MassProperties`](super::MassProperties) keeps the matrix about the centre of
+/// mass and knows where that is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InertiaMatrix(Matrix3<f64>);
+
+/// Slack, in units of eps times the largest moment, for matrices that have been rounded entry by entry.
+const SLACK: f64 = 16.0 * f64::EPSILON;
+
+impl InertiaMatrix {
+    /// The inertia matrix with these entries, checked (2.4, 2.7).
+    ///
+    /// Domain: symmetric up to 16 eps times the largest entry (mirror entries are averaged), finite, with a
+    /// finite trace, and with principal moments that are not negative and obey I₁ + I₂ ≥ I₃, up to 16 eps·I₃:
+    /// a rod or a lamina in tilted axes does not survive rounding better than that.
+    /// Cost: one [`principal_axes`](Self::principal_axes).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NotSymmetric`], [`Error::Negative`], [`Error::TriangleInequality`].
+    pub fn from_matrix(matrix: Matrix3<f64>) -> Result<Self> {
+        Self::with_slack(matrix, SLACK)
+    }
+
+    /// The same with another slack, in units of the largest entry and of the largest moment.
+    pub(super) fn with_slack(matrix: Matrix3<f64>, relative: f64) -> Result<Self> {
+        for entry in matrix.iter() {
+            finite("an entry of the inertia matrix", *entry)?;
+        }
+        let slack = relative * matrix.amax();
+        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+            let (upper, lower) = (matrix[(row, column)], matrix[(column, row)]);
+            if (upper - lower).abs() > slack {
+                return Err(Error::NotSymmetric {
+                    row,
+                    column,
+                    upper,
+                    lower,
+                });
+            }
+        }
+        let symmetric = matrix * 0.5 + matrix.transpose() * 0.5;
+        finite("the trace of the inertia matrix", symmetric.trace())?;
+        let [smallest, middle, largest] = symmetric_axes(&symmetric).moments();
+        let slack = relative * largest.abs().max(smallest.abs());
+        if smallest < -slack {
+            return Err(Error::Negative {
+                quantity: "a principal moment",
+                value: smallest,
+            });
+        }
+        if largest - middle > smallest + slack {
+            return Err(Error::TriangleInequality {
+                smallest,
+                middle,
+                largest,
+            });
+        }
+        Ok(Self(symmetric))
+    }
+
+    /// The inertia matrix along principal axes: diag(I₁, I₂, I₃), in the order given.
+    ///
+    /// # Errors
+    /// As [`PrincipalMoments::new`](super::PrincipalMoments::new), and [`Error::NotFinite`] if the trace overflows.
+    pub fn diagonal(i1: f64, i2: f64, i3: f64) -> Result<Self> {
+        super::PrincipalMoments::new(i1, i2, i3)?;
+        finite("the trace of the inertia matrix", i1 + i2 + i3)?;
+        Ok(Self(Matrix3::from_diagonal(&Vector3::new(i1, i2, i3))))
+    }
+
+    /// The inertia matrix of a particle at `position` from the reference point: m(|x|²δ − x xᵀ) (2.7, 2.8).
+    ///
+    /// Error: every entry to 2 ulp. The trace of the result must be finite. Cost: a dozen multiplications.
+    ///
+    /// # Errors
+    /// [`Error::Negative`] or [`Error::NotFinite`] for the mass, the position or an overflow.
+    pub fn of_particle(mass: f64, position: BodyVector) -> Result<Self> {
+        not_negative("the mass", mass)?;
+        for coordinate in position.components().iter() {
+            finite("a coordinate of the particle", *coordinate)?;
+        }
+        Self::checked(particle_term(mass, &position.components()))
+    }
+
+    /// The inertia matrix from the matrix of second moments S = ∫x xᵀρ: I = tr(S)δ − S (2.7).
+    ///
+    /// # Errors
+    /// As [`from_matrix`](Self::from_matrix).
+    pub fn from_second_moments(second_moments: Matrix3<f64>) -> Result<Self> {
+        let [x, y, z] = [0, 1, 2].map(|i| second_moments[(i, i)]);
+        let mut matrix = -second_moments;
+        // Sums of two, not the trace less one: the latter would cancel for a needle.
+        (matrix[(0, 0)], matrix[(1, 1)], matrix[(2, 2)]) = (y + z, z + x, x + y);
+        Self::from_matrix(matrix)
+    }
+
+    /// A matrix built by this module from parts that are inertia matrices: only overflow is left to refuse.
+    pub(super) fn checked(matrix: Matrix3<f64>) -> Result<Self> {
+        finite("the trace of the inertia matrix", matrix.trace())?;
+        for entry in matrix.iter() {
+            finite("an entry of the inertia matrix", *entry)?;
+        }
+        Ok(Self(matrix))
+    }
+
+    /// The matrix, kg m², along the body's axes.
+    pub const fn matrix(&self) -> Matrix3<f64> {
+        self.0
+    }
+
+    /// The second moments S = ∫x xᵀρ = ½tr(I)δ − I, kg m² (2.5, 2.7).
+    pub fn second_moments(&self) -> Matrix3<f64> {
+        let [a, b, c] = [0, 1, 2].map(|i| 0.5 * self.0[(i, i)]);
+        let mut moments = -self.0;
+        (moments[(0, 0)], moments[(1, 1)], moments[(2, 2)]) =
+            ((b - a) + c, (c - b) + a, (a - c) + b);
+        moments
+    }
+
+    /// Angular momentum L = IΩ about the reference point, kg m²/s; `omega` in rad/s (2.2).
+    pub fn angular_momentum(&self, omega: BodyVector) -> BodyVector {
+        BodyVector::from_components(self.0 * omega.components())
+    }
+
+    /// Rotational energy ½⟨IΩ, Ω⟩, J; `omega` in rad/s (2.3).
+    pub fn rotational_energy(&self, omega: BodyVector) -> f64 {
+        0.5 * self.angular_momentum(omega).dot(&omega)
+    }
+
+    /// Moment of inertia ⟨Ie, e⟩ about an axis through the reference point, kg m²; `axis` of any length (2.4).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] or [`Error::ZeroVector`] for the axis.
+    pub fn moment_about(&self, axis: BodyVector) -> Result<f64> {
+        let e = axis.direction("the axis")?.components();
+        Ok(e.dot(&(self.0 * e)))
+    }
+
+    /// Angle between L = IΩ and Ω, radians, accurate when small (2.2).
+    ///
+    /// Never more than [`PrincipalMoments::greatest_angle`](super::PrincipalMoments::greatest_angle).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] or [`Error::ZeroVector`] for `omega`; [`Error::ZeroVector`] if L vanishes, as for a
+    /// rod that turns about itself.
+    pub fn angle_between_l_and_omega(&self, omega: BodyVector) -> Result<f64> {
+        let omega = omega.direction("the angular velocity")?;
+        let l = self
+            .angular_momentum(omega)
+            .direction("the angular momentum")?;
+        Ok(omega.cross(&l).norm().atan2(omega.dot(&l)))
+    }
+
+    /// Parallel axes (2.8): from the centre of mass to a point, I_O = I_C + M(|d|²δ − d dᵀ).
+    ///
+    /// `self` must be about the centre of mass; `offset` is d = C − O (its sign is immaterial), metres.
+    /// Error: 1 ulp of each entry beyond those of the two terms. Cost: a dozen multiplications.
+    ///
+    /// # Errors
+    /// As [`of_particle`](Self::of_particle).
+    pub fn shifted_from_center(&self, mass: f64, offset: BodyVector) -> Result<Self> {
+        Self::checked(self.0 + Self::of_particle(mass, offset)?.0)
+    }
+
+    /// The inertia matrix of the body turned by `attitude`: R I Rᵀ.
+    ///
+    /// Equally: the same matrix by its components along the axes of space. Exactly symmetric.
+    /// Observed error 4 eps times the largest moment. Cost: 50 multiplications.
+    pub fn rotated(&self, attitude: &Attitude) -> Self {
+        let r = attitude.quaternion().to_rotation_matrix();
+        Self(symmetrised(&(r.matrix() * self.0 * r.matrix().transpose())))
+    }
+
+    /// Mean of the matrices that arise by turning the body about `axis` by all multiples of 2π/`order` (2.6).
+    ///
+    /// It is the inertia of a body with a symmetry of that order. For order 3 and more it is of revolution,
+    /// whatever it was before, and does not depend on the order: a symmetric matrix seen along a circle varies with
+    /// the doubled angle at most, and three equally spaced points average that to nothing.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] or [`Error::ZeroVector`] for the axis, [`Error::OutOfRange`] for order 0.
+    pub fn averaged_over_rotations(&self, axis: BodyVector, order: u32) -> Result<Self> {
+        let e = axis.direction("the axis")?.components();
+        match order {
+            0 => Err(Error::OutOfRange {
+                quantity: "the order of the symmetry",
+                value: 0.0,
+                least: 1.0,
+                greatest: f64::from(u32::MAX),
+            }),
+            1 => Ok(*self),
+            2 => {
+                let half_turn = 2.0 * e * e.transpose() - Matrix3::identity();
+                let turned = half_turn * self.0 * half_turn;
+                Ok(Self(symmetrised(&(0.5 * self.0 + 0.5 * turned))))
+            }
+            _ => {
+                let axial = e.dot(&(self.0 * e));
+                let transverse = 0.5 * (self.0.trace() - axial);
+                let matrix = Matrix3::from_diagonal_element(transverse)
+                    + (axial - transverse) * e * e.transpose();
+                Ok(Self(symmetrised(&matrix)))
+            }
+        }
+    }
+
+    /// Torque about the reference point, N m, of a field of force that is linear in position (2.5).
+    ///
+    /// The force on a particle m at x is m·A x, A in s⁻². N = ∫x∧(Ax)ρ needs nothing of the body but this matrix.
+    pub fn torque_in_linear_field(&self, field: &Matrix3<f64>) -> BodyVector {
+        // (A S)_kj = ∫(Ax)_k x_j ρ.
+        let m = field * self.second_moments();
+        BodyVector::new(
+            m[(2, 1)] - m[(1, 2)],
+            m[(0, 2)] - m[(2, 0)],
+            m[(1, 0)] - m[(0, 1)],
+        )
+    }
+
+    /// Principal moments, ascending, and principal axes (2.4).
+    ///
+    /// See [`PrincipalAxes`] for what is promised of them.
+    pub fn principal_axes(&self) -> PrincipalAxes {
+        symmetric_axes(&self.0)
+    }
+}
+
+/// m(|d|²δ − d dᵀ), multiplied in an order that neither over- nor underflows before the result does.
+pub(super) fn particle_term(mass: f64, d: &Vector3<f64>) -> Matrix3<f64> {
+    let md = mass * d;
+    let (xx, yy, zz) = (md.x * d.x, md.y * d.y, md.z * d.z);
+    let (xy, xz, yz) = (md.x * d.y, md.x * d.z, md.y * d.z);
+    Matrix3::new(yy + zz, -xy, -xz, -xy, zz + xx, -yz, -xz, -yz, xx + yy)
+}
+
+/// The symmetric part.
+fn symmetrised(matrix: &Matrix3<f64>) -> Matrix3<f64> {
+    matrix * 0.5 + matrix.transpose() * 0.5
+}

@@ -1,0 +1,235 @@
+//! The ten sums over the triangles, and the edge check that rides along.
+
+/// Triangles gathered in registers before they are added to the next level.
+const BLOCK: usize = 128;
+/// Blocks gathered before they are added to the total.
+const BLOCKS: usize = 128;
+
+/// Sums over triangles with corners p, q, r from the apex, d = det(p, q, r), s = p + q + r.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Sums {
+    /// Σ d: six times the volume.
+    pub determinant: f64,
+    /// Σ d s: 24 times ∫x dV.
+    pub first: [f64; 3],
+    /// Σ d (s sᵀ + p pᵀ + q qᵀ + r rᵀ), entries xx, yy, zz, xy, xz, yz: 120 times ∫x xᵀ dV.
+    pub second: [f64; 6],
+    /// Signed hash of the edges: zero if each is run along equally often in both directions.
+    pub edges: u64,
+}
+
+impl Sums {
+    /// Adds another set of sums.
+    fn add(&mut self, other: &Self) {
+        self.determinant += other.determinant;
+        for (sum, term) in self.first.iter_mut().zip(other.first) {
+            *sum += term;
+        }
+        for (sum, term) in self.second.iter_mut().zip(other.second) {
+            *sum += term;
+        }
+        self.edges = self.edges.wrapping_add(other.edges);
+    }
+
+    /// The largest second moment stands for all: it is positive for a closed body.
+    pub(super) fn trace(&self) -> f64 {
+        (self.second[0] + self.second[1] + self.second[2]) / 20.0
+    }
+
+    /// Whether no sum has overflowed, and none that matters has lost digits to underflow.
+    pub(super) fn in_normal_range(&self) -> bool {
+        // A term that underflows is wrong by 5e-324; against 1e-280 that is nothing, for any number of triangles.
+        let safe = 1e-280..1e300;
+        safe.contains(&self.determinant.abs())
+            && self.second[..3].iter().all(|sum| sum.is_finite())
+            && self.second.iter().any(|sum| safe.contains(&sum.abs()))
+            && self.first.iter().all(|sum| sum.is_finite())
+    }
+}
+
+/// The unit in which the sums are formed: coordinates are multiplied by `shrink`, then their difference by 2^-exponent.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scale {
+    /// 1, or 1/4 for coordinates whose difference would overflow.
+    shrink: f64,
+    /// 2^-exponent as a product of two factors, since it may itself be out of range.
+    factors: [f64; 2],
+    /// The unit is 2^exponent metres.
+    exponent: i32,
+}
+
+impl Scale {
+    /// Metres.
+    pub(super) const ONE: Self = Self {
+        shrink: 1.0,
+        factors: [1.0; 2],
+        exponent: 0,
+    };
+
+    /// The power of two that is the size of the mesh. All coordinates and indices must have been checked.
+    pub(super) fn fitting(vertices: &[[f64; 3]], triangles: &[[u32; 3]], apex: [f64; 3]) -> Self {
+        let corners = || {
+            triangles
+                .as_flattened()
+                .iter()
+                .flat_map(|&index| vertices[index as usize].into_iter().zip(apex))
+        };
+        let farthest = corners().fold(0.0, |m: f64, (x, _)| m.max(x.abs()));
+        let (shrink, undo) = if farthest > 1e300 {
+            (0.25, 2)
+        } else {
+            (1.0, 0)
+        };
+        let size = corners().fold(0.0, |m: f64, (x, o)| m.max((x * shrink - o * shrink).abs()));
+        if size == 0.0 {
+            return Self::ONE;
+        }
+        let exponent = exponent_of(size);
+        let half = exponent / 2;
+        Self {
+            shrink,
+            factors: [power_of_two(-half), power_of_two(half - exponent)],
+            exponent: exponent + undo,
+        }
+    }
+
+    /// A sum of this degree in the lengths, brought back to metres.
+    pub(super) fn restore(self, value: f64, degree: i32) -> f64 {
+        let mut value = value;
+        let mut left = self.exponent * degree;
+        while left != 0 {
+            let step = left.clamp(-900, 900);
+            value *= power_of_two(step);
+            left -= step;
+        }
+        value
+    }
+
+    /// Corner minus apex, in this unit.
+    #[inline(always)]
+    fn from_apex(self, corner: [f64; 3], apex: [f64; 3]) -> [f64; 3] {
+        let [f, g] = self.factors;
+        [0, 1, 2].map(|i| (corner[i] * self.shrink - apex[i] * self.shrink) * f * g)
+    }
+}
+
+/// ⌊log₂|x|⌋ of a finite number other than zero; subnormal numbers count as 2^-1074 and up.
+fn exponent_of(x: f64) -> i32 {
+    let biased = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
+    match biased(x) {
+        0 => biased(x * power_of_two(200)) - 1023 - 200,
+        b => b - 1023,
+    }
+}
+
+/// 2^n for -1022 ≤ n ≤ 1023.
+fn power_of_two(n: i32) -> f64 {
+    f64::from_bits(((n + 1023) as u64) << 52)
+}
+
+/// One pass over the triangles; `None` if one names a vertex that does not exist.
+pub(super) fn sums(
+    vertices: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    apex: [f64; 3],
+    scale: Scale,
+) -> Option<Sums> {
+    if scale.exponent == 0 && scale.shrink == 1.0 {
+        gather(vertices, triangles, |corner| {
+            [0, 1, 2].map(|i| corner[i] - apex[i])
+        })
+    } else {
+        gather(vertices, triangles, |corner| scale.from_apex(corner, apex))
+    }
+}
+
+/// Three levels of summation: triangles into blocks, blocks into groups, groups into the total.
+fn gather(
+    vertices: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    relative: impl Fn([f64; 3]) -> [f64; 3] + Copy,
+) -> Option<Sums> {
+    let mut total = Sums::default();
+    for group in triangles.chunks(BLOCK * BLOCKS) {
+        let mut sum = Sums::default();
+        for block in group.chunks(BLOCK) {
+            sum.add(&block_sums(vertices, block, relative)?);
+        }
+        total.add(&sum);
+    }
+    Some(total)
+}
+
+/// The sums over one block of triangles.
+#[inline(always)]
+fn block_sums(
+    vertices: &[[f64; 3]],
+    block: &[[u32; 3]],
+    relative: impl Fn([f64; 3]) -> [f64; 3],
+) -> Option<Sums> {
+    let mut sums = Sums::default();
+    for &[a, b, c] in block {
+        let p = relative(*vertices.get(a as usize)?);
+        let q = relative(*vertices.get(b as usize)?);
+        let r = relative(*vertices.get(c as usize)?);
+        let d = p[0] * (q[1] * r[2] - q[2] * r[1])
+            + p[1] * (q[2] * r[0] - q[0] * r[2])
+            + p[2] * (q[0] * r[1] - q[1] * r[0]);
+        let s = [0, 1, 2].map(|i| p[i] + q[i] + r[i]);
+        sums.determinant += d;
+        for i in 0..3 {
+            sums.first[i] += d * s[i];
+        }
+        for (sum, (i, j)) in
+            sums.second
+                .iter_mut()
+                .zip([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)])
+        {
+            *sum += d * (s[i] * s[j] + p[i] * p[j] + q[i] * q[j] + r[i] * r[j]);
+        }
+        sums.edges = sums
+            .edges
+            .wrapping_add(edge(a, b))
+            .wrapping_add(edge(b, c))
+            .wrapping_add(edge(c, a));
+    }
+    Some(sums)
+}
+
+/// Hash of the edge between two vertices, negated if it is run along from the higher number to the lower.
+///
+/// Not linear in the vertex numbers, so that the edges of an open mesh do not cancel by arithmetic.
+#[inline(always)]
+fn edge(from: u32, to: u32) -> u64 {
+    let (low, high) = (from.min(to), from.max(to));
+    let mut hash = ((u64::from(low) << 32) | u64::from(high)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    hash ^= hash >> 32;
+    hash = hash.wrapping_mul(0xd6e8_feb8_6659_fd93);
+    hash ^= hash >> 32;
+    // +1, −1, or 0 for an edge from a vertex to itself.
+    let sign = u64::from(from < to).wrapping_sub(u64::from(from > to));
+    hash.wrapping_mul(sign)
+}
+
+/// Bound on what rounding can make of six times the volume: 8 eps times the sum of |products| in the determinants.
+///
+/// Three roundings a product, one for each difference of coordinates, make 6 eps; the sums add little.
+pub(super) fn largest_rounding_of_volume(
+    vertices: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    apex: [f64; 3],
+    scale: Scale,
+) -> f64 {
+    let mut bound = 0.0;
+    for corners in triangles {
+        let [p, q, r] = corners.map(|index| {
+            scale
+                .from_apex(vertices[index as usize], apex)
+                .map(f64::abs)
+        });
+        bound += p[0] * (q[1] * r[2] + q[2] * r[1])
+            + p[1] * (q[2] * r[0] + q[0] * r[2])
+            + p[2] * (q[0] * r[1] + q[1] * r[0]);
+    }
+    8.0 * f64::EPSILON * bound
+}

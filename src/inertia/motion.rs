@@ -1,0 +1,98 @@
+//! Momentum and energy of a body in motion, split as in tutorial 2.1 to 2.3.
+
+use super::MassProperties;
+use crate::error::Result;
+use crate::frame::BodyVector;
+
+/// An instant of rigid motion: the base point O, its velocity U, and the angular velocity Ω (2.2).
+///
+/// All three along the body's axes: metres, m/s, rad/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RigidMotion {
+    /// The base point O, m.
+    pub base: BodyVector,
+    /// Velocity U of the base point, m/s.
+    pub velocity: BodyVector,
+    /// Angular velocity Ω, rad/s; the same for every base point.
+    pub omega: BodyVector,
+}
+
+/// Angular momentum about the base point, kg m²/s, in its two parts (2.2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AngularMomentumSplit {
+    /// M(C−O)∧U, due to the base point's motion; zero if O = C, if U = 0, or if U is parallel to C−O.
+    pub of_motion: BodyVector,
+    /// IΩ, with I about the base point.
+    pub of_rotation: BodyVector,
+}
+
+/// Kinetic energy, J, in its three parts (2.3).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EnergySplit {
+    /// ½M|U|².
+    pub of_motion: f64,
+    /// ⟨U, Ω∧M(C−O)⟩; zero if O = C or U = 0.
+    pub cross: f64,
+    /// ½⟨IΩ, Ω⟩, with I about the base point.
+    pub of_rotation: f64,
+}
+
+impl RigidMotion {
+    /// Velocity of the body's point at `x`, m/s: U + Ω∧(x−O) (2.2).
+    pub fn velocity_at(&self, x: BodyVector) -> BodyVector {
+        self.velocity + self.omega.cross(&(x - self.base))
+    }
+
+    /// The same motion told from another base point: U changes by Ω∧P, Ω does not change (2.2).
+    pub fn seen_from(&self, base: BodyVector) -> Self {
+        Self {
+            base,
+            velocity: self.velocity_at(base),
+            omega: self.omega,
+        }
+    }
+
+    /// Momentum of the body, kg m/s: mass times velocity of its centre (2.1).
+    pub fn momentum(&self, body: &MassProperties) -> BodyVector {
+        body.mass() * self.velocity_at(body.center())
+    }
+
+    /// Angular momentum of the body about the base point, in its two parts (2.2).
+    ///
+    /// # Errors
+    /// As [`MassProperties::about`] for the base point.
+    pub fn angular_momentum(&self, body: &MassProperties) -> Result<AngularMomentumSplit> {
+        let arm = body.center() - self.base;
+        Ok(AngularMomentumSplit {
+            of_motion: (body.mass() * arm).cross(&self.velocity),
+            of_rotation: body.about(self.base)?.angular_momentum(self.omega),
+        })
+    }
+
+    /// Kinetic energy of the body, in its three parts (2.3).
+    ///
+    /// # Errors
+    /// As [`MassProperties::about`] for the base point.
+    pub fn energy(&self, body: &MassProperties) -> Result<EnergySplit> {
+        let arm = body.center() - self.base;
+        Ok(EnergySplit {
+            of_motion: 0.5 * body.mass() * self.velocity.dot(&self.velocity),
+            cross: self.velocity.dot(&self.omega.cross(&(body.mass() * arm))),
+            of_rotation: body.about(self.base)?.rotational_energy(self.omega),
+        })
+    }
+}
+
+impl AngularMomentumSplit {
+    /// The sum of both parts, kg m²/s.
+    pub fn total(&self) -> BodyVector {
+        self.of_motion + self.of_rotation
+    }
+}
+
+impl EnergySplit {
+    /// The sum of the three parts, J.
+    pub fn total(&self) -> f64 {
+        self.of_motion + self.cross + self.of_rotation
+    }
+}

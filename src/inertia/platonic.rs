@@ -1,0 +1,217 @@
+//! Plato's five (tutorial 2.6): vertices, faces, and the closed values of their moments.
+
+use crate::error::{Result, positive};
+
+/// One of the five regular convex solids.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PlatonicSolid {
+    /// Four triangles.
+    Tetrahedron,
+    /// Six squares.
+    Cube,
+    /// Eight triangles.
+    Octahedron,
+    /// Twelve pentagons.
+    Dodecahedron,
+    /// Twenty triangles.
+    Icosahedron,
+}
+
+/// The golden ratio φ = (1+√5)/2.
+const P: f64 = core::f64::consts::GOLDEN_RATIO;
+/// φ² = φ + 1.
+const Q: f64 = 2.618_033_988_749_895;
+/// The unit in which the lists below are written; their edge is 2√2, 2, √2, 2, 2.
+const UNIT: f64 = 1.0;
+
+impl PlatonicSolid {
+    /// All five, by number of faces.
+    pub const ALL: [Self; 5] = [
+        Self::Tetrahedron,
+        Self::Cube,
+        Self::Octahedron,
+        Self::Dodecahedron,
+        Self::Icosahedron,
+    ];
+
+    /// Moment of inertia about every axis through the centre, over mass times edge squared (2.6).
+    ///
+    /// 1/20, 1/6, 1/10, (95+39√5)/300, (3+√5)/20: correctly rounded constants.
+    pub const fn inertia_factor(self) -> f64 {
+        match self {
+            Self::Tetrahedron => 1.0 / 20.0,
+            Self::Cube => 1.0 / 6.0,
+            Self::Octahedron => 1.0 / 10.0,
+            Self::Dodecahedron => 0.607_355_503_741_639_3,
+            Self::Icosahedron => 0.261_803_398_874_989_5,
+        }
+    }
+
+    /// The faces, each a cycle of vertex numbers, counter-clockwise seen from outside.
+    pub const fn faces(self) -> &'static [&'static [u32]] {
+        match self {
+            Self::Tetrahedron => TETRAHEDRON_FACES,
+            Self::Cube => CUBE_FACES,
+            Self::Octahedron => OCTAHEDRON_FACES,
+            Self::Dodecahedron => DODECAHEDRON_FACES,
+            Self::Icosahedron => ICOSAHEDRON_FACES,
+        }
+    }
+
+    /// The faces cut into triangles, as [`mesh_mass_properties`](super::mesh_mass_properties) wants them.
+    pub fn triangles(self) -> Vec<[u32; 3]> {
+        let fan = |face: &&'static [u32]| {
+            let face = *face;
+            (2..face.len()).map(move |i| [face[0], face[i - 1], face[i]])
+        };
+        self.faces().iter().flat_map(fan).collect()
+    }
+
+    /// The vertices for a given edge length, m, centred at the origin; each coordinate to 1 ulp.
+    ///
+    /// # Errors
+    /// [`NotPositive`](crate::Error::NotPositive) or [`NotFinite`](crate::Error::NotFinite) for the edge.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::{PlatonicSolid, mesh_mass_properties};
+    /// let solid = PlatonicSolid::Icosahedron;
+    /// let body = mesh_mass_properties(&solid.vertices(1.0)?, &solid.triangles(), 1.0)?;
+    /// let factor = body.inertia().matrix()[(0, 0)] / body.mass();
+    /// assert!((factor - solid.inertia_factor()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn vertices(self, edge: f64) -> Result<Vec<[f64; 3]>> {
+        positive("the edge", edge)?;
+        let (list, unit): (&[[f64; 3]], f64) = match self {
+            Self::Tetrahedron => (&TETRAHEDRON, core::f64::consts::FRAC_1_SQRT_2 / 2.0),
+            Self::Cube => (&CUBE, 0.5),
+            Self::Octahedron => (&OCTAHEDRON, core::f64::consts::FRAC_1_SQRT_2),
+            Self::Dodecahedron => (&DODECAHEDRON, 0.5),
+            Self::Icosahedron => (&ICOSAHEDRON, 0.5),
+        };
+        Ok(list
+            .iter()
+            .map(|vertex| vertex.map(|coordinate| coordinate * unit * edge))
+            .collect())
+    }
+}
+
+const TETRAHEDRON: [[f64; 3]; 4] = [
+    [UNIT, UNIT, UNIT],
+    [UNIT, -UNIT, -UNIT],
+    [-UNIT, UNIT, -UNIT],
+    [-UNIT, -UNIT, UNIT],
+];
+const TETRAHEDRON_FACES: &[&[u32]] = &[&[0, 1, 2], &[0, 3, 1], &[0, 2, 3], &[1, 3, 2]];
+
+const CUBE: [[f64; 3]; 8] = [
+    [UNIT, UNIT, UNIT],
+    [UNIT, UNIT, -UNIT],
+    [UNIT, -UNIT, UNIT],
+    [UNIT, -UNIT, -UNIT],
+    [-UNIT, UNIT, UNIT],
+    [-UNIT, UNIT, -UNIT],
+    [-UNIT, -UNIT, UNIT],
+    [-UNIT, -UNIT, -UNIT],
+];
+const CUBE_FACES: &[&[u32]] = &[
+    &[0, 2, 3, 1],
+    &[0, 1, 5, 4],
+    &[0, 4, 6, 2],
+    &[1, 3, 7, 5],
+    &[2, 6, 7, 3],
+    &[4, 5, 7, 6],
+];
+
+const OCTAHEDRON: [[f64; 3]; 6] = [
+    [UNIT, 0.0, 0.0],
+    [-UNIT, 0.0, 0.0],
+    [0.0, UNIT, 0.0],
+    [0.0, -UNIT, 0.0],
+    [0.0, 0.0, UNIT],
+    [0.0, 0.0, -UNIT],
+];
+const OCTAHEDRON_FACES: &[&[u32]] = &[
+    &[0, 2, 4],
+    &[0, 5, 2],
+    &[0, 4, 3],
+    &[0, 3, 5],
+    &[1, 4, 2],
+    &[1, 2, 5],
+    &[1, 3, 4],
+    &[1, 5, 3],
+];
+
+const DODECAHEDRON: [[f64; 3]; 20] = [
+    [P, P, P],
+    [P, P, -P],
+    [P, -P, P],
+    [P, -P, -P],
+    [-P, P, P],
+    [-P, P, -P],
+    [-P, -P, P],
+    [-P, -P, -P],
+    [0.0, UNIT, Q],
+    [0.0, UNIT, -Q],
+    [0.0, -UNIT, Q],
+    [0.0, -UNIT, -Q],
+    [UNIT, Q, 0.0],
+    [UNIT, -Q, 0.0],
+    [-UNIT, Q, 0.0],
+    [-UNIT, -Q, 0.0],
+    [Q, 0.0, UNIT],
+    [Q, 0.0, -UNIT],
+    [-Q, 0.0, UNIT],
+    [-Q, 0.0, -UNIT],
+];
+const DODECAHEDRON_FACES: &[&[u32]] = &[
+    &[0, 16, 17, 1, 12],
+    &[0, 8, 10, 2, 16],
+    &[0, 12, 14, 4, 8],
+    &[17, 3, 11, 9, 1],
+    &[9, 5, 14, 12, 1],
+    &[13, 3, 17, 16, 2],
+    &[10, 6, 15, 13, 2],
+    &[3, 13, 15, 7, 11],
+    &[14, 5, 19, 18, 4],
+    &[18, 6, 10, 8, 4],
+    &[5, 9, 11, 7, 19],
+    &[6, 18, 19, 7, 15],
+];
+
+const ICOSAHEDRON: [[f64; 3]; 12] = [
+    [0.0, UNIT, P],
+    [0.0, UNIT, -P],
+    [0.0, -UNIT, P],
+    [0.0, -UNIT, -P],
+    [UNIT, P, 0.0],
+    [UNIT, -P, 0.0],
+    [-UNIT, P, 0.0],
+    [-UNIT, -P, 0.0],
+    [P, 0.0, UNIT],
+    [P, 0.0, -UNIT],
+    [-P, 0.0, UNIT],
+    [-P, 0.0, -UNIT],
+];
+const ICOSAHEDRON_FACES: &[&[u32]] = &[
+    &[0, 2, 8],
+    &[10, 2, 0],
+    &[0, 4, 6],
+    &[0, 8, 4],
+    &[6, 10, 0],
+    &[9, 3, 1],
+    &[1, 3, 11],
+    &[1, 6, 4],
+    &[4, 9, 1],
+    &[1, 11, 6],
+    &[2, 7, 5],
+    &[5, 8, 2],
+    &[2, 10, 7],
+    &[3, 5, 7],
+    &[3, 9, 5],
+    &[7, 11, 3],
+    &[4, 8, 9],
+    &[5, 9, 8],
+    &[6, 11, 10],
+    &[7, 10, 11],
+];

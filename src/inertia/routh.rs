@@ -1,0 +1,116 @@
+//! Routh's rule (tutorial 2.7): divide the sum of squares of the perpendicular semi-axes by 3, 4 or 5.
+//!
+//! Three for what is rectangular, four for what is elliptic, five for what is ellipsoidal. Behind it stands
+//! [`mean_square`]: over a homogeneous ellipsoid of d dimensions the mean of x² is a²/(d+2). A rod is
+//! such an ellipsoid with d = 1, a disc with d = 2, a ball with d = 3. A product of bodies adds one term for each
+//! factor, so a box gets three for every axis, and a cylinder gets four for its round directions and three along
+//! its axis: that is why no single denominator serves the cylinder.
+
+use crate::error::{Error, Result, finite, not_negative, positive};
+
+/// A kind of homogeneous body, for the question whether Routh's rule speaks of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Form {
+    /// A straight thin rod, about an axis across it.
+    Rod,
+    /// A rectangular lamina, about an axis along an edge direction or the normal.
+    Rectangle,
+    /// A solid box, about an axis along an edge direction.
+    Cuboid,
+    /// An elliptic or circular lamina, about an axis of the ellipse or the normal.
+    Ellipse,
+    /// A solid cylinder, circular or elliptic, about its own axis (a stack of ellipses).
+    CylinderAboutItsAxis,
+    /// A solid ellipsoid or ball, about an axis of the ellipsoid.
+    Ellipsoid,
+    /// A cylinder about an axis across it: round in one direction, straight in the other.
+    CylinderAcross,
+    /// Anything hollow: a spherical shell, a hoop, the faces of a box.
+    Hollow,
+    /// A cone or a pyramid.
+    Cone,
+    /// A triangular lamina.
+    Triangle,
+}
+
+impl Form {
+    /// 3, 4 or 5 where the rule holds; `None` where it does not (2.7).
+    pub const fn denominator(self) -> Option<u32> {
+        match self {
+            Self::Rod | Self::Rectangle | Self::Cuboid => Some(3),
+            Self::Ellipse | Self::CylinderAboutItsAxis => Some(4),
+            Self::Ellipsoid => Some(5),
+            Self::CylinderAcross | Self::Hollow | Self::Cone | Self::Triangle => None,
+        }
+    }
+
+    /// The reason for which the rule does not speak of the form.
+    const fn obstacle(self) -> &'static str {
+        match self {
+            Self::CylinderAcross => {
+                "a cylinder about an axis across it, which is round in one direction and straight in the other"
+            }
+            Self::Hollow => "a hollow body",
+            Self::Cone => "a cone",
+            Self::Triangle => "a triangle",
+            _ => "this form",
+        }
+    }
+}
+
+/// Moment of inertia by Routh's rule, kg m²: M(b² + c²)/3, /4 or /5 (2.7).
+///
+/// `semi_axes` are the two half-extents perpendicular to the axis, m; zero where the body has no extent (a rod,
+/// or a lamina about an axis in its plane). The axis must be an axis of symmetry through the centre and parallel to
+/// one of the semi-axes: about the diagonal of a square the rule does not hold. Error 3 ulp.
+///
+/// # Errors
+/// [`Error::RouthDoesNotApply`] for a form without a denominator; [`Error::NotPositive`] for the mass,
+/// [`Error::Negative`] for a semi-axis, [`Error::NotFinite`] for either or on overflow.
+///
+/// ```
+/// use spinning_bodies::inertia::routh::{Form, moment};
+/// assert_eq!(moment(1.0, Form::Ellipsoid, [1.0, 1.0])?, 2.0 / 5.0);
+/// assert!(moment(1.0, Form::Hollow, [1.0, 1.0]).is_err());
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn moment(mass: f64, form: Form, semi_axes: [f64; 2]) -> Result<f64> {
+    let denominator = form.denominator().ok_or(Error::RouthDoesNotApply {
+        body: form.obstacle(),
+    })?;
+    positive("the mass", mass)?;
+    let mut sum = 0.0;
+    for a in semi_axes {
+        sum += (mass * not_negative("a semi-axis", a)?) * a;
+    }
+    finite("the moment of inertia", sum / f64::from(denominator))
+}
+
+/// Mean of x² over a homogeneous ellipsoid of `dimension` dimensions, m²: a²/(d+2) (2.7).
+///
+/// `semi_axis` is a, the half-extent along x. Error 1 ulp.
+///
+/// # Errors
+/// [`Error::Negative`] or [`Error::NotFinite`] for the semi-axis or on overflow; [`Error::OutOfRange`] for dimension 0.
+///
+/// ```
+/// use spinning_bodies::inertia::routh::mean_square;
+/// assert_eq!(mean_square(1.0, 3)?, 1.0 / 5.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn mean_square(semi_axis: f64, dimension: u32) -> Result<f64> {
+    not_negative("the semi-axis", semi_axis)?;
+    if dimension == 0 {
+        return Err(Error::OutOfRange {
+            quantity: "the dimension",
+            value: 0.0,
+            least: 1.0,
+            greatest: f64::from(u32::MAX),
+        });
+    }
+    finite(
+        "the mean square",
+        semi_axis * semi_axis / (f64::from(dimension) + 2.0),
+    )
+}

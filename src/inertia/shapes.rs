@@ -1,0 +1,287 @@
+//! Closed formulas for homogeneous bodies (tutorial 2.6, 2.7).
+//!
+//! Every body has its centre of mass at the origin, except [`triangle_lamina`], which stays where its corners
+//! are. What has an axis has it along z; laminae lie in the plane of x and y. Lengths in metres, mass in kilograms.
+//!
+//! The mass must be positive. A length may be zero where the limit is a body: a box without height is a lamina.
+//! All functions multiply mass·length first and then by length, so nothing over- or underflows before the result
+//! does. Error 4 ulp of every moment (observed, over random sizes). Cost: tens of nanoseconds.
+//!
+//! Errors, the same for all: [`Error::NotPositive`], [`Error::Negative`], [`Error::NotFinite`] for what is given, and
+//! [`Error::NotFinite`] if a moment overflows.
+
+use super::{InertiaMatrix, MassProperties, PlatonicSolid};
+use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::frame::BodyVector;
+
+/// The body at the origin whose mass has the means ⟨x²⟩ = f₁a₁², ⟨y²⟩ = f₂a₂², ⟨z²⟩ = f₃a₃².
+fn from_means(mass: f64, means: [(f64, f64); 3]) -> Result<MassProperties> {
+    positive("the mass", mass)?;
+    let mut s = [0.0; 3];
+    for (s, (factor, length)) in s.iter_mut().zip(means) {
+        not_negative("a length", length)?;
+        *s = finite("a second moment", ((mass * factor) * length) * length)?;
+    }
+    let inertia = InertiaMatrix::diagonal(s[1] + s[2], s[2] + s[0], s[0] + s[1])?;
+    MassProperties::new(mass, BodyVector::zero(), inertia)
+}
+
+/// A solid box with these edge lengths: M(b²+c²)/12 about the first edge, and so on (2.6, 2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn cuboid(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
+    from_means(mass, edges.map(|edge| (1.0 / 3.0, 0.5 * edge)))
+}
+
+/// The six faces of a box, all of the same thickness and material: 5Ma²/18 for a cube (2.6).
+///
+/// ⟨x²⟩ = (a²/12)(1 + 2bc/(ab+bc+ca)). The edges must be positive.
+///
+/// # Errors
+/// See the [module](self).
+pub fn hollow_box(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
+    let shares = others(edges, |a, b, c| 1.0 / (1.0 + a / b + a / c))?;
+    from_means(mass, combine(edges, shares))
+}
+
+/// The twelve edges of a box, all of the same wire: 7Ma²/18 for a cube (2.6).
+///
+/// ⟨x²⟩ = (a²/12)(1 + 2(b+c)/(a+b+c)). The edges must be positive.
+///
+/// # Errors
+/// See the [module](self).
+pub fn wire_box(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
+    let shares = others(edges, |a, b, c| 1.0 / (1.0 + 0.5 * a / (0.5 * b + 0.5 * c)))?;
+    from_means(mass, combine(edges, shares))
+}
+
+/// For each edge, the share of the mass that sits at its far ends.
+fn others(edges: [f64; 3], share: impl Fn(f64, f64, f64) -> f64) -> Result<[f64; 3]> {
+    for edge in edges {
+        positive("an edge", edge)?;
+    }
+    let [a, b, c] = edges;
+    Ok([share(a, b, c), share(b, c, a), share(c, a, b)])
+}
+
+/// Mass uniform along the half-edge has mean square 1/3 of its square, mass at its end 1.
+fn combine(edges: [f64; 3], at_ends: [f64; 3]) -> [(f64, f64); 3] {
+    [0, 1, 2].map(|i| ((1.0 + 2.0 * at_ends[i]) / 3.0, 0.5 * edges[i]))
+}
+
+/// The six faces of a cube: 5Ma²/18 about every axis through the centre (2.6).
+///
+/// # Errors
+/// See the [module](self).
+pub fn hollow_cube(mass: f64, edge: f64) -> Result<MassProperties> {
+    hollow_box(mass, [edge; 3])
+}
+
+/// The twelve edges of a cube: 7Ma²/18 about every axis through the centre (2.6).
+///
+/// # Errors
+/// See the [module](self).
+pub fn wire_cube(mass: f64, edge: f64) -> Result<MassProperties> {
+    wire_box(mass, [edge; 3])
+}
+
+/// A solid ball: 2MR²/5 (2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn ball(mass: f64, radius: f64) -> Result<MassProperties> {
+    from_means(mass, [(0.2, radius); 3])
+}
+
+/// A thin spherical shell: 2MR²/3 (2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn spherical_shell(mass: f64, radius: f64) -> Result<MassProperties> {
+    from_means(mass, [(1.0 / 3.0, radius); 3])
+}
+
+/// A ball with a concentric cavity: (2/5)MR²·(1−s⁵)/(1−s³), s = inner/outer (2.7).
+///
+/// The common factor 1−s is divided out, (1+s+s²+s³+s⁴)/(1+s+s²), so the formula is as good for a thin shell
+/// as for a thick one: `inner` = 0 is [`ball`], `inner` = `outer` is [`spherical_shell`], both to rounding.
+///
+/// # Errors
+/// See the [module](self); `outer` must be positive, and [`Error::OutOfRange`] unless 0 ≤ `inner` ≤ `outer`.
+pub fn thick_shell(mass: f64, inner: f64, outer: f64) -> Result<MassProperties> {
+    let s = ratio(inner, outer)?;
+    let numerator = 1.0 + s * (1.0 + s * (1.0 + s * (1.0 + s)));
+    let factor = numerator / (5.0 * (1.0 + s * (1.0 + s)));
+    from_means(mass, [(factor, outer); 3])
+}
+
+/// inner/outer, between 0 and 1.
+fn ratio(inner: f64, outer: f64) -> Result<f64> {
+    positive("the outer radius", outer)?;
+    not_negative("the inner radius", inner)?;
+    if inner > outer {
+        return Err(Error::OutOfRange {
+            quantity: "the inner radius",
+            value: inner,
+            least: 0.0,
+            greatest: outer,
+        });
+    }
+    Ok(inner / outer)
+}
+
+/// A solid ellipsoid with these semi-axes: M(b²+c²)/5 about the first, and so on (2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn ellipsoid(mass: f64, semi_axes: [f64; 3]) -> Result<MassProperties> {
+    from_means(mass, semi_axes.map(|a| (0.2, a)))
+}
+
+/// A solid circular cylinder: MR²/2 about its axis, M(R²/4 + h²/12) across (2.6, 2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn cylinder(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
+    let round = (0.25, radius);
+    from_means(mass, [round, round, (1.0 / 3.0, 0.5 * height)])
+}
+
+/// A thin cylindrical shell without lids: MR² about its axis, M(R²/2 + h²/12) across.
+///
+/// # Errors
+/// See the [module](self).
+pub fn cylindrical_shell(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
+    let round = (0.5, radius);
+    from_means(mass, [round, round, (1.0 / 3.0, 0.5 * height)])
+}
+
+/// A thick tube without lids: M(r²+R²)/2 about its axis.
+///
+/// # Errors
+/// As [`thick_shell`].
+pub fn tube(mass: f64, inner: f64, outer: f64, height: f64) -> Result<MassProperties> {
+    let s = ratio(inner, outer)?;
+    let round = (0.25 * (1.0 + s * s), outer);
+    from_means(mass, [round, round, (1.0 / 3.0, 0.5 * height)])
+}
+
+/// A thin straight rod along z: Ml²/12 across, nothing about itself (2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn rod(mass: f64, length: f64) -> Result<MassProperties> {
+    let thin = (0.0, 0.0);
+    from_means(mass, [thin, thin, (1.0 / 3.0, 0.5 * length)])
+}
+
+/// A thin hoop in the plane of x and y: MR² about its axis, MR²/2 about a diameter.
+///
+/// # Errors
+/// See the [module](self).
+pub fn hoop(mass: f64, radius: f64) -> Result<MassProperties> {
+    cylindrical_shell(mass, radius, 0.0)
+}
+
+/// A flat disc in the plane of x and y: MR²/2 about its axis, MR²/4 about a diameter (2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn disc(mass: f64, radius: f64) -> Result<MassProperties> {
+    cylinder(mass, radius, 0.0)
+}
+
+/// A solid circular cone, apex up: 3MR²/10 about its axis (2.7); the base is h/4 below the origin.
+///
+/// Across, through the centre of mass: 3M(R² + h²/4)/20.
+///
+/// # Errors
+/// See the [module](self).
+pub fn cone(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
+    let round = (0.15, radius);
+    from_means(mass, [round, round, (0.15, 0.5 * height)])
+}
+
+/// A solid ring torus, tube radius r around a circle of radius R: M(R² + 3r²/4) about its axis.
+///
+/// About a diameter: M(R²/2 + 5r²/8).
+///
+/// # Errors
+/// See the [module](self); [`Error::OutOfRange`] unless 0 ≤ `tube_radius` ≤ `ring_radius`.
+pub fn torus(mass: f64, ring_radius: f64, tube_radius: f64) -> Result<MassProperties> {
+    let s = ratio(tube_radius, ring_radius)?;
+    let round = (0.5 + 0.375 * s * s, ring_radius);
+    from_means(mass, [round, round, (0.25, tube_radius)])
+}
+
+/// A rectangular lamina with these edge lengths: normal M(a²+b²)/12 (2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn rectangle_lamina(mass: f64, edges: [f64; 2]) -> Result<MassProperties> {
+    cuboid(mass, [edges[0], edges[1], 0.0])
+}
+
+/// An elliptic lamina with these semi-axes: normal M(a²+b²)/4, about the a-axis Mb²/4 (2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn ellipse_lamina(mass: f64, semi_axes: [f64; 2]) -> Result<MassProperties> {
+    let [a, b] = semi_axes;
+    from_means(mass, [(0.25, a), (0.25, b), (0.0, 0.0)])
+}
+
+/// A regular polygon, all in-plane axes alike: normal (Mρ²/2)(1 − ⅔ sin²(π/n)), ρ the circumradius (2.6).
+///
+/// # Errors
+/// See the [module](self); [`Error::OutOfRange`] for fewer than three sides.
+pub fn regular_polygon_lamina(mass: f64, sides: u32, circumradius: f64) -> Result<MassProperties> {
+    if sides < 3 {
+        return Err(Error::OutOfRange {
+            quantity: "the number of sides",
+            value: f64::from(sides),
+            least: 3.0,
+            greatest: f64::from(u32::MAX),
+        });
+    }
+    let sine = (core::f64::consts::PI / f64::from(sides)).sin();
+    let round = (0.25 - sine * sine / 6.0, circumradius);
+    from_means(mass, [round, round, (0.0, 0.0)])
+}
+
+/// A triangular lamina with these corners in the plane of x and y (2.6).
+///
+/// With corners p_i about the centroid, ∫x xᵀρ = (M/12) Σ p_i p_iᵀ; for an equilateral triangle Ma²/24 in the plane,
+/// Ma²/12 normal to it. The corners are subtracted from each other before anything is multiplied.
+///
+/// # Errors
+/// See the [module](self). A flat triangle is a rod and allowed.
+pub fn triangle_lamina(mass: f64, corners: [[f64; 2]; 3]) -> Result<MassProperties> {
+    positive("the mass", mass)?;
+    for coordinate in corners.as_flattened() {
+        finite("a corner of the triangle", *coordinate)?;
+    }
+    let [a, b, c] = corners;
+    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+    let centroid = [(u[0] + v[0]) / 3.0, (u[1] + v[1]) / 3.0];
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    let twelfth = mass / 12.0;
+    for corner in [[0.0, 0.0], u, v] {
+        let p = [corner[0] - centroid[0], corner[1] - centroid[1]];
+        xx += (twelfth * p[0]) * p[0];
+        xy += (twelfth * p[0]) * p[1];
+        yy += (twelfth * p[1]) * p[1];
+    }
+    let matrix = nalgebra::Matrix3::new(yy, -xy, 0.0, -xy, xx, 0.0, 0.0, 0.0, xx + yy);
+    let center = BodyVector::new(a[0] + centroid[0], a[1] + centroid[1], 0.0);
+    MassProperties::new(mass, center, InertiaMatrix::checked(matrix)?)
+}
+
+/// A solid Platonic body with this edge length, an inertial ball (2.6): I/(Ma²) is [`PlatonicSolid::inertia_factor`].
+///
+/// # Errors
+/// See the [module](self).
+pub fn platonic(solid: PlatonicSolid, mass: f64, edge: f64) -> Result<MassProperties> {
+    from_means(mass, [(0.5 * solid.inertia_factor(), edge); 3])
+}

@@ -112,7 +112,11 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
         let file = place.file.strip_prefix("tests/").unwrap_or(&place.file);
         format!(
             "<code>{}</code>",
-            inert(&format!("{}::{}", file.trim_end_matches(".rs"), place.function))
+            inert(&format!(
+                "{}::{}",
+                file.trim_end_matches(".rs"),
+                place.function
+            ))
         )
     }));
     if !ledger.is_settled(claim) {

@@ -26,7 +26,10 @@ pub fn bind(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf>
     let (built, warnings) = listening(|| build(root, &fresh, drawings));
     built?;
     if !warnings.is_empty() {
-        return Err(Error::Input(format!("mdBook warns: {}", warnings.join("; "))));
+        return Err(Error::Input(format!(
+            "mdBook warns: {}",
+            warnings.join("; ")
+        )));
     }
 
     let old = beside.path().join("old");
@@ -93,7 +96,10 @@ fn listening<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
     let result = tracing::subscriber::with_default(subscriber, work);
     let bytes = log.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let lines = String::from_utf8_lossy(&bytes);
-    (result, lines.lines().map(|line| line.trim().to_owned()).collect())
+    (
+        result,
+        lines.lines().map(|line| line.trim().to_owned()).collect(),
+    )
 }
 
 /// A log kept in memory.

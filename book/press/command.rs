@@ -88,7 +88,7 @@ fn condensed(message: &str) -> String {
     let told = message.split("\nUsage:").next().unwrap_or_default();
     let told = one_line(told.trim_start_matches("error:"));
     let told = told.replace("For more information, try '--help'.", "");
-    format!("{}; `cargo run -- --help` teaches", told.trim())
+    format!("{}; `cargo run -- --help` teaches", told.trim()).replace(" tip: ", "; ")
 }
 
 fn obey(command: Option<Command>) -> Result<()> {
@@ -101,14 +101,18 @@ fn obey(command: Option<Command>) -> Result<()> {
             say(&report(&drawings, changed, &svg))?;
             print_book(&root, &drawings).map(drop)
         }
-        Some(Command::Figures { list: true, names, .. }) => {
+        Some(Command::Figures {
+            list: true, names, ..
+        }) => {
             let entries = drawings::chosen(&names)?;
             let width = entries.iter().map(|e| e.name.len()).max().unwrap_or(0);
             let lines = entries.iter();
             let lines = lines.map(|e| format!("{:width$}  {}.md\n", e.name, e.chapter));
             say(&lines.collect::<String>())
         }
-        Some(Command::Figures { names, out, check, .. }) => {
+        Some(Command::Figures {
+            names, out, check, ..
+        }) => {
             let entries = drawings::chosen(&names)?;
             let folder = out.unwrap_or(svg);
             let drawings = draw(&entries)?;
@@ -202,11 +206,18 @@ mod tests {
 
     #[test]
     fn an_error_of_the_command_line_is_one_line() {
-        for wrong in [&["book", "figure"][..], &["book", "figures", "--lst"], &["book", "book", "x"]] {
+        for wrong in [
+            &["book", "figure"][..],
+            &["book", "figures", "--lst"],
+            &["book", "book", "x"],
+        ] {
             let error = Cli::try_parse_from(wrong).unwrap_err().to_string();
             let told = condensed(&error);
             assert_eq!(told.lines().count(), 1, "{told}");
-            assert!(!told.contains("Usage") && told.contains(wrong[wrong.len() - 1]), "{told}");
+            assert!(
+                !told.contains("Usage") && told.contains(wrong[wrong.len() - 1]),
+                "{told}"
+            );
         }
     }
 }

@@ -182,7 +182,10 @@ mod tests {
 
     #[test]
     fn one_unit_is_forgiven_and_two_are_not() {
-        assert_eq!(same_drawing("<p d=\"M10-20 x\"/>", "<p d=\"M11-21 x\"/>"), Ok(()));
+        assert_eq!(
+            same_drawing("<p d=\"M10-20 x\"/>", "<p d=\"M11-21 x\"/>"),
+            Ok(())
+        );
         assert!(same_drawing("<p d=\"M10-20\"/>", "<p d=\"M12-20\"/>").is_err());
         assert!(same_drawing("<p d=\"M10\"/>", "<q d=\"M10\"/>").is_err());
         assert!(same_drawing("<p/>", "<p/><p/>").is_err());

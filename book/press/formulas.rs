@@ -98,7 +98,10 @@ mod tests {
     fn a_formula_has_the_same_bytes_every_time() {
         let render = || {
             Formulas::default()
-                .set(r"\sqrt{\frac{a}{b}}\begin{pmatrix}1&2\\3&4\end{pmatrix}", Style::Display)
+                .set(
+                    r"\sqrt{\frac{a}{b}}\begin{pmatrix}1&2\\3&4\end{pmatrix}",
+                    Style::Display,
+                )
                 .unwrap()
         };
         let first = render();
@@ -118,7 +121,9 @@ mod tests {
 
     #[test]
     fn an_error_says_what_is_wrong() {
-        let error = Formulas::default().set(r"\frac{a}{", Style::Inline).unwrap_err();
+        let error = Formulas::default()
+            .set(r"\frac{a}{", Style::Inline)
+            .unwrap_err();
         assert!(!error.is_empty());
     }
 }

@@ -193,12 +193,10 @@ impl Ledger {
                 format!("book/src/{}.md:{}", place.chapter, place.line),
             )
         });
-        let in_tests = self.tests.iter().map(|place| {
-            (
-                &place.claim,
-                format!("{}: {}", place.file, place.function),
-            )
-        });
+        let in_tests = self
+            .tests
+            .iter()
+            .map(|place| (&place.claim, format!("{}: {}", place.file, place.function)));
         let mut faults: Vec<String> = in_chapters
             .chain(in_tests)
             .filter(|(id, _)| self.claim(id).is_none())
@@ -412,10 +410,17 @@ mod tests {
     fn marks_of_a_test_above_and_inside_its_function() {
         let source = "// claim: C1.1-1\n#[test]\nfn above() {}\n\n#[test]\nfn inside() {\n    // claim: C1.1-2, C1.1-3\n    let x = 1;\n}\n";
         let found = claims_in_test(source);
-        let found: Vec<_> = found.iter().map(|(a, b)| (a.as_str(), b.as_str())).collect();
+        let found: Vec<_> = found
+            .iter()
+            .map(|(a, b)| (a.as_str(), b.as_str()))
+            .collect();
         assert_eq!(
             found,
-            [("C1.1-1", "above"), ("C1.1-2", "inside"), ("C1.1-3", "inside")]
+            [
+                ("C1.1-1", "above"),
+                ("C1.1-2", "inside"),
+                ("C1.1-3", "inside")
+            ]
         );
     }
 

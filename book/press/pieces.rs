@@ -99,7 +99,11 @@ mod tests {
 
     #[test]
     fn a_damaged_placeholder_is_an_error() {
-        assert!(Pieces::default().fill("<span data-piece=\"7\">x</span>").is_err());
+        assert!(
+            Pieces::default()
+                .fill("<span data-piece=\"7\">x</span>")
+                .is_err()
+        );
         assert!(Pieces::default().fill("<span data-piece=\"").is_err());
     }
 }

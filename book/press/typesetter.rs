@@ -53,15 +53,17 @@ impl<'a> Typesetter<'a> {
         let (source, origin) = with_tables(file, source, folder)?;
         let place = |offset: usize| {
             let line = source[..offset].matches('\n').count();
-            format!("book/src/{file}:{}", origin.get(line).copied().unwrap_or(line + 1))
+            format!(
+                "book/src/{file}:{}",
+                origin.get(line).copied().unwrap_or(line + 1)
+            )
         };
-        let fault = |offset: usize, message: String| {
-            Error::Input(format!("{}: {message}", place(offset)))
-        };
+        let fault =
+            |offset: usize, message: String| Error::Input(format!("{}: {message}", place(offset)));
 
         let chapter = file.trim_end_matches(".md");
         let mut edits = self.tags(chapter, &source, &fault)?;
-        let mut in_heading = false;
+        let (mut in_heading, mut in_code) = (false, false);
         let mut done_to = 0;
         for (event, span) in Parser::new_ext(&source, markdown_options()).into_offset_iter() {
             if span.start < done_to {
@@ -89,11 +91,16 @@ impl<'a> Typesetter<'a> {
                     let html = self.formula(&latex, Style::Display);
                     edits.push((span.clone(), html.map_err(|e| fault(span.start, e))?));
                 }
-                Event::Text(text) if text.contains("{{") && !source[span.clone()].is_empty() => {
-                    // Code keeps its braces; only mdBook's own directives, which start with `#`, are meant there.
-                    let in_line = &source[span.clone()];
-                    if ["{{figure", "{{claims"].iter().any(|d| in_line.contains(d)) {
+                Event::Start(Tag::CodeBlock(_)) => in_code = true,
+                Event::End(TagEnd::CodeBlock) => in_code = false,
+                Event::Text(_) if !in_code => {
+                    let text = &source[span.clone()];
+                    if text.contains("{{") {
                         let why = "a directive stands on a line of its own, between blank lines";
+                        return Err(fault(span.start, why.into()));
+                    }
+                    if text.contains('$') {
+                        let why = "a dollar that neither opens nor closes a formula";
                         return Err(fault(span.start, why.into()));
                     }
                 }
@@ -107,11 +114,7 @@ impl<'a> Typesetter<'a> {
                 _ => {}
             }
         }
-        let mut set = apply(&source, edits);
-        if chapter == "index" {
-            set = format!("<div class=\"cover\">\n\n{set}\n\n</div>\n");
-        }
-        Ok(set)
+        Ok(apply(&source, edits))
     }
 
     fn formula(&mut self, latex: &str, style: Style) -> std::result::Result<String, String> {
@@ -180,9 +183,10 @@ impl<'a> Typesetter<'a> {
             let at = mark.span.start;
             let mut links = Vec::new();
             for id in &mark.claims {
-                let claim = self.ledger.claim(id).ok_or_else(|| {
-                    fault(at, format!("'{id}' is no claim of book/claims.toml"))
-                })?;
+                let claim = self
+                    .ledger
+                    .claim(id)
+                    .ok_or_else(|| fault(at, format!("'{id}' is no claim of book/claims.toml")))?;
                 let anchor = if seen.insert(id.clone()) {
                     format!(" id=\"{}\"", appendix::place_id(chapter, id))
                 } else {
@@ -237,7 +241,11 @@ fn with_tables(file: &str, source: &str, folder: &Path) -> Result<(String, Vec<u
             Some(name) => {
                 let path = folder.join("tables").join(format!("{name}.md"));
                 std::fs::read_to_string(&path).map_err(|error| {
-                    Error::Input(format!("book/src/{file}:{}: {}: {error}", i + 1, path.display()))
+                    Error::Input(format!(
+                        "book/src/{file}:{}: {}: {error}",
+                        i + 1,
+                        path.display()
+                    ))
                 })?
             }
         };
@@ -284,7 +292,8 @@ mod tests {
     #[test]
     fn faults_name_chapter_and_line() {
         for (source, place, word) in [
-            ("a\n\n$\\frac{1}{$\n", "book/src/x.md:3", "formula"),
+            ("a\n\n$\\frac{1}$\n", "book/src/x.md:3", "formula"),
+            ("a\n\n$\\frac{1}{$\n", "book/src/x.md:3", "dollar"),
             ("a\n\nb\n\n{{figure nope}}\n", "book/src/x.md:5", "'nope'"),
             ("a\n\n## b $x$\n", "book/src/x.md:3", "heading"),
             ("[a](b.md)\n", "book/src/x.md:1", "'b.md'"),
@@ -295,14 +304,20 @@ mod tests {
                 Err(Error::Input(message)) => message,
                 other => panic!("{source:?} gave {other:?}"),
             };
-            assert!(message.starts_with(place) && message.contains(word), "{message}");
+            assert!(
+                message.starts_with(place) && message.contains(word),
+                "{message}"
+            );
         }
     }
 
     #[test]
     fn a_block_that_names_claims_gets_its_tag() {
         let set = set("Text\n```rust\n# // claim: C2.1-1\n```\n").unwrap();
-        assert!(set.contains("id=\"x-C2.1-1\" href=\"claims.html#C2.1-1\""), "{set}");
+        assert!(
+            set.contains("id=\"x-C2.1-1\" href=\"claims.html#C2.1-1\""),
+            "{set}"
+        );
         assert!(set.contains("</p>\n\n```rust"), "{set}");
     }
 }

@@ -6,12 +6,21 @@
 //! |---|---|---|
 //! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem |
 //! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule |
+//! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other |
+//! | 4.6 | [`superball`] | bounces that keep the energy, exactly and after any number of them |
+//! | 6.5 | [`euler_top`] | the free symmetric top, its cones, and the wobble of the Earth |
+//! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
 //! | | [`error`] | the one error type |
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
+mod double_double;
 pub mod error;
+pub mod euler_top;
 pub mod frame;
 pub mod inertia;
+pub mod pythagoras;
+pub mod rolling;
+pub mod superball;
 
 pub use error::{Error, Result};

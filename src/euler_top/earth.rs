@@ -1,0 +1,89 @@
+//! The Earth as a symmetric top (tutorial 6.5): the figures, where they come from, and what they predict.
+//!
+//! Computed here: the rigid period, and the naive lengthening by elasticity. Quoted from geodesy: the ellipticity, the
+//! Love number, the observed period.
+
+use crate::error::{Error, Result, finite, positive};
+
+/// I₃/I₁ in the tutorial (6.5), dimensionless.
+pub const TUTORIAL_AXIAL_OVER_TRANSVERSE: f64 = 301.0 / 300.0;
+
+/// Period that the tutorial derives from it, in days (6.5).
+pub const RIGID_TUTORIAL_PERIOD: f64 = 300.0;
+
+/// Observed Chandler period as the tutorial rounds it, in days (6.5).
+pub const CHANDLER_TUTORIAL_PERIOD: f64 = 440.0;
+
+/// Observed Chandler period, in solar days; determinations lie between 433 and 435 (quoted: polar motion since 1900).
+pub const CHANDLER_PERIOD: f64 = 433.0;
+
+/// Dynamical ellipticity H = (I₃ − I₁)/I₃, dimensionless (quoted: from the precession of the equinoxes).
+pub const DYNAMICAL_ELLIPTICITY: f64 = 1.0 / 305.456;
+
+/// One turn of the Earth, in solar days: 86 164.0905 s of 86 400 s (quoted).
+pub const SIDEREAL_DAY: f64 = 86_164.090_5 / 86_400.0;
+
+/// Love number k₂ of the solid Earth, dimensionless (quoted): how much of the potential of a tide its bulge gives back.
+pub const LOVE_NUMBER: f64 = 0.30;
+
+/// Mean rotation rate, rad/s (quoted).
+pub const ROTATION_RATE: f64 = 7.292_115e-5;
+
+/// GM of the Earth, m³/s² (quoted).
+pub const GRAVITATIONAL_PARAMETER: f64 = 3.986_004_418e14;
+
+/// Equatorial radius, m (quoted).
+pub const EQUATORIAL_RADIUS: f64 = 6_378_136.6;
+
+/// J₂ = (I₃ − I₁)/(Ma²), dimensionless (quoted: from satellite orbits).
+pub const DYNAMICAL_FORM_FACTOR: f64 = 1.082_635_9e-3;
+
+/// Period of the free wobble of a rigid Earth, in turns of the Earth: 1/(I₃/I₁ − 1) = 1/H − 1 for H = (I₃ − I₁)/I₃ (6.5).
+///
+/// # Errors
+/// [`Error::NotFinite`]; [`Error::NotPositive`]; [`Error::OutOfRange`] for H above ½, which no body has (2.4).
+pub fn rigid_period(ellipticity: f64) -> Result<f64> {
+    let value = positive("the dynamical ellipticity", ellipticity)?;
+    if value > 0.5 {
+        let quantity = "the dynamical ellipticity";
+        return Err(Error::OutOfRange {
+            quantity,
+            value,
+            least: 0.0,
+            greatest: 0.5,
+        });
+    }
+    finite("the rigid period", (1.0 - value) / value)
+}
+
+/// Secular Love number k_s = 3 J₂ GM/(a³Ω²), dimensionless: the k₂ of an Earth that gave way as a fluid does.
+///
+/// About 0.94 from the constants above.
+pub fn secular_love_number() -> f64 {
+    let speed_squared = (EQUATORIAL_RADIUS * ROTATION_RATE).powi(2);
+    3.0 * DYNAMICAL_FORM_FACTOR * (GRAVITATIONAL_PARAMETER / EQUATORIAL_RADIUS) / speed_squared
+}
+
+/// Period of a body that yields to its own wobble: T = T_rigid/(1 − k₂/k_s), in the unit of `rigid`.
+///
+/// The part k₂/k_s of the bulge follows the axis at once and gives no restoring torque (Newcomb 1892, Love 1909). A naive
+/// model of the whole Earth as one elastic body: no ocean, which would lengthen the period further, and no
+/// fluid core, which shortens it.
+///
+/// # Errors
+/// [`Error::NotFinite`]; [`Error::NotPositive`] for the period or k_s; [`Error::OutOfRange`] unless 0 ≤ k₂ < k_s.
+pub fn elastic_period(rigid: f64, love_number: f64, secular: f64) -> Result<f64> {
+    let rigid = positive("the rigid period", rigid)?;
+    let secular = positive("the secular Love number", secular)?;
+    let value = finite("the Love number", love_number)?;
+    if !(0.0..secular).contains(&value) {
+        let quantity = "the Love number";
+        return Err(Error::OutOfRange {
+            quantity,
+            value,
+            least: 0.0,
+            greatest: secular,
+        });
+    }
+    finite("the elastic period", rigid / ((secular - value) / secular))
+}

@@ -1,0 +1,8 @@
+//! Euler's top (tutorial 6): a body that turns under no torque.
+//!
+//! So far the symmetric top (6.5), solved exactly, and its most distinguished example, the Earth.
+
+pub mod earth;
+pub mod symmetric;
+
+pub use symmetric::{Cones, Shape, SymmetricTop};

@@ -1,0 +1,328 @@
+//! Pythagoras by rotation (tutorial 9): a box of gas on a hinge does not turn, and that is a theorem.
+//!
+//! Torques are per unit of pressure × height, so they come in m²; positive is the sense that turns A→R→B
+//! anticlockwise when A, R, B run anticlockwise. With that sense the gas on AR and on RB (right angle at R) pushes
+//! clockwise, that on AB anticlockwise. For the mirror image all three change sign, see [`GasBox::orientation`].
+//!
+//! ```
+//! use spinning_bodies::pythagoras::GasBox;
+//!
+//! let torques = GasBox::new([0.0, 0.0], [4.0, 0.0], [4.0, 3.0])?.side_torques();
+//! assert_eq!([torques.ar, torques.rb, torques.ab], [-8.0, -4.5, 12.5]);
+//! # Ok::<(), spinning_bodies::Error>(())
+//! ```
+
+use crate::double_double::{DoubleDouble, power_of_two_below};
+use crate::error::{Error, Result, finite, positive};
+
+/// Which way round the corners A, R, B run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Orientation {
+    /// Against the clock.
+    Anticlockwise,
+    /// With the clock: the mirror image.
+    Clockwise,
+}
+
+/// Torques of the gas on the three sides about the hinge A, per unit pressure × height, m²; anticlockwise is positive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SideTorques {
+    /// Of the gas on AR.
+    pub ar: f64,
+    /// Of the gas on RB.
+    pub rb: f64,
+    /// Of the gas on AB.
+    pub ab: f64,
+}
+
+/// Lever arms about the hinge A, m, each positive if the side turns the box the way it does in the right-angled case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arms {
+    /// AR/2.
+    pub ar: f64,
+    /// RB/2 − AR cos γ, with γ the angle at R: RB/2 at a right angle, negative when the sense has changed.
+    pub rb: f64,
+    /// AB/2.
+    pub ab: f64,
+}
+
+/// A vector in the plane, exact differences of doubles.
+type Edge = [DoubleDouble; 2];
+
+/// A box on a triangular base A R B, hinged at A.
+///
+/// Edges are kept as exact differences of the corners, divided by a power of two, so that neither a needle nor
+/// a tiny or huge triangle loses digits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GasBox {
+    orientation: Orientation,
+    unit: f64,
+    /// From A to R.
+    ar: Edge,
+    /// From R to B.
+    rb: Edge,
+    /// Twice the area, in squared units, positive.
+    area: f64,
+}
+
+impl GasBox {
+    /// The box whose base has corners `a` (the hinge), `r` and `b`, m.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a corner or an edge; [`Error::Condition`] if the corners lie on a line, as far as
+    /// 100 bits can tell.
+    pub fn new(a: [f64; 2], r: [f64; 2], b: [f64; 2]) -> Result<Self> {
+        let spans = [r[0] - a[0], r[1] - a[1], b[0] - r[0], b[1] - r[1]];
+        let mut size: f64 = 0.0;
+        for span in spans {
+            size = size.max(finite("an edge of the triangle", span)?.abs());
+        }
+        let unit = power_of_two_below(size);
+        let edge = |from: [f64; 2], to: [f64; 2]| {
+            [0, 1].map(|k| DoubleDouble::difference(to[k], from[k]).scaled(1.0 / unit))
+        };
+        let (ar, rb) = (edge(a, r), edge(r, b));
+        let area = ar[0]
+            .multiply(rb[1])
+            .subtract(ar[1].multiply(rb[0]))
+            .value();
+        // Two products below 4 in size, each good to 2⁻¹⁰³ of itself.
+        const ROUNDING: f64 = 8.0 / (1u128 << 103) as f64;
+        if area.abs() <= ROUNDING {
+            return Err(Error::Condition {
+                condition: "the triangle must enclose an area",
+                value: area * unit * unit,
+            });
+        }
+        let orientation = if area > 0.0 {
+            Orientation::Anticlockwise
+        } else {
+            Orientation::Clockwise
+        };
+        Ok(Self {
+            orientation,
+            unit,
+            ar,
+            rb,
+            area: area.abs(),
+        })
+    }
+
+    /// The box with sides AR and RB (m) and the angle `gamma` between them at R (radians), A at the origin, R on the x-axis.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 < γ < π; otherwise as [`Self::new`].
+    pub fn from_sides(ar: f64, rb: f64, gamma: f64) -> Result<Self> {
+        let ar = positive("the side AR", ar)?;
+        let rb = positive("the side RB", rb)?;
+        let (sin, cos) = angle_of_triangle(gamma)?.sin_cos();
+        Self::new([0.0, 0.0], [ar, 0.0], [ar - rb * cos, rb * sin])
+    }
+
+    /// Which way round the corners run.
+    pub fn orientation(&self) -> Orientation {
+        self.orientation
+    }
+
+    /// The lengths AR, RB, AB, m. Two units in the last place.
+    pub fn sides(&self) -> [f64; 3] {
+        [self.ar, self.rb, self.ab()].map(|edge| length(edge) * self.unit)
+    }
+
+    // ANCHOR: side-torques
+    /// Torques of the gas on the sides about A, from the pressure integrated along each: −(midpoint − A)·(edge) for a box that
+    /// runs anticlockwise (9.1). Their sum vanishes: −½AR², −(½RB² − AR·RB cos γ), +½AB².
+    ///
+    /// Each is one product of exact edges: a unit in the last place, needles included, and RB at its change of sign is right to
+    /// 2⁻¹⁰⁰ AR·RB.
+    pub fn side_torques(&self) -> SideTorques {
+        let sense = match self.orientation {
+            Orientation::Anticlockwise => 1.0,
+            Orientation::Clockwise => -1.0,
+        };
+        let scale = |product: DoubleDouble| sense * product.value() * self.unit * self.unit;
+        SideTorques {
+            ar: scale(dot(self.ar, self.ar).scaled(-0.5)),
+            rb: scale(self.rb_product().negated()),
+            ab: scale(dot(self.ab(), self.ab()).scaled(0.5)),
+        }
+    }
+    // ANCHOR_END: side-torques
+
+    /// Lever arms about A: torque over side (9.1, 9.2). Accuracy as [`Self::side_torques`].
+    pub fn arms(&self) -> Arms {
+        Arms {
+            ar: 0.5 * length(self.ar) * self.unit,
+            rb: self.rb_product().value() / length(self.rb) * self.unit,
+            ab: 0.5 * length(self.ab()) * self.unit,
+        }
+    }
+
+    /// AR² + RB² − AB² = 2 AR·RB cos γ, m²: zero at a right angle, the whole of the cosine law otherwise (9.2).
+    ///
+    /// Not a difference of squares: −2 (R−A)·(B−R) with exact edges and 106-bit products, right to 2⁻¹⁰⁰ AR·RB for any triangle.
+    pub fn right_angle_defect(&self) -> f64 {
+        dot(self.ar, self.rb).value() * -2.0 * self.unit * self.unit
+    }
+
+    /// Angle γ at R, radians, in 0…π. From its sine and cosine together, so accurate near 0, π/2 and π alike; a few units in the last place.
+    pub fn angle_at_r(&self) -> f64 {
+        self.area.atan2(-dot(self.ar, self.rb).value())
+    }
+
+    fn ab(&self) -> Edge {
+        [self.ar[0].add(self.rb[0]), self.ar[1].add(self.rb[1])]
+    }
+
+    /// (midpoint of RB − A)·(B − R), in squared units.
+    fn rb_product(&self) -> DoubleDouble {
+        let midpoint = [0, 1].map(|k| self.ar[k].add(self.rb[k].scaled(0.5)));
+        dot(midpoint, self.rb)
+    }
+}
+
+/// AB from AR, RB and the angle γ between them (9.2): √((AR−RB)² + 4 AR·RB sin²(γ/2)), m.
+///
+/// The cosine law without its cancellation: for γ → 0 and AR ≈ RB the usual form loses half the digits, this one none. Three units in the
+/// last place; AR and RB may be huge or tiny.
+///
+/// # Errors
+/// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 ≤ γ ≤ π.
+pub fn opposite_side(ar: f64, rb: f64, gamma: f64) -> Result<f64> {
+    let ar = positive("the side AR", ar)?;
+    let rb = positive("the side RB", rb)?;
+    let half = (0.5 * angle_of_triangle(gamma)?).sin();
+    finite(
+        "the side AB",
+        (ar - rb).hypot(2.0 * half * ar.sqrt() * rb.sqrt()),
+    )
+}
+
+/// The angle γ at which the gas on RB changes its sense (9.2): arccos(RB/(2AR)), radians; `None` if RB > 2AR, when it never does.
+///
+/// Formed as 2 arctan √((2AR−RB)/(2AR+RB)), accurate down to γ = 0.
+///
+/// # Errors
+/// [`Error::NotFinite`], [`Error::NotPositive`] for a side.
+pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
+    let ar = positive("the side AR", ar)?;
+    let rb = positive("the side RB", rb)?;
+    let ratio = (rb / ar) * 0.5;
+    Ok((ratio <= 1.0).then(|| 2.0 * ((1.0 - ratio) / (1.0 + ratio)).sqrt().atan()))
+}
+
+/// Torques of a gas on the sides of any polygon about any hinge, per unit pressure × height, m², anticlockwise positive (9.1).
+///
+/// Side k runs from vertex k to the next. Their sum is zero: ½|P|² telescopes round the polygon. The vertices run anticlockwise
+/// with the gas inside; clockwise all signs swap. Each is right to a unit in the last place of |midpoint||side|.
+///
+/// # Errors
+/// [`Error::Condition`] for fewer than three vertices; [`Error::NotFinite`] for a coordinate or a torque that overflows.
+pub fn polygon_torques(vertices: &[[f64; 2]], hinge: [f64; 2]) -> Result<Vec<f64>> {
+    if vertices.len() < 3 {
+        let condition = "a polygon must have at least three vertices";
+        return Err(Error::Condition {
+            condition,
+            value: vertices.len() as f64,
+        });
+    }
+    let next = vertices.iter().cycle().skip(1);
+    vertices
+        .iter()
+        .zip(next)
+        .map(|(&from, &to)| side_torque(from, to, hinge))
+        .collect()
+}
+
+fn side_torque(from: [f64; 2], to: [f64; 2], hinge: [f64; 2]) -> Result<f64> {
+    let mut torque = DoubleDouble::from(0.0);
+    for k in 0..2 {
+        let arm_from = DoubleDouble::difference(from[k], hinge[k]);
+        let arm_to = DoubleDouble::difference(to[k], hinge[k]);
+        let edge = DoubleDouble::difference(to[k], from[k]);
+        torque = torque.subtract(arm_from.add(arm_to).scaled(0.5).multiply(edge));
+    }
+    finite("the torque on a side", torque.value())
+}
+
+/// Outward area vectors of the four faces of a tetrahedron, m²: face k is the one opposite vertex k (9.1, a dimension up).
+///
+/// Pressure times these are the forces of the gas; they add up to zero. For a corner with three right angles that is
+/// the theorem A² = A₁² + A₂² + A₃².
+///
+/// # Errors
+/// [`Error::NotFinite`] for an edge or an area; [`Error::Condition`] if the volume is zero.
+pub fn tetrahedron_areas(vertices: [[f64; 3]; 4]) -> Result<[[f64; 3]; 4]> {
+    let volume = triple(edges_from(vertices, 0)?);
+    if volume == 0.0 {
+        let condition = "the tetrahedron must enclose a volume";
+        return Err(Error::Condition {
+            condition,
+            value: volume,
+        });
+    }
+    let mut areas = [[0.0; 3]; 4];
+    for (k, area) in areas.iter_mut().enumerate() {
+        // The three corners of the face, and from the first of them the edges to the other two and to the apex.
+        let face: Vec<usize> = (0..4).filter(|&j| j != k).collect();
+        let corner = |j: usize| vertices[face[j]];
+        let [u, v, apex] = edges_from([corner(0), corner(1), corner(2), vertices[k]], 0)?;
+        let normal = cross(u, v);
+        // The apex lies inside: outward is away from it.
+        let outward = if triple([u, v, apex]) > 0.0 {
+            -0.5
+        } else {
+            0.5
+        };
+        for (component, n) in area.iter_mut().zip(normal) {
+            *component = finite("a face of the tetrahedron", outward * n)?;
+        }
+    }
+    Ok(areas)
+}
+
+fn edges_from(vertices: [[f64; 3]; 4], first: usize) -> Result<[[f64; 3]; 3]> {
+    let mut edges = [[0.0; 3]; 3];
+    for (edge, vertex) in edges.iter_mut().zip(&vertices[first + 1..]) {
+        for k in 0..3 {
+            edge[k] = finite("an edge of the tetrahedron", vertex[k] - vertices[first][k])?;
+        }
+    }
+    Ok(edges)
+}
+
+fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+    [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ]
+}
+
+fn triple([u, v, w]: [[f64; 3]; 3]) -> f64 {
+    let normal = cross(u, v);
+    normal[0] * w[0] + normal[1] * w[1] + normal[2] * w[2]
+}
+
+fn angle_of_triangle(gamma: f64) -> Result<f64> {
+    let quantity = "the angle at R";
+    let value = finite(quantity, gamma)?;
+    if (0.0..=core::f64::consts::PI).contains(&value) {
+        Ok(value)
+    } else {
+        Err(Error::OutOfRange {
+            quantity,
+            value,
+            least: 0.0,
+            greatest: core::f64::consts::PI,
+        })
+    }
+}
+
+fn length(edge: Edge) -> f64 {
+    edge[0].value().hypot(edge[1].value())
+}
+
+fn dot(u: Edge, v: Edge) -> DoubleDouble {
+    u[0].multiply(v[0]).add(u[1].multiply(v[1]))
+}

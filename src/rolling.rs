@@ -1,0 +1,262 @@
+//! Round bodies that skid and roll (tutorial 4.3): the billiard shot and what the cloth makes of it.
+//!
+//! Planar throughout. Velocity is positive in the direction of travel, and spin is positive when the body turns
+//! the way it would roll. Spin is given as *rim speed* RΩ, so that rolling means velocity = rim speed and the
+//! contact point slips at velocity − rim speed.
+//!
+//! ```
+//! use spinning_bodies::rolling::{RoundBody, factor};
+//!
+//! let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+//! assert_eq!(ball.pure_rolling_height(), 1.4); // the chestnut: 7R/5 above the table
+//! # Ok::<(), spinning_bodies::Error>(())
+//! ```
+
+use crate::error::{Error, Result, finite, not_negative, positive};
+
+/// Inertia factors κ = I/(MR²), dimensionless.
+pub mod factor {
+    /// Homogeneous ball.
+    pub const BALL: f64 = 2.0 / 5.0;
+    /// Thin spherical shell.
+    pub const SHELL: f64 = 2.0 / 3.0;
+    /// Homogeneous disc or cylinder.
+    pub const DISC: f64 = 1.0 / 2.0;
+    /// Thin hoop: all mass on the rim.
+    pub const HOOP: f64 = 1.0;
+}
+
+/// A body that rolls on a circle about its centre of mass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RoundBody {
+    mass: f64,
+    radius: f64,
+    inertia_factor: f64,
+}
+
+/// How the body leaves the cue, relative to rolling (4.3).
+///
+/// "Backward" is relative: between heights R and (1+κ)R the ball does turn forward, only too slowly. True backspin
+/// needs a stroke below the centre.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Regime {
+    /// Struck below (1+κ)R: it turns too slowly, the contact point is dragged forward over the cloth.
+    SkidsBackward,
+    /// Struck at (1+κ)R: the contact point is at rest.
+    PureRolling,
+    /// Struck above (1+κ)R: it turns too fast, the contact point sweeps backward over the cloth.
+    SkidsForward,
+}
+
+/// A body just after a level stroke of the cue.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shot {
+    body: RoundBody,
+    height_over_radius: f64,
+    velocity: f64,
+    slip: f64,
+    regime: Regime,
+}
+
+/// The sliding that precedes rolling.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlideToRoll {
+    /// Time until rolling sets in, s.
+    pub time: f64,
+    /// Displacement of the centre in that time, m; negative if the body has backed up.
+    pub distance: f64,
+    /// Velocity of rolling, m/s; negative if spin has turned the body round.
+    pub speed: f64,
+    /// Heat left in cloth and body, J.
+    pub heat: f64,
+}
+
+impl RoundBody {
+    /// A body of `mass` (kg), rolling `radius` (m) and inertia factor κ = I/(MR²) (dimensionless; see [`factor`]).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::OutOfRange`] if κ > 1, more than the rim itself has.
+    pub fn new(mass: f64, radius: f64, inertia_factor: f64) -> Result<Self> {
+        let inertia_factor = positive("the inertia factor", inertia_factor)?;
+        if inertia_factor > 1.0 {
+            return Err(Error::OutOfRange {
+                quantity: "the inertia factor",
+                value: inertia_factor,
+                least: 0.0,
+                greatest: 1.0,
+            });
+        }
+        Ok(Self {
+            mass: positive("the mass", mass)?,
+            radius: positive("the radius", radius)?,
+            inertia_factor,
+        })
+    }
+
+    /// Mass, kg.
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Radius of the rolling circle, m.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// κ = I/(MR²), dimensionless.
+    pub fn inertia_factor(&self) -> f64 {
+        self.inertia_factor
+    }
+
+    /// Height of the stroke that gives pure rolling, in radii: H/R = 1 + κ (4.3). Exact to half a unit in the last place.
+    pub fn pure_rolling_height(&self) -> f64 {
+        1.0 + self.inertia_factor
+    }
+
+    // ANCHOR: cue-slip
+    /// Slip of the contact point after a level stroke at height H, in units of V': (V' − RΩ')/V' = 1 − (H−R)/(κR) (4.3).
+    ///
+    /// Formed as ((1+κ) − H/R)/κ: zero exactly at [`Self::pure_rolling_height`], and within two roundings elsewhere.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] if the cue misses, H outside 0…2R.
+    pub fn cue_slip(&self, height_over_radius: f64) -> Result<f64> {
+        let height = height_on_body(height_over_radius)?;
+        Ok((self.pure_rolling_height() - height) / self.inertia_factor)
+    }
+    // ANCHOR_END: cue-slip
+
+    /// Eventual rolling speed in units of V': V_f/V' = (H/R)/(1+κ), whatever the friction (4.3).
+    ///
+    /// From the angular momentum about a point of the table, which friction in the table cannot change.
+    ///
+    /// # Errors
+    /// As [`Self::cue_slip`].
+    pub fn eventual_speed(&self, height_over_radius: f64) -> Result<f64> {
+        Ok(height_on_body(height_over_radius)? / self.pure_rolling_height())
+    }
+
+    /// The body after a level stroke at height H that gave its centre the velocity V' (m/s); the regime is decided here.
+    ///
+    /// # Errors
+    /// As [`Self::cue_slip`]; [`Error::NotPositive`] if the velocity is not.
+    pub fn strike(&self, height_over_radius: f64, velocity: f64) -> Result<Shot> {
+        let velocity = positive("the velocity after the stroke", velocity)?;
+        let relative = self.cue_slip(height_over_radius)?;
+        let regime = if relative > 0.0 {
+            Regime::SkidsBackward
+        } else if relative < 0.0 {
+            Regime::SkidsForward
+        } else {
+            Regime::PureRolling
+        };
+        let slip = finite("the slip of the contact point", relative * velocity)?;
+        Ok(Shot {
+            body: *self,
+            height_over_radius,
+            velocity,
+            slip,
+            regime,
+        })
+    }
+
+    /// From sliding to rolling under Coulomb friction (4.3, continued): when, where, how fast, how hot.
+    ///
+    /// `velocity` and `rim_speed` in m/s, `friction` the coefficient μ, `gravity` in m/s². With u = velocity − rim speed,
+    /// t = κ|u|/((1+κ)μg), which is 2|u|/(7μg) for the ball; V_f = V − κu/(1+κ); heat = ½ M κu²/(1+κ).
+    ///
+    /// The one subtraction forms u from the two numbers given and is backward stable. When the rim speed comes from a cue
+    /// stroke near 7R/5, use [`Shot::slide`], where u comes from the height and nothing cancels.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a number that is not, or a result that overflows; [`Error::NotPositive`] for μ or g.
+    pub fn slide_to_roll(
+        &self,
+        velocity: f64,
+        rim_speed: f64,
+        friction: f64,
+        gravity: f64,
+    ) -> Result<SlideToRoll> {
+        let velocity = finite("the velocity", velocity)?;
+        let rim_speed = finite("the rim speed", rim_speed)?;
+        self.slide(velocity, velocity - rim_speed, friction, gravity)
+    }
+
+    fn slide(&self, velocity: f64, slip: f64, friction: f64, gravity: f64) -> Result<SlideToRoll> {
+        let deceleration = positive("the coefficient of friction", friction)?
+            * positive("the acceleration of gravity", gravity)?;
+        // κ/(1+κ) of the slip is taken from the velocity, the rest from the rim.
+        let change = self.inertia_factor / self.pure_rolling_height() * finite("the slip", slip)?;
+        let time = if change == 0.0 {
+            0.0
+        } else {
+            change.abs() / deceleration
+        };
+        Ok(SlideToRoll {
+            time: finite("the sliding time", time)?,
+            distance: finite("the sliding distance", (velocity - 0.5 * change) * time)?,
+            speed: velocity - change,
+            heat: not_negative("the heat", 0.5 * self.mass * change * slip)?,
+        })
+    }
+}
+
+impl Shot {
+    /// How the body leaves the cue.
+    pub fn regime(&self) -> Regime {
+        self.regime
+    }
+
+    /// Velocity of the centre V', m/s.
+    pub fn velocity(&self) -> f64 {
+        self.velocity
+    }
+
+    /// Rim speed RΩ' = (H−R)V'/(κR), m/s; negative for a stroke below the centre.
+    pub fn rim_speed(&self) -> f64 {
+        (self.height_over_radius - 1.0) / self.body.inertia_factor * self.velocity
+    }
+
+    /// Velocity of the contact point V' − RΩ', m/s, from the height of the stroke.
+    pub fn slip(&self) -> f64 {
+        self.slip
+    }
+
+    /// The sliding that follows, as [`RoundBody::slide_to_roll`], with the slip taken from the stroke: no cancellation however
+    /// near the stroke is to pure rolling.
+    ///
+    /// # Errors
+    /// As [`RoundBody::slide_to_roll`].
+    pub fn slide(&self, friction: f64, gravity: f64) -> Result<SlideToRoll> {
+        self.body.slide(self.velocity, self.slip, friction, gravity)
+    }
+}
+
+/// `height_over_radius`, if a level cue at that height meets the body.
+fn height_on_body(height_over_radius: f64) -> Result<f64> {
+    let quantity = "the height of the stroke in radii";
+    let value = finite(quantity, height_over_radius)?;
+    if (0.0..=2.0).contains(&value) {
+        Ok(value)
+    } else {
+        Err(Error::OutOfRange {
+            quantity,
+            value,
+            least: 0.0,
+            greatest: 2.0,
+        })
+    }
+}
+
+/// [`RoundBody::slide_to_roll`] for a homogeneous ball of unit mass: its `heat` is per kilogram, the rest holds for every ball.
+///
+/// # Errors
+/// As [`RoundBody::slide_to_roll`].
+pub fn slide_to_roll(
+    velocity: f64,
+    rim_speed: f64,
+    friction: f64,
+    gravity: f64,
+) -> Result<SlideToRoll> {
+    RoundBody::new(1.0, 1.0, factor::BALL)?.slide_to_roll(velocity, rim_speed, friction, gravity)
+}

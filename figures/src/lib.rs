@@ -4,6 +4,19 @@
 
 use spinning_bodies::Result;
 
+mod compare;
+mod euler_top;
+pub mod finish;
+mod impacts;
+mod inertia;
+mod pythagoras;
+mod rolling;
+mod solid;
+pub mod style;
+mod superball;
+
+pub use compare::{Difference, compare};
+
 /// A finished figure. Alt text and caption are part of the type: there is no figure without them.
 #[derive(Debug, Clone)]
 pub struct Figure {
@@ -30,5 +43,41 @@ pub struct Entry {
 
 /// All figures, in the order of the book.
 pub fn all() -> &'static [Entry] {
-    &[]
+    &[
+        Entry {
+            name: "ellipsoid-of-inertia",
+            chapter: "inertia",
+            draw: inertia::ellipsoid,
+        },
+        Entry {
+            name: "cube-rosettes",
+            chapter: "inertia",
+            draw: inertia::rosettes,
+        },
+        Entry {
+            name: "meteorite",
+            chapter: "impacts",
+            draw: impacts::meteorite,
+        },
+        Entry {
+            name: "billiard",
+            chapter: "rolling",
+            draw: rolling::billiard,
+        },
+        Entry {
+            name: "superball",
+            chapter: "superball",
+            draw: superball::under_the_table,
+        },
+        Entry {
+            name: "polar-circles",
+            chapter: "euler-top",
+            draw: euler_top::polar_circles,
+        },
+        Entry {
+            name: "gas-box",
+            chapter: "pythagoras",
+            draw: pythagoras::gas_box,
+        },
+    ]
 }

@@ -1,0 +1,304 @@
+//! The ellipsoid of inertia (tutorial 2.4) and the cube quiz (2.6).
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inertia, shapes};
+
+use crate::Figure;
+use crate::solid::{View, box_hides, ellipse, ellipsoid_hides, hull, segment};
+use crate::style::{
+    Anchor, AXIS, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar, small, stroke,
+};
+
+/// Strength of lines that lie behind or inside a body.
+const HIDDEN: f64 = 0.26;
+
+/// A box inside its ellipsoid of inertia, with the principal axes and moments.
+pub fn ellipsoid() -> Result<Figure> {
+    let (mass, edges) = (3.0, [6.0, 4.0, 2.0]);
+    let body = shapes::cuboid(mass, edges)?;
+    let principal = body.inertia().principal_axes();
+    let moments = principal.moments();
+    let semi = ellipsoid_of_inertia(mass, &principal.principal_moments())?;
+    let half = Vector3::from(edges) / 2.0;
+
+    let words = Words {
+        claim: "As far as spinning goes, this box is its ellipsoid of inertia.".to_owned(),
+        details: format!(
+            "A box of mass $M = {mass}$ with edges {}, {} and {}, and the homogeneous ellipsoid of the same mass and \
+             the same inertia: semi-axes {}, {} and {}, each the half edge times {}. Both have the principal moments \
+             $I_1 = {}$, $I_2 = {}$, $I_3 = {}$; the long axis has the small moment.",
+            edges[0],
+            edges[1],
+            edges[2],
+            number(semi[0], 3),
+            number(semi[1], 3),
+            number(semi[2], 3),
+            number(semi[0] / half[0], 3),
+            number(moments[0], 0),
+            number(moments[1], 0),
+            number(moments[2], 0),
+        ),
+        alt: format!(
+            "A rectangular box seen from above a corner. A shaded ellipsoid with the same centre and axes bulges out of \
+             every face, while the eight corners stick out of the ellipsoid. Three principal axes leave the tips, \
+             labelled with the moments {}, {} and {}: smallest along the longest edge, largest along the shortest.",
+            number(moments[0], 0),
+            number(moments[1], 0),
+            number(moments[2], 0),
+        ),
+    };
+
+    let semi = Vector3::from(semi);
+    let view = View::new(-0.9, 0.46, [300.0, 196.0], 54.0);
+    Ok(figure("ellipsoid-of-inertia", 390.0, words, |pen| {
+        box_with_bulges(pen, &view, &half, &semi);
+        let names = [
+            format!("*I*_{{1}} = {}", number(moments[0], 0)),
+            format!("*I*_{{2}} = {}", number(moments[1], 0)),
+            format!("*I*_{{3}} = {}", number(moments[2], 0)),
+        ];
+        let reach = [1.2, 1.5, 1.5];
+        let texts: [(f64, f64, Anchor); 3] = [
+            (10.0, 5.0, Anchor::Start),
+            (-8.0, 14.0, Anchor::End),
+            (0.0, -9.0, Anchor::Middle),
+        ];
+        for k in 0..3 {
+            let along = |t: f64| {
+                let mut p = Vector3::zeros();
+                p[k] = t;
+                p
+            };
+            let line = segment(along(-semi[k] - reach[k]), along(semi[k] + reach[k]), 400);
+            let visible = |p: &Vector3<f64>| {
+                !box_hides(&half, p, &view.toward) && !ellipsoid_hides(&semi, p, &view.toward)
+            };
+            let [seen, hidden] = view.split(&line, visible);
+            for piece in seen {
+                pen.line(&piece, stroke(Role::Ink, SECONDARY));
+            }
+            for piece in hidden {
+                pen.line(&piece, stroke(Role::Ink, AXIS).alpha(HIDDEN).dotted());
+            }
+            // The middle axis is named at its near end.
+            let side = if k == 1 { -1.0 } else { 1.0 };
+            let tip = view.project(&along(side * (semi[k] + reach[k])));
+            let (dx, dy, anchor) = texts[k];
+            pen.text([tip[0] + dx, tip[1] + dy], anchor, &names[k], label(Role::Ink));
+        }
+    }))
+}
+
+/// The body that is the union of a box and an ellipsoid with the same axes.
+fn box_with_bulges(pen: &mut Pen<'_>, view: &View, half: &Vector3<f64>, semi: &Vector3<f64>) {
+    let unit = |k: usize| {
+        let mut e = Vector3::zeros();
+        e[k] = 1.0;
+        e
+    };
+    // The three faces towards the eye, and the caps on them.
+    for (k, alpha) in [(2, 0.05), (0, 0.1), (1, 0.17)] {
+        let n = unit(k) * view.toward[k].signum();
+        let (u, v) = (unit((k + 1) % 3), unit((k + 2) % 3));
+        let (hu, hv) = (u * half.dot(&u), v * half.dot(&v));
+        let middle = n * half[k];
+        let corners = [middle + hu + hv, middle + hu - hv, middle - hu - hv, middle - hu + hv];
+        pen.fill(&view.trace(&corners), Role::Ink, alpha);
+    }
+    for k in [1, 0, 2] {
+        let n = unit(k) * view.toward[k].signum();
+        let (u, v) = (unit((k + 1) % 3), unit((k + 2) % 3));
+        let rim = (half[k] / semi[k]).acos();
+        let cap: Vec<Point> = (0..=40)
+            .flat_map(|i| {
+                let (s, c) = (rim * f64::from(i) / 40.0).sin_cos();
+                let ring = ellipse(n * semi[k] * c, u * semi.dot(&u) * s, v * semi.dot(&v) * s, 180);
+                view.trace(&ring)
+            })
+            .collect();
+        pen.fill(&hull(&cap), Role::Shade, 1.0);
+    }
+
+    let mut curves: Vec<(Vec<Vector3<f64>>, f64)> = Vec::new();
+    for k in 0..3 {
+        let (u, v) = (unit((k + 1) % 3), unit((k + 2) % 3));
+        let (hu, hv) = (u * half.dot(&u), v * half.dot(&v));
+        for (s, t) in [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)] {
+            let (a, b) = (unit(k) * half[k], hu * s + hv * t);
+            curves.push((segment(b - a, b + a, 240), SECONDARY));
+        }
+        // Where the ellipsoid goes through the faces.
+        let sine = (1.0 - (half[k] / semi[k]).powi(2)).sqrt();
+        for side in [1.0, -1.0] {
+            let middle = unit(k) * half[k] * side;
+            curves.push((ellipse(middle, u * semi.dot(&u) * sine, v * semi.dot(&v) * sine, 480), AXIS));
+        }
+    }
+    // The outline: where the surface is seen edge on.
+    let n = view.toward.component_div(semi).normalize();
+    let u = n.cross(&Vector3::z()).normalize();
+    let v = n.cross(&u);
+    curves.push((
+        ellipse(Vector3::zeros(), u.component_mul(semi), v.component_mul(semi), 960),
+        DATA,
+    ));
+    for (curve, width) in curves {
+        let [seen, hidden] =
+            view.split(&curve, |p| !box_hides(half, p, &view.toward) && !ellipsoid_hides(semi, p, &view.toward));
+        for piece in hidden {
+            pen.line(&piece, stroke(Role::Ink, HAIR).alpha(HIDDEN));
+        }
+        for piece in seen {
+            pen.line(&piece, stroke(Role::Ink, width));
+        }
+    }
+}
+
+/// Units of the design for a moment of one.
+const MOMENT_SCALE: f64 = 426.0;
+/// Units of the design for an edge of the cube.
+const BODY_SCALE: f64 = 48.0;
+
+/// The moment about every axis of a plane, for a cube and for a brick; the five regular solids below.
+pub fn rosettes() -> Result<Figure> {
+    let cube = shapes::cuboid(1.0, [1.0, 1.0, 1.0])?.inertia();
+    let brick = shapes::cuboid(1.0, [1.0, 1.0, 2.0])?.inertia();
+    let cube = Rosette::new(&cube, [1.0, 1.0, 1.0])?;
+    let brick = Rosette::new(&brick, [1.0, 1.0, 2.0])?;
+    let five: Vec<(PlatonicSolid, f64)> = PlatonicSolid::ALL
+        .into_iter()
+        .map(|solid| {
+            let inertia = shapes::platonic(solid, 1.0, 1.0)?.inertia();
+            Ok((solid, inertia.moment_about(BodyVector::new(1.0, 2.0, 3.0))?))
+        })
+        .collect::<Result<_>>()?;
+
+    let [face, vertex, edge] = cube.quiz.map(|(_, moment)| number(moment, 4));
+    let words = Words {
+        claim: "A cube has the same moment of inertia about every axis through its centre, and so has each of the \
+                five regular solids."
+            .to_owned(),
+        details: format!(
+            "Distance from the centre is the moment about the axis in that direction, in the plane through a face, an \
+             edge and a vertex. Cube of mass $M$ and edge $a$: {face}, {vertex} and {edge} $Ma^2$, a circle. Brick \
+             $a \\times a \\times 2a$ of the same mass: {}, {} and {} $Ma^2$. Below, $I/Ma^2$ for edge $a$.",
+            number(brick.quiz[0].1, 4),
+            number(brick.quiz[1].1, 4),
+            number(brick.quiz[2].1, 4),
+        ),
+        alt: format!(
+            "Two polar curves on the same scale. Around the cross-section of a cube the curve is a perfect circle, and \
+             the axes through a face, an edge and a vertex meet it at equal distances, {face} each. Around a brick \
+             twice as long the curve is a peanut, three axes, three distances. Below, the five regular solids, each in \
+             a circle, with its one number."
+        ),
+    };
+
+    Ok(figure("cube-rosettes", 412.0, words, |pen| {
+        let (left, right) = ([104.0, 128.0], [398.0, 128.0]);
+        cube.draw(pen, left);
+        brick.draw(pen, right);
+        let [up, slant, side] = cube.quiz;
+        let at = |center: Point, (angle, moment): (f64, f64), out: f64| {
+            polar(center, MOMENT_SCALE * moment + out, angle)
+        };
+        let put = |pen: &mut Pen<'_>, p: Point, anchor, text: &str| {
+            pen.text([p[0], p[1] + 4.5], anchor, text, small(Role::Ink));
+        };
+        put(pen, at(left, up, 12.0), Anchor::Middle, "face");
+        put(pen, at(left, slant, 9.0), Anchor::Start, "vertex");
+        put(pen, at(left, side, 8.0), Anchor::Start, "edge");
+        let [up, slant, side] = brick.quiz;
+        put(pen, at(right, up, 34.0), Anchor::Middle, &format!("face {}", number(up.1, 3)));
+        put(pen, at(right, slant, 9.0), Anchor::Start, &format!("vertex {}", number(slant.1, 3)));
+        let inside = at(right, side, -8.0);
+        pen.text([inside[0], inside[1] - 6.0], Anchor::End, &format!("edge {}", number(side.1, 3)), small(Role::Ink));
+        let foot = 234.0;
+        let all = format!("cube: {} *Ma*^{{2}}", number(cube.quiz[0].1, 3));
+        pen.text([left[0], foot], Anchor::Middle, &all, label(Role::Ink));
+        pen.text([right[0], foot], Anchor::Middle, "brick: depends on the axis", label(Role::Ink));
+
+        for (k, (solid, moment)) in five.iter().enumerate() {
+            let center = [68.0 + 116.0 * k as f64, 318.0];
+            pen.ring(center, 46.0, stroke(Role::Ink, SECONDARY));
+            regular_solid(pen, *solid, center, 41.0);
+            pen.text([center[0], 390.0], Anchor::Middle, &number(*moment, 3), label(Role::Ink));
+        }
+    }))
+}
+
+/// The moment about the axes of the plane through a face, an edge and a vertex of a box with square base.
+struct Rosette {
+    curve: Vec<(f64, f64)>,
+    /// Angle and moment of the axes through face, vertex and edge.
+    quiz: [(f64, f64); 3],
+    /// Half width and half height of the box's cross-section.
+    section: Point,
+}
+
+impl Rosette {
+    fn new(inertia: &InertiaMatrix, edges: [f64; 3]) -> Result<Self> {
+        let about = |angle: f64| {
+            let (s, c) = angle.sin_cos();
+            let across = c * core::f64::consts::FRAC_1_SQRT_2;
+            Ok((angle, inertia.moment_about(BodyVector::new(across, across, s))?))
+        };
+        let section = [edges[0].hypot(edges[1]) / 2.0, edges[2] / 2.0];
+        Ok(Self {
+            curve: (0..360).map(|k| about(TAU * f64::from(k) / 360.0)).collect::<Result<_>>()?,
+            quiz: [about(FRAC_PI_2)?, about(section[1].atan2(section[0]))?, about(0.0)?],
+            section,
+        })
+    }
+
+    fn draw(&self, pen: &mut Pen<'_>, center: Point) {
+        let curve: Vec<Point> = self.curve.iter().map(|&(angle, moment)| polar(center, MOMENT_SCALE * moment, angle)).collect();
+        pen.fill(&curve, Role::Ink, 0.05);
+        let [w, h] = self.section.map(|c| BODY_SCALE * c);
+        let corners = [[-w, -h], [w, -h], [w, h], [-w, h]].map(|[x, y]| [center[0] + x, center[1] + y]);
+        pen.fill(&corners, Role::Ink, 0.12);
+        pen.outline(&corners, stroke(Role::Ink, AXIS));
+        for (angle, moment) in self.quiz {
+            let r = MOMENT_SCALE * moment;
+            pen.line(
+                &[polar(center, -r, angle), polar(center, r, angle)],
+                stroke(Role::Ink, AXIS).alpha(0.6),
+            );
+        }
+        pen.outline(&curve, stroke(Role::Ink, DATA));
+        for (angle, moment) in self.quiz {
+            pen.disc(polar(center, MOMENT_SCALE * moment, angle), 4.0, Role::Ink, 1.0);
+        }
+    }
+}
+
+/// A regular solid that just fits into a circle, faces towards the eye shaded by their slope.
+fn regular_solid(pen: &mut Pen<'_>, solid: PlatonicSolid, center: Point, radius: f64) {
+    let Ok(vertices) = solid.vertices(1.0) else {
+        return;
+    };
+    let corners: Vec<Vector3<f64>> = vertices.into_iter().map(Vector3::from).collect();
+    let size = corners.iter().map(Vector3::norm).fold(0.0, f64::max);
+    let (azimuth, elevation) = match solid {
+        PlatonicSolid::Tetrahedron => (-0.42, 0.3),
+        PlatonicSolid::Icosahedron => (0.3, 0.22),
+        _ => (0.42, 0.36),
+    };
+    let view = View::new(azimuth, elevation, center, radius / size);
+    let light = Vector3::new(0.25, -0.55, 0.8);
+    for face in solid.faces() {
+        let face: Vec<Vector3<f64>> = face.iter().map(|&k| corners[k as usize]).collect();
+        let normal = (face[1] - face[0]).cross(&(face[2] - face[0])).normalize();
+        let outline = view.trace(&face);
+        if normal.dot(&view.toward) > 0.0 {
+            pen.fill(&outline, Role::Ink, 0.03 + 0.17 * (1.0 - normal.dot(&light)) / 2.0);
+            pen.outline(&outline, stroke(Role::Ink, SECONDARY));
+        } else {
+            pen.outline(&outline, stroke(Role::Ink, HAIR).alpha(HIDDEN));
+        }
+    }
+}

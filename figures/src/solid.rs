@@ -1,0 +1,122 @@
+//! Bodies in the plane of the paper: orthographic projection, and what hides what.
+
+use nalgebra::Vector3;
+
+use crate::style::Point;
+
+/// An orthographic view of three-dimensional space.
+#[derive(Debug, Clone, Copy)]
+pub struct View {
+    right: Vector3<f64>,
+    up: Vector3<f64>,
+    /// Unit vector towards the eye.
+    pub toward: Vector3<f64>,
+    center: Point,
+    scale: f64,
+}
+
+impl View {
+    /// The view from `azimuth` and `elevation` (radians) with the origin at `center`, `scale` units to one.
+    pub fn new(azimuth: f64, elevation: f64, center: Point, scale: f64) -> Self {
+        let (sa, ca) = azimuth.sin_cos();
+        let (se, ce) = elevation.sin_cos();
+        Self {
+            right: Vector3::new(-sa, ca, 0.0),
+            up: Vector3::new(-se * ca, -se * sa, ce),
+            toward: Vector3::new(ce * ca, ce * sa, se),
+            center,
+            scale,
+        }
+    }
+
+    /// Where a point of space is drawn.
+    pub fn project(&self, point: &Vector3<f64>) -> Point {
+        [
+            self.center[0] + self.scale * self.right.dot(point),
+            self.center[1] - self.scale * self.up.dot(point),
+        ]
+    }
+
+    /// The points of a curve, drawn.
+    pub fn trace(&self, points: &[Vector3<f64>]) -> Vec<Point> {
+        points.iter().map(|p| self.project(p)).collect()
+    }
+
+    /// The curve cut where it goes into hiding: visible pieces, then hidden ones.
+    pub fn split(&self, points: &[Vector3<f64>], visible: impl Fn(&Vector3<f64>) -> bool) -> [Vec<Vec<Point>>; 2] {
+        let mut pieces = [Vec::new(), Vec::new()];
+        let mut piece: Vec<Point> = Vec::new();
+        let mut seen = true;
+        for point in points {
+            let here = self.project(point);
+            let now = visible(point);
+            if piece.is_empty() {
+                seen = now;
+            }
+            piece.push(here);
+            if now != seen {
+                pieces[usize::from(!seen)].push(core::mem::replace(&mut piece, vec![here]));
+                seen = now;
+            }
+        }
+        pieces[usize::from(!seen)].push(piece);
+        pieces
+    }
+}
+
+/// `steps + 1` points from `a` to `b`.
+pub fn segment(a: Vector3<f64>, b: Vector3<f64>, steps: usize) -> Vec<Vector3<f64>> {
+    (0..=steps).map(|k| a + (b - a) * (k as f64 / steps as f64)).collect()
+}
+
+/// The closed ellipse with conjugate half axes `u` and `v`.
+pub fn ellipse(center: Vector3<f64>, u: Vector3<f64>, v: Vector3<f64>, steps: usize) -> Vec<Vector3<f64>> {
+    (0..=steps)
+        .map(|k| {
+            let (s, c) = (core::f64::consts::TAU * k as f64 / steps as f64).sin_cos();
+            center + u * c + v * s
+        })
+        .collect()
+}
+
+/// Whether the line of sight from `point` to the eye meets the box with these half edges.
+pub fn box_hides(half: &Vector3<f64>, point: &Vector3<f64>, toward: &Vector3<f64>) -> bool {
+    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+    for k in 0..3 {
+        let (a, b) = ((-half[k] - point[k]) / toward[k], (half[k] - point[k]) / toward[k]);
+        enter = enter.max(a.min(b));
+        leave = leave.min(a.max(b));
+    }
+    leave > enter && leave > 1e-6
+}
+
+/// Whether the line of sight from `point` to the eye meets the ellipsoid with these half axes.
+pub fn ellipsoid_hides(half: &Vector3<f64>, point: &Vector3<f64>, toward: &Vector3<f64>) -> bool {
+    let (p, d) = (point.component_div(half), toward.component_div(half));
+    let (a, b, c) = (d.dot(&d), p.dot(&d), p.dot(&p) - 1.0);
+    let discriminant = b * b - a * c;
+    discriminant > 0.0 && -b + discriminant.sqrt() > 1e-6 * a
+}
+
+/// The corner points of the convex hull, in order.
+pub fn hull(points: &[Point]) -> Vec<Point> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let half = |points: &mut dyn Iterator<Item = &Point>| {
+        let mut chain: Vec<Point> = Vec::new();
+        for &p in points {
+            while let [.., a, b] = chain[..] {
+                if (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0.0 {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = half(&mut sorted.iter());
+    hull.extend(half(&mut sorted.iter().rev()));
+    hull
+}

@@ -1,0 +1,416 @@
+//! The one style of all figures: sizes, strokes, colours by role, and the pen that draws with them.
+//!
+//! Coordinates are units of the design, 600 wide, y downwards. The SVG backend rounds to whole numbers, so
+//! the canvas is ten times as large and its view box is scaled back; [`crate::finish`] does the rest.
+
+use plotters::coord::Shift;
+use plotters::prelude::{
+    Circle, DrawingArea, IntoDrawingArea, PathElement, Polygon, RGBColor, SVGBackend, ShapeStyle, Text,
+};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, IntoTextStyle, TextStyle};
+
+use crate::Figure;
+use crate::finish::finish;
+
+/// Width of every figure, units.
+pub const WIDTH: f64 = 600.0;
+/// Canvas units in a design unit.
+pub const SCALE: f64 = 10.0;
+/// Size of label text, units.
+pub const LABEL: f64 = 16.0;
+/// Size of ticks and remarks, units; nothing is smaller, indices included.
+pub const SMALL: f64 = 13.5;
+/// Least size of any text, units: a telephone shows it at 0.6.
+pub const LEAST: f64 = 13.0;
+/// Stroke of the data.
+pub const DATA: f64 = 2.0;
+/// Stroke of what is secondary.
+pub const SECONDARY: f64 = 1.2;
+/// Stroke of axes.
+pub const AXIS: f64 = 0.8;
+/// Stroke of hairlines.
+pub const HAIR: f64 = 0.5;
+
+/// A point of the design, units.
+pub type Point = [f64; 2];
+
+/// What a colour means. A hue belongs to a quantity, never to a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// The colour of the text around the figure.
+    Ink,
+    /// Ink that steps back: remarks, construction lines.
+    Muted,
+    /// Angular velocity.
+    Omega,
+    /// Angular momentum.
+    AngularMomentum,
+    /// Torque.
+    Torque,
+    /// The light on a round body: a radial gradient of ink.
+    Shade,
+}
+
+impl Role {
+    /// All roles.
+    pub const ALL: [Role; 6] = [
+        Role::Ink,
+        Role::Muted,
+        Role::Omega,
+        Role::AngularMomentum,
+        Role::Torque,
+        Role::Shade,
+    ];
+
+    /// The colour that stands for the role on the canvas, until the finisher replaces it.
+    pub const fn stand_in(self) -> RGBColor {
+        match self {
+            Role::Ink => RGBColor(0, 0, 0),
+            Role::Muted => RGBColor(1, 0, 0),
+            Role::Omega => RGBColor(2, 0, 0),
+            Role::AngularMomentum => RGBColor(3, 0, 0),
+            Role::Torque => RGBColor(4, 0, 0),
+            Role::Shade => RGBColor(5, 0, 0),
+        }
+    }
+
+    /// The paint of the finished figure: a variable of the page with a fallback.
+    pub fn paint(self, figure: &str) -> String {
+        match self {
+            Role::Ink => "currentColor".to_owned(),
+            Role::Muted => "var(--muted-ink, #61667a)".to_owned(),
+            Role::Omega => "var(--omega, #0b6bcb)".to_owned(),
+            Role::AngularMomentum => "var(--angular-momentum, #b85300)".to_owned(),
+            Role::Torque => "var(--torque, #6b1a6b)".to_owned(),
+            Role::Shade => format!("url(#fig-{figure}-shade)"),
+        }
+    }
+}
+
+/// How a line is broken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dash {
+    /// Not at all.
+    Solid,
+    /// Approximate, or what would have been.
+    Dashed,
+    /// Construction lines and lines of sight.
+    Dotted,
+}
+
+/// A line's role, width, strength and dash.
+#[derive(Debug, Clone, Copy)]
+pub struct Stroke {
+    role: Role,
+    width: f64,
+    alpha: f64,
+    dash: Dash,
+}
+
+/// A solid line of full strength.
+pub const fn stroke(role: Role, width: f64) -> Stroke {
+    Stroke {
+        role,
+        width,
+        alpha: 1.0,
+        dash: Dash::Solid,
+    }
+}
+
+impl Stroke {
+    /// The same at an opacity in 0…1.
+    pub const fn alpha(mut self, alpha: f64) -> Self {
+        self.alpha = alpha;
+        self
+    }
+
+    /// The same, dashed.
+    pub const fn dashed(mut self) -> Self {
+        self.dash = Dash::Dashed;
+        self
+    }
+
+    /// The same, dotted.
+    pub const fn dotted(mut self) -> Self {
+        self.dash = Dash::Dotted;
+        self
+    }
+
+    fn shape(self) -> ShapeStyle {
+        let width = (self.width * SCALE).round() as u32;
+        self.role.stand_in().mix(self.alpha).stroke_width(width)
+    }
+}
+
+/// Which side of its point a text stands on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// The text begins at the point.
+    Start,
+    /// The text is centred on the point.
+    Middle,
+    /// The text ends at the point.
+    End,
+}
+
+/// Size and colour of a text.
+#[derive(Debug, Clone, Copy)]
+pub struct Lettering {
+    role: Role,
+    size: f64,
+    strong: bool,
+}
+
+/// A label.
+pub const fn label(role: Role) -> Lettering {
+    sized(role, LABEL)
+}
+
+/// A tick or a remark.
+pub const fn small(role: Role) -> Lettering {
+    sized(role, SMALL)
+}
+
+/// A text of a size of its own, units.
+pub const fn sized(role: Role, size: f64) -> Lettering {
+    Lettering {
+        role,
+        size,
+        strong: false,
+    }
+}
+
+impl Lettering {
+    /// The same in semibold.
+    pub const fn strong(mut self) -> Self {
+        self.strong = true;
+        self
+    }
+}
+
+/// The words that belong to a picture.
+#[derive(Debug, Clone)]
+pub struct Words {
+    /// First sentence of the caption.
+    pub claim: String,
+    /// Rest of the caption.
+    pub details: String,
+    /// For readers who do not see it.
+    pub alt: String,
+}
+
+/// Draws on a canvas `height` units high and finishes the figure called `name`.
+pub fn figure(name: &str, height: f64, words: Words, draw: impl FnOnce(&mut Pen<'_>)) -> Figure {
+    let mut raw = String::new();
+    let extras = {
+        let size = ((WIDTH * SCALE) as u32, (height * SCALE).round() as u32);
+        let area = SVGBackend::with_string(&mut raw, size).into_drawing_area();
+        let mut pen = Pen {
+            area,
+            extras: Vec::new(),
+        };
+        draw(&mut pen);
+        pen.area.present().expect(IN_MEMORY);
+        pen.extras
+    };
+    let svg = finish(name, &words.claim, &words.alt, &raw, &extras);
+    Figure {
+        claim: words.claim,
+        details: words.details,
+        alt: words.alt,
+        svg,
+    }
+}
+
+const IN_MEMORY: &str = "drawing into a string has nothing that could fail";
+
+/// Draws on the canvas. Every call writes one element, and one entry of `extras`: attributes that the backend lacks.
+#[allow(missing_debug_implementations, reason = "a drawing area has none")]
+pub struct Pen<'a> {
+    area: DrawingArea<SVGBackend<'a>, Shift>,
+    extras: Vec<String>,
+}
+
+/// Design units to canvas units.
+fn canvas(point: Point) -> (i32, i32) {
+    ((point[0] * SCALE).round() as i32, (point[1] * SCALE).round() as i32)
+}
+
+/// The points on the canvas, without repetitions.
+fn trace(points: &[Point]) -> Vec<(i32, i32)> {
+    let mut trace: Vec<(i32, i32)> = points.iter().map(|&p| canvas(p)).collect();
+    trace.dedup();
+    trace
+}
+
+impl Pen<'_> {
+    fn extra_of(&mut self, stroke: Stroke) {
+        let unit = stroke.width.max(AXIS) * SCALE;
+        self.extras.push(match stroke.dash {
+            Dash::Solid => String::new(),
+            Dash::Dashed => format!(" stroke-dasharray=\"{:.0} {:.0}\"", unit * 4.0, unit * 3.2),
+            Dash::Dotted => format!(" stroke-dasharray=\"0 {:.0}\"", unit * 3.0),
+        });
+    }
+
+    /// A line through the points.
+    pub fn line(&mut self, points: &[Point], stroke: Stroke) {
+        let points = trace(points);
+        if points.len() > 1 {
+            self.extra_of(stroke);
+            self.area.draw(&PathElement::new(points, stroke.shape())).expect(IN_MEMORY);
+        }
+    }
+
+    /// A line through the points and back to the first.
+    pub fn outline(&mut self, points: &[Point], stroke: Stroke) {
+        let mut closed = points.to_vec();
+        closed.extend(points.first());
+        self.line(&closed, stroke);
+    }
+
+    /// A filled polygon.
+    pub fn fill(&mut self, points: &[Point], role: Role, alpha: f64) {
+        self.extras.push(String::new());
+        let style = role.stand_in().mix(alpha);
+        self.area.draw(&Polygon::new(trace(points), style)).expect(IN_MEMORY);
+    }
+
+    /// A filled disc.
+    pub fn disc(&mut self, center: Point, radius: f64, role: Role, alpha: f64) {
+        self.extras.push(String::new());
+        let style = role.stand_in().mix(alpha).filled();
+        let radius = (radius * SCALE).round() as i32;
+        self.area.draw(&Circle::new(canvas(center), radius, style)).expect(IN_MEMORY);
+    }
+
+    /// A circle.
+    pub fn ring(&mut self, center: Point, radius: f64, stroke: Stroke) {
+        self.extra_of(stroke);
+        let radius = (radius * SCALE).round() as i32;
+        self.area.draw(&Circle::new(canvas(center), radius, stroke.shape())).expect(IN_MEMORY);
+    }
+
+    /// An arc, angles in radians counterclockwise from the right as the reader sees it.
+    pub fn arc(&mut self, center: Point, radius: f64, from: f64, to: f64, stroke: Stroke) {
+        self.line(&arc(center, radius, from, to), stroke);
+    }
+
+    /// An arrow: shaft and head, the tip exactly at `to`. Nothing if it has no length.
+    pub fn arrow(&mut self, from: Point, to: Point, stroke: Stroke) {
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        if length > 0.0 {
+            let (reach, _) = head_size(stroke.width, length);
+            let neck = between(to, from, 0.7 * reach / length);
+            self.line(&[from, neck], stroke);
+            self.head(from, to, stroke);
+        }
+    }
+
+    /// A bent arrow along an arc.
+    pub fn arc_arrow(&mut self, center: Point, radius: f64, from: f64, to: f64, stroke: Stroke) {
+        let length = (to - from).abs() * radius;
+        if length > 0.0 {
+            let (reach, _) = head_size(stroke.width, length);
+            let back = (to - from) * (reach / length).min(1.0);
+            self.arc(center, radius, from, to - 0.7 * back, stroke);
+            self.head(polar(center, radius, to - back), polar(center, radius, to), stroke);
+        }
+    }
+
+    /// The head of an arrow that comes from `from`, its tip at `to`.
+    fn head(&mut self, from: Point, to: Point, stroke: Stroke) {
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let (along, across) = (
+            [(to[0] - from[0]) / length, (to[1] - from[1]) / length],
+            [(from[1] - to[1]) / length, (to[0] - from[0]) / length],
+        );
+        let (reach, half) = head_size(stroke.width, f64::INFINITY);
+        let at = |back: f64, side: f64| {
+            [
+                to[0] - back * along[0] + side * across[0],
+                to[1] - back * along[1] + side * across[1],
+            ]
+        };
+        let barb = [at(0.0, 0.0), at(reach, half), at(0.72 * reach, 0.0), at(reach, -half)];
+        self.fill(&barb, stroke.role, stroke.alpha);
+    }
+
+    /// A text whose base line starts, is centred or ends at the point. `*x*` is an italic letter,
+    /// `_{…}` an index, `^{…}` a power.
+    pub fn text(&mut self, at: Point, anchor: Anchor, body: &str, lettering: Lettering) {
+        let weight = if lettering.strong { " font-weight=\"600\"" } else { "" };
+        let size = lettering.size.max(LEAST) * SCALE;
+        self.extras.push(format!(" font-size=\"{size:.0}\"{weight}"));
+        let h = match anchor {
+            Anchor::Start => HPos::Left,
+            Anchor::Middle => HPos::Center,
+            Anchor::End => HPos::Right,
+        };
+        let color = lettering.role.stand_in();
+        let style: TextStyle<'_> = ("sans-serif", size)
+            .into_text_style(&self.area)
+            .color(&color)
+            .pos(Pos::new(h, VPos::Bottom));
+        let text = Text::new(body.to_owned(), canvas(at), style);
+        self.area.draw(&text).expect(IN_MEMORY);
+    }
+
+    /// A stacked fraction with its bar centred on the point, and what stands before and after it.
+    pub fn fraction(&mut self, at: Point, parts: Fraction<'_>, lettering: Lettering) {
+        let size = lettering.size;
+        let digits = parts.over.chars().count().max(parts.under.chars().count()) as f64;
+        let half = 0.29 * size * digits + 0.1 * size;
+        self.text([at[0] - half - 0.2 * size, at[1] + 0.36 * size], Anchor::End, parts.before, lettering);
+        self.text([at[0], at[1] - 0.32 * size], Anchor::Middle, parts.over, lettering);
+        self.text([at[0], at[1] + 1.02 * size], Anchor::Middle, parts.under, lettering);
+        self.line(
+            &[[at[0] - half, at[1]], [at[0] + half, at[1]]],
+            stroke(lettering.role, AXIS),
+        );
+        self.text([at[0] + half + 0.22 * size, at[1] + 0.36 * size], Anchor::Start, parts.after, lettering);
+    }
+}
+
+/// A stacked fraction.
+#[derive(Debug, Clone, Copy)]
+pub struct Fraction<'a> {
+    /// Sign or words before it.
+    pub before: &'a str,
+    /// Numerator.
+    pub over: &'a str,
+    /// Denominator.
+    pub under: &'a str,
+    /// Letter or words after it.
+    pub after: &'a str,
+}
+
+/// Length and half width of an arrow's head.
+fn head_size(width: f64, length: f64) -> (f64, f64) {
+    let reach = (5.5 + 2.6 * width).min(length);
+    (reach, 0.34 * (5.5 + 2.6 * width))
+}
+
+/// The point a fraction `t` of the way from `a` to `b`.
+pub fn between(a: Point, b: Point, t: f64) -> Point {
+    [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]
+}
+
+/// The point at `radius` and `angle` (counterclockwise from the right) about `center`.
+pub fn polar(center: Point, radius: f64, angle: f64) -> Point {
+    [center[0] + radius * angle.cos(), center[1] - radius * angle.sin()]
+}
+
+/// Points of an arc, a step every two degrees or closer.
+pub fn arc(center: Point, radius: f64, from: f64, to: f64) -> Vec<Point> {
+    let steps = ((to - from).abs() / 0.035).ceil().max(1.0);
+    (0..=steps as usize).map(|k| polar(center, radius, from + (to - from) * k as f64 / steps)).collect()
+}
+
+/// A number with `digits` decimals and a true minus sign.
+pub fn number(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    text.replace('-', if zero { "" } else { "\u{2212}" })
+}

@@ -1,0 +1,62 @@
+//! What changes momentum and angular momentum (tutorial 3.2).
+
+use crate::error::{Result, positive};
+use crate::frame::SpaceVector;
+
+/// A total force and its total torque about a stated point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ForceAndTorque {
+    /// F, newtons.
+    pub force: SpaceVector,
+    /// N about the stated point, newton metres: the dimension of energy, though a vector (3.2).
+    pub torque: SpaceVector,
+}
+
+impl ForceAndTorque {
+    /// The same forces seen from a point farther along by `offset` (metres): F stays, N becomes N − offset∧F.
+    pub fn about(&self, offset: SpaceVector) -> Self {
+        Self {
+            force: self.force,
+            torque: self.torque - offset.cross(&self.force),
+        }
+    }
+}
+
+/// Force Mg and torque (C−O)∧Mg of uniform gravity on a body of any shape (tutorial 3.2): gravity acts at
+/// the centre of mass, and has no torque about it.
+///
+/// `mass` in kg, `center` and `about` in metres, `gravity` the vector **g** in m/s².
+/// [`Particles::force_and_torque`](super::Particles::force_and_torque) sums the same over points.
+///
+/// # Errors
+/// [`Error::NotPositive`](crate::Error::NotPositive) or [`Error::NotFinite`](crate::Error::NotFinite) for the
+/// mass, `NotFinite` for a vector.
+pub fn uniform_gravity(
+    mass: f64,
+    center: SpaceVector,
+    about: SpaceVector,
+    gravity: SpaceVector,
+) -> Result<ForceAndTorque> {
+    let mass = positive("the mass", mass)?;
+    super::particles::finite_vector("the centre of mass", center)?;
+    super::particles::finite_vector("the point that torque is taken about", about)?;
+    super::particles::finite_vector("gravity", gravity)?;
+    let force = mass * gravity;
+    Ok(ForceAndTorque {
+        force,
+        torque: (center - about).cross(&force),
+    })
+}
+
+/// dL/dt about a point O that moves at `point_velocity` U: N − U∧P (tutorial 3.2, the reason for its hypothesis 2.2).
+///
+/// `torque` N is the total outside torque about O in N m, `momentum` P in kg m/s. The extra term vanishes exactly
+/// if U is parallel to P: for O at rest, for O = C, and for the contact point of a body that rolls straight.
+/// L is taken with velocities relative to axes at rest. Not finite if an argument is not.
+pub fn angular_momentum_rate(
+    torque: SpaceVector,
+    point_velocity: SpaceVector,
+    momentum: SpaceVector,
+) -> SpaceVector {
+    torque - point_velocity.cross(&momentum)
+}

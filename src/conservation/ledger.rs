@@ -1,0 +1,423 @@
+//! The ledger: what should have been conserved, and by how much it was not.
+
+use core::fmt;
+
+use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::frame::FrameVector;
+
+/// What a quantity is allowed to do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Law {
+    /// It keeps its first value. Drift: the largest distance from the first value.
+    Conserved,
+    /// It may fall, never rise (kinetic energy under friction).
+    /// Drift: the largest rise above the least value so far.
+    NonIncreasing,
+    /// It may rise, never fall (heat). Drift: the largest fall below the greatest value so far.
+    NonDecreasing,
+}
+
+/// Names a scalar quantity of one [`Ledger`]; returned by [`Ledger::open`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ScalarAccount(usize);
+
+/// Names a conserved vector of one [`Ledger`]; returned by [`Ledger::open_vector`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct VectorAccount(usize);
+
+/// One line of a [`Ledger`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    name: &'static str,
+    law: Law,
+    /// One component for a scalar, three for a vector: vectors are conserved or not, never monotone.
+    first: Value,
+    last: Value,
+    /// For a monotone scalar the extreme value so far; unused otherwise.
+    extreme: f64,
+    scale: f64,
+    drift: f64,
+    worst_record: u64,
+    records: u64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Value {
+    Scalar(f64),
+    Vector([f64; 3]),
+}
+
+impl Value {
+    fn magnitude(self) -> f64 {
+        match self {
+            Self::Scalar(value) => value.abs(),
+            Self::Vector([x, y, z]) => x.hypot(y).hypot(z),
+        }
+    }
+
+    fn components(self) -> [f64; 3] {
+        match self {
+            Self::Scalar(value) => [value, 0.0, 0.0],
+            Self::Vector(components) => components,
+        }
+    }
+
+    fn is_finite(self) -> bool {
+        self.components().iter().all(|c| c.is_finite())
+    }
+}
+
+impl Entry {
+    /// Name of the quantity.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// What the quantity is allowed to do.
+    pub fn law(&self) -> Law {
+        self.law
+    }
+
+    /// First value recorded: the quantity itself, for a vector its length. Unit of the quantity.
+    pub fn first(&self) -> f64 {
+        match self.first {
+            Value::Scalar(value) => value,
+            vector => vector.magnitude(),
+        }
+    }
+
+    /// Latest value recorded, as [`Entry::first`]; not finite if a record was refused.
+    pub fn last(&self) -> f64 {
+        match self.last {
+            Value::Scalar(value) => value,
+            vector => vector.magnitude(),
+        }
+    }
+
+    /// Largest violation so far, in the unit of the quantity; see [`Law`]. Never NaN: a value that was not
+    /// finite makes it infinite, for good.
+    pub fn absolute_drift(&self) -> f64 {
+        self.drift
+    }
+
+    /// [`Entry::absolute_drift`] over the scale of the quantity, dimensionless. Never NaN: a quantity that
+    /// starts at zero without a scale of its own has relative drift 0 until it moves, and infinity then.
+    pub fn relative_drift(&self) -> f64 {
+        if self.drift == 0.0 {
+            0.0
+        } else {
+            self.drift / self.scale
+        }
+    }
+
+    /// What relative drift is measured against: the length of the first value, or the scale given at opening.
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Number of the record with the largest violation; 0 is the opening.
+    pub fn worst_record(&self) -> u64 {
+        self.worst_record
+    }
+
+    /// How many values were recorded after the first.
+    pub fn records(&self) -> u64 {
+        self.records
+    }
+
+    /// Books `value`; the largest component that is not finite comes back as an error, after the drift has
+    /// been made infinite, so that a caller who drops the error still cannot report a clean run.
+    fn book(&mut self, value: Value) -> Result<()> {
+        self.records += 1;
+        self.last = value;
+        let drift = if value.is_finite() {
+            self.violation(value)
+        } else {
+            f64::INFINITY
+        };
+        if drift > self.drift {
+            self.drift = drift;
+            self.worst_record = self.records;
+        }
+        for component in value.components() {
+            finite(self.name, component)?;
+        }
+        Ok(())
+    }
+
+    fn violation(&mut self, value: Value) -> f64 {
+        let [x, y, z] = value.components();
+        let [x0, y0, z0] = self.first.components();
+        match self.law {
+            // Differences before squares: two long vectors that nearly agree have a small difference,
+            // which their lengths would have rounded away.
+            Law::Conserved => (x - x0).hypot(y - y0).hypot(z - z0),
+            Law::NonIncreasing => {
+                let rise = x - self.extreme;
+                self.extreme = self.extreme.min(x);
+                rise.max(0.0)
+            }
+            Law::NonDecreasing => {
+                let fall = self.extreme - x;
+                self.extreme = self.extreme.max(x);
+                fall.max(0.0)
+            }
+        }
+    }
+}
+
+/// The books of a run (tutorial 3): named quantities, what each is allowed to do, and its largest drift.
+///
+/// Open an account with the first value, record the value as often as you like, and ask at the end.
+/// The ledger never decides how much drift is too much: the bound is an argument.
+///
+/// Robustness: a NaN or an infinity is refused by [`Ledger::record`] *and* leaves the account with infinite
+/// drift, so it can be neither overlooked nor averaged away. Drift is one subtraction of stored values;
+/// it is exact whenever the two agree within a factor of two.
+///
+/// Cost of a record: a few additions and comparisons (for a vector two `hypot`), no allocation.
+///
+/// ```
+/// use spinning_bodies::conservation::{Law, Ledger};
+///
+/// let mut ledger = Ledger::new();
+/// let kinetic = ledger.open("kinetic energy", Law::NonIncreasing, 10.0)?;
+/// for joules in [8.0, 5.0, 5.5, 3.0] {
+///     ledger.record(kinetic, joules)?;
+/// }
+/// // 5.5 J lies below the first value and is a violation all the same: half a joule came from nowhere.
+/// assert_eq!(ledger.entries()[0].absolute_drift(), 0.5);
+/// assert_eq!(ledger.entries()[0].worst_record(), 3);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Ledger {
+    entries: Vec<Entry>,
+}
+
+impl Ledger {
+    /// A ledger without accounts.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Opens an account for a scalar. Relative drift is measured against |`first`|; use
+    /// [`Ledger::open_scaled`] for a quantity that starts at or near zero.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] with the name of the quantity.
+    pub fn open(&mut self, name: &'static str, law: Law, first: f64) -> Result<ScalarAccount> {
+        finite(name, first)?;
+        self.push(name, law, Value::Scalar(first), first.abs());
+        Ok(ScalarAccount(self.entries.len() - 1))
+    }
+
+    /// Opens an account for a scalar whose relative drift is measured against `scale`, in the unit of the
+    /// quantity: the energy of a run for a heat that starts at zero, say.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for `first`, [`Error::NotPositive`] for the scale.
+    pub fn open_scaled(
+        &mut self,
+        name: &'static str,
+        law: Law,
+        first: f64,
+        scale: f64,
+    ) -> Result<ScalarAccount> {
+        finite(name, first)?;
+        let scale = positive("the scale of a ledger account", scale)?;
+        self.push(name, law, Value::Scalar(first), scale);
+        Ok(ScalarAccount(self.entries.len() - 1))
+    }
+
+    /// Opens an account for a conserved vector; drift is the length of the difference, relative to the length
+    /// of `first`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] with the name of the quantity, also if its length overflows.
+    pub fn open_vector<Axes>(
+        &mut self,
+        name: &'static str,
+        first: FrameVector<Axes>,
+    ) -> Result<VectorAccount> {
+        let value = vector_value(name, first)?;
+        let scale = finite(name, value.magnitude())?;
+        self.push(name, Law::Conserved, value, scale);
+        Ok(VectorAccount(self.entries.len() - 1))
+    }
+
+    /// Opens an account for a conserved vector whose relative drift is measured against `scale`: needed when
+    /// the vector is zero, as a falling cat's angular momentum is.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for `first`, [`Error::NotPositive`] for the scale.
+    pub fn open_vector_scaled<Axes>(
+        &mut self,
+        name: &'static str,
+        first: FrameVector<Axes>,
+        scale: f64,
+    ) -> Result<VectorAccount> {
+        let value = vector_value(name, first)?;
+        let scale = positive("the scale of a ledger account", scale)?;
+        self.push(name, Law::Conserved, value, scale);
+        Ok(VectorAccount(self.entries.len() - 1))
+    }
+
+    /// Records a value of a scalar.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if it is none, and the account keeps an infinite drift;
+    /// [`Error::Condition`] if the account belongs to another ledger.
+    pub fn record(&mut self, account: ScalarAccount, value: f64) -> Result<()> {
+        let entry = self.entry_mut(account.0, |v| matches!(v, Value::Scalar(_)))?;
+        entry.book(Value::Scalar(value))
+    }
+
+    /// Records a value of a conserved vector, along the same axes as the first.
+    ///
+    /// # Errors
+    /// As [`Ledger::record`].
+    pub fn record_vector<Axes>(
+        &mut self,
+        account: VectorAccount,
+        value: FrameVector<Axes>,
+    ) -> Result<()> {
+        let entry = self.entry_mut(account.0, |v| matches!(v, Value::Vector(_)))?;
+        entry.book(Value::Vector([value.x(), value.y(), value.z()]))
+    }
+
+    /// All lines, in the order of opening.
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
+    /// The lines whose relative drift exceeds `bound` (dimensionless, may be 0).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] or [`Error::Negative`] for the bound: "within NaN" is not an answer.
+    pub fn violations(&self, bound: f64) -> Result<impl Iterator<Item = &Entry>> {
+        let bound = not_negative("the bound on relative drift", bound)?;
+        Ok(self
+            .entries
+            .iter()
+            .filter(move |entry| entry.relative_drift() > bound))
+    }
+
+    /// Whether every quantity obeyed its law to within the relative drift `bound`.
+    ///
+    /// # Errors
+    /// As [`Ledger::violations`].
+    pub fn is_kept_within(&self, bound: f64) -> Result<bool> {
+        Ok(self.violations(bound)?.next().is_none())
+    }
+
+    fn push(&mut self, name: &'static str, law: Law, first: Value, scale: f64) {
+        self.entries.push(Entry {
+            name,
+            law,
+            first,
+            last: first,
+            extreme: first.components()[0],
+            scale,
+            drift: 0.0,
+            worst_record: 0,
+            records: 0,
+        });
+    }
+
+    fn entry_mut(&mut self, index: usize, kind: fn(&Value) -> bool) -> Result<&mut Entry> {
+        self.entries
+            .get_mut(index)
+            .filter(|entry| kind(&entry.first))
+            .ok_or(Error::Condition {
+                condition: "an account must belong to the ledger it is recorded in",
+                value: index as f64,
+            })
+    }
+}
+
+impl fmt::Display for Ledger {
+    /// One line an account: name, first value, last value, largest relative drift.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for entry in &self.entries {
+            writeln!(
+                f,
+                "{:<28} {:>13.6e} -> {:>13.6e}   drift {:.1e}",
+                entry.name,
+                entry.first(),
+                entry.last(),
+                entry.relative_drift()
+            )?;
+        }
+        Ok(())
+    }
+}
+
+fn vector_value<Axes>(name: &'static str, vector: FrameVector<Axes>) -> Result<Value> {
+    let components = [vector.x(), vector.y(), vector.z()];
+    for component in components {
+        finite(name, component)?;
+    }
+    Ok(Value::Vector(components))
+}
+
+/// A running sum whose rounding error does not grow with the number of terms (Neumaier 1974).
+///
+/// For what a run accumulates in small instalments: heat, work, impulse, time. A plain sum of n equal terms
+/// loses up to n/2 units in the last place; this one keeps the lost parts and is right to about one, as long as
+/// n stays below 2⁵².
+///
+/// A term that is not finite makes the sum not finite, and [`Ledger::record`] refuses it.
+/// Cost: four additions a term.
+///
+/// ```
+/// use spinning_bodies::conservation::CompensatedSum;
+///
+/// let mut heat = CompensatedSum::new();
+/// for _ in 0..10_000_000 {
+///     heat.add(1e-7);
+/// }
+/// assert_eq!(heat.value(), 1.0);
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct CompensatedSum {
+    sum: f64,
+    lost: f64,
+}
+
+impl CompensatedSum {
+    /// The empty sum, zero.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a term.
+    pub fn add(&mut self, term: f64) {
+        let sum = self.sum + term;
+        // The smaller summand is the one whose digits are lost.
+        self.lost += if self.sum.abs() >= term.abs() {
+            (self.sum - sum) + term
+        } else {
+            (term - sum) + self.sum
+        };
+        self.sum = sum;
+    }
+
+    /// The sum so far.
+    pub fn value(&self) -> f64 {
+        if self.sum.is_finite() {
+            self.sum + self.lost
+        } else {
+            // Once infinite, the lost part is infinity − infinity and means nothing.
+            self.sum
+        }
+    }
+}
+
+impl Extend<f64> for CompensatedSum {
+    fn extend<T: IntoIterator<Item = f64>>(&mut self, terms: T) {
+        for term in terms {
+            self.add(term);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Conservation laws (tutorial 3): momentum, angular momentum, energy, and the books kept on them.
+//!
+//! Three laws carry the whole subject:
+//!
+//! * dP/dt = F: momentum changes by the total outside force;
+//! * dL/dt = N: angular momentum about O changes by the total outside torque about O, if O is the centre of
+//!   mass or at rest (a moving O costs the extra term −U∧P, see [`angular_momentum_rate`]);
+//! * energy is conserved, once all its forms are counted, heat included.
+//!
+//! [`Particles`] and [`RigidMotion`] compute the quantities, [`ForceAndTorque`] what changes them, and a
+//! [`Ledger`] watches whether a simulation kept them.
+//!
+//! ```
+//! use spinning_bodies::conservation::{Law, Ledger};
+//!
+//! let mut ledger = Ledger::new();
+//! let energy = ledger.open("energy", Law::Conserved, 2.0)?;
+//! ledger.record(energy, 2.0 + 2e-12)?;
+//! assert!(ledger.is_kept_within(1e-11)?);
+//! assert!(!ledger.is_kept_within(1e-13)?);
+//! # Ok::<(), spinning_bodies::Error>(())
+//! ```
+
+mod force;
+mod ledger;
+mod particles;
+mod rigid;
+
+pub use force::{ForceAndTorque, angular_momentum_rate, uniform_gravity};
+pub use ledger::{CompensatedSum, Entry, Law, Ledger, ScalarAccount, VectorAccount};
+pub(crate) use particles::finite_vector;
+pub use particles::{AngularMomentumSplit, EnergySplit, Particle, Particles};
+pub use rigid::RigidMotion;

@@ -1,0 +1,213 @@
+//! Point masses: the bookkeeping of momentum, angular momentum and energy about any point.
+
+use super::force::ForceAndTorque;
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::SpaceVector;
+
+/// A point mass and how it moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Particle {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Position, m.
+    pub position: SpaceVector,
+    /// Velocity, m/s.
+    pub velocity: SpaceVector,
+}
+
+/// Kinetic energy in its two parts (tutorial 2.3), joules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EnergySplit {
+    /// ½MV²: the whole mass moving with the centre of mass.
+    pub translational: f64,
+    /// ½Σm(v−V)²: motion relative to the centre of mass; for a rigid body ½⟨IΩ, Ω⟩.
+    pub relative: f64,
+}
+
+impl EnergySplit {
+    /// The kinetic energy.
+    pub fn total(&self) -> f64 {
+        self.translational + self.relative
+    }
+}
+
+/// Angular momentum about a point in its two parts (tutorial 2.2), kg m²/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AngularMomentumSplit {
+    /// (C−O)∧P: the whole mass moving with the centre of mass.
+    pub orbital: SpaceVector,
+    /// Σ(x−C)∧m(v−V): the same about every point O; for a rigid body IΩ.
+    pub spin: SpaceVector,
+}
+
+impl AngularMomentumSplit {
+    /// The angular momentum.
+    pub fn total(&self) -> SpaceVector {
+        self.orbital + self.spin
+    }
+}
+
+/// A collection of point masses, not empty, with positive masses and finite motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Particles {
+    particles: Vec<Particle>,
+    mass: f64,
+    center: SpaceVector,
+    velocity: SpaceVector,
+}
+
+impl Particles {
+    /// The collection of these particles.
+    ///
+    /// # Errors
+    /// [`Error::Empty`]; [`Error::NotPositive`] for a mass; [`Error::NotFinite`] for a mass, position, velocity,
+    /// or if the totals overflow.
+    pub fn new(particles: impl Into<Vec<Particle>>) -> Result<Self> {
+        let particles = particles.into();
+        if particles.is_empty() {
+            return Err(Error::Empty {
+                quantity: "the list of particles",
+            });
+        }
+        for particle in &particles {
+            positive("the mass of a particle", particle.mass)?;
+            finite_vector("the position of a particle", particle.position)?;
+            finite_vector("the velocity of a particle", particle.velocity)?;
+        }
+        let mass = finite("the total mass", particles.iter().map(|p| p.mass).sum())?;
+        let weighted = |part: fn(&Particle) -> SpaceVector| -> SpaceVector {
+            particles.iter().map(|p| p.mass * part(p)).sum::<SpaceVector>() / mass
+        };
+        let center = finite_vector("the centre of mass", weighted(|p| p.position))?;
+        let velocity = finite_vector("the velocity of the centre", weighted(|p| p.velocity))?;
+        Ok(Self {
+            particles,
+            mass,
+            center,
+            velocity,
+        })
+    }
+
+    /// The particles.
+    pub fn particles(&self) -> &[Particle] {
+        &self.particles
+    }
+
+    /// Total mass M, kg.
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Centre of mass C = Σmx/M, m.
+    pub fn center(&self) -> SpaceVector {
+        self.center
+    }
+
+    /// Velocity of the centre of mass V = Σmv/M, m/s.
+    pub fn center_velocity(&self) -> SpaceVector {
+        self.velocity
+    }
+
+    /// Momentum P = Σmv (tutorial 2.2), kg m/s.
+    pub fn momentum(&self) -> SpaceVector {
+        self.particles.iter().map(|p| p.mass * p.velocity).sum()
+    }
+
+    /// Angular momentum about `point`, L = Σ(x−O)∧mv (tutorial 2.2), kg m²/s.
+    ///
+    /// Far from the origin the offsets are subtracted before the product, so the error is that of the positions.
+    pub fn angular_momentum_about(&self, point: SpaceVector) -> SpaceVector {
+        self.particles
+            .iter()
+            .map(|p| (p.position - point).cross(&(p.mass * p.velocity)))
+            .sum()
+    }
+
+    /// Angular momentum about `point`, split into that of the centre of mass and that about it (tutorial 2.2).
+    ///
+    /// The spin is summed from relative positions and relative velocities: a fast or distant swarm keeps its digits.
+    pub fn angular_momentum_split(&self, point: SpaceVector) -> AngularMomentumSplit {
+        let spin = self
+            .particles
+            .iter()
+            .map(|p| (p.position - self.center).cross(&(p.mass * (p.velocity - self.velocity))))
+            .sum();
+        AngularMomentumSplit {
+            orbital: (self.center - point).cross(&(self.mass * self.velocity)),
+            spin,
+        }
+    }
+
+    /// Kinetic energy ½Σmv², split into that of the centre of mass and that relative to it (tutorial 2.3).
+    ///
+    /// Both parts are sums of squares, neither is a difference of the other two.
+    pub fn energy_split(&self) -> EnergySplit {
+        let relative = self.particles.iter().map(|p| {
+            let v = p.velocity - self.velocity;
+            0.5 * p.mass * v.dot(&v)
+        });
+        EnergySplit {
+            translational: 0.5 * self.mass * self.velocity.dot(&self.velocity),
+            relative: relative.sum(),
+        }
+    }
+
+    /// Total force and total torque about `point` of a field of force (tutorial 3.2): F = Σf, N = Σ(x−O)∧f.
+    ///
+    /// `field` gives the force on a particle in newtons; it may look at mass, position and velocity.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if the field or a total is not finite.
+    pub fn force_and_torque(
+        &self,
+        point: SpaceVector,
+        mut field: impl FnMut(&Particle) -> SpaceVector,
+    ) -> Result<ForceAndTorque> {
+        let mut total = ForceAndTorque {
+            force: SpaceVector::zero(),
+            torque: SpaceVector::zero(),
+        };
+        for particle in &self.particles {
+            let force = finite_vector("the force on a particle", field(particle))?;
+            total.force += force;
+            total.torque += (particle.position - point).cross(&force);
+        }
+        finite_vector("the total force", total.force)?;
+        finite_vector("the total torque", total.torque)?;
+        Ok(total)
+    }
+
+    /// Total torque of the forces that the particles exert on each other (tutorial 3.4), newton metres.
+    ///
+    /// `force_on_first(a, b)` is the force of b on a; b gets the opposite force, so the total force is zero and the
+    /// torque the same about every point: Σ(x_a − x_b)∧f over the pairs. It vanishes for central forces, and for them
+    /// only in general: "equal and opposite" is not enough for dL/dt = N.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if a force or the total is not finite. Cost: one call for each of the n(n−1)/2 pairs.
+    pub fn internal_torque(
+        &self,
+        mut force_on_first: impl FnMut(&Particle, &Particle) -> SpaceVector,
+    ) -> Result<SpaceVector> {
+        let mut torque = SpaceVector::zero();
+        for (i, first) in self.particles.iter().enumerate() {
+            for second in &self.particles[i + 1..] {
+                let force =
+                    finite_vector("the force between two particles", force_on_first(first, second))?;
+                torque += (first.position - second.position).cross(&force);
+            }
+        }
+        finite_vector("the internal torque", torque)
+    }
+}
+
+/// `vector`, if all components are finite.
+pub(crate) fn finite_vector<Axes>(
+    quantity: &'static str,
+    vector: crate::frame::FrameVector<Axes>,
+) -> Result<crate::frame::FrameVector<Axes>> {
+    for component in vector.components().iter() {
+        finite(quantity, *component)?;
+    }
+    Ok(vector)
+}

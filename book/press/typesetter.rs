@@ -21,6 +21,9 @@ pub struct Typesetter<'a> {
     pieces: Pieces,
 }
 
+/// The cover may show a figure that belongs to a chapter; there it has no number.
+pub const COVER: &str = "index";
+
 /// Replacements in a chapter's source.
 type Edits = Vec<(Range<usize>, String)>;
 
@@ -74,7 +77,10 @@ impl<'a> Typesetter<'a> {
                 Event::End(TagEnd::Heading(_)) => in_heading = false,
                 Event::Start(Tag::Paragraph) => {
                     let text = source[span.clone()].trim();
-                    if let Some(html) = self.directive(text).map_err(|e| fault(span.start, e))? {
+                    if let Some(html) = self
+                        .directive(chapter, text)
+                        .map_err(|e| fault(span.start, e))?
+                    {
                         done_to = span.end;
                         edits.push((span, format!("{html}\n")));
                     }
@@ -126,30 +132,41 @@ impl<'a> Typesetter<'a> {
     }
 
     /// The HTML of a paragraph that is a directive; `None` if it is a paragraph.
-    fn directive(&mut self, text: &str) -> std::result::Result<Option<String>, String> {
+    fn directive(
+        &mut self,
+        chapter: &str,
+        text: &str,
+    ) -> std::result::Result<Option<String>, String> {
         let Some(words) = text.strip_prefix("{{").and_then(|t| t.strip_suffix("}}")) else {
             return Ok(None);
         };
         match words.split_whitespace().collect::<Vec<_>>()[..] {
             ["claims"] => Ok(Some(appendix::page(self.ledger))),
-            ["figure", name] => self.figure(name).map(Some),
+            ["figure", name] => self.figure(chapter, name).map(Some),
             _ => Ok(None),
         }
     }
 
-    fn figure(&mut self, name: &str) -> std::result::Result<String, String> {
+    fn figure(&mut self, chapter: &str, name: &str) -> std::result::Result<String, String> {
         let drawing = *self
             .drawings
             .get(name)
             .ok_or_else(|| unknown_figure(name).to_string())?;
+        let svg = inline_svg(&drawing.figure.svg, &drawing.figure.alt);
+        let claim = self.caption(&drawing.figure.claim)?;
+        if chapter == COVER {
+            // The chapter shows it again, and the print page shows both: the ids must differ.
+            let svg = svg.replace(&format!("fig-{name}"), &format!("cover-{name}"));
+            let picture = self.pieces.keep(svg, "");
+            return Ok(format!(
+                "<figure id=\"cover-{name}\">{picture}<figcaption>{claim}</figcaption></figure>\n"
+            ));
+        }
         let next = self.numbers.len() + 1;
         if self.numbers.insert(name.to_owned(), next).is_some() {
             return Err(format!("figure '{name}' is shown a second time"));
         }
-        let picture = self
-            .pieces
-            .keep(inline_svg(&drawing.figure.svg, &drawing.figure.alt), "");
-        let claim = self.caption(&drawing.figure.claim)?;
+        let picture = self.pieces.keep(svg, "");
         let details = self.caption(&drawing.figure.details)?;
         Ok(format!(
             "<figure id=\"fig-{name}\">{picture}<figcaption><span class=\"figure-number\">Figure {next}.</span> \

@@ -115,7 +115,14 @@ fn every_figure_is_shown_once_in_its_chapter() {
                 .trim()
                 .strip_prefix("{{figure ")
                 .and_then(|rest| rest.strip_suffix("}}"));
-            if let Some(name) = name {
+            let Some(name) = name else { continue };
+            if chapter.name == press::typesetter::COVER {
+                let known = figures::all().iter().any(|entry| entry.name == name.trim());
+                assert!(
+                    known,
+                    "the cover shows figure {name}, which is not registered"
+                );
+            } else {
                 shown.entry(name.trim()).or_default().push(chapter.name);
             }
         }

@@ -65,13 +65,13 @@ impl<T: Num + Copy> Motion<T> {
 // ANCHOR: bounce
 /// The motion after one bounce (4.6): V' − RΩ' = −(V − RΩ) at the floor, with the energy kept.
 ///
-/// Written as increments, V' = V − 2κu/(1+κ) and RΩ' = RΩ ± 2u/(1+κ), with u the speed of the contact point. In exact
-/// arithmetic this is [`bounce_matrix`]; in floating point it drifts twenty times less, because u and the increment vanish
-/// together when the ball already rolls.
+/// Written as increments, V' = V − 2κu/(1+κ) and RΩ' = RΩ ± 2u/(1+κ), with u the speed of the contact point: a ball that
+/// already rolls, u = 0, is left alone to the bit. In exact arithmetic this is [`bounce_matrix`].
 ///
 /// `kappa` is I/(MR²), 2/5 for the ball, from 0 (all mass at the centre) to 1 (all on the rim). Numbers outside that range
-/// have no body but a result. Observed for κ = 2/5 and ten million bounces: energy right to 3e-11. Cost: two
-/// multiplications, one division, five additions.
+/// have no body but a result. In floating point each bounce is right to a few roundings, but 1+κ is rounded the same way
+/// every time, so the energy drifts in proportion to the number of bounces. Observed: at most 2e-16 a bounce (κ = 2/5:
+/// 1.6e-9 after ten million). [`BounceRotation`] does not drift. Cost: two multiplications, one division, five additions.
 ///
 /// With `f64` nothing panics. Fractions of fixed-width integers panic at κ = −1 and on overflow, as all their arithmetic
 /// does; [`checked_bounce`] does not.

@@ -28,6 +28,7 @@ pub mod pythagoras;
 pub mod rolling;
 pub mod superball;
 pub mod impacts;
+pub mod inertia;
 pub mod phenomena;
 pub mod rotating_fluid;
 

@@ -9,7 +9,7 @@ use crate::frame::BodyVector;
 mod icosphere;
 mod sums;
 
-pub use icosphere::icosphere;
+pub use icosphere::{Mesh, icosphere};
 use sums::{Scale, Sums, largest_rounding_of_volume, sums};
 
 /// Relative slack in I₁ + I₂ ≥ I₃ for a thin body whose moments come out of sums over many triangles.

@@ -15,7 +15,13 @@ pub struct Difference {
 
 impl core::fmt::Display for Difference {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let shown = |token: &str| if token.is_empty() { "the end".to_owned() } else { format!("`{token}`") };
+        let shown = |token: &str| {
+            if token.is_empty() {
+                "the end".to_owned()
+            } else {
+                format!("`{token}`")
+            }
+        };
         write!(
             f,
             "figure {}: token {} is {} in the committed file and {} when drawn; `cargo run -- figures {}` draws it afresh",
@@ -93,7 +99,9 @@ fn tokens(document: &str) -> Vec<Token<'_>> {
     let mut rest = document;
     while let Some(start) = rest.find('<') {
         found.extend(rest[..start].split_whitespace().map(Token::Other));
-        let end = rest[start..].find('>').map_or(rest.len(), |k| start + k + 1);
+        let end = rest[start..]
+            .find('>')
+            .map_or(rest.len(), |k| start + k + 1);
         tag_tokens(&rest[start..end], &mut found);
         rest = &rest[end..];
     }
@@ -111,7 +119,12 @@ fn tag_tokens<'a>(tag: &'a str, found: &mut Vec<Token<'a>>) {
             continue;
         };
         if COORDINATES.contains(&name) {
-            found.extend(value.split([' ', ',']).filter(|n| !n.is_empty()).map(Token::Coordinate));
+            found.extend(
+                value
+                    .split([' ', ','])
+                    .filter(|n| !n.is_empty())
+                    .map(Token::Coordinate),
+            );
         } else {
             found.extend(value.split_whitespace().map(Token::Other));
         }

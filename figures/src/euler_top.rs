@@ -8,10 +8,11 @@ use spinning_bodies::frame::BodyVector;
 
 use crate::Figure;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, arc, figure, label, number,
+    polar, small, stroke,
 };
 
-const CENTER: Point = [214.0, 208.0];
+const CENTER: Point = [206.0, 208.0];
 /// Days between two dots.
 const STEP: f64 = 30.0;
 
@@ -41,13 +42,22 @@ impl Lane {
         })
     }
 
-    fn draw(&self, pen: &mut Pen<'_>, name: &str) {
+    fn draw(&self, pen: &mut Pen<'_>) {
         let start = core::f64::consts::FRAC_PI_2;
-        let (last, done) = (self.angles[self.angles.len() - 1], self.angles[self.angles.len() - 2]);
+        let (last, done) = (
+            self.angles[self.angles.len() - 1],
+            self.angles[self.angles.len() - 2],
+        );
         // A full turn ends where it began; an angle cannot tell.
         let reached = if last < done { TAU } else { last };
         pen.ring(CENTER, self.radius, stroke(Role::Ink, HAIR).alpha(0.45));
-        pen.arc(CENTER, self.radius, start, start + reached, stroke(Role::Omega, DATA));
+        pen.arc(
+            CENTER,
+            self.radius,
+            start,
+            start + reached,
+            stroke(Role::Omega, DATA),
+        );
         for (k, &angle) in self.angles.iter().enumerate() {
             let at = polar(CENTER, self.radius, start + angle);
             let named = k % 2 == 0 && !(k == 0 || k == self.angles.len() - 1);
@@ -56,10 +66,14 @@ impl Lane {
                 let out = if self.outside { 19.0 } else { -19.0 };
                 let spot = polar(CENTER, self.radius + out, start + angle);
                 let day = number(STEP * k as f64, 0);
-                pen.text([spot[0], spot[1] + 4.8], Anchor::Middle, &day, small(Role::Omega));
+                pen.text(
+                    [spot[0], spot[1] + 4.8],
+                    Anchor::Middle,
+                    &day,
+                    small(Role::Omega),
+                );
             }
         }
-        let _ = name;
     }
 }
 
@@ -73,7 +87,8 @@ pub fn polar_circles() -> Result<Figure> {
     let lag = 360.0 - real.angles[real.angles.len() - 1].to_degrees();
 
     let words = Words {
-        claim: "The pole of the real Earth circles more slowly than that of a rigid one.".to_owned(),
+        claim: "The pole of the real Earth circles more slowly than that of a rigid one."
+            .to_owned(),
         details: format!(
             "Path of the axis of rotation over the ground about the axis of figure, seen from above the north pole; a dot \
              every {STEP} days, for {} days. Inner circle: rigid, $I_3/I_1 = 301/300$, period {} days. Outer circle: the \
@@ -98,17 +113,28 @@ pub fn polar_circles() -> Result<Figure> {
         let start = core::f64::consts::FRAC_PI_2;
         // What is missing.
         let end = start + real.angles[real.angles.len() - 1];
-        let mut gap = crate::style::arc(CENTER, 152.0, end, start + TAU);
+        let mut gap = arc(CENTER, 152.0, end, start + TAU);
         gap.push(CENTER);
         pen.fill(&gap, Role::Ink, 0.06);
-        pen.line(&[CENTER, polar(CENTER, 172.0, start)], stroke(Role::Ink, AXIS));
-        pen.line(&[CENTER, polar(CENTER, 172.0, end)], stroke(Role::Ink, AXIS).dotted());
-        rigid.draw(pen, "rigid");
-        real.draw(pen, "real");
+        pen.line(
+            &[CENTER, polar(CENTER, 172.0, start)],
+            stroke(Role::Ink, AXIS),
+        );
+        pen.line(
+            &[CENTER, polar(CENTER, 172.0, end)],
+            stroke(Role::Ink, AXIS).dotted(),
+        );
+        rigid.draw(pen);
+        real.draw(pen);
         // The axis of figure, end on.
         pen.ring(CENTER, 6.0, stroke(Role::Ink, SECONDARY));
         pen.disc(CENTER, 2.0, Role::Ink, 1.0);
-        pen.text([CENTER[0] - 12.0, CENTER[1] + 5.0], Anchor::End, "*x*_{3}", label(Role::Ink));
+        pen.text(
+            [CENTER[0] - 12.0, CENTER[1] + 5.0],
+            Anchor::End,
+            "*x*_{3}",
+            label(Role::Ink),
+        );
         let home = polar(CENTER, 112.0, start);
         let short = polar(CENTER, 152.0, end);
         for at in [home, short] {
@@ -120,8 +146,23 @@ pub fn polar_circles() -> Result<Figure> {
             pen.text([x, y], Anchor::Start, head, label(Role::Omega).strong());
             pen.text([x, y + 20.0], Anchor::Start, tail, small(Role::Ink));
         };
-        pen.text([x, 106.0], Anchor::Start, &format!("after {} days", number(days, 0)), label(Role::Ink));
-        note(pen, 148.0, &format!("rigid: {} days", number(rigid.period, 0)), "inner lane, back at the start");
-        note(pen, 204.0, &format!("observed: {} days", number(real.period, 0)), &format!("outer lane, {}° to go", number(lag, 0)));
+        pen.text(
+            [x, 106.0],
+            Anchor::Start,
+            &format!("after {} days", number(days, 0)),
+            label(Role::Ink),
+        );
+        note(
+            pen,
+            148.0,
+            &format!("rigid: {} days", number(rigid.period, 0)),
+            "inner lane, back at the start",
+        );
+        note(
+            pen,
+            204.0,
+            &format!("observed: {} days", number(real.period, 0)),
+            &format!("outer lane, {}° to go", number(lag, 0)),
+        );
     }))
 }

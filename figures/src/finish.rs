@@ -16,7 +16,10 @@ const ALONE: &str = "svg:root{color:#1c1e2a;color-scheme:light dark}\
 /// cannot write.
 pub fn finish(name: &str, claim: &str, alt: &str, raw: &str, extras: &[String]) -> String {
     let mut lines = raw.lines();
-    let view_box = lines.next().and_then(|head| attribute(head, "viewBox")).unwrap_or_default();
+    let view_box = lines
+        .next()
+        .and_then(|head| attribute(head, "viewBox"))
+        .unwrap_or_default();
     let mut svg = String::with_capacity(raw.len());
     let _ = writeln!(
         svg,
@@ -61,7 +64,9 @@ fn stand_in(role: Role) -> String {
 
 /// Stand-in colours replaced by the paint of their role.
 fn painted(name: &str, tag: &str) -> String {
-    Role::ALL.iter().fold(tag.to_owned(), |tag, role| tag.replace(&stand_in(*role), &role.paint(name)))
+    Role::ALL.iter().fold(tag.to_owned(), |tag, role| {
+        tag.replace(&stand_in(*role), &role.paint(name))
+    })
 }
 
 fn shape_element(svg: &mut String, name: &str, line: &str, extra: &str) {
@@ -73,7 +78,9 @@ fn shape_element(svg: &mut String, name: &str, line: &str, extra: &str) {
     // A filled circle carries a width for the stroke it does not have.
     let tag = match (tag.contains(" stroke=\""), tag.find(" stroke-width=\"")) {
         (false, Some(start)) => {
-            let end = tag[start + 15..].find('"').map_or(tag.len(), |k| start + 16 + k);
+            let end = tag[start + 15..]
+                .find('"')
+                .map_or(tag.len(), |k| start + 16 + k);
             format!("{}{}", &tag[..start], &tag[end..])
         }
         _ => tag,
@@ -93,7 +100,9 @@ fn text_element(svg: &mut String, name: &str, line: &str, body: &str, extra: &st
             let _ = write!(svg, " {key}=\"{}\"", painted(name, value));
         }
     }
-    let size = attribute(extra, "font-size").and_then(|s| s.parse().ok()).unwrap_or(LEAST * SCALE);
+    let size = attribute(extra, "font-size")
+        .and_then(|s| s.parse().ok())
+        .unwrap_or(LEAST * SCALE);
     let _ = writeln!(svg, "{extra}>{}</text>", rich(body, size));
 }
 
@@ -114,14 +123,20 @@ fn rich(body: &str, size: f64) -> String {
             }
             [b'_' | b'^', b'{', ..] => {
                 let end = rest.find('}').unwrap_or(rest.len());
-                let level = if rest.starts_with('_') { 0.24 * size } else { -0.36 * size };
+                let level = if rest.starts_with('_') {
+                    0.24 * size
+                } else {
+                    -0.36 * size
+                };
                 (&rest[2..end], level, rest.get(end + 1..).unwrap_or(""))
             }
             _ => {
                 let end = rest
                     .char_indices()
                     .skip(1)
-                    .find(|(k, c)| *c == '*' || (matches!(c, '_' | '^') && rest[k + 1..].starts_with('{')))
+                    .find(|(k, c)| {
+                        *c == '*' || (matches!(c, '_' | '^') && rest[k + 1..].starts_with('{'))
+                    })
                     .map_or(rest.len(), |(k, _)| k);
                 (&rest[..end], 0.0, &rest[end..])
             }
@@ -161,5 +176,8 @@ fn attribute<'a>(tag: &'a str, key: &str) -> Option<&'a str> {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }

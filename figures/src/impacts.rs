@@ -8,15 +8,16 @@ use spinning_bodies::impacts::{Meteorite, Planet, strike};
 use crate::Figure;
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, number, polar, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, number,
+    small, stroke,
 };
 
 /// Where the planet is drawn, its radius and the length of Ω = 1, units.
-const CENTER: Point = [216.0, 226.0];
+const CENTER: Point = [254.0, 252.0];
 const RADIUS: f64 = 108.0;
 const SPIN: f64 = 186.0;
 /// The magnifying glass.
-const GLASS: Point = [496.0, 134.0];
+const GLASS: Point = [492.0, 146.0];
 const GLASS_RADIUS: f64 = 74.0;
 const MAGNIFIED: f64 = 9.0;
 
@@ -32,7 +33,14 @@ pub fn meteorite() -> Result<Figure> {
     let tilt = number(hit.tilt()?.to_degrees(), 1);
     let miss = 100.0 * (rough - after).norm() / (after - before).norm();
 
-    let triple = |v: BodyVector| format!("({}, {}, {})", number(v.x(), 3), number(v.y(), 3), number(v.z(), 3));
+    let triple = |v: BodyVector| {
+        format!(
+            "({}, {}, {})",
+            number(v.x(), 3),
+            number(v.y(), 3),
+            number(v.z(), 3)
+        )
+    };
     let ascii = |text: String| text.replace('\u{2212}', "-");
     let words = Words {
         claim: "A small meteorite can tilt a planet's axis a long way.".to_owned(),
@@ -46,13 +54,13 @@ pub fn meteorite() -> Result<Figure> {
         ),
         alt: format!(
             "A planet with its vertical axis of rotation before the impact, dashed, and the tilted axis after it, {tilt} \
-             degrees away. A meteorite comes in fast from the right and hits the upper right of the ball. Under a \
+             degrees away. A meteorite comes in fast from the lower left, grazes the near side and sticks at the upper left of the ball. Under a \
              magnifying glass the tip of the first-order answer lies just beyond the tip of the exact one."
         ),
     };
 
-    let view = View::new(-0.95, 0.32, CENTER, RADIUS);
-    let spin = View::new(-0.95, 0.32, CENTER, SPIN);
+    let view = View::new(1.4, 0.32, CENTER, RADIUS);
+    let spin = View::new(1.4, 0.32, CENTER, SPIN);
     Ok(figure("meteorite", 392.0, words, |pen| {
         pen.disc(CENTER, RADIUS, Role::Shade, 0.8);
         pen.ring(CENTER, RADIUS, stroke(Role::Ink, DATA));
@@ -67,57 +75,118 @@ pub fn meteorite() -> Result<Figure> {
         }
 
         let tips = [before, after, rough].map(|v| spin.project(&v.components()));
-        inner(pen, &view, CENTER, tips[0], stroke(Role::Omega, SECONDARY).dashed());
-        inner(pen, &view, CENTER, tips[1], stroke(Role::Omega, 2.8));
+        pen.arrow(CENTER, tips[0], stroke(Role::Omega, SECONDARY).dashed());
+        pen.arrow(CENTER, tips[1], stroke(Role::Omega, 2.8));
         pen.disc(CENTER, 3.0, Role::Ink, 1.0);
-        pen.text([CENTER[0] - 9.0, CENTER[1] + 16.0], Anchor::End, "*C*", label(Role::Ink));
-        pen.text([tips[0][0] - 10.0, tips[0][1] + 8.0], Anchor::End, "before *Ω*", label(Role::Omega));
-        pen.text([tips[1][0] + 4.0, tips[1][1] - 12.0], Anchor::End, "after *Ω*'", label(Role::Omega));
+        pen.text(
+            [CENTER[0] + 9.0, CENTER[1] + 16.0],
+            Anchor::Start,
+            "*C*",
+            label(Role::Ink),
+        );
+        pen.text(
+            [tips[0][0] + 12.0, tips[0][1] + 10.0],
+            Anchor::Start,
+            "before, *Ω*",
+            label(Role::Omega),
+        );
+        pen.text(
+            [tips[1][0] - 16.0, tips[1][1] - 2.0],
+            Anchor::End,
+            "after, *Ω*\u{2032}",
+            label(Role::Omega),
+        );
 
         let place = view.project(&at.components());
-        let come = view.project(&(at.components() - 0.066 * velocity.components()));
+        let come = view.project(&(at.components() - 0.142 * velocity.components()));
         pen.line(&[CENTER, place], stroke(Role::Ink, AXIS).dotted());
         pen.arrow(come, place, stroke(Role::Ink, DATA));
         pen.disc(come, 7.0, Role::Ink, 1.0);
-        pen.text([come[0] + 12.0, come[1] - 6.0], Anchor::Start, "*m*", label(Role::Ink));
-        let half = between(come, place, 0.45);
-        pen.text([half[0] + 4.0, half[1] + 22.0], Anchor::Middle, "*v*", label(Role::Ink));
-        pen.text([place[0] - 4.0, place[1] + 18.0], Anchor::Middle, "*x*", label(Role::Ink));
+        pen.text(
+            [come[0] - 12.0, come[1] + 10.0],
+            Anchor::End,
+            "*m*",
+            label(Role::Ink),
+        );
+        let half = between(come, place, 0.4);
+        pen.text(
+            [half[0] - 10.0, half[1] - 6.0],
+            Anchor::End,
+            "*v*",
+            label(Role::Ink),
+        );
+        pen.text(
+            [place[0] - 6.0, place[1] - 7.0],
+            Anchor::End,
+            "*x*",
+            label(Role::Ink),
+        );
 
         glass(pen, tips[1], tips[2]);
     }))
 }
 
-/// An arrow from the centre: faint inside the ball.
-fn inner(pen: &mut Pen<'_>, _view: &View, from: Point, to: Point, style: crate::style::Stroke) {
-    pen.arrow(from, to, style);
-}
-
 /// The two tips enlarged.
 fn glass(pen: &mut Pen<'_>, exact: Point, rough: Point) {
-    pen.ring(exact, GLASS_RADIUS / MAGNIFIED + 1.0, stroke(Role::Ink, AXIS));
+    pen.ring(
+        exact,
+        GLASS_RADIUS / MAGNIFIED + 1.0,
+        stroke(Role::Ink, AXIS),
+    );
     let (dx, dy) = (GLASS[0] - exact[0], GLASS[1] - exact[1]);
     let along = dy.atan2(dx);
     let start = [exact[0] + 9.2 * along.cos(), exact[1] + 9.2 * along.sin()];
-    let stop = [GLASS[0] - GLASS_RADIUS * along.cos(), GLASS[1] - GLASS_RADIUS * along.sin()];
+    let stop = [
+        GLASS[0] - GLASS_RADIUS * along.cos(),
+        GLASS[1] - GLASS_RADIUS * along.sin(),
+    ];
     pen.line(&[start, stop], stroke(Role::Ink, HAIR));
     pen.disc(GLASS, GLASS_RADIUS, Role::Ink, 0.04);
     pen.ring(GLASS, GLASS_RADIUS, stroke(Role::Ink, SECONDARY));
-    let enlarged = |p: Point| [GLASS[0] + MAGNIFIED * (p[0] - exact[0]), GLASS[1] + MAGNIFIED * (p[1] - exact[1])];
-    let _ = (polar(GLASS, 1.0, 0.0), label(Role::Ink));
-    for (tip, style, name, dy) in [
-        (exact, stroke(Role::Omega, 2.8), "exact", 22.0),
-        (rough, stroke(Role::Omega, SECONDARY).dashed(), "first order", -12.0),
+    let enlarged = |p: Point| {
+        [
+            GLASS[0] + MAGNIFIED * (p[0] - exact[0]),
+            GLASS[1] + MAGNIFIED * (p[1] - exact[1]),
+        ]
+    };
+    for (tip, style) in [
+        (exact, stroke(Role::Omega, 2.8)),
+        (rough, stroke(Role::Omega, SECONDARY).dashed()),
     ] {
         // The shaft as far as the glass reaches.
         let there = enlarged(tip);
         let angle = (CENTER[1] - tip[1]).atan2(CENTER[0] - tip[0]);
-        let mut t = 0.0;
         let on = |t: f64| [there[0] + t * angle.cos(), there[1] + t * angle.sin()];
+        let mut t = 0.0;
         while (on(t)[0] - GLASS[0]).hypot(on(t)[1] - GLASS[1]) < GLASS_RADIUS {
             t += 0.5;
         }
         pen.arrow(on(t), there, style);
-        pen.text([there[0] + 4.0, there[1] + dy], Anchor::Middle, name, small(Role::Omega));
     }
+    let (there, rough) = (enlarged(exact), enlarged(rough));
+    pen.text(
+        [there[0] + 10.0, there[1] - 2.0],
+        Anchor::Start,
+        "exact",
+        small(Role::Omega),
+    );
+    pen.text(
+        [rough[0] - 6.0, rough[1] + 4.0],
+        Anchor::End,
+        "first",
+        small(Role::Omega),
+    );
+    pen.text(
+        [rough[0] - 6.0, rough[1] + 20.0],
+        Anchor::End,
+        "order",
+        small(Role::Omega),
+    );
+    let under = [GLASS[0], GLASS[1] + GLASS_RADIUS + 20.0];
+    pen.text(
+        under,
+        Anchor::Middle,
+        &format!("{} times", number(MAGNIFIED, 0)),
+        small(Role::Muted),
+    );
 }

@@ -10,7 +10,8 @@ use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inerti
 use crate::Figure;
 use crate::solid::{View, box_hides, ellipse, ellipsoid_hides, hull, segment};
 use crate::style::{
-    Anchor, AXIS, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
+    small, stroke,
 };
 
 /// Strength of lines that lie behind or inside a body.
@@ -88,7 +89,12 @@ pub fn ellipsoid() -> Result<Figure> {
             let side = if k == 1 { -1.0 } else { 1.0 };
             let tip = view.project(&along(side * (semi[k] + reach[k])));
             let (dx, dy, anchor) = texts[k];
-            pen.text([tip[0] + dx, tip[1] + dy], anchor, &names[k], label(Role::Ink));
+            pen.text(
+                [tip[0] + dx, tip[1] + dy],
+                anchor,
+                &names[k],
+                label(Role::Ink),
+            );
         }
     }))
 }
@@ -106,7 +112,12 @@ fn box_with_bulges(pen: &mut Pen<'_>, view: &View, half: &Vector3<f64>, semi: &V
         let (u, v) = (unit((k + 1) % 3), unit((k + 2) % 3));
         let (hu, hv) = (u * half.dot(&u), v * half.dot(&v));
         let middle = n * half[k];
-        let corners = [middle + hu + hv, middle + hu - hv, middle - hu - hv, middle - hu + hv];
+        let corners = [
+            middle + hu + hv,
+            middle + hu - hv,
+            middle - hu - hv,
+            middle - hu + hv,
+        ];
         pen.fill(&view.trace(&corners), Role::Ink, alpha);
     }
     for k in [1, 0, 2] {
@@ -116,7 +127,12 @@ fn box_with_bulges(pen: &mut Pen<'_>, view: &View, half: &Vector3<f64>, semi: &V
         let cap: Vec<Point> = (0..=40)
             .flat_map(|i| {
                 let (s, c) = (rim * f64::from(i) / 40.0).sin_cos();
-                let ring = ellipse(n * semi[k] * c, u * semi.dot(&u) * s, v * semi.dot(&v) * s, 180);
+                let ring = ellipse(
+                    n * semi[k] * c,
+                    u * semi.dot(&u) * s,
+                    v * semi.dot(&v) * s,
+                    180,
+                );
                 view.trace(&ring)
             })
             .collect();
@@ -135,7 +151,15 @@ fn box_with_bulges(pen: &mut Pen<'_>, view: &View, half: &Vector3<f64>, semi: &V
         let sine = (1.0 - (half[k] / semi[k]).powi(2)).sqrt();
         for side in [1.0, -1.0] {
             let middle = unit(k) * half[k] * side;
-            curves.push((ellipse(middle, u * semi.dot(&u) * sine, v * semi.dot(&v) * sine, 480), AXIS));
+            curves.push((
+                ellipse(
+                    middle,
+                    u * semi.dot(&u) * sine,
+                    v * semi.dot(&v) * sine,
+                    240,
+                ),
+                AXIS,
+            ));
         }
     }
     // The outline: where the surface is seen edge on.
@@ -143,12 +167,18 @@ fn box_with_bulges(pen: &mut Pen<'_>, view: &View, half: &Vector3<f64>, semi: &V
     let u = n.cross(&Vector3::z()).normalize();
     let v = n.cross(&u);
     curves.push((
-        ellipse(Vector3::zeros(), u.component_mul(semi), v.component_mul(semi), 960),
-        DATA,
+        ellipse(
+            Vector3::zeros(),
+            u.component_mul(semi),
+            v.component_mul(semi),
+            360,
+        ),
+        SECONDARY,
     ));
     for (curve, width) in curves {
-        let [seen, hidden] =
-            view.split(&curve, |p| !box_hides(half, p, &view.toward) && !ellipsoid_hides(semi, p, &view.toward));
+        let [seen, hidden] = view.split(&curve, |p| {
+            !box_hides(half, p, &view.toward) && !ellipsoid_hides(semi, p, &view.toward)
+        });
         for piece in hidden {
             pen.line(&piece, stroke(Role::Ink, HAIR).alpha(HIDDEN));
         }
@@ -213,20 +243,45 @@ pub fn rosettes() -> Result<Figure> {
         put(pen, at(left, slant, 9.0), Anchor::Start, "vertex");
         put(pen, at(left, side, 8.0), Anchor::Start, "edge");
         let [up, slant, side] = brick.quiz;
-        put(pen, at(right, up, 34.0), Anchor::Middle, &format!("face {}", number(up.1, 3)));
-        put(pen, at(right, slant, 9.0), Anchor::Start, &format!("vertex {}", number(slant.1, 3)));
+        put(
+            pen,
+            at(right, up, 34.0),
+            Anchor::Middle,
+            &format!("face {}", number(up.1, 3)),
+        );
+        put(
+            pen,
+            at(right, slant, 13.0),
+            Anchor::Start,
+            &format!("vertex {}", number(slant.1, 3)),
+        );
         let inside = at(right, side, -8.0);
-        pen.text([inside[0], inside[1] - 6.0], Anchor::End, &format!("edge {}", number(side.1, 3)), small(Role::Ink));
+        pen.text(
+            [inside[0], inside[1] - 6.0],
+            Anchor::End,
+            &format!("edge {}", number(side.1, 3)),
+            small(Role::Ink),
+        );
         let foot = 234.0;
         let all = format!("cube: {} *Ma*^{{2}}", number(cube.quiz[0].1, 3));
         pen.text([left[0], foot], Anchor::Middle, &all, label(Role::Ink));
-        pen.text([right[0], foot], Anchor::Middle, "brick: depends on the axis", label(Role::Ink));
+        pen.text(
+            [right[0], foot],
+            Anchor::Middle,
+            "brick: depends on the axis",
+            label(Role::Ink),
+        );
 
         for (k, (solid, moment)) in five.iter().enumerate() {
             let center = [68.0 + 116.0 * k as f64, 318.0];
             pen.ring(center, 46.0, stroke(Role::Ink, SECONDARY));
             regular_solid(pen, *solid, center, 41.0);
-            pen.text([center[0], 390.0], Anchor::Middle, &number(*moment, 3), label(Role::Ink));
+            pen.text(
+                [center[0], 390.0],
+                Anchor::Middle,
+                &number(*moment, 3),
+                label(Role::Ink),
+            );
         }
     }))
 }
@@ -245,21 +300,35 @@ impl Rosette {
         let about = |angle: f64| {
             let (s, c) = angle.sin_cos();
             let across = c * core::f64::consts::FRAC_1_SQRT_2;
-            Ok((angle, inertia.moment_about(BodyVector::new(across, across, s))?))
+            Ok((
+                angle,
+                inertia.moment_about(BodyVector::new(across, across, s))?,
+            ))
         };
         let section = [edges[0].hypot(edges[1]) / 2.0, edges[2] / 2.0];
         Ok(Self {
-            curve: (0..360).map(|k| about(TAU * f64::from(k) / 360.0)).collect::<Result<_>>()?,
-            quiz: [about(FRAC_PI_2)?, about(section[1].atan2(section[0]))?, about(0.0)?],
+            curve: (0..360)
+                .map(|k| about(TAU * f64::from(k) / 360.0))
+                .collect::<Result<_>>()?,
+            quiz: [
+                about(FRAC_PI_2)?,
+                about(section[1].atan2(section[0]))?,
+                about(0.0)?,
+            ],
             section,
         })
     }
 
     fn draw(&self, pen: &mut Pen<'_>, center: Point) {
-        let curve: Vec<Point> = self.curve.iter().map(|&(angle, moment)| polar(center, MOMENT_SCALE * moment, angle)).collect();
+        let curve: Vec<Point> = self
+            .curve
+            .iter()
+            .map(|&(angle, moment)| polar(center, MOMENT_SCALE * moment, angle))
+            .collect();
         pen.fill(&curve, Role::Ink, 0.05);
         let [w, h] = self.section.map(|c| BODY_SCALE * c);
-        let corners = [[-w, -h], [w, -h], [w, h], [-w, h]].map(|[x, y]| [center[0] + x, center[1] + y]);
+        let corners =
+            [[-w, -h], [w, -h], [w, h], [-w, h]].map(|[x, y]| [center[0] + x, center[1] + y]);
         pen.fill(&corners, Role::Ink, 0.12);
         pen.outline(&corners, stroke(Role::Ink, AXIS));
         for (angle, moment) in self.quiz {
@@ -271,7 +340,12 @@ impl Rosette {
         }
         pen.outline(&curve, stroke(Role::Ink, DATA));
         for (angle, moment) in self.quiz {
-            pen.disc(polar(center, MOMENT_SCALE * moment, angle), 4.0, Role::Ink, 1.0);
+            pen.disc(
+                polar(center, MOMENT_SCALE * moment, angle),
+                4.0,
+                Role::Ink,
+                1.0,
+            );
         }
     }
 }
@@ -284,7 +358,6 @@ fn regular_solid(pen: &mut Pen<'_>, solid: PlatonicSolid, center: Point, radius:
     let corners: Vec<Vector3<f64>> = vertices.into_iter().map(Vector3::from).collect();
     let size = corners.iter().map(Vector3::norm).fold(0.0, f64::max);
     let (azimuth, elevation) = match solid {
-        PlatonicSolid::Tetrahedron => (-0.42, 0.3),
         PlatonicSolid::Icosahedron => (0.3, 0.22),
         _ => (0.42, 0.36),
     };
@@ -295,7 +368,11 @@ fn regular_solid(pen: &mut Pen<'_>, solid: PlatonicSolid, center: Point, radius:
         let normal = (face[1] - face[0]).cross(&(face[2] - face[0])).normalize();
         let outline = view.trace(&face);
         if normal.dot(&view.toward) > 0.0 {
-            pen.fill(&outline, Role::Ink, 0.03 + 0.17 * (1.0 - normal.dot(&light)) / 2.0);
+            pen.fill(
+                &outline,
+                Role::Ink,
+                0.03 + 0.17 * (1.0 - normal.dot(&light)) / 2.0,
+            );
             pen.outline(&outline, stroke(Role::Ink, SECONDARY));
         } else {
             pen.outline(&outline, stroke(Role::Ink, HAIR).alpha(HIDDEN));

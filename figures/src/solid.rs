@@ -43,7 +43,11 @@ impl View {
     }
 
     /// The curve cut where it goes into hiding: visible pieces, then hidden ones.
-    pub fn split(&self, points: &[Vector3<f64>], visible: impl Fn(&Vector3<f64>) -> bool) -> [Vec<Vec<Point>>; 2] {
+    pub fn split(
+        &self,
+        points: &[Vector3<f64>],
+        visible: impl Fn(&Vector3<f64>) -> bool,
+    ) -> [Vec<Vec<Point>>; 2] {
         let mut pieces = [Vec::new(), Vec::new()];
         let mut piece: Vec<Point> = Vec::new();
         let mut seen = true;
@@ -60,17 +64,38 @@ impl View {
             }
         }
         pieces[usize::from(!seen)].push(piece);
+        for piece in pieces.iter_mut().flatten() {
+            straighten(piece);
+        }
         pieces
+    }
+}
+
+/// Leaves of a straight piece only its ends.
+fn straighten(piece: &mut Vec<Point>) {
+    let [a, .., b] = piece[..] else {
+        return;
+    };
+    let off = |p: &Point| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+    if piece.iter().all(|p| off(p).abs() < 1e-6) && a != b {
+        *piece = vec![a, b];
     }
 }
 
 /// `steps + 1` points from `a` to `b`.
 pub fn segment(a: Vector3<f64>, b: Vector3<f64>, steps: usize) -> Vec<Vector3<f64>> {
-    (0..=steps).map(|k| a + (b - a) * (k as f64 / steps as f64)).collect()
+    (0..=steps)
+        .map(|k| a + (b - a) * (k as f64 / steps as f64))
+        .collect()
 }
 
 /// The closed ellipse with conjugate half axes `u` and `v`.
-pub fn ellipse(center: Vector3<f64>, u: Vector3<f64>, v: Vector3<f64>, steps: usize) -> Vec<Vector3<f64>> {
+pub fn ellipse(
+    center: Vector3<f64>,
+    u: Vector3<f64>,
+    v: Vector3<f64>,
+    steps: usize,
+) -> Vec<Vector3<f64>> {
     (0..=steps)
         .map(|k| {
             let (s, c) = (core::f64::consts::TAU * k as f64 / steps as f64).sin_cos();
@@ -83,7 +108,10 @@ pub fn ellipse(center: Vector3<f64>, u: Vector3<f64>, v: Vector3<f64>, steps: us
 pub fn box_hides(half: &Vector3<f64>, point: &Vector3<f64>, toward: &Vector3<f64>) -> bool {
     let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
     for k in 0..3 {
-        let (a, b) = ((-half[k] - point[k]) / toward[k], (half[k] - point[k]) / toward[k]);
+        let (a, b) = (
+            (-half[k] - point[k]) / toward[k],
+            (half[k] - point[k]) / toward[k],
+        );
         enter = enter.max(a.min(b));
         leave = leave.min(a.max(b));
     }

@@ -5,7 +5,8 @@
 
 use plotters::coord::Shift;
 use plotters::prelude::{
-    Circle, DrawingArea, IntoDrawingArea, PathElement, Polygon, RGBColor, SVGBackend, ShapeStyle, Text,
+    Circle, DrawingArea, IntoDrawingArea, PathElement, Polygon, RGBColor, SVGBackend, ShapeStyle,
+    Text,
 };
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, IntoTextStyle, TextStyle};
@@ -234,7 +235,10 @@ pub struct Pen<'a> {
 
 /// Design units to canvas units.
 fn canvas(point: Point) -> (i32, i32) {
-    ((point[0] * SCALE).round() as i32, (point[1] * SCALE).round() as i32)
+    (
+        (point[0] * SCALE).round() as i32,
+        (point[1] * SCALE).round() as i32,
+    )
 }
 
 /// The points on the canvas, without repetitions.
@@ -259,7 +263,9 @@ impl Pen<'_> {
         let points = trace(points);
         if points.len() > 1 {
             self.extra_of(stroke);
-            self.area.draw(&PathElement::new(points, stroke.shape())).expect(IN_MEMORY);
+            self.area
+                .draw(&PathElement::new(points, stroke.shape()))
+                .expect(IN_MEMORY);
         }
     }
 
@@ -274,7 +280,9 @@ impl Pen<'_> {
     pub fn fill(&mut self, points: &[Point], role: Role, alpha: f64) {
         self.extras.push(String::new());
         let style = role.stand_in().mix(alpha);
-        self.area.draw(&Polygon::new(trace(points), style)).expect(IN_MEMORY);
+        self.area
+            .draw(&Polygon::new(trace(points), style))
+            .expect(IN_MEMORY);
     }
 
     /// A filled disc.
@@ -282,14 +290,18 @@ impl Pen<'_> {
         self.extras.push(String::new());
         let style = role.stand_in().mix(alpha).filled();
         let radius = (radius * SCALE).round() as i32;
-        self.area.draw(&Circle::new(canvas(center), radius, style)).expect(IN_MEMORY);
+        self.area
+            .draw(&Circle::new(canvas(center), radius, style))
+            .expect(IN_MEMORY);
     }
 
     /// A circle.
     pub fn ring(&mut self, center: Point, radius: f64, stroke: Stroke) {
         self.extra_of(stroke);
         let radius = (radius * SCALE).round() as i32;
-        self.area.draw(&Circle::new(canvas(center), radius, stroke.shape())).expect(IN_MEMORY);
+        self.area
+            .draw(&Circle::new(canvas(center), radius, stroke.shape()))
+            .expect(IN_MEMORY);
     }
 
     /// An arc, angles in radians counterclockwise from the right as the reader sees it.
@@ -315,7 +327,11 @@ impl Pen<'_> {
             let (reach, _) = head_size(stroke.width, length);
             let back = (to - from) * (reach / length).min(1.0);
             self.arc(center, radius, from, to - 0.7 * back, stroke);
-            self.head(polar(center, radius, to - back), polar(center, radius, to), stroke);
+            self.head(
+                polar(center, radius, to - back),
+                polar(center, radius, to),
+                stroke,
+            );
         }
     }
 
@@ -333,16 +349,26 @@ impl Pen<'_> {
                 to[1] - back * along[1] + side * across[1],
             ]
         };
-        let barb = [at(0.0, 0.0), at(reach, half), at(0.72 * reach, 0.0), at(reach, -half)];
+        let barb = [
+            at(0.0, 0.0),
+            at(reach, half),
+            at(0.72 * reach, 0.0),
+            at(reach, -half),
+        ];
         self.fill(&barb, stroke.role, stroke.alpha);
     }
 
     /// A text whose base line starts, is centred or ends at the point. `*x*` is an italic letter,
     /// `_{…}` an index, `^{…}` a power.
     pub fn text(&mut self, at: Point, anchor: Anchor, body: &str, lettering: Lettering) {
-        let weight = if lettering.strong { " font-weight=\"600\"" } else { "" };
+        let weight = if lettering.strong {
+            " font-weight=\"600\""
+        } else {
+            ""
+        };
         let size = lettering.size.max(LEAST) * SCALE;
-        self.extras.push(format!(" font-size=\"{size:.0}\"{weight}"));
+        self.extras
+            .push(format!(" font-size=\"{size:.0}\"{weight}"));
         let h = match anchor {
             Anchor::Start => HPos::Left,
             Anchor::Middle => HPos::Center,
@@ -362,14 +388,34 @@ impl Pen<'_> {
         let size = lettering.size;
         let digits = parts.over.chars().count().max(parts.under.chars().count()) as f64;
         let half = 0.29 * size * digits + 0.1 * size;
-        self.text([at[0] - half - 0.2 * size, at[1] + 0.36 * size], Anchor::End, parts.before, lettering);
-        self.text([at[0], at[1] - 0.32 * size], Anchor::Middle, parts.over, lettering);
-        self.text([at[0], at[1] + 1.02 * size], Anchor::Middle, parts.under, lettering);
+        self.text(
+            [at[0] - half - 0.2 * size, at[1] + 0.36 * size],
+            Anchor::End,
+            parts.before,
+            lettering,
+        );
+        self.text(
+            [at[0], at[1] - 0.32 * size],
+            Anchor::Middle,
+            parts.over,
+            lettering,
+        );
+        self.text(
+            [at[0], at[1] + 1.02 * size],
+            Anchor::Middle,
+            parts.under,
+            lettering,
+        );
         self.line(
             &[[at[0] - half, at[1]], [at[0] + half, at[1]]],
             stroke(lettering.role, AXIS),
         );
-        self.text([at[0] + half + 0.22 * size, at[1] + 0.36 * size], Anchor::Start, parts.after, lettering);
+        self.text(
+            [at[0] + half + 0.22 * size, at[1] + 0.36 * size],
+            Anchor::Start,
+            parts.after,
+            lettering,
+        );
     }
 }
 
@@ -399,13 +445,18 @@ pub fn between(a: Point, b: Point, t: f64) -> Point {
 
 /// The point at `radius` and `angle` (counterclockwise from the right) about `center`.
 pub fn polar(center: Point, radius: f64, angle: f64) -> Point {
-    [center[0] + radius * angle.cos(), center[1] - radius * angle.sin()]
+    [
+        center[0] + radius * angle.cos(),
+        center[1] - radius * angle.sin(),
+    ]
 }
 
 /// Points of an arc, a step every two degrees or closer.
 pub fn arc(center: Point, radius: f64, from: f64, to: f64) -> Vec<Point> {
     let steps = ((to - from).abs() / 0.035).ceil().max(1.0);
-    (0..=steps as usize).map(|k| polar(center, radius, from + (to - from) * k as f64 / steps)).collect()
+    (0..=steps as usize)
+        .map(|k| polar(center, radius, from + (to - from) * k as f64 / steps))
+        .collect()
 }
 
 /// A number with `digits` decimals and a true minus sign.

@@ -13,13 +13,18 @@ fn drawn() -> impl Iterator<Item = (&'static Entry, Figure)> {
 }
 
 fn committed(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("svg").join(format!("{name}.svg"))
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("svg")
+        .join(format!("{name}.svg"))
 }
 
 /// Values of an attribute, in order of appearance.
 fn values<'a>(svg: &'a str, key: &str) -> Vec<&'a str> {
     let opening = format!(" {key}=\"");
-    svg.split(&opening).skip(1).filter_map(|rest| rest.split('"').next()).collect()
+    svg.split(&opening)
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+        .collect()
 }
 
 #[test]
@@ -49,10 +54,14 @@ fn the_committed_files_are_what_the_code_draws() {
 #[test]
 fn no_file_without_a_figure() {
     let names: HashSet<&str> = all().iter().map(|entry| entry.name).collect();
-    let files = std::fs::read_dir(committed("x").parent().expect("a folder")).expect("figures/svg exists");
+    let files =
+        std::fs::read_dir(committed("x").parent().expect("a folder")).expect("figures/svg exists");
     for file in files {
         let file = file.expect("a directory entry").path();
-        let name = file.file_stem().and_then(|s| s.to_str()).unwrap_or_default();
+        let name = file
+            .file_stem()
+            .and_then(|s| s.to_str())
+            .unwrap_or_default();
         assert!(names.contains(name), "no figure is called {name}");
     }
 }
@@ -61,9 +70,16 @@ fn no_file_without_a_figure() {
 fn names_are_unique_and_kebab_case() {
     let mut seen = HashSet::new();
     for entry in all() {
-        assert!(seen.insert(entry.name), "two figures are called {}", entry.name);
+        assert!(
+            seen.insert(entry.name),
+            "two figures are called {}",
+            entry.name
+        );
         let kebab = entry.name.split('-').all(|word| {
-            !word.is_empty() && word.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit())
+            !word.is_empty()
+                && word
+                    .chars()
+                    .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit())
         });
         assert!(kebab, "{} is not kebab-case", entry.name);
     }
@@ -73,15 +89,35 @@ fn names_are_unique_and_kebab_case() {
 fn captions_and_alt_texts_say_something() {
     for (entry, figure) in drawn() {
         let name = entry.name;
-        assert!(figure.alt.chars().count() >= 40, "{name}: alt text of {} characters", figure.alt.chars().count());
+        assert!(
+            figure.alt.chars().count() >= 40,
+            "{name}: alt text of {} characters",
+            figure.alt.chars().count()
+        );
         assert!(!figure.alt.contains('$'), "{name}: alt text is plain text");
-        let sentence = figure.claim.starts_with(|c: char| c.is_uppercase() || c.is_ascii_digit())
+        let sentence = figure
+            .claim
+            .starts_with(|c: char| c.is_uppercase() || c.is_ascii_digit())
             && figure.claim.ends_with('.')
             && figure.claim.split_whitespace().count() >= 5;
-        assert!(sentence, "{name}: the claim is no sentence: {}", figure.claim);
-        assert!(!figure.claim.contains('$'), "{name}: the claim is plain text");
-        assert_eq!(figure.details.matches('$').count() % 2, 0, "{name}: a formula is left open");
-        assert!(figure.details.contains(|c: char| c.is_ascii_digit()), "{name}: the caption has no number");
+        assert!(
+            sentence,
+            "{name}: the claim is no sentence: {}",
+            figure.claim
+        );
+        assert!(
+            !figure.claim.contains('$'),
+            "{name}: the claim is plain text"
+        );
+        assert_eq!(
+            figure.details.matches('$').count() % 2,
+            0,
+            "{name}: a formula is left open"
+        );
+        assert!(
+            figure.details.contains(|c: char| c.is_ascii_digit()),
+            "{name}: the caption has no number"
+        );
     }
 }
 
@@ -92,7 +128,11 @@ fn no_text_is_below_thirteen_units() {
         assert!(!sizes.is_empty(), "{}: no text at all", entry.name);
         for size in sizes {
             let units = size.parse::<f64>().expect("a number") / figures::style::SCALE;
-            assert!(units >= figures::style::LEAST, "{}: text of {units} units", entry.name);
+            assert!(
+                units >= figures::style::LEAST,
+                "{}: text of {units} units",
+                entry.name
+            );
         }
     }
 }
@@ -102,20 +142,34 @@ fn the_page_decides_colours_and_background() {
     for (entry, figure) in drawn() {
         let (name, svg) = (entry.name, &figure.svg);
         let head = svg.lines().next().unwrap_or_default();
-        assert!(!svg.contains("#000000"), "{name}: black does not turn with the theme");
+        assert!(
+            !svg.contains("#000000"),
+            "{name}: black does not turn with the theme"
+        );
         assert!(!svg.contains("<rect"), "{name}: a background or a box");
         for forbidden in [" width=\"", " height=\""] {
             assert!(!head.contains(forbidden), "{name}: a fixed size");
         }
-        for needed in ["viewBox=\"0 0 6000 ", "role=\"img\"", "aria-label=\"", "class=\"fig\""] {
+        for needed in [
+            "viewBox=\"0 0 6000 ",
+            "role=\"img\"",
+            "aria-label=\"",
+            "class=\"fig\"",
+        ] {
             assert!(head.contains(needed), "{name}: no {needed} in {head}");
         }
         for outside in ["href", "://", "@import", "<image", "<script"] {
             let inside = svg.replace("http://www.w3.org/2000/svg", "");
-            assert!(!inside.contains(outside), "{name}: reaches out by {outside}");
+            assert!(
+                !inside.contains(outside),
+                "{name}: reaches out by {outside}"
+            );
         }
         for id in values(svg, "id") {
-            assert!(id.starts_with(&format!("fig-{name}-")), "{name}: the id {id} lacks its prefix");
+            assert!(
+                id.starts_with(&format!("fig-{name}-")),
+                "{name}: the id {id} lacks its prefix"
+            );
         }
         // Colours come only as fallbacks of the page's variables.
         for key in ["fill", "stroke"] {
@@ -126,7 +180,10 @@ fn the_page_decides_colours_and_background() {
                 assert!(by_role, "{name}: a colour without a role: {paint}");
             }
         }
-        assert!(!svg.contains("\n\n"), "{name}: a blank line ends an HTML block in Markdown");
+        assert!(
+            !svg.contains("\n\n"),
+            "{name}: a blank line ends an HTML block in Markdown"
+        );
     }
 }
 
@@ -134,11 +191,23 @@ fn the_page_decides_colours_and_background() {
 fn everything_lies_on_the_canvas() {
     for (entry, figure) in drawn() {
         let view = values(&figure.svg, "viewBox")[0];
-        let size: Vec<i64> = view.split(' ').map(|n| n.parse().expect("a number")).collect();
+        let size: Vec<i64> = view
+            .split(' ')
+            .map(|n| n.parse().expect("a number"))
+            .collect();
         for points in values(&figure.svg, "points") {
-            for (k, n) in points.split([' ', ',']).filter(|n| !n.is_empty()).enumerate() {
+            for (k, n) in points
+                .split([' ', ','])
+                .filter(|n| !n.is_empty())
+                .enumerate()
+            {
                 let n: i64 = n.parse().expect("canvas coordinates are whole numbers");
-                assert!((0..=size[2 + k % 2]).contains(&n), "{}: {n} of {}", entry.name, size[2 + k % 2]);
+                assert!(
+                    (0..=size[2 + k % 2]).contains(&n),
+                    "{}: {n} of {}",
+                    entry.name,
+                    size[2 + k % 2]
+                );
             }
         }
     }
@@ -150,10 +219,26 @@ fn the_comparison_allows_one_unit_of_a_coordinate_and_nothing_else() {
     assert_eq!(compare("a", old, old), Ok(()));
     assert_eq!(compare("a", old, &old.replace("30,40", "31,39")), Ok(()));
     let far = compare("a", old, &old.replace("30,40", "32,40")).expect_err("two units");
-    assert_eq!((far.figure.as_str(), far.committed.as_str(), far.drawn.as_str()), ("a", "30", "32"));
+    assert_eq!(
+        (
+            far.figure.as_str(),
+            far.committed.as_str(),
+            far.drawn.as_str()
+        ),
+        ("a", "30", "32")
+    );
     assert!(far.to_string().contains("figure a: token"), "{far}");
-    assert!(compare("a", old, &old.replace("= 10", "= 11")).is_err(), "a label is not a coordinate");
-    assert!(compare("a", old, &old.replace("\"20\"", "\"21\"")).is_err(), "a width is not a coordinate");
-    assert!(compare("a", old, &old.replace("30,40", "30,40 50,60")).is_err(), "more points");
+    assert!(
+        compare("a", old, &old.replace("= 10", "= 11")).is_err(),
+        "a label is not a coordinate"
+    );
+    assert!(
+        compare("a", old, &old.replace("\"20\"", "\"21\"")).is_err(),
+        "a width is not a coordinate"
+    );
+    assert!(
+        compare("a", old, &old.replace("30,40", "30,40 50,60")).is_err(),
+        "more points"
+    );
     assert!(compare("a", old, "").is_err(), "a missing file");
 }

@@ -72,8 +72,8 @@ function wide() {
 // The body clips what sticks out, so the text column is measured as well.
 function clipped() {
     const limit = document.documentElement.clientWidth;
-    return [...document.querySelectorAll('main > *, main figure > *, main div > p')]
-        .filter((e) => e.getClientRects().length > 0 && e.getBoundingClientRect().right > limit + 1)
+    return [...document.querySelectorAll('main > *, main figure > *, main div > p, main .katex-base')]
+        .filter((e) => !e.closest('.katex-display, .table-wrapper') && e.getClientRects().length > 0 && e.getBoundingClientRect().right > limit + 1)
         .slice(0, 3)
         .map((e) => `${e.tagName.toLowerCase()} reaches ${Math.round(e.getBoundingClientRect().right)} px: ${e.textContent.slice(0, 40)}`);
 }

@@ -13,6 +13,7 @@ pub enum Style {
 }
 
 /// Sets formulas; a formula that occurs again is not set again.
+#[derive(Default)]
 pub struct Formulas {
     context: KatexContext,
     known: HashMap<(String, Style), String>,
@@ -23,15 +24,6 @@ impl std::fmt::Debug for Formulas {
         f.debug_struct("Formulas")
             .field("known", &self.known.len())
             .finish_non_exhaustive()
-    }
-}
-
-impl Default for Formulas {
-    fn default() -> Self {
-        Formulas {
-            context: KatexContext::default(),
-            known: HashMap::new(),
-        }
     }
 }
 

@@ -21,8 +21,8 @@
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
-mod double_double;
 pub mod conservation;
+mod double_double;
 pub mod error;
 pub mod euler_top;
 pub mod frame;
@@ -36,6 +36,9 @@ pub mod rotating_fluid;
 pub mod superball;
 pub mod impacts;
 pub mod phenomena;
+pub mod pythagoras;
+pub mod rolling;
 pub mod rotating_fluid;
+pub mod superball;
 
 pub use error::{Error, Result};

@@ -1,3 +1,28 @@
 //! The press: everything between the Markdown of the chapters and the printed book.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`chapters`] | the list of chapters; includes them as doctests |
+//! | [`paths`] | where the workspace is |
+//! | [`drawings`] | draws the figures, writes and compares their files |
+//! | [`formulas`] | LaTeX to HTML, at build time |
+//! | [`pieces`] | what is put into the pages after mdBook wrote them |
+//! | [`typesetter`] | formulas, figures and claim tags of one chapter |
+//! | [`ledger`] | the claims of the tutorial, and where each is computed |
+//! | [`appendix`] | the ledger as a page and as a table |
+//! | [`binding`] | builds the book, whole or not at all |
+//! | [`command`] | the command line |
 
+pub mod appendix;
+pub mod binding;
 pub mod chapters;
+pub mod command;
+pub mod drawings;
+pub mod error;
+pub mod formulas;
+pub mod ledger;
+pub mod paths;
+pub mod pieces;
+pub mod typesetter;
+
+pub use error::{Error, Result};

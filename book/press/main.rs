@@ -1,2 +1,5 @@
-//! The press.
-fn main() {}
+//! The one binary: `cargo run` draws the figures and builds the book.
+
+fn main() -> std::process::ExitCode {
+    press::command::run(std::env::args_os())
+}

@@ -1,0 +1,183 @@
+//! The ledger as a page of the book and as a table on the terminal.
+
+use crate::ledger::{Claim, Ledger, Verdict};
+use crate::pieces::inert;
+
+/// Titles of the tutorial's sections.
+const SECTIONS: &[(&str, &str)] = &[
+    ("1", "Strange rotational phenomena"),
+    ("2", "The inertia matrix"),
+    ("3", "Conservation laws"),
+    ("4", "Miscellaneous examples"),
+    ("5", "Euler’s equations"),
+    ("6", "Euler’s top"),
+    ("7", "Lagrange’s top"),
+    ("8", "Kovalevskaya’s top"),
+    ("9", "Pythagoras by rotation"),
+    ("10", "Further reading"),
+];
+
+/// Anchor of the first place where a chapter names a claim.
+pub fn place_id(chapter: &str, claim: &str) -> String {
+    format!("{chapter}-{claim}")
+}
+
+/// The claims page, as Markdown: a summary, then every claim with its verdict and the places that compute it.
+pub fn page(ledger: &Ledger) -> String {
+    let mut out = summary(ledger);
+    for (number, title) in SECTIONS {
+        out.push_str(&format!("\n## {number}. {title}\n\n"));
+        for claim in of_section(ledger, number) {
+            out.push_str(&row(ledger, claim));
+        }
+    }
+    out
+}
+
+fn of_section<'a>(ledger: &'a Ledger, number: &'a str) -> impl Iterator<Item = &'a Claim> {
+    ledger
+        .claims
+        .iter()
+        .filter(move |claim| claim.section.split('.').next() == Some(number))
+}
+
+fn summary(ledger: &Ledger) -> String {
+    let mut out = String::from(
+        "| Section | Claims | Computed | Spoken of | Not yet |\n|:---|---:|---:|---:|---:|\n",
+    );
+    let mut total = [0; 4];
+    for (number, title) in SECTIONS {
+        let counts = count(ledger, of_section(ledger, number));
+        for (sum, count) in total.iter_mut().zip(counts) {
+            *sum += count;
+        }
+        let anchor = mdbook_anchor(&format!("{number}. {title}"));
+        let [claims, computed, spoken, open] = counts;
+        out.push_str(&format!(
+            "| [{number}. {title}](#{anchor}) | {claims} | {computed} | {spoken} | {open} |\n"
+        ));
+    }
+    let [claims, computed, spoken, open] = total;
+    out.push_str(&format!(
+        "| **All** | **{claims}** | **{computed}** | **{spoken}** | **{open}** |\n"
+    ));
+    out
+}
+
+/// How many claims there are, are computed, are spoken of (where there is nothing to compute), are still to come.
+pub fn count<'a>(ledger: &Ledger, claims: impl Iterator<Item = &'a Claim>) -> [usize; 4] {
+    let mut counts = [0; 4];
+    for claim in claims {
+        counts[0] += 1;
+        counts[match (ledger.is_settled(claim), claim.verdict.is_computed()) {
+            (true, true) => 1,
+            (true, false) => 2,
+            (false, _) => 3,
+        }] += 1;
+    }
+    counts
+}
+
+/// The id mdBook gives a heading: letters and digits in lower case, spaces as dashes, the rest dropped.
+fn mdbook_anchor(heading: &str) -> String {
+    heading
+        .chars()
+        .filter_map(|c| match c {
+            c if c.is_alphanumeric() || c == '_' || c == '-' => Some(c.to_ascii_lowercase()),
+            c if c.is_whitespace() => Some('-'),
+            _ => None,
+        })
+        .collect()
+}
+
+/// One claim. A single line of HTML, so that Markdown leaves it alone.
+fn row(ledger: &Ledger, claim: &Claim) -> String {
+    let mut chapters: Vec<&str> = Vec::new();
+    for place in ledger.in_chapters(&claim.id) {
+        if !chapters.contains(&place.chapter) {
+            chapters.push(place.chapter);
+        }
+    }
+    let mut places: Vec<String> = chapters
+        .iter()
+        .map(|chapter| {
+            format!(
+                "<a href=\"{chapter}.html#{}\">{}</a>",
+                place_id(chapter, &claim.id),
+                inert(&chapter.replace('-', " "))
+            )
+        })
+        .collect();
+    places.extend(ledger.in_tests(&claim.id).map(|place| {
+        let file = place.file.strip_prefix("tests/").unwrap_or(&place.file);
+        format!(
+            "<code>{}</code>",
+            inert(&format!(
+                "{}::{}",
+                file.trim_end_matches(".rs"),
+                place.function
+            ))
+        )
+    }));
+    if !ledger.is_settled(claim) {
+        places.push("<em>not yet</em>".into());
+    }
+    format!(
+        "<div class=\"claim\" id=\"{id}\"><p class=\"claim-head\"><span class=\"claim-id\">{id}</span> \
+         <strong>{title}</strong> <span class=\"verdict {class}\">{verdict}</span></p>\
+         <p class=\"claim-statement\">{statement}</p><p class=\"claim-places\">{places}</p></div>\n\n",
+        id = claim.id,
+        title = inert(&claim.title),
+        class = claim.verdict.word().replace(' ', "-"),
+        verdict = claim.verdict.word(),
+        statement = inert(&claim.statement),
+        places = places.join(" · "),
+    )
+}
+
+/// The ledger for the terminal: id, verdict, title, chapter and test of every claim.
+pub fn table(ledger: &Ledger) -> String {
+    let mut rows = vec![["claim", "verdict", "title", "chapter", "test"].map(str::to_owned)];
+    for claim in &ledger.claims {
+        let chapter = ledger
+            .in_chapters(&claim.id)
+            .next()
+            .map(|place| format!("{}.md:{}", place.chapter, place.line));
+        let test = ledger
+            .in_tests(&claim.id)
+            .next()
+            .map(|place| format!("{} {}", place.file, place.function));
+        let absent = |is_needed: bool| if is_needed { "not yet" } else { "-" };
+        rows.push([
+            claim.id.clone(),
+            claim.verdict.word().into(),
+            claim.title.clone(),
+            chapter.unwrap_or_else(|| absent(true).into()),
+            test.unwrap_or_else(|| absent(claim.verdict.is_computed()).into()),
+        ]);
+    }
+    let mut widths = [0; 5];
+    for row in &rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = cell.chars().count().max(*width);
+        }
+    }
+    let mut out = String::new();
+    for row in &rows {
+        let line: Vec<String> = row
+            .iter()
+            .zip(widths)
+            .map(|(cell, width)| format!("{cell:width$}"))
+            .collect();
+        out.push_str(line.join("  ").trim_end());
+        out.push('\n');
+    }
+    let [claims, computed, spoken, open] = count(ledger, ledger.claims.iter());
+    let questions = ledger.claims.iter();
+    let questions = questions.filter(|claim| claim.verdict == Verdict::OpenQuestion);
+    out.push_str(&format!(
+        "\n{claims} claims: {computed} computed, {spoken} spoken of, {open} not yet ({} open questions).\n",
+        questions.count()
+    ));
+    out
+}

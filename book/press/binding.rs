@@ -1,0 +1,119 @@
+//! Builds the book, whole or not at all.
+
+use crate::drawings::Drawing;
+use crate::ledger::Ledger;
+use crate::paths::readable_by_all;
+use crate::typesetter::Typesetter;
+use crate::{Error, Result};
+use mdbook_driver::MDBook;
+use mdbook_driver::book::BookItem;
+use std::collections::HashSet;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Builds the book of the workspace at `root` into `folder` and returns the path of its first page. The book is
+/// built in a temporary folder beside and takes its place by renaming, so that a failure leaves the old one.
+pub fn bind(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
+    let parent = folder.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
+    let beside = tempfile::Builder::new()
+        .prefix(".build-")
+        .tempdir_in(parent)
+        .map_err(Error::file(parent))?;
+    let fresh = beside.path().join("new");
+
+    let (built, warnings) = listening(|| build(root, &fresh, drawings));
+    built?;
+    if !warnings.is_empty() {
+        return Err(Error::Input(format!(
+            "mdBook warns: {}",
+            warnings.join("; ")
+        )));
+    }
+
+    let old = beside.path().join("old");
+    let had_old = folder.exists();
+    if had_old {
+        std::fs::rename(folder, &old).map_err(Error::file(folder))?;
+    }
+    if let Err(error) = std::fs::rename(&fresh, folder) {
+        if had_old {
+            std::fs::rename(&old, folder).map_err(Error::file(folder))?;
+        }
+        return Err(Error::file(folder)(error));
+    }
+    Ok(folder.join("index.html"))
+}
+
+fn build(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
+    let book_root = root.join("book");
+    let ledger = Ledger::read(root)?;
+    let mut book = MDBook::load(&book_root).map_err(|e| Error::Input(format!("{e:#}")))?;
+    book.config.build.build_dir = folder.to_owned();
+
+    let source_folder = book.source_dir();
+    let pages: HashSet<String> = book
+        .iter()
+        .filter_map(|item| match item {
+            BookItem::Chapter(chapter) => chapter.source_path.as_ref(),
+            _ => None,
+        })
+        .map(|path| path.to_string_lossy().into_owned())
+        .collect();
+    let mut typesetter = Typesetter::new(drawings, &ledger);
+    let mut outcome = Ok(());
+    book.book.for_each_chapter_mut(|chapter| {
+        let Some(file) = chapter.source_path.as_ref() else {
+            return;
+        };
+        let file = file.to_string_lossy();
+        if outcome.is_ok() {
+            match typesetter.set(&file, &chapter.content, &source_folder, &pages) {
+                Ok(set) => chapter.content = set,
+                Err(error) => outcome = Err(error),
+            }
+        }
+    });
+    outcome?;
+
+    book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
+    readable_by_all(folder).map_err(Error::file(folder))?;
+    typesetter.into_pieces().fill_folder(folder)
+}
+
+/// Runs `work` and collects what it logs as a warning or an error: mdBook reports a missing include in no other way.
+fn listening<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
+    let log = Log::default();
+    let ear = log.clone();
+    let subscriber = tracing_subscriber::fmt()
+        .with_max_level(tracing::Level::WARN)
+        .without_time()
+        .with_ansi(false)
+        .with_target(false)
+        .with_writer(move || ear.clone())
+        .finish();
+    let result = tracing::subscriber::with_default(subscriber, work);
+    let bytes = log.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    let lines = String::from_utf8_lossy(&bytes);
+    (
+        result,
+        lines.lines().map(|line| line.trim().to_owned()).collect(),
+    )
+}
+
+/// A log kept in memory.
+#[derive(Clone, Default)]
+struct Log(Arc<Mutex<Vec<u8>>>);
+
+impl Write for Log {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        let mut log = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        log.extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}

@@ -1,0 +1,223 @@
+//! The command line.
+
+use crate::drawings::{self, Drawing};
+use crate::error::one_line;
+use crate::ledger::Ledger;
+use crate::paths::workspace_root;
+use crate::{Error, Result, appendix, binding};
+use clap::{Parser, Subcommand};
+use figures::Entry;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::ffi::OsString;
+use std::io::{ErrorKind, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Spinning Bodies, the executable edition: draws the figures and builds the book.
+#[derive(Debug, Parser)]
+#[command(name = "book", bin_name = "cargo run --", version, after_help = EXAMPLES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+const EXAMPLES: &str = "\
+Without a command it draws every figure, builds the book, and prints where it is.
+
+Examples:
+  cargo run                              the whole job: figures/svg/*.svg and book/build/index.html
+  cargo run -- figures --list            the names of the figures and their chapters
+  cargo run -- figures --out /tmp/svg    every figure into another folder
+  cargo run -- figures --check           do the committed figures still look the same?
+  cargo run -- book --open               builds the book and opens it in the browser
+  cargo run -- claims                    every claim of the tutorial and where it is computed
+  cargo test                             runs every example of the book
+
+Exit status: 0 success, 2 wrong usage or a wrong source (one line says which), 1 anything else.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Draws all figures, or those named, as SVG
+    #[command(after_help = "Examples:\n  cargo run -- figures\n  cargo run -- figures --list")]
+    Figures {
+        /// Names of figures; none means all
+        #[arg(value_name = "NAME")]
+        names: Vec<String>,
+        /// Lists the figures instead of drawing them
+        #[arg(long, conflicts_with_all = ["out", "check"])]
+        list: bool,
+        /// Folder for the SVG files [default: figures/svg in the workspace]
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Writes nothing; compares fresh drawings with the files, one canvas unit allowed
+        #[arg(long)]
+        check: bool,
+    },
+    /// Builds the book only
+    Book {
+        /// Opens the first page in the browser
+        #[arg(long)]
+        open: bool,
+    },
+    /// Lists every claim of the tutorial, its verdict, and where it is computed
+    Claims,
+}
+
+/// Runs the command line and returns the exit status.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let outcome = match Cli::try_parse_from(arguments) {
+        Ok(cli) => obey(cli.command),
+        // Help and version are not errors.
+        Err(error) if !error.use_stderr() => say(&error.to_string()),
+        Err(error) => Err(Error::Input(condensed(&error.to_string()))),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            if error.status() != 0 {
+                // Nothing is left to be done if standard error is closed as well.
+                let _ = writeln!(std::io::stderr(), "error: {error}");
+            }
+            ExitCode::from(error.status())
+        }
+    }
+}
+
+/// Clap tells an error in paragraphs; its first one and its tips, on one line.
+fn condensed(message: &str) -> String {
+    let told = message.split("\nUsage:").next().unwrap_or_default();
+    let told = one_line(told.trim_start_matches("error:"));
+    let told = told.replace("For more information, try '--help'.", "");
+    format!("{}; `cargo run -- --help` teaches", told.trim()).replace(" tip: ", "; ")
+}
+
+fn obey(command: Option<Command>) -> Result<()> {
+    let root = workspace_root()?;
+    let svg = root.join("figures/svg");
+    match command {
+        None => {
+            let drawings = draw(&drawings::chosen(&[])?)?;
+            let changed = drawings::write(&drawings, &svg)?;
+            say(&report(&drawings, changed, &svg))?;
+            print_book(&root, &drawings).map(drop)
+        }
+        Some(Command::Figures {
+            list: true, names, ..
+        }) => {
+            let entries = drawings::chosen(&names)?;
+            let width = entries.iter().map(|e| e.name.len()).max().unwrap_or(0);
+            let lines = entries.iter();
+            let lines = lines.map(|e| format!("{:width$}  {}.md\n", e.name, e.chapter));
+            say(&lines.collect::<String>())
+        }
+        Some(Command::Figures {
+            names, out, check, ..
+        }) => {
+            let entries = drawings::chosen(&names)?;
+            let folder = out.unwrap_or(svg);
+            let drawings = draw(&entries)?;
+            if check {
+                drawings::check(&drawings, &folder)?;
+                return say(&format!(
+                    "{} figures agree with {}\n",
+                    drawings.len(),
+                    folder.display()
+                ));
+            }
+            let changed = drawings::write(&drawings, &folder)?;
+            say(&report(&drawings, changed, &folder))
+        }
+        Some(Command::Book { open }) => {
+            let drawings = draw(&drawings::chosen(&[])?)?;
+            let page = print_book(&root, &drawings)?;
+            if open { open_page(&page) } else { Ok(()) }
+        }
+        Some(Command::Claims) => say(&appendix::table(&Ledger::read(&root)?)),
+    }
+}
+
+fn print_book(root: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
+    let page = binding::bind(root, &root.join("book/build"), drawings)?;
+    say(&format!("{}\n", page.display()))?;
+    Ok(page)
+}
+
+fn report(drawings: &[Drawing], changed: usize, folder: &Path) -> String {
+    format!(
+        "{} figures in {}, {changed} of them changed\n",
+        drawings.len(),
+        folder.display()
+    )
+}
+
+/// Draws with a progress bar on a terminal, and a plain line a figure elsewhere.
+fn draw(entries: &[Entry]) -> Result<Vec<Drawing>> {
+    let err = std::io::stderr();
+    if !err.is_terminal() {
+        return drawings::draw(entries, |name| {
+            let _ = writeln!(std::io::stderr(), "drawn: {name}");
+        });
+    }
+    let bar = ProgressBar::new(entries.len() as u64);
+    if let Ok(style) = ProgressStyle::with_template("drawing {bar:32} {pos}/{len} {msg}") {
+        bar.set_style(style);
+    }
+    let drawings = drawings::draw(entries, |name| {
+        bar.set_message(name.to_owned());
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    drawings
+}
+
+/// Prints to standard output; a reader that has left is not an error of ours.
+fn say(text: &str) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    written.map_err(|error| match error.kind() {
+        ErrorKind::BrokenPipe => Error::OutputClosed,
+        _ => Error::file(Path::new("standard output"))(error),
+    })
+}
+
+fn open_page(page: &Path) -> Result<()> {
+    let opener = match std::env::consts::OS {
+        "macos" => "open",
+        "windows" => "explorer",
+        _ => "xdg-open",
+    };
+    match std::process::Command::new(opener).arg(page).status() {
+        Ok(_) => Ok(()),
+        Err(error) => Err(Error::Failed(format!(
+            "{opener} cannot be started ({error}): open {} yourself",
+            page.display()
+        ))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        <Cli as clap::CommandFactory>::command().debug_assert();
+    }
+
+    #[test]
+    fn an_error_of_the_command_line_is_one_line() {
+        for wrong in [
+            &["book", "figure"][..],
+            &["book", "figures", "--lst"],
+            &["book", "book", "x"],
+        ] {
+            let error = Cli::try_parse_from(wrong).unwrap_err().to_string();
+            let told = condensed(&error);
+            assert_eq!(told.lines().count(), 1, "{told}");
+            assert!(
+                !told.contains("Usage") && told.contains(wrong[wrong.len() - 1]),
+                "{told}"
+            );
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Draws the figures, writes their files, and compares a fresh drawing with the committed one.
+
+use crate::paths::write_if_changed;
+use crate::{Error, Result};
+use figures::{Entry, Figure};
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A figure with its name.
+#[derive(Debug, Clone)]
+pub struct Drawing {
+    /// Its entry in the register of figures.
+    pub entry: Entry,
+    /// What was drawn.
+    pub figure: Figure,
+}
+
+/// The registered figures with these names, all of them if no name is given.
+pub fn chosen(names: &[String]) -> Result<Vec<Entry>> {
+    let all = figures::all();
+    if names.is_empty() {
+        return Ok(all.to_vec());
+    }
+    names
+        .iter()
+        .map(|name| {
+            let found = all.iter().find(|entry| entry.name == name);
+            found.copied().ok_or_else(|| unknown_figure(name))
+        })
+        .collect()
+}
+
+/// "There is no such figure", with the nearest name there is.
+pub fn unknown_figure(name: &str) -> Error {
+    let nearest = figures::all()
+        .iter()
+        .map(|entry| entry.name)
+        .min_by_key(|known| distance(known, name));
+    let hint = match nearest {
+        Some(near) => {
+            format!("expected a name of `cargo run -- figures --list`, the nearest is '{near}'")
+        }
+        None => "no figures are registered".into(),
+    };
+    Error::Input(format!("no figure is called '{name}': {hint}"))
+}
+
+/// Draws figures on every processor; `done` hears of each as it is finished. The order of the entries is kept.
+pub fn draw(entries: &[Entry], done: impl Fn(&str) + Sync) -> Result<Vec<Drawing>> {
+    let next = AtomicUsize::new(0);
+    let drawn: Vec<Mutex<Option<Result<Drawing>>>> =
+        entries.iter().map(|_| Mutex::new(None)).collect();
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..workers.min(entries.len()) {
+            scope.spawn(|| {
+                while let Some((&entry, place)) = {
+                    let i = next.fetch_add(1, Ordering::Relaxed);
+                    entries.get(i).zip(drawn.get(i))
+                } {
+                    let result = (entry.draw)()
+                        .map(|figure| Drawing { entry, figure })
+                        .map_err(|e| Error::Failed(format!("figure {}: {e}", entry.name)));
+                    if let Ok(mut place) = place.lock() {
+                        *place = Some(result);
+                    }
+                    done(entry.name);
+                }
+            });
+        }
+    });
+    drawn
+        .into_iter()
+        .map(|place| {
+            let result = place.into_inner().ok().flatten();
+            result.unwrap_or_else(|| Err(Error::Failed("a figure was not drawn".into())))
+        })
+        .collect()
+}
+
+/// Writes `FOLDER/NAME.svg` for each drawing; files whose bytes would not change are left alone. Returns how many
+/// changed.
+pub fn write(drawings: &[Drawing], folder: &Path) -> Result<usize> {
+    let mut changed = 0;
+    for drawing in drawings {
+        let path = folder.join(format!("{}.svg", drawing.entry.name));
+        changed += usize::from(write_if_changed(&path, drawing.figure.svg.as_bytes())?);
+    }
+    Ok(changed)
+}
+
+/// Compares fresh drawings with the committed files. The error names every figure that differs, and where.
+pub fn check(drawings: &[Drawing], folder: &Path) -> Result<()> {
+    let mut differences = Vec::new();
+    for drawing in drawings {
+        let path = folder.join(format!("{}.svg", drawing.entry.name));
+        match std::fs::read_to_string(&path) {
+            Err(error) => differences.push(format!("{}: {error}", path.display())),
+            Ok(committed) => {
+                let compared =
+                    figures::compare(drawing.entry.name, &committed, &drawing.figure.svg);
+                differences.extend(compared.err().map(|difference| difference.to_string()));
+            }
+        }
+    }
+    if differences.is_empty() {
+        Ok(())
+    } else {
+        Err(Error::Failed(format!(
+            "{} of {} figures differ from the committed ones: {}",
+            differences.len(),
+            drawings.len(),
+            differences.join("; ")
+        )))
+    }
+}
+
+/// Edit distance, for the nearest name.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut corner = row[0];
+        row[0] = i + 1;
+        for (j, &y) in b.iter().enumerate() {
+            let change = corner + usize::from(x != y);
+            corner = row[j + 1];
+            row[j + 1] = change.min(corner + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_distance_counts_edits() {
+        assert_eq!(distance("polhode", "polhodes"), 1);
+        assert_eq!(distance("kitten", "sitting"), 3);
+        assert_eq!(distance("", "abc"), 3);
+    }
+}

@@ -1,0 +1,60 @@
+//! What can go wrong at the press, and the exit status that says so.
+
+use std::path::{Path, PathBuf};
+
+/// A failure, told in one line.
+#[derive(Debug)]
+pub enum Error {
+    /// The command line or a source of the book is wrong: exit status 2.
+    Input(String),
+    /// A file could not be read or written: exit status 1.
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// Anything else: exit status 1.
+    Failed(String),
+    /// Whoever reads our output has closed it. Not a failure: exit status 0.
+    OutputClosed,
+}
+
+/// The result of anything the press does.
+pub type Result<T> = std::result::Result<T, Error>;
+
+impl Error {
+    /// Wraps a system error with the file it is about.
+    pub fn file(path: &Path) -> impl FnOnce(std::io::Error) -> Error + '_ {
+        move |source| Error::File {
+            path: path.to_owned(),
+            source,
+        }
+    }
+
+    /// The exit status that reports this error.
+    pub fn status(&self) -> u8 {
+        match self {
+            Error::Input(_) => 2,
+            Error::File { .. } | Error::Failed(_) => 1,
+            Error::OutputClosed => 0,
+        }
+    }
+}
+
+impl std::fmt::Display for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Error::Input(message) | Error::Failed(message) => f.write_str(&one_line(message)),
+            Error::File { path, source } => write!(f, "{}: {source}", path.display()),
+            Error::OutputClosed => f.write_str("the output was closed"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The words of a message on a single line.
+pub fn one_line(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ")
+}

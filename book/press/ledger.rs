@@ -1,0 +1,439 @@
+//! The ledger: the claims of the tutorial, and where each is tested and computed.
+//!
+//! A mark is a comment `// claim: C2.7-2, C2.7-3` in a test or in a Rust block of a chapter (there usually hidden by
+//! `# `), or an HTML comment `<!-- claim: C3.1-1 -->` on a line of its own in a chapter.
+
+use crate::chapters::CHAPTERS;
+use crate::{Error, Result};
+use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
+use serde::Deserialize;
+use std::ops::Range;
+use std::path::Path;
+
+/// The paragraphs of the tutorial whose claims must all be computed; a whole number stands for its whole section.
+pub const COMPLETE: &[&str] = &["2", "3", "4.2", "4.3", "4.6", "6.5", "9"];
+
+const REGISTER: &str = include_str!("../claims.toml");
+
+/// A claim of the tutorial, as the register `book/claims.toml` has it.
+#[derive(Debug, Clone, Deserialize)]
+pub struct Claim {
+    /// Its name, such as `C2.7-2`.
+    pub id: String,
+    /// Its paragraph in the tutorial, such as `2.7`.
+    pub section: String,
+    /// A few words.
+    pub title: String,
+    /// What was found when it was examined.
+    pub verdict: Verdict,
+    /// What the tutorial says.
+    pub statement: String,
+}
+
+/// What was found when a claim was examined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+pub enum Verdict {
+    /// It holds.
+    #[serde(rename = "verified")]
+    Verified,
+    /// It holds under a condition that the tutorial leaves unsaid.
+    #[serde(rename = "verified with condition")]
+    VerifiedWithCondition,
+    /// It does not hold as printed.
+    #[serde(rename = "erratum")]
+    Erratum,
+    /// Nobody knows.
+    #[serde(rename = "open question")]
+    OpenQuestion,
+    /// Nothing to compute: history, a definition, an outlook.
+    #[serde(rename = "context")]
+    Context,
+}
+
+impl Verdict {
+    /// The word used in `book/claims.toml`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Verified => "verified",
+            Verdict::VerifiedWithCondition => "verified with condition",
+            Verdict::Erratum => "erratum",
+            Verdict::OpenQuestion => "open question",
+            Verdict::Context => "context",
+        }
+    }
+
+    /// Whether a claim of this verdict is computed, or only spoken of.
+    pub fn is_computed(self) -> bool {
+        !matches!(self, Verdict::OpenQuestion | Verdict::Context)
+    }
+}
+
+/// A place where a chapter names claims.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mark {
+    /// The claims, as written.
+    pub claims: Vec<String>,
+    /// Line of the opening fence or of the comment, counted from 1.
+    pub line: usize,
+    /// Bytes of the code block or of the comment.
+    pub span: Range<usize>,
+    /// Whether code proves the claims, or prose speaks of them.
+    pub kind: MarkKind,
+}
+
+/// Whether code proves the claims of a mark, or prose speaks of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MarkKind {
+    /// A comment in a Rust block.
+    Block,
+    /// An HTML comment.
+    Comment,
+}
+
+/// Where a chapter names a claim.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ChapterUse {
+    /// The claim.
+    pub claim: String,
+    /// The chapter.
+    pub chapter: &'static str,
+    /// The line in its Markdown.
+    pub line: usize,
+    /// Code or prose.
+    pub kind: MarkKind,
+}
+
+/// Where a test names a claim.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TestUse {
+    /// The claim.
+    pub claim: String,
+    /// The file, from the root of the workspace.
+    pub file: String,
+    /// The test function.
+    pub function: String,
+}
+
+/// The claims and every place that names one.
+#[derive(Debug, Clone)]
+pub struct Ledger {
+    /// The claims in the order of the tutorial.
+    pub claims: Vec<Claim>,
+    /// Where the chapters name claims.
+    pub chapters: Vec<ChapterUse>,
+    /// Where the tests name claims.
+    pub tests: Vec<TestUse>,
+}
+
+impl Ledger {
+    /// Reads the register, the chapters (as compiled in), and the tests under `root`.
+    pub fn read(root: &Path) -> Result<Ledger> {
+        #[derive(Deserialize)]
+        struct Register {
+            claim: Vec<Claim>,
+        }
+        let register: Register = toml::from_str(REGISTER)
+            .map_err(|error| Error::Input(format!("book/claims.toml: {error}")))?;
+        let mut claims = register.claim;
+        claims.sort_by_key(|claim| order(&claim.id));
+        let mut tests = Vec::new();
+        tests_in(root, &root.join("tests"), &mut tests)?;
+        Ok(Ledger {
+            claims,
+            chapters: chapter_uses(),
+            tests,
+        })
+    }
+
+    /// The claim of this name.
+    pub fn claim(&self, id: &str) -> Option<&Claim> {
+        self.claims.iter().find(|claim| claim.id == id)
+    }
+
+    /// Where the chapters name a claim.
+    pub fn in_chapters(&self, id: &str) -> impl Iterator<Item = &ChapterUse> {
+        self.chapters.iter().filter(move |place| place.claim == id)
+    }
+
+    /// Where the tests name a claim.
+    pub fn in_tests(&self, id: &str) -> impl Iterator<Item = &TestUse> {
+        self.tests.iter().filter(move |place| place.claim == id)
+    }
+
+    /// Whether a claim has what its verdict asks for: a test and a block, or a mention.
+    pub fn is_settled(&self, claim: &Claim) -> bool {
+        self.missing(claim).is_empty()
+    }
+
+    /// What a claim still lacks.
+    pub fn missing(&self, claim: &Claim) -> Vec<&'static str> {
+        let mut missing = Vec::new();
+        if claim.verdict.is_computed() {
+            if self.in_tests(&claim.id).next().is_none() {
+                missing.push("a test");
+            }
+            if !self
+                .in_chapters(&claim.id)
+                .any(|place| place.kind == MarkKind::Block)
+            {
+                missing.push("a block in a chapter");
+            }
+        } else if self.in_chapters(&claim.id).next().is_none() {
+            missing.push("a mention in a chapter");
+        }
+        missing
+    }
+
+    /// Everything that is wrong with the ledger, a line each: marks that name no claim, and claims of complete
+    /// paragraphs that lack a test or a place in the book.
+    pub fn faults(&self) -> Vec<String> {
+        let in_chapters = self.chapters.iter().map(|place| {
+            (
+                &place.claim,
+                format!("book/src/{}.md:{}", place.chapter, place.line),
+            )
+        });
+        let in_tests = self
+            .tests
+            .iter()
+            .map(|place| (&place.claim, format!("{}: {}", place.file, place.function)));
+        let mut faults: Vec<String> = in_chapters
+            .chain(in_tests)
+            .filter(|(id, _)| self.claim(id).is_none())
+            .map(|(id, place)| format!("{place} names '{id}', which is no claim"))
+            .collect();
+        for claim in self.claims.iter().filter(|claim| must_be_settled(claim)) {
+            for missing in self.missing(claim) {
+                faults.push(format!("{} ({}) lacks {missing}", claim.id, claim.title));
+            }
+        }
+        faults
+    }
+}
+
+/// Whether a claim belongs to one of the [`COMPLETE`] paragraphs.
+pub fn must_be_settled(claim: &Claim) -> bool {
+    COMPLETE.iter().any(|paragraph| {
+        claim
+            .section
+            .strip_prefix(paragraph)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    })
+}
+
+/// The numbers in a claim's name, so that `C4.10-2` comes after `C4.9-1`.
+fn order(id: &str) -> Vec<u32> {
+    id.split(|c: char| !c.is_ascii_digit())
+        .filter_map(|number| number.parse().ok())
+        .collect()
+}
+
+/// The claims named by a comment `claim: A, B`.
+fn named(comment: &str) -> Option<Vec<String>> {
+    let list = comment.trim().strip_prefix("claim:")?;
+    Some(
+        list.split([',', ' '])
+            .map(str::trim)
+            .filter(|id| !id.is_empty())
+            .map(str::to_owned)
+            .collect(),
+    )
+}
+
+/// The claims named by a line of Rust.
+fn named_in_rust(line: &str) -> Option<Vec<String>> {
+    let line = line.trim_start();
+    let line = line.strip_prefix("# ").unwrap_or(line).trim_start();
+    named(line.strip_prefix("//")?.trim_start_matches('/'))
+}
+
+fn chapter_uses() -> Vec<ChapterUse> {
+    let mut uses: Vec<ChapterUse> = Vec::new();
+    for chapter in CHAPTERS {
+        for mark in marks(chapter.source) {
+            for claim in mark.claims {
+                uses.push(ChapterUse {
+                    claim,
+                    chapter: chapter.name,
+                    line: mark.line,
+                    kind: mark.kind,
+                });
+            }
+        }
+    }
+    uses
+}
+
+/// The options mdBook reads its Markdown with, and formulas.
+pub fn markdown_options() -> Options {
+    Options::ENABLE_TABLES
+        | Options::ENABLE_FOOTNOTES
+        | Options::ENABLE_STRIKETHROUGH
+        | Options::ENABLE_TASKLISTS
+        | Options::ENABLE_HEADING_ATTRIBUTES
+        | Options::ENABLE_SMART_PUNCTUATION
+        | Options::ENABLE_DEFINITION_LIST
+        | Options::ENABLE_GFM
+        | Options::ENABLE_MATH
+}
+
+/// The marks of a chapter, in its order.
+pub fn marks(source: &str) -> Vec<Mark> {
+    let line_of = |offset: usize| source[..offset].matches('\n').count() + 1;
+    let mut marks = Vec::new();
+    let mut block: Option<Mark> = None;
+    for (event, span) in Parser::new_ext(source, markdown_options()).into_offset_iter() {
+        match event {
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if is_rust(&info) => {
+                block = Some(Mark {
+                    claims: Vec::new(),
+                    line: line_of(span.start),
+                    span,
+                    kind: MarkKind::Block,
+                });
+            }
+            Event::Text(text) => {
+                if let Some(block) = &mut block {
+                    block
+                        .claims
+                        .extend(text.lines().filter_map(named_in_rust).flatten());
+                }
+            }
+            Event::End(TagEnd::CodeBlock) => {
+                marks.extend(block.take().filter(|block| !block.claims.is_empty()));
+            }
+            Event::Html(html) | Event::InlineHtml(html) => {
+                let claims = html
+                    .trim()
+                    .strip_prefix("<!--")
+                    .and_then(|comment| comment.strip_suffix("-->"))
+                    .and_then(named);
+                if let Some(claims) = claims {
+                    marks.push(Mark {
+                        claims,
+                        line: line_of(span.start),
+                        span,
+                        kind: MarkKind::Comment,
+                    });
+                }
+            }
+            _ => {}
+        }
+    }
+    marks
+}
+
+/// Whether a fence opens a block that `cargo test` runs.
+pub fn is_rust(info: &str) -> bool {
+    info.split([',', ' ']).next() == Some("rust")
+}
+
+/// Collects the marks of every test file in a folder and below.
+fn tests_in(root: &Path, folder: &Path, uses: &mut Vec<TestUse>) -> Result<()> {
+    let entries = match std::fs::read_dir(folder) {
+        Ok(entries) => entries,
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
+        Err(error) => return Err(Error::file(folder)(error)),
+    };
+    let mut paths = entries
+        .map(|entry| entry.map(|entry| entry.path()))
+        .collect::<std::io::Result<Vec<_>>>()
+        .map_err(Error::file(folder))?;
+    paths.sort();
+    for path in paths {
+        if path.is_dir() {
+            tests_in(root, &path, uses)?;
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            let source = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
+            let file = path.strip_prefix(root).unwrap_or(&path);
+            let file = file.to_string_lossy().replace('\\', "/");
+            for (claim, function) in claims_in_test(&source) {
+                uses.push(TestUse {
+                    claim,
+                    file: file.clone(),
+                    function,
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Claims and the functions that name them: the function a mark stands directly above, else the one it stands in.
+fn claims_in_test(source: &str) -> Vec<(String, String)> {
+    let lines: Vec<&str> = source.lines().collect();
+    let mut found = Vec::new();
+    let mut inside = "";
+    for (i, line) in lines.iter().enumerate() {
+        if let Some(name) = function_name(line) {
+            inside = name;
+        }
+        let Some(claims) = named_in_rust(line) else {
+            continue;
+        };
+        let next = lines[i + 1..].iter().find(|line| {
+            let line = line.trim_start();
+            !(line.is_empty() || line.starts_with("//") || line.starts_with("#["))
+        });
+        let function = next.and_then(|line| function_name(line)).unwrap_or(inside);
+        found.extend(claims.into_iter().map(|id| (id, function.to_owned())));
+    }
+    found
+}
+
+/// `name` of a line such as `fn name(…`.
+fn function_name(line: &str) -> Option<&str> {
+    let line = line.trim_start();
+    let line = line.strip_prefix("pub ").unwrap_or(line);
+    let rest = line.strip_prefix("fn ")?;
+    rest.split(|c: char| !(c.is_alphanumeric() || c == '_'))
+        .next()
+        .filter(|name| !name.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_of_a_chapter() {
+        let source = "# A\n\n<!-- claim: C3.1-1 -->\nProse.\n\n```rust\n# // claim: C2.7-2, C2.7-3\nlet x = 1;\n// claim: C2.1-1\n```\n\n```rust\nlet no = \"claim: C1.1-1\";\n```\n\n```text\n// claim: C9.9-9\n```\n";
+        let found = marks(source);
+        assert_eq!(found.len(), 2);
+        assert_eq!((found[0].line, found[0].kind), (3, MarkKind::Comment));
+        assert_eq!(found[0].claims, ["C3.1-1"]);
+        assert_eq!((found[1].line, found[1].kind), (6, MarkKind::Block));
+        assert_eq!(found[1].claims, ["C2.7-2", "C2.7-3", "C2.1-1"]);
+    }
+
+    #[test]
+    fn marks_of_a_test_above_and_inside_its_function() {
+        let source = "// claim: C1.1-1\n#[test]\nfn above() {}\n\n#[test]\nfn inside() {\n    // claim: C1.1-2, C1.1-3\n    let x = 1;\n}\n";
+        let found = claims_in_test(source);
+        let found: Vec<_> = found
+            .iter()
+            .map(|(a, b)| (a.as_str(), b.as_str()))
+            .collect();
+        assert_eq!(
+            found,
+            [
+                ("C1.1-1", "above"),
+                ("C1.1-2", "inside"),
+                ("C1.1-3", "inside")
+            ]
+        );
+    }
+
+    #[test]
+    fn a_paragraph_is_not_taken_for_a_longer_number() {
+        let claim = |section: &str| Claim {
+            id: "C0".into(),
+            section: section.into(),
+            title: String::new(),
+            verdict: Verdict::Verified,
+            statement: String::new(),
+        };
+        assert!(must_be_settled(&claim("2.7")) && must_be_settled(&claim("9")));
+        assert!(!must_be_settled(&claim("4.20")) && !must_be_settled(&claim("10")));
+    }
+}

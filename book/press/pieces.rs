@@ -1,0 +1,109 @@
+//! Pieces of HTML that are put into the pages after mdBook wrote them.
+//!
+//! mdBook reads everything a preprocessor hands it as Markdown, and puts every text in the search index. A formula's
+//! HTML would be mangled by the first and indexed three times by the second; so would the tick labels of a figure.
+//! The chapter therefore holds a `<span data-piece="17">` with the plain text, and the page gets the piece.
+
+use crate::{Error, Result};
+use std::collections::HashMap;
+use std::path::Path;
+
+const OPEN: &str = "<span data-piece=\"";
+const CLOSE: &str = "</span>";
+
+/// The pieces of one book.
+#[derive(Debug, Default)]
+pub struct Pieces {
+    html: Vec<String>,
+    known: HashMap<String, usize>,
+}
+
+impl Pieces {
+    /// Keeps `html` and returns the placeholder to write in its place. `plain` is what the search index will hold.
+    pub fn keep(&mut self, html: String, plain: &str) -> String {
+        let html_len = self.html.len();
+        let number = *self.known.entry(html.clone()).or_insert(html_len);
+        if number == html_len {
+            self.html.push(html);
+        }
+        format!("{OPEN}{number}\">{}{CLOSE}", inert(plain))
+    }
+
+    /// Puts the pieces into a page.
+    pub fn fill(&self, page: &str) -> Result<String> {
+        let mut filled = String::with_capacity(2 * page.len());
+        let mut rest = page;
+        while let Some((before, after)) = rest.split_once(OPEN) {
+            filled.push_str(before);
+            let (number, after) = after.split_once("\">").unwrap_or((after, ""));
+            let piece = number.parse().ok().and_then(|n: usize| self.html.get(n));
+            let (Some(piece), Some((_, after))) = (piece, after.split_once(CLOSE)) else {
+                return Err(Error::Failed("a page holds a damaged placeholder".into()));
+            };
+            filled.push_str(piece);
+            rest = after;
+        }
+        filled.push_str(rest);
+        Ok(filled)
+    }
+
+    /// Puts the pieces into every page of a folder.
+    pub fn fill_folder(&self, folder: &Path) -> Result<()> {
+        for entry in std::fs::read_dir(folder).map_err(Error::file(folder))? {
+            let path = entry.map_err(Error::file(folder))?.path();
+            if path.is_dir() {
+                self.fill_folder(&path)?;
+            } else if path.extension().is_some_and(|ending| ending == "html") {
+                let page = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
+                if page.contains(OPEN) {
+                    let filled = self.fill(&page)?;
+                    std::fs::write(&path, filled).map_err(Error::file(&path))?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Text in which Markdown finds nothing: everything but letters, digits and spaces is written as an entity.
+pub fn inert(text: &str) -> String {
+    let mut out = String::with_capacity(4 * text.len());
+    for c in text.chars() {
+        match c {
+            ' ' | '\n' | '\t' | '\r' => out.push(' '),
+            c if c.is_ascii() && !c.is_ascii_alphanumeric() => {
+                out.push_str(&format!("&#{};", c as u32));
+            }
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_come_back_and_equal_ones_are_kept_once() {
+        let mut pieces = Pieces::default();
+        let a = pieces.keep("<b>1</b>".into(), "x_1 * x_2");
+        let b = pieces.keep("<b>1</b>".into(), "x_1 * x_2");
+        assert_eq!(a, b);
+        assert!(!a.contains('*') && !a.contains('_'), "{a}");
+        assert_eq!(
+            pieces.fill(&format!("<p>{a}, {b}</p>")).unwrap(),
+            "<p><b>1</b>, <b>1</b></p>"
+        );
+    }
+
+    #[test]
+    fn a_damaged_placeholder_is_an_error() {
+        assert!(
+            Pieces::default()
+                .fill("<span data-piece=\"7\">x</span>")
+                .is_err()
+        );
+        assert!(Pieces::default().fill("<span data-piece=\"").is_err());
+    }
+}

@@ -1,0 +1,340 @@
+//! Sets one chapter: formulas, figures and claim tags become HTML or placeholders for it.
+
+use crate::appendix;
+use crate::drawings::{Drawing, unknown_figure};
+use crate::formulas::{Formulas, Style};
+use crate::ledger::{Ledger, MarkKind, markdown_options, marks};
+use crate::pieces::{Pieces, inert};
+use crate::{Error, Result};
+use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
+use std::path::Path;
+
+/// What all chapters share: the drawings and their numbers, the ledger, the pieces.
+#[derive(Debug)]
+pub struct Typesetter<'a> {
+    drawings: HashMap<&'a str, &'a Drawing>,
+    numbers: HashMap<String, usize>,
+    ledger: &'a Ledger,
+    formulas: Formulas,
+    pieces: Pieces,
+}
+
+/// The cover may show a figure that belongs to a chapter; there it has no number.
+pub const COVER: &str = "index";
+
+/// Replacements in a chapter's source.
+type Edits = Vec<(Range<usize>, String)>;
+
+impl<'a> Typesetter<'a> {
+    /// A typesetter for one book.
+    pub fn new(drawings: &'a [Drawing], ledger: &'a Ledger) -> Self {
+        Typesetter {
+            drawings: drawings.iter().map(|d| (d.entry.name, d)).collect(),
+            numbers: HashMap::new(),
+            ledger,
+            formulas: Formulas::default(),
+            pieces: Pieces::default(),
+        }
+    }
+
+    /// The pieces kept so far, to fill into the pages.
+    pub fn into_pieces(self) -> Pieces {
+        self.pieces
+    }
+
+    /// The chapter as mdBook is to read it. `file` is its name in error messages, `folder` where its tables are, `pages` the
+    /// Markdown files of the book. Chapters must come in the order of the book, which numbers the figures.
+    pub fn set(
+        &mut self,
+        file: &str,
+        source: &str,
+        folder: &Path,
+        pages: &HashSet<String>,
+    ) -> Result<String> {
+        let (source, origin) = with_tables(file, source, folder)?;
+        let place = |offset: usize| {
+            let line = source[..offset].matches('\n').count();
+            format!(
+                "book/src/{file}:{}",
+                origin.get(line).copied().unwrap_or(line + 1)
+            )
+        };
+        let fault =
+            |offset: usize, message: String| Error::Input(format!("{}: {message}", place(offset)));
+
+        let chapter = file.trim_end_matches(".md");
+        let mut edits = self.tags(chapter, &source, &fault)?;
+        let (mut in_heading, mut in_code) = (false, false);
+        let mut done_to = 0;
+        for (event, span) in Parser::new_ext(&source, markdown_options()).into_offset_iter() {
+            if span.start < done_to {
+                continue;
+            }
+            match event {
+                Event::Start(Tag::Heading { .. }) => in_heading = true,
+                Event::End(TagEnd::Heading(_)) => in_heading = false,
+                Event::Start(Tag::Paragraph) => {
+                    let text = source[span.clone()].trim();
+                    if let Some(html) = self
+                        .directive(chapter, text)
+                        .map_err(|e| fault(span.start, e))?
+                    {
+                        done_to = span.end;
+                        edits.push((span, format!("{html}\n")));
+                    }
+                }
+                Event::InlineMath(latex) | Event::DisplayMath(latex) if in_heading => {
+                    let why = format!("a heading holds the formula ${latex}$; headings have none");
+                    return Err(fault(span.start, why));
+                }
+                Event::InlineMath(latex) => {
+                    let html = self.formula(&latex, Style::Inline);
+                    edits.push((span.clone(), html.map_err(|e| fault(span.start, e))?));
+                }
+                Event::DisplayMath(latex) => {
+                    let html = self.formula(&latex, Style::Display);
+                    edits.push((span.clone(), html.map_err(|e| fault(span.start, e))?));
+                }
+                Event::Start(Tag::CodeBlock(_)) => in_code = true,
+                Event::End(TagEnd::CodeBlock) => in_code = false,
+                Event::Text(_) if !in_code => {
+                    let text = &source[span.clone()];
+                    if text.contains("{{") {
+                        let why = "a directive stands on a line of its own, between blank lines";
+                        return Err(fault(span.start, why.into()));
+                    }
+                    if text.contains('$') {
+                        let why = "a dollar that neither opens nor closes a formula";
+                        return Err(fault(span.start, why.into()));
+                    }
+                }
+                Event::Start(Tag::Link { dest_url, .. }) => {
+                    let page = dest_url.split('#').next().unwrap_or_default();
+                    if page.ends_with(".md") && !pages.contains(page) {
+                        let why = format!("the link leads to '{page}', which is no chapter");
+                        return Err(fault(span.start, why));
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(apply(&source, edits))
+    }
+
+    fn formula(&mut self, latex: &str, style: Style) -> std::result::Result<String, String> {
+        let html = self
+            .formulas
+            .set(latex, style)
+            .map_err(|error| format!("in the formula ${}$: {error}", latex.trim()))?;
+        Ok(self.pieces.keep(html, latex.trim()))
+    }
+
+    /// The HTML of a paragraph that is a directive; `None` if it is a paragraph.
+    fn directive(
+        &mut self,
+        chapter: &str,
+        text: &str,
+    ) -> std::result::Result<Option<String>, String> {
+        let Some(words) = text.strip_prefix("{{").and_then(|t| t.strip_suffix("}}")) else {
+            return Ok(None);
+        };
+        match words.split_whitespace().collect::<Vec<_>>()[..] {
+            ["claims"] => Ok(Some(appendix::page(self.ledger))),
+            ["figure", name] => self.figure(chapter, name).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    fn figure(&mut self, chapter: &str, name: &str) -> std::result::Result<String, String> {
+        let drawing = *self
+            .drawings
+            .get(name)
+            .ok_or_else(|| unknown_figure(name).to_string())?;
+        let svg = inline_svg(&drawing.figure.svg, &drawing.figure.alt);
+        let claim = self.caption(&drawing.figure.claim)?;
+        if chapter == COVER {
+            // The chapter shows it again, and the print page shows both: the ids must differ.
+            let svg = svg.replace(&format!("fig-{name}"), &format!("cover-{name}"));
+            let picture = self.pieces.keep(svg, "");
+            return Ok(format!(
+                "<figure id=\"cover-{name}\">{picture}<figcaption>{claim}</figcaption></figure>\n"
+            ));
+        }
+        let next = self.numbers.len() + 1;
+        if self.numbers.insert(name.to_owned(), next).is_some() {
+            return Err(format!("figure '{name}' is shown a second time"));
+        }
+        let picture = self.pieces.keep(svg, "");
+        let details = self.caption(&drawing.figure.details)?;
+        Ok(format!(
+            "<figure id=\"fig-{name}\">{picture}<figcaption><span class=\"figure-number\">Figure {next}.</span> \
+             <strong>{claim}</strong> {details}</figcaption></figure>\n"
+        ))
+    }
+
+    /// Plain text with `$…$` formulas.
+    fn caption(&mut self, text: &str) -> std::result::Result<String, String> {
+        let mut out = String::new();
+        for (i, part) in text.split('$').enumerate() {
+            if i % 2 == 0 {
+                out.push_str(&inert(part));
+            } else {
+                out.push_str(&self.formula(part, Style::Inline)?);
+            }
+        }
+        Ok(out)
+    }
+
+    /// Links to the claims appendix, above each block and in place of each comment that names claims.
+    fn tags(
+        &self,
+        chapter: &str,
+        source: &str,
+        fault: &dyn Fn(usize, String) -> Error,
+    ) -> Result<Edits> {
+        let mut seen = HashSet::new();
+        let mut edits = Edits::new();
+        for mark in marks(source) {
+            let at = mark.span.start;
+            let mut links = Vec::new();
+            for id in &mark.claims {
+                let claim = self
+                    .ledger
+                    .claim(id)
+                    .ok_or_else(|| fault(at, format!("'{id}' is no claim of book/claims.toml")))?;
+                let anchor = if seen.insert(id.clone()) {
+                    format!(" id=\"{}\"", appendix::place_id(chapter, id))
+                } else {
+                    String::new()
+                };
+                links.push(format!(
+                    "<a class=\"claim-tag\"{anchor} href=\"claims.html#{id}\" title=\"{}\">{id}</a>",
+                    inert(&claim.title)
+                ));
+            }
+            let tags = format!("<p class=\"claim-tags\">{}</p>\n\n", links.join(" "));
+            if at > 0 && !source[..at].ends_with('\n') {
+                let why = "what names claims stands at the left margin, not in a list or a line";
+                return Err(fault(at, why.into()));
+            }
+            match mark.kind {
+                // The blank line before lets the tags follow a paragraph directly.
+                MarkKind::Block => edits.push((at..at, format!("\n{tags}"))),
+                MarkKind::Comment => edits.push((mark.span, tags)),
+            }
+        }
+        Ok(edits)
+    }
+}
+
+fn apply(source: &str, mut edits: Edits) -> String {
+    edits.sort_by_key(|(span, _)| (span.start, span.end));
+    let mut out = String::with_capacity(2 * source.len());
+    let mut at = 0;
+    for (span, text) in edits {
+        if span.start < at {
+            continue;
+        }
+        out.push_str(&source[at..span.start]);
+        out.push_str(&text);
+        at = span.end;
+    }
+    out.push_str(&source[at..]);
+    out
+}
+
+/// Expands lines `{{#include tables/NAME.md}}`, generated tables, so that their formulas are set as well; for each line of the
+/// result, the line of the chapter it comes from. Includes in code are left to mdBook.
+fn with_tables(file: &str, source: &str, folder: &Path) -> Result<(String, Vec<usize>)> {
+    let (mut out, mut origin) = (String::with_capacity(source.len()), Vec::new());
+    for (i, line) in source.lines().enumerate() {
+        let table = line
+            .strip_prefix("{{#include tables/")
+            .and_then(|rest| rest.strip_suffix(".md}}"));
+        let text = match table {
+            None => line.to_owned(),
+            Some(name) => {
+                let path = folder.join("tables").join(format!("{name}.md"));
+                std::fs::read_to_string(&path).map_err(|error| {
+                    Error::Input(format!(
+                        "book/src/{file}:{}: {}: {error}",
+                        i + 1,
+                        path.display()
+                    ))
+                })?
+            }
+        };
+        origin.resize(origin.len() + text.lines().count().max(1), i + 1);
+        out.push_str(text.trim_end_matches('\n'));
+        out.push('\n');
+    }
+    Ok((out, origin))
+}
+
+/// The picture as part of a page: without the XML head, and with its alt text.
+fn inline_svg(svg: &str, alt: &str) -> String {
+    let start = svg.find("<svg").unwrap_or(0);
+    let (head, body) = svg[start..].split_once('>').unwrap_or((&svg[start..], ""));
+    let mut head = head.to_owned();
+    if !head.contains("aria-label") {
+        head.push_str(&format!(" role=\"img\" aria-label=\"{}\"", inert(alt)));
+    }
+    format!("{head}>{}", body.trim_end())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn set(source: &str) -> Result<String> {
+        let ledger = Ledger::read(Path::new("/nowhere"))?;
+        Typesetter::new(&[], &ledger).set("x.md", source, Path::new("/nowhere"), &HashSet::new())
+    }
+
+    #[test]
+    fn dollars_in_code_are_left_alone() {
+        let source = "`$x$`\n\n```text\n$y$ {{figure}}\n```\n";
+        assert_eq!(set(source).unwrap(), source);
+    }
+
+    #[test]
+    fn formulas_become_placeholders_that_markdown_leaves_alone() {
+        let set = set("Let $a_1 * b_1$ and $c_1 * d_1$.\n\n$$\\omega < 1$$\n").unwrap();
+        assert_eq!(set.matches("data-piece").count(), 3);
+        assert!(!set.contains('*') && !set.contains('\\'), "{set}");
+    }
+
+    #[test]
+    fn faults_name_chapter_and_line() {
+        for (source, place, word) in [
+            ("a\n\n$\\frac{1}$\n", "book/src/x.md:3", "formula"),
+            ("a\n\n$\\frac{1}{$\n", "book/src/x.md:3", "dollar"),
+            ("a\n\nb\n\n{{figure nope}}\n", "book/src/x.md:5", "'nope'"),
+            ("a\n\n## b $x$\n", "book/src/x.md:3", "heading"),
+            ("[a](b.md)\n", "book/src/x.md:1", "'b.md'"),
+            ("a\n{{figure b}}\n", "book/src/x.md:2", "own"),
+            ("<!-- claim: C0.0-0 -->\n", "book/src/x.md:1", "C0.0-0"),
+        ] {
+            let message = match set(source) {
+                Err(Error::Input(message)) => message,
+                other => panic!("{source:?} gave {other:?}"),
+            };
+            assert!(
+                message.starts_with(place) && message.contains(word),
+                "{message}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_block_that_names_claims_gets_its_tag() {
+        let set = set("Text\n```rust\n# // claim: C2.1-1\n```\n").unwrap();
+        assert!(
+            set.contains("id=\"x-C2.1-1\" href=\"claims.html#C2.1-1\""),
+            "{set}"
+        );
+        assert!(set.contains("</p>\n\n```rust"), "{set}");
+    }
+}

@@ -1,0 +1,242 @@
+//! Builds the book and reads every page of it, as a browser without a network would.
+
+use press::{binding, drawings};
+use scraper::{Html, Selector};
+use std::collections::{BTreeMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+fn root() -> PathBuf {
+    press::paths::workspace_root().unwrap()
+}
+
+fn drawings() -> &'static [drawings::Drawing] {
+    static DRAWINGS: OnceLock<Vec<drawings::Drawing>> = OnceLock::new();
+    DRAWINGS.get_or_init(|| drawings::draw(figures::all(), |_| ()).unwrap())
+}
+
+fn build(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    binding::bind(&root(), &folder, drawings()).unwrap();
+    folder
+}
+
+/// The book, built once for all tests of this file.
+fn book() -> &'static Path {
+    static BOOK: OnceLock<PathBuf> = OnceLock::new();
+    BOOK.get_or_init(|| build("book"))
+}
+
+fn files(folder: &Path, found: &mut BTreeMap<PathBuf, Vec<u8>>, base: &Path) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files(&path, found, base);
+        } else {
+            let bytes = std::fs::read(&path).unwrap();
+            found.insert(path.strip_prefix(base).unwrap().to_owned(), bytes);
+        }
+    }
+}
+
+/// Name, text and parse tree of every page.
+fn pages() -> Vec<(String, String, Html)> {
+    let mut all = BTreeMap::new();
+    files(book(), &mut all, book());
+    let mut pages = Vec::new();
+    for (path, bytes) in all {
+        if path.extension().is_some_and(|ending| ending == "html") {
+            let text = String::from_utf8(bytes).unwrap();
+            let tree = Html::parse_document(&text);
+            pages.push((path.to_string_lossy().into_owned(), text, tree));
+        }
+    }
+    assert!(pages.len() > 20, "only {} pages were built", pages.len());
+    pages
+}
+
+fn none(faults: &[String]) {
+    assert!(
+        faults.is_empty(),
+        "{} faults:\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
+}
+
+#[test]
+fn every_link_leads_somewhere_within_the_book() {
+    let pages = pages();
+    let ids: BTreeMap<&str, HashSet<&str>> = pages
+        .iter()
+        .map(|(name, _, tree)| {
+            let any = Selector::parse("[id], [name]").unwrap();
+            let ids = tree
+                .select(&any)
+                .filter_map(|e| e.attr("id").or(e.attr("name")))
+                .collect();
+            (name.as_str(), ids)
+        })
+        .collect();
+    let linked = Selector::parse("[href], [src]").unwrap();
+    let mut faults = Vec::new();
+    for (name, _, tree) in &pages {
+        for element in tree.select(&linked) {
+            for link in ["href", "src"].iter().filter_map(|key| element.attr(key)) {
+                if link.contains("://") || link.starts_with("//") {
+                    faults.push(format!("{name}: {link} leaves the book"));
+                    continue;
+                }
+                if link.starts_with("data:") || link.starts_with("javascript:") {
+                    continue;
+                }
+                let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
+                let path = path.split('?').next().unwrap_or_default();
+                let target = if path.is_empty() { name } else { path };
+                if !book().join(target).exists() {
+                    faults.push(format!("{name}: there is no {target}"));
+                } else if !anchor.is_empty()
+                    && ids.get(target).is_some_and(|ids| !ids.contains(anchor))
+                {
+                    faults.push(format!("{name}: there is no #{anchor} in {target}"));
+                }
+            }
+        }
+    }
+    none(&faults);
+}
+
+#[test]
+fn nothing_is_fetched_from_a_network() {
+    let mut all = BTreeMap::new();
+    files(book(), &mut all, book());
+    let mut faults = Vec::new();
+    for (path, bytes) in &all {
+        let text = String::from_utf8_lossy(bytes);
+        let name = path.display();
+        if path.extension().is_some_and(|ending| ending == "css") {
+            for far in ["url(http", "url(\"http", "url('http", "url(//", "@import"] {
+                if text.contains(far) {
+                    faults.push(format!("{name}: {far}"));
+                }
+            }
+        }
+    }
+    // mdBook's script calls the playground of the language as soon as a page holds one such block.
+    let playground =
+        Selector::parse(".playground, script[src*='//'], script[src*='MathJax']").unwrap();
+    for (name, _, tree) in pages() {
+        if tree.select(&playground).next().is_some() {
+            faults.push(format!("{name}: a script that calls a network service"));
+        }
+    }
+    none(&faults);
+}
+
+#[test]
+fn every_picture_says_what_is_seen() {
+    let pictures = Selector::parse("figure svg, main img").unwrap();
+    let figure = Selector::parse("main figure[id^='fig-']").unwrap();
+    let mut faults = Vec::new();
+    let mut figures_seen = 0;
+    for (name, _, tree) in pages() {
+        figures_seen += tree.select(&figure).count();
+        for picture in tree.select(&pictures) {
+            let said = picture.attr("aria-label").or(picture.attr("alt"));
+            if said.is_none_or(|said| said.trim().len() < 20) {
+                faults.push(format!("{name}: a picture without words"));
+            }
+        }
+    }
+    none(&faults);
+    // Once in its chapter and once on the print page.
+    assert_eq!(figures_seen, 2 * figures::all().len());
+}
+
+#[test]
+fn nothing_is_left_unset() {
+    let mut faults = Vec::new();
+    for (name, text, tree) in pages() {
+        for left in ["data-piece", "katex-error", "{{figure", "{{#", "{{claims"] {
+            if text.contains(left) {
+                faults.push(format!("{name}: '{left}'"));
+            }
+        }
+        // Outside of code no braces are meant as braces, and no dollars as dollars.
+        let prose = Selector::parse("main p, main li, main td, main figcaption, main h2").unwrap();
+        for element in tree.select(&prose) {
+            let skip = |node: &scraper::ElementRef<'_>| {
+                node.ancestors()
+                    .filter_map(scraper::ElementRef::wrap)
+                    .any(|up| {
+                        matches!(up.value().name(), "code" | "pre")
+                            || up.value().classes().any(|class| class == "katex")
+                    })
+            };
+            let text: String = element
+                .descendants()
+                .filter_map(|node| Some((node.value().as_text()?, node.parent()?)))
+                .filter_map(|(text, up)| Some((text, scraper::ElementRef::wrap(up)?)))
+                .filter(|(_, up)| {
+                    !skip(up)
+                        && !matches!(up.value().name(), "code")
+                        && !up.value().classes().any(|class| class == "katex")
+                })
+                .map(|(text, _)| text.to_string())
+                .collect();
+            if text.contains("{{") || text.contains('$') {
+                faults.push(format!("{name}: {}", text.trim()));
+            }
+        }
+    }
+    none(&faults);
+}
+
+#[test]
+fn two_builds_have_the_same_bytes() {
+    let second = build("book-again");
+    let (mut a, mut b) = (BTreeMap::new(), BTreeMap::new());
+    files(book(), &mut a, book());
+    files(&second, &mut b, &second);
+    let names = |files: &BTreeMap<PathBuf, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
+    assert_eq!(names(&a), names(&b));
+    for (path, bytes) in &a {
+        assert!(b[path] == *bytes, "{} differs", path.display());
+    }
+}
+
+#[test]
+fn a_failing_build_leaves_the_old_book() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("kept");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("index.html"), "old").unwrap();
+    let nowhere = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-workspace");
+    assert!(binding::bind(&nowhere, &folder, &[]).is_err());
+    assert_eq!(
+        std::fs::read_to_string(folder.join("index.html")).unwrap(),
+        "old"
+    );
+}
+
+#[test]
+fn a_missing_include_fails_the_build() {
+    let scratch = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let source = scratch.path().join("book/src");
+    std::fs::create_dir_all(&source).unwrap();
+    std::fs::write(
+        scratch.path().join("book/book.toml"),
+        "[book]\ntitle = \"T\"\n",
+    )
+    .unwrap();
+    std::fs::write(source.join("SUMMARY.md"), "[A](a.md)\n").unwrap();
+    let page = source.join("a.md");
+    let built = || binding::bind(scratch.path(), &scratch.path().join("out"), &[]);
+
+    std::fs::write(&page, "# A\n\n```rs\nfn main() {}\n```\n").unwrap();
+    built().unwrap();
+    std::fs::write(&page, "# A\n\n```rs\n{{#include nowhere.rs:x}}\n```\n").unwrap();
+    let error = built().unwrap_err();
+    assert!(error.to_string().contains("nowhere.rs"), "{error}");
+    assert_eq!(error.status(), 2);
+    assert_eq!(error.to_string().lines().count(), 1);
+}

@@ -14,9 +14,6 @@
 //! | 4.6 | [`superball`] | bounces that keep the energy, exactly and after any number of them |
 //! | 6.5 | [`euler_top`] | the free symmetric top, its cones, and the wobble of the Earth |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
-//! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them |
-//! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids |
-//! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks |
 //! | | [`error`] | the one error type |
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
@@ -29,16 +26,14 @@ pub mod frame;
 pub mod impacts;
 pub mod inertia;
 pub mod phenomena;
-pub mod inertia;
-pub mod pythagoras;
-pub mod rolling;
-pub mod rotating_fluid;
-pub mod superball;
-pub mod impacts;
-pub mod phenomena;
 pub mod pythagoras;
 pub mod rolling;
 pub mod rotating_fluid;
 pub mod superball;
 
 pub use error::{Error, Result};
+
+// The README's example is a test like any other.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -9,7 +9,7 @@ use crate::frame::BodyVector;
 mod icosphere;
 mod sums;
 
-pub use icosphere::icosphere;
+pub use icosphere::{Mesh, icosphere};
 use sums::{Scale, Sums, largest_rounding_of_volume, sums};
 
 /// Relative slack in I₁ + I₂ ≥ I₃ for a thin body whose moments come out of sums over many triangles.
@@ -25,8 +25,8 @@ const SLACK: f64 = 1e-12;
 /// * One pass over the triangles. The apex is subtracted before anything is multiplied, so a body a million
 ///   diameters from the origin loses nothing beyond the rounding of its coordinates.
 /// * The ten sums are gathered in blocks, so that rounding does not grow with the number of triangles.
-/// * Sizes from 1e-100 to 1e100 m and beyond: if the sums leave the normal range they are repeated in a unit
-///   that is a power of two, which rounds nothing.
+/// * Any size of mesh: if the sums leave the normal range they are repeated in a unit that is a power of two,
+///   which rounds nothing. Only the results must be in range; a moment below 1e-308 kg m² underflows.
 /// * The same pass checks that every edge is run along equally often in both directions. It adds up a signed 64-bit
 ///   hash of each edge; an open mesh passes with probability 2⁻⁶⁴. Vertices must be shared: weld first.
 /// * A vertex that no triangle names is not looked at.
@@ -127,8 +127,8 @@ fn finish(total: &Sums, scale: Scale, apex: [f64; 3], density: f64) -> Result<Ma
         about_center(yz, 1, 2),
     ];
     let matrix = Matrix3::new(yy + zz, -xy, -xz, -xy, zz + xx, -yz, -xz, -yz, xx + yy);
-    let mass = positive("the mass", scale.restore(density * volume, 3))?;
-    let inertia = matrix.map(|entry| scale.restore(density * entry, 5));
+    let mass = positive("the mass", scale.restore_times(density, volume, 3))?;
+    let inertia = matrix.map(|entry| scale.restore_times(density, entry, 5));
     let center = Vector3::from(apex) + Vector3::from(c.map(|c| scale.restore(c, 1)));
     MassProperties::new(
         mass,

@@ -95,8 +95,16 @@ impl Scale {
 
     /// A sum of this degree in the lengths, brought back to metres.
     pub(super) fn restore(self, value: f64, degree: i32) -> f64 {
-        let mut value = value;
-        let mut left = self.exponent * degree;
+        self.restore_times(1.0, value, degree)
+    }
+
+    /// The same, times a positive density: in range wherever the result is.
+    pub(super) fn restore_times(self, density: f64, value: f64, degree: i32) -> f64 {
+        let exponent = exponent_of(density);
+        let half = exponent / 2;
+        let mantissa = density * power_of_two(-half) * power_of_two(half - exponent);
+        let mut value = value * mantissa;
+        let mut left = self.exponent * degree + exponent;
         while left != 0 {
             let step = left.clamp(-900, 900);
             value *= power_of_two(step);

@@ -1,0 +1,408 @@
+//! Inertia: needles, near-equal moments, bodies far from the origin, huge and tiny units, meshes of a million
+//! triangles. Truth is a table of 34 digits, 106-bit arithmetic, or exact scaling by powers of two.
+
+use nalgebra::{Matrix3, Vector3};
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::inertia::{
+    InertiaMatrix, MassProperties, PlatonicSolid, PrincipalAxes, mesh, mesh_mass_properties,
+    principal_axes_of, shapes,
+};
+use spinning_bodies::{Error, Result};
+
+#[path = "../reference/double_double.rs"]
+mod double_double;
+#[path = "../support/inertia.rs"]
+mod support;
+
+use double_double::{Dd, eigenvalues, inertia_error, mesh_truth};
+use support::{Uniform, vector};
+
+const EPS: f64 = f64::EPSILON;
+
+/// A decimal number with more digits than an f64 has, as hi + lo: lo is what the nearest f64 leaves over.
+///
+/// The remainder is computed from the digits themselves, in units of the last place of the decimal.
+fn decimal(text: &str) -> Dd {
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+    let exponent: i32 = exponent.parse().expect("an exponent");
+    let negative = mantissa.starts_with('-');
+    let digits = mantissa.trim_start_matches('-');
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let mut value = Dd::ZERO;
+    for digit in whole.bytes().chain(fraction.bytes()) {
+        value = value * Dd::from(10.0) + Dd::from(f64::from(digit - b'0'));
+    }
+    // Ten to a power in steps that stay exact in 106 bits (10²² < 2⁷⁴ · 5-smooth part of 52 bits).
+    let mut shift = exponent - fraction.len() as i32;
+    while shift != 0 {
+        let step = shift.clamp(-20, 20);
+        let power = Dd::from(10_f64.powi(step.abs()));
+        value = if step > 0 {
+            value * power
+        } else {
+            value / power
+        };
+        shift -= step;
+    }
+    if negative { -value } else { value }
+}
+
+/// A number in C's hexadecimal notation, ±0x1.hhhp±e.
+fn hexadecimal(text: &str) -> f64 {
+    let (sign, text) = text
+        .strip_prefix('-')
+        .map_or((1.0, text), |rest| (-1.0, rest));
+    let (mantissa, exponent) = text
+        .strip_prefix("0x")
+        .and_then(|text| text.split_once('p'))
+        .expect("a hexadecimal float");
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let bits = u64::from_str_radix(&format!("{whole}{fraction}"), 16).expect("digits");
+    let exponent: i32 = exponent.parse().expect("an exponent");
+    let power = exponent - 4 * fraction.len() as i32;
+    // Two exact factors, since 2^power alone may be out of range.
+    sign * bits as f64 * 2_f64.powi(power / 2) * 2_f64.powi(power - power / 2)
+}
+
+/// Largest entry of VᵀV − 1 and of (A V − V diag(moments))/|A|, both in 106 bits.
+fn defects(a: &Matrix3<f64>, found: &PrincipalAxes) -> (f64, f64) {
+    let v = found.axes();
+    let largest = found.moments().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let sum = |terms: [(f64, f64); 3]| {
+        terms
+            .into_iter()
+            .fold(Dd::ZERO, |s, (x, y)| s + Dd::from(x) * Dd::from(y))
+    };
+    let (mut skew, mut residual) = (0.0_f64, 0.0_f64);
+    for i in 0..3 {
+        for j in 0..3 {
+            let product = sum([0, 1, 2].map(|k| (v[(k, i)], v[(k, j)])));
+            let unit = Dd::from(f64::from(u8::from(i == j)));
+            skew = skew.max((product - unit).value().abs());
+            let image = sum([0, 1, 2].map(|k| (a[(i, k)], v[(k, j)])));
+            let scaled = Dd::from(found.moments()[j]) * Dd::from(v[(i, j)]);
+            residual = residual.max((image - scaled).value().abs() / largest);
+        }
+    }
+    (skew, residual)
+}
+
+fn assert_promises(kind: &str, a: &Matrix3<f64>, exact: [Dd; 3]) -> [f64; 3] {
+    let found = principal_axes_of(a).expect("a finite symmetric matrix");
+    let largest = exact.iter().fold(0.0, |m: f64, x| m.max(x.hi.abs()));
+    let moments = found.moments();
+    let error = moments
+        .iter()
+        .zip(exact)
+        .fold(0.0, |m: f64, (value, exact)| {
+            m.max((Dd::from(*value) - exact).value().abs() / largest)
+        });
+    let (skew, residual) = defects(a, &found);
+    assert!(error <= 1e-15, "{kind}: moments off by {error:e} in {a:?}");
+    assert!(skew <= 1e-15, "{kind}: axes off by {skew:e} in {a:?}");
+    assert!(residual <= 2e-15, "{kind}: residual {residual:e} in {a:?}");
+    assert!(moments[0] <= moments[1] && moments[1] <= moments[2]);
+    assert!(found.axes().determinant() > 0.0, "{kind}: left-handed");
+    [error, skew, residual]
+}
+
+#[test]
+fn principal_axes_against_the_table() {
+    // Observed over the table: moments 4e-16 of the largest, axes 7e-16.
+    let mut rows = 0;
+    for line in include_str!("../reference/principal_axes.csv").lines() {
+        let fields: Vec<&str> = line.split(',').collect();
+        let e: Vec<f64> = fields[1..7].iter().map(|text| hexadecimal(text)).collect();
+        let a = Matrix3::new(e[0], e[3], e[4], e[3], e[1], e[5], e[4], e[5], e[2]);
+        let exact = [7, 8, 9].map(|k| decimal(fields[k]));
+        // The 106-bit Jacobi method that judges the random matrices is itself judged here.
+        if e.iter().all(|x| x.abs() < 1e3) && fields[0] != "scaled" {
+            for (jacobi, exact) in eigenvalues(a.into()).into_iter().zip(exact) {
+                assert!((jacobi - exact).value().abs() < 1e-29);
+            }
+        }
+        assert_promises(fields[0], &a, exact);
+        rows += 1;
+    }
+    assert_eq!(rows, 296);
+}
+
+#[test]
+fn principal_axes_of_a_hundred_thousand_matrices() {
+    let mut uniform = Uniform(100);
+    let mut worst = [0.0_f64; 3];
+    for n in 0..100_000 {
+        let s = [0; 3].map(|_| uniform.next());
+        let gap = 10_f64.powf(-6.0 - 8.0 * uniform.next());
+        let (kind, moments) = match n % 6 {
+            0 => ("inertia", [s[1] + s[2], s[2] + s[0], s[0] + s[1]]),
+            1 => ("pair", [1.0, 1.0 + gap, 1.0 + s[0]]),
+            2 => ("pair above", [s[0], 1.0, 1.0 + gap]),
+            3 => ("all near", [1.0, 1.0 + gap * s[0], 1.0 + gap]),
+            4 => ("needle", [1e-15, 1.0, 1.0]),
+            _ => ("indefinite", s.map(|x| 2.0 * x - 1.0)),
+        };
+        let diagonal = Matrix3::from_diagonal(&Vector3::from(moments));
+        let r = *uniform
+            .attitude()
+            .quaternion()
+            .to_rotation_matrix()
+            .matrix();
+        let a = r * diagonal * r.transpose();
+        let a = a * 0.5 + a.transpose() * 0.5;
+        let found = assert_promises(kind, &a, eigenvalues(a.into()));
+        for (worst, found) in worst.iter_mut().zip(found) {
+            *worst = worst.max(found);
+        }
+    }
+    // Two-sided: observed on the reference platform, moments, axes, residual.
+    for (worst, observed) in worst.into_iter().zip([9.0e-16, 9.0e-16, 9.5e-16]) {
+        assert!(
+            worst <= observed && worst >= 0.4 * observed,
+            "{worst:e} {observed:e}"
+        );
+    }
+}
+
+#[test]
+fn principal_axes_do_not_know_the_unit() -> Result<()> {
+    let mut uniform = Uniform(101);
+    for _ in 0..200 {
+        let s = [0; 3].map(|_| uniform.next());
+        let body = InertiaMatrix::diagonal(s[1] + s[2], s[2] + s[0], s[0] + s[1])?;
+        let a = body.rotated(&uniform.attitude()).matrix();
+        let plain = principal_axes_of(&a)?;
+        // 2^±664 is about 10^±200.
+        for power in [-664, -332, 332, 664] {
+            let unit = 2_f64.powi(power);
+            let scaled = principal_axes_of(&(a * unit))?;
+            assert_eq!(scaled.axes(), plain.axes());
+            assert_eq!(scaled.moments(), plain.moments().map(|x| x * unit));
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn principal_axes_of_degenerate_matrices() -> Result<()> {
+    let frame =
+        |diagonal: [f64; 3]| principal_axes_of(&Matrix3::from_diagonal(&Vector3::from(diagonal)));
+    for moment in [0.0, 1.0, 1e-200, 5e-324, 1e300] {
+        let sphere = frame([moment; 3])?;
+        assert_eq!(sphere.axes(), Matrix3::identity());
+        assert_eq!(sphere.moments(), [moment; 3]);
+    }
+    let graded = frame([1e40, 1e-40, 1.0])?;
+    assert_eq!(graded.moments(), [1e-40, 1.0, 1e40]);
+    assert_eq!(graded.axes().determinant(), 1.0);
+    // Almost diagonal: entries off the diagonal down to the smallest number.
+    for off in [1e-17, 1e-160, 1e-300, 5e-324] {
+        for diagonal in [[1.0; 3], [1.0, 2.0, 3.0], [3.0, 2.0, 1.0], [0.0; 3]] {
+            let mut a = Matrix3::from_diagonal(&Vector3::from(diagonal));
+            for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+                (a[(i, j)], a[(j, i)]) = (off, off);
+            }
+            let found = principal_axes_of(&a)?;
+            let (skew, residual) = defects(&a, &found);
+            assert!(
+                skew <= 1e-15 && (residual <= 1e-15 || off < 1e-300),
+                "{off:e} {diagonal:?}"
+            );
+        }
+    }
+    // Extremes of the range: nothing but finite numbers.
+    for x in [f64::MAX, -f64::MAX, 1e301] {
+        let found = principal_axes_of(&Matrix3::from_element(x))?;
+        assert!(found.moments().iter().all(|m| m.is_finite()));
+        assert!((found.axes().transpose() * found.axes() - Matrix3::identity()).amax() <= 1e-15);
+    }
+    assert!(principal_axes_of(&Matrix3::from_element(f64::NAN)).is_err());
+    Ok(())
+}
+
+#[test]
+fn tilted_rods_and_laminae_are_admitted() -> Result<()> {
+    let mut uniform = Uniform(102);
+    for _ in 0..2000 {
+        let turn = uniform.attitude();
+        let length = 0.1 + uniform.next();
+        for body in [
+            shapes::rod(1.0, length)?,
+            shapes::ellipse_lamina(1.0, [length, uniform.next()])?,
+        ] {
+            let again = InertiaMatrix::from_matrix(body.turned(&turn).inertia().matrix())?;
+            let moments = again.principal_axes().principal_moments();
+            assert!(
+                moments.largest() - moments.middle()
+                    <= moments.smallest() * (1.0 + 4.0 * EPS) + 4.0 * EPS * moments.largest()
+            );
+        }
+    }
+    Ok(())
+}
+
+/// The icosphere moved by an offset that is not a round number.
+fn moved_icosphere(levels: u32, offset: f64) -> Result<mesh::Mesh> {
+    let (mut vertices, triangles) = mesh::icosphere(levels, 1.0)?;
+    for v in &mut vertices {
+        *v = [v[0] + offset, v[1] - 0.7 * offset, v[2] + offset / 3.0];
+    }
+    Ok((vertices, triangles))
+}
+
+#[test]
+fn million_triangles_near_and_a_million_radii_away() -> Result<()> {
+    for offset in [0.0, 1e6] {
+        let (vertices, triangles) = moved_icosphere(8, offset)?;
+        assert_eq!(triangles.len(), 1_310_720);
+        let truth = mesh_truth(&vertices, &triangles);
+        let body = mesh_mass_properties(&vertices, &triangles, 1.0)?;
+        let matrix = body.inertia().matrix();
+        let error = inertia_error(&truth, |i, j| matrix[(i, j)]);
+        // Observed 1.7e-15 at the origin, 1e-15 far away.
+        assert!(error <= 4e-15, "{offset:e}: {error:e}");
+        let mass = (Dd::from(body.mass()) - truth.volume).value().abs();
+        assert!(mass <= 8e-15, "{mass:e}");
+        let center = body.center().components();
+        for i in 0..3 {
+            let exact = truth.center_from_first_vertex[i] + Dd::from(vertices[0][i]);
+            let error = (Dd::from(center[i]) - exact).value().abs();
+            // Half a unit in the last place of the coordinate, and the rounding of sums of order 1.
+            assert!(
+                error <= 0.5 * EPS * offset.abs() + 2e-15,
+                "{offset:e}: {error:e}"
+            );
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn the_plain_formula_fails_far_away() -> Result<()> {
+    // What the subtraction saves: moments about the origin, then parallel axes backwards.
+    let (vertices, triangles) = moved_icosphere(3, 1e6)?;
+    let truth = mesh_truth(&vertices, &triangles);
+    let (mut volume, mut first, mut second) = (0.0, 0.0, 0.0);
+    for corners in &triangles {
+        let [p, q, r] = corners.map(|i| Vector3::from(vertices[i as usize]));
+        let d = p.dot(&q.cross(&r)) / 6.0;
+        volume += d;
+        first += d * (p.x + q.x + r.x) / 4.0;
+        let sum = p.x + q.x + r.x;
+        second += d * (sum * sum + p.x * p.x + q.x * q.x + r.x * r.x) / 20.0;
+    }
+    let naive = second - first * first / volume;
+    let exact = truth.inertia.map(Dd::value);
+    let exact = 0.5 * (exact[1] + exact[2] - exact[0]);
+    assert!((naive / exact - 1.0).abs() > 1.0, "{naive} {exact}");
+    let body = mesh_mass_properties(&vertices, &triangles, 1.0)?;
+    assert!((body.inertia().second_moments()[(0, 0)] / exact - 1.0).abs() < 4e-15);
+    Ok(())
+}
+
+#[test]
+fn meshes_in_huge_and_tiny_units() -> Result<()> {
+    let solid = PlatonicSolid::Dodecahedron;
+    let triangles = solid.triangles();
+    let vertices = solid.vertices(1.0)?;
+    let plain = mesh_mass_properties(&vertices, &triangles, 1.0)?;
+    // 2^±400 is about 10^±120. The density keeps the moments in range, where a density can: I goes as its fifth power.
+    for power in [-400, -340, -250, -60, 60, 180, 300, 400] {
+        let unit = 2_f64.powi(power);
+        let scaled: Vec<_> = vertices.iter().map(|v| v.map(|x| x * unit)).collect();
+        let target = (-4 * power).clamp(-1000, 1000);
+        let body = mesh_mass_properties(&scaled, &triangles, 2_f64.powi(target))?;
+        let mass = 2_f64.powi(3 * power + target);
+        assert!((body.mass() / mass / plain.mass() - 1.0).abs() <= 4.0 * EPS);
+        let expected = plain.inertia().matrix() * mass * unit * unit;
+        assert!((body.inertia().matrix() - expected).amax() <= 4.0 * EPS * expected.amax());
+    }
+    // Beyond, the volume is found all the same, but the moments have no number.
+    let huge: Vec<_> = vertices.iter().map(|v| v.map(|x| x * 1e150)).collect();
+    assert!(matches!(
+        mesh_mass_properties(&huge, &triangles, 1e-300),
+        Err(Error::NotFinite { .. })
+    ));
+    Ok(())
+}
+
+#[test]
+fn meshes_that_are_no_bodies() -> Result<()> {
+    let solid = PlatonicSolid::Icosahedron;
+    let (vertices, triangles) = (solid.vertices(1.0)?, solid.triangles());
+    let refuse =
+        |v: &[[f64; 3]], t: &[[u32; 3]]| mesh_mass_properties(v, t, 1.0).expect_err("not a body");
+    assert!(matches!(refuse(&[], &triangles), Error::Empty { .. }));
+    assert!(matches!(refuse(&vertices, &[]), Error::Empty { .. }));
+    let open = &triangles[1..];
+    assert_eq!(refuse(&vertices, open), Error::OpenMesh);
+    let mut flipped = triangles.clone();
+    flipped[7].swap(0, 1);
+    assert_eq!(refuse(&vertices, &flipped), Error::OpenMesh);
+    let mut inside_out = triangles.clone();
+    inside_out.iter_mut().for_each(|t| t.swap(0, 1));
+    let Error::NoVolume { volume, hint } = refuse(&vertices, &inside_out) else {
+        panic!("inside out must be told")
+    };
+    assert!(volume < 0.0 && hint.contains("inside out"));
+    let mut wrong = triangles.clone();
+    wrong[3][1] = 12;
+    assert!(matches!(
+        refuse(&vertices, &wrong),
+        Error::VertexIndex {
+            triangle: 3,
+            index: 12,
+            vertices: 12
+        }
+    ));
+    for bad in [f64::NAN, f64::INFINITY] {
+        for k in 0..12 {
+            let mut broken = vertices.clone();
+            broken[k][k % 3] = bad;
+            assert!(matches!(
+                refuse(&broken, &triangles),
+                Error::NotFinite { .. }
+            ));
+        }
+    }
+    // Flat, in a plane that no coordinate knows: o + iA + jB with integers of 20 bits is exact, and so is the scaling,
+    // but the determinants, of 60 bits, are rounding noise of either sign.
+    let mut uniform = Uniform(103);
+    for _ in 0..2000 {
+        let mut integers = || [0; 3].map(|_| (uniform.signed() * 1_048_576.0).round());
+        let (o, a, b) = (integers(), integers(), integers());
+        let scale = 2_f64.powi((600.0 * uniform.signed()) as i32);
+        let flat: Vec<[f64; 3]> = [(0.0, 0.0), (3.0, 1.0), (2.0, 5.0), (-1.0, 4.0)]
+            .into_iter()
+            .map(|(i, j)| [0, 1, 2].map(|k| scale * (o[k] + i * a[k] + j * b[k])))
+            .collect();
+        let refused = refuse(&flat, &[[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]);
+        assert!(matches!(refused, Error::NoVolume { hint, .. } if hint.contains("plane")));
+    }
+    // A plate a billion times thinner than wide is a body, along the axes or across.
+    for turn in [Attitude::identity(), uniform.attitude()] {
+        let plate: Vec<[f64; 3]> = PlatonicSolid::Cube
+            .vertices(1.0)?
+            .into_iter()
+            .map(|[x, y, z]| turn.to_space(vector([x, y, 1e-9 * z])).components().into())
+            .collect();
+        let body = mesh_mass_properties(&plate, &PlatonicSolid::Cube.triangles(), 1e9)?;
+        // Tilted, the coordinates say the thickness to 1e-16/1e-9 only.
+        assert!((body.mass() - 1.0).abs() < 1e-6);
+        assert!((body.inertia().principal_axes().moments()[2] - 1.0 / 6.0).abs() < 1e-6);
+    }
+    Ok(())
+}
+
+#[test]
+fn composing_far_away_loses_nothing() -> Result<()> {
+    // A dumbbell of two balls, 2²⁰ m from the origin: its coordinates are exact there, so the matrix is the same.
+    let ball = shapes::ball(2.0, 0.25)?;
+    let at = |x: f64, far: f64| ball.moved(BodyVector::new(x + far, far, -far));
+    let far = 1_048_576.0;
+    let here = MassProperties::compose(&[at(-1.0, 0.0)?, at(1.0, 0.0)?])?;
+    let there = MassProperties::compose(&[at(-1.0, far)?, at(1.0, far)?])?;
+    assert_eq!(here.inertia(), there.inertia());
+    assert_eq!(there.center(), BodyVector::new(far, far, -far));
+    Ok(())
+}

@@ -1,0 +1,3 @@
+//! Hard cases: inputs on which textbook formulas lose their digits. A bug in a limit starts with a test here.
+
+mod inertia;

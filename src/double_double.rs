@@ -122,11 +122,11 @@ impl From<f64> for DoubleDouble {
     }
 }
 
-/// The power of two next below `size`, by which a figure of that size can be divided without rounding.
+/// The power of two next below a finite `size`, by which figures of that size can be divided without rounding.
 pub(crate) fn power_of_two_below(size: f64) -> f64 {
     const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
-    // A quarter of the greatest one, so that its reciprocal is still normal.
-    f64::from_bits(size.to_bits() & EXPONENT_BITS).clamp(f64::MIN_POSITIVE, 2f64.powi(1021))
+    // The reciprocal of the greatest, 2⁻¹⁰²³, is subnormal but exact; that of a subnormal would overflow.
+    f64::from_bits(size.to_bits() & EXPONENT_BITS).max(f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]

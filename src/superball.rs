@@ -65,13 +65,13 @@ impl<T: Num + Copy> Motion<T> {
 // ANCHOR: bounce
 /// The motion after one bounce (4.6): V' − RΩ' = −(V − RΩ) at the floor, with the energy kept.
 ///
-/// Written as increments, V' = V − 2κu/(1+κ) and RΩ' = RΩ ± 2u/(1+κ), with u the speed of the contact point. In exact
-/// arithmetic this is [`bounce_matrix`]; in floating point it drifts twenty times less, because u and the increment vanish
-/// together when the ball already rolls.
+/// Written as increments, V' = V − 2κu/(1+κ) and RΩ' = RΩ ± 2u/(1+κ), with u the speed of the contact point: a ball that
+/// already rolls, u = 0, is left alone to the bit. In exact arithmetic this is [`bounce_matrix`].
 ///
 /// `kappa` is I/(MR²), 2/5 for the ball, from 0 (all mass at the centre) to 1 (all on the rim). Numbers outside that range
-/// have no body but a result. Observed for κ = 2/5 and ten million bounces: energy right to 3e-11. Cost: two
-/// multiplications, one division, five additions.
+/// have no body but a result. In floating point each bounce is right to a few roundings, but 1+κ is rounded the same way
+/// every time, so the energy drifts in proportion to the number of bounces. Observed: at most 2e-16 a bounce (κ = 2/5:
+/// 1.6e-9 after ten million). [`BounceRotation`] does not drift. Cost: two multiplications, one division, five additions.
 ///
 /// With `f64` nothing panics. Fractions of fixed-width integers panic at κ = −1 and on overflow, as all their arithmetic
 /// does; [`checked_bounce`] does not.
@@ -137,6 +137,8 @@ pub fn friction_impulse<T: Num + Copy>(before: Motion<T>, surface: Surface, kapp
 }
 
 /// The motions after bounces 1, 2, 3, … off floor, ceiling, floor, … (4.6). Endless; each step is one [`bounce`].
+///
+/// In fractions of fixed-width integers it is as long as they are: past 43 bounces of the ball `Ratio<i128>` overflows, as [`bounce`] says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnderTable<T> {
     motion: Motion<T>,
@@ -266,7 +268,7 @@ impl BounceRotation {
     /// The motion after `bounces` bounces, floor first: V_n = V cos nδ + √κ RΩ sin nδ, and its companion (4.6).
     ///
     /// For a start without spin these are the Chebyshev polynomials V T_n and ±2/(1+κ) V U_{n−1} at cos δ.
-    /// Error: n·2⁻¹⁰⁴ in phase plus two units in the last place of the larger part; below one unit for n up to 10¹⁵. The energy is
+    /// Error: about n·2⁻¹⁰² in phase plus two units in the last place of the larger part. Observed for n = 10¹²: 3e-16. The energy is
     /// right to a few roundings for every n. Cost: at most 128 products of two pairs, whatever n. A start that is not
     /// finite gives a motion that is not.
     pub fn after(&self, start: Motion<f64>, bounces: u64) -> Motion<f64> {

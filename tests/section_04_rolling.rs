@@ -1,0 +1,375 @@
+//! Paragraph 4.3: the billiard shot. The independent method is Coulomb friction, integrated step by step.
+
+use approx::assert_relative_eq;
+use proptest::prelude::*;
+use spinning_bodies::Error;
+use spinning_bodies::rolling::{Regime, RoundBody, factor, slide_to_roll};
+
+const MASS: f64 = 0.17;
+const RADIUS: f64 = 0.028_575;
+const FRICTION: f64 = 0.2;
+const GRAVITY: f64 = 9.81;
+const HEIGHTS: [f64; 5] = [0.5, 1.0, 1.2, 1.4, 1.8];
+
+fn ball() -> RoundBody {
+    RoundBody::new(MASS, RADIUS, factor::BALL).unwrap()
+}
+
+/// Centre and spin of a body on cloth: position, velocity, angular velocity, heat.
+#[derive(Clone, Copy)]
+struct OnCloth {
+    inertia: f64,
+    x: f64,
+    velocity: f64,
+    omega: f64,
+    heat: f64,
+    friction_impulse: f64,
+}
+
+impl OnCloth {
+    fn slip(&self) -> f64 {
+        self.velocity - RADIUS * self.omega
+    }
+
+    /// One step of sliding under a force of the cue at `arm` above the centre.
+    fn step(&mut self, cue: f64, arm: f64, dt: f64) {
+        let friction = -FRICTION * MASS * GRAVITY * self.slip().signum();
+        let before = *self;
+        self.velocity += (cue + friction) / MASS * dt;
+        self.omega += (cue * arm - friction * RADIUS) / self.inertia * dt;
+        self.x += 0.5 * (before.velocity + self.velocity) * dt;
+        self.heat -= friction * 0.5 * (before.slip() + self.slip()) * dt;
+        self.friction_impulse += friction * dt;
+    }
+}
+
+fn at_rest(kappa: f64) -> OnCloth {
+    let inertia = kappa * MASS * RADIUS * RADIUS;
+    OnCloth {
+        inertia,
+        x: 0.0,
+        velocity: 0.0,
+        omega: 0.0,
+        heat: 0.0,
+        friction_impulse: 0.0,
+    }
+}
+
+/// Slides until the contact point stops; the last step is cut to end there. Returns the state and the time.
+fn slide_until_rolling(mut state: OnCloth) -> (OnCloth, f64) {
+    let (mut time, dt) = (0.0, 1e-5);
+    while state.slip() != 0.0 {
+        let mut next = state;
+        next.step(0.0, 0.0, dt);
+        if next.slip() * state.slip() <= 0.0 {
+            // The slip is linear in time within a step.
+            let rest = dt * state.slip() / (state.slip() - next.slip());
+            state.step(0.0, 0.0, rest);
+            return (state, time + rest);
+        }
+        state = next;
+        time += dt;
+    }
+    (state, time)
+}
+
+// claim: C4.3-1
+#[test]
+fn s4_3_impulse_of_a_finite_pulse() {
+    let (height, impulse) = (1.2, MASS * 2.0);
+    let mut errors = Vec::new();
+    for duration in [1e-2, 1e-3, 1e-4] {
+        let steps = 1000;
+        let mut state = at_rest(factor::BALL);
+        // The contact point starts to move forward at once, so the friction has its sign from the first step on.
+        state.velocity = f64::MIN_POSITIVE;
+        for _ in 0..steps {
+            state.step(
+                impulse / duration,
+                (height - 1.0) * RADIUS,
+                duration / f64::from(steps),
+            );
+        }
+        // 5/2 (H−R)/R V' with V' = 2 m/s, up to the friction impulse, which is μMg times the duration.
+        let shot = ball().strike(height, 2.0).unwrap();
+        assert_relative_eq!(
+            shot.rim_speed(),
+            2.5 * 0.2 * 2.0,
+            max_relative = 1e-15,
+            epsilon = 0.0
+        );
+        let bound = FRICTION * GRAVITY * duration;
+        assert_relative_eq!(
+            state.friction_impulse.abs() / MASS,
+            bound,
+            max_relative = 1e-12,
+            epsilon = 0.0
+        );
+        errors.push((RADIUS * state.omega - shot.rim_speed()).abs());
+        assert!((state.velocity - shot.velocity()).abs() <= bound * (1.0 + 1e-9));
+    }
+    // Ten times shorter, ten times nearer to the tutorial's impulse equations.
+    for pair in errors.windows(2) {
+        assert_relative_eq!(pair[0] / pair[1], 10.0, max_relative = 1e-8, epsilon = 0.0);
+    }
+}
+
+// claim: C4.3-2
+#[test]
+fn s4_3_speed_of_the_contact_point() {
+    for (height, slip) in HEIGHTS.into_iter().zip([2.25, 1.0, 0.5, 0.0, -1.0]) {
+        // Observed: at most one unit in the last place.
+        assert_relative_eq!(
+            ball().cue_slip(height).unwrap(),
+            slip,
+            max_relative = 4.5e-16,
+            epsilon = 0.0
+        );
+        let printed = (7.0 - 5.0 * height) / 2.0;
+        assert_relative_eq!(printed, slip, max_relative = 0.0, epsilon = 4.5e-16);
+        // The same from the two speeds themselves.
+        let shot = ball().strike(height, 3.0).unwrap();
+        assert_relative_eq!(
+            shot.velocity() - shot.rim_speed(),
+            shot.slip(),
+            max_relative = 0.0,
+            epsilon = 2e-15
+        );
+    }
+}
+
+// claim: C4.3-3
+#[test]
+fn s4_3_three_cases() {
+    use Regime::{PureRolling, SkidsBackward, SkidsForward};
+    let regimes = [
+        SkidsBackward,
+        SkidsBackward,
+        SkidsBackward,
+        PureRolling,
+        SkidsForward,
+    ];
+    for (height, regime) in HEIGHTS.into_iter().zip(regimes) {
+        let shot = ball().strike(height, 2.0).unwrap();
+        assert_eq!(shot.regime(), regime, "struck at {height} R");
+        let rolled = shot.slide(FRICTION, GRAVITY).unwrap();
+        // Friction slows a ball that skids backward, speeds up one that skids forward, leaves the rolling one alone.
+        match regime {
+            SkidsBackward => assert!(rolled.speed < shot.velocity()),
+            PureRolling => assert_eq!((rolled.speed, rolled.time), (2.0, 0.0)),
+            SkidsForward => assert!(rolled.speed > shot.velocity()),
+        }
+    }
+    // "Backward" is relative to rolling: the ball itself turns backward only when struck below its centre.
+    let spin = |height| ball().strike(height, 2.0).unwrap().rim_speed();
+    assert!(spin(1.2) > 0.0 && spin(1.0) == 0.0 && spin(0.8) < 0.0);
+    // One unit in the last place decides.
+    let height = ball().pure_rolling_height();
+    assert_eq!(
+        ball().strike(height.next_down(), 2.0).unwrap().regime(),
+        SkidsBackward
+    );
+    assert_eq!(
+        ball().strike(height.next_up(), 2.0).unwrap().regime(),
+        SkidsForward
+    );
+}
+
+// claim: C4.3-4
+#[test]
+fn s4_3_general_inertia() {
+    let cases = [
+        (factor::BALL, 7.0 / 5.0),
+        (factor::SHELL, 5.0 / 3.0),
+        (factor::DISC, 3.0 / 2.0),
+        (factor::HOOP, 2.0),
+    ];
+    for (kappa, expected) in cases {
+        let body = RoundBody::new(MASS, RADIUS, kappa).unwrap();
+        let height = body.pure_rolling_height();
+        assert_relative_eq!(height, expected, max_relative = 2.3e-16, epsilon = 0.0);
+        assert_eq!(body.cue_slip(height), Ok(0.0));
+        // By forces: a short pulse at that height and no friction leaves the contact point at rest.
+        let (impulse, arm) = (MASS * 2.0, (height - 1.0) * RADIUS);
+        let rim_speed = RADIUS * impulse * arm / (kappa * MASS * RADIUS * RADIUS);
+        assert_relative_eq!(
+            rim_speed,
+            impulse / MASS,
+            max_relative = 1e-15,
+            epsilon = 0.0
+        );
+    }
+    // The hoop has to be struck at its very top, and nothing with κ ≤ 1 higher.
+    let hoop = RoundBody::new(1.0, 1.0, factor::HOOP).unwrap();
+    assert_eq!(hoop.strike(2.0, 1.0).unwrap().regime(), Regime::PureRolling);
+    assert!(RoundBody::new(1.0, 1.0, 1.0f64.next_up()).is_err());
+}
+
+// claim: C4.3-5
+#[test]
+fn s4_3_eventual_rolling_speed() {
+    assert_relative_eq!(
+        ball().eventual_speed(1.0).unwrap(),
+        5.0 / 7.0,
+        max_relative = 2.3e-16,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        ball().eventual_speed(1.2).unwrap(),
+        6.0 / 7.0,
+        max_relative = 2.3e-16,
+        epsilon = 0.0
+    );
+    for kappa in [factor::BALL, factor::SHELL, factor::HOOP] {
+        let body = RoundBody::new(MASS, RADIUS, kappa).unwrap();
+        for height in HEIGHTS {
+            let shot = body.strike(height, 2.0).unwrap();
+            let mut start = at_rest(kappa);
+            start.velocity = shot.velocity();
+            start.omega = shot.rim_speed() / RADIUS;
+            let (end, time) = slide_until_rolling(start);
+            let slide = shot.slide(FRICTION, GRAVITY).unwrap();
+            // Up to 10⁵ steps; observed 2e-12 relative.
+            let expected = body.eventual_speed(height).unwrap() * 2.0;
+            assert_relative_eq!(
+                end.velocity,
+                expected,
+                max_relative = 1e-11,
+                epsilon = 1e-12
+            );
+            assert_relative_eq!(slide.speed, expected, max_relative = 1e-15, epsilon = 0.0);
+            assert_relative_eq!(slide.time, time, max_relative = 1e-11, epsilon = 1e-12);
+            assert_relative_eq!(slide.distance, end.x, max_relative = 1e-11, epsilon = 1e-12);
+            assert_relative_eq!(slide.heat, end.heat, max_relative = 1e-11, epsilon = 1e-12);
+        }
+    }
+}
+
+// claim: C4.3-5
+#[test]
+fn s4_3_where_and_when_rolling_sets_in() {
+    // R = 28.575 mm, μ = 0.2, V' = 2 m/s, g = 9.81: time and distance for three heights, to five digits.
+    for (height, time, distance) in [
+        (0.7, 0.50968, 0.76453),
+        (1.0, 0.29125, 0.49928),
+        (1.6, 0.14562, 0.31205),
+    ] {
+        let slide = ball()
+            .strike(height, 2.0)
+            .unwrap()
+            .slide(0.2, GRAVITY)
+            .unwrap();
+        assert_relative_eq!(slide.time, time, max_relative = 0.0, epsilon = 5.1e-6);
+        assert_relative_eq!(
+            slide.distance,
+            distance,
+            max_relative = 0.0,
+            epsilon = 5.1e-6
+        );
+    }
+    // 2|V − RΩ|/(7μg) for the ball; the final speed keeps V + κRΩ, and the heat is the energy that is missing.
+    let (v, w) = (2.0, -5.5);
+    let slide = slide_to_roll(v, w, FRICTION, GRAVITY).unwrap();
+    assert_relative_eq!(
+        slide.time,
+        2.0 * 7.5 / (7.0 * FRICTION * GRAVITY),
+        max_relative = 4.5e-16,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        1.4 * slide.speed,
+        v + 0.4 * w,
+        max_relative = 4e-15,
+        epsilon = 0.0
+    );
+    assert!(slide.speed < 0.0, "enough backspin turns the ball round");
+    let energy = |v: f64, w: f64| 0.5 * (v * v + 0.4 * w * w);
+    let lost = energy(v, w) - energy(slide.speed, slide.speed);
+    assert_relative_eq!(slide.heat, lost, max_relative = 4.5e-16, epsilon = 0.0);
+}
+
+// claim: C4.3-3
+#[test]
+fn s4_3_near_pure_rolling_nothing_cancels() {
+    let height = ball().pure_rolling_height() - 2f64.powi(-40);
+    let shot = ball().strike(height, 1.0 / 3.0).unwrap();
+    let exact = 2f64.powi(-40) / factor::BALL / 3.0;
+    assert_relative_eq!(shot.slip(), exact, max_relative = 2.3e-16, epsilon = 0.0);
+    // The difference of the two speeds has lost a dozen digits; it is what `slide` must not use.
+    let naive = shot.velocity() - shot.rim_speed();
+    assert!(
+        (naive / exact - 1.0).abs() > 1e-6,
+        "relative error {}",
+        naive / exact - 1.0
+    );
+    let time = shot.slide(FRICTION, GRAVITY).unwrap().time;
+    assert_relative_eq!(
+        time,
+        2.0 / 7.0 * exact / (FRICTION * GRAVITY),
+        max_relative = 1e-15,
+        epsilon = 0.0
+    );
+}
+
+// claim: C4.3-6
+#[test]
+fn s4_3_picture_d_mark() {
+    let diameter_in_radii = 2.0;
+    assert_eq!(ball().pure_rolling_height() / diameter_in_radii, 0.7);
+}
+
+#[test]
+fn rolling_refuses_what_is_no_body_and_no_shot() {
+    assert!(matches!(
+        RoundBody::new(0.0, 1.0, 0.4),
+        Err(Error::NotPositive { .. })
+    ));
+    assert!(matches!(
+        RoundBody::new(1.0, f64::NAN, 0.4),
+        Err(Error::NotFinite { .. })
+    ));
+    assert!(matches!(
+        RoundBody::new(1.0, 1.0, 1.5),
+        Err(Error::OutOfRange { .. })
+    ));
+    assert!(matches!(
+        ball().cue_slip(2.1),
+        Err(Error::OutOfRange { .. })
+    ));
+    assert!(matches!(
+        ball().strike(1.0, -1.0),
+        Err(Error::NotPositive { .. })
+    ));
+    assert!(matches!(
+        slide_to_roll(1.0, 0.0, 0.0, 9.8),
+        Err(Error::NotPositive { .. })
+    ));
+    assert!(matches!(
+        slide_to_roll(1e308, -1e308, 0.1, 9.8),
+        Err(Error::NotFinite { .. })
+    ));
+}
+
+proptest! {
+    #[test]
+    fn rolling_never_panics(a in any::<f64>(), b in any::<f64>(), c in any::<f64>(), d in any::<f64>()) {
+        let _ = slide_to_roll(a, b, c, d);
+        if let Ok(body) = RoundBody::new(a, b, c) {
+            let _ = (body.cue_slip(d), body.eventual_speed(d), body.pure_rolling_height());
+        }
+        if let Ok(shot) = ball().strike(a, b) {
+            let _ = (shot.rim_speed(), shot.slide(c, d));
+        }
+    }
+
+    #[test]
+    fn rolling_keeps_the_angular_momentum_about_the_table(
+        kappa in 0.01..1.0f64, v in -10.0..10.0f64, w in -10.0..10.0f64, friction in 0.01..1.0f64,
+    ) {
+        let body = RoundBody::new(MASS, RADIUS, kappa).unwrap();
+        let slide = body.slide_to_roll(v, w, friction, GRAVITY).unwrap();
+        // Eight roundings of numbers up to 30.
+        let rolled = slide.speed * (1.0 + kappa);
+        prop_assert!((rolled - (v + kappa * w)).abs() < 2e-14);
+    }
+}

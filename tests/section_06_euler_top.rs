@@ -1,0 +1,362 @@
+//! Paragraph 6.5: the symmetric free top and the Earth. The independent method is Euler's equations and the attitude,
+//! integrated together.
+
+use approx::assert_relative_eq;
+use proptest::prelude::*;
+use spinning_bodies::Error;
+use spinning_bodies::euler_top::{Shape, SymmetricTop, earth};
+use spinning_bodies::frame::{Attitude, BodyVector};
+
+const OMEGA0: BodyVector = BodyVector::new(0.3, 0.4, 2.0);
+
+/// Euler's equations and q' = ½ q Ω for I = (I₁, I₁, I₃), by RK4: Ω in body axes and the attitude.
+fn integrated(i1: f64, i3: f64, omega0: BodyVector, t: f64, steps: u32) -> (BodyVector, Attitude) {
+    let rate = |y: [f64; 7]| {
+        let [o1, o2, o3, w, x, yy, z] = y;
+        [
+            (i1 - i3) * o2 * o3 / i1,
+            (i3 - i1) * o3 * o1 / i1,
+            0.0,
+            0.5 * (-x * o1 - yy * o2 - z * o3),
+            0.5 * (w * o1 + yy * o3 - z * o2),
+            0.5 * (w * o2 + z * o1 - x * o3),
+            0.5 * (w * o3 + x * o2 - yy * o1),
+        ]
+    };
+    let shifted = |y: [f64; 7], k: [f64; 7], h: f64| std::array::from_fn(|i| y[i] + h * k[i]);
+    let mut y = [omega0.x(), omega0.y(), omega0.z(), 1.0, 0.0, 0.0, 0.0];
+    let h = t / f64::from(steps);
+    for _ in 0..steps {
+        let k1 = rate(y);
+        let k2 = rate(shifted(y, k1, h / 2.0));
+        let k3 = rate(shifted(y, k2, h / 2.0));
+        let k4 = rate(shifted(y, k3, h));
+        y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+    }
+    let attitude = Attitude::from_quaternion(y[3], y[4], y[5], y[6]).unwrap();
+    (BodyVector::new(y[0], y[1], y[2]), attitude)
+}
+
+fn azimuth(omega: BodyVector) -> f64 {
+    omega.y().atan2(omega.x())
+}
+
+// claim: C6.5-1
+#[test]
+fn s6_5_symmetric_top() {
+    let oblate = SymmetricTop::new(1.0, 1.5).unwrap();
+    let later = oblate.omega_at(OMEGA0, 1.7);
+    assert_relative_eq!(
+        later.x(),
+        -0.435_319_272_469_644_85,
+        max_relative = 2.3e-16,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        later.y(),
+        0.245_961_645_417_530_73,
+        max_relative = 4.5e-16,
+        epsilon = 0.0
+    );
+    for (i3, shape) in [
+        (1.5, Shape::Oblate),
+        (1.0, Shape::Spherical),
+        (0.5, Shape::Prolate),
+        (0.0, Shape::Prolate),
+    ] {
+        let top = SymmetricTop::new(1.0, i3).unwrap();
+        assert_eq!(top.shape(), shape);
+        for t in [0.05, 1.7, 6.0] {
+            let (omega, _) = integrated(1.0, i3, OMEGA0, t, 20_000);
+            // RK4 with 20 000 steps; observed below 1e-13.
+            assert!(
+                (top.omega_at(OMEGA0, t) - omega).norm() < 3e-13,
+                "I3 = {i3}, t = {t}"
+            );
+        }
+        // A moment later Ω has moved on with the spin, not at all, or against it.
+        let sense = azimuth(top.omega_at(OMEGA0, 0.05)) - azimuth(OMEGA0);
+        match shape {
+            Shape::Oblate => assert!(sense > 0.0 && top.wobble_rate(2.0) > 0.0),
+            Shape::Spherical => assert_eq!((sense, top.wobble_rate(2.0)), (0.0, 0.0)),
+            Shape::Prolate => assert!(sense < 0.0 && top.wobble_rate(2.0) < 0.0),
+        }
+    }
+}
+
+// claim: C6.5-2
+#[test]
+fn s6_5_period_does_not_depend_on_the_tilt() {
+    let top = SymmetricTop::new(1.0, 1.5).unwrap();
+    let period = top.wobble_period(2.0);
+    assert_eq!(period, std::f64::consts::TAU);
+    for omega0 in [
+        OMEGA0,
+        BodyVector::new(1e-6, 0.0, 2.0),
+        BodyVector::new(-30.0, 40.0, 2.0),
+    ] {
+        let (omega, _) = integrated(1.0, 1.5, omega0, period, 20_000);
+        // Back where it was after one period, not after half; observed 1e-12 of the tilt.
+        let tilt = omega0.x().hypot(omega0.y());
+        assert!((omega - omega0).norm() < 1e-12 * tilt.max(1.0));
+        assert_eq!(omega.z(), 2.0);
+        let (half, _) = integrated(1.0, 1.5, omega0, period / 2.0, 20_000);
+        assert!((half - omega0).norm() > 1.99 * tilt);
+    }
+    // With the length of Ω fixed instead, Ω₃ shrinks with the tilt and the period grows.
+    let length = 2.0_f64;
+    let tilted = top.wobble_period(length * 0.5_f64.cos());
+    assert_relative_eq!(
+        tilted,
+        period / 0.5_f64.cos(),
+        max_relative = 4.5e-16,
+        epsilon = 0.0
+    );
+    assert!(tilted > 1.1 * period);
+}
+
+// claim: C6.5-3
+#[test]
+fn s6_5_precession_seen_from_space() {
+    let top = SymmetricTop::new(1.0, 1.5).unwrap();
+    let rate = top.axis_rate_in_space(OMEGA0);
+    assert_relative_eq!(
+        rate,
+        3.041_381_265_149_11,
+        max_relative = 2.3e-16,
+        epsilon = 0.0
+    );
+    let axis = BodyVector::new(0.0, 0.0, 1.0);
+    // L at t = 0, when body and space axes coincide: also its components in space, for ever.
+    let l = BodyVector::new(0.3, 0.4, 3.0);
+    for i in 1..8 {
+        let t = 0.9 * f64::from(i);
+        let (_, attitude) = integrated(1.0, 1.5, OMEGA0, t, 20_000);
+        let turned = Attitude::about_axis(l, rate * t).unwrap();
+        // Observed 2e-14 for the axis, 3e-14 rad for the attitude.
+        assert!(
+            (attitude.to_space(axis) - turned.to_space(axis)).norm() < 1e-13,
+            "t = {t}"
+        );
+        let closed = top.attitude_at(OMEGA0, t).unwrap();
+        assert!(
+            closed.angle_to(&attitude) < 1e-13,
+            "t = {t}: {:e}",
+            closed.angle_to(&attitude)
+        );
+    }
+    // Disc, small tilt: the axis circles twice while the body turns once. Nearly round: once.
+    let disc = SymmetricTop::new(1.0, 2.0).unwrap();
+    let ratio = disc.axis_rate_in_space(BodyVector::new(1e-9, 0.0, 3.0)) / 3.0;
+    assert_relative_eq!(ratio, 2.0, max_relative = 4.5e-16, epsilon = 0.0);
+    let round = SymmetricTop::new(1.0, 301.0 / 300.0).unwrap();
+    let ratio = round.axis_rate_in_space(BodyVector::new(1e-9, 0.0, 3.0)) / 3.0;
+    assert_relative_eq!(ratio, 301.0 / 300.0, max_relative = 4.5e-16, epsilon = 0.0);
+}
+
+// claim: C6.5-4
+#[test]
+fn s6_5_earth() {
+    let tutorial = SymmetricTop::new(300.0, 301.0).unwrap();
+    // One turn a day: the period in days.
+    assert_relative_eq!(
+        tutorial.wobble_period(std::f64::consts::TAU),
+        300.0,
+        max_relative = 4.5e-16,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        1.0 / (earth::TUTORIAL_AXIAL_OVER_TRANSVERSE - 1.0),
+        earth::RIGID_TUTORIAL_PERIOD,
+        max_relative = 3e-14, // the rounded quotient loses two digits, the two moments none
+        epsilon = 0.0
+    );
+    let sidereal = earth::rigid_period(earth::DYNAMICAL_ELLIPTICITY).unwrap();
+    let solar = sidereal * earth::SIDEREAL_DAY;
+    assert_relative_eq!(sidereal, 304.456, max_relative = 4.5e-16, epsilon = 0.0);
+    assert_relative_eq!(solar, 303.624_703, max_relative = 1e-8, epsilon = 0.0);
+    // The rigid theory misses by nearly one half, with either pair of figures.
+    assert!((earth::CHANDLER_TUTORIAL_PERIOD / earth::RIGID_TUTORIAL_PERIOD - 1.4667).abs() < 1e-4);
+    assert!((earth::CHANDLER_PERIOD / solar - 1.4261).abs() < 1e-4);
+    // A whole Earth that yields: too long by 13 days, ocean and core left out.
+    let secular = earth::secular_love_number();
+    assert!((secular - 0.938).abs() < 1e-3, "{secular}");
+    let elastic = earth::elastic_period(solar, earth::LOVE_NUMBER, 0.94).unwrap();
+    assert!((elastic - 445.95).abs() < 0.01, "{elastic}");
+    assert!(elastic > earth::CHANDLER_PERIOD);
+    // No yielding gives back the rigid value, bit for bit.
+    assert_eq!(earth::elastic_period(solar, 0.0, 0.94), Ok(solar));
+}
+
+// claim: C6.5-5
+#[test]
+fn s6_5_limit_of_the_sphere() {
+    let nearly = SymmetricTop::new(1.0, 1.0 + 1e-7).unwrap();
+    assert_relative_eq!(
+        nearly.wobble_rate(2.0),
+        2e-7,
+        max_relative = 1e-9,
+        epsilon = 0.0
+    );
+    // As far as the double 1 + 1e-7 goes, no digit is lost.
+    assert_eq!(nearly.wobble_rate(2.0), 2.0 * ((1.0 + 1e-7) - 1.0));
+    let least = SymmetricTop::new(1.0, 1.0f64.next_up()).unwrap();
+    assert_eq!(least.wobble_rate(1.0), f64::EPSILON);
+    assert!((least.omega_at(OMEGA0, 1.0) - OMEGA0).norm() < 1e-15);
+    let sphere = SymmetricTop::new(1.0, 1.0).unwrap();
+    assert_eq!(sphere.omega_at(OMEGA0, 1e6), OMEGA0);
+    assert_eq!(sphere.wobble_period(2.0), f64::INFINITY);
+}
+
+// claim: C6.5-6
+#[test]
+fn s6_5_cones() {
+    for i3 in [1.5, 0.5] {
+        let top = SymmetricTop::new(1.0, i3).unwrap();
+        let cones = top.cones(OMEGA0).unwrap();
+        assert_relative_eq!(
+            cones.body.tan(),
+            0.25,
+            max_relative = 4.5e-16,
+            epsilon = 0.0
+        );
+        assert_relative_eq!(
+            cones.nutation.tan(),
+            0.25 / i3,
+            max_relative = 4.5e-16,
+            epsilon = 0.0
+        );
+        // Oblate: the body cone surrounds the space cone. Prolate: they touch from outside.
+        let space = if i3 > 1.0 {
+            cones.body - cones.nutation
+        } else {
+            cones.nutation - cones.body
+        };
+        assert_relative_eq!(cones.space, space, max_relative = 0.0, epsilon = 1e-16);
+        for i in 0..9 {
+            let t = 0.7 * f64::from(i);
+            let omega = top.omega_at(OMEGA0, t);
+            // A circle of radius √(Ω₁² + Ω₂²) in the body.
+            assert_relative_eq!(
+                omega.x().hypot(omega.y()),
+                0.5,
+                max_relative = 4.5e-16,
+                epsilon = 0.0
+            );
+            // In space Ω stays at the angle of the space cone from L: by the integrated attitude.
+            let (omega, attitude) = integrated(1.0, i3, OMEGA0, t, 10_000);
+            let l = BodyVector::new(0.3, 0.4, 2.0 * i3).components();
+            let angle = attitude.to_space(omega).components().angle(&l);
+            assert_relative_eq!(angle, cones.space, max_relative = 0.0, epsilon = 1e-12);
+        }
+    }
+    // A body one unit in the last place from round still has its space cone, in full accuracy.
+    let top = SymmetricTop::new(1.0, 1.0f64.next_up()).unwrap();
+    let space = top.cones(BodyVector::new(1.0, 0.0, 1.0)).unwrap().space;
+    assert_relative_eq!(
+        space,
+        f64::EPSILON / 2.0,
+        max_relative = 1e-15,
+        epsilon = 0.0
+    );
+}
+
+// claim: C6.5-1
+#[test]
+fn s6_5_long_times() {
+    // Rate 1 rad/s exactly: at time t the phase is t, and the platform's sine of a large double is the reference.
+    let top = SymmetricTop::new(1.0, 1.5).unwrap();
+    let start = BodyVector::new(1.0, 0.0, 2.0);
+    for exponent in 0..13 {
+        let t = 1.234_567 * 10f64.powi(exponent);
+        let omega = top.omega_at(start, t);
+        assert!(
+            (omega.x() - t.cos()).abs() < 3e-16 && (omega.y() - t.sin()).abs() < 3e-16,
+            "t = {t}"
+        );
+    }
+    // Where the rate is not a double: cos and sin of (1/3 of the double 0.7) · 1e12 by 60-digit arithmetic.
+    let top = SymmetricTop::new(3.0, 4.0).unwrap();
+    let omega = top.omega_at(BodyVector::new(1.0, 0.0, 0.7), 1e12);
+    assert_relative_eq!(
+        omega.x(),
+        0.774_863_333_502_428_8,
+        max_relative = 0.0,
+        epsilon = 2.3e-16
+    );
+    assert_relative_eq!(
+        omega.y(),
+        0.632_128_795_731_932_9,
+        max_relative = 0.0,
+        epsilon = 2.3e-16
+    );
+    let plain = (4.0_f64 / 3.0 - 1.0) * 0.7 * 1e12;
+    assert!(
+        (plain.cos() - omega.x()).abs() > 1e-6,
+        "the plain phase would have done"
+    );
+}
+
+#[test]
+fn euler_top_refuses_what_is_no_body() {
+    assert!(matches!(
+        SymmetricTop::new(0.0, 1.0),
+        Err(Error::NotPositive { .. })
+    ));
+    assert!(matches!(
+        SymmetricTop::new(1.0, -1.0),
+        Err(Error::Negative { .. })
+    ));
+    assert!(matches!(
+        SymmetricTop::new(1.0, 2.1),
+        Err(Error::TriangleInequality { .. })
+    ));
+    assert!(SymmetricTop::new(1.0, 2.0).is_ok() && SymmetricTop::new(1e-320, 1e-320).is_ok());
+    assert!(matches!(
+        earth::rigid_period(0.6),
+        Err(Error::OutOfRange { .. })
+    ));
+    assert!(matches!(
+        earth::elastic_period(300.0, 1.0, 0.94),
+        Err(Error::OutOfRange { .. })
+    ));
+    let top = SymmetricTop::new(1.0, 1.5).unwrap();
+    assert!(top.attitude_at(OMEGA0, f64::NAN).is_err() && top.cones(BodyVector::zero()).is_err());
+    assert_eq!(
+        top.attitude_at(BodyVector::zero(), 5.0),
+        Ok(Attitude::identity())
+    );
+}
+
+proptest! {
+    #[test]
+    fn euler_top_never_panics(
+        i1 in any::<f64>(), i3 in any::<f64>(), o in any::<[f64; 3]>(), t in any::<f64>(),
+    ) {
+        let omega = BodyVector::new(o[0], o[1], o[2]);
+        for top in [SymmetricTop::new(i1, i3), SymmetricTop::new(1.0, 1.5)].into_iter().flatten() {
+            let _ = (top.wobble_rate(t), top.wobble_period(t), top.omega_at(omega, t));
+            let _ = (top.attitude_at(omega, t), top.axis_rate_in_space(omega), top.cones(omega));
+        }
+        let _ = (earth::rigid_period(i1), earth::elastic_period(i1, i3, t));
+    }
+
+    #[test]
+    fn euler_top_time_runs_both_ways_and_scales(
+        i3 in 0.0..2.0f64, o in prop::array::uniform3(-5.0..5.0f64), t in -100.0..100.0f64, power in -60i32..60,
+    ) {
+        let top = SymmetricTop::new(1.0, i3).unwrap();
+        let omega0 = BodyVector::new(o[0], o[1], o[2]);
+        let omega = top.omega_at(omega0, t);
+        prop_assert!((top.omega_at(omega, -t) - omega0).norm() < 1e-14);
+        // Units scaled by a power of two: the same bits.
+        let scale = 2f64.powi(power);
+        let scaled = SymmetricTop::new(scale, i3 * scale).unwrap();
+        prop_assert_eq!(scaled.omega_at(omega0, t), omega);
+        prop_assert_eq!(top.omega_at(omega0 * scale, t / scale), omega * scale);
+        // L keeps its place in space.
+        let l = |omega: BodyVector| BodyVector::new(omega.x(), omega.y(), i3 * omega.z());
+        let in_space = top.attitude_at(omega0, t).unwrap().to_space(l(omega)).components();
+        prop_assert!((in_space - l(omega0).components()).norm() < 3e-14);
+    }
+}

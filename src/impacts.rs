@@ -23,12 +23,13 @@ use nalgebra::{Matrix3, Vector3};
 use crate::conservation::finite_vector;
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::BodyVector;
+use crate::inertia::InertiaMatrix;
 
 /// A planet just before the impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Planet {
     mass: f64,
-    inertia: Matrix3<f64>,
+    inertia: InertiaMatrix,
     velocity: BodyVector,
     omega: BodyVector,
 }
@@ -42,7 +43,7 @@ impl Planet {
     /// [`Error::NotFinite`] for anything.
     pub fn new(
         mass: f64,
-        inertia: Matrix3<f64>,
+        inertia: InertiaMatrix,
         velocity: BodyVector,
         omega: BodyVector,
     ) -> Result<Self> {
@@ -50,7 +51,7 @@ impl Planet {
         let velocity = finite_vector("the planet's velocity", velocity)?;
         let omega = finite_vector("the planet's angular velocity", omega)?;
         // An answer is asked for here so that no later division by I can fail.
-        solve(&inertia, Vector3::zeros())?;
+        solve(&inertia.matrix(), Vector3::zeros())?;
         Ok(Self {
             mass,
             inertia,
@@ -70,12 +71,18 @@ impl Planet {
         omega: BodyVector,
     ) -> Result<Self> {
         let moment = positive("the planet's moment of inertia", moment)?;
-        Self::new(mass, Matrix3::from_diagonal_element(moment), velocity, omega)
+        let inertia = InertiaMatrix::diagonal(moment, moment, moment)?;
+        Self::new(mass, inertia, velocity, omega)
     }
 
     /// Mass M, kg.
     pub fn mass(&self) -> f64 {
         self.mass
+    }
+
+    /// Inertia matrix I about the centre.
+    pub fn inertia(&self) -> InertiaMatrix {
+        self.inertia
     }
 
     /// Velocity V of the centre before the impact, m/s.
@@ -154,7 +161,8 @@ pub fn strike(planet: &Planet, meteorite: &Meteorite, at: BodyVector) -> Result<
     let closing = meteorite.velocity - planet.velocity - planet.omega.cross(&at);
 
     let x = at.components();
-    let together = planet.inertia + (Matrix3::identity() * x.norm_squared() - x * x.transpose()) * mu;
+    let together =
+        planet.inertia.matrix() + (Matrix3::identity() * x.norm_squared() - x * x.transpose()) * mu;
     let change = solve(&together, mu * at.cross(&closing).components())?;
 
     let impulse = mu * (closing - change.cross(&at));
@@ -226,8 +234,13 @@ impl Strike {
     /// # Errors
     /// [`Error::ZeroVector`] if the planet does not spin before or after.
     pub fn tilt(&self) -> Result<f64> {
-        let before = self.planet.omega.direction("the angular velocity before the impact")?;
-        let after = self.omega_after.direction("the angular velocity after the impact")?;
+        let before = self
+            .planet
+            .omega
+            .direction("the angular velocity before the impact")?;
+        let after = self
+            .omega_after
+            .direction("the angular velocity after the impact")?;
         Ok(before.cross(&after).norm().atan2(before.dot(&after)))
     }
 
@@ -253,8 +266,11 @@ impl Strike {
 
     fn approximation(&self, velocity: BodyVector) -> Result<BodyVector> {
         let kick = self.at.cross(&(self.meteorite.mass * velocity));
-        let change = solve(&self.planet.inertia, kick.components())?;
-        finite_vector("the first-order angular velocity", self.planet.omega + change)
+        let change = solve(&self.planet.inertia.matrix(), kick.components())?;
+        finite_vector(
+            "the first-order angular velocity",
+            self.planet.omega + change,
+        )
     }
 }
 

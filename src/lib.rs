@@ -5,6 +5,7 @@
 //! | section | module | what it computes |
 //! |---|---|---|
 //! | 1.1 | [`phenomena`] | turning round at angular momentum zero |
+//! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule |
 //! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem |
 //! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule |
 //! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other |
@@ -24,8 +25,12 @@ pub mod error;
 pub mod euler_top;
 pub mod frame;
 pub mod inertia;
+pub mod impacts;
+pub mod inertia;
+pub mod phenomena;
 pub mod pythagoras;
 pub mod rolling;
+pub mod rotating_fluid;
 pub mod superball;
 pub mod impacts;
 pub mod phenomena;

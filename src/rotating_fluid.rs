@@ -52,7 +52,12 @@ impl MaclaurinSpheroid {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::OutOfRange`].
     pub fn from_axis_ratio(c_over_a: f64) -> Result<Self> {
-        let q = within("the axis ratio of a spheroid", c_over_a, f64::MIN_POSITIVE, 1.0)?;
+        let q = within(
+            "the axis ratio of a spheroid",
+            c_over_a,
+            f64::MIN_POSITIVE,
+            1.0,
+        )?;
         Ok(Self::from_ratio(q))
     }
 
@@ -73,7 +78,7 @@ impl MaclaurinSpheroid {
     /// Gauss brings the argument down to 0…½, every term is positive, and nothing is subtracted.
     ///
     /// Domain: all spheroids; 0 for the sphere, → πq for the disc. Observed error: at most 4 ulp against 30 digits
-    /// over e from 10⁻⁸ to 1 − 10⁻⁹. Cost: at most 43 terms of a series, 4 for e < 10⁻⁴.
+    /// over e from 10⁻⁸ to 1 − 10⁻⁹. Cost: at most 36 terms of a series, 2 for e < 10⁻⁴.
     pub fn rotation(&self) -> f64 {
         // ANCHOR: maclaurin
         let (e, q) = (self.eccentricity, self.axis_ratio);
@@ -85,7 +90,7 @@ impl MaclaurinSpheroid {
 
     /// Kinetic over gravitational energy T/|W| = (3/(2e²))[1 − e√(1−e²)/arcsin e] − 1, dimensionless, 0…½.
     ///
-    /// Computed as Ω²e/(4q arcsin e), the same by algebra and free of the subtraction. Observed error 5 ulp.
+    /// Computed as Ω²e/(4q arcsin e), the same by algebra and free of the subtraction. Observed error: at most 4 ulp, over the same e.
     pub fn energy_ratio(&self) -> f64 {
         let (e, q) = (self.eccentricity, self.axis_ratio);
         if e == 0.0 {
@@ -114,7 +119,7 @@ impl MaclaurinSpheroid {
     /// Where Jacobi's ellipsoids with three unequal axes branch off: e = 0.81267001061174294948 (Ω²/(πGρ) = 0.374229674…).
     ///
     /// The condition a⁴A₁₁ = c²A₃, i.e. [`JacobiEllipsoid`]'s at b = a, is solved for c/a. Beyond it a star with any
-    /// viscosity prefers to be a Jacobi ellipsoid: same angular momentum, less energy. Observed error 3 ulp of e.
+    /// viscosity prefers to be a Jacobi ellipsoid: same angular momentum, less energy. Observed error: none in e, the double nearest the true value.
     pub fn at_jacobi_bifurcation() -> Self {
         Self::from_ratio(equilibrium_axis_ratio(1.0))
     }
@@ -147,12 +152,18 @@ impl JacobiEllipsoid {
     /// [bifurcating spheroid](MaclaurinSpheroid::at_jacobi_bifurcation).
     ///
     /// The shortest axis solves a²b²A₁₂ = c²A₃ (Chandrasekhar 1969), written as one integral so that b = a needs no
-    /// limit. Observed error of c/a and Ω²: 10⁻¹⁴ relative. Cost: about 60 bisections of 220 integrand values.
+    /// limit. Observed error of c/a and Ω²: 10⁻¹⁵ relative for b/a ≥ 0.1, where it was compared
+    /// with 20 digits. Cost: about 55 bisections of 221 integrand values.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::OutOfRange`].
     pub fn from_axis_ratio(b_over_a: f64) -> Result<Self> {
-        let middle = within("the axis ratio b/a of a Jacobi ellipsoid", b_over_a, 1e-3, 1.0)?;
+        let middle = within(
+            "the axis ratio b/a of a Jacobi ellipsoid",
+            b_over_a,
+            1e-3,
+            1.0,
+        )?;
         Ok(Self {
             middle,
             shortest: equilibrium_axis_ratio(middle),

@@ -1,15 +1,19 @@
 //! Section 3 of the tutorial: conservation laws, the ledger, and the star that turns.
 
+#![expect(
+    clippy::excessive_precision,
+    reason = "expected values keep all the digits they were computed to"
+)]
+
 use approx::assert_relative_eq;
-use nalgebra::Matrix3;
 use num_rational::Ratio;
 use proptest::prelude::*;
-use spinning_bodies::Error;
 use spinning_bodies::conservation::{
-    CompensatedSum, ForceAndTorque, Law, Ledger, Particle, Particles, RigidMotion,
-    angular_momentum_rate, uniform_gravity,
+    CompensatedSum, ForceAndTorque, Law, Ledger, Particle, Particles, angular_momentum_rate,
+    uniform_gravity,
 };
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+use spinning_bodies::inertia::{MassProperties, RigidMotion};
 use spinning_bodies::phenomena::Waist;
 use spinning_bodies::rotating_fluid::{JacobiEllipsoid, MaclaurinSpheroid};
 
@@ -21,7 +25,10 @@ struct Integers(u64);
 
 impl Integers {
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         f64::from((self.0 >> 40) as u32 % 17) - 8.0
     }
 
@@ -41,7 +48,9 @@ impl Flight {
     fn random(seed: u64) -> Self {
         let mut random = Integers(seed);
         let start = MASSES.map(|_| (random.vector(), random.vector(), random.vector()));
-        Self { start: start.to_vec() }
+        Self {
+            start: start.to_vec(),
+        }
     }
 
     fn at(&self, t: f64) -> Particles {
@@ -85,15 +94,8 @@ fn s3_2_angular_momentum_about_any_point() {
         let n = flight.forces(origin).torque;
         assert_eq!(rate(&|_| origin), n, "O at rest, seed {seed}");
 
-        // A moving O: L about O + Ut is cubic at most in its odd part (U∧a t²·t), so difference twice the step too
-        // and remove the cubic term exactly (Richardson).
-        let moving = |h: f64| {
-            let about = |t: f64| origin + t * u;
-            let after = flight.at(h).angular_momentum_about(about(h));
-            let before = flight.at(-h).angular_momentum_about(about(-h));
-            (after - before) / (2.0 * h)
-        };
-        let derivative = (4.0 * moving(1.0) - moving(2.0)) / 3.0;
+        // A moving O adds −Ut∧P(t), again quadratic: the same difference is exact.
+        let derivative = rate(&|t| origin + t * u);
         let expected = angular_momentum_rate(n, u, now.momentum());
         assert_eq!(derivative, expected, "moving O, seed {seed}");
         let extra = expected - n;
@@ -102,12 +104,19 @@ fn s3_2_angular_momentum_about_any_point() {
         // About C the extra term vanishes although C moves and accelerates.
         let about_center = flight.forces(now.center()).torque;
         let spin = |t: f64| flight.at(t).angular_momentum_split(V::zero()).spin;
-        assert_eq!(0.5 * (spin(1.0) - spin(-1.0)), about_center, "O = C, seed {seed}");
+        assert_eq!(
+            0.5 * (spin(1.0) - spin(-1.0)),
+            about_center,
+            "O = C, seed {seed}"
+        );
     }
     // A velocity parallel to P costs nothing: the contact point of a body that rolls straight.
     let p = V::new(3.0, -6.0, 9.0);
     assert_eq!(angular_momentum_rate(V::zero(), p / 3.0, p), V::zero());
-    assert_ne!(angular_momentum_rate(V::zero(), V::new(1.0, 0.0, 0.0), p), V::zero());
+    assert_ne!(
+        angular_momentum_rate(V::zero(), V::new(1.0, 0.0, 0.0), p),
+        V::zero()
+    );
 }
 
 /// Three masses on springs and under gravity, one Runge–Kutta step of the fourth order.
@@ -125,7 +134,11 @@ fn spring_step(state: &[(V, V)], masses: &[f64], h: f64, g: V) -> Vec<(V, V)> {
             .collect()
     };
     let shifted = |k: &[(V, V)], h: f64| -> Vec<(V, V)> {
-        state.iter().zip(k).map(|(s, k)| (s.0 + h * k.0, s.1 + h * k.1)).collect()
+        state
+            .iter()
+            .zip(k)
+            .map(|(s, k)| (s.0 + h * k.0, s.1 + h * k.1))
+            .collect()
     };
     let k1 = rate(state);
     let k2 = rate(&shifted(&k1, 0.5 * h));
@@ -154,7 +167,11 @@ fn s3_2_momentum_changes_by_the_outside_force_alone() {
         let list: Vec<_> = masses
             .iter()
             .zip(state)
-            .map(|(&mass, &(position, velocity))| Particle { mass, position, velocity })
+            .map(|(&mass, &(position, velocity))| Particle {
+                mass,
+                position,
+                velocity,
+            })
             .collect();
         Particles::new(list).unwrap()
     };
@@ -170,14 +187,20 @@ fn s3_2_momentum_changes_by_the_outside_force_alone() {
         let now = particles(&state);
         let force = now.force_and_torque(now.center(), |p| p.mass * g).unwrap();
         let t = h * f64::from(step);
-        ledger.record_vector(moved, now.momentum() - t * force.force).unwrap();
+        ledger
+            .record_vector(moved, now.momentum() - t * force.force)
+            .unwrap();
         ledger
             .record_vector(spin, now.angular_momentum_split(V::zero()).spin)
             .unwrap();
     }
     // Runge–Kutta keeps linear invariants to rounding: observed 1.5e-14 over 2000 steps. The quadratic L about C it
     // keeps only to its order: observed 2e-10 at this step.
-    let drifts: Vec<f64> = ledger.entries().iter().map(|e| e.relative_drift()).collect();
+    let drifts: Vec<f64> = ledger
+        .entries()
+        .iter()
+        .map(|e| e.relative_drift())
+        .collect();
     assert!(drifts[0] < 4e-14, "{ledger}");
     assert!(drifts[1] < 4e-10, "{ledger}");
     // Inside forces did something: the springs swung, so relative kinetic energy changed by a lot.
@@ -195,7 +218,9 @@ fn s3_2_uniform_gravity_acts_at_the_centre_of_mass() {
         let summed = body.force_and_torque(o, |p| p.mass * g).unwrap();
         let at_center = uniform_gravity(body.mass(), body.center(), o, g).unwrap();
         assert_eq!(summed, at_center, "exact: integers and sixteenths");
-        let about_c = body.force_and_torque(body.center(), |p| p.mass * g).unwrap();
+        let about_c = body
+            .force_and_torque(body.center(), |p| p.mass * g)
+            .unwrap();
         assert_eq!(about_c.torque, V::zero());
         assert_eq!(summed.about(body.center() - o), about_c);
 
@@ -235,7 +260,10 @@ fn s3_2_uniform_gravity_acts_at_the_centre_of_mass() {
 fn s3_2_splits_and_the_rigid_body() {
     let flight = Flight::random(11).at(0.0);
     let o = V::new(1.0, -2.0, 5.0);
-    assert_eq!(flight.angular_momentum_split(o).total(), flight.angular_momentum_about(o));
+    assert_eq!(
+        flight.angular_momentum_split(o).total(),
+        flight.angular_momentum_about(o)
+    );
     let direct: f64 = flight
         .particles()
         .iter()
@@ -243,40 +271,54 @@ fn s3_2_splits_and_the_rigid_body() {
         .sum();
     assert_eq!(flight.energy_split().total(), direct);
 
-    // Four masses fixed to a body: I about C by its definition, motion by V + Ω∧(x−C).
-    let places = [(1.0, 2.0, 0.0), (-1.0, 0.5, 1.0), (0.0, -1.5, 2.0), (0.0, -1.0, -3.0)];
-    let masses = [1.0, 1.0, 1.0, 1.0];
-    let center = places
-        .iter()
-        .map(|&(x, y, z)| BodyVector::new(x, y, z))
-        .sum::<BodyVector>()
-        / 4.0;
-    let mut inertia = Matrix3::zeros();
-    for (&(x, y, z), m) in places.iter().zip(masses) {
-        let d = (BodyVector::new(x, y, z) - center).components();
-        inertia += m * (Matrix3::identity() * d.norm_squared() - d * d.transpose());
-    }
+    // Four masses fixed to a body: the rigid body composed of them, in motion, against the masses one by one.
+    let parts = [
+        (1.0, 1.0, 2.0, 0.0),
+        (1.0, -1.0, 0.5, 1.0),
+        (2.0, 0.0, -1.5, 2.0),
+        (0.5, 0.0, -1.0, -3.0),
+    ]
+    .map(|(m, x, y, z)| MassProperties::particle(m, BodyVector::new(x, y, z)).unwrap());
+    let body = MassProperties::compose(&parts).unwrap();
+    let motion = RigidMotion {
+        base: body.center(),
+        velocity: BodyVector::new(1.0, 2.0, 3.0),
+        omega: BodyVector::new(0.7, -1.1, 2.0),
+    };
     let attitude = Attitude::from_quaternion(0.3, -0.4, 0.5, 0.7).unwrap();
-    let omega = BodyVector::new(0.7, -1.1, 2.0);
-    let (c, v) = (V::new(10.0, 20.0, -5.0), V::new(1.0, 2.0, 3.0));
-    let top = RigidMotion::new(4.0, inertia, c, v, attitude, omega).unwrap();
-    let swarm: Vec<_> = places
-        .iter()
-        .zip(masses)
-        .map(|(&(x, y, z), mass)| {
-            let position = c + attitude.to_space(BodyVector::new(x, y, z) - center);
-            Particle { mass, position, velocity: top.velocity_at(position) }
-        })
-        .collect();
-    let swarm = Particles::new(swarm).unwrap();
-    let (a, b) = (top.angular_momentum_split(o), swarm.angular_momentum_split(o));
-    // Rounding of positions 20 m from the origin: observed 1.5e-15 relative.
-    for (left, right) in [(a.spin, b.spin), (a.orbital, b.orbital), (top.momentum(), swarm.momentum())] {
-        assert!((left - right).norm() < 3e-15 * right.norm(), "{left:?} {right:?}");
+    let swarm = Particles::new(parts.map(|part| Particle {
+        mass: part.mass(),
+        position: attitude.to_space(part.center()),
+        velocity: attitude.to_space(motion.velocity_at(part.center())),
+    }))
+    .unwrap();
+    let l = motion.angular_momentum(&body).unwrap();
+    let parts = swarm.angular_momentum_split(swarm.center());
+    // Observed 4e-16 relative.
+    for (left, right) in [
+        (l.of_rotation, parts.spin),
+        (motion.momentum(&body), swarm.momentum()),
+    ] {
+        let left = attitude.to_space(left);
+        assert!(
+            (left - right).norm() < 1e-15 * right.norm(),
+            "{left:?} {right:?}"
+        );
     }
-    let (e, f) = (top.energy_split(), swarm.energy_split());
-    assert_relative_eq!(e.relative, f.relative, max_relative = 3e-15, epsilon = 0.0);
-    assert_relative_eq!(e.translational, f.translational, max_relative = 1e-15, epsilon = 0.0);
+    assert_eq!(parts.orbital, V::zero());
+    let (e, f) = (motion.energy(&body).unwrap(), swarm.energy_split());
+    assert_relative_eq!(
+        e.of_rotation,
+        f.relative,
+        max_relative = 1e-15,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        e.of_motion,
+        f.translational,
+        max_relative = 1e-15,
+        epsilon = 0.0
+    );
 }
 
 // claim: C3.3-1
@@ -297,7 +339,11 @@ fn s3_3_energy_with_heat() {
         assert_eq!(speed, kept);
         let slip = tau - tau * tau * (one + kappa.recip()) / 2; // × V₀²/(μg)
         let energy = speed * speed * (one + kappa) / 2;
-        assert_eq!(Q::new(1, 2) - energy, slip, "lost energy = μMg × slip distance");
+        assert_eq!(
+            Q::new(1, 2) - energy,
+            slip,
+            "lost energy = μMg × slip distance"
+        );
         assert_eq!(slip * 2, heat);
     }
     // The same by force alone, Coulomb friction integrated in small steps, watched by the ledger.
@@ -309,8 +355,12 @@ fn s3_3_energy_with_heat() {
     let e0 = kinetic(v, omega);
     let mut ledger = Ledger::new();
     let with_heat = ledger.open("energy with heat", Law::Conserved, e0).unwrap();
-    let without = ledger.open("kinetic energy", Law::NonIncreasing, e0).unwrap();
-    let warm = ledger.open_scaled("heat", Law::NonDecreasing, 0.0, e0).unwrap();
+    let without = ledger
+        .open("kinetic energy", Law::NonIncreasing, e0)
+        .unwrap();
+    let warm = ledger
+        .open_scaled("heat", Law::NonDecreasing, 0.0, e0)
+        .unwrap();
     let h = 1e-6;
     while v - radius * omega > 0.0 {
         let friction = mu * mass * g;
@@ -319,13 +369,20 @@ fn s3_3_energy_with_heat() {
         omega += h * friction * radius / inertia;
         // The trapezoidal rule is exact for a slip speed that falls linearly.
         heat.add(friction * h * 0.5 * (slip + v - radius * omega));
-        ledger.record(with_heat, kinetic(v, omega) + heat.value()).unwrap();
+        ledger
+            .record(with_heat, kinetic(v, omega) + heat.value())
+            .unwrap();
         ledger.record(without, kinetic(v, omega)).unwrap();
         ledger.record(warm, heat.value()).unwrap();
     }
     // Sliding is left one step late at most: μgh/V₀ = 1e-6 of the speed. Observed 4e-7 and 1e-7.
     assert_relative_eq!(v / v0, 5.0 / 7.0, max_relative = 1e-6, epsilon = 0.0);
-    assert_relative_eq!(heat.value() / e0, 2.0 / 7.0, max_relative = 1e-6, epsilon = 0.0);
+    assert_relative_eq!(
+        heat.value() / e0,
+        2.0 / 7.0,
+        max_relative = 1e-6,
+        epsilon = 0.0
+    );
     // The books balance to rounding all the way, 291 000 steps. The last, overshooting step can return at most
     // (μgh)² of kinetic energy, far below the bound.
     assert!(ledger.is_kept_within(1e-11).unwrap(), "{ledger}");
@@ -343,7 +400,9 @@ fn s3_4_equal_and_opposite_is_not_enough() {
     let pair = Particles::new([particle(0.0, 0.0), particle(1.0, 0.0)]).unwrap();
     let sideways = pair.internal_torque(|_, _| V::new(0.0, 1.0, 0.0)).unwrap();
     assert_eq!(sideways, V::new(0.0, 0.0, -1.0));
-    let central = pair.internal_torque(|a, b| 7.0 * (a.position - b.position)).unwrap();
+    let central = pair
+        .internal_torque(|a, b| 7.0 * (a.position - b.position))
+        .unwrap();
     assert_eq!(central, V::zero());
 
     let swarm = Flight::random(77).at(0.0);
@@ -374,7 +433,13 @@ fn coefficient_by_quadrature(q: f64, along: f64) -> f64 {
     let h = 1.0 / f64::from(n);
     (0..=n)
         .map(|i| {
-            let weight = if i == 0 || i == n { 1.0 } else if i % 2 == 1 { 4.0 } else { 2.0 };
+            let weight = if i == 0 || i == n {
+                1.0
+            } else if i % 2 == 1 {
+                4.0
+            } else {
+                2.0
+            };
             weight * integrand(h * f64::from(i)) * h / 3.0
         })
         .sum()
@@ -383,7 +448,7 @@ fn coefficient_by_quadrature(q: f64, along: f64) -> f64 {
 // claim: C3.5-1
 #[test]
 fn s3_5_maclaurin_spheroids() {
-    // Against 32 digits; the bound is in units of the last place. Observed: 3 and 4.
+    // Against 32 digits, in units of machine epsilon. Observed: 4 and 4.
     let (mut worst, mut worst_ratio) = (0.0_f64, 0.0_f64);
     for line in include_str!("reference/maclaurin.csv").lines().skip(1) {
         let row: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
@@ -391,30 +456,62 @@ fn s3_5_maclaurin_spheroids() {
         worst = worst.max((star.rotation() / row[1] - 1.0).abs() / f64::EPSILON);
         worst_ratio = worst_ratio.max((star.energy_ratio() / row[2] - 1.0).abs() / f64::EPSILON);
     }
-    println!("worst {worst} {worst_ratio}");
-    assert!(worst <= 4.0, "{worst} ulp");
-    assert!(worst_ratio <= 5.0, "{worst_ratio} ulp");
+    assert!(worst <= 4.5, "{worst} ulp");
+    assert!(worst_ratio <= 4.5, "{worst_ratio} ulp");
 
     let rotation = |e| MaclaurinSpheroid::from_eccentricity(e).unwrap().rotation();
-    assert_relative_eq!(rotation(0.6), 0.201_352_059_619_914_088_2, max_relative = 4e-16, epsilon = 0.0);
+    assert_relative_eq!(
+        rotation(0.6),
+        0.201_352_059_619_914_088_2,
+        max_relative = 4e-16,
+        epsilon = 0.0
+    );
     assert_eq!(rotation(0.0), 0.0);
-    assert_relative_eq!(rotation(1e-8), 8.0 / 15.0 * 1e-16, max_relative = 4e-16, epsilon = 0.0);
+    assert_relative_eq!(
+        rotation(1e-8),
+        8.0 / 15.0 * 1e-16,
+        max_relative = 4e-16,
+        epsilon = 0.0
+    );
     // The disc: πq.
     let disc = MaclaurinSpheroid::from_axis_ratio(1e-12).unwrap();
-    assert_relative_eq!(disc.rotation(), std::f64::consts::PI * 1e-12, max_relative = 3e-12, epsilon = 0.0);
+    assert_relative_eq!(
+        disc.rotation(),
+        std::f64::consts::PI * 1e-12,
+        max_relative = 3e-12,
+        epsilon = 0.0
+    );
 
     // Ω²/(πGρ) = 2(A₁ − A₃c²/a²) with the coefficients integrated. Simpson's error here: observed 2e-13.
     for q in [0.3_f64, 0.6, 0.9] {
         let star = MaclaurinSpheroid::from_axis_ratio(q).unwrap();
-        let (a1, a3) = (coefficient_by_quadrature(q, 1.0), coefficient_by_quadrature(q, q));
+        let (a1, a3) = (
+            coefficient_by_quadrature(q, 1.0),
+            coefficient_by_quadrature(q, q),
+        );
         assert_relative_eq!(2.0 * a1 + a3, 2.0, max_relative = 1e-12, epsilon = 0.0);
-        assert_relative_eq!(star.rotation(), 2.0 * (a1 - a3 * q * q), max_relative = 1e-11, epsilon = 0.0);
+        assert_relative_eq!(
+            star.rotation(),
+            2.0 * (a1 - a3 * q * q),
+            max_relative = 1e-11,
+            epsilon = 0.0
+        );
     }
 
     // Expected values of the register, 20 digits. Observed: 2 ulp at most.
     let fastest = MaclaurinSpheroid::fastest();
-    assert_relative_eq!(fastest.eccentricity(), 0.929_955_685_456_232_994_18, max_relative = 5e-16, epsilon = 0.0);
-    assert_relative_eq!(fastest.rotation(), 0.449_331_412_123_913_854_36, max_relative = 9e-16, epsilon = 0.0);
+    assert_relative_eq!(
+        fastest.eccentricity(),
+        0.929_955_685_456_232_994_18,
+        max_relative = 5e-16,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        fastest.rotation(),
+        0.449_331_412_123_913_854_36,
+        max_relative = 9e-16,
+        epsilon = 0.0
+    );
     for e in [0.5, 0.9, 0.929, 0.931, 0.95] {
         assert!(rotation(e) < fastest.rotation());
     }
@@ -424,18 +521,49 @@ fn s3_5_maclaurin_spheroids() {
 #[test]
 fn s3_5_jacobi_ellipsoids_branch_off() {
     let branch = MaclaurinSpheroid::at_jacobi_bifurcation();
-    assert_relative_eq!(branch.eccentricity(), 0.812_670_010_611_742_949_48, max_relative = 2e-15, epsilon = 0.0);
-    assert_relative_eq!(branch.rotation(), 0.374_229_674_786_195_634_35, max_relative = 2e-15, epsilon = 0.0);
+    assert_relative_eq!(
+        branch.eccentricity(),
+        0.812_670_010_611_742_949_48,
+        max_relative = 2e-15,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        branch.rotation(),
+        0.374_229_674_786_195_634_35,
+        max_relative = 2e-15,
+        epsilon = 0.0
+    );
     // An independent closed form of the same condition: arcsin e = e√(1−e²)(3+10e²)/(3+8e²−8e⁴) (Chandrasekhar 1969).
     let e2 = branch.eccentricity().powi(2);
-    let closed = branch.eccentricity() * (1.0 - e2).sqrt() * (3.0 + 10.0 * e2) / (3.0 + 8.0 * e2 - 8.0 * e2 * e2);
-    assert_relative_eq!(branch.eccentricity().asin(), closed, max_relative = 3e-15, epsilon = 0.0);
-    assert_relative_eq!(branch.energy_ratio(), 0.137_528, max_relative = 3e-6, epsilon = 0.0);
+    let closed = branch.eccentricity() * (1.0 - e2).sqrt() * (3.0 + 10.0 * e2)
+        / (3.0 + 8.0 * e2 - 8.0 * e2 * e2);
+    assert_relative_eq!(
+        branch.eccentricity().asin(),
+        closed,
+        max_relative = 3e-15,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        branch.energy_ratio(),
+        0.137_528,
+        max_relative = 3e-6,
+        epsilon = 0.0
+    );
 
     // Jacobi's own sequence: starts where it branches, turns slower as it lengthens (models of the field: six digits).
     let start = JacobiEllipsoid::from_axis_ratio(1.0).unwrap();
-    assert_relative_eq!(start.rotation(), branch.rotation(), max_relative = 2e-15, epsilon = 0.0);
-    assert_relative_eq!(start.angular_momentum(), branch.angular_momentum(), max_relative = 2e-15, epsilon = 0.0);
+    assert_relative_eq!(
+        start.rotation(),
+        branch.rotation(),
+        max_relative = 2e-15,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        start.angular_momentum(),
+        branch.angular_momentum(),
+        max_relative = 2e-15,
+        epsilon = 0.0
+    );
     for (b, c, rotation) in [
         (0.9, 0.551_873, 0.372_567),
         (0.7, 0.478_110, 0.355_679),
@@ -444,27 +572,70 @@ fn s3_5_jacobi_ellipsoids_branch_off() {
     ] {
         let star = JacobiEllipsoid::from_axis_ratio(b).unwrap();
         assert_relative_eq!(star.axes()[2], c, max_relative = 2e-6, epsilon = 0.0);
-        assert_relative_eq!(star.rotation(), rotation, max_relative = 2e-6, epsilon = 0.0);
+        assert_relative_eq!(
+            star.rotation(),
+            rotation,
+            max_relative = 2e-6,
+            epsilon = 0.0
+        );
         assert!(star.angular_momentum() > branch.angular_momentum());
     }
-    // The sense of b: as near to 1 as one likes, without a jump from the limit a²−b² → 0.
+    // Twenty digits from quadrature in multiple precision. Observed 7e-16.
+    for (b, c, rotation) in [
+        (
+            0.5,
+            0.383_308_578_573_099_843_7,
+            0.309_557_013_747_839_172_16,
+        ),
+        (
+            0.1,
+            0.096_815_242_566_304_156_552,
+            0.060_472_160_195_441_782_64,
+        ),
+    ] {
+        let star = JacobiEllipsoid::from_axis_ratio(b).unwrap();
+        assert_relative_eq!(star.axes()[2], c, max_relative = 1.2e-15, epsilon = 0.0);
+        assert_relative_eq!(
+            star.rotation(),
+            rotation,
+            max_relative = 1.2e-15,
+            epsilon = 0.0
+        );
+    }
+    // As near to 1 as one likes, without a jump from the limit a²−b² → 0.
     let near = JacobiEllipsoid::from_axis_ratio(1.0 - 1e-9).unwrap();
-    assert_relative_eq!(near.axes()[2], branch.axis_ratio(), max_relative = 2e-9, epsilon = 0.0);
+    assert_relative_eq!(
+        near.axes()[2],
+        branch.axis_ratio(),
+        max_relative = 2e-9,
+        epsilon = 0.0
+    );
 }
 
-// claim: C3.5-3
+// claim: C3.5-3, C1.1-3
 #[test]
 fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
-    let body = Waist { upper_arms_out: 3.0, upper_arms_in: 1.0, lower: 1.0 };
+    let body = Waist {
+        upper_arms_out: 3.0,
+        upper_arms_in: 1.0,
+        lower: 1.0,
+    };
     let quarter = std::f64::consts::FRAC_PI_2;
     let turn = body.swivel_angle(quarter).unwrap();
-    assert_relative_eq!(turn, -std::f64::consts::FRAC_PI_8, max_relative = 4e-16, epsilon = 0.0);
+    assert_relative_eq!(
+        turn,
+        -std::f64::consts::FRAC_PI_8,
+        max_relative = 4e-16,
+        epsilon = 0.0
+    );
 
     // At zero angular momentum, A(β' + ψ') + Bβ' = 0: integrate the four phases at an uneven pace, arms moving in
     // phases two and four, when nothing turns. Midpoint rule in a pace s(u) = u³; the turn is linear in ψ: exact.
     let mut beta = CompensatedSum::new();
     let mut l = Ledger::new();
-    let none = l.open_scaled("angular momentum", Law::Conserved, 0.0, 1.0).unwrap();
+    let none = l
+        .open_scaled("angular momentum", Law::Conserved, 0.0, 1.0)
+        .unwrap();
     for (upper, from, to) in [(3.0, 0.0, quarter), (1.0, quarter, 0.0)] {
         let steps = 1000;
         let psi = |i: i32| from + (to - from) * (f64::from(i) / f64::from(steps)).powi(3);
@@ -475,89 +646,39 @@ fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
             l.record(none, upper * (lower + twist) + lower).unwrap();
         }
         if upper == 3.0 {
-            assert_relative_eq!(beta.value(), -3.0 * std::f64::consts::FRAC_PI_8, max_relative = 1e-15, epsilon = 0.0);
+            assert_relative_eq!(
+                beta.value(),
+                -3.0 * std::f64::consts::FRAC_PI_8,
+                max_relative = 1e-15,
+                epsilon = 0.0
+            );
         }
     }
     assert_relative_eq!(beta.value(), turn, max_relative = 2e-15, epsilon = 0.0);
     assert!(l.is_kept_within(1e-17).unwrap(), "{l}");
     for (still, twist) in [
-        (Waist { upper_arms_in: 3.0, ..body }, quarter),
+        (
+            Waist {
+                upper_arms_in: 3.0,
+                ..body
+            },
+            quarter,
+        ),
         (Waist { lower: 0.0, ..body }, quarter),
         (body, 0.0),
     ] {
         assert_eq!(still.swivel_angle(twist).unwrap(), 0.0);
     }
-    assert!(Waist { lower: 1e300, ..body }.swivel_angle(quarter).unwrap().abs() < 1e-299);
-}
-
-#[test]
-fn ledger_takes_no_nan_for_an_answer() {
-    let mut ledger = Ledger::new();
-    let e = ledger.open("energy", Law::Conserved, 1.0).unwrap();
-    assert!(ledger.is_kept_within(0.0).unwrap());
-    assert!(matches!(ledger.record(e, f64::NAN), Err(Error::NotFinite { quantity: "energy", .. })));
-    ledger.record(e, 1.0).unwrap();
-    assert_eq!(ledger.entries()[0].relative_drift(), f64::INFINITY, "the stain stays");
-    assert!(!ledger.is_kept_within(1e300).unwrap());
-    assert!(ledger.is_kept_within(f64::NAN).is_err());
-    assert!(ledger.is_kept_within(-1.0).is_err());
-    assert!(ledger.open("nothing", Law::Conserved, f64::NAN).is_err());
-    assert!(ledger.open_scaled("nothing", Law::Conserved, 0.0, 0.0).is_err());
-    assert_eq!(ledger.entries().len(), 1, "a refused account is not opened");
-
-    // Accounts of another ledger are refused, not indexed.
-    let mut other = Ledger::new();
-    assert!(matches!(other.record(e, 1.0), Err(Error::Condition { .. })));
-    other.open_vector("L", V::new(3.0, 0.0, 4.0)).unwrap();
-    assert!(matches!(other.record(e, 1.0), Err(Error::Condition { .. })));
-}
-
-#[test]
-fn ledger_measures_each_law_its_own_way() {
-    let mut ledger = Ledger::new();
-    let up = ledger.open("heat", Law::NonDecreasing, 2.0).unwrap();
-    let down = ledger.open("energy", Law::NonIncreasing, 2.0).unwrap();
-    let same = ledger.open("charge", Law::Conserved, 2.0).unwrap();
-    let zero = ledger.open("spin", Law::Conserved, 0.0).unwrap();
-    for value in [2.0, 3.0, 2.5, 1.0] {
-        ledger.record(up, value).unwrap();
-        ledger.record(down, value).unwrap();
-        ledger.record(same, value).unwrap();
-        ledger.record(zero, 0.0).unwrap();
-    }
-    let lines: Vec<_> = ledger
-        .entries()
-        .iter()
-        .map(|e| (e.absolute_drift(), e.relative_drift(), e.worst_record()))
-        .collect();
-    // The energy's rise from 2 to 3 is a violation; the later fall is not. The heat fell from 3 to 1.
-    assert_eq!(lines, [(2.0, 1.0, 4), (1.0, 0.5, 2), (1.0, 0.5, 2), (0.0, 0.0, 0)]);
-    let broken: Vec<_> = ledger.violations(0.6).unwrap().map(|e| e.name()).collect();
-    assert_eq!(broken, ["heat"]);
-    ledger.record(zero, 1e-300).unwrap();
-    assert_eq!(ledger.entries()[3].relative_drift(), f64::INFINITY, "no scale to compare with");
-
-    // A vector that turns without changing its length has drifted all the same.
-    let mut turning = Ledger::new();
-    let l = turning.open_vector("L", V::new(1.0, 0.0, 0.0)).unwrap();
-    turning.record_vector(l, V::new(0.0, 1.0, 0.0)).unwrap();
-    assert_relative_eq!(turning.entries()[0].relative_drift(), 2.0_f64.sqrt(), max_relative = 3e-16, epsilon = 0.0);
-    assert!(turning.to_string().starts_with("L "));
-}
-
-#[test]
-fn compensated_sum_keeps_what_a_plain_sum_loses() {
-    // 1 + 10¹⁶·… : the classic of Neumaier, which Kahan's own version gets wrong.
-    let mut sum = CompensatedSum::new();
-    sum.extend([1.0, 1e100, 1.0, -1e100]);
-    assert_eq!(sum.value(), 2.0);
-    let plain: f64 = std::iter::repeat_n(0.1, 1_000_000).sum();
-    sum = CompensatedSum::new();
-    sum.extend(std::iter::repeat_n(0.1, 1_000_000));
-    assert_eq!(sum.value(), 100_000.0);
-    assert!((plain - 100_000.0).abs() > 1e-6, "the plain sum is off by {}", plain - 1e5);
-    sum.add(f64::INFINITY);
-    assert_eq!(sum.value(), f64::INFINITY);
+    assert!(
+        Waist {
+            lower: 1e300,
+            ..body
+        }
+        .swivel_angle(quarter)
+        .unwrap()
+        .abs()
+            < 1e-299
+    );
 }
 
 fn anything() -> impl Strategy<Value = f64> {
@@ -573,6 +694,8 @@ fn anything() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn nothing_panics_and_no_drift_is_nan(values in prop::collection::vec(anything(), 9)) {
         let vector = V::new(values[0], values[1], values[2]);

@@ -7,7 +7,8 @@
 //!   mass or at rest (a moving O costs the extra term −U∧P, see [`angular_momentum_rate`]);
 //! * energy is conserved, once all its forms are counted, heat included.
 //!
-//! [`Particles`] and [`RigidMotion`] compute the quantities, [`ForceAndTorque`] what changes them, and a
+//! [`Particles`] computes the quantities for point masses and
+//! [`RigidMotion`](crate::inertia::RigidMotion) for a rigid body, [`ForceAndTorque`] what changes them, and a
 //! [`Ledger`] watches whether a simulation kept them.
 //!
 //! ```
@@ -24,10 +25,10 @@
 mod force;
 mod ledger;
 mod particles;
-mod rigid;
+mod sum;
 
 pub use force::{ForceAndTorque, angular_momentum_rate, uniform_gravity};
-pub use ledger::{CompensatedSum, Entry, Law, Ledger, ScalarAccount, VectorAccount};
+pub use ledger::{Entry, Law, Ledger, ScalarAccount, VectorAccount};
 pub(crate) use particles::finite_vector;
-pub use particles::{AngularMomentumSplit, EnergySplit, Particle, Particles};
-pub use rigid::RigidMotion;
+pub use particles::{AngularMomentumParts, EnergyParts, Particle, Particles};
+pub use sum::CompensatedSum;

@@ -17,14 +17,14 @@ pub struct Particle {
 
 /// Kinetic energy in its two parts (tutorial 2.3), joules.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EnergySplit {
+pub struct EnergyParts {
     /// ½MV²: the whole mass moving with the centre of mass.
     pub translational: f64,
     /// ½Σm(v−V)²: motion relative to the centre of mass; for a rigid body ½⟨IΩ, Ω⟩.
     pub relative: f64,
 }
 
-impl EnergySplit {
+impl EnergyParts {
     /// The kinetic energy.
     pub fn total(&self) -> f64 {
         self.translational + self.relative
@@ -33,14 +33,14 @@ impl EnergySplit {
 
 /// Angular momentum about a point in its two parts (tutorial 2.2), kg m²/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AngularMomentumSplit {
+pub struct AngularMomentumParts {
     /// (C−O)∧P: the whole mass moving with the centre of mass.
     pub orbital: SpaceVector,
     /// Σ(x−C)∧m(v−V): the same about every point O; for a rigid body IΩ.
     pub spin: SpaceVector,
 }
 
-impl AngularMomentumSplit {
+impl AngularMomentumParts {
     /// The angular momentum.
     pub fn total(&self) -> SpaceVector {
         self.orbital + self.spin
@@ -76,7 +76,11 @@ impl Particles {
         }
         let mass = finite("the total mass", particles.iter().map(|p| p.mass).sum())?;
         let weighted = |part: fn(&Particle) -> SpaceVector| -> SpaceVector {
-            particles.iter().map(|p| p.mass * part(p)).sum::<SpaceVector>() / mass
+            particles
+                .iter()
+                .map(|p| p.mass * part(p))
+                .sum::<SpaceVector>()
+                / mass
         };
         let center = finite_vector("the centre of mass", weighted(|p| p.position))?;
         let velocity = finite_vector("the velocity of the centre", weighted(|p| p.velocity))?;
@@ -126,13 +130,13 @@ impl Particles {
     /// Angular momentum about `point`, split into that of the centre of mass and that about it (tutorial 2.2).
     ///
     /// The spin is summed from relative positions and relative velocities: a fast or distant swarm keeps its digits.
-    pub fn angular_momentum_split(&self, point: SpaceVector) -> AngularMomentumSplit {
+    pub fn angular_momentum_split(&self, point: SpaceVector) -> AngularMomentumParts {
         let spin = self
             .particles
             .iter()
             .map(|p| (p.position - self.center).cross(&(p.mass * (p.velocity - self.velocity))))
             .sum();
-        AngularMomentumSplit {
+        AngularMomentumParts {
             orbital: (self.center - point).cross(&(self.mass * self.velocity)),
             spin,
         }
@@ -141,12 +145,12 @@ impl Particles {
     /// Kinetic energy ½Σmv², split into that of the centre of mass and that relative to it (tutorial 2.3).
     ///
     /// Both parts are sums of squares, neither is a difference of the other two.
-    pub fn energy_split(&self) -> EnergySplit {
+    pub fn energy_split(&self) -> EnergyParts {
         let relative = self.particles.iter().map(|p| {
             let v = p.velocity - self.velocity;
             0.5 * p.mass * v.dot(&v)
         });
-        EnergySplit {
+        EnergyParts {
             translational: 0.5 * self.mass * self.velocity.dot(&self.velocity),
             relative: relative.sum(),
         }
@@ -192,8 +196,10 @@ impl Particles {
         let mut torque = SpaceVector::zero();
         for (i, first) in self.particles.iter().enumerate() {
             for second in &self.particles[i + 1..] {
-                let force =
-                    finite_vector("the force between two particles", force_on_first(first, second))?;
+                let force = finite_vector(
+                    "the force between two particles",
+                    force_on_first(first, second),
+                )?;
                 torque += (first.position - second.position).cross(&force);
             }
         }

@@ -1,0 +1,62 @@
+//! A sum that loses nothing.
+
+/// A running sum whose rounding error does not grow with the number of terms (Neumaier 1974).
+///
+/// For what a run accumulates in small instalments: heat, work, impulse, time. A plain sum of n equal terms
+/// loses up to n/2 units in the last place; this one keeps the lost parts and is right to about one, as long as
+/// n stays below 2⁵².
+///
+/// A term that is not finite makes the sum not finite, and [`Ledger::record`] refuses it.
+/// Cost: four additions a term.
+///
+/// ```
+/// use spinning_bodies::conservation::CompensatedSum;
+///
+/// let mut heat = CompensatedSum::new();
+/// for _ in 0..10_000_000 {
+///     heat.add(1e-7);
+/// }
+/// assert_eq!(heat.value(), 1.0);
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct CompensatedSum {
+    sum: f64,
+    lost: f64,
+}
+
+impl CompensatedSum {
+    /// The empty sum, zero.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a term.
+    pub fn add(&mut self, term: f64) {
+        let sum = self.sum + term;
+        // The smaller summand is the one whose digits are lost.
+        self.lost += if self.sum.abs() >= term.abs() {
+            (self.sum - sum) + term
+        } else {
+            (term - sum) + self.sum
+        };
+        self.sum = sum;
+    }
+
+    /// The sum so far.
+    pub fn value(&self) -> f64 {
+        if self.sum.is_finite() {
+            self.sum + self.lost
+        } else {
+            // Once infinite, the lost part is infinity − infinity and means nothing.
+            self.sum
+        }
+    }
+}
+
+impl Extend<f64> for CompensatedSum {
+    fn extend<T: IntoIterator<Item = f64>>(&mut self, terms: T) {
+        for term in terms {
+            self.add(term);
+        }
+    }
+}

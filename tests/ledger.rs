@@ -1,0 +1,106 @@
+//! The ledger of conserved quantities: what it measures, what it refuses, and the sum that feeds it.
+
+use approx::assert_relative_eq;
+use spinning_bodies::Error;
+use spinning_bodies::conservation::{CompensatedSum, Law, Ledger};
+use spinning_bodies::frame::SpaceVector as V;
+
+#[test]
+fn ledger_takes_no_nan_for_an_answer() {
+    let mut ledger = Ledger::new();
+    let e = ledger.open("energy", Law::Conserved, 1.0).unwrap();
+    assert!(ledger.is_kept_within(0.0).unwrap());
+    assert!(matches!(
+        ledger.record(e, f64::NAN),
+        Err(Error::NotFinite {
+            quantity: "energy",
+            ..
+        })
+    ));
+    ledger.record(e, 1.0).unwrap();
+    assert_eq!(
+        ledger.entries()[0].relative_drift(),
+        f64::INFINITY,
+        "the stain stays"
+    );
+    assert!(!ledger.is_kept_within(1e300).unwrap());
+    assert!(ledger.is_kept_within(f64::NAN).is_err());
+    assert!(ledger.is_kept_within(-1.0).is_err());
+    assert!(ledger.open("nothing", Law::Conserved, f64::NAN).is_err());
+    assert!(
+        ledger
+            .open_scaled("nothing", Law::Conserved, 0.0, 0.0)
+            .is_err()
+    );
+    assert_eq!(ledger.entries().len(), 1, "a refused account is not opened");
+
+    // Accounts of another ledger are refused, not indexed.
+    let mut other = Ledger::new();
+    assert!(matches!(other.record(e, 1.0), Err(Error::Condition { .. })));
+    other.open_vector("L", V::new(3.0, 0.0, 4.0)).unwrap();
+    assert!(matches!(other.record(e, 1.0), Err(Error::Condition { .. })));
+}
+
+#[test]
+fn ledger_measures_each_law_its_own_way() {
+    let mut ledger = Ledger::new();
+    let up = ledger.open("heat", Law::NonDecreasing, 2.0).unwrap();
+    let down = ledger.open("energy", Law::NonIncreasing, 2.0).unwrap();
+    let same = ledger.open("charge", Law::Conserved, 2.0).unwrap();
+    let zero = ledger.open("spin", Law::Conserved, 0.0).unwrap();
+    for value in [2.0, 3.0, 2.5, 1.0] {
+        ledger.record(up, value).unwrap();
+        ledger.record(down, value).unwrap();
+        ledger.record(same, value).unwrap();
+        ledger.record(zero, 0.0).unwrap();
+    }
+    let lines: Vec<_> = ledger
+        .entries()
+        .iter()
+        .map(|e| (e.absolute_drift(), e.relative_drift(), e.worst_record()))
+        .collect();
+    // The energy's rise from 2 to 3 is a violation; the later fall is not. The heat fell from 3 to 1.
+    assert_eq!(
+        lines,
+        [(2.0, 1.0, 4), (1.0, 0.5, 2), (1.0, 0.5, 2), (0.0, 0.0, 0)]
+    );
+    let broken: Vec<_> = ledger.violations(0.6).unwrap().map(|e| e.name()).collect();
+    assert_eq!(broken, ["heat"]);
+    ledger.record(zero, 1e-300).unwrap();
+    assert_eq!(
+        ledger.entries()[3].relative_drift(),
+        f64::INFINITY,
+        "no scale to compare with"
+    );
+
+    // A vector that turns without changing its length has drifted all the same.
+    let mut turning = Ledger::new();
+    let l = turning.open_vector("L", V::new(1.0, 0.0, 0.0)).unwrap();
+    turning.record_vector(l, V::new(0.0, 1.0, 0.0)).unwrap();
+    assert_relative_eq!(
+        turning.entries()[0].relative_drift(),
+        2.0_f64.sqrt(),
+        max_relative = 3e-16,
+        epsilon = 0.0
+    );
+    assert!(turning.to_string().starts_with("L "));
+}
+
+#[test]
+fn compensated_sum_keeps_what_a_plain_sum_loses() {
+    // 1 + 10¹⁶·… : the classic of Neumaier, which Kahan's own version gets wrong.
+    let mut sum = CompensatedSum::new();
+    sum.extend([1.0, 1e100, 1.0, -1e100]);
+    assert_eq!(sum.value(), 2.0);
+    let plain: f64 = std::iter::repeat_n(0.1, 1_000_000).sum();
+    sum = CompensatedSum::new();
+    sum.extend(std::iter::repeat_n(0.1, 1_000_000));
+    assert_eq!(sum.value(), 100_000.0);
+    assert!(
+        (plain - 100_000.0).abs() > 1e-6,
+        "the plain sum is off by {}",
+        plain - 1e5
+    );
+    sum.add(f64::INFINITY);
+    assert_eq!(sum.value(), f64::INFINITY);
+}

@@ -7,24 +7,22 @@
 //! | 1.1 | [`phenomena`] | turning round at angular momentum zero |
 //! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule |
 //! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem |
-//! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule |
+//! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them |
+//! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids |
+//! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks |
 //! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other |
 //! | 4.6 | [`superball`] | bounces that keep the energy, exactly and after any number of them |
 //! | 6.5 | [`euler_top`] | the free symmetric top, its cones, and the wobble of the Earth |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
-//! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them |
-//! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids |
-//! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks |
 //! | | [`error`] | the one error type |
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
-mod double_double;
 pub mod conservation;
+mod double_double;
 pub mod error;
 pub mod euler_top;
 pub mod frame;
-pub mod inertia;
 pub mod impacts;
 pub mod inertia;
 pub mod phenomena;
@@ -32,8 +30,5 @@ pub mod pythagoras;
 pub mod rolling;
 pub mod rotating_fluid;
 pub mod superball;
-pub mod impacts;
-pub mod phenomena;
-pub mod rotating_fluid;
 
 pub use error::{Error, Result};

@@ -46,8 +46,8 @@ pub fn meteorite() -> Result<Figure> {
         claim: "A small meteorite can tilt a planet's axis a long way.".to_owned(),
         details: format!(
             "Uniform ball, $M = {mass}$, $R = 1$, $I = {moment}$; meteorite $m = {small_mass}$ with $v = (-10, -20, 5)$ at \
-             $x = (0.6, 0, 0.8)$, where it sticks. The angular velocity goes from $(0, 0, 1)$ to ${}$ exactly, a tilt \
-             of {tilt} degrees; the first-order formula gives ${}$, a change too large by {} per cent.",
+             $x = (0.6, 0, 0.8)$, where it sticks. The angular velocity goes from $(0, 0, 1)$ to ${}$, a tilt of \
+             {tilt} degrees; the first-order formula gives ${}$, off by {} per cent of the change.",
             ascii(triple(after)),
             ascii(triple(rough)),
             number(miss, 1),

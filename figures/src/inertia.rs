@@ -29,9 +29,9 @@ pub fn ellipsoid() -> Result<Figure> {
     let words = Words {
         claim: "As far as spinning goes, this box is its ellipsoid of inertia.".to_owned(),
         details: format!(
-            "A box of mass $M = {mass}$ with edges {}, {} and {}, and the homogeneous ellipsoid of the same mass and \
-             the same inertia: semi-axes {}, {} and {}, each the half edge times {}. Both have the principal moments \
-             $I_1 = {}$, $I_2 = {}$, $I_3 = {}$; the long axis has the small moment.",
+            "A box of {mass} kg with edges of {}, {} and {} m, and the homogeneous ellipsoid of the same mass and \
+             the same inertia: semi-axes {}, {} and {} m, each the half edge times {}. Both have the principal moments \
+             $I_1 = {}$, $I_2 = {}$, $I_3 = {}$ kg m²; the long axis has the small moment.",
             edges[0],
             edges[1],
             edges[2],

@@ -278,6 +278,31 @@ fn million_triangles_near_and_a_million_radii_away() -> Result<()> {
 }
 
 #[test]
+fn an_egg_far_away_keeps_its_centre() -> Result<()> {
+    // The sphere's opposite points round oppositely and flatter its centre; an egg has no such luck.
+    let offset = 1e6;
+    let (mut vertices, triangles) = mesh::icosphere(5, 1.0)?;
+    for v in &mut vertices {
+        *v = [
+            v[0] + 0.2 * v[1] * v[1] + offset,
+            v[1] - offset / 3.0,
+            v[2] + 0.1 * v[0] * v[2],
+        ];
+    }
+    let truth = mesh_truth(&vertices, &triangles);
+    let body = mesh_mass_properties(&vertices, &triangles, 1.0)?;
+    let matrix = body.inertia().matrix();
+    assert!(inertia_error(&truth, |i, j| matrix[(i, j)]) <= 4e-15);
+    let center = body.center().components();
+    for i in 0..3 {
+        let exact = truth.center_from_first_vertex[i] + Dd::from(vertices[0][i]);
+        let error = (Dd::from(center[i]) - exact).value().abs();
+        assert!(error <= 0.5 * EPS * center[i].abs() + 2e-15, "{error:e}");
+    }
+    Ok(())
+}
+
+#[test]
 fn the_plain_formula_fails_far_away() -> Result<()> {
     // What the subtraction saves: moments about the origin, then parallel axes backwards.
     let (vertices, triangles) = moved_icosphere(3, 1e6)?;

@@ -108,7 +108,6 @@ fn assert_promises(kind: &str, a: &Matrix3<f64>, exact: [Dd; 3]) -> [f64; 3] {
 
 #[test]
 fn principal_axes_against_the_table() {
-    // Observed over the table: moments 4e-16 of the largest, axes 7e-16.
     let mut rows = 0;
     for line in include_str!("../reference/principal_axes.csv").lines() {
         let fields: Vec<&str> = line.split(',').collect();

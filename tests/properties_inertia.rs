@@ -171,7 +171,6 @@ proptest! {
             MassProperties::particle(*m, vector(*x)).map(|p| p.turned(&turn))
         }).collect::<Result<_>>().expect("ordinary numbers");
         let parts = MassProperties::compose(&parts).expect("ordinary numbers");
-        // Observed 2e-15 for masses up to 14.
         prop_assert!(difference(&whole, &parts) <= 16.0 * EPS * whole.mass());
         let moments = whole.inertia().principal_axes().moments();
         let before = body(&list).expect("ordinary numbers").inertia().principal_axes().moments();
@@ -231,7 +230,6 @@ proptest! {
         weights.push((0.8 * volume.abs(), middle));
         let weighed = body(&weights).expect("ordinary numbers");
         prop_assert!((mesh.mass() - volume.abs()).abs() <= 16.0 * EPS);
-        // Observed 3e-16: a tetrahedron in the unit cube has moments of order 1.
         prop_assert!(difference(&mesh, &weighed) <= 1e-13, "{}", difference(&mesh, &weighed));
     }
 }

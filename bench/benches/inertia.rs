@@ -136,7 +136,8 @@ fn axes() -> spinning_bodies::Result<()> {
         "nalgebra"
     );
     let mut uniform = Uniform(2);
-    let kinds: [(&str, &dyn Fn(&mut Uniform) -> [f64; 3]); 5] = [
+    type Moments<'a> = &'a dyn Fn(&mut Uniform) -> [f64; 3];
+    let kinds: [(&str, Moments); 5] = [
         ("generic", &|u| {
             let s = [u.next(), u.next(), u.next()];
             [s[1] + s[2], s[2] + s[0], s[0] + s[1]]

@@ -176,7 +176,7 @@ impl InertiaMatrix {
     /// The inertia matrix of the body turned by `attitude`: R I Rᵀ.
     ///
     /// Equally: the same matrix by its components along the axes of space. Exactly symmetric.
-    /// Observed error 4 eps times the largest moment. Cost: 50 multiplications.
+    /// Cost: 50 multiplications.
     pub fn rotated(&self, attitude: &Attitude) -> Self {
         let r = attitude.quaternion().to_rotation_matrix();
         Self(symmetrised(&(r.matrix() * self.0 * r.matrix().transpose())))

@@ -98,10 +98,9 @@ fn solid(
     // Only a body that is very thin for its size can be a flat one in disguise; the mean square distance from the
     // apex, (tr S)/V, tells the size.
     let size = (total.trace() / determinant).abs().sqrt();
-    let suspicious = !(determinant.abs() > 1e-6 * size * size * size);
-    if suspicious
-        && determinant.abs() <= largest_rounding_of_volume(vertices, triangles, apex, scale)
-    {
+    // NaN, from a determinant of zero, is suspicious too.
+    let plump = determinant.abs() > 1e-6 * size * size * size;
+    if !plump && determinant.abs() <= largest_rounding_of_volume(vertices, triangles, apex, scale) {
         return refuse("; its triangles lie in one plane");
     }
     if determinant < 0.0 {

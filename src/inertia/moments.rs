@@ -74,7 +74,7 @@ impl PrincipalMoments {
     /// Attained in the plane of axes 1 and 3, where tan² of the angle between Ω and axis 1 is I₁/I₃
     /// ([`Self::widest_omega`]); zero if all moments are equal, a right angle for a rod. Computed as
     /// an arctangent of (I₃−I₁) and 2√(I₁I₃), so that it keeps its digits when the moments nearly agree.
-    /// Observed error 2 ulp. Cost: two roots and an arctangent.
+    /// Cost: two roots and an arctangent.
     pub fn greatest_angle(&self) -> f64 {
         let [i1, _, i3] = self.0;
         (0.5 * (i3 - i1)).atan2(i1.sqrt() * i3.sqrt())

@@ -5,7 +5,7 @@
 //!
 //! The mass must be positive. A length may be zero where the limit is a body: a box without height is a lamina.
 //! All functions multiply mass·length first and then by length, so nothing over- or underflows before the result
-//! does. Error 4 ulp of every moment (observed, over random sizes). Cost: tens of nanoseconds.
+//! does. The tests of Section 2 hold every moment to 16 eps. Cost: a few dozen operations.
 //!
 //! Errors, the same for all: [`Error::NotPositive`], [`Error::Negative`], [`Error::NotFinite`] for what is given, and
 //! [`Error::NotFinite`] if a moment overflows.

@@ -132,8 +132,6 @@ pub fn cubature(rules: [Rule; 3], map: impl Fn([f64; 3]) -> ([f64; 3], f64)) -> 
 }
 
 /// Fails unless the body's inertia matrix is `mass` times the six entries, to 16 eps of the largest.
-///
-/// Observed over all uses: at most 6 eps, most of it the cubature's.
 pub fn assert_inertia(body: &MassProperties, entries: [f64; 6]) {
     let matrix = body.inertia().matrix() / body.mass();
     let size = entries.iter().fold(0.0, |m: f64, x| m.max(x.abs()));

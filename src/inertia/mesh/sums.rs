@@ -31,7 +31,7 @@ impl Sums {
         self.edges = self.edges.wrapping_add(other.edges);
     }
 
-    /// The largest second moment stands for all: it is positive for a closed body.
+    /// Σ d(…)/20 over the diagonal: (tr S)·6, so that its ratio to `determinant` is the mean square distance.
     pub(super) fn trace(&self) -> f64 {
         (self.second[0] + self.second[1] + self.second[2]) / 20.0
     }
@@ -115,7 +115,7 @@ impl Scale {
 
     /// Corner minus apex, in this unit.
     #[inline(always)]
-    fn from_apex(self, corner: [f64; 3], apex: [f64; 3]) -> [f64; 3] {
+    fn relative(self, corner: [f64; 3], apex: [f64; 3]) -> [f64; 3] {
         let [f, g] = self.factors;
         [0, 1, 2].map(|i| (corner[i] * self.shrink - apex[i] * self.shrink) * f * g)
     }
@@ -147,7 +147,7 @@ pub(super) fn sums(
             [0, 1, 2].map(|i| corner[i] - apex[i])
         })
     } else {
-        gather(vertices, triangles, |corner| scale.from_apex(corner, apex))
+        gather(vertices, triangles, |corner| scale.relative(corner, apex))
     }
 }
 
@@ -185,8 +185,8 @@ fn block_sums(
             + p[2] * (q[0] * r[1] - q[1] * r[0]);
         let s = [0, 1, 2].map(|i| p[i] + q[i] + r[i]);
         sums.determinant += d;
-        for i in 0..3 {
-            sums.first[i] += d * s[i];
+        for (sum, s) in sums.first.iter_mut().zip(s) {
+            *sum += d * s;
         }
         for (sum, (i, j)) in
             sums.second
@@ -230,11 +230,8 @@ pub(super) fn largest_rounding_of_volume(
 ) -> f64 {
     let mut bound = 0.0;
     for corners in triangles {
-        let [p, q, r] = corners.map(|index| {
-            scale
-                .from_apex(vertices[index as usize], apex)
-                .map(f64::abs)
-        });
+        let [p, q, r] =
+            corners.map(|index| scale.relative(vertices[index as usize], apex).map(f64::abs));
         bound += p[0] * (q[1] * r[2] + q[2] * r[1])
             + p[1] * (q[2] * r[0] + q[0] * r[2])
             + p[2] * (q[0] * r[1] + q[1] * r[0]);

@@ -69,7 +69,7 @@ pub fn count<'a>(ledger: &Ledger, claims: impl Iterator<Item = &'a Claim>) -> [u
     let mut counts = [0; 4];
     for claim in claims {
         counts[0] += 1;
-        counts[match (ledger.is_settled(claim), claim.verdict.is_computed()) {
+        counts[match (ledger.is_settled(claim), Ledger::is_computable(claim)) {
             (true, true) => 1,
             (true, false) => 2,
             (false, _) => 3,
@@ -153,7 +153,7 @@ pub fn table(ledger: &Ledger) -> String {
             claim.verdict.word().into(),
             claim.title.clone(),
             chapter.unwrap_or_else(|| absent(true).into()),
-            test.unwrap_or_else(|| absent(claim.verdict.is_computed()).into()),
+            test.unwrap_or_else(|| absent(Ledger::is_computable(claim)).into()),
         ]);
     }
     let mut widths = [0; 5];

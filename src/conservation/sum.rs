@@ -6,7 +6,7 @@
 /// loses up to n/2 units in the last place; this one keeps the lost parts and is right to about one, as long as
 /// n stays below 2⁵².
 ///
-/// A term that is not finite makes the sum not finite, and [`Ledger::record`] refuses it.
+/// A term that is not finite makes the sum not finite, and [`Ledger::record`](super::Ledger::record) refuses it.
 /// Cost: four additions a term.
 ///
 /// ```

@@ -55,14 +55,40 @@ impl Pieces {
                 self.fill_folder(&path)?;
             } else if path.extension().is_some_and(|ending| ending == "html") {
                 let page = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
-                if page.contains(OPEN) {
-                    let filled = self.fill(&page)?;
+                let filled = flush_left(&self.fill(&page)?);
+                if filled != page {
                     std::fs::write(&path, filled).map_err(Error::file(&path))?;
                 }
             }
         }
         Ok(())
     }
+}
+
+/// The page with each piece of quoted source moved to the left edge: a method is written indented, and quoted so.
+fn flush_left(page: &str) -> String {
+    const SOURCE: &str = "<code class=\"language-rs\">";
+    let mut parts = page.split(SOURCE);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (source, after) = part.split_once("</code>").unwrap_or((part, ""));
+        let written = |line: &&str| !line.trim().is_empty();
+        let indent = |line: &str| line.len() - line.trim_start_matches(' ').len();
+        let margin = source
+            .lines()
+            .filter(written)
+            .map(indent)
+            .min()
+            .unwrap_or(0);
+        let lines = source
+            .split('\n')
+            .map(|line| line.get(margin..).unwrap_or(""));
+        out.push_str(SOURCE);
+        out.push_str(&lines.collect::<Vec<_>>().join("\n"));
+        out.push_str("</code>");
+        out.push_str(after);
+    }
+    out
 }
 
 /// Text in which Markdown finds nothing: everything but letters, digits and spaces is written as an entity.
@@ -95,6 +121,14 @@ mod tests {
             pieces.fill(&format!("<p>{a}, {b}</p>")).unwrap(),
             "<p><b>1</b>, <b>1</b></p>"
         );
+    }
+
+    #[test]
+    fn quoted_source_stands_at_the_left_edge() {
+        let page =
+            "<p> a</p><code class=\"language-rs\">    fn f() {\n\n        1\n    }\n</code> b";
+        let expected = "<p> a</p><code class=\"language-rs\">fn f() {\n\n    1\n}\n</code> b";
+        assert_eq!(flush_left(page), expected);
     }
 
     #[test]

@@ -179,7 +179,8 @@ impl<'a> Typesetter<'a> {
         let mut out = String::new();
         for (i, part) in text.split('$').enumerate() {
             if i % 2 == 0 {
-                out.push_str(&inert(part));
+                // A typewriter's apostrophe is none; mdBook sets those of the chapters.
+                out.push_str(&inert(&part.replace('\'', "’")));
             } else {
                 out.push_str(&self.formula(part, Style::Inline)?);
             }

@@ -34,6 +34,11 @@ impl Formulas {
         if let Some(html) = self.known.get(&key) {
             return Ok(html.clone());
         }
+        if has_bare_root(latex) {
+            return Err(
+                "write \\sqrt{…}, with braces: without them the root is set over its sign".into(),
+            );
+        }
         let settings = Settings::builder()
             .display_mode(style == Style::Display)
             .build();
@@ -43,6 +48,14 @@ impl Formulas {
         self.known.insert(key, html.clone());
         Ok(html)
     }
+}
+
+/// Whether a root lacks the braces without which the renderer leaves no room for its sign.
+fn has_bare_root(latex: &str) -> bool {
+    latex
+        .split("\\sqrt")
+        .skip(1)
+        .any(|after| !after.trim_start().starts_with(['{', '[']))
 }
 
 /// The renderer keeps attributes in a hash map, so that their order changes from run to run; sorted, equal input
@@ -109,6 +122,14 @@ mod tests {
             sort_attributes(r#"<a b="2" a="1 2">x</a> <path d="M 1"/>y"#),
             r#"<a a="1 2" b="2">x</a> <path d="M 1"/>y"#
         );
+    }
+
+    #[test]
+    fn a_root_wants_braces() {
+        let mut formulas = Formulas::default();
+        assert!(formulas.set(r"\sqrt f", Style::Inline).is_err());
+        let html = formulas.set(r"\sqrt{f}", Style::Inline).unwrap();
+        assert!(html.contains("padding-left"), "room for the sign");
     }
 
     #[test]

@@ -27,7 +27,7 @@ Without a command it draws every figure, builds the book, and prints where it is
 Examples:
   cargo run                              the whole job: figures/svg/*.svg and book/build/index.html
   cargo run -- figures --list            the names of the figures and their chapters
-  cargo run -- figures --out /tmp/svg    every figure into another folder
+  cargo run -- figures --out my-figs     every figure into another folder
   cargo run -- figures --check           do the committed figures still look the same?
   cargo run -- book --open               builds the book and opens it in the browser
   cargo run -- claims                    every claim of the tutorial and where it is computed

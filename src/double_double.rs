@@ -45,6 +45,16 @@ impl DoubleDouble {
         self.high + self.low
     }
 
+    /// The leading part.
+    pub(crate) fn high(self) -> f64 {
+        self.high
+    }
+
+    /// The trailing part.
+    pub(crate) fn low(self) -> f64 {
+        self.low
+    }
+
     pub(crate) fn add(self, other: Self) -> Self {
         let leading = Self::sum(self.high, other.high);
         let trailing = Self::sum(self.low, other.low);

@@ -18,6 +18,21 @@ pub(crate) struct DoubleDouble {
 const TAU_REST: [f64; 2] = [2.449_293_598_294_706_4e-16, -5.989_539_619_436_679e-33];
 
 impl DoubleDouble {
+    /// A constant whose trailing part is known to belong to the leading one.
+    pub(crate) const fn new(high: f64, low: f64) -> Self {
+        Self { high, low }
+    }
+
+    /// The leading part.
+    pub(crate) fn high(self) -> f64 {
+        self.high
+    }
+
+    /// The trailing part.
+    pub(crate) fn low(self) -> f64 {
+        self.low
+    }
+
     /// The sum of two doubles, exactly (Knuth).
     pub(crate) fn sum(a: f64, b: f64) -> Self {
         let high = a + b;

@@ -14,12 +14,14 @@
 //! | 4.6 | [`superball`] | bounces that keep the energy, exactly and after any number of them |
 //! | 6.5 | [`euler_top`] | the free symmetric top, its cones, and the wobble of the Earth |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
+//! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
 //! | | [`error`] | the one error type |
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
 pub mod conservation;
 mod double_double;
+pub mod elliptic;
 pub mod error;
 pub mod euler_top;
 pub mod frame;

@@ -60,16 +60,6 @@ impl DoubleDouble {
         self.high + self.low
     }
 
-    /// The leading part.
-    pub(crate) fn high(self) -> f64 {
-        self.high
-    }
-
-    /// The trailing part.
-    pub(crate) fn low(self) -> f64 {
-        self.low
-    }
-
     pub(crate) fn add(self, other: Self) -> Self {
         let leading = Self::sum(self.high, other.high);
         let trailing = Self::sum(self.low, other.low);
@@ -118,6 +108,15 @@ impl DoubleDouble {
         let root = self.high.sqrt();
         let rest = self.subtract(Self::product(root, root));
         Self::sum(root, rest.value() / (2.0 * root))
+    }
+
+    /// √(1 + x²), also where x² would overflow.
+    pub(crate) fn hypotenuse_with_one(self) -> Self {
+        if self.high.abs() > 1e40 {
+            // 1/(2x) is beyond the last of the 106 bits.
+            return if self.high < 0.0 { self.negated() } else { self };
+        }
+        self.multiply(self).add(Self::from(1.0)).square_root()
     }
 
     /// Sine and cosine of a number of radians.

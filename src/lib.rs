@@ -24,6 +24,7 @@ mod double_double;
 pub mod elliptic;
 pub mod error;
 pub mod euler_top;
+mod extended;
 pub mod frame;
 pub mod impacts;
 pub mod inertia;

@@ -23,7 +23,7 @@ const QUARTER: DoubleDouble =
     DoubleDouble::new(core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
 
 /// The greatest number of quarter periods that a double counts.
-const COUNTABLE: f64 = 9_007_199_254_740_992.0;
+pub(super) const COUNTABLE: f64 = 9_007_199_254_740_992.0;
 
 impl Modulus {
     /// sn u, cn u, dn u and am u.
@@ -142,7 +142,7 @@ impl Modulus {
 }
 
 #[inline(always)]
-fn cubic(a: &[f64; 4], x: f64) -> f64 {
+pub(super) fn cubic(a: &[f64; 4], x: f64) -> f64 {
     ((a[3] * x + a[2]) * x + a[1]) * x + a[0]
 }
 
@@ -159,14 +159,14 @@ fn turned(quarters: f64, v: DoubleDouble, ahead: f64) -> f64 {
 }
 
 /// sinh x and cosh x for x ≥ 0, both divided by the power of two 2^j next to e^x.
-struct Wave {
-    sine: f64,
-    cosine: f64,
+pub(super) struct Wave {
+    pub(super) sine: f64,
+    pub(super) cosine: f64,
     exponent: i32,
 }
 
 impl Wave {
-    fn new(x: DoubleDouble) -> Self {
+    pub(super) fn new(x: DoubleDouble) -> Self {
         // Beyond 760 the hyperbolic secant is zero.
         let (high, low) = if x.high() > 760.0 {
             (760.0, 0.0)
@@ -191,12 +191,12 @@ impl Wave {
     }
 
     /// 2^j, or so much of it as a double holds.
-    fn growth(&self) -> f64 {
+    pub(super) fn growth(&self) -> f64 {
         2.0_f64.powi(self.exponent.min(1023))
     }
 
     /// 2^−j.
-    fn decay(&self) -> f64 {
+    pub(super) fn decay(&self) -> f64 {
         let half = self.exponent / 2;
         0.5_f64.powi(half) * 0.5_f64.powi(self.exponent - half)
     }

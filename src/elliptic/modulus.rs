@@ -1,5 +1,7 @@
 //! The prepared modulus: quarter period to 106 bits, nome, and the coefficients of the theta functions.
 
+use super::jacobi::COUNTABLE;
+use super::landen::Landen;
 use super::parameter::Parameter;
 use crate::double_double::DoubleDouble;
 
@@ -9,7 +11,7 @@ pub(super) const PI: DoubleDouble =
 
 /// On which side of m = 1/2 the parameter lies, and so which nome is the small one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Side {
+pub(crate) enum Side {
     /// m ≤ mc: sine and cosine with small corrections.
     Circular,
     /// m > mc: hyperbolic functions with small corrections.
@@ -87,6 +89,36 @@ impl Modulus {
         }
     }
 
+    /// The modulus from k and k′, both to 106 bits, and the transformation of the lesser of the two.
+    pub(crate) fn from_landen(k: DoubleDouble, k_prime: DoubleDouble, landen: &Landen) -> Self {
+        let parameter = Parameter::from_both(k.multiply(k), k_prime.multiply(k_prime));
+        let complementary = k_prime.value();
+        let (side, lesser) = if k.high() <= complementary {
+            (Side::Circular, k.value())
+        } else {
+            (Side::Hyperbolic, complementary)
+        };
+        let quarter = match side {
+            Side::Circular => PI.scaled(0.5).divide(landen.mean),
+            Side::Hyperbolic => landen.complementary_quarter(),
+        };
+        let nome = Nome {
+            q: landen.nome.value(),
+            root: landen.fourth_root_of_nome(lesser),
+        };
+        let series = match side {
+            Side::Circular => Series::circular(&nome, complementary),
+            Side::Hyperbolic => Series::hyperbolic(&nome, complementary, landen.mean.value()),
+        };
+        Self {
+            parameter,
+            side,
+            quarter,
+            rate: landen.mean,
+            series,
+        }
+    }
+
     /// The parameter this was prepared for.
     pub fn parameter(&self) -> Parameter {
         self.parameter
@@ -95,6 +127,15 @@ impl Modulus {
     /// The quarter period K; infinite at mc = 0.
     pub fn quarter_period(&self) -> f64 {
         self.quarter.high()
+    }
+
+    pub(crate) fn side(&self) -> Side {
+        self.side
+    }
+
+    /// The greatest argument that still has a place: 2⁵³ quarter periods.
+    pub(crate) fn greatest_argument(&self) -> f64 {
+        COUNTABLE * self.quarter.high()
     }
 
     /// K to 106 bits.

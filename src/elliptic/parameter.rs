@@ -84,6 +84,11 @@ impl Parameter {
         })
     }
 
+    /// The parameter from m and mc to 106 bits, each.
+    pub(crate) fn from_both(m: DoubleDouble, mc: DoubleDouble) -> Self {
+        Self { m, mc }
+    }
+
     fn with_lesser_m(m: DoubleDouble) -> Self {
         let mc = DoubleDouble::from(1.0).subtract(m);
         Self { m, mc }

@@ -5,14 +5,14 @@ use crate::double_double::{DoubleDouble, power_of_two_below};
 
 /// `digits · 2^exponent`: squares of tilts down to 1e-300 stay numbers.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Extended {
-    pub(super) digits: DoubleDouble,
-    pub(super) exponent: i32,
+pub(crate) struct Extended {
+    pub(crate) digits: DoubleDouble,
+    pub(crate) exponent: i32,
 }
 
 impl Extended {
     /// Of a finite double; zero has the smallest exponent, so that it never shifts a sum.
-    pub(super) fn from_double(value: f64) -> Self {
+    pub(crate) fn from_double(value: f64) -> Self {
         if value == 0.0 {
             return Self::zero();
         }
@@ -31,7 +31,8 @@ impl Extended {
         }
     }
 
-    fn zero() -> Self {
+    /// Zero, with an exponent that never shifts a sum.
+    pub(crate) fn zero() -> Self {
         Self {
             digits: DoubleDouble::from(0.0),
             exponent: i32::MIN / 8,
@@ -39,7 +40,7 @@ impl Extended {
     }
 
     /// The difference of two doubles, exactly.
-    pub(super) fn difference(a: f64, b: f64) -> Self {
+    pub(crate) fn difference(a: f64, b: f64) -> Self {
         let exact = DoubleDouble::difference(a, b);
         let leading = Self::from_double(exact.high());
         Self {
@@ -51,25 +52,36 @@ impl Extended {
         }
     }
 
-    pub(super) fn multiply(self, other: Self) -> Self {
+    /// 2^exponent as a double; zero or the greatest power where that has no room.
+    pub(crate) fn power_of_two(exponent: i32) -> f64 {
+        power(exponent)
+    }
+
+    pub(crate) fn multiply(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::zero();
+        }
         Self {
             digits: self.digits.multiply(other.digits),
             exponent: self.exponent + other.exponent,
         }
     }
 
-    pub(super) fn square(self) -> Self {
+    pub(crate) fn square(self) -> Self {
         self.multiply(self)
     }
 
-    pub(super) fn divide(self, other: Self) -> Self {
+    pub(crate) fn divide(self, other: Self) -> Self {
+        if self.is_zero() {
+            return Self::zero();
+        }
         Self {
             digits: self.digits.divide(other.digits),
             exponent: self.exponent - other.exponent,
         }
     }
 
-    pub(super) fn add(self, other: Self) -> Self {
+    pub(crate) fn add(self, other: Self) -> Self {
         let exponent = self.exponent.max(other.exponent);
         let first = self.digits.scaled(power(self.exponent - exponent));
         let second = other.digits.scaled(power(other.exponent - exponent));
@@ -80,14 +92,17 @@ impl Extended {
         Self { digits, exponent }
     }
 
-    pub(super) fn subtract(self, other: Self) -> Self {
+    pub(crate) fn subtract(self, other: Self) -> Self {
         self.add(Self {
             digits: other.digits.negated(),
             exponent: other.exponent,
         })
     }
 
-    pub(super) fn square_root(self) -> Self {
+    pub(crate) fn square_root(self) -> Self {
+        if self.is_zero() {
+            return Self::zero();
+        }
         let odd = self.exponent.rem_euclid(2);
         Self {
             digits: self.digits.scaled(f64::from(1 + odd)).square_root(),
@@ -95,8 +110,25 @@ impl Extended {
         }
     }
 
+    /// Whether it is greater than `other`; both not negative.
+    pub(crate) fn exceeds(self, other: Self) -> bool {
+        self.subtract(other).digits.high() > 0.0
+    }
+
+    pub(crate) fn negated(self) -> Self {
+        Self {
+            digits: self.digits.negated(),
+            exponent: self.exponent,
+        }
+    }
+
+    /// Multiplied by a double.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        self.multiply(Self::from_double(factor))
+    }
+
     /// As a double-double; zero or infinite where that has no room.
-    pub(super) fn narrow(self) -> DoubleDouble {
+    pub(crate) fn narrow(self) -> DoubleDouble {
         DoubleDouble::sum(
             shifted(self.digits.high(), self.exponent),
             shifted(self.digits.low(), self.exponent),
@@ -104,12 +136,26 @@ impl Extended {
     }
 
     /// The nearest double.
-    pub(super) fn value(self) -> f64 {
+    pub(crate) fn value(self) -> f64 {
         shifted(self.digits.value(), self.exponent)
     }
 
-    pub(super) fn is_zero(self) -> bool {
+    pub(crate) fn is_zero(self) -> bool {
         self.digits.high() == 0.0
+    }
+}
+
+impl From<DoubleDouble> for Extended {
+    /// Of a number that is normal or zero.
+    fn from(number: DoubleDouble) -> Self {
+        if number.high() == 0.0 {
+            return Self::zero();
+        }
+        let unit = power_of_two_below(number.high().abs());
+        Self {
+            digits: number.scaled(1.0 / unit),
+            exponent: exponent_of(unit),
+        }
     }
 }
 
@@ -128,7 +174,7 @@ fn power(exponent: i32) -> f64 {
 }
 
 /// `value · 2^exponent`, in steps that neither overflow nor underflow before the result does.
-pub(super) fn shifted(value: f64, exponent: i32) -> f64 {
+pub(crate) fn shifted(value: f64, exponent: i32) -> f64 {
     if value == 0.0 {
         return value;
     }
@@ -193,7 +239,7 @@ fn pair([high, low]: [f64; 2]) -> DoubleDouble {
 /// ln of a positive number, to about 2⁻⁸⁰ of 1.
 ///
 /// Power of two, then the nearest sixteenth, then 2 artanh((x − c)/(x + c)) of at most 1/64.
-pub(super) fn logarithm(number: Extended) -> DoubleDouble {
+pub(crate) fn logarithm(number: Extended) -> DoubleDouble {
     let leading = number.digits.high();
     let unit = power_of_two_below(leading);
     let x = number.digits.scaled(1.0 / unit);
@@ -216,7 +262,7 @@ pub(super) fn logarithm(number: Extended) -> DoubleDouble {
 }
 
 /// The angle of the point (cosine, sine), both not negative and not both zero, to about 2⁻⁸⁰ of 1.
-pub(super) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
+pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
     let steep = sine.high() > cosine.high();
     let (along, across) = if steep {
         (sine, cosine)
@@ -245,7 +291,7 @@ pub(super) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
 }
 
 /// π/2, twice the precision.
-pub(super) const RIGHT_ANGLE: [f64; 2] = [1.570_796_326_794_896_6, 6.123_233_995_736_766e-17];
+pub(crate) const RIGHT_ANGLE: [f64; 2] = [1.570_796_326_794_896_6, 6.123_233_995_736_766e-17];
 
 #[cfg(test)]
 mod tests {

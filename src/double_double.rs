@@ -94,10 +94,10 @@ impl DoubleDouble {
 
     pub(crate) fn divide(self, divisor: Self) -> Self {
         let first = self.high / divisor.high;
-        let rest = self.subtract(divisor.multiply(Self::from(first)));
-        let second = rest.high / divisor.high;
-        let rest = rest.subtract(divisor.multiply(Self::from(second)));
-        Self::sum(first, second).add(Self::from(rest.high / divisor.high))
+        let product = Self::product(first, divisor.high);
+        // The first difference is exact: the quotient is right to half an ulp.
+        let rest = ((self.high - product.high) - product.low) + (self.low - first * divisor.low);
+        Self::sum(first, rest / divisor.high)
     }
 
     /// Square root of a number that is not negative.
@@ -114,7 +114,11 @@ impl DoubleDouble {
     pub(crate) fn hypotenuse_with_one(self) -> Self {
         if self.high.abs() > 1e40 {
             // 1/(2x) is beyond the last of the 106 bits.
-            return if self.high < 0.0 { self.negated() } else { self };
+            return if self.high < 0.0 {
+                self.negated()
+            } else {
+                self
+            };
         }
         self.multiply(self).add(Self::from(1.0)).square_root()
     }

@@ -115,6 +115,14 @@ impl Extended {
         self.subtract(other).digits.high() > 0.0
     }
 
+    pub(crate) fn magnitude(self) -> Self {
+        if self.digits.high() < 0.0 {
+            self.negated()
+        } else {
+            self
+        }
+    }
+
     pub(crate) fn negated(self) -> Self {
         Self {
             digits: self.digits.negated(),
@@ -280,9 +288,7 @@ pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
     let series = DoubleDouble::from(1.0)
         .subtract(square.divide(DoubleDouble::from(3.0)))
         .add(DoubleDouble::from(tail));
-    let small = r
-        .multiply(series)
-        .add(pair(ARCTANGENTS[index as usize]));
+    let small = r.multiply(series).add(pair(ARCTANGENTS[index as usize]));
     if steep {
         pair(RIGHT_ANGLE).subtract(small)
     } else {
@@ -332,7 +338,10 @@ mod tests {
         let tilt = Extended::from_double(5e-324);
         assert_eq!(tilt.value(), 5e-324);
         assert_eq!(tilt.square().square_root().value(), 5e-324);
-        assert_eq!(Extended::difference(1.0f64.next_up(), 1.0).value(), f64::EPSILON);
+        assert_eq!(
+            Extended::difference(1.0f64.next_up(), 1.0).value(),
+            f64::EPSILON
+        );
         assert_eq!(shifted(3.0, -1075), 5e-324);
         assert_eq!(pair([1.0, 1e-20]).value(), 1.0);
     }

@@ -108,10 +108,8 @@ impl Landen {
         // The rest of the way: (1 + k′₃)/(1 + √(1 − k₃² s²)) and one factor more, both 1 up to 4·10⁻¹⁰.
         let a = self.last;
         let b = sign * (self.scaled_square(s, a));
-        let correction = -0.25 * (a - b)
-            + a * (-a / 16.0 - b / 16.0)
-            + b * b / 8.0
-            - a * (a - b) / 64.0;
+        let correction =
+            -0.25 * (a - b) + a * (-a / 16.0 - b / 16.0) + b * b / 8.0 - a * (a - b) / 64.0;
         s.add(s.multiply(DoubleDouble::from(correction)))
     }
 

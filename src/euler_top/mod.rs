@@ -4,9 +4,9 @@
 
 pub mod earth;
 mod motion;
-pub mod preparation;
+mod preparation;
 pub mod symmetric;
 mod turning;
 
-pub use motion::{EulerTop, Regime, State};
+pub use motion::{EulerTop, GeometricPhase, Regime, State};
 pub use symmetric::{Cones, Shape, SymmetricTop};

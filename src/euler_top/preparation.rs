@@ -3,9 +3,45 @@
 use super::motion::Regime;
 use super::turning::{Elevation, Turning, Which};
 use crate::double_double::DoubleDouble;
-use crate::elliptic::landen::{Landen, right_angle};
+use crate::elliptic::landen::Landen;
 use crate::elliptic::{Modulus, Side};
 use crate::extended::{Extended, angle, logarithm};
+
+/// How a motion starts: the components along the body's axes of what was given, exact as they stand.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Start {
+    /// L, kg m²/s.
+    AngularMomentum([f64; 3]),
+    /// Ω, rad/s.
+    Omega([f64; 3]),
+}
+
+impl Start {
+    /// What it is.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::AngularMomentum(_) => "a component of the angular momentum",
+            Self::Omega(_) => "a component of the angular velocity",
+        }
+    }
+
+    /// What was given.
+    pub(super) fn components(self) -> [f64; 3] {
+        match self {
+            Self::AngularMomentum(components) | Self::Omega(components) => components,
+        }
+    }
+
+    /// L, to 106 bits: the product of a moment and an angular velocity is not rounded.
+    pub(super) fn angular_momentum(self, moments: [f64; 3]) -> [Extended; 3] {
+        match self {
+            Self::AngularMomentum(l) => l.map(Extended::from_double),
+            Self::Omega(omega) => {
+                core::array::from_fn(|k| Extended::from_double(omega[k]).times(moments[k]))
+            }
+        }
+    }
+}
 
 /// A body's axes, renumbered and turned over so that axis 3 has the component that keeps its sign and components 1 and 3
 /// start positive; right-handed like the old ones.
@@ -17,7 +53,11 @@ pub(super) struct Renumbering {
 
 impl Renumbering {
     fn new(axis: [usize; 3], l: [f64; 3]) -> Self {
-        let parity = if (axis[0] + 1) % 3 == axis[1] { 1.0 } else { -1.0 };
+        let parity = if (axis[0] + 1) % 3 == axis[1] {
+            1.0
+        } else {
+            -1.0
+        };
         let sign_of = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
         let (first, third) = (sign_of(l[axis[0]]), sign_of(l[axis[2]]));
         Self {
@@ -76,25 +116,26 @@ pub(super) fn ascending(moments: [f64; 3]) -> [usize; 3] {
 /// What kind of motion it is: decided here, once, by exact differences.
 ///
 /// Returns the constants too if Ω moves.
-pub(super) fn decide(moments: [f64; 3], l: [f64; 3]) -> (Regime, Option<Constants>) {
-    if l == [0.0; 3] {
+pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constants>) {
+    let l = start.angular_momentum(moments);
+    if l.iter().all(|component| component.is_zero()) {
         return (Regime::AtRest, None);
     }
     let order = ascending(moments);
     let i = order.map(|k| moments[k]);
-    let ordered = order.map(|k| l[k]);
     if i[0] == i[2] {
         return (Regime::Sphere, None);
     }
     if i[0] == 0.0 {
         return (Regime::Rod, None);
     }
-    let moves = |a: usize, b: usize| ordered[a] != 0.0 && ordered[b] != 0.0 && i[a] != i[b];
+    let moves =
+        |a: usize, b: usize| i[a] != i[b] && !l[order[a]].is_zero() && !l[order[b]].is_zero();
     if !(moves(0, 1) || moves(1, 2) || moves(0, 2)) {
         return (Regime::PermanentRotation, None);
     }
     let c = differences(i);
-    let separation = separation(i, ordered, &c);
+    let separation = separation(i, order, start, &l, &c);
     let sign = separation.digits.high();
     let (axis, regime) = if sign < 0.0 {
         ([order[2], order[1], order[0]], Regime::AroundSmallest)
@@ -113,43 +154,51 @@ pub(super) fn decide(moments: [f64; 3], l: [f64; 3]) -> (Regime, Option<Constant
     } else {
         (c, separation, 1.0)
     };
-    let axes = Renumbering::new(axis, l);
-    let i = axes.there(moments);
+    let axes = Renumbering::new(axis, start.components());
     let l = axes.there(l);
-    let lateral = [l[0].abs(), l[1] * axes.sign[1], l[2].abs()];
     (
         regime,
-        Some(constants(axes, i, lateral, c, distance, sense)),
+        Some(constants(axes, axes.there(moments), l, c, distance, sense)),
     )
 }
 
 /// (L² − 2EI₂) I₁I₃ = c₁ L₃² − c₃ L₁²: its sign decides about which axis L goes, its size how close the separatrix is.
-fn separation(i: [f64; 3], l: [f64; 3], c: &[Extended; 3]) -> Extended {
-    let [l1, _, l3] = l.map(Extended::from_double);
-    let (third, first) = (c[0].multiply(l3.square()), c[2].multiply(l1.square()));
+fn separation(
+    i: [f64; 3],
+    order: [usize; 3],
+    start: Start,
+    l: &[Extended; 3],
+    c: &[Extended; 3],
+) -> Extended {
+    let third = c[0].multiply(l[order[2]].square());
+    let first = c[2].multiply(l[order[0]].square());
     let difference = third.subtract(first);
-    let lost = difference.digits.high().abs() * 1024.0 < third.digits.high().abs()
-        && difference.exponent == third.exponent;
-    if lost {
-        // More than ten of the 106 bits have cancelled; here all of them are kept.
-        exact_separation(i, l)
-    } else {
-        difference
+    let scale = third.times(2f64.powi(-10));
+    if difference.magnitude().exceeds(scale) {
+        return difference;
+    }
+    // More than ten of the 106 bits have cancelled; from the exact products none is lost.
+    let x = order.map(|k| start.components()[k]);
+    match start {
+        Start::AngularMomentum(_) => {
+            exact_difference([i[0], i[2], i[1], x[2]], [i[2], i[1], i[0], x[0]])
+        }
+        Start::Omega(_) => exact_difference([i[2], i[2], i[1], x[2]], [i[0], i[1], i[0], x[0]])
+            .times(i[0])
+            .times(i[2]),
     }
 }
 
-/// The same from the exact expansions of both products.
-fn exact_separation(i: [f64; 3], l: [f64; 3]) -> Extended {
-    let (mut third, e3) = expansion(i[0], i[2], i[1], l[2]);
-    let (first, e1) = expansion(i[2], i[1], i[0], l[0]);
-    let shift = Extended::power_of_two(e1 - e3);
+/// a (b − c) d² for the first four less the same for the second four, to 106 bits whatever cancels.
+fn exact_difference(minuend: [f64; 4], subtrahend: [f64; 4]) -> Extended {
+    let (third, exponent) = expansion(minuend);
+    let (first, other) = expansion(subtrahend);
+    let shift = Extended::power_of_two(other - exponent);
     let mut terms = [0.0; 32];
     for k in 0..16 {
         terms[k] = third[k];
         terms[k + 16] = -first[k] * shift;
     }
-    third = [0.0; 16];
-    debug_assert!(third[0] == 0.0);
     // Error-free sums leave ever smaller remainders in front: after four rounds nothing of the first 200 bits is missing.
     for _ in 0..4 {
         for k in 1..32 {
@@ -158,20 +207,18 @@ fn exact_separation(i: [f64; 3], l: [f64; 3]) -> Extended {
             terms[k - 1] = sum.low();
         }
     }
-    let total = terms
-        .iter()
-        .fold(DoubleDouble::from(0.0), |sum, term| {
-            sum.add(DoubleDouble::from(*term))
-        });
+    let total = terms.iter().fold(DoubleDouble::from(0.0), |sum, term| {
+        sum.add(DoubleDouble::from(*term))
+    });
     let mut result = Extended::from(total);
     if !result.is_zero() {
-        result.exponent += e3;
+        result.exponent += exponent;
     }
     result
 }
 
 /// a (b − c) d² as sixteen doubles and a power of two, exactly.
-fn expansion(a: f64, b: f64, c: f64, d: f64) -> ([f64; 16], i32) {
+fn expansion([a, b, c, d]: [f64; 4]) -> ([f64; 16], i32) {
     let (a, d) = (Extended::from_double(a), Extended::from_double(d));
     let difference = Extended::difference(b, c);
     let square = DoubleDouble::product(d.digits.high(), d.digits.high());
@@ -195,12 +242,12 @@ fn expansion(a: f64, b: f64, c: f64, d: f64) -> ([f64; 16], i32) {
 fn constants(
     axes: Renumbering,
     i: [f64; 3],
-    l: [f64; 3],
+    l: [Extended; 3],
     c: [Extended; 3],
     distance: Extended,
     sense: f64,
 ) -> Constants {
-    let [l1, l2, l3] = l.map(Extended::from_double);
+    let [l1, l2, l3] = [0, 1, 2].map(|k| l[k].times(axes.sign[k]));
     let squares = [l1.square(), l2.square(), l3.square()];
     // Sums of terms of one sign stand in for L² − 2EI and 2EI − L².
     let steady = c[2].multiply(squares[1]).add(c[1].multiply(squares[2]));
@@ -259,14 +306,7 @@ fn elevation(
     // sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
     let eta = p3.square().multiply(c[2]);
     let xi = p1.square().multiply(c[0]);
-    if xi.exceeds(eta) {
-        Elevation {
-            which: Which::Eta,
-            sn: p3.divide(size),
-            cn: p1.divide(size),
-            dn: p2.divide(size),
-        }
-    } else if c[2].is_zero() {
+    if c[2].is_zero() || xi.exceeds(eta) {
         Elevation {
             which: Which::Eta,
             sn: p3.divide(size),
@@ -327,15 +367,9 @@ fn start(
     } else {
         rest
     };
-    if backwards { magnitude.negated() } else { magnitude }
-}
-
-/// π/2 as the lag of one quarter period far from the separatrix; named here for the periods.
-pub(super) fn quarter_turn() -> DoubleDouble {
-    right_angle()
-}
-pub fn debug_constants(moments: [f64; 3], l: [f64; 3]) {
-    if let (r, Some(c)) = decide(moments, l) {
-        println!("{r:?} {:?}\n", c);
+    if backwards {
+        magnitude.negated()
+    } else {
+        magnitude
     }
 }

@@ -251,7 +251,10 @@ fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) ->
     let downs = [
         q.multiply(epsilon),
         q4.multiply(epsilon2),
-        q4.multiply(q4).multiply(q).multiply(epsilon2).multiply(epsilon),
+        q4.multiply(q4)
+            .multiply(q)
+            .multiply(epsilon2)
+            .multiply(epsilon),
     ];
     let fourth = q.value().powi(12) * rho.value().powi(4);
     let mut numerator = DoubleDouble::from(8.0 * fourth);
@@ -270,9 +273,7 @@ fn hyperbolic_excess(landen: &Landen, sine: DoubleDouble, cosine: DoubleDouble) 
     let q2 = q.multiply(q);
     let q4 = q2.multiply(q2);
     let s2 = sine.multiply(cosine).scaled(2.0);
-    let c2 = cosine
-        .subtract(sine)
-        .multiply(cosine.add(sine));
+    let c2 = cosine.subtract(sine).multiply(cosine.add(sine));
     let s4 = s2.multiply(c2).scaled(2.0);
     let c4 = c2.subtract(s2).multiply(c2.add(s2));
     let (x, s2v, c2v, s4v, c4v) = (q.value(), s2.value(), c2.value(), s4.value(), c4.value());

@@ -56,6 +56,10 @@ pub struct EulerTop {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "a top is one value without allocation; most tops move"
+)]
 enum Motion {
     /// Ω constant: its components, its size to 106 bits, its direction.
     Steady {

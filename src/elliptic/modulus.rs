@@ -1,7 +1,11 @@
 //! The prepared modulus: quarter period to 106 bits, nome, and the coefficients of the theta functions.
 
 use super::parameter::Parameter;
-use crate::double_double::DoubleDouble;
+use crate::double_double::{DoubleDouble, power_of_two_below};
+
+/// π/2 to 106 bits.
+const HALF_PI: DoubleDouble =
+    DoubleDouble::new(core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
 
 /// π to 106 bits.
 pub(super) const PI: DoubleDouble =
@@ -57,33 +61,32 @@ impl Modulus {
     /// The modulus prepared for many arguments.
     pub fn new(parameter: Parameter) -> Self {
         let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
-        let side = if m.value() <= mc.value() {
-            Side::Circular
+        if m.value() <= mc.value() {
+            let mean = Mean::new(mc);
+            let q = Nome::new(m.value(), mean.product.value()).value();
+            Self {
+                parameter,
+                side: Side::Circular,
+                quarter: HALF_PI.divide(mean.value),
+                rate: mean.value,
+                series: Series::circular(q, mc.value().sqrt()),
+            }
         } else {
-            Side::Hyperbolic
-        };
-        let (lesser, greater) = match side {
-            Side::Circular => (m, mc),
-            Side::Hyperbolic => (mc, m),
-        };
-        let mean = Mean::new(greater);
-        let rate = mean.value;
-        let quarter = match side {
-            Side::Circular => PI.scaled(0.5).divide(rate),
-            Side::Hyperbolic if mc.value() == 0.0 => DoubleDouble::from(f64::INFINITY),
-            Side::Hyperbolic => PI.scaled(0.5).divide(slow_mean(mc)),
-        };
-        let nome = Nome::new(lesser.value(), mean.product);
-        let series = match side {
-            Side::Circular => Series::circular(&nome, mc.value().sqrt()),
-            Side::Hyperbolic => Series::hyperbolic(&nome, mc.value().sqrt(), rate.value()),
-        };
-        Self {
-            parameter,
-            side,
-            quarter,
-            rate,
-            series,
+            let mean = Mean::new(m);
+            let nome = Nome::new(mc.value(), mean.product.value());
+            Self {
+                parameter,
+                side: Side::Hyperbolic,
+                quarter: if mc.value() == 0.0 {
+                    DoubleDouble::from(f64::INFINITY)
+                } else {
+                    nome.logarithm(mc, mean.product)
+                        .scaled(0.5)
+                        .divide(mean.value)
+                },
+                rate: mean.value,
+                series: Series::hyperbolic(&nome, mc.value().sqrt(), mean.value.value()),
+            }
         }
     }
 
@@ -97,7 +100,7 @@ impl Modulus {
         self.quarter.high()
     }
 
-    /// K to 106 bits.
+    /// K to 104 bits.
     #[allow(dead_code, reason = "for phases inside the library")]
     pub(crate) fn quarter_period_dd(&self) -> DoubleDouble {
         self.quarter
@@ -108,7 +111,7 @@ impl Modulus {
 struct Mean {
     value: DoubleDouble,
     /// First mean times second mean, from which the nome follows.
-    product: f64,
+    product: DoubleDouble,
 }
 
 impl Mean {
@@ -119,64 +122,80 @@ impl Mean {
         let b1 = b0.square_root();
         let a2 = a1.add(b1).scaled(0.5);
         let b2 = a1.multiply(b1).square_root();
-        // 1/agm(1 + d, 1 − d) = 1 + d²/4 + 9 d⁴/64 + 25 d⁶/256 + …, and here d ≤ 1.4e-5.
+        // agm(1 + d, 1 − d) = 1 − d²/4 − 5 d⁴/64 − 11 d⁶/256 − …, and here d ≤ 1.4e-5.
         let sum = a2.add(b2);
         let d = a2.subtract(b2).divide(sum);
         let d2 = d.multiply(d);
         let x = d2.value();
-        let tail = x * x * (9.0 / 64.0 + x * (25.0 / 256.0));
-        let inverse = one.add(d2.scaled(0.25).add(DoubleDouble::from(tail)));
+        let tail = x * x * (5.0 / 64.0 + x * (11.0 / 256.0));
+        let less = d2.scaled(0.25).add(DoubleDouble::from(tail));
+        let half = sum.scaled(0.5);
         Self {
-            value: sum.scaled(0.5).divide(inverse),
-            product: a1.value() * a2.value(),
+            value: half.subtract(half.multiply(less)),
+            product: a1.multiply(a2),
         }
     }
 }
 
-/// The arithmetic-geometric mean of 1 and √x for any x in 0…1.
-fn slow_mean(x: DoubleDouble) -> DoubleDouble {
-    let mut a = DoubleDouble::from(1.0);
-    let mut b = x.square_root();
-    if b.value() == 0.0 {
-        return DoubleDouble::from(0.0);
-    }
-    for _ in 0..16 {
-        let next = a.add(b).scaled(0.5);
-        let gap = a.subtract(b).value();
-        if gap <= 1e-17 * a.value() {
-            return next;
-        }
-        b = a.multiply(b).square_root();
-        a = next;
-    }
-    a
-}
-
-/// The nome q and its fourth root.
+/// The nome q, from l = (1 − √k′)/(2 (1 + √k′)) = m/(16 a1 a2) with the means of [`Mean`].
+///
+/// q = l + 2 l⁵ + 15 l⁹ + 150 l¹³ + 1707 l¹⁷ + …
 struct Nome {
-    q: f64,
-    root: f64,
+    l: f64,
+    l4: f64,
 }
 
 impl Nome {
     /// From the lesser of m and mc, and the product of the first two means of the other.
-    ///
-    /// With l = (1 − √k′)/(2 (1 + √k′)) = m/(16 a1 a2): q = l + 2 l⁵ + 15 l⁹ + 150 l¹³ + 1707 l¹⁷ + …
     fn new(lesser: f64, product: f64) -> Self {
         let l = lesser / (16.0 * product);
-        let l4 = (l * l) * (l * l);
-        let series = 1.0 + l4 * (2.0 + l4 * (15.0 + l4 * (150.0 + l4 * 1707.0)));
         Self {
-            q: l * series,
-            root: 0.5 * lesser.sqrt().sqrt() * (series / product).sqrt().sqrt(),
+            l,
+            l4: (l * l) * (l * l),
         }
     }
+
+    fn value(&self) -> f64 {
+        let y = self.l4;
+        self.l * (1.0 + y * (2.0 + y * (15.0 + y * (150.0 + y * 1707.0))))
+    }
+
+    /// ln(1/q) to 104 bits, for q > 0.
+    fn logarithm(&self, lesser: DoubleDouble, product: DoubleDouble) -> DoubleDouble {
+        // ln(q/l) = 2 y + 13 y² + (368/3) y³ + …, y = l⁴ ≤ 3.6e-6.
+        let l = lesser.divide(product.scaled(16.0));
+        let l2 = l.multiply(l);
+        let y = l2.multiply(l2);
+        let t = y.value();
+        let third = 2701.0 / 2.0 + t * (80912.0 / 5.0 + t * (613_720.0 / 3.0));
+        let second = y.multiply(DoubleDouble::sum(368.0 / 3.0, t * third));
+        let first = y.multiply(second.add(DoubleDouble::from(13.0)));
+        let correction = y.multiply(first.add(DoubleDouble::from(2.0)));
+        // The quotient is formed with a power of two taken off: mc may be as small as a double can be.
+        let unit = power_of_two_below(lesser.high());
+        let exponent = 1023 - (unit.to_bits() >> 52) as i32;
+        product
+            .scaled(16.0)
+            .divide(lesser.scaled(1.0 / unit))
+            .ln(exponent)
+            .subtract(correction)
+    }
+}
+
+/// q⁰, q^½, q, … q¹² by products that the processor can form side by side.
+fn powers(root: f64) -> [f64; 25] {
+    let mut powers = [1.0; 25];
+    powers[1] = root;
+    for i in 2..25 {
+        powers[i] = powers[i / 2] * powers[i - i / 2];
+    }
+    powers
 }
 
 /// The four theta functions divided by sin, cos, 1, 1 and by 2q^{1/4} where it is due, as polynomials in sin² = z.
 ///
 /// `p` gives q^a z^j with the powers of q that the change of variable z → −sinh² leaves.
-fn thetas(p: impl Fn(i32, usize) -> f64) -> [[f64; 4]; 4] {
+fn thetas(p: impl Fn(usize, usize) -> f64) -> [[f64; 4]; 4] {
     let [q1, q4, q9] = [1, 4, 9].map(|a| [0, 1, 2, 3].map(|j| 2.0 * p(a, j)));
     let [q2, q6, q12] = [2, 6, 12].map(|a| [0, 1, 2, 3].map(|j| p(a, j)));
     let theta1 = [
@@ -212,8 +231,9 @@ fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 
 }
 
 impl Series {
-    fn circular(nome: &Nome, complementary_modulus: f64) -> Self {
-        let [t1, t2, t3, t4] = thetas(|a, _| nome.q.powi(a));
+    fn circular(q: f64, complementary_modulus: f64) -> Self {
+        let powers = powers(q);
+        let [t1, t2, t3, t4] = thetas(|a, _| powers[a]);
         // sn = 1 at z = 1: the correction has the factor 1 − z, which is divided out.
         let at_one = |t: [f64; 4]| ((t[3] + t[2]) + t[1]) + t[0];
         let r = correction(at_one(t4) / at_one(t1), t1, t4);
@@ -238,8 +258,10 @@ impl Series {
 
     fn hyperbolic(nome: &Nome, complementary_modulus: f64, rate: f64) -> Self {
         // sin² = −sinh² = −z/(4 √q): q^a sin^2j becomes q^(a − j/2) (−z/4)^j.
-        let [t1, t2, t3, t4] =
-            thetas(|a, j| nome.root.powi(4 * a - 2 * j as i32) * (-0.25_f64).powi(j as i32));
+        let half = nome.value().sqrt();
+        let powers = powers(half);
+        const QUARTERS: [f64; 4] = [1.0, -1.0 / 4.0, 1.0 / 16.0, -1.0 / 64.0];
+        let [t1, t2, t3, t4] = thetas(|a, j| powers[2 * a - j.min(2 * a)] * QUARTERS[j]);
         let slope = 1.0 / rate;
         Self {
             even: t2,
@@ -250,7 +272,7 @@ impl Series {
             sn_odd: correction(t3[0] / t4[0], t4, t3),
             cn_odd: correction(slope * t3[0] / t1[0], t1, t3),
             dn_odd: correction(t3[0] / t2[0], t2, t3),
-            root: 2.0 * nome.root,
+            root: 2.0 * half.sqrt(),
             complementary_modulus,
         }
     }

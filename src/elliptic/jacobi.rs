@@ -2,6 +2,7 @@
 
 use super::kernel;
 use super::modulus::{Modulus, Series, Side};
+use super::quarter;
 use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite};
 
@@ -69,6 +70,11 @@ impl Modulus {
         if again != 0.0 {
             count += again;
             rest = rest.subtract(self.quarter.multiply(DoubleDouble::from(again)));
+        }
+        // Both sides agree here: a rest above this has 52 bits and more that are right.
+        const FEW_BITS_LEFT: f64 = 1.0 / (1_u64 << 52) as f64;
+        if rest.high().abs() < FEW_BITS_LEFT * u.high().abs() {
+            rest = quarter::remainder(self.parameter, u, count);
         }
         (count, rest)
     }

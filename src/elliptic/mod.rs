@@ -17,6 +17,7 @@ mod jacobi;
 mod kernel;
 mod modulus;
 mod parameter;
+mod quarter;
 mod third;
 
 pub use complete::{complete_b, complete_d, complete_first, complete_second};

@@ -122,5 +122,25 @@ for _ in range(15):
     for p in (("m", 0.5), ("m", math.nextafter(0.5, 0)), ("mc", math.nextafter(0.5, 0))):
         rows.append(row("switch", *p, random.uniform(-4, 4)))
 
+
+def unlucky(which, value, exponent):
+    """The double p 2^exponent closest to a multiple of K, relative to its size: a convergent of K/2^exponent."""
+    x = K(which, value) / mpf(2) ** exponent
+    numerators, denominators, rest = [0, 1], [1, 0], x
+    while True:
+        part = int(mp.floor(rest))
+        numerators.append(part * numerators[-1] + numerators[-2])
+        denominators.append(part * denominators[-1] + denominators[-2])
+        if numerators[-1] >= 2**53:
+            return float(mpf(numerators[-2]) * mpf(2) ** exponent)
+        rest = 1 / (rest - part)
+
+
+for which, value in (("m", 1e-300), ("m", 0.01), ("m", 0.3), ("mc", 0.5), ("mc", 0.02), ("mc", 1e-16), ("mc", 1e-300)):
+    for exponent in (-52, -35, -20, -10, -4):
+        u = unlucky(which, value, exponent)
+        rows.append(row("unlucky", which, value, u))
+        rows.append(row("unlucky", which, value, -u))
+
 with open("jacobi.csv", "w") as out:
     out.write("\n".join(rows) + "\n")

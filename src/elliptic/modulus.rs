@@ -1,5 +1,6 @@
 //! The prepared modulus: quarter period to 106 bits, nome, and the coefficients of the theta functions.
 
+use super::kernel;
 use super::parameter::Parameter;
 use crate::double_double::{DoubleDouble, power_of_two_below};
 
@@ -33,60 +34,99 @@ pub struct Modulus {
     pub(super) quarter: DoubleDouble,
     /// What the arguments of the theta functions are multiplied with: π/(2K), or π/(2K′) on the hyperbolic side.
     pub(super) rate: DoubleDouble,
+    pub(super) reduction: Reduction,
     pub(super) series: Series,
 }
 
+/// What takes the quarter periods off an argument when there are at most 2²⁵ of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Reduction {
+    /// 1/K.
+    pub(super) inverse: f64,
+    /// K in three words, of which the first two are so short that a count times either is exact.
+    pub(super) parts: [f64; 3],
+    /// The greatest argument.
+    pub(super) limit: f64,
+}
+
+/// 2²⁵: with 27 bits of K the product still fits 53.
+const EXACT_COUNT: f64 = 33_554_432.0;
+
 /// Coefficients in powers of z: z = sin² on the circular side, z = 4 √q′ sinh² on the hyperbolic one.
-///
-/// Each Jacobi function is an elementary function times 1 + (correction)/(denominator).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Series {
-    /// Denominator of sn, cn, dn near a multiple of 2K.
-    pub(super) even: [f64; 4],
-    /// Denominator near an odd multiple of K (hyperbolic side only).
-    pub(super) odd: [f64; 4],
-    pub(super) sn: [f64; 4],
-    pub(super) cn: [f64; 4],
-    pub(super) dn: [f64; 4],
-    pub(super) sn_odd: [f64; 4],
-    pub(super) cn_odd: [f64; 4],
-    pub(super) dn_odd: [f64; 4],
+    /// Near an even multiple of K; on the circular side for every argument.
+    pub(super) even: Corrections,
+    /// Near an odd multiple of K, on the hyperbolic side only.
+    pub(super) odd: Corrections,
     /// 2 q′^{1/4}: its square times sinh² is z.
     pub(super) root: f64,
     /// √mc.
     pub(super) complementary_modulus: f64,
 }
 
+/// Each Jacobi function is an elementary function times 1 + (its polynomial)/(denominator).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Corrections {
+    pub(super) denominator: [f64; 4],
+    pub(super) sn: [f64; 4],
+    pub(super) cn: [f64; 4],
+    pub(super) dn: [f64; 4],
+}
+
 impl Modulus {
     /// The modulus prepared for many arguments.
     pub fn new(parameter: Parameter) -> Self {
         let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
+        let complementary_modulus = mc.value().sqrt();
         if m.value() <= mc.value() {
             let mean = Mean::new(mc);
             let q = Nome::new(m.value(), mean.product.value()).value();
-            Self {
-                parameter,
-                side: Side::Circular,
-                quarter: HALF_PI.divide(mean.value),
-                rate: mean.value,
-                series: Series::circular(q, mc.value().sqrt()),
-            }
+            let quarter = kernel::quotient(HALF_PI, mean.value);
+            let series = Series::circular(q, complementary_modulus);
+            Self::assemble(parameter, Side::Circular, quarter, mean.value, series)
         } else {
             let mean = Mean::new(m);
             let nome = Nome::new(mc.value(), mean.product.value());
-            Self {
-                parameter,
-                side: Side::Hyperbolic,
-                quarter: if mc.value() == 0.0 {
-                    DoubleDouble::from(f64::INFINITY)
-                } else {
-                    nome.logarithm(mc, mean.product)
-                        .scaled(0.5)
-                        .divide(mean.value)
-                },
-                rate: mean.value,
-                series: Series::hyperbolic(&nome, mc.value().sqrt(), mean.value.value()),
+            let quarter = if mc.value() == 0.0 {
+                DoubleDouble::from(f64::INFINITY)
+            } else {
+                let logarithm = nome.logarithm(mc, mean.product);
+                kernel::quotient(logarithm.scaled(0.5), mean.value)
+            };
+            let series = Series::hyperbolic(&nome, complementary_modulus, mean.value.value());
+            Self::assemble(parameter, Side::Hyperbolic, quarter, mean.value, series)
+        }
+    }
+
+    fn assemble(
+        parameter: Parameter,
+        side: Side,
+        quarter: DoubleDouble,
+        rate: DoubleDouble,
+        series: Series,
+    ) -> Self {
+        let reduction = if quarter.high() == f64::INFINITY {
+            Reduction {
+                inverse: 0.0,
+                parts: [0.0; 3],
+                limit: f64::MAX,
             }
+        } else {
+            let (first, second) = kernel::halves(quarter.high());
+            Reduction {
+                inverse: 1.0 / quarter.high(),
+                parts: [first, second, quarter.low()],
+                limit: EXACT_COUNT * quarter.high(),
+            }
+        };
+        Self {
+            parameter,
+            side,
+            quarter,
+            rate,
+            reduction,
+            series,
         }
     }
 
@@ -115,24 +155,41 @@ struct Mean {
 }
 
 impl Mean {
+    /// Two rounds, and the third from its series. Pairs (number, error) are carried without being made canonical:
+    /// that shortens the chain of operations, each of which waits for the one before.
     fn new(x: DoubleDouble) -> Self {
-        let one = DoubleDouble::from(1.0);
-        let b0 = x.square_root();
-        let a1 = one.add(b0).scaled(0.5);
-        let b1 = b0.square_root();
-        let a2 = a1.add(b1).scaled(0.5);
-        let b2 = a1.multiply(b1).square_root();
-        // agm(1 + d, 1 − d) = 1 − d²/4 − 5 d⁴/64 − 11 d⁶/256 − …, and here d ≤ 1.4e-5.
-        let sum = a2.add(b2);
-        let d = a2.subtract(b2).divide(sum);
-        let d2 = d.multiply(d);
-        let x = d2.value();
-        let tail = x * x * (5.0 / 64.0 + x * (11.0 / 256.0));
-        let less = d2.scaled(0.25).add(DoubleDouble::from(tail));
-        let half = sum.scaled(0.5);
+        let (b0, b0_low) = kernel::root(x.high(), x.low());
+        let (sum, rest) = kernel::ordered_sum(1.0, b0);
+        let (a1, a1_low) = (0.5 * sum, 0.5 * (rest + b0_low));
+        let (b1, b1_low) = kernel::root(b0, b0_low);
+        let (sum, rest) = kernel::ordered_sum(a1, b1);
+        let (a2, a2_low) = (0.5 * sum, 0.5 * (rest + (a1_low + b1_low)));
+        let (square, rest) = kernel::exact_product(a1, b1);
+        let (b2, b2_low) = kernel::root(square, rest + (a1 * b1_low + a1_low * b1));
+        // With S = a2 + b2 and d = (a2 − b2)/S ≤ 1.4e-5:
+        // agm(a2, b2) = S/2 (1 − d²/4 − 5 d⁴/64 − 11 d⁶/256 − …), where the first term needs both words.
+        let (sum, rest) = kernel::ordered_sum(a2, b2);
+        let sum_low = rest + (a2_low + b2_low);
+        let gap = DoubleDouble::sum(a2 - b2, a2_low - b2_low);
+        let (gap2, error) = kernel::exact_product(gap.high(), gap.high());
+        let gap2_low = error + 2.0 * gap.high() * gap.low();
+        let eight = 8.0 * sum;
+        let inverse = 1.0 / eight;
+        let less = gap2 * inverse;
+        let (back, error) = kernel::exact_product(less, eight);
+        let less_low = (((gap2 - back) - error) + (gap2_low - 8.0 * less * sum_low)) * inverse;
+        let d2 = 8.0 * less * (8.0 * inverse);
+        let tail = 0.5 * sum * d2 * d2 * (5.0 / 64.0 + d2 * (11.0 / 256.0));
+        let (high, low) = kernel::ordered_sum(0.5 * sum, -less);
+        let low = low + (0.5 * sum_low - less_low - tail);
+        let (high, low) = kernel::ordered_sum(high, low);
+        let product = kernel::product(
+            DoubleDouble::new(a1, a1_low),
+            DoubleDouble::new(a2, a2_low),
+        );
         Self {
-            value: half.subtract(half.multiply(less)),
-            product: a1.multiply(a2),
+            value: DoubleDouble::new(high, low),
+            product,
         }
     }
 }
@@ -163,22 +220,23 @@ impl Nome {
     /// ln(1/q) to 104 bits, for q > 0.
     fn logarithm(&self, lesser: DoubleDouble, product: DoubleDouble) -> DoubleDouble {
         // ln(q/l) = 2 y + 13 y² + (368/3) y³ + …, y = l⁴ ≤ 3.6e-6.
-        let l = lesser.divide(product.scaled(16.0));
-        let l2 = l.multiply(l);
-        let y = l2.multiply(l2);
-        let t = y.value();
-        let third = 2701.0 / 2.0 + t * (80912.0 / 5.0 + t * (613_720.0 / 3.0));
-        let second = y.multiply(DoubleDouble::sum(368.0 / 3.0, t * third));
-        let first = y.multiply(second.add(DoubleDouble::from(13.0)));
-        let correction = y.multiply(first.add(DoubleDouble::from(2.0)));
         // The quotient is formed with a power of two taken off: mc may be as small as a double can be.
         let unit = power_of_two_below(lesser.high());
         let exponent = 1023 - (unit.to_bits() >> 52) as i32;
-        product
-            .scaled(16.0)
-            .divide(lesser.scaled(1.0 / unit))
-            .ln(exponent)
-            .subtract(correction)
+        let ratio = kernel::quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
+        let logarithm = ratio.ln(exponent);
+        if self.l4 < 1e-34 {
+            return logarithm;
+        }
+        let l = kernel::quotient(lesser, product.scaled(16.0));
+        let l2 = kernel::product(l, l);
+        let y = kernel::product(l2, l2);
+        let t = y.value();
+        let third = 2701.0 / 2.0 + t * (80912.0 / 5.0 + t * (613_720.0 / 3.0));
+        let second = kernel::product(y, DoubleDouble::sum(368.0 / 3.0, t * third));
+        let first = kernel::product(y, second.add(DoubleDouble::from(13.0)));
+        let correction = kernel::product(y, first.add(DoubleDouble::from(2.0)));
+        logarithm.subtract(correction)
     }
 }
 
@@ -237,20 +295,18 @@ impl Series {
         // sn = 1 at z = 1: the correction has the factor 1 − z, which is divided out.
         let at_one = |t: [f64; 4]| ((t[3] + t[2]) + t[1]) + t[0];
         let r = correction(at_one(t4) / at_one(t1), t1, t4);
-        let sn = [r[0], r[0] + r[1], -r[3], 0.0];
         // cn = cos and dn = 1 at z = 0: the factor z is divided out.
         let c = correction(t4[0] / t2[0], t2, t4);
         let d = correction(t4[0] / t3[0], t3, t4);
-        let none = [0.0; 4];
-        Self {
-            even: t4,
-            odd: none,
-            sn,
+        let even = Corrections {
+            denominator: t4,
+            sn: [r[0], r[0] + r[1], -r[3], 0.0],
             cn: [c[1], c[2], c[3], 0.0],
             dn: [d[1], d[2], d[3], 0.0],
-            sn_odd: none,
-            cn_odd: none,
-            dn_odd: none,
+        };
+        Self {
+            even,
+            odd: even,
             root: 0.0,
             complementary_modulus,
         }
@@ -262,16 +318,20 @@ impl Series {
         let powers = powers(half);
         const QUARTERS: [f64; 4] = [1.0, -1.0 / 4.0, 1.0 / 16.0, -1.0 / 64.0];
         let [t1, t2, t3, t4] = thetas(|a, j| powers[2 * a - j.min(2 * a)] * QUARTERS[j]);
-        let slope = 1.0 / rate;
+        let slope = 1.0 / (rate * t1[0]);
         Self {
-            even: t2,
-            odd: t3,
-            sn: correction(slope * t2[0] / t1[0], t1, t2),
-            cn: correction(t2[0] / t4[0], t4, t2),
-            dn: correction(t2[0] / t3[0], t3, t2),
-            sn_odd: correction(t3[0] / t4[0], t4, t3),
-            cn_odd: correction(slope * t3[0] / t1[0], t1, t3),
-            dn_odd: correction(t3[0] / t2[0], t2, t3),
+            even: Corrections {
+                denominator: t2,
+                sn: correction(slope * t2[0], t1, t2),
+                cn: correction(t2[0] / t4[0], t4, t2),
+                dn: correction(t2[0] / t3[0], t3, t2),
+            },
+            odd: Corrections {
+                denominator: t3,
+                sn: correction(t3[0] / t4[0], t4, t3),
+                cn: correction(slope * t3[0], t1, t3),
+                dn: correction(t3[0] / t2[0], t2, t3),
+            },
             root: 2.0 * half.sqrt(),
             complementary_modulus,
         }

@@ -17,37 +17,6 @@ pub(crate) struct DoubleDouble {
 /// 2π − [`TAU`], and what is still missing after that.
 const TAU_REST: [f64; 2] = [2.449_293_598_294_706_4e-16, -5.989_539_619_436_679e-33];
 
-/// 1/7, 1/5, 1/3.
-const ODD_RECIPROCALS: [DoubleDouble; 3] = [
-    DoubleDouble::new(0.142_857_142_857_142_85, 7.930_164_461_608_26e-18),
-    DoubleDouble::new(0.2, -1.110_223_024_625_156_6e-17),
-    DoubleDouble::new(0.333_333_333_333_333_3, 1.850_371_707_708_594e-17),
-];
-
-const LN_2: DoubleDouble =
-    DoubleDouble::new(core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
-
-/// ln(j/16) for j = 16…32.
-const LOGARITHMS: [DoubleDouble; 17] = [
-    DoubleDouble::new(0.0, 0.0),
-    DoubleDouble::new(0.06062462181643484, 2.6424025938726934e-18),
-    DoubleDouble::new(0.11778303565638346, -1.1971685747593677e-18),
-    DoubleDouble::new(0.17185025692665923, -6.0224538210113705e-18),
-    DoubleDouble::new(0.22314355131420976, -9.091270597324799e-18),
-    DoubleDouble::new(0.27193371548364176, 7.83319637697442e-19),
-    DoubleDouble::new(0.3184537311185346, 2.7114779367326236e-17),
-    DoubleDouble::new(0.3629054936893685, -2.1492361455310972e-17),
-    DoubleDouble::new(0.4054651081081644, -2.8811380259626426e-18),
-    DoubleDouble::new(0.44628710262841953, -1.8182541194649598e-17),
-    DoubleDouble::new(0.4855078157817008, -1.6618350693852048e-17),
-    DoubleDouble::new(0.5232481437645479, -3.1833882216350925e-17),
-    DoubleDouble::new(0.5596157879354227, 2.685492580212308e-17),
-    DoubleDouble::new(0.5947071077466928, 1.3751689964323675e-17),
-    DoubleDouble::new(0.6286086594223741, 4.3538742607970387e-17),
-    DoubleDouble::new(0.661398482245365, -7.603333785634003e-18),
-    LN_2,
-];
-
 impl DoubleDouble {
     /// A constant whose trailing part is known to belong to the leading one.
     pub(crate) const fn new(high: f64, low: f64) -> Self {
@@ -141,29 +110,6 @@ impl DoubleDouble {
         Self::sum(root, rest.value() / (2.0 * root))
     }
 
-    /// ln(self · 2^exponent) for a normal positive number, to 2⁻¹⁰² of 1 plus 2⁻¹⁰⁵ of the result.
-    ///
-    /// Power of two, then the nearest sixteenth c, then 2 artanh((x − c)/(x + c)), whose argument is at most 1/64.
-    pub(crate) fn ln(self, exponent: i32) -> Self {
-        let unit = power_of_two_below(self.high);
-        let x = self.scaled(1.0 / unit);
-        // The eleven bits of the exponent fit.
-        let exponent = exponent + ((unit.to_bits() >> 52) as i32 - 1023);
-        let index = (x.high * 16.0).round().clamp(16.0, 32.0);
-        let center = Self::from(index / 16.0);
-        let s = x.subtract(center).divide(x.add(center));
-        let square = s.multiply(s);
-        let y = square.value();
-        let mut series = Self::from(y * (1.0 / 9.0 + y * (1.0 / 11.0 + y * (1.0 / 13.0 + y / 15.0))));
-        for coefficient in ODD_RECIPROCALS {
-            series = series.add(coefficient).multiply(square);
-        }
-        s.add(s.multiply(series))
-            .scaled(2.0)
-            .add(LOGARITHMS[index as usize - 16])
-            .add(LN_2.multiply(Self::from(f64::from(exponent))))
-    }
-
     /// Sine and cosine of a number of radians.
     ///
     /// The multiple of 2π is taken off with 160 bits of 2π, so the error is that of the argument, 2⁻¹⁰⁴ of it,
@@ -201,7 +147,6 @@ pub(crate) fn power_of_two_below(size: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::DoubleDouble;
-    use core::f64::consts::LN_2;
 
     #[test]
     fn a_third_has_106_digits_of_ones_and_zeros() {
@@ -215,23 +160,6 @@ mod tests {
         let root = DoubleDouble::from(2.0).square_root();
         let rest = root.multiply(root).subtract(DoubleDouble::from(2.0));
         assert!(rest.value().abs() < 2f64.powi(-102), "{rest:?}");
-    }
-
-    #[test]
-    fn logarithm_of_a_cube_is_three_logarithms() {
-        // Independent of the table: the three factors fall beside different sixteenths.
-        let mut x = 1.000_37_f64;
-        while x < 1e100 {
-            let one = DoubleDouble::from(x);
-            let cube = one.multiply(one).multiply(one);
-            let (ln, of_cube) = (one.ln(0), cube.ln(0));
-            let rest = of_cube.subtract(ln.multiply(DoubleDouble::from(3.0)));
-            let allowed = 2f64.powi(-102) + of_cube.value() * 2f64.powi(-104);
-            assert!(rest.value().abs() < allowed, "{x}: {rest:?}");
-            assert!((ln.value() - x.ln()).abs() <= f64::EPSILON * ln.value());
-            assert!((one.ln(-3000).value() - (x.ln() - 3000.0 * LN_2)).abs() < 1e-12);
-            x *= 1.093;
-        }
     }
 
     #[test]

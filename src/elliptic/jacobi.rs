@@ -108,12 +108,7 @@ impl Modulus {
     fn at(&self, bits: u64, quarters: f64, v: f64, v_low: f64) -> Jacobi {
         match self.side {
             Side::Circular => {
-                let Circular {
-                    sn,
-                    cn,
-                    dn,
-                    ahead,
-                } = circular(&self.series, bits, v, v_low);
+                let Circular { sn, cn, dn, ahead } = circular(&self.series, bits, v, v_low);
                 let ahead = kernel::small_arcsine(ahead) + v_low;
                 Jacobi {
                     sn,

@@ -15,6 +15,7 @@ mod incomplete;
 mod inverse;
 mod jacobi;
 mod kernel;
+mod logarithm;
 mod modulus;
 mod parameter;
 mod quarter;

@@ -1,6 +1,7 @@
 //! The prepared modulus: quarter period to 106 bits, nome, and the coefficients of the theta functions.
 
 use super::kernel;
+use super::logarithm::logarithm;
 use super::parameter::Parameter;
 use crate::double_double::{DoubleDouble, power_of_two_below};
 
@@ -183,10 +184,7 @@ impl Mean {
         let (high, low) = kernel::ordered_sum(0.5 * sum, -less);
         let low = low + (0.5 * sum_low - less_low - tail);
         let (high, low) = kernel::ordered_sum(high, low);
-        let product = kernel::product(
-            DoubleDouble::new(a1, a1_low),
-            DoubleDouble::new(a2, a2_low),
-        );
+        let product = kernel::product(DoubleDouble::new(a1, a1_low), DoubleDouble::new(a2, a2_low));
         Self {
             value: DoubleDouble::new(high, low),
             product,
@@ -224,7 +222,7 @@ impl Nome {
         let unit = power_of_two_below(lesser.high());
         let exponent = 1023 - (unit.to_bits() >> 52) as i32;
         let ratio = kernel::quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
-        let logarithm = ratio.ln(exponent);
+        let logarithm = logarithm(ratio, exponent);
         if self.l4 < 1e-34 {
             return logarithm;
         }

@@ -71,9 +71,9 @@ impl Landen {
         logarithm(self.modulus.square().multiply(factor)).negated()
     }
 
-    /// q^{1/4} for the modulus k, as a double.
-    pub(crate) fn fourth_root_of_nome(&self, k: f64) -> f64 {
-        (k * self.nome_over_square.value().sqrt()).sqrt()
+    /// √q for the modulus k, as a double: still there where q underflows.
+    pub(crate) fn root_of_nome(&self, k: f64) -> f64 {
+        k * self.nome_over_square.value().sqrt()
     }
 
     /// The quarter period of the complementary modulus, K′ = (K/π) ln(1/q).

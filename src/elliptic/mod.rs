@@ -17,8 +17,10 @@ mod jacobi;
 mod kernel;
 pub(crate) mod landen;
 pub(crate) mod local;
+mod logarithm;
 mod modulus;
 mod parameter;
+mod quarter;
 mod third;
 
 pub use complete::{complete_b, complete_d, complete_first, complete_second};

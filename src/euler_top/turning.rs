@@ -194,7 +194,7 @@ impl Turning {
     }
 
     fn theta(&self, place: &Place) -> (f64, f64) {
-        match (&self.theta, place.local) {
+        match (&self.theta, &place.local) {
             (Theta::Circular { real, imaginary }, Local::Circular { sine, cosine }) => {
                 let s2 = sine * sine;
                 (
@@ -209,25 +209,20 @@ impl Turning {
                     odd_real,
                     odd_imaginary,
                 },
-                Local::Hyperbolic {
-                    sign,
-                    sine,
-                    cosine,
-                    z,
-                    ..
-                },
+                Local::Hyperbolic { sign, wave, z },
             ) => {
+                let (sine, cosine) = (wave.sine, wave.cosine);
                 if (place.quarters as i64) & 1 == 0 {
                     (
-                        cosine * polynomial(even_real, z),
-                        sign * sine * polynomial(even_imaginary, z),
+                        cosine * polynomial(even_real, *z),
+                        sign * sine * polynomial(even_imaginary, *z),
                     )
                 } else {
                     // 4√q′ sinh cosh = z cosh/sinh.
                     let product = if sine == 0.0 { 0.0 } else { z * cosine / sine };
                     (
-                        polynomial(odd_real, z),
-                        sign * product * polynomial(odd_imaginary, z),
+                        polynomial(odd_real, *z),
+                        sign * product * polynomial(odd_imaginary, *z),
                     )
                 }
             }

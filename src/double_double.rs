@@ -17,6 +17,17 @@ pub(crate) struct DoubleDouble {
 /// 2π − [`TAU`], and what is still missing after that.
 const TAU_REST: [f64; 2] = [2.449_293_598_294_706_4e-16, -5.989_539_619_436_679e-33];
 
+/// Above this the factor of [`halves`] overflows.
+const SPLITTABLE: f64 = 1e300;
+
+/// A double as the sum of two with half the digits, whose products are exact (Veltkamp).
+#[inline]
+fn halves(x: f64) -> [f64; 2] {
+    let scaled = 134_217_729.0 * x;
+    let upper = scaled - (scaled - x);
+    [upper, x - upper]
+}
+
 impl DoubleDouble {
     /// A constant whose trailing part is known to belong to the leading one.
     pub(crate) const fn new(high: f64, low: f64) -> Self {
@@ -47,11 +58,20 @@ impl DoubleDouble {
     }
 
     /// The product of two doubles, exactly unless its tail underflows.
+    #[inline]
     pub(crate) fn product(a: f64, b: f64) -> Self {
         let high = a * b;
+        // Without an instruction for it, a fused multiplication is a call; Dekker's halves are faster, but overflow first.
+        if cfg!(target_feature = "fma") || a.abs().max(b.abs()) > SPLITTABLE {
+            return Self {
+                high,
+                low: a.mul_add(b, -high),
+            };
+        }
+        let ([a1, a2], [b1, b2]) = (halves(a), halves(b));
         Self {
             high,
-            low: a.mul_add(b, -high),
+            low: ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2,
         }
     }
 
@@ -80,7 +100,7 @@ impl DoubleDouble {
 
     pub(crate) fn multiply(self, other: Self) -> Self {
         let leading = Self::product(self.high, other.high);
-        let cross = self.high.mul_add(other.low, self.low * other.high);
+        let cross = self.high * other.low + self.low * other.high;
         Self::sum(leading.high, leading.low + cross)
     }
 

@@ -97,7 +97,11 @@ impl Modulus {
                 let logarithm = nome.logarithm(mc, mean.product);
                 kernel::quotient(logarithm.scaled(0.5), mean.value)
             };
-            let series = Series::hyperbolic(nome.value().sqrt(), complementary_modulus, mean.value.value());
+            let series = Series::hyperbolic(
+                nome.value().sqrt(),
+                complementary_modulus,
+                mean.value.value(),
+            );
             Self::assemble(parameter, Side::Hyperbolic, quarter, mean.value, series)
         }
     }

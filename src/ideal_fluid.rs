@@ -254,7 +254,10 @@ impl TruncatedFluid {
             let Some(inverse) = (&one - &a).try_inverse() else {
                 break;
             };
-            let turn = (&one + &a) * inverse;
+            let cayley = (&one + &a) * inverse;
+            // Unitary up to the rounding of the inverse; half a Newton step makes the defect its square.
+            let defect = &one * C::new(3.0, 0.0) - cayley.adjoint() * &cayley;
+            let turn = cayley * defect * C::new(0.5, 0.0);
             let next = &turn * &before * turn.adjoint();
             let change = (&next - &after).norm();
             after = next;

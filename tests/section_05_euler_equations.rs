@@ -503,6 +503,7 @@ fn s5_3_the_integrals_along_the_motion() {
         let scale = of(&START).value.abs();
         let drift = (of(&s).value - of(&START).value).abs() / scale;
         assert!(drift < 2e-12, "{kind:?} {drift:e}");
+        println!("{kind:?} {drift:e} {:e} {:e}", top.energy(&s) - top.energy(&START), top.vertical_angular_momentum(&s)-top.vertical_angular_momentum(&START));
         assert!((top.energy(&s) - top.energy(&START)).abs() < 2e-12);
         let vertical = |s| top.vertical_angular_momentum(s);
         assert!((vertical(&s) - vertical(&START)).abs() < 2e-12);
@@ -592,7 +593,7 @@ fn s5_3_order_and_chaos() {
         ] {
             assert!(regular < 1.5 * level, "{regular}");
         }
-        for chaotic in [exponent([2.0, 1.6, 1.0], x), exponent([3.0, 3.0, 1.6], x)] {
+        for chaotic in [exponent([2.0, 1.6, 1.0], x), exponent([3.0, 3.0, 1.0], x)] {
             assert!(chaotic > 10.0 * level, "{chaotic}");
         }
     }

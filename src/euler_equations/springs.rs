@@ -5,6 +5,9 @@ use crate::error::{Error, Result, finite, positive};
 use crate::frame::BodyVector;
 use nalgebra::{Matrix3, Vector3};
 
+/// Mass of a particle, kg.
+const MASS: f64 = 0.125;
+
 /// Six particles at the corners of an octahedron, every two joined by a spring: nearly a rigid body.
 ///
 /// It knows nothing of angular velocity once it is started. What it does is Newton's law for particles and Hooke's for springs.
@@ -19,11 +22,11 @@ pub struct SpringBody {
 }
 
 impl SpringBody {
-    /// A body with these principal moments (kg m²), particles of 1 kg, springs of `stiffness` N/m at rest length, turning
+    /// A body with these principal moments (kg m²), particles of ⅛ kg, springs of `stiffness` N/m at rest length, turning
     /// at `omega` (rad/s).
     ///
-    /// The pairs stand on the axes at ±a_i with 2a_i² = (I_j + I_k − I_i)/2. The springs are unstretched at first, so
-    /// the body begins to shiver, by about |Ω|²/stiffness of its size.
+    /// The pairs stand on the axes at ±a_i with a_i² = 2(I_j + I_k − I_i). The springs are unstretched at first, so
+    /// the body begins to shiver, by about m|Ω|²/stiffness of its size.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the stiffness or for a lamina, whose pairs coincide; [`Error::NotFinite`].
@@ -34,7 +37,7 @@ impl SpringBody {
         let squares = [i2 - i1 + i3, i3 - i2 + i1, i1 - i3 + i2];
         let mut positions = [Vector3::zeros(); 6];
         for (axis, square) in squares.into_iter().enumerate() {
-            let distance = positive("a second moment", square)?.sqrt() / 2.0;
+            let distance = positive("a second moment", square)?.sqrt() * core::f64::consts::SQRT_2;
             positions[2 * axis][axis] = distance;
             positions[2 * axis + 1][axis] = -distance;
         }
@@ -44,7 +47,7 @@ impl SpringBody {
         let omega = omega.components();
         Ok(Self {
             moments,
-            mass: 1.0,
+            mass: MASS,
             stiffness,
             rest,
             positions,
@@ -95,7 +98,7 @@ impl SpringBody {
     /// What a rider would call Ω, rad/s: I⁻¹L with L measured along the body's present axes.
     ///
     /// L = Σ m x∧v is exact; the axes are read off the three pairs, orthogonalised. The stretch of the springs enters at first
-    /// order: about |Ω|²/stiffness, relative.
+    /// order: about m|Ω|²/stiffness, relative.
     ///
     /// # Errors
     /// [`Error::ZeroVector`] if the body has collapsed.

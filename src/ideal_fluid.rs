@@ -235,8 +235,9 @@ impl TruncatedFluid {
     ///
     /// W goes to U W U†, where U is the Cayley transform of step·A, and A belongs to the mean of the old and the new W. The first makes
     /// the step a rotation, so the spectrum stays; the second makes the energy stay, since the gain is
-    /// ⟨mean of A, \[mean of A, ·\]⟩ = 0. Symmetric in time, error O(step²). Observed: 1e-15 relative a step, random in sign.
-    /// Solved by iteration to rounding, a dozen rounds for step·|A| = 0.1. Cost: a round is one inverse and two products of N×N matrices
+    /// ⟨mean of A, \[mean of A, ·\]⟩ = 0. Symmetric in time, error O(step²). What is computed is the change of W, so that the rounding
+    /// is that of the change: observed drift 2e-14 relative after 2000 steps of 0.01. A step too long for accuracy may settle all the same; it keeps the invariants and nothing else.
+    /// Solved by iteration to rounding, a dozen rounds for step·|A| = 0.1. Cost: a round is one inverse and five products of N×N matrices
     /// and N³ for the modes.
     ///
     /// # Errors
@@ -244,32 +245,34 @@ impl TruncatedFluid {
     // ANCHOR: advance
     pub fn advance(&mut self, step: f64) -> Result<()> {
         finite("the step", step)?;
+        let (half, of_rounding) = (C::new(0.5, 0.0), self.size as f64 * f64::EPSILON);
         let before = self.matrix(SquareRoot::OfUnity);
         let one = DMatrix::<C>::identity(self.size, self.size);
-        let half = C::new(0.5 * step, 0.0);
-        let (mut after, mut last_change) = (before.clone(), f64::INFINITY);
+        let mut change = &before * C::ZERO;
+        let mut last = f64::INFINITY;
         for _ in 0..MOST_ITERATIONS {
-            let mean = (&before + &after) * C::new(0.5, 0.0);
-            let a = Self::from_matrix(self.size, &mean).angular_velocity() * half;
+            let mean = Self::from_matrix(self.size, &(&before + &change * half));
+            let a = mean.angular_velocity() * C::new(0.5 * step, 0.0);
             let Some(inverse) = (&one - &a).try_inverse() else {
                 break;
             };
-            let cayley = (&one + &a) * inverse;
-            // Unitary up to the rounding of the inverse; half a Newton step makes the defect its square.
-            let defect = &one * C::new(3.0, 0.0) - cayley.adjoint() * &cayley;
-            let turn = cayley * defect * C::new(0.5, 0.0);
-            let next = &turn * &before * turn.adjoint();
-            let change = (&next - &after).norm();
-            after = next;
+            // U = (1 + a)/(1 − a) = 1 + d, and half a Newton step towards a unitary U.
+            let d = a * inverse * C::new(2.0, 0.0);
+            let defect = &d + d.adjoint() + d.adjoint() * &d;
+            let d = &d - (&one + &d) * defect * half;
+            let turned = &d * &before;
+            let next = &turned + turned.adjoint() + turned * d.adjoint();
+            let moved = (&next - &change).norm();
+            change = next;
             // Settled: at the level of rounding, where further rounds change nothing for the better.
-            if change <= 4.0 * self.size as f64 * f64::EPSILON * before.norm()
-                && change >= 0.5 * last_change
-                || change == 0.0
-            {
-                *self = Self::from_matrix(self.size, &after);
+            if moved == 0.0 || moved <= 4.0 * of_rounding * change.norm() && moved >= 0.5 * last {
+                let gain = Self::from_matrix(self.size, &change);
+                for (mode, gain) in self.modes.iter_mut().zip(gain.modes) {
+                    *mode += gain;
+                }
                 return Ok(());
             }
-            last_change = change;
+            last = moved;
         }
         Err(Error::Condition {
             condition: "the step must be short enough for the iteration to settle",

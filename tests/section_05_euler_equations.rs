@@ -1,6 +1,8 @@
 //! Section 5: Euler's equations with torque, about any point, in both kinds of axes; the tops with a further integral;
 //! the ideal fluid as a top. The two directions of the transport theorem are tested in `frame.rs`.
 
+use std::f64::consts::{FRAC_PI_4, TAU};
+
 use approx::assert_relative_eq;
 use nalgebra::{Complex, DMatrix, Matrix3, Vector3};
 use num_rational::Ratio;
@@ -136,7 +138,8 @@ fn s5_1_in_the_body_and_in_space_the_same_motion() {
 // claim: C5.1-4
 #[test]
 fn s5_1_lagranges_equation_for_the_spin_angle() {
-    // d/dt ∂T/∂ψ' − ∂T/∂ψ = N₃ with Ω by Euler's angles (z-x-z); ∂T/∂ψ differenced, ∂T/∂ψ' = I₃Ω₃.
+    // d/dt ∂T/∂ψ' − ∂T/∂ψ = N₃ with Ω by Euler's angles (z-x-z) and ∂T/∂ψ' = I₃Ω₃. In ψ the energy is a constant and a
+    // wave of period π, and for such a function f' = f(ψ + π/4) − f(ψ − π/4), exactly.
     let body = moments(PLATE);
     let omega = |psi: f64| {
         let (phi_rate, theta, theta_rate, psi_rate) = (1.3_f64, 0.8_f64, -0.4_f64, 2.1_f64);
@@ -146,14 +149,14 @@ fn s5_1_lagranges_equation_for_the_spin_angle() {
             phi_rate * theta.cos() + psi_rate,
         )
     };
-    let (psi, h, torque) = (0.6, 1e-3, BodyVector::new(0.1, 0.2, 0.5));
-    let energy = |k: f64| body.energy(omega(psi + k * h));
-    let slope = (8.0 * (energy(1.0) - energy(-1.0)) - (energy(2.0) - energy(-2.0))) / (12.0 * h);
+    let (psi, torque) = (0.6, BodyVector::new(0.1, 0.2, 0.5));
+    let energy = |turn: f64| body.energy(omega(psi + turn));
+    let slope = energy(FRAC_PI_4) - energy(-FRAC_PI_4);
     let third = rate(&body, omega(psi), torque).z();
     assert_relative_eq!(
         4.0 * third,
         slope + 0.5,
-        max_relative = 1e-12,
+        max_relative = 1e-14,
         epsilon = 0.0
     );
 }
@@ -211,16 +214,17 @@ fn s5_1_against_newton() {
     for (value, truth) in euler.into_iter().zip(truth) {
         assert_relative_eq!(value, truth, max_relative = 2e-13, epsilon = 0.0);
     }
-    // Springs: half as stiff, twice as wrong. Observed 5.6e-7 … at 1e6 and a quarter of it at 4e6.
-    let error = |stiffness: f64| {
+    // The error falls as 1/stiffness, but for the phase in which the shiver of the springs is caught: over a factor
+    // of 400 the observed order is 0.967, from 2.9e-5 to 8.8e-8.
+    let error = |stiffness: f64, steps: u32| {
         let mut springs = SpringBody::new(body, stiffness, OMEGA).unwrap();
-        springs.advance(2.0, 100_000).unwrap();
+        springs.advance(2.0, steps).unwrap();
         (springs.omega().unwrap() - BodyVector::new(truth[0], truth[1], truth[2])).norm()
     };
-    let (soft, stiff) = (error(1e6), error(4e6));
-    println!("springs {soft:e} {stiff:e}");
-    assert!(stiff < 3e-7, "{stiff:e}");
-    assert!((3.0..5.0).contains(&(soft / stiff)), "{soft:e} {stiff:e}");
+    let (soft, stiff) = (error(1e4, 20_000), error(4e6, 100_000));
+    assert!(stiff < 1e-7, "{stiff:e}");
+    let order = (soft / stiff).ln() / 400.0_f64.ln();
+    assert!((0.94..1.03).contains(&order), "{order}");
 }
 
 #[test]
@@ -469,6 +473,19 @@ const START: TopState = TopState {
     up: BodyVector::new(0.48, 0.6, 0.64),
 };
 
+const WILD: TopState = TopState {
+    omega: BodyVector::new(1.1, -0.7, 0.4),
+    up: BodyVector::new(0.8, 0.0, -0.6),
+};
+
+/// A start with L_vert = 0 for I = (4, 4, 1): Ω₃ chosen for it.
+fn on_level_zero() -> TopState {
+    TopState {
+        omega: BodyVector::new(0.4, -0.9, -(4.0 * (0.4 * 0.48 - 0.9 * 0.6)) / 0.64),
+        ..START
+    }
+}
+
 // claim: C5.3-1, C5.3-2
 #[test]
 fn s5_3_the_integrals_along_the_motion() {
@@ -494,19 +511,18 @@ fn s5_3_the_integrals_along_the_motion() {
     for (top, kind) in cases {
         assert_eq!(top.kind(), kind);
         let of = |s: &TopState| top.further_integral(s).unwrap();
-        let (mut s, h) = (START, 0.002);
-        for _ in 0..10_000 {
+        let (mut s, h) = (START, 0.001);
+        for _ in 0..20_000 {
             s = top.step(&s, h);
         }
         assert!((s.omega - START.omega).norm() > 0.05, "it did move");
-        // Observed 4e-13 at most over 20 seconds, the error of the steps.
+        // Observed 2e-13 at most over 20 seconds, the error of the steps; the same for energy and L_vert.
         let scale = of(&START).value.abs();
         let drift = (of(&s).value - of(&START).value).abs() / scale;
-        assert!(drift < 2e-12, "{kind:?} {drift:e}");
-        println!("{kind:?} {drift:e} {:e} {:e}", top.energy(&s) - top.energy(&START), top.vertical_angular_momentum(&s)-top.vertical_angular_momentum(&START));
-        assert!((top.energy(&s) - top.energy(&START)).abs() < 2e-12);
+        assert!(drift < 1e-12, "{kind:?} {drift:e}");
+        assert!((top.energy(&s) - top.energy(&START)).abs() < 1e-12);
         let vertical = |s| top.vertical_angular_momentum(s);
-        assert!((vertical(&s) - vertical(&START)).abs() < 2e-12);
+        assert!((vertical(&s) - vertical(&START)).abs() < 1e-12);
     }
     assert_eq!(
         heavy([2.0, 1.6, 1.0], [1.0, 0.0, 0.0]).kind(),
@@ -534,11 +550,7 @@ fn s5_3_goryachev_and_chaplygin_on_one_level() {
     let top = heavy([4.0, 4.0, 1.0], [0.6, 0.8, 0.0]);
     assert_eq!(top.kind(), Integrability::OnLevelZero(2));
     let of = |s: &TopState| top.further_integral(s).unwrap();
-    // A start on the level: choose Ω₃ so that L_vert vanishes.
-    let on = TopState {
-        omega: BodyVector::new(0.4, -0.9, -(4.0 * (0.4 * 0.48 - 0.9 * 0.6)) / 0.64),
-        ..START
-    };
+    let on = on_level_zero();
     let swing = |start: TopState| {
         let (mut s, mut largest) = (start, 0.0_f64);
         for _ in 0..20_000 {
@@ -549,7 +561,7 @@ fn s5_3_goryachev_and_chaplygin_on_one_level() {
     };
     assert!(top.vertical_angular_momentum(&on).abs() < 1e-15);
     let (kept, lost) = (swing(on), swing(START));
-    println!("on the level {kept:e}, off it {lost:e}");
+    // Observed: 3e-11 on the level, the error of the steps; 0.57 off it.
     assert!(kept < 1e-10, "{kept:e}");
     assert!(lost > 0.5, "{lost:e}");
     // Off the level the stated rate is the derivative.
@@ -567,35 +579,40 @@ fn s5_3_goryachev_and_chaplygin_on_one_level() {
 // claim: C5.3-4
 #[test]
 fn s5_3_order_and_chaos() {
-    let starts = [
-        START,
-        TopState {
-            omega: BodyVector::new(1.0, 0.3, -0.2),
-            up: BodyVector::new(-0.6, 0.0, 0.8),
-        },
-    ];
     let duration: f64 = 4000.0;
     let level = duration.ln() / duration;
-    for start in starts {
-        let exponent = |i, lever| {
-            let e = heavy(i, lever)
-                .lyapunov_exponent(&start, duration, 0.02)
-                .unwrap();
-            println!("{i:?} {lever:?} {e:.4}");
-            e
-        };
-        let x = [1.0, 0.0, 0.0];
-        for regular in [
-            exponent([2.0, 1.6, 1.0], [0.0; 3]),
-            exponent([2.0, 2.0, 1.0], [0.0, 0.0, 1.0]),
-            exponent([2.0; 3], x),
-            exponent([2.0, 2.0, 1.0], x),
+    let exponent = |i, lever, start: &TopState| {
+        heavy(i, lever)
+            .lyapunov_exponent(start, duration, 0.02)
+            .unwrap()
+    };
+    let x = [1.0, 0.0, 0.0];
+    // ln T/T = 0.0021. Observed for the integrable tops: 0.0016 to 0.0020.
+    let regular = |value: f64| assert!((0.5 * level..1.1 * level).contains(&value), "{value}");
+    // Observed 0.081 to 0.147; with half the step 0.084 to 0.148, each by up to 0.03 another: one orbit's chance.
+    let chaotic = |value: f64| assert!((0.05..0.17).contains(&value), "{value}");
+    for start in [START, WILD] {
+        for (i, lever) in [
+            ([2.0, 1.6, 1.0], [0.0; 3]),
+            ([2.0, 2.0, 1.0], [0.0, 0.0, 1.0]),
+            ([2.0; 3], x),
+            ([2.0, 2.0, 1.0], x),
         ] {
-            assert!(regular < 1.5 * level, "{regular}");
+            regular(exponent(i, lever, &start));
         }
-        for chaotic in [exponent([2.0, 1.6, 1.0], x), exponent([3.0, 3.0, 1.0], x)] {
-            assert!(chaotic > 10.0 * level, "{chaotic}");
+        for i in [[2.0, 1.6, 1.0], [3.0, 3.0, 1.0], [4.0, 4.0, 1.0]] {
+            chaotic(exponent(i, x, &start));
         }
+    }
+    // The ratio 4 is at peace on its one level.
+    regular(exponent([4.0, 4.0, 1.0], x, &on_level_zero()));
+    // A quiet start shows nothing: every top has regular motions.
+    let quiet = TopState {
+        omega: BodyVector::new(1.0, 0.3, -0.2),
+        up: BodyVector::new(-0.6, 0.0, 0.8),
+    };
+    for i in [[2.0, 1.6, 1.0], [3.0, 3.0, 1.0], [4.0, 4.0, 1.0]] {
+        regular(exponent(i, x, &quiet));
     }
 }
 
@@ -627,11 +644,10 @@ fn s5_2_the_fluid_keeps_every_invariant() {
             spoiled = spoiled.max((cubic(&now) - cubic(&start)).abs());
         }
         assert!(farthest > 0.5, "the fluid did move: {farthest}");
-        // Observed 8e-14 at most after 2000 steps: energy, enstrophy, and every trace that is independent.
+        // Observed 2e-14 at most, relative, after 2000 steps: energy, enstrophy, and every trace that is independent.
         let same = |what: &str, a: f64, b: f64| {
-            println!("{size} {what}: {:e}", (a - b).abs());
             assert!(
-                (a - b).abs() < 4e-13 * b.abs().max(1.0),
+                (a - b).abs() < 1e-13 * b.abs().max(1.0),
                 "{size} {what}: {a} {b}"
             );
         };
@@ -649,7 +665,6 @@ fn s5_2_the_fluid_keeps_every_invariant() {
         // With the other square root: the quadratic one is blind to it, the cubic one breaks.
         let opposite = now.trace_of_power(2, SquareRoot::Opposite);
         same("square, other root", opposite, start.enstrophy());
-        println!("{size} spoiled {spoiled}");
         assert!(spoiled > 0.1, "{size} {spoiled}");
     }
 }
@@ -694,7 +709,6 @@ fn s5_2_the_matrix_is_the_sine_bracket() {
                 .sqrt()
         };
         let (coarse, fine) = (error(50), error(100));
-        println!("{size} {coarse:e} {fine:e}");
         assert!((3.9..4.1).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
         assert!(fine < 1e-3);
         // Back in time, to rounding.
@@ -705,7 +719,7 @@ fn s5_2_the_matrix_is_the_sine_bracket() {
         assert!((back.vorticity([1, 1]) - start.vorticity([1, 1])).norm() < 1e-13);
         // Reality: the vorticity is a real field whose mean square is the enstrophy.
         let n = 16;
-        let side = |k: u32| std::f64::consts::TAU * f64::from(k) / f64::from(n);
+        let side = |k: u32| TAU * f64::from(k) / f64::from(n);
         let field = (0..n * n).map(|k| now_field(&back, [side(k / n), side(k % n)]).powi(2));
         let mean: f64 = field.sum::<f64>() / f64::from(n * n);
         assert_relative_eq!(mean, back.enstrophy(), max_relative = 1e-13, epsilon = 0.0);
@@ -831,9 +845,9 @@ fn s5_what_is_refused() {
         Err(Error::OutOfRange { .. })
     ));
     assert!(TruncatedFluid::new(3, &[([1, 0], one * f64::NAN)]).is_err());
-    let mut still = fluid(5);
-    assert!(matches!(still.advance(50.0), Err(Error::Condition { .. })));
-    assert_eq!(still, fluid(5));
+    let mut still = fluid(3);
+    assert!(matches!(still.advance(5.0), Err(Error::Condition { .. })));
+    assert_eq!(still, fluid(3));
 }
 
 proptest! {

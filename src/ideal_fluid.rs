@@ -61,7 +61,7 @@ impl TruncatedFluid {
                 greatest: 63.0,
             });
         }
-        if size % 2 == 0 {
+        if size.is_multiple_of(2) {
             return Err(Error::Condition {
                 condition: "the size N of the truncation must be odd",
                 value: size as f64,

@@ -66,19 +66,23 @@ impl SpringBody {
         let h = duration / f64::from(steps.max(1));
         let mut forces = self.forces();
         for _ in 0..steps {
-            for k in 0..6 {
-                self.velocities[k] += forces[k] * (0.5 * h / self.mass);
-                self.positions[k] += self.velocities[k] * h;
+            self.kick(&forces, 0.5 * h);
+            for (position, velocity) in self.positions.iter_mut().zip(&self.velocities) {
+                *position += velocity * h;
             }
             forces = self.forces();
-            for k in 0..6 {
-                self.velocities[k] += forces[k] * (0.5 * h / self.mass);
-            }
+            self.kick(&forces, 0.5 * h);
         }
         for position in &self.positions {
             finite("a position", position.sum())?;
         }
         Ok(())
+    }
+
+    fn kick(&mut self, forces: &[Vector3<f64>; 6], time: f64) {
+        for (velocity, force) in self.velocities.iter_mut().zip(forces) {
+            *velocity += force * (time / self.mass);
+        }
     }
 
     fn forces(&self) -> [Vector3<f64>; 6] {

@@ -5,30 +5,31 @@ use core::f64::consts::PI;
 use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{
-    AxisMoments, Equilibrium, Nature, equilibria, fastest_flow, separatrix_slope, streamline,
+    AxisMoments, Equilibrium, equilibria, fastest_flow, separatrix_slope, streamline,
 };
 use spinning_bodies::euler_top::earth;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{MassProperties, PrincipalMoments, shapes};
 
 use crate::Figure;
-use crate::solid::{View, ellipse};
+use crate::solid::{View, ellipsoid_hides, segment};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, number,
     small, stroke,
 };
 
 /// Strength of what lies on the far side of the sphere.
-const BEHIND: f64 = 0.3;
+const BEHIND: f64 = 0.22;
 /// Seconds between two dots.
-const TICK: f64 = 0.6;
+const TICK: f64 = 0.8;
 /// Steps of integration between two dots.
-const STEPS: usize = 12;
+const STEPS: usize = 16;
 
 /// One closed line of the flow, and the points it passes at equal times.
 struct Orbit {
     curve: Vec<Vector3<f64>>,
-    dots: Vec<Vector3<f64>>,
+    /// Place in `curve` of the point at time zero; the dots are a multiple of [`STEPS`] away from it.
+    zero: usize,
 }
 
 impl Orbit {
@@ -53,14 +54,10 @@ impl Orbit {
         };
         let step = TICK / STEPS as f64;
         let (ahead, back) = (half(step)?, half(-step)?);
-        let ticks = |path: &[Vector3<f64>]| -> Vec<Vector3<f64>> {
-            path.iter().copied().step_by(STEPS).collect()
-        };
-        let mut dots = ticks(&ahead);
-        dots.extend(&ticks(&back)[1..]);
+        let zero = back.len() - 1;
         let mut curve: Vec<_> = back.into_iter().rev().collect();
         curve.extend(ahead.into_iter().skip(1));
-        Ok(Self { curve, dots })
+        Ok(Self { curve, zero })
     }
 
     fn draw(&self, pen: &mut Pen<'_>, view: &View, width: f64) {
@@ -78,14 +75,27 @@ impl Orbit {
     }
 
     fn draw_dots(&self, pen: &mut Pen<'_>, view: &View, radius: f64) {
-        for dot in self.dots.iter().filter(|p| p.dot(&view.toward) > 0.12) {
+        let dots = self.curve[self.zero % STEPS..].iter().step_by(STEPS);
+        // At the rim and at the saddle they would be a blot.
+        for dot in dots.filter(|p| p.dot(&view.toward) > 0.1 && p.y.abs() < 0.99) {
             pen.disc(view.project(dot), radius, Role::AngularMomentum, 1.0);
         }
     }
 
-    /// An arrow's head where the curve has done this fraction of its way.
-    fn draw_sense(&self, pen: &mut Pen<'_>, view: &View, fraction: f64) {
-        let at = ((self.curve.len() - 2) as f64 * fraction) as usize;
+    /// An arrow's head in the middle of what is seen of it, between two dots.
+    fn draw_sense(&self, pen: &mut Pen<'_>, view: &View, width: f64) {
+        let seen = |k: &usize| self.curve[*k].dot(&view.toward) > 0.15;
+        let places: Vec<usize> = (1..self.curve.len()).filter(seen).collect();
+        let stride = |k: &usize| (self.curve[*k] - self.curve[*k - 1]).norm();
+        let length: f64 = places.iter().map(stride).sum();
+        let mut done = 0.0;
+        let Some(&middle) = places.iter().find(|k| {
+            done += stride(k);
+            done >= 0.5 * length
+        }) else {
+            return;
+        };
+        let at = middle - (middle + STEPS - self.zero % STEPS) % STEPS + STEPS * 5 / 8;
         let (from, to) = (
             view.project(&self.curve[at]),
             view.project(&self.curve[at + 1]),
@@ -94,7 +104,7 @@ impl Orbit {
         pen.arrow(
             between(to, from, 9.0 / length),
             to,
-            stroke(Role::AngularMomentum, DATA),
+            stroke(Role::AngularMomentum, width),
         );
     }
 }
@@ -115,7 +125,7 @@ pub fn momentum_flow() -> Result<Figure> {
     // Started where they are nearest to the saddle x₂, in front: the odd gap between the last dots lies behind.
     let mut orbits = Vec::new();
     for sign in [1.0, -1.0] {
-        for degrees in [14.0, 31.0, 49.0, 67.0, 82.0] {
+        for degrees in [14.0, 32.0, 51.0, 71.0] {
             orbits.push(Orbit::new(
                 &moments,
                 off_axis(0, 1, sign, degrees),
@@ -123,7 +133,7 @@ pub fn momentum_flow() -> Result<Figure> {
                 200,
             )?);
         }
-        for degrees in [20.0, 44.0, 68.0, 82.0] {
+        for degrees in [20.0, 44.0, 70.0] {
             orbits.push(Orbit::new(
                 &moments,
                 off_axis(2, 1, sign, degrees),
@@ -137,7 +147,7 @@ pub fn momentum_flow() -> Result<Figure> {
     for (s, c) in [1.0, -1.0].map(|side| (side * tilt).sin_cos()) {
         for sign in [1.0, -1.0] {
             let start = BodyVector::new(sign * c, 0.0, sign * s);
-            border.push(Orbit::new(&moments, start, 1, 20)?);
+            border.push(Orbit::new(&moments, start, 1, 40)?);
         }
     }
 
@@ -165,50 +175,66 @@ pub fn momentum_flow() -> Result<Figure> {
         ),
     };
 
-    let view = View::new(0.92, 0.4, [300.0, 222.0], 178.0);
-    Ok(figure("momentum-flow", 432.0, words, |pen| {
-        pen.disc([300.0, 222.0], 178.0, Role::Shade, 1.0);
-        axes(pen, &view, -1.0);
+    let center = [300.0, 214.0];
+    let view = View::new(1.08, 0.44, center, RADIUS);
+    Ok(figure("momentum-flow", 424.0, words, |pen| {
+        pen.disc(center, RADIUS, Role::Shade, 1.0);
         for orbit in &orbits {
             orbit.draw(pen, &view, SECONDARY);
         }
         for line in &border {
-            line.draw(pen, &view, 3.0);
+            line.draw(pen, &view, 3.2);
         }
+        pen.ring(center, RADIUS, stroke(Role::Ink, AXIS));
         for orbit in &orbits {
-            orbit.draw_dots(pen, &view, 2.4);
+            orbit.draw_dots(pen, &view, 2.6);
+            orbit.draw_sense(pen, &view, DATA);
         }
         for line in &border {
-            line.draw_dots(pen, &view, 3.4);
+            line.draw_dots(pen, &view, 3.3);
+            line.draw_sense(pen, &view, 2.8);
         }
-        for (n, fraction) in [(2, 0.62), (7, 0.4)] {
-            orbits[n].draw_sense(pen, &view, fraction);
-        }
-        pen.ring([300.0, 222.0], 178.0, stroke(Role::Ink, AXIS));
-        axes(pen, &view, 1.0);
-        for Equilibrium {
-            direction, nature, ..
-        } in still
-        {
+        axes(pen, &view);
+        for Equilibrium { direction, .. } in still {
             let p = Vector3::from(direction.components());
-            let at = view.project(&p);
-            if p.dot(&view.toward) > 0.0 {
-                pen.disc(at, 4.6, Role::Ink, 1.0);
-                let _ = nature == Nature::Center;
+            let seen = p.dot(&view.toward) > 0.0;
+            pen.disc(view.project(&p), 5.0, Role::Ink, if seen { 1.0 } else { BEHIND });
+        }
+        let remarks = [
+            ([70.0, 274.0], Anchor::Middle, "*x*_{1}", ["smallest", "moment:", "a centre"]),
+            ([452.0, 346.0], Anchor::Start, "*x*_{2}", ["middle moment:", "a saddle", ""]),
+            ([290.0, 22.0], Anchor::End, "*x*_{3}", ["", "", ""]),
+        ];
+        for (at, anchor, name, lines) in remarks {
+            pen.text(at, anchor, name, label(Role::Ink));
+            for (k, line) in lines.into_iter().enumerate().filter(|(_, line)| !line.is_empty()) {
+                let below = at[1] + 18.0 + 17.0 * k as f64;
+                pen.text([at[0], below], anchor, line, small(Role::Ink));
             }
         }
+        pen.text([310.0, 22.0], Anchor::Start, "largest moment: a centre", small(Role::Ink));
+        pen.text([182.0, 58.0], Anchor::End, "separatrix", label(Role::AngularMomentum));
     }))
 }
 
-/// The axes outside the sphere, those that point to the eye (`side` 1) or away from it (−1).
-fn axes(pen: &mut Pen<'_>, view: &View, side: f64) {
+/// Radius of the sphere, units.
+const RADIUS: f64 = 178.0;
+
+/// The axes outside the sphere; faint and dotted behind it.
+fn axes(pen: &mut Pen<'_>, view: &View) {
+    let sphere = Vector3::new(1.0, 1.0, 1.0);
     for axis in 0..3 {
         for sign in [1.0, -1.0] {
             let mut p = Vector3::zeros();
             p[axis] = sign;
-            if p.dot(&view.toward) * side > 0.0 {
-                let (from, to) = (view.project(&p), view.project(&(p * 1.3)));
-                pen.line(&[from, to], stroke(Role::Ink, SECONDARY));
+            let line = segment(p, p * [1.3, 1.8, 1.26][axis], 80);
+            let [seen, hidden] =
+                view.split(&line, |p| !ellipsoid_hides(&sphere, p, &view.toward));
+            for piece in seen {
+                pen.line(&piece, stroke(Role::Ink, SECONDARY));
+            }
+            for piece in hidden {
+                pen.line(&piece, stroke(Role::Ink, AXIS).alpha(BEHIND).dotted());
             }
         }
     }

@@ -76,6 +76,11 @@ pub fn all() -> &'static [Entry] {
             draw: euler_equations::momentum_flow,
         },
         Entry {
+            name: "triangle-of-tops",
+            chapter: "euler-equations",
+            draw: euler_equations::triangle_of_tops,
+        },
+        Entry {
             name: "polar-circles",
             chapter: "euler-top",
             draw: euler_top::polar_circles,

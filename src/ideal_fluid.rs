@@ -213,11 +213,18 @@ impl TruncatedFluid {
         };
         for place in 1..size * size {
             let m = fluid.wave_vector(place);
+            let mirror = fluid.place(m.map(i32::wrapping_neg));
+            if mirror < place {
+                continue;
+            }
             let sum: C = fluid
                 .generator(m, SquareRoot::OfUnity)
                 .map(|(row, column, phase)| phase.conj() * w[(row, column)])
                 .sum();
-            fluid.modes[place] = sum / size as f64;
+            // Both at once: a part of W that is not Hermitian would be noise, and the flow would amplify it.
+            let value = sum / size as f64;
+            fluid.modes[place] = value;
+            fluid.modes[mirror] = value.conj();
         }
         fluid
     }
@@ -264,8 +271,8 @@ impl TruncatedFluid {
             let next = &turned + turned.adjoint() + turned * d.adjoint();
             let moved = (&next - &change).norm();
             change = next;
-            // Settled: at the level of rounding, where further rounds change nothing for the better.
-            if moved == 0.0 || moved <= 4.0 * of_rounding * change.norm() && moved >= 0.5 * last {
+            // Settled: at the level of rounding, and no longer coming nearer. Either alone would take slow progress for the end.
+            if moved == 0.0 || moved <= 4.0 * of_rounding * change.norm() && moved >= last {
                 let gain = Self::from_matrix(self.size, &change);
                 for (mode, gain) in self.modes.iter_mut().zip(gain.modes) {
                     *mode += gain;

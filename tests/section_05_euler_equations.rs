@@ -732,21 +732,24 @@ fn now_field(fluid: &TruncatedFluid, x: [f64; 2]) -> f64 {
 
 #[test]
 fn s5_2_any_step_keeps_the_invariants() {
-    // A turn by a radian and more a step is no longer accurate, and keeps what it must all the same. Observed 2.4e-13 at most
-    // over forty such steps: the rounding is that of the change, and here the change is as large as W.
-    for (size, step) in [(3, 0.5), (5, 0.5), (5, 1.0), (7, 0.25)] {
+    // A turn by a radian and more a step is no longer accurate, and keeps what it must all the same. (A vorticity that
+    // is real but for rounding is not good enough: its imaginary part grew, and after forty steps of 1 the energy was off
+    // by 6e-10.) Observed 8e-14 at most.
+    let mut worst: f64 = 0.0;
+    for (size, step, count) in [(3, 0.5, 400), (5, 0.5, 400), (5, 1.0, 400), (7, 0.25, 100)] {
         let start = fluid(size);
         let mut now = start.clone();
-        for _ in 0..40 {
+        for _ in 0..count {
             now.advance(step).unwrap();
         }
-        let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 5e-13, "{size} {step}: {a} {b}");
+        let mut same = |a: f64, b: f64| worst = worst.max((a - b).abs() / b.abs().max(1.0));
         same(now.energy(), start.energy());
         for p in 2..=size as u32 {
             let trace = |f: &TruncatedFluid| f.trace_of_power(p, SquareRoot::OfUnity);
-            same(1.0 + trace(&now).abs(), 1.0 + trace(&start).abs());
+            same(trace(&now), trace(&start));
         }
     }
+    assert!(worst < 3e-13, "{worst:e}");
 }
 
 #[test]

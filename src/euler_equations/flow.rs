@@ -77,7 +77,7 @@ pub fn separatrix_slope(moments: &PrincipalMoments) -> f64 {
 
 /// Greatest |∂L/∂t| on the sphere |L| = 1, in units 1/(kg m²): ½(1/I₁ − 1/I₃), halfway between axes 1 and 3 (5.1).
 ///
-/// L∧I⁻¹L is longest where the middle component vanishes; the middle moment plays no part. Zero for a sphere. Error: 3 ulp.
+/// L∧I⁻¹L is longest where the middle component vanishes; the middle moment plays no part. Zero for a sphere, infinite for a rod. Error: 3 ulp.
 pub fn fastest_flow(moments: &PrincipalMoments) -> f64 {
     let [i1, _, i3] = moments.values();
     0.5 * ((i3 - i1) / i1 / i3)

@@ -152,7 +152,7 @@ impl HeavyTop {
     /// (1/T) Σ ln(d/d₀) for a neighbour 1e-8 away, pulled back to that distance after every 50 steps; both by
     /// [`step`](Self::step). Over a finite time T a regular motion shows a value near ln T/T, not zero; and a value near
     /// that level does not prove that the top is integrable, since every top has regular motions. Observed: halving the step
-    /// changes a chaotic value by a few per cent, the chance of one orbit. Cost: 8·`duration`/`step` rates.
+    /// changes a chaotic value by up to 40 per cent, the chance of one orbit. Cost: 8·`duration`/`step` rates.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for duration or step, [`Error::NotFinite`] for the start or if the motion is lost,

@@ -29,22 +29,22 @@ impl Landen {
     pub(crate) fn new(parameter: Extended, complement: DoubleDouble) -> Self {
         let one = DoubleDouble::from(1.0);
         let square = parameter.narrow();
-        let sum0 = one.add(complement);
+        let sum0 = one.add_alike(complement);
         let inverse0 = one.divide(sum0);
         let inverse0_squared = inverse0.multiply(inverse0);
         let k1 = square.multiply(inverse0_squared);
         let k1_complement = complement.square_root().multiply(inverse0).scaled(2.0);
-        let sum1 = one.add(k1_complement);
+        let sum1 = one.add_alike(k1_complement);
         let inverse1 = one.divide(sum1);
         let root = k1.multiply(inverse1);
         let k2 = root.multiply(root);
-        let sum2 = one.add(k1_complement.square_root().multiply(inverse1).scaled(2.0));
+        let sum2 = one.add_alike(k1_complement.square_root().multiply(inverse1).scaled(2.0));
         let k3 = (k2.high() / sum2.high()).powi(2);
         let last = k3 * k3;
         // (1 + k′₃)(1 + k′₄)/4 with k₄ = k₃²/4; the next term is 10⁻³⁰.
         let rest = DoubleDouble::from(-0.25 * last * (1.0 + 0.3125 * last));
         let mean = sum0.multiply(sum1).multiply(sum2).scaled(0.125);
-        let mean = mean.add(mean.multiply(rest));
+        let mean = mean.add_alike(mean.multiply(rest));
         // l = (1 − √k′)/(2(1 + √k′)); q = l + 2l⁵ + 15l⁹ + 150l¹³ + 1707l¹⁷ + …
         let l_over_square = inverse0_squared.multiply(inverse1).scaled(0.5);
         let l = square.multiply(l_over_square);
@@ -52,7 +52,9 @@ impl Landen {
         let l4 = l2.multiply(l2);
         let x = l4.high();
         let tail = x * x * (15.0 + x * (150.0 + x * (1707.0 + x * 20_910.0)));
-        let series = one.add(l4.scaled(2.0)).add(DoubleDouble::from(tail));
+        let series = one
+            .add_alike(l4.scaled(2.0))
+            .add_alike(DoubleDouble::from(tail));
         let nome_over_square = l_over_square.multiply(series);
         Self {
             sums: [sum0, sum1, sum2],
@@ -113,18 +115,18 @@ impl Landen {
         let one = DoubleDouble::from(1.0);
         let (mut s, mut d) = (start, delta);
         for (sum, modulus) in self.sums.iter().zip(&self.moduli) {
-            s = s.multiply(*sum).divide(one.add(d));
+            s = s.multiply(*sum).divide(one.add_alike(d));
             let ks = s.multiply(*modulus);
             let square = ks.multiply(ks).scaled(sign);
-            d = one.subtract(square).square_root();
+            d = one.add_alike(square.negated()).square_root();
         }
-        s = s.multiply(self.sums[2]).divide(one.add(d));
+        s = s.multiply(self.sums[2]).divide(one.add_alike(d));
         // The rest of the way: (1 + k′₃)/(1 + √(1 − k₃² s²)) and one factor more, both 1 up to 4·10⁻¹⁰.
         let a = self.last;
         let b = sign * (self.scaled_square(s, a));
         let correction =
             -0.25 * (a - b) + a * (-a / 16.0 - b / 16.0) + b * b / 8.0 - a * (a - b) / 64.0;
-        s.add(s.multiply(DoubleDouble::from(correction)))
+        s.add_alike(s.multiply(DoubleDouble::from(correction)))
     }
 
     /// a s², where s² alone may overflow.

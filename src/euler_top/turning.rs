@@ -71,19 +71,19 @@ impl Turning {
         let q = landen.nome;
         // sc² and dc² = 1 + m sc².
         let sc2 = elevation.rise.divide(elevation.run);
-        let dc2 = one.add(m.multiply(sc2).narrow());
+        let dc2 = one.add_alike(m.multiply(sc2).narrow());
         let sinh = landen.hyperbolic_sine(sc2.square_root().narrow(), dc2.square_root());
-        let exponential = sinh.add(sinh.hypotenuse_with_one());
+        let exponential = sinh.add_alike(sinh.hypotenuse_with_one());
         let growth = exponential.multiply(exponential);
         let decay = one.divide(growth);
         // ρ = q e^{2w} and ε = e^{−2w}; for ξ in place of η they change roles. 1 − e^{−2x} = 2 sinh x · e^{−x}.
-        let other = if q.high() == 0.0 { q } else { q.multiply(growth) };
+        let other = if q.high() == 0.0 {
+            q
+        } else {
+            q.multiply(growth)
+        };
         let (rho, epsilon, one_less_rho) = match elevation.which {
-            Which::Xi => (
-                decay,
-                other,
-                2.0 * sinh.value() / exponential.value(),
-            ),
+            Which::Xi => (decay, other, 2.0 * sinh.value() / exponential.value()),
             Which::Eta => (other, decay, 1.0 - other.value()),
         };
         let excess = circular_excess(landen, rho, epsilon);
@@ -263,8 +263,8 @@ fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) ->
     let mut denominator = DoubleDouble::from(1.0 + fourth);
     for (n, (up, down)) in ups.iter().zip(&downs).enumerate().rev() {
         let factor = DoubleDouble::from(2.0 * (n as f64 + 1.0));
-        numerator = numerator.add(up.subtract(*down).multiply(factor));
-        denominator = denominator.add(up.add(*down));
+        numerator = numerator.add_alike(up.add_alike(down.negated()).multiply(factor));
+        denominator = denominator.add_alike(up.add_alike(*down));
     }
     landen.mean.multiply(numerator).divide(denominator)
 }

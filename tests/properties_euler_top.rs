@@ -96,20 +96,22 @@ proptest! {
     #[test]
     fn obeys_the_equations_of_motion(i in moments(), l in momenta(), start in turn(), t in -20.0..20.0) {
         let top = EulerTop::new(i, vector(l), start).expect("a body");
-        let step = 0.03 / fastest(i, l);
+        // Times that are exact: a rounded one would show as an error of its own size over the step.
+        let step = (0.04 / fastest(i, l)).log2().floor().exp2();
+        let t = f64::round(t / step) * step;
         let states: Vec<State> = (-4..=4).map(|k| top.at(t + f64::from(k) * step).expect("moderate times")).collect();
         let here = states[4];
         let l_rates = derivative(core::array::from_fn(|k| states[k].angular_momentum.components()), step);
         let euler = here.angular_momentum.cross(&here.omega).components();
         let scale = vector(l).norm() * fastest(i, l);
-        prop_assert!((l_rates - euler).norm() / scale <= 1e-13, "L' off by {:e}", (l_rates - euler).norm() / scale);
+        prop_assert!((l_rates - euler).norm() / scale <= 2e-14, "L' off by {:e}", (l_rates - euler).norm() / scale);
         let relative = |k: usize| {
             let q: UnitQuaternion<f64> = here.attitude.quaternion().inverse() * states[k].attitude.quaternion();
             q.imag() * q.w.signum()
         };
         let turning = 2.0 * derivative(core::array::from_fn(relative), step);
         let error = (turning - here.omega.components()).norm() / fastest(i, l);
-        prop_assert!(error <= 1e-13, "2q* q' off by {error:e}");
+        prop_assert!(error <= 6e-14, "2q* q' off by {error:e}");
     }
 
     #[test]
@@ -118,10 +120,10 @@ proptest! {
         let state = top.at(t).expect("moderate times");
         let before = start.to_space(vector(l));
         let after = state.attitude.to_space(state.angular_momentum);
-        prop_assert!((before - after).norm() / before.norm() <= 2e-15, "L in space off by {:e}", (before - after).norm() / before.norm());
-        prop_assert!((before - top.angular_momentum_in_space()).norm() / before.norm() <= 1e-15);
+        prop_assert!((before - after).norm() / before.norm() <= 4e-15, "L in space off by {:e}", (before - after).norm() / before.norm());
+        prop_assert_eq!(before, top.angular_momentum_in_space());
         let energy = state.omega.dot(&state.angular_momentum) / 2.0;
-        prop_assert!((energy / top.energy() - 1.0).abs() <= 4e-15, "energy off by {:e}", energy / top.energy() - 1.0);
+        prop_assert!((energy / top.energy() - 1.0).abs() <= 2e-15, "energy off by {:e}", energy / top.energy() - 1.0);
         for k in 0..3 {
             let [omega, l] = [state.omega, state.angular_momentum].map(|v| v.components()[k]);
             prop_assert!((omega * i[k] - l).abs() <= 2.0 * f64::EPSILON * l.abs());
@@ -151,7 +153,7 @@ proptest! {
             let [x, y, z] = renamed([q.i, q.j, q.k]);
             let attitude = Attitude::from_quaternion(q.w, x, y, z).expect("a unit quaternion");
             let expected = State { omega: state.omega, angular_momentum: vector(expected), attitude };
-            prop_assert!(distance(&other, &expected) <= 4e-15, "{order:?}: {:e}", distance(&other, &expected));
+            prop_assert!(distance(&other, &expected) <= 1e-15, "{order:?}: {:e}", distance(&other, &expected));
         }
     }
 
@@ -167,7 +169,7 @@ proptest! {
             let attitude = Attitude::from_quaternion(q.w, v.x, v.y, v.z).expect("a unit quaternion");
             let angular_momentum = BodyVector::from_components(flipped(state.angular_momentum.components()));
             let expected = State { omega: state.omega, angular_momentum, attitude };
-            prop_assert!(distance(&other, &expected) <= 4e-15, "{k}: {:e}", distance(&other, &expected));
+            prop_assert!(distance(&other, &expected) <= 1e-15, "{k}: {:e}", distance(&other, &expected));
         }
     }
 
@@ -179,7 +181,7 @@ proptest! {
         prop_assert_eq!(plain.angular_momentum, turned.angular_momentum);
         prop_assert_eq!(plain.omega, turned.omega);
         let expected = composed(&start, &plain.attitude);
-        prop_assert!(turned.attitude.angle_to(&expected) <= 4e-15, "{:e}", turned.attitude.angle_to(&expected));
+        prop_assert!(turned.attitude.angle_to(&expected) <= 2e-15, "{:e}", turned.attitude.angle_to(&expected));
     }
 
     /// The top that starts with −L runs the motion backwards.
@@ -188,7 +190,7 @@ proptest! {
         let forward = top(i, l).at(t).expect("moderate times");
         let reversed = top(i, l.map(|x| -x)).at(-t).expect("moderate times");
         let expected = State { omega: -forward.omega, angular_momentum: -forward.angular_momentum, attitude: forward.attitude };
-        prop_assert!(distance(&reversed, &expected) <= 4e-15, "{:e}", distance(&reversed, &expected));
+        prop_assert!(distance(&reversed, &expected) <= 1e-15, "{:e}", distance(&reversed, &expected));
     }
 
     /// Powers of two change units, not digits: moments by 2ᵃ, L by 2ᵇ, time by 2ᵃ⁻ᵇ.
@@ -213,23 +215,26 @@ proptest! {
         let middle = whole.at(first * unit).expect("moderate times");
         let rest = EulerTop::new(i, middle.angular_momentum, middle.attitude).expect("the same body");
         let (once, twice) = (whole.at(first * unit + second * unit).expect("moderate times"), rest.at(second * unit).expect("moderate times"));
-        prop_assert!(distance(&twice, &once) <= 2e-14, "{:e}", distance(&twice, &once));
+        prop_assert!(distance(&twice, &once) <= 5e-15, "{:e}", distance(&twice, &once));
     }
 
     /// Where two moments are equal the symmetric top of 6.5 says the same, by sines and cosines alone.
     #[test]
-    fn equal_moments_give_the_symmetric_top(pair in 0.2..1.0_f64, ratio in 0.01..1.99_f64, l in momenta(), t in -1e4..1e4, place in 0_usize..3) {
+    fn equal_moments_give_the_symmetric_top(pair in 0.2..1.0_f64, ratio in 0.01..1.99_f64, omega in momenta(), t in -1e6..1e6, place in 0_usize..3) {
         let axial = pair * ratio;
-        let mut i = [pair; 3];
-        i[place] = axial;
+        // The symmetric top's axis is its third: the others follow it cyclically.
+        let renamed = |v: [f64; 3]| { let mut out = [0.0; 3]; for k in 0..3 { out[(place + 1 + k) % 3] = v[k]; } out };
         let exact = SymmetricTop::new(pair, axial).expect("a body");
-        let motion = top(i, l).at(t).expect("moderate times");
-        // The symmetric top's axis is its third: rename cyclically.
-        let from = |v: Vector3<f64>| BodyVector::new(v[(place + 1) % 3], v[(place + 2) % 3], v[place]);
-        let start = top(i, l).at(0.0).expect("zero").omega.components();
-        let omega = exact.omega_at(from(start), t);
-        let found = from(motion.omega.components());
-        prop_assert!((found - omega).norm() / omega.norm() <= 1e-10, "omega {:e}", (found - omega).norm() / omega.norm());
+        let top = EulerTop::from_omega(renamed([pair, pair, axial]), vector(renamed(omega)), Attitude::identity()).expect("a body");
+        let state = top.at(t).expect("moderate times");
+        let expected = vector(renamed(exact.omega_at(vector(omega), t).components().into()));
+        let error = (state.omega - expected).norm() / expected.norm();
+        prop_assert!(error <= 2e-15, "omega off by {error:e}");
+        let q = exact.attitude_at(vector(omega), t).expect("moderate times").quaternion();
+        let [x, y, z] = renamed([q.i, q.j, q.k]);
+        let attitude = Attitude::from_quaternion(q.w, x, y, z).expect("a unit quaternion");
+        let error = state.attitude.angle_to(&attitude);
+        prop_assert!(error <= 4e-15, "attitude off by {error:e}");
     }
 
     #[test]
@@ -240,26 +245,28 @@ proptest! {
         prop_assert_eq!(together, each);
     }
 
+    /// The products I Ω need not be doubles: that difference alone remains.
     #[test]
-    fn omega_or_momentum_at_the_start(i in moments(), omega in momenta(), t in -100.0..100.0) {
+    fn omega_or_momentum_at_the_start(i in moments(), omega in momenta(), t in -1.0..1.0) {
         let l = [0, 1, 2].map(|k| i[k] * omega[k]);
         let one = EulerTop::from_omega(i, vector(omega), Attitude::identity()).expect("a body").at(t).expect("moderate times");
         let two = top(i, l).at(t).expect("moderate times");
-        prop_assert!(distance(&one, &two) <= 1e-13);
+        prop_assert!(distance(&one, &two) <= 1e-15 * (1.0 + 20.0 * t.abs()));
     }
 
     /// After one period Ω is back, and the body has turned about L by the two phases together (Montgomery).
     #[test]
     fn one_period_turns_about_l(i in moments(), l in momenta(), start in turn()) {
         let top = EulerTop::new(i, vector(l), start).expect("a body");
-        let period = top.polhode_period();
-        prop_assume!(period.is_finite() && matches!(top.regime(), Regime::AroundSmallest | Regime::AroundLargest));
+        let period = top.period();
+        prop_assume!(matches!(top.regime(), Regime::AroundSmallest | Regime::AroundLargest));
+        prop_assert!(period.is_finite());
         let state = top.at(period).expect("one period");
         let back = (state.angular_momentum - vector(l)).norm() / vector(l).norm();
         // The period is rounded, and L moves meanwhile.
         let allowed = 1e-15 * (10.0 + fastest(i, l) * period);
         prop_assert!(back <= allowed, "L back to {back:e}, period {period}");
-        let phase = top.geometric_phase();
+        let phase = top.geometric_phase().expect("a period");
         let about_l = start.to_body(top.angular_momentum_in_space());
         let angle = (phase.dynamical + phase.geometric).rem_euclid(core::f64::consts::TAU);
         let expected = composed(&start, &Attitude::about_axis(about_l, angle).expect("L is not zero"));
@@ -271,7 +278,7 @@ proptest! {
     fn nothing_panics(i in prop::array::uniform3(any()), l in prop::array::uniform3(any()), q in prop::array::uniform4(any()), t in any()) {
         let attitude = Attitude::from_quaternion(q[0], q[1], q[2], q[3]).unwrap_or(Attitude::identity());
         for top in [EulerTop::new(i, vector(l), attitude), EulerTop::from_omega(i, vector(l), attitude)].into_iter().flatten() {
-            let _ = (top.regime(), top.energy(), top.period(), top.polhode_period(), top.mean_precession_rate(), top.geometric_phase());
+            let _ = (top.regime(), top.energy(), top.period(), top.mean_precession_rate(), top.geometric_phase());
             prop_assert!(top.angular_momentum_in_space().is_finite());
             if let Ok(state) = top.at(t) {
                 prop_assert!(t.is_finite());
@@ -385,7 +392,7 @@ fn half_a_period_turns_the_racket_over() -> Result<()> {
         let tilt = 10_f64.powi(-exponent);
         let start = vector([tilt, 1.0, tilt]);
         let top = EulerTop::from_omega([1.0, 2.0, 3.0], start, Attitude::identity())?;
-        let flip = top.polhode_period() / 2.0;
+        let flip = top.period() / 2.0;
         let omega = top.omega_at(flip)?;
         // The flip is rounded to a double: Ω₁ and Ω₃ grow by a factor of e in √3 seconds.
         assert!((omega.y() + 1.0).abs() <= 1e-14, "{tilt:e}: {omega:?}");

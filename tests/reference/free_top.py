@@ -203,7 +203,7 @@ class Body:
             q = product(about([x / self.g for x in l], self.g * t / i[transverse]), about(unit, -wobble))
             b, c = (axial + 1) % 3, (axial + 2) % 3
             out = list(l)
-            out[b], out[c] = l[b] * cos(wobble) + l[c] * sin(wobble), l[c] * cos(wobble) - l[b] * sin(wobble)
+            out[b], out[c] = l[b] * cos(wobble) - l[c] * sin(wobble), l[c] * cos(wobble) + l[b] * sin(wobble)
             return out, q
         a1, a2, a3 = self.amplitudes
         u = self.rate * t + self.phase

@@ -90,7 +90,7 @@ impl Row {
     fn state(&self) -> Result<State> {
         let [x, y, z] = self.start;
         let start = BodyVector::new(x, y, z);
-        EulerTop::new(self.moments, start, Attitude::identity())?.at(self.time)
+        EulerTop::beyond_bodies(self.moments, start, Attitude::identity())?.at(self.time)
     }
 
     fn errors(&self, state: &State) -> Errors {

@@ -8,7 +8,7 @@ use crate::elliptic::Side;
 use crate::elliptic::landen::right_angle;
 use crate::elliptic::local::{Place, sine_cosine};
 use crate::error::{Error, Result, finite, not_negative};
-use crate::extended::Extended;
+use crate::extended::{Extended, Wide};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 
@@ -126,7 +126,7 @@ impl EulerTop {
             finite(start.name(), component)?;
         }
         refuse_impossible_rod(moments, &start)?;
-        let exact = start.angular_momentum(moments);
+        let exact: [Extended; 3] = start.angular_momentum(moments);
         let l = exact.map(Extended::value);
         for component in l.into_iter().chain(omega_of(moments, &exact)) {
             finite("a component of angular velocity or momentum", component)?;

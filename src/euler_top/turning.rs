@@ -15,7 +15,7 @@
 use crate::double_double::DoubleDouble;
 use crate::elliptic::landen::{Landen, right_angle};
 use crate::elliptic::local::{Local, Place};
-use crate::extended::{Extended, angle};
+use crate::extended::{Wide, angle};
 
 /// Everything about ψ that does not depend on time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,12 +45,12 @@ enum Theta {
 
 /// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Elevation {
+pub(super) struct Elevation<N> {
     pub(super) which: Which,
     /// sn² = `rise`/`slope`, cn² = `run`/`slope`.
-    pub(super) rise: Extended,
-    pub(super) run: Extended,
-    pub(super) slope: Extended,
+    pub(super) rise: N,
+    pub(super) run: N,
+    pub(super) slope: N,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,10 +61,10 @@ pub(super) enum Which {
 
 impl Turning {
     /// For m ≤ 1/2.
-    pub(super) fn circular(
+    pub(super) fn circular<N: Wide>(
         landen: &Landen,
-        elevation: &Elevation,
-        m: Extended,
+        elevation: &Elevation<N>,
+        m: N,
         aspect: f64,
     ) -> Self {
         let one = DoubleDouble::from(1.0);
@@ -121,10 +121,10 @@ impl Turning {
     }
 
     /// For m > 1/2, the separatrix included.
-    pub(super) fn hyperbolic(
+    pub(super) fn hyperbolic<N: Wide>(
         landen: &Landen,
-        elevation: &Elevation,
-        mc: Extended,
+        elevation: &Elevation<N>,
+        mc: N,
         aspect: f64,
     ) -> Self {
         let one = DoubleDouble::from(1.0);

@@ -80,7 +80,11 @@ impl Wide for DoubleDouble {
 
     #[inline]
     fn divide(self, other: Self) -> Self {
-        if self.high() == 0.0 { self } else { self.divide(other) }
+        if self.high() == 0.0 {
+            self
+        } else {
+            self.divide(other)
+        }
     }
 
     #[inline]

@@ -35,9 +35,24 @@ impl Start {
     /// L, to 106 bits: the product of a moment and an angular velocity is not rounded.
     pub(super) fn angular_momentum<N: Wide>(self, moments: [f64; 3]) -> [N; 3] {
         match self {
-            Self::AngularMomentum(l) => l.map(N::from_double),
-            Self::Omega(omega) => {
-                core::array::from_fn(|k| N::from_double(omega[k]).times(moments[k]))
+            Self::AngularMomentum([x, y, z]) => {
+                [N::from_double(x), N::from_double(y), N::from_double(z)]
+            }
+            Self::Omega([x, y, z]) => [
+                N::from_double(x).times(moments[0]),
+                N::from_double(y).times(moments[1]),
+                N::from_double(z).times(moments[2]),
+            ],
+        }
+    }
+
+    /// L and Ω as doubles.
+    pub(super) fn both(self, moments: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+        match self {
+            Self::AngularMomentum(l) => (l, ratio(l, moments)),
+            Self::Omega([x, y, z]) => {
+                let l = [moments[0] * x, moments[1] * y, moments[2] * z];
+                (l, [x, y, z])
             }
         }
     }
@@ -48,6 +63,18 @@ impl Start {
             Self::Omega(omega) => Self::Omega(omega.map(f)),
         }
     }
+}
+
+/// L_i/I_i; zero along an axis whose moment is zero.
+#[inline]
+pub(super) fn ratio(l: [f64; 3], moments: [f64; 3]) -> [f64; 3] {
+    core::array::from_fn(|k| {
+        if moments[k] == 0.0 {
+            0.0
+        } else {
+            l[k] / moments[k]
+        }
+    })
 }
 
 /// A body's axes, renumbered and turned over so that axis 3 has the component that keeps its sign and components 1 and 3
@@ -207,13 +234,7 @@ fn decide_with<N: Wide>(moments: [f64; 3], start: Start) -> (Regime, Option<Cons
 }
 
 /// (L² − 2EI₂) I₁I₃ = c₁ L₃² − c₃ L₁²: its sign decides about which axis L goes, its size how close the separatrix is.
-fn separation<N: Wide>(
-    i: [f64; 3],
-    order: [usize; 3],
-    start: Start,
-    l: &[N; 3],
-    c: &[N; 3],
-) -> N {
+fn separation<N: Wide>(i: [f64; 3], order: [usize; 3], start: Start, l: &[N; 3], c: &[N; 3]) -> N {
     let third = c[0].multiply(l[order[2]].square());
     let first = c[2].multiply(l[order[0]].square());
     let difference = third.subtract(first);
@@ -291,8 +312,12 @@ fn constants<N: Wide>(
     distance: N,
     sense: f64,
 ) -> Constants {
-    let l: [N; 3] = core::array::from_fn(|k| l[k].signed(axes.sign[k]));
-    let squares = l.map(N::square);
+    let l = [
+        l[0].signed(axes.sign[0]),
+        l[1].signed(axes.sign[1]),
+        l[2].signed(axes.sign[2]),
+    ];
+    let squares = [l[0].square(), l[1].square(), l[2].square()];
     // Sums of terms of one sign stand in for L² − 2EI and 2EI − L².
     let steady = c[2].multiply(squares[1]).add(c[1].multiply(squares[2]));
     let wobble = c[1].multiply(squares[0]).add(c[0].multiply(squares[1]));
@@ -302,9 +327,7 @@ fn constants<N: Wide>(
     let mc = c[1].multiply(distance).divide(frequency);
     let volume = N::from_double(i[0]).times(i[1]).times(i[2]);
     let lambda = frequency.square_root().divide(volume);
-    let base = size_squared
-        .square_root()
-        .divide(N::from_double(i[1]));
+    let base = size_squared.square_root().divide(N::from_double(i[1]));
 
     let side = if m.exceeds(mc) {
         Side::Hyperbolic

@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::{Error, Result};
 
 use super::inertia::{decimal, double_double::Dd, hexadecimal};
 
@@ -87,10 +87,29 @@ fn angle(found: &Attitude, exact: [Dd; 4]) -> f64 {
 }
 
 impl Row {
+    /// The state found. Some well-known examples have moments that no body has: `new` must say so, and the motion follows
+    /// from Euler's equations all the same.
     fn state(&self) -> Result<State> {
         let [x, y, z] = self.start;
         let start = BodyVector::new(x, y, z);
-        EulerTop::new(self.moments, start, Attitude::identity())?.at(self.time)
+        let mut sorted = self.moments;
+        sorted.sort_by(f64::total_cmp);
+        let top = EulerTop::new(self.moments, start, Attitude::identity());
+        if sorted[0] + sorted[1] < sorted[2] * (1.0 - 1e-15) {
+            assert!(
+                matches!(top, Err(Error::TriangleInequality { .. })),
+                "row {}",
+                self.id
+            );
+            return EulerTop::beyond_bodies(self.moments, start, Attitude::identity())?
+                .at(self.time);
+        }
+        top?.at(self.time)
+    }
+
+    /// Whether the body has turned so often that the count of half turns is no longer a double.
+    fn beyond_counting(&self) -> bool {
+        self.turns > 2_f64.powi(52)
     }
 
     fn errors(&self, state: &State) -> Errors {
@@ -134,6 +153,11 @@ fn free_top_against_the_table() {
     let mut rows = 0;
     for row in table() {
         rows += 1;
+        if row.beyond_counting() {
+            let refused = matches!(row.state(), Err(Error::OutOfRange { .. }));
+            assert!(refused, "row {} ({:e} turns)", row.id, row.turns);
+            continue;
+        }
         let (errors, note) = match row.state() {
             Ok(state) => (row.errors(&state), String::new()),
             Err(error) => (Errors::WRONG, error.to_string()),

@@ -3,6 +3,10 @@
 //! So far the symmetric top (6.5), solved exactly, and its most distinguished example, the Earth.
 
 pub mod earth;
+mod motion;
+mod preparation;
 pub mod symmetric;
+mod turning;
 
+pub use motion::{EulerTop, GeometricPhase, Regime, State};
 pub use symmetric::{Cones, Shape, SymmetricTop};

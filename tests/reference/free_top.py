@@ -460,7 +460,9 @@ def compute(number):
     if q[0] < 0:
         q = [-x for x in q]
     periods = "inf" if body.kind in ("steady", "separatrix") else nstr(abs(mpf(t)) / body.period(), 4)
-    numbers = [x.hex() for x in moments + start + [t]] + [nstr(x, 32, strip_zeros=True) if x else "0.0" for x in l + q]
+    # What decays on the separatrix for a million years is written as zero: far below the least double.
+    shown = [nstr(x, 32) if abs(x) > mpf(10) ** -400 else "0.0" for x in l + q]
+    numbers = [x.hex() for x in moments + start + [t]] + shown
     return ",".join([str(number), group] + numbers + [periods, nstr(turns, 4)]), agreement, busy
 
 

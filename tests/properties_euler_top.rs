@@ -124,9 +124,9 @@ proptest! {
         prop_assert_eq!(before, top.angular_momentum_in_space());
         let energy = state.omega.dot(&state.angular_momentum) / 2.0;
         prop_assert!((energy / top.energy() - 1.0).abs() <= 2e-15, "energy off by {:e}", energy / top.energy() - 1.0);
-        for k in 0..3 {
+        for (k, moment) in i.into_iter().enumerate() {
             let [omega, l] = [state.omega, state.angular_momentum].map(|v| v.components()[k]);
-            prop_assert!((omega * i[k] - l).abs() <= 2.0 * f64::EPSILON * l.abs());
+            prop_assert!((omega * moment - l).abs() <= 2.0 * f64::EPSILON * l.abs());
         }
         prop_assert_eq!(top.omega_at(t).expect("moderate times"), state.omega);
     }

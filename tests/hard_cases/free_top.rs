@@ -190,3 +190,48 @@ fn free_top_against_the_table() {
         failures.join("\n")
     );
 }
+
+/// The racket of 6.3 turns over in half a period of Ω: from a tilt of 0.1 to one of 1e-300, beside what other libraries make of it.
+#[test]
+fn flip_times_against_the_table() -> Result<()> {
+    let mut rows = 0;
+    for line in include_str!("../reference/peers/flip_time.csv").lines() {
+        let fields: Vec<&str> = line.split(',').collect();
+        if fields[0] != "exact" {
+            continue;
+        }
+        let tilt: f64 = fields[2].parse().expect("a number");
+        let start = BodyVector::new(tilt, 1.0, tilt);
+        let top = EulerTop::from_omega([1.0, 2.0, 3.0], start, Attitude::identity())?;
+        let exact = decimal(fields[3]);
+        let error = (Dd::from(0.5 * top.period()) - exact).value().abs() / exact.value();
+        // Observed 8.3e-17, which is a correctly rounded period.
+        assert!(error <= 2e-16, "tilt {tilt:e}: {error:e}");
+        rows += 1;
+    }
+    assert_eq!(rows, 44);
+    Ok(())
+}
+
+/// The committed measurements say what the figure of the flip time says: every peer has lost it, to 1e-3, by a tilt of 1e-8.
+#[test]
+fn every_peer_loses_the_flip_by_a_tilt_of_1e_8() {
+    let mut lost: BTreeMap<&str, f64> = BTreeMap::new();
+    for line in include_str!("../reference/peers/flip_time.csv")
+        .lines()
+        .skip(1)
+    {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [tilt, error] = [2, 4].map(|k| fields[k].parse::<f64>().expect("a number"));
+        let entry = lost.entry(fields[0]).or_insert(0.0);
+        // A refusal is a NaN in the table and counts as lost.
+        if error.is_nan() || error > 1e-3 {
+            *entry = entry.max(tilt);
+        }
+    }
+    assert_eq!(lost.remove("exact"), Some(0.0));
+    assert_eq!(lost.len(), 7);
+    for (library, tilt) in lost {
+        assert!((0.9e-8..1.1e-7).contains(&tilt), "{library}: {tilt:e}");
+    }
+}

@@ -182,7 +182,7 @@ fn free_top_against_the_table() {
             spans[*span as usize], errors.attitude, errors.angular_momentum, errors.omega
         );
     }
-    assert_eq!(rows, 968);
+    assert_eq!(rows, 998);
     assert!(
         failures.is_empty(),
         "{} of {rows} rows\n{}",

@@ -226,19 +226,27 @@ impl Nome {
         if self.l4 < 1e-34 {
             return logarithm;
         }
-        let l = kernel::quotient(lesser, product.scaled(16.0));
-        let l2 = kernel::product(l, l);
-        let y = kernel::product(l2, l2);
-        let t = y.value();
-        let third = 2701.0 / 2.0 + t * (80912.0 / 5.0 + t * (613_720.0 / 3.0));
-        let second = kernel::product(y, DoubleDouble::sum(368.0 / 3.0, t * third));
-        let first = kernel::product(y, second.add(DoubleDouble::from(13.0)));
-        let correction = kernel::product(y, first.add(DoubleDouble::from(2.0)));
+        // l in two words by one step of Newton, its fourth power, and 2 y + 13 y² with both words.
+        let l = self.l;
+        let (back, error) = kernel::exact_product(l, ratio.high() / unit);
+        let off = ((1.0 - back) - error) - l * (ratio.low() / unit);
+        let (l2, l2_low) = kernel::exact_product(l, l);
+        let (y, error) = kernel::exact_product(l2, l2);
+        let (y, y_low) = kernel::ordered_sum(y, error + 2.0 * l2 * l2_low + 4.0 * off * y);
+        let (y2, error) = kernel::exact_product(y, y);
+        let y2_low = error + 2.0 * y * y_low;
+        let (square, error) = kernel::exact_product(13.0, y2);
+        let rest =
+            y * (368.0 / 3.0 + y * (2701.0 / 2.0 + y * (80912.0 / 5.0 + y * (613_720.0 / 3.0))));
+        let low = 2.0 * y_low + (error + 13.0 * y2_low + rest * y2);
+        let (high, carry) = kernel::ordered_sum(2.0 * y, square);
+        let correction = DoubleDouble::new(high, carry + low);
         logarithm.subtract(correction)
     }
 }
 
 /// q⁰, q^½, q, … q¹² by products that the processor can form side by side.
+#[inline(always)]
 fn powers(root: f64) -> [f64; 25] {
     let mut powers = [1.0; 25];
     powers[1] = root;
@@ -251,39 +259,45 @@ fn powers(root: f64) -> [f64; 25] {
 /// The four theta functions divided by sin, cos, 1, 1 and by 2q^{1/4} where it is due, as polynomials in sin² = z.
 ///
 /// `p` gives q^a z^j with the powers of q that the change of variable z → −sinh² leaves.
+#[inline(always)]
 fn thetas(p: impl Fn(usize, usize) -> f64) -> [[f64; 4]; 4] {
-    let [q1, q4, q9] = [1, 4, 9].map(|a| [0, 1, 2, 3].map(|j| 2.0 * p(a, j)));
-    let [q2, q6, q12] = [2, 6, 12].map(|a| [0, 1, 2, 3].map(|j| p(a, j)));
     let theta1 = [
-        1.0 - (3.0 * q2[0] - 5.0 * q6[0] + 7.0 * q12[0]),
-        4.0 * q2[1] - 20.0 * q6[1] + 56.0 * q12[1],
-        16.0 * q6[2] - 112.0 * q12[2],
-        64.0 * q12[3],
+        1.0 - (3.0 * p(2, 0) - 5.0 * p(6, 0) + 7.0 * p(12, 0)),
+        4.0 * p(2, 1) - 20.0 * p(6, 1) + 56.0 * p(12, 1),
+        16.0 * p(6, 2) - 112.0 * p(12, 2),
+        64.0 * p(12, 3),
     ];
     let theta2 = [
-        1.0 + (q2[0] + q6[0] + q12[0]),
-        -4.0 * q2[1] - 12.0 * q6[1] - 24.0 * q12[1],
-        16.0 * q6[2] + 80.0 * q12[2],
-        -64.0 * q12[3],
+        1.0 + (p(2, 0) + p(6, 0) + p(12, 0)),
+        -4.0 * p(2, 1) - 12.0 * p(6, 1) - 24.0 * p(12, 1),
+        16.0 * p(6, 2) + 80.0 * p(12, 2),
+        -64.0 * p(12, 3),
     ];
     let theta3 = [
-        1.0 + (q1[0] + q4[0] + q9[0]),
-        -2.0 * q1[1] - 8.0 * q4[1] - 18.0 * q9[1],
-        8.0 * q4[2] + 48.0 * q9[2],
-        -32.0 * q9[3],
+        1.0 + 2.0 * (p(1, 0) + p(4, 0) + p(9, 0)),
+        -4.0 * p(1, 1) - 16.0 * p(4, 1) - 36.0 * p(9, 1),
+        16.0 * p(4, 2) + 96.0 * p(9, 2),
+        -64.0 * p(9, 3),
     ];
     let theta4 = [
-        1.0 - (q1[0] - q4[0] + q9[0]),
-        2.0 * q1[1] - 8.0 * q4[1] + 18.0 * q9[1],
-        8.0 * q4[2] - 48.0 * q9[2],
-        32.0 * q9[3],
+        1.0 - 2.0 * (p(1, 0) - p(4, 0) + p(9, 0)),
+        4.0 * p(1, 1) - 16.0 * p(4, 1) + 36.0 * p(9, 1),
+        16.0 * p(4, 2) - 96.0 * p(9, 2),
+        64.0 * p(9, 3),
     ];
     [theta1, theta2, theta3, theta4]
 }
 
 /// factor · numerator − denominator.
+#[inline(always)]
 fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 4] {
-    [0, 1, 2, 3].map(|j| factor * numerator[j] - denominator[j])
+    let ([a, b, c, d], [e, f, g, h]) = (numerator, denominator);
+    [
+        factor * a - e,
+        factor * b - f,
+        factor * c - g,
+        factor * d - h,
+    ]
 }
 
 impl Series {

@@ -37,7 +37,7 @@ impl Modulus {
     ///
     /// If u is not finite, or greater than 2⁵³ quarter periods.
     pub fn jacobi(&self, u: f64) -> Result<Jacobi> {
-        if u.abs() <= self.reduction.limit {
+        if !self.reduction.refuses(u) {
             let Reduced {
                 rounded,
                 high,
@@ -141,8 +141,8 @@ impl Modulus {
 }
 
 /// A remainder with less of the argument left than this is too short in bits, and K is taken to 150 bits instead.
-/// Both sides agree here: the prepared K leaves 52 right bits and more.
-const FEW_BITS_LEFT: f64 = 1.0 / (1_u64 << 52) as f64;
+/// Both sides agree here: the prepared K, of 101 bits and more, leaves 51 right ones.
+const FEW_BITS_LEFT: f64 = 1.0 / (1_u64 << 50) as f64;
 
 /// An argument less a count of quarter periods.
 pub(super) struct Reduced {
@@ -154,6 +154,13 @@ pub(super) struct Reduced {
 }
 
 impl Reduction {
+    /// Whether an argument has too many quarter periods, or is not a number.
+    #[inline(always)]
+    pub(super) fn refuses(&self, u: f64) -> bool {
+        // Written so that not-a-number is refused.
+        !(u.abs() <= self.limit)
+    }
+
     #[inline(always)]
     pub(super) fn apply(&self, u: f64) -> Reduced {
         let rounded = u * self.inverse + ROUNDER;
@@ -196,7 +203,7 @@ pub(super) fn circular(series: &Series, bits: u64, high: f64, low: f64) -> Circu
     let cn = s2 * kernel::polynomial(&[set.cn[0], set.cn[1], set.cn[2]], s2) * inverse;
     let dn = s2 * kernel::polynomial(&[set.dn[0], set.dn[1], set.dn[2]], s2) * inverse;
     Circular {
-        sn: (s + s * sn).clamp(-1.0, 1.0),
+        sn: (s + s * sn).max(-1.0).min(1.0),
         cn: c + c * cn,
         dn: 1.0 + dn,
         // sin(am − v) = sn cos v − cn sin v, where the leading parts cancel by themselves.
@@ -243,7 +250,7 @@ pub(super) fn hyperbolic(
     Hyperbolic {
         sn: f64::from_bits(sn.min(1.0).to_bits() ^ sn_sign),
         cn: f64::from_bits(cn.to_bits() ^ cn_sign),
-        dn: dn.clamp(series.complementary_modulus, 1.0),
+        dn: dn.max(series.complementary_modulus).min(1.0),
     }
 }
 

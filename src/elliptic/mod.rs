@@ -9,6 +9,7 @@
 //!   value, and goes on with the period π in φ like F does.
 //! - Angles in radians; a function of two angles takes the amplitude φ, never its sine.
 
+mod batch;
 pub mod carlson;
 mod complete;
 mod incomplete;

@@ -39,6 +39,29 @@ pub struct Modulus {
     pub(super) series: Series,
 }
 
+impl Corrections {
+    /// The set for as many quarter periods as the lowest bit says, without a branch.
+    #[inline(always)]
+    pub(super) fn chosen(series: &Series, bits: u64) -> Self {
+        let odd = (bits & 1).wrapping_neg();
+        let choose = |a: &[f64; 4], b: &[f64; 4]| {
+            [
+                kernel::select(odd, b[0], a[0]),
+                kernel::select(odd, b[1], a[1]),
+                kernel::select(odd, b[2], a[2]),
+                kernel::select(odd, b[3], a[3]),
+            ]
+        };
+        let Series { even, odd, .. } = series;
+        Self {
+            denominator: choose(&even.denominator, &odd.denominator),
+            sn: choose(&even.sn, &odd.sn),
+            cn: choose(&even.cn, &odd.cn),
+            dn: choose(&even.dn, &odd.dn),
+        }
+    }
+}
+
 /// What takes the quarter periods off an argument when there are at most 2²⁵ of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Reduction {

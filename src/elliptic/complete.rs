@@ -12,11 +12,16 @@ pub fn complete_first(parameter: Parameter) -> f64 {
 
 /// E = ∫₀^{π/2} √(1 − m sin²θ) dθ.
 pub fn complete_second(parameter: Parameter) -> f64 {
+    second(parameter).value()
+}
+
+/// E = B + mc D, where both terms are positive.
+pub(super) fn second(parameter: Parameter) -> Dd {
     if parameter.mc() == 0.0 {
-        return 1.0;
+        return Dd::from(1.0);
     }
     let d = d_dd(parameter);
-    b_dd(parameter).add(parameter.mc_dd().multiply(d)).value()
+    b_dd(parameter).add(parameter.mc_dd().multiply(d))
 }
 
 /// D = ∫₀^{π/2} sin²θ/√(1 − m sin²θ) dθ = (K − E)/m; infinite at mc = 0.

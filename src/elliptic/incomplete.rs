@@ -36,10 +36,17 @@ impl Angle {
         };
         let mut halves = (phi / core::f64::consts::PI).round();
         let mut rest = less(Dd::from(phi), halves);
-        // The quotient may be rounded to the wrong side.
-        let again = (rest.high() / core::f64::consts::PI).round();
-        if again != 0.0 {
-            halves += again;
+        // The quotient may be rounded to the wrong side of a quarter turn: there the rest itself decides.
+        let beyond = |rest: Dd| {
+            let size = if rest.high() < 0.0 {
+                rest.negated()
+            } else {
+                rest
+            };
+            less(size, 0.5).value() > 0.0
+        };
+        if beyond(rest) {
+            halves += 1.0_f64.copysign(rest.high());
             rest = less(Dd::from(phi), halves);
         }
         let negative = rest.high() < 0.0;
@@ -49,8 +56,17 @@ impl Angle {
         let (sine, cosine) = if rest.high() <= core::f64::consts::FRAC_PI_4 {
             sine_cosine(rest)
         } else {
-            let other = less(rest, 0.5);
-            let (sine, cosine) = sine_cosine(other.negated());
+            // Both from the angle itself, so that the cosine has all its digits next to a quarter turn.
+            let other = less(
+                Dd::from(phi.abs()),
+                halves.abs() + if negative == (phi > 0.0) { -0.5 } else { 0.5 },
+            );
+            let other = if other.high() < 0.0 {
+                other.negated()
+            } else {
+                other
+            };
+            let (sine, cosine) = sine_cosine(other);
             (cosine, sine)
         };
         Ok(Self {
@@ -136,9 +152,7 @@ fn first(angle: &Angle, parameter: Parameter) -> Dd {
 pub fn incomplete_second(phi: f64, parameter: Parameter) -> Result<f64> {
     let angle = Angle::new(phi)?;
     let e = second(&angle, parameter);
-    Ok(angle.assemble(e, || {
-        Dd::from(2.0 * super::complete::complete_second(parameter))
-    }))
+    Ok(angle.assemble(e, || super::complete::second(parameter).scaled(2.0)))
 }
 
 fn second(angle: &Angle, parameter: Parameter) -> Dd {

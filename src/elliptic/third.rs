@@ -2,7 +2,7 @@
 
 use super::carlson;
 use super::incomplete::Angle;
-use super::modulus::Modulus;
+use super::modulus::{Modulus, PI};
 use super::parameter::Parameter;
 use crate::double_double::DoubleDouble as Dd;
 use crate::error::{Error, Result, finite};
@@ -119,6 +119,19 @@ pub fn incomplete_third(
     Ok(angle.assemble(rest, || half))
 }
 
+/// Beyond this nc the integral is arctan(√nc tan φ)/√nc: with t = tan θ it is ∫ dt/((1 + nc t²) Δ), and
+/// 1/Δ − 1 ≤ t² ∂(F)/… adds at most F/nc, which against π/(2 √nc) is less than 800/√nc = 8·10⁻¹⁸.
+const FAR_NEGATIVE: f64 = 1e40;
+
+fn far_negative(s: Dd, c: Dd, nc: Dd) -> Dd {
+    let root = nc.square_root();
+    if c.value() == 0.0 {
+        return PI.scaled(0.5).divide(root);
+    }
+    let slope = s.multiply(root).divide(c).value();
+    Dd::from(slope.atan()).divide(root)
+}
+
 fn incomplete_part(
     s: Dd,
     c: Dd,
@@ -156,18 +169,33 @@ fn incomplete_part(
             f64::NEG_INFINITY
         }));
     }
+    if nc.value() > FAR_NEGATIVE {
+        return Ok(far_negative(s, c, nc));
+    }
     if n.value() < 0.0 {
-        // To the characteristic (m − n)/(1 − n) between m and 1.
-        let q = c2.add(mc.multiply(s2).divide(nc));
+        // To the characteristic (m − n)/(1 − n) between m and 1. All arguments of R_J are multiplied with 2⁵⁰⁰,
+        // so that the least, which may be mc/nc, does not underflow.
+        let up = 2.0_f64.powi(500);
+        let few = mc.scaled(up).multiply(s2).divide(nc);
+        let q = c2.scaled(up).add(few);
         let weight = n.negated().divide(nc);
-        let tail = mc
-            .multiply(s3)
-            .divide(nc)
+        let tail = few
+            .multiply(s)
             .divide(three)
-            .multiply(carlson::third(c2, delta2, one, q));
-        let arc = s
-            .multiply(c)
-            .multiply(carlson::elementary(delta2, p.multiply(q)));
+            .multiply(carlson::third(
+                c2.scaled(up),
+                delta2.scaled(up),
+                one.scaled(up),
+                q,
+            ))
+            .scaled(2.0_f64.powi(250));
+        let arc = if c.value() == 0.0 {
+            c
+        } else {
+            let q = q.scaled(1.0 / up);
+            s.multiply(c)
+                .multiply(carlson::elementary(delta2, p.multiply(q)))
+        };
         return Ok(first().divide(nc).add(weight.multiply(arc.add(tail))));
     }
     if p.value() > 0.0 {

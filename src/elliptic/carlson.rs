@@ -70,7 +70,7 @@ pub(super) fn third(mut x: Dd, mut y: Dd, mut z: Dd, mut p: Dd) -> Dd {
             let last = one()
                 .add(Dd::from(tail(dx, dy, dz, dp)))
                 .divide(mean.multiply(mean.square_root()));
-            return sum.scaled(6.0).add(last.scaled(scale));
+            return sum.multiply(Dd::from(6.0)).add(last.scaled(scale));
         }
         let (a, b, c, r) = (
             x.square_root(),

@@ -95,11 +95,11 @@ impl Angle {
         if self.halves == 0.0 {
             return signed.value();
         }
-        let halves = half_period().multiply(Dd::from(self.halves));
-        if halves.value().is_infinite() {
-            return halves.value();
+        let half = half_period();
+        if half.high().is_infinite() {
+            return half.high() * self.halves;
         }
-        halves.add(signed).value()
+        half.multiply(Dd::from(self.halves)).add(signed).value()
     }
 }
 

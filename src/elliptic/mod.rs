@@ -24,7 +24,7 @@ mod third;
 
 pub use complete::{complete_b, complete_d, complete_first, complete_second};
 pub use incomplete::{incomplete_first, incomplete_second};
-pub use inverse::{inverse_cn, inverse_dn, inverse_sn};
+pub use inverse::{inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn};
 pub use jacobi::Jacobi;
 pub use modulus::Modulus;
 pub use parameter::Parameter;

@@ -306,8 +306,8 @@ fn integrals_are_right_to_the_last_place_everywhere() -> Result<()> {
         let arguments: Vec<&str> = fields[2].split(' ').collect();
         let value = integral(fields[1], &arguments)?;
         let error = relative_error(value, fields[3]).abs() / f64::EPSILON;
-        // Observed: 0.7, for every function and every kind of argument.
-        assert!(error <= 1.0, "{line}: {value:e} is {error} eps off");
+        // Observed: 0.46, for every function and every kind of argument; half an eps is what rounding alone can make.
+        assert!(error <= 0.6, "{line}: {value:e} is {error} eps off");
         worst = worst.max(error);
     }
     println!("worst {worst} eps");
@@ -339,10 +339,7 @@ fn inverses_undo_the_functions() -> Result<()> {
             let back = inverse_cn_sn(3e200 * cn, 3e200 * sn, p)?;
             // The ratio sn/cn carries 4 eps, which turns the amplitude by 4 eps sn cn, and u by that over dn.
             let allowed = f64::EPSILON * (u + 4.0 * sn * cn / dn);
-            assert!(
-                (back - u).abs() <= allowed,
-                "mc = {mc}, u = {u}: {back}"
-            );
+            assert!((back - u).abs() <= allowed, "mc = {mc}, u = {u}: {back}");
             let back = inverse_cn_sn(-cn, -sn, p)?;
             let expected = u - 2.0 * k;
             assert!(

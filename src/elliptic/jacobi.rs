@@ -168,12 +168,13 @@ impl Reduction {
         // The first difference is exact: its terms are within a factor of two, or the count is zero.
         let first = u - count * self.parts[0];
         let rest = DoubleDouble::difference(first, count * self.parts[1]);
-        let rest = DoubleDouble::sum(rest.high(), rest.low() - count * self.parts[2]);
+        // In order, unless the argument is unlucky.
+        let (high, low) = kernel::ordered_sum(rest.high(), rest.low() - count * self.parts[2]);
         Reduced {
             rounded,
-            high: rest.high(),
-            low: rest.low(),
-            unlucky: rest.high().abs() < FEW_BITS_LEFT * u.abs(),
+            high,
+            low,
+            unlucky: high.abs() < FEW_BITS_LEFT * u.abs(),
         }
     }
 }
@@ -203,7 +204,7 @@ pub(super) fn circular(series: &Series, bits: u64, high: f64, low: f64) -> Circu
     let cn = s2 * kernel::polynomial(&[set.cn[0], set.cn[1], set.cn[2]], s2) * inverse;
     let dn = s2 * kernel::polynomial(&[set.dn[0], set.dn[1], set.dn[2]], s2) * inverse;
     Circular {
-        sn: (s + s * sn).max(-1.0).min(1.0),
+        sn: kernel::lesser(kernel::greater(s + s * sn, -1.0), 1.0),
         cn: c + c * cn,
         dn: 1.0 + dn,
         // sin(am − v) = sn cos v − cn sin v, where the leading parts cancel by themselves.
@@ -231,7 +232,7 @@ pub(super) fn hyperbolic(
     let sign = high.to_bits() & (1 << 63);
     let (high, low) = (high.abs(), f64::from_bits(low.to_bits() ^ sign));
     let wave = Wave::new(high, low);
-    let z = (series.root * wave.growth * wave.sine).min(2.0);
+    let z = kernel::lesser(series.root * wave.growth * wave.sine, 2.0);
     let z = z * z;
     let inverse = 1.0 / kernel::polynomial(&set.denominator, z);
     let upper = series.complementary_modulus * wave.growth;
@@ -248,9 +249,9 @@ pub(super) fn hyperbolic(
     let sn_sign = half ^ (sign & !odd);
     let cn_sign = half ^ ((sign ^ (1 << 63)) & odd);
     Hyperbolic {
-        sn: f64::from_bits(sn.min(1.0).to_bits() ^ sn_sign),
+        sn: f64::from_bits(kernel::lesser(sn, 1.0).to_bits() ^ sn_sign),
         cn: f64::from_bits(cn.to_bits() ^ cn_sign),
-        dn: dn.max(series.complementary_modulus).min(1.0),
+        dn: kernel::lesser(kernel::greater(dn, series.complementary_modulus), 1.0),
     }
 }
 
@@ -289,7 +290,7 @@ impl Wave {
         const LN2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
         // Beyond 760 the hyperbolic secant is zero.
         let low = if high > 760.0 { 0.0 } else { low };
-        let high = high.min(760.0);
+        let high = kernel::lesser(high, 760.0);
         let rounded = high * core::f64::consts::LOG2_E + ROUNDER;
         let j = rounded - ROUNDER;
         let leading = j * LN2[0] - high;
@@ -302,13 +303,13 @@ impl Wave {
             kernel::power_of_two(ROUNDER - half),
             kernel::power_of_two(ROUNDER - (j - half)),
         ];
-        let tiny = kernel::power_of_two(ROUNDER - (2.0 * j).min(1022.0));
+        let tiny = kernel::power_of_two(ROUNDER - kernel::lesser(2.0 * j, 1022.0));
         // sinh x = (2^j e^−g − 2^−j e^g)/2, and likewise cosh.
         let (less, more) = (1.0 - tiny, 1.0 + tiny);
         Self {
             sine: 0.5 * (less + (less * c - more * s)),
             cosine: 0.5 * (more + (more * c - less * s)),
-            growth: kernel::power_of_two(ROUNDER + j.min(1023.0)),
+            growth: kernel::power_of_two(ROUNDER + kernel::lesser(j, 1023.0)),
             decay,
         }
     }

@@ -104,13 +104,13 @@ impl Modulus {
         let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
         let complementary_modulus = mc.value().sqrt();
         if m.value() <= mc.value() {
-            let mean = Mean::new(mc);
+            let mean = Mean::new(mc, m);
             let q = Nome::new(m.value(), mean.product.value()).value();
             let quarter = kernel::quotient(HALF_PI, mean.value);
             let series = Series::circular(q, complementary_modulus);
             Self::assemble(parameter, Side::Circular, quarter, mean.value, series)
         } else {
-            let mean = Mean::new(m);
+            let mean = Mean::new(m, mc);
             let nome = Nome::new(mc.value(), mean.product.value());
             let quarter = if mc.value() == 0.0 {
                 DoubleDouble::from(f64::INFINITY)
@@ -181,7 +181,10 @@ struct Mean {
 impl Mean {
     /// Two rounds, and the third from its series. Pairs (number, error) are carried without being made canonical:
     /// that shortens the chain of operations, each of which waits for the one before.
-    fn new(x: DoubleDouble) -> Self {
+    fn new(x: DoubleDouble, complement: DoubleDouble) -> Self {
+        if complement.high() < SMALL {
+            return Self::next_to_one(complement);
+        }
         let (b0, b0_low) = kernel::root(x.high(), x.low());
         let (sum, rest) = kernel::ordered_sum(1.0, b0);
         let (a1, a1_low) = (0.5 * sum, 0.5 * (rest + b0_low));
@@ -211,6 +214,27 @@ impl Mean {
         Self {
             value: DoubleDouble::new(high, low),
             product,
+        }
+    }
+}
+
+/// Below this the lesser of m and mc is so small that the first terms of each series are the whole.
+///
+/// What is left out is 3·10⁻³⁴ of the mean and 10⁻²⁶ of a theta function: both sides agree.
+const SMALL: f64 = 1e-8;
+
+impl Mean {
+    /// The mean and the product as series in 1 − x.
+    fn next_to_one(c: DoubleDouble) -> Self {
+        let x = c.high();
+        let square = x * x;
+        let series = |first: DoubleDouble, rest: f64| {
+            let (high, low) = kernel::ordered_sum(1.0, -first.high());
+            DoubleDouble::new(high, low - (first.low() + rest))
+        };
+        Self {
+            value: series(c.scaled(0.25), square * (5.0 / 64.0 + x * (11.0 / 256.0))),
+            product: series(c.scaled(0.5), square * (5.0 / 64.0 + x * (5.0 / 128.0))),
         }
     }
 }
@@ -311,6 +335,16 @@ fn thetas(p: impl Fn(usize, usize) -> f64) -> [[f64; 4]; 4] {
     [theta1, theta2, theta3, theta4]
 }
 
+/// The same for a small nome, from p(1, 0), p(1, 1) and p(2, 0), p(2, 1): what is left out has q³ and less.
+fn few_thetas([[p10, p11], [p20, p21]]: [[f64; 2]; 2]) -> [[f64; 4]; 4] {
+    [
+        [1.0 - 3.0 * p20, 4.0 * p21, 0.0, 0.0],
+        [1.0 + p20, -4.0 * p21, 0.0, 0.0],
+        [1.0 + 2.0 * p10, -4.0 * p11, 0.0, 0.0],
+        [1.0 - 2.0 * p10, 4.0 * p11, 0.0, 0.0],
+    ]
+}
+
 /// factor · numerator − denominator.
 #[inline(always)]
 fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 4] {
@@ -325,8 +359,12 @@ fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 
 
 impl Series {
     fn circular(q: f64, complementary_modulus: f64) -> Self {
-        let powers = powers(q);
-        let [t1, t2, t3, t4] = thetas(|a, _| powers[a]);
+        let [t1, t2, t3, t4] = if q < SMALL {
+            few_thetas([[q, q], [q * q, q * q]])
+        } else {
+            let powers = powers(q);
+            thetas(|a, _| powers[a])
+        };
         // sn = 1 at z = 1: the correction has the factor 1 − z, which is divided out.
         let at_one = |t: [f64; 4]| ((t[3] + t[2]) + t[1]) + t[0];
         let r = correction(at_one(t4) / at_one(t1), t1, t4);
@@ -350,9 +388,14 @@ impl Series {
     fn hyperbolic(nome: &Nome, complementary_modulus: f64, rate: f64) -> Self {
         // sin² = −sinh² = −z/(4 √q): q^a sin^2j becomes q^(a − j/2) (−z/4)^j.
         let half = nome.value().sqrt();
-        let powers = powers(half);
-        const QUARTERS: [f64; 4] = [1.0, -1.0 / 4.0, 1.0 / 16.0, -1.0 / 64.0];
-        let [t1, t2, t3, t4] = thetas(|a, j| powers[2 * a - j.min(2 * a)] * QUARTERS[j]);
+        let q = half * half;
+        let [t1, t2, t3, t4] = if q < SMALL {
+            few_thetas([[q, -0.25 * half], [q * q, -0.25 * half * q]])
+        } else {
+            let powers = powers(half);
+            const QUARTERS: [f64; 4] = [1.0, -1.0 / 4.0, 1.0 / 16.0, -1.0 / 64.0];
+            thetas(|a, j| powers[2 * a - j.min(2 * a)] * QUARTERS[j])
+        };
         let slope = 1.0 / (rate * t1[0]);
         Self {
             even: Corrections {

@@ -71,7 +71,7 @@ impl Modulus {
         let mut rare = 0_u64;
         for (((&u, sn), cn), dn) in u.iter().zip(sn).zip(cn).zip(dn) {
             let reduced = self.reduction.apply(u);
-            rare |= u64::from(reduced.unlucky) | u64::from(self.reduction.refuses(u));
+            rare |= u64::from(reduced.unlucky | self.reduction.refuses(u));
             let (v, v_low) = self.turned_by(reduced.high, reduced.low);
             let value = circular(&self.series, reduced.rounded.to_bits(), v, v_low);
             (*sn, *cn, *dn) = (value.sn, value.cn, value.dn);
@@ -83,7 +83,7 @@ impl Modulus {
         let mut rare = 0_u64;
         for (((&u, sn), cn), dn) in u.iter().zip(sn).zip(cn).zip(dn) {
             let reduced = self.reduction.apply(u);
-            rare |= u64::from(reduced.unlucky) | u64::from(self.reduction.refuses(u));
+            rare |= u64::from(reduced.unlucky | self.reduction.refuses(u));
             let (v, v_low) = self.multiplied(reduced.high, reduced.low);
             let bits = reduced.rounded.to_bits();
             let set = Corrections::chosen(&self.series, bits);

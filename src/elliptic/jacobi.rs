@@ -219,12 +219,13 @@ impl Reduction {
         let rest = DoubleDouble::difference(first, count * self.parts[1]);
         // In order, unless the argument is unlucky.
         let (high, low) = kernel::ordered_sum(rest.high(), rest.low() - count * self.parts[2]);
+        // So written that not-a-number is unlucky.
+        let lucky = high.abs() >= FEW_BITS_LEFT * u.abs();
         Reduced {
             rounded,
             high,
             low,
-            // So written that not-a-number is unlucky.
-            unlucky: !(high.abs() >= FEW_BITS_LEFT * u.abs()),
+            unlucky: !lucky,
         }
     }
 }

@@ -135,10 +135,23 @@ fn tail(x: f64, y: f64, z: f64, p: f64) -> f64 {
         - 9.0 / 68.0 * (e3 * e4 + e2 * e5)
 }
 
-/// A power of four by which all arguments are divided, so that the greatest is near 1.
-fn common_scale(greatest: f64) -> f64 {
-    let exponent = (greatest.log2() * 0.5).floor() as i32;
-    2.0_f64.powi(exponent)
+/// Arguments further apart than this would leave the range of a double on the way.
+const FARTHEST: f64 = 1e280;
+
+/// The root of a power of four by which all arguments are divided, so that 1 lies in their midst.
+fn common_scale(arguments: &[f64]) -> Result<f64> {
+    let sizes = || arguments.iter().map(|x| x.abs());
+    let greatest = sizes().fold(0.0, f64::max);
+    let least = sizes().filter(|x| *x > 0.0).fold(f64::INFINITY, f64::min);
+    if greatest / FARTHEST > least {
+        return Err(Error::Condition {
+            condition: "arguments other than zero must lie within a factor of 1e280 of each other",
+            value: least,
+        });
+    }
+    // The cube of a root must not leave the range either way.
+    let exponent = (0.25 * (greatest.log2() + least.log2())).floor() as i32;
+    Ok(2.0_f64.powi(exponent))
 }
 
 fn at_most_one_zero(x: f64, y: f64) -> Result<()> {
@@ -164,7 +177,7 @@ fn divided(x: f64, root: f64) -> Dd {
 ///
 /// # Errors
 ///
-/// If an argument is negative or not finite, or two are zero.
+/// If an argument is negative or not finite, if two are zero, or if they lie more than a factor 10²⁸⁰ apart.
 pub fn rf(x: f64, y: f64, z: f64) -> Result<f64> {
     let mut a = [
         not_negative("argument x", x)?,
@@ -173,7 +186,7 @@ pub fn rf(x: f64, y: f64, z: f64) -> Result<f64> {
     ];
     a.sort_by(f64::total_cmp);
     at_most_one_zero(a[0].abs(), a[1].abs())?;
-    let root = common_scale(a[2]);
+    let root = common_scale(&a)?;
     let [x, y, z] = a.map(|x| divided(x.abs(), root));
     Ok(first(x, y, z).value() / root)
 }
@@ -184,7 +197,7 @@ pub fn rf(x: f64, y: f64, z: f64) -> Result<f64> {
 ///
 /// # Errors
 ///
-/// If x is negative, y is zero, or one is not finite.
+/// If x is negative, y is zero, one is not finite, or if they lie more than a factor 10²⁸⁰ apart.
 pub fn rc(x: f64, y: f64) -> Result<f64> {
     let x = not_negative("argument x", x)?.abs();
     if finite("argument y", y)? == 0.0 {
@@ -193,7 +206,7 @@ pub fn rc(x: f64, y: f64) -> Result<f64> {
             value: y,
         });
     }
-    let root = common_scale(x.max(y.abs()));
+    let root = common_scale(&[x, y])?;
     Ok(elementary(divided(x, root), divided(y, root)).value() / root)
 }
 
@@ -203,13 +216,14 @@ pub fn rc(x: f64, y: f64) -> Result<f64> {
 ///
 /// # Errors
 ///
-/// If x or y is negative, both are zero, z is not positive, or one is not finite.
+/// If x or y is negative, both are zero, z is not positive, one is not finite, or if they lie more than a factor
+/// 10²⁸⁰ apart.
 pub fn rd(x: f64, y: f64, z: f64) -> Result<f64> {
     let x = not_negative("argument x", x)?.abs();
     let y = not_negative("argument y", y)?.abs();
     let z = crate::error::positive("argument z", z)?;
     at_most_one_zero(x, y)?;
-    let root = common_scale(x.max(y).max(z));
+    let root = common_scale(&[x, y, z])?;
     let value = second(divided(x, root), divided(y, root), divided(z, root)).value();
     Ok(value / root / root / root)
 }
@@ -222,7 +236,8 @@ pub fn rd(x: f64, y: f64, z: f64) -> Result<f64> {
 ///
 /// # Errors
 ///
-/// If one of x, y, z is negative, two of them are zero, p is zero, or one is not finite.
+/// If one of x, y, z is negative, two of them are zero, p is zero, one is not finite, or if they lie more than a
+/// factor 10²⁸⁰ apart.
 pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
     let mut a = [
         not_negative("argument x", x)?.abs(),
@@ -237,7 +252,7 @@ pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
             value: p,
         });
     }
-    let root = common_scale(a[2].max(p.abs()));
+    let root = common_scale(&[a[0], a[1], a[2], p])?;
     let [x, y, z] = a.map(|x| divided(x, root));
     let p = divided(p, root);
     let value = if p.value() > 0.0 {
@@ -272,7 +287,7 @@ pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
 ///
 /// # Errors
 ///
-/// If an argument is negative or not finite.
+/// If an argument is negative or not finite, or if they lie more than a factor 10²⁸⁰ apart.
 pub fn rg(x: f64, y: f64, z: f64) -> Result<f64> {
     let mut a = [
         not_negative("argument x", x)?.abs(),
@@ -283,7 +298,7 @@ pub fn rg(x: f64, y: f64, z: f64) -> Result<f64> {
     if a[1] == 0.0 {
         return Ok(0.5 * a[2].sqrt());
     }
-    let root = common_scale(a[2]);
+    let root = common_scale(&a)?;
     let [x, y, z] = a.map(|x| divided(x, root));
     // 6 R_G = Σ x (y + z) R_D(y, z, x), all terms positive; a zero argument has no term.
     let mut sum = Dd::from(0.0);

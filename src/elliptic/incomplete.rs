@@ -96,8 +96,9 @@ impl Angle {
             return signed.value();
         }
         let half = half_period();
-        if half.high().is_infinite() {
-            return half.high() * self.halves;
+        let size = half.high() * self.halves;
+        if size.is_infinite() {
+            return size;
         }
         half.multiply(Dd::from(self.halves)).add(signed).value()
     }

@@ -133,6 +133,27 @@ pub fn incomplete_third(
     Ok(angle.assemble(rest, || half))
 }
 
+/// 2⁵⁰⁰: the arguments of R_J are multiplied with it, so that the least of them does not underflow on the way.
+const SCALE: f64 = f64::from_bits((1023 + 500) << 52);
+
+/// weight · R_J(c², Δ², 1, p), which may exceed a double next to n = 1 and m = 1 at once: then infinite.
+fn weighted(weight: Dd, c2: Dd, delta2: Dd, p: Dd) -> Dd {
+    // Only where p is tiny; there the weight is not. The value is the same either way.
+    let scale = if p.value() < 1e-150 { SCALE } else { 1.0 };
+    let third = carlson::third(
+        c2.scaled(scale),
+        delta2.scaled(scale),
+        Dd::from(scale),
+        p.scaled(scale),
+    );
+    let value = weight.scaled(scale).multiply(third);
+    let size = value.high() * scale.sqrt();
+    if size.is_infinite() {
+        return Dd::from(size);
+    }
+    value.scaled(scale.sqrt())
+}
+
 /// Beyond this nc the integral is arctan(√nc tan φ)/√nc. With t = tan θ it is ∫ dt/((1 + nc t²) Δ); what 1/Δ has above 1
 /// adds less than F(φ)/nc, and F < 760: against the whole less than 760/√nc = 8·10⁻¹⁸, so both sides agree.
 const FAR_NEGATIVE: f64 = 1e40;
@@ -187,46 +208,54 @@ fn incomplete_part(
         return Ok(far_negative(s, c, nc));
     }
     if n.value() < 0.0 {
-        // To the characteristic (m − n)/(1 − n) between m and 1. All arguments of R_J are multiplied with 2⁵⁰⁰,
-        // so that the least, which may be mc/nc, does not underflow.
-        let up = 2.0_f64.powi(500);
-        let few = mc.scaled(up).multiply(s2).divide(nc);
-        let q = c2.scaled(up).add(few);
+        // To the characteristic (m − n)/(1 − n) between m and 1; mc/nc alone might underflow.
+        let few = mc.scaled(SCALE).multiply(s2).divide(nc);
+        let q = c2.scaled(SCALE).add(few);
         let weight = n.negated().divide(nc);
+        let scaled = [c2.scaled(SCALE), delta2.scaled(SCALE), one.scaled(SCALE)];
         let tail = few
             .multiply(s)
             .divide(three)
-            .multiply(carlson::third(
-                c2.scaled(up),
-                delta2.scaled(up),
-                one.scaled(up),
-                q,
-            ))
-            .scaled(2.0_f64.powi(250));
+            .multiply(carlson::third(scaled[0], scaled[1], scaled[2], q))
+            .scaled(SCALE.sqrt());
         let arc = if c.value() == 0.0 {
             c
         } else {
-            let q = q.scaled(1.0 / up);
+            let q = q.scaled(1.0 / SCALE);
             s.multiply(c)
                 .multiply(carlson::elementary(delta2, p.multiply(q)))
         };
         return Ok(first().divide(nc).add(weight.multiply(arc.add(tail))));
     }
     if p.value() > 0.0 {
-        let tail = n.multiply(s3).divide(three);
-        return Ok(first().add(tail.multiply(carlson::third(c2, delta2, one, p))));
+        let weight = n.multiply(s2).multiply(s).divide(three);
+        let tail = weighted(weight, c2, delta2, p);
+        if tail.high().is_infinite() {
+            return Ok(tail);
+        }
+        return Ok(first().add(tail));
     }
     // To the characteristic m/n between 0 and m.
     let ratio = m.divide(n);
-    let q = c2.add(one.subtract(ratio).multiply(s2));
-    let tail = ratio
-        .multiply(s3)
-        .divide(three)
-        .multiply(carlson::third(c2, delta2, one, q));
+    // 1 − m/n = (mc − nc)/n, which does not cancel: mc is not negative and nc is.
+    let q = c2.add(mc.subtract(nc).divide(n).multiply(s2));
+    let weight = ratio.multiply(s2).multiply(s).divide(three);
+    let tail = weighted(weight, c2, delta2, q);
+    if tail.high().is_infinite() {
+        return Ok(tail.negated());
+    }
     let arc = if c.value() == 0.0 {
         Dd::from(0.0)
     } else {
-        s.multiply(carlson::elementary(c2.multiply(delta2), p.multiply(q)))
+        // R_C is of degree −1/2; p may be all of what a double holds.
+        let few = if p.value() < -1e200 {
+            0.5_f64.powi(400)
+        } else {
+            1.0
+        };
+        let x = c2.multiply(delta2).scaled(few);
+        let y = p.scaled(few).multiply(q);
+        s.multiply(carlson::elementary(x, y)).scaled(few.sqrt())
     };
     Ok(arc.subtract(tail))
 }

@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use spinning_bodies::Result;
-use spinning_bodies::elliptic::{Jacobi, Modulus, Parameter};
+use spinning_bodies::elliptic::{Jacobi, Modulus, Parameter, sn_cn_dn};
 
 /// Arguments for each modulus, and moduli in a set.
 const ARGUMENTS: usize = 1024;
@@ -102,7 +102,7 @@ fn measure(name: &str, groups: &[Group]) -> Result<()> {
             best[2] = best[2].min(each(|| {
                 for (parameter, arguments) in groups {
                     for (i, &u) in arguments.iter().enumerate() {
-                        (sn[i], cn[i], dn[i]) = Modulus::new(black_box(*parameter)).sn_cn_dn(u)?;
+                        (sn[i], cn[i], dn[i]) = sn_cn_dn(u, black_box(*parameter))?;
                     }
                     black_box((&sn, &cn, &dn));
                 }

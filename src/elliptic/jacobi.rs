@@ -3,6 +3,7 @@
 use super::kernel;
 use super::kernel::ROUNDER;
 use super::modulus::{Modulus, Reduction, Side};
+use super::parameter::Parameter;
 use super::quarter;
 use super::series::{Corrections, Series};
 use crate::double_double::DoubleDouble;
@@ -188,6 +189,18 @@ impl Modulus {
             }
         }
     }
+}
+
+/// sn u, cn u and dn u of a modulus that is not used again: the very values of [`Modulus::jacobi`].
+///
+/// Cost: 115–260 ns, less than [`Modulus::new`] and [`Modulus::sn_cn_dn`] together, since nothing is stored.
+///
+/// # Errors
+///
+/// If u is not finite, or greater than 2⁵³ quarter periods.
+pub fn sn_cn_dn(u: f64, parameter: Parameter) -> Result<(f64, f64, f64)> {
+    let Jacobi { sn, cn, dn, .. } = Modulus::prepared(parameter).evaluate(u)?;
+    Ok((sn, cn, dn))
 }
 
 /// A remainder with less of the argument left than this is too short in bits, and K is taken to 150 bits instead.

@@ -61,7 +61,7 @@ mod third;
 pub use complete::{complete_b, complete_d, complete_first, complete_second};
 pub use incomplete::{incomplete_first, incomplete_second};
 pub use inverse::{inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn};
-pub use jacobi::Jacobi;
+pub use jacobi::{Jacobi, sn_cn_dn};
 pub use modulus::Modulus;
 pub use parameter::Parameter;
 pub use third::{Characteristic, complete_third, incomplete_third};

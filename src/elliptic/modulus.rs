@@ -73,6 +73,11 @@ const EXACT_COUNT: f64 = 33_554_432.0;
 impl Modulus {
     /// The modulus prepared for many arguments. Any parameter will do, the ends m = 0 and m = 1 included.
     pub fn new(parameter: Parameter) -> Self {
+        Self::prepared(parameter)
+    }
+
+    #[inline(always)]
+    pub(super) fn prepared(parameter: Parameter) -> Self {
         let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
         let complementary_modulus = mc.value().sqrt();
         if m.value() <= mc.value() {
@@ -96,6 +101,7 @@ impl Modulus {
         }
     }
 
+    #[inline(always)]
     fn assemble(
         parameter: Parameter,
         side: Side,

@@ -13,7 +13,7 @@ impl Modulus {
     ///
     /// The values are those of [`Modulus::jacobi`] to the last bit, and so is the error.
     ///
-    /// Cost: 9–18 ns an argument, for any number of them from about 64 on, with the instructions every processor of
+    /// Cost: 8–18 ns an argument, for any number of them from about 64 on, with the instructions every processor of
     /// the kind has. A chunk of 64 in which one argument lies beyond 2²⁵ quarter periods, or unluckily close to a
     /// multiple of K, costs what single calls do.
     ///

@@ -44,7 +44,7 @@ impl Modulus {
     /// allowance for exponentially small values; 2.8·10⁻¹⁶ absolute. am does not fall over successive floats across
     /// multiples of K.
     ///
-    /// Cost: 37–66 ns. Beyond 2²⁵ quarter periods 200 ns, unlucky arguments (one in 10⁴ at |u| = 10¹¹, most at 10¹⁵)
+    /// Cost: 37–66 ns. Beyond 2²⁵ quarter periods 60–90 ns, unlucky arguments (one in 10⁴ at |u| = 10¹¹, most at 10¹⁵)
     /// 2–5 µs.
     ///
     /// # Errors

@@ -106,7 +106,7 @@ fn complete_third_dd(characteristic: Characteristic, parameter: Parameter) -> Re
 ///
 /// At any angle: odd in φ, and each π adds 2Π(n), the principal value's period included. Infinite at m = 1 beyond π/2.
 ///
-/// Error 0.45 ε at most of 435 rows, as for [`complete_third`] and with φ as for [`super::incomplete_first`]. Cost 7–10 µs.
+/// Error 0.45 ε at most of 435 rows, as for [`complete_third`] and with φ as for [`super::incomplete_first`]. Cost 5–7 µs.
 /// Source: Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
 ///
 /// # Errors

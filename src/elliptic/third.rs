@@ -182,7 +182,6 @@ fn incomplete_part(
     let one = Dd::from(1.0);
     let three = Dd::from(3.0);
     let (s2, c2) = (s.multiply(s), c.multiply(c));
-    let s3 = s2.multiply(s);
     let first = || {
         if c.value() == 0.0 {
             Modulus::new(parameter).quarter_period_dd()

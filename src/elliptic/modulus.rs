@@ -69,7 +69,7 @@ pub(super) struct Reduction {
 }
 
 /// 2²⁵: with 27 bits of K the product still fits 53.
-const EXACT_COUNT: f64 = 33_554_432.0;
+pub(super) const EXACT_COUNT: f64 = 33_554_432.0;
 
 impl Modulus {
     /// The modulus prepared for many arguments. Any parameter will do, the ends m = 0 and m = 1 included.
@@ -96,8 +96,11 @@ impl Modulus {
                 let logarithm = nome.logarithm(mc, mean.product);
                 kernel::quotient(logarithm.scaled(0.5), mean.value)
             };
-            let series =
-                Series::hyperbolic(nome.value(), complementary_modulus, mean.value.value());
+            let series = Series::hyperbolic(
+                nome.value().sqrt(),
+                complementary_modulus,
+                mean.value.value(),
+            );
             Self::assemble(parameter, Side::Hyperbolic, quarter, mean.value, series)
         }
     }

@@ -141,9 +141,10 @@ impl Series {
         }
     }
 
-    pub(super) fn hyperbolic(q: f64, complementary_modulus: f64, rate: f64) -> Self {
+    pub(super) fn hyperbolic(half: f64, complementary_modulus: f64, rate: f64) -> Self {
         // sin² = −sinh² = −z/(4 √q): q^a sin^2j becomes q^(a − j/2) (−z/4)^j.
-        let half = q.sqrt();
+        // `half` is the root of the nome.
+        let q = half * half;
         let [t1, t2, t3, t4] = if q < SMALL {
             few_thetas([[q, -0.25 * half], [q * q, -0.25 * half * q]])
         } else {

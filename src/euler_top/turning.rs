@@ -255,7 +255,10 @@ fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) ->
     let up4 = up3.high() * x3 * x3 * r;
     let down4 = down3.high() * x3 * x3 * x * e;
     let half = DoubleDouble::from(4.0 * (up4 - down4))
-        .add_alike(up3.add_alike(down3.negated()).multiply(DoubleDouble::from(3.0)))
+        .add_alike(
+            up3.add_alike(down3.negated())
+                .multiply(DoubleDouble::from(3.0)),
+        )
         .add_alike(up2.add_alike(down2.negated()).scaled(2.0))
         .add_alike(up1.add_alike(down1.negated()));
     let denominator = DoubleDouble::from(up4 + down4)

@@ -161,7 +161,7 @@ impl DoubleDouble {
         let root = self.high.sqrt();
         let square = Self::product(root, root);
         let rest = ((self.high - square.high) - square.low) + self.low;
-        Self::ordered_sum(root, rest * (0.5 / root))
+        Self::ordered_sum(root, rest / (2.0 * root))
     }
 
     /// √(1 + x²), also where x² would overflow.

@@ -10,7 +10,8 @@
 //!
 //! where Z is ϑ₄(z + iw) for m ≤ 1/2, z + iw = π(u + iη)/(2K), and ϑ₂(v − ix), v − ix = π(η − iu)/(2K′), beyond. The rate is
 //! |L|/I₂, that of a body upright on its middle axis, and a theta quotient that vanishes at the separatrix: nothing
-//! is left that could cancel.
+//! is left that could cancel. (C. G. J. Jacobi, Sur la rotation d'un corps, 1849; that the rate is |L|/I₂ and a theta
+//! quotient follows from his formulas at u = K, where L₁ = 0.)
 
 use crate::double_double::DoubleDouble;
 use crate::elliptic::landen::{Landen, right_angle};

@@ -10,11 +10,12 @@
 //!
 //! where Z is ϑ₄(z + iw) for m ≤ 1/2, z + iw = π(u + iη)/(2K), and ϑ₂(v − ix), v − ix = π(η − iu)/(2K′), beyond. The rate is
 //! |L|/I₂, that of a body upright on its middle axis, and a theta quotient that vanishes at the separatrix: nothing
-//! is left that could cancel.
+//! is left that could cancel. (C. G. J. Jacobi, Sur la rotation d'un corps, 1849; that the rate is |L|/I₂ and a theta
+//! quotient follows from his formulas at u = K, where L₁ = 0.)
 
 use crate::double_double::DoubleDouble;
 use crate::elliptic::landen::{Landen, right_angle};
-use crate::elliptic::local::{Local, Place};
+use crate::elliptic::local::{Crest, Local, Place};
 use crate::extended::{Wide, angle};
 
 /// Everything about ψ that does not depend on time.
@@ -216,9 +217,10 @@ impl Turning {
                     odd_real,
                     odd_imaginary,
                 },
-                Local::Hyperbolic { sign, wave, z },
+                Local::Hyperbolic(Crest { sign, wave, z }),
             ) => {
                 let (sine, cosine) = (wave.sine, wave.cosine);
+                let sign = 1.0_f64.copysign(f64::from_bits(*sign));
                 if (place.quarters as i64) & 1 == 0 {
                     (
                         cosine * polynomial(even_real, *z),

@@ -70,6 +70,16 @@ pub fn all() -> &'static [Entry] {
             draw: superball::under_the_table,
         },
         Entry {
+            name: "poinsot-ellipsoid",
+            chapter: "euler-top",
+            draw: euler_top::rolling_ellipsoid,
+        },
+        Entry {
+            name: "polhodes",
+            chapter: "euler-top",
+            draw: euler_top::polhodes,
+        },
+        Entry {
             name: "polar-circles",
             chapter: "euler-top",
             draw: euler_top::polar_circles,

@@ -1,0 +1,10 @@
+//! Euler's top (tutorial 6): the rolling ellipsoid, the polhodes, the racket, and the wandering pole.
+
+mod poinsot;
+mod polhodes;
+mod stand_in;
+mod wobble;
+
+pub use poinsot::rolling_ellipsoid;
+pub use polhodes::polhodes;
+pub use wobble::{polar_circles, precession_cones};

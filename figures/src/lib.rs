@@ -80,6 +80,16 @@ pub fn all() -> &'static [Entry] {
             draw: euler_top::polhodes,
         },
         Entry {
+            name: "racket-flip",
+            chapter: "euler-top",
+            draw: euler_top::film,
+        },
+        Entry {
+            name: "racket-flip-animated",
+            chapter: "euler-top",
+            draw: euler_top::animated,
+        },
+        Entry {
             name: "polar-circles",
             chapter: "euler-top",
             draw: euler_top::polar_circles,

@@ -1,10 +1,15 @@
 //! Euler's top (tutorial 6): the rolling ellipsoid, the polhodes, the racket, and the wandering pole.
 
+mod animated;
+mod film;
 mod poinsot;
 mod polhodes;
+mod racket;
 mod stand_in;
 mod wobble;
 
+pub use animated::animated;
+pub use film::film;
 pub use poinsot::rolling_ellipsoid;
 pub use polhodes::polhodes;
 pub use wobble::{polar_circles, precession_cones};

@@ -1,6 +1,6 @@
 //! The polhodes, with the pace the picture does not tell (tutorial 6.3).
 
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
@@ -17,7 +17,7 @@ use crate::style::{
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 /// Where a polhode crosses the plane of x₁ and x₃: degrees from x₁ in the circle that the ellipse is stretched from.
 /// The separatrix is at 45.
-const CROSSINGS: [f64; 8] = [8.0, 18.0, 29.0, 40.0, 50.0, 61.0, 72.0, 82.0];
+const CROSSINGS: [f64; 8] = [8.0, 18.0, 29.0, 41.0, 49.0, 61.0, 72.0, 82.0];
 /// Time between two dots, in units of a radian over √(2E/I₂).
 const STEP: f64 = 0.5;
 
@@ -39,7 +39,7 @@ impl Curve {
         let top = EulerTop::from_omega(MOMENTS, omega, Attitude::identity())?;
         // Half a period each way; the separatrix would take for ever.
         let step = STEP * semi[1];
-        let most = (0.25 * top.period() / step).min(16.0) as i32;
+        let most = (0.5 * top.period() / step).min(16.0) as i32;
         Ok(Self {
             points: (0..=180)
                 .map(|k| {
@@ -138,10 +138,45 @@ pub fn polhodes() -> Result<Figure> {
             let from = view.project(&(direction * semi[k]));
             let to = view.project(&(direction * (semi[k] + 0.36)));
             pen.arrow(from, to, stroke(Role::Ink, AXIS));
-            let at = view.project(&(direction * (semi[k] + 0.5)));
-            pen.text([at[0], at[1] + 5.0], Anchor::Middle, name, label(Role::Ink));
+            let beyond = view.project(&(direction * (semi[k] + 0.5)));
+            let at = if k == 2 {
+                [to[0] + 14.0, to[1] + 10.0]
+            } else {
+                [beyond[0], beyond[1] + 5.0]
+            };
+            pen.text(at, Anchor::Middle, name, label(Role::Ink));
         }
-        pen.text([20.0, 30.0], Anchor::Start, "separatrix", small(Role::Ink));
-        let _ = FRAC_PI_2;
+        for (at, anchor, lines, role, from, to) in [
+            (
+                [150.0, 66.0],
+                Anchor::End,
+                &["separatrix"][..],
+                Role::Ink,
+                [154.0, 62.0],
+                [203.0, 104.0],
+            ),
+            (
+                [452.0, 330.0],
+                Anchor::Start,
+                &["next to *x*_{2}", "it dawdles"][..],
+                Role::Ink,
+                [448.0, 322.0],
+                [388.0, 264.0],
+            ),
+            (
+                [128.0, 346.0],
+                Anchor::End,
+                &["far from it", "it hurries"][..],
+                Role::AngularMomentum,
+                [132.0, 349.0],
+                [243.0, 332.0],
+            ),
+        ] {
+            for (k, line) in lines.iter().enumerate() {
+                let y = at[1] + 19.0 * k as f64;
+                pen.text([at[0], y], anchor, line, small(role));
+            }
+            pen.line(&[from, to], stroke(role, HAIR));
+        }
     }))
 }

@@ -90,6 +90,11 @@ pub fn all() -> &'static [Entry] {
             draw: euler_top::animated,
         },
         Entry {
+            name: "flip-time",
+            chapter: "euler-top",
+            draw: euler_top::flip_time,
+        },
+        Entry {
             name: "polar-circles",
             chapter: "euler-top",
             draw: euler_top::polar_circles,
@@ -98,6 +103,11 @@ pub fn all() -> &'static [Entry] {
             name: "precession-cones",
             chapter: "euler-top",
             draw: euler_top::precession_cones,
+        },
+        Entry {
+            name: "euler-solution",
+            chapter: "euler-top",
+            draw: euler_top::solution,
         },
         Entry {
             name: "gas-box",

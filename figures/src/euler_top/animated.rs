@@ -24,8 +24,8 @@ const SIZE: f64 = 420.0;
 /// Pictures in a loop, and how long it takes, s.
 const PICTURES: usize = 240;
 const SECONDS: f64 = 10.0;
-/// The picture that stands when nothing moves: in the middle of the first twist.
-const STILL: usize = 66;
+/// The picture that stands when nothing moves: in the first twist.
+const STILL: usize = 75;
 /// The graph of Ω₂ below: left, right, middle, half height.
 const GRAPH: [f64; 4] = [70.0, 530.0, 372.0, 30.0];
 
@@ -50,15 +50,15 @@ pub fn animated() -> Result<Figure> {
             .to_owned(),
         details: format!(
             "The throw of the film strip, {} times slower: two somersaults and two half twists in {} s, after which everything \
-             repeats. Below, $\\Omega_2$, the rate about the middle axis. It keeps a value, then its negative. Rest the pointer \
+             repeats. Below, $\\Omega_2$, the rate about the middle axis. It goes from one value to its negative and back. Rest the pointer \
              on the racket to stop it.",
             number(slower, 1),
             number(period, 2),
         ),
         alt: "A tennis racket turns head over handle about a horizontal angular momentum. In the middle of each somersault it \
               twists by half a turn about its handle, so that the bare face and the filled face change places and the dot on the \
-              rim changes sides. A graph below shows the angular velocity about the middle axis jumping between a value and its \
-              negative. Without motion: the racket on edge, half-way through the twist."
+              rim changes sides. A graph below shows the angular velocity about the middle axis going from one value to its negative \
+              and back. Without motion: the racket upside down, turned half out of its plane."
             .to_owned(),
     };
     let still = figure(NAME, 424.0, words, |pen| {
@@ -79,14 +79,19 @@ pub fn animated() -> Result<Figure> {
         );
         let [left, right, middle, _] = GRAPH;
         pen.line(&[[left, middle], [right, middle]], stroke(Role::Ink, HAIR));
-        for half in [0.5, 1.0] {
+        for half in [0.5, 1.0_f64] {
             let x = between([left, 0.0], [right, 0.0], half)[0];
             pen.line(
                 &[[x, middle - 4.0], [x, middle + 4.0]],
                 stroke(Role::Ink, AXIS),
             );
             let time = format!("{} s", number(half * period, 2));
-            pen.text([x, middle + 24.0], Anchor::Middle, &time, small(Role::Ink));
+            pen.text(
+                [x, middle + if half < 1.0 { -10.0 } else { 22.0 }],
+                Anchor::Middle,
+                &time,
+                small(Role::Ink),
+            );
         }
         let curve: Vec<Point> = (0..=PICTURES).map(graph).collect();
         pen.line(&curve, stroke(Role::Omega, 2.0));

@@ -2,14 +2,18 @@
 
 mod animated;
 mod film;
+mod flip_time;
 mod poinsot;
 mod polhodes;
 mod racket;
+mod solution;
 mod stand_in;
 mod wobble;
 
 pub use animated::animated;
 pub use film::film;
+pub use flip_time::flip_time;
 pub use poinsot::rolling_ellipsoid;
 pub use polhodes::polhodes;
+pub use solution::solution;
 pub use wobble::{polar_circles, precession_cones};

@@ -2,7 +2,7 @@
 
 use crate::common::{
     at, derivative, difference, distance, euler, example, integrals, norm, omega, random_start,
-    ration, rational_moments, thrown, tilted, vector, within,
+    ration, rational_moments, step, thrown, tilted, vector, within,
 };
 use crate::free_top::Flight;
 use crate::support::{R, Uniform, exact, gauss, rational};
@@ -148,7 +148,7 @@ fn s6_6_from_the_integrals_to_the_modulus() {
         let start = [o1, o2, o3].map(exact);
         let top = tilted(moments, start);
         let size = vector(start).norm();
-        let [slope] = derivative(|t| [omega(&top, t)[1]], 0.0, 0.05 / size);
+        let [slope] = derivative(|t| [omega(&top, t)[1]], 0, step(&top));
         within((slope * slope - exact(quartic(o2))).abs() / size.powi(4), 3e-14);
     }
 }
@@ -165,7 +165,7 @@ fn s6_6_sine_amplitude_inverts_the_integral() {
             .map(|(x, w)| w / ((1.0 - x * x) * (1.0 - m * x * x)).sqrt())
             .sum();
         let sn = Modulus::new(Parameter::from_parameter(m).unwrap()).jacobi(tau).unwrap().sn;
-        within((sn - 0.5).abs(), 4e-16);
+        within((sn - 0.5).abs(), 6e-16);
     }
 }
 
@@ -185,10 +185,11 @@ fn s6_6_the_example() {
         within((at(&top, t).omega - flight.omega()).norm(), 2e-15);
     }
     // The differential equation itself.
-    for step in -6..7 {
-        let t = 1.3 * f64::from(step);
-        let slope = derivative(|t| omega(&top, t), t, 0.03);
-        within(norm(difference(slope, euler(MOMENTS, omega(&top, t)))), 5e-14);
+    let h = step(&top);
+    for n in (-50..50).step_by(5) {
+        let slope = derivative(|t| omega(&top, t), n, h);
+        let expected = euler(MOMENTS, omega(&top, f64::from(n) * h));
+        within(norm(difference(slope, expected)), 5e-14);
     }
     // Ω₁ with cn, Ω₂ with sn, Ω₃ with dn: which signs rise is told by the start.
     let soon = omega(&top, 0.1);
@@ -200,14 +201,13 @@ fn s6_6_the_example() {
 fn s6_6_any_body_against_the_integrator() {
     let mut numbers = Uniform(666);
     let (mut worst, mut worst_attitude) = (0.0f64, 0.0f64);
-    for _ in 0..120 {
+    for _ in 0..60 {
         let (moments, omega0) = random_start(&mut numbers);
         let top = tilted(moments, omega0);
         let mut flight = Flight::from_omega(moments, omega0);
         let size = vector(omega0).norm();
-        for t in [0.8 / size, 15.0 / size, -40.0 / size] {
-            let truth = flight.fly(t);
-            let elapsed = [0.8, 15.8, -24.2][[0.8, 15.0, -40.0].iter().position(|x| x / size == t).unwrap()] / size;
+        for (leg, elapsed) in [(0.75, 0.75), (15.0, 15.75), (-40.0, -24.25)] {
+            let truth = flight.fly(leg);
             let state = at(&top, elapsed);
             worst = worst.max((state.omega - truth.omega()).norm() / size);
             worst_attitude = worst_attitude.max(state.attitude.angle_to(&truth.attitude()));
@@ -361,13 +361,17 @@ fn s6_6_symmetric_limits() {
         let actual = (1.0 + d) - 1.0;
         assert_relative_eq!(k2(&top) / actual, 0.25 / 3.0, max_relative = 2.1 * d + 1e-15, epsilon = 0.0);
         let off = (at(&top, 1.7).omega - limit).norm();
-        assert_relative_eq!(off / actual, 1.2773, max_relative = 3e-3, epsilon = 0.0);
+        // In first order 1.351 d, of which 1.283 d in Ω₁; as far as rounding of Ω lets one see.
+        let slack = d + 4e-16 / d;
+        assert_relative_eq!(off / actual, 1.351_068_44, max_relative = slack, epsilon = 0.0);
+        let first = at(&top, 1.7).omega.x() - limit.x();
+        assert_relative_eq!(first / actual, 1.283_253_2, max_relative = slack, epsilon = 0.0);
         // The other limit, with 1 and 3 exchanged.
         let top = tilted([1.0, 1.5 - d, 1.5], [2.0, 0.0, 0.5]);
         assert_eq!(top.regime(), Regime::AroundSmallest);
         let actual = 1.5 - (1.5 - d);
         let off = distance(at(&top, 1.7).omega, long_limit);
-        assert_relative_eq!(off / actual, 1.1, max_relative = 3e-3, epsilon = 0.0);
+        assert_relative_eq!(off / actual, 0.585_117_27, max_relative = slack, epsilon = 0.0);
     }
     // The limits themselves: 6.5, to rounding, Ω and attitude.
     let top = tilted([1.0, 1.0, 1.5], [0.5, 0.0, 2.0]);

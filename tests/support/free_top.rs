@@ -1,5 +1,5 @@
-//! The free top integrated without one elliptic function: Taylor's series of Euler's equations and of q' = ½ q Ω, thirty
-//! terms at a time, in pairs of doubles. Its error is 1e-28 of what it integrates, times what the motion itself magnifies.
+//! The free top integrated without one elliptic function: Taylor's series of Euler's equations and of q' = ½ q Ω, 24
+//! terms at a time, in pairs of doubles. A step is wrong by 1e-24, and that is what energy and angular momentum show.
 
 #![allow(
     dead_code,
@@ -13,6 +13,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair(pub f64, pub f64);
 
+#[inline(always)]
 fn sum(a: f64, b: f64) -> Pair {
     let high = a + b;
     let part = high - a;
@@ -27,6 +28,7 @@ impl From<f64> for Pair {
 
 impl Add for Pair {
     type Output = Self;
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let (high, low) = (sum(self.0, other.0), sum(self.1, other.1));
         let middle = sum(high.0, high.1 + low.0);
@@ -50,6 +52,7 @@ impl Sub for Pair {
 
 impl Mul for Pair {
     type Output = Self;
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let high = self.0 * other.0;
         let low = self.0.mul_add(other.0, -high) + (self.0 * other.1 + self.1 * other.0);
@@ -74,7 +77,7 @@ impl Pair {
     }
 }
 
-const TERMS: usize = 30;
+const TERMS: usize = 24;
 
 type Series = [Pair; TERMS + 1];
 
@@ -114,8 +117,9 @@ impl Flight {
 
     /// Further by the time t, either way.
     pub fn fly(&mut self, t: f64) -> Self {
-        let omega = self.omega();
-        let step = 0.12 / omega.norm().max(self.fastest());
+        // The nearest complex singularity is at least π/2 over the greatest angular velocity of this energy away: a step of
+        // a tenth of that leaves out 10⁻²⁵.
+        let step = 0.157 / self.greatest_omega();
         let count = (t.abs() / step).ceil().max(1.0);
         let h = Pair::from(t) / Pair::from(count);
         for _ in 0..count as u64 {
@@ -124,10 +128,10 @@ impl Flight {
         *self
     }
 
-    /// |L| over the smallest moment.
-    fn fastest(&self) -> f64 {
-        let l = BodyVector::new(self.l[0].0, self.l[1].0, self.l[2].0);
-        l.norm() * self.inverse.iter().fold(0.0, |m: f64, x| m.max(x.0))
+    /// √(2E/I₁).
+    fn greatest_omega(&self) -> f64 {
+        let steepest = self.inverse.iter().fold(0.0, |m: f64, x| m.max(x.0));
+        (self.twice_energy().value() * steepest).sqrt()
     }
 
     fn step(&mut self, h: Pair) {

@@ -147,11 +147,11 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
         );
     }
     let all = format!(".fig-{NAME}-turn,.fig-{NAME}-face,.fig-{NAME}-pace");
-    let _ = write!(
+    let _ = writeln!(
         svg,
         "#fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
          @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}\
-         @media print{{{all}{{animation:none}}}}</style>\n"
+         @media print{{{all}{{animation:none}}}}</style>"
     );
     let _ = writeln!(
         svg,

@@ -94,7 +94,7 @@ pub fn flip_time() -> Result<Figure> {
         claim: "Each decade closer to the middle axis buys the racket the same few seconds before it flips.".to_owned(),
         details: format!(
             "Time from flip to flip, half the period of $\\Omega$, for $I = (1, 2, 3)$ and $\\Omega(0) = (\\epsilon, 1, \\epsilon)$. \
-             A decade adds $2\\ln 10/\\sqrt\\lambda = {}$ s. A hundredth off the axis waits {} s; $10^{{-{DECADES}}}$ \
+             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {}$ s. A hundredth off the axis waits {} s; $10^{{-{DECADES}}}$ \
              off it, {} s or {} turns.",
             number(decade, 3),
             number(far, 2),

@@ -77,7 +77,7 @@ pub fn polhodes() -> Result<Figure> {
     let crossing = (slope * (MOMENTS[2] / MOMENTS[0]).sqrt())
         .atan()
         .to_degrees();
-    let view = View::new(0.98, 0.36, [300.0, 222.0], 116.0);
+    let view = View::new(0.98, 0.36, [300.0, 232.0], 116.0);
     let sides = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
     let mut family = Vec::new();
     for angle in CROSSINGS {
@@ -97,8 +97,8 @@ pub fn polhodes() -> Result<Figure> {
         .collect::<Result<Vec<_>>>()?;
 
     let words = Words {
-        claim: "Polhodes round the first and third axis are closed eyes; next to the second axis the top dawdles, then swings to \
-                the other side."
+        claim: "Round the first and the third axis a polhode stays close; next to the second it dawdles, then swings over to the \
+                other side."
             .to_owned(),
         details: format!(
             "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = (1, 2, 3)$. Dots at equal times, {} \
@@ -113,7 +113,7 @@ pub fn polhodes() -> Result<Figure> {
               crowd together next to the crossing: there the top dawdles, and from there it swings over to the other side."
             .to_owned(),
     };
-    Ok(figure("polhodes", 440.0, words, |pen| {
+    Ok(figure("polhodes", 448.0, words, |pen| {
         let semi = Vector3::from(MOMENTS.map(f64::sqrt));
         let n = view.toward.component_div(&semi).normalize();
         let u = n.cross(&Vector3::z()).normalize();
@@ -135,10 +135,11 @@ pub fn polhodes() -> Result<Figure> {
         }
         for (k, name) in ["*x*_{1}", "*x*_{2}", "*x*_{3}"].iter().enumerate() {
             let direction = Vector3::ith(k, 1.0);
+            let reach = [0.36, 0.62, 0.36][k];
             let from = view.project(&(direction * semi[k]));
-            let to = view.project(&(direction * (semi[k] + 0.36)));
+            let to = view.project(&(direction * (semi[k] + reach)));
             pen.arrow(from, to, stroke(Role::Ink, AXIS));
-            let beyond = view.project(&(direction * (semi[k] + 0.5)));
+            let beyond = view.project(&(direction * (semi[k] + reach + 0.14)));
             let at = if k == 2 {
                 [to[0] + 14.0, to[1] + 10.0]
             } else {
@@ -148,28 +149,28 @@ pub fn polhodes() -> Result<Figure> {
         }
         for (at, anchor, lines, role, from, to) in [
             (
-                [150.0, 66.0],
+                [150.0, 76.0],
                 Anchor::End,
                 &["separatrix"][..],
                 Role::Ink,
-                [154.0, 62.0],
-                [203.0, 104.0],
+                [154.0, 72.0],
+                [203.0, 113.0],
             ),
             (
-                [452.0, 330.0],
+                [458.0, 352.0],
                 Anchor::Start,
                 &["next to *x*_{2}", "it dawdles"][..],
                 Role::Ink,
-                [448.0, 322.0],
-                [388.0, 264.0],
+                [452.0, 343.0],
+                [388.0, 276.0],
             ),
             (
-                [128.0, 346.0],
+                [128.0, 356.0],
                 Anchor::End,
                 &["far from it", "it hurries"][..],
                 Role::AngularMomentum,
-                [132.0, 349.0],
-                [243.0, 332.0],
+                [132.0, 359.0],
+                [245.0, 341.0],
             ),
         ] {
             for (k, line) in lines.iter().enumerate() {

@@ -17,7 +17,33 @@ pub(crate) struct DoubleDouble {
 /// 2π − [`TAU`], and what is still missing after that.
 const TAU_REST: [f64; 2] = [2.449_293_598_294_706_4e-16, -5.989_539_619_436_679e-33];
 
+/// Above this the factor of [`halves`] overflows.
+const SPLITTABLE: f64 = 1e300;
+
+/// A double as the sum of two with half the digits, whose products are exact (Veltkamp).
+#[inline]
+fn halves(x: f64) -> [f64; 2] {
+    let scaled = 134_217_729.0 * x;
+    let upper = scaled - (scaled - x);
+    [upper, x - upper]
+}
+
 impl DoubleDouble {
+    /// A constant whose trailing part is known to belong to the leading one.
+    pub(crate) const fn new(high: f64, low: f64) -> Self {
+        Self { high, low }
+    }
+
+    /// The leading part.
+    pub(crate) fn high(self) -> f64 {
+        self.high
+    }
+
+    /// The trailing part.
+    pub(crate) fn low(self) -> f64 {
+        self.low
+    }
+
     /// The sum of two doubles, exactly (Knuth).
     pub(crate) fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
@@ -32,11 +58,20 @@ impl DoubleDouble {
     }
 
     /// The product of two doubles, exactly unless its tail underflows.
+    #[inline]
     pub(crate) fn product(a: f64, b: f64) -> Self {
         let high = a * b;
+        // Without an instruction for it, a fused multiplication is a call; Dekker's halves are faster, but overflow first.
+        if cfg!(target_feature = "fma") || a.abs().max(b.abs()) > SPLITTABLE {
+            return Self {
+                high,
+                low: a.mul_add(b, -high),
+            };
+        }
+        let ([a1, a2], [b1, b2]) = (halves(a), halves(b));
         Self {
             high,
-            low: a.mul_add(b, -high),
+            low: ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2,
         }
     }
 
@@ -65,7 +100,7 @@ impl DoubleDouble {
 
     pub(crate) fn multiply(self, other: Self) -> Self {
         let leading = Self::product(self.high, other.high);
-        let cross = self.high.mul_add(other.low, self.low * other.high);
+        let cross = self.high * other.low + self.low * other.high;
         Self::sum(leading.high, leading.low + cross)
     }
 
@@ -79,10 +114,10 @@ impl DoubleDouble {
 
     pub(crate) fn divide(self, divisor: Self) -> Self {
         let first = self.high / divisor.high;
-        let rest = self.subtract(divisor.multiply(Self::from(first)));
-        let second = rest.high / divisor.high;
-        let rest = rest.subtract(divisor.multiply(Self::from(second)));
-        Self::sum(first, second).add(Self::from(rest.high / divisor.high))
+        let product = Self::product(first, divisor.high);
+        // The first difference is exact: the quotient is right to half an ulp.
+        let rest = ((self.high - product.high) - product.low) + (self.low - first * divisor.low);
+        Self::sum(first, rest / divisor.high)
     }
 
     /// Square root of a number that is not negative.
@@ -93,6 +128,19 @@ impl DoubleDouble {
         let root = self.high.sqrt();
         let rest = self.subtract(Self::product(root, root));
         Self::sum(root, rest.value() / (2.0 * root))
+    }
+
+    /// √(1 + x²), also where x² would overflow.
+    pub(crate) fn hypotenuse_with_one(self) -> Self {
+        if self.high.abs() > 1e40 {
+            // 1/(2x) is beyond the last of the 106 bits.
+            return if self.high < 0.0 {
+                self.negated()
+            } else {
+                self
+            };
+        }
+        self.multiply(self).add(Self::from(1.0)).square_root()
     }
 
     /// Sine and cosine of a number of radians.

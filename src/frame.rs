@@ -236,6 +236,11 @@ impl Attitude {
         Ok(Self(UnitQuaternion::from_quaternion(scaled)))
     }
 
+    /// The attitude with a quaternion whose norm is 1 up to rounding.
+    pub(crate) fn from_unit(quaternion: Quaternion<f64>) -> Self {
+        Self(UnitQuaternion::new_unchecked(quaternion))
+    }
+
     /// The attitude after a turn by `angle` (radians, right-handed) about an axis, from the identity.
     ///
     /// # Errors

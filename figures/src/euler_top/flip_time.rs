@@ -3,11 +3,11 @@
 use core::f64::consts::LN_10;
 
 use spinning_bodies::Result;
+use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::euler_top::stability::saddle;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::PrincipalMoments;
 
-use super::stand_in::EulerTop;
 use crate::Figure;
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, label, number, small, stroke,

@@ -4,10 +4,9 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::Poinsot;
+use spinning_bodies::euler_top::{EulerTop, Poinsot};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 
-use super::stand_in::EulerTop;
 use crate::Figure;
 use crate::solid::{View, ellipse, ellipsoid_hides};
 use crate::style::{

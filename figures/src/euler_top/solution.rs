@@ -1,11 +1,11 @@
 //! The three components of Ω against time, close to the separatrix (tutorial 6.6).
 
 use spinning_bodies::Result;
+use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::euler_top::stability::saddle;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::PrincipalMoments;
 
-use super::stand_in::EulerTop;
 use crate::Figure;
 use crate::style::{
     AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,

@@ -1,0 +1,313 @@
+//! The Jacobi functions and the amplitude.
+
+use super::kernel;
+use super::kernel::ROUNDER;
+use super::modulus::{Corrections, Modulus, Reduction, Series, Side};
+use super::quarter;
+use crate::double_double::DoubleDouble;
+use crate::error::{Error, Result, finite};
+
+/// The three Jacobi functions and the amplitude at one argument.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jacobi {
+    /// sn u = sin am u.
+    pub sn: f64,
+    /// cn u = cos am u.
+    pub cn: f64,
+    /// dn u = √(1 − m sn² u), never negative.
+    pub dn: f64,
+    /// The amplitude am u, in radians: grows by π with each 2K.
+    pub am: f64,
+}
+
+/// The greatest number of quarter periods that a double counts.
+pub(super) const COUNTABLE: f64 = 9_007_199_254_740_992.0;
+
+/// π/2 in three words, of which the first two are so short that a count times either is exact.
+const QUARTER_PARTS: [f64; 3] = [
+    1.570_796_310_901_641_8,
+    1.589_325_471_229_585_7e-8,
+    6.123_233_995_736_766e-17,
+];
+
+impl Modulus {
+    /// sn u, cn u, dn u and am u.
+    ///
+    /// # Errors
+    ///
+    /// If u is not finite, or greater than 2⁵³ quarter periods.
+    pub fn jacobi(&self, u: f64) -> Result<Jacobi> {
+        if u.abs() <= self.reduction.limit {
+            let Reduced {
+                rounded,
+                high,
+                low,
+                unlucky,
+            } = self.reduction.apply(u);
+            if !unlucky {
+                let (v, v_low) = self.multiplied(high, low);
+                return Ok(self.at(rounded.to_bits(), rounded - ROUNDER, v, v_low));
+            }
+        }
+        self.long(u)
+    }
+
+    /// Arguments beyond 2²⁵ quarter periods, unluckily close to one, or out of bounds.
+    #[cold]
+    fn long(&self, u: f64) -> Result<Jacobi> {
+        let u = finite("argument u", u)?;
+        let greatest = COUNTABLE * self.quarter.high();
+        if u.abs() > greatest {
+            return Err(Error::OutOfRange {
+                quantity: "argument u",
+                value: u,
+                least: -greatest,
+                greatest,
+            });
+        }
+        Ok(self.jacobi_dd(DoubleDouble::from(u)))
+    }
+
+    /// The functions at an argument of 106 bits, not beyond 2⁵³ quarter periods.
+    pub(crate) fn jacobi_dd(&self, u: DoubleDouble) -> Jacobi {
+        let (quarters, rest) = self.reduce(u);
+        let (v, v_low) = self.multiplied(rest.high(), rest.low());
+        self.at(quarters as i64 as u64, quarters, v, v_low)
+    }
+
+    /// u = (quarters) K + rest with |rest| ≤ K/2 and a little more.
+    pub(crate) fn reduce(&self, u: DoubleDouble) -> (f64, DoubleDouble) {
+        if self.quarter.high() == f64::INFINITY {
+            return (0.0, u);
+        }
+        let mut count = (u.high() / self.quarter.high()).round_ties_even();
+        if count == 0.0 {
+            return (count, u);
+        }
+        let mut rest = u.subtract(self.quarter.multiply(DoubleDouble::from(count)));
+        let again = (rest.high() / self.quarter.high()).round_ties_even();
+        if again != 0.0 {
+            count += again;
+            rest = rest.subtract(self.quarter.multiply(DoubleDouble::from(again)));
+        }
+        if rest.high().abs() < FEW_BITS_LEFT * u.high().abs() {
+            rest = quarter::remainder(self.parameter, u, count);
+        }
+        (count, rest)
+    }
+
+    /// `high + low` times the rate.
+    #[inline(always)]
+    pub(super) fn multiplied(&self, high: f64, low: f64) -> (f64, f64) {
+        let (product, error) = kernel::exact_product(high, self.rate.high());
+        let low = error + (high * self.rate.low() + low * self.rate.high());
+        (product, low)
+    }
+
+    #[inline(always)]
+    fn at(&self, bits: u64, quarters: f64, v: f64, v_low: f64) -> Jacobi {
+        match self.side {
+            Side::Circular => {
+                let Circular { sn, cn, dn, ahead } = circular(&self.series, bits, v, v_low);
+                let ahead = kernel::small_arcsine(ahead) + v_low;
+                Jacobi {
+                    sn,
+                    cn,
+                    dn,
+                    am: turned(quarters, v, ahead),
+                }
+            }
+            Side::Hyperbolic => {
+                let series = if bits & 1 == 0 {
+                    &self.series.even
+                } else {
+                    &self.series.odd
+                };
+                let Hyperbolic { sn, cn, dn } = hyperbolic(&self.series, series, bits, v, v_low);
+                let angle = if bits & 1 == 0 {
+                    kernel::angle(sn.abs(), cn.abs())
+                } else {
+                    kernel::angle(cn.abs(), sn.abs())
+                };
+                Jacobi {
+                    sn,
+                    cn,
+                    dn,
+                    am: turned(quarters, angle.copysign(v), 0.0),
+                }
+            }
+        }
+    }
+}
+
+/// A remainder with less of the argument left than this is too short in bits, and K is taken to 150 bits instead.
+/// Both sides agree here: the prepared K leaves 52 right bits and more.
+const FEW_BITS_LEFT: f64 = 1.0 / (1_u64 << 52) as f64;
+
+/// An argument less a count of quarter periods.
+pub(super) struct Reduced {
+    /// The count with [`ROUNDER`] added.
+    pub(super) rounded: f64,
+    pub(super) high: f64,
+    pub(super) low: f64,
+    pub(super) unlucky: bool,
+}
+
+impl Reduction {
+    #[inline(always)]
+    pub(super) fn apply(&self, u: f64) -> Reduced {
+        let rounded = u * self.inverse + ROUNDER;
+        let count = rounded - ROUNDER;
+        // The first difference is exact: its terms are within a factor of two, or the count is zero.
+        let first = u - count * self.parts[0];
+        let rest = DoubleDouble::difference(first, count * self.parts[1]);
+        let rest = DoubleDouble::sum(rest.high(), rest.low() - count * self.parts[2]);
+        Reduced {
+            rounded,
+            high: rest.high(),
+            low: rest.low(),
+            unlucky: rest.high().abs() < FEW_BITS_LEFT * u.abs(),
+        }
+    }
+}
+
+pub(super) struct Circular {
+    pub(super) sn: f64,
+    pub(super) cn: f64,
+    pub(super) dn: f64,
+    /// Sine of what the amplitude is ahead of v by.
+    pub(super) ahead: f64,
+}
+
+/// The functions at v = `high + low` after as many quarter turns as the lowest bits say.
+#[inline(always)]
+pub(super) fn circular(series: &Series, bits: u64, high: f64, low: f64) -> Circular {
+    let (sine, cosine) = kernel::sine_cosine(high, low);
+    let odd = (bits & 1).wrapping_neg();
+    let s = kernel::select(odd, cosine, sine);
+    let c = kernel::select(odd, sine, cosine);
+    // Quadrants 2 and 3 turn the sign of the sine, 1 and 2 that of the cosine.
+    let s = f64::from_bits(s.to_bits() ^ ((bits & 2) << 62));
+    let c = f64::from_bits(c.to_bits() ^ (((bits ^ (bits << 1)) & 2) << 62));
+    let set = &series.even;
+    let (s2, c2) = (s * s, c * c);
+    let inverse = 1.0 / kernel::polynomial(&set.denominator, s2);
+    let sn = c2 * kernel::polynomial(&[set.sn[0], set.sn[1], set.sn[2]], s2) * inverse;
+    let cn = s2 * kernel::polynomial(&[set.cn[0], set.cn[1], set.cn[2]], s2) * inverse;
+    let dn = s2 * kernel::polynomial(&[set.dn[0], set.dn[1], set.dn[2]], s2) * inverse;
+    Circular {
+        sn: (s + s * sn).clamp(-1.0, 1.0),
+        cn: c + c * cn,
+        dn: 1.0 + dn,
+        // sin(am − v) = sn cos v − cn sin v, where the leading parts cancel by themselves.
+        ahead: s * c * (sn - cn),
+    }
+}
+
+pub(super) struct Hyperbolic {
+    pub(super) sn: f64,
+    pub(super) cn: f64,
+    pub(super) dn: f64,
+}
+
+/// The functions at v = `high + low` after as many quarter periods as the lowest bits say, with the corrections
+/// that belong to the lowest.
+#[inline(always)]
+pub(super) fn hyperbolic(
+    series: &Series,
+    set: &Corrections,
+    bits: u64,
+    high: f64,
+    low: f64,
+) -> Hyperbolic {
+    let odd = (bits & 1).wrapping_neg();
+    let sign = high.to_bits() & (1 << 63);
+    let (high, low) = (high.abs(), f64::from_bits(low.to_bits() ^ sign));
+    let wave = Wave::new(high, low);
+    let z = (series.root * wave.growth * wave.sine).min(2.0);
+    let z = z * z;
+    let inverse = 1.0 / kernel::polynomial(&set.denominator, z);
+    let upper = series.complementary_modulus * wave.growth;
+    let below = 1.0 / wave.cosine;
+    let sech = wave.decay(below);
+    let s = kernel::select(odd, 1.0, wave.sine / wave.cosine);
+    let c = kernel::select(odd, upper * wave.sine, sech);
+    let d = kernel::select(odd, upper * wave.cosine, sech);
+    let sn = s + s * (kernel::polynomial(&set.sn, z) * inverse);
+    let cn = c + c * (kernel::polynomial(&set.cn, z) * inverse);
+    let dn = d + d * (kernel::polynomial(&set.dn, z) * inverse);
+    // Near even multiples sn is odd in v, near odd ones cn is, with the other sign.
+    let half = (bits & 2) << 62;
+    let sn_sign = half ^ (sign & !odd);
+    let cn_sign = half ^ ((sign ^ (1 << 63)) & odd);
+    Hyperbolic {
+        sn: f64::from_bits(sn.min(1.0).to_bits() ^ sn_sign),
+        cn: f64::from_bits(cn.to_bits() ^ cn_sign),
+        dn: dn.clamp(series.complementary_modulus, 1.0),
+    }
+}
+
+/// quarters · π/2 + v + ahead, rounded once.
+#[inline(always)]
+fn turned(quarters: f64, v: f64, ahead: f64) -> f64 {
+    // Beyond 2²⁵ quarters the first two products are inexact, but then far below the last place of the sum: the
+    // second word makes it up.
+    let (first, error) = if quarters.abs() <= 33_554_432.0 {
+        (quarters * QUARTER_PARTS[0], 0.0)
+    } else {
+        kernel::exact_product(quarters, QUARTER_PARTS[0])
+    };
+    let sum = DoubleDouble::sum(first, v);
+    let second = quarters * QUARTER_PARTS[1];
+    let (sum, rest) = {
+        let all = DoubleDouble::sum(sum.high(), second);
+        (all.high(), all.low() + sum.low())
+    };
+    sum + (rest + (error + quarters * QUARTER_PARTS[2] + ahead))
+}
+
+/// sinh x and cosh x for x ≥ 0, both divided by the power of two 2^j next to e^x.
+pub(crate) struct Wave {
+    pub(crate) sine: f64,
+    pub(crate) cosine: f64,
+    /// 2^j, or so much of it as a double holds.
+    pub(super) growth: f64,
+    /// 2^−j as a product, so that it may be less than the least double.
+    decay: [f64; 2],
+}
+
+impl Wave {
+    #[inline(always)]
+    pub(super) fn new(high: f64, low: f64) -> Self {
+        const LN2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
+        // Beyond 760 the hyperbolic secant is zero.
+        let low = if high > 760.0 { 0.0 } else { low };
+        let high = high.min(760.0);
+        let rounded = high * core::f64::consts::LOG2_E + ROUNDER;
+        let j = rounded - ROUNDER;
+        let leading = j * LN2[0] - high;
+        let g = leading + j * LN2[1];
+        let rest = ((leading - g) + j * LN2[1]) - low;
+        let (s, c) = kernel::hyperbolic(g, rest);
+        // 2^−j in two factors, 4^−j, and 2^j: where an exponent does not fit it is cut off, and does not count.
+        let half = (0.5 * j + ROUNDER) - ROUNDER;
+        let decay = [
+            kernel::power_of_two(ROUNDER - half),
+            kernel::power_of_two(ROUNDER - (j - half)),
+        ];
+        let tiny = kernel::power_of_two(ROUNDER - (2.0 * j).min(1022.0));
+        // sinh x = (2^j e^−g − 2^−j e^g)/2, and likewise cosh.
+        let (less, more) = (1.0 - tiny, 1.0 + tiny);
+        Self {
+            sine: 0.5 * (less + (less * c - more * s)),
+            cosine: 0.5 * (more + (more * c - less * s)),
+            growth: kernel::power_of_two(ROUNDER + j.min(1023.0)),
+            decay,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn decay(&self, x: f64) -> f64 {
+        x * self.decay[0] * self.decay[1]
+    }
+}

@@ -1,0 +1,193 @@
+//! Small pieces without a branch, for one argument as for several side by side: sine and cosine of two words, their
+//! hyperbolic sisters, the arctangent, powers of two, and exact products and roots in two words.
+
+use crate::double_double::DoubleDouble;
+
+/// Taylor coefficients of (sin x − x)/x³ in x²; the first one left out is 10⁻¹⁹ at π/4.
+const SINE: [f64; 8] = [
+    -1.0 / 6.0,
+    1.0 / 120.0,
+    -1.0 / 5040.0,
+    1.0 / 362_880.0,
+    -1.0 / 39_916_800.0,
+    1.0 / 6_227_020_800.0,
+    -1.0 / 1_307_674_368_000.0,
+    1.0 / 355_687_428_096_000.0,
+];
+
+/// Taylor coefficients of (cos x − 1 + x²/2)/x⁴ in x².
+const COSINE: [f64; 7] = [
+    1.0 / 24.0,
+    -1.0 / 720.0,
+    1.0 / 40_320.0,
+    -1.0 / 3_628_800.0,
+    1.0 / 479_001_600.0,
+    -1.0 / 87_178_291_200.0,
+    1.0 / 20_922_789_888_000.0,
+];
+
+/// Taylor coefficients of (sinh x − x)/x³ in x²; the first one left out is 10⁻¹⁷ at 0.36.
+const HYPERBOLIC_SINE: [f64; 6] = [
+    1.0 / 6.0,
+    1.0 / 120.0,
+    1.0 / 5040.0,
+    1.0 / 362_880.0,
+    1.0 / 39_916_800.0,
+    1.0 / 6_227_020_800.0,
+];
+
+/// Taylor coefficients of (cosh x − 1 − x²/2)/x⁴ in x².
+const HYPERBOLIC_COSINE: [f64; 5] = [
+    1.0 / 24.0,
+    1.0 / 720.0,
+    1.0 / 40_320.0,
+    1.0 / 3_628_800.0,
+    1.0 / 479_001_600.0,
+];
+
+/// Chebyshev fit of (atan t − t)/t³ in t² for t up to tan π/8, error 6·10⁻¹⁸ of t.
+const ARCTANGENT: [f64; 11] = [
+    -0.333_333_333_333_333_3,
+    0.199_999_999_999_955_17,
+    -0.142_857_142_846_656_8,
+    0.111_111_110_151_870_19,
+    -0.090_909_045_753_064_89,
+    0.076_921_831_253_768_92,
+    -0.066_645_105_255_089_37,
+    0.058_581_409_048_663_28,
+    -0.050_854_078_345_894_84,
+    0.039_230_447_784_793_095,
+    -0.019_175_404_711_104_934,
+];
+
+/// Taylor coefficients of (asin x − x)/x³ in x²; the first one left out is 10⁻¹⁷ of x at 0.1.
+const ARCSINE: [f64; 6] = [
+    1.0 / 6.0,
+    3.0 / 40.0,
+    15.0 / 336.0,
+    105.0 / 3456.0,
+    945.0 / 42_240.0,
+    10_395.0 / 599_040.0,
+];
+
+#[inline(always)]
+pub(super) fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
+    let mut sum = coefficients[N - 1];
+    for i in (0..N - 1).rev() {
+        sum = sum * x + coefficients[i];
+    }
+    sum
+}
+
+/// Sine and cosine of `high + low`, for |high| ≤ 0.8 and `low` below an ulp of it.
+#[inline(always)]
+pub(super) fn sine_cosine(high: f64, low: f64) -> (f64, f64) {
+    let x2 = high * high;
+    let half = 0.5 * x2;
+    let sine = high + (high * x2 * polynomial(&SINE, x2) + low * (1.0 - half));
+    let leading = 1.0 - half;
+    let trailing = ((1.0 - leading) - half) + (x2 * x2 * polynomial(&COSINE, x2) - high * low);
+    (sine, leading + trailing)
+}
+
+/// Hyperbolic sine and cosine of `high + low`, for |high| ≤ 0.36; the cosine less 1.
+#[inline(always)]
+pub(super) fn hyperbolic(high: f64, low: f64) -> (f64, f64) {
+    let x2 = high * high;
+    let half = 0.5 * x2;
+    let sine = high + (high * x2 * polynomial(&HYPERBOLIC_SINE, x2) + low * (1.0 + half));
+    let cosine = half + (x2 * x2 * polynomial(&HYPERBOLIC_COSINE, x2) + high * low);
+    (sine, cosine)
+}
+
+/// The angle in 0…π/2 whose sine and cosine are these, neither negative.
+#[inline(always)]
+pub(super) fn angle(sine: f64, cosine: f64) -> f64 {
+    // tan of half the angle, or of half the rest to π/2.
+    let t = sine.min(cosine) / (1.0 + sine.max(cosine));
+    let t2 = t * t;
+    let twice = 2.0 * t + 2.0 * (t * t2) * polynomial(&ARCTANGENT, t2);
+    if sine <= cosine {
+        twice
+    } else {
+        core::f64::consts::FRAC_PI_2 - twice
+    }
+}
+
+/// Arcsine of |x| ≤ 0.1.
+#[inline(always)]
+pub(super) fn small_arcsine(x: f64) -> f64 {
+    let x2 = x * x;
+    x + x * x2 * polynomial(&ARCSINE, x2)
+}
+
+/// 1.5·2⁵²: added to a number below 2⁵¹ it rounds it to an integer, which then stands in the lowest bits.
+pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
+/// 2^n for an integer n in −1022…1023 that [`ROUNDER`] has been added to.
+#[inline(always)]
+pub(super) fn power_of_two(rounded: f64) -> f64 {
+    f64::from_bits((rounded.to_bits().wrapping_add(1023)) << 52)
+}
+
+/// `a` where the bits of `mask` are ones, `b` where they are zeros.
+#[inline(always)]
+pub(super) fn select(mask: u64, a: f64, b: f64) -> f64 {
+    f64::from_bits((a.to_bits() & mask) | (b.to_bits() & !mask))
+}
+
+/// Upper 26 bits and the rest, for numbers below 10³⁰⁰ (Veltkamp).
+#[inline(always)]
+pub(super) fn halves(x: f64) -> (f64, f64) {
+    let y = 134_217_729.0 * x;
+    let upper = y - (y - x);
+    (upper, x - upper)
+}
+
+/// Product and its rounding error, without a call into the mathematical library where the processor has no fused
+/// multiplication (Dekker).
+#[inline(always)]
+pub(super) fn exact_product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    if cfg!(target_feature = "fma") {
+        return (product, a.mul_add(b, -product));
+    }
+    let (a1, a2) = halves(a);
+    let (b1, b2) = halves(b);
+    let error = ((a1 * b1 - product) + (a1 * b2 + a2 * b1)) + a2 * b2;
+    (product, error)
+}
+
+/// Sum of two numbers, the first not the smaller in size.
+#[inline(always)]
+pub(super) fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    (sum, b - (sum - a))
+}
+
+/// Square root of a positive `high + low`, to 105 bits.
+#[inline(always)]
+pub(super) fn root(high: f64, low: f64) -> (f64, f64) {
+    let root = high.sqrt();
+    let (square, error) = exact_product(root, root);
+    (root, (((high - square) - error) + low) * (0.5 / root))
+}
+
+/// Quotient to 103 bits, for sizes near 1.
+#[inline(always)]
+pub(super) fn quotient(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
+    let inverse = 1.0 / b.high();
+    let leading = a.high() * inverse;
+    let (product, error) = exact_product(leading, b.high());
+    let rest = ((a.high() - product) - error) + (a.low() - leading * b.low());
+    let (high, low) = ordered_sum(leading, rest * inverse);
+    DoubleDouble::new(high, low)
+}
+
+/// Product to 104 bits, for sizes near 1.
+#[inline(always)]
+pub(super) fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
+    let (high, error) = exact_product(a.high(), b.high());
+    let (high, low) = ordered_sum(high, error + (a.high() * b.low() + a.low() * b.high()));
+    DoubleDouble::new(high, low)
+}

@@ -1,0 +1,126 @@
+//! Gauss's transformation in 106 bits: from a parameter of at most 1/2 to parameter 0 in three steps and a remainder.
+//!
+//! Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) stays.
+//! At the end K is π/2 and sn z is sin z. The mean of 1 and k′, the nome and the functions of z all come from the same steps.
+
+use super::modulus::PI;
+use crate::double_double::DoubleDouble;
+use crate::extended::{Extended, logarithm};
+
+/// The moduli on the way down.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Landen {
+    /// 1 + k′ₙ for n = 0, 1, 2.
+    sums: [DoubleDouble; 3],
+    /// k₁ and k₂; k₃² fits a double, since it enters as a correction of at most 2·10⁻¹⁰.
+    moduli: [DoubleDouble; 2],
+    last: f64,
+    /// The arithmetic-geometric mean of 1 and k′: π/(2K).
+    pub(crate) mean: DoubleDouble,
+    /// The nome divided by k².
+    nome_over_square: DoubleDouble,
+    modulus: Extended,
+    /// The nome q = exp(−πK′/K); zero where it underflows.
+    pub(crate) nome: DoubleDouble,
+}
+
+impl Landen {
+    /// For the modulus k and its complement k′ ≥ k, both known to 106 bits.
+    pub(crate) fn new(modulus: Extended, complement: DoubleDouble) -> Self {
+        let one = DoubleDouble::from(1.0);
+        let square = modulus.square().narrow();
+        let sum0 = one.add(complement);
+        let k1 = square.divide(sum0.multiply(sum0));
+        let sum1 = one.add(complement.square_root().scaled(2.0).divide(sum0));
+        let k2 = k1.multiply(k1).divide(sum1.multiply(sum1));
+        let k1_complement = sum1.subtract(one);
+        let sum2 = one.add(k1_complement.square_root().scaled(2.0).divide(sum1));
+        let k3 = (k2.value() / sum2.value()).powi(2);
+        let last = k3 * k3;
+        let a2 = sum0.multiply(sum1).scaled(0.25);
+        // (1 + k′₃)(1 + k′₄)/4 with k₄ = k₃²/4; the next term is 10⁻³⁰.
+        let rest = DoubleDouble::from(-0.25 * last * (1.0 + 0.3125 * last));
+        let mean = a2.multiply(sum2).scaled(0.5);
+        let mean = mean.add(mean.multiply(rest));
+        // l = (1 − √k′)/(2(1 + √k′)); q = l + 2l⁵ + 15l⁹ + 150l¹³ + 1707l¹⁷ + …
+        let l_over_square = one.divide(a2.multiply(sum0).scaled(8.0));
+        let l = square.multiply(l_over_square);
+        let l2 = l.multiply(l);
+        let l4 = l2.multiply(l2);
+        let x = l4.value();
+        let tail = x * x * (15.0 + x * (150.0 + x * (1707.0 + x * 20_910.0)));
+        let series = one.add(l4.scaled(2.0)).add(DoubleDouble::from(tail));
+        let nome_over_square = l_over_square.multiply(series);
+        Self {
+            sums: [sum0, sum1, sum2],
+            moduli: [k1, k2],
+            last,
+            mean,
+            nome_over_square,
+            modulus,
+            nome: square.multiply(nome_over_square),
+        }
+    }
+
+    /// ln(1/q), also where q itself underflows; infinite for k = 0.
+    pub(crate) fn logarithm_of_inverse_nome(&self) -> DoubleDouble {
+        if self.modulus.is_zero() {
+            return DoubleDouble::from(f64::INFINITY);
+        }
+        let factor = Extended::from(self.nome_over_square);
+        logarithm(self.modulus.square().multiply(factor)).negated()
+    }
+
+    /// √q for the modulus k, as a double: still there where q underflows.
+    pub(crate) fn root_of_nome(&self, k: f64) -> f64 {
+        k * self.nome_over_square.value().sqrt()
+    }
+
+    /// The quarter period of the complementary modulus, K′ = (K/π) ln(1/q).
+    pub(crate) fn complementary_quarter(&self) -> DoubleDouble {
+        let logarithm = self.logarithm_of_inverse_nome();
+        if logarithm.high() == f64::INFINITY {
+            return logarithm;
+        }
+        logarithm.divide(self.mean.scaled(2.0))
+    }
+
+    /// sin z from sn u and dn u, z = πu/(2K).
+    pub(crate) fn sine(&self, sn: DoubleDouble, dn: DoubleDouble) -> DoubleDouble {
+        self.descend(sn, dn, 1.0)
+    }
+
+    /// sinh x from −i sn(iy) = sc(y, k′) and dn(iy) = dc(y, k′), x = πy/(2K).
+    pub(crate) fn hyperbolic_sine(&self, sc: DoubleDouble, dc: DoubleDouble) -> DoubleDouble {
+        self.descend(sc, dc, -1.0)
+    }
+
+    fn descend(&self, start: DoubleDouble, delta: DoubleDouble, sign: f64) -> DoubleDouble {
+        let one = DoubleDouble::from(1.0);
+        let (mut s, mut d) = (start, delta);
+        for (sum, modulus) in self.sums.iter().zip(&self.moduli) {
+            s = s.multiply(*sum).divide(one.add(d));
+            let ks = s.multiply(*modulus);
+            let square = ks.multiply(ks).scaled(sign);
+            d = one.subtract(square).square_root();
+        }
+        s = s.multiply(self.sums[2]).divide(one.add(d));
+        // The rest of the way: (1 + k′₃)/(1 + √(1 − k₃² s²)) and one factor more, both 1 up to 4·10⁻¹⁰.
+        let a = self.last;
+        let b = sign * (self.scaled_square(s, a));
+        let correction =
+            -0.25 * (a - b) + a * (-a / 16.0 - b / 16.0) + b * b / 8.0 - a * (a - b) / 64.0;
+        s.add(s.multiply(DoubleDouble::from(correction)))
+    }
+
+    /// a s², where s² alone may overflow.
+    fn scaled_square(&self, s: DoubleDouble, a: f64) -> f64 {
+        let root = a.sqrt() * s.high();
+        root * root
+    }
+}
+
+/// π/2 to 106 bits.
+pub(crate) fn right_angle() -> DoubleDouble {
+    PI.scaled(0.5)
+}

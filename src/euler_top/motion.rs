@@ -1,0 +1,463 @@
+//! The exact motion of a free rigid body (tutorial 6.1, 6.6, 6.8): angular velocity, angular momentum and attitude at any time.
+
+use nalgebra::Quaternion;
+
+use super::preparation::{Constants, Start, ascending, decide};
+use crate::double_double::DoubleDouble;
+use crate::elliptic::Side;
+use crate::elliptic::landen::right_angle;
+use crate::elliptic::local::Place;
+use crate::error::{Error, Result, finite, not_negative};
+use crate::extended::Extended;
+use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::inertia::PrincipalMoments;
+
+/// What kind of motion a free top makes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Regime {
+    /// L = 0: nothing moves.
+    AtRest,
+    /// All moments equal: Ω stays (6.4).
+    Sphere,
+    /// One moment is zero: a rod, which turns steadily about L. Along itself it has no angular velocity to speak of; that component is returned as zero.
+    Rod,
+    /// L along a principal axis, or among the equal moments of a symmetric top: Ω stays (6.2).
+    PermanentRotation,
+    /// Two moments equal: Ω circles the axis of the third (6.5).
+    Symmetric,
+    /// L² < 2EI₂: L circles the axis of the smallest moment (6.6).
+    AroundSmallest,
+    /// L² > 2EI₂: L circles the axis of the largest moment (6.6).
+    AroundLargest,
+    /// L² = 2EI₂ exactly: one half turn over, from the middle axis to the middle axis, and no return (6.6).
+    Separatrix,
+}
+
+/// A free top at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Ω along the body's axes, rad/s.
+    pub omega: BodyVector,
+    /// L along the body's axes, kg m²/s.
+    pub angular_momentum: BodyVector,
+    /// How the body stands in space.
+    pub attitude: Attitude,
+}
+
+/// A free rigid body, its motion prepared.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EulerTop {
+    moments: [f64; 3],
+    angular_momentum: BodyVector,
+    attitude: Attitude,
+    regime: Regime,
+    motion: Motion,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "a top is one value without allocation; most tops move"
+)]
+enum Motion {
+    /// Ω constant: its components, its size to 106 bits, its direction.
+    Steady {
+        omega: [f64; 3],
+        rate: DoubleDouble,
+        direction: [f64; 3],
+    },
+    /// Ω moves: the constants, and the attitude less what ψ and P(L) make of it.
+    Moving {
+        constants: Constants,
+        base: Quaternion<f64>,
+    },
+}
+
+impl EulerTop {
+    /// The body with these principal moments (kg m², in any order), with this angular momentum along its principal axes
+    /// (kg m²/s) and this attitude at time 0.
+    ///
+    /// Domain: any moments that a body can have, rods and laminae included, at any scale; any L, however close to an axis
+    /// or to the separatrix: what matters is the exact value of the doubles given. Cost: a dozen evaluations of [`at`](Self::at).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Negative`] and [`Error::TriangleInequality`] for moments that no body has (2.4);
+    /// [`Error::Condition`] for an angular momentum about an axis whose moment is zero.
+    pub fn new(
+        moments: [f64; 3],
+        angular_momentum: BodyVector,
+        attitude: Attitude,
+    ) -> Result<Self> {
+        PrincipalMoments::new(moments[0], moments[1], moments[2])?;
+        Self::beyond_bodies(moments, angular_momentum, attitude)
+    }
+
+    /// The same from the angular velocity along the principal axes at time 0, rad/s; I Ω is formed without rounding.
+    ///
+    /// Along an axis whose moment is zero there is no angular velocity to speak of: that component is ignored.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    pub fn from_omega(moments: [f64; 3], omega: BodyVector, attitude: Attitude) -> Result<Self> {
+        PrincipalMoments::new(moments[0], moments[1], moments[2])?;
+        Self::prepared(moments, Start::Omega(omega.components().into()), attitude)
+    }
+
+    /// The same as [`new`](Self::new) for moments that no body need have, such as 1, 2, 5: Euler's equations do not ask.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::Negative`] for a moment, [`Error::Condition`] if one moment is zero and L has a component
+    /// about that axis, or the other two moments differ.
+    pub fn beyond_bodies(
+        moments: [f64; 3],
+        angular_momentum: BodyVector,
+        attitude: Attitude,
+    ) -> Result<Self> {
+        let start = Start::AngularMomentum(angular_momentum.components().into());
+        Self::prepared(moments, start, attitude)
+    }
+
+    fn prepared(moments: [f64; 3], start: Start, attitude: Attitude) -> Result<Self> {
+        for moment in moments {
+            not_negative("a principal moment", moment)?;
+        }
+        for component in start.components() {
+            finite(start.name(), component)?;
+        }
+        refuse_impossible_rod(moments, &start)?;
+        let exact = start.angular_momentum(moments);
+        let l = exact.map(Extended::value);
+        for component in l.into_iter().chain(omega_of(moments, &exact)) {
+            finite("a component of angular velocity or momentum", component)?;
+        }
+        let (regime, constants) = decide(moments, start);
+        let motion = match constants {
+            None => steady(moments, &exact),
+            Some(constants) => {
+                let largest = constants
+                    .rate
+                    .value()
+                    .abs()
+                    .max(constants.turning_rate.value());
+                finite("the rate of the motion", largest)?;
+                let turned = constants.turned(0.0, &constants.point(0.0)?);
+                let base = attitude.quaternion().into_inner() * turned.conjugate();
+                Motion::Moving { constants, base }
+            }
+        };
+        Ok(Self {
+            moments,
+            angular_momentum: vector(l),
+            attitude,
+            regime,
+            motion,
+        })
+    }
+
+    /// What kind of motion it is, decided once from exact differences.
+    pub const fn regime(&self) -> Regime {
+        self.regime
+    }
+
+    /// The principal moments, kg m², in the order they were given.
+    pub const fn moments(&self) -> [f64; 3] {
+        self.moments
+    }
+
+    /// Ω, L and attitude at any time t (s), before or after (6.6, 6.8).
+    ///
+    /// (L₁, L₂, L₃) = (P₁ cn u, P₂ sn u, P₃ dn u), u = u₀ + λt, and the attitude turned about L by an angle that theta functions
+    /// give. Error: see the module; it does not grow with time. Cost: the time does not matter; two sines, two roots.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods, where one double no longer tells them apart.
+    pub fn at(&self, t: f64) -> Result<State> {
+        let t = finite("the time", t)?;
+        match &self.motion {
+            Motion::Steady {
+                omega,
+                rate,
+                direction,
+            } => {
+                let half = rate.multiply(DoubleDouble::from(t)).scaled(0.5);
+                finite("the angle turned", half.high())?;
+                let (sine, cosine) = half.sin_cos();
+                let [x, y, z] = direction.map(|component| sine * component);
+                let turn = Quaternion::new(cosine, x, y, z);
+                Ok(State {
+                    omega: vector(*omega),
+                    angular_momentum: self.angular_momentum,
+                    attitude: Attitude::from_unit(self.attitude.quaternion().into_inner() * turn),
+                })
+            }
+            Motion::Moving { constants, base } => {
+                let point = constants.point(t)?;
+                let l = constants.axes.back(point.l);
+                Ok(State {
+                    omega: vector(ratio(l, self.moments)),
+                    angular_momentum: vector(l),
+                    attitude: Attitude::from_unit(*base * constants.turned(t, &point)),
+                })
+            }
+        }
+    }
+
+    /// Ω alone, rad/s, along the body's axes (6.6). Cost: half of [`at`](Self::at).
+    ///
+    /// # Errors
+    /// As for [`at`](Self::at).
+    pub fn omega_at(&self, t: f64) -> Result<BodyVector> {
+        let t = finite("the time", t)?;
+        match &self.motion {
+            Motion::Steady { omega, .. } => Ok(vector(*omega)),
+            Motion::Moving { constants, .. } => {
+                let l = constants.axes.back(constants.point(t)?.l);
+                Ok(vector(ratio(l, self.moments)))
+            }
+        }
+    }
+
+    /// The states at these times, one after another.
+    ///
+    /// # Errors
+    /// Each as for [`at`](Self::at).
+    pub fn states(
+        &self,
+        times: impl IntoIterator<Item = f64>,
+    ) -> impl Iterator<Item = Result<State>> {
+        times.into_iter().map(|t| self.at(t))
+    }
+
+    /// Kinetic energy ½⟨Ω, L⟩, J: constant (6.1).
+    pub fn energy(&self) -> f64 {
+        let l: [f64; 3] = self.angular_momentum.components().into();
+        let omega = ratio(l, self.moments);
+        (0..3).map(|k| 0.5 * omega[k] * l[k]).sum()
+    }
+
+    /// L along the axes of space, kg m²/s: constant (6.1).
+    pub fn angular_momentum_in_space(&self) -> SpaceVector {
+        self.attitude.to_space(self.angular_momentum)
+    }
+
+    /// Period of Ω in the body, 4K/λ, s: the polhode run through once (6.6). The attitude does not return with it.
+    ///
+    /// Infinite where Ω stays, and on the separatrix. Error: 2 ulp.
+    pub fn period(&self) -> f64 {
+        match &self.motion {
+            Motion::Steady { .. } => f64::INFINITY,
+            Motion::Moving { constants, .. } => constants.period(),
+        }
+    }
+
+    /// Mean rate, rad/s, at which the axis that L circles goes round L in space, right-handed about L (6.5, 6.8).
+    ///
+    /// |L|/I₁ for a symmetric top. Where Ω stays: the rate 2E/|L| at which the body turns about L; 0 at rest. Error: 2 ulp.
+    pub fn mean_precession_rate(&self) -> f64 {
+        match &self.motion {
+            Motion::Steady { rate, .. } => rate.value(),
+            Motion::Moving { constants, .. } => constants.mean_precession_rate(),
+        }
+    }
+
+    /// By how much the body has turned about L when Ω has returned, in Montgomery's two terms (6.8); none where Ω has no period.
+    pub fn geometric_phase(&self) -> Option<GeometricPhase> {
+        match &self.motion {
+            Motion::Moving { constants, .. } if self.regime != Regime::Separatrix => {
+                let twice_energy = 2.0 * self.energy();
+                Some(GeometricPhase {
+                    dynamical: twice_energy / self.angular_momentum.norm() * constants.period(),
+                    geometric: -constants.solid_angle(),
+                })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The turn about L after one period of Ω, radians: the sum of both, up to whole turns (6.8).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GeometricPhase {
+    /// 2ET/|L|: as if Ω had stayed at its mean component along L.
+    pub dynamical: f64,
+    /// Less the solid angle of the cone that L draws in the body, counted positive if L goes round right-handed as seen from its
+    /// own end. It depends on the shape of the path alone, not on the pace.
+    pub geometric: f64,
+}
+
+/// A body on a line must not spin about that line, nor be a line in only one of two directions.
+fn refuse_impossible_rod(moments: [f64; 3], start: &Start) -> Result<()> {
+    let [first, middle, last] = ascending(moments);
+    if moments[first] > 0.0 {
+        return Ok(());
+    }
+    if let Start::AngularMomentum(l) = start
+        && l[first] != 0.0
+    {
+        return Err(Error::Condition {
+            condition: "the angular momentum about an axis whose moment is zero must be zero",
+            value: l[first],
+        });
+    }
+    let gap = moments[last] - moments[middle];
+    if gap > 8.0 * f64::EPSILON * moments[last] {
+        return Err(Error::Condition {
+            condition: "if one moment is zero, the difference of the other two must be zero",
+            value: gap,
+        });
+    }
+    Ok(())
+}
+
+/// Where L is, along the renumbered axes.
+struct Point {
+    place: Place,
+    sn: f64,
+    cn: f64,
+    l: [f64; 3],
+}
+
+impl Constants {
+    fn point(&self, t: f64) -> Result<Point> {
+        let u = self.rate.multiply(DoubleDouble::from(t)).add(self.start);
+        let greatest = self.modulus.greatest_argument();
+        if u.high().abs() <= greatest {
+            let place = self.modulus.place(u);
+            let [sn, cn, dn] = self.modulus.triple(&place);
+            let [p1, p2, p3] = self.amplitudes;
+            let l = [p1 * cn, p2 * sn, p3 * dn];
+            return Ok(Point { place, sn, cn, l });
+        }
+        let limit = greatest / self.rate.high().abs();
+        Err(Error::OutOfRange {
+            quantity: "the time",
+            value: t,
+            least: -limit,
+            greatest: limit,
+        })
+    }
+
+    /// The turn by ψ about L after the shortest rotation of L onto axis 3, as a unit quaternion along the body's own axes.
+    fn turned(&self, t: f64, point: &Point) -> Quaternion<f64> {
+        let turning = &self.turning;
+        let quarters = DoubleDouble::from(point.place.quarters);
+        let half = self
+            .turning_rate
+            .multiply(DoubleDouble::from(t))
+            .subtract(turning.lag.multiply(quarters))
+            .scaled(0.5);
+        let (sine, cosine) = half.sin_cos();
+        let (x, y) = turning.half_angle(&point.place, point.sn, point.cn);
+        let (cosine, sine) = (cosine * x - sine * y, sine * x + cosine * y);
+        let [l1, l2, l3] = point.l;
+        let largest = l1.abs().max(l2.abs()).max(l3);
+        let [n1, n2, n3] = [l1 / largest, l2 / largest, l3 / largest];
+        let w = n3 + (n1 * n1 + n2 * n2 + n3 * n3).sqrt();
+        // (cos + k sin) (w + n₂ i − n₁ j).
+        let [a, b, c] =
+            self.axes
+                .back([cosine * n2 + sine * n1, sine * n2 - cosine * n1, sine * w]);
+        let q = Quaternion::new(cosine * w, a, b, c);
+        q / q.norm()
+    }
+
+    fn period(&self) -> f64 {
+        let quarter = self.modulus.quarter_period_dd();
+        if quarter.high() == f64::INFINITY {
+            return f64::INFINITY;
+        }
+        4.0 * quarter.divide(self.rate).value().abs()
+    }
+
+    /// ν less the lag of each quarter period, and a right angle more for each: the azimuth of L in the body advances by that.
+    fn mean_precession_rate(&self) -> f64 {
+        let quarter = self.modulus.quarter_period_dd();
+        if quarter.high() == f64::INFINITY {
+            return self.turning_rate.value();
+        }
+        let gain = right_angle().subtract(self.turning.lag);
+        let quarters = self.rate.divide(quarter);
+        self.turning_rate.add(gain.multiply(quarters)).value()
+    }
+
+    /// Solid angle of the cone that L draws in the body in one period, with the sense of du/dt.
+    fn solid_angle(&self) -> f64 {
+        let [p1, p2, p3] = self.amplitudes;
+        let size = p1.hypot(p3);
+        let magnitude = match self.modulus.side() {
+            // ∮ (1 − cos θ) dφ = P₁P₂/P₃ ∫ P₃ dn/(|L| (|L| + P₃ dn)) du, a periodic function with poles beyond ±iK′: the rule of
+            // equal ordinates leaves out q¹⁶, and nothing cancels for a small cone.
+            Side::Circular => {
+                let quarter = self.modulus.quarter_period_dd();
+                let ordinates = (0..16).map(|k| {
+                    let u = quarter.multiply(DoubleDouble::from(f64::from(k) / 8.0));
+                    let [_, _, dn] = self.modulus.triple(&self.modulus.place(u));
+                    dn / (1.0 + p3 / size * dn)
+                });
+                let mean = ordinates.sum::<f64>() / 16.0;
+                4.0 * quarter.value() * mean * (p1 / size) * (p2 / size)
+            }
+            // Near the separatrix the cone is wide: the closed form, which is Heuman's lambda function.
+            Side::Hyperbolic => {
+                let mc = self.modulus.parameter().mc();
+                let share = mc * (p1 / p2) * (p3 / size) + self.turning.excess.value();
+                let quarter = self.modulus.quarter_period();
+                4.0 * (self.turning.lag.value() - quarter * share)
+            }
+        };
+        magnitude * self.rate.high().signum()
+    }
+}
+
+fn vector([x, y, z]: [f64; 3]) -> BodyVector {
+    BodyVector::new(x, y, z)
+}
+
+/// L_i/I_i; zero along an axis whose moment is zero.
+#[inline]
+fn ratio(l: [f64; 3], moments: [f64; 3]) -> [f64; 3] {
+    core::array::from_fn(|k| {
+        if moments[k] == 0.0 {
+            0.0
+        } else {
+            l[k] / moments[k]
+        }
+    })
+}
+
+/// The same before rounding.
+fn omega_of(moments: [f64; 3], l: &[Extended; 3]) -> [f64; 3] {
+    core::array::from_fn(|k| {
+        if moments[k] == 0.0 {
+            0.0
+        } else {
+            l[k].divide(Extended::from_double(moments[k])).value()
+        }
+    })
+}
+
+/// Rotation with constant Ω about L: at the rate 2E/|L| = Σ L_i²/I_i / |L|.
+fn steady(moments: [f64; 3], l: &[Extended; 3]) -> Motion {
+    let (mut square, mut twice_energy) = (Extended::zero(), Extended::zero());
+    for (moment, component) in moments.iter().zip(l) {
+        if !component.is_zero() {
+            let term = component.square();
+            square = square.add(term);
+            twice_energy = twice_energy.add(term.divide(Extended::from_double(*moment)));
+        }
+    }
+    if square.is_zero() {
+        return Motion::Steady {
+            omega: [0.0; 3],
+            rate: DoubleDouble::from(0.0),
+            direction: [0.0, 0.0, 1.0],
+        };
+    }
+    let size = square.square_root();
+    Motion::Steady {
+        omega: omega_of(moments, l),
+        rate: twice_energy.divide(size).narrow(),
+        direction: core::array::from_fn(|k| l[k].divide(size).value()),
+    }
+}

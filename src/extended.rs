@@ -1,0 +1,348 @@
+//! Numbers with 106 bits and an exponent of their own, and two functions in 106 bits: what the constants of a free
+//! top need so that no tilt underflows and no phase loses digits.
+
+use crate::double_double::{DoubleDouble, power_of_two_below};
+
+/// `digits · 2^exponent`: squares of tilts down to 1e-300 stay numbers.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Extended {
+    pub(crate) digits: DoubleDouble,
+    pub(crate) exponent: i32,
+}
+
+impl Extended {
+    /// Of a finite double; zero has the smallest exponent, so that it never shifts a sum.
+    pub(crate) fn from_double(value: f64) -> Self {
+        if value == 0.0 {
+            return Self::zero();
+        }
+        let unit = power_of_two_below(value.abs());
+        let mut digits = value / unit;
+        let mut exponent = exponent_of(unit);
+        if digits.abs() < 1.0 {
+            // A subnormal: its own leading digit counts.
+            let unit = power_of_two_below(digits.abs());
+            digits /= unit;
+            exponent += exponent_of(unit);
+        }
+        Self {
+            digits: DoubleDouble::from(digits),
+            exponent,
+        }
+    }
+
+    /// Zero, with an exponent that never shifts a sum.
+    pub(crate) fn zero() -> Self {
+        Self {
+            digits: DoubleDouble::from(0.0),
+            exponent: i32::MIN / 8,
+        }
+    }
+
+    /// The difference of two doubles, exactly.
+    pub(crate) fn difference(a: f64, b: f64) -> Self {
+        let exact = DoubleDouble::difference(a, b);
+        let leading = Self::from_double(exact.high());
+        Self {
+            digits: DoubleDouble::sum(
+                leading.digits.high(),
+                shifted(exact.low(), -leading.exponent),
+            ),
+            exponent: leading.exponent,
+        }
+    }
+
+    /// 2^exponent as a double; zero or the greatest power where that has no room.
+    pub(crate) fn power_of_two(exponent: i32) -> f64 {
+        power(exponent)
+    }
+
+    pub(crate) fn multiply(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::zero();
+        }
+        Self {
+            digits: self.digits.multiply(other.digits),
+            exponent: self.exponent + other.exponent,
+        }
+    }
+
+    pub(crate) fn square(self) -> Self {
+        self.multiply(self)
+    }
+
+    pub(crate) fn divide(self, other: Self) -> Self {
+        if self.is_zero() {
+            return Self::zero();
+        }
+        Self {
+            digits: self.digits.divide(other.digits),
+            exponent: self.exponent - other.exponent,
+        }
+    }
+
+    pub(crate) fn add(self, other: Self) -> Self {
+        let exponent = self.exponent.max(other.exponent);
+        let first = self.digits.scaled(power(self.exponent - exponent));
+        let second = other.digits.scaled(power(other.exponent - exponent));
+        let digits = first.add(second);
+        if digits.high() == 0.0 {
+            return Self::zero();
+        }
+        Self { digits, exponent }
+    }
+
+    pub(crate) fn subtract(self, other: Self) -> Self {
+        self.add(Self {
+            digits: other.digits.negated(),
+            exponent: other.exponent,
+        })
+    }
+
+    pub(crate) fn square_root(self) -> Self {
+        if self.is_zero() {
+            return Self::zero();
+        }
+        let odd = self.exponent.rem_euclid(2);
+        Self {
+            digits: self.digits.scaled(f64::from(1 + odd)).square_root(),
+            exponent: (self.exponent - odd) / 2,
+        }
+    }
+
+    /// Whether it is greater than `other`; both not negative.
+    pub(crate) fn exceeds(self, other: Self) -> bool {
+        self.subtract(other).digits.high() > 0.0
+    }
+
+    pub(crate) fn magnitude(self) -> Self {
+        if self.digits.high() < 0.0 {
+            self.negated()
+        } else {
+            self
+        }
+    }
+
+    pub(crate) fn negated(self) -> Self {
+        Self {
+            digits: self.digits.negated(),
+            exponent: self.exponent,
+        }
+    }
+
+    /// Multiplied by a double.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        self.multiply(Self::from_double(factor))
+    }
+
+    /// As a double-double; zero or infinite where that has no room.
+    pub(crate) fn narrow(self) -> DoubleDouble {
+        DoubleDouble::sum(
+            shifted(self.digits.high(), self.exponent),
+            shifted(self.digits.low(), self.exponent),
+        )
+    }
+
+    /// The nearest double.
+    pub(crate) fn value(self) -> f64 {
+        shifted(self.digits.value(), self.exponent)
+    }
+
+    pub(crate) fn is_zero(self) -> bool {
+        self.digits.high() == 0.0
+    }
+}
+
+impl From<DoubleDouble> for Extended {
+    /// Of a number that is normal or zero.
+    fn from(number: DoubleDouble) -> Self {
+        if number.high() == 0.0 {
+            return Self::zero();
+        }
+        let unit = power_of_two_below(number.high().abs());
+        Self {
+            digits: number.scaled(1.0 / unit),
+            exponent: exponent_of(unit),
+        }
+    }
+}
+
+fn exponent_of(power_of_two: f64) -> i32 {
+    // The eleven bits of the exponent fit.
+    ((power_of_two.to_bits() >> 52) as i32) - 1023
+}
+
+/// 2^exponent; zero below the smallest normal number, where nothing that is added to 1 counts.
+fn power(exponent: i32) -> f64 {
+    if exponent < -1022 {
+        0.0
+    } else {
+        f64::from_bits(u64::from((exponent.min(1023) + 1023).unsigned_abs()) << 52)
+    }
+}
+
+/// `value · 2^exponent`, in steps that neither overflow nor underflow before the result does.
+pub(crate) fn shifted(value: f64, exponent: i32) -> f64 {
+    if value == 0.0 {
+        return value;
+    }
+    let mut left = exponent.clamp(-4000, 4000);
+    let mut result = value;
+    while left != 0 {
+        let step = left.clamp(-1000, 1000);
+        result *= power(step);
+        left -= step;
+    }
+    result
+}
+
+const LN_2: [f64; 2] = [core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17];
+
+/// ln(j/16) for j = 16…32, twice the precision.
+const LOGARITHMS: [[f64; 2]; 17] = [
+    [0.0, 0.0],
+    [0.060_624_621_816_434_84, 2.642_402_593_872_693_4e-18],
+    [0.117_783_035_656_383_46, -1.197_168_574_759_367_7e-18],
+    [0.171_850_256_926_659_23, -6.022_453_821_011_37e-18],
+    [0.223_143_551_314_209_76, -9.091_270_597_324_799e-18],
+    [0.271_933_715_483_641_76, 7.833_196_376_974_42e-19],
+    [0.318_453_731_118_534_6, 2.711_477_936_732_623_6e-17],
+    [0.362_905_493_689_368_5, -2.149_223_546_153_109_7e-17],
+    [0.405_465_108_108_164_4, -2.881_138_025_962_642_6e-18],
+    [0.446_287_102_628_419_53, -1.818_254_119_464_959_8e-17],
+    [0.485_507_815_781_700_8, -1.661_835_069_385_204_8e-17],
+    [0.523_248_143_764_547_9, -3.183_388_221_635_092_5e-17],
+    [0.559_615_787_935_422_7, 2.685_492_580_212_308e-17],
+    [0.594_707_107_746_692_8, 1.375_168_996_432_367_5e-17],
+    [0.628_608_659_422_374_1, 4.353_874_260_797_038_7e-17],
+    [0.661_398_482_245_365, -7.603_333_785_634_003e-18],
+    LN_2,
+];
+
+/// arctan(j/16) for j = 0…16, twice the precision.
+const ARCTANGENTS: [[f64; 2]; 17] = [
+    [0.0, 0.0],
+    [0.062_418_809_995_957_35, -1.549_075_630_829_504_6e-18],
+    [0.124_354_994_546_761_44, -3.125_324_142_453_938_3e-18],
+    [0.185_347_949_995_694_76, 4.180_692_268_843_079e-18],
+    [0.244_978_663_126_864_14, 1.069_875_561_873_445_1e-17],
+    [0.302_884_868_374_971_4, -1.101_082_790_300_136_9e-17],
+    [0.358_770_670_270_572_25, -2.462_381_558_263_863_5e-17],
+    [0.412_410_441_597_387_3, -1.587_652_227_770_689e-17],
+    [0.463_647_609_000_806_1, 2.269_877_745_296_168_7e-17],
+    [0.512_389_460_310_737_7, -2.546_278_147_285_580_4e-17],
+    [0.558_599_315_343_562_4, -5.455_630_548_591_626_4e-18],
+    [0.602_287_346_134_964_2, 2.950_430_737_228_402e-17],
+    [0.643_501_108_793_284_4, 1.583_478_505_144_428_6e-17],
+    [0.682_316_554_874_748_1, 6.943_223_671_560_008e-18],
+    [0.718_829_999_621_624_5, -2.147_838_844_445_698_3e-17],
+    [0.753_151_280_962_194_4, -2.425_693_465_918_206_8e-17],
+    [core::f64::consts::FRAC_PI_4, 3.061_616_997_868_383e-17],
+];
+
+fn pair([high, low]: [f64; 2]) -> DoubleDouble {
+    DoubleDouble::sum(high, low)
+}
+
+/// ln of a positive number, to about 2⁻⁸⁰ of 1.
+///
+/// Power of two, then the nearest sixteenth, then 2 artanh((x − c)/(x + c)) of at most 1/64.
+pub(crate) fn logarithm(number: Extended) -> DoubleDouble {
+    let leading = number.digits.high();
+    let unit = power_of_two_below(leading);
+    let x = number.digits.scaled(1.0 / unit);
+    let exponent = f64::from(number.exponent + exponent_of(unit));
+    let index = (x.high() * 16.0).round().clamp(16.0, 32.0);
+    let center = DoubleDouble::from(index / 16.0);
+    let s = x.subtract(center).divide(x.add(center));
+    let square = s.multiply(s);
+    let y = square.value();
+    // Terms beyond the second are below 2⁻²⁶ of the first: a double will do.
+    let tail = y * y * (0.2 + y * (1.0 / 7.0 + y * (1.0 / 9.0 + y / 11.0)));
+    let series = square
+        .divide(DoubleDouble::from(3.0))
+        .add(DoubleDouble::from(1.0))
+        .add(DoubleDouble::from(tail));
+    s.multiply(series)
+        .scaled(2.0)
+        .add(pair(LOGARITHMS[index as usize - 16]))
+        .add(pair(LN_2).multiply(DoubleDouble::from(exponent)))
+}
+
+/// The angle of the point (cosine, sine), both not negative and not both zero, to about 2⁻⁸⁰ of 1.
+pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
+    let steep = sine.high() > cosine.high();
+    let (along, across) = if steep {
+        (sine, cosine)
+    } else {
+        (cosine, sine)
+    };
+    let index = (across.high() / along.high() * 16.0).round().min(16.0);
+    let slope = DoubleDouble::from(index / 16.0);
+    let r = across
+        .subtract(along.multiply(slope))
+        .divide(along.add(across.multiply(slope)));
+    let square = r.multiply(r);
+    let y = square.value();
+    let tail = y * y * (0.2 - y * (1.0 / 7.0 - y * (1.0 / 9.0 - y * (1.0 / 11.0 - y / 13.0))));
+    let series = DoubleDouble::from(1.0)
+        .subtract(square.divide(DoubleDouble::from(3.0)))
+        .add(DoubleDouble::from(tail));
+    let small = r.multiply(series).add(pair(ARCTANGENTS[index as usize]));
+    if steep {
+        pair(RIGHT_ANGLE).subtract(small)
+    } else {
+        small
+    }
+}
+
+/// π/2, twice the precision.
+pub(crate) const RIGHT_ANGLE: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17];
+
+#[cfg(test)]
+mod tests {
+    use super::{Extended, angle, logarithm, pair, shifted};
+    use crate::double_double::DoubleDouble;
+
+    #[test]
+    fn logarithm_of_products_is_the_sum() {
+        let mut x = 1.000_37_f64;
+        while x < 1e300 {
+            let third = Extended::from_double(x);
+            let cube = third.multiply(third).multiply(third);
+            let rest = logarithm(cube).subtract(logarithm(third).multiply(DoubleDouble::from(3.0)));
+            assert!(rest.value().abs() < 1e-21, "{x}: {rest:?}");
+            assert!((logarithm(third).value() - x.ln()).abs() < 2e-16 * (1.0 + x.ln()));
+            x *= 1.093;
+        }
+    }
+
+    #[test]
+    fn angles_add_as_rotations_do() {
+        for i in 0..200 {
+            let t = f64::from(i) * 0.01 / 2.0;
+            let (c, s) = (DoubleDouble::from(t.cos()), DoubleDouble::from(t.sin()));
+            let c2 = c.multiply(c).subtract(s.multiply(s));
+            let s2 = c.multiply(s).scaled(2.0);
+            if c2.value() < 0.0 {
+                continue;
+            }
+            let rest = angle(c2, s2).subtract(angle(c, s).scaled(2.0));
+            assert!(rest.value().abs() < 1e-22, "{t}: {rest:?}");
+            assert!((angle(c, s).value() - t).abs() < 2e-16);
+        }
+    }
+
+    #[test]
+    fn extended_numbers_keep_the_square_of_a_tiny_tilt() {
+        let tilt = Extended::from_double(5e-324);
+        assert_eq!(tilt.value(), 5e-324);
+        assert_eq!(tilt.square().square_root().value(), 5e-324);
+        assert_eq!(
+            Extended::difference(1.0f64.next_up(), 1.0).value(),
+            f64::EPSILON
+        );
+        assert_eq!(shifted(3.0, -1074), 1.5e-323);
+        assert_eq!(pair([1.0, 1e-20]).value(), 1.0);
+    }
+}

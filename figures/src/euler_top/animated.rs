@@ -149,7 +149,8 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
     let all = format!(".fig-{NAME}-turn,.fig-{NAME}-face,.fig-{NAME}-pace");
     let _ = writeln!(
         svg,
-        "#fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
+        ".fig-{NAME}-turn{{--fig-{NAME}-pen:1}}@media (max-width:620px){{.fig-{NAME}-turn{{--fig-{NAME}-pen:0.6}}}}\
+         #fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
          @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}\
          @media print{{{all}{{animation:none}}}}</style>"
     );
@@ -189,11 +190,13 @@ fn racket(svg: &mut String, back: &str) {
         d
     };
     let all = |lines: &[Flat]| lines.iter().map(&path).collect::<String>();
-    // The strokes keep their width while the racket is seen foreshortened; they are pixels of the page.
+    // The strokes keep their width while the racket is seen foreshortened; they are pixels of the page, so a narrow page
+    // takes a finer pen.
     let mut draw = |d: String, width: f64, rest: &str| {
         let _ = writeln!(
             svg,
-            "<path d=\"{d}\" stroke-width=\"{width}\" vector-effect=\"non-scaling-stroke\"{rest}/>"
+            "<path d=\"{d}\" style=\"stroke-width:calc({width}px*var(--fig-{NAME}-pen,1))\" \
+             vector-effect=\"non-scaling-stroke\"{rest}/>"
         );
     };
     let head = path(&head) + "Z";

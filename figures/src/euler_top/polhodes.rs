@@ -10,7 +10,8 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 use crate::Figure;
 use crate::solid::{View, ellipse, ellipsoid_hides};
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Role, SECONDARY, Stroke, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number, small,
+    stroke,
 };
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
@@ -69,6 +70,39 @@ impl Curve {
     }
 }
 
+/// What is seen of the sector about x₁ (about −x₁ if `side` is −1), which reaches from −x₂ to x₂ and up to `crossing` from
+/// the equator, on the sphere that the ellipsoid is stretched from.
+fn sector(view: &View, crossing: f64, side: f64) -> Vec<Point> {
+    let semi = Vector3::from(MOMENTS.map(f64::sqrt));
+    let toward = view.toward.component_div(&semi).normalize();
+    let edge = |end: f64| {
+        (-90..=90)
+            .map(|k| f64::from(k).to_radians().sin_cos())
+            .map(|(s, c)| Vector3::new(side * c * crossing.cos(), s, end * c * crossing.sin()))
+            .filter(|p| p.dot(&toward) > 0.0)
+            .collect::<Vec<_>>()
+    };
+    // From the rim of what is seen along one edge to the pole x₂, back along the other, then along the rim.
+    let (mut there, mut back) = (edge(1.0), edge(-1.0));
+    back.reverse();
+    let u = toward.cross(&Vector3::z()).normalize();
+    // The rim begins next to x₃, outside of both sectors.
+    let rim = ellipse(Vector3::zeros(), toward.cross(&u), u, 720);
+    let inside = |p: &&Vector3<f64>| side * p.x > 0.0 && (p.z / p.x).abs() < crossing.tan();
+    let mut along: Vec<Vector3<f64>> = rim.iter().filter(inside).copied().collect();
+    if let (Some(end), Some(first), Some(last)) = (back.last(), along.first(), along.last())
+        && (end - last).norm() < (end - first).norm()
+    {
+        along.reverse();
+    }
+    there.append(&mut back);
+    there.append(&mut along);
+    there
+        .iter()
+        .map(|p| view.project(&p.component_mul(&semi)))
+        .collect()
+}
+
 /// Polhodes on the ellipsoid of constant energy, with dots at equal times.
 pub fn polhodes() -> Result<Figure> {
     let slope = separatrix_slope(MOMENTS)?;
@@ -102,7 +136,7 @@ pub fn polhodes() -> Result<Figure> {
         details: format!(
             "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = (1, 2, 3)$. Dots at equal times, {} \
              of a radian at the rate $\\sqrt{{2E/I_2}}$. The separatrix, in ink, is two plane ellipses \
-             $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors.",
+             $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ darker.",
             number(STEP, 1),
             number(slope, 4),
         ),
@@ -124,6 +158,9 @@ pub fn polhodes() -> Result<Figure> {
             240,
         ));
         pen.fill(&outline, Role::Shade, 1.0);
+        for side in [1.0, -1.0] {
+            pen.fill(&sector(&view, crossing.to_radians(), side), Role::Ink, 0.1);
+        }
         pen.outline(&outline, stroke(Role::Ink, SECONDARY));
         for curve in &family {
             let role = Role::AngularMomentum;

@@ -136,7 +136,7 @@ pub fn polhodes() -> Result<Figure> {
         details: format!(
             "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = (1, 2, 3)$. Dots at equal times, {} \
              of a radian at the rate $\\sqrt{{2E/I_2}}$. The separatrix, in ink, is two plane ellipses \
-             $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ darker.",
+             $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ shaded.",
             number(STEP, 1),
             number(slope, 4),
         ),

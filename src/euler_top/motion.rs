@@ -3,10 +3,10 @@
 use nalgebra::Quaternion;
 
 use super::preparation::{Constants, Start, ascending, decide};
-use crate::double_double::DoubleDouble;
+use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::Side;
 use crate::elliptic::landen::right_angle;
-use crate::elliptic::local::Place;
+use crate::elliptic::local::{Place, sine_cosine};
 use crate::error::{Error, Result, finite, not_negative};
 use crate::extended::Extended;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
@@ -131,6 +131,7 @@ impl EulerTop {
         for component in l.into_iter().chain(omega_of(moments, &exact)) {
             finite("a component of angular velocity or momentum", component)?;
         }
+        finite("the size of the angular momentum", vector(l).norm())?;
         let (regime, constants) = decide(moments, start);
         let motion = match constants {
             None => steady(moments, &exact),
@@ -141,7 +142,7 @@ impl EulerTop {
                     .abs()
                     .max(constants.turning_rate.value());
                 finite("the rate of the motion", largest)?;
-                let turned = constants.turned(0.0, &constants.point(0.0)?);
+                let turned = constants.turned(0.0, &constants.point(0.0)?)?;
                 let base = attitude.quaternion().into_inner() * turned.conjugate();
                 Motion::Moving { constants, base }
             }
@@ -171,7 +172,8 @@ impl EulerTop {
     /// give. Error: see the module; it does not grow with time. Cost: the time does not matter; two sines, two roots.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods, where one double no longer tells them apart.
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods,
+    /// where a double no longer counts them, or 2⁶³ radians.
     pub fn at(&self, t: f64) -> Result<State> {
         let t = finite("the time", t)?;
         match &self.motion {
@@ -181,8 +183,7 @@ impl EulerTop {
                 direction,
             } => {
                 let half = rate.multiply(DoubleDouble::from(t)).scaled(0.5);
-                finite("the angle turned", half.high())?;
-                let (sine, cosine) = half.sin_cos();
+                let (sine, cosine) = half_turn(half, t, *rate)?;
                 let [x, y, z] = direction.map(|component| sine * component);
                 let turn = Quaternion::new(cosine, x, y, z);
                 Ok(State {
@@ -197,7 +198,7 @@ impl EulerTop {
                 Ok(State {
                     omega: vector(ratio(l, self.moments)),
                     angular_momentum: vector(l),
-                    attitude: Attitude::from_unit(*base * constants.turned(t, &point)),
+                    attitude: Attitude::from_unit(*base * constants.turned(t, &point)?),
                 })
             }
         }
@@ -238,7 +239,9 @@ impl EulerTop {
 
     /// L along the axes of space, kg m²/s: constant (6.1).
     pub fn angular_momentum_in_space(&self) -> SpaceVector {
-        self.attitude.to_space(self.angular_momentum)
+        // Rotating adds products up, which may overflow or underflow before the result does.
+        let unit = power_of_two_below(self.angular_momentum.components().amax());
+        self.attitude.to_space(self.angular_momentum / unit) * unit
     }
 
     /// Period of Ω in the body, 4K/λ, s: the polhode run through once (6.6). The attitude does not return with it.
@@ -292,13 +295,15 @@ fn refuse_impossible_rod(moments: [f64; 3], start: &Start) -> Result<()> {
     if moments[first] > 0.0 {
         return Ok(());
     }
-    if let Start::AngularMomentum(l) = start
-        && l[first] != 0.0
-    {
-        return Err(Error::Condition {
-            condition: "the angular momentum about an axis whose moment is zero must be zero",
-            value: l[first],
-        });
+    if let Start::AngularMomentum(l) = start {
+        for (moment, component) in moments.iter().zip(l) {
+            if *moment == 0.0 && *component != 0.0 {
+                return Err(Error::Condition {
+                    condition: "the angular momentum about an axis whose moment is zero must be zero",
+                    value: *component,
+                });
+            }
+        }
     }
     let gap = moments[last] - moments[middle];
     if gap > 8.0 * f64::EPSILON * moments[last] {
@@ -339,7 +344,7 @@ impl Constants {
     }
 
     /// The turn by ψ about L after the shortest rotation of L onto axis 3, as a unit quaternion along the body's own axes.
-    fn turned(&self, t: f64, point: &Point) -> Quaternion<f64> {
+    fn turned(&self, t: f64, point: &Point) -> Result<Quaternion<f64>> {
         let turning = &self.turning;
         let quarters = DoubleDouble::from(point.place.quarters);
         let half = self
@@ -347,7 +352,7 @@ impl Constants {
             .multiply(DoubleDouble::from(t))
             .subtract(turning.lag.multiply(quarters))
             .scaled(0.5);
-        let (sine, cosine) = half.sin_cos();
+        let (sine, cosine) = half_turn(half, t, self.turning_rate)?;
         let (x, y) = turning.half_angle(&point.place, point.sn, point.cn);
         let (cosine, sine) = (cosine * x - sine * y, sine * x + cosine * y);
         let [l1, l2, l3] = point.l;
@@ -359,7 +364,7 @@ impl Constants {
             self.axes
                 .back([cosine * n2 + sine * n1, sine * n2 - cosine * n1, sine * w]);
         let q = Quaternion::new(cosine * w, a, b, c);
-        q / q.norm()
+        Ok(q / q.norm())
     }
 
     fn period(&self) -> f64 {
@@ -408,6 +413,23 @@ impl Constants {
         };
         magnitude * self.rate.high().signum()
     }
+}
+
+/// The greatest half turn about L, in radians: 2⁶², where its 106 bits leave 10⁻¹³ of a radian.
+const GREATEST_HALF_TURN: f64 = 4.6e18;
+
+/// Sine and cosine of half the angle turned about L until time t at about this rate.
+fn half_turn(half: DoubleDouble, t: f64, rate: DoubleDouble) -> Result<(f64, f64)> {
+    if half.high().abs() <= GREATEST_HALF_TURN {
+        return Ok(sine_cosine(half));
+    }
+    let limit = 2.0 * GREATEST_HALF_TURN / rate.high().abs();
+    Err(Error::OutOfRange {
+        quantity: "the time",
+        value: t,
+        least: -limit,
+        greatest: limit,
+    })
 }
 
 fn vector([x, y, z]: [f64; 3]) -> BodyVector {

@@ -60,10 +60,10 @@ pub fn distance(actual: BodyVector, expected: [f64; 3]) -> f64 {
     (actual - vector(expected)).norm()
 }
 
-/// A step for [`derivative`], a power of two, a tenth to a fifth of the time in which the fastest rotation of this energy turns by
+/// A step for [`derivative`], a power of two, a fourteenth to a seventh of the time in which the fastest rotation of this energy turns by
 /// one radian; times that are multiples of it are exact.
 pub fn step(top: &EulerTop) -> f64 {
-    2f64.powf((0.2 / fastest(top)).log2().floor())
+    2f64.powf((0.14 / fastest(top)).log2().floor())
 }
 
 /// √(2E/I₁), the greatest |Ω| at this energy.
@@ -107,7 +107,10 @@ pub fn wrapped(angle: f64) -> f64 {
 /// The mean of a periodic function over one period by equal ordinates: the error falls like a geometric series.
 pub fn mean(count: u32, f: impl Fn(f64) -> f64) -> f64 {
     let count = f64::from(count);
-    (0..count as u32).map(|k| f(f64::from(k) / count)).sum::<f64>() / count
+    (0..count as u32)
+        .map(|k| f(f64::from(k) / count))
+        .sum::<f64>()
+        / count
 }
 
 /// A number n/12 with n not zero.

@@ -27,7 +27,10 @@ fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
         assert_eq!(l2 - twice_energy * i1, about_smallest(o2, o3));
         assert_eq!(twice_energy * i3 - l2, about_largest(o1, o2));
         assert!(i2 > i1 && i3 > i2 && i1 > zero);
-        assert!(twice_energy * i1 < l2 && l2 < twice_energy * i3, "off the axes");
+        assert!(
+            twice_energy * i1 < l2 && l2 < twice_energy * i3,
+            "off the axes"
+        );
         // Indefinite across x₂.
         let about_middle = |o1: R, o3: R| i3 * (i3 - i2) * o3 * o3 - i1 * (i2 - i1) * o1 * o1;
         assert_eq!(l2 - twice_energy * i2, about_middle(o1, o3));
@@ -37,9 +40,19 @@ fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
         let (e3, l3) = integrals([i1, i2, i3], [zero, zero, o3]);
         assert!(l1 == e1 * i1 && l3 == e3 * i3);
         // And constant: the gradient is at right angles to Euler's equations.
-        let rate = [(i2 - i3) * o2 * o3 / i1, (i3 - i1) * o3 * o1 / i2, (i1 - i2) * o1 * o2 / i3];
-        assert_eq!(i2 * (i2 - i1) * o2 * rate[1] + i3 * (i3 - i1) * o3 * rate[2], zero);
-        assert_eq!(i1 * (i3 - i1) * o1 * rate[0] + i2 * (i3 - i2) * o2 * rate[1], zero);
+        let rate = [
+            (i2 - i3) * o2 * o3 / i1,
+            (i3 - i1) * o3 * o1 / i2,
+            (i1 - i2) * o1 * o2 / i3,
+        ];
+        assert_eq!(
+            i2 * (i2 - i1) * o2 * rate[1] + i3 * (i3 - i1) * o3 * rate[2],
+            zero
+        );
+        assert_eq!(
+            i1 * (i3 - i1) * o1 * rate[0] + i2 * (i3 - i2) * o2 * rate[1],
+            zero
+        );
     }
 }
 
@@ -58,7 +71,9 @@ fn s6_3_ellipsoid_meets_sphere() {
             let drawn = picture.polhode_of_l(f64::from(k) * 0.5);
             for l in [l, drawn] {
                 let c = l.components();
-                let on_ellipsoid: f64 = (0..3).map(|k| c[k] * c[k] / (twice_energy * moments[k])).sum();
+                let on_ellipsoid: f64 = (0..3)
+                    .map(|k| c[k] * c[k] / (twice_energy * moments[k]))
+                    .sum();
                 within((on_ellipsoid - 1.0).abs(), 3e-15);
                 within((l.norm() / start.norm() - 1.0).abs(), 3e-15);
             }
@@ -113,14 +128,19 @@ fn s6_3_four_eyes() {
             let (a, b) = ((turning + 1) % 3, (turning + 2) % 3);
             let steps = 400;
             let place = |k: i32| {
-                let l = at(&top, top.period() * f64::from(k) / f64::from(steps)).angular_momentum.components();
+                let l = at(&top, top.period() * f64::from(k) / f64::from(steps))
+                    .angular_momentum
+                    .components();
                 (l[a], l[b], l[turning])
             };
             let mut angle = 0.0;
             for k in 0..steps {
                 let ((a0, b0, c), (a1, b1, _)) = (place(k), place(k + 1));
                 angle += (a0 * b1 - b0 * a1).atan2(a0 * a1 + b0 * b1);
-                assert!(turning != axis || c.signum() == o[axis].signum(), "it changed sides");
+                assert!(
+                    turning != axis || c.signum() == o[axis].signum(),
+                    "it changed sides"
+                );
             }
             let turns = angle / std::f64::consts::TAU;
             if turning == axis {
@@ -146,7 +166,10 @@ fn s6_3_four_eyes() {
     let close = (0..1000)
         .filter(|k| omega(&top, top.period() * f64::from(*k) / 1000.0)[1].abs() > 0.99)
         .count();
-    assert!(close > 550, "{close} of 1000 equal times within 8 degrees of the middle axis");
+    assert!(
+        close > 550,
+        "{close} of 1000 equal times within 8 degrees of the middle axis"
+    );
     assert!(near.pace(std::f64::consts::FRAC_PI_2) < 0.02 * near.pace(0.0));
 }
 
@@ -167,8 +190,16 @@ fn s6_3_the_racket_and_its_axes() {
     // A lamina: the moment about its normal is the sum of the two others.
     assert_relative_eq!(i3, i1 + i2, max_relative = 4.5e-16, epsilon = 0.0);
     // Least about the handle, middle across it in the plane, greatest about the normal.
-    for (column, axis) in [(0, [1.0, 0.0, 0.0]), (1, [0.0, 1.0, 0.0]), (2, [0.0, 0.0, 1.0])] {
-        let along = axes.axes().column(column).dot(&vector(axis).components()).abs();
+    for (column, axis) in [
+        (0, [1.0, 0.0, 0.0]),
+        (1, [0.0, 1.0, 0.0]),
+        (2, [0.0, 0.0, 1.0]),
+    ] {
+        let along = axes
+            .axes()
+            .column(column)
+            .dot(&vector(axis).components())
+            .abs();
         within((along - 1.0).abs(), 2.3e-16);
     }
 }
@@ -188,14 +219,21 @@ fn s6_3_the_picture_does_not_tell_the_pace() {
                 // The same point of the curve, s times as large, at time t/s.
                 let expected = omega(&slow, t).map(|o| s * o);
                 let actual = fast.omega_at(t / s).unwrap();
-                within((actual - vector(expected)).norm() / vector(expected).norm(), tolerance);
+                within(
+                    (actual - vector(expected)).norm() / vector(expected).norm(),
+                    tolerance,
+                );
             }
-            let [curve, wide] = [&slow, &fast].map(|top| Poinsot::new(moments, at(top, 0.0).angular_momentum).unwrap());
+            let [curve, wide] = [&slow, &fast]
+                .map(|top| Poinsot::new(moments, at(top, 0.0).angular_momentum).unwrap());
             for k in 0..6 {
                 let parameter = f64::from(k);
                 let error = (wide.polhode(parameter) - curve.polhode(parameter) * s).norm();
                 within(error / wide.polhode(parameter).norm(), 2e-15);
-                within((wide.pace(parameter) / (s * curve.pace(parameter)) - 1.0).abs(), 4e-15);
+                within(
+                    (wide.pace(parameter) / (s * curve.pace(parameter)) - 1.0).abs(),
+                    4e-15,
+                );
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Paragraphs 6.1 and 6.2: what stays, and Poinsot's ellipsoid rolling on its plane.
 
 use crate::common::{
-    at, derivative, difference, distance, euler, fastest, in_space, integrals, norm, omega, omega_in_space,
-    rational_moments, random_start, ration, step, thrown, tilted, vector, within,
+    at, derivative, difference, distance, euler, fastest, in_space, integrals, norm, omega,
+    omega_in_space, random_start, ration, rational_moments, step, thrown, tilted, vector, within,
 };
 use crate::free_top::Flight;
 use crate::support::{R, Uniform, exact, rational};
@@ -31,10 +31,19 @@ fn momentum(top: &EulerTop, omega: [f64; 3]) -> BodyVector {
 }
 
 /// Six particles with the moments 1, 2, 3 about their common centre: pairs at ±x on the three axes.
-fn jack(attitude: Attitude, omega: BodyVector, center: SpaceVector, velocity: SpaceVector) -> Particles {
+fn jack(
+    attitude: Attitude,
+    omega: BodyVector,
+    center: SpaceVector,
+    velocity: SpaceVector,
+) -> Particles {
     let mut list = Vec::new();
     // Σ m x² along the axes: 2, 1 and 0 make I = (1, 2, 3).
-    for (mass, place) in [(1.0, [1.0, 0.0, 0.0]), (0.5, [0.0, 1.0, 0.0]), (2.0, [0.0; 3])] {
+    for (mass, place) in [
+        (1.0, [1.0, 0.0, 0.0]),
+        (0.5, [0.0, 1.0, 0.0]),
+        (2.0, [0.0; 3]),
+    ] {
         for side in [1.0, -1.0] {
             let r = side * vector(place);
             list.push(Particle {
@@ -81,12 +90,27 @@ fn s6_1_constants_of_the_motion() {
         let state = at(&top, t);
         let thrown = jack(state.attitude, state.omega, t * v, v);
         within((thrown.momentum() - 7.0 * v).norm(), 1e-14);
-        let along = jack(state.attitude, state.omega, SpaceVector::zero(), thrown.center_velocity() - v);
+        let along = jack(
+            state.attitude,
+            state.omega,
+            SpaceVector::zero(),
+            thrown.center_velocity() - v,
+        );
         within(along.momentum().norm(), 1e-14);
         let l = along.angular_momentum_about(SpaceVector::zero());
         within((l - top.angular_momentum_in_space()).norm(), 1e-14);
-        assert_relative_eq!(along.energy_split().total(), 1.67, max_relative = 1e-14, epsilon = 0.0);
-        assert_relative_eq!(thrown.energy_split().relative, 1.67, max_relative = 1e-14, epsilon = 0.0);
+        assert_relative_eq!(
+            along.energy_split().total(),
+            1.67,
+            max_relative = 1e-14,
+            epsilon = 0.0
+        );
+        assert_relative_eq!(
+            thrown.energy_split().relative,
+            1.67,
+            max_relative = 1e-14,
+            epsilon = 0.0
+        );
     }
 }
 
@@ -97,7 +121,12 @@ fn s6_1_free_though_heavy() {
     let mut numbers = Uniform(61);
     let center = SpaceVector::new(3.0, -2.0, 40.0);
     for _ in 0..20 {
-        let body = jack(numbers.attitude(), vector([0.4, 0.3, 1.0]), center, SpaceVector::zero());
+        let body = jack(
+            numbers.attitude(),
+            vector([0.4, 0.3, 1.0]),
+            center,
+            SpaceVector::zero(),
+        );
         let uniform = |p: &Particle| SpaceVector::new(0.0, 0.0, -9.81 * p.mass);
         let about_center = body.force_and_torque(center, uniform).unwrap();
         within(about_center.torque.norm(), 1e-14);
@@ -108,7 +137,12 @@ fn s6_1_free_though_heavy() {
     // The condition: gravity that falls off with the distance does torque a planet, 3μ/r³ e ∧ Ie with e the way up.
     let (mu, r) = (9.0, 1e3);
     let attitude = Attitude::about_axis(BodyVector::new(1.0, -2.0, 0.5), 0.8).unwrap();
-    let planet = jack(attitude, BodyVector::zero(), SpaceVector::new(r, 0.0, 0.0), SpaceVector::zero());
+    let planet = jack(
+        attitude,
+        BodyVector::zero(),
+        SpaceVector::new(r, 0.0, 0.0),
+        SpaceVector::zero(),
+    );
     let field = |p: &Particle| p.position * (-mu * p.mass / p.position.norm().powi(3));
     let about = planet.force_and_torque(planet.center(), field).unwrap();
     let up = attitude.to_body(SpaceVector::new(1.0, 0.0, 0.0));
@@ -132,7 +166,10 @@ fn s6_2_l_stays_and_omega_moves() {
         let moved = omega_in_space(&top, t);
         let expected = truth.attitude().to_space(truth.omega());
         within((moved - expected).norm(), 1e-14);
-        assert!((moved - SpaceVector::new(1.0, 1.0, 1.0)).norm() > 0.05, "t = {t}");
+        assert!(
+            (moved - SpaceVector::new(1.0, 1.0, 1.0)).norm() > 0.05,
+            "t = {t}"
+        );
     }
     // Ω stays if it is along a principal axis, and only then.
     for (omega0, regime) in [
@@ -155,24 +192,40 @@ fn s6_2_l_stays_and_omega_moves() {
 #[test]
 fn s6_2_omega_on_ellipsoid_and_plane() {
     let unit = tilted(MOMENTS, [1.0; 3]);
-    let distance_of = Poinsot::new(MOMENTS, vector([1.0, 2.0, 3.0])).unwrap().plane_distance();
-    assert_relative_eq!(distance_of, 1.603_567_451_474_546_308, max_relative = 3e-16, epsilon = 0.0);
+    let distance_of = Poinsot::new(MOMENTS, vector([1.0, 2.0, 3.0]))
+        .unwrap()
+        .plane_distance();
+    assert_relative_eq!(
+        distance_of,
+        1.603_567_451_474_546_308,
+        max_relative = 3e-16,
+        epsilon = 0.0
+    );
     assert_eq!(unit.energy(), 3.0);
     for top in tops().into_iter().chain([unit]) {
         let (twice_energy, l) = (2.0 * top.energy(), top.angular_momentum_in_space());
         let picture = Poinsot::new(top.moments(), at(&top, 0.0).angular_momentum).unwrap();
         let semi_axes = picture.semi_axes();
-        let mut flight = Flight::new(top.moments(), at(&top, 0.0).angular_momentum.components().into());
+        let mut flight = Flight::new(
+            top.moments(),
+            at(&top, 0.0).angular_momentum.components().into(),
+        );
         for _ in 0..12 {
             let truth = flight.fly(0.7);
             for (body, space) in [(truth.omega(), truth.attitude().to_space(truth.omega()))] {
-                within((momentum(&top, body.components().into()).dot(&body) / twice_energy - 1.0).abs(), 1e-14);
+                within(
+                    (momentum(&top, body.components().into()).dot(&body) / twice_energy - 1.0)
+                        .abs(),
+                    1e-14,
+                );
                 within((space.dot(&l) / twice_energy - 1.0).abs(), 1e-14);
             }
         }
         for step in -20..20 {
             let t = 0.37 * f64::from(step);
-            let on_theta: f64 = (0..3).map(|k| (omega(&top, t)[k] / semi_axes[k]).powi(2)).sum();
+            let on_theta: f64 = (0..3)
+                .map(|k| (omega(&top, t)[k] / semi_axes[k]).powi(2))
+                .sum();
             within((on_theta - 1.0).abs(), 3e-15);
             let height = omega_in_space(&top, t).dot(&l) / l.norm();
             within((height / picture.plane_distance() - 1.0).abs(), 3e-15);
@@ -202,13 +255,18 @@ fn s6_2_the_plane_touches() {
             assert_eq!(slope, rational(2, 1) * i[k] * o[k]);
         }
         let l = [0, 1, 2].map(|k| i[k] * o[k]);
-        let support_squared = (0..3).fold(rational(0, 1), |sum, k| sum + l[k] * l[k] / i[k]) * twice_energy;
+        let support_squared =
+            (0..3).fold(rational(0, 1), |sum, k| sum + l[k] * l[k] / i[k]) * twice_energy;
         assert_eq!(support_squared, twice_energy * twice_energy);
         // Every other point of Θ lies below the plane.
         let moments = i.map(exact);
         let picture = Poinsot::new(moments, vector(l.map(exact))).unwrap();
         for _ in 0..20 {
-            let direction = numbers.vector().direction("a direction").unwrap().components();
+            let direction = numbers
+                .vector()
+                .direction("a direction")
+                .unwrap()
+                .components();
             let x = [0, 1, 2].map(|k| direction[k] * picture.semi_axes()[k]);
             let height: f64 = (0..3).map(|k| exact(l[k]) * x[k]).sum();
             assert!(height <= exact(twice_energy) * (1.0 + 1e-15));
@@ -228,16 +286,27 @@ fn s6_2_rolling_without_slipping() {
             // The point of the body that is now in contact: at rest.
             let contact = at(&top, t).omega;
             let carried = |t: f64| in_space(at(&top, t).attitude.to_space(contact));
-            within(norm(derivative(carried, n, h)) / size / fastest(&top), 1e-14);
+            within(
+                norm(derivative(carried, n, h)) / size / fastest(&top),
+                1e-14,
+            );
             // Herpolhode and polhode are run through at equal speed, in the same direction: dΩ/dt = ∂Ω/∂t.
             let in_plane = derivative(|t| in_space(omega_in_space(&top, t)), n, h);
             let on_body = euler(top.moments(), omega(&top, t));
             let seen = in_space(at(&top, t).attitude.to_space(vector(on_body)));
-            within(norm(difference(in_plane, seen)) / size / fastest(&top), 1e-14);
+            within(
+                norm(difference(in_plane, seen)) / size / fastest(&top),
+                1e-14,
+            );
             // It pivots as well: the component of Ω along L.
             let l = top.angular_momentum_in_space();
             let pivot = omega_in_space(&top, t).dot(&l) / l.norm();
-            assert_relative_eq!(pivot, 2.0 * top.energy() / l.norm(), max_relative = 3e-15, epsilon = 0.0);
+            assert_relative_eq!(
+                pivot,
+                2.0 * top.energy() / l.norm(),
+                max_relative = 3e-15,
+                epsilon = 0.0
+            );
         }
     }
 }
@@ -277,7 +346,12 @@ fn s6_2_the_herpolhode_does_not_wind_back() {
         }
         least
     };
-    for body in [[2.0, 3.0, 4.0], [1.2, 2.0, 3.0], [1.0, 2.0, 3.0], [1.0, 1.5, 2.5]] {
+    for body in [
+        [2.0, 3.0, 4.0],
+        [1.2, 2.0, 3.0],
+        [1.0, 2.0, 3.0],
+        [1.0, 1.5, 2.5],
+    ] {
         assert!(bends(body) > 0.0, "{body:?}");
     }
     for none in [[1.0, 2.0, 3.5], [1.0, 2.0, 5.0]] {
@@ -307,14 +381,32 @@ fn s6_2_ellipsoid_on_its_plane() {
     let top = tilted(MOMENTS, [0.4, 0.3, 1.0]);
     let l = top.angular_momentum_in_space();
     assert_relative_eq!(top.energy(), 1.67, max_relative = 3e-16, epsilon = 0.0);
-    assert_relative_eq!(l.norm(), 9.52f64.sqrt(), max_relative = 3e-16, epsilon = 0.0);
+    assert_relative_eq!(
+        l.norm(),
+        9.52f64.sqrt(),
+        max_relative = 3e-16,
+        epsilon = 0.0
+    );
     let picture = Poinsot::new(MOMENTS, vector([0.4, 0.6, 3.0])).unwrap();
     let height = 3.34 / 9.52f64.sqrt();
-    assert_relative_eq!(picture.plane_distance(), height, max_relative = 5e-16, epsilon = 0.0);
+    assert_relative_eq!(
+        picture.plane_distance(),
+        height,
+        max_relative = 5e-16,
+        epsilon = 0.0
+    );
     // Extremes of the herpolhode where Ω₂ = 0 and where Ω₁ = 0: solve the two integrals there.
     let radius = |o: [f64; 3]| (o.iter().map(|x| x * x).sum::<f64>() - height * height).sqrt();
-    let outer = radius([(0.5 * (3.0 * 3.34 - 9.52f64)).sqrt(), 0.0, ((9.52f64 - 3.34) / 6.0).sqrt()]);
-    let inner = radius([0.0, (0.5 * (3.0 * 3.34 - 9.52f64)).sqrt(), ((9.52f64 - 2.0 * 3.34) / 3.0).sqrt()]);
+    let outer = radius([
+        (0.5 * (3.0 * 3.34 - 9.52f64)).sqrt(),
+        0.0,
+        ((9.52f64 - 3.34) / 6.0).sqrt(),
+    ]);
+    let inner = radius([
+        0.0,
+        (0.5 * (3.0 * 3.34 - 9.52f64)).sqrt(),
+        ((9.52f64 - 2.0 * 3.34) / 3.0).sqrt(),
+    ]);
     let [least, greatest] = picture.herpolhode_radii();
     within((least - inner).abs(), 3e-15);
     within((greatest - outer).abs(), 3e-15);
@@ -333,12 +425,18 @@ fn s6_2_ellipsoid_on_its_plane() {
                 let (z, phi) = (-0.995 + 0.01 * f64::from(n), 2.4 * f64::from(n));
                 let rim = (1.0 - z * z).sqrt();
                 let axes = picture.semi_axes();
-                let point = vector([axes[0] * rim * phi.cos(), axes[1] * rim * phi.sin(), axes[2] * z]);
+                let point = vector([
+                    axes[0] * rim * phi.cos(),
+                    axes[1] * rim * phi.sin(),
+                    axes[2] * z,
+                ]);
                 assert!(state.attitude.to_space(point).dot(&l) < 3.34);
             }
         }
         // The curve drawn from the parameter is the curve of the motion.
-        let parameter = Poinsot::new(MOMENTS, state.angular_momentum).unwrap().start();
+        let parameter = Poinsot::new(MOMENTS, state.angular_momentum)
+            .unwrap()
+            .start();
         within((picture.polhode(parameter) - state.omega).norm(), 3e-15);
     }
     within((low - least).abs(), 1e-4);

@@ -19,7 +19,9 @@ fn displayed(i: [f64; 3], twice_energy: f64, l2: f64, t: f64) -> [f64; 3] {
     let (d1, d3) = (l2 - twice_energy * i1, l2 - twice_energy * i3);
     let k2 = (i1 - i2) * d3 / ((i3 - i2) * d1);
     let tau = t * ((i3 - i2) * d1 / (i1 * i2 * i3)).sqrt();
-    let jacobi = Modulus::new(Parameter::from_parameter(k2).unwrap()).jacobi(tau).unwrap();
+    let jacobi = Modulus::new(Parameter::from_parameter(k2).unwrap())
+        .jacobi(tau)
+        .unwrap();
     [
         (d3 / ((i1 - i3) * i1)).sqrt() * jacobi.cn,
         (d3 / ((i2 - i3) * i2)).sqrt() * jacobi.sn,
@@ -48,11 +50,19 @@ fn s6_4_spherical_top() {
             assert_eq!(state.omega, vector(omega0));
             let turned = Attitude::about_axis(vector(omega0), 1.3 * t).unwrap();
             // One rounding of the rate times the time.
-            within(state.attitude.angle_to(&turned), 4e-16 + 2e-16 * 1.3 * t.abs());
+            within(
+                state.attitude.angle_to(&turned),
+                4e-16 + 2e-16 * 1.3 * t.abs(),
+            );
         }
     }
     let flight = Flight::from_omega([2.5; 3], omega0).fly(4.0);
-    within(at(&tilted([2.5; 3], omega0), 4.0).attitude.angle_to(&flight.attitude()), 1e-15);
+    within(
+        at(&tilted([2.5; 3], omega0), 4.0)
+            .attitude
+            .angle_to(&flight.attitude()),
+        1e-15,
+    );
     // One unit in the last place from it, Ω has not moved after a day of turning.
     let nearly = tilted([2.5, 2.5f64.next_up(), 2.5], omega0);
     assert_eq!(nearly.regime(), Regime::Symmetric);
@@ -75,7 +85,14 @@ fn s6_6_sectors() {
         assert!(moments[0] < l2 / twice_energy && l2 / twice_energy < moments[2]);
         let above = l2 > twice_energy * moments[1];
         let regime = tilted(moments, omega0).regime();
-        assert_eq!(regime, if above { Regime::AroundLargest } else { Regime::AroundSmallest });
+        assert_eq!(
+            regime,
+            if above {
+                Regime::AroundLargest
+            } else {
+                Regime::AroundSmallest
+            }
+        );
         // By the integrator: the one keeps its sign for a period, the two others change theirs.
         let period = tilted(moments, omega0).period();
         let mut changed = [false; 3];
@@ -90,9 +107,15 @@ fn s6_6_sectors() {
     }
     assert!(seen[0] > 40 && seen[1] > 40, "{seen:?}");
     // The condition: on the axes the bounds are reached, and on the separatrix neither sign is in danger.
-    let (energy, l2) = integrals([1, 2, 3].map(|i| rational(i, 1)), [rational(2, 1), rational(0, 1), rational(0, 1)]);
+    let (energy, l2) = integrals(
+        [1, 2, 3].map(|i| rational(i, 1)),
+        [rational(2, 1), rational(0, 1), rational(0, 1)],
+    );
     assert_eq!(l2, energy);
-    assert_eq!(thrown([1.5, 3.0, 4.0], [1.0, 0.5, 2.0]).regime(), Regime::Separatrix);
+    assert_eq!(
+        thrown([1.5, 3.0, 4.0], [1.0, 0.5, 2.0]).regime(),
+        Regime::Separatrix
+    );
 }
 
 // claim: C6.6-2, C6.6-3, C6.6-4, C6.6-5
@@ -118,12 +141,17 @@ fn s6_6_from_the_integrals_to_the_modulus() {
         });
         let binomial = [1, -5, 10, -10, 5, -1];
         let values: Vec<R> = (0..6).map(|n| quartic(rational(n, 1))).collect();
-        let fifth = (0..6).fold(rational(0, 1), |sum, n| sum + rational(binomial[n], 1) * values[n]);
+        let fifth = (0..6).fold(rational(0, 1), |sum, n| {
+            sum + rational(binomial[n], 1) * values[n]
+        });
         assert_eq!(fifth, rational(0, 1));
         let fourth = [1, -4, 6, -4, 1];
-        let fourth = (0..5).fold(rational(0, 1), |sum, n| sum + rational(fourth[n], 1) * values[n]);
+        let fourth = (0..5).fold(rational(0, 1), |sum, n| {
+            sum + rational(fourth[n], 1) * values[n]
+        });
         // 4! times the leading coefficient.
-        let leading = factor * factor * (i2 - i1) * i2 * (i2 - i3) * i2 / ((i3 - i1) * i3 * (i1 - i3) * i1);
+        let leading =
+            factor * factor * (i2 - i1) * i2 * (i2 - i3) * i2 / ((i3 - i1) * i3 * (i1 - i3) * i1);
         assert_eq!(fourth, rational(24, 1) * leading);
         assert!(leading != rational(0, 1));
         // Its roots: where Ω₃ or Ω₁ vanishes.
@@ -140,7 +168,11 @@ fn s6_6_from_the_integrals_to_the_modulus() {
         // The complement, and when it is positive.
         assert_eq!(one - k2, (i3 - i1) * d2 / ((i3 - i2) * d1));
         assert!(k2 > rational(0, 1));
-        assert_eq!(k2 < one, d2 > rational(0, 1), "the condition: the sector of Ω₃");
+        assert_eq!(
+            k2 < one,
+            d2 > rational(0, 1),
+            "the condition: the sector of Ω₃"
+        );
         let exchanged = (i3 - i2) * d1 / ((i1 - i2) * d3);
         assert_eq!(exchanged, one / k2, "the other sector has the inverse");
         // The motion itself obeys the quartic.
@@ -149,7 +181,10 @@ fn s6_6_from_the_integrals_to_the_modulus() {
         let top = tilted(moments, start);
         let size = vector(start).norm();
         let [slope] = derivative(|t| [omega(&top, t)[1]], 0, step(&top));
-        within((slope * slope - exact(quartic(o2))).abs() / size.powi(4), 3e-14);
+        within(
+            (slope * slope - exact(quartic(o2))).abs() / size.powi(4),
+            3e-14,
+        );
     }
 }
 
@@ -161,10 +196,17 @@ fn s6_6_sine_amplitude_inverts_the_integral() {
         let pieces = 64;
         let width = 0.5 / f64::from(pieces);
         let tau: f64 = (0..pieces)
-            .flat_map(|n| gauss().into_iter().map(move |(x, w)| ((f64::from(n) + 0.5 + 0.5 * x) * width, 0.5 * w * width)))
+            .flat_map(|n| {
+                gauss()
+                    .into_iter()
+                    .map(move |(x, w)| ((f64::from(n) + 0.5 + 0.5 * x) * width, 0.5 * w * width))
+            })
             .map(|(x, w)| w / ((1.0 - x * x) * (1.0 - m * x * x)).sqrt())
             .sum();
-        let sn = Modulus::new(Parameter::from_parameter(m).unwrap()).jacobi(tau).unwrap().sn;
+        let sn = Modulus::new(Parameter::from_parameter(m).unwrap())
+            .jacobi(tau)
+            .unwrap()
+            .sn;
         within((sn - 0.5).abs(), 6e-16);
     }
 }
@@ -175,12 +217,29 @@ fn s6_6_the_example() {
     let top = example();
     assert_eq!(top.regime(), Regime::AroundLargest);
     for (t, expected) in [
-        (1.0, [0.695_211_883_019_959_343_7, 1.231_535_804_476_606_504_3, 0.909_820_414_934_023_785_7]),
-        (10.0, [-1.293_305_335_680_710_981_7, -0.572_154_969_129_696_090_4, 1.106_441_547_077_867_780_8]),
+        (
+            1.0,
+            [
+                0.695_211_883_019_959_343_7,
+                1.231_535_804_476_606_504_3,
+                0.909_820_414_934_023_785_7,
+            ],
+        ),
+        (
+            10.0,
+            [
+                -1.293_305_335_680_710_981_7,
+                -0.572_154_969_129_696_090_4,
+                1.106_441_547_077_867_780_8,
+            ],
+        ),
     ] {
         // √2 and 2/√3 are rounded at the start.
         within(distance(at(&top, t).omega, expected), 1e-15 * (1.0 + t));
-        within(distance(vector(displayed(MOMENTS, 6.0, 14.0, t)), expected), 1e-15 * (1.0 + t));
+        within(
+            distance(vector(displayed(MOMENTS, 6.0, 14.0, t)), expected),
+            1e-15 * (1.0 + t),
+        );
         let flight = Flight::from_omega(MOMENTS, omega(&top, 0.0)).fly(t);
         within((at(&top, t).omega - flight.omega()).norm(), 2e-15);
     }
@@ -227,17 +286,32 @@ fn s6_6_period_and_half_period() {
     assert_relative_eq!(closed, period, max_relative = 4.5e-16, epsilon = 0.0);
     assert_relative_eq!(top.period(), period, max_relative = 4.5e-16, epsilon = 0.0);
     let half = complete_first(Parameter::from_parameter(0.5).unwrap());
-    assert_relative_eq!(4.0 * half * (6.0f64 / 8.0).sqrt(), period, max_relative = 4.5e-16, epsilon = 0.0);
+    assert_relative_eq!(
+        4.0 * half * (6.0f64 / 8.0).sqrt(),
+        period,
+        max_relative = 4.5e-16,
+        epsilon = 0.0
+    );
     let mut numbers = Uniform(667);
     for n in 0..60 {
-        let (moments, omega0) = if n == 0 { (MOMENTS, omega(&top, 0.0)) } else { random_start(&mut numbers) };
+        let (moments, omega0) = if n == 0 {
+            (MOMENTS, omega(&top, 0.0))
+        } else {
+            random_start(&mut numbers)
+        };
         let top = tilted(moments, omega0);
         let size = vector(omega0).norm();
         // What keeps its sign, and the two that change it.
         let mut order = [0, 1, 2];
         order.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
-        let kept = if top.regime() == Regime::AroundLargest { order[2] } else { order[0] };
-        let halfway = Flight::from_omega(moments, omega0).fly(top.period() / 2.0).omega();
+        let kept = if top.regime() == Regime::AroundLargest {
+            order[2]
+        } else {
+            order[0]
+        };
+        let halfway = Flight::from_omega(moments, omega0)
+            .fly(top.period() / 2.0)
+            .omega();
         let flipped = [0, 1, 2].map(|k| if k == kept { omega0[k] } else { -omega0[k] });
         // The period's own rounding moves Ω by 2 ulp of a turn.
         within(distance(halfway, flipped) / size, 1e-14);
@@ -255,14 +329,21 @@ fn s6_6_period_and_half_period() {
 #[test]
 fn s6_6_arbitrary_start() {
     let top = tilted(MOMENTS, [1.0; 3]);
-    let expected = [-0.126_642_922_892_417_716_2, 1.408_531_707_162_201_280_1, 0.819_763_874_522_969_949_4];
+    let expected = [
+        -0.126_642_922_892_417_716_2,
+        1.408_531_707_162_201_280_1,
+        0.819_763_874_522_969_949_4,
+    ];
     within(distance(at(&top, 1.0).omega, expected), 1e-15);
     // On the polhode of the example, later by t₀ with sn τ₀ = 1/√2.
     let t0 = 0.715_352_464_811_917_035_2;
     within(distance(at(&example(), t0).omega, [1.0; 3]), 1e-15);
     within(distance(at(&top, -t0).omega, omega(&example(), 0.0)), 1e-15);
     let tau0 = t0 * (8.0f64 / 6.0).sqrt();
-    let sn = Modulus::new(Parameter::from_parameter(0.5).unwrap()).jacobi(tau0).unwrap().sn;
+    let sn = Modulus::new(Parameter::from_parameter(0.5).unwrap())
+        .jacobi(tau0)
+        .unwrap()
+        .sn;
     within((sn - std::f64::consts::FRAC_1_SQRT_2).abs(), 3e-16);
 }
 
@@ -271,12 +352,33 @@ fn s6_6_arbitrary_start() {
 fn s6_6_other_sector() {
     let top = tilted(MOMENTS, [2.0, 0.0, 1.0]);
     assert_eq!(top.regime(), Regime::AroundSmallest);
-    let expected = [1.361_281_669_285_640_298_2, 1.465_234_526_233_565_325_9, 0.533_256_593_374_802_810_1];
+    let expected = [
+        1.361_281_669_285_640_298_2,
+        1.465_234_526_233_565_325_9,
+        0.533_256_593_374_802_810_1,
+    ];
     within(distance(at(&top, 1.0).omega, expected), 1e-15);
     // 2E = 7, L² = 13: exchange 1 and 3 in every formula, and no sign.
-    within(distance(vector(displayed_exchanged(MOMENTS, 7.0, 13.0, 1.0)), expected), 1e-15);
-    within(distance(vector(displayed_exchanged(MOMENTS, 7.0, 13.0, 5.0)), omega(&top, 5.0)), 5e-15);
-    assert_relative_eq!(top.period(), 7.470_389_337_573_354_766_3, max_relative = 4.5e-16, epsilon = 0.0);
+    within(
+        distance(
+            vector(displayed_exchanged(MOMENTS, 7.0, 13.0, 1.0)),
+            expected,
+        ),
+        1e-15,
+    );
+    within(
+        distance(
+            vector(displayed_exchanged(MOMENTS, 7.0, 13.0, 5.0)),
+            omega(&top, 5.0),
+        ),
+        5e-15,
+    );
+    assert_relative_eq!(
+        top.period(),
+        7.470_389_337_573_354_766_3,
+        max_relative = 4.5e-16,
+        epsilon = 0.0
+    );
     // The modulus is 3/4, exactly.
     let q = |n: i128| rational(n, 1);
     let k2 = (q(3) - q(2)) * (q(13) - q(7)) / ((q(1) - q(2)) * (q(13) - q(21)));
@@ -296,7 +398,10 @@ fn s6_6_signs() {
             for t in [0.6, 4.0, -9.0] {
                 // An even number of flips is a half turn of the body; an odd number reverses time.
                 let time = t * sign[0] * sign[1] * sign[2];
-                within(distance(at(&top, t).omega, turned(omega(&plain, time))), 0.0);
+                within(
+                    distance(at(&top, t).omega, turned(omega(&plain, time))),
+                    0.0,
+                );
                 let flight = Flight::from_omega(MOMENTS, turned(start)).fly(t);
                 within((at(&top, t).omega - flight.omega()).norm(), 3e-15);
                 within(at(&top, t).attitude.angle_to(&flight.attitude()), 3e-15);
@@ -313,7 +418,11 @@ fn s6_6_signs() {
 fn s6_6_separatrix() {
     // 2/√3 is no double, so this top is some 1e-16 off its separatrix: for t = 1 that does not show.
     let near = tilted(MOMENTS, [2.0, 0.0, 2.0 / 3f64.sqrt()]);
-    let expected = [1.146_715_032_865_116_817_8, 1.638_610_580_156_601_471_6, 0.662_056_232_908_465_750_3];
+    let expected = [
+        1.146_715_032_865_116_817_8,
+        1.638_610_580_156_601_471_6,
+        0.662_056_232_908_465_750_3,
+    ];
     within(distance(at(&near, 1.0).omega, expected), 1e-15);
     assert!(near.regime() != Regime::Separatrix && near.period().is_finite());
     // Exactly on it: L = (1, 0, 2) with I = (3/2, 3, 4). sech, tanh, sech, for ever.
@@ -347,7 +456,9 @@ fn s6_6_separatrix() {
 fn s6_6_symmetric_limits() {
     let round = SymmetricTop::new(1.0, 1.5).unwrap();
     let limit: BodyVector = round.omega_at(vector([0.5, 0.0, 2.0]), 1.7);
-    let long = SymmetricTop::new(1.5, 1.0).unwrap().omega_at(vector([0.0, 0.5, 2.0]), 1.7);
+    let long = SymmetricTop::new(1.5, 1.0)
+        .unwrap()
+        .omega_at(vector([0.0, 0.5, 2.0]), 1.7);
     let long_limit = [long.z(), long.x(), long.y()];
     for d in [1e-3, 1e-6, 1e-9, 1e-12] {
         let k2 = |top: &EulerTop| {
@@ -359,25 +470,50 @@ fn s6_6_symmetric_limits() {
         };
         let top = tilted([1.0, 1.0 + d, 1.5], [0.5, 0.0, 2.0]);
         let actual = (1.0 + d) - 1.0;
-        assert_relative_eq!(k2(&top) / actual, 0.25 / 3.0, max_relative = 2.1 * d + 1e-15, epsilon = 0.0);
+        assert_relative_eq!(
+            k2(&top) / actual,
+            0.25 / 3.0,
+            max_relative = 2.1 * d + 1e-15,
+            epsilon = 0.0
+        );
         let off = (at(&top, 1.7).omega - limit).norm();
         // In first order 1.351 d, of which 1.283 d in Ω₁; as far as rounding of Ω lets one see.
         let slack = d + 4e-16 / d;
-        assert_relative_eq!(off / actual, 1.351_068_44, max_relative = slack, epsilon = 0.0);
+        assert_relative_eq!(
+            off / actual,
+            1.351_068_44,
+            max_relative = slack,
+            epsilon = 0.0
+        );
         let first = at(&top, 1.7).omega.x() - limit.x();
-        assert_relative_eq!(first / actual, 1.283_253_2, max_relative = slack, epsilon = 0.0);
+        assert_relative_eq!(
+            first / actual,
+            1.283_253_2,
+            max_relative = slack,
+            epsilon = 0.0
+        );
         // The other limit, with 1 and 3 exchanged.
         let top = tilted([1.0, 1.5 - d, 1.5], [2.0, 0.0, 0.5]);
         assert_eq!(top.regime(), Regime::AroundSmallest);
         let actual = 1.5 - (1.5 - d);
         let off = distance(at(&top, 1.7).omega, long_limit);
-        assert_relative_eq!(off / actual, 0.585_117_27, max_relative = slack, epsilon = 0.0);
+        assert_relative_eq!(
+            off / actual,
+            0.585_117_27,
+            max_relative = slack,
+            epsilon = 0.0
+        );
     }
     // The limits themselves: 6.5, to rounding, Ω and attitude.
     let top = tilted([1.0, 1.0, 1.5], [0.5, 0.0, 2.0]);
     assert_eq!(top.regime(), Regime::Symmetric);
     let other = tilted([1.0, 1.5, 1.5], [2.0, 0.0, 0.5]);
-    assert_relative_eq!(top.period(), round.wobble_period(2.0), max_relative = 3e-16, epsilon = 0.0);
+    assert_relative_eq!(
+        top.period(),
+        round.wobble_period(2.0),
+        max_relative = 3e-16,
+        epsilon = 0.0
+    );
     assert_relative_eq!(
         top.mean_precession_rate(),
         round.axis_rate_in_space(vector([0.5, 0.0, 2.0])),
@@ -385,11 +521,19 @@ fn s6_6_symmetric_limits() {
         epsilon = 0.0
     );
     for t in [1.7, -30.0, 1e3] {
-        within((at(&top, t).omega - round.omega_at(vector([0.5, 0.0, 2.0]), t)).norm(), 1e-15);
+        within(
+            (at(&top, t).omega - round.omega_at(vector([0.5, 0.0, 2.0]), t)).norm(),
+            1e-15,
+        );
         let attitude = round.attitude_at(vector([0.5, 0.0, 2.0]), t).unwrap();
         within(at(&top, t).attitude.angle_to(&attitude), 2e-15);
-        let long = SymmetricTop::new(1.5, 1.0).unwrap().omega_at(vector([0.0, 0.5, 2.0]), t);
-        within(distance(at(&other, t).omega, [long.z(), long.x(), long.y()]), 1e-15);
+        let long = SymmetricTop::new(1.5, 1.0)
+            .unwrap()
+            .omega_at(vector([0.0, 0.5, 2.0]), t);
+        within(
+            distance(at(&other, t).omega, [long.z(), long.x(), long.y()]),
+            1e-15,
+        );
     }
     // One unit in the last place from either limit nothing jumps.
     for (moments, start, limit) in [

@@ -117,9 +117,18 @@ impl Flight {
 
     /// Further by the time t, either way.
     pub fn fly(&mut self, t: f64) -> Self {
+        self.fly_in_steps(t, 0.157)
+    }
+
+    /// The same with an error of 1e-31 a step, for motions that magnify it.
+    pub fn fly_finely(&mut self, t: f64) -> Self {
+        self.fly_in_steps(t, 0.08)
+    }
+
+    fn fly_in_steps(&mut self, t: f64, angle: f64) -> Self {
         // The nearest complex singularity is at least π/2 over the greatest angular velocity of this energy away: a step of
         // a tenth of that leaves out 10⁻²⁵.
-        let step = 0.157 / self.greatest_omega();
+        let step = angle / self.greatest_omega();
         let count = (t.abs() / step).ceil().max(1.0);
         let h = Pair::from(t) / Pair::from(count);
         for _ in 0..count as u64 {

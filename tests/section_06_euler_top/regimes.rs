@@ -293,14 +293,17 @@ fn euler_top_after_ten_to_the_fourteen_periods() {
             flight.fly_finely(rest);
             let flight = flight.fly_finely(more);
             let state = at(&top, t);
-            within(
-                (state.angular_momentum - flight.angular_momentum()).norm() / norm(l),
-                5e-15,
-            );
+            let error = (state.angular_momentum - flight.angular_momentum()).norm() / norm(l);
+            // Observed 2e-16 to 1e9 s. The phase is known to 4.2e-27 rad/s, which shows beyond; next to the separatrix it never does.
+            let drift = if l[1] == 2.0 { 1e-26 * t.abs() } else { 0.0 };
+            within(error, 1e-15 + drift);
             let about = Attitude::about_axis(vector(l), angle).unwrap().quaternion();
             let q = (about * flight.attitude().quaternion()).into_inner();
             let truth = Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap();
-            within(state.attitude.angle_to(&truth), 5e-15);
+            // Observed 5e-16 to 1e9 s and, next to the separatrix, to 1e15 s. The ordinary top's turning rate is known to
+            // 2.9e-25 rad/s, which shows beyond.
+            let drift = if l[1] == 2.0 { 6e-25 * t.abs() } else { 0.0 };
+            within(state.attitude.angle_to(&truth), 2e-15 + drift);
         }
     }
 }

@@ -31,7 +31,7 @@ fn s6_1_the_attitude_turns_with_omega() {
         let (moments, omega0) = random_start(&mut numbers);
         let start = numbers.attitude();
         let top = EulerTop::from_omega(moments, vector(omega0), start).unwrap();
-        within(at(&top, 0.0).attitude.angle_to(&start), 1e-15);
+        within(at(&top, 0.0).attitude.angle_to(&start), 2e-15); // observed 3.7e-16
         let size = vector(omega0).norm();
         let h = step(&top);
         for n in (-24..24).step_by(7) {
@@ -51,7 +51,7 @@ fn s6_1_the_attitude_turns_with_omega() {
             let [x, y, z] = omega(&top, t);
             let expected = q * Quaternion::new(0.0, x, y, z) * 0.5;
             let expected = [expected.w, expected.i, expected.j, expected.k];
-            within(norm(difference(rate, expected)) / size, 2e-14);
+            within(norm(difference(rate, expected)) / size, 2e-14); // observed 6.5e-15
         }
     }
 }
@@ -100,13 +100,13 @@ fn s6_2_motion_rebuilt_from_the_polhode() {
         let now = attitude.to_space(x3);
         within(
             (azimuth(now, before, l) - 2.736_033_504_273_013).abs(),
-            3e-15,
-        );
+            4.5e-16,
+        ); // observed none
         // And the angle between x₃ and L from I₃Ω₃/|L|.
         within(
             (now.dot(&l) / size - 3.0 * omega(&top, 1.0)[2] / size).abs(),
-            1e-15,
-        );
+            4.5e-16,
+        ); // observed none
     }
     // The condition: the curve without its pace is not enough. Along the same curve at constant parameter speed
     // the azimuth comes out differently.
@@ -207,7 +207,7 @@ fn s6_6_turn_after_one_period() {
         (MOMENTS, [2.0, 0.0, 1.0]),
         (MOMENTS, [-2.0, 0.3, -1.0]),
     ];
-    starts.extend((0..40).map(|_| random_start(&mut numbers)));
+    starts.extend((0..24).map(|_| random_start(&mut numbers)));
     for (moments, omega0) in starts {
         let top = tilted(moments, omega0);
         let mut order = [0, 1, 2];
@@ -227,7 +227,7 @@ fn s6_6_turn_after_one_period() {
             epsilon = 0.0
         );
         let swept = solid_angle(&top, k);
-        within((phase.geometric + swept).abs(), 3e-13);
+        within((phase.geometric + swept).abs(), 3e-14); // observed 8e-15
         let truth = Flight::from_omega(moments, omega0)
             .fly(top.period())
             .attitude();
@@ -235,13 +235,13 @@ fn s6_6_turn_after_one_period() {
         let q = truth.quaternion();
         let along = q.imag().dot(&l.components()) / l.norm();
         let turn = 2.0 * along.atan2(q.w);
-        within((q.imag() - l.components() / l.norm() * along).norm(), 1e-13);
+        within((q.imag() - l.components() / l.norm() * along).norm(), 2e-15); // observed 3.6e-16
         let together = phase.dynamical + phase.geometric;
         within(wrapped(together - turn).abs(), 4e-15 + 4e-16 * dynamical);
         // With the whole turns: the mean precession, which counts those of the axis that L goes round.
         let counted = top.mean_precession_rate() * top.period();
         within(wrapped(counted - together).abs(), 4e-15 + 4e-16 * dynamical);
-        within((turn_by_quadrature(&top, k) / counted - 1.0).abs(), 3e-13);
+        within((turn_by_quadrature(&top, k) / counted - 1.0).abs(), 4e-13); // observed 1.2e-13
         // No small number of periods brings the body home.
         for n in 1..30 {
             assert!(wrapped(f64::from(n) * turn).abs() > 1e-6);
@@ -325,12 +325,12 @@ fn s6_8_theta_functions() {
     let jacobi = modulus.jacobi(1.0).unwrap();
     within(
         norm(difference([jacobi.sn, jacobi.cn, jacobi.dn], expected)),
-        3e-16,
-    );
+        4.5e-16,
+    ); // observed none
     within(
         norm(difference(jacobi_by_theta(nome, 1.0), expected)),
-        1e-15,
-    );
+        2e-15,
+    ); // observed 5e-16
     for k in -20..20 {
         let u = 0.31 * f64::from(k);
         let jacobi = modulus.jacobi(u).unwrap();
@@ -339,8 +339,8 @@ fn s6_8_theta_functions() {
                 [jacobi.sn, jacobi.cn, jacobi.dn],
                 jacobi_by_theta(nome, u),
             )),
-            2e-15,
-        );
+            6e-15,
+        ); // observed 1.9e-15
     }
     // The whole motion, attitude and all, by theta series: I = (1, 2, 3), 2E = 6, L² = 14.
     let (size, rate) = (14f64.sqrt(), 2.0 / 3f64.sqrt());
@@ -375,8 +375,8 @@ fn s6_8_theta_functions() {
         let q = turned(0.0).conjugate() * turned(t);
         let series = Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap();
         let truth = if step == 0 { flight } else { flight.fly(0.25) };
-        within(series.angle_to(&truth.attitude()), 3e-14);
-        within(at(&top, t).attitude.angle_to(&truth.attitude()), 2e-15);
+        within(series.angle_to(&truth.attitude()), 3e-14); // observed 6.7e-15
+        within(at(&top, t).attitude.angle_to(&truth.attitude()), 2e-15); // observed 5.1e-16
     }
     // Tori: Ω and attitude run with two frequencies, 2π/T and the mean precession; strip both off and what is left comes
     // back with every period.
@@ -395,7 +395,7 @@ fn s6_8_theta_functions() {
     };
     for n in 1..6 {
         let later = 1.1 + f64::from(n) * top.period();
-        within((left(later) - left(1.1)).norm(), 1e-13);
+        within((left(later) - left(1.1)).norm(), 6e-15); // observed 1.7e-15
         assert!(TAU * f64::from(n) > 6.0);
     }
 }

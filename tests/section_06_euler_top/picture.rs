@@ -74,8 +74,8 @@ fn s6_3_ellipsoid_meets_sphere() {
                 let on_ellipsoid: f64 = (0..3)
                     .map(|k| c[k] * c[k] / (twice_energy * moments[k]))
                     .sum();
-                within((on_ellipsoid - 1.0).abs(), 3e-15);
-                within((l.norm() / start.norm() - 1.0).abs(), 3e-15);
+                within((on_ellipsoid - 1.0).abs(), 4e-15); // observed 1.1e-15
+                within((l.norm() / start.norm() - 1.0).abs(), 2e-15); // observed 4.4e-16
             }
         }
     }
@@ -95,7 +95,7 @@ fn s6_3_ellipsoid_meets_sphere() {
         for k in -40..40 {
             let [o1, _, o3] = omega(&top, 5.0 * f64::from(k));
             // Two roundings, far out where both are nearly gone as well.
-            within((o3 / o1 / slope - 1.0).abs(), 4.5e-16);
+            within((o3 / o1 / slope - 1.0).abs(), 4.5e-16); // observed none
         }
     }
     // On these planes, L² = 2EI₂ exactly: 7.5 = 3 · 2.5 and so on.
@@ -146,9 +146,9 @@ fn s6_3_four_eyes() {
             if turning == axis {
                 // dΩ₁ = −(I₃−I₂)Ω₂Ω₃/I₁: with the spin about the largest moment, against it about the smallest.
                 let sense = if about_largest { 1.0 } else { -1.0 } * o[axis].signum();
-                within((turns - sense).abs(), 1e-12);
+                within((turns - sense).abs(), 6e-15); // observed 1.9e-15
             } else {
-                within(turns.abs(), 1e-12);
+                within(turns.abs(), 2e-15); // observed 6.3e-16
             }
         }
         seen[axis + usize::from(o[axis] < 0.0)] += 1;
@@ -159,7 +159,7 @@ fn s6_3_four_eyes() {
     assert_eq!(rim.sector(), Sector::Separatrix);
     let corner = rim.polhode(std::f64::consts::FRAC_PI_2);
     let [x, y, z] = corner.components().into();
-    within(x.hypot(z) / y.abs(), 1e-15);
+    within(x.hypot(z) / y.abs(), 2.3e-16); // observed 6.8e-17
     // It dawdles there: equal times are crowded next to x₂, as the pace tells.
     let near = Poinsot::new(MOMENTS, vector([0.01, 2.0, 0.02])).unwrap();
     let top = thrown(MOMENTS, [0.01, 2.0, 0.02]);
@@ -200,7 +200,7 @@ fn s6_3_the_racket_and_its_axes() {
             .column(column)
             .dot(&vector(axis).components())
             .abs();
-        within((along - 1.0).abs(), 2.3e-16);
+        within((along - 1.0).abs(), 4.5e-16); // observed none
     }
 }
 
@@ -214,7 +214,7 @@ fn s6_3_the_picture_does_not_tell_the_pace() {
         for (s, tolerance) in [(8.0, 0.0), (0.125, 0.0), (3.0, 2e-14)] {
             let fast = tilted(moments, omega0.map(|o| s * o));
             assert_eq!(fast.regime(), slow.regime());
-            within((fast.period() * s / slow.period() - 1.0).abs(), 1e-15);
+            within((fast.period() * s / slow.period() - 1.0).abs(), 2e-15); // observed 4.4e-16
             for t in [0.4, 9.0, -3.0] {
                 // The same point of the curve, s times as large, at time t/s.
                 let expected = omega(&slow, t).map(|o| s * o);
@@ -229,11 +229,11 @@ fn s6_3_the_picture_does_not_tell_the_pace() {
             for k in 0..6 {
                 let parameter = f64::from(k);
                 let error = (wide.polhode(parameter) - curve.polhode(parameter) * s).norm();
-                within(error / wide.polhode(parameter).norm(), 2e-15);
+                within(error / wide.polhode(parameter).norm(), 2e-15); // observed 5.3e-16
                 within(
                     (wide.pace(parameter) / (s * curve.pace(parameter)) - 1.0).abs(),
-                    4e-15,
-                );
+                    3e-15,
+                ); // observed 8.9e-16
             }
         }
     }

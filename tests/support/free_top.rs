@@ -155,8 +155,8 @@ impl Flight {
             l[k][0] = self.l[k];
             o[k][0] = self.l[k] * self.inverse[k];
         }
-        for k in 0..4 {
-            q[k][0] = self.q[k];
+        for (series, start) in q.iter_mut().zip(self.q) {
+            series[0] = start;
         }
         let product = |a: &Series, b: &Series, n: usize| {
             (0..=n).fold(zero, |total, m| total + a[m] * b[n - m])

@@ -426,3 +426,109 @@ fn euler_top_refuses_what_it_cannot_know() {
     within((at(&none, 9.0).omega - flight.omega()).norm(), 2.3e-16); // observed 5.7e-17
     within(at(&none, 9.0).attitude.angle_to(&flight.attitude()), 6e-16); // observed 2e-16
 }
+
+#[test]
+fn euler_top_regime_against_integers() {
+    // Moments and components of 26 bits: (L² − 2EI₂)I₁I₃ = I₁(I₃−I₂)L₃² − I₃(I₂−I₁)L₁² fits an i128. L₃ is chosen next to the
+    // separatrix, so that up to 50 of the 105 bits cancel.
+    let mut numbers = Uniform(672);
+    let mut seen = [0; 3];
+    for _ in 0..20_000 {
+        let mut integer = |least: f64| (least + numbers.next() * (2f64.powi(26) - least)).round();
+        let [a, b, c] = [0; 3].map(|_| integer(1.0) / 2.0);
+        let mut i = [b + c, c + a, a + b].map(f64::round);
+        i.sort_by(f64::total_cmp);
+        if i[0] == i[1] || i[1] == i[2] {
+            continue;
+        }
+        let (l1, l2) = (integer(1e6), integer(1.0));
+        let slope = (i[2] * (i[1] - i[0]) / (i[0] * (i[2] - i[1]))).sqrt();
+        let l3 = (l1 * slope + 2.0 * numbers.signed()).round();
+        if l3 > 2f64.powi(26) {
+            continue;
+        }
+        let [j1, j2, j3, m1, m3] = [i[0], i[1], i[2], l1, l3].map(|x| x as i128);
+        // Of L, and of the same numbers as Ω.
+        let exact = [
+            j1 * (j3 - j2) * m3 * m3 - j3 * (j2 - j1) * m1 * m1,
+            j3 * (j3 - j2) * m3 * m3 - j1 * (j2 - j1) * m1 * m1,
+        ];
+        let l = vector([l1, l2, -l3]);
+        let tops = [
+            EulerTop::beyond_bodies(i, l, Attitude::identity()),
+            EulerTop::from_omega(i, l, Attitude::identity()),
+        ];
+        for (top, exact) in tops.into_iter().zip(exact) {
+            // The rounded moments may miss the triangle inequality by one.
+            let Ok(top) = top else { continue };
+            let (expected, place) = match exact.signum() {
+                1 => (Regime::AroundLargest, 0),
+                -1 => (Regime::AroundSmallest, 1),
+                _ => (Regime::Separatrix, 2),
+            };
+            assert_eq!(top.regime(), expected, "{i:?} {l:?} {exact}");
+            seen[place] += 1;
+        }
+    }
+    assert!(seen[0] > 1000 && seen[1] > 1000, "{seen:?}");
+}
+
+#[test]
+fn euler_top_phase_of_thin_and_wide_cones() {
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+    // Symmetric: the cone is round, 4π sin²(θ/2), with the wobble's sense.
+    for (axial, sense) in [(1.5, -1.0), (0.5, 1.0)] {
+        for tilt in [1e-150, 1e-8, 0.1, 1.0, FRAC_PI_2 - 1e-9, 2.5, PI - 1e-6] {
+            let top = thrown([1.0, 1.0, axial], [tilt.sin(), 0.0, tilt.cos()]);
+            // Seen from its own end L goes round the nearer end of the axis. The tilt is that of the rounded components.
+            let [l1, _, l3]: [f64; 3] = at(&top, 0.0).angular_momentum.components().into();
+            let size = l1.hypot(l3);
+            let expected = sense * TAU * (l1 / size) * (l1 / (size + l3.abs()));
+            let geometric = top.geometric_phase().unwrap().geometric;
+            within((geometric / expected - 1.0).abs(), 8e-16); // observed 2.2e-16
+        }
+    }
+    // Thin cones about the stable axes are ellipses: area π P₁P₂/|L|², half axes by 6.7.
+    for tilt in [1e-3, 1e-9, 1e-150] {
+        let about_largest = tilted(MOMENTS, [tilt, 0.0, 1.0])
+            .geometric_phase()
+            .unwrap()
+            .geometric;
+        within(
+            (about_largest / (-PI * tilt * 2.0 * tilt / 9.0) - 1.0).abs(),
+            1e-15 + 0.15 * tilt * tilt,
+        );
+        let about_smallest = tilted(MOMENTS, [1.0, 0.0, tilt])
+            .geometric_phase()
+            .unwrap()
+            .geometric;
+        let area = PI * (3.0 * tilt) * (2.0 * 3f64.sqrt() * tilt);
+        within(
+            (about_smallest / area - 1.0).abs(),
+            1e-15 + 8.0 * tilt * tilt,
+        );
+    }
+    // Towards the separatrix both sides together fill the hemisphere; the two terms still make up the mean precession.
+    for e in 1..17 {
+        let d = 10f64.powi(-e);
+        let tops = [
+            thrown([1.5, 3.0, 4.0], [1.0, 0.5, 2.0 * (1.0 + d)]),
+            thrown([1.5, 3.0, 4.0], [1.0 + d, 0.5, 2.0]),
+        ];
+        let mut both = 0.0;
+        for top in tops {
+            if top.regime() == Regime::Separatrix {
+                continue;
+            }
+            let phase = top.geometric_phase().unwrap();
+            let turn = top.mean_precession_rate() * top.period();
+            let rest = crate::common::wrapped(turn - phase.dynamical - phase.geometric).abs();
+            within(rest / turn, 8e-16); // observed 2.4e-16
+            both += phase.geometric.abs();
+        }
+        // Two of the four eyes: half of the sphere, but for d ln d.
+        if e < 16 {
+            within((both - TAU).abs(), 8.0 * d * (1.0 - d.ln())); // observed a third of it
+        }
+    }
+}

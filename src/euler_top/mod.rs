@@ -4,9 +4,12 @@
 
 pub mod earth;
 mod motion;
+mod poinsot;
 mod preparation;
+pub mod stability;
 pub mod symmetric;
 mod turning;
 
 pub use motion::{EulerTop, GeometricPhase, Regime, State};
+pub use poinsot::{Poinsot, Sector, separatrix_slope};
 pub use symmetric::{Cones, Shape, SymmetricTop};

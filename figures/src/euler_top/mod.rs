@@ -1,0 +1,19 @@
+//! Euler's top (tutorial 6): the rolling ellipsoid, the polhodes, the racket, and the wandering pole.
+
+mod animated;
+mod film;
+mod flip_time;
+mod poinsot;
+mod polhodes;
+mod racket;
+mod solution;
+mod stand_in;
+mod wobble;
+
+pub use animated::animated;
+pub use film::film;
+pub use flip_time::flip_time;
+pub use poinsot::rolling_ellipsoid;
+pub use polhodes::polhodes;
+pub use solution::solution;
+pub use wobble::{polar_circles, precession_cones};

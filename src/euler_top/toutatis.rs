@@ -55,12 +55,18 @@ pub fn top() -> Result<EulerTop> {
 /// moments, decides the ratio of the two periods. Six roundings in L.
 ///
 /// # Errors
-/// [`Error::NotPositive`] or [`Error::NotFinite`] for a moment; [`Error::OutOfRange`] for the ratio; those of [`EulerTop::new`].
+/// [`Error::NotPositive`] or [`Error::NotFinite`] for a moment; [`Error::Condition`] if they do not ascend; [`Error::OutOfRange`] for the ratio; those of [`EulerTop::new`].
 pub fn mode(moments: [f64; 3], ratio: f64) -> Result<EulerTop> {
     for moment in moments {
         positive("a principal moment", moment)?;
     }
-    let [i1, _, i3] = moments;
+    let [i1, i2, i3] = moments;
+    if !(i1 <= i2 && i2 <= i3 && i1 < i3) {
+        return Err(Error::Condition {
+            condition: "the moments must ascend and not all be equal",
+            value: i3 - i1,
+        });
+    }
     let ratio = finite("L² over 2E I₁", ratio)?;
     let greatest = i3 / i1;
     if !(1.0..=greatest).contains(&ratio) {
@@ -71,10 +77,9 @@ pub fn mode(moments: [f64; 3], ratio: f64) -> Result<EulerTop> {
             greatest,
         });
     }
-    // Sphere and ellipsoid with L₂ = 0: L₁² + L₃² = ratio I₁ and L₁²/I₁ + L₃²/I₃ = 1. For a sphere the ratio is 1.
-    let share = if i3 > i1 { i1 / (i3 - i1) } else { 0.0 };
+    // Sphere and ellipsoid with L₂ = 0: L₁² + L₃² = ratio I₁ and L₁²/I₁ + L₃²/I₃ = 1.
+    let share = i1 / (i3 - i1);
     let l1 = (i1 * ((greatest - ratio) * share)).sqrt();
-    let l3 = if i3 > i1 { (i3 * ((ratio - 1.0) * share)).sqrt() } else { 0.0 };
-    let l1 = if i3 > i1 { l1 } else { i1.sqrt() };
+    let l3 = (i3 * ((ratio - 1.0) * share)).sqrt();
     EulerTop::new(moments, BodyVector::new(l1, 0.0, l3), Attitude::identity())
 }

@@ -52,6 +52,16 @@ impl DoubleDouble {
         Self { high, low }
     }
 
+    /// The sum of two doubles of which the first is not the smaller in size, exactly (Dekker).
+    #[inline]
+    fn ordered_sum(a: f64, b: f64) -> Self {
+        let high = a + b;
+        Self {
+            high,
+            low: b - (high - a),
+        }
+    }
+
     /// The difference of two doubles, exactly.
     pub(crate) fn difference(a: f64, b: f64) -> Self {
         Self::sum(a, -b)
@@ -80,11 +90,19 @@ impl DoubleDouble {
         self.high + self.low
     }
 
+    /// The sum, to 104 bits of the greater term.
     pub(crate) fn add(self, other: Self) -> Self {
         let leading = Self::sum(self.high, other.high);
         let trailing = Self::sum(self.low, other.low);
-        let first = Self::sum(leading.high, leading.low + trailing.high);
-        Self::sum(first.high, first.low + trailing.low)
+        let first = Self::ordered_sum(leading.high, leading.low + trailing.high);
+        Self::ordered_sum(first.high, first.low + trailing.low)
+    }
+
+    /// The sum of two terms that do not cancel, in half the steps.
+    #[inline]
+    pub(crate) fn add_alike(self, other: Self) -> Self {
+        let leading = Self::sum(self.high, other.high);
+        Self::ordered_sum(leading.high, leading.low + (self.low + other.low))
     }
 
     pub(crate) fn negated(self) -> Self {
@@ -101,7 +119,7 @@ impl DoubleDouble {
     pub(crate) fn multiply(self, other: Self) -> Self {
         let leading = Self::product(self.high, other.high);
         let cross = self.high * other.low + self.low * other.high;
-        Self::sum(leading.high, leading.low + cross)
+        Self::ordered_sum(leading.high, leading.low + cross)
     }
 
     /// Multiplied by a power of two, exactly.
@@ -117,7 +135,7 @@ impl DoubleDouble {
         let product = Self::product(first, divisor.high);
         // The first difference is exact: the quotient is right to half an ulp.
         let rest = ((self.high - product.high) - product.low) + (self.low - first * divisor.low);
-        Self::sum(first, rest / divisor.high)
+        Self::ordered_sum(first, rest / divisor.high)
     }
 
     /// Square root of a number that is not negative.
@@ -126,8 +144,9 @@ impl DoubleDouble {
             return Self::from(0.0);
         }
         let root = self.high.sqrt();
-        let rest = self.subtract(Self::product(root, root));
-        Self::sum(root, rest.value() / (2.0 * root))
+        let square = Self::product(root, root);
+        let rest = ((self.high - square.high) - square.low) + self.low;
+        Self::ordered_sum(root, rest / (2.0 * root))
     }
 
     /// √(1 + x²), also where x² would overflow.
@@ -140,7 +159,7 @@ impl DoubleDouble {
                 self
             };
         }
-        self.multiply(self).add(Self::from(1.0)).square_root()
+        self.multiply(self).add_alike(Self::from(1.0)).square_root()
     }
 
     /// Sine and cosine of a number of radians.

@@ -10,24 +10,26 @@ pub(crate) struct Extended {
     pub(crate) exponent: i32,
 }
 
+const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
+const ONE_BITS: u64 = 0x3ff0_0000_0000_0000;
+
 impl Extended {
     /// Of a finite double; zero has the smallest exponent, so that it never shifts a sum.
     pub(crate) fn from_double(value: f64) -> Self {
         if value == 0.0 {
             return Self::zero();
         }
-        let unit = power_of_two_below(value.abs());
-        let mut digits = value / unit;
-        let mut exponent = exponent_of(unit);
-        if digits.abs() < 1.0 {
+        if value.abs() < f64::MIN_POSITIVE {
             // A subnormal: its own leading digit counts.
-            let unit = power_of_two_below(digits.abs());
-            digits /= unit;
-            exponent += exponent_of(unit);
+            let mut number = Self::from_double(value * power(1000));
+            number.exponent -= 1000;
+            return number;
         }
+        let bits = value.to_bits();
+        let digits = f64::from_bits((bits & !EXPONENT_BITS) | ONE_BITS);
         Self {
             digits: DoubleDouble::from(digits),
-            exponent,
+            exponent: exponent_of(f64::from_bits(bits & EXPONENT_BITS)),
         }
     }
 
@@ -103,7 +105,7 @@ impl Extended {
         if self.is_zero() {
             return Self::zero();
         }
-        let odd = self.exponent.rem_euclid(2);
+        let odd = self.exponent & 1;
         Self {
             digits: self.digits.scaled(f64::from(1 + odd)).square_root(),
             exponent: (self.exponent - odd) / 2,
@@ -123,6 +125,15 @@ impl Extended {
         }
     }
 
+    /// Multiplied by 1 or −1.
+    pub(crate) fn signed(self, sign: f64) -> Self {
+        if sign < 0.0 { self.negated() } else { self }
+    }
+
+    pub(crate) fn inverse(self) -> Self {
+        Self::from_double(1.0).divide(self)
+    }
+
     pub(crate) fn negated(self) -> Self {
         Self {
             digits: self.digits.negated(),
@@ -133,6 +144,16 @@ impl Extended {
     /// Multiplied by a double.
     pub(crate) fn times(self, factor: f64) -> Self {
         self.multiply(Self::from_double(factor))
+    }
+
+    /// The square root as a double.
+    pub(crate) fn nearest_square_root(self) -> f64 {
+        if self.is_zero() {
+            return 0.0;
+        }
+        let odd = self.exponent & 1;
+        let digits = self.digits.value() * f64::from(1 + odd);
+        shifted(digits.sqrt(), (self.exponent - odd) / 2)
     }
 
     /// As a double-double; zero or infinite where that has no room.
@@ -183,6 +204,9 @@ fn power(exponent: i32) -> f64 {
 
 /// `value · 2^exponent`, in steps that neither overflow nor underflow before the result does.
 pub(crate) fn shifted(value: f64, exponent: i32) -> f64 {
+    if exponent.abs() < 900 && value.abs() < 1e30 && value.abs() > 1e-30 {
+        return value * power(exponent);
+    }
     if value == 0.0 {
         return value;
     }

@@ -12,6 +12,8 @@
 //! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks |
 //! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other |
 //! | 4.6 | [`superball`] | bounces that keep the energy, exactly and after any number of them |
+//! | 5 | [`euler_equations`] | Euler's equations, with torque and about any point; the heavy tops with a further integral |
+//! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants |
 //! | 6.5 | [`euler_top`] | the free symmetric top, its cones, and the wobble of the Earth |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
 //! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
@@ -23,9 +25,11 @@ pub mod conservation;
 mod double_double;
 pub mod elliptic;
 pub mod error;
+pub mod euler_equations;
 pub mod euler_top;
 mod extended;
 pub mod frame;
+pub mod ideal_fluid;
 pub mod impacts;
 pub mod inertia;
 pub mod phenomena;

@@ -5,6 +5,7 @@
 use spinning_bodies::Result;
 
 mod compare;
+mod euler_equations;
 mod euler_top;
 pub mod finish;
 mod impacts;
@@ -68,6 +69,16 @@ pub fn all() -> &'static [Entry] {
             name: "superball",
             chapter: "superball",
             draw: superball::under_the_table,
+        },
+        Entry {
+            name: "momentum-flow",
+            chapter: "euler-equations",
+            draw: euler_equations::momentum_flow,
+        },
+        Entry {
+            name: "triangle-of-tops",
+            chapter: "euler-equations",
+            draw: euler_equations::triangle_of_tops,
         },
         Entry {
             name: "poinsot-ellipsoid",

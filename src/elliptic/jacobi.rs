@@ -24,7 +24,7 @@ pub struct Jacobi {
 pub(super) const COUNTABLE: f64 = 9_007_199_254_740_992.0;
 
 /// π/2 in three words, of which the first two are so short that a count times either is exact.
-const QUARTER_PARTS: [f64; 3] = [
+pub(super) const QUARTER_PARTS: [f64; 3] = [
     1.570_796_310_901_641_8,
     1.589_325_471_229_585_7e-8,
     6.123_233_995_736_766e-17,

@@ -19,37 +19,42 @@ pub(crate) struct Landen {
     pub(crate) mean: DoubleDouble,
     /// The nome divided by k².
     nome_over_square: DoubleDouble,
-    modulus: Extended,
+    parameter: Extended,
     /// The nome q = exp(−πK′/K); zero where it underflows.
     pub(crate) nome: DoubleDouble,
 }
 
 impl Landen {
-    /// For the modulus k and its complement k′ ≥ k, both known to 106 bits.
-    pub(crate) fn new(modulus: Extended, complement: DoubleDouble) -> Self {
+    /// For the parameter m = k² ≤ 1/2 and the complementary modulus k′, both to 106 bits.
+    pub(crate) fn new(parameter: Extended, complement: DoubleDouble) -> Self {
         let one = DoubleDouble::from(1.0);
-        let square = modulus.square().narrow();
-        let sum0 = one.add(complement);
-        let k1 = square.divide(sum0.multiply(sum0));
-        let sum1 = one.add(complement.square_root().scaled(2.0).divide(sum0));
-        let k2 = k1.multiply(k1).divide(sum1.multiply(sum1));
-        let k1_complement = sum1.subtract(one);
-        let sum2 = one.add(k1_complement.square_root().scaled(2.0).divide(sum1));
-        let k3 = (k2.value() / sum2.value()).powi(2);
+        let square = parameter.narrow();
+        let sum0 = one.add_alike(complement);
+        let inverse0 = one.divide(sum0);
+        let inverse0_squared = inverse0.multiply(inverse0);
+        let k1 = square.multiply(inverse0_squared);
+        let k1_complement = complement.square_root().multiply(inverse0).scaled(2.0);
+        let sum1 = one.add_alike(k1_complement);
+        let inverse1 = one.divide(sum1);
+        let root = k1.multiply(inverse1);
+        let k2 = root.multiply(root);
+        let sum2 = one.add_alike(k1_complement.square_root().multiply(inverse1).scaled(2.0));
+        let k3 = (k2.high() / sum2.high()).powi(2);
         let last = k3 * k3;
-        let a2 = sum0.multiply(sum1).scaled(0.25);
         // (1 + k′₃)(1 + k′₄)/4 with k₄ = k₃²/4; the next term is 10⁻³⁰.
         let rest = DoubleDouble::from(-0.25 * last * (1.0 + 0.3125 * last));
-        let mean = a2.multiply(sum2).scaled(0.5);
-        let mean = mean.add(mean.multiply(rest));
+        let mean = sum0.multiply(sum1).multiply(sum2).scaled(0.125);
+        let mean = mean.add_alike(mean.multiply(rest));
         // l = (1 − √k′)/(2(1 + √k′)); q = l + 2l⁵ + 15l⁹ + 150l¹³ + 1707l¹⁷ + …
-        let l_over_square = one.divide(a2.multiply(sum0).scaled(8.0));
+        let l_over_square = inverse0_squared.multiply(inverse1).scaled(0.5);
         let l = square.multiply(l_over_square);
         let l2 = l.multiply(l);
         let l4 = l2.multiply(l2);
-        let x = l4.value();
+        let x = l4.high();
         let tail = x * x * (15.0 + x * (150.0 + x * (1707.0 + x * 20_910.0)));
-        let series = one.add(l4.scaled(2.0)).add(DoubleDouble::from(tail));
+        let series = one
+            .add_alike(l4.scaled(2.0))
+            .add_alike(DoubleDouble::from(tail));
         let nome_over_square = l_over_square.multiply(series);
         Self {
             sums: [sum0, sum1, sum2],
@@ -57,18 +62,18 @@ impl Landen {
             last,
             mean,
             nome_over_square,
-            modulus,
+            parameter,
             nome: square.multiply(nome_over_square),
         }
     }
 
     /// ln(1/q), also where q itself underflows; infinite for k = 0.
     pub(crate) fn logarithm_of_inverse_nome(&self) -> DoubleDouble {
-        if self.modulus.is_zero() {
+        if self.parameter.is_zero() {
             return DoubleDouble::from(f64::INFINITY);
         }
         let factor = Extended::from(self.nome_over_square);
-        logarithm(self.modulus.square().multiply(factor)).negated()
+        logarithm(self.parameter.multiply(factor)).negated()
     }
 
     /// √q for the modulus k, as a double: still there where q underflows.
@@ -95,22 +100,33 @@ impl Landen {
         self.descend(sc, dc, -1.0)
     }
 
+    /// sin z, or sinh x if `sign` is −1, as a double: good for one place, not for a rate.
+    pub(crate) fn nearest_sine(&self, start: f64, delta: f64, sign: f64) -> f64 {
+        let (mut s, mut d) = (start, delta);
+        for (sum, modulus) in self.sums.iter().zip(&self.moduli) {
+            s *= sum.high() / (1.0 + d);
+            let ks = s * modulus.high();
+            d = (1.0 - sign * ks * ks).sqrt();
+        }
+        s * self.sums[2].high() / (1.0 + d)
+    }
+
     fn descend(&self, start: DoubleDouble, delta: DoubleDouble, sign: f64) -> DoubleDouble {
         let one = DoubleDouble::from(1.0);
         let (mut s, mut d) = (start, delta);
         for (sum, modulus) in self.sums.iter().zip(&self.moduli) {
-            s = s.multiply(*sum).divide(one.add(d));
+            s = s.multiply(*sum).divide(one.add_alike(d));
             let ks = s.multiply(*modulus);
             let square = ks.multiply(ks).scaled(sign);
-            d = one.subtract(square).square_root();
+            d = one.add_alike(square.negated()).square_root();
         }
-        s = s.multiply(self.sums[2]).divide(one.add(d));
+        s = s.multiply(self.sums[2]).divide(one.add_alike(d));
         // The rest of the way: (1 + k′₃)/(1 + √(1 − k₃² s²)) and one factor more, both 1 up to 4·10⁻¹⁰.
         let a = self.last;
         let b = sign * (self.scaled_square(s, a));
         let correction =
             -0.25 * (a - b) + a * (-a / 16.0 - b / 16.0) + b * b / 8.0 - a * (a - b) / 64.0;
-        s.add(s.multiply(DoubleDouble::from(correction)))
+        s.add_alike(s.multiply(DoubleDouble::from(correction)))
     }
 
     /// a s², where s² alone may overflow.

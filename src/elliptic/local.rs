@@ -1,8 +1,8 @@
 //! An argument reduced to the nearest multiple of K, and the elementary functions there that everything else is made of.
 
-use super::jacobi::Wave;
-use super::kernel;
-use super::modulus::{Modulus, Side};
+use super::jacobi::{QUARTER_PARTS, Wave};
+use super::kernel::{self, ROUNDER};
+use super::modulus::{EXACT_COUNT, Modulus, Side};
 use crate::double_double::DoubleDouble;
 
 /// The place of an argument: how many quarter periods, and the elementary functions of what is left.
@@ -20,20 +20,45 @@ pub(crate) enum Local {
     Hyperbolic { sign: f64, wave: Wave, z: f64 },
 }
 
+/// Sine and cosine of an angle of two words.
+///
+/// For at most 2²⁵ right angles; beyond, the slow way of [`DoubleDouble::sin_cos`], which agrees.
+pub(crate) fn sine_cosine(angle: DoubleDouble) -> (f64, f64) {
+    let count = (angle.high() * core::f64::consts::FRAC_2_PI + ROUNDER) - ROUNDER;
+    if count.abs() > EXACT_COUNT {
+        return angle.sin_cos();
+    }
+    // The first difference is exact: its terms are within a factor of two, or the count is zero.
+    let first = angle.high() - count * QUARTER_PARTS[0];
+    let rest = DoubleDouble::difference(first, count * QUARTER_PARTS[1]);
+    let low = rest.low() + (angle.low() - count * QUARTER_PARTS[2]);
+    let rest = DoubleDouble::sum(rest.high(), low);
+    let (sine, cosine) = kernel::sine_cosine(rest.high(), rest.low());
+    in_quadrant(count, sine, cosine)
+}
+
+/// Sine and cosine after as many right angles.
+#[inline(always)]
+fn in_quadrant(count: f64, sine: f64, cosine: f64) -> (f64, f64) {
+    let bits = (count as i64) as u64;
+    let odd = (bits & 1).wrapping_neg();
+    let s = kernel::select(odd, cosine, sine);
+    let c = kernel::select(odd, sine, cosine);
+    (
+        f64::from_bits(s.to_bits() ^ ((bits & 2) << 62)),
+        f64::from_bits(c.to_bits() ^ (((bits ^ (bits << 1)) & 2) << 62)),
+    )
+}
+
 impl Modulus {
     /// Where the argument lies.
     pub(crate) fn place(&self, u: DoubleDouble) -> Place {
-        let (quarters, rest) = self.reduce(u);
+        let (quarters, rest) = self.reduced(u);
         let (high, low) = self.multiplied(rest.high(), rest.low());
         let local = match self.side {
             Side::Circular => {
                 let (sine, cosine) = kernel::sine_cosine(high, low);
-                let (sine, cosine) = match (quarters as i64) & 3 {
-                    0 => (sine, cosine),
-                    1 => (cosine, -sine),
-                    2 => (-sine, -cosine),
-                    _ => (-cosine, sine),
-                };
+                let (sine, cosine) = in_quadrant(quarters, sine, cosine);
                 Local::Circular { sine, cosine }
             }
             Side::Hyperbolic => {
@@ -48,6 +73,20 @@ impl Modulus {
             }
         };
         Place { quarters, local }
+    }
+
+    /// The same as [`reduce`](Self::reduce), without a division where the count is exact; the error is a part of u, not of the rest.
+    #[inline(always)]
+    fn reduced(&self, u: DoubleDouble) -> (f64, DoubleDouble) {
+        let reduction = &self.reduction;
+        if u.high().abs() > reduction.limit {
+            return self.reduce(u);
+        }
+        let count = (u.high() * reduction.inverse + ROUNDER) - ROUNDER;
+        let first = u.high() - count * reduction.parts[0];
+        let rest = DoubleDouble::difference(first, count * reduction.parts[1]);
+        let low = rest.low() + (u.low() - count * reduction.parts[2]);
+        (count, DoubleDouble::sum(rest.high(), low))
     }
 
     /// sn, cn and dn there.

@@ -53,7 +53,7 @@ pub(super) struct Reduction {
 }
 
 /// 2²⁵: with 27 bits of K the product still fits 53.
-const EXACT_COUNT: f64 = 33_554_432.0;
+pub(super) const EXACT_COUNT: f64 = 33_554_432.0;
 
 /// Coefficients in powers of z: z = sin² on the circular side, z = 4 √q′ sinh² on the hyperbolic one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,21 +106,28 @@ impl Modulus {
         }
     }
 
-    /// The modulus from k and k′, both to 106 bits, and the transformation of the lesser of the two.
-    pub(crate) fn from_landen(k: DoubleDouble, k_prime: DoubleDouble, landen: &Landen) -> Self {
-        let parameter = Parameter::from_both(k.multiply(k), k_prime.multiply(k_prime));
-        let complementary_modulus = k_prime.value();
+    /// The modulus from a transformation of the lesser of m and mc; both are wanted to 106 bits, and √mc.
+    pub(crate) fn from_landen(
+        side: Side,
+        parameter: Parameter,
+        complementary_modulus: f64,
+        landen: &Landen,
+    ) -> Self {
         let mean = landen.mean;
-        if k.high() <= complementary_modulus {
-            let quarter = HALF_PI.divide(mean);
-            let series = Series::circular(landen.nome.value(), complementary_modulus);
-            Self::assemble(parameter, Side::Circular, quarter, mean, series)
-        } else {
-            let quarter = landen.complementary_quarter();
-            let half = landen.root_of_nome(complementary_modulus);
-            let series = Series::hyperbolic(half, complementary_modulus, mean.value());
-            Self::assemble(parameter, Side::Hyperbolic, quarter, mean, series)
-        }
+        let (quarter, series) = match side {
+            Side::Circular => (
+                HALF_PI.divide(mean),
+                Series::circular(landen.nome.value(), complementary_modulus),
+            ),
+            Side::Hyperbolic => {
+                let half = landen.root_of_nome(complementary_modulus);
+                (
+                    landen.complementary_quarter(),
+                    Series::hyperbolic(half, complementary_modulus, mean.value()),
+                )
+            }
+        };
+        Self::assemble(parameter, side, quarter, mean, series)
     }
 
     pub(crate) fn side(&self) -> Side {

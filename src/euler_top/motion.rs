@@ -6,7 +6,7 @@ use super::preparation::{Constants, Start, ascending, decide};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::Side;
 use crate::elliptic::landen::right_angle;
-use crate::elliptic::local::Place;
+use crate::elliptic::local::{Place, sine_cosine};
 use crate::error::{Error, Result, finite, not_negative};
 use crate::extended::Extended;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
@@ -141,7 +141,7 @@ impl EulerTop {
                     .abs()
                     .max(constants.turning_rate.value());
                 finite("the rate of the motion", largest)?;
-                let turned = constants.turned(0.0, &constants.point(0.0)?);
+                let turned = constants.turned(0.0, &constants.point(0.0)?)?;
                 let base = attitude.quaternion().into_inner() * turned.conjugate();
                 Motion::Moving { constants, base }
             }
@@ -171,7 +171,8 @@ impl EulerTop {
     /// give. Error: see the module; it does not grow with time. Cost: the time does not matter; two sines, two roots.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods, where one double no longer tells them apart.
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods or
+    /// right angles, where a double no longer counts them.
     pub fn at(&self, t: f64) -> Result<State> {
         let t = finite("the time", t)?;
         match &self.motion {
@@ -181,8 +182,7 @@ impl EulerTop {
                 direction,
             } => {
                 let half = rate.multiply(DoubleDouble::from(t)).scaled(0.5);
-                finite("the angle turned", half.high())?;
-                let (sine, cosine) = half.sin_cos();
+                let (sine, cosine) = half_turn(half, t, *rate)?;
                 let [x, y, z] = direction.map(|component| sine * component);
                 let turn = Quaternion::new(cosine, x, y, z);
                 Ok(State {
@@ -197,7 +197,7 @@ impl EulerTop {
                 Ok(State {
                     omega: vector(ratio(l, self.moments)),
                     angular_momentum: vector(l),
-                    attitude: Attitude::from_unit(*base * constants.turned(t, &point)),
+                    attitude: Attitude::from_unit(*base * constants.turned(t, &point)?),
                 })
             }
         }
@@ -292,13 +292,15 @@ fn refuse_impossible_rod(moments: [f64; 3], start: &Start) -> Result<()> {
     if moments[first] > 0.0 {
         return Ok(());
     }
-    if let Start::AngularMomentum(l) = start
-        && l[first] != 0.0
-    {
-        return Err(Error::Condition {
-            condition: "the angular momentum about an axis whose moment is zero must be zero",
-            value: l[first],
-        });
+    if let Start::AngularMomentum(l) = start {
+        for (moment, component) in moments.iter().zip(l) {
+            if *moment == 0.0 && *component != 0.0 {
+                return Err(Error::Condition {
+                    condition: "the angular momentum about an axis whose moment is zero must be zero",
+                    value: *component,
+                });
+            }
+        }
     }
     let gap = moments[last] - moments[middle];
     if gap > 8.0 * f64::EPSILON * moments[last] {
@@ -339,7 +341,7 @@ impl Constants {
     }
 
     /// The turn by ψ about L after the shortest rotation of L onto axis 3, as a unit quaternion along the body's own axes.
-    fn turned(&self, t: f64, point: &Point) -> Quaternion<f64> {
+    fn turned(&self, t: f64, point: &Point) -> Result<Quaternion<f64>> {
         let turning = &self.turning;
         let quarters = DoubleDouble::from(point.place.quarters);
         let half = self
@@ -347,7 +349,7 @@ impl Constants {
             .multiply(DoubleDouble::from(t))
             .subtract(turning.lag.multiply(quarters))
             .scaled(0.5);
-        let (sine, cosine) = half.sin_cos();
+        let (sine, cosine) = half_turn(half, t, self.turning_rate)?;
         let (x, y) = turning.half_angle(&point.place, point.sn, point.cn);
         let (cosine, sine) = (cosine * x - sine * y, sine * x + cosine * y);
         let [l1, l2, l3] = point.l;
@@ -359,7 +361,7 @@ impl Constants {
             self.axes
                 .back([cosine * n2 + sine * n1, sine * n2 - cosine * n1, sine * w]);
         let q = Quaternion::new(cosine * w, a, b, c);
-        q / q.norm()
+        Ok(q / q.norm())
     }
 
     fn period(&self) -> f64 {
@@ -408,6 +410,23 @@ impl Constants {
         };
         magnitude * self.rate.high().signum()
     }
+}
+
+/// The greatest half turn about L that is told apart from its neighbours: 2⁵³ right angles.
+const GREATEST_HALF_TURN: f64 = 1.4e16;
+
+/// Sine and cosine of half the angle turned about L until time t at about this rate.
+fn half_turn(half: DoubleDouble, t: f64, rate: DoubleDouble) -> Result<(f64, f64)> {
+    if half.high().abs() <= GREATEST_HALF_TURN {
+        return Ok(sine_cosine(half));
+    }
+    let limit = 2.0 * GREATEST_HALF_TURN / rate.high().abs();
+    Err(Error::OutOfRange {
+        quantity: "the time",
+        value: t,
+        least: -limit,
+        greatest: limit,
+    })
 }
 
 fn vector([x, y, z]: [f64; 3]) -> BodyVector {

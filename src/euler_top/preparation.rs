@@ -4,8 +4,8 @@ use super::motion::Regime;
 use super::turning::{Elevation, Turning, Which};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::landen::Landen;
-use crate::elliptic::{Modulus, Side};
-use crate::extended::{Extended, angle, logarithm};
+use crate::elliptic::{Modulus, Parameter, Side};
+use crate::extended::{Extended, logarithm};
 
 /// How a motion starts: the components along the body's axes of what was given, exact as they stand.
 #[derive(Debug, Clone, Copy)]
@@ -247,129 +247,127 @@ fn constants(
     distance: Extended,
     sense: f64,
 ) -> Constants {
-    let [l1, l2, l3] = [0, 1, 2].map(|k| l[k].times(axes.sign[k]));
-    let squares = [l1.square(), l2.square(), l3.square()];
+    let l: [Extended; 3] = core::array::from_fn(|k| l[k].signed(axes.sign[k]));
+    let squares = l.map(Extended::square);
     // Sums of terms of one sign stand in for L² − 2EI and 2EI − L².
     let steady = c[2].multiply(squares[1]).add(c[1].multiply(squares[2]));
     let wobble = c[1].multiply(squares[0]).add(c[0].multiply(squares[1]));
-    let size = squares[0].add(squares[1]).add(squares[2]).square_root();
-    let amplitudes = [
-        wobble.divide(c[1]).square_root(),
-        wobble.divide(c[0]).square_root(),
-        steady.divide(c[1]).square_root(),
-    ];
+    let size_squared = squares[0].add(squares[1]).add(squares[2]);
     let frequency = c[0].multiply(steady);
-    let k = c[2].multiply(wobble).divide(frequency).square_root();
-    let k_prime = c[1].multiply(distance).divide(frequency).square_root();
+    let m = c[2].multiply(wobble).divide(frequency);
+    let mc = c[1].multiply(distance).divide(frequency);
     let volume = Extended::from_double(i[0]).times(i[1]).times(i[2]);
     let lambda = frequency.square_root().divide(volume);
+    let base = size_squared
+        .square_root()
+        .divide(Extended::from_double(i[1]));
 
-    let circular = !k.exceeds(k_prime);
-    let (lesser, greater) = if circular { (k, k_prime) } else { (k_prime, k) };
-    let landen = Landen::new(lesser, greater.narrow());
-    let modulus = Modulus::from_landen(k.narrow(), k_prime.narrow(), &landen);
-    let aspect = c[0].divide(c[1]).square_root();
-    let elevation = elevation(&amplitudes, size, &c, aspect);
-    let turning = if circular {
-        Turning::circular(&landen, &elevation, aspect.value())
+    let side = if m.exceeds(mc) {
+        Side::Hyperbolic
     } else {
-        Turning::hyperbolic(&landen, &elevation, aspect.value())
+        Side::Circular
     };
-    let phase = [
-        l1.divide(amplitudes[0]),
-        l2.divide(amplitudes[1]),
-        l3.divide(amplitudes[2]),
+    let (lesser, greater) = match side {
+        Side::Circular => (m, mc),
+        Side::Hyperbolic => (mc, m),
+    };
+    let landen = Landen::new(lesser, greater.narrow().square_root());
+    let k_prime = mc.nearest_square_root();
+    let parameter = Parameter::from_both(m.narrow(), mc.narrow());
+    let modulus = Modulus::from_landen(side, parameter, k_prime, &landen);
+    let aspect = c[0].divide(c[1]).nearest_square_root();
+    let elevation = elevation(steady, wobble, size_squared, &c);
+    let turning = match side {
+        Side::Circular => Turning::circular(&landen, &elevation, m, aspect),
+        Side::Hyperbolic => Turning::hyperbolic(&landen, &elevation, mc, aspect),
+    };
+    let amplitudes = [
+        wobble.divide(c[1]).nearest_square_root(),
+        wobble.divide(c[0]).nearest_square_root(),
+        steady.divide(c[1]).nearest_square_root(),
     ];
-    let start = start(phase, k_prime, &modulus, &landen);
-    let rate = lambda.times(sense);
+    let phase = [
+        squares[0].multiply(c[1]).divide(wobble),
+        squares[1].multiply(c[0]).divide(wobble),
+        squares[2].multiply(c[1]).divide(steady),
+    ];
+    let start = start(phase, mc, &modulus, &landen);
+    let rate = lambda.signed(sense);
     let excess = rate.multiply(Extended::from(turning.excess));
-    let base = size.divide(Extended::from_double(i[1]));
     Constants {
         axes,
         modulus,
-        start,
+        start: if l[1].digits.high() < 0.0 {
+            start.negated()
+        } else {
+            start
+        },
         rate: rate.narrow(),
-        amplitudes: amplitudes.map(Extended::value),
+        amplitudes,
         turning,
         turning_rate: base.add(excess).narrow(),
     }
 }
 
-/// η or ξ, whichever is the smaller.
+/// η or ξ, whichever is the smaller: sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
 fn elevation(
-    amplitudes: &[Extended; 3],
-    size: Extended,
+    steady: Extended,
+    wobble: Extended,
+    size_squared: Extended,
     c: &[Extended; 3],
-    aspect: Extended,
 ) -> Elevation {
-    let [p1, p2, p3] = *amplitudes;
-    // sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
-    let eta = p3.square().multiply(c[2]);
-    let xi = p1.square().multiply(c[0]);
-    if c[2].is_zero() || xi.exceeds(eta) {
+    if c[0].multiply(wobble).exceeds(c[2].multiply(steady)) {
         Elevation {
             which: Which::Eta,
-            sn: p3.divide(size),
-            cn: p1.divide(size),
-            dn: p2.divide(size),
+            rise: steady,
+            run: wobble,
+            slope: c[1].multiply(size_squared),
         }
     } else {
-        let cn = c[2].divide(c[1]).square_root();
         Elevation {
             which: Which::Xi,
-            sn: aspect,
-            cn,
-            dn: cn.multiply(size).divide(p3),
+            rise: c[0],
+            run: c[2],
+            slope: c[1],
         }
     }
 }
 
-/// u at time 0, from (cn, sn, dn) there, with cn not negative: between −K and K.
+/// |u| at time 0, from (cn², sn², dn²) there: between 0 and K.
 fn start(
-    [cn, sn, dn]: [Extended; 3],
-    k_prime: Extended,
+    [cn2, sn2, dn2]: [Extended; 3],
+    mc: Extended,
     modulus: &Modulus,
     landen: &Landen,
 ) -> DoubleDouble {
-    let backwards = sn.digits.high() < 0.0;
-    let sn = if backwards { sn.negated() } else { sn };
-    // Beyond the middle of the quarter period, where k′ sn² > cn²/sn² … , count from its end.
-    let from_end = k_prime.multiply(sn.square()).exceeds(cn.square());
+    // Beyond the middle of the quarter period count from its end: cn²/dn² and mc/dn² are the squares of sn and dn there.
+    let from_end = mc.multiply(sn2.square()).exceeds(cn2.square());
     let rest = match modulus.side() {
         Side::Circular => {
-            let (s, d) = if from_end {
-                (cn.divide(dn), k_prime.divide(dn))
+            let (s2, d2) = if from_end {
+                (cn2.divide(dn2), mc.divide(dn2))
             } else {
-                (sn, dn)
+                (sn2, dn2)
             };
-            let sine = landen.sine(s.narrow(), d.narrow());
-            let cosine = DoubleDouble::from(1.0)
-                .subtract(sine.multiply(sine))
-                .square_root();
-            angle(cosine, sine)
+            let sine = landen.nearest_sine(s2.nearest_square_root(), d2.nearest_square_root(), 1.0);
+            DoubleDouble::from(sine.asin())
         }
         Side::Hyperbolic => {
-            let (s, d) = if from_end {
-                (
-                    cn.divide(k_prime.multiply(sn)),
-                    Extended::from_double(1.0).divide(sn),
-                )
+            let (s2, d2) = if from_end {
+                (cn2.divide(mc.multiply(sn2)), sn2.inverse())
             } else {
-                (sn.divide(cn), dn.divide(cn))
+                (sn2.divide(cn2), dn2.divide(cn2))
             };
-            let sinh = landen.hyperbolic_sine(s.narrow(), d.narrow());
-            logarithm(Extended::from(sinh.add(sinh.hypotenuse_with_one())))
+            let sinh =
+                landen.nearest_sine(s2.nearest_square_root(), d2.nearest_square_root(), -1.0);
+            let exponential = sinh + sinh.hypot(1.0);
+            logarithm(Extended::from_double(exponential))
         }
     }
     .divide(landen.mean);
-    let magnitude = if from_end {
+    if from_end {
         modulus.quarter_period_dd().subtract(rest)
     } else {
         rest
-    };
-    if backwards {
-        magnitude.negated()
-    } else {
-        magnitude
     }
 }

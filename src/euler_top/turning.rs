@@ -47,9 +47,10 @@ enum Theta {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Elevation {
     pub(super) which: Which,
-    pub(super) sn: Extended,
-    pub(super) cn: Extended,
-    pub(super) dn: Extended,
+    /// sn² = `rise`/`slope`, cn² = `run`/`slope`.
+    pub(super) rise: Extended,
+    pub(super) run: Extended,
+    pub(super) slope: Extended,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,31 +61,30 @@ pub(super) enum Which {
 
 impl Turning {
     /// For m ≤ 1/2.
-    pub(super) fn circular(landen: &Landen, elevation: &Elevation, aspect: f64) -> Self {
+    pub(super) fn circular(
+        landen: &Landen,
+        elevation: &Elevation,
+        m: Extended,
+        aspect: f64,
+    ) -> Self {
         let one = DoubleDouble::from(1.0);
         let q = landen.nome;
-        let sinh = landen.hyperbolic_sine(
-            elevation.sn.divide(elevation.cn).narrow(),
-            elevation.dn.divide(elevation.cn).narrow(),
-        );
-        let exponential = sinh.add(sinh.hypotenuse_with_one());
-        let decay = one.divide(exponential.multiply(exponential));
-        // 1 − e^{−2x} = 2 sinh x · e^{−x}.
-        let from_one = sinh.scaled(2.0).divide(exponential).value();
-        let over = |numerator: DoubleDouble, denominator: DoubleDouble| {
-            if numerator.high() == 0.0 {
-                numerator
-            } else {
-                numerator.divide(denominator)
-            }
+        // sc² and dc² = 1 + m sc².
+        let sc2 = elevation.rise.divide(elevation.run);
+        let dc2 = one.add_alike(m.multiply(sc2).narrow());
+        let sinh = landen.hyperbolic_sine(sc2.square_root().narrow(), dc2.square_root());
+        let exponential = sinh.add_alike(sinh.hypotenuse_with_one());
+        let growth = exponential.multiply(exponential);
+        let decay = one.divide(growth);
+        // ρ = q e^{2w} and ε = e^{−2w}; for ξ in place of η they change roles. 1 − e^{−2x} = 2 sinh x · e^{−x}.
+        let other = if q.high() == 0.0 {
+            q
+        } else {
+            q.multiply(growth)
         };
-        // ρ = q e^{2w} and ε = e^{−2w}, with ρ ε = q.
         let (rho, epsilon, one_less_rho) = match elevation.which {
-            Which::Xi => (decay, over(q, decay), from_one),
-            Which::Eta => {
-                let rho = over(q, decay);
-                (rho, decay, 1.0 - rho.value())
-            }
+            Which::Xi => (decay, other, 2.0 * sinh.value() / exponential.value()),
+            Which::Eta => (other, decay, 1.0 - other.value()),
         };
         let excess = circular_excess(landen, rho, epsilon);
         let (q, rho, epsilon) = (q.value(), rho.value(), epsilon.value());
@@ -121,9 +121,16 @@ impl Turning {
     }
 
     /// For m > 1/2, the separatrix included.
-    pub(super) fn hyperbolic(landen: &Landen, elevation: &Elevation, aspect: f64) -> Self {
+    pub(super) fn hyperbolic(
+        landen: &Landen,
+        elevation: &Elevation,
+        mc: Extended,
+        aspect: f64,
+    ) -> Self {
         let one = DoubleDouble::from(1.0);
-        let lesser = landen.sine(elevation.sn.narrow(), elevation.dn.narrow());
+        let sn2 = elevation.rise.divide(elevation.slope).narrow();
+        let dn2 = one.subtract(mc.narrow().multiply(sn2));
+        let lesser = landen.sine(sn2.square_root(), dn2.square_root());
         let greater = one.subtract(lesser.multiply(lesser)).square_root();
         let (sine, cosine) = match elevation.which {
             Which::Eta => (lesser, greater),
@@ -256,8 +263,8 @@ fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) ->
     let mut denominator = DoubleDouble::from(1.0 + fourth);
     for (n, (up, down)) in ups.iter().zip(&downs).enumerate().rev() {
         let factor = DoubleDouble::from(2.0 * (n as f64 + 1.0));
-        numerator = numerator.add(up.subtract(*down).multiply(factor));
-        denominator = denominator.add(up.add(*down));
+        numerator = numerator.add_alike(up.add_alike(down.negated()).multiply(factor));
+        denominator = denominator.add_alike(up.add_alike(*down));
     }
     landen.mean.multiply(numerator).divide(denominator)
 }

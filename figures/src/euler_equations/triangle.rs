@@ -1,0 +1,184 @@
+//! The map of all tops: principal moments as a point of a triangle (tutorial 2.4, 5.3).
+
+use core::f64::consts::FRAC_PI_2;
+
+use spinning_bodies::Result;
+use spinning_bodies::euler_top::earth;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::inertia::{MassProperties, shapes};
+
+use crate::Figure;
+use crate::style::{
+    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, number, stroke,
+};
+
+/// The big triangle: its right angle, the disc, is at `CORNER`; it is `WIDE` wide and `WIDE`/√3 high.
+const CORNER: Point = [572.0, 384.0];
+const WIDE: f64 = 544.0;
+
+/// Where ordered moments stand on the map.
+///
+/// In the triangle of all moments with sum 1 the corners are at equal distances; the ordered ones fill this sixth of it.
+fn place(moments: [f64; 3], corner: Point, wide: f64) -> Point {
+    let [i1, i2, i3] = shares(moments);
+    [
+        corner[0] - 2.0 * wide * (i2 - i1),
+        corner[1] - 2.0 * 3.0_f64.sqrt() * wide * (0.5 - i3),
+    ]
+}
+
+/// Moments divided by their sum.
+fn shares(moments: [f64; 3]) -> [f64; 3] {
+    let sum: f64 = moments.iter().sum();
+    moments.map(|i| i / sum)
+}
+
+/// A racket of 0.3 kg: a frame that is a hoop, strings that are a disc, and a rod for throat and handle. Metres.
+fn racket() -> Result<MassProperties> {
+    let along = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), FRAC_PI_2)?;
+    let handle = shapes::rod(0.15, 0.42)?.turned(&along);
+    MassProperties::compose(&[
+        shapes::hoop(0.13, 0.13)?,
+        shapes::disc(0.02, 0.13)?,
+        handle.moved(BodyVector::new(0.0, -0.34, 0.0))?,
+    ])
+}
+
+/// A molecule of water: three particles, in atomic mass units and ångströms (quoted: 0.9584 Å, 104.45°).
+fn water() -> Result<MassProperties> {
+    let (s, c) = (0.5 * 104.45_f64).to_radians().sin_cos();
+    let bond = |side: f64| BodyVector::new(side * 0.9584 * s, 0.9584 * c, 0.0);
+    MassProperties::compose(&[
+        MassProperties::particle(15.999, BodyVector::zero())?,
+        MassProperties::particle(1.008, bond(1.0))?,
+        MassProperties::particle(1.008, bond(-1.0))?,
+    ])
+}
+
+/// All rigid bodies, as far as spinning goes, in one triangle.
+pub fn triangle_of_tops() -> Result<Figure> {
+    let of = |body: MassProperties| body.inertia().principal_axes().moments();
+    let millimetres = |edges: [f64; 3]| shapes::cuboid(1.0, edges.map(|edge| edge / 1e3)).map(of);
+    let book = millimetres([240.0, 165.0, 30.0])?;
+    let phone = millimetres([147.0, 72.0, 8.0])?;
+    let brick = millimetres([240.0, 115.0, 71.0])?;
+    let (racket, water) = (of(racket()?), of(water()?));
+    let coin = of(shapes::cylinder(1.0, 0.011_6, 0.002_3)?);
+    let (rod, disc) = (of(shapes::rod(1.0, 1.0)?), of(shapes::disc(1.0, 1.0)?));
+    let (cube, egg) = (
+        of(shapes::cuboid(1.0, [1.0; 3])?),
+        of(shapes::ellipsoid(1.0, [0.022, 0.022, 0.029])?),
+    );
+    let doughnut = of(shapes::torus(1.0, 0.035, 0.015)?);
+    let h = earth::DYNAMICAL_ELLIPTICITY;
+    let earth = [1.0 - h, 1.0 - h, 1.0];
+    // The share of the largest moment goes from a third, the sphere, to a half, the disc.
+    let flatness = 6.0 * (shares(earth)[2] - 1.0 / 3.0);
+    let listed = |m: [f64; 3]| shares(m).map(|i| number(i, 3)).join(", ");
+
+    let words = Words {
+        claim: "Every rigid body that ever spun is a point of this triangle.".to_owned(),
+        details: format!(
+            "Principal moments $I_1\\le I_2\\le I_3$, divided by their sum. In every order of the axes, the bodies fill the \
+             small triangle, whose corners are rods and whose middle is the sphere; the shaded sixth of it is drawn large. Beyond its \
+             edges there is nothing. The shares of the book are {}; of the telephone {}; of the racket {}; of the brick {}; of a molecule of \
+             water {}. The Earth is {} of the way from the sphere to the disc, under the same dot as the cube.",
+            listed(book),
+            listed(phone),
+            listed(racket),
+            listed(brick),
+            listed(water),
+            number(flatness, 4),
+        ),
+        alt: "A right triangle, the map of all ordered principal moments. Bottom edge, the laminae: from the rod at the left \
+              to the disc at the right, with a racket, a telephone, a molecule of water and almost a book on it, and a coin \
+              close to the disc. Right edge, the oblate tops: a doughnut low down, and the sphere on top, where cube and Earth \
+              sit. Slanting edge, the prolate tops from the rod to the sphere: the ratios four to four to one and two to two \
+              to one, and an egg. A brick lies inside. A small equilateral triangle shows the large one as one of its six \
+              mirror images."
+            .to_owned(),
+    };
+
+    Ok(figure("triangle-of-tops", 438.0, words, |pen| {
+        let at = |m: [f64; 3]| place(m, CORNER, WIDE);
+        let corners = [at(rod), at(disc), at(cube)];
+        pen.fill(&corners, Role::Ink, 0.07);
+        pen.outline(&corners, stroke(Role::Ink, DATA));
+        inset(pen, [rod, disc, cube]);
+        let caption = "any order of the axes";
+        pen.text([112.0, 174.0], Anchor::Middle, caption, label(Role::Muted));
+        let (above, below) = ([0.0, -11.0], [0.0, 23.0]);
+        let left = [-11.0, 5.0];
+        for (name, m, [dx, dy], anchor) in [
+            ("racket", racket, below, Anchor::Middle),
+            ("phone", phone, below, Anchor::Middle),
+            ("water", water, below, Anchor::Middle),
+            ("book", book, above, Anchor::Middle),
+            ("brick", brick, above, Anchor::Middle),
+            ("coin", coin, [-11.0, -1.0], Anchor::End),
+            ("doughnut", doughnut, left, Anchor::End),
+            ("egg", egg, [-9.0, -7.0], Anchor::End),
+            ("cube, Earth", cube, [-12.0, -3.0], Anchor::End),
+        ] {
+            let [x, y] = at(m);
+            pen.disc([x, y], 4.4, Role::Ink, 1.0);
+            pen.text([x + dx, y + dy], anchor, name, label(Role::Ink));
+        }
+        for (m, who, ratio) in [
+            ([1.0, 4.0, 4.0], "Goryachev, Chaplygin", "4 : 4 : 1"),
+            ([1.0, 2.0, 2.0], "Kovalevskaya", "2 : 2 : 1"),
+        ] {
+            let [x, y] = at(m);
+            pen.ring([x, y], 5.2, stroke(Role::Ink, DATA));
+            let mut line = |up: f64, text: &str| {
+                pen.text([x - 11.0, y - up], Anchor::End, text, label(Role::Ink));
+            };
+            line(23.0, who);
+            line(5.0, ratio);
+        }
+        // The corners and the edges.
+        let edge = |pen: &mut Pen<'_>, at: Point, anchor, text: &str| {
+            pen.text(at, anchor, text, label(Role::Muted));
+        };
+        let [rod, disc, sphere] = corners;
+        edge(pen, [rod[0] - 6.0, rod[1] + 23.0], Anchor::Start, "rod");
+        edge(pen, [disc[0] + 6.0, disc[1] + 23.0], Anchor::End, "disc");
+        edge(
+            pen,
+            [sphere[0] + 6.0, sphere[1] - 24.0],
+            Anchor::End,
+            "sphere",
+        );
+        let middle = between(rod, disc, 0.5);
+        let laminae = "laminae, *I*_{3} = *I*_{1} + *I*_{2}";
+        edge(pen, [middle[0], middle[1] + 44.0], Anchor::Middle, laminae);
+        edge(pen, [disc[0] - 10.0, 222.0], Anchor::End, "oblate,");
+        edge(
+            pen,
+            [disc[0] - 10.0, 243.0],
+            Anchor::End,
+            "*I*_{1} = *I*_{2}",
+        );
+        let slant = between(rod, sphere, 0.8);
+        edge(
+            pen,
+            [slant[0] - 46.0, slant[1] + 5.0],
+            Anchor::End,
+            "prolate, *I*_{2} = *I*_{3}",
+        );
+    }))
+}
+
+/// The triangle of all moments in any order, and the ordered sixth: rod, disc and sphere in the order of the axes.
+fn inset(pen: &mut Pen<'_>, sixth: [[f64; 3]; 3]) {
+    let at = |m| place(m, [112.0, 154.0], 84.0);
+    pen.fill(&sixth.map(at), Role::Ink, 0.3);
+    let turned = |m: [f64; 3], by: usize| core::array::from_fn(|k| m[(k + by) % 3]);
+    let rods = [0, 1, 2].map(|by| at(turned(sixth[0], by)));
+    pen.outline(&rods, stroke(Role::Ink, SECONDARY));
+    for (by, rod) in rods.into_iter().enumerate() {
+        // The disc opposite a rod has the rod's odd axis for its own.
+        let opposite = at(turned(sixth[1], by + 2));
+        pen.line(&[rod, opposite], stroke(Role::Ink, HAIR));
+    }
+}

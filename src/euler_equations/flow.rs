@@ -1,0 +1,121 @@
+//! Euler's equations as a flow: without torque L moves on the sphere |L| = const (tutorial 5.1, 6.3).
+
+use super::{AxisMoments, finite_vector, runge_kutta};
+use crate::error::{Result, finite};
+use crate::frame::BodyVector;
+use crate::inertia::PrincipalMoments;
+
+/// ∂L/∂t = L∧Ω in N m: Euler's equations without torque, for the angular momentum seen from the body (5.1).
+///
+/// Component 1 is (I₂ − I₃)/(I₂I₃) · L₂L₃, and cyclic. Domain: any vector. The result is at right angles to L and to Ω, so |L| and
+/// E stay. Error: each component to 3 ulp, without cancellation for nearly equal moments. Cost: six divisions. No errors.
+pub fn flow(moments: &AxisMoments, l: BodyVector) -> BodyVector {
+    let [i1, i2, i3] = moments.values();
+    BodyVector::new(
+        (i2 - i3) / i2 / i3 * l.y() * l.z(),
+        (i3 - i1) / i3 / i1 * l.z() * l.x(),
+        (i1 - i2) / i1 / i2 * l.x() * l.y(),
+    )
+}
+
+/// What the flow does near an equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Nature {
+    /// The flow circles it: the axis of the smallest or the largest moment.
+    Center,
+    /// The flow comes in along one line and leaves along another: the axis of the middle moment.
+    Saddle,
+    /// The flow stands still around it: two moments agree with this one, or only its neighbours move past.
+    Degenerate,
+}
+
+/// A direction of L at which the flow stands still.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Equilibrium {
+    /// Unit vector along a principal axis.
+    pub direction: BodyVector,
+    /// What the flow does near it.
+    pub nature: Nature,
+    /// Square of the rate of linear growth divided by |L|², (I_j − I_i)(I_i − I_k)/(I_i² I_j I_k): positive at a saddle.
+    pub growth_squared: f64,
+}
+
+/// The six equilibria of [`flow`], ±x₁, ±x₂, ±x₃, each with what happens near it (5.1, 6.3, 6.7).
+///
+/// Domain: any moments. If moments are equal there are more equilibria than these six, and those on the shared circle are
+/// called degenerate. Error: the growth to 4 ulp, as long as its square can be held in a double. Cost: a few divisions.
+pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
+    let i = moments.values();
+    core::array::from_fn(|n| {
+        let axis = n / 2;
+        let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+        let (up, down) = (i[j] - i[axis], i[axis] - i[k]);
+        let growth_squared = up / i[axis] / i[j] * (down / i[axis] / i[k]);
+        let mut e = [0.0; 3];
+        e[axis] = if n % 2 == 0 { 1.0 } else { -1.0 };
+        Equilibrium {
+            direction: BodyVector::new(e[0], e[1], e[2]),
+            // By the signs of the differences: the product may underflow.
+            nature: match (up != 0.0 && down != 0.0, (up > 0.0) == (down > 0.0)) {
+                (false, _) => Nature::Degenerate,
+                (true, true) => Nature::Saddle,
+                (true, false) => Nature::Center,
+            },
+            growth_squared,
+        }
+    })
+}
+
+/// |L₃/L₁| on the separatrix, √(I₃(I₂−I₁)/(I₁(I₃−I₂))): the two great circles L² = 2EI₂ through the saddles (6.3).
+///
+/// For the sorted moments; dimensionless. Domain: 0 if I₂ = I₁, infinite if I₂ = I₃, not a number for a sphere, which has no
+/// separatrix. Error: 3 ulp. Cost: two divisions and a root. No errors.
+pub fn separatrix_slope(moments: &PrincipalMoments) -> f64 {
+    let [i1, i2, i3] = moments.values();
+    (i3 / i1 * ((i2 - i1) / (i3 - i2))).sqrt()
+}
+
+/// Greatest |∂L/∂t| on the sphere |L| = 1, in units 1/(kg m²): ½(1/I₁ − 1/I₃), halfway between axes 1 and 3 (5.1).
+///
+/// L∧I⁻¹L is longest where the middle component vanishes; the middle moment plays no part. Zero for a sphere, infinite for a rod. Error: 3 ulp.
+pub fn fastest_flow(moments: &PrincipalMoments) -> f64 {
+    let [i1, _, i3] = moments.values();
+    0.5 * ((i3 - i1) / i1 / i3)
+}
+
+/// The points that the flow of L passes at times 0, `step`, …, `count`·`step` seconds (5.1).
+///
+/// For pictures: the classical Runge–Kutta method with its O(step⁴) error, each point pulled back to the sphere it started
+/// on. Where accuracy matters, the free top is solved in closed form. Negative steps run backwards. Cost: 4·`count` evaluations of [`flow`].
+///
+/// # Errors
+/// [`Error::NotFinite`](crate::Error::NotFinite) for a start or a step that is none.
+pub fn streamline(
+    moments: &AxisMoments,
+    start: BodyVector,
+    step: f64,
+    count: usize,
+) -> Result<Vec<BodyVector>> {
+    finite_vector("the angular momentum", start)?;
+    finite("the step", step)?;
+    let length = start.norm();
+    let rate = |l: &[f64; 3]| {
+        let change = flow(moments, BodyVector::new(l[0], l[1], l[2]));
+        [change.x(), change.y(), change.z()]
+    };
+    let mut points = vec![start];
+    let mut l = [start.x(), start.y(), start.z()];
+    for _ in 0..count {
+        l = runge_kutta(rate, &l, step);
+        let now = BodyVector::new(l[0], l[1], l[2]);
+        let size = now.norm();
+        let now = if size > 0.0 {
+            now * (length / size)
+        } else {
+            now
+        };
+        l = [now.x(), now.y(), now.z()];
+        points.push(now);
+    }
+    Ok(points)
+}

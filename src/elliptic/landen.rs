@@ -108,7 +108,9 @@ impl Landen {
             let ks = s * modulus.high();
             d = (1.0 - sign * ks * ks).sqrt();
         }
-        s * self.sums[2].high() / (1.0 + d)
+        s *= self.sums[2].high() / (1.0 + d);
+        let ks = self.last.sqrt() * s;
+        s - 0.25 * s * (self.last - sign * ks * ks)
     }
 
     fn descend(&self, start: DoubleDouble, delta: DoubleDouble, sign: f64) -> DoubleDouble {

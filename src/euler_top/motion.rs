@@ -3,7 +3,7 @@
 use nalgebra::Quaternion;
 
 use super::preparation::{Constants, Start, ascending, decide};
-use crate::double_double::DoubleDouble;
+use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::Side;
 use crate::elliptic::landen::right_angle;
 use crate::elliptic::local::{Place, sine_cosine};
@@ -131,6 +131,7 @@ impl EulerTop {
         for component in l.into_iter().chain(omega_of(moments, &exact)) {
             finite("a component of angular velocity or momentum", component)?;
         }
+        finite("the size of the angular momentum", vector(l).norm())?;
         let (regime, constants) = decide(moments, start);
         let motion = match constants {
             None => steady(moments, &exact),
@@ -171,8 +172,8 @@ impl EulerTop {
     /// give. Error: see the module; it does not grow with time. Cost: the time does not matter; two sines, two roots.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods or
-    /// right angles, where a double no longer counts them.
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods,
+    /// where a double no longer counts them, or 2⁶³ radians.
     pub fn at(&self, t: f64) -> Result<State> {
         let t = finite("the time", t)?;
         match &self.motion {
@@ -238,7 +239,9 @@ impl EulerTop {
 
     /// L along the axes of space, kg m²/s: constant (6.1).
     pub fn angular_momentum_in_space(&self) -> SpaceVector {
-        self.attitude.to_space(self.angular_momentum)
+        // Rotating adds products up, which may overflow or underflow before the result does.
+        let unit = power_of_two_below(self.angular_momentum.components().amax());
+        self.attitude.to_space(self.angular_momentum / unit) * unit
     }
 
     /// Period of Ω in the body, 4K/λ, s: the polhode run through once (6.6). The attitude does not return with it.
@@ -412,8 +415,8 @@ impl Constants {
     }
 }
 
-/// The greatest half turn about L that is told apart from its neighbours: 2⁵³ right angles.
-const GREATEST_HALF_TURN: f64 = 1.4e16;
+/// The greatest half turn about L, in radians: 2⁶², where its 106 bits leave 10⁻¹³ of a radian.
+const GREATEST_HALF_TURN: f64 = 4.6e18;
 
 /// Sine and cosine of half the angle turned about L until time t at about this rate.
 fn half_turn(half: DoubleDouble, t: f64, rate: DoubleDouble) -> Result<(f64, f64)> {

@@ -260,7 +260,7 @@ fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) ->
     ];
     let fourth = q.value().powi(12) * rho.value().powi(4);
     let mut numerator = DoubleDouble::from(8.0 * fourth);
-    let mut denominator = DoubleDouble::from(1.0 + fourth);
+    let mut denominator = DoubleDouble::sum(1.0, fourth);
     for (n, (up, down)) in ups.iter().zip(&downs).enumerate().rev() {
         let factor = DoubleDouble::from(2.0 * (n as f64 + 1.0));
         numerator = numerator.add_alike(up.add_alike(down.negated()).multiply(factor));

@@ -10,7 +10,7 @@ use spinning_bodies::inertia::{
 use spinning_bodies::{Error, Result};
 
 #[path = "../reference/double_double.rs"]
-mod double_double;
+pub(super) mod double_double;
 #[path = "../support/inertia.rs"]
 mod support;
 
@@ -22,7 +22,7 @@ const EPS: f64 = f64::EPSILON;
 /// A decimal number with more digits than an f64 has, as hi + lo: lo is what the nearest f64 leaves over.
 ///
 /// The remainder is computed from the digits themselves, in units of the last place of the decimal.
-fn decimal(text: &str) -> Dd {
+pub(super) fn decimal(text: &str) -> Dd {
     let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
     let exponent: i32 = exponent.parse().expect("an exponent");
     let negative = mantissa.starts_with('-');
@@ -48,7 +48,7 @@ fn decimal(text: &str) -> Dd {
 }
 
 /// A number in C's hexadecimal notation, ±0x1.hhhp±e.
-fn hexadecimal(text: &str) -> f64 {
+pub(super) fn hexadecimal(text: &str) -> f64 {
     let (sign, text) = text
         .strip_prefix('-')
         .map_or((1.0, text), |rest| (-1.0, rest));

@@ -4,6 +4,8 @@
 //! differences, L² − 2EI₁ ≥ 0, 2EI₃ − L² ≥ 0 and L² − 2EI₂ of either sign. None is formed by subtracting 2EI from L²:
 //! the first two are sums of squares, the third is a difference of two squares in 106 bits.
 
+mod herpolhode;
+
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::BodyVector;
@@ -148,6 +150,16 @@ impl Poinsot {
     }
 
     /// About which axis the polhode goes, decided once.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::{Poinsot, Sector}, frame::BodyVector};
+    /// // I1 (I2 - I1) Omega1^2 = I3 (I3 - I2) Omega3^2, exactly.
+    /// let on_it = Poinsot::new([1.5, 3.0, 4.0], BodyVector::new(1.0, 5.0, 2.0))?;
+    /// assert_eq!(on_it.sector(), Sector::Separatrix);
+    /// let beside = Poinsot::new([1.5, 3.0, 4.0], BodyVector::new(1.0, 5.0, 2.0 + 4.5e-16))?;
+    /// assert_eq!(beside.sector(), Sector::AroundLargest);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn sector(&self) -> Sector {
         self.sector
     }
@@ -155,12 +167,31 @@ impl Poinsot {
     /// Semi-axes √(2E/I_i) of the ellipsoid Θ: ⟨Ix, x⟩ = 2E, rad/s, in the order of the given axes (6.2).
     ///
     /// A few units in the last place, at any scale.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
+    /// let picture = Poinsot::new([4.0, 1.0, 9.0], BodyVector::new(4.0, 1.0, 9.0))?; // 2E = 14
+    /// let [a, b, c] = picture.semi_axes();
+    /// let long = 14f64.sqrt();
+    /// assert!((b / long - 1.0).abs() < 4e-16);
+    /// assert!((2.0 * a / long - 1.0).abs() < 4e-16 && (3.0 * c / long - 1.0).abs() < 4e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn semi_axes(&self) -> [f64; 3] {
         let root = self.energy_root();
         self.unsorted(self.moments.map(|i| root / i.sqrt()), self.omega_unit())
     }
 
     /// Distance of the plane Π: ⟨L, x⟩ = 2E from the centre, 2E/|L|, rad/s: the component of Ω along L, always (6.2).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
+    /// let picture = Poinsot::new([1.0, 2.0, 3.0], BodyVector::new(0.4, 0.6, 3.0))?;
+    /// let omega = picture.polhode(2.0);
+    /// let along_l = omega.dot(&picture.polhode_of_l(2.0)) / 9.52f64.sqrt();
+    /// assert!((along_l / picture.plane_distance() - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn plane_distance(&self) -> f64 {
         let root = self.energy_root();
         root * (root / self.length()) * self.omega_unit()
@@ -192,11 +223,27 @@ impl Poinsot {
     }
 
     /// The same point of the polhode as L in body axes, J s: on the sphere |L| and the ellipsoid Σ L_i²/(2EI_i) = 1 (6.3).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
+    /// let picture = Poinsot::new([1.0, 2.0, 3.0], BodyVector::new(0.4, 0.6, 3.0))?;
+    /// let l = picture.polhode_of_l(4.0);
+    /// assert!((l.norm() / 9.52f64.sqrt() - 1.0).abs() < 5e-16, "on the sphere");
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn polhode_of_l(&self, s: f64) -> BodyVector {
         BodyVector::from_components(self.unsorted(self.point(s), self.units.l).into())
     }
 
     /// The parameter of the given L on its own polhode, radians in −π…π; [`Self::polhode`] is its inverse.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
+    /// let picture = Poinsot::new([3.0, 1.0, 2.0], BodyVector::new(3.0, 0.4, 0.6))?;
+    /// let omega = picture.polhode(picture.start());
+    /// assert!((omega - BodyVector::new(1.0, 0.4, 0.3)).norm() < 4e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn start(&self) -> f64 {
         let [l1, l2, l3] = self.l;
         let [_, b, side] = self.half_widths();
@@ -236,74 +283,6 @@ impl Poinsot {
             _ => ((i3 - i1) / i1).sqrt() * ((i3 - i2) / i2).sqrt() * (l[2] / i3).abs(),
         };
         rate * self.omega_unit()
-    }
-
-    /// Least and greatest distance of the herpolhode from the foot of L on the plane, rad/s (6.2).
-    ///
-    /// Greatest √((L²−2EI₁)(2EI₃−L²)/(I₁I₃))/|L|, where Ω₂ = 0; least √((L²−2EI₂)(2EI₃−L²)/(I₂I₃))/|L| about the largest moment,
-    /// √((2EI₂−L²)(L²−2EI₁)/(I₁I₂))/|L| about the smallest: zero on the separatrix, where the curve spirals into the foot.
-    /// Few units in the last place, but for L² − 2EI₂ next to the separatrix, which is as good as 106 bits of the given numbers.
-    ///
-    /// ```
-    /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
-    /// let picture = Poinsot::new([1.0, 2.0, 3.0], BodyVector::new(0.4, 0.6, 3.0))?;
-    /// let [inner, outer] = picture.herpolhode_radii();
-    /// assert!((inner - 0.157670).abs() < 5e-7 && (outer - 0.328927).abs() < 5e-7);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn herpolhode_radii(&self) -> [f64; 2] {
-        let ([i1, i2, i3], [d1, d2, d3]) = (self.moments, self.roots);
-        let length = self.length();
-        let radius = |a: f64, b: f64, i: f64, j: f64| {
-            (a / length) * (b / i.sqrt()) / j.sqrt() * self.omega_unit()
-        };
-        let inner = match self.sector {
-            Sector::AroundSmallest => radius(d1, d2, i1, i2),
-            _ => radius(d3, d2, i2, i3),
-        };
-        [inner, radius(d1, d3, i1, i3)]
-    }
-
-    /// Distance of the point of contact at the parameter `s` from the foot of L, rad/s: |L ∧ Ω|/|L|.
-    ///
-    /// The products in L ∧ Ω are (1/I_j − 1/I_i) L_i L_j, so nothing cancels next to an axis.
-    pub fn herpolhode_radius(&self, s: f64) -> f64 {
-        let u = self.rate(s);
-        // (L ∧ Ω)_k is I_k times the rate of Ω_k.
-        let cross = [0, 1, 2].map(|k| u[k] * self.moments[k]);
-        norm(cross) / self.length() * self.omega_unit()
-    }
-
-    /// Curvature of the herpolhode at the parameter `s`, s/rad; positive where it bends to the left seen from the tip of L (6.2).
-    ///
-    /// With u = ∂Ω/∂t it is Σ_k u_k²((I_i+I_j−I_k)(L_i²+L_j²)/(I_iI_j) + I_kΩ_k²) over |L||u|³, {i, j, k} the three axes.
-    /// For moments that a body has, every bracket is positive: **the herpolhode never bends the other way**. Moments with
-    /// I₁ + I₂ < I₃ can give it inflections. Sums of one sign for every body, so a few units in the last place.
-    /// Not a number for a permanent rotation, whose herpolhode is a point.
-    ///
-    /// ```
-    /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
-    /// let turns = |i3: f64| -> spinning_bodies::Result<bool> {
-    ///     let picture = Poinsot::new([1.0, 2.0, i3], BodyVector::new(0.5, 1.6, 0.02))?;
-    ///     Ok((0..100).any(|k| picture.herpolhode_curvature(0.0628 * f64::from(k)) < 0.0))
-    /// };
-    /// assert!(!turns(3.0)?, "a lamina");
-    /// assert!(turns(3.5)?, "no body");
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn herpolhode_curvature(&self, s: f64) -> f64 {
-        let (i, l, u) = (self.moments, self.point(s), self.rate(s));
-        let speed = norm(u);
-        let bracket = |k: usize| {
-            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
-            // Differences first: I_a + I_b − I_k is exact for a lamina as well.
-            let excess = i[a].min(i[b]) - (i[k] - i[a].max(i[b]));
-            let square = (l[a] / i[a]) * (l[a] / i[b]) + (l[b] / i[a]) * (l[b] / i[b]);
-            let share = u[k] / speed;
-            share * share * (excess * square + l[k] * (l[k] / i[k]))
-        };
-        let sum = bracket(0) + bracket(1) + bracket(2);
-        sum / self.length() / speed / self.omega_unit()
     }
 
     /// √(L² − 2EI₁), √|L² − 2EI₂|, √(2EI₃ − L²), J s.

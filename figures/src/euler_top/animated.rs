@@ -9,12 +9,13 @@ use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
-use super::racket::{Face, Flat, Parts, Throw, face, parts, view};
+use super::racket::{Face, Flat, Parts, Throw, draw, face, parts, view};
 use crate::Figure;
 use crate::finish::with;
+use crate::solid::View;
 use crate::style::{
-    AXIS, Anchor, HAIR, Point, Role, SCALE as CANVAS, Words, between, figure, label, number, small,
-    stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, between, figure,
+    label, number, small, stroke,
 };
 
 const NAME: &str = "racket-flip-animated";
@@ -45,13 +46,15 @@ pub fn animated() -> Result<Figure> {
         ]
     };
     let slower = SECONDS / period;
+    // x₁ up, x₂ to the left, x₃ towards the reader.
+    let upright = Attitude::from_quaternion(0.0, 1.0, 0.0, 1.0)?;
     let words = Words {
         claim: "The racket turns over twice in a period, and each time shows the other face."
             .to_owned(),
         details: format!(
             "The throw of the film strip, {} times slower: two somersaults and two half twists in {} s, after which everything \
-             repeats. Below, $\\Omega_2$, the rate about the middle axis. It goes from one value to its negative and back. Rest the pointer \
-             on the racket to stop it.",
+             repeats. Left, its axes: $x_1$ of the least moment, $x_2$ of the middle one, $x_3$ of the greatest. Below, $\\Omega_2$ \
+             goes from one value to its negative and back. Rest the pointer on the picture to stop it.",
             number(slower, 1),
             number(period, 2),
         ),
@@ -63,7 +66,7 @@ pub fn animated() -> Result<Figure> {
     };
     let still = figure(NAME, 424.0, words, |pen| {
         pen.line(
-            &[[60.0, CENTER[1]], [520.0, CENTER[1]]],
+            &[[150.0, CENTER[1]], [520.0, CENTER[1]]],
             stroke(Role::AngularMomentum, AXIS).dotted(),
         );
         pen.arrow(
@@ -77,6 +80,7 @@ pub fn animated() -> Result<Figure> {
             "*L*",
             label(Role::AngularMomentum),
         );
+        axes(pen, &upright);
         let [left, right, middle, _] = GRAPH;
         pen.line(&[[left, middle], [right, middle]], stroke(Role::Ink, HAIR));
         for half in [0.5, 1.0_f64] {
@@ -105,6 +109,31 @@ pub fn animated() -> Result<Figure> {
     let attitudes: Vec<Attitude> = states.iter().map(|s| s.attitude).collect();
     let dots: Vec<Point> = (0..PICTURES).map(graph).collect();
     Ok(with(still, &moving(&attitudes[..PICTURES], &dots)))
+}
+
+/// A small racket at rest with its principal axes.
+fn axes(pen: &mut Pen<'_>, attitude: &Attitude) {
+    let view = View::new(-0.62, 0.3, [92.0, 106.0], 170.0);
+    draw(pen, &view, attitude, 0.6);
+    let arms = [
+        ([1.0, 0.0, 0.0], 0.36, 0.47, "*x*_{1}"),
+        ([0.0, 1.0, 0.0], 0.0, 0.3, "*x*_{2}"),
+        ([0.0, 0.0, 1.0], 0.0, 0.34, "*x*_{3}"),
+    ];
+    for (axis, from, to, name) in arms {
+        let at = |reach: f64| {
+            let [x, y, z] = axis.map(|c| c * reach);
+            view.project(&attitude.to_space(BodyVector::new(x, y, z)).components())
+        };
+        pen.arrow(at(from), at(to), stroke(Role::Ink, SECONDARY));
+        let beyond = at(to + 0.07);
+        pen.text(
+            [beyond[0], beyond[1] + 5.0],
+            Anchor::Middle,
+            name,
+            label(Role::Ink),
+        );
+    }
 }
 
 /// The style sheet and the two groups that move.
@@ -147,11 +176,12 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
         );
     }
     let all = format!(".fig-{NAME}-turn,.fig-{NAME}-face,.fig-{NAME}-pace");
-    let _ = write!(
+    let _ = writeln!(
         svg,
-        "#fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
+        ".fig-{NAME}-turn{{--fig-{NAME}-pen:1}}@media (max-width:620px){{.fig-{NAME}-turn{{--fig-{NAME}-pen:0.6}}}}\
+         #fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
          @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}\
-         @media print{{{all}{{animation:none}}}}</style>\n"
+         @media print{{{all}{{animation:none}}}}</style>"
     );
     let _ = writeln!(
         svg,
@@ -189,11 +219,13 @@ fn racket(svg: &mut String, back: &str) {
         d
     };
     let all = |lines: &[Flat]| lines.iter().map(&path).collect::<String>();
-    // The strokes keep their width while the racket is seen foreshortened; they are pixels of the page.
+    // The strokes keep their width while the racket is seen foreshortened; they are pixels of the page, so a narrow page
+    // takes a finer pen.
     let mut draw = |d: String, width: f64, rest: &str| {
         let _ = writeln!(
             svg,
-            "<path d=\"{d}\" stroke-width=\"{width}\" vector-effect=\"non-scaling-stroke\"{rest}/>"
+            "<path d=\"{d}\" style=\"stroke-width:calc({width}px*var(--fig-{NAME}-pen,1))\" \
+             vector-effect=\"non-scaling-stroke\"{rest}/>"
         );
     };
     let head = path(&head) + "Z";

@@ -7,7 +7,6 @@ mod poinsot;
 mod polhodes;
 mod racket;
 mod solution;
-mod stand_in;
 mod wobble;
 
 pub use animated::animated;

@@ -4,10 +4,9 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::Poinsot;
+use spinning_bodies::euler_top::{EulerTop, Poinsot};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 
-use super::stand_in::EulerTop;
 use crate::Figure;
 use crate::solid::{View, ellipse, ellipsoid_hides};
 use crate::style::{
@@ -17,16 +16,16 @@ use crate::style::{
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 /// Angular velocity at time zero, along the body's axes.
-const OMEGA: [f64; 3] = [1.0, 0.5, 1.0];
+const OMEGA: [f64; 3] = [1.3, 0.5, 0.5];
 /// When the picture is taken, in periods of the polhode.
-const NOW: f64 = 0.36;
+const NOW: f64 = 0.5;
 /// Periods of the polhode that the herpolhode has behind it, and before it.
 const BEFORE: f64 = 1.0;
-const AFTER: f64 = 2.25;
+const AFTER: f64 = 2.5;
 /// Points of a curve for each period.
 const STEPS: usize = 120;
 /// Half sides of the plane.
-const SHEET: [f64; 2] = [1.8, 1.5];
+const SHEET: [f64; 2] = [1.5, 1.3];
 
 /// Everything along the axes of space, the third of them along L.
 struct Scene {
@@ -73,7 +72,7 @@ pub fn rolling_ellipsoid() -> Result<Figure> {
         .collect::<Result<Vec<_>>>()?;
     let [inner, outer] = picture.herpolhode_radii();
     let scene = Scene {
-        view: View::new(-1.05, 0.54, [306.0, 272.0], 116.0),
+        view: View::new(-1.05, 0.54, [300.0, 296.0], 140.0),
         semi: picture.semi_axes(),
         distance: picture.plane_distance(),
         attitude: now.attitude,
@@ -106,14 +105,14 @@ pub fn rolling_ellipsoid() -> Result<Figure> {
         ),
         alt: format!(
             "An ellipsoid with a fine net of meridians touches a horizontal glass plane from below in one point, the tip of the \
-             angular velocity. Round the end of its shortest axis runs a closed curve, the polhode; on the plane the point \
-             of contact draws a rosette that never closes, the herpolhode, between two circles of radius {} and {} about \
-             the vertical angular momentum. One curve rolls on the other.",
+             angular velocity. Round the end of its longest axis runs a closed curve, the polhode; on the plane the point \
+             of contact winds round and round between two circles of radius {} and {} about the vertical angular \
+             momentum: the herpolhode. One curve rolls on the other.",
             number(inner, 3),
             number(outer, 3),
         ),
     };
-    Ok(figure("poinsot-ellipsoid", 448.0, words, |pen| {
+    Ok(figure("poinsot-ellipsoid", 466.0, words, |pen| {
         scene.body(pen);
         scene.plane(pen, [inner, outer]);
         scene.labels(pen);
@@ -137,7 +136,7 @@ impl Scene {
         !ellipsoid_hides(&self.semi.into(), &body(p), &body(&self.view.toward))
     }
 
-    /// The net: circles about x₃ and half ellipses through its ends.
+    /// The net: circles about x₁, the axis that the polhode goes round, and ellipses through its ends.
     fn net(&self) -> Vec<(Vec<Vector3<f64>>, f64)> {
         let semi = Vector3::from(self.semi);
         let curve = |center: Vector3<f64>, u: Vector3<f64>, v: Vector3<f64>| {
@@ -146,7 +145,7 @@ impl Scene {
                 .map(|p| self.space(p.component_mul(&semi)))
                 .collect::<Vec<_>>()
         };
-        let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
+        let (x, y, z) = (Vector3::y(), Vector3::z(), Vector3::x());
         let mut net = Vec::new();
         for k in -5..=5 {
             let (s, c) = (f64::from(k) * TAU / 24.0).sin_cos();
@@ -242,7 +241,7 @@ impl Scene {
         }
         pen.line(
             &self.view.trace(&self.future),
-            stroke(Role::Omega, AXIS).alpha(0.55),
+            stroke(Role::Omega, 1.0).alpha(0.6),
         );
         pen.line(&self.view.trace(&self.past), stroke(Role::Omega, DATA));
         for dot in &self.dots[1] {
@@ -265,8 +264,8 @@ impl Scene {
         let tip = self.view.project(&(Vector3::z() * (self.distance + 1.0)));
         for (at, anchor, text, role) in [
             (
-                [contact[0] + 4.0, contact[1] + 24.0],
-                Anchor::Start,
+                [contact[0] - 3.0, contact[1] + 26.0],
+                Anchor::End,
                 "*Ω*",
                 Role::Omega,
             ),
@@ -282,7 +281,7 @@ impl Scene {
                 "*O*",
                 Role::Ink,
             ),
-            ([490.0, 404.0], Anchor::Start, "*Θ*", Role::Ink),
+            ([508.0, 424.0], Anchor::Start, "*Θ*", Role::Ink),
             ([84.0, 160.0], Anchor::Start, "*Π*", Role::Ink),
         ] {
             pen.text(at, anchor, text, label(role));
@@ -297,12 +296,12 @@ impl Scene {
                 [238.0, 104.0],
             ),
             (
-                [78.0, 250.0],
+                [84.0, 374.0],
                 Anchor::End,
                 "polhode",
                 Role::Ink,
-                [82.0, 245.0],
-                [186.0, 191.0],
+                [88.0, 369.0],
+                [152.0, 322.0],
             ),
         ] {
             pen.text(at, anchor, text, small(role));

@@ -4,14 +4,14 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::{Poinsot, separatrix_slope};
+use spinning_bodies::euler_top::{EulerTop, Poinsot, separatrix_slope};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
-use super::stand_in::EulerTop;
 use crate::Figure;
 use crate::solid::{View, ellipse, ellipsoid_hides};
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Role, SECONDARY, Stroke, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number, small,
+    stroke,
 };
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
@@ -70,6 +70,39 @@ impl Curve {
     }
 }
 
+/// What is seen of the sector about x₁ (about −x₁ if `side` is −1), which reaches from −x₂ to x₂ and up to `crossing` from
+/// the equator, on the sphere that the ellipsoid is stretched from.
+fn sector(view: &View, crossing: f64, side: f64) -> Vec<Point> {
+    let semi = Vector3::from(MOMENTS.map(f64::sqrt));
+    let toward = view.toward.component_div(&semi).normalize();
+    let edge = |end: f64| {
+        (-90..=90)
+            .map(|k| f64::from(k).to_radians().sin_cos())
+            .map(|(s, c)| Vector3::new(side * c * crossing.cos(), s, end * c * crossing.sin()))
+            .filter(|p| p.dot(&toward) > 0.0)
+            .collect::<Vec<_>>()
+    };
+    // From the rim of what is seen along one edge to the pole x₂, back along the other, then along the rim.
+    let (mut there, mut back) = (edge(1.0), edge(-1.0));
+    back.reverse();
+    let u = toward.cross(&Vector3::z()).normalize();
+    // The rim begins next to x₃, outside of both sectors.
+    let rim = ellipse(Vector3::zeros(), toward.cross(&u), u, 720);
+    let inside = |p: &&Vector3<f64>| side * p.x > 0.0 && (p.z / p.x).abs() < crossing.tan();
+    let mut along: Vec<Vector3<f64>> = rim.iter().filter(inside).copied().collect();
+    if let (Some(end), Some(first), Some(last)) = (back.last(), along.first(), along.last())
+        && (end - last).norm() < (end - first).norm()
+    {
+        along.reverse();
+    }
+    there.append(&mut back);
+    there.append(&mut along);
+    there
+        .iter()
+        .map(|p| view.project(&p.component_mul(&semi)))
+        .collect()
+}
+
 /// Polhodes on the ellipsoid of constant energy, with dots at equal times.
 pub fn polhodes() -> Result<Figure> {
     let slope = separatrix_slope(MOMENTS)?;
@@ -77,7 +110,7 @@ pub fn polhodes() -> Result<Figure> {
     let crossing = (slope * (MOMENTS[2] / MOMENTS[0]).sqrt())
         .atan()
         .to_degrees();
-    let view = View::new(0.98, 0.36, [300.0, 222.0], 116.0);
+    let view = View::new(0.98, 0.36, [300.0, 232.0], 116.0);
     let sides = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
     let mut family = Vec::new();
     for angle in CROSSINGS {
@@ -97,13 +130,13 @@ pub fn polhodes() -> Result<Figure> {
         .collect::<Result<Vec<_>>>()?;
 
     let words = Words {
-        claim: "Polhodes round the first and third axis are closed eyes; next to the second axis the top dawdles, then swings to \
-                the other side."
+        claim: "Round the first and the third axis a polhode stays close; next to the second it dawdles, then swings over to the \
+                other side."
             .to_owned(),
         details: format!(
             "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = (1, 2, 3)$. Dots at equal times, {} \
              of a radian at the rate $\\sqrt{{2E/I_2}}$. The separatrix, in ink, is two plane ellipses \
-             $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors.",
+             $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ shaded.",
             number(STEP, 1),
             number(slope, 4),
         ),
@@ -113,7 +146,7 @@ pub fn polhodes() -> Result<Figure> {
               crowd together next to the crossing: there the top dawdles, and from there it swings over to the other side."
             .to_owned(),
     };
-    Ok(figure("polhodes", 440.0, words, |pen| {
+    Ok(figure("polhodes", 448.0, words, |pen| {
         let semi = Vector3::from(MOMENTS.map(f64::sqrt));
         let n = view.toward.component_div(&semi).normalize();
         let u = n.cross(&Vector3::z()).normalize();
@@ -125,6 +158,9 @@ pub fn polhodes() -> Result<Figure> {
             240,
         ));
         pen.fill(&outline, Role::Shade, 1.0);
+        for side in [1.0, -1.0] {
+            pen.fill(&sector(&view, crossing.to_radians(), side), Role::Ink, 0.1);
+        }
         pen.outline(&outline, stroke(Role::Ink, SECONDARY));
         for curve in &family {
             let role = Role::AngularMomentum;
@@ -135,10 +171,11 @@ pub fn polhodes() -> Result<Figure> {
         }
         for (k, name) in ["*x*_{1}", "*x*_{2}", "*x*_{3}"].iter().enumerate() {
             let direction = Vector3::ith(k, 1.0);
+            let reach = [0.36, 0.62, 0.36][k];
             let from = view.project(&(direction * semi[k]));
-            let to = view.project(&(direction * (semi[k] + 0.36)));
+            let to = view.project(&(direction * (semi[k] + reach)));
             pen.arrow(from, to, stroke(Role::Ink, AXIS));
-            let beyond = view.project(&(direction * (semi[k] + 0.5)));
+            let beyond = view.project(&(direction * (semi[k] + reach + 0.14)));
             let at = if k == 2 {
                 [to[0] + 14.0, to[1] + 10.0]
             } else {
@@ -148,28 +185,28 @@ pub fn polhodes() -> Result<Figure> {
         }
         for (at, anchor, lines, role, from, to) in [
             (
-                [150.0, 66.0],
+                [150.0, 76.0],
                 Anchor::End,
                 &["separatrix"][..],
                 Role::Ink,
-                [154.0, 62.0],
-                [203.0, 104.0],
+                [154.0, 72.0],
+                [203.0, 113.0],
             ),
             (
-                [452.0, 330.0],
+                [458.0, 352.0],
                 Anchor::Start,
                 &["next to *x*_{2}", "it dawdles"][..],
                 Role::Ink,
-                [448.0, 322.0],
-                [388.0, 264.0],
+                [452.0, 343.0],
+                [388.0, 276.0],
             ),
             (
-                [128.0, 346.0],
+                [128.0, 356.0],
                 Anchor::End,
                 &["far from it", "it hurries"][..],
                 Role::AngularMomentum,
-                [132.0, 349.0],
-                [243.0, 332.0],
+                [132.0, 359.0],
+                [245.0, 341.0],
             ),
         ] {
             for (k, line) in lines.iter().enumerate() {

@@ -4,9 +4,9 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
+use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
-use super::stand_in::EulerTop;
 use crate::solid::View;
 use crate::style::{DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, stroke};
 

@@ -1,11 +1,11 @@
 //! The three components of Ω against time, close to the separatrix (tutorial 6.6).
 
 use spinning_bodies::Result;
+use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::euler_top::stability::saddle;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::PrincipalMoments;
 
-use super::stand_in::EulerTop;
 use crate::Figure;
 use crate::style::{
     AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
@@ -46,7 +46,7 @@ pub fn solution() -> Result<Figure> {
         details: format!(
             "Components of $\\Omega$ in the body for $I = (1, 2, 3)$, $\\Omega(0) = ({}, {}, {})$: $\\Omega_2$ goes as sn, $\\Omega_1$ as cn, \
              $\\Omega_3$ as dn. Period {} s; after half of it $\\Omega_1$ and $\\Omega_2$ have changed sign and $\\Omega_3$ has its old value. \
-             A swing lasts a few times $1/\\sqrt\\lambda = {}$ s, however long the rests.",
+             A swing lasts a few times $1/\\sqrt{{\\lambda}} = {}$ s, however long the rests.",
             OMEGA[0],
             OMEGA[1],
             OMEGA[2],

@@ -56,6 +56,15 @@ pub fn top() -> Result<EulerTop> {
 ///
 /// # Errors
 /// [`Error::NotPositive`] or [`Error::NotFinite`] for a moment; [`Error::Condition`] if they do not ascend; [`Error::OutOfRange`] for the ratio; those of [`EulerTop::new`].
+///
+/// ```
+/// use spinning_bodies::euler_top::toutatis::{EARLIER_MOMENTS, PRECESSION_PERIOD, ROTATION_PERIOD, mode};
+/// let asteroid = mode(EARLIER_MOMENTS, 1.69770)?;
+/// let turns = asteroid.mean_precession_rate() * asteroid.period() / core::f64::consts::TAU;
+/// assert!((turns - ROTATION_PERIOD / PRECESSION_PERIOD).abs() < 2e-6);
+/// assert!(mode(EARLIER_MOMENTS, 0.99).is_err() && mode([1.0; 3], 1.0).is_err());
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn mode(moments: [f64; 3], ratio: f64) -> Result<EulerTop> {
     for moment in moments {
         positive("a principal moment", moment)?;

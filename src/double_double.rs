@@ -45,6 +45,7 @@ impl DoubleDouble {
     }
 
     /// The sum of two doubles, exactly (Knuth).
+    #[inline]
     pub(crate) fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
         let part = high - a;
@@ -86,11 +87,13 @@ impl DoubleDouble {
     }
 
     /// The nearest double.
+    #[inline]
     pub(crate) fn value(self) -> f64 {
         self.high + self.low
     }
 
     /// The sum, to 104 bits of the greater term.
+    #[inline]
     pub(crate) fn add(self, other: Self) -> Self {
         let leading = Self::sum(self.high, other.high);
         let trailing = Self::sum(self.low, other.low);
@@ -105,6 +108,7 @@ impl DoubleDouble {
         Self::ordered_sum(leading.high, leading.low + (self.low + other.low))
     }
 
+    #[inline]
     pub(crate) fn negated(self) -> Self {
         Self {
             high: -self.high,
@@ -112,14 +116,23 @@ impl DoubleDouble {
         }
     }
 
+    #[inline]
     pub(crate) fn subtract(self, other: Self) -> Self {
         self.add(other.negated())
     }
 
+    #[inline]
     pub(crate) fn multiply(self, other: Self) -> Self {
         let leading = Self::product(self.high, other.high);
         let cross = self.high * other.low + self.low * other.high;
         Self::ordered_sum(leading.high, leading.low + cross)
+    }
+
+    /// Multiplied by a double.
+    #[inline]
+    pub(crate) fn times(self, factor: f64) -> Self {
+        let leading = Self::product(self.high, factor);
+        Self::ordered_sum(leading.high, leading.low + self.low * factor)
     }
 
     /// Multiplied by a power of two, exactly.
@@ -130,6 +143,7 @@ impl DoubleDouble {
         }
     }
 
+    #[inline]
     pub(crate) fn divide(self, divisor: Self) -> Self {
         let first = self.high / divisor.high;
         let product = Self::product(first, divisor.high);
@@ -139,6 +153,7 @@ impl DoubleDouble {
     }
 
     /// Square root of a number that is not negative.
+    #[inline]
     pub(crate) fn square_root(self) -> Self {
         if self.high == 0.0 {
             return Self::from(0.0);

@@ -3,6 +3,143 @@
 
 use crate::double_double::{DoubleDouble, power_of_two_below};
 
+/// A number of 106 bits: [`DoubleDouble`] where no square overflows or underflows, [`Extended`] elsewhere.
+pub(crate) trait Wide: Copy {
+    /// Of a finite double.
+    fn from_double(value: f64) -> Self;
+    /// The difference of two doubles, exactly.
+    fn difference(a: f64, b: f64) -> Self;
+    /// Of a number that is normal or zero.
+    fn from_narrow(number: DoubleDouble) -> Self;
+    fn multiply(self, other: Self) -> Self;
+    fn divide(self, other: Self) -> Self;
+    /// The sum of two terms that do not cancel.
+    fn add(self, other: Self) -> Self;
+    fn subtract(self, other: Self) -> Self;
+    fn square_root(self) -> Self;
+    fn negated(self) -> Self;
+    /// As a double-double; zero or infinite where that has no room.
+    fn narrow(self) -> DoubleDouble;
+    /// The square root of the quotient, as a double.
+    fn root_of_quotient(self, divisor: Self) -> f64;
+    /// Whether it is greater than `other`; both not negative.
+    fn exceeds(self, other: Self) -> bool;
+    /// The leading digits: zero if and only if the number is.
+    fn leading(self) -> f64;
+    fn extended(self) -> Extended;
+    fn from_extended(number: Extended) -> Self;
+
+    fn is_zero(self) -> bool {
+        self.leading() == 0.0
+    }
+
+    fn square(self) -> Self {
+        self.multiply(self)
+    }
+
+    /// Multiplied by a double.
+    fn times(self, factor: f64) -> Self {
+        self.multiply(Self::from_double(factor))
+    }
+
+    /// Multiplied by 1 or −1.
+    fn signed(self, sign: f64) -> Self {
+        if sign < 0.0 { self.negated() } else { self }
+    }
+
+    fn magnitude(self) -> Self {
+        self.signed(self.leading())
+    }
+}
+
+impl Wide for DoubleDouble {
+    #[inline]
+    fn from_double(value: f64) -> Self {
+        Self::from(value)
+    }
+
+    #[inline]
+    fn difference(a: f64, b: f64) -> Self {
+        Self::difference(a, b)
+    }
+
+    #[inline]
+    fn from_narrow(number: DoubleDouble) -> Self {
+        number
+    }
+
+    #[inline]
+    fn multiply(self, other: Self) -> Self {
+        self.multiply(other)
+    }
+
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        self.times(factor)
+    }
+
+    #[inline]
+    fn divide(self, other: Self) -> Self {
+        if self.high() == 0.0 {
+            self
+        } else {
+            self.divide(other)
+        }
+    }
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        self.add_alike(other)
+    }
+
+    #[inline]
+    fn subtract(self, other: Self) -> Self {
+        self.subtract(other)
+    }
+
+    #[inline]
+    fn square_root(self) -> Self {
+        self.square_root()
+    }
+
+    #[inline]
+    fn negated(self) -> Self {
+        self.negated()
+    }
+
+    #[inline]
+    fn narrow(self) -> DoubleDouble {
+        self
+    }
+
+    #[inline]
+    fn root_of_quotient(self, divisor: Self) -> f64 {
+        if self.high() == 0.0 {
+            0.0
+        } else {
+            (self.value() / divisor.value()).sqrt()
+        }
+    }
+
+    #[inline]
+    fn exceeds(self, other: Self) -> bool {
+        self.high() > other.high() || (self.high() == other.high() && self.low() > other.low())
+    }
+
+    #[inline]
+    fn leading(self) -> f64 {
+        self.high()
+    }
+
+    fn extended(self) -> Extended {
+        Extended::from(self)
+    }
+
+    fn from_extended(number: Extended) -> Self {
+        number.narrow()
+    }
+}
+
 /// `digits · 2^exponent`: squares of tilts down to 1e-300 stay numbers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Extended {
@@ -14,8 +151,27 @@ const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
 const ONE_BITS: u64 = 0x3ff0_0000_0000_0000;
 
 impl Extended {
-    /// Of a finite double; zero has the smallest exponent, so that it never shifts a sum.
-    pub(crate) fn from_double(value: f64) -> Self {
+    /// Zero, with an exponent that never shifts a sum.
+    pub(crate) fn zero() -> Self {
+        Self {
+            digits: DoubleDouble::from(0.0),
+            exponent: i32::MIN / 8,
+        }
+    }
+
+    /// 2^exponent as a double; zero or the greatest power where that has no room.
+    pub(crate) fn power_of_two(exponent: i32) -> f64 {
+        power(exponent)
+    }
+
+    /// The nearest double.
+    pub(crate) fn value(self) -> f64 {
+        shifted(self.digits.value(), self.exponent)
+    }
+}
+
+impl Wide for Extended {
+    fn from_double(value: f64) -> Self {
         if value == 0.0 {
             return Self::zero();
         }
@@ -33,16 +189,7 @@ impl Extended {
         }
     }
 
-    /// Zero, with an exponent that never shifts a sum.
-    pub(crate) fn zero() -> Self {
-        Self {
-            digits: DoubleDouble::from(0.0),
-            exponent: i32::MIN / 8,
-        }
-    }
-
-    /// The difference of two doubles, exactly.
-    pub(crate) fn difference(a: f64, b: f64) -> Self {
+    fn difference(a: f64, b: f64) -> Self {
         let exact = DoubleDouble::difference(a, b);
         let leading = Self::from_double(exact.high());
         Self {
@@ -54,12 +201,11 @@ impl Extended {
         }
     }
 
-    /// 2^exponent as a double; zero or the greatest power where that has no room.
-    pub(crate) fn power_of_two(exponent: i32) -> f64 {
-        power(exponent)
+    fn from_narrow(number: DoubleDouble) -> Self {
+        Self::from(number)
     }
 
-    pub(crate) fn multiply(self, other: Self) -> Self {
+    fn multiply(self, other: Self) -> Self {
         if self.is_zero() || other.is_zero() {
             return Self::zero();
         }
@@ -69,11 +215,7 @@ impl Extended {
         }
     }
 
-    pub(crate) fn square(self) -> Self {
-        self.multiply(self)
-    }
-
-    pub(crate) fn divide(self, other: Self) -> Self {
+    fn divide(self, other: Self) -> Self {
         if self.is_zero() {
             return Self::zero();
         }
@@ -83,7 +225,7 @@ impl Extended {
         }
     }
 
-    pub(crate) fn add(self, other: Self) -> Self {
+    fn add(self, other: Self) -> Self {
         let exponent = self.exponent.max(other.exponent);
         let first = self.digits.scaled(power(self.exponent - exponent));
         let second = other.digits.scaled(power(other.exponent - exponent));
@@ -94,14 +236,11 @@ impl Extended {
         Self { digits, exponent }
     }
 
-    pub(crate) fn subtract(self, other: Self) -> Self {
-        self.add(Self {
-            digits: other.digits.negated(),
-            exponent: other.exponent,
-        })
+    fn subtract(self, other: Self) -> Self {
+        self.add(other.negated())
     }
 
-    pub(crate) fn square_root(self) -> Self {
+    fn square_root(self) -> Self {
         if self.is_zero() {
             return Self::zero();
         }
@@ -112,65 +251,44 @@ impl Extended {
         }
     }
 
-    /// Whether it is greater than `other`; both not negative.
-    pub(crate) fn exceeds(self, other: Self) -> bool {
-        self.subtract(other).digits.high() > 0.0
-    }
-
-    pub(crate) fn magnitude(self) -> Self {
-        if self.digits.high() < 0.0 {
-            self.negated()
-        } else {
-            self
-        }
-    }
-
-    /// Multiplied by 1 or −1.
-    pub(crate) fn signed(self, sign: f64) -> Self {
-        if sign < 0.0 { self.negated() } else { self }
-    }
-
-    pub(crate) fn inverse(self) -> Self {
-        Self::from_double(1.0).divide(self)
-    }
-
-    pub(crate) fn negated(self) -> Self {
+    fn negated(self) -> Self {
         Self {
             digits: self.digits.negated(),
             exponent: self.exponent,
         }
     }
 
-    /// Multiplied by a double.
-    pub(crate) fn times(self, factor: f64) -> Self {
-        self.multiply(Self::from_double(factor))
-    }
-
-    /// The square root as a double.
-    pub(crate) fn nearest_square_root(self) -> f64 {
-        if self.is_zero() {
-            return 0.0;
-        }
-        let odd = self.exponent & 1;
-        let digits = self.digits.value() * f64::from(1 + odd);
-        shifted(digits.sqrt(), (self.exponent - odd) / 2)
-    }
-
-    /// As a double-double; zero or infinite where that has no room.
-    pub(crate) fn narrow(self) -> DoubleDouble {
+    fn narrow(self) -> DoubleDouble {
         DoubleDouble::sum(
             shifted(self.digits.high(), self.exponent),
             shifted(self.digits.low(), self.exponent),
         )
     }
 
-    /// The nearest double.
-    pub(crate) fn value(self) -> f64 {
-        shifted(self.digits.value(), self.exponent)
+    fn root_of_quotient(self, divisor: Self) -> f64 {
+        if self.is_zero() {
+            return 0.0;
+        }
+        let exponent = self.exponent - divisor.exponent;
+        let odd = exponent & 1;
+        let digits = self.digits.value() / divisor.digits.value() * f64::from(1 + odd);
+        shifted(digits.sqrt(), (exponent - odd) / 2)
     }
 
-    pub(crate) fn is_zero(self) -> bool {
-        self.digits.high() == 0.0
+    fn exceeds(self, other: Self) -> bool {
+        self.subtract(other).leading() > 0.0
+    }
+
+    fn leading(self) -> f64 {
+        self.digits.high()
+    }
+
+    fn extended(self) -> Extended {
+        self
+    }
+
+    fn from_extended(number: Extended) -> Self {
+        number
     }
 }
 
@@ -188,7 +306,8 @@ impl From<DoubleDouble> for Extended {
     }
 }
 
-fn exponent_of(power_of_two: f64) -> i32 {
+/// The exponent of a power of two, exactly.
+pub(crate) fn exponent_of(power_of_two: f64) -> i32 {
     // The eleven bits of the exponent fit.
     ((power_of_two.to_bits() >> 52) as i32) - 1023
 }
@@ -325,7 +444,7 @@ pub(crate) const RIGHT_ANGLE: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123_23
 
 #[cfg(test)]
 mod tests {
-    use super::{Extended, angle, logarithm, pair, shifted};
+    use super::{Extended, Wide, angle, logarithm, pair, shifted};
     use crate::double_double::DoubleDouble;
 
     #[test]

@@ -5,7 +5,7 @@
 
 use super::modulus::PI;
 use crate::double_double::DoubleDouble;
-use crate::extended::{Extended, logarithm};
+use crate::extended::{Extended, Wide, logarithm};
 
 /// The moduli on the way down.
 #[derive(Debug, Clone, Copy)]
@@ -26,7 +26,7 @@ pub(crate) struct Landen {
 
 impl Landen {
     /// For the parameter m = k² ≤ 1/2 and the complementary modulus k′, both to 106 bits.
-    pub(crate) fn new(parameter: Extended, complement: DoubleDouble) -> Self {
+    pub(crate) fn new(parameter: impl Wide, complement: DoubleDouble) -> Self {
         let one = DoubleDouble::from(1.0);
         let square = parameter.narrow();
         let sum0 = one.add_alike(complement);
@@ -62,7 +62,7 @@ impl Landen {
             last,
             mean,
             nome_over_square,
-            parameter,
+            parameter: parameter.extended(),
             nome: square.multiply(nome_over_square),
         }
     }

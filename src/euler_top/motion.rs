@@ -2,13 +2,13 @@
 
 use nalgebra::Quaternion;
 
-use super::preparation::{Constants, Start, ascending, decide};
+use super::preparation::{Constants, Start, ascending, decide, ratio};
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::Side;
 use crate::elliptic::landen::right_angle;
 use crate::elliptic::local::{Place, sine_cosine};
 use crate::error::{Error, Result, finite, not_negative};
-use crate::extended::Extended;
+use crate::extended::{Extended, Wide};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 
@@ -126,15 +126,14 @@ impl EulerTop {
             finite(start.name(), component)?;
         }
         refuse_impossible_rod(moments, &start)?;
-        let exact = start.angular_momentum(moments);
-        let l = exact.map(Extended::value);
-        for component in l.into_iter().chain(omega_of(moments, &exact)) {
+        let (l, omega) = start.both(moments);
+        for component in l.into_iter().chain(omega) {
             finite("a component of angular velocity or momentum", component)?;
         }
         finite("the size of the angular momentum", vector(l).norm())?;
         let (regime, constants) = decide(moments, start);
         let motion = match constants {
-            None => steady(moments, &exact),
+            None => steady(moments, &start.angular_momentum(moments)),
             Some(constants) => {
                 let largest = constants
                     .rate
@@ -436,19 +435,7 @@ fn vector([x, y, z]: [f64; 3]) -> BodyVector {
     BodyVector::new(x, y, z)
 }
 
-/// L_i/I_i; zero along an axis whose moment is zero.
-#[inline]
-fn ratio(l: [f64; 3], moments: [f64; 3]) -> [f64; 3] {
-    core::array::from_fn(|k| {
-        if moments[k] == 0.0 {
-            0.0
-        } else {
-            l[k] / moments[k]
-        }
-    })
-}
-
-/// The same before rounding.
+/// L_i/I_i before rounding; zero along an axis whose moment is zero.
 fn omega_of(moments: [f64; 3], l: &[Extended; 3]) -> [f64; 3] {
     core::array::from_fn(|k| {
         if moments[k] == 0.0 {

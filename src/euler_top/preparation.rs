@@ -2,10 +2,10 @@
 
 use super::motion::Regime;
 use super::turning::{Elevation, Turning, Which};
-use crate::double_double::DoubleDouble;
+use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::landen::Landen;
 use crate::elliptic::{Modulus, Parameter, Side};
-use crate::extended::{Extended, logarithm};
+use crate::extended::{Extended, Wide, exponent_of, logarithm, shifted};
 
 /// How a motion starts: the components along the body's axes of what was given, exact as they stand.
 #[derive(Debug, Clone, Copy)]
@@ -33,14 +33,48 @@ impl Start {
     }
 
     /// L, to 106 bits: the product of a moment and an angular velocity is not rounded.
-    pub(super) fn angular_momentum(self, moments: [f64; 3]) -> [Extended; 3] {
+    pub(super) fn angular_momentum<N: Wide>(self, moments: [f64; 3]) -> [N; 3] {
         match self {
-            Self::AngularMomentum(l) => l.map(Extended::from_double),
-            Self::Omega(omega) => {
-                core::array::from_fn(|k| Extended::from_double(omega[k]).times(moments[k]))
+            Self::AngularMomentum([x, y, z]) => {
+                [N::from_double(x), N::from_double(y), N::from_double(z)]
+            }
+            Self::Omega([x, y, z]) => [
+                N::from_double(x).times(moments[0]),
+                N::from_double(y).times(moments[1]),
+                N::from_double(z).times(moments[2]),
+            ],
+        }
+    }
+
+    /// L and Ω as doubles.
+    pub(super) fn both(self, moments: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+        match self {
+            Self::AngularMomentum(l) => (l, ratio(l, moments)),
+            Self::Omega([x, y, z]) => {
+                let l = [moments[0] * x, moments[1] * y, moments[2] * z];
+                (l, [x, y, z])
             }
         }
     }
+
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        match self {
+            Self::AngularMomentum(l) => Self::AngularMomentum(l.map(f)),
+            Self::Omega(omega) => Self::Omega(omega.map(f)),
+        }
+    }
+}
+
+/// L_i/I_i; zero along an axis whose moment is zero.
+#[inline]
+pub(super) fn ratio(l: [f64; 3], moments: [f64; 3]) -> [f64; 3] {
+    core::array::from_fn(|k| {
+        if moments[k] == 0.0 {
+            0.0
+        } else {
+            l[k] / moments[k]
+        }
+    })
 }
 
 /// A body's axes, renumbered and turned over so that axis 3 has the component that keeps its sign and components 1 and 3
@@ -96,13 +130,31 @@ pub(super) struct Constants {
     pub(super) turning_rate: DoubleDouble,
 }
 
+impl Constants {
+    /// From a motion whose unit of L was `momentum` and whose unit of rates 2^`exponent`.
+    fn in_units(mut self, (momentum, exponent): (f64, i32)) -> Self {
+        let scaled = |x: DoubleDouble| {
+            DoubleDouble::sum(shifted(x.high(), exponent), shifted(x.low(), exponent))
+        };
+        self.rate = scaled(self.rate);
+        self.turning_rate = scaled(self.turning_rate);
+        self.amplitudes = self.amplitudes.map(|amplitude| amplitude * momentum);
+        self
+    }
+}
+
+/// The power of two next below the largest of them.
+fn unit(values: [f64; 3]) -> f64 {
+    power_of_two_below(values.iter().fold(0.0, |largest, x| x.abs().max(largest)))
+}
+
 /// 1/I_i − 1/I_j all multiplied by I₁I₂I₃, from exact differences: c₁ = I₁(I₃ − I₂), c₂ = I₂(I₃ − I₁), c₃ = I₃(I₂ − I₁),
 /// for ascending moments.
-fn differences(i: [f64; 3]) -> [Extended; 3] {
+fn differences<N: Wide>(i: [f64; 3]) -> [N; 3] {
     [
-        Extended::difference(i[2], i[1]).times(i[0]),
-        Extended::difference(i[2], i[0]).times(i[1]),
-        Extended::difference(i[1], i[0]).times(i[2]),
+        N::difference(i[2], i[1]).times(i[0]),
+        N::difference(i[2], i[0]).times(i[1]),
+        N::difference(i[1], i[0]).times(i[2]),
     ]
 }
 
@@ -117,7 +169,26 @@ pub(super) fn ascending(moments: [f64; 3]) -> [usize; 3] {
 ///
 /// Returns the constants too if Ω moves.
 pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constants>) {
-    let l = start.angular_momentum(moments);
+    // Powers of two are taken off without rounding; then no square overflows or underflows, unless the numbers are far apart.
+    let (unit_of_moments, unit) = (unit(moments), unit(start.components()));
+    let near = |x: f64, unit: f64| x == 0.0 || x.abs() > unit * 2f64.powi(-200);
+    let tame = moments.iter().all(|x| near(*x, unit_of_moments))
+        && start.components().iter().all(|x| near(*x, unit));
+    if !tame {
+        return decide_with::<Extended>(moments, start);
+    }
+    let scaled = start.map(|x| x / unit);
+    let (regime, constants) =
+        decide_with::<DoubleDouble>(moments.map(|i| i / unit_of_moments), scaled);
+    let units = match start {
+        Start::AngularMomentum(_) => (unit, exponent_of(unit) - exponent_of(unit_of_moments)),
+        Start::Omega(_) => (unit * unit_of_moments, exponent_of(unit)),
+    };
+    (regime, constants.map(|constants| constants.in_units(units)))
+}
+
+fn decide_with<N: Wide>(moments: [f64; 3], start: Start) -> (Regime, Option<Constants>) {
+    let l: [N; 3] = start.angular_momentum(moments);
     if l.iter().all(|component| component.is_zero()) {
         return (Regime::AtRest, None);
     }
@@ -136,7 +207,7 @@ pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constan
     }
     let c = differences(i);
     let separation = separation(i, order, start, &l, &c);
-    let sign = separation.digits.high();
+    let sign = separation.leading();
     let (axis, regime) = if sign < 0.0 {
         ([order[2], order[1], order[0]], Regime::AroundSmallest)
     } else if sign > 0.0 {
@@ -163,13 +234,7 @@ pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constan
 }
 
 /// (L² − 2EI₂) I₁I₃ = c₁ L₃² − c₃ L₁²: its sign decides about which axis L goes, its size how close the separatrix is.
-fn separation(
-    i: [f64; 3],
-    order: [usize; 3],
-    start: Start,
-    l: &[Extended; 3],
-    c: &[Extended; 3],
-) -> Extended {
+fn separation<N: Wide>(i: [f64; 3], order: [usize; 3], start: Start, l: &[N; 3], c: &[N; 3]) -> N {
     let third = c[0].multiply(l[order[2]].square());
     let first = c[2].multiply(l[order[0]].square());
     let difference = third.subtract(first);
@@ -179,14 +244,14 @@ fn separation(
     }
     // More than ten of the 106 bits have cancelled; from the exact products none is lost.
     let x = order.map(|k| start.components()[k]);
-    match start {
+    N::from_extended(match start {
         Start::AngularMomentum(_) => {
             exact_difference([i[0], i[2], i[1], x[2]], [i[2], i[1], i[0], x[0]])
         }
         Start::Omega(_) => exact_difference([i[2], i[2], i[1], x[2]], [i[0], i[1], i[0], x[0]])
             .times(i[0])
             .times(i[2]),
-    }
+    })
 }
 
 /// a (b − c) d² for the first four less the same for the second four, to 106 bits whatever cancels.
@@ -239,16 +304,20 @@ fn expansion([a, b, c, d]: [f64; 4]) -> ([f64; 16], i32) {
 }
 
 /// The constants along renumbered axes; `sense` is the sign of du/dt.
-fn constants(
+fn constants<N: Wide>(
     axes: Renumbering,
     i: [f64; 3],
-    l: [Extended; 3],
-    c: [Extended; 3],
-    distance: Extended,
+    l: [N; 3],
+    c: [N; 3],
+    distance: N,
     sense: f64,
 ) -> Constants {
-    let l: [Extended; 3] = core::array::from_fn(|k| l[k].signed(axes.sign[k]));
-    let squares = l.map(Extended::square);
+    let l = [
+        l[0].signed(axes.sign[0]),
+        l[1].signed(axes.sign[1]),
+        l[2].signed(axes.sign[2]),
+    ];
+    let squares = [l[0].square(), l[1].square(), l[2].square()];
     // Sums of terms of one sign stand in for L² − 2EI and 2EI − L².
     let steady = c[2].multiply(squares[1]).add(c[1].multiply(squares[2]));
     let wobble = c[1].multiply(squares[0]).add(c[0].multiply(squares[1]));
@@ -256,11 +325,9 @@ fn constants(
     let frequency = c[0].multiply(steady);
     let m = c[2].multiply(wobble).divide(frequency);
     let mc = c[1].multiply(distance).divide(frequency);
-    let volume = Extended::from_double(i[0]).times(i[1]).times(i[2]);
+    let volume = N::from_double(i[0]).times(i[1]).times(i[2]);
     let lambda = frequency.square_root().divide(volume);
-    let base = size_squared
-        .square_root()
-        .divide(Extended::from_double(i[1]));
+    let base = size_squared.square_root().divide(N::from_double(i[1]));
 
     let side = if m.exceeds(mc) {
         Side::Hyperbolic
@@ -272,32 +339,28 @@ fn constants(
         Side::Hyperbolic => (mc, m),
     };
     let landen = Landen::new(lesser, greater.narrow().square_root());
-    let k_prime = mc.nearest_square_root();
+    let one = N::from_double(1.0);
+    let k_prime = mc.root_of_quotient(one);
     let parameter = Parameter::from_both(m.narrow(), mc.narrow());
     let modulus = Modulus::from_landen(side, parameter, k_prime, &landen);
-    let aspect = c[0].divide(c[1]).nearest_square_root();
+    let aspect = c[0].root_of_quotient(c[1]);
     let elevation = elevation(steady, wobble, size_squared, &c);
     let turning = match side {
         Side::Circular => Turning::circular(&landen, &elevation, m, aspect),
         Side::Hyperbolic => Turning::hyperbolic(&landen, &elevation, mc, aspect),
     };
     let amplitudes = [
-        wobble.divide(c[1]).nearest_square_root(),
-        wobble.divide(c[0]).nearest_square_root(),
-        steady.divide(c[1]).nearest_square_root(),
+        wobble.root_of_quotient(c[1]),
+        wobble.root_of_quotient(c[0]),
+        steady.root_of_quotient(c[1]),
     ];
-    let phase = [
-        squares[0].multiply(c[1]).divide(wobble),
-        squares[1].multiply(c[0]).divide(wobble),
-        squares[2].multiply(c[1]).divide(steady),
-    ];
-    let start = start(phase, mc, &modulus, &landen);
+    let start = start(&squares, &c, wobble, steady, mc, &modulus, &landen);
     let rate = lambda.signed(sense);
-    let excess = rate.multiply(Extended::from(turning.excess));
+    let excess = rate.multiply(N::from_narrow(turning.excess));
     Constants {
         axes,
         modulus,
-        start: if l[1].digits.high() < 0.0 {
+        start: if l[1].leading() < 0.0 {
             start.negated()
         } else {
             start
@@ -305,17 +368,12 @@ fn constants(
         rate: rate.narrow(),
         amplitudes,
         turning,
-        turning_rate: base.add(excess).narrow(),
+        turning_rate: base.subtract(excess.negated()).narrow(),
     }
 }
 
 /// η or ξ, whichever is the smaller: sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
-fn elevation(
-    steady: Extended,
-    wobble: Extended,
-    size_squared: Extended,
-    c: &[Extended; 3],
-) -> Elevation {
+fn elevation<N: Wide>(steady: N, wobble: N, size_squared: N, c: &[N; 3]) -> Elevation<N> {
     if c[0].multiply(wobble).exceeds(c[2].multiply(steady)) {
         Elevation {
             which: Which::Eta,
@@ -333,35 +391,46 @@ fn elevation(
     }
 }
 
-/// |u| at time 0, from (cn², sn², dn²) there: between 0 and K.
-fn start(
-    [cn2, sn2, dn2]: [Extended; 3],
-    mc: Extended,
+/// |u| at time 0, between 0 and K, from cn² = L₁²c₂/wobble, sn² = L₂²c₁/wobble and dn² = L₃²c₂/steady there.
+fn start<N: Wide>(
+    squares: &[N; 3],
+    c: &[N; 3],
+    wobble: N,
+    steady: N,
+    mc: N,
     modulus: &Modulus,
     landen: &Landen,
 ) -> DoubleDouble {
-    // Beyond the middle of the quarter period count from its end: cn²/dn² and mc/dn² are the squares of sn and dn there.
+    let (cn2, sn2) = (squares[0].multiply(c[1]), squares[1].multiply(c[0]));
+    let dn2 = squares[2].multiply(c[1]);
+    // Beyond the middle of the quarter period, where mc sn⁴ > cn⁴, count from its end: there sn is cn/dn and dn is k′/dn.
     let from_end = mc.multiply(sn2.square()).exceeds(cn2.square());
     let rest = match modulus.side() {
         Side::Circular => {
-            let (s2, d2) = if from_end {
-                (cn2.divide(dn2), mc.divide(dn2))
+            let [s, d] = if from_end {
+                [
+                    cn2.multiply(steady).root_of_quotient(dn2.multiply(wobble)),
+                    mc.multiply(steady).root_of_quotient(dn2),
+                ]
             } else {
-                (sn2, dn2)
+                [sn2.root_of_quotient(wobble), dn2.root_of_quotient(steady)]
             };
-            let sine = landen.nearest_sine(s2.nearest_square_root(), d2.nearest_square_root(), 1.0);
-            DoubleDouble::from(sine.asin())
+            DoubleDouble::from(landen.nearest_sine(s, d, 1.0).asin())
         }
         Side::Hyperbolic => {
-            let (s2, d2) = if from_end {
-                (cn2.divide(mc.multiply(sn2)), sn2.inverse())
+            let [s, d] = if from_end {
+                [
+                    cn2.root_of_quotient(mc.multiply(sn2)),
+                    wobble.root_of_quotient(sn2),
+                ]
             } else {
-                (sn2.divide(cn2), dn2.divide(cn2))
+                [
+                    sn2.root_of_quotient(cn2),
+                    dn2.multiply(wobble).root_of_quotient(cn2.multiply(steady)),
+                ]
             };
-            let sinh =
-                landen.nearest_sine(s2.nearest_square_root(), d2.nearest_square_root(), -1.0);
-            let exponential = sinh + sinh.hypot(1.0);
-            logarithm(Extended::from_double(exponential))
+            let sinh = landen.nearest_sine(s, d, -1.0);
+            logarithm(Extended::from_double(sinh + sinh.hypot(1.0)))
         }
     }
     .divide(landen.mean);

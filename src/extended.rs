@@ -2,6 +2,7 @@
 //! top need so that no tilt underflows and no phase loses digits.
 
 use crate::double_double::{DoubleDouble, power_of_two_below};
+use crate::elliptic;
 
 /// A number of 106 bits: [`DoubleDouble`] where no square overflows or underflows, [`Extended`] elsewhere.
 pub(crate) trait Wide: Copy {
@@ -339,29 +340,6 @@ pub(crate) fn shifted(value: f64, exponent: i32) -> f64 {
     result
 }
 
-const LN_2: [f64; 2] = [core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17];
-
-/// ln(j/16) for j = 16…32, twice the precision.
-const LOGARITHMS: [[f64; 2]; 17] = [
-    [0.0, 0.0],
-    [0.060_624_621_816_434_84, 2.642_402_593_872_693_4e-18],
-    [0.117_783_035_656_383_46, -1.197_168_574_759_367_7e-18],
-    [0.171_850_256_926_659_23, -6.022_453_821_011_37e-18],
-    [0.223_143_551_314_209_76, -9.091_270_597_324_799e-18],
-    [0.271_933_715_483_641_76, 7.833_196_376_974_42e-19],
-    [0.318_453_731_118_534_6, 2.711_477_936_732_623_6e-17],
-    [0.362_905_493_689_368_5, -2.149_223_546_153_109_7e-17],
-    [0.405_465_108_108_164_4, -2.881_138_025_962_642_6e-18],
-    [0.446_287_102_628_419_53, -1.818_254_119_464_959_8e-17],
-    [0.485_507_815_781_700_8, -1.661_835_069_385_204_8e-17],
-    [0.523_248_143_764_547_9, -3.183_388_221_635_092_5e-17],
-    [0.559_615_787_935_422_7, 2.685_492_580_212_308e-17],
-    [0.594_707_107_746_692_8, 1.375_168_996_432_367_5e-17],
-    [0.628_608_659_422_374_1, 4.353_874_260_797_038_7e-17],
-    [0.661_398_482_245_365, -7.603_333_785_634_003e-18],
-    LN_2,
-];
-
 /// arctan(j/16) for j = 0…16, twice the precision.
 const ARCTANGENTS: [[f64; 2]; 17] = [
     [0.0, 0.0],
@@ -387,29 +365,9 @@ fn pair([high, low]: [f64; 2]) -> DoubleDouble {
     DoubleDouble::sum(high, low)
 }
 
-/// ln of a positive number, to about 2⁻⁸⁰ of 1.
-///
-/// Power of two, then the nearest sixteenth, then 2 artanh((x − c)/(x + c)) of at most 1/64.
+/// ln of a positive number, to about 2⁻¹⁰⁰ of 1 or of the result.
 pub(crate) fn logarithm(number: Extended) -> DoubleDouble {
-    let leading = number.digits.high();
-    let unit = power_of_two_below(leading);
-    let x = number.digits.scaled(1.0 / unit);
-    let exponent = f64::from(number.exponent + exponent_of(unit));
-    let index = (x.high() * 16.0).round().clamp(16.0, 32.0);
-    let center = DoubleDouble::from(index / 16.0);
-    let s = x.subtract(center).divide(x.add(center));
-    let square = s.multiply(s);
-    let y = square.value();
-    // Terms beyond the second are below 2⁻²⁶ of the first: a double will do.
-    let tail = y * y * (0.2 + y * (1.0 / 7.0 + y * (1.0 / 9.0 + y / 11.0)));
-    let series = square
-        .divide(DoubleDouble::from(3.0))
-        .add(DoubleDouble::from(1.0))
-        .add(DoubleDouble::from(tail));
-    s.multiply(series)
-        .scaled(2.0)
-        .add(pair(LOGARITHMS[index as usize - 16]))
-        .add(pair(LN_2).multiply(DoubleDouble::from(exponent)))
+    elliptic::logarithm(number.digits, number.exponent)
 }
 
 /// The angle of the point (cosine, sine), both not negative and not both zero, to about 2⁻⁸⁰ of 1.

@@ -248,15 +248,21 @@ fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) ->
         q2.multiply(rho.multiply(rho)),
         q2.multiply(down1.multiply(down1)),
     );
-    // The third and fourth are below 10⁻⁸ and 10⁻¹⁶ of the first.
+    let up3 = up2.multiply(up1).multiply(q2.multiply(q2));
+    let down3 = down2.multiply(down1).multiply(q2.multiply(q2));
     let (x, r, e) = (q.high(), rho.high(), epsilon.high());
-    let (r3, x3) = (r * r * r, x * x * x);
-    let (up3, down3) = (x3 * x3 * r3, x3 * x3 * x3 * e * e * e);
-    let up4 = up3 * x3 * x3 * r;
-    let half = DoubleDouble::from(3.0 * (up3 - down3) + 4.0 * up4)
+    let x3 = x * x * x;
+    let up4 = up3.high() * x3 * x3 * r;
+    let down4 = down3.high() * x3 * x3 * x * e;
+    let half = DoubleDouble::from(4.0 * (up4 - down4))
+        .add_alike(
+            up3.add_alike(down3.negated())
+                .multiply(DoubleDouble::from(3.0)),
+        )
         .add_alike(up2.add_alike(down2.negated()).scaled(2.0))
         .add_alike(up1.add_alike(down1.negated()));
-    let denominator = DoubleDouble::from(up3 + down3 + up4)
+    let denominator = DoubleDouble::from(up4 + down4)
+        .add_alike(up3.add_alike(down3))
         .add_alike(up2.add_alike(down2))
         .add_alike(up1.add_alike(down1))
         .add_alike(DoubleDouble::from(1.0));

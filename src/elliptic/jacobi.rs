@@ -255,12 +255,26 @@ pub(super) struct Circular {
 #[inline(always)]
 pub(super) fn circular(series: &Series, bits: u64, high: f64, low: f64) -> Circular {
     let (sine, cosine) = kernel::sine_cosine(high, low);
+    let (s, c) = in_quadrant(bits, sine, cosine);
+    circular_at(series, s, c)
+}
+
+/// Sine and cosine after as many right angles as the lowest bits say.
+#[inline(always)]
+pub(super) fn in_quadrant(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
     let odd = (bits & 1).wrapping_neg();
     let s = kernel::select(odd, cosine, sine);
     let c = kernel::select(odd, sine, cosine);
     // Quadrants 2 and 3 turn the sign of the sine, 1 and 2 that of the cosine.
-    let s = f64::from_bits(s.to_bits() ^ ((bits & 2) << 62));
-    let c = f64::from_bits(c.to_bits() ^ (((bits ^ (bits << 1)) & 2) << 62));
+    (
+        f64::from_bits(s.to_bits() ^ ((bits & 2) << 62)),
+        f64::from_bits(c.to_bits() ^ (((bits ^ (bits << 1)) & 2) << 62)),
+    )
+}
+
+/// The functions from the sine and the cosine of v.
+#[inline(always)]
+pub(super) fn circular_at(series: &Series, s: f64, c: f64) -> Circular {
     let set = &series.even;
     let (s2, c2) = (s * s, c * c);
     let inverse = 1.0 / kernel::polynomial(&set.denominator, s2);
@@ -293,22 +307,51 @@ pub(super) fn hyperbolic(
     high: f64,
     low: f64,
 ) -> Hyperbolic {
+    hyperbolic_at(series, set, bits, &Crest::new(series, high, low))
+}
+
+/// sinh and cosh of |v|, the sign of v as a bit, and z = 4 √q′ sinh² v.
+pub(crate) struct Crest {
+    pub(crate) sign: u64,
+    pub(crate) wave: Wave,
+    pub(crate) z: f64,
+}
+
+impl Crest {
+    #[inline(always)]
+    pub(super) fn new(series: &Series, high: f64, low: f64) -> Self {
+        let sign = high.to_bits() & (1 << 63);
+        let (high, low) = (high.abs(), f64::from_bits(low.to_bits() ^ sign));
+        let wave = Wave::new(high, low);
+        let root = kernel::lesser(series.root * wave.growth * wave.sine, 2.0);
+        Self {
+            sign,
+            wave,
+            z: root * root,
+        }
+    }
+}
+
+/// The functions from the hyperbolic functions of v.
+#[inline(always)]
+pub(super) fn hyperbolic_at(
+    series: &Series,
+    set: &Corrections,
+    bits: u64,
+    crest: &Crest,
+) -> Hyperbolic {
     let odd = (bits & 1).wrapping_neg();
-    let sign = high.to_bits() & (1 << 63);
-    let (high, low) = (high.abs(), f64::from_bits(low.to_bits() ^ sign));
-    let wave = Wave::new(high, low);
-    let z = kernel::lesser(series.root * wave.growth * wave.sine, 2.0);
-    let z = z * z;
-    let inverse = 1.0 / kernel::polynomial(&set.denominator, z);
+    let Crest { sign, wave, z } = crest;
+    let inverse = 1.0 / kernel::polynomial(&set.denominator, *z);
     let upper = series.complementary_modulus * wave.growth;
     let below = 1.0 / wave.cosine;
     let sech = wave.decay(below);
     let s = kernel::select(odd, 1.0, wave.sine / wave.cosine);
     let c = kernel::select(odd, upper * wave.sine, sech);
     let d = kernel::select(odd, upper * wave.cosine, sech);
-    let sn = s + s * (kernel::polynomial(&set.sn, z) * inverse);
-    let cn = c + c * (kernel::polynomial(&set.cn, z) * inverse);
-    let dn = d + d * (kernel::polynomial(&set.dn, z) * inverse);
+    let sn = s + s * (kernel::polynomial(&set.sn, *z) * inverse);
+    let cn = c + c * (kernel::polynomial(&set.cn, *z) * inverse);
+    let dn = d + d * (kernel::polynomial(&set.dn, *z) * inverse);
     // Near even multiples sn is odd in v, near odd ones cn is, with the other sign.
     let half = (bits & 2) << 62;
     let sn_sign = half ^ (sign & !odd);

@@ -14,7 +14,7 @@
 
 use crate::double_double::DoubleDouble;
 use crate::elliptic::landen::{Landen, right_angle};
-use crate::elliptic::local::{Local, Place};
+use crate::elliptic::local::{Crest, Local, Place};
 use crate::extended::{Wide, angle};
 
 /// Everything about ψ that does not depend on time.
@@ -216,9 +216,10 @@ impl Turning {
                     odd_real,
                     odd_imaginary,
                 },
-                Local::Hyperbolic { sign, wave, z },
+                Local::Hyperbolic(Crest { sign, wave, z }),
             ) => {
                 let (sine, cosine) = (wave.sine, wave.cosine);
+                let sign = 1.0_f64.copysign(f64::from_bits(*sign));
                 if (place.quarters as i64) & 1 == 0 {
                     (
                         cosine * polynomial(even_real, *z),

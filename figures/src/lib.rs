@@ -121,6 +121,11 @@ pub fn all() -> &'static [Entry] {
             draw: euler_top::solution,
         },
         Entry {
+            name: "toutatis",
+            chapter: "euler-top",
+            draw: euler_top::two_axes_in_the_sky,
+        },
+        Entry {
             name: "gas-box",
             chapter: "pythagoras",
             draw: pythagoras::gas_box,

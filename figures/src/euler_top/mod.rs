@@ -1,6 +1,7 @@
 //! Euler's top (tutorial 6): the rolling ellipsoid, the polhodes, the racket, and the wandering pole.
 
 mod animated;
+mod asteroid;
 mod film;
 mod flip_time;
 mod poinsot;
@@ -10,6 +11,7 @@ mod solution;
 mod wobble;
 
 pub use animated::animated;
+pub use asteroid::two_axes_in_the_sky;
 pub use film::film;
 pub use flip_time::flip_time;
 pub use poinsot::rolling_ellipsoid;

@@ -76,7 +76,14 @@ impl Turning {
         // sc² and dc² = 1 + m sc².
         let sc2 = elevation.rise.divide(elevation.run);
         let dc2 = one.add_alike(m.multiply(sc2).narrow());
-        let sinh = landen.hyperbolic_sine(sc2.square_root().narrow(), dc2.square_root());
+        let sc = sc2.square_root().narrow();
+        // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
+        let sc = if sc.high() > 1e150 {
+            DoubleDouble::from(1e150)
+        } else {
+            sc
+        };
+        let sinh = landen.hyperbolic_sine(sc, dc2.square_root());
         let exponential = sinh.add_alike(sinh.hypotenuse_with_one());
         let inverse = one.divide(exponential);
         let decay = inverse.multiply(inverse);

@@ -58,6 +58,7 @@ mod modulus;
 mod parameter;
 mod quarter;
 mod series;
+pub(crate) mod theta;
 mod third;
 
 pub use complete::{complete_b, complete_d, complete_first, complete_second};

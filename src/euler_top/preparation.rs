@@ -1,9 +1,10 @@
 //! From moments and angular momentum to the constants of the motion, in 106 bits and without a cancellation (tutorial 6.6).
 
 use super::motion::Regime;
-use super::turning::{Elevation, Turning, Which};
+use super::turning::Turning;
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::landen::Landen;
+use crate::elliptic::theta::{Elevation, Which};
 use crate::elliptic::{Modulus, Parameter, Side};
 use crate::extended::{Extended, Wide, exponent_of, logarithm, shifted};
 

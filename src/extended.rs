@@ -3,15 +3,19 @@
 
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic;
+use crate::words::Words;
 
-/// A number of 106 bits: [`DoubleDouble`] where no square overflows or underflows, [`Extended`] elsewhere.
-pub(crate) trait Wide: Copy {
+/// What the constants of an exact motion are formed in: [`DoubleDouble`] where no square overflows or underflows, [`Extended`]
+/// elsewhere, a double where one word will do.
+pub(crate) trait Scalar: Copy {
+    /// The same without an exponent of its own.
+    type Narrow: Words;
     /// Of a finite double.
     fn from_double(value: f64) -> Self;
     /// The difference of two doubles, exactly.
     fn difference(a: f64, b: f64) -> Self;
     /// Of a number that is normal or zero.
-    fn from_narrow(number: DoubleDouble) -> Self;
+    fn from_narrow(number: Self::Narrow) -> Self;
     fn multiply(self, other: Self) -> Self;
     fn divide(self, other: Self) -> Self;
     /// The sum of two terms that do not cancel.
@@ -19,15 +23,16 @@ pub(crate) trait Wide: Copy {
     fn subtract(self, other: Self) -> Self;
     fn square_root(self) -> Self;
     fn negated(self) -> Self;
-    /// As a double-double; zero or infinite where that has no room.
-    fn narrow(self) -> DoubleDouble;
+    /// Without the exponent; zero or infinite where that has no room.
+    fn narrow(self) -> Self::Narrow;
     /// The square root of the quotient, as a double.
     fn root_of_quotient(self, divisor: Self) -> f64;
     /// Whether it is greater than `other`; both not negative.
     fn exceeds(self, other: Self) -> bool;
     /// The leading digits: zero if and only if the number is.
     fn leading(self) -> f64;
-    fn extended(self) -> Extended;
+    /// The natural logarithm of a positive number.
+    fn logarithm(self) -> Self::Narrow;
     fn from_extended(number: Extended) -> Self;
 
     fn is_zero(self) -> bool {
@@ -53,7 +58,9 @@ pub(crate) trait Wide: Copy {
     }
 }
 
-impl Wide for DoubleDouble {
+impl Scalar for DoubleDouble {
+    type Narrow = Self;
+
     #[inline]
     fn from_double(value: f64) -> Self {
         Self::from(value)
@@ -132,8 +139,8 @@ impl Wide for DoubleDouble {
         self.high()
     }
 
-    fn extended(self) -> Extended {
-        Extended::from(self)
+    fn logarithm(self) -> Self {
+        elliptic::logarithm(self, 0)
     }
 
     fn from_extended(number: Extended) -> Self {
@@ -171,7 +178,90 @@ impl Extended {
     }
 }
 
-impl Wide for Extended {
+impl Scalar for f64 {
+    type Narrow = Self;
+
+    #[inline]
+    fn from_double(value: f64) -> Self {
+        value
+    }
+
+    #[inline]
+    fn difference(a: f64, b: f64) -> Self {
+        a - b
+    }
+
+    #[inline]
+    fn from_narrow(number: f64) -> Self {
+        number
+    }
+
+    #[inline]
+    fn multiply(self, other: Self) -> Self {
+        self * other
+    }
+
+    #[inline]
+    fn divide(self, other: Self) -> Self {
+        if self == 0.0 { self } else { self / other }
+    }
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        self + other
+    }
+
+    #[inline]
+    fn subtract(self, other: Self) -> Self {
+        self - other
+    }
+
+    #[inline]
+    fn square_root(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline]
+    fn negated(self) -> Self {
+        -self
+    }
+
+    #[inline]
+    fn narrow(self) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn root_of_quotient(self, divisor: Self) -> f64 {
+        if self == 0.0 {
+            0.0
+        } else {
+            (self / divisor).sqrt()
+        }
+    }
+
+    #[inline]
+    fn exceeds(self, other: Self) -> bool {
+        self > other
+    }
+
+    #[inline]
+    fn leading(self) -> f64 {
+        self
+    }
+
+    fn logarithm(self) -> f64 {
+        self.ln()
+    }
+
+    fn from_extended(number: Extended) -> Self {
+        number.value()
+    }
+}
+
+impl Scalar for Extended {
+    type Narrow = DoubleDouble;
+
     fn from_double(value: f64) -> Self {
         if value == 0.0 {
             return Self::zero();
@@ -284,8 +374,8 @@ impl Wide for Extended {
         self.digits.high()
     }
 
-    fn extended(self) -> Extended {
-        self
+    fn logarithm(self) -> DoubleDouble {
+        elliptic::logarithm(self.digits, self.exponent)
     }
 
     fn from_extended(number: Extended) -> Self {
@@ -365,11 +455,6 @@ fn pair([high, low]: [f64; 2]) -> DoubleDouble {
     DoubleDouble::sum(high, low)
 }
 
-/// ln of a positive number, to about 2⁻¹⁰⁰ of 1 or of the result.
-pub(crate) fn logarithm(number: Extended) -> DoubleDouble {
-    elliptic::logarithm(number.digits, number.exponent)
-}
-
 /// The angle of the point (cosine, sine), both not negative and not both zero, to about 2⁻⁸⁰ of 1.
 pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
     let steep = sine.high() > cosine.high();
@@ -402,7 +487,7 @@ pub(crate) const RIGHT_ANGLE: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123_23
 
 #[cfg(test)]
 mod tests {
-    use super::{Extended, Wide, angle, logarithm, pair, shifted};
+    use super::{Extended, Scalar, angle, pair, shifted};
     use crate::double_double::DoubleDouble;
 
     #[test]
@@ -411,9 +496,11 @@ mod tests {
         while x < 1e300 {
             let third = Extended::from_double(x);
             let cube = third.multiply(third).multiply(third);
-            let rest = logarithm(cube).subtract(logarithm(third).multiply(DoubleDouble::from(3.0)));
+            let rest = cube
+                .logarithm()
+                .subtract(third.logarithm().multiply(DoubleDouble::from(3.0)));
             assert!(rest.value().abs() < 1e-21, "{x}: {rest:?}");
-            assert!((logarithm(third).value() - x.ln()).abs() < 2e-16 * (1.0 + x.ln()));
+            assert!((third.logarithm().value() - x.ln()).abs() < 2e-16 * (1.0 + x.ln()));
             x *= 1.093;
         }
     }

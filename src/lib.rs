@@ -37,6 +37,7 @@ pub mod pythagoras;
 pub mod rolling;
 pub mod rotating_fluid;
 pub mod superball;
+mod words;
 
 pub use error::{Error, Result};
 

@@ -1,5 +1,5 @@
-//! Numbers with 106 bits and an exponent of their own, and two functions in 106 bits: what the constants of a free
-//! top need so that no tilt underflows and no phase loses digits.
+//! Numbers with 106 bits and an exponent of their own, so that no tilt underflows and no phase loses digits; what they
+//! share with plainer numbers; and the arctangent in 106 bits.
 
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic;

@@ -1,4 +1,4 @@
-//! Gauss's transformation in 106 bits: from a parameter of at most 1/2 to parameter 0 in three steps and a remainder.
+//! Gauss's transformation in one word or two: from a parameter of at most 1/2 to parameter 0 in three steps and a remainder.
 //!
 //! Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) stays.
 //! At the end K is π/2 and sn z is sin z. The mean of 1 and k′, the nome and the functions of z all come from the same steps.
@@ -26,7 +26,7 @@ pub(crate) struct Landen<N: Scalar> {
 }
 
 impl<N: Scalar> Landen<N> {
-    /// For the parameter m = k² ≤ 1/2 and the complementary modulus k′, both to 106 bits.
+    /// For the parameter m = k² ≤ 1/2 and the complementary modulus k′, both to all the digits of their kind.
     pub(crate) fn new(parameter: N, complement: N::Narrow) -> Self {
         let one = N::Narrow::from_double(1.0);
         let square = parameter.narrow();

@@ -3,41 +3,26 @@
 
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic;
-use crate::words::Words;
+use crate::words::{Arithmetic, Words};
 
 /// What the constants of an exact motion are formed in: [`DoubleDouble`] where no square overflows or underflows, [`Extended`]
 /// elsewhere, a double where one word will do.
-pub(crate) trait Scalar: Copy {
+pub(crate) trait Scalar: Arithmetic {
     /// The same without an exponent of its own.
     type Narrow: Words;
-    /// Of a finite double.
-    fn from_double(value: f64) -> Self;
     /// The difference of two doubles, exactly.
     fn difference(a: f64, b: f64) -> Self;
     /// Of a number that is normal or zero.
     fn from_narrow(number: Self::Narrow) -> Self;
-    fn multiply(self, other: Self) -> Self;
-    fn divide(self, other: Self) -> Self;
-    /// The sum of two terms that do not cancel.
-    fn add(self, other: Self) -> Self;
-    fn subtract(self, other: Self) -> Self;
-    fn square_root(self) -> Self;
-    fn negated(self) -> Self;
     /// Without the exponent; zero or infinite where that has no room.
     fn narrow(self) -> Self::Narrow;
     /// The square root of the quotient, as a double.
     fn root_of_quotient(self, divisor: Self) -> f64;
     /// Whether it is greater than `other`; both not negative.
     fn exceeds(self, other: Self) -> bool;
-    /// The leading digits: zero if and only if the number is.
-    fn leading(self) -> f64;
     /// The natural logarithm of a positive number.
     fn logarithm(self) -> Self::Narrow;
     fn from_extended(number: Extended) -> Self;
-
-    fn is_zero(self) -> bool {
-        self.leading() == 0.0
-    }
 
     fn square(self) -> Self {
         self.multiply(self)
@@ -62,11 +47,6 @@ impl Scalar for DoubleDouble {
     type Narrow = Self;
 
     #[inline]
-    fn from_double(value: f64) -> Self {
-        Self::from(value)
-    }
-
-    #[inline]
     fn difference(a: f64, b: f64) -> Self {
         Self::difference(a, b)
     }
@@ -77,42 +57,8 @@ impl Scalar for DoubleDouble {
     }
 
     #[inline]
-    fn multiply(self, other: Self) -> Self {
-        self.multiply(other)
-    }
-
-    #[inline]
     fn times(self, factor: f64) -> Self {
         self.times(factor)
-    }
-
-    #[inline]
-    fn divide(self, other: Self) -> Self {
-        if self.high() == 0.0 {
-            self
-        } else {
-            self.divide(other)
-        }
-    }
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        self.add_alike(other)
-    }
-
-    #[inline]
-    fn subtract(self, other: Self) -> Self {
-        self.subtract(other)
-    }
-
-    #[inline]
-    fn square_root(self) -> Self {
-        self.square_root()
-    }
-
-    #[inline]
-    fn negated(self) -> Self {
-        self.negated()
     }
 
     #[inline]
@@ -132,11 +78,6 @@ impl Scalar for DoubleDouble {
     #[inline]
     fn exceeds(self, other: Self) -> bool {
         self.high() > other.high() || (self.high() == other.high() && self.low() > other.low())
-    }
-
-    #[inline]
-    fn leading(self) -> f64 {
-        self.high()
     }
 
     fn logarithm(self) -> Self {
@@ -182,11 +123,6 @@ impl Scalar for f64 {
     type Narrow = Self;
 
     #[inline]
-    fn from_double(value: f64) -> Self {
-        value
-    }
-
-    #[inline]
     fn difference(a: f64, b: f64) -> Self {
         a - b
     }
@@ -194,36 +130,6 @@ impl Scalar for f64 {
     #[inline]
     fn from_narrow(number: f64) -> Self {
         number
-    }
-
-    #[inline]
-    fn multiply(self, other: Self) -> Self {
-        self * other
-    }
-
-    #[inline]
-    fn divide(self, other: Self) -> Self {
-        if self == 0.0 { self } else { self / other }
-    }
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        self + other
-    }
-
-    #[inline]
-    fn subtract(self, other: Self) -> Self {
-        self - other
-    }
-
-    #[inline]
-    fn square_root(self) -> Self {
-        self.sqrt()
-    }
-
-    #[inline]
-    fn negated(self) -> Self {
-        -self
     }
 
     #[inline]
@@ -245,11 +151,6 @@ impl Scalar for f64 {
         self > other
     }
 
-    #[inline]
-    fn leading(self) -> f64 {
-        self
-    }
-
     fn logarithm(self) -> f64 {
         self.ln()
     }
@@ -259,9 +160,7 @@ impl Scalar for f64 {
     }
 }
 
-impl Scalar for Extended {
-    type Narrow = DoubleDouble;
-
+impl Arithmetic for Extended {
     fn from_double(value: f64) -> Self {
         if value == 0.0 {
             return Self::zero();
@@ -278,22 +177,6 @@ impl Scalar for Extended {
             digits: DoubleDouble::from(digits),
             exponent: exponent_of(f64::from_bits(bits & EXPONENT_BITS)),
         }
-    }
-
-    fn difference(a: f64, b: f64) -> Self {
-        let exact = DoubleDouble::difference(a, b);
-        let leading = Self::from_double(exact.high());
-        Self {
-            digits: DoubleDouble::sum(
-                leading.digits.high(),
-                shifted(exact.low(), -leading.exponent),
-            ),
-            exponent: leading.exponent,
-        }
-    }
-
-    fn from_narrow(number: DoubleDouble) -> Self {
-        Self::from(number)
     }
 
     fn multiply(self, other: Self) -> Self {
@@ -331,6 +214,13 @@ impl Scalar for Extended {
         self.add(other.negated())
     }
 
+    fn negated(self) -> Self {
+        Self {
+            digits: self.digits.negated(),
+            exponent: self.exponent,
+        }
+    }
+
     fn square_root(self) -> Self {
         if self.is_zero() {
             return Self::zero();
@@ -342,11 +232,28 @@ impl Scalar for Extended {
         }
     }
 
-    fn negated(self) -> Self {
+    fn leading(self) -> f64 {
+        self.digits.high()
+    }
+}
+
+impl Scalar for Extended {
+    type Narrow = DoubleDouble;
+
+    fn difference(a: f64, b: f64) -> Self {
+        let exact = DoubleDouble::difference(a, b);
+        let leading = Self::from_double(exact.high());
         Self {
-            digits: self.digits.negated(),
-            exponent: self.exponent,
+            digits: DoubleDouble::sum(
+                leading.digits.high(),
+                shifted(exact.low(), -leading.exponent),
+            ),
+            exponent: leading.exponent,
         }
+    }
+
+    fn from_narrow(number: DoubleDouble) -> Self {
+        Self::from(number)
     }
 
     fn narrow(self) -> DoubleDouble {
@@ -368,10 +275,6 @@ impl Scalar for Extended {
 
     fn exceeds(self, other: Self) -> bool {
         self.subtract(other).leading() > 0.0
-    }
-
-    fn leading(self) -> f64 {
-        self.digits.high()
     }
 
     fn logarithm(self) -> DoubleDouble {
@@ -489,6 +392,7 @@ pub(crate) const RIGHT_ANGLE: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123_23
 mod tests {
     use super::{Extended, Scalar, angle, pair, shifted};
     use crate::double_double::DoubleDouble;
+    use crate::words::Arithmetic;
 
     #[test]
     fn logarithm_of_products_is_the_sum() {

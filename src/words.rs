@@ -5,43 +5,43 @@
 use crate::double_double::DoubleDouble;
 use crate::extended::angle;
 
-/// A number of one double or of two.
-pub(crate) trait Words: Copy {
+/// What one word, two words and two words with an exponent have in common.
+pub(crate) trait Arithmetic: Copy {
+    /// Of a finite double.
     fn from_double(value: f64) -> Self;
-    fn from_two(value: DoubleDouble) -> Self;
-    fn two(self) -> DoubleDouble;
     fn multiply(self, other: Self) -> Self;
+    /// The quotient; zero by anything is zero.
     fn divide(self, other: Self) -> Self;
     /// The sum of terms that do not cancel.
     fn add(self, other: Self) -> Self;
     fn subtract(self, other: Self) -> Self;
     fn negated(self) -> Self;
-    fn scaled(self, power_of_two: f64) -> Self;
     fn square_root(self) -> Self;
+    /// The leading digits: zero if and only if the number is.
+    fn leading(self) -> f64;
+
+    fn is_zero(self) -> bool {
+        self.leading() == 0.0
+    }
+}
+
+/// A number of one double or of two.
+pub(crate) trait Words: Arithmetic {
+    fn from_two(value: DoubleDouble) -> Self;
+    fn two(self) -> DoubleDouble;
+    fn scaled(self, power_of_two: f64) -> Self;
     /// √(1 + x²).
     fn hypotenuse_with_one(self) -> Self;
-    /// The first word.
-    fn high(self) -> f64;
     /// The nearest double.
     fn value(self) -> f64;
     /// The angle of the point (cosine, sine) in the first quadrant.
     fn angle(cosine: Self, sine: Self) -> Self;
 }
 
-impl Words for DoubleDouble {
+impl Arithmetic for DoubleDouble {
     #[inline]
     fn from_double(value: f64) -> Self {
         Self::from(value)
-    }
-
-    #[inline]
-    fn from_two(value: DoubleDouble) -> Self {
-        value
-    }
-
-    #[inline]
-    fn two(self) -> DoubleDouble {
-        self
     }
 
     #[inline]
@@ -51,7 +51,11 @@ impl Words for DoubleDouble {
 
     #[inline]
     fn divide(self, other: Self) -> Self {
-        self.divide(other)
+        if self.high() == 0.0 {
+            self
+        } else {
+            self.divide(other)
+        }
     }
 
     #[inline]
@@ -70,23 +74,35 @@ impl Words for DoubleDouble {
     }
 
     #[inline]
-    fn scaled(self, power_of_two: f64) -> Self {
-        self.scaled(power_of_two)
-    }
-
-    #[inline]
     fn square_root(self) -> Self {
         self.square_root()
     }
 
     #[inline]
-    fn hypotenuse_with_one(self) -> Self {
-        self.hypotenuse_with_one()
+    fn leading(self) -> f64 {
+        self.high()
+    }
+}
+
+impl Words for DoubleDouble {
+    #[inline]
+    fn from_two(value: DoubleDouble) -> Self {
+        value
     }
 
     #[inline]
-    fn high(self) -> f64 {
-        self.high()
+    fn two(self) -> DoubleDouble {
+        self
+    }
+
+    #[inline]
+    fn scaled(self, power_of_two: f64) -> Self {
+        self.scaled(power_of_two)
+    }
+
+    #[inline]
+    fn hypotenuse_with_one(self) -> Self {
+        self.hypotenuse_with_one()
     }
 
     #[inline]
@@ -99,20 +115,10 @@ impl Words for DoubleDouble {
     }
 }
 
-impl Words for f64 {
+impl Arithmetic for f64 {
     #[inline]
     fn from_double(value: f64) -> Self {
         value
-    }
-
-    #[inline]
-    fn from_two(value: DoubleDouble) -> Self {
-        value.value()
-    }
-
-    #[inline]
-    fn two(self) -> DoubleDouble {
-        DoubleDouble::from(self)
     }
 
     #[inline]
@@ -122,7 +128,7 @@ impl Words for f64 {
 
     #[inline]
     fn divide(self, other: Self) -> Self {
-        self / other
+        if self == 0.0 { self } else { self / other }
     }
 
     #[inline]
@@ -141,13 +147,30 @@ impl Words for f64 {
     }
 
     #[inline]
-    fn scaled(self, power_of_two: f64) -> Self {
-        self * power_of_two
+    fn square_root(self) -> Self {
+        self.sqrt()
     }
 
     #[inline]
-    fn square_root(self) -> Self {
-        self.sqrt()
+    fn leading(self) -> f64 {
+        self
+    }
+}
+
+impl Words for f64 {
+    #[inline]
+    fn from_two(value: DoubleDouble) -> Self {
+        value.value()
+    }
+
+    #[inline]
+    fn two(self) -> DoubleDouble {
+        DoubleDouble::from(self)
+    }
+
+    #[inline]
+    fn scaled(self, power_of_two: f64) -> Self {
+        self * power_of_two
     }
 
     #[inline]
@@ -157,11 +180,6 @@ impl Words for f64 {
         } else {
             (1.0 + self * self).sqrt()
         }
-    }
-
-    #[inline]
-    fn high(self) -> f64 {
-        self
     }
 
     #[inline]

@@ -6,7 +6,7 @@
 use super::modulus::PI;
 use crate::double_double::DoubleDouble;
 use crate::extended::Scalar;
-use crate::words::Words;
+use crate::words::{Arithmetic, Words};
 
 /// The moduli on the way down.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +40,7 @@ impl<N: Scalar> Landen<N> {
         let root = k1.multiply(inverse1);
         let k2 = root.multiply(root);
         let sum2 = one.add(k1_complement.square_root().multiply(inverse1).scaled(2.0));
-        let k3 = (k2.high() / sum2.high()).powi(2);
+        let k3 = (k2.leading() / sum2.leading()).powi(2);
         let last = k3 * k3;
         // (1 + k′₃)(1 + k′₄)/4 with k₄ = k₃²/4; the next term is 10⁻³⁰.
         let rest = N::Narrow::from_double(-0.25 * last * (1.0 + 0.3125 * last));
@@ -51,7 +51,7 @@ impl<N: Scalar> Landen<N> {
         let l = square.multiply(l_over_square);
         let l2 = l.multiply(l);
         let l4 = l2.multiply(l2);
-        let x = l4.high();
+        let x = l4.leading();
         let tail = x * x * (15.0 + x * (150.0 + x * (1707.0 + x * 20_910.0)));
         let series = one.add(l4.scaled(2.0)).add(N::Narrow::from_double(tail));
         let nome_over_square = l_over_square.multiply(series);
@@ -102,11 +102,11 @@ impl<N: Scalar> Landen<N> {
     pub(crate) fn nearest_sine(&self, start: f64, delta: f64, sign: f64) -> f64 {
         let (mut s, mut d) = (start, delta);
         for (sum, modulus) in self.sums.iter().zip(&self.moduli) {
-            s *= sum.high() / (1.0 + d);
-            let ks = s * modulus.high();
+            s *= sum.leading() / (1.0 + d);
+            let ks = s * modulus.leading();
             d = (1.0 - sign * ks * ks).sqrt();
         }
-        s *= self.sums[2].high() / (1.0 + d);
+        s *= self.sums[2].leading() / (1.0 + d);
         let ks = self.last.sqrt() * s;
         s - 0.25 * s * (self.last - sign * ks * ks)
     }
@@ -131,7 +131,7 @@ impl<N: Scalar> Landen<N> {
 
     /// a s², where s² alone may overflow.
     fn scaled_square(&self, s: N::Narrow, a: f64) -> f64 {
-        let root = a.sqrt() * s.high();
+        let root = a.sqrt() * s.leading();
         root * root
     }
 }

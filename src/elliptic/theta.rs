@@ -3,7 +3,7 @@
 use super::landen::Landen;
 use super::local::Crest;
 use crate::extended::Scalar;
-use crate::words::Words;
+use crate::words::{Arithmetic, Words};
 
 /// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +30,7 @@ impl<N: Scalar> Elevation<N> {
         let dc2 = N::Narrow::from_double(1.0).add(m.multiply(sc2).narrow());
         let sc = sc2.square_root().narrow();
         // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
-        let sc = if sc.high() > 1e150 {
+        let sc = if sc.leading() > 1e150 {
             N::Narrow::from_double(1e150)
         } else {
             sc

@@ -11,6 +11,7 @@ use crate::error::{Error, Result, finite, not_negative};
 use crate::extended::{Extended, Scalar};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
+use crate::words::Arithmetic;
 
 /// What kind of motion a free top makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

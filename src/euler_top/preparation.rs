@@ -7,7 +7,7 @@ use crate::elliptic::landen::Landen;
 use crate::elliptic::theta::{Elevation, Which};
 use crate::elliptic::{Modulus, Parameter, Side};
 use crate::extended::{Extended, Scalar, exponent_of, shifted};
-use crate::words::Words;
+use crate::words::{Arithmetic, Words};
 
 /// To how many digits the constants are formed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -18,7 +18,7 @@ use crate::elliptic::landen::{Landen, right_angle};
 use crate::elliptic::local::{Local, Place};
 use crate::elliptic::theta::{DualTheta, Elevation, Which, dual_excess, polynomial};
 use crate::extended::Scalar;
-use crate::words::Words;
+use crate::words::{Arithmetic, Words};
 
 /// Below this a square underflows; only needles of an aspect of 10⁻⁷⁰ come near.
 const TINY: f64 = 1e-150;
@@ -59,7 +59,7 @@ impl Turning {
         let inverse = one.divide(exponential);
         let decay = inverse.multiply(inverse);
         // ρ = q e^{2w} and ε = e^{−2w}; for ξ in place of η they change roles. 1 − e^{−2x} = 2 sinh x · e^{−x}.
-        let other = if q.high() == 0.0 {
+        let other = if q.is_zero() {
             q
         } else {
             q.multiply(exponential).multiply(exponential)
@@ -170,10 +170,10 @@ fn circular_excess<N: Scalar>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Na
     );
     let up3 = up2.multiply(up1).multiply(q2.multiply(q2));
     let down3 = down2.multiply(down1).multiply(q2.multiply(q2));
-    let (x, r, e) = (q.high(), rho.high(), epsilon.high());
+    let (x, r, e) = (q.leading(), rho.leading(), epsilon.leading());
     let x3 = x * x * x;
-    let up4 = up3.high() * x3 * x3 * r;
-    let down4 = down3.high() * x3 * x3 * x * e;
+    let up4 = up3.leading() * x3 * x3 * r;
+    let down4 = down3.leading() * x3 * x3 * x * e;
     let half = N::Narrow::from_double(4.0 * (up4 - down4))
         .add(
             up3.add(down3.negated())

@@ -18,10 +18,13 @@
 //! grows with time is carried in 106 bits, and every difference that could cancel is formed before it can.
 
 pub mod earth;
+mod evaluation;
 mod motion;
 mod poinsot;
 mod preparation;
+mod separation;
 pub mod stability;
+mod start;
 pub mod symmetric;
 pub mod toutatis;
 mod turning;

@@ -54,18 +54,28 @@ impl Modulus {
         Place { quarters, local }
     }
 
-    /// The same as [`reduce`](Self::reduce), without a division where the count is exact; the error is a part of u, not of the rest.
+    /// u = (quarters) K + rest. The error is a part of u, not of the rest as in [`reduce`](Self::reduce): a place needs no more.
     #[inline(always)]
     fn reduced(&self, u: DoubleDouble) -> (f64, DoubleDouble) {
         let reduction = &self.reduction;
         if u.high().abs() > reduction.limit {
-            return self.reduce(u);
+            return self.reduced_from_afar(u);
         }
         let count = (u.high() * reduction.inverse + ROUNDER) - ROUNDER;
         let first = u.high() - count * reduction.parts[0];
         let rest = DoubleDouble::difference(first, count * reduction.parts[1]);
         let low = rest.low() + (u.low() - count * reduction.parts[2]);
         (count, DoubleDouble::sum(rest.high(), low))
+    }
+
+    /// The same with more quarter periods than a short K can be multiplied with exactly.
+    #[cold]
+    fn reduced_from_afar(&self, u: DoubleDouble) -> (f64, DoubleDouble) {
+        let count = (u.high() / self.quarter.high()).round_ties_even();
+        let rest = u.subtract(self.quarter.multiply(DoubleDouble::from(count)));
+        let again = (rest.high() / self.quarter.high()).round_ties_even();
+        let rest = rest.subtract(self.quarter.multiply(DoubleDouble::from(again)));
+        (count + again, rest)
     }
 
     /// sn, cn and dn there.

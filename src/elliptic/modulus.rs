@@ -7,6 +7,8 @@ use super::logarithm::logarithm;
 use super::parameter::Parameter;
 use super::series::Series;
 use crate::double_double::{DoubleDouble, power_of_two_below};
+use crate::extended::Scalar;
+use crate::words::Words;
 
 /// π/2 to 106 bits.
 const HALF_PI: DoubleDouble =
@@ -107,17 +109,17 @@ impl Modulus {
         }
     }
 
-    /// The modulus from a transformation of the lesser of m and mc; both are wanted to 106 bits, and √mc.
-    pub(crate) fn from_landen(
+    /// The modulus from a transformation of the lesser of m and mc; both are wanted, and √mc.
+    pub(crate) fn from_landen<N: Scalar>(
         side: Side,
         parameter: Parameter,
         complementary_modulus: f64,
-        landen: &Landen,
+        landen: &Landen<N>,
     ) -> Self {
-        let mean = landen.mean;
+        let mean = landen.mean.two();
         let (quarter, series) = match side {
             Side::Circular => (
-                HALF_PI.divide(mean),
+                landen.quarter(),
                 Series::circular(landen.nome.value(), complementary_modulus),
             ),
             Side::Hyperbolic => {

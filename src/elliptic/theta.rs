@@ -2,8 +2,8 @@
 
 use super::landen::Landen;
 use super::local::Crest;
-use crate::double_double::DoubleDouble;
-use crate::extended::Wide;
+use crate::extended::Scalar;
+use crate::words::{Arithmetic, Words};
 
 /// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
 #[derive(Debug, Clone, Copy)]
@@ -22,18 +22,25 @@ pub(crate) enum Which {
     Xi,
 }
 
-impl<N: Wide> Elevation<N> {
+impl<N: Scalar> Elevation<N> {
     /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
-    pub(crate) fn hyperbolic_sine(&self, landen: &Landen, m: N) -> DoubleDouble {
+    pub(crate) fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
         // sc² and dc² = 1 + m sc².
         let sc2 = self.rise.divide(self.run);
-        let dc2 = DoubleDouble::from(1.0).add_alike(m.multiply(sc2).narrow());
-        landen.hyperbolic_sine(sc2.square_root().narrow(), dc2.square_root())
+        let dc2 = N::Narrow::from_double(1.0).add(m.multiply(sc2).narrow());
+        let sc = sc2.square_root().narrow();
+        // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
+        let sc = if sc.leading() > 1e150 {
+            N::Narrow::from_double(1e150)
+        } else {
+            sc
+        };
+        landen.hyperbolic_sine(sc, dc2.square_root())
     }
 
     /// Sine and cosine of v = πη/2K′, for mc < 1/2.
-    pub(crate) fn angle(&self, landen: &Landen, mc: N) -> (DoubleDouble, DoubleDouble) {
-        let one = DoubleDouble::from(1.0);
+    pub(crate) fn angle(&self, landen: &Landen<N>, mc: N) -> (N::Narrow, N::Narrow) {
+        let one = N::Narrow::from_double(1.0);
         let sn2 = self.rise.divide(self.slope).narrow();
         let dn2 = one.subtract(mc.narrow().multiply(sn2));
         let lesser = landen.sine(sn2.square_root(), dn2.square_root());
@@ -69,30 +76,33 @@ impl DualTheta {
         let (e2, f2) = ((c - s) * (c + s), 2.0 * s * c);
         let (e4, f4) = ((e2 - f2) * (e2 + f2), 2.0 * f2 * e2);
         let (e6, f6) = (e2 * e4 - f2 * f4, f2 * e4 + e2 * f4);
-        let power = |whole: i32, halves: i32| q.powi(whole) * if halves == 1 { root } else { 1.0 };
+        let (q2, q3) = (q * q, q * q * q);
+        let (q5, q6, q7, q8) = (q2 * q3, q3 * q3, q2 * q2 * q3, q2 * q3 * q3);
+        let (q4, q9, q10, q11) = (q2 * q2, q3 * q6, q5 * q5, q5 * q6);
         Self {
             even_real: [
-                c + c3 * power(2, 0) + c5 * power(6, 0),
-                c3 * power(1, 1) + 3.0 * c5 * power(5, 1),
-                c5 * power(5, 0) + 5.0 * c7 * power(11, 0),
-                c7 * power(10, 1),
+                c + c3 * q2 + c5 * q6,
+                root * (c3 * q + 3.0 * c5 * q5),
+                c5 * q5 + 5.0 * c7 * q11,
+                root * (c7 * q10),
             ],
             even_imaginary: [
-                s + 3.0 * k3 * power(2, 0) + 5.0 * k5 * power(6, 0),
-                k3 * power(1, 1) + 5.0 * k5 * power(5, 1),
-                k5 * power(5, 0) + 7.0 * k7 * power(11, 0),
-                k7 * power(10, 1),
+                s + 3.0 * k3 * q2 + 5.0 * k5 * q6,
+                root * (k3 * q + 5.0 * k5 * q5),
+                k5 * q5 + 7.0 * k7 * q11,
+                root * (k7 * q10),
             ],
             odd_real: [
-                1.0 + 2.0 * (e2 * q + e4 * power(4, 0) + e6 * power(9, 0)),
-                e2 * root + 4.0 * e4 * power(3, 1) + 9.0 * e6 * power(8, 1),
-                e4 * power(3, 0) + 6.0 * e6 * power(8, 0),
-                e6 * power(7, 1),
+                1.0 + 2.0 * (e2 * q + e4 * q4 + e6 * q9),
+                root * (e2 + 4.0 * e4 * q3 + 9.0 * e6 * q8),
+                e4 * q3 + 6.0 * e6 * q8,
+                root * (e6 * q7),
             ],
             odd_imaginary: [
-                root * (f2 + 2.0 * f4 * power(3, 0) + 3.0 * f6 * power(8, 0)),
-                root * (f4 * power(2, 1) + 4.0 * f6 * power(7, 1)),
-                root * f6 * power(7, 0),
+                root * (f2 + 2.0 * f4 * q3 + 3.0 * f6 * q8),
+                // √q · √q.
+                q * (f4 * q2 + 4.0 * f6 * q7),
+                root * f6 * q7,
             ],
         }
     }
@@ -119,28 +129,30 @@ impl DualTheta {
 }
 
 /// d arg ϑ₂(ix − v)/du at u = K: (π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).
-pub(crate) fn dual_excess(
-    landen: &Landen,
-    sine: DoubleDouble,
-    cosine: DoubleDouble,
-) -> DoubleDouble {
+pub(crate) fn dual_excess<N: Scalar>(
+    landen: &Landen<N>,
+    sine: N::Narrow,
+    cosine: N::Narrow,
+) -> N::Narrow {
     let q = landen.nome;
     let q2 = q.multiply(q);
     let q4 = q2.multiply(q2);
     let s2 = sine.multiply(cosine).scaled(2.0);
     let c2 = cosine.subtract(sine).multiply(cosine.add(sine));
     let s4 = s2.multiply(c2).scaled(2.0);
-    let c4 = c2.subtract(s2).multiply(c2.add(s2));
+    let c4 = c2.subtract(s2).multiply(c2.subtract(s2.negated()));
     let (x, s2v, c2v, s4v, c4v) = (q.value(), s2.value(), c2.value(), s4.value(), c4.value());
+    let (x3, x4) = (x * x * x, x * x * (x * x));
+    let (x9, x16) = (x3 * x3 * x3, x4 * x4 * (x4 * x4));
     let (s6, c6) = (s2v * c4v + c2v * s4v, c2v * c4v - s2v * s4v);
     let (s8, c8) = (2.0 * s4v * c4v, c4v * c4v - s4v * s4v);
-    let numerator = DoubleDouble::from(12.0 * x.powi(9) * s6 + 16.0 * x.powi(16) * s8)
+    let numerator = N::Narrow::from_double(12.0 * x9 * s6 + 16.0 * x16 * s8)
         .add(q4.multiply(s4).scaled(8.0))
         .add(q.multiply(s2).scaled(4.0));
-    let denominator = DoubleDouble::from(2.0 * (x.powi(9) * c6 + x.powi(16) * c8))
+    let denominator = N::Narrow::from_double(2.0 * (x9 * c6 + x16 * c8))
         .add(q4.multiply(c4).scaled(2.0))
         .add(q.multiply(c2).scaled(2.0))
-        .add(DoubleDouble::from(1.0));
+        .add(N::Narrow::from_double(1.0));
     landen.mean.multiply(numerator).divide(denominator)
 }
 

@@ -17,7 +17,11 @@ use crate::double_double::DoubleDouble;
 use crate::elliptic::landen::{Landen, right_angle};
 use crate::elliptic::local::{Local, Place};
 use crate::elliptic::theta::{DualTheta, Elevation, Which, dual_excess, polynomial};
-use crate::extended::{Wide, angle};
+use crate::extended::Scalar;
+use crate::words::{Arithmetic, Words};
+
+/// Below this a square underflows; only needles of an aspect of 10⁻⁷⁰ come near.
+const TINY: f64 = 1e-150;
 
 /// Everything about ψ that does not depend on time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,23 +46,23 @@ enum Theta {
 
 impl Turning {
     /// For m ≤ 1/2.
-    pub(super) fn circular<N: Wide>(
-        landen: &Landen,
+    pub(super) fn circular<N: Scalar>(
+        landen: &Landen<N>,
         elevation: &Elevation<N>,
         m: N,
         aspect: f64,
     ) -> Self {
-        let one = DoubleDouble::from(1.0);
+        let one = N::Narrow::from_double(1.0);
         let q = landen.nome;
         let sinh = elevation.hyperbolic_sine(landen, m);
-        let exponential = sinh.add_alike(sinh.hypotenuse_with_one());
-        let growth = exponential.multiply(exponential);
-        let decay = one.divide(growth);
+        let exponential = sinh.add(sinh.hypotenuse_with_one());
+        let inverse = one.divide(exponential);
+        let decay = inverse.multiply(inverse);
         // ρ = q e^{2w} and ε = e^{−2w}; for ξ in place of η they change roles. 1 − e^{−2x} = 2 sinh x · e^{−x}.
-        let other = if q.high() == 0.0 {
+        let other = if q.is_zero() {
             q
         } else {
-            q.multiply(growth)
+            q.multiply(exponential).multiply(exponential)
         };
         let (rho, epsilon, one_less_rho) = match elevation.which {
             Which::Xi => (decay, other, 2.0 * sinh.value() / exponential.value()),
@@ -69,18 +73,18 @@ impl Turning {
         // ϑ₄(iw) with the factor 1 − ρ in front: it vanishes with it.
         let (x, r2) = (q * epsilon, rho * rho);
         let (g1, g2, g3) = (1.0 + rho + r2, rho * r2 + r2 * r2, r2 * r2 * (rho + r2));
-        let at_zero = one_less_rho
-            * (1.0 - x * (g1 - (q * q) * x * ((g1 + g2) - q.powi(4) * x * (g1 + g2 + g3))));
-        let pair = |n: i32| {
-            let up = q.powi(n * n - n) * rho.powi(n);
-            let down = q.powi(n * n) * epsilon.powi(n);
-            let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
-            (sign * (up + down), sign * (up - down))
-        };
-        let [(a1, b1), (a2, b2), (a3, b3)] = [1, 2, 3].map(pair);
+        let (q2, q4) = (q * q, q * q * (q * q));
+        let at_zero =
+            one_less_rho * (1.0 - x * (g1 - q2 * x * ((g1 + g2) - q4 * x * (g1 + g2 + g3))));
+        // (−1)ⁿ (q^{n²−n} ρⁿ ± q^{n²} εⁿ).
+        let (up2, down2) = (q2 * r2, q2 * (x * x));
+        let (up3, down3) = (q4 * up2 * rho, q4 * down2 * x);
+        let (a1, b1) = (-(rho + x), -(rho - x));
+        let (a2, b2) = (up2 + down2, up2 - down2);
+        let (a3, b3) = (-(up3 + down3), -(up3 - down3));
         Self {
             lag: right_angle(),
-            excess,
+            excess: excess.two(),
             aspect,
             theta: Theta::Circular {
                 real: [
@@ -99,16 +103,16 @@ impl Turning {
     }
 
     /// For m > 1/2, the separatrix included.
-    pub(super) fn hyperbolic<N: Wide>(
-        landen: &Landen,
+    pub(super) fn hyperbolic<N: Scalar>(
+        landen: &Landen<N>,
         elevation: &Elevation<N>,
         mc: N,
         aspect: f64,
     ) -> Self {
         let (sine, cosine) = elevation.angle(landen, mc);
         Self {
-            lag: angle(sine, cosine),
-            excess: dual_excess(landen, sine, cosine).negated(),
+            lag: N::Narrow::angle(sine, cosine).two(),
+            excess: dual_excess(landen, sine, cosine).two().negated(),
             aspect,
             theta: Theta::Hyperbolic(DualTheta::new(
                 landen.nome.value(),
@@ -130,6 +134,11 @@ impl Turning {
         };
         // Z times the conjugate: both arguments have the same sign, so the difference stays within a right angle.
         let (along, aside) = (real * x + imaginary * y, imaginary * x - real * y);
+        let (along, aside) = if along.abs().max(aside.abs()) < TINY {
+            (along / TINY, aside / TINY)
+        } else {
+            (along, aside)
+        };
         let length = (along * along + aside * aside).sqrt();
         (length + along, aside)
     }
@@ -151,7 +160,7 @@ impl Turning {
 }
 
 /// +(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
-fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) -> DoubleDouble {
+fn circular_excess<N: Scalar>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> N::Narrow {
     let q = landen.nome;
     let q2 = q.multiply(q);
     let (up1, down1) = (rho, q.multiply(epsilon));
@@ -161,21 +170,21 @@ fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) ->
     );
     let up3 = up2.multiply(up1).multiply(q2.multiply(q2));
     let down3 = down2.multiply(down1).multiply(q2.multiply(q2));
-    let (x, r, e) = (q.high(), rho.high(), epsilon.high());
+    let (x, r, e) = (q.leading(), rho.leading(), epsilon.leading());
     let x3 = x * x * x;
-    let up4 = up3.high() * x3 * x3 * r;
-    let down4 = down3.high() * x3 * x3 * x * e;
-    let half = DoubleDouble::from(4.0 * (up4 - down4))
-        .add_alike(
-            up3.add_alike(down3.negated())
-                .multiply(DoubleDouble::from(3.0)),
+    let up4 = up3.leading() * x3 * x3 * r;
+    let down4 = down3.leading() * x3 * x3 * x * e;
+    let half = N::Narrow::from_double(4.0 * (up4 - down4))
+        .add(
+            up3.add(down3.negated())
+                .multiply(N::Narrow::from_double(3.0)),
         )
-        .add_alike(up2.add_alike(down2.negated()).scaled(2.0))
-        .add_alike(up1.add_alike(down1.negated()));
-    let denominator = DoubleDouble::from(up4 + down4)
-        .add_alike(up3.add_alike(down3))
-        .add_alike(up2.add_alike(down2))
-        .add_alike(up1.add_alike(down1))
-        .add_alike(DoubleDouble::from(1.0));
+        .add(up2.add(down2.negated()).scaled(2.0))
+        .add(up1.add(down1.negated()));
+    let denominator = N::Narrow::from_double(up4 + down4)
+        .add(up3.add(down3))
+        .add(up2.add(down2))
+        .add(up1.add(down1))
+        .add(N::Narrow::from_double(1.0));
     landen.mean.multiply(half.scaled(2.0)).divide(denominator)
 }

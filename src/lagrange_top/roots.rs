@@ -5,7 +5,7 @@
 //! quadratic whose discriminant is a sum of squares: about the present tilt if they are h₁ and h₂, about the upright
 //! position if they are h₂ and h₃. The distances from ±1 come from f(±1) = −((L_vert ∓ L₃)/I₁)².
 
-use crate::extended::Wide;
+use crate::extended::Scalar;
 
 /// What the cubic is made of, everything divided by I₁.
 #[derive(Debug, Clone, Copy)]
@@ -44,7 +44,7 @@ pub(super) struct Distances<N> {
     pub(super) to_lower: N,
 }
 
-impl<N: Wide> Cubic<N> {
+impl<N: Scalar> Cubic<N> {
     pub(super) fn solve(&self) -> Distances<N> {
         let two_g = self.gravity.times(2.0);
         // f(h + d) = 2g d³ + f₂ d² + f₁ d + f₀.
@@ -202,7 +202,7 @@ impl<N: Wide> Cubic<N> {
 }
 
 /// The greatest root of y³ + a y² + b y + c, all of whose roots are real, if it stands alone: Newton's method from above.
-fn greatest_root<N: Wide>([a, b, c]: [N; 3]) -> N {
+fn greatest_root<N: Scalar>([a, b, c]: [N; 3]) -> N {
     // Fujiwara's bound.
     let mut y = a.magnitude();
     let root_of_b = b.magnitude().square_root();

@@ -22,6 +22,8 @@ pub(crate) trait Scalar: Arithmetic {
     fn exceeds(self, other: Self) -> bool;
     /// The natural logarithm of a positive number.
     fn logarithm(self) -> Self::Narrow;
+    /// The cube root of a number that is not negative, roughly.
+    fn rough_cube_root(self) -> Self;
     fn from_extended(number: Extended) -> Self;
 
     fn square(self) -> Self {
@@ -82,6 +84,10 @@ impl Scalar for DoubleDouble {
 
     fn logarithm(self) -> Self {
         elliptic::logarithm(self, 0)
+    }
+
+    fn rough_cube_root(self) -> Self {
+        Self::from(self.high().cbrt())
     }
 
     fn from_extended(number: Extended) -> Self {
@@ -153,6 +159,10 @@ impl Scalar for f64 {
 
     fn logarithm(self) -> f64 {
         self.ln()
+    }
+
+    fn rough_cube_root(self) -> f64 {
+        self.cbrt()
     }
 
     fn from_extended(number: Extended) -> Self {
@@ -279,6 +289,17 @@ impl Scalar for Extended {
 
     fn logarithm(self) -> DoubleDouble {
         elliptic::logarithm(self.digits, self.exponent)
+    }
+
+    fn rough_cube_root(self) -> Self {
+        if self.is_zero() {
+            return self;
+        }
+        let third = self.exponent.div_euclid(3);
+        let rest = f64::from(1 << self.exponent.rem_euclid(3));
+        let mut root = Self::from_double((self.digits.high() * rest).cbrt());
+        root.exponent += third;
+        root
     }
 
     fn from_extended(number: Extended) -> Self {

@@ -387,7 +387,7 @@ pub(crate) struct Wave {
     pub(crate) sine: f64,
     pub(crate) cosine: f64,
     /// 2^j, or so much of it as a double holds.
-    pub(super) growth: f64,
+    pub(crate) growth: f64,
     /// 2^−j as a product, so that it may be less than the least double.
     decay: [f64; 2],
 }
@@ -423,7 +423,7 @@ impl Wave {
     }
 
     #[inline(always)]
-    pub(super) fn decay(&self, x: f64) -> f64 {
+    pub(crate) fn decay(&self, x: f64) -> f64 {
         x * self.decay[0] * self.decay[1]
     }
 }

@@ -25,6 +25,9 @@ pub(crate) enum Which {
 impl<N: Scalar> Elevation<N> {
     /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
     pub(crate) fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
+        if self.run.is_zero() {
+            return N::Narrow::from_double(1e150);
+        }
         // sc² and dc² = 1 + m sc².
         let sc2 = self.rise.divide(self.run);
         let dc2 = N::Narrow::from_double(1.0).add(m.multiply(sc2).narrow());
@@ -107,6 +110,35 @@ impl DualTheta {
         }
     }
 
+    /// Value and derivative by x, signed, as at [`at`](Self::at); `root` is 2q′^{1/4}.
+    pub(crate) fn with_slope(&self, odd: bool, crest: &Crest, root: f64) -> [(f64, f64); 2] {
+        let (sine, cosine, z) = (crest.wave.sine, crest.wave.cosine, crest.z);
+        let sign = 1.0_f64.copysign(f64::from_bits(crest.sign));
+        let square = root * root;
+        if odd {
+            let (p, dp) = with_derivative(&self.odd_real, z);
+            let (q, dq) = with_derivative(&self.odd_imaginary, z);
+            let product = if sine == 0.0 { 0.0 } else { z * cosine / sine };
+            [
+                (p, sign * product * q),
+                (
+                    sign * 2.0 * product * dp,
+                    (square + 2.0 * z) * q + 2.0 * z * (square + z) * dq,
+                ),
+            ]
+        } else {
+            let (p, dp) = with_derivative(&self.even_real, z);
+            let (q, dq) = with_derivative(&self.even_imaginary, z);
+            [
+                (cosine * p, sign * sine * q),
+                (
+                    sign * sine * (p + 2.0 * (square + z) * dp),
+                    cosine * (q + 2.0 * z * dq),
+                ),
+            ]
+        }
+    }
+
     /// Real and imaginary part after so many quarter periods, each of which has taken its angle v off; next to even ones over e^x.
     #[inline(always)]
     pub(crate) fn at(&self, quarters: f64, crest: &Crest) -> (f64, f64) {
@@ -163,4 +195,14 @@ pub(crate) fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64
         sum = sum * x + coefficients[i];
     }
     sum
+}
+
+/// A polynomial and its derivative.
+fn with_derivative<const N: usize>(coefficients: &[f64; N], x: f64) -> (f64, f64) {
+    let (mut sum, mut slope) = (coefficients[N - 1], 0.0);
+    for i in (0..N - 1).rev() {
+        slope = slope * x + sum;
+        sum = sum * x + coefficients[i];
+    }
+    (sum, slope)
 }

@@ -6,6 +6,7 @@
 //! position if they are h₂ and h₃. The distances from ±1 come from f(±1) = −((L_vert ∓ L₃)/I₁)².
 
 use crate::extended::Scalar;
+use crate::words::Arithmetic;
 
 /// What the cubic is made of, everything divided by I₁.
 #[derive(Debug, Clone, Copy)]
@@ -209,7 +210,7 @@ fn greatest_root<N: Scalar>([a, b, c]: [N; 3]) -> N {
     if root_of_b.exceeds(y) {
         y = root_of_b;
     }
-    let root_of_c = c.magnitude().cube_root();
+    let root_of_c = c.magnitude().rough_cube_root();
     if root_of_c.exceeds(y) {
         y = root_of_c;
     }

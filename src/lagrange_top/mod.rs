@@ -4,4 +4,4 @@ mod motion;
 mod roots;
 mod turning;
 
-pub use motion::{LagrangeTop, State};
+pub use motion::{LagrangeTop, Nutation, Roots, State};

@@ -29,11 +29,56 @@ pub struct State {
     pub one_more: f64,
 }
 
+/// What kind of motion the axis makes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Nutation {
+    /// φ' keeps its sign (7.2, picture k).
+    Waves,
+    /// φ' vanishes at the upper turning point: released from rest, say (7.4, picture l).
+    Cusps,
+    /// φ' changes its sign in between (7.2, picture m).
+    Loops,
+    /// The tilt stays (7.3, picture n).
+    PurePrecession,
+    /// Upright, and stays so when disturbed: L₃² ≥ 4I₁Mgl (7.5).
+    Sleeping,
+    /// Upright, but not for long when disturbed: L₃² < 4I₁Mgl (7.5).
+    Unstable,
+    /// Falls from the upright position, or rises to it, in infinite time (7.5).
+    Waking,
+    /// Hanging straight down.
+    Hanging,
+    /// L₃ = 0: a spherical pendulum (7.6).
+    SphericalPendulum,
+    /// L₃ = L_vert = 0: a pendulum in one plane (7.6).
+    PlanePendulum,
+    /// No gravity and no swing: the body turns about its own axis.
+    Spinning,
+}
+
+/// The roots of the cubic, h₁ ≤ h₂ ≤ 1 ≤ h₃, with their distances from ±1 (7.2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roots {
+    /// h₁ and h₂, between which cos θ moves.
+    pub turning_points: [f64; 2],
+    /// 1 − h₁ and 1 − h₂.
+    pub one_less: [f64; 2],
+    /// 1 + h₁ and 1 + h₂.
+    pub one_more: [f64; 2],
+    /// h₃ − 1; infinite without gravity.
+    pub third_less_one: f64,
+}
+
 /// A symmetric body that turns about a fixed point of its axis under gravity, its motion prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LagrangeTop {
+    transverse: f64,
+    axial: f64,
+    weight_moment: f64,
+    omega: BodyVector,
     attitude: Attitude,
-    axial_rate: f64,
+    kind: Nutation,
     motion: Motion,
 }
 
@@ -48,8 +93,16 @@ enum Motion {
     Moving(Constants),
 }
 
+/// Which way gravity pulls along space z; up is solved as down, upside down.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pull {
+    Down,
+    Up,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Constants {
+    pull: Pull,
     modulus: Modulus,
     start: DoubleDouble,
     rate: DoubleDouble,
@@ -59,10 +112,12 @@ struct Constants {
     rates: [DoubleDouble; 2],
     /// Their constant factors.
     factors: [Complex; 2],
-    /// 1 − h₁ and 1 + h₂; h₂ − h₁ twice: what 1 − h and 1 + h are made of.
+    /// 1 − h₂, 1 + h₁ and h₂ − h₁: what 1 − h and 1 + h are made of.
     top2: f64,
     bottom1: f64,
     band: f64,
+    /// 1 − h₁, 1 + h₂ and h₃ − 1.
+    others: [f64; 3],
 }
 
 impl LagrangeTop {
@@ -84,12 +139,61 @@ impl LagrangeTop {
         for component in omega.components().iter() {
             finite("a component of the angular velocity", *component)?;
         }
-        let motion = prepare::<DoubleDouble>(transverse, axial, weight_moment, omega, &attitude)?;
+        let body = Body {
+            transverse,
+            axial,
+            weight_moment,
+        };
+        let (kind, motion) = if moderate(omega, &attitude) {
+            prepare::<DoubleDouble>(body, omega, &attitude)?
+        } else {
+            prepare::<Extended>(body, omega, &attitude)?
+        };
         Ok(Self {
+            transverse,
+            axial,
+            weight_moment,
+            omega,
             attitude,
-            axial_rate: omega.z(),
+            kind,
             motion,
         })
+    }
+
+    /// What kind of motion the axis makes, decided once.
+    pub const fn kind(&self) -> Nutation {
+        self.kind
+    }
+
+    /// L₃ = I₃Ω₃, kg m²/s: constant (7.2).
+    pub fn axial_angular_momentum(&self) -> f64 {
+        self.axial * self.omega.z()
+    }
+
+    /// L_vert, the component of L along the vertical, kg m²/s: constant (7.2).
+    pub fn vertical_angular_momentum(&self) -> f64 {
+        let l = BodyVector::new(
+            self.transverse * self.omega.x(),
+            self.transverse * self.omega.y(),
+            self.axial * self.omega.z(),
+        );
+        self.attitude.to_space(l).z()
+    }
+
+    /// E = ½⟨Ω, L⟩ + Mgl cos θ, J: constant (7.2).
+    pub fn energy(&self) -> f64 {
+        let [x, y, z]: [f64; 3] = self.omega.components().into();
+        let q = self.attitude.quaternion();
+        let height = (q.w * q.w + q.k * q.k) - (q.i * q.i + q.j * q.j);
+        0.5 * (self.transverse * (x * x + y * y) + self.axial * z * z) + self.weight_moment * height
+    }
+
+    /// The roots of the cubic; none where the axis stays upright, hanging, or where nothing pulls and nothing swings.
+    pub fn roots(&self) -> Option<Roots> {
+        match &self.motion {
+            Motion::Still => None,
+            Motion::Moving(constants) => Some(constants.roots()),
+        }
     }
 
     /// Everything at time t (s).
@@ -100,21 +204,21 @@ impl LagrangeTop {
         let t = finite("the time", t)?;
         match &self.motion {
             Motion::Still => {
-                let half = DoubleDouble::product(self.axial_rate, t).scaled(0.5);
+                let half = DoubleDouble::product(self.omega.z(), t).scaled(0.5);
                 let (sine, cosine) = half.sin_cos();
                 let turn = Quaternion::new(cosine, 0.0, 0.0, sine);
                 let q = self.attitude.quaternion().into_inner() * turn;
                 let alpha = q.w * q.w + q.k * q.k;
                 let beta = q.i * q.i + q.j * q.j;
                 Ok(State {
-                    omega: BodyVector::new(0.0, 0.0, self.axial_rate),
+                    omega: BodyVector::new(0.0, 0.0, self.omega.z()),
                     attitude: Attitude::from_unit(q),
                     height: alpha - beta,
                     one_less: 2.0 * beta,
                     one_more: 2.0 * alpha,
                 })
             }
-            Motion::Moving(constants) => constants.at(t, self.axial_rate),
+            Motion::Moving(constants) => constants.at(t, self.omega.z()),
         }
     }
 
@@ -137,7 +241,54 @@ impl LagrangeTop {
     }
 }
 
+impl LagrangeTop {
+    /// By how much the axis goes round the vertical in one period of nutation, radians (7.2); none where there is no period.
+    pub fn precession_per_nutation(&self) -> Option<f64> {
+        match &self.motion {
+            Motion::Moving(constants) if constants.modulus.quarter_period().is_finite() => {
+                let turns = constants.turns_per_nutation();
+                let precession = turns[0] + turns[1];
+                Some(match constants.pull {
+                    Pull::Down => precession,
+                    Pull::Up => -precession,
+                })
+            }
+            _ => None,
+        }
+    }
+
+    /// Mean rate at which the axis goes round the vertical, rad/s.
+    pub fn mean_precession_rate(&self) -> Option<f64> {
+        Some(self.precession_per_nutation()? / self.period())
+    }
+}
+
 impl Constants {
+    fn roots(&self) -> Roots {
+        let [top1, bottom2, third_less_one] = self.others;
+        let half = |more: f64, less: f64| 0.5 * (more - less);
+        Roots {
+            turning_points: [half(self.bottom1, top1), half(bottom2, self.top2)],
+            one_less: [top1, self.top2],
+            one_more: [self.bottom1, bottom2],
+            third_less_one,
+        }
+    }
+
+    /// By how much the arguments of α and β grow in one period of nutation.
+    fn turns_per_nutation(&self) -> [f64; 2] {
+        let quarter = self.modulus.quarter_period_dd();
+        let period = quarter.scaled(2.0).divide(self.rate);
+        core::array::from_fn(|k| {
+            let parameter = &self.parameters[k];
+            let lag = match self.modulus.side() {
+                Side::Circular => core::f64::consts::FRAC_PI_2,
+                Side::Hyperbolic => parameter.lag.value(),
+            };
+            self.rates[k].multiply(period).value() - 2.0 * parameter.sense * lag
+        })
+    }
+
     /// α and β at a place, with their derivatives by time.
     fn pair(&self, t: f64, u: DoubleDouble) -> ([f64; 3], [Complex; 4]) {
         let place = self.modulus.place(u);
@@ -192,8 +343,14 @@ impl Constants {
         let transverse = (alpha.conj() * beta_rate - beta * alpha_rate.conj()) * (2.0 / size);
         let scale = 1.0 / size.sqrt();
         let (a, b) = (alpha * scale, beta * scale);
-        let one_less = self.top2 + self.band * cn * cn;
-        let one_more = self.bottom1 + self.band * sn * sn;
+        let (one_less, one_more) = (
+            self.top2 + self.band * cn * cn,
+            self.bottom1 + self.band * sn * sn,
+        );
+        let (a, b, one_less, one_more) = match self.pull {
+            Pull::Down => (a, b, one_less, one_more),
+            Pull::Up => (b.conj(), -a.conj(), one_more, one_less),
+        };
         Ok(State {
             omega: BodyVector::new(transverse.re, transverse.im, axial_rate),
             attitude: Attitude::from_unit(Quaternion::new(a.re, b.re, b.im, a.im)),
@@ -204,26 +361,48 @@ impl Constants {
     }
 }
 
-/// The constants, everything in units of time in which rates are moderate.
-fn prepare<N: Scalar<Narrow = DoubleDouble>>(
+/// What does not move.
+#[derive(Debug, Clone, Copy)]
+struct Body {
     transverse: f64,
     axial: f64,
     weight_moment: f64,
+}
+
+/// Whether the fourth power of every number that counts is far above underflow.
+fn moderate(omega: BodyVector, attitude: &Attitude) -> bool {
+    let q = attitude.quaternion();
+    let near = |x: f64, unit: f64| x == 0.0 || x.abs() > 1e-60 * unit;
+    let fastest = omega.components().amax();
+    let still = omega.components().iter().all(|x| near(*x, fastest));
+    still && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
+}
+
+/// The constants, everything in units of time in which rates are moderate.
+fn prepare<N: Scalar<Narrow = DoubleDouble>>(
+    Body {
+        transverse,
+        axial,
+        weight_moment,
+    }: Body,
     omega: BodyVector,
     attitude: &Attitude,
-) -> Result<Motion> {
+) -> Result<(Nutation, Motion)> {
     // Gravity that pulls up is gravity that pulls down, seen upside down.
     let q = attitude.quaternion().into_inner();
-    let flipped = weight_moment < 0.0;
-    let q = if flipped {
-        Quaternion::new(-q.i, q.w, -q.k, q.j)
+    let (pull, q) = if weight_moment < 0.0 {
+        (Pull::Up, Quaternion::new(-q.i, q.w, -q.k, q.j))
     } else {
-        q
+        (Pull::Down, q)
     };
-    let gravity = Extended::from_double(weight_moment.abs()).divide(Extended::from_double(transverse));
-    let fastest = omega.components().amax().max(gravity.square_root().narrow().value());
+    let gravity =
+        Extended::from_double(weight_moment.abs()).divide(Extended::from_double(transverse));
+    let fastest = omega
+        .components()
+        .amax()
+        .max(gravity.square_root().narrow().value());
     if fastest == 0.0 {
-        return Ok(Motion::Still);
+        return Ok((Nutation::Spinning, Motion::Still));
     }
     let unit = power_of_two_below(fastest);
     let exponent = exponent_of(unit);
@@ -236,7 +415,11 @@ fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let norm = upper.add(lower);
     let above_bottom = upper.divide(norm).times(2.0);
     let below_top = lower.divide(norm).times(2.0);
-    let z1 = x.multiply(z).subtract(w.multiply(y)).divide(norm).times(2.0);
+    let z1 = x
+        .multiply(z)
+        .subtract(w.multiply(y))
+        .divide(norm)
+        .times(2.0);
     let z2 = y
         .multiply(z)
         .subtract(w.multiply(x).negated())
@@ -247,12 +430,22 @@ fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let rise = o2.multiply(z1).subtract(o1.multiply(z2));
     let ratio = Extended::from_double(axial).divide(Extended::from_double(transverse));
     let spin = N::from_narrow(ratio.narrow()).multiply(o3);
-    let still = swing.is_zero()
-        && (below_top.is_zero()
-            || above_bottom.is_zero()
-            || (gravity.is_zero() && (spin.is_zero() || true)));
-    if still && (below_top.is_zero() || above_bottom.is_zero() || gravity.is_zero()) {
-        return Ok(Motion::Still);
+    if swing.is_zero() {
+        let threshold = gravity.times(4.0);
+        let still = if gravity.is_zero() {
+            Some(Nutation::Spinning)
+        } else if above_bottom.is_zero() {
+            Some(Nutation::Hanging)
+        } else if below_top.is_zero() && threshold.exceeds(spin.square()) {
+            Some(Nutation::Unstable)
+        } else if below_top.is_zero() {
+            Some(Nutation::Sleeping)
+        } else {
+            None
+        };
+        if let Some(kind) = still {
+            return Ok((kind, Motion::Still));
+        }
     }
     let cubic = Cubic {
         gravity,
@@ -265,15 +458,39 @@ fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     };
     let d = cubic.solve();
     let mut constants = constants(&d, spin, o3, &cubic)?;
-    let scale = |x: DoubleDouble| DoubleDouble::sum(shifted(x.high(), exponent), shifted(x.low(), exponent));
+    let scale = |x: DoubleDouble| {
+        DoubleDouble::sum(shifted(x.high(), exponent), shifted(x.low(), exponent))
+    };
     constants.rate = scale(constants.rate);
     constants.rates = constants.rates.map(scale);
     finite("the rate of nutation", constants.rate.value())?;
-    constants.fit(q, omega, flipped);
-    if flipped {
-        core::mem::swap(&mut constants.top2, &mut constants.bottom1);
+    constants.fit(q, omega);
+    constants.pull = pull;
+    Ok((kind(&cubic, &d), Motion::Moving(constants)))
+}
+
+/// Decided by exact zeros and signs.
+fn kind<N: Scalar>(cubic: &Cubic<N>, d: &Distances<N>) -> Nutation {
+    // φ' has the sign of (L_vert − L₃h)/I₁: here at both turning points.
+    let upper = cubic.drift.subtract(cubic.spin.multiply(d.to_upper));
+    let lower = cubic
+        .drift
+        .subtract(cubic.spin.multiply(d.to_lower).negated());
+    if d.third[3].is_zero() {
+        Nutation::Waking
+    } else if cubic.spin.is_zero() && d.sum.is_zero() {
+        Nutation::PlanePendulum
+    } else if d.band.is_zero() {
+        Nutation::PurePrecession
+    } else if cubic.spin.is_zero() {
+        Nutation::SphericalPendulum
+    } else if upper.is_zero() {
+        Nutation::Cusps
+    } else if upper.leading() * lower.leading() < 0.0 {
+        Nutation::Loops
+    } else {
+        Nutation::Waves
     }
-    Ok(Motion::Moving(constants))
 }
 
 fn constants<N: Scalar<Narrow = DoubleDouble>>(
@@ -355,12 +572,15 @@ fn constants<N: Scalar<Narrow = DoubleDouble>>(
     ];
     let turning = lambda.narrow();
     let rates = core::array::from_fn(|k| {
-        let own = turning.multiply(parameters[k].slope).scaled(parameters[k].sense);
+        let own = turning
+            .multiply(parameters[k].slope)
+            .scaled(parameters[k].sense);
         halves[k].narrow().subtract(own)
     });
     let start = start(d, cubic, m, mc, &modulus, &landen);
     let rate = lambda.narrow().two();
     Ok(Constants {
+        pull: Pull::Down,
         modulus,
         start,
         rate,
@@ -370,6 +590,11 @@ fn constants<N: Scalar<Narrow = DoubleDouble>>(
         top2: top2.narrow().value(),
         bottom1: bottom1.narrow().value(),
         band: d.band.narrow().value(),
+        others: [
+            top1.narrow().value(),
+            bottom2.narrow().value(),
+            beyond.narrow().value() / two_g.narrow().value(),
+        ],
     })
 }
 
@@ -397,7 +622,10 @@ fn start<N: Scalar<Narrow = DoubleDouble>>(
     let fraction = match modulus.side() {
         Side::Circular => {
             let [s, c] = if from_end {
-                [cn2.root_of_quotient(dn2), mc.multiply(d.band).root_of_quotient(dn2)]
+                [
+                    cn2.root_of_quotient(dn2),
+                    mc.multiply(d.band).root_of_quotient(dn2),
+                ]
             } else {
                 [sn2.root_of_quotient(d.band), dn2.root_of_quotient(d.band)]
             };
@@ -433,7 +661,7 @@ fn start<N: Scalar<Narrow = DoubleDouble>>(
 impl Constants {
     /// The constant factors of α and β from the start: their sizes from the tilt at a place between the turning points, their phases from
     /// the vertical and Ω, which never vanish together.
-    fn fit(&mut self, q: Quaternion<f64>, omega: BodyVector, flipped: bool) {
+    fn fit(&mut self, q: Quaternion<f64>, omega: BodyVector) {
         let middle = self.modulus.quarter_period() * 0.5;
         let middle = if middle.is_finite() { middle } else { 1.0 };
         let ([sn, cn, _], [alpha, beta, ..]) = self.pair(0.0, DoubleDouble::from(middle));
@@ -451,18 +679,11 @@ impl Constants {
         let wanted_vertical = i * a.conj() * b * 2.0;
         let wanted = Complex::new(omega.x(), omega.y());
         let time = 1.0 / self.rate.high();
-        let relative = wanted_vertical * vertical.conj()
-            + wanted * time * (turning * time).conj();
+        let relative = wanted_vertical * vertical.conj() + wanted * time * (turning * time).conj();
         let relative = relative / relative.norm();
         let common = alpha.conj() * a + beta.conj() * b * relative.conj();
         let common = common / common.norm();
         self.factors[0] *= common;
         self.factors[1] *= common * relative;
-        if flipped {
-            // Turned back: −i times the quaternion takes α to −iβ̄ … in terms of both.
-            self.flip();
-        }
     }
-
-    fn flip(&mut self) {}
 }

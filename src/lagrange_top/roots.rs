@@ -6,7 +6,6 @@
 //! position if they are h₂ and h₃. The distances from ±1 come from f(±1) = −((L_vert ∓ L₃)/I₁)².
 
 use crate::extended::Scalar;
-use crate::words::Arithmetic;
 
 /// What the cubic is made of, everything divided by I₁.
 #[derive(Debug, Clone, Copy)]
@@ -98,7 +97,11 @@ impl<N: Scalar> Cubic<N> {
         let band = s.square().add(p.times(-4.0)).square_root();
         // The greater of the two in size is a sum; the other is the product over it.
         let far = band.add(s.magnitude()).times(0.5);
-        let near = if far.is_zero() { zero } else { p.negated().divide(far) };
+        let near = if far.is_zero() {
+            zero
+        } else {
+            p.negated().divide(far)
+        };
         let (to_upper, to_lower) = if s.leading() < 0.0 {
             (near, far)
         } else {
@@ -156,7 +159,11 @@ impl<N: Scalar> Cubic<N> {
         let top1 = greatest_root([
             quadratic.divide(two_g).negated(),
             linear.divide(two_g).negated(),
-            if constant.is_zero() { zero } else { constant.divide(two_g) },
+            if constant.is_zero() {
+                zero
+            } else {
+                constant.divide(two_g)
+            },
         ]);
         let product = if constant.is_zero() {
             zero
@@ -169,7 +176,11 @@ impl<N: Scalar> Cubic<N> {
             .divide(two_g.multiply(top1.square()));
         let far_apart = gap.square().add(product.times(4.0)).square_root();
         let far = far_apart.add(gap.magnitude()).times(0.5);
-        let near = if product.is_zero() { zero } else { product.divide(far) };
+        let near = if product.is_zero() {
+            zero
+        } else {
+            product.divide(far)
+        };
         let (top2, beyond) = if gap.leading() < 0.0 {
             (far, near)
         } else {
@@ -183,7 +194,19 @@ impl<N: Scalar> Cubic<N> {
         } else {
             sum.square().divide(bottom2.multiply(from_bottom))
         };
-        let to_lower = top1.subtract(self.below_top);
+        // The greater of the two directly; their product with 2g (h₃ − h) is h'².
+        let third = two_g.multiply(self.below_top.add(beyond));
+        let product = if self.rise.is_zero() {
+            zero
+        } else {
+            self.rise.square().divide(third)
+        };
+        let (up, down) = (self.below_top.subtract(top2), top1.subtract(self.below_top));
+        let (to_upper, to_lower) = if up.exceeds(down) {
+            (up, product.divide(up))
+        } else {
+            (product.divide(down), down)
+        };
         Distances {
             top: [top1, top2],
             bottom: [bottom1, bottom2],
@@ -196,7 +219,7 @@ impl<N: Scalar> Cubic<N> {
             ],
             difference,
             sum,
-            to_upper: self.below_top.subtract(top2),
+            to_upper,
             to_lower,
         }
     }
@@ -220,8 +243,17 @@ fn greatest_root<N: Scalar>([a, b, c]: [N; 3]) -> N {
     }
     // Each step takes off at least a third of the way; at the end they double the digits.
     for _ in 0..200 {
-        let value = y.subtract(a.negated()).multiply(y).subtract(b.negated()).multiply(y).subtract(c.negated());
-        let slope = y.times(3.0).subtract(a.times(-2.0)).multiply(y).subtract(b.negated());
+        let value = y
+            .subtract(a.negated())
+            .multiply(y)
+            .subtract(b.negated())
+            .multiply(y)
+            .subtract(c.negated());
+        let slope = y
+            .times(3.0)
+            .subtract(a.times(-2.0))
+            .multiply(y)
+            .subtract(b.negated());
         if value.leading() <= 0.0 || slope.leading() <= 0.0 {
             break;
         }

@@ -96,9 +96,19 @@ impl Parameter {
             .add(plus[2])
             .add(plus[1])
             .add(plus[0]);
-        let slope = landen.mean.multiply(numerator).divide(denominator).two().negated();
+        let slope = landen
+            .mean
+            .multiply(numerator)
+            .divide(denominator)
+            .two()
+            .negated();
         let a = [plus[0].value(), -plus[1].value(), plus[2].value(), -plus3];
-        let b = [minus[0].value(), -minus[1].value(), minus[2].value(), -minus3];
+        let b = [
+            minus[0].value(),
+            -minus[1].value(),
+            minus[2].value(),
+            -minus3,
+        ];
         let real = [
             a[0] + 3.0 * a[1] + 5.0 * a[2] + 7.0 * a[3],
             -4.0 * a[1] - 20.0 * a[2] - 56.0 * a[3],
@@ -168,7 +178,10 @@ impl Parameter {
                 let x = s * s;
                 [
                     complex((s * polynomial(real, x), c * polynomial(imaginary, x))),
-                    complex((c * polynomial(real_slope, x), s * polynomial(imaginary_slope, x))),
+                    complex((
+                        c * polynomial(real_slope, x),
+                        s * polynomial(imaginary_slope, x),
+                    )),
                 ]
             }
             (Family::Hyperbolic(dual), Local::Hyperbolic(crest)) => {

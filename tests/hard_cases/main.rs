@@ -3,3 +3,4 @@
 mod euler_equations;
 mod free_top;
 mod inertia;
+mod lagrange_top;

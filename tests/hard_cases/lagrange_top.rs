@@ -124,7 +124,8 @@ impl Row {
         Errors {
             attitude: angle(&state.attitude, self.attitude),
             omega: if off == 0.0 { 0.0 } else { off / fastest },
-            poles: chord(state.one_less, twice * (b * b + c * c)).max(chord(state.one_more, twice * (a * a + d * d))),
+            poles: chord(state.one_less, twice * (b * b + c * c))
+                .max(chord(state.one_more, twice * (a * a + d * d))),
         }
     }
 

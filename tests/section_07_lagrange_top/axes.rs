@@ -85,7 +85,11 @@ fn s7_2_axes_that_follow_the_tilt_and_not_the_spin() {
             // In these axes I is diag(I₁, I₁, I₃) all the same, and Ω₁ = φ' sin θ, Ω₂ = θ' up to its sign.
             let turning: [f64; 3] = state.attitude.to_space(state.omega).components().into();
             let along = |e: [f64; 3]| e[0] * turning[0] + e[1] * turning[1] + e[2] * turning[2];
-            let Body { transverse: i1, axial: i3, .. } = body;
+            let Body {
+                transverse: i1,
+                axial: i3,
+                ..
+            } = body;
             let momentum = motion.after(t).momentum;
             for k in 0..3 {
                 let l = i1 * along(e1) * e1[k] + i1 * along(e2) * e2[k] + i3 * along(e3) * e3[k];
@@ -135,7 +139,11 @@ fn s7_2_no_torque_about_the_axis_or_the_vertical() {
 #[test]
 fn s7_2_three_constants() {
     for (body, omega, attitude, top) in random_tops(100) {
-        let Body { transverse: i1, axial: i3, weight_moment } = body;
+        let Body {
+            transverse: i1,
+            axial: i3,
+            weight_moment,
+        } = body;
         let l3 = top.axial_angular_momentum();
         let scale = 1.0 + i1 * omega.norm();
         within((l3 - i3 * omega.z()).abs(), 1e-15 * l3.abs());
@@ -145,7 +153,10 @@ fn s7_2_three_constants() {
             let [x, y, z] = motion.axis;
             let along = x * motion.momentum[0] + y * motion.momentum[1] + z * motion.momentum[2];
             within((along - l3).abs() / scale, 3e-14);
-            within((motion.momentum[2] - top.vertical_angular_momentum()).abs() / scale, 3e-15);
+            within(
+                (motion.momentum[2] - top.vertical_angular_momentum()).abs() / scale,
+                3e-15,
+            );
 
             let state = at(&top, t);
             assert_eq!(state.omega.z(), omega.z());
@@ -157,7 +168,10 @@ fn s7_2_three_constants() {
             let precessing = (state.omega.x() * up.x() + state.omega.y() * up.y()) / sine;
             let tilting = (state.omega.x() * up.y() - state.omega.y() * up.x()) / sine;
             let vertical = i1 * precessing * sine + l3 * h;
-            within((vertical - top.vertical_angular_momentum()).abs() / scale, 3e-14);
+            within(
+                (vertical - top.vertical_angular_momentum()).abs() / scale,
+                3e-14,
+            );
             let energy = 0.5 * i1 * (tilting * tilting + precessing * precessing)
                 + l3 * l3 / (2.0 * i3)
                 + weight_moment * h;
@@ -178,8 +192,7 @@ fn s7_2_the_equation_for_h_is_exact() {
         // h' is the third component of z∧Ω (5.1); L_vert and E' = E − L₃²/2I₃ from their definitions.
         let rate = z[0] * omega[1] - z[1] * omega[0];
         let vertical = i1 * (omega[0] * z[0] + omega[1] * z[1]) + l3 * h;
-        let energy =
-            i1 * (omega[0] * omega[0] + omega[1] * omega[1]) / rational(2, 1) + weight * h;
+        let energy = i1 * (omega[0] * omega[0] + omega[1] * omega[1]) / rational(2, 1) + weight * h;
         let at = |h: R| cubic([i1, weight], energy, l3, vertical, h);
         assert_eq!(at(h), i1 * i1 * rate * rate);
         // A cubic: its third difference is 6 times the leading coefficient 2I₁Mgl.
@@ -188,7 +201,10 @@ fn s7_2_the_equation_for_h_is_exact() {
         assert_eq!(d - three * c + three * b - a, rational(12, 1) * i1 * weight);
         // Without gravity a quadratic.
         let at = |k: i128| cubic([i1, rational(0, 1)], energy, l3, vertical, rational(k, 1));
-        assert_eq!(at(3) - three * at(2) + three * at(1) - at(0), rational(0, 1));
+        assert_eq!(
+            at(3) - three * at(2) + three * at(1) - at(0),
+            rational(0, 1)
+        );
     }
 }
 
@@ -206,7 +222,10 @@ fn s7_2_order_of_the_roots() {
     }
     for (body, _, _, top) in random_tops(300) {
         let [h1, h2, h3] = roots(&top);
-        assert!(-1.0 <= h1 && h1 <= h2 && h2 <= 1.0 && 1.0 <= h3, "{h1} {h2} {h3}");
+        assert!(
+            -1.0 <= h1 && h1 <= h2 && h2 <= 1.0 && 1.0 <= h3,
+            "{h1} {h2} {h3}"
+        );
         for t in [0.0, 0.7, 3.0] {
             let h = at(&top, t).height;
             assert!(h1 - 1e-15 <= h && h <= h2 + 1e-15, "{h1} {h} {h2}");
@@ -218,7 +237,10 @@ fn s7_2_order_of_the_roots() {
         let factors = |h: f64| leading * (h - h1) * (h - h2) * (h - h3);
         let size = leading * h3 + vertical * vertical + l3 * l3;
         within((factors(1.0) + (vertical - l3).powi(2)).abs() / size, 1e-14);
-        within((factors(-1.0) + (vertical + l3).powi(2)).abs() / size, 1e-14);
+        within(
+            (factors(-1.0) + (vertical + l3).powi(2)).abs() / size,
+            1e-14,
+        );
     }
     let _ = UNIT;
     // L_vert = L₃: the band reaches the pole. From upright with a kick.

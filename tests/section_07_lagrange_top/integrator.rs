@@ -80,8 +80,8 @@ impl Motion {
         for k in 0..3 {
             (e[k][0], l[k][0]) = (self.axis[k], self.momentum[k]);
         }
-        for k in 0..4 {
-            q[k][0] = self.attitude[k];
+        for (series, start) in q.iter_mut().zip(self.attitude) {
+            series[0] = start;
         }
         let Body {
             transverse,

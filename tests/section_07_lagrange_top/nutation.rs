@@ -6,7 +6,9 @@ use crate::common::{
 };
 use crate::integrator::{Motion, UNIT};
 use crate::support::{Uniform, rational};
-use spinning_bodies::elliptic::{Characteristic, Modulus, Parameter, complete_first, complete_third};
+use spinning_bodies::elliptic::{
+    Characteristic, Modulus, Parameter, complete_first, complete_third,
+};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::lagrange_top::LagrangeTop;
 
@@ -91,7 +93,10 @@ fn s7_2_period_of_nutation() {
     let lambda = (1.0 - 1.5 * 1.5 / 4.0_f64).sqrt();
     for (kick, bound) in [(1e-3, 1e-5), (1e-6, 1e-10), (1e-9, 1e-13)] {
         let growth = period(kick) - period(10.0 * kick);
-        within((growth * lambda / (2.0 * 10_f64.ln()) - 1.0).abs(), bound * 100.0);
+        within(
+            (growth * lambda / (2.0 * 10_f64.ln()) - 1.0).abs(),
+            bound * 100.0,
+        );
     }
 }
 
@@ -112,7 +117,10 @@ fn s7_2_azimuth_in_a_nutation() {
         let top = example();
         let found = top.precession_per_nutation();
         within((found / expected - 1.0).abs(), 5e-16);
-        within((top.mean_precession_rate() * top.period() / expected - 1.0).abs(), 1e-15);
+        within(
+            (top.mean_precession_rate() * top.period() / expected - 1.0).abs(),
+            1e-15,
+        );
         // Two integrals of the third kind, one for each pole.
         let [h1, h2, _] = roots(&top);
         let (l3, vertical) = (
@@ -194,7 +202,10 @@ fn s7_2_the_integral_for_the_azimuth_starts_at_h_of_0() {
         // On the way down as much again, in the mirror of the way up.
         let t = 0.1 * f64::from(k) * period;
         let falling = gained_azimuth(&top, period - t, 40);
-        within((falling - (2.0 * to(h2) - to(at(&top, t).height))).abs(), 2e-13);
+        within(
+            (falling - (2.0 * to(h2) - to(at(&top, t).height))).abs(),
+            2e-13,
+        );
     }
 }
 

@@ -15,8 +15,14 @@ fn swinging(mut e: [f64; 3], mut v: [f64; 3], t: f64, steps: u32) -> [f64; 3] {
     let add = |a: [f64; 3], b: [f64; 3], by: f64| std::array::from_fn(|k| a[k] + by * b[k]);
     for _ in 0..steps {
         let (e1, v1) = (v, pull(e, v));
-        let (e2, v2) = (add(v, v1, h / 2.0), pull(add(e, e1, h / 2.0), add(v, v1, h / 2.0)));
-        let (e3, v3) = (add(v, v2, h / 2.0), pull(add(e, e2, h / 2.0), add(v, v2, h / 2.0)));
+        let (e2, v2) = (
+            add(v, v1, h / 2.0),
+            pull(add(e, e1, h / 2.0), add(v, v1, h / 2.0)),
+        );
+        let (e3, v3) = (
+            add(v, v2, h / 2.0),
+            pull(add(e, e2, h / 2.0), add(v, v2, h / 2.0)),
+        );
         let (e4, v4) = (add(v, v3, h), pull(add(e, e3, h), add(v, v3, h)));
         e = std::array::from_fn(|k| e[k] + h / 6.0 * (e1[k] + 2.0 * (e2[k] + e3[k]) + e4[k]));
         v = std::array::from_fn(|k| v[k] + h / 6.0 * (v1[k] + 2.0 * (v2[k] + v3[k]) + v4[k]));
@@ -31,10 +37,7 @@ fn between(small: f64, large: f64, gravity: f64) -> LagrangeTop {
     let fall = 2.0 * (0.5 * (large - small)).sin() * (0.5 * (large + small)).sin();
     let (rise, sum) = (sb * sb - sa * sa, sb * sb);
     let rate = (2.0 * gravity * fall * sum / (sa * sa * rise)).sqrt();
-    let below = Attitude::about_axis(
-        BodyVector::new(1.0, 0.0, 0.0),
-        std::f64::consts::PI - small,
-    );
+    let below = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), std::f64::consts::PI - small);
     let omega = BodyVector::new(0.0, rate * sa, 0.0);
     LagrangeTop::new(1.0, AXIAL, gravity, omega, below.unwrap()).unwrap()
 }
@@ -61,8 +64,14 @@ fn s7_6_spherical_pendulum() {
     within((h2 + 0.081194534468054211982).abs(), 6e-16);
     // The roots' products in pairs add up to −1.
     within((h1 * h2 + (h1 + h2) * h3 + 1.0).abs(), 1e-15);
-    within((top.period() / 3.580295057592311364788699 - 1.0).abs(), 1e-15);
-    within((top.precession_per_nutation() / 4.181334119373337192767947 - 1.0).abs(), 2e-15);
+    within(
+        (top.period() / 3.580295057592311364788699 - 1.0).abs(),
+        1e-15,
+    );
+    within(
+        (top.precession_per_nutation() / 4.181334119373337192767947 - 1.0).abs(),
+        2e-15,
+    );
     let start = at(&top, 0.0);
     let e = axis(&start);
     let omega: [f64; 3] = start.attitude.to_space(start.omega).components().into();
@@ -73,7 +82,9 @@ fn s7_6_spherical_pendulum() {
     ];
     for t in [1.0, 3.580295057592311, -5.0] {
         let (found, expected) = (axis(&at(&top, t)), swinging(e, v, t, 20_000));
-        let off = (0..3).map(|k| (found[k] - expected[k]).abs()).fold(0.0, f64::max);
+        let off = (0..3)
+            .map(|k| (found[k] - expected[k]).abs())
+            .fold(0.0, f64::max);
         within(off, 1e-13);
     }
     // Only Mgl/I₁ counts: a bob of another mass, or a body of the same equivalent length.
@@ -84,12 +95,20 @@ fn s7_6_spherical_pendulum() {
     for (small, large, period, azimuth) in [
         (0.05_f64, 0.10_f64, 1.003816702, 180.337984),
         (0.2, 0.4, 1.015492643, 185.525644),
-        (30_f64.to_radians(), 60_f64.to_radians(), 1.080099628, 223.367105),
+        (
+            30_f64.to_radians(),
+            60_f64.to_radians(),
+            1.080099628,
+            223.367105,
+        ),
     ] {
         let top = between(small, large, 9.81);
         within((roots(&top)[1] + large.cos()).abs(), 3e-14);
         within((top.period() - period).abs(), 6e-10);
-        within((top.precession_per_nutation().to_degrees() - azimuth).abs(), 6e-7);
+        within(
+            (top.precession_per_nutation().to_degrees() - azimuth).abs(),
+            6e-7,
+        );
         within(
             (gained_azimuth(&top, top.period(), 40) - top.precession_per_nutation()).abs(),
             1e-13,
@@ -123,7 +142,11 @@ fn s7_6_i3_to_zero() {
     }
     // What matters is L₃: held at 3 by a spin of 3/I₃, they do not move back.
     for axial in [1e-2, 1e-4, 1e-6] {
-        assert!(moved(&with(axial, 3.0 / axial)).iter().any(|x| x.abs() > 0.1));
+        assert!(
+            moved(&with(axial, 3.0 / axial))
+                .iter()
+                .any(|x| x.abs() > 0.1)
+        );
     }
     // The axis of the top tends to the pendulum's.
     let pendulum = with(AXIAL, 0.0);

@@ -57,8 +57,14 @@ fn s7_4_nearly_a_cycloid() {
                     return worst.max(off);
                 }
                 let azimuth = gained_azimuth(&top, part * period, 8);
-                let along = if stretched { azimuth } else { azimuth * TILT.sin() };
-                worst.max(off).max((along - amplitude * (u - u.sin())).abs())
+                let along = if stretched {
+                    azimuth
+                } else {
+                    azimuth * TILT.sin()
+                };
+                worst
+                    .max(off)
+                    .max((along - amplitude * (u - u.sin())).abs())
             }) / amplitude
         };
         assert!(worst(true, false) <= worst(false, false));
@@ -67,7 +73,10 @@ fn s7_4_nearly_a_cycloid() {
         deviations.push(worst(false, false));
     }
     for (deviation, expected) in deviations.iter().zip([0.358, 0.0934, 0.0235]) {
-        within((deviation - expected).abs(), 5.1e-4 * f64::max(1.0, expected * 2.0));
+        within(
+            (deviation - expected).abs(),
+            5.1e-4 * f64::max(1.0, expected * 2.0),
+        );
     }
     within((deviations[2] - 0.0235113).abs(), 6e-8);
     // The approach is as 1/L₃².
@@ -80,7 +89,10 @@ fn s7_4_nearly_a_cycloid() {
 fn s7_4_mean_precession_and_nutation() {
     let ten = released(10.0);
     let expected = 0.063765492185492136721;
-    within((ten.precession_per_nutation() / expected - 1.0).abs(), 1e-15);
+    within(
+        (ten.precession_per_nutation() / expected - 1.0).abs(),
+        1e-15,
+    );
     within((ten.period() / 0.63454896882682277416 - 1.0).abs(), 5e-16);
     let mut off = Vec::new();
     for l3 in [5.0, 10.0, 20.0] {
@@ -90,9 +102,12 @@ fn s7_4_mean_precession_and_nutation() {
         off.push([precession, nutation].map(|x| x * l3 * l3));
     }
     // Both tend to 1 as L₃⁻²: the differences times L₃² settle.
-    for k in 0..2 {
-        let [a, b, c] = [off[0][k], off[1][k], off[2][k]];
-        assert!(a.abs() < 2.0 && b.abs() < 2.0 && c.abs() < 2.0, "{a} {b} {c}");
+    let kinds = [0, 1].map(|k| [off[0][k], off[1][k], off[2][k]]);
+    for [a, b, c] in kinds {
+        assert!(
+            a.abs() < 2.0 && b.abs() < 2.0 && c.abs() < 2.0,
+            "{a} {b} {c}"
+        );
         assert!((c - b).abs() < 0.3 * (b - a).abs(), "{a} {b} {c}");
     }
 }

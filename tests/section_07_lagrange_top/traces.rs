@@ -13,7 +13,13 @@ fn signs(top: &LagrangeTop) -> [u32; 3] {
     for k in 0..400 {
         let state = at(top, top.period() * (f64::from(k) + 0.5) / 400.0);
         let rate = precession(top, &state);
-        counts[if rate < 0.0 { 0 } else if rate > 0.0 { 2 } else { 1 }] += 1;
+        counts[if rate < 0.0 {
+            0
+        } else if rate > 0.0 {
+            2
+        } else {
+            1
+        }] += 1;
     }
     counts
 }
@@ -128,8 +134,8 @@ fn s7_4_picture_l_cusps() {
         let fall = axis(&at(&top, 0.0))[2] - at(&top, t).height;
         within((fall / (0.375 * t * t) - 1.0).abs(), t * t);
     }
-    // Among a fan of starts at one tilt only the one at rest has cusps.
-    let cusps = (-20..=20).filter(|k| {
+    // Among a fan of starts at one tilt only the one at rest has cusps; at φ' = 2Mgl/L₃ = 1 the start would be below one.
+    let cusps = (-20..20).filter(|k| {
         let top = spun(1.0, 0.0, 0.05 * f64::from(*k), 2.0);
         is(&top, Nutation::Cusps)
     });

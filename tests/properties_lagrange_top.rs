@@ -247,13 +247,12 @@ proptest! {
 
     /// A turn of space about the vertical turns the whole motion; a turn of the body about its axis at the start stays with it.
     #[test]
-    fn two_symmetries(body in bodies(), omega in omegas(), start in attitudes(), t in -30.0..30.0, angle in -3.0..3.0_f64) {
+    fn two_symmetries(body in bodies(), omega in omegas(), start in attitudes(), t in -3.0..3.0, angle in -3.0..3.0_f64) {
         let turn = Attitude::about_axis(vector([0.0, 0.0, 1.0]), angle).expect("an axis");
         let fastest = fastest(body, omega);
-        let plain = at(&top(body, omega, start), t);
+        let t = t / fastest;
         // The turned start is rounded, and neighbours part.
-        let allowed = 2e-15 * parting(body, omega, t.clamp(-3.0, 3.0) / fastest);
-        let t = t.clamp(-3.0, 3.0) / fastest;
+        let allowed = 2e-15 * parting(body, omega, t);
         let near = at(&top(body, omega, start), t);
         let turned = at(&top(body, omega, composed(&turn, &start)), t);
         let expected = State { attitude: composed(&turn, &near.attitude), ..near };
@@ -263,7 +262,6 @@ proptest! {
         let omega_there = BodyVector::from_components(turn.quaternion().inverse() * near.omega.components());
         let expected = State { attitude: composed(&near.attitude, &turn), omega: omega_there, ..near };
         within!(distance(&spun, &expected, fastest), 4.0 * allowed, "turned about the axis");
-        prop_assert!(plain.omega.is_finite());
     }
 
     /// Mgl < 0 is the same top with its axis named the other way round: half a turn about x₁ before the motion and after.

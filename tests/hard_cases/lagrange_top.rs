@@ -203,5 +203,60 @@ fn height_and_its_complements_agree() -> Result<()> {
     Ok(())
 }
 
+/// |found − exact|/|exact|.
+fn relative(found: f64, exact: Dd) -> f64 {
+    ((Dd::from(found) - exact) / exact).value().abs()
+}
+
+/// Turning points, period and azimuth per nutation: `tests/reference/lagrange_constants.py` says how that table was made.
+#[test]
+fn constants_against_the_table() -> Result<()> {
+    let mut worst = [0.0_f64; 5];
+    let mut failures = Vec::new();
+    let mut rows = 0;
+    let lines = include_str!("../reference/lagrange_constants.csv")
+        .lines()
+        .skip(1);
+    for line in lines {
+        rows += 1;
+        let fields: Vec<&str> = line.split(',').collect();
+        let [i1, i3, weight, x, y, z] = [1, 2, 3, 4, 5, 6].map(|k| hexadecimal(fields[k]));
+        let [a, b, c, d] = [7, 8, 9, 10].map(|k| hexadecimal(fields[k]));
+        let attitude = Attitude::from_quaternion(a, b, c, d)?;
+        let top = LagrangeTop::new(i1, i3, weight, BodyVector::new(x, y, z), attitude)?;
+        let [more1, more2, beyond3, period] = [13, 14, 15, 16].map(|k| decimal(fields[k]));
+        let roots = top.roots();
+        let one = Dd::from(1.0);
+        let mut errors = [
+            (Dd::from(roots.h1) - (more1 - one)).value().abs(),
+            (Dd::from(roots.h2) - (more2 - one)).value().abs(),
+            relative(roots.h3, beyond3 + one),
+            relative(top.period(), period),
+            0.0,
+        ];
+        // Through a pole the axis has no azimuth.
+        if fields[17] != "nan" {
+            let exact = decimal(fields[17]);
+            let found = top.precession_per_nutation();
+            errors[4] = (Dd::from(found) - exact).value().abs() / exact.value().abs().max(1e-3);
+        }
+        for (worst, error) in worst.iter_mut().zip(errors) {
+            *worst = if *worst >= error { *worst } else { error };
+        }
+        if !errors.iter().all(|error| *error <= 1e-15) {
+            failures.push(format!("{errors:.1e?} {line}"));
+        }
+    }
+    println!("h1, h2, h3, period, azimuth: {worst:.1e?}");
+    assert_eq!(rows, 200);
+    assert!(
+        failures.is_empty(),
+        "{}\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
+    Ok(())
+}
+
 /// Lines of the table.
 const ROWS: usize = 857;

@@ -38,8 +38,7 @@ def constants(top):
         h3 = exact(top.simple)
         azimuth = (lv - l3 * h1) / (1 - h1 * h1) * pi / top.rate
     else:
-        h1, h2 = top.h1, top.h2
-        h3 = h1 + 2 * top.rate**2 / exact(top.g)
+        h1, h2, h3 = top.h1, top.h2, top.h3
         azimuth = mpf("nan")
         if not (top.bottom or top.top):
             terms = [l * third[3] / (third[0] * top.rate) for l, third in ((lv + l3, top.thirds[0]), (lv - l3, top.thirds[1]))]

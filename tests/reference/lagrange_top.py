@@ -179,7 +179,8 @@ class Top:
                 snap(mpf(1))
             if self.lv == -self.l3:
                 snap(mpf(-1))
-            self.h1, self.h2, h3 = h
+            self.h1, self.h2, self.h3 = h
+            h3 = self.h3
             band = self.h2 - self.h1
             assert self.h1 <= h0 <= self.h2 <= 1 <= h3 and self.h1 >= -1 and band > 0, (h, h0)
             self.rate = sqrt(exact(self.g) * (h3 - self.h1) / 2)

@@ -1,7 +1,7 @@
 //! 7.1 and the first half of 7.2: what the top is, its axes, and what is conserved.
 
 use crate::common::{AXIAL, at, axis, cubic, ration, roots, tilted, unit_vector, within};
-use crate::integrator::{Body, Motion, UNIT};
+use crate::integrator::{Body, Motion};
 use crate::support::{R, Uniform, rational};
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability, TopState};
 use spinning_bodies::frame::{Attitude, BodyVector};
@@ -242,7 +242,6 @@ fn s7_2_order_of_the_roots() {
             1e-14,
         );
     }
-    let _ = UNIT;
     // L_vert = L₃: the band reaches the pole. From upright with a kick.
     let kicked = LagrangeTop::new(1.0, AXIAL, 1.0, BodyVector::new(0.5, 0.0, 3.0), tilted(0.0));
     assert_eq!(roots(&kicked.unwrap())[1], 1.0);

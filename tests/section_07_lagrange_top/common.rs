@@ -123,10 +123,9 @@ pub fn unit_vector(numbers: &mut Uniform) -> [R; 3] {
     ]
 }
 
-/// Fails, with the number, unless the error is within the bound. Bounds are some three times what was observed over all cases.
+/// Fails, with the number, unless the error is within the bound.
 #[track_caller]
 pub fn within(error: f64, bound: f64) {
-    println!("OBS {} {error:e} {bound:e}", std::panic::Location::caller());
     assert!(error <= bound, "{error:e} is beyond {bound:e}");
 }
 

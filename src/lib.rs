@@ -14,7 +14,7 @@
 //! | 4.6 | [`superball`] | bounces that keep the energy, exactly and after any number of them |
 //! | 5 | [`euler_equations`] | Euler's equations, with torque and about any point; the heavy tops with a further integral |
 //! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants |
-//! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the wobble of the Earth |
+//! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
 //! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
 //! | | [`error`] | the one error type |
@@ -32,11 +32,13 @@ pub mod frame;
 pub mod ideal_fluid;
 pub mod impacts;
 pub mod inertia;
+pub mod lagrange_top;
 pub mod phenomena;
 pub mod pythagoras;
 pub mod rolling;
 pub mod rotating_fluid;
 pub mod superball;
+mod words;
 
 pub use error::{Error, Result};
 

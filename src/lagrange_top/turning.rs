@@ -1,0 +1,182 @@
+//! The two Cayley–Klein parameters of Lagrange's top, each one theta function (tutorial 7.2).
+//!
+//! α = cos(θ/2) e^{i(φ+ψ)/2} and β = sin(θ/2) e^{i(φ−ψ)/2} have |α|² = (1 + h)/2 and |β|² = (1 − h)/2, where h moves between h₁
+//! and h₂ like sn². So |α| vanishes at a complex place u = ±iη only, |β| at u = K ± iη′, and Jacobi's
+//! integrals of the third kind become
+//!
+//! α ∝ ϑ₁(π(u ± iη)/2K) e^{iμt}, β ∝ ϑ₂(π(u ± iη′)/2K) e^{iμ′t}.
+//!
+//! Through the upright and the hanging position nothing happens to them: there one of the two is zero, and passes on.
+
+use crate::double_double::DoubleDouble;
+use crate::elliptic::landen::Landen;
+use crate::elliptic::local::{Local, Place};
+use crate::elliptic::theta::{DualTheta, Elevation, Which, dual_excess, polynomial};
+use crate::extended::Scalar;
+use crate::words::{Arithmetic, Words};
+
+/// ϑ₁(π(u + iη)/2K), or its conjugate, without the factor that grows with η.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Parameter {
+    /// 1, or −1 for the conjugate.
+    pub(super) sense: f64,
+    /// By how much the argument falls with each quarter period beyond what the local expansion shows, radians.
+    pub(super) lag: DoubleDouble,
+    /// d arg/du at u = K.
+    pub(super) slope: DoubleDouble,
+    family: Family,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Family {
+    /// sin z and cos z times polynomials in sin² z, and their derivatives.
+    Circular {
+        real: [f64; 4],
+        imaginary: [f64; 4],
+        real_slope: [f64; 4],
+        imaginary_slope: [f64; 4],
+    },
+    Hyperbolic(DualTheta),
+}
+
+/// A complex number.
+pub(super) type Complex = nalgebra::Complex<f64>;
+
+impl Parameter {
+    pub(super) fn circular<N: Scalar>(
+        landen: &Landen<N>,
+        elevation: &Elevation<N>,
+        m: N,
+        sense: f64,
+    ) -> Self {
+        let one = N::Narrow::from_double(1.0);
+        let q = landen.nome;
+        let sinh = elevation.hyperbolic_sine(landen, m);
+        let exponential = sinh.add(sinh.hypotenuse_with_one());
+        let inverse = one.divide(exponential);
+        let decay = inverse.multiply(inverse);
+        let other = if q.is_zero() {
+            q
+        } else {
+            q.multiply(exponential).multiply(exponential)
+        };
+        // ρ = q e^{2w}, ε = e^{−2w}, 1 − ε = 2 sinh w · e^{−w}.
+        let (rho, epsilon, rest) = match elevation.which {
+            Which::Eta => (other, decay, sinh.scaled(2.0).multiply(inverse)),
+            Which::Xi => (decay, other, one.subtract(other)),
+        };
+        // q^{n²} ρⁿ (1 ± ε^{2n+1}) for n = 0, 1, 2, 3.
+        let square = epsilon.multiply(epsilon);
+        let (e1, e3) = (epsilon, epsilon.multiply(square));
+        let e5 = e3.multiply(square);
+        let factor1 = q.multiply(rho);
+        let factor2 = factor1.multiply(factor1).multiply(q.multiply(q));
+        let geometric3 = one.add(epsilon).add(square);
+        let geometric5 = geometric3.add(e3).add(square.multiply(square));
+        let minus = [
+            rest,
+            factor1.multiply(rest.multiply(geometric3)),
+            factor2.multiply(rest.multiply(geometric5)),
+        ];
+        let plus = [
+            one.add(e1),
+            factor1.multiply(one.add(e3)),
+            factor2.multiply(one.add(e5)),
+        ];
+        let x = q.leading();
+        let factor3 = factor2.leading() * factor1.leading() * x * x * x * x;
+        let e7 = e5.leading() * square.leading();
+        let (plus3, minus3) = (factor3 * (1.0 + e7), factor3 * (1.0 - e7));
+        // At z = π/2: cos(2n+1)z' sums with the sign that ϑ₂ has.
+        let numerator = N::Narrow::from_double(7.0 * minus3)
+            .add(minus[2].multiply(N::Narrow::from_double(5.0)))
+            .add(minus[1].multiply(N::Narrow::from_double(3.0)))
+            .add(minus[0]);
+        let denominator = N::Narrow::from_double(plus3)
+            .add(plus[2])
+            .add(plus[1])
+            .add(plus[0]);
+        let slope = landen.mean.multiply(numerator).divide(denominator).two().negated();
+        let a = [plus[0].value(), -plus[1].value(), plus[2].value(), -plus3];
+        let b = [minus[0].value(), -minus[1].value(), minus[2].value(), -minus3];
+        let real = [
+            a[0] + 3.0 * a[1] + 5.0 * a[2] + 7.0 * a[3],
+            -4.0 * a[1] - 20.0 * a[2] - 56.0 * a[3],
+            16.0 * a[2] + 112.0 * a[3],
+            -64.0 * a[3],
+        ];
+        let imaginary = [
+            b[0] + b[1] + b[2] + b[3],
+            -4.0 * b[1] - 12.0 * b[2] - 24.0 * b[3],
+            16.0 * b[2] + 80.0 * b[3],
+            -64.0 * b[3],
+        ];
+        let q4 = |k: usize| if k < 4 { imaginary[k] } else { 0.0 };
+        let real_slope = core::array::from_fn(|k| (2 * k + 1) as f64 * real[k]);
+        let imaginary_slope = core::array::from_fn(|k| {
+            2.0 * (k + 1) as f64 * q4(k + 1) - (2 * k + 1) as f64 * imaginary[k]
+        });
+        Self {
+            sense,
+            lag: DoubleDouble::from(0.0),
+            slope,
+            family: Family::Circular {
+                real,
+                imaginary,
+                real_slope,
+                imaginary_slope,
+            },
+        }
+    }
+
+    /// For m > 1/2: ϑ₂(ix − v) with v = πη/2K′ − π/2.
+    pub(super) fn hyperbolic<N: Scalar>(
+        landen: &Landen<N>,
+        elevation: &Elevation<N>,
+        mc: N,
+        sense: f64,
+    ) -> Self {
+        let (sine, cosine) = elevation.angle(landen, mc);
+        let (s, c) = (cosine.negated(), sine);
+        Self {
+            sense,
+            lag: N::Narrow::angle(sine, cosine).two(),
+            slope: dual_excess(landen, s, c).two(),
+            family: Family::Hyperbolic(DualTheta::new(landen.nome.value(), s.value(), c.value())),
+        }
+    }
+
+    /// Value and derivative by z or x, next to the place (`shifted` by one quarter period), over e^x where the sum of both
+    /// parities is even.
+    pub(super) fn at(&self, place: &Place, shifted: bool, root: f64) -> [Complex; 2] {
+        let complex = |(re, im): (f64, f64)| Complex::new(re, self.sense * im);
+        match (&self.family, &place.local) {
+            (
+                Family::Circular {
+                    real,
+                    imaginary,
+                    real_slope,
+                    imaginary_slope,
+                },
+                Local::Circular { sine, cosine },
+            ) => {
+                let (s, c) = if shifted {
+                    (*cosine, -*sine)
+                } else {
+                    (*sine, *cosine)
+                };
+                let x = s * s;
+                [
+                    complex((s * polynomial(real, x), c * polynomial(imaginary, x))),
+                    complex((c * polynomial(real_slope, x), s * polynomial(imaginary_slope, x))),
+                ]
+            }
+            (Family::Hyperbolic(dual), Local::Hyperbolic(crest)) => {
+                let odd = ((place.quarters as i64) & 1 != 0) != shifted;
+                dual.with_slope(odd, crest, root).map(complex)
+            }
+            // The modulus and the parameters are prepared by the same decision.
+            _ => [Complex::new(1.0, 0.0), Complex::new(0.0, 0.0)],
+        }
+    }
+}

@@ -9,7 +9,8 @@ use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, State};
 
-use super::inertia::{decimal, double_double::Dd, hexadecimal};
+use super::decimal::hexadecimal;
+use super::inertia::{decimal, double_double::Dd};
 
 /// One line of the table.
 struct Row {

@@ -138,12 +138,10 @@ impl Row {
             self.turns
         }
     }
-
-    /// Bar for all errors: up to ten nutations, up to a thousand.
-    fn bar(&self) -> f64 {
-        if self.elapsed() <= 10.5 { 1e-14 } else { 1e-12 }
-    }
 }
+
+/// Bar for all errors, at any time. Observed: attitude 8.6e-16, Ω 1.2e-15, poles 5.1e-16.
+const BAR: f64 = 3e-15;
 
 #[test]
 fn lagrange_top_against_the_table() {
@@ -163,7 +161,7 @@ fn lagrange_top_against_the_table() {
         entry.0.omega = larger(entry.0.omega, errors.omega);
         entry.0.poles = larger(entry.0.poles, errors.poles);
         entry.1 += 1;
-        if !errors.all().iter().all(|error| *error <= row.bar()) {
+        if !errors.all().iter().all(|error| *error <= BAR) {
             let [attitude, omega, poles] = errors.all();
             failures.push(format!(
                 "row {} ({}, {:.4e} nutations, {:.4e} turns): attitude {attitude:.2e}, omega {omega:.2e}, poles {poles:.2e}, {note}\n    body {:?} omega {:?} attitude {:?} t {:?}",
@@ -194,12 +192,12 @@ fn height_and_its_complements_agree() -> Result<()> {
         let state = row.top()?.at(row.time)?;
         let half = 0.5 * (state.one_more - state.one_less);
         assert!(
-            (state.height - half).abs() <= 3e-16,
+            (state.height - half).abs() <= 5e-16,
             "row {}: {:e}",
             row.id,
             state.height - half
         );
-        assert!((state.one_more + state.one_less - 2.0).abs() <= 5e-16);
+        assert!((state.one_more + state.one_less - 2.0).abs() <= 1e-15);
     }
     Ok(())
 }

@@ -109,7 +109,7 @@ fn s7_2_picture_m_loops() {
     let back = ends[0][0] * ends[1][1] - ends[0][1] * ends[1][0];
     assert!(back < -0.01, "{back}");
     // Still forward on the whole.
-    assert!(top.precession_per_nutation() > 1.7);
+    assert!(top.precession_per_nutation().unwrap() > 1.7);
 }
 
 // claim: C7.4-5

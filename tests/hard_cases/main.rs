@@ -5,3 +5,4 @@ mod decimal;
 mod euler_equations;
 mod free_top;
 mod inertia;
+mod lagrange_top;

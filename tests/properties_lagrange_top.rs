@@ -1,0 +1,499 @@
+//! Properties of Lagrange's top over tops and starts that nobody chose.
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use spinning_bodies::euler_top::{EulerTop, SymmetricTop};
+use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State};
+use spinning_bodies::{Error, Result};
+
+const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
+
+fn vector(x: [f64; 3]) -> BodyVector {
+    BodyVector::new(x[0], x[1], x[2])
+}
+
+/// Any number at all: every class of f64, and the extremes more often than chance would have them.
+fn any() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        prop::num::f64::ANY,
+        0.1..10.0,
+        prop::sample::select(vec![
+            0.0,
+            -0.0,
+            1.0,
+            -1.0,
+            0.5,
+            4.0,
+            1.0 + f64::EPSILON,
+            f64::MAX,
+            f64::MIN,
+            f64::MIN_POSITIVE,
+            5e-324,
+            f64::INFINITY,
+            f64::NAN,
+            1e150,
+            1e-150,
+            1e-300,
+        ]),
+    ]
+}
+
+/// I₁, I₃ and Mgl, the centre of mass above or below.
+fn bodies() -> impl Strategy<Value = [f64; 3]> {
+    (0.3..3.0_f64, 0.02..1.98_f64, 0.1..5.0_f64, prop::bool::ANY)
+        .prop_map(|(i1, ratio, weight, up)| [i1, i1 * ratio, if up { weight } else { -weight }])
+}
+
+/// Ω of every inclination: each component may be small.
+fn omegas() -> impl Strategy<Value = [f64; 3]> {
+    let component = || {
+        (prop::bool::ANY, -3.0..3.0, -12.0..0.0).prop_map(
+            |(small, x, exponent): (bool, f64, f64)| {
+                if small { x * exponent.exp2() } else { x }
+            },
+        )
+    };
+    [component(), component(), component()]
+}
+
+/// Attitudes of every tilt, the poles among them and close to them.
+fn attitudes() -> impl Strategy<Value = Attitude> {
+    let ordinary = prop::array::uniform4(0.05..1.0_f64)
+        .prop_map(|[w, x, y, z]| [w - 0.5, x - 0.4, y - 0.5, z]);
+    let near_a_pole = (
+        prop::array::uniform4(-1.0..1.0_f64),
+        -40.0..0.0_f64,
+        prop::bool::ANY,
+    )
+        .prop_map(|([w, x, y, z], exponent, up)| {
+            let small = exponent.exp2();
+            if up {
+                [w + 2.0, x * small, y * small, z]
+            } else {
+                [w * small, x + 2.0, y, z * small]
+            }
+        });
+    let poles = prop::sample::select(vec![[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]]);
+    prop_oneof![4 => ordinary, 2 => near_a_pole, 1 => poles]
+        .prop_map(|[w, x, y, z]| Attitude::from_quaternion(w, x, y, z).expect("not zero"))
+}
+
+fn top([i1, i3, weight]: [f64; 3], omega: [f64; 3], attitude: Attitude) -> LagrangeTop {
+    LagrangeTop::new(i1, i3, weight, vector(omega), attitude).expect("a body and a finite start")
+}
+
+fn at(top: &LagrangeTop, t: f64) -> State {
+    top.at(t).expect("moderate times")
+}
+
+fn composed(first: &Attitude, second: &Attitude) -> Attitude {
+    let q = first.quaternion() * second.quaternion();
+    Attitude::from_quaternion(q.w, q.i, q.j, q.k).expect("a unit quaternion")
+}
+
+/// Fastest rate in the motion, rad/s: Ω at the start, and what the fall from top to bottom can add.
+fn fastest([i1, i3, weight]: [f64; 3], omega: [f64; 3]) -> f64 {
+    vector(omega).norm() * (1.0 + i3 / i1) + 2.0 * (weight.abs() / i1).sqrt()
+}
+
+/// The larger of the angle between the attitudes and |ΔΩ| over the fastest rate.
+fn distance(a: &State, b: &State, fastest: f64) -> f64 {
+    let omega = (a.omega - b.omega).norm() / fastest;
+    a.attitude.angle_to(&b.attitude).max(omega)
+}
+
+/// How fast neighbours may part: 1 + the greatest of the rates times t, times an exponential near the upright position.
+fn parting([i1, _, weight]: [f64; 3], omega: [f64; 3], t: f64) -> f64 {
+    let escape = (weight.abs() / i1).sqrt() * t.abs();
+    (1.0 + vector(omega).norm() * t.abs()) * escape.exp()
+}
+
+/// The derivative at the middle of nine values at equal distances, to the eighth power of the distance.
+fn derivative(values: [Vector3<f64>; 9], step: f64) -> Vector3<f64> {
+    let weights = [1.0 / 280.0, -4.0 / 105.0, 1.0 / 5.0, -4.0 / 5.0];
+    let mut sum = Vector3::zeros();
+    for (k, weight) in weights.into_iter().enumerate() {
+        sum += (values[k] - values[8 - k]) * weight;
+    }
+    sum / step
+}
+
+/// Fails, with the numbers, unless the error is within the bound.
+macro_rules! within {
+    ($error:expr, $bound:expr, $what:expr) => {{
+        let (error, bound): (f64, f64) = ($error, $bound);
+        prop_assert!(
+            error <= bound,
+            "{} off by {error:e}, beyond {bound:e}",
+            $what
+        );
+    }};
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// I∂Ω/∂t = IΩ∧Ω + Mgl z∧e₃ along the body's axes and q′ = ½qΩ, by differences of the eighth order.
+    #[test]
+    fn obeys_the_equations_of_motion(body in bodies(), omega in omegas(), start in attitudes(), t in -20.0..20.0) {
+        let top = top(body, omega, start);
+        let fastest = fastest(body, omega);
+        // Times that are exact: a rounded one would show as an error of its own size over the step.
+        let step = (0.04 / fastest).log2().floor().exp2();
+        let t = f64::round(t / step) * step;
+        let states: Vec<State> = (-4..=4).map(|k| at(&top, t + f64::from(k) * step)).collect();
+        let here = states[4];
+        let [i1, i3, weight] = body;
+        let rates = derivative(core::array::from_fn(|k| states[k].omega.components()), step);
+        let [x, y, z]: [f64; 3] = here.omega.components().into();
+        let up = here.attitude.to_body(UP);
+        let euler = Vector3::new(
+            ((i1 - i3) * y * z + weight * up.y()) / i1,
+            ((i3 - i1) * z * x - weight * up.x()) / i1,
+            0.0,
+        );
+        within!((rates - euler).norm() / (fastest * fastest), 4e-14, "the angular acceleration");
+        let relative = |k: usize| {
+            let q: UnitQuaternion<f64> = here.attitude.quaternion().inverse() * states[k].attitude.quaternion();
+            q.imag() * q.w.signum()
+        };
+        let turning = 2.0 * derivative(core::array::from_fn(relative), step);
+        within!((turning - here.omega.components()).norm() / fastest, 6e-14, "2q* q'");
+    }
+
+    #[test]
+    fn constants_stay(body in bodies(), omega in omegas(), start in attitudes(), t in -1e3..1e3) {
+        let top = top(body, omega, start);
+        let state = at(&top, t);
+        let [i1, i3, weight] = body;
+        let fastest = fastest(body, omega);
+        // L₃ bit by bit.
+        prop_assert_eq!(state.omega.z(), omega[2]);
+        within!((top.axial_angular_momentum() - i3 * omega[2]).abs(), 1e-15 * i3 * omega[2].abs(), "L3");
+        let vertical = |state: &State| {
+            let up = state.attitude.to_body(UP);
+            i1 * (state.omega.x() * up.x() + state.omega.y() * up.y()) + i3 * state.omega.z() * state.height
+        };
+        let scale = (i1 + i3) * fastest;
+        within!((vertical(&state) - top.vertical_angular_momentum()).abs() / scale, 4e-15, "L_vert");
+        let [x, y, z]: [f64; 3] = state.omega.components().into();
+        let energy = 0.5 * (i1 * (x * x + y * y) + i3 * z * z) + weight * state.height;
+        within!((energy - top.energy()).abs() / (scale * fastest), 4e-15, "the energy");
+    }
+
+    /// h, 1 − h and 1 + h are those of the attitude.
+    #[test]
+    fn height_is_that_of_the_attitude(body in bodies(), omega in omegas(), start in attitudes(), t in -100.0..100.0) {
+        let state = at(&top(body, omega, start), t);
+        let q = state.attitude.quaternion();
+        let [less, more] = [2.0 * (q.i * q.i + q.j * q.j), 2.0 * (q.w * q.w + q.k * q.k)];
+        // As chords: near a pole 1 ∓ h is the square of something small.
+        let chord = |a: f64, b: f64| (a.sqrt() - b.sqrt()).abs();
+        within!(chord(state.one_less, less), 2e-15, "1 - h");
+        within!(chord(state.one_more, more), 2e-15, "1 + h");
+        within!((state.height - 0.5 * (more - less)).abs(), 2e-15, "h");
+        let roots = top(body, omega, start).roots();
+        // With Mgl < 0 the names of the roots are the library's affair; the band is a band.
+        let [low, high] = [roots.h1.min(roots.h2), roots.h1.max(roots.h2)];
+        if body[2] > 0.0 {
+            prop_assert!(low - 1e-15 <= state.height && state.height <= high + 1e-15, "{low} {} {high}", state.height);
+        }
+    }
+
+    /// Time zero is the start itself.
+    #[test]
+    fn begins_at_the_beginning(body in bodies(), omega in omegas(), start in attitudes()) {
+        let state = at(&top(body, omega, start), 0.0);
+        within!((state.omega - vector(omega)).norm() / fastest(body, omega), 2e-15, "omega");
+        within!(state.attitude.angle_to(&start), 2e-15, "the attitude");
+    }
+
+    /// Stopping at t₁ and starting again is no interruption. The state at t₁ is rounded, and neighbours part.
+    #[test]
+    fn the_motion_is_a_flow(body in bodies(), omega in omegas(), start in attitudes(), first in -3.0..3.0, second in -3.0..3.0) {
+        let fastest = fastest(body, omega);
+        let [first, second] = [first / fastest, second / fastest];
+        let whole = top(body, omega, start);
+        let middle = at(&whole, first);
+        let rest = top(body, middle.omega.components().into(), middle.attitude);
+        let (once, twice) = (at(&whole, first + second), at(&rest, second));
+        within!(distance(&twice, &once, fastest), 1e-14, "restarted");
+    }
+
+    /// The top that starts with −Ω runs the motion backwards.
+    #[test]
+    fn time_runs_both_ways(body in bodies(), omega in omegas(), start in attitudes(), t in -100.0..100.0) {
+        let fastest = fastest(body, omega);
+        let forward = at(&top(body, omega, start), t);
+        let reversed = at(&top(body, omega.map(|x| -x), start), -t);
+        let expected = State { omega: -forward.omega, ..forward };
+        within!(distance(&reversed, &expected, fastest), 2e-15, "reversed");
+        within!((reversed.one_less - forward.one_less).abs(), 4e-16, "1 - h");
+    }
+
+    /// Powers of two change units, not digits: moments by 2ᵃ, Ω by 2ᵇ, Mgl by 2ᵃ⁺²ᵇ, time by 2⁻ᵇ.
+    #[test]
+    fn units_are_exact(body in bodies(), omega in omegas(), start in attitudes(), t in -100.0..100.0, a in -300..300, b in -150..150) {
+        let (a, b) = (f64::from(a), f64::from(b));
+        let plain = at(&top(body, omega, start), t);
+        let [i1, i3, weight] = body;
+        let other = [i1 * a.exp2(), i3 * a.exp2(), weight * (a + 2.0 * b).exp2()];
+        let scaled = at(&top(other, omega.map(|x| x * b.exp2()), start), t * (-b).exp2());
+        prop_assert_eq!(plain.attitude, scaled.attitude);
+        prop_assert_eq!(plain.omega * b.exp2(), scaled.omega);
+        prop_assert_eq!((plain.height, plain.one_less, plain.one_more), (scaled.height, scaled.one_less, scaled.one_more));
+    }
+
+    /// A turn of space about the vertical turns the whole motion; a turn of the body about its axis at the start stays with it.
+    #[test]
+    fn two_symmetries(body in bodies(), omega in omegas(), start in attitudes(), t in -3.0..3.0, angle in -3.0..3.0_f64) {
+        let turn = Attitude::about_axis(vector([0.0, 0.0, 1.0]), angle).expect("an axis");
+        let fastest = fastest(body, omega);
+        let t = t / fastest;
+        // The turned start is rounded, and neighbours part.
+        let allowed = 2e-15 * parting(body, omega, t);
+        let near = at(&top(body, omega, start), t);
+        let turned = at(&top(body, omega, composed(&turn, &start)), t);
+        let expected = State { attitude: composed(&turn, &near.attitude), ..near };
+        within!(distance(&turned, &expected, fastest), 4.0 * allowed, "turned about the vertical");
+        let back = turn.quaternion().inverse() * Vector3::from(omega);
+        let spun = at(&top(body, back.into(), composed(&start, &turn)), t);
+        let omega_there = BodyVector::from_components(turn.quaternion().inverse() * near.omega.components());
+        let expected = State { attitude: composed(&near.attitude, &turn), omega: omega_there, ..near };
+        within!(distance(&spun, &expected, fastest), 4.0 * allowed, "turned about the axis");
+    }
+
+    /// Mgl < 0 is the same top with its axis named the other way round: half a turn about x₁ before the motion and after.
+    #[test]
+    fn a_negative_lever_is_the_mirror(body in bodies(), omega in omegas(), start in attitudes(), t in -100.0..100.0) {
+        let [i1, i3, weight] = body;
+        let half = |attitude: &Attitude| {
+            let q = attitude.quaternion();
+            Attitude::from_quaternion(-q.i, q.w, q.k, -q.j).expect("a unit quaternion")
+        };
+        // Starts whose four numbers come through unrounded: one in the last place would grow with time.
+        if half(&half(&start)).quaternion().into_inner() != -start.quaternion().into_inner() {
+            return Ok(());
+        }
+        let fastest = fastest(body, omega);
+        let plain = at(&top(body, omega, start), t);
+        let [x, y, z] = omega;
+        let other = at(&top([i1, i3, -weight], [x, -y, -z], half(&start)), t);
+        let expected = State {
+            omega: vector([plain.omega.x(), -plain.omega.y(), -plain.omega.z()]),
+            attitude: half(&plain.attitude),
+            height: -plain.height,
+            one_less: plain.one_more,
+            one_more: plain.one_less,
+        };
+        within!(distance(&other, &expected, fastest), 1e-15, "mirrored");
+        within!((other.one_less - expected.one_less).abs().max((other.one_more - expected.one_more).abs()), 5e-16, "1 - h, 1 + h");
+    }
+
+    /// Without gravity the symmetric free top says the same, by sines and cosines alone, and Euler's top by its own road.
+    #[test]
+    fn without_gravity_the_free_top(body in bodies(), omega in omegas(), start in attitudes(), t in -1e3..1e3) {
+        prop_assume!(omega.iter().any(|x| x.abs() > 0.05));
+        let [i1, i3, _] = body;
+        let fastest = fastest([i1, i3, 0.0], omega);
+        let free = at(&top([i1, i3, 0.0], omega, start), t);
+        let symmetric = SymmetricTop::new(i1, i3).expect("a body");
+        let omega_there = symmetric.omega_at(vector(omega), t);
+        within!((free.omega - omega_there).norm() / fastest, 2e-15, "omega");
+        let turned = composed(&start, &symmetric.attitude_at(vector(omega), t).expect("moderate times"));
+        within!(free.attitude.angle_to(&turned), 5e-15, "the attitude");
+        let euler = EulerTop::from_omega([i1, i1, i3], vector(omega), start).expect("a body").at(t).expect("moderate times");
+        within!(free.attitude.angle_to(&euler.attitude), 4e-15, "Euler's attitude");
+    }
+
+    /// Gravity's effect goes to zero with Mgl, and in proportion.
+    #[test]
+    fn weak_gravity_is_nearly_none(body in bodies(), omega in omegas(), start in attitudes(), t in -3.0..3.0, exponent in -300.0..-8.0_f64) {
+        let [i1, i3, _] = body;
+        let weight = exponent.exp2();
+        let fastest = fastest([i1, i3, 1.0], omega);
+        let t = t / fastest;
+        let free = at(&top([i1, i3, 0.0], omega, start), t);
+        let weak = at(&top([i1, i3, weight], omega, start), t);
+        // Mgl/I₁ pulls for a time t: so much of Ω, and of turning, and their share in what else turns.
+        let effect = weight / i1 * t.abs() * (t.abs() + 1.0 / fastest) * (1.0 + fastest * t.abs());
+        within!(distance(&free, &weak, fastest), 4e-15 + 2.0 * effect, "weak gravity");
+    }
+
+    /// After one nutation h and h′ are back, and the axis has gone round by the precession per nutation.
+    #[test]
+    fn one_nutation(body in bodies(), omega in omegas(), start in attitudes()) {
+        let top = top(body, omega, start);
+        let period = top.period();
+        prop_assume!(period.is_finite() && period * fastest(body, omega) < 200.0);
+        let (before, after) = (at(&top, 0.0), at(&top, period));
+        // The period is rounded, and h moves meanwhile.
+        let allowed = 2e-15 * (2.0 + fastest(body, omega) * period);
+        within!((after.height - before.height).abs(), allowed, "h");
+        let gained = top.precession_per_nutation().expect("a period");
+        let sine = (before.one_less * before.one_more).sqrt();
+        prop_assume!(gained.is_finite());
+        let turn = Attitude::about_axis(vector([0.0, 0.0, 1.0]), gained).expect("an axis");
+        let axis = |state: &State| state.attitude.to_space(vector([0.0, 0.0, 1.0]));
+        let expected = turn.quaternion() * axis(&before).components();
+        // A passage close by a pole turns the azimuth by half a turn within a moment.
+        let off = (axis(&after).components() - expected).norm();
+        within!(off, 4.0 * allowed + 4e-15 * gained.abs() * sine, "the axis");
+        within!((top.mean_precession_rate().expect("a period") * period - gained).abs(), 4e-16 * gained.abs() + 1e-300, "the mean rate");
+    }
+
+    #[test]
+    fn many_times_are_each_time(body in bodies(), omega in omegas(), start in attitudes(), times in prop::collection::vec(-100.0..100.0, 0..20)) {
+        let top = top(body, omega, start);
+        let together: Vec<State> = top.states(times.iter().copied()).collect::<Result<_>>().expect("moderate times");
+        let each: Vec<State> = times.iter().map(|t| at(&top, *t)).collect();
+        prop_assert_eq!(together, each);
+    }
+
+    /// Whatever is given: a finite state or an error, no panic.
+    #[test]
+    fn nothing_panics(body in prop::array::uniform3(any()), omega in prop::array::uniform3(any()), q in prop::array::uniform4(any()), t in any()) {
+        let attitude = Attitude::from_quaternion(q[0], q[1], q[2], q[3]).unwrap_or(Attitude::identity());
+        if let Ok(top) = LagrangeTop::new(body[0], body[1], body[2], vector(omega), attitude) {
+            let _ = (top.kind(), top.energy(), top.period(), top.mean_precession_rate(), top.precession_per_nutation(), top.roots());
+            if let Ok(state) = top.at(t) {
+                prop_assert!(t.is_finite());
+                prop_assert!(state.omega.is_finite(), "{body:?} {omega:?} {q:?} {t}: {state:?}");
+                prop_assert!((state.attitude.quaternion().norm() - 1.0).abs() <= 4e-16, "{body:?} {omega:?} {q:?} {t}: {state:?}");
+                prop_assert!((-1.0..=1.0).contains(&state.height) && state.one_less >= 0.0 && state.one_more >= 0.0, "{state:?}");
+            }
+            prop_assert!(top.states([t, 0.0]).count() == 2);
+        }
+    }
+
+    /// Tops and starts as they are met with always move.
+    #[test]
+    fn every_top_moves(body in bodies(), omega in prop::array::uniform3(-1.0..1.0), exponents in prop::array::uniform3(-1000.0..0.0_f64), start in attitudes(), t in -1e9..1e9) {
+        let omega = [0, 1, 2].map(|k| omega[k] * exponents[k].exp2());
+        let state = top(body, omega, start).at(t);
+        prop_assert!(state.is_ok(), "{body:?} {omega:?} {start:?} {t}: {state:?}");
+    }
+}
+
+fn refused(body: [f64; 3], omega: [f64; 3]) -> Error {
+    let [i1, i3, weight] = body;
+    LagrangeTop::new(i1, i3, weight, vector(omega), Attitude::identity())
+        .expect_err("not a body or not a start")
+}
+
+#[test]
+fn what_is_refused_names_the_condition() -> Result<()> {
+    assert!(matches!(
+        refused([1.0, 2.5, 1.0], [1.0; 3]),
+        Error::TriangleInequality { .. }
+    ));
+    assert!(matches!(
+        refused([-1.0, 0.5, 1.0], [1.0; 3]),
+        Error::Negative { .. } | Error::NotPositive { .. }
+    ));
+    refused([0.0, 0.0, 1.0], [1.0; 3]);
+    refused([1.0, -0.5, 1.0], [1.0; 3]);
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for body in [[bad, 0.5, 1.0], [1.0, bad, 1.0], [1.0, 0.5, bad]] {
+            assert!(matches!(
+                refused(body, [1.0; 3]),
+                Error::NotFinite { .. } | Error::Negative { .. } | Error::NotPositive { .. }
+            ));
+        }
+        assert!(matches!(
+            refused([1.0, 0.5, 1.0], [1.0, bad, 0.0]),
+            Error::NotFinite { .. }
+        ));
+        let top = top([1.0, 0.5, 1.0], [1.0, 0.3, 2.0], Attitude::identity());
+        assert!(matches!(top.at(bad), Err(Error::NotFinite { .. })));
+    }
+    // A lamina's double moment is the last that is a body's.
+    LagrangeTop::new(1.0, 2.0, 1.0, vector([1.0; 3]), Attitude::identity())?;
+    Ok(())
+}
+
+/// The kind is that of the numbers as they are: one unit in the last place decides.
+#[test]
+fn one_unit_in_the_last_place_decides_the_kind() {
+    let upright = Attitude::identity();
+    let sleeping = |omega3: f64| top([1.0, 0.5, 1.0], [0.0, 0.0, omega3], upright).kind();
+    assert_eq!(sleeping(4.0), Nutation::Sleeping { stable: true });
+    assert_eq!(
+        sleeping(4.0_f64.next_down()),
+        Nutation::Sleeping { stable: false }
+    );
+    // z = (0, 4/5, 3/5): steady precession 5 with L₃ = 4 under Mgl = 5, and the motion that climbs to the top and stays.
+    let tilted = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0).expect("not zero");
+    let kind = |weight: f64, omega: [f64; 3]| top([1.0, 0.5, weight], omega, tilted).kind();
+    assert_eq!(kind(5.0, [0.0, 4.0, 8.0]), Nutation::PurePrecession);
+    for beside in [4.0_f64.next_up(), 4.0_f64.next_down()] {
+        assert_ne!(kind(5.0, [0.0, beside, 8.0]), Nutation::PurePrecession);
+    }
+    for first in [3.0_f64, -3.0] {
+        assert_eq!(kind(31.25, [first, 4.0, 16.0]), Nutation::Waking);
+        for beside in [first.next_up(), first.next_down()] {
+            assert_ne!(kind(31.25, [beside, 4.0, 16.0]), Nutation::Waking);
+        }
+    }
+    // Released at rest: cusps; a breath of φ' on either side: waves, loops.
+    assert_eq!(kind(1.0, [0.0, 0.0, 3.0]), Nutation::Cusps);
+    assert_eq!(kind(1.0, [0.0, 1e-300, 3.0]), Nutation::Waves);
+    assert_eq!(kind(1.0, [0.0, -1e-300, 3.0]), Nutation::Loops);
+    // No spin: in a plane, or not.
+    assert_eq!(kind(1.0, [0.7, 0.0, 0.0]), Nutation::PlanePendulum);
+    assert_eq!(kind(1.0, [0.7, 1e-300, 0.0]), Nutation::SphericalPendulum);
+}
+
+/// The limit L₃ → L_vert through the pole: exactly, and a little beside, the motion is alike.
+#[test]
+fn no_jump_at_the_poles() {
+    for (first, second) in [(1.0, 0.5), (-0.3, 0.5), (1.0, -2.0), (0.4, -2.0)] {
+        let attitude = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0).expect("not zero");
+        let through = top([1.0, 0.5, 1.0], [first, second, 2.0], attitude);
+        for nudge in [1e-16, 1e-12, 1e-9] {
+            let start = [first, second * (1.0 + nudge), 2.0];
+            let beside = top([1.0, 0.5, 1.0], start, attitude);
+            for k in 0..40 {
+                let t = 0.31 * f64::from(k);
+                let off = distance(&at(&through, t), &at(&beside, t), 4.0);
+                assert!(
+                    off <= 2e-14 + 100.0 * (1.0 + t) * nudge,
+                    "{nudge:e} {t}: {off:e}"
+                );
+            }
+        }
+    }
+}
+
+/// From either side of the separatrix, one unit in the last place away, alike until the axes part.
+#[test]
+fn no_jump_at_the_separatrix() {
+    let tilted = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0).expect("not zero");
+    for (weight, second, spin, first) in [
+        (31.25, 4.0, 16.0, 3.0_f64),
+        (31.25, 4.0, 16.0, -3.0),
+        (5.0, 0.0, 0.0, -2.0),
+    ] {
+        let start = |first: f64| top([1.0, 0.5, weight], [first, second, spin], tilted);
+        let exact = start(first);
+        for t in [-1.0, 0.1, 0.5, 1.0] {
+            for beside in [first.next_up(), first.next_down()] {
+                let off = distance(&at(&start(beside), t), &at(&exact, t), 16.0);
+                assert!(off <= 1e-13, "{beside} {t}: {off:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn quaternions_are_body_to_space() {
+    // Upright and asleep: a quarter turn about x3 at unit rate.
+    let top = top([1.0, 0.5, 0.01], [0.0, 0.0, 1.0], Attitude::identity());
+    let state = at(&top, core::f64::consts::FRAC_PI_2);
+    let nose = state.attitude.to_space(vector([1.0, 0.0, 0.0]));
+    assert!((nose.y() - 1.0).abs() <= 1e-15 && nose.x().abs() <= 1e-15);
+    let half = core::f64::consts::FRAC_1_SQRT_2;
+    let expected = UnitQuaternion::from_quaternion(Quaternion::new(half, 0.0, 0.0, half));
+    assert!(state.attitude.quaternion().angle_to(&expected) <= 1e-15);
+}

@@ -41,10 +41,11 @@ pub enum Nutation {
     Loops,
     /// The tilt stays (7.3, picture n).
     PurePrecession,
-    /// Upright, and stays so when disturbed: L₃² ≥ 4I₁Mgl (7.5).
-    Sleeping,
-    /// Upright, but not for long when disturbed: L₃² < 4I₁Mgl (7.5).
-    Unstable,
+    /// Upright (7.5).
+    Sleeping {
+        /// Whether it stays so when disturbed: L₃² ≥ 4I₁Mgl.
+        stable: bool,
+    },
     /// Falls from the upright position, or rises to it, in infinite time (7.5).
     Waking,
     /// Hanging straight down.
@@ -57,11 +58,15 @@ pub enum Nutation {
     Spinning,
 }
 
-/// The roots of the cubic, h₁ ≤ h₂ ≤ 1 ≤ h₃, with their distances from ±1 (7.2).
+/// The roots of the cubic, h₁ ≤ h₂ ≤ 1 ≤ h₃, with their distances from ±1 (7.2). With gravity upwards, those of −h.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roots {
-    /// h₁ and h₂, between which cos θ moves.
-    pub turning_points: [f64; 2],
+    /// h₁, the lower turning point of cos θ.
+    pub h1: f64,
+    /// h₂, the upper one.
+    pub h2: f64,
+    /// h₃; infinite without gravity.
+    pub h3: f64,
     /// 1 − h₁ and 1 − h₂.
     pub one_less: [f64; 2],
     /// 1 + h₁ and 1 + h₂.
@@ -79,6 +84,7 @@ pub struct LagrangeTop {
     omega: BodyVector,
     attitude: Attitude,
     kind: Nutation,
+    roots: Roots,
     motion: Motion,
 }
 
@@ -116,8 +122,6 @@ struct Constants {
     top2: f64,
     bottom1: f64,
     band: f64,
-    /// 1 − h₁, 1 + h₂ and h₃ − 1.
-    others: [f64; 3],
 }
 
 impl LagrangeTop {
@@ -144,7 +148,7 @@ impl LagrangeTop {
             axial,
             weight_moment,
         };
-        let (kind, motion) = if moderate(omega, &attitude) {
+        let (kind, roots, motion) = if moderate(omega, &attitude) {
             prepare::<DoubleDouble>(body, omega, &attitude)?
         } else {
             prepare::<Extended>(body, omega, &attitude)?
@@ -156,6 +160,7 @@ impl LagrangeTop {
             omega,
             attitude,
             kind,
+            roots,
             motion,
         })
     }
@@ -188,12 +193,9 @@ impl LagrangeTop {
         0.5 * (self.transverse * (x * x + y * y) + self.axial * z * z) + self.weight_moment * height
     }
 
-    /// The roots of the cubic; none where the axis stays upright, hanging, or where nothing pulls and nothing swings.
-    pub fn roots(&self) -> Option<Roots> {
-        match &self.motion {
-            Motion::Still => None,
-            Motion::Moving(constants) => Some(constants.roots()),
-        }
+    /// The roots of the cubic.
+    pub const fn roots(&self) -> Roots {
+        self.roots
     }
 
     /// Everything at time t (s).
@@ -264,17 +266,6 @@ impl LagrangeTop {
 }
 
 impl Constants {
-    fn roots(&self) -> Roots {
-        let [top1, bottom2, third_less_one] = self.others;
-        let half = |more: f64, less: f64| 0.5 * (more - less);
-        Roots {
-            turning_points: [half(self.bottom1, top1), half(bottom2, self.top2)],
-            one_less: [top1, self.top2],
-            one_more: [self.bottom1, bottom2],
-            third_less_one,
-        }
-    }
-
     /// By how much the arguments of α and β grow in one period of nutation.
     fn turns_per_nutation(&self) -> [f64; 2] {
         let quarter = self.modulus.quarter_period_dd();
@@ -361,6 +352,30 @@ impl Constants {
     }
 }
 
+impl Roots {
+    fn new(one_less: [f64; 2], one_more: [f64; 2], third_less_one: f64) -> Self {
+        let root = |k: usize| 0.5 * (one_more[k] - one_less[k]);
+        Self {
+            h1: root(0),
+            h2: root(1),
+            h3: 1.0 + third_less_one,
+            one_less,
+            one_more,
+            third_less_one,
+        }
+    }
+
+    fn of<N: Scalar>(d: &Distances<N>, gravity: N) -> Self {
+        let value = |x: N| x.narrow().value();
+        let third = if gravity.is_zero() {
+            f64::INFINITY
+        } else {
+            value(d.third[0].divide(gravity.times(2.0)))
+        };
+        Self::new(d.top.map(value), d.bottom.map(value), third)
+    }
+}
+
 /// What does not move.
 #[derive(Debug, Clone, Copy)]
 struct Body {
@@ -387,7 +402,7 @@ fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     }: Body,
     omega: BodyVector,
     attitude: &Attitude,
-) -> Result<(Nutation, Motion)> {
+) -> Result<(Nutation, Roots, Motion)> {
     // Gravity that pulls up is gravity that pulls down, seen upside down.
     let q = attitude.quaternion().into_inner();
     let (pull, q) = if weight_moment < 0.0 {
@@ -402,7 +417,10 @@ fn prepare<N: Scalar<Narrow = DoubleDouble>>(
         .amax()
         .max(gravity.square_root().narrow().value());
     if fastest == 0.0 {
-        return Ok((Nutation::Spinning, Motion::Still));
+        let upper = 2.0 * (q.w * q.w + q.k * q.k);
+        let lower = 2.0 * (q.i * q.i + q.j * q.j);
+        let roots = Roots::new([lower; 2], [upper; 2], f64::INFINITY);
+        return Ok((Nutation::Spinning, roots, Motion::Still));
     }
     let unit = power_of_two_below(fastest);
     let exponent = exponent_of(unit);
@@ -430,23 +448,22 @@ fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let rise = o2.multiply(z1).subtract(o1.multiply(z2));
     let ratio = Extended::from_double(axial).divide(Extended::from_double(transverse));
     let spin = N::from_narrow(ratio.narrow()).multiply(o3);
-    if swing.is_zero() {
+    let still = if swing.is_zero() {
         let threshold = gravity.times(4.0);
-        let still = if gravity.is_zero() {
+        if gravity.is_zero() {
             Some(Nutation::Spinning)
         } else if above_bottom.is_zero() {
             Some(Nutation::Hanging)
-        } else if below_top.is_zero() && threshold.exceeds(spin.square()) {
-            Some(Nutation::Unstable)
         } else if below_top.is_zero() {
-            Some(Nutation::Sleeping)
+            Some(Nutation::Sleeping {
+                stable: !threshold.exceeds(spin.square()),
+            })
         } else {
             None
-        };
-        if let Some(kind) = still {
-            return Ok((kind, Motion::Still));
         }
-    }
+    } else {
+        None
+    };
     let cubic = Cubic {
         gravity,
         below_top,
@@ -457,6 +474,10 @@ fn prepare<N: Scalar<Narrow = DoubleDouble>>(
         spin,
     };
     let d = cubic.solve();
+    let roots = Roots::of(&d, gravity);
+    if let Some(kind) = still {
+        return Ok((kind, roots, Motion::Still));
+    }
     let mut constants = constants(&d, spin, o3, &cubic)?;
     let scale = |x: DoubleDouble| {
         DoubleDouble::sum(shifted(x.high(), exponent), shifted(x.low(), exponent))
@@ -466,7 +487,7 @@ fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     finite("the rate of nutation", constants.rate.value())?;
     constants.fit(q, omega);
     constants.pull = pull;
-    Ok((kind(&cubic, &d), Motion::Moving(constants)))
+    Ok((kind(&cubic, &d), roots, Motion::Moving(constants)))
 }
 
 /// Decided by exact zeros and signs.
@@ -590,11 +611,6 @@ fn constants<N: Scalar<Narrow = DoubleDouble>>(
         top2: top2.narrow().value(),
         bottom1: bottom1.narrow().value(),
         band: d.band.narrow().value(),
-        others: [
-            top1.narrow().value(),
-            bottom2.narrow().value(),
-            beyond.narrow().value() / two_g.narrow().value(),
-        ],
     })
 }
 

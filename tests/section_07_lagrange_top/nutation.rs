@@ -180,7 +180,7 @@ fn s7_2_the_integral_for_the_azimuth_starts_at_h_of_0() {
             let h = middle - half * u.cos();
             (2.0 - 3.0 * h) / ((1.0 - h * h) * (2.0 * (h3 - h)).sqrt())
         };
-        let n = 400;
+        let n = 2400;
         let weight = |k: u32| [2.0, 4.0][(k % 2) as usize] - f64::from(u8::from(k == 0 || k == n));
         let sum: f64 = (0..=n)
             .map(|k| weight(k) * in_u(end * f64::from(k) / f64::from(n)))

@@ -89,7 +89,11 @@ fn s7_6_spherical_pendulum() {
     }
     // Only Mgl/I₁ counts: a bob of another mass, or a body of the same equivalent length.
     let other = LagrangeTop::new(4.0, 0.5, 4.0, start.omega, start.attitude).unwrap();
-    assert_eq!(axis(&at(&other, 2.0)), axis(&at(&top, 2.0)));
+    let [a, b] = [&other, &top].map(|top| axis(&at(top, 2.0)));
+    within(
+        (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max),
+        1e-15,
+    );
 
     // One metre long, g = 9.81: periods in seconds, azimuth in degrees; the ellipse advances by (3/8)ab·180°.
     for (small, large, period, azimuth) in [

@@ -125,7 +125,7 @@ fn s7_4_damped_nutation_settles_to_the_slow_precession() {
     };
     let mut y = [TILT, 0.0];
     let step = 0.01;
-    for _ in 0..20_000 {
+    for _ in 0..40_000 {
         let shifted = |k: [f64; 2], by: f64| [y[0] + by * k[0], y[1] + by * k[1]];
         let k1 = rate(y);
         let k2 = rate(shifted(k1, step / 2.0));

@@ -44,9 +44,8 @@ pub fn at(top: &LagrangeTop, t: f64) -> State {
 
 /// The roots h₁ ≤ h₂ ≤ h₃ of f.
 pub fn roots(top: &LagrangeTop) -> [f64; 3] {
-    let roots = top.roots().unwrap();
-    let [h1, h2] = roots.turning_points;
-    [h1, h2, 1.0 + roots.third_less_one]
+    let roots = top.roots();
+    [roots.h1, roots.h2, roots.h3]
 }
 
 /// The axis x₃ in space.

@@ -204,7 +204,7 @@ proptest! {
     fn begins_at_the_beginning(body in bodies(), omega in omegas(), start in attitudes()) {
         let state = at(&top(body, omega, start), 0.0);
         within!((state.omega - vector(omega)).norm() / fastest(body, omega), 2e-15, "omega");
-        within!(state.attitude.angle_to(&start), 2e-15, "the attitude");
+        within!(state.attitude.angle_to(&start), 4e-15, "the attitude");
     }
 
     /// Stopping at t₁ and starting again is no interruption. The state at t₁ is rounded, and neighbours part.
@@ -271,7 +271,8 @@ proptest! {
             Attitude::from_quaternion(-q.i, q.w, q.k, -q.j).expect("a unit quaternion")
         };
         // Starts whose four numbers come through unrounded: one in the last place would grow with time.
-        if half(&half(&start)).quaternion().into_inner() != -start.quaternion().into_inner() {
+        let (q, p) = (start.quaternion(), half(&start).quaternion());
+        if [p.w, p.i, p.j, p.k] != [-q.i, q.w, q.k, -q.j] {
             return Ok(());
         }
         let fastest = fastest(body, omega);

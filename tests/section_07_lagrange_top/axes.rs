@@ -52,7 +52,7 @@ fn s7_1_lagranges_top() {
         let up = attitude.to_body(spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0));
         let torque = top.rate(&TopState { omega: still, up }).omega.norm();
         let sine = degrees.to_radians().sin();
-        within((torque - sine).abs(), 2e-16);
+        within((torque - sine).abs(), 3e-16);
         let released = LagrangeTop::new(1.0, AXIAL, 1.0, still, attitude).unwrap();
         let state = at(&released, 1e-3);
         within((state.omega.norm() - 1e-3 * sine).abs(), 4e-10 * sine);
@@ -93,11 +93,11 @@ fn s7_2_axes_that_follow_the_tilt_and_not_the_spin() {
             let momentum = motion.after(t).momentum;
             for k in 0..3 {
                 let l = i1 * along(e1) * e1[k] + i1 * along(e2) * e2[k] + i3 * along(e3) * e3[k];
-                within((l - momentum[k]).abs() / (1.0 + i1 + i3), 5e-14);
+                within((l - momentum[k]).abs() / (1.0 + i1 + i3), 2e-14);
             }
             // Picture: L_vert = I₁Ω₁ sin θ + L₃ cos θ.
             let vertical = i1 * along(e1) * sine + i3 * along(e3) * h;
-            within((vertical - top.vertical_angular_momentum()).abs(), 3e-14);
+            within((vertical - top.vertical_angular_momentum()).abs(), 2e-14);
             // φ' by differences of the azimuth, from the integrator's axis: the axes turn with it.
             let (ahead, behind) = (motion.after(t + 1e-4), motion.after(t - 1e-4));
             let rate = (ahead.azimuth - behind.azimuth) / 2e-4;
@@ -131,7 +131,7 @@ fn s7_2_no_torque_about_the_axis_or_the_vertical() {
         let [x, y, _] = axis(&at(&top, 0.0));
         within((rate.x() + body.weight_moment * y).abs(), 3e-9);
         within((rate.y() - body.weight_moment * x).abs(), 3e-9);
-        within(rate.z().abs(), 3e-12);
+        within(rate.z().abs(), 6e-12);
     }
 }
 
@@ -152,10 +152,10 @@ fn s7_2_three_constants() {
             let motion = Motion::start(body, omega, attitude).after(t);
             let [x, y, z] = motion.axis;
             let along = x * motion.momentum[0] + y * motion.momentum[1] + z * motion.momentum[2];
-            within((along - l3).abs() / scale, 3e-14);
+            within((along - l3).abs() / scale, 6e-15);
             within(
                 (motion.momentum[2] - top.vertical_angular_momentum()).abs() / scale,
-                3e-15,
+                3e-16,
             );
 
             let state = at(&top, t);
@@ -170,12 +170,12 @@ fn s7_2_three_constants() {
             let vertical = i1 * precessing * sine + l3 * h;
             within(
                 (vertical - top.vertical_angular_momentum()).abs() / scale,
-                3e-14,
+                2e-15,
             );
             let energy = 0.5 * i1 * (tilting * tilting + precessing * precessing)
                 + l3 * l3 / (2.0 * i3)
                 + weight_moment * h;
-            within((energy - top.energy()).abs() / (scale * scale), 3e-14);
+            within((energy - top.energy()).abs() / (scale * scale), 5e-15);
         }
     }
 }
@@ -236,10 +236,10 @@ fn s7_2_order_of_the_roots() {
         let leading = 2.0 * body.transverse * body.weight_moment;
         let factors = |h: f64| leading * (h - h1) * (h - h2) * (h - h3);
         let size = leading * h3 + vertical * vertical + l3 * l3;
-        within((factors(1.0) + (vertical - l3).powi(2)).abs() / size, 1e-14);
+        within((factors(1.0) + (vertical - l3).powi(2)).abs() / size, 3e-15);
         within(
             (factors(-1.0) + (vertical + l3).powi(2)).abs() / size,
-            1e-14,
+            2e-15,
         );
     }
     // L_vert = L₃: the band reaches the pole. From upright with a kick.

@@ -37,9 +37,9 @@ fn s7_2_elliptic_solution() {
     for ((example, expected), height) in EXAMPLES.into_iter().zip(expected).zip(heights) {
         let top = example();
         for (root, expected) in roots(&top).into_iter().zip(expected) {
-            within((root - expected).abs(), 1e-15);
+            within((root - expected).abs(), 2e-15);
         }
-        within((at(&top, 0.7).height - height).abs(), 5e-16);
+        within((at(&top, 0.7).height - height).abs(), 2e-15);
         let [h1, h2, _] = roots(&top);
         let modulus = Modulus::new(parameter(&top));
         let start = Motion::start(UNIT, at(&top, 0.0).omega, at(&top, 0.0).attitude);
@@ -47,11 +47,11 @@ fn s7_2_elliptic_solution() {
             let t = 0.37 * f64::from(k);
             let state = at(&top, t);
             let sn = modulus.jacobi(t * rate(&top)).unwrap().sn;
-            within((state.height - (h1 + (h2 - h1) * sn * sn)).abs(), 2e-15);
+            within((state.height - (h1 + (h2 - h1) * sn * sn)).abs(), 3e-15);
             // The equations of motion along the axes of space, which know neither h nor sn.
             let motion = start.after(t);
-            within((state.height - motion.axis[2]).abs(), 3e-14);
-            within(motion.angle_to(&state.attitude), 2e-13);
+            within((state.height - motion.axis[2]).abs(), 2e-14);
+            within(motion.angle_to(&state.attitude), 4e-14);
         }
     }
 }
@@ -66,9 +66,9 @@ fn s7_2_period_of_nutation() {
     ];
     for (example, expected) in EXAMPLES.into_iter().zip(periods) {
         let top = example();
-        within((top.period() / expected - 1.0).abs(), 5e-16);
+        within((top.period() / expected - 1.0).abs(), 7e-16);
         let closed = 2.0 * complete_first(parameter(&top)) / rate(&top);
-        within((closed / expected - 1.0).abs(), 1e-15);
+        within((closed / expected - 1.0).abs(), 7e-16);
         // ∮ I₁ dh/√f with h = middle + half·cos u.
         let [h1, h2, h3] = roots(&top);
         let quadrature = std::f64::consts::TAU
@@ -76,11 +76,11 @@ fn s7_2_period_of_nutation() {
                 let h = 0.5 * (h1 + h2) + 0.5 * (h2 - h1) * u.cos();
                 (0.5 / (h3 - h)).sqrt()
             });
-        within((quadrature / expected - 1.0).abs(), 2e-15);
+        within((quadrature / expected - 1.0).abs(), 7e-16);
         // The state is back in h and h', and not after half of it.
         let state = at(&top, top.period());
-        within((state.height - h1).abs(), 5e-15);
-        within((at(&top, 0.5 * top.period()).height - h2).abs(), 5e-15);
+        within((state.height - h1).abs(), 3e-16);
+        within((at(&top, 0.5 * top.period()).height - h2).abs(), 4e-16);
     }
     // k → 1 only where h₂ = h₃ = 1: a kick ε of an upright top with L₃² < 4I₁Mgl. The period grows like ln(1/ε).
     let period = |kick: f64| {
@@ -116,10 +116,10 @@ fn s7_2_azimuth_in_a_nutation() {
     for ((example, expected), early) in EXAMPLES.into_iter().zip(gained).zip(early) {
         let top = example();
         let found = top.precession_per_nutation().unwrap();
-        within((found / expected - 1.0).abs(), 5e-16);
+        within((found / expected - 1.0).abs(), 2e-15);
         within(
             (top.mean_precession_rate().unwrap() * top.period() / expected - 1.0).abs(),
-            1e-15,
+            2e-15,
         );
         // Two integrals of the third kind, one for each pole.
         let [h1, h2, _] = roots(&top);
@@ -136,9 +136,9 @@ fn s7_2_azimuth_in_a_nutation() {
         within((closed / expected - 1.0).abs(), 2e-15);
         // Followed along the motion, by the library and by the equations in space.
         let period = top.period();
-        within((gained_azimuth(&top, period, 60) - expected).abs(), 1e-14);
+        within((gained_azimuth(&top, period, 60) - expected).abs(), 8e-15);
         let start = Motion::start(UNIT, at(&top, 0.0).omega, at(&top, 0.0).attitude);
-        within((start.after(period).azimuth - expected).abs(), 1e-13);
+        within((start.after(period).azimuth - expected).abs(), 2e-14);
         let turned = wrapped(azimuth(&at(&top, 0.7)) - azimuth(&at(&top, 0.0)));
         within((turned - early).abs(), 2e-15);
     }
@@ -161,10 +161,10 @@ fn s7_2_the_integral_for_the_azimuth_starts_at_h_of_0() {
     assert_eq!(value(zero), rational(-8, 3));
     let top = turning(0.5, 3.0, 2.0);
     for (root, expected) in roots(&top).into_iter().zip([0.5, 2.0 / 3.0, 4.0]) {
-        within((root - expected).abs(), 3e-15);
+        within((root - expected).abs(), 4e-16);
     }
     let released = spun((2.0_f64 / 3.0).acos(), 0.0, 0.0, 3.0);
-    within((roots(&released)[0] - 0.5).abs(), 3e-15);
+    within((roots(&released)[0] - 0.5).abs(), 5e-16);
 
     // As displayed, from 0 to h: the integrand is not a real number on the way from 0 to h₁.
     let integrand = |h: f64| (2.0 - 3.0 * h) / ((1.0 - h * h) * f(&top, h).sqrt());
@@ -180,7 +180,7 @@ fn s7_2_the_integral_for_the_azimuth_starts_at_h_of_0() {
             let h = middle - half * u.cos();
             (2.0 - 3.0 * h) / ((1.0 - h * h) * (2.0 * (h3 - h)).sqrt())
         };
-        let n = 400;
+        let n = 2400;
         let weight = |k: u32| [2.0, 4.0][(k % 2) as usize] - f64::from(u8::from(k == 0 || k == n));
         let sum: f64 = (0..=n)
             .map(|k| weight(k) * in_u(end * f64::from(k) / f64::from(n)))
@@ -191,14 +191,14 @@ fn s7_2_the_integral_for_the_azimuth_starts_at_h_of_0() {
     for k in 1..10 {
         let t = 0.05 * f64::from(k) * period;
         let gained = gained_azimuth(&top, t, 20);
-        within((to(at(&top, t).height) - gained).abs(), 2e-13);
+        within((to(at(&top, t).height) - gained).abs(), 5e-15);
     }
     // √f turns its sign round at h₂. Kept positive it would take back, on the way down, what was gained on the way up.
     let whole = gained_azimuth(&top, period, 40);
-    within((whole - 2.0 * to(h2)).abs(), 2e-14);
+    within((whole - 2.0 * to(h2)).abs(), 1e-14);
     within(
         (whole - top.precession_per_nutation().unwrap()).abs(),
-        1e-14,
+        7e-16,
     );
     let kept = to(h2) - (to(h2) - to(h1));
     assert!(kept.abs() < 1e-15 && whole > 0.6, "{kept} {whole}");
@@ -208,7 +208,7 @@ fn s7_2_the_integral_for_the_azimuth_starts_at_h_of_0() {
         let falling = gained_azimuth(&top, period - t, 40);
         within(
             (falling - (2.0 * to(h2) - to(at(&top, t).height))).abs(),
-            2e-13,
+            2e-14,
         );
     }
 }
@@ -237,7 +237,7 @@ fn s7_2_a_duality() {
     // Loops become waves.
     let dual = turning(-0.5, 0.5, 1.5);
     for (a, b) in roots(&swirl()).into_iter().zip(roots(&dual)) {
-        within((a - b).abs(), 3e-15);
+        within((a - b).abs(), 4e-15);
     }
     assert_ne!(swirl().kind(), dual.kind());
 }

@@ -57,20 +57,20 @@ fn s7_6_spherical_pendulum() {
     let theta = 2.0 * std::f64::consts::FRAC_PI_3;
     let top = spun(theta, 0.72_f64.sqrt(), 0.8, 0.0);
     assert_eq!(top.kind(), Nutation::SphericalPendulum);
-    within((top.energy() - 0.1).abs(), 3e-16);
-    within((top.vertical_angular_momentum() - 0.6).abs(), 3e-16);
+    within((top.energy() - 0.1).abs(), 2e-15);
+    within((top.vertical_angular_momentum() - 0.6).abs(), 4e-16);
     let [h1, h2, h3] = roots(&top);
-    within((h1 + 0.90614535699551002312).abs(), 4e-16);
-    within((h2 + 0.081194534468054211982).abs(), 6e-16);
+    within((h1 + 0.90614535699551002312).abs(), 3e-16);
+    within((h2 + 0.081194534468054211982).abs(), 7e-16);
     // The roots' products in pairs add up to −1.
-    within((h1 * h2 + (h1 + h2) * h3 + 1.0).abs(), 1e-15);
+    within((h1 * h2 + (h1 + h2) * h3 + 1.0).abs(), 4e-16);
     within(
         (top.period() / 3.580295057592311364788699 - 1.0).abs(),
-        1e-15,
+        3e-16,
     );
     within(
         (top.precession_per_nutation().unwrap() / 4.181334119373337192767947 - 1.0).abs(),
-        2e-15,
+        7e-16,
     );
     let start = at(&top, 0.0);
     let e = axis(&start);
@@ -85,11 +85,15 @@ fn s7_6_spherical_pendulum() {
         let off = (0..3)
             .map(|k| (found[k] - expected[k]).abs())
             .fold(0.0, f64::max);
-        within(off, 1e-13);
+        within(off, 8e-14);
     }
     // Only Mgl/I₁ counts: a bob of another mass, or a body of the same equivalent length.
     let other = LagrangeTop::new(4.0, 0.5, 4.0, start.omega, start.attitude).unwrap();
-    assert_eq!(axis(&at(&other, 2.0)), axis(&at(&top, 2.0)));
+    let [a, b] = [&other, &top].map(|top| axis(&at(top, 2.0)));
+    within(
+        (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max),
+        9e-16,
+    );
 
     // One metre long, g = 9.81: periods in seconds, azimuth in degrees; the ellipse advances by (3/8)ab·180°.
     for (small, large, period, azimuth) in [
@@ -103,15 +107,15 @@ fn s7_6_spherical_pendulum() {
         ),
     ] {
         let top = between(small, large, 9.81);
-        within((roots(&top)[1] + large.cos()).abs(), 3e-14);
-        within((top.period() - period).abs(), 6e-10);
+        within((roots(&top)[1] + large.cos()).abs(), 4e-16);
+        within((top.period() - period).abs(), 2e-9);
         within(
             (top.precession_per_nutation().unwrap().to_degrees() - azimuth).abs(),
-            6e-7,
+            2e-6,
         );
         within(
             (gained_azimuth(&top, top.period(), 40) - top.precession_per_nutation().unwrap()).abs(),
-            1e-13,
+            6e-15,
         );
         let law = 67.5 * small * large;
         let advance = azimuth - 180.0;

@@ -57,10 +57,10 @@ fn s7_3_pure_precession_is_a_double_root() {
         assert!(is(&top, Nutation::PurePrecession), "{:?}", top.kind());
         let [h1, h2, h3] = roots(&top);
         assert_eq!(h1, h2);
-        within((h1 - 0.6).abs(), 2e-16);
+        within((h1 - 0.6).abs(), 4e-16);
         assert!(h3 > 1.0);
         for t in [0.1, 10.0, -1e3] {
-            within((at(&top, t).height - 0.6).abs(), 3e-16);
+            within((at(&top, t).height - 0.6).abs(), 4e-16);
         }
     }
     // The other double root, h₂ = h₃ = 1, is no precession: the sleeping top, or one that wakes.
@@ -108,10 +108,10 @@ fn s7_3_quadratic_for_the_rate() {
         let top = spun(std::f64::consts::FRAC_PI_3, 0.0, w, 3.0);
         let start = Motion::start(UNIT, at(&top, 0.0).omega, at(&top, 0.0).attitude);
         for t in [1.0, 7.0] {
-            within((at(&top, t).height - 0.5).abs(), 1e-15);
-            within((start.after(t).axis[2] - 0.5).abs(), 3e-14);
+            within((at(&top, t).height - 0.5).abs(), 3e-16);
+            within((start.after(t).axis[2] - 0.5).abs(), 1e-15);
             within((gained_azimuth(&top, t, 50) - w * t).abs(), 3e-14);
-            within((start.after(t).azimuth - w * t).abs(), 2e-13);
+            within((start.after(t).azimuth - w * t).abs(), 3e-15);
         }
         // Ten per cent beside it the tilt moves.
         let [h1, h2, _] = roots(&spun(std::f64::consts::FRAC_PI_3, 0.0, 1.1 * w, 3.0));
@@ -157,7 +157,7 @@ fn s7_3_slow_and_fast() {
                 let [h1, h2, _] = roots(&spun(std::f64::consts::FRAC_PI_3, 0.0, w, l3));
                 h2 - h1
             };
-            within(band(w), 5e-16);
+            within(band(w), 3e-16);
             assert!(band(near) > 1e-9, "{:e}", band(near));
         }
     }
@@ -188,7 +188,7 @@ fn s7_3_when_there_is_pure_precession() {
     for w in rates(0.5, 1.01 * least) {
         let [h1, h2, _] = roots(&spun(theta, 0.0, w, 1.01 * least));
         // The double root is nearly triple here: h₃ − h₂ is small too.
-        within(h2 - h1, 1e-14);
+        within(h2 - h1, 3e-16);
     }
     // At equality, in exact numbers: cos θ = 3/5, w = 5, L₃ = 6, Mgl = 15, and 36 = 4·15·3/5.
     assert!(is(&exactly(5.0, 6.0, 15.0), Nutation::PurePrecession));
@@ -220,7 +220,7 @@ fn s7_3_at_a_right_angle_one_rate() {
         let start = Motion::start(UNIT, omega, level);
         for t in [0.7, 9.0] {
             within(at(&top, t).height.abs(), 3e-16);
-            within(start.after(t).axis[2].abs(), 3e-14);
+            within(start.after(t).axis[2].abs(), 7e-16);
         }
     }
     // The fast one is gone to infinity like 1/cos θ.
@@ -242,7 +242,7 @@ fn s7_3_fast_precession_is_the_free_one() {
         let symmetric = SymmetricTop::new(1.0, AXIAL).unwrap();
         within(
             (symmetric.axis_rate_in_space(omega) / size.abs() - 1.0).abs(),
-            3e-16,
+            4e-16,
         );
         let body = crate::integrator::Body {
             weight_moment: 0.0,
@@ -250,12 +250,12 @@ fn s7_3_fast_precession_is_the_free_one() {
         };
         let start = Motion::start(body, omega, tilted(theta));
         for t in [0.3, 2.0, 11.0] {
-            within((at(&free, t).height - theta.cos()).abs(), 3e-16);
+            within((at(&free, t).height - theta.cos()).abs(), 4e-16);
             let [x, y, _] = axis(&at(&free, t));
             let (sine, cosine) = (size * t).sin_cos();
             let radius = theta.sin();
-            within((x - radius * sine).hypot(y + radius * cosine), 1e-14);
-            within((start.after(t).axis[0] - x).abs(), 2e-13);
+            within((x - radius * sine).hypot(y + radius * cosine), 3e-14);
+            within((start.after(t).axis[0] - x).abs(), 2e-14);
         }
         // With a little gravity the fast rate is off by Mgl/L₃, and no more.
         if theta.cos() > 0.0 && l3 > 0.0 {
@@ -326,7 +326,7 @@ fn s7_3_the_fast_precession_dies_first() {
     for w in [slow, fast] {
         let [theta, speed] = dragged(w, l3, 0.0, 10.0);
         let state = at(&spun(std::f64::consts::FRAC_PI_3, 0.0, w, l3), 10.0);
-        within((theta.cos() - state.height).abs(), 1e-7);
+        within((theta.cos() - state.height).abs(), 2e-7);
         within((speed - state.omega.x().hypot(state.omega.y())).abs(), 1e-5);
     }
 }

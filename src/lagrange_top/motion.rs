@@ -5,7 +5,7 @@ use nalgebra::Quaternion;
 use super::roots::{Cubic, Distances};
 use super::turning::{Complex, Parameter};
 use crate::double_double::{DoubleDouble, power_of_two_below};
-use crate::elliptic::landen::Landen;
+use crate::elliptic::landen::{Landen, right_angle};
 use crate::elliptic::local::sine_cosine;
 use crate::elliptic::theta::{Elevation, Which};
 use crate::elliptic::{Modulus, Parameter as EllipticParameter, Side};
@@ -139,6 +139,13 @@ impl LagrangeTop {
     ) -> Result<Self> {
         positive("the transverse moment", transverse)?;
         not_negative("the axial moment", axial)?;
+        if axial * 0.5 > transverse * (1.0 + 4.0 * f64::EPSILON) {
+            return Err(Error::TriangleInequality {
+                smallest: transverse,
+                middle: transverse,
+                largest: axial,
+            });
+        }
         finite("the weight moment Mgl", weight_moment)?;
         for component in omega.components().iter() {
             finite("a component of the angular velocity", *component)?;
@@ -148,7 +155,7 @@ impl LagrangeTop {
             axial,
             weight_moment,
         };
-        let (kind, roots, motion) = if moderate(omega, &attitude) {
+        let (kind, roots, motion) = if moderate(body, omega, &attitude) {
             prepare::<DoubleDouble>(body, omega, &attitude)?
         } else {
             prepare::<Extended>(body, omega, &attitude)?
@@ -207,11 +214,12 @@ impl LagrangeTop {
         match &self.motion {
             Motion::Still => {
                 let half = DoubleDouble::product(self.omega.z(), t).scaled(0.5);
-                let (sine, cosine) = half.sin_cos();
+                let (sine, cosine) = turned(half, t)?;
                 let turn = Quaternion::new(cosine, 0.0, 0.0, sine);
                 let q = self.attitude.quaternion().into_inner() * turn;
-                let alpha = q.w * q.w + q.k * q.k;
-                let beta = q.i * q.i + q.j * q.j;
+                let upper = q.w * q.w + q.k * q.k;
+                let lower = q.i * q.i + q.j * q.j;
+                let (alpha, beta) = (upper / (upper + lower), lower / (upper + lower));
                 Ok(State {
                     omega: BodyVector::new(0.0, 0.0, self.omega.z()),
                     attitude: Attitude::from_unit(q),
@@ -248,8 +256,8 @@ impl LagrangeTop {
     pub fn precession_per_nutation(&self) -> Option<f64> {
         match &self.motion {
             Motion::Moving(constants) if constants.modulus.quarter_period().is_finite() => {
-                let turns = constants.turns_per_nutation();
-                let precession = turns[0] + turns[1];
+                let [alpha, beta] = constants.turns_per_nutation();
+                let precession = alpha.add(beta).value();
                 Some(match constants.pull {
                     Pull::Down => precession,
                     Pull::Up => -precession,
@@ -267,21 +275,22 @@ impl LagrangeTop {
 
 impl Constants {
     /// By how much the arguments of α and β grow in one period of nutation.
-    fn turns_per_nutation(&self) -> [f64; 2] {
+    fn turns_per_nutation(&self) -> [DoubleDouble; 2] {
         let quarter = self.modulus.quarter_period_dd();
         let period = quarter.scaled(2.0).divide(self.rate);
         core::array::from_fn(|k| {
             let parameter = &self.parameters[k];
             let lag = match self.modulus.side() {
-                Side::Circular => core::f64::consts::FRAC_PI_2,
-                Side::Hyperbolic => parameter.lag.value(),
+                Side::Circular => right_angle(),
+                Side::Hyperbolic => parameter.lag,
             };
-            self.rates[k].multiply(period).value() - 2.0 * parameter.sense * lag
+            let lag = lag.scaled(2.0 * parameter.sense);
+            self.rates[k].multiply(period).subtract(lag)
         })
     }
 
     /// α and β at a place, with their derivatives by time.
-    fn pair(&self, t: f64, u: DoubleDouble) -> ([f64; 3], [Complex; 4]) {
+    fn pair(&self, t: f64, u: DoubleDouble) -> Result<([f64; 3], [Complex; 4])> {
         let place = self.modulus.place(u);
         let triple = self.modulus.triple(&place);
         let root = self.modulus.root();
@@ -306,7 +315,7 @@ impl Constants {
                     .lag
                     .multiply(DoubleDouble::from(quarters * parameter.sense)),
             );
-            let (sine, cosine) = sine_cosine(phase);
+            let (sine, cosine) = turned(phase, t)?;
             let factor = self.factors[k] * Complex::new(cosine, sine);
             let [value, slope] = parameter.at(&place, k == 1, root);
             let weight = if k == 1 { weight } else { 1.0 };
@@ -314,7 +323,7 @@ impl Constants {
             out[k] = factor * value * weight;
             out[k + 2] = factor * slope * weight;
         }
-        (triple, out)
+        Ok((triple, out))
     }
 
     fn at(&self, t: f64, axial_rate: f64) -> Result<State> {
@@ -329,7 +338,7 @@ impl Constants {
                 greatest: limit,
             });
         }
-        let ([sn, cn, _], [alpha, beta, alpha_rate, beta_rate]) = self.pair(t, u);
+        let ([sn, cn, _], [alpha, beta, alpha_rate, beta_rate]) = self.pair(t, u)?;
         let size = alpha.norm_sqr() + beta.norm_sqr();
         let transverse = (alpha.conj() * beta_rate - beta * alpha_rate.conj()) * (2.0 / size);
         let scale = 1.0 / size.sqrt();
@@ -343,7 +352,12 @@ impl Constants {
             Pull::Up => (b.conj(), -a.conj(), one_more, one_less),
         };
         Ok(State {
-            omega: BodyVector::new(transverse.re, transverse.im, axial_rate),
+            // Next to the greatest number rounding must not make it infinite.
+            omega: BodyVector::new(
+                transverse.re.clamp(-f64::MAX, f64::MAX),
+                transverse.im.clamp(-f64::MAX, f64::MAX),
+                axial_rate,
+            ),
             attitude: Attitude::from_unit(Quaternion::new(a.re, b.re, b.im, a.im)),
             height: 0.5 * (one_more - one_less),
             one_less,
@@ -376,6 +390,21 @@ impl Roots {
     }
 }
 
+/// Sine and cosine of an angle at a time, if it is one that its digits tell from its neighbours.
+fn turned(angle: DoubleDouble, t: f64) -> Result<(f64, f64)> {
+    const GREATEST: f64 = 4.6e18;
+    if angle.high().abs() <= GREATEST {
+        return Ok(sine_cosine(angle));
+    }
+    let limit = GREATEST / (angle.high() / t).abs();
+    Err(Error::OutOfRange {
+        quantity: "the time",
+        value: t,
+        least: -limit,
+        greatest: limit,
+    })
+}
+
 /// What does not move.
 #[derive(Debug, Clone, Copy)]
 struct Body {
@@ -385,12 +414,13 @@ struct Body {
 }
 
 /// Whether the fourth power of every number that counts is far above underflow.
-fn moderate(omega: BodyVector, attitude: &Attitude) -> bool {
+fn moderate(body: Body, omega: BodyVector, attitude: &Attitude) -> bool {
     let q = attitude.quaternion();
     let near = |x: f64, unit: f64| x == 0.0 || x.abs() > 1e-60 * unit;
-    let fastest = omega.components().amax();
+    let swing = (body.weight_moment.abs() / body.transverse).sqrt();
+    let fastest = omega.components().amax().max(swing);
     let still = omega.components().iter().all(|x| near(*x, fastest));
-    still && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
+    still && near(swing, fastest) && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
 }
 
 /// The constants, everything in units of time in which rates are moderate.
@@ -485,7 +515,7 @@ fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     constants.rate = scale(constants.rate);
     constants.rates = constants.rates.map(scale);
     finite("the rate of nutation", constants.rate.value())?;
-    constants.fit(q, omega);
+    constants.fit(q, omega)?;
     constants.pull = pull;
     Ok((kind(&cubic, &d), roots, Motion::Moving(constants)))
 }
@@ -677,15 +707,15 @@ fn start<N: Scalar<Narrow = DoubleDouble>>(
 impl Constants {
     /// The constant factors of α and β from the start: their sizes from the tilt at a place between the turning points, their phases from
     /// the vertical and Ω, which never vanish together.
-    fn fit(&mut self, q: Quaternion<f64>, omega: BodyVector) {
+    fn fit(&mut self, q: Quaternion<f64>, omega: BodyVector) -> Result<()> {
         let middle = self.modulus.quarter_period() * 0.5;
         let middle = if middle.is_finite() { middle } else { 1.0 };
-        let ([sn, cn, _], [alpha, beta, ..]) = self.pair(0.0, DoubleDouble::from(middle));
+        let ([sn, cn, _], [alpha, beta, ..]) = self.pair(0.0, DoubleDouble::from(middle))?;
         let above = self.bottom1 + self.band * sn * sn;
         let below = self.top2 + self.band * cn * cn;
         self.factors[0] = Complex::new(above.sqrt() / alpha.norm(), 0.0);
         self.factors[1] = Complex::new(below.sqrt() / beta.norm(), 0.0);
-        let (_, [alpha, beta, alpha_rate, beta_rate]) = self.pair(0.0, self.start);
+        let (_, [alpha, beta, alpha_rate, beta_rate]) = self.pair(0.0, self.start)?;
         let size = alpha.norm_sqr() + beta.norm_sqr();
         let i = Complex::new(0.0, 1.0);
         // z₁ + iz₂ = 2i ᾱβ and Ω₁ + iΩ₂ = 2 (ᾱβ′ − βᾱ′).
@@ -695,11 +725,27 @@ impl Constants {
         let wanted_vertical = i * a.conj() * b * 2.0;
         let wanted = Complex::new(omega.x(), omega.y());
         let time = 1.0 / self.rate.high();
-        let relative = wanted_vertical * vertical.conj() + wanted * time * (turning * time).conj();
-        let relative = relative / relative.norm();
+        // Both pairs in their own size, so that the smallest kick has a direction.
+        let unit = |x: Complex, y: Complex| {
+            let size = x.re.abs().max(x.im.abs()).max(y.re.abs()).max(y.im.abs());
+            if size > 0.0 {
+                (x / size, y / size)
+            } else {
+                (x, y)
+            }
+        };
+        let (vertical, turning) = unit(vertical, turning * time);
+        let (wanted_vertical, wanted) = unit(wanted_vertical, wanted * time);
+        let relative = wanted_vertical * vertical.conj() + wanted * turning.conj();
+        let relative = if relative.norm() > 0.0 {
+            relative / relative.norm()
+        } else {
+            Complex::new(1.0, 0.0)
+        };
         let common = alpha.conj() * a + beta.conj() * b * relative.conj();
         let common = common / common.norm();
         self.factors[0] *= common;
         self.factors[1] *= common * relative;
+        Ok(())
     }
 }

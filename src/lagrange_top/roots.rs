@@ -51,12 +51,15 @@ impl<N: Scalar> Cubic<N> {
         let f0 = self.rise.square();
         let height = self.above_bottom.subtract(self.below_top).times(0.5);
         let twice_height = height.times(2.0);
-        let f1 = self
-            .drift
-            .multiply(self.spin)
-            .times(2.0)
-            .subtract(twice_height.multiply(self.swing))
-            .subtract(two_g.multiply(self.below_top).multiply(self.above_bottom));
+        let terms = [
+            self.drift.multiply(self.spin).times(2.0),
+            twice_height.multiply(self.swing).negated(),
+            two_g
+                .multiply(self.below_top)
+                .multiply(self.above_bottom)
+                .negated(),
+        ];
+        let f1 = balance(terms);
         let f2 = two_g
             .multiply(twice_height)
             .subtract(self.swing)
@@ -112,14 +115,17 @@ impl<N: Scalar> Cubic<N> {
         let bottom2 = self.above_bottom.add(to_upper);
         let from_top = third.subtract(two_g.multiply(self.below_top));
         let from_bottom = third.add(two_g.multiply(self.above_bottom));
-        // 1 − h₂ directly, or from the product of all three distances from 1, whichever loses less.
+        // Of 1 − h₂ and h₃ − 1 the greater directly, the other from the product of all three distances from 1.
         let direct = self.below_top.subtract(to_upper);
-        let top2 = if third.multiply(direct).exceeds(from_top.multiply(top1)) {
-            direct
-        } else if difference.is_zero() {
+        let product = if difference.is_zero() {
             zero
         } else {
-            difference.square().divide(top1.multiply(from_top))
+            difference.square().divide(top1)
+        };
+        let (top2, from_top) = if third.multiply(direct).exceeds(from_top.multiply(top1)) {
+            (direct, product.divide(direct))
+        } else {
+            (product.divide(from_top), from_top)
         };
         let bottom1 = if sum.is_zero() {
             zero
@@ -222,6 +228,20 @@ impl<N: Scalar> Cubic<N> {
             to_upper,
             to_lower,
         }
+    }
+}
+
+/// The sum of three terms; nothing, if it is no more than what rounding leaves of terms that balance.
+///
+/// Pure precession is such a balance, and few tilts are doubles: the cosine 3/5 is not.
+fn balance<N: Scalar>(terms: [N; 3]) -> N {
+    let [a, b, c] = terms;
+    let sum = a.subtract(b.negated()).subtract(c.negated());
+    let size = a.magnitude().add(b.magnitude()).add(c.magnitude());
+    if sum.magnitude().exceeds(size.times(2f64.powi(-99))) {
+        sum
+    } else {
+        N::from_double(0.0)
     }
 }
 

@@ -150,6 +150,14 @@ impl LagrangeTop {
         for component in omega.components().iter() {
             finite("a component of the angular velocity", *component)?;
         }
+        if omega.norm() > FASTEST {
+            return Err(Error::OutOfRange {
+                quantity: "the angular velocity",
+                value: omega.norm(),
+                least: 0.0,
+                greatest: FASTEST,
+            });
+        }
         let body = Body {
             transverse,
             axial,
@@ -352,12 +360,7 @@ impl Constants {
             Pull::Up => (b.conj(), -a.conj(), one_more, one_less),
         };
         Ok(State {
-            // Next to the greatest number rounding must not make it infinite.
-            omega: BodyVector::new(
-                transverse.re.clamp(-f64::MAX, f64::MAX),
-                transverse.im.clamp(-f64::MAX, f64::MAX),
-                axial_rate,
-            ),
+            omega: BodyVector::new(transverse.re, transverse.im, axial_rate),
             attitude: Attitude::from_unit(Quaternion::new(a.re, b.re, b.im, a.im)),
             height: 0.5 * (one_more - one_less),
             one_less,
@@ -404,6 +407,9 @@ fn turned(angle: DoubleDouble, t: f64) -> Result<(f64, f64)> {
         greatest: limit,
     })
 }
+
+/// Beyond this, in rad/s, sums of rates overflow.
+const FASTEST: f64 = 1e307;
 
 /// What does not move.
 #[derive(Debug, Clone, Copy)]

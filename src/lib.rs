@@ -32,6 +32,7 @@ pub mod frame;
 pub mod ideal_fluid;
 pub mod impacts;
 pub mod inertia;
+pub mod kovalevskaya_top;
 pub mod phenomena;
 pub mod pythagoras;
 pub mod rolling;

@@ -33,7 +33,7 @@ mod trial {
             rec.signs = [sg(0), sg(1), sg(2)];
             let g = [f[0] * sg(3), f[1] * sg(4)];
             let x = rec.state(c, &sep, g);
-            let e: f64 = (0..6).map(|i| (x[i] - y[i]).powi(2)).sum();
+            let e: f64 = (0..6).map(|i| (x[i] - y[i]).powi(2)).sum(); 
             if e < best.0 { best = (e, g, rec.signs); }
         }
         rec.signs = best.2;

@@ -137,7 +137,7 @@ impl Flow {
         let turning = sine * cosine * second;
         let h = (0..5)
             .filter(|i| *i != c)
-            .map(|i| (separation.from_ends[1][i] * turning / local.h[i]).re)
+            .map(|i| (-separation.from_ends[1][i] * turning / local.h[i]).re)
             .sum::<f64>();
         let d_rate = s1_rate * cosine * cosine
             + turning * (separation.depth - local.s1_from[c].re);

@@ -28,8 +28,6 @@ pub(super) struct Separation {
     pub depth: f64,
     /// ∫df₁/√G, ∫s₁df₁/√G, ∫w df₂, ∫s₂w df₂.
     abel: [Quadrature; 4],
-    /// a₁−a₂ and b₁−b₂ at time 0.
-    pub origin: [f64; 2],
 }
 
 /// G and H at given phases, and what else both the quadratures and the solution ask for.
@@ -75,7 +73,6 @@ impl Separation {
             width: from_ends[0][b].re,
             depth: from_ends[2][b].re,
             abel: core::array::from_fn(|_| Quadrature::empty()),
-            origin: [0.0; 2],
         };
         let first = Quadrature::prepare(|f| {
             let local = separation.local([f, 0.0]);
@@ -91,6 +88,28 @@ impl Separation {
         let ([a1, b1], [a2, b2]) = (first, second);
         separation.abel = [a1, b1, a2, b2];
         Some(separation)
+    }
+
+    /// The smallest distance of two roots, as a part of the greatest.
+    pub fn narrowest(&self) -> f64 {
+        let values = self.roots.map(|root| root.value());
+        let mut least = f64::INFINITY;
+        let mut greatest = f64::MIN_POSITIVE;
+        for (i, a) in values.iter().enumerate() {
+            for b in &values[..i] {
+                least = least.min((a - b).norm());
+                greatest = greatest.max((a - b).norm());
+            }
+        }
+        least / greatest
+    }
+
+    /// s₁ and s₂ at given phases; s₂ is −∞ where q = 0.
+    pub fn variables(&self, phases: Phases) -> [f64; 2] {
+        let local = self.local(phases);
+        let [_, cosine] = local.half[1];
+        let s1 = self.s1(&local);
+        [s1, s1 - local.d / (cosine * cosine)]
     }
 
     /// s₁.
@@ -195,11 +214,6 @@ impl Separation {
         phases
     }
     // ANCHOR_END: abel
-
-    /// The phases at a time.
-    pub fn at(&self, t: f64) -> Phases {
-        self.phases([self.origin[0], self.origin[1] + t])
-    }
 
     /// Turns of the two phases per unit of time: a₁n₁ = a₂n₂, b₁n₁ − b₂n₂ = 1.
     pub fn frequencies(&self) -> [f64; 2] {

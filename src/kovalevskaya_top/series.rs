@@ -32,7 +32,7 @@ impl Quadrature {
             let done = series.iter().all(|a| {
                 let largest = a.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
                 let tail = a[n - n / 8..].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-                tail <= 16.0 * f64::EPSILON * largest / (n as f64).sqrt()
+                tail <= 2.0 * f64::EPSILON * largest
             });
             if done {
                 return Some(series.map(Self::of_cosines));
@@ -53,7 +53,8 @@ impl Quadrature {
     fn of_cosines(a: Vec<f64>) -> Self {
         let mut sines: Vec<f64> = (1..a.len()).map(|n| a[n] / n as f64).collect();
         let largest = a.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        while sines.last().is_some_and(|b| b.abs() < 1e-18 * largest) {
+        // Below this the terms are the rounding of the transform, and no longer than they need to be for the sum.
+        while sines.last().is_some_and(|b| b.abs() < 2e-18 * largest) {
             sines.pop();
         }
         Self { mean: a[0], sines }

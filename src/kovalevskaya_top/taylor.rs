@@ -10,17 +10,6 @@ const ORDER: usize = 24;
 /// A state and its attitude quaternion (w, x, y, z).
 pub(super) type Carried = (Phase, [f64; 4]);
 
-/// The rates of (p, q, r, z) with I = (2, 2, 1): 2p′ = qr, 2q′ = −pr + cz₃, r′ = −cz₂, z′ = z ∧ Ω.
-pub(super) fn rate(c: f64, [p, q, r, z1, z2, z3]: &Phase) -> Phase {
-    [
-        0.5 * q * r,
-        0.5 * (c * z3 - p * r),
-        -c * z2,
-        z2 * r - z3 * q,
-        z3 * p - z1 * r,
-        z1 * q - z2 * p,
-    ]
-}
 
 /// Power series of a motion about the time 0, with the attitude: dq/dt = ½ qΩ.
 pub(super) struct Series {
@@ -74,12 +63,15 @@ impl Series {
     }
 }
 
+/// The slope below which a condition is not followed.
+const GENTLE: f64 = 3e-3;
+
 // ANCHOR: projection
 /// The state moved by the shortest way onto the surface E, L_vert, |z| and |K| of the start.
 ///
 /// Rounding may push a state off the surface, never along: the direction along belongs to the phases, that is to time.
-/// One step of Newton's method with the least change; a state that is far away, or where two of the four conditions touch,
-/// stays as it is.
+/// One step of Newton's method with the least change. Near a double root two of the four surfaces touch, and rounding would be
+/// blown up; the change is therefore damped where the conditions say little, and is never more than 1/(2·GENTLE) of what is missing.
 pub(super) fn project(constants: &Constants, state: &Phase) -> Phase {
     let Constants { c, l1, l, k, .. } = *constants;
     let [p, q, r, z1, z2, z3] = *state;
@@ -97,15 +89,13 @@ pub(super) fn project(constants: &Constants, state: &Phase) -> Phase {
         0.0, 0.0, 0.0, 2.0 * z1, 2.0 * z2, 2.0 * z3,
         4.0 * (re * p + im * q), 4.0 * (im * p - re * q), 0.0, -2.0 * c * re, -2.0 * c * im, 0.0,
     ]);
-    let square: Matrix4<f64> = gradients * gradients.transpose();
-    let Some(inverse) = square.cholesky() else {
+    // A slope below GENTLE is followed the less the gentler it is: there the condition says little about the state.
+    let square: Matrix4<f64> =
+        gradients * gradients.transpose() + Matrix4::identity() * (GENTLE * GENTLE);
+    let Some(factors) = square.cholesky() else {
         return *state;
     };
-    let change = gradients.transpose() * inverse.solve(&missing);
-    // Twice as far as what is missing would need along the gentlest useful slope: two gradients are nearly parallel here.
-    if !(change.amax() < 1e-6) {
-        return *state;
-    }
+    let change = gradients.transpose() * factors.solve(&missing);
     core::array::from_fn(|i| state[i] - change[i])
 }
 // ANCHOR_END: projection

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::constants::Constants;
+use super::constants::{Constants, Root};
 use crate::double_double::DoubleDouble;
 use crate::error::{Result, finite, not_negative, positive};
 
@@ -36,15 +36,22 @@ pub(super) fn classify(constants: &Constants) -> Kind {
     let doubled = l.multiply(l).scaled(2.0);
     let size = energy.value().abs() + doubled.value() + k.value() + 2.0 * c;
     let small = |x: DoubleDouble| x.value().abs() <= ROUNDED * size;
-    let [first, second, third, ..] = constants.roots();
+    let [first, second, third, fourth, fifth] = constants.roots();
+    // Weak gravity brings both together, whatever L_vert is: the conditions below are these distances over c².
+    let meets = |root: &Root| {
+        let distance = |e: &Root| e.from(root).norm();
+        [first, second, third]
+            .iter()
+            .any(|e| distance(e) <= ROUNDED * size)
+    };
     let spread = second.from(&third).re.hypot(2.0 * second.imaginary.value());
     // The square of the distance is what a rounded start determines.
     let greatest = first.real.value().abs();
     if small(k) {
         Kind::Delaunay
-    } else if small(energy.add(k).subtract(doubled)) {
+    } else if small(energy.add(k).subtract(doubled)) || meets(&fourth) {
         Kind::SharedUpper
-    } else if small(energy.subtract(k).subtract(doubled)) {
+    } else if small(energy.subtract(k).subtract(doubled)) || meets(&fifth) {
         Kind::SharedLower
     } else if spread * spread <= ROUNDED * (greatest * greatest + size * size) {
         Kind::CubicDouble
@@ -99,7 +106,9 @@ impl Diagram {
         let rest = l1 * (l1 * l1 - excess);
         let square = self.c * self.c;
         // h = (2l)².
-        Ok(Some([s, -s].map(|s| 4.0 * (rest - 8.0 * s_squared * s) / square)))
+        Ok(Some(
+            [s, -s].map(|s| 4.0 * (rest - 8.0 * s_squared * s) / square),
+        ))
     }
 
     /// The five roots at a point of the diagram, 1/s².

@@ -84,7 +84,12 @@ impl Constants {
         let (quarter, rest) = (g2.scaled(0.25), g3.scaled(0.25));
         let value = |s: Wide| s.multiply(s).subtract(quarter).multiply(s).subtract(rest);
         let slope = |s: f64| 3.0 * s * s - quarter.high();
-        let bound = 2.0 * quarter.high().abs().sqrt().max((0.5 * rest.high().abs()).cbrt());
+        let bound = 2.0
+            * quarter
+                .high()
+                .abs()
+                .sqrt()
+                .max((0.5 * rest.high().abs()).cbrt());
         let mut first = wide(bound.copysign(rest.high()));
         for _ in 0..60 {
             let step = value(first).value() / slope(first.high());
@@ -99,7 +104,10 @@ impl Constants {
         let middle = first.scaled(-0.5);
         let half = Root::magnitude(spread).square_root().scaled(0.5);
         let [second, third] = if spread.high() < 0.0 {
-            [half, half.negated()].map(|imaginary| Root { real: middle, imaginary })
+            [half, half.negated()].map(|imaginary| Root {
+                real: middle,
+                imaginary,
+            })
         } else {
             [middle.add(half), middle.subtract(half)].map(Root::on_axis)
         };

@@ -38,8 +38,7 @@ impl Exact {
     /// Roots, band, quadratures, signs and phases of a start; tried at the start and at a later time against the power series.
     pub fn find(constants: &Constants, start: &Phase) -> Result<Self, Reason> {
         let variables = Variables::of(constants, start);
-        let separation =
-            Separation::prepare(constants, variables.s1).ok_or(Reason::DoubleRoot)?;
+        let separation = Separation::prepare(constants, variables.s1).ok_or(Reason::DoubleRoot)?;
         let mut exact = Self {
             reconstruction: Reconstruction::prepare(constants, &separation),
             separation,
@@ -77,7 +76,9 @@ impl Exact {
             let sign = |bit: u32| if choice >> bit & 1 == 0 { 1.0 } else { -1.0 };
             self.reconstruction.signs = [sign(0), sign(1), sign(2)];
             let phases = [sign(3) * guess[0], sign(4) * guess[1]];
-            let state = self.reconstruction.state(constants, &self.separation, phases);
+            let state = self
+                .reconstruction
+                .state(constants, &self.separation, phases);
             let miss = distance(&state, start);
             if miss < best.0 {
                 best = (miss, phases, self.reconstruction.signs);
@@ -123,12 +124,12 @@ impl Exact {
     }
 
     fn raw(&self, constants: &Constants, phases: Phases) -> Phase {
-        self.reconstruction.state(constants, &self.separation, phases)
+        self.reconstruction
+            .state(constants, &self.separation, phases)
     }
 
     pub fn phases(&self, t: f64) -> Phases {
-        self.separation
-            .phases([self.origin[0], self.origin[1] + t])
+        self.separation.phases([self.origin[0], self.origin[1] + t])
     }
 
     pub fn state(&self, constants: &Constants, t: f64) -> Phase {

@@ -83,7 +83,10 @@ impl Separation {
             let [sine, cosine] = local.half[1];
             let c = separation.roots[real[0]].real.value();
             let w = cosine * cosine / local.root_h;
-            [w, (c * cosine * cosine - separation.depth * sine * sine) / local.root_h]
+            [
+                w,
+                (c * cosine * cosine - separation.depth * sine * sine) / local.root_h,
+            ]
         })?;
         let ([a1, b1], [a2, b2]) = (first, second);
         separation.abel = [a1, b1, a2, b2];
@@ -266,7 +269,10 @@ impl Variables {
         let (sigma, numerator) = if mixed > 0.0 {
             (0.5 * s / (mixed + size), mixed + size)
         } else {
-            ((size - mixed) / (8.0 * q * q), 4.0 * q * q * s / (size - mixed))
+            (
+                (size - mixed) / (8.0 * q * q),
+                4.0 * q * q * s / (size - mixed),
+            )
         };
         Self {
             s1: 0.5 * l1 + sigma,

@@ -36,10 +36,7 @@ impl Reconstruction {
             let twice = root.real.scaled(2.0).subtract(constants.l1);
             let imaginary = root.imaginary.scaled(2.0);
             shifted[j] = Number::new(twice.value(), imaginary.value());
-            let first = Number::new(
-                constants.l1.add(root.real).value(),
-                root.imaginary.value(),
-            );
+            let first = Number::new(constants.l1.add(root.real).value(), root.imaginary.value());
             let square = twice
                 .multiply(twice)
                 .subtract(imaginary.multiply(imaginary))
@@ -72,7 +69,9 @@ impl Reconstruction {
         let mut matrix = Matrix3::<Number>::zeros();
         let mut sides = [Vector3::<Number>::zeros(); 3];
         for j in 0..3 {
-            let roots = flow.product(separation, &local, j).map(|q| q * self.signs[j]);
+            let roots = flow
+                .product(separation, &local, j)
+                .map(|q| q * self.signs[j]);
             // Rows of one size: a pair of complex roots has conjugate rows.
             let scale = 1.0 / (self.alpha[j].norm() + self.beta[j].norm()).max(f64::MIN_POSITIVE);
             let row = [self.alpha[j], 2.0 * self.beta[j], -4.0 * I * roots[0]];
@@ -139,8 +138,7 @@ impl Flow {
             .filter(|i| *i != c)
             .map(|i| (-separation.from_ends[1][i] * turning / local.h[i]).re)
             .sum::<f64>();
-        let d_rate = s1_rate * cosine * cosine
-            + turning * (separation.depth - local.s1_from[c].re);
+        let d_rate = s1_rate * cosine * cosine + turning * (separation.depth - local.s1_from[c].re);
         Self {
             rates,
             second: [

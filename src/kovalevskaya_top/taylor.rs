@@ -10,7 +10,6 @@ const ORDER: usize = 24;
 /// A state and its attitude quaternion (w, x, y, z).
 pub(super) type Carried = (Phase, [f64; 4]);
 
-
 /// Power series of a motion about the time 0, with the attitude: dq/dt = ½ qΩ.
 pub(super) struct Series {
     terms: [[f64; 10]; ORDER + 1],
@@ -26,7 +25,8 @@ impl Series {
         terms[0][6..].copy_from_slice(attitude);
         for n in 0..ORDER {
             // The nth term of the product of two components.
-            let of = |i: usize, j: usize| (0..=n).map(|m| terms[m][i] * terms[n - m][j]).sum::<f64>();
+            let of =
+                |i: usize, j: usize| (0..=n).map(|m| terms[m][i] * terms[n - m][j]).sum::<f64>();
             let [z2, z3] = [terms[n][4], terms[n][5]];
             let next = [
                 0.5 * of(1, 2),
@@ -84,10 +84,30 @@ pub(super) fn project(constants: &Constants, state: &Phase) -> Phase {
         re * re + im * im - k * k,
     );
     let gradients = SMatrix::<f64, 4, 6>::from_row_slice(&[
-        4.0 * p, 4.0 * q, 2.0 * r, 2.0 * c, 0.0, 0.0,
-        2.0 * z1, 2.0 * z2, z3, 2.0 * p, 2.0 * q, r,
-        0.0, 0.0, 0.0, 2.0 * z1, 2.0 * z2, 2.0 * z3,
-        4.0 * (re * p + im * q), 4.0 * (im * p - re * q), 0.0, -2.0 * c * re, -2.0 * c * im, 0.0,
+        4.0 * p,
+        4.0 * q,
+        2.0 * r,
+        2.0 * c,
+        0.0,
+        0.0,
+        2.0 * z1,
+        2.0 * z2,
+        z3,
+        2.0 * p,
+        2.0 * q,
+        r,
+        0.0,
+        0.0,
+        0.0,
+        2.0 * z1,
+        2.0 * z2,
+        2.0 * z3,
+        4.0 * (re * p + im * q),
+        4.0 * (im * p - re * q),
+        0.0,
+        -2.0 * c * re,
+        -2.0 * c * im,
+        0.0,
     ]);
     // A slope below GENTLE is followed the less the gentler it is: there the condition says little about the state.
     let square: Matrix4<f64> =

@@ -110,7 +110,11 @@ impl Lattice {
         for entry in matrix.iter() {
             finite("an entry of the Lax matrix", *entry)?;
         }
-        let mut values: Vec<f64> = SymmetricEigen::new(matrix).eigenvalues.iter().copied().collect();
+        let mut values: Vec<f64> = SymmetricEigen::new(matrix)
+            .eigenvalues
+            .iter()
+            .copied()
+            .collect();
         values.sort_by(f64::total_cmp);
         Ok(values)
     }

@@ -420,7 +420,11 @@ impl Walk<'_> {
         let series = Series::at(constants.c, &self.here);
         let rest = target - self.time;
         let step = rest.clamp(-series.reach, series.reach);
-        let next = if step == rest { target } else { self.time + step };
+        let next = if step == rest {
+            target
+        } else {
+            self.time + step
+        };
         let (state, [w, i, j, k]) = series.after(next - self.time);
         self.time = next;
         let state = match &self.top.motion {

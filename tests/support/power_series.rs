@@ -47,11 +47,8 @@ impl Top {
         let [c1, c2, c3] = self.lever;
         let mut terms = vec![*y];
         for n in 0..ORDER {
-            let of = |a: usize, b: usize| {
-                (0..=n)
-                    .map(|m| terms[m][a] * terms[n - m][b])
-                    .sum::<f64>()
-            };
+            let of =
+                |a: usize, b: usize| (0..=n).map(|m| terms[m][a] * terms[n - m][b]).sum::<f64>();
             let [z1, z2, z3] = [terms[n][3], terms[n][4], terms[n][5]];
             let next = [
                 ((i2 - i3) * of(1, 2) + z2 * c3 - z3 * c2) / i1,

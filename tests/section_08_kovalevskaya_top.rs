@@ -628,7 +628,7 @@ fn s8_3_the_toda_lattice_keeps_its_eigenvalues() -> Result {
     // What the eigenvalues are: let the open lattice fly apart, and the momenta come to 2λ, sorted.
     let mut open = Lattice::new(Ends::Open, &positions, &momenta)?;
     let values = open.eigenvalues()?;
-    open.advance(0.05, 4800)?;
+    open.advance(0.01, 12_000)?;
     for (p, value) in open.momenta().iter().zip(values) {
         assert_relative_eq!(*p, 2.0 * value, max_relative = 0.0, epsilon = 1e-9);
     }

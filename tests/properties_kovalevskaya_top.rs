@@ -1,0 +1,106 @@
+//! Kovalevskaya's top over many starts: her road against power series, whatever the start.
+
+use proptest::prelude::*;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, Reason, State};
+
+#[path = "support/power_series.rs"]
+mod power_series;
+
+const MOMENTS: [f64; 3] = [2.0, 2.0, 1.0];
+
+fn vector([x, y, z]: [f64; 3]) -> BodyVector {
+    BodyVector::new(x, y, z)
+}
+
+/// SplitMix64: a thousand starts that are the same everywhere.
+struct Draw(u64);
+
+impl Draw {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Ω in a cube of half width `spin`, z evenly over the sphere.
+    fn start(&mut self, spin: f64) -> [[f64; 3]; 2] {
+        let omega = [(); 3].map(|()| spin * (2.0 * self.unit() - 1.0));
+        let (height, azimuth) = (2.0 * self.unit() - 1.0, std::f64::consts::TAU * self.unit());
+        let (sine, cosine) = azimuth.sin_cos();
+        let radius = (1.0 - height * height).sqrt();
+        [omega, [radius * cosine, radius * sine, height]]
+    }
+}
+
+/// The start of a top as the power series take it.
+fn whole(omega: [f64; 3], state: &State) -> power_series::Whole {
+    let (z, q) = (state.up, state.attitude.quaternion());
+    let [a, b, c] = omega;
+    [a, b, c, z.x(), z.y(), z.z(), q.w, q.i, q.j, q.k]
+}
+
+/// Largest difference of a component of Ω and z, and the angle between the attitudes.
+fn errors(state: &State, y: &power_series::Whole) -> [f64; 2] {
+    let found = [state.omega, state.up].map(|v| <[f64; 3]>::from(v.components()));
+    let largest = (0..6).fold(0.0_f64, |m, k| m.max((found[k / 3][k % 3] - y[k]).abs()));
+    let attitude = Attitude::from_quaternion(y[6], y[7], y[8], y[9]).expect("a quaternion");
+    [largest, attitude.angle_to(&state.attitude)]
+}
+
+/// A thousand starts at four times each: errors of Ω and z and of the attitude in ascending order, and how many were separated.
+fn thousand(seed: u64, spin: f64) -> ([Vec<f64>; 2], usize) {
+    let mut draw = Draw(seed);
+    let mut worst = [Vec::new(), Vec::new()];
+    let mut separated = 0;
+    let lever = [1.0, 0.0, 0.0];
+    let reference = power_series::Top { moments: MOMENTS, lever };
+    for _ in 0..1000 {
+        let [omega, up] = draw.start(spin);
+        let top = KovalevskayaTop::with_up(MOMENTS, vector(lever), vector(omega), vector(up))
+            .expect("a start");
+        separated += usize::from(top.method() == Method::Separation);
+        let start = top.at(0.0).expect("the start");
+        let (mut y, mut t, mut largest) = (whole(omega, &start), 0.0, [0.0_f64; 2]);
+        for state in top.states([1.3, 4.7, 10.0, 20.0]).zip([1.3, 4.7, 10.0, 20.0]) {
+            let (state, time) = (state.0.expect("a state"), state.1);
+            y = reference.after(y, time - t);
+            t = time;
+            let found = errors(&state, &y);
+            largest = [0, 1].map(|i| largest[i].max(found[i]));
+        }
+        for (list, error) in worst.iter_mut().zip(largest) {
+            list.push(error);
+        }
+    }
+    for list in &mut worst {
+        list.sort_by(f64::total_cmp);
+    }
+    (worst, separated)
+}
+
+#[test]
+fn a_thousand_random_starts() {
+    let ([motion, attitude], separated) = thousand(1889, 1.5);
+    println!(
+        "separated {separated}; motion {:e} {:e} {:e} {:e}; attitude {:e} {:e} {:e}",
+        motion[500], motion[950], motion[990], motion[999], attitude[500], attitude[950], attitude[999]
+    );
+    assert!(separated >= 998, "{separated}");
+    assert!(motion[950] < 1e-13 && motion[999] < 1e-11);
+    assert!(attitude[950] < 1e-13 && attitude[999] < 1e-11);
+}
+
+#[test]
+fn a_thousand_fast_and_a_thousand_slow_starts() {
+    for (seed, spin) in [(1888, 6.0), (1893, 0.2)] {
+        let ([motion, attitude], separated) = thousand(seed, spin);
+        println!(
+            "spin {spin}: separated {separated}; motion {:e} {:e} {:e} {:e}; attitude {:e} {:e}",
+            motion[500], motion[950], motion[990], motion[999], attitude[950], attitude[999]
+        );
+        assert!(motion[950] < 1e-11 && motion[999] < 1e-9);
+    }
+}

@@ -56,7 +56,10 @@ fn thousand(seed: u64, spin: f64) -> ([Vec<f64>; 2], usize) {
     let mut worst = [Vec::new(), Vec::new()];
     let mut separated = 0;
     let lever = [1.0, 0.0, 0.0];
-    let reference = power_series::Top { moments: MOMENTS, lever };
+    let reference = power_series::Top {
+        moments: MOMENTS,
+        lever,
+    };
     for _ in 0..1000 {
         let [omega, up] = draw.start(spin);
         let top = KovalevskayaTop::with_up(MOMENTS, vector(lever), vector(omega), vector(up))
@@ -64,7 +67,10 @@ fn thousand(seed: u64, spin: f64) -> ([Vec<f64>; 2], usize) {
         separated += usize::from(top.method() == Method::Separation);
         let start = top.at(0.0).expect("the start");
         let (mut y, mut t, mut largest) = (whole(omega, &start), 0.0, [0.0_f64; 2]);
-        for state in top.states([1.3, 4.7, 10.0, 20.0]).zip([1.3, 4.7, 10.0, 20.0]) {
+        for state in top
+            .states([1.3, 4.7, 10.0, 20.0])
+            .zip([1.3, 4.7, 10.0, 20.0])
+        {
             let (state, time) = (state.0.expect("a state"), state.1);
             y = reference.after(y, time - t);
             t = time;
@@ -86,7 +92,13 @@ fn a_thousand_random_starts() {
     let ([motion, attitude], separated) = thousand(1889, 1.5);
     println!(
         "separated {separated}; motion {:e} {:e} {:e} {:e}; attitude {:e} {:e} {:e}",
-        motion[500], motion[950], motion[990], motion[999], attitude[500], attitude[950], attitude[999]
+        motion[500],
+        motion[950],
+        motion[990],
+        motion[999],
+        attitude[500],
+        attitude[950],
+        attitude[999]
     );
     assert!(separated >= 998, "{separated}");
     assert!(motion[950] < 1e-13 && motion[999] < 1e-11);

@@ -166,11 +166,17 @@ impl Separation {
         ]
     }
 
-    /// The phases at which both sums have these values, by Newton's method.
+    /// The phases at which both sums have these values.
     ///
-    /// The map is one to one on the whole plane: its determinant (s₁ − s₂)w/√G is positive. From the linear part,
-    /// with the step halved while it does not bring the sums closer.
+    /// By Newton's method, and where that does not settle, one phase inside the other.
     pub fn phases(&self, target: [f64; 2]) -> Phases {
+        self.newton(target).unwrap_or_else(|| self.nested(target))
+    }
+
+    /// Newton's method from the linear part; nothing if the sums do not come closer with a sixteenth of a step.
+    ///
+    /// The map is one to one on the whole plane: its determinant (s₁ − s₂)w/√G is positive.
+    fn newton(&self, target: [f64; 2]) -> Option<Phases> {
         let [a1, b1, a2, b2] = &self.abel;
         let determinant = b1.mean * a2.mean - a1.mean * b2.mean;
         let mut phases = [
@@ -181,8 +187,9 @@ impl Separation {
             let sums = self.abel(phases);
             [target[0] - sums[0], target[1] - sums[1]]
         };
+        let size = |x: [f64; 2]| x[0].abs().max(x[1].abs());
         let mut rest = missing(phases);
-        for _ in 0..60 {
+        for _ in 0..30 {
             let local = self.local(phases);
             let s1 = self.s1(&local);
             let [_, cosine] = local.half[1];
@@ -193,30 +200,66 @@ impl Separation {
                 local.root_g * (rest[1] * square - s2 * rest[0]) / local.d,
                 local.root_h * (rest[1] - s1 * rest[0]) / local.d,
             ];
-            let size = |x: [f64; 2]| x[0].abs().max(x[1].abs());
-            let mut share = 1.0;
-            let (mut next, mut left);
-            loop {
-                next = [phases[0] + share * step[0], phases[1] + share * step[1]];
-                left = missing(next);
-                if size(left) < size(rest) || share < 1e-3 {
-                    break;
-                }
-                share *= 0.5;
+            let rounding = 64.0 * f64::EPSILON * size(phases);
+            if size(step) < 1e-9 + rounding {
+                return Some([phases[0] + step[0], phases[1] + step[1]]);
             }
-            let stuck = size(left) >= size(rest);
-            if stuck {
-                break;
-            }
-            phases = next;
-            rest = left;
-            if size(step) < 1e-9 {
-                break;
-            }
+            let moved = |share: f64| [phases[0] + share * step[0], phases[1] + share * step[1]];
+            (phases, rest) = [1.0, 0.5, 0.25, 0.0625]
+                .into_iter()
+                .map(|share| (moved(share), missing(moved(share))))
+                .find(|(_, left)| size(*left) < size(rest))?;
         }
-        phases
+        None
     }
     // ANCHOR_END: abel
+
+    /// The same by two searches that cannot fail.
+    ///
+    /// With σ between C and A, ∫(s₁−σ)ds₁/√P and ∫(σ−s₂)ds₂/√P both increase; so f₂ is a decreasing function of f₁ by the sum of
+    /// these two, and the other sum increases with f₁.
+    fn nested(&self, target: [f64; 2]) -> Phases {
+        let [a1, b1, a2, b2] = &self.abel;
+        let [a, _, c] = self.ends.map(|end| self.roots[end].real.value());
+        let middle = 0.5 * (a + c);
+        let whole = |q: &Quadrature, f: f64| q.mean * f + q.periodic(f);
+        let sum = target[1] - middle * target[0];
+        let slopes = |f1: f64, f2: f64| {
+            let local = self.local([f1, f2]);
+            let [sine, cosine] = local.half[1];
+            let (s1, s2) = (
+                self.s1(&local),
+                c * cosine * cosine - self.depth * sine * sine,
+            );
+            let square = cosine * cosine;
+            let first = [1.0 / local.root_g, (s1 - middle) / local.root_g];
+            let second = [square / local.root_h, (middle * square - s2) / local.root_h];
+            [first, second]
+        };
+        let inner_mean = middle * a2.mean - b2.mean;
+        let inner_bound = middle.abs() * a2.bound() + b2.bound();
+        let second = |f1: f64| {
+            let rest = sum - (whole(b1, f1) - middle * whole(a1, f1));
+            let guess = rest / inner_mean;
+            let bound = inner_bound / inner_mean;
+            increasing([guess - bound, guess + bound], |f2| {
+                let value = middle * whole(a2, f2) - whole(b2, f2) - rest;
+                (value, slopes(f1, f2)[1][1])
+            })
+        };
+        let determinant = b1.mean * a2.mean - a1.mean * b2.mean;
+        let guess = (a2.mean * target[1] - b2.mean * target[0]) / determinant;
+        // Each sum differs from its mean part by at most this; both are linear in the phases.
+        let [p, q] = [a1.bound() + a2.bound(), b1.bound() + b2.bound()];
+        let bound = (a2.mean.abs() * q + b2.mean.abs() * p) / determinant;
+        let f1 = increasing([guess - bound, guess + bound], |f1| {
+            let f2 = second(f1);
+            let [[a1_slope, v1], [a2_slope, v2]] = slopes(f1, f2);
+            let value = whole(a1, f1) - whole(a2, f2) - target[0];
+            (value, a1_slope + a2_slope * v1 / v2)
+        });
+        [f1, second(f1)]
+    }
 
     /// Turns of the two phases per unit of time: a₁n₁ = a₂n₂, b₁n₁ − b₂n₂ = 1.
     pub fn frequencies(&self) -> [f64; 2] {
@@ -241,6 +284,30 @@ impl Separation {
             2.0 * deep.sqrt().atan2((eight * self.depth).sqrt()),
         ]
     }
+}
+
+/// The zero of an increasing function with its slope, in an interval that contains it: Newton's steps, and halves where they leave it.
+fn increasing([mut low, mut high]: [f64; 2], function: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let mut x = 0.5 * (low + high);
+    for _ in 0..100 {
+        let (value, slope) = function(x);
+        if value < 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - value / slope;
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        if (next - x).abs() <= 2.0 * f64::EPSILON * x.abs().max(1e-3) {
+            return next;
+        }
+        x = next;
+    }
+    x
 }
 
 /// s₁, and s₂ as the quotient that q = 0 makes infinite: s₂ = l₁/2 − numerator/8q².

@@ -60,6 +60,11 @@ impl Quadrature {
         Self { mean: a[0], sines }
     }
 
+    /// How far the integral can be from its growing part.
+    pub fn bound(&self) -> f64 {
+        self.sines.iter().map(|b| b.abs()).sum()
+    }
+
     /// The integral from 0 to `f`, less the part that grows: Σ bₙ sin nf by Clenshaw's recurrence.
     pub fn periodic(&self, f: f64) -> f64 {
         let (sine, cosine) = f.sin_cos();

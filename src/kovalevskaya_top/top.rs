@@ -78,8 +78,8 @@ const ROUNDED: f64 = 8.0 * f64::EPSILON;
 /// Units of time (the reciprocal of the greatest of |Ω_i(0)| and √(Mg|C|/I₃), up to a factor 2) that are stepped through at most.
 const LONGEST_WALK: f64 = 1e6;
 
-/// Units of time beyond which a double no longer tells the phases.
-const LONGEST: f64 = 1e12;
+/// Units of time beyond which a double tells the phases to less than 1e-6.
+const LONGEST: f64 = 1e9;
 
 impl KovalevskayaTop {
     /// The top with these moments about the pivot O (kg m², axis by axis), this lever MgC (N m, C seen from O), Ω along the
@@ -233,7 +233,7 @@ impl KovalevskayaTop {
     /// |K| = const. Error: see [the module](super). Cost: about five sums of the prepared series and one complex 3 × 3 system, 10 µs.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10¹² units of the motion (10⁶ by power series), the unit being 1/max(|Ω|, √(Mg|C|/I₃)).
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10⁹ units of the motion (10⁶ by power series), the unit being 1/max(|Ω|, √(Mg|C|/I₃)).
     pub fn omega_and_up(&self, t: f64) -> Result<TopState> {
         match &self.motion {
             Motion::Separated(exact) => {

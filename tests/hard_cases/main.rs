@@ -3,3 +3,6 @@
 mod euler_equations;
 mod free_top;
 mod inertia;
+mod kovalevskaya;
+#[path = "../support/power_series.rs"]
+mod power_series;

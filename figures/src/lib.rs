@@ -10,6 +10,7 @@ mod euler_top;
 pub mod finish;
 mod impacts;
 mod inertia;
+mod kovalevskaya_top;
 mod pythagoras;
 mod rolling;
 mod solid;
@@ -89,6 +90,16 @@ pub fn all() -> &'static [Entry] {
             name: "precession-cones",
             chapter: "euler-top",
             draw: euler_top::precession_cones,
+        },
+        Entry {
+            name: "kovalevskaya-circle",
+            chapter: "kovalevskaya-top",
+            draw: kovalevskaya_top::circle,
+        },
+        Entry {
+            name: "kovalevskaya-bands",
+            chapter: "kovalevskaya-top",
+            draw: kovalevskaya_top::bands,
         },
         Entry {
             name: "gas-box",

@@ -8,24 +8,26 @@ The Euler-Poisson equations and the attitude by their power series, once with 44
 import os
 import random
 from multiprocessing import Pool
+from operator import mul
 
-from mpmath import mp, mpf, nstr, sqrt
+import gmpy2
+from gmpy2 import mpfr, sqrt
 
-TIMES = [mpf("1.0"), mpf("10.0"), mpf("100.0")]
+TIMES = [1.0, 10.0, 100.0]
 
 
 def start(case):
     axial, lever, omega, up = case
-    i3 = mpf(axial)
-    z = [mpf(x) for x in up]
+    i3 = mpfr(axial)
+    z = [mpfr(x) for x in up]
     length = sqrt(sum(x * x for x in z))
     z = [x / length for x in z]
     # The shortest turn of z onto the vertical; z3 >= 0 in all cases.
     w = 1 + z[2]
-    q = [w, z[1], -z[0], mpf(0)]
+    q = [w, z[1], -z[0], mpfr(0)]
     size = sqrt(sum(x * x for x in q))
-    y = [mpf(x) for x in omega] + z + [x / size for x in q]
-    return [2 * i3, 2 * i3, i3], [mpf(x) for x in lever], y
+    y = [mpfr(x) for x in omega] + z + [x / size for x in q]
+    return [2 * i3, 2 * i3, i3], [mpfr(x) for x in lever], y
 
 
 def series(moments, lever, y, order):
@@ -34,8 +36,7 @@ def series(moments, lever, y, order):
     s = [[x] for x in y]
     for n in range(order):
         def of(a, b):
-            u, v = s[a], s[b]
-            return sum((u[m] * v[n - m] for m in range(n + 1)), mpf(0))
+            return sum(map(mul, s[a], reversed(s[b])))
         z1, z2, z3 = s[3][n], s[4][n], s[5][n]
         new = [
             ((i2 - i3) * of(1, 2) + z2 * c3 - z3 * c2) / i1,
@@ -54,19 +55,26 @@ def series(moments, lever, y, order):
     return s
 
 
+def horner(terms, h):
+    value = mpfr(0)
+    for x in reversed(terms):
+        value = value * h + x
+    return value
+
+
 def integrate(case, digits, order, rounding):
-    mp.dps = digits
+    gmpy2.get_context().precision = int(digits * 3.33)
     moments, lever, y = start(case)
-    t, out = mpf(0), []
+    t, out = mpfr(0), []
     for stop in TIMES:
         while t < stop:
             s = series(moments, lever, y, order)
             last = max(abs(terms[order]) for terms in s)
             before = max(abs(terms[order - 1]) for terms in s)
-            tiny = mpf(10) ** -rounding
-            h = min((tiny / (last + tiny**3)) ** (mpf(1) / order), (tiny / (before + tiny**3)) ** (mpf(1) / (order - 1)))
+            tiny = mpfr(10) ** -rounding
+            h = min((tiny / (last + tiny**3)) ** (mpfr(1) / order), (tiny / (before + tiny**3)) ** (mpfr(1) / (order - 1)))
             h = min(h, stop - t)
-            y = [mp.polyval(terms[::-1], h) for terms in s]
+            y = [horner(terms, h) for terms in s]
             t += h
         out.append(y)
     return out
@@ -78,7 +86,7 @@ def run(job):
     second = integrate(case, 60, 34, 40)
     for a, b in zip(first, second):
         worst = max(abs(x - y) for x, y in zip(a, b))
-        assert worst < mpf(10) ** -29, (name, worst)
+        assert worst < mpfr(10) ** -29, (name, worst)
     return name, case, second
 
 
@@ -112,7 +120,7 @@ def main():
         for name, (axial, lever, omega, up), states in pool.imap(run, list(cases())):
             given = [axial, lever[0], lever[1], *omega, *up]
             for t, y in zip(TIMES, states):
-                row = [name, *(float(x).hex() for x in given), float(t).hex(), *(nstr(x, 30) for x in y)]
+                row = [name, *(float(x).hex() for x in given), float(t).hex(), *(f"{x:.29e}" for x in y)]
                 lines.append(",".join(row))
     path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "kovalevskaya.csv")
     with open(path, "w") as table:

@@ -115,7 +115,7 @@ impl Exact {
                 return phases;
             };
             // Far from the start this is not the branch; the trial will say so.
-            if !(change.amax() < 0.1) {
+            if change.amax().is_nan() || change.amax() > 0.1 {
                 return phases;
             }
             phases = [phases[0] + change[0], phases[1] + change[1]];

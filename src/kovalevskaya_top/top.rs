@@ -1,12 +1,13 @@
 //! The top itself: units and axes taken off, the regime decided, Ω, z and attitude at any time (8.1, 8.2).
 
-use nalgebra::{Complex, Quaternion};
+use nalgebra::Complex;
 
 use super::classes::{Kind, classify};
 use super::constants::{Constants, Phase};
 use super::exact::{Exact, Reason};
 use super::separation::Variables;
-use super::taylor::{Carried, Series, project};
+use super::taylor::Carried;
+use super::walk::{Walk, about_third, shortest};
 use crate::double_double::power_of_two_below;
 use crate::error::{Error, Result, finite, positive};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState, finite_vector};
@@ -57,16 +58,16 @@ pub struct KovalevskayaTop {
     /// The unit of angular velocity, a power of two; its reciprocal is that of time.
     unit: f64,
     /// Angle from axis 1 to C about axis 3.
-    heading: f64,
+    pub(super) heading: f64,
     /// The start in the units and along the axes of the theory.
     start: Carried,
-    constants: Constants,
+    pub(super) constants: Constants,
     kind: Kind,
-    motion: Motion,
+    pub(super) motion: Motion,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Motion {
+pub(super) enum Motion {
     Separated(Box<Exact>),
     Stepped(Reason),
     Free(Box<EulerTop>),
@@ -76,7 +77,7 @@ enum Motion {
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
 /// Units of time (the reciprocal of the greatest of |Ω_i(0)| and √(Mg|C|/I₃), up to a factor 2) that are stepped through at most.
-const LONGEST_WALK: f64 = 1e6;
+pub(super) const LONGEST_WALK: f64 = 1e6;
 
 /// Units of time beyond which a double tells the phases to less than 1e-6.
 const LONGEST: f64 = 1e9;
@@ -143,8 +144,8 @@ impl KovalevskayaTop {
         let axial = moments[2];
         for moment in &moments[..2] {
             let ratio = moment / axial;
-            // Not a number compares false either way.
-            if !((ratio - 2.0).abs() <= 2.0 * ROUNDED) {
+            // An infinite quotient of finite moments is refused with the rest.
+            if (ratio - 2.0).abs() > 2.0 * ROUNDED {
                 return Err(Error::Condition {
                     condition: "I1/I3 and I2/I3 must be 2 for Kovalevskaya's top",
                     value: ratio,
@@ -358,7 +359,7 @@ impl KovalevskayaTop {
         }
     }
 
-    fn inward_time(&self, t: f64, longest: f64) -> Result<f64> {
+    pub(super) fn inward_time(&self, t: f64, longest: f64) -> Result<f64> {
         let time = finite("the time", t)? * self.unit;
         if time.abs() <= longest {
             return Ok(time);
@@ -379,7 +380,7 @@ impl KovalevskayaTop {
         [p, q, r, z1, z2, up.z()]
     }
 
-    fn outward(&self, &[p, q, r, z1, z2, z3]: &Phase) -> TopState {
+    pub(super) fn outward(&self, &[p, q, r, z1, z2, z3]: &Phase) -> TopState {
         let [o1, o2] = turned(-self.heading, [p, q]);
         let [u1, u2] = turned(-self.heading, [z1, z2]);
         TopState {
@@ -389,59 +390,7 @@ impl KovalevskayaTop {
     }
 }
 
-/// A place on the way, from which the next is reached.
-struct Walk<'a> {
-    top: &'a KovalevskayaTop,
-    time: f64,
-    here: Carried,
-}
-
-impl Walk<'_> {
-    fn to(&mut self, t: f64) -> Result<State> {
-        if let Motion::Free(free) = &self.top.motion {
-            return of_free(free, t);
-        }
-        let target = self.top.inward_time(t, LONGEST_WALK)?;
-        while self.time != target {
-            self.stretch(target);
-        }
-        let (state, [w, i, j, k]) = self.here;
-        let TopState { omega, up } = self.top.outward(&state);
-        let turned = Quaternion::new(w, i, j, k) * about_third(-self.top.heading);
-        Ok(State {
-            omega,
-            up,
-            attitude: Attitude::from_unit(turned / turned.norm()),
-        })
-    }
-
-    fn stretch(&mut self, target: f64) {
-        let constants = &self.top.constants;
-        let series = Series::at(constants.c, &self.here);
-        let rest = target - self.time;
-        let step = rest.clamp(-series.reach, series.reach);
-        let next = if step == rest {
-            target
-        } else {
-            self.time + step
-        };
-        let (state, [w, i, j, k]) = series.after(next - self.time);
-        self.time = next;
-        let state = match &self.top.motion {
-            Motion::Separated(exact) => exact.state(constants, next),
-            _ => project(constants, &state),
-        };
-        let carried = Quaternion::new(w, i, j, k);
-        let carried = carried / carried.norm();
-        let [.., z1, z2, z3] = state;
-        // Where the body's z stands in space now it must stand upright.
-        let vertical = carried * Quaternion::new(0.0, z1, z2, z3) * carried.conjugate();
-        let upright = shortest([vertical.i, vertical.j, vertical.k]) * carried;
-        self.here = (state, [upright.w, upright.i, upright.j, upright.k]);
-    }
-}
-
-fn of_free(free: &EulerTop, t: f64) -> Result<State> {
+pub(super) fn of_free(free: &EulerTop, t: f64) -> Result<State> {
     let state = free.at(t)?;
     Ok(State {
         omega: state.omega,
@@ -454,22 +403,4 @@ fn of_free(free: &EulerTop, t: f64) -> Result<State> {
 fn turned(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
     let (sine, cosine) = angle.sin_cos();
     [cosine * x + sine * y, cosine * y - sine * x]
-}
-
-fn about_third(angle: f64) -> Quaternion<f64> {
-    let (sine, cosine) = (0.5 * angle).sin_cos();
-    Quaternion::new(cosine, 0.0, 0.0, sine)
-}
-
-/// The shortest turn of a unit vector onto the third axis, as a unit quaternion; from below by way of half a turn about axis 1.
-fn shortest([x, y, z]: [f64; 3]) -> Quaternion<f64> {
-    let onto = |x: f64, y: f64, z: f64| {
-        let turn = Quaternion::new(1.0 + z, y, -x, 0.0);
-        turn / turn.norm()
-    };
-    if z < 0.0 {
-        onto(x, -y, -z) * Quaternion::new(0.0, 1.0, 0.0, 0.0)
-    } else {
-        onto(x, y, z)
-    }
 }

@@ -133,7 +133,15 @@ impl Exact {
     }
 
     pub fn state(&self, constants: &Constants, t: f64) -> Phase {
-        project(constants, &self.raw(constants, self.phases(t)))
+        let state = self.raw(constants, self.phases(t));
+        if state.iter().all(|x| x.is_finite()) {
+            return project(constants, &state);
+        }
+        // The linear system is singular at this very instant: from a little earlier by power series.
+        const EARLIER: f64 = 0.01;
+        let before = self.raw(constants, self.phases(t - EARLIER));
+        let (state, _) = Series::at(constants.c, &(before, [1.0, 0.0, 0.0, 0.0])).after(EARLIER);
+        project(constants, &state)
     }
 }
 

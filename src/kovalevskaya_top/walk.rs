@@ -39,10 +39,12 @@ impl Walk<'_> {
         let series = Series::at(constants.c, &self.here);
         let rest = target - self.time;
         let step = rest.clamp(-series.reach, series.reach);
-        let next = if step == rest {
+        let next = self.time + step;
+        // A stretch too short to move the clock cannot be; if it were, this ends the walk.
+        let next = if step == rest || next == self.time {
             target
         } else {
-            self.time + step
+            next
         };
         let (state, [w, i, j, k]) = series.after(next - self.time);
         self.time = next;

@@ -177,8 +177,8 @@ impl KovalevskayaTop {
         // In two quotients: the square of the unit may overflow or underflow where the result does not.
         let c = strength / unit / unit;
         if c == 0.0 {
-            let doubled = [2.0 * axial, 2.0 * axial, axial];
-            let free = EulerTop::from_omega(doubled, omega, attitude)?;
+            // Only the ratios count, so no moment or rate can be too small to square.
+            let free = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;
             let start = top.inward(omega, up);
             return Ok(Self {
                 constants: Constants::of(0.0, &start),
@@ -249,7 +249,7 @@ impl KovalevskayaTop {
                 })
             }
             Motion::Free(free) => {
-                let State { omega, up, .. } = of_free(free, t)?;
+                let State { omega, up, .. } = self.free(free, t)?;
                 Ok(TopState { omega, up })
             }
         }
@@ -359,6 +359,15 @@ impl KovalevskayaTop {
         }
     }
 
+    pub(super) fn free(&self, free: &EulerTop, t: f64) -> Result<State> {
+        let state = free.at(self.inward_time(t, f64::MAX)?)?;
+        Ok(State {
+            omega: state.omega * self.unit,
+            up: state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0)),
+            attitude: state.attitude,
+        })
+    }
+
     pub(super) fn inward_time(&self, t: f64, longest: f64) -> Result<f64> {
         let time = finite("the time", t)? * self.unit;
         if time.abs() <= longest {
@@ -388,15 +397,6 @@ impl KovalevskayaTop {
             up: BodyVector::new(u1, u2, z3),
         }
     }
-}
-
-pub(super) fn of_free(free: &EulerTop, t: f64) -> Result<State> {
-    let state = free.at(t)?;
-    Ok(State {
-        omega: state.omega,
-        up: state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0)),
-        attitude: state.attitude,
-    })
 }
 
 /// The components of a vector along axes that are turned by an angle.

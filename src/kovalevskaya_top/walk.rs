@@ -3,7 +3,7 @@
 use nalgebra::Quaternion;
 
 use super::taylor::{Carried, Series, project};
-use super::top::{KovalevskayaTop, LONGEST_WALK, Motion, State, of_free};
+use super::top::{KovalevskayaTop, LONGEST_WALK, Motion, State};
 use crate::error::Result;
 use crate::euler_equations::TopState;
 use crate::frame::Attitude;
@@ -18,7 +18,7 @@ pub(super) struct Walk<'a> {
 impl Walk<'_> {
     pub fn to(&mut self, t: f64) -> Result<State> {
         if let Motion::Free(free) = &self.top.motion {
-            return of_free(free, t);
+            return self.top.free(free, t);
         }
         let target = self.top.inward_time(t, LONGEST_WALK)?;
         while self.time != target {

@@ -57,7 +57,7 @@ fn compared(top: &KovalevskayaTop, times: &[f64]) -> [f64; 2] {
 
 #[test]
 fn table_of_thirty_digits() {
-    let table = std::fs::read_to_string("tests/reference/kovalevskaya.csv").unwrap();
+    let table = include_str!("../reference/kovalevskaya.csv");
     let mut rows = 0;
     for line in table.lines().skip(1) {
         let cells: Vec<&str> = line.split(',').collect();
@@ -78,11 +78,18 @@ fn table_of_thirty_digits() {
             .collect();
         let expected: Whole = decimals.try_into().expect("ten numbers");
         let [motion, attitude] = errors(&top.at(t).expect("a state"), &expected);
-        println!(
-            "{} {t}: {motion:e} {attitude:e} {:?} {:?}",
-            cells[0],
-            top.kind(),
-            top.method()
+        // Observed at t = 1, 10, 100: 2e-15, 5e-15, 5e-14 for Ω and z, 2e-15, 5e-15, 6e-14 rad for the attitude; with gravity a hundred times
+        // weaker than the spin the quotients by c show, 7e-14 already at t = 1.
+        let allowed = if cells[0] == "weak gravity" {
+            4e-13
+        } else {
+            3e-15 + 1e-15 * t
+        };
+        println!("{} {t}: {motion:e} {attitude:e}", cells[0]);
+        assert!(
+            motion < allowed && attitude < allowed,
+            "{} {t}: {motion:e} {attitude:e}",
+            cells[0]
         );
         rows += 1;
     }

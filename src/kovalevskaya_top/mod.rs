@@ -14,8 +14,10 @@
 //! * `walk`: the attitude, which takes one more quadrature;
 //! * [`Kind`], [`Diagram`]: the motions with a double root.
 //!
-//! Error of Ω and z, observed over 1000 random starts with |Ω_i| ≤ 1.5, c = 1, up to time 20: half below 5e-15, 95 per cent below
-//! 2e-14, the worst 5e-13; of the attitude the same. All of these starts are separated. The errors grow in proportion to time.
+//! Error of Ω and z, observed over 1000 random starts with |Ω_i| ≤ 1.5, c = 1, up to time 10, against power series with 24 digits: half
+//! below 2e-15, 95 per cent below 5e-15, the worst 2e-14; of the attitude the same in radians. All of these starts are separated. At time 100
+//! a table of 30 digits shows 6e-14: errors grow in proportion to time. They are greater where gravity is weak against the spin, since z is had by a
+//! division by c, (eps |Ω|²/c), and next to a double root, by the reciprocal of the roots' distance.
 //!
 //! [`toda`] is the lattice that came next (8.3).
 

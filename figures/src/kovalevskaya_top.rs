@@ -2,7 +2,7 @@
 
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
 use spinning_bodies::frame::BodyVector;
-use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
+use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
 use spinning_bodies::{Error, Result};
 
 use crate::Figure;
@@ -179,6 +179,102 @@ pub fn bands() -> Result<Figure> {
         }
         pen.text([588.0, 128.0], Anchor::End, "*s*", label(Role::Ink));
         pen.text([64.0, 36.0], Anchor::Start, "*P*(*s*)", label(Role::Ink));
+    }))
+}
+
+/// |K| of all motions in the map.
+const SIZE: f64 = 0.6;
+
+/// Energy and L_vert² of motions with one |K|, and the curves on which two roots meet.
+pub fn classes() -> Result<Figure> {
+    let top = HeavyTop::new(
+        AxisMoments::new(2.0, 2.0, 1.0)?,
+        BodyVector::new(1.0, 0.0, 0.0),
+    )?;
+    let diagram = Diagram::new(1.0, SIZE)?;
+    let (least, greatest, highest) = (-1.1, 2.4, 6.4);
+    // Evenly spread starts with w² − ζ = |K| e^{iα}: ζ follows, and z₃ if ζ is not too long.
+    let mut motions = Vec::new();
+    for n in 0..8_000 {
+        let spread = |k: f64| (f64::from(n) * k).fract();
+        let [p, q, r] =
+            [0.618_033_988_7, 0.414_213_562_4, 0.732_050_807_6].map(|k| 4.4 * spread(k) - 2.2);
+        let (sine, cosine) = (core::f64::consts::TAU * spread(0.236_067_977_5)).sin_cos();
+        let zeta = [p * p - q * q - SIZE * cosine, 2.0 * p * q - SIZE * sine];
+        let rest = 1.0 - zeta[0] * zeta[0] - zeta[1] * zeta[1];
+        if rest > 0.0 {
+            let state = TopState {
+                omega: BodyVector::new(p, q, r),
+                up: BodyVector::new(zeta[0], zeta[1], rest.sqrt()),
+            };
+            let h = top.vertical_angular_momentum(&state).powi(2);
+            motions.push([top.energy(&state), h]);
+        }
+    }
+    let mut curves = [Vec::new(), Vec::new(), Vec::new(), Vec::new()];
+    for n in 0..=700 {
+        let energy = least + (greatest - least) * f64::from(n) / 700.0;
+        curves[0].push([energy, diagram.shared_upper(energy)]);
+        curves[1].push([energy, diagram.shared_lower(energy)]);
+        for (i, h) in diagram
+            .cubic_double(energy)?
+            .into_iter()
+            .flatten()
+            .enumerate()
+        {
+            curves[2 + i].push([energy, h]);
+        }
+    }
+
+    let bend = diagram.cubic_double(2.2)?;
+
+    let words = Words {
+        claim: "Where two roots meet, one kind of motion ends and another begins.".to_owned(),
+        details: format!(
+            "Motions with $\\lvert K\\rvert={}$, $MgC_1=I_3=1$: a dot for each of {} starts at its energy $E$ and $L_{{\\text{{vert}}}}^2$. Two straight              lines, where $(l_1\\pm k)/2$ is a root of the cubic, and one curve, where the cubic has a double root: Appelrot's classes two to four.",
+            number(SIZE, 1),
+            motions.len(),
+        ),
+        alt: "A plane with energy to the right and the square of the vertical angular momentum upwards. Dots fill a region that starts at a               lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
+            .to_owned(),
+    };
+
+    Ok(figure("appelrot-classes", 300.0, words, |pen| {
+        let place = |[e, h]: Point| {
+            let x = 46.0 + 520.0 * (e - least) / (greatest - least);
+            [x, 262.0 - 236.0 * h / highest]
+        };
+        let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
+        for motion in motions.iter().filter(|m| inside(m)) {
+            pen.disc(place(*motion), 1.0, Role::Omega, 0.45);
+        }
+        for curve in &curves {
+            // A branch may leave the picture and come back.
+            for part in curve.split(|point| !inside(point)) {
+                if part.len() > 1 {
+                    let points: Vec<Point> = part.iter().map(|p| place(*p)).collect();
+                    pen.line(&points, stroke(Role::Ink, DATA));
+                }
+            }
+        }
+        let name = |pen: &mut Pen<'_>, energy: f64, h: f64, text: &str| {
+            let [x, y] = place([energy, h]);
+            pen.text([x - 8.0, y - 6.0], Anchor::End, text, label(Role::Ink));
+        };
+        name(pen, 1.2, diagram.shared_upper(1.2), "*e*_{4}");
+        name(pen, 0.9, diagram.shared_lower(0.9), "*e*_{5}");
+        if let Some([_, upper]) = bend {
+            name(pen, 2.2, upper, "cubic");
+        }
+        pen.line(&[[46.0, 262.0], [580.0, 262.0]], stroke(Role::Ink, AXIS));
+        pen.line(&[[46.0, 262.0], [46.0, 16.0]], stroke(Role::Ink, AXIS));
+        pen.text([580.0, 284.0], Anchor::End, "*E*", label(Role::Ink));
+        pen.text(
+            [54.0, 28.0],
+            Anchor::Start,
+            "*L*_{vert}^{2}",
+            label(Role::Ink),
+        );
     }))
 }
 

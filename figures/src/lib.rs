@@ -102,6 +102,11 @@ pub fn all() -> &'static [Entry] {
             draw: kovalevskaya_top::bands,
         },
         Entry {
+            name: "appelrot-classes",
+            chapter: "kovalevskaya-top",
+            draw: kovalevskaya_top::classes,
+        },
+        Entry {
             name: "gas-box",
             chapter: "pythagoras",
             draw: pythagoras::gas_box,

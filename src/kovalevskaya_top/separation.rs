@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use nalgebra::Complex;
 
 use super::constants::{Constants, Phase, Root};
-use super::series::Quadrature;
+use super::series::Quadratures;
 
 /// The phases f₁, f₂: s₁ = A + (B−A) sin²(f₁/2), s₂ = C − m tan²(f₂/2) with m = B − C.
 ///
@@ -26,8 +26,10 @@ pub(super) struct Separation {
     pub width: f64,
     /// m = B − C.
     pub depth: f64,
-    /// ∫df₁/√G, ∫s₁df₁/√G, ∫w df₂, ∫s₂w df₂.
-    abel: [Quadrature; 4],
+    /// a₁ = ∫df₁/√G and b₁ = ∫s₁df₁/√G.
+    first: Quadratures<2>,
+    /// a₂ = ∫w df₂ and b₂ = ∫s₂w df₂.
+    second: Quadratures<2>,
 }
 
 /// G and H at given phases, and what else both the quadratures and the solution ask for.
@@ -72,13 +74,14 @@ impl Separation {
             from_ends,
             width: from_ends[0][b].re,
             depth: from_ends[2][b].re,
-            abel: core::array::from_fn(|_| Quadrature::empty()),
+            first: Quadratures::empty(),
+            second: Quadratures::empty(),
         };
-        let first = Quadrature::prepare(|f| {
+        let first = Quadratures::prepare(|f| {
             let local = separation.local([f, 0.0]);
             [1.0 / local.root_g, separation.s1(&local) / local.root_g]
         })?;
-        let second = Quadrature::prepare(|f| {
+        let second = Quadratures::prepare(|f| {
             let local = separation.local([0.0, f]);
             let [sine, cosine] = local.half[1];
             let c = separation.roots[real[0]].real.value();
@@ -88,8 +91,7 @@ impl Separation {
                 (c * cosine * cosine - separation.depth * sine * sine) / local.root_h,
             ]
         })?;
-        let ([a1, b1], [a2, b2]) = (first, second);
-        separation.abel = [a1, b1, a2, b2];
+        (separation.first, separation.second) = (first, second);
         Some(separation)
     }
 
@@ -159,11 +161,21 @@ impl Separation {
     // ANCHOR: abel
     /// a₁(f₁) − a₂(f₂) and b₁(f₁) − b₂(f₂): the first stays, the second is the time.
     pub fn abel(&self, [f1, f2]: Phases) -> [f64; 2] {
-        let [a1, b1, a2, b2] = &self.abel;
-        [
-            a1.mean * f1 - a2.mean * f2 + (a1.periodic(f1) - a2.periodic(f2)),
-            b1.mean * f1 - b2.mean * f2 + (b1.periodic(f1) - b2.periodic(f2)),
-        ]
+        let ([a1, b1], [a2, b2]) = (self.first.periodic(f1), self.second.periodic(f2));
+        let [m1, n1] = self.first.means;
+        let [m2, n2] = self.second.means;
+        [m1 * f1 - m2 * f2 + (a1 - a2), n1 * f1 - n2 * f2 + (b1 - b2)]
+    }
+
+    /// The phases if both sums only grew, and the determinant of that linear part.
+    fn linear(&self, [a, b]: [f64; 2]) -> (Phases, f64) {
+        let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
+        let determinant = b1 * a2 - a1 * b2;
+        let phases = [
+            (a2 * b - b2 * a) / determinant,
+            (a1 * b - b1 * a) / determinant,
+        ];
+        (phases, determinant)
     }
 
     /// The phases at which both sums have these values.
@@ -177,12 +189,7 @@ impl Separation {
     ///
     /// The map is one to one on the whole plane: its determinant (s₁ − s₂)w/√G is positive.
     fn newton(&self, target: [f64; 2]) -> Option<Phases> {
-        let [a1, b1, a2, b2] = &self.abel;
-        let determinant = b1.mean * a2.mean - a1.mean * b2.mean;
-        let mut phases = [
-            (a2.mean * target[1] - b2.mean * target[0]) / determinant,
-            (a1.mean * target[1] - b1.mean * target[0]) / determinant,
-        ];
+        let (mut phases, _) = self.linear(target);
         let missing = |phases: Phases| {
             let sums = self.abel(phases);
             [target[0] - sums[0], target[1] - sums[1]]
@@ -201,7 +208,7 @@ impl Separation {
                 local.root_h * (rest[1] - s1 * rest[0]) / local.d,
             ];
             let rounding = 64.0 * f64::EPSILON * size(phases);
-            if size(step) < 1e-9 + rounding {
+            if size(step) < 1e-10 + rounding {
                 return Some([phases[0] + step[0], phases[1] + step[1]]);
             }
             let moved = |share: f64| [phases[0] + share * step[0], phases[1] + share * step[1]];
@@ -219,10 +226,10 @@ impl Separation {
     /// With σ between C and A, ∫(s₁−σ)ds₁/√P and ∫(σ−s₂)ds₂/√P both increase; so f₂ is a decreasing function of f₁ by the sum of
     /// these two, and the other sum increases with f₁.
     fn nested(&self, target: [f64; 2]) -> Phases {
-        let [a1, b1, a2, b2] = &self.abel;
         let [a, _, c] = self.ends.map(|end| self.roots[end].real.value());
         let middle = 0.5 * (a + c);
-        let whole = |q: &Quadrature, f: f64| q.mean * f + q.periodic(f);
+        // ∫(s−σ) of a pair of integrals a, b.
+        let above = |[a, b]: [f64; 2]| b - middle * a;
         let sum = target[1] - middle * target[0];
         let slopes = |f1: f64, f2: f64| {
             let local = self.local([f1, f2]);
@@ -236,26 +243,27 @@ impl Separation {
             let second = [square / local.root_h, (middle * square - s2) / local.root_h];
             [first, second]
         };
-        let inner_mean = middle * a2.mean - b2.mean;
-        let inner_bound = middle.abs() * a2.bound() + b2.bound();
+        let [p1, q1] = self.first.bounds();
+        let [p2, q2] = self.second.bounds();
+        let inner_mean = -above(self.second.means);
+        let inner_bound = middle.abs() * p2 + q2;
         let second = |f1: f64| {
-            let rest = sum - (whole(b1, f1) - middle * whole(a1, f1));
+            let rest = sum - above(self.first.whole(f1));
             let guess = rest / inner_mean;
             let bound = inner_bound / inner_mean;
             increasing([guess - bound, guess + bound], |f2| {
-                let value = middle * whole(a2, f2) - whole(b2, f2) - rest;
+                let value = -above(self.second.whole(f2)) - rest;
                 (value, slopes(f1, f2)[1][1])
             })
         };
-        let determinant = b1.mean * a2.mean - a1.mean * b2.mean;
-        let guess = (a2.mean * target[1] - b2.mean * target[0]) / determinant;
+        let ([guess, _], determinant) = self.linear(target);
         // Each sum differs from its mean part by at most this; both are linear in the phases.
-        let [p, q] = [a1.bound() + a2.bound(), b1.bound() + b2.bound()];
-        let bound = (a2.mean.abs() * q + b2.mean.abs() * p) / determinant;
+        let [a2, b2] = self.second.means.map(f64::abs);
+        let bound = (a2 * (q1 + q2) + b2 * (p1 + p2)) / determinant;
         let f1 = increasing([guess - bound, guess + bound], |f1| {
             let f2 = second(f1);
             let [[a1_slope, v1], [a2_slope, v2]] = slopes(f1, f2);
-            let value = whole(a1, f1) - whole(a2, f2) - target[0];
+            let value = self.first.whole(f1)[0] - self.second.whole(f2)[0] - target[0];
             (value, a1_slope + a2_slope * v1 / v2)
         });
         [f1, second(f1)]
@@ -263,14 +271,14 @@ impl Separation {
 
     /// Turns of the two phases per unit of time: a₁n₁ = a₂n₂, b₁n₁ − b₂n₂ = 1.
     pub fn frequencies(&self) -> [f64; 2] {
-        let [a1, b1, a2, b2] = &self.abel;
-        let determinant = TAU * (b1.mean * a2.mean - a1.mean * b2.mean);
-        [a2.mean / determinant, a1.mean / determinant]
+        let (turns, _) = self.linear([0.0, 1.0 / TAU]);
+        turns
     }
 
     /// Increase of the four integrals in a whole turn of a phase: real periods of the curve w² = P(s).
     pub fn periods(&self) -> [f64; 4] {
-        core::array::from_fn(|i| TAU * self.abel[i].mean)
+        let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
+        [a1, b1, a2, b2].map(|mean| TAU * mean)
     }
 
     /// Phases of a start, their signs still open: f₁ from s₁, f₂ from s₂.

@@ -2,24 +2,24 @@
 
 use nalgebra::Complex;
 
-/// ∫₀^f of an even function of period 2π: mean·f + Σ bₙ sin nf.
+/// ∫₀^f of `N` even functions of period 2π together: mean·f + Σ bₙ sin nf for each.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Quadrature {
-    /// Mean value of the integrand: the integral gains 2π of it in each turn.
-    pub mean: f64,
+pub(super) struct Quadratures<const N: usize> {
+    /// Mean values of the integrands: the integrals gain 2π of them in each turn.
+    pub means: [f64; N],
     /// The coefficients b₁, b₂, ….
-    sines: Vec<f64>,
+    sines: Vec<[f64; N]>,
 }
 
 /// Longest series that is tried.
 const LONGEST: usize = 1 << 15;
 
-impl Quadrature {
-    /// The integrals of `N` functions given together at each argument; none if they need more than 2¹⁵ terms.
+impl<const N: usize> Quadratures<N> {
+    /// The integrals of functions given together at each argument; none if they need more than 2¹⁵ terms.
     ///
     /// Ordinates at f = πj/n, their cosine series by a fast Fourier transform, n doubled until the last eighth of the terms is
     /// at rounding level.
-    pub fn prepare<const N: usize>(functions: impl Fn(f64) -> [f64; N]) -> Option<[Self; N]> {
+    pub fn prepare(functions: impl Fn(f64) -> [f64; N]) -> Option<Self> {
         let mut n = 32;
         while n <= LONGEST {
             let ordinates: Vec<[f64; N]> = (0..=n)
@@ -35,44 +35,59 @@ impl Quadrature {
                 tail <= 2.0 * f64::EPSILON * largest
             });
             if done {
-                return Some(series.map(Self::of_cosines));
+                return Some(Self::of_cosines(&series));
             }
             n *= 2;
         }
         None
     }
 
-    /// The integral of zero.
+    /// The integrals of zero.
     pub fn empty() -> Self {
         Self {
-            mean: 0.0,
+            means: [0.0; N],
             sines: Vec::new(),
         }
     }
 
-    fn of_cosines(a: Vec<f64>) -> Self {
-        let mut sines: Vec<f64> = (1..a.len()).map(|n| a[n] / n as f64).collect();
-        let largest = a.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        // Below this the terms are the rounding of the transform, and no longer than they need to be for the sum.
-        while sines.last().is_some_and(|b| b.abs() < 2e-18 * largest) {
+    fn of_cosines(series: &[Vec<f64>; N]) -> Self {
+        let largest: [f64; N] =
+            core::array::from_fn(|i| series[i].iter().fold(0.0_f64, |m, x| m.max(x.abs())));
+        let mut sines: Vec<[f64; N]> = (1..series[0].len())
+            .map(|n| core::array::from_fn(|i| series[i][n] / n as f64))
+            .collect();
+        // Below this the terms are the rounding of the transform.
+        let small = |b: &[f64; N]| (0..N).all(|i| b[i].abs() < 2e-18 * largest[i]);
+        while sines.last().is_some_and(small) {
             sines.pop();
         }
-        Self { mean: a[0], sines }
-    }
-
-    /// How far the integral can be from its growing part.
-    pub fn bound(&self) -> f64 {
-        self.sines.iter().map(|b| b.abs()).sum()
-    }
-
-    /// The integral from 0 to `f`, less the part that grows: Σ bₙ sin nf by Clenshaw's recurrence.
-    pub fn periodic(&self, f: f64) -> f64 {
-        let (sine, cosine) = f.sin_cos();
-        let (mut last, mut one_before) = (0.0, 0.0);
-        for b in self.sines.iter().rev() {
-            (last, one_before) = (2.0 * cosine * last - one_before + b, last);
+        Self {
+            means: core::array::from_fn(|i| series[i][0]),
+            sines,
         }
-        last * sine
+    }
+
+    /// How far the integrals can be from their growing parts.
+    pub fn bounds(&self) -> [f64; N] {
+        let sum = |i: usize| self.sines.iter().map(|b| b[i].abs()).sum();
+        core::array::from_fn(sum)
+    }
+
+    /// The integrals from 0 to `f`, less the parts that grow: Σ bₙ sin nf by Clenshaw's recurrence.
+    pub fn periodic(&self, f: f64) -> [f64; N] {
+        let (sine, cosine) = f.sin_cos();
+        let (mut last, mut one_before) = ([0.0; N], [0.0; N]);
+        for b in self.sines.iter().rev() {
+            let next = core::array::from_fn(|i| 2.0 * cosine * last[i] - one_before[i] + b[i]);
+            (last, one_before) = (next, last);
+        }
+        last.map(|x| x * sine)
+    }
+
+    /// The integrals from 0 to `f`.
+    pub fn whole(&self, f: f64) -> [f64; N] {
+        let periodic = self.periodic(f);
+        core::array::from_fn(|i| self.means[i] * f + periodic[i])
     }
 }
 

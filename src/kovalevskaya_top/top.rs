@@ -89,7 +89,7 @@ impl KovalevskayaTop {
     /// Domain: I₁ = I₂ = 2I₃ up to 8 eps, which is taken for rounding (the moments used are 2I₃, 2I₃, I₃), and C₃ = 0 exactly; C in any
     /// direction of the plane, also C = O. Moments need not satisfy more: Md² ≤ I₃/2 is what a body needs in addition, and
     /// mass and lever do not come separately. The regime is decided here: [`kind`](Self::kind), [`method`](Self::method).
-    /// Cost: 0.3 ms where series are short, up to 50 ms near a double root.
+    /// Cost: 0.2 ms where the series are short, 2 ms and more near a double root.
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane.
@@ -231,7 +231,8 @@ impl KovalevskayaTop {
     /// [`PowerSeries`](Method::PowerSeries).
     ///
     /// Newton's method for the phases, a linear system for p, q and their derivatives, the nearest point of the surface E, L_vert, |z|,
-    /// |K| = const. Error: see [the module](super). Cost: about five sums of the prepared series and one complex 3 × 3 system, 10 µs.
+    /// |K| = const. Error: see [the module](super). Cost: about six sums of the prepared series and one complex 3 × 3 system, 5 µs; up to a hundred in
+    /// the passage between two roots that nearly meet.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10⁹ units of the motion (10⁶ by power series), the unit being 1/max(|Ω|, √(Mg|C|/I₃)).
@@ -259,7 +260,7 @@ impl KovalevskayaTop {
     ///
     /// The angle about the vertical takes one more quadrature: on each short stretch the attitude follows from the power series of the exact
     /// Ω, and its tilt from the exact z, so that only the angle collects errors. Cost: [`omega_and_up`](Self::omega_and_up) and a
-    /// series for each stretch, about one radian of the motion: it grows with t; for many times take [`states`](Self::states).
+    /// series for each stretch, a quarter of a unit of the motion: 40 µs a unit. It grows with t; for many times take [`states`](Self::states).
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10⁶ units of the motion, [as above](Self::omega_and_up).
@@ -326,8 +327,8 @@ impl KovalevskayaTop {
         self.constants.roots().map(|root| root.value() * square)
     }
 
-    /// Real periods of ∫ds₁/√P, ∫s₁ds₁/√P (there and back), and the same for s₂: 1/s³, 1/s, seconds³ and seconds reversed into time;
-    /// nothing where the motion is not separated.
+    /// By how much ∫ds₁/√P (s³), ∫s₁ds₁/√P (s), and the same two for s₂, increase in a whole turn of the phase: real periods of the curve
+    /// w² = P(s); nothing where the motion is not separated.
     pub fn periods(&self) -> Option<[f64; 4]> {
         let exact = self.separated()?;
         let [a1, b1, a2, b2] = exact.separation.periods();

@@ -1,37 +1,28 @@
-//! Numbers with 106 bits and an exponent of their own, and two functions in 106 bits: what the constants of a free
-//! top need so that no tilt underflows and no phase loses digits.
+//! Numbers with 106 bits and an exponent of their own, so that no tilt underflows and no phase loses digits; what they
+//! share with plainer numbers; and the arctangent in 106 bits.
 
 use crate::double_double::{DoubleDouble, power_of_two_below};
+use crate::elliptic;
+use crate::words::{Arithmetic, Words};
 
-/// A number of 106 bits: [`DoubleDouble`] where no square overflows or underflows, [`Extended`] elsewhere.
-pub(crate) trait Wide: Copy {
-    /// Of a finite double.
-    fn from_double(value: f64) -> Self;
+/// What the constants of an exact motion are formed in: [`DoubleDouble`] where no square overflows or underflows, [`Extended`]
+/// elsewhere, a double where one word will do.
+pub(crate) trait Scalar: Arithmetic {
+    /// The same without an exponent of its own.
+    type Narrow: Words;
     /// The difference of two doubles, exactly.
     fn difference(a: f64, b: f64) -> Self;
     /// Of a number that is normal or zero.
-    fn from_narrow(number: DoubleDouble) -> Self;
-    fn multiply(self, other: Self) -> Self;
-    fn divide(self, other: Self) -> Self;
-    /// The sum of two terms that do not cancel.
-    fn add(self, other: Self) -> Self;
-    fn subtract(self, other: Self) -> Self;
-    fn square_root(self) -> Self;
-    fn negated(self) -> Self;
-    /// As a double-double; zero or infinite where that has no room.
-    fn narrow(self) -> DoubleDouble;
+    fn from_narrow(number: Self::Narrow) -> Self;
+    /// Without the exponent; zero or infinite where that has no room.
+    fn narrow(self) -> Self::Narrow;
     /// The square root of the quotient, as a double.
     fn root_of_quotient(self, divisor: Self) -> f64;
     /// Whether it is greater than `other`; both not negative.
     fn exceeds(self, other: Self) -> bool;
-    /// The leading digits: zero if and only if the number is.
-    fn leading(self) -> f64;
-    fn extended(self) -> Extended;
+    /// The natural logarithm of a positive number.
+    fn logarithm(self) -> Self::Narrow;
     fn from_extended(number: Extended) -> Self;
-
-    fn is_zero(self) -> bool {
-        self.leading() == 0.0
-    }
 
     fn square(self) -> Self {
         self.multiply(self)
@@ -52,11 +43,8 @@ pub(crate) trait Wide: Copy {
     }
 }
 
-impl Wide for DoubleDouble {
-    #[inline]
-    fn from_double(value: f64) -> Self {
-        Self::from(value)
-    }
+impl Scalar for DoubleDouble {
+    type Narrow = Self;
 
     #[inline]
     fn difference(a: f64, b: f64) -> Self {
@@ -69,42 +57,8 @@ impl Wide for DoubleDouble {
     }
 
     #[inline]
-    fn multiply(self, other: Self) -> Self {
-        self.multiply(other)
-    }
-
-    #[inline]
     fn times(self, factor: f64) -> Self {
         self.times(factor)
-    }
-
-    #[inline]
-    fn divide(self, other: Self) -> Self {
-        if self.high() == 0.0 {
-            self
-        } else {
-            self.divide(other)
-        }
-    }
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        self.add_alike(other)
-    }
-
-    #[inline]
-    fn subtract(self, other: Self) -> Self {
-        self.subtract(other)
-    }
-
-    #[inline]
-    fn square_root(self) -> Self {
-        self.square_root()
-    }
-
-    #[inline]
-    fn negated(self) -> Self {
-        self.negated()
     }
 
     #[inline]
@@ -126,13 +80,8 @@ impl Wide for DoubleDouble {
         self.high() > other.high() || (self.high() == other.high() && self.low() > other.low())
     }
 
-    #[inline]
-    fn leading(self) -> f64 {
-        self.high()
-    }
-
-    fn extended(self) -> Extended {
-        Extended::from(self)
+    fn logarithm(self) -> Self {
+        elliptic::logarithm(self, 0)
     }
 
     fn from_extended(number: Extended) -> Self {
@@ -170,7 +119,48 @@ impl Extended {
     }
 }
 
-impl Wide for Extended {
+impl Scalar for f64 {
+    type Narrow = Self;
+
+    #[inline]
+    fn difference(a: f64, b: f64) -> Self {
+        a - b
+    }
+
+    #[inline]
+    fn from_narrow(number: f64) -> Self {
+        number
+    }
+
+    #[inline]
+    fn narrow(self) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn root_of_quotient(self, divisor: Self) -> f64 {
+        if self == 0.0 {
+            0.0
+        } else {
+            (self / divisor).sqrt()
+        }
+    }
+
+    #[inline]
+    fn exceeds(self, other: Self) -> bool {
+        self > other
+    }
+
+    fn logarithm(self) -> f64 {
+        self.ln()
+    }
+
+    fn from_extended(number: Extended) -> Self {
+        number.value()
+    }
+}
+
+impl Arithmetic for Extended {
     fn from_double(value: f64) -> Self {
         if value == 0.0 {
             return Self::zero();
@@ -187,22 +177,6 @@ impl Wide for Extended {
             digits: DoubleDouble::from(digits),
             exponent: exponent_of(f64::from_bits(bits & EXPONENT_BITS)),
         }
-    }
-
-    fn difference(a: f64, b: f64) -> Self {
-        let exact = DoubleDouble::difference(a, b);
-        let leading = Self::from_double(exact.high());
-        Self {
-            digits: DoubleDouble::sum(
-                leading.digits.high(),
-                shifted(exact.low(), -leading.exponent),
-            ),
-            exponent: leading.exponent,
-        }
-    }
-
-    fn from_narrow(number: DoubleDouble) -> Self {
-        Self::from(number)
     }
 
     fn multiply(self, other: Self) -> Self {
@@ -240,6 +214,13 @@ impl Wide for Extended {
         self.add(other.negated())
     }
 
+    fn negated(self) -> Self {
+        Self {
+            digits: self.digits.negated(),
+            exponent: self.exponent,
+        }
+    }
+
     fn square_root(self) -> Self {
         if self.is_zero() {
             return Self::zero();
@@ -251,11 +232,28 @@ impl Wide for Extended {
         }
     }
 
-    fn negated(self) -> Self {
+    fn leading(self) -> f64 {
+        self.digits.high()
+    }
+}
+
+impl Scalar for Extended {
+    type Narrow = DoubleDouble;
+
+    fn difference(a: f64, b: f64) -> Self {
+        let exact = DoubleDouble::difference(a, b);
+        let leading = Self::from_double(exact.high());
         Self {
-            digits: self.digits.negated(),
-            exponent: self.exponent,
+            digits: DoubleDouble::sum(
+                leading.digits.high(),
+                shifted(exact.low(), -leading.exponent),
+            ),
+            exponent: leading.exponent,
         }
+    }
+
+    fn from_narrow(number: DoubleDouble) -> Self {
+        Self::from(number)
     }
 
     fn narrow(self) -> DoubleDouble {
@@ -279,12 +277,8 @@ impl Wide for Extended {
         self.subtract(other).leading() > 0.0
     }
 
-    fn leading(self) -> f64 {
-        self.digits.high()
-    }
-
-    fn extended(self) -> Extended {
-        self
+    fn logarithm(self) -> DoubleDouble {
+        elliptic::logarithm(self.digits, self.exponent)
     }
 
     fn from_extended(number: Extended) -> Self {
@@ -339,29 +333,6 @@ pub(crate) fn shifted(value: f64, exponent: i32) -> f64 {
     result
 }
 
-const LN_2: [f64; 2] = [core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17];
-
-/// ln(j/16) for j = 16…32, twice the precision.
-const LOGARITHMS: [[f64; 2]; 17] = [
-    [0.0, 0.0],
-    [0.060_624_621_816_434_84, 2.642_402_593_872_693_4e-18],
-    [0.117_783_035_656_383_46, -1.197_168_574_759_367_7e-18],
-    [0.171_850_256_926_659_23, -6.022_453_821_011_37e-18],
-    [0.223_143_551_314_209_76, -9.091_270_597_324_799e-18],
-    [0.271_933_715_483_641_76, 7.833_196_376_974_42e-19],
-    [0.318_453_731_118_534_6, 2.711_477_936_732_623_6e-17],
-    [0.362_905_493_689_368_5, -2.149_223_546_153_109_7e-17],
-    [0.405_465_108_108_164_4, -2.881_138_025_962_642_6e-18],
-    [0.446_287_102_628_419_53, -1.818_254_119_464_959_8e-17],
-    [0.485_507_815_781_700_8, -1.661_835_069_385_204_8e-17],
-    [0.523_248_143_764_547_9, -3.183_388_221_635_092_5e-17],
-    [0.559_615_787_935_422_7, 2.685_492_580_212_308e-17],
-    [0.594_707_107_746_692_8, 1.375_168_996_432_367_5e-17],
-    [0.628_608_659_422_374_1, 4.353_874_260_797_038_7e-17],
-    [0.661_398_482_245_365, -7.603_333_785_634_003e-18],
-    LN_2,
-];
-
 /// arctan(j/16) for j = 0…16, twice the precision.
 const ARCTANGENTS: [[f64; 2]; 17] = [
     [0.0, 0.0],
@@ -385,31 +356,6 @@ const ARCTANGENTS: [[f64; 2]; 17] = [
 
 fn pair([high, low]: [f64; 2]) -> DoubleDouble {
     DoubleDouble::sum(high, low)
-}
-
-/// ln of a positive number, to about 2⁻⁸⁰ of 1.
-///
-/// Power of two, then the nearest sixteenth, then 2 artanh((x − c)/(x + c)) of at most 1/64.
-pub(crate) fn logarithm(number: Extended) -> DoubleDouble {
-    let leading = number.digits.high();
-    let unit = power_of_two_below(leading);
-    let x = number.digits.scaled(1.0 / unit);
-    let exponent = f64::from(number.exponent + exponent_of(unit));
-    let index = (x.high() * 16.0).round().clamp(16.0, 32.0);
-    let center = DoubleDouble::from(index / 16.0);
-    let s = x.subtract(center).divide(x.add(center));
-    let square = s.multiply(s);
-    let y = square.value();
-    // Terms beyond the second are below 2⁻²⁶ of the first: a double will do.
-    let tail = y * y * (0.2 + y * (1.0 / 7.0 + y * (1.0 / 9.0 + y / 11.0)));
-    let series = square
-        .divide(DoubleDouble::from(3.0))
-        .add(DoubleDouble::from(1.0))
-        .add(DoubleDouble::from(tail));
-    s.multiply(series)
-        .scaled(2.0)
-        .add(pair(LOGARITHMS[index as usize - 16]))
-        .add(pair(LN_2).multiply(DoubleDouble::from(exponent)))
 }
 
 /// The angle of the point (cosine, sine), both not negative and not both zero, to about 2⁻⁸⁰ of 1.
@@ -444,8 +390,9 @@ pub(crate) const RIGHT_ANGLE: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123_23
 
 #[cfg(test)]
 mod tests {
-    use super::{Extended, Wide, angle, logarithm, pair, shifted};
+    use super::{Extended, Scalar, angle, pair, shifted};
     use crate::double_double::DoubleDouble;
+    use crate::words::Arithmetic;
 
     #[test]
     fn logarithm_of_products_is_the_sum() {
@@ -453,9 +400,11 @@ mod tests {
         while x < 1e300 {
             let third = Extended::from_double(x);
             let cube = third.multiply(third).multiply(third);
-            let rest = logarithm(cube).subtract(logarithm(third).multiply(DoubleDouble::from(3.0)));
+            let rest = cube
+                .logarithm()
+                .subtract(third.logarithm().multiply(DoubleDouble::from(3.0)));
             assert!(rest.value().abs() < 1e-21, "{x}: {rest:?}");
-            assert!((logarithm(third).value() - x.ln()).abs() < 2e-16 * (1.0 + x.ln()));
+            assert!((third.logarithm().value() - x.ln()).abs() < 2e-16 * (1.0 + x.ln()));
             x *= 1.093;
         }
     }

@@ -16,6 +16,7 @@
 //! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants |
 //! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the wobble of the Earth |
 //! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice |
+//! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
 //! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
 //! | | [`error`] | the one error type |
@@ -39,6 +40,7 @@ pub mod pythagoras;
 pub mod rolling;
 pub mod rotating_fluid;
 pub mod superball;
+mod words;
 
 pub use error::{Error, Result};
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::Figure;
 use crate::style::{LEAST, Role, SCALE};
 
 /// Colours and fonts for a file that is looked at by itself; a page that includes the figure brings its own.
@@ -55,6 +56,13 @@ pub fn finish(name: &str, claim: &str, alt: &str, raw: &str, extras: &[String]) 
     }
     svg.push_str("</svg>\n");
     svg
+}
+
+/// The figure with more elements on top of what was drawn: for what moves.
+pub fn with(mut figure: Figure, elements: &str) -> Figure {
+    let end = figure.svg.rfind("</svg>").unwrap_or(figure.svg.len());
+    figure.svg.insert_str(end, elements);
+    figure
 }
 
 fn stand_in(role: Role) -> String {

@@ -82,6 +82,31 @@ pub fn all() -> &'static [Entry] {
             draw: euler_equations::triangle_of_tops,
         },
         Entry {
+            name: "poinsot-ellipsoid",
+            chapter: "euler-top",
+            draw: euler_top::rolling_ellipsoid,
+        },
+        Entry {
+            name: "polhodes",
+            chapter: "euler-top",
+            draw: euler_top::polhodes,
+        },
+        Entry {
+            name: "racket-flip",
+            chapter: "euler-top",
+            draw: euler_top::film,
+        },
+        Entry {
+            name: "racket-flip-animated",
+            chapter: "euler-top",
+            draw: euler_top::animated,
+        },
+        Entry {
+            name: "flip-time",
+            chapter: "euler-top",
+            draw: euler_top::flip_time,
+        },
+        Entry {
             name: "polar-circles",
             chapter: "euler-top",
             draw: euler_top::polar_circles,
@@ -90,6 +115,16 @@ pub fn all() -> &'static [Entry] {
             name: "precession-cones",
             chapter: "euler-top",
             draw: euler_top::precession_cones,
+        },
+        Entry {
+            name: "euler-solution",
+            chapter: "euler-top",
+            draw: euler_top::solution,
+        },
+        Entry {
+            name: "toutatis",
+            chapter: "euler-top",
+            draw: euler_top::two_axes_in_the_sky,
         },
         Entry {
             name: "kovalevskaya-circle",

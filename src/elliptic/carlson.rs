@@ -7,8 +7,9 @@
 use crate::double_double::DoubleDouble as Dd;
 use crate::error::{Error, Result, finite, not_negative};
 
-/// Spread of the arguments at which the series of order seven is exact to 10⁻¹⁷.
-const SPREAD: f64 = 0.006;
+/// Spread of the arguments at which the series of order seven is exact to 10⁻²⁶, and its rounding to 10⁻²³.
+/// A double needs less; principal values, in which two such integrals nearly cancel, need it.
+const SPREAD: f64 = 5e-4;
 
 /// Duplications after which any spread between doubles is gone.
 const ROUNDS: usize = 600;
@@ -69,7 +70,7 @@ pub(super) fn third(mut x: Dd, mut y: Dd, mut z: Dd, mut p: Dd) -> Dd {
             let last = one()
                 .add(Dd::from(tail(dx, dy, dz, dp)))
                 .divide(mean.multiply(mean.square_root()));
-            return sum.scaled(6.0).add(last.scaled(scale));
+            return sum.multiply(Dd::from(6.0)).add(last.scaled(scale));
         }
         let (a, b, c, r) = (
             x.square_root(),
@@ -134,10 +135,23 @@ fn tail(x: f64, y: f64, z: f64, p: f64) -> f64 {
         - 9.0 / 68.0 * (e3 * e4 + e2 * e5)
 }
 
-/// A power of four by which all arguments are divided, so that the greatest is near 1.
-fn common_scale(greatest: f64) -> f64 {
-    let exponent = (greatest.log2() * 0.5).floor() as i32;
-    2.0_f64.powi(exponent)
+/// Arguments further apart than this would leave the range of a double on the way.
+const FARTHEST: f64 = 1e280;
+
+/// The root of a power of four by which all arguments are divided, so that 1 lies in their midst.
+fn common_scale(arguments: &[f64]) -> Result<f64> {
+    let sizes = || arguments.iter().map(|x| x.abs());
+    let greatest = sizes().fold(0.0, f64::max);
+    let least = sizes().filter(|x| *x > 0.0).fold(f64::INFINITY, f64::min);
+    if greatest / FARTHEST > least {
+        return Err(Error::Condition {
+            condition: "arguments other than zero must lie within a factor of 1e280 of each other",
+            value: least,
+        });
+    }
+    // The cube of a root must not leave the range either way.
+    let exponent = (0.25 * (greatest.log2() + least.log2())).floor() as i32;
+    Ok(2.0_f64.powi(exponent))
 }
 
 fn at_most_one_zero(x: f64, y: f64) -> Result<()> {
@@ -155,11 +169,15 @@ fn divided(x: f64, root: f64) -> Dd {
     Dd::from(x / root / root)
 }
 
-/// R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)).
+/// R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)), symmetric, of degree −1/2; R_F(x, x, x) = 1/√x.
+///
+/// Arguments from 0 (one of them) to 10³⁰⁸; they are scaled by a power of four first. Error 0.44 ε at most of 38 rows, ratios to 10²⁸⁰.
+/// Cost 1.3 µs. Source: B. C. Carlson, Numerical computation of real or complex elliptic integrals (1995); Digital
+/// Library of Mathematical Functions, 19.36.
 ///
 /// # Errors
 ///
-/// If an argument is negative or not finite, or two are zero.
+/// If an argument is negative or not finite, if two are zero, or if they lie more than a factor 10²⁸⁰ apart.
 pub fn rf(x: f64, y: f64, z: f64) -> Result<f64> {
     let mut a = [
         not_negative("argument x", x)?,
@@ -168,16 +186,18 @@ pub fn rf(x: f64, y: f64, z: f64) -> Result<f64> {
     ];
     a.sort_by(f64::total_cmp);
     at_most_one_zero(a[0].abs(), a[1].abs())?;
-    let root = common_scale(a[2]);
+    let root = common_scale(&a)?;
     let [x, y, z] = a.map(|x| divided(x.abs(), root));
     Ok(first(x, y, z).value() / root)
 }
 
-/// R_C(x, y) = R_F(x, y, y), the principal value for y < 0.
+/// R_C(x, y) = R_F(x, y, y) = arctan(√(y/x − 1))/√(y − x), the principal value for y < 0.
+///
+/// Error 0.46 ε at most of 68 rows, both signs of y. Cost 1.2 µs. Source as for [`rf`].
 ///
 /// # Errors
 ///
-/// If x is negative, y is zero, or one is not finite.
+/// If x is negative, y is zero, one is not finite, or if they lie more than a factor 10²⁸⁰ apart.
 pub fn rc(x: f64, y: f64) -> Result<f64> {
     let x = not_negative("argument x", x)?.abs();
     if finite("argument y", y)? == 0.0 {
@@ -186,30 +206,38 @@ pub fn rc(x: f64, y: f64) -> Result<f64> {
             value: y,
         });
     }
-    let root = common_scale(x.max(y.abs()));
+    let root = common_scale(&[x, y])?;
     Ok(elementary(divided(x, root), divided(y, root)).value() / root)
 }
 
-/// R_D(x, y, z) = (3/2)∫₀^∞ dt/((t+z)√((t+x)(t+y)(t+z))).
+/// R_D(x, y, z) = (3/2)∫₀^∞ dt/((t+z)√((t+x)(t+y)(t+z))), symmetric in x and y, of degree −3/2.
+///
+/// Error 0.43 ε at most of 28 rows, ratios to 10⁶⁰. Cost 1.8 µs. Source as for [`rf`].
 ///
 /// # Errors
 ///
-/// If x or y is negative, both are zero, z is not positive, or one is not finite.
+/// If x or y is negative, both are zero, z is not positive, one is not finite, or if they lie more than a factor
+/// 10²⁸⁰ apart.
 pub fn rd(x: f64, y: f64, z: f64) -> Result<f64> {
     let x = not_negative("argument x", x)?.abs();
     let y = not_negative("argument y", y)?.abs();
     let z = crate::error::positive("argument z", z)?;
     at_most_one_zero(x, y)?;
-    let root = common_scale(x.max(y).max(z));
+    let root = common_scale(&[x, y, z])?;
     let value = second(divided(x, root), divided(y, root), divided(z, root)).value();
     Ok(value / root / root / root)
 }
 
 /// R_J(x, y, z, p) = (3/2)∫₀^∞ dt/((t+p)√((t+x)(t+y)(t+z))), the principal value for p < 0.
 ///
+/// Symmetric in x, y, z, of degree −3/2. Error 0.43 ε at most of 48 rows, of which 20 are principal values, ratios to 10⁶⁰. Where a
+/// principal value passes through zero, about 10⁻²² of its two parts is the error instead. Cost 4–7 µs. Source as for
+/// [`rf`]; Digital Library of Mathematical Functions, 19.20.14.
+///
 /// # Errors
 ///
-/// If one of x, y, z is negative, two of them are zero, p is zero, or one is not finite.
+/// If one of x, y, z is negative, two of them are zero, p is zero, one is not finite, or if they lie more than a
+/// factor 10²⁸⁰ apart.
 pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
     let mut a = [
         not_negative("argument x", x)?.abs(),
@@ -224,7 +252,7 @@ pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
             value: p,
         });
     }
-    let root = common_scale(a[2].max(p.abs()));
+    let root = common_scale(&[a[0], a[1], a[2], p])?;
     let [x, y, z] = a.map(|x| divided(x, root));
     let p = divided(p, root);
     let value = if p.value() > 0.0 {
@@ -247,9 +275,19 @@ pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
 
 /// R_G(x, y, z), the mean of √(x n₁² + y n₂² + z n₃²) over directions n.
 ///
+/// Zeros are allowed, all three as well. Error 0.44 ε at most of 38 rows, ratios to 10²⁸⁰. Cost 6 µs. Source: Digital Library of
+/// Mathematical Functions, 19.21.10, of which all terms have one sign.
+///
+/// ```
+/// use spinning_bodies::elliptic::carlson::rg;
+/// // A sphere: the mean of the radius.
+/// assert_eq!(rg(4.0, 4.0, 4.0)?, 2.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+///
 /// # Errors
 ///
-/// If an argument is negative or not finite.
+/// If an argument is negative or not finite, or if they lie more than a factor 10²⁸⁰ apart.
 pub fn rg(x: f64, y: f64, z: f64) -> Result<f64> {
     let mut a = [
         not_negative("argument x", x)?.abs(),
@@ -260,7 +298,7 @@ pub fn rg(x: f64, y: f64, z: f64) -> Result<f64> {
     if a[1] == 0.0 {
         return Ok(0.5 * a[2].sqrt());
     }
-    let root = common_scale(a[2]);
+    let root = common_scale(&a)?;
     let [x, y, z] = a.map(|x| divided(x, root));
     // 6 R_G = Σ x (y + z) R_D(y, z, x), all terms positive; a zero argument has no term.
     let mut sum = Dd::from(0.0);

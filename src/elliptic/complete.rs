@@ -5,21 +5,53 @@ use super::modulus::Modulus;
 use super::parameter::Parameter;
 use crate::double_double::DoubleDouble as Dd;
 
-/// K = ∫₀^{π/2} dθ/√(1 − m sin²θ); infinite at mc = 0.
+/// K = ∫₀^{π/2} dθ/√(1 − m sin²θ), the quarter period; π/2 at m = 0, ln(4/√mc) for mc → 0, infinite at mc = 0.
+///
+/// Error 0.32 ε at most of 42 rows, mc to 5·10⁻³²⁴. Cost 80–280 ns: it is [`Modulus::new`].
+///
+/// Source: Digital Library of Mathematical Functions, 19.2, 19.8.
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, complete_first};
+/// assert_eq!(complete_first(Parameter::from_parameter(0.0)?), std::f64::consts::FRAC_PI_2);
+/// // Gauss's lemniscate: K(1/2) = Γ(1/4)²/(4 √π).
+/// assert_eq!(complete_first(Parameter::from_parameter(0.5)?), 1.854_074_677_301_371_9);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn complete_first(parameter: Parameter) -> f64 {
     Modulus::new(parameter).quarter_period()
 }
 
-/// E = ∫₀^{π/2} √(1 − m sin²θ) dθ.
+/// E = ∫₀^{π/2} √(1 − m sin²θ) dθ, between π/2 at m = 0 and 1 at m = 1; formed as B + mc D, where nothing cancels.
+///
+/// Error 0.34 ε at most of 42 rows. Cost 4 µs. Source: Digital Library of Mathematical Functions, 19.2, 19.25.
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, complete_first, complete_second};
+/// // Legendre's relation: E K′ + E′ K − K K′ = π/2.
+/// let p = Parameter::from_parameter(0.3)?;
+/// let (k, e) = (complete_first(p), complete_second(p));
+/// let (l, f) = (complete_first(p.exchanged()), complete_second(p.exchanged()));
+/// assert!((e * l + f * k - k * l - std::f64::consts::FRAC_PI_2).abs() < 2e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn complete_second(parameter: Parameter) -> f64 {
-    if parameter.mc() == 0.0 {
-        return 1.0;
-    }
-    let d = d_dd(parameter);
-    b_dd(parameter).add(parameter.mc_dd().multiply(d)).value()
+    second(parameter).value()
 }
 
-/// D = ∫₀^{π/2} sin²θ/√(1 − m sin²θ) dθ = (K − E)/m; infinite at mc = 0.
+/// E = B + mc D, where both terms are positive.
+pub(super) fn second(parameter: Parameter) -> Dd {
+    if parameter.mc() == 0.0 {
+        return Dd::from(1.0);
+    }
+    let d = d_dd(parameter);
+    b_dd(parameter).add(parameter.mc_dd().multiply(d))
+}
+
+/// D = ∫₀^{π/2} sin²θ/√(1 − m sin²θ) dθ = (K − E)/m, without that difference; π/4 at m = 0, infinite at mc = 0.
+///
+/// Error 0.45 ε at most of 42 rows, m and mc to 10⁻³⁰⁰ and less. Cost 2–4 µs. Source: R_D/3, Digital Library of
+/// Mathematical Functions, 19.25.
 pub fn complete_d(parameter: Parameter) -> f64 {
     if parameter.mc() == 0.0 {
         return f64::INFINITY;
@@ -27,7 +59,9 @@ pub fn complete_d(parameter: Parameter) -> f64 {
     d_dd(parameter).value()
 }
 
-/// B = ∫₀^{π/2} cos²θ/√(1 − m sin²θ) dθ = (E − mc K)/m.
+/// B = ∫₀^{π/2} cos²θ/√(1 − m sin²θ) dθ = (E − mc K)/m, without that difference; π/4 at m = 0, 1 at m = 1.
+///
+/// Error 0.30 ε at most of 42 rows. Cost 2 µs. Source: mc R_D/3, Digital Library of Mathematical Functions, 19.25.
 pub fn complete_b(parameter: Parameter) -> f64 {
     b_dd(parameter).value()
 }

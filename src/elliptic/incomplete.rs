@@ -1,6 +1,7 @@
 //! Incomplete integrals of the first and second kind.
 
 use super::carlson;
+use super::kernel;
 use super::modulus::{Modulus, PI};
 use super::parameter::Parameter;
 use crate::double_double::DoubleDouble as Dd;
@@ -36,10 +37,17 @@ impl Angle {
         };
         let mut halves = (phi / core::f64::consts::PI).round();
         let mut rest = less(Dd::from(phi), halves);
-        // The quotient may be rounded to the wrong side.
-        let again = (rest.high() / core::f64::consts::PI).round();
-        if again != 0.0 {
-            halves += again;
+        // The quotient may be rounded to the wrong side of a quarter turn: there the rest itself decides.
+        let beyond = |rest: Dd| {
+            let size = if rest.high() < 0.0 {
+                rest.negated()
+            } else {
+                rest
+            };
+            less(size, 0.5).value() > 0.0
+        };
+        if beyond(rest) {
+            halves += 1.0_f64.copysign(rest.high());
             rest = less(Dd::from(phi), halves);
         }
         let negative = rest.high() < 0.0;
@@ -49,8 +57,17 @@ impl Angle {
         let (sine, cosine) = if rest.high() <= core::f64::consts::FRAC_PI_4 {
             sine_cosine(rest)
         } else {
-            let other = less(rest, 0.5);
-            let (sine, cosine) = sine_cosine(other.negated());
+            // Both from the angle itself, so that the cosine has all its digits next to a quarter turn.
+            let other = less(
+                Dd::from(phi.abs()),
+                halves.abs() + if negative == (phi > 0.0) { -0.5 } else { 0.5 },
+            );
+            let other = if other.high() < 0.0 {
+                other.negated()
+            } else {
+                other
+            };
+            let (sine, cosine) = sine_cosine(other);
             (cosine, sine)
         };
         Ok(Self {
@@ -79,11 +96,12 @@ impl Angle {
         if self.halves == 0.0 {
             return signed.value();
         }
-        let halves = half_period().multiply(Dd::from(self.halves));
-        if halves.value().is_infinite() {
-            return halves.value();
+        let half = half_period();
+        let size = half.high() * self.halves;
+        if size.is_infinite() {
+            return size;
         }
-        halves.add(signed).value()
+        half.multiply(Dd::from(self.halves)).add(signed).value()
     }
 }
 
@@ -94,20 +112,24 @@ fn sine_cosine(x: Dd) -> (Dd, Dd) {
     // From the inside out; the first term left out is 10⁻³⁴.
     for k in (1..=15).rev() {
         let k = f64::from(k);
-        sine = Dd::from(1.0).add(
-            sine.multiply(x2)
-                .divide(Dd::from(2.0 * k * (2.0 * k + 1.0))),
-        );
-        cosine = Dd::from(1.0).add(
-            cosine
-                .multiply(x2)
-                .divide(Dd::from(2.0 * k * (2.0 * k - 1.0))),
-        );
+        let next = |sum: Dd, divisor: f64| {
+            let term = kernel::quotient(kernel::product(sum, x2), Dd::from(divisor));
+            let (high, low) = kernel::ordered_sum(1.0, term.high());
+            Dd::new(high, low + term.low())
+        };
+        sine = next(sine, 2.0 * k * (2.0 * k + 1.0));
+        cosine = next(cosine, 2.0 * k * (2.0 * k - 1.0));
     }
     (sine.multiply(x), cosine)
 }
 
-/// F(φ) = ∫₀^φ dθ/√(1 − m sin²θ).
+/// F(φ) = ∫₀^φ dθ/√(1 − m sin²θ) at any angle, odd in φ, F(φ + π) = F(φ) + 2K; the inverse of am.
+///
+/// The multiple of π is taken off with 160 bits, and cos φ has all its digits next to quarter turns. Infinite at m = 1
+/// beyond π/2.
+///
+/// Error 0.38 ε at most of 85 rows: φ from 10⁻³⁰⁰ to 10⁶ and at successive floats next to multiples of π/2, mc to 10⁻³⁰⁰ and 0.
+/// Cost 2 µs. Source: Digital Library of Mathematical Functions, 19.25.5.
 ///
 /// # Errors
 ///
@@ -128,7 +150,10 @@ fn first(angle: &Angle, parameter: Parameter) -> Dd {
     angle.sine.multiply(f)
 }
 
-/// E(φ) = ∫₀^φ √(1 − m sin²θ) dθ.
+/// E(φ) = ∫₀^φ √(1 − m sin²θ) dθ at any angle, odd in φ, E(φ + π) = E(φ) + 2E; at m = 1 a staircase of sines.
+///
+/// Error 0.37 ε at most of 85 rows, as for [`incomplete_first`]. Cost 4 µs. Source: Digital Library of Mathematical
+/// Functions, 19.25.10, of which all terms have one sign.
 ///
 /// # Errors
 ///
@@ -136,9 +161,7 @@ fn first(angle: &Angle, parameter: Parameter) -> Dd {
 pub fn incomplete_second(phi: f64, parameter: Parameter) -> Result<f64> {
     let angle = Angle::new(phi)?;
     let e = second(&angle, parameter);
-    Ok(angle.assemble(e, || {
-        Dd::from(2.0 * super::complete::complete_second(parameter))
-    }))
+    Ok(angle.assemble(e, || super::complete::second(parameter).scaled(2.0)))
 }
 
 fn second(angle: &Angle, parameter: Parameter) -> Dd {

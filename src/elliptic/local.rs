@@ -1,6 +1,7 @@
 //! An argument reduced to the nearest multiple of K, and the elementary functions there that everything else is made of.
 
-use super::jacobi::{QUARTER_PARTS, Wave};
+pub(crate) use super::jacobi::Crest;
+use super::jacobi::{Circular, Hyperbolic, QUARTER_PARTS, circular_at, hyperbolic_at, in_quadrant};
 use super::kernel::{self, ROUNDER};
 use super::modulus::{EXACT_COUNT, Modulus, Side};
 use crate::double_double::DoubleDouble;
@@ -16,8 +17,8 @@ pub(crate) struct Place {
 pub(crate) enum Local {
     /// sin and cos of πu/(2K) itself, the quarters included.
     Circular { sine: f64, cosine: f64 },
-    /// sinh and cosh of |π rest/(2K′)|, both divided by e^x or nearly so; z = 4 √q′ sinh².
-    Hyperbolic { sign: f64, wave: Wave, z: f64 },
+    /// sinh and cosh of π rest/(2K′), both divided by e^x or nearly so.
+    Hyperbolic(Crest),
 }
 
 /// Sine and cosine of an angle of two words.
@@ -34,20 +35,7 @@ pub(crate) fn sine_cosine(angle: DoubleDouble) -> (f64, f64) {
     let low = rest.low() + (angle.low() - count * QUARTER_PARTS[2]);
     let rest = DoubleDouble::sum(rest.high(), low);
     let (sine, cosine) = kernel::sine_cosine(rest.high(), rest.low());
-    in_quadrant(count, sine, cosine)
-}
-
-/// Sine and cosine after as many right angles.
-#[inline(always)]
-fn in_quadrant(count: f64, sine: f64, cosine: f64) -> (f64, f64) {
-    let bits = (count as i64) as u64;
-    let odd = (bits & 1).wrapping_neg();
-    let s = kernel::select(odd, cosine, sine);
-    let c = kernel::select(odd, sine, cosine);
-    (
-        f64::from_bits(s.to_bits() ^ ((bits & 2) << 62)),
-        f64::from_bits(c.to_bits() ^ (((bits ^ (bits << 1)) & 2) << 62)),
-    )
+    in_quadrant(count as i64 as u64, sine, cosine)
 }
 
 impl Modulus {
@@ -58,29 +46,20 @@ impl Modulus {
         let local = match self.side {
             Side::Circular => {
                 let (sine, cosine) = kernel::sine_cosine(high, low);
-                let (sine, cosine) = in_quadrant(quarters, sine, cosine);
+                let (sine, cosine) = in_quadrant(quarters as i64 as u64, sine, cosine);
                 Local::Circular { sine, cosine }
             }
-            Side::Hyperbolic => {
-                let sign = 1.0_f64.copysign(high);
-                let wave = Wave::new(high.abs(), low * sign);
-                let root_of_z = (self.series.root * wave.growth * wave.sine).min(2.0);
-                Local::Hyperbolic {
-                    sign,
-                    z: root_of_z * root_of_z,
-                    wave,
-                }
-            }
+            Side::Hyperbolic => Local::Hyperbolic(Crest::new(&self.series, high, low)),
         };
         Place { quarters, local }
     }
 
-    /// The same as [`reduce`](Self::reduce), without a division where the count is exact; the error is a part of u, not of the rest.
+    /// u = (quarters) K + rest. The error is a part of u, not of the rest as in [`reduce`](Self::reduce): a place needs no more.
     #[inline(always)]
     fn reduced(&self, u: DoubleDouble) -> (f64, DoubleDouble) {
         let reduction = &self.reduction;
         if u.high().abs() > reduction.limit {
-            return self.reduce(u);
+            return self.reduced_from_afar(u);
         }
         let count = (u.high() * reduction.inverse + ROUNDER) - ROUNDER;
         let first = u.high() - count * reduction.parts[0];
@@ -89,49 +68,32 @@ impl Modulus {
         (count, DoubleDouble::sum(rest.high(), low))
     }
 
+    /// The same with more quarter periods than a short K can be multiplied with exactly.
+    #[cold]
+    fn reduced_from_afar(&self, u: DoubleDouble) -> (f64, DoubleDouble) {
+        let count = (u.high() / self.quarter.high()).round_ties_even();
+        let rest = u.subtract(self.quarter.multiply(DoubleDouble::from(count)));
+        let again = (rest.high() / self.quarter.high()).round_ties_even();
+        let rest = rest.subtract(self.quarter.multiply(DoubleDouble::from(again)));
+        (count + again, rest)
+    }
+
     /// sn, cn and dn there.
     pub(crate) fn triple(&self, place: &Place) -> [f64; 3] {
+        let bits = place.quarters as i64 as u64;
         match &place.local {
             Local::Circular { sine, cosine } => {
-                let set = &self.series.even;
-                let (s2, c2) = (sine * sine, cosine * cosine);
-                let inverse = 1.0 / kernel::polynomial(&set.denominator, s2);
-                let sn = c2 * kernel::polynomial(&set.sn, s2) * inverse;
-                let cn = s2 * kernel::polynomial(&set.cn, s2) * inverse;
-                let dn = s2 * kernel::polynomial(&set.dn, s2) * inverse;
-                [
-                    (sine + sine * sn).clamp(-1.0, 1.0),
-                    cosine + cosine * cn,
-                    1.0 + dn,
-                ]
+                let Circular { sn, cn, dn, .. } = circular_at(&self.series, *sine, *cosine);
+                [sn, cn, dn]
             }
-            Local::Hyperbolic { sign, wave, z } => {
-                let quadrant = (place.quarters as i64) & 3;
-                let turn = if quadrant >= 2 { -1.0 } else { 1.0 };
-                let least = self.series.complementary_modulus;
-                let even = quadrant & 1 == 0;
-                let set = if even {
+            Local::Hyperbolic(crest) => {
+                let set = if bits & 1 == 0 {
                     &self.series.even
                 } else {
                     &self.series.odd
                 };
-                let inverse = 1.0 / kernel::polynomial(&set.denominator, *z);
-                let [s, c, d] = if even {
-                    let sech = wave.decay(1.0 / wave.cosine);
-                    [wave.sine / wave.cosine, sech, sech]
-                } else {
-                    let upper = least * wave.growth;
-                    [1.0, upper * wave.sine, upper * wave.cosine]
-                };
-                let sn = (s + s * (kernel::polynomial(&set.sn, *z) * inverse)).min(1.0);
-                let cn = c + c * (kernel::polynomial(&set.cn, *z) * inverse);
-                let dn = d + d * (kernel::polynomial(&set.dn, *z) * inverse);
-                let dn = dn.clamp(least, 1.0);
-                if even {
-                    [turn * sign * sn, turn * cn, dn]
-                } else {
-                    [turn * sn, -turn * sign * cn, dn]
-                }
+                let Hyperbolic { sn, cn, dn } = hyperbolic_at(&self.series, set, bits, crest);
+                [sn, cn, dn]
             }
         }
     }

@@ -47,7 +47,7 @@ const LOGARITHMS: [DoubleDouble; 33] = [
 /// ln(x · 2^exponent) for a normal positive x, to 103 bits of the result or of 1, whichever is greater.
 ///
 /// Power of two, then the nearest c = j/32, then 2 artanh((x − c)/(x + c)), whose argument is at most 1/128.
-pub(super) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
+pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let unit = power_of_two_below(x.high());
     let x = x.scaled(1.0 / unit);
     // The eleven bits of the exponent fit.

@@ -8,7 +8,43 @@
 //! - Π has the factor 1/(1 − n sin²θ): positive n up to 1 makes it greater than F. For n > 1 it is the principal
 //!   value, and goes on with the period π in φ like F does.
 //! - Angles in radians; a function of two angles takes the amplitude φ, never its sine.
+//!
+//! # What there is
+//!
+//! | | |
+//! |---|---|
+//! | [`Parameter`], [`Characteristic`] | m with mc, n with nc |
+//! | [`Modulus`] | prepared once; sn, cn, dn, am of one argument or of many |
+//! | [`complete_first`] K, [`complete_second`] E, [`complete_d`] D, [`complete_b`] B, [`complete_third`] Π | complete integrals |
+//! | [`incomplete_first`] F, [`incomplete_second`] E, [`incomplete_third`] Π | at any angle |
+//! | [`inverse_sn`], [`inverse_cn`], [`inverse_dn`], [`inverse_cn_sn`] | the argument that belongs to a value |
+//! | [`carlson`] | the symmetric forms R_F, R_C, R_D, R_J, R_G |
+//!
+//! # How right it is
+//!
+//! Every figure is against references of 34 digits at exact arguments; the scripts that make them use two independent
+//! routes each. Jacobi functions: [`Modulus::jacobi`]. The integrals are formed in twice the precision and rounded once:
+//! at most 0.46 ε in 1232 rows, 0.60 ε in as many with another seed, with no margin left out. All are our own: the crate `ellip` 1.2 was measured on
+//! the same rows, with m and n rounded and through Bulirsch's forms, which take √mc and nc (greatest error of its finite answers in
+//! ε, and the rows on which it refuses, or is infinite, or not a number; the better of the two entries):
+//!
+//! | | ours | `ellip`, ordinary arguments | `ellip`, hard ones |
+//! |---|---|---|---|
+//! | K | 0.32 | 1.0 | none on 9 rows of 16 next to m = 1 |
+//! | E, D | 0.45 | 2.0 | 2.1, D none on 9 rows of 16 next to m = 1 |
+//! | B | 0.30 | 1.9 | 2.5, none on 9 rows of 16 next to m = 1 |
+//! | F | 0.38 | 1.3 | 53 next to π/2 and at long angles, none on 8 rows of 36 |
+//! | E(φ) | 0.37 | 2.0 | 1.3 |
+//! | Π | 0.46 | 2.5, none on 1 row of 9 | principal value 2.4, none on 15 rows of 24; n = −10³⁰⁰ with mc = 10⁻³⁰⁰ none |
+//! | Π(φ) | 0.45 | no digit right in the worst row | no digit right in the worst rows: n ≪ 0, n → 1, principal values, m = 0, m = 1 |
+//! | R_F, R_C, R_D | 0.46 | 2.2 | 1.4 |
+//! | R_J | 0.43 | 2.5 | principal value 8.8 |
+//! | R_G | 0.43 | 1.5 | 8.5 with arguments 10^±140 |
+//!
+//! `cargo bench -p bench --bench elliptic_accuracy` prints the whole comparison. The price is time: 1–15 µs an
+//! integral here, where the peer's own report gives 0.01–0.3 µs.
 
+mod batch;
 pub mod carlson;
 mod complete;
 mod incomplete;
@@ -21,12 +57,15 @@ mod logarithm;
 mod modulus;
 mod parameter;
 mod quarter;
+mod series;
+pub(crate) mod theta;
 mod third;
 
 pub use complete::{complete_b, complete_d, complete_first, complete_second};
 pub use incomplete::{incomplete_first, incomplete_second};
-pub use inverse::{inverse_cn, inverse_dn, inverse_sn};
-pub use jacobi::Jacobi;
+pub use inverse::{inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn};
+pub use jacobi::{Jacobi, sn_cn_dn};
+pub(crate) use logarithm::logarithm;
 pub use modulus::Modulus;
 pub(crate) use modulus::Side;
 pub use parameter::Parameter;

@@ -7,6 +7,14 @@ use crate::error::{Error, Result, finite};
 ///
 /// The lesser of the two is kept to the last bit it was given with, the greater is one minus that to 106 bits. So
 /// a parameter within 10⁻³⁰⁰ of 1 is as good as one within 10⁻³⁰⁰ of 0.
+///
+/// ```
+/// use spinning_bodies::elliptic::Parameter;
+/// let near = Parameter::from_complement(1e-40)?;
+/// assert_eq!((near.m(), near.mc()), (1.0, 1e-40));
+/// assert_eq!(near.exchanged(), Parameter::from_parameter(1e-40)?);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
     m: DoubleDouble,
@@ -36,7 +44,8 @@ impl Parameter {
         })
     }
 
-    /// The parameter from m, which is taken as exact.
+    /// The parameter from m, which is taken as exact; mc is 1 − m to 106 bits. Right for m up to 1/2 and for any m
+    /// that is known no better than to an ulp of 1.
     ///
     /// # Errors
     ///
@@ -46,7 +55,7 @@ impl Parameter {
         Ok(Self::with_lesser_m(DoubleDouble::from(m)))
     }
 
-    /// The parameter from mc = 1 − m, which is taken as exact.
+    /// The parameter from mc = 1 − m, which is taken as exact; m is 1 − mc to 106 bits.
     ///
     /// # Errors
     ///
@@ -94,7 +103,7 @@ impl Parameter {
         Self { m, mc }
     }
 
-    /// The parameter 1 − m.
+    /// The parameter of which m and mc are exchanged: that of K′.
     pub fn exchanged(self) -> Self {
         Self {
             m: self.mc,
@@ -102,12 +111,12 @@ impl Parameter {
         }
     }
 
-    /// The parameter m.
+    /// The parameter m, rounded to a double.
     pub fn m(self) -> f64 {
         self.m.value()
     }
 
-    /// The complement mc = 1 − m.
+    /// The complement mc = 1 − m, rounded to a double.
     pub fn mc(self) -> f64 {
         self.mc.value()
     }

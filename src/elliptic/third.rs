@@ -2,12 +2,15 @@
 
 use super::carlson;
 use super::incomplete::Angle;
-use super::modulus::Modulus;
+use super::modulus::{Modulus, PI};
 use super::parameter::Parameter;
 use crate::double_double::DoubleDouble as Dd;
 use crate::error::{Error, Result, finite};
 
-/// The characteristic n of Π together with its complement nc = 1 − n.
+/// The characteristic n of Π together with its complement nc = 1 − n: any finite n.
+///
+/// Next to n = 1 the integral goes as 1/√nc; there nc is what must be known. The one given is exact, the other is one
+/// minus it to 106 bits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Characteristic {
     n: Dd,
@@ -63,18 +66,24 @@ impl Characteristic {
         })
     }
 
-    /// The characteristic n.
+    /// The characteristic n, rounded to a double.
     pub fn n(self) -> f64 {
         self.n.value()
     }
 
-    /// The complement nc = 1 − n.
+    /// The complement nc = 1 − n, rounded to a double.
     pub fn nc(self) -> f64 {
         self.nc.value()
     }
 }
 
-/// Π(n) = ∫₀^{π/2} dθ/((1 − n sin²θ)√(1 − m sin²θ)); the principal value for n > 1.
+/// Π(n) = ∫₀^{π/2} dθ/((1 − n sin²θ)√(1 − m sin²θ)); the principal value for n > 1; infinite at m = 1.
+///
+/// n < 0 is carried to a characteristic between m and 1, n > 1 to one between 0 and m, so that no sum cancels; below
+/// n = −10⁴⁰ it is π/(2√nc).
+///
+/// Error 0.46 ε at most of 118 rows: n from −10³⁰⁰ to 10³⁰⁰, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 5–15 µs.
+/// Source: Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
 ///
 /// # Errors
 ///
@@ -94,6 +103,11 @@ fn complete_third_dd(characteristic: Characteristic, parameter: Parameter) -> Re
 }
 
 /// Π(φ, n) = ∫₀^φ dθ/((1 − n sin²θ)√(1 − m sin²θ)); the principal value where n sin² passes 1.
+///
+/// At any angle: odd in φ, and each π adds 2Π(n), the principal value's period included. Infinite at m = 1 beyond π/2.
+///
+/// Error 0.45 ε at most of 435 rows, as for [`complete_third`] and with φ as for [`super::incomplete_first`]. Cost 5–7 µs.
+/// Source: Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
 ///
 /// # Errors
 ///
@@ -119,6 +133,40 @@ pub fn incomplete_third(
     Ok(angle.assemble(rest, || half))
 }
 
+/// 2⁵⁰⁰: the arguments of R_J are multiplied with it, so that the least of them does not underflow on the way.
+const SCALE: f64 = f64::from_bits((1023 + 500) << 52);
+
+/// weight · R_J(c², Δ², 1, p), which may exceed a double next to n = 1 and m = 1 at once: then infinite.
+fn weighted(weight: Dd, c2: Dd, delta2: Dd, p: Dd) -> Dd {
+    // Only where p is tiny; there the weight is not. The value is the same either way.
+    let scale = if p.value() < 1e-150 { SCALE } else { 1.0 };
+    let third = carlson::third(
+        c2.scaled(scale),
+        delta2.scaled(scale),
+        Dd::from(scale),
+        p.scaled(scale),
+    );
+    let value = weight.scaled(scale).multiply(third);
+    let size = value.high() * scale.sqrt();
+    if size.is_infinite() {
+        return Dd::from(size);
+    }
+    value.scaled(scale.sqrt())
+}
+
+/// Beyond this nc the integral is arctan(√nc tan φ)/√nc. With t = tan θ it is ∫ dt/((1 + nc t²) Δ); what 1/Δ has above 1
+/// adds less than F(φ)/nc, and F < 760: against the whole less than 760/√nc = 8·10⁻¹⁸, so both sides agree.
+const FAR_NEGATIVE: f64 = 1e40;
+
+fn far_negative(s: Dd, c: Dd, nc: Dd) -> Dd {
+    let root = nc.square_root();
+    if c.value() == 0.0 {
+        return PI.scaled(0.5).divide(root);
+    }
+    let slope = s.multiply(root).divide(c).value();
+    Dd::from(slope.atan()).divide(root)
+}
+
 fn incomplete_part(
     s: Dd,
     c: Dd,
@@ -134,7 +182,6 @@ fn incomplete_part(
     let one = Dd::from(1.0);
     let three = Dd::from(3.0);
     let (s2, c2) = (s.multiply(s), c.multiply(c));
-    let s3 = s2.multiply(s);
     let first = || {
         if c.value() == 0.0 {
             Modulus::new(parameter).quarter_period_dd()
@@ -156,35 +203,58 @@ fn incomplete_part(
             f64::NEG_INFINITY
         }));
     }
+    if nc.value() > FAR_NEGATIVE {
+        return Ok(far_negative(s, c, nc));
+    }
     if n.value() < 0.0 {
-        // To the characteristic (m − n)/(1 − n) between m and 1.
-        let q = c2.add(mc.multiply(s2).divide(nc));
+        // To the characteristic (m − n)/(1 − n) between m and 1; mc/nc alone might underflow.
+        let few = mc.scaled(SCALE).multiply(s2).divide(nc);
+        let q = c2.scaled(SCALE).add(few);
         let weight = n.negated().divide(nc);
-        let tail = mc
-            .multiply(s3)
-            .divide(nc)
+        let scaled = [c2.scaled(SCALE), delta2.scaled(SCALE), one.scaled(SCALE)];
+        let tail = few
+            .multiply(s)
             .divide(three)
-            .multiply(carlson::third(c2, delta2, one, q));
-        let arc = s
-            .multiply(c)
-            .multiply(carlson::elementary(delta2, p.multiply(q)));
+            .multiply(carlson::third(scaled[0], scaled[1], scaled[2], q))
+            .scaled(SCALE.sqrt());
+        let arc = if c.value() == 0.0 {
+            c
+        } else {
+            let q = q.scaled(1.0 / SCALE);
+            s.multiply(c)
+                .multiply(carlson::elementary(delta2, p.multiply(q)))
+        };
         return Ok(first().divide(nc).add(weight.multiply(arc.add(tail))));
     }
     if p.value() > 0.0 {
-        let tail = n.multiply(s3).divide(three);
-        return Ok(first().add(tail.multiply(carlson::third(c2, delta2, one, p))));
+        let weight = n.multiply(s2).multiply(s).divide(three);
+        let tail = weighted(weight, c2, delta2, p);
+        if tail.high().is_infinite() {
+            return Ok(tail);
+        }
+        return Ok(first().add(tail));
     }
     // To the characteristic m/n between 0 and m.
     let ratio = m.divide(n);
-    let q = c2.add(one.subtract(ratio).multiply(s2));
-    let tail = ratio
-        .multiply(s3)
-        .divide(three)
-        .multiply(carlson::third(c2, delta2, one, q));
+    // 1 − m/n = (mc − nc)/n, which does not cancel: mc is not negative and nc is.
+    let q = c2.add(mc.subtract(nc).divide(n).multiply(s2));
+    let weight = ratio.multiply(s2).multiply(s).divide(three);
+    let tail = weighted(weight, c2, delta2, q);
+    if tail.high().is_infinite() {
+        return Ok(tail.negated());
+    }
     let arc = if c.value() == 0.0 {
         Dd::from(0.0)
     } else {
-        s.multiply(carlson::elementary(c2.multiply(delta2), p.multiply(q)))
+        // R_C is of degree −1/2; p may be all of what a double holds.
+        let few = if p.value() < -1e200 {
+            0.5_f64.powi(400)
+        } else {
+            1.0
+        };
+        let x = c2.multiply(delta2).scaled(few);
+        let y = p.scaled(few).multiply(q);
+        s.multiply(carlson::elementary(x, y)).scaled(few.sqrt())
     };
     Ok(arc.subtract(tail))
 }

@@ -1,12 +1,34 @@
 //! Euler's top (tutorial 6): a body that turns under no torque.
 //!
-//! So far the symmetric top (6.5), solved exactly, and its most distinguished example, the Earth.
+//! | paragraph | what | where |
+//! |---|---|---|
+//! | 6.2, 6.3 | the ellipsoid that rolls on a plane, polhode and herpolhode in closed form | [`Poinsot`] |
+//! | 6.3, 6.7 | which permanent rotations last: growth rates, integrals, flip times | [`stability`] |
+//! | 6.5 | two equal moments: sines and cosines | [`SymmetricTop`] |
+//! | 6.5 | the example everybody lives on | [`earth`] |
+//! | 6.1, 6.4, 6.6, 6.8 | Ω, L and attitude of any body at any time; period, mean precession, geometric phase | [`EulerTop`] |
+//! | 6.6, 6.8 | an asteroid that is no symmetric top | [`toutatis`] |
+//!
+//! [`EulerTop`] decides once what kind of motion it is ([`Regime`]) and covers the symmetric top, the sphere, the rod and the
+//! separatrix too; [`SymmetricTop`] is for those who want 6.5 in its own words.
+//!
+//! # Error and cost
+//!
+//! Ω and the attitude are those of the doubles given, at the time given, with no step and no series in time: every phase that
+//! grows with time is carried in 106 bits, and every difference that could cancel is formed before it can.
 
 pub mod earth;
+mod evaluation;
 mod motion;
+mod poinsot;
 mod preparation;
+mod separation;
+pub mod stability;
+mod start;
 pub mod symmetric;
+pub mod toutatis;
 mod turning;
 
 pub use motion::{EulerTop, GeometricPhase, Regime, State};
+pub use poinsot::{Poinsot, Sector, separatrix_slope};
 pub use symmetric::{Cones, Shape, SymmetricTop};

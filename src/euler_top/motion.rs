@@ -2,15 +2,15 @@
 
 use nalgebra::Quaternion;
 
-use super::preparation::{Constants, Start, ascending, decide, ratio};
+use super::evaluation::half_turn;
+use super::preparation::{Constants, decide};
+use super::start::{Digits, Start, ascending, ratio};
 use crate::double_double::{DoubleDouble, power_of_two_below};
-use crate::elliptic::Side;
-use crate::elliptic::landen::right_angle;
-use crate::elliptic::local::{Place, sine_cosine};
 use crate::error::{Error, Result, finite, not_negative};
-use crate::extended::{Extended, Wide};
+use crate::extended::{Extended, Scalar};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
+use crate::words::Arithmetic;
 
 /// What kind of motion a free top makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,7 +79,8 @@ impl EulerTop {
     /// (kg m²/s) and this attitude at time 0.
     ///
     /// Domain: any moments that a body can have, rods and laminae included, at any scale; any L, however close to an axis
-    /// or to the separatrix: what matters is the exact value of the doubles given. Cost: a dozen evaluations of [`at`](Self::at).
+    /// or to the separatrix: what matters is the exact value of the doubles given. Cost: nine to fourteen evaluations of
+    /// [`at`](Self::at), the price of constants to 106 bits: with them no later time costs a digit.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Negative`] and [`Error::TriangleInequality`] for moments that no body has (2.4);
@@ -101,7 +102,26 @@ impl EulerTop {
     /// As for [`new`](Self::new).
     pub fn from_omega(moments: [f64; 3], omega: BodyVector, attitude: Attitude) -> Result<Self> {
         PrincipalMoments::new(moments[0], moments[1], moments[2])?;
-        Self::prepared(moments, Start::Omega(omega.components().into()), attitude)
+        let start = Start::Omega(omega.components().into());
+        Self::prepared(moments, start, attitude, Digits::ThirtyTwo)
+    }
+
+    /// The same as [`new`](Self::new) for a state or two soon after the start, such as one step of a larger simulation takes.
+    ///
+    /// The constants are formed in single doubles: that halves the cost, and the error grows with the angle turned, by 5e-16 rad a radian
+    /// (observed 1.4e-15 rad after one, 2.8e-14 after sixty, next to the separatrix and elsewhere). The regime is decided as exactly as ever.
+    /// Cost: four to five evaluations of [`at`](Self::at).
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    pub fn for_one_step(
+        moments: [f64; 3],
+        angular_momentum: BodyVector,
+        attitude: Attitude,
+    ) -> Result<Self> {
+        PrincipalMoments::new(moments[0], moments[1], moments[2])?;
+        let start = Start::AngularMomentum(angular_momentum.components().into());
+        Self::prepared(moments, start, attitude, Digits::Sixteen)
     }
 
     /// The same as [`new`](Self::new) for moments that no body need have, such as 1, 2, 5: Euler's equations do not ask.
@@ -115,10 +135,15 @@ impl EulerTop {
         attitude: Attitude,
     ) -> Result<Self> {
         let start = Start::AngularMomentum(angular_momentum.components().into());
-        Self::prepared(moments, start, attitude)
+        Self::prepared(moments, start, attitude, Digits::ThirtyTwo)
     }
 
-    fn prepared(moments: [f64; 3], start: Start, attitude: Attitude) -> Result<Self> {
+    fn prepared(
+        moments: [f64; 3],
+        start: Start,
+        attitude: Attitude,
+        digits: Digits,
+    ) -> Result<Self> {
         for moment in moments {
             not_negative("a principal moment", moment)?;
         }
@@ -130,8 +155,10 @@ impl EulerTop {
         for component in l.into_iter().chain(omega) {
             finite("a component of angular velocity or momentum", component)?;
         }
-        finite("the size of the angular momentum", vector(l).norm())?;
-        let (regime, constants) = decide(moments, start);
+        if vector(l).components().amax() > f64::MAX / 2.0 {
+            finite("the size of the angular momentum", vector(l).norm())?;
+        }
+        let (regime, constants) = decide(moments, start, digits);
         let motion = match constants {
             None => steady(moments, &start.angular_momentum(moments)),
             Some(constants) => {
@@ -168,7 +195,20 @@ impl EulerTop {
     /// Ω, L and attitude at any time t (s), before or after (6.6, 6.8).
     ///
     /// (L₁, L₂, L₃) = (P₁ cn u, P₂ sn u, P₃ dn u), u = u₀ + λt, and the attitude turned about L by an angle that theta functions
-    /// give. Error: see the module; it does not grow with time. Cost: the time does not matter; two sines, two roots.
+    /// give. Error observed against 998 references of 32 digits, ordinary bodies and every hard case: attitude at most
+    /// 9e-16 rad, Ω and L 5e-16, at any time up to 10⁹ periods; beyond, up to 10⁻²⁶ of the angle turned comes on top. Cost: the same at every
+    /// time, twice that of one sn, cn, dn in the GNU Scientific Library.
+    ///
+    /// ```
+    /// use spinning_bodies::euler_top::{EulerTop, Regime};
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// let (start, upright) = (BodyVector::new(0.0, 1.0, 1e-9), Attitude::identity());
+    /// let racket = EulerTop::from_omega([1.0, 2.0, 3.0], start, upright)?;
+    /// assert_eq!(racket.regime(), Regime::AroundLargest);
+    /// let flipped = racket.at(racket.period() / 2.0)?;
+    /// assert!((flipped.omega.y() + 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods,
@@ -267,9 +307,13 @@ impl EulerTop {
     pub fn geometric_phase(&self) -> Option<GeometricPhase> {
         match &self.motion {
             Motion::Moving { constants, .. } if self.regime != Regime::Separatrix => {
-                let twice_energy = 2.0 * self.energy();
+                // 2E/|L| is the component of Ω along L.
+                let size = self.angular_momentum.norm();
+                let l: [f64; 3] = self.angular_momentum.components().into();
+                let omega = ratio(l, self.moments);
+                let along: f64 = (0..3).map(|k| l[k] / size * omega[k]).sum();
                 Some(GeometricPhase {
-                    dynamical: twice_energy / self.angular_momentum.norm() * constants.period(),
+                    dynamical: along * constants.period(),
                     geometric: -constants.solid_angle(),
                 })
             }
@@ -312,123 +356,6 @@ fn refuse_impossible_rod(moments: [f64; 3], start: &Start) -> Result<()> {
         });
     }
     Ok(())
-}
-
-/// Where L is, along the renumbered axes.
-struct Point {
-    place: Place,
-    sn: f64,
-    cn: f64,
-    l: [f64; 3],
-}
-
-impl Constants {
-    fn point(&self, t: f64) -> Result<Point> {
-        let u = self.rate.multiply(DoubleDouble::from(t)).add(self.start);
-        let greatest = self.modulus.greatest_argument();
-        if u.high().abs() <= greatest {
-            let place = self.modulus.place(u);
-            let [sn, cn, dn] = self.modulus.triple(&place);
-            let [p1, p2, p3] = self.amplitudes;
-            let l = [p1 * cn, p2 * sn, p3 * dn];
-            return Ok(Point { place, sn, cn, l });
-        }
-        let limit = greatest / self.rate.high().abs();
-        Err(Error::OutOfRange {
-            quantity: "the time",
-            value: t,
-            least: -limit,
-            greatest: limit,
-        })
-    }
-
-    /// The turn by ψ about L after the shortest rotation of L onto axis 3, as a unit quaternion along the body's own axes.
-    fn turned(&self, t: f64, point: &Point) -> Result<Quaternion<f64>> {
-        let turning = &self.turning;
-        let quarters = DoubleDouble::from(point.place.quarters);
-        let half = self
-            .turning_rate
-            .multiply(DoubleDouble::from(t))
-            .subtract(turning.lag.multiply(quarters))
-            .scaled(0.5);
-        let (sine, cosine) = half_turn(half, t, self.turning_rate)?;
-        let (x, y) = turning.half_angle(&point.place, point.sn, point.cn);
-        let (cosine, sine) = (cosine * x - sine * y, sine * x + cosine * y);
-        let [l1, l2, l3] = point.l;
-        let largest = l1.abs().max(l2.abs()).max(l3);
-        let [n1, n2, n3] = [l1 / largest, l2 / largest, l3 / largest];
-        let w = n3 + (n1 * n1 + n2 * n2 + n3 * n3).sqrt();
-        // (cos + k sin) (w + n₂ i − n₁ j).
-        let [a, b, c] =
-            self.axes
-                .back([cosine * n2 + sine * n1, sine * n2 - cosine * n1, sine * w]);
-        let q = Quaternion::new(cosine * w, a, b, c);
-        Ok(q / q.norm())
-    }
-
-    fn period(&self) -> f64 {
-        let quarter = self.modulus.quarter_period_dd();
-        if quarter.high() == f64::INFINITY {
-            return f64::INFINITY;
-        }
-        4.0 * quarter.divide(self.rate).value().abs()
-    }
-
-    /// ν less the lag of each quarter period, and a right angle more for each: the azimuth of L in the body advances by that.
-    fn mean_precession_rate(&self) -> f64 {
-        let quarter = self.modulus.quarter_period_dd();
-        if quarter.high() == f64::INFINITY {
-            return self.turning_rate.value();
-        }
-        let gain = right_angle().subtract(self.turning.lag);
-        let quarters = self.rate.divide(quarter);
-        self.turning_rate.add(gain.multiply(quarters)).value()
-    }
-
-    /// Solid angle of the cone that L draws in the body in one period, with the sense of du/dt.
-    fn solid_angle(&self) -> f64 {
-        let [p1, p2, p3] = self.amplitudes;
-        let size = p1.hypot(p3);
-        let magnitude = match self.modulus.side() {
-            // ∮ (1 − cos θ) dφ = P₁P₂/P₃ ∫ P₃ dn/(|L| (|L| + P₃ dn)) du, a periodic function with poles beyond ±iK′: the rule of
-            // equal ordinates leaves out q¹⁶, and nothing cancels for a small cone.
-            Side::Circular => {
-                let quarter = self.modulus.quarter_period_dd();
-                let ordinates = (0..16).map(|k| {
-                    let u = quarter.multiply(DoubleDouble::from(f64::from(k) / 8.0));
-                    let [_, _, dn] = self.modulus.triple(&self.modulus.place(u));
-                    dn / (1.0 + p3 / size * dn)
-                });
-                let mean = ordinates.sum::<f64>() / 16.0;
-                4.0 * quarter.value() * mean * (p1 / size) * (p2 / size)
-            }
-            // Near the separatrix the cone is wide: the closed form, which is Heuman's lambda function.
-            Side::Hyperbolic => {
-                let mc = self.modulus.parameter().mc();
-                let share = mc * (p1 / p2) * (p3 / size) + self.turning.excess.value();
-                let quarter = self.modulus.quarter_period();
-                4.0 * (self.turning.lag.value() - quarter * share)
-            }
-        };
-        magnitude * self.rate.high().signum()
-    }
-}
-
-/// The greatest half turn about L, in radians: 2⁶², where its 106 bits leave 10⁻¹³ of a radian.
-const GREATEST_HALF_TURN: f64 = 4.6e18;
-
-/// Sine and cosine of half the angle turned about L until time t at about this rate.
-fn half_turn(half: DoubleDouble, t: f64, rate: DoubleDouble) -> Result<(f64, f64)> {
-    if half.high().abs() <= GREATEST_HALF_TURN {
-        return Ok(sine_cosine(half));
-    }
-    let limit = 2.0 * GREATEST_HALF_TURN / rate.high().abs();
-    Err(Error::OutOfRange {
-        quantity: "the time",
-        value: t,
-        least: -limit,
-        greatest: limit,
-    })
 }
 
 fn vector([x, y, z]: [f64; 3]) -> BodyVector {

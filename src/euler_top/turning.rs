@@ -10,12 +10,18 @@
 //!
 //! where Z is ϑ₄(z + iw) for m ≤ 1/2, z + iw = π(u + iη)/(2K), and ϑ₂(v − ix), v − ix = π(η − iu)/(2K′), beyond. The rate is
 //! |L|/I₂, that of a body upright on its middle axis, and a theta quotient that vanishes at the separatrix: nothing
-//! is left that could cancel.
+//! is left that could cancel. (C. G. J. Jacobi, Sur la rotation d'un corps, 1849; that the rate is |L|/I₂ and a theta
+//! quotient follows from his formulas at u = K, where L₁ = 0.)
 
 use crate::double_double::DoubleDouble;
 use crate::elliptic::landen::{Landen, right_angle};
 use crate::elliptic::local::{Local, Place};
-use crate::extended::{Wide, angle};
+use crate::elliptic::theta::{DualTheta, Elevation, Which, dual_excess, polynomial};
+use crate::extended::Scalar;
+use crate::words::{Arithmetic, Words};
+
+/// Below this a square underflows; only needles of an aspect of 10⁻⁷⁰ come near.
+const TINY: f64 = 1e-150;
 
 /// Everything about ψ that does not depend on time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,53 +40,29 @@ pub(super) struct Turning {
 enum Theta {
     /// In sin² z.
     Circular { real: [f64; 4], imaginary: [f64; 3] },
-    /// In 4√q′ sinh² x, next to an even and next to an odd multiple of K.
-    Hyperbolic {
-        even_real: [f64; 4],
-        even_imaginary: [f64; 4],
-        odd_real: [f64; 4],
-        odd_imaginary: [f64; 3],
-    },
-}
-
-/// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Elevation<N> {
-    pub(super) which: Which,
-    /// sn² = `rise`/`slope`, cn² = `run`/`slope`.
-    pub(super) rise: N,
-    pub(super) run: N,
-    pub(super) slope: N,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Which {
-    Eta,
-    Xi,
+    /// In 4√q′ sinh² x.
+    Hyperbolic(DualTheta),
 }
 
 impl Turning {
     /// For m ≤ 1/2.
-    pub(super) fn circular<N: Wide>(
-        landen: &Landen,
+    pub(super) fn circular<N: Scalar>(
+        landen: &Landen<N>,
         elevation: &Elevation<N>,
         m: N,
         aspect: f64,
     ) -> Self {
-        let one = DoubleDouble::from(1.0);
+        let one = N::Narrow::from_double(1.0);
         let q = landen.nome;
-        // sc² and dc² = 1 + m sc².
-        let sc2 = elevation.rise.divide(elevation.run);
-        let dc2 = one.add_alike(m.multiply(sc2).narrow());
-        let sinh = landen.hyperbolic_sine(sc2.square_root().narrow(), dc2.square_root());
-        let exponential = sinh.add_alike(sinh.hypotenuse_with_one());
-        let growth = exponential.multiply(exponential);
-        let decay = one.divide(growth);
+        let sinh = elevation.hyperbolic_sine(landen, m);
+        let exponential = sinh.add(sinh.hypotenuse_with_one());
+        let inverse = one.divide(exponential);
+        let decay = inverse.multiply(inverse);
         // ρ = q e^{2w} and ε = e^{−2w}; for ξ in place of η they change roles. 1 − e^{−2x} = 2 sinh x · e^{−x}.
-        let other = if q.high() == 0.0 {
+        let other = if q.is_zero() {
             q
         } else {
-            q.multiply(growth)
+            q.multiply(exponential).multiply(exponential)
         };
         let (rho, epsilon, one_less_rho) = match elevation.which {
             Which::Xi => (decay, other, 2.0 * sinh.value() / exponential.value()),
@@ -91,18 +73,18 @@ impl Turning {
         // ϑ₄(iw) with the factor 1 − ρ in front: it vanishes with it.
         let (x, r2) = (q * epsilon, rho * rho);
         let (g1, g2, g3) = (1.0 + rho + r2, rho * r2 + r2 * r2, r2 * r2 * (rho + r2));
-        let at_zero = one_less_rho
-            * (1.0 - x * (g1 - (q * q) * x * ((g1 + g2) - q.powi(4) * x * (g1 + g2 + g3))));
-        let pair = |n: i32| {
-            let up = q.powi(n * n - n) * rho.powi(n);
-            let down = q.powi(n * n) * epsilon.powi(n);
-            let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
-            (sign * (up + down), sign * (up - down))
-        };
-        let [(a1, b1), (a2, b2), (a3, b3)] = [1, 2, 3].map(pair);
+        let (q2, q4) = (q * q, q * q * (q * q));
+        let at_zero =
+            one_less_rho * (1.0 - x * (g1 - q2 * x * ((g1 + g2) - q4 * x * (g1 + g2 + g3))));
+        // (−1)ⁿ (q^{n²−n} ρⁿ ± q^{n²} εⁿ).
+        let (up2, down2) = (q2 * r2, q2 * (x * x));
+        let (up3, down3) = (q4 * up2 * rho, q4 * down2 * x);
+        let (a1, b1) = (-(rho + x), -(rho - x));
+        let (a2, b2) = (up2 + down2, up2 - down2);
+        let (a3, b3) = (-(up3 + down3), -(up3 - down3));
         Self {
             lag: right_angle(),
-            excess,
+            excess: excess.two(),
             aspect,
             theta: Theta::Circular {
                 real: [
@@ -121,66 +103,22 @@ impl Turning {
     }
 
     /// For m > 1/2, the separatrix included.
-    pub(super) fn hyperbolic<N: Wide>(
-        landen: &Landen,
+    pub(super) fn hyperbolic<N: Scalar>(
+        landen: &Landen<N>,
         elevation: &Elevation<N>,
         mc: N,
         aspect: f64,
     ) -> Self {
-        let one = DoubleDouble::from(1.0);
-        let sn2 = elevation.rise.divide(elevation.slope).narrow();
-        let dn2 = one.subtract(mc.narrow().multiply(sn2));
-        let lesser = landen.sine(sn2.square_root(), dn2.square_root());
-        let greater = one.subtract(lesser.multiply(lesser)).square_root();
-        let (sine, cosine) = match elevation.which {
-            Which::Eta => (lesser, greater),
-            Which::Xi => (greater, lesser),
-        };
-        let excess = hyperbolic_excess(landen, sine, cosine);
-        let lag = angle(sine, cosine);
-        let (s, c) = (sine.value(), cosine.value());
-        let q = landen.nome.value();
-        let (s2, s4) = (s * s, s * s * s * s);
-        let root = q.sqrt();
-        // cos (2j+1)v and sin (2j+1)v.
-        let (c3, c5) = (c * (1.0 - 4.0 * s2), c * (1.0 - 12.0 * s2 + 16.0 * s4));
-        let c7 = c * (1.0 - 24.0 * s2 + 80.0 * s4 - 64.0 * s4 * s2);
-        let (k3, k5) = (s * (3.0 - 4.0 * s2), s * (5.0 - 20.0 * s2 + 16.0 * s4));
-        let k7 = s * (7.0 - 56.0 * s2 + 112.0 * s4 - 64.0 * s4 * s2);
-        // cos 2jv and sin 2jv.
-        let (e2, f2) = ((c - s) * (c + s), 2.0 * s * c);
-        let (e4, f4) = ((e2 - f2) * (e2 + f2), 2.0 * f2 * e2);
-        let (e6, f6) = (e2 * e4 - f2 * f4, f2 * e4 + e2 * f4);
-        let power = |whole: i32, halves: i32| q.powi(whole) * if halves == 1 { root } else { 1.0 };
+        let (sine, cosine) = elevation.angle(landen, mc);
         Self {
-            lag,
-            excess,
+            lag: N::Narrow::angle(sine, cosine).two(),
+            excess: dual_excess(landen, sine, cosine).two().negated(),
             aspect,
-            theta: Theta::Hyperbolic {
-                even_real: [
-                    c + c3 * power(2, 0) + c5 * power(6, 0),
-                    c3 * power(1, 1) + 3.0 * c5 * power(5, 1),
-                    c5 * power(5, 0) + 5.0 * c7 * power(11, 0),
-                    c7 * power(10, 1),
-                ],
-                even_imaginary: [
-                    s + 3.0 * k3 * power(2, 0) + 5.0 * k5 * power(6, 0),
-                    k3 * power(1, 1) + 5.0 * k5 * power(5, 1),
-                    k5 * power(5, 0) + 7.0 * k7 * power(11, 0),
-                    k7 * power(10, 1),
-                ],
-                odd_real: [
-                    1.0 + 2.0 * (e2 * q + e4 * power(4, 0) + e6 * power(9, 0)),
-                    e2 * root + 4.0 * e4 * power(3, 1) + 9.0 * e6 * power(8, 1),
-                    e4 * power(3, 0) + 6.0 * e6 * power(8, 0),
-                    e6 * power(7, 1),
-                ],
-                odd_imaginary: [
-                    root * (f2 + 2.0 * f4 * power(3, 0) + 3.0 * f6 * power(8, 0)),
-                    root * (f4 * power(2, 1) + 4.0 * f6 * power(7, 1)),
-                    root * f6 * power(7, 0),
-                ],
-            },
+            theta: Theta::Hyperbolic(DualTheta::new(
+                landen.nome.value(),
+                sine.value(),
+                cosine.value(),
+            )),
         }
     }
 
@@ -196,6 +134,11 @@ impl Turning {
         };
         // Z times the conjugate: both arguments have the same sign, so the difference stays within a right angle.
         let (along, aside) = (real * x + imaginary * y, imaginary * x - real * y);
+        let (along, aside) = if along.abs().max(aside.abs()) < TINY {
+            (along / TINY, aside / TINY)
+        } else {
+            (along, aside)
+        };
         let length = (along * along + aside * aside).sqrt();
         (length + along, aside)
     }
@@ -209,30 +152,7 @@ impl Turning {
                     sine * cosine * polynomial(imaginary, s2),
                 )
             }
-            (
-                Theta::Hyperbolic {
-                    even_real,
-                    even_imaginary,
-                    odd_real,
-                    odd_imaginary,
-                },
-                Local::Hyperbolic { sign, wave, z },
-            ) => {
-                let (sine, cosine) = (wave.sine, wave.cosine);
-                if (place.quarters as i64) & 1 == 0 {
-                    (
-                        cosine * polynomial(even_real, *z),
-                        sign * sine * polynomial(even_imaginary, *z),
-                    )
-                } else {
-                    // 4√q′ sinh cosh = z cosh/sinh.
-                    let product = if sine == 0.0 { 0.0 } else { z * cosine / sine };
-                    (
-                        polynomial(odd_real, *z),
-                        sign * product * polynomial(odd_imaginary, *z),
-                    )
-                }
-            }
+            (Theta::Hyperbolic(dual), Local::Hyperbolic(crest)) => dual.at(place.quarters, crest),
             // The modulus and ψ are prepared by the same decision.
             _ => (1.0, 0.0),
         }
@@ -240,7 +160,7 @@ impl Turning {
 }
 
 /// +(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
-fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) -> DoubleDouble {
+fn circular_excess<N: Scalar>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> N::Narrow {
     let q = landen.nome;
     let q2 = q.multiply(q);
     let (up1, down1) = (rho, q.multiply(epsilon));
@@ -248,52 +168,23 @@ fn circular_excess(landen: &Landen, rho: DoubleDouble, epsilon: DoubleDouble) ->
         q2.multiply(rho.multiply(rho)),
         q2.multiply(down1.multiply(down1)),
     );
-    // The third and fourth are below 10⁻⁸ and 10⁻¹⁶ of the first.
-    let (x, r, e) = (q.high(), rho.high(), epsilon.high());
-    let (r3, x3) = (r * r * r, x * x * x);
-    let (up3, down3) = (x3 * x3 * r3, x3 * x3 * x3 * e * e * e);
-    let up4 = up3 * x3 * x3 * r;
-    let half = DoubleDouble::from(3.0 * (up3 - down3) + 4.0 * up4)
-        .add_alike(up2.add_alike(down2.negated()).scaled(2.0))
-        .add_alike(up1.add_alike(down1.negated()));
-    let denominator = DoubleDouble::from(up3 + down3 + up4)
-        .add_alike(up2.add_alike(down2))
-        .add_alike(up1.add_alike(down1))
-        .add_alike(DoubleDouble::from(1.0));
+    let up3 = up2.multiply(up1).multiply(q2.multiply(q2));
+    let down3 = down2.multiply(down1).multiply(q2.multiply(q2));
+    let (x, r, e) = (q.leading(), rho.leading(), epsilon.leading());
+    let x3 = x * x * x;
+    let up4 = up3.leading() * x3 * x3 * r;
+    let down4 = down3.leading() * x3 * x3 * x * e;
+    let half = N::Narrow::from_double(4.0 * (up4 - down4))
+        .add(
+            up3.add(down3.negated())
+                .multiply(N::Narrow::from_double(3.0)),
+        )
+        .add(up2.add(down2.negated()).scaled(2.0))
+        .add(up1.add(down1.negated()));
+    let denominator = N::Narrow::from_double(up4 + down4)
+        .add(up3.add(down3))
+        .add(up2.add(down2))
+        .add(up1.add(down1))
+        .add(N::Narrow::from_double(1.0));
     landen.mean.multiply(half.scaled(2.0)).divide(denominator)
-}
-
-/// −(π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).
-fn hyperbolic_excess(landen: &Landen, sine: DoubleDouble, cosine: DoubleDouble) -> DoubleDouble {
-    let q = landen.nome;
-    let q2 = q.multiply(q);
-    let q4 = q2.multiply(q2);
-    let s2 = sine.multiply(cosine).scaled(2.0);
-    let c2 = cosine.subtract(sine).multiply(cosine.add(sine));
-    let s4 = s2.multiply(c2).scaled(2.0);
-    let c4 = c2.subtract(s2).multiply(c2.add(s2));
-    let (x, s2v, c2v, s4v, c4v) = (q.value(), s2.value(), c2.value(), s4.value(), c4.value());
-    let (s6, c6) = (s2v * c4v + c2v * s4v, c2v * c4v - s2v * s4v);
-    let (s8, c8) = (2.0 * s4v * c4v, c4v * c4v - s4v * s4v);
-    let numerator = DoubleDouble::from(12.0 * x.powi(9) * s6 + 16.0 * x.powi(16) * s8)
-        .add(q4.multiply(s4).scaled(8.0))
-        .add(q.multiply(s2).scaled(4.0));
-    let denominator = DoubleDouble::from(2.0 * (x.powi(9) * c6 + x.powi(16) * c8))
-        .add(q4.multiply(c4).scaled(2.0))
-        .add(q.multiply(c2).scaled(2.0))
-        .add(DoubleDouble::from(1.0));
-    landen
-        .mean
-        .multiply(numerator)
-        .divide(denominator)
-        .negated()
-}
-
-#[inline(always)]
-fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
-    let mut sum = coefficients[N - 1];
-    for i in (0..N - 1).rev() {
-        sum = sum * x + coefficients[i];
-    }
-    sum
 }

@@ -5,11 +5,12 @@
 
 use std::collections::BTreeMap;
 
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::{Error, Result};
 
-use super::inertia::{decimal, double_double::Dd, hexadecimal};
+use super::decimal::hexadecimal;
+use super::inertia::{decimal, double_double::Dd};
 
 /// One line of the table.
 struct Row {
@@ -87,10 +88,24 @@ fn angle(found: &Attitude, exact: [Dd; 4]) -> f64 {
 }
 
 impl Row {
+    /// The state found. Some well-known examples have moments that no body has: `new` must say so, and the motion follows
+    /// from Euler's equations all the same.
     fn state(&self) -> Result<State> {
         let [x, y, z] = self.start;
         let start = BodyVector::new(x, y, z);
-        EulerTop::beyond_bodies(self.moments, start, Attitude::identity())?.at(self.time)
+        let mut sorted = self.moments;
+        sorted.sort_by(f64::total_cmp);
+        let top = EulerTop::new(self.moments, start, Attitude::identity());
+        if sorted[0] + sorted[1] < sorted[2] * (1.0 - 1e-15) {
+            assert!(
+                matches!(top, Err(Error::TriangleInequality { .. })),
+                "row {}",
+                self.id
+            );
+            return EulerTop::beyond_bodies(self.moments, start, Attitude::identity())?
+                .at(self.time);
+        }
+        top?.at(self.time)
     }
 
     fn errors(&self, state: &State) -> Errors {
@@ -114,18 +129,11 @@ impl Row {
             self.turns
         }
     }
-
-    /// The promised error, radians and relative.
-    fn bar(&self) -> f64 {
-        match self.elapsed() {
-            ..=10.5 => 1e-14,
-            ..=1001.0 => 1e-13,
-            ..=1_000_001.0 if self.group.starts_with("separatrix") => 1e-10,
-            ..=1_000_001.0 => 1e-11,
-            _ => 1e-8,
-        }
-    }
 }
+
+/// Bar for the attitude (radians), L and Ω, at any time, on either side of the separatrix and on it.
+/// Observed: 9e-16, 4e-16, 4e-16, and 1.5e-15 for the attitude after 5·10¹⁶ turns of a body one unit in the last place from a sphere.
+const BAR: f64 = 2e-15;
 
 #[test]
 fn free_top_against_the_table() {
@@ -148,14 +156,13 @@ fn free_top_against_the_table() {
         entry.0.angular_momentum = entry.0.angular_momentum.max(errors.angular_momentum);
         entry.0.omega = entry.0.omega.max(errors.omega);
         entry.1 += 1;
-        let bar = row.bar();
         // Written so that a NaN fails.
         let within = [errors.attitude, errors.angular_momentum, errors.omega]
             .iter()
-            .all(|error| *error <= bar);
+            .all(|error| *error <= BAR);
         if !within {
             failures.push(format!(
-                "row {} ({}, {:.4e} periods, {:.4e} turns): attitude {:.2e}, L {:.2e}, omega {:.2e}, bar {bar:.0e} {note}\n    moments {:?} L {:?} t {:?}",
+                "row {} ({}, {:.4e} periods, {:.4e} turns): attitude {:.2e}, L {:.2e}, omega {:.2e}, {note}\n    moments {:?} L {:?} t {:?}",
                 row.id,
                 row.group,
                 row.periods,
@@ -176,11 +183,56 @@ fn free_top_against_the_table() {
             spans[*span as usize], errors.attitude, errors.angular_momentum, errors.omega
         );
     }
-    assert_eq!(rows, 968);
+    assert_eq!(rows, 998);
     assert!(
         failures.is_empty(),
         "{} of {rows} rows\n{}",
         failures.len(),
         failures.join("\n")
     );
+}
+
+/// The racket of 6.3 turns over in half a period of Ω: from a tilt of 0.1 to one of 1e-300, beside what other libraries make of it.
+#[test]
+fn flip_times_against_the_table() -> Result<()> {
+    let mut rows = 0;
+    for line in include_str!("../reference/peers/flip_time.csv").lines() {
+        let fields: Vec<&str> = line.split(',').collect();
+        if fields[0] != "exact" {
+            continue;
+        }
+        let tilt: f64 = fields[2].parse().expect("a number");
+        let start = BodyVector::new(tilt, 1.0, tilt);
+        let top = EulerTop::from_omega([1.0, 2.0, 3.0], start, Attitude::identity())?;
+        let exact = decimal(fields[3]);
+        let error = (Dd::from(0.5 * top.period()) - exact).value().abs() / exact.value();
+        // Observed 8.3e-17, which is a correctly rounded period.
+        assert!(error <= 2e-16, "tilt {tilt:e}: {error:e}");
+        rows += 1;
+    }
+    assert_eq!(rows, 44);
+    Ok(())
+}
+
+/// The committed measurements say what the figure of the flip time says: every peer has lost it, to 1e-3, by a tilt of 1e-8.
+#[test]
+fn every_peer_loses_the_flip_by_a_tilt_of_1e_8() {
+    let mut lost: BTreeMap<&str, f64> = BTreeMap::new();
+    for line in include_str!("../reference/peers/flip_time.csv")
+        .lines()
+        .skip(1)
+    {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [tilt, error] = [2, 4].map(|k| fields[k].parse::<f64>().expect("a number"));
+        let entry = lost.entry(fields[0]).or_insert(0.0);
+        // A refusal is a NaN in the table and counts as lost.
+        if error.is_nan() || error > 1e-3 {
+            *entry = entry.max(tilt);
+        }
+    }
+    assert_eq!(lost.remove("exact"), Some(0.0));
+    assert_eq!(lost.len(), 7);
+    for (library, tilt) in lost {
+        assert!((0.9e-8..1.1e-7).contains(&tilt), "{library}: {tilt:e}");
+    }
 }

@@ -14,6 +14,7 @@ pub(super) mod double_double;
 #[path = "../support/inertia.rs"]
 mod support;
 
+use super::decimal::hexadecimal;
 use double_double::{Dd, eigenvalues, inertia_error, mesh_truth};
 use support::{Uniform, vector};
 
@@ -45,23 +46,6 @@ pub(super) fn decimal(text: &str) -> Dd {
         shift -= step;
     }
     if negative { -value } else { value }
-}
-
-/// A number in C's hexadecimal notation, ±0x1.hhhp±e.
-pub(super) fn hexadecimal(text: &str) -> f64 {
-    let (sign, text) = text
-        .strip_prefix('-')
-        .map_or((1.0, text), |rest| (-1.0, rest));
-    let (mantissa, exponent) = text
-        .strip_prefix("0x")
-        .and_then(|text| text.split_once('p'))
-        .expect("a hexadecimal float");
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let bits = u64::from_str_radix(&format!("{whole}{fraction}"), 16).expect("digits");
-    let exponent: i32 = exponent.parse().expect("an exponent");
-    let power = exponent - 4 * fraction.len() as i32;
-    // Two exact factors, since 2^power alone may be out of range.
-    sign * bits as f64 * 2_f64.powi(power / 2) * 2_f64.powi(power - power / 2)
 }
 
 /// Largest entry of VᵀV − 1 and of (A V − V diag(moments))/|A|, both in 106 bits.

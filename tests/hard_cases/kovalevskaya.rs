@@ -6,7 +6,7 @@ use spinning_bodies::Error;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::kovalevskaya_top::{Diagram, Kind, KovalevskayaTop, Method, Reason, State};
 
-use super::inertia::hexadecimal;
+use super::decimal::hexadecimal;
 use super::power_series::{Top, Whole};
 
 const MOMENTS: [f64; 3] = [2.0, 2.0, 1.0];

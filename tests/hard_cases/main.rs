@@ -1,5 +1,7 @@
 //! Hard cases: inputs on which textbook formulas lose their digits. A bug in a limit starts with a test here.
 
+#[path = "../support/decimal.rs"]
+mod decimal;
 mod euler_equations;
 mod free_top;
 mod inertia;

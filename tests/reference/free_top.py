@@ -13,7 +13,7 @@ Two routes that share nothing but the inputs:
   taylor       Euler's equations and q' = q*Omega/2 as power series of order 60 in time, step after step, with 100 digits.
 Every row of at most TURNS turns is computed both ways, and nothing is written if they differ by more than 1e-30 anywhere;
 so are a thousand periods of one body and ten periods of another at 1e-12 from the separatrix. The other rows are the
-closed form at a later time of a body that was checked.
+closed form at a later time of a body that was checked. As last run: 588 of 998 rows both ways, 1.2e-38 apart at most.
 """
 
 import random
@@ -441,6 +441,17 @@ def build():
         add("symmetric", moments, [0.3, -0.4, 2.0], PERIODS + LONG)
         add("symmetric", moments, [1.3, 0.4, -1e-3], [0.1, 10.0], turns=[10.0])
 
+    # Nomes next to exp(-pi), where every series is at its slowest, and at large; found among thousands of random bodies.
+    for moments, start in [
+        ([1.3655995680962252, 0.813328686367207, 0.8292824445604965], [0.13057518945986002, 0.4063795844923343, 0.10785428038658323]),
+        ([1.6159373593018953, 1.0184526736866466, 0.9584313481163311], [0.2807978441355507, 0.39698165956992854, 0.4066687628682977]),
+        ([1.2169369325252373, 0.7362258409182578, 1.225210640481734], [1.9172380941215423, 0.07710784653278174, 2.231900773927367]),
+        ([0.023773057479573076, 1.0, 1.0125607415178912], [3.699573856688407e-8, -1.2449997261465322, -1.2675670013111902]),
+        ([0.3638718046657431, 1.0114946582372124, 1.3753664629029556], [0.7614723907171804, -1.5698489981738573, -1.4289656417825614]),
+        ([1.0003430058783394, 0.000568039652038995, 1.0], [-0.6026301649704836, -4.549045978114197e-16, 2.7972065165863635]),
+    ]:
+        add("slow-series", moments, start, [0.1, 10.0] + LONG)
+
 
 def compute(number):
     group, moments, start, t = cases[number]
@@ -460,7 +471,9 @@ def compute(number):
     if q[0] < 0:
         q = [-x for x in q]
     periods = "inf" if body.kind in ("steady", "separatrix") else nstr(abs(mpf(t)) / body.period(), 4)
-    numbers = [x.hex() for x in moments + start + [t]] + [nstr(x, 32, strip_zeros=True) if x else "0.0" for x in l + q]
+    # What decays on the separatrix for a million years is written as zero: far below the least double.
+    shown = [nstr(x, 32) if abs(x) > mpf(10) ** -400 else "0.0" for x in l + q]
+    numbers = [x.hex() for x in moments + start + [t]] + shown
     return ",".join([str(number), group] + numbers + [periods, nstr(turns, 4)]), agreement, busy
 
 

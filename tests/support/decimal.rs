@@ -1,5 +1,10 @@
 //! Computed doubles against decimals of 34 digits, and the hexadecimal floats of the tables.
 
+#![allow(
+    dead_code,
+    reason = "each of those that include this file uses its own part"
+)]
+
 /// A number in C's hexadecimal notation, ±0x1.hhhp±e, ±0x0.0p+0 or a subnormal ±0x0.hhhp-1022.
 pub fn hexadecimal(text: &str) -> f64 {
     let (sign, text) = text

@@ -1,7 +1,7 @@
 // Nanoseconds for one state (Omega and attitude) of a free top by the textbook's formulas over GSL and over Boost.Math:
 // with the body prepared, and with its preparation. Least of many batches, on one core.
 //
-//     g++ -std=c++17 -O2 -o /tmp/state_time state_time.cpp -lgsl -lgslcblas && /tmp/state_time
+//     g++ -std=c++17 -O2 -o state_time state_time.cpp -lgsl -lgslcblas && ./state_time
 #include "textbook_top.hpp"
 
 #include <algorithm>

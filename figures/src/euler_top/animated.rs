@@ -1,0 +1,274 @@
+//! The racket's flip, moving (tutorial 6.3): one drawing of the flat racket, and a matrix for every picture.
+//!
+//! An orthographic view of a flat body is an affine map, six numbers a picture. A reader who asks for less motion, a printer,
+//! and a program without CSS show one telling picture.
+
+use core::fmt::Write as _;
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::frame::{Attitude, BodyVector};
+
+use super::racket::{Face, Flat, Parts, Throw, draw, face, parts, view};
+use crate::Figure;
+use crate::finish::with;
+use crate::solid::View;
+use crate::style::{
+    AXIS, Anchor, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, between, figure,
+    label, number, small, stroke,
+};
+
+const NAME: &str = "racket-flip-animated";
+const CENTER: Point = [300.0, 166.0];
+/// Units to a metre.
+const SIZE: f64 = 420.0;
+/// Pictures in a loop, and how long it takes, s.
+const PICTURES: usize = 240;
+const SECONDS: f64 = 10.0;
+/// The picture that stands when nothing moves: in the first twist.
+const STILL: usize = 75;
+/// The graph of Ω₂ below: left, right, middle, half height.
+const GRAPH: [f64; 4] = [70.0, 530.0, 372.0, 30.0];
+
+/// One racket, thrown and caught for ever.
+pub fn animated() -> Result<Figure> {
+    let throw = Throw::aimed()?;
+    let period = throw.top.period();
+    let states = throw
+        .top
+        .states((0..=PICTURES).map(|k| period * k as f64 / PICTURES as f64))
+        .collect::<Result<Vec<_>>>()?;
+    let height = |k: usize| states[k].omega.y() / throw.omega.y();
+    let graph = |k: usize| {
+        [
+            GRAPH[0] + (GRAPH[1] - GRAPH[0]) * k as f64 / PICTURES as f64,
+            GRAPH[2] - GRAPH[3] * height(k),
+        ]
+    };
+    let slower = SECONDS / period;
+    // x₁ up, x₂ to the left, x₃ towards the reader.
+    let upright = Attitude::from_quaternion(0.0, 1.0, 0.0, 1.0)?;
+    let words = Words {
+        claim: "The racket turns over twice in a period, and each time shows the other face."
+            .to_owned(),
+        details: format!(
+            "The throw of the film strip, {} times slower: two somersaults and two half twists in {} s, after which everything \
+             repeats. Left, its axes: $x_1$ of the least moment, $x_2$ of the middle one, $x_3$ of the greatest. Below, $\\Omega_2$ \
+             goes from one value to its negative and back. Rest the pointer on the picture to stop it.",
+            number(slower, 1),
+            number(period, 2),
+        ),
+        alt: "A tennis racket turns head over handle about a horizontal angular momentum. In the middle of each somersault it \
+              twists by half a turn about its handle, so that the bare face and the filled face change places and the dot on the \
+              rim changes sides. A graph below shows the angular velocity about the middle axis going from one value to its negative \
+              and back. Without motion: the racket upside down, turned half out of its plane."
+            .to_owned(),
+    };
+    let still = figure(NAME, 424.0, words, |pen| {
+        pen.line(
+            &[[150.0, CENTER[1]], [520.0, CENTER[1]]],
+            stroke(Role::AngularMomentum, AXIS).dotted(),
+        );
+        pen.arrow(
+            [480.0, CENTER[1]],
+            [552.0, CENTER[1]],
+            stroke(Role::AngularMomentum, 2.6),
+        );
+        pen.text(
+            [562.0, CENTER[1] + 6.0],
+            Anchor::Start,
+            "*L*",
+            label(Role::AngularMomentum),
+        );
+        axes(pen, &upright);
+        let [left, right, middle, _] = GRAPH;
+        pen.line(&[[left, middle], [right, middle]], stroke(Role::Ink, HAIR));
+        for half in [0.5, 1.0_f64] {
+            let x = between([left, 0.0], [right, 0.0], half)[0];
+            pen.line(
+                &[[x, middle - 4.0], [x, middle + 4.0]],
+                stroke(Role::Ink, AXIS),
+            );
+            let time = format!("{} s", number(half * period, 2));
+            pen.text(
+                [x, middle + if half < 1.0 { -10.0 } else { 22.0 }],
+                Anchor::Middle,
+                &time,
+                small(Role::Ink),
+            );
+        }
+        let curve: Vec<Point> = (0..=PICTURES).map(graph).collect();
+        pen.line(&curve, stroke(Role::Omega, 2.0));
+        pen.text(
+            [left - 10.0, graph(0)[1] + 5.0],
+            Anchor::End,
+            "*Ω*_{2}",
+            label(Role::Omega),
+        );
+    });
+    let attitudes: Vec<Attitude> = states.iter().map(|s| s.attitude).collect();
+    let dots: Vec<Point> = (0..PICTURES).map(graph).collect();
+    Ok(with(still, &moving(&attitudes[..PICTURES], &dots)))
+}
+
+/// A small racket at rest with its principal axes.
+fn axes(pen: &mut Pen<'_>, attitude: &Attitude) {
+    let view = View::new(-0.62, 0.3, [92.0, 106.0], 170.0);
+    draw(pen, &view, attitude, 0.6);
+    let arms = [
+        ([1.0, 0.0, 0.0], 0.36, 0.47, "*x*_{1}"),
+        ([0.0, 1.0, 0.0], 0.0, 0.3, "*x*_{2}"),
+        ([0.0, 0.0, 1.0], 0.0, 0.34, "*x*_{3}"),
+    ];
+    for (axis, from, to, name) in arms {
+        let at = |reach: f64| {
+            let [x, y, z] = axis.map(|c| c * reach);
+            view.project(&attitude.to_space(BodyVector::new(x, y, z)).components())
+        };
+        pen.arrow(at(from), at(to), stroke(Role::Ink, SECONDARY));
+        let beyond = at(to + 0.07);
+        pen.text(
+            [beyond[0], beyond[1] + 5.0],
+            Anchor::Middle,
+            name,
+            label(Role::Ink),
+        );
+    }
+}
+
+/// The style sheet and the two groups that move.
+fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
+    let matrices: Vec<String> = attitudes.iter().map(matrix).collect();
+    let faces: Vec<&str> = attitudes
+        .iter()
+        .map(|attitude| match face(attitude, &view(CENTER, 1.0)) {
+            Face::Front => "hidden",
+            Face::Back => "visible",
+        })
+        .collect();
+    let mut svg = String::from("<style>");
+    let mut frames = |name: &str, property: &str, values: &[String]| {
+        let _ = write!(svg, "@keyframes fig-{NAME}-{name}{{");
+        for (k, value) in values.iter().enumerate() {
+            // What does not change need not be said again.
+            if k == 0 || values[k - 1] != *value {
+                let percent = 100.0 * k as f64 / values.len() as f64;
+                let _ = write!(svg, "{}%{{{property}:{value}}}", short(percent, 3));
+            }
+        }
+        svg.push('}');
+    };
+    frames("turn", "transform", &matrices);
+    frames(
+        "face",
+        "visibility",
+        &faces.iter().map(|f| (*f).to_owned()).collect::<Vec<_>>(),
+    );
+    frames(
+        "pace",
+        "transform",
+        &dots.iter().map(translation).collect::<Vec<_>>(),
+    );
+    for name in ["turn", "face", "pace"] {
+        let _ = write!(
+            svg,
+            ".fig-{NAME}-{name}{{animation:fig-{NAME}-{name} {SECONDS}s step-end infinite}}"
+        );
+    }
+    let all = format!(".fig-{NAME}-turn,.fig-{NAME}-face,.fig-{NAME}-pace");
+    let _ = writeln!(
+        svg,
+        ".fig-{NAME}-turn{{--fig-{NAME}-pen:1}}@media (max-width:620px){{.fig-{NAME}-turn{{--fig-{NAME}-pen:0.6}}}}\
+         #fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
+         @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}\
+         @media print{{{all}{{animation:none}}}}</style>"
+    );
+    let _ = writeln!(
+        svg,
+        "<g transform=\"translate({:.0} {:.0})\"><g class=\"fig-{NAME}-turn\" transform=\"{}\" stroke=\"currentColor\">",
+        CENTER[0] * CANVAS,
+        CENTER[1] * CANVAS,
+        matrices[STILL]
+    );
+    racket(&mut svg, faces[STILL]);
+    let _ = writeln!(svg, "</g></g>");
+    let _ = writeln!(
+        svg,
+        "<circle class=\"fig-{NAME}-pace\" r=\"55\" fill=\"{}\" transform=\"{}\"/>",
+        Role::Omega.paint(NAME),
+        translation(&dots[STILL]).replace("px", "")
+    );
+    svg
+}
+
+/// The flat racket in canvas units, its handle along x.
+fn racket(svg: &mut String, back: &str) {
+    let Parts {
+        head,
+        throat,
+        grip,
+        strings,
+        mark,
+    } = parts();
+    let path = |line: &Flat| {
+        let mut d = String::new();
+        for (k, [along, across]) in line.iter().enumerate() {
+            let (x, y) = (along * SIZE * CANVAS, across * SIZE * CANVAS);
+            let _ = write!(d, "{}{x:.0} {y:.0}", if k == 0 { "M" } else { "L" });
+        }
+        d
+    };
+    let all = |lines: &[Flat]| lines.iter().map(&path).collect::<String>();
+    // The strokes keep their width while the racket is seen foreshortened; they are pixels of the page, so a narrow page
+    // takes a finer pen.
+    let mut draw = |d: String, width: f64, rest: &str| {
+        let _ = writeln!(
+            svg,
+            "<path d=\"{d}\" style=\"stroke-width:calc({width}px*var(--fig-{NAME}-pen,1))\" \
+             vector-effect=\"non-scaling-stroke\"{rest}/>"
+        );
+    };
+    let head = path(&head) + "Z";
+    draw(
+        head.clone(),
+        0.0,
+        &format!(
+            " class=\"fig-{NAME}-face\" visibility=\"{back}\" fill=\"currentColor\" fill-opacity=\"0.55\""
+        ),
+    );
+    draw(all(&strings), 0.6, "");
+    draw(all(&throat), 2.2, "");
+    draw(head, 3.4, "");
+    draw(path(&grip), 10.0, "");
+    draw(
+        path(&vec![mark, mark]),
+        12.0,
+        &format!(" stroke=\"{}\"", Role::Omega.paint(NAME)),
+    );
+}
+
+/// The map from the plane of the racket to the canvas.
+fn matrix(attitude: &Attitude) -> String {
+    let view = view([0.0, 0.0], 1.0);
+    let side = |v: BodyVector| view.project(&Vector3::from(attitude.to_space(v).components()));
+    let [x, y] = [
+        side(BodyVector::new(1.0, 0.0, 0.0)),
+        side(BodyVector::new(0.0, 1.0, 0.0)),
+    ];
+    let [a, b, c, d] = [x[0], x[1], y[0], y[1]].map(|n| short(n, 3));
+    format!("matrix({a},{b},{c},{d},0,0)")
+}
+
+fn translation(at: &Point) -> String {
+    format!("translate({:.0}px,{:.0}px)", at[0] * CANVAS, at[1] * CANVAS)
+}
+
+/// A number without the digits that say nothing.
+fn short(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    match text {
+        "-0" | "" => "0".to_owned(),
+        _ => text.to_owned(),
+    }
+}

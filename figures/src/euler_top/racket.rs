@@ -1,0 +1,192 @@
+//! The tennis racket, thrown almost about its middle axis (tutorial 6.3, 6.7): the throw, and what the racket looks like.
+
+use core::f64::consts::TAU;
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::euler_top::EulerTop;
+use spinning_bodies::frame::{Attitude, BodyVector};
+
+use crate::solid::View;
+use crate::style::{DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, stroke};
+
+/// Principal moments of a racket, kg m²: about the handle, across the handle in the plane of the strings, across the strings
+/// (Ashbaugh, Chicone, Cushman 1991).
+pub const MOMENTS: [f64; 3] = [0.00121, 0.01638, 0.01748];
+
+/// A throw and the motion after it. Space axes: x towards the reader, y to the right, z up; L along y.
+#[derive(Debug, Clone, Copy)]
+pub struct Throw {
+    /// The motion.
+    pub top: EulerTop,
+    /// Angular velocity at the throw, body axes, rad/s.
+    pub omega: BodyVector,
+}
+
+impl Throw {
+    /// Upright, one turn a second about the middle axis and `twist` rad/s about the handle.
+    pub fn new(twist: f64) -> Result<Self> {
+        let omega = BodyVector::new(twist, TAU, 0.0);
+        // x₁ up, x₂ to the right, x₃ away from the reader; then L exactly to the right.
+        let upright = Attitude::from_quaternion(1.0, 0.0, -1.0, 0.0)?;
+        let lean = (MOMENTS[0] * twist).atan2(MOMENTS[1] * TAU);
+        let straight = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), lean)?;
+        let start = (upright.quaternion() * straight.quaternion()).into_inner();
+        let start = Attitude::from_quaternion(start.w, start.i, start.j, start.k)?;
+        let top = EulerTop::from_omega(MOMENTS, omega, start)?;
+        Ok(Self { top, omega })
+    }
+
+    /// The throw after which half a period of Ω is one somersault and half a twist: the handle comes back to the hand,
+    /// the face is reversed.
+    pub fn aimed() -> Result<Self> {
+        // Less twist at the throw, a later flip, a somersault too far.
+        let (mut less, mut more) = (0.5, 3.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (less + more);
+            if Self::new(middle)?.overshoot()? > 0.0 {
+                less = middle;
+            } else {
+                more = middle;
+            }
+        }
+        Self::new(0.5 * (less + more))
+    }
+
+    /// Time from one side of the flip to the other, s.
+    pub fn flip_time(&self) -> f64 {
+        0.5 * self.top.period()
+    }
+
+    /// How far past the upright the handle is after half a period, radians in −π…π.
+    fn overshoot(&self) -> Result<f64> {
+        let handle = self
+            .top
+            .at(self.flip_time())?
+            .attitude
+            .to_space(BodyVector::new(1.0, 0.0, 0.0));
+        Ok(handle.x().atan2(handle.z()))
+    }
+
+    /// Angle between L and the middle axis at the throw, radians.
+    pub fn tilt(&self) -> f64 {
+        (MOMENTS[0] * self.omega.x()).atan2(MOMENTS[1] * self.omega.y())
+    }
+}
+
+/// The view of all rackets: a little from above and from the right.
+pub fn view(center: Point, scale: f64) -> View {
+    View::new(0.3, 0.26, center, scale)
+}
+
+/// Balance point to butt, and to the tip of the head, metres.
+pub const BUTT: f64 = 0.325;
+const TIP: f64 = 0.36;
+/// Half axes of the head, outside and inside of the frame.
+const HEAD: [f64; 2] = [0.170, 0.132];
+/// Centre of the head.
+const MIDDLE: f64 = TIP - HEAD[0];
+/// Where the throat ends and the grip begins.
+const FORK: f64 = -0.06;
+const GRIP: f64 = -0.13;
+/// Half distance of the places where the throat leaves the head.
+const SHOULDER: f64 = 0.075;
+const STRINGS: usize = 5;
+
+/// A line in the plane of the strings: points (along the handle, across it), metres.
+pub type Flat = Vec<[f64; 2]>;
+
+/// The parts of the racket, flat.
+#[derive(Debug, Clone)]
+pub struct Parts {
+    /// The head's frame, closed.
+    pub head: Flat,
+    /// Both sides of the throat.
+    pub throat: [Flat; 2],
+    /// The grip.
+    pub grip: Flat,
+    /// The strings.
+    pub strings: Vec<Flat>,
+    /// The mark on the rim, on the side of x₂.
+    pub mark: [f64; 2],
+}
+
+/// The racket.
+pub fn parts() -> Parts {
+    let [a, b] = HEAD;
+    let head = (0..72)
+        .map(|k| (TAU * f64::from(k) / 72.0).sin_cos())
+        .map(|(s, c)| [MIDDLE + a * c, b * s])
+        .collect();
+    // Where the throat leaves the head.
+    let leave = MIDDLE - a * (1.0 - (SHOULDER / b).powi(2)).sqrt();
+    let throat = [1.0, -1.0].map(|side| {
+        vec![
+            [leave, side * SHOULDER],
+            [FORK, side * 0.008],
+            [GRIP, side * 0.008],
+        ]
+    });
+    let mut strings = Vec::new();
+    for k in 1..=STRINGS {
+        let u = 2.0 * k as f64 / (STRINGS + 1) as f64 - 1.0;
+        let half = (1.0 - u * u).sqrt();
+        strings.push(vec![[MIDDLE - a * half, b * u], [MIDDLE + a * half, b * u]]);
+        strings.push(vec![
+            [MIDDLE + a * u, -b * half],
+            [MIDDLE + a * u, b * half],
+        ]);
+    }
+    Parts {
+        head,
+        throat,
+        grip: vec![[GRIP, 0.0], [-BUTT, 0.0]],
+        strings,
+        mark: [MIDDLE, b],
+    }
+}
+
+/// Which face the reader sees.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Face {
+    /// The face that is towards the reader at the throw: bare strings.
+    Front,
+    /// The other one: filled.
+    Back,
+}
+
+/// The face that is seen.
+pub fn face(attitude: &Attitude, view: &View) -> Face {
+    let normal = attitude
+        .to_space(BodyVector::new(0.0, 0.0, 1.0))
+        .components();
+    if normal.dot(&view.toward) < 0.0 {
+        Face::Front
+    } else {
+        Face::Back
+    }
+}
+
+/// Draws the racket as it stands.
+pub fn draw(pen: &mut Pen<'_>, view: &View, attitude: &Attitude, strength: f64) {
+    let parts = parts();
+    let at = |p: &[f64; 2]| {
+        let p = attitude.to_space(BodyVector::new(p[0], p[1], 0.0));
+        view.project(&Vector3::from(p.components()))
+    };
+    let trace = |line: &Flat| line.iter().map(at).collect::<Vec<_>>();
+    let style = |width: f64| -> Stroke { stroke(Role::Ink, width).alpha(strength) };
+    let head = trace(&parts.head);
+    if face(attitude, view) == Face::Back {
+        pen.fill(&head, Role::Ink, 0.55 * strength);
+    }
+    for string in &parts.strings {
+        pen.line(&trace(string), style(HAIR));
+    }
+    for side in &parts.throat {
+        pen.line(&trace(side), style(SECONDARY));
+    }
+    pen.outline(&head, style(DATA));
+    pen.line(&trace(&parts.grip), style(5.0));
+    pen.disc(at(&parts.mark), 3.4, Role::Omega, strength);
+}

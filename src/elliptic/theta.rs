@@ -1,0 +1,166 @@
+//! Theta functions of complex arguments u + iη, of which the angles of the exact tops are made (tutorial 6.8, 7.2).
+
+use super::landen::Landen;
+use super::local::Crest;
+use crate::extended::Scalar;
+use crate::words::{Arithmetic, Words};
+
+/// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Elevation<N> {
+    pub(crate) which: Which,
+    /// sn² = `rise`/`slope`, cn² = `run`/`slope`.
+    pub(crate) rise: N,
+    pub(crate) run: N,
+    pub(crate) slope: N,
+}
+
+/// Which of them: the smaller, so that its functions are far from their ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Which {
+    Eta,
+    Xi,
+}
+
+impl<N: Scalar> Elevation<N> {
+    /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
+    pub(crate) fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
+        // sc² and dc² = 1 + m sc².
+        let sc2 = self.rise.divide(self.run);
+        let dc2 = N::Narrow::from_double(1.0).add(m.multiply(sc2).narrow());
+        let sc = sc2.square_root().narrow();
+        // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
+        let sc = if sc.leading() > 1e150 {
+            N::Narrow::from_double(1e150)
+        } else {
+            sc
+        };
+        landen.hyperbolic_sine(sc, dc2.square_root())
+    }
+
+    /// Sine and cosine of v = πη/2K′, for mc < 1/2.
+    pub(crate) fn angle(&self, landen: &Landen<N>, mc: N) -> (N::Narrow, N::Narrow) {
+        let one = N::Narrow::from_double(1.0);
+        let sn2 = self.rise.divide(self.slope).narrow();
+        let dn2 = one.subtract(mc.narrow().multiply(sn2));
+        let lesser = landen.sine(sn2.square_root(), dn2.square_root());
+        let greater = one.subtract(lesser.multiply(lesser)).square_root();
+        match self.which {
+            Which::Eta => (lesser, greater),
+            Which::Xi => (greater, lesser),
+        }
+    }
+}
+
+/// ϑ₂(ix − v), x = πu/2K′, nome q′, and ϑ₃ where u is next to an odd multiple of K: real part, and imaginary part over
+/// the odd factor, as polynomials in 4√q′ sinh² x.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct DualTheta {
+    even_real: [f64; 4],
+    even_imaginary: [f64; 4],
+    odd_real: [f64; 4],
+    odd_imaginary: [f64; 3],
+}
+
+impl DualTheta {
+    /// With the nome q′ and the sine and cosine of v.
+    pub(crate) fn new(q: f64, s: f64, c: f64) -> Self {
+        let (s2, s4) = (s * s, s * s * s * s);
+        let root = q.sqrt();
+        // cos (2j+1)v and sin (2j+1)v.
+        let (c3, c5) = (c * (1.0 - 4.0 * s2), c * (1.0 - 12.0 * s2 + 16.0 * s4));
+        let c7 = c * (1.0 - 24.0 * s2 + 80.0 * s4 - 64.0 * s4 * s2);
+        let (k3, k5) = (s * (3.0 - 4.0 * s2), s * (5.0 - 20.0 * s2 + 16.0 * s4));
+        let k7 = s * (7.0 - 56.0 * s2 + 112.0 * s4 - 64.0 * s4 * s2);
+        // cos 2jv and sin 2jv.
+        let (e2, f2) = ((c - s) * (c + s), 2.0 * s * c);
+        let (e4, f4) = ((e2 - f2) * (e2 + f2), 2.0 * f2 * e2);
+        let (e6, f6) = (e2 * e4 - f2 * f4, f2 * e4 + e2 * f4);
+        let (q2, q3) = (q * q, q * q * q);
+        let (q5, q6, q7, q8) = (q2 * q3, q3 * q3, q2 * q2 * q3, q2 * q3 * q3);
+        let (q4, q9, q10, q11) = (q2 * q2, q3 * q6, q5 * q5, q5 * q6);
+        Self {
+            even_real: [
+                c + c3 * q2 + c5 * q6,
+                root * (c3 * q + 3.0 * c5 * q5),
+                c5 * q5 + 5.0 * c7 * q11,
+                root * (c7 * q10),
+            ],
+            even_imaginary: [
+                s + 3.0 * k3 * q2 + 5.0 * k5 * q6,
+                root * (k3 * q + 5.0 * k5 * q5),
+                k5 * q5 + 7.0 * k7 * q11,
+                root * (k7 * q10),
+            ],
+            odd_real: [
+                1.0 + 2.0 * (e2 * q + e4 * q4 + e6 * q9),
+                root * (e2 + 4.0 * e4 * q3 + 9.0 * e6 * q8),
+                e4 * q3 + 6.0 * e6 * q8,
+                root * (e6 * q7),
+            ],
+            odd_imaginary: [
+                root * (f2 + 2.0 * f4 * q3 + 3.0 * f6 * q8),
+                // √q · √q.
+                q * (f4 * q2 + 4.0 * f6 * q7),
+                root * f6 * q7,
+            ],
+        }
+    }
+
+    /// Real and imaginary part after so many quarter periods, each of which has taken its angle v off; next to even ones over e^x.
+    #[inline(always)]
+    pub(crate) fn at(&self, quarters: f64, crest: &Crest) -> (f64, f64) {
+        let (sine, cosine, z) = (crest.wave.sine, crest.wave.cosine, crest.z);
+        let sign = 1.0_f64.copysign(f64::from_bits(crest.sign));
+        if (quarters as i64) & 1 == 0 {
+            (
+                cosine * polynomial(&self.even_real, z),
+                sign * sine * polynomial(&self.even_imaginary, z),
+            )
+        } else {
+            // 4√q′ sinh cosh = z cosh/sinh.
+            let product = if sine == 0.0 { 0.0 } else { z * cosine / sine };
+            (
+                polynomial(&self.odd_real, z),
+                sign * product * polynomial(&self.odd_imaginary, z),
+            )
+        }
+    }
+}
+
+/// d arg ϑ₂(ix − v)/du at u = K: (π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).
+pub(crate) fn dual_excess<N: Scalar>(
+    landen: &Landen<N>,
+    sine: N::Narrow,
+    cosine: N::Narrow,
+) -> N::Narrow {
+    let q = landen.nome;
+    let q2 = q.multiply(q);
+    let q4 = q2.multiply(q2);
+    let s2 = sine.multiply(cosine).scaled(2.0);
+    let c2 = cosine.subtract(sine).multiply(cosine.add(sine));
+    let s4 = s2.multiply(c2).scaled(2.0);
+    let c4 = c2.subtract(s2).multiply(c2.subtract(s2.negated()));
+    let (x, s2v, c2v, s4v, c4v) = (q.value(), s2.value(), c2.value(), s4.value(), c4.value());
+    let (x3, x4) = (x * x * x, x * x * (x * x));
+    let (x9, x16) = (x3 * x3 * x3, x4 * x4 * (x4 * x4));
+    let (s6, c6) = (s2v * c4v + c2v * s4v, c2v * c4v - s2v * s4v);
+    let (s8, c8) = (2.0 * s4v * c4v, c4v * c4v - s4v * s4v);
+    let numerator = N::Narrow::from_double(12.0 * x9 * s6 + 16.0 * x16 * s8)
+        .add(q4.multiply(s4).scaled(8.0))
+        .add(q.multiply(s2).scaled(4.0));
+    let denominator = N::Narrow::from_double(2.0 * (x9 * c6 + x16 * c8))
+        .add(q4.multiply(c4).scaled(2.0))
+        .add(q.multiply(c2).scaled(2.0))
+        .add(N::Narrow::from_double(1.0));
+    landen.mean.multiply(numerator).divide(denominator)
+}
+
+#[inline(always)]
+pub(crate) fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
+    let mut sum = coefficients[N - 1];
+    for i in (0..N - 1).rev() {
+        sum = sum * x + coefficients[i];
+    }
+    sum
+}

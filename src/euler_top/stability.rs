@@ -1,0 +1,230 @@
+//! Which permanent rotations last (tutorial 6.3, 6.7): the linear rates, and the integrals that prove more than they do.
+//!
+//! The moments ascend, so x₁, x₂, x₃ are the axes of the smallest, the middle and the largest moment, and the components
+//! of Ω are along them. Differences of moments are taken first, so that nearly symmetric bodies keep their digits.
+
+use super::poinsot::{Poinsot, Sector};
+use crate::double_double::{DoubleDouble, power_of_two_below};
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::BodyVector;
+use crate::inertia::PrincipalMoments;
+
+/// The linear motion next to the rotation about x₂ (6.7).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Saddle {
+    /// Rate √λ at which a disturbance grows or decays, rad/s.
+    pub rate: f64,
+    /// Unit vector along which a disturbance grows, in the plane x₁x₃ of the body; its opposite serves as well.
+    pub outgoing: BodyVector,
+    /// Unit vector along which it decays: the tangent of the incoming separatrix.
+    pub incoming: BodyVector,
+}
+
+/// λ = (I₁−I₂)(I₂−I₃)Ω₂²/(I₃I₁) in ∂²ΔΩ_i/∂t² = λΔΩ_i for i = 1, 3, rad²/s² (6.7).
+///
+/// The tutorial's display lacks the factor Ω₂². Never negative; zero for a symmetric body and for a rod, infinite where it overflows.
+/// Five roundings. Cost: a few operations.
+///
+/// # Errors
+/// [`Error::NotFinite`] for Ω₂; [`Error::NotPositive`] if I₁ = 0 and the body can turn about x₁ at no cost.
+///
+/// ```
+/// use spinning_bodies::{euler_top::stability::lambda, inertia::PrincipalMoments};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+/// assert!((lambda(&moments, 5.0)? - 25.0 / 3.0).abs() < 2e-15);
+/// assert!((lambda(&moments, 1.0)? - 1.0 / 3.0).abs() < 1e-16, "what the tutorial prints");
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn lambda(moments: &PrincipalMoments, omega2: f64) -> Result<f64> {
+    let [i1, i2, i3] = checked(moments)?;
+    let omega2 = finite("the angular velocity", omega2)?;
+    Ok((i2 - i1) / i1 * omega2 * ((i3 - i2) / i3 * omega2))
+}
+
+/// Rate and directions of growth and decay next to the rotation Ω₂ about x₂ (6.7).
+///
+/// The directions are ΔΩ₃/ΔΩ₁ = ∓√(I₁(I₂−I₁)/(I₃(I₃−I₂))), upper sign for growth if Ω₂ > 0: the tangents of the separatrix (6.3).
+/// √λ is the rate in the separatrix's sech and tanh as well. Few units in the last place. For a symmetric body the rate is zero
+/// and both directions fall together on the axis that is as good as x₂; for a sphere they are x₁ by convention.
+///
+/// # Errors
+/// As [`lambda`].
+///
+/// ```
+/// use spinning_bodies::{euler_top::stability::saddle, inertia::PrincipalMoments};
+/// let saddle = saddle(&PrincipalMoments::new(1.0, 2.0, 3.0)?, 2.0)?;
+/// assert!((saddle.rate - 2.0 / 3f64.sqrt()).abs() < 3e-16);
+/// let slope = saddle.incoming.z() / saddle.incoming.x();
+/// assert!((slope - 1.0 / 3f64.sqrt()).abs() < 2e-16);
+/// assert_eq!(saddle.outgoing.z(), -saddle.incoming.z());
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn saddle(moments: &PrincipalMoments, omega2: f64) -> Result<Saddle> {
+    let [i1, i2, i3] = checked(moments)?;
+    let omega2 = finite("the angular velocity", omega2)?;
+    let rate = ((i2 - i1) / i1).sqrt() * ((i3 - i2) / i3).sqrt() * omega2.abs();
+    // dΔΩ₁ = −(I₃−I₂)Ω₂ΔΩ₃/I₁, dΔΩ₃ = −(I₂−I₁)Ω₂ΔΩ₁/I₃.
+    let along1 = i3.sqrt() * (i3 - i2).sqrt();
+    let along3 = i1.sqrt() * (i2 - i1).sqrt();
+    let length = along1.hypot(along3);
+    let (first, third) = if length > 0.0 {
+        (along1 / length, along3 / length)
+    } else {
+        (1.0, 0.0)
+    };
+    let third = third.copysign(omega2);
+    Ok(Saddle {
+        rate,
+        outgoing: BodyVector::new(first, 0.0, -third),
+        incoming: BodyVector::new(first, 0.0, third),
+    })
+}
+
+/// Frequency of small oscillations about the rotation Ω₁ about x₁: √((I₂−I₁)(I₃−I₁)/(I₂I₃))|Ω₁|, rad/s (6.7).
+///
+/// The limit of 2π over the period of 6.6. Zero if I₁ = I₂: the rotation drifts. Oscillation to first order proves nothing beyond;
+/// [`lyapunov_about_smallest`] does. Few units in the last place.
+///
+/// # Errors
+/// As [`lambda`].
+///
+/// ```
+/// use spinning_bodies::{euler_top::stability::oscillation_about_smallest, inertia::PrincipalMoments};
+/// let rate = oscillation_about_smallest(&PrincipalMoments::new(1.0, 2.0, 3.0)?, 1.0)?;
+/// assert!((rate - 0.5773502691896257645).abs() < 2e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn oscillation_about_smallest(moments: &PrincipalMoments, omega1: f64) -> Result<f64> {
+    let [i1, i2, i3] = checked(moments)?;
+    let omega1 = finite("the angular velocity", omega1)?;
+    Ok(((i2 - i1) / i2).sqrt() * ((i3 - i1) / i3).sqrt() * omega1.abs())
+}
+
+/// Frequency of small oscillations about the rotation Ω₃ about x₃: √((I₃−I₁)(I₃−I₂)/(I₁I₂))|Ω₃|, rad/s (6.7).
+///
+/// As [`oscillation_about_smallest`]; for I₁ = I₂ it is the rate Ω₃(I₃/I₁ − 1) of 6.5.
+///
+/// # Errors
+/// As [`lambda`].
+///
+/// ```
+/// use spinning_bodies::{euler_top::stability::oscillation_about_largest, inertia::PrincipalMoments};
+/// let rate = oscillation_about_largest(&PrincipalMoments::new(1.0, 2.0, 3.0)?, 1.0)?;
+/// assert!((rate - 1.0).abs() < 3e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn oscillation_about_largest(moments: &PrincipalMoments, omega3: f64) -> Result<f64> {
+    let [i1, i2, i3] = checked(moments)?;
+    let omega3 = finite("the angular velocity", omega3)?;
+    Ok(((i3 - i1) / i1).sqrt() * ((i3 - i2) / i2).sqrt() * omega3.abs())
+}
+
+/// L² − 2EI₁ = I₂(I₂−I₁)Ω₂² + I₃(I₃−I₁)Ω₃², J² s²: constant, and definite across x₁ (6.3).
+///
+/// So a rotation about x₁ that starts nearby stays nearby, not only to first order. A sum of squares: few units in the last
+/// place however close to the axis, where L² and 2EI₁ agree in all their digits; zero below 10⁻¹⁵⁴ of tilt, where the squares end.
+///
+/// ```
+/// use spinning_bodies::{euler_top::stability::*, frame::BodyVector, inertia::PrincipalMoments};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+/// let omega = BodyVector::new(1.0, 1e-10, 1e-10);
+/// assert!((lyapunov_about_smallest(&moments, omega) / 8e-20 - 1.0).abs() < 5e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn lyapunov_about_smallest(moments: &PrincipalMoments, omega: BodyVector) -> f64 {
+    let [i1, i2, i3] = moments.values();
+    (i2 * omega.y()) * ((i2 - i1) * omega.y()) + (i3 * omega.z()) * ((i3 - i1) * omega.z())
+}
+
+/// 2EI₃ − L² = I₁(I₃−I₁)Ω₁² + I₂(I₃−I₂)Ω₂², J² s²: constant, and definite across x₃ (6.3).
+///
+/// As [`lyapunov_about_smallest`], for rotations about x₃.
+///
+/// ```
+/// use spinning_bodies::{euler_top::stability::*, frame::BodyVector, inertia::PrincipalMoments};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+/// let omega = BodyVector::new(1e-10, 1e-10, 1.0);
+/// assert!((lyapunov_about_largest(&moments, omega) / 4e-20 - 1.0).abs() < 5e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn lyapunov_about_largest(moments: &PrincipalMoments, omega: BodyVector) -> f64 {
+    let [i1, i2, i3] = moments.values();
+    (i1 * omega.x()) * ((i3 - i1) * omega.x()) + (i2 * omega.y()) * ((i3 - i2) * omega.y())
+}
+
+/// L² − 2EI₂ = I₃(I₃−I₂)Ω₃² − I₁(I₂−I₁)Ω₁², J² s²: constant, but indefinite across x₂ (6.3).
+///
+/// Its sign names the sector (6.6), its zero is the separatrix. The difference is taken in 106 bits: exact to a unit in the last
+/// place, and zero only where it is. Not a number where a square overflows.
+///
+/// ```
+/// use spinning_bodies::{euler_top::stability::*, frame::BodyVector, inertia::PrincipalMoments};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+/// let on_either_side = |omega1| indefinite_about_middle(&moments, BodyVector::new(omega1, 1.0, 1.0));
+/// assert!(on_either_side(1.7) > 0.0 && on_either_side(1.8) < 0.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn indefinite_about_middle(moments: &PrincipalMoments, omega: BodyVector) -> f64 {
+    let [i1, i2, i3] = moments.values();
+    let unit = power_of_two_below(omega.x().abs().max(omega.z().abs()));
+    let term = |i: f64, more: f64, less: f64, omega: f64| {
+        DoubleDouble::product(omega / unit, omega / unit)
+            .multiply(DoubleDouble::difference(more, less))
+            .multiply(DoubleDouble::from(i))
+    };
+    term(i3, i3, i2, omega.z())
+        .subtract(term(i1, i2, i1, omega.x()))
+        .value()
+        * unit
+        * unit
+}
+
+/// Time from one side of the separatrix's crossing to the other, half the period of Ω, to leading order next to the separatrix, s:
+/// ln(16/m_c)/r (6.3, 6.6).
+///
+/// About the largest moment r² = (I₃−I₂)(L²−2EI₁)/(I₁I₂I₃) and m_c = (I₃−I₁)(L²−2EI₂)/((I₃−I₂)(L²−2EI₁)); about the smallest
+/// with 1 and 3 exchanged. The exact time is 2K/r, larger by the fraction m_c/4 at most. Every decade nearer to the separatrix
+/// costs the same: m_c goes as the square of the distance, so 2 ln 10/√λ. Infinite on the separatrix; a tilt of 10⁻³⁰⁰ is no trouble.
+/// Cost: that of a [`Poinsot`], a logarithm.
+///
+/// # Errors
+/// Those of [`Poinsot::new`]; [`Error::Condition`] for a body that is symmetric, which has no separatrix.
+///
+/// ```
+/// use spinning_bodies::{euler_top::stability::flip_time_asymptote, frame::BodyVector, inertia::PrincipalMoments};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+/// let time = |tilt| flip_time_asymptote(&moments, BodyVector::new(tilt, 1.0, tilt));
+/// let beyond = 35.5072529694 / time(1e-4)? - 1.0; // the exact time, m_c = 2e-8
+/// assert!(beyond > 0.0 && beyond < 5e-9);
+/// let decade = (time(1e-300)? - time(1e-200)?) / 100.0;
+/// assert!((decade - 2.0 * 10f64.ln() * 3f64.sqrt()).abs() < 1e-13);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn flip_time_asymptote(moments: &PrincipalMoments, omega: BodyVector) -> Result<f64> {
+    let [i1, i2, i3] = checked(moments)?;
+    if i1 == i2 || i2 == i3 {
+        return Err(Error::Condition {
+            condition: "the three moments must differ",
+            value: i2,
+        });
+    }
+    let l = BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z());
+    let picture = Poinsot::new([i1, i2, i3], l)?;
+    let [d1, d2, d3] = picture.difference_roots();
+    let (rate, root) = match picture.sector() {
+        Sector::AroundSmallest => (
+            ((i2 - i1) / i1).sqrt() * (d3 / i2.sqrt() / i3.sqrt()),
+            ((i3 - i1) / (i2 - i1)).sqrt() * (d2 / d3),
+        ),
+        _ => (
+            ((i3 - i2) / i3).sqrt() * (d1 / i1.sqrt() / i2.sqrt()),
+            ((i3 - i1) / (i3 - i2)).sqrt() * (d2 / d1),
+        ),
+    };
+    Ok(2.0 * (4.0 / root).ln() / rate)
+}
+
+fn checked(moments: &PrincipalMoments) -> Result<[f64; 3]> {
+    positive("the smallest moment", moments.smallest())?;
+    Ok(moments.values())
+}

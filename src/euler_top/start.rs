@@ -1,0 +1,128 @@
+//! How a motion of the free top starts, and along which axes it is looked at.
+
+use crate::extended::Scalar;
+
+/// To how many digits the constants are formed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Digits {
+    /// One double: for the first few radians.
+    Sixteen,
+    /// Two doubles: for ever.
+    ThirtyTwo,
+}
+
+/// How a motion starts: the components along the body's axes of what was given, exact as they stand.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Start {
+    /// L, kg m²/s.
+    AngularMomentum([f64; 3]),
+    /// Ω, rad/s.
+    Omega([f64; 3]),
+}
+
+impl Start {
+    /// What it is.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::AngularMomentum(_) => "a component of the angular momentum",
+            Self::Omega(_) => "a component of the angular velocity",
+        }
+    }
+
+    /// What was given.
+    pub(super) fn components(self) -> [f64; 3] {
+        match self {
+            Self::AngularMomentum(components) | Self::Omega(components) => components,
+        }
+    }
+
+    /// L, to 106 bits: the product of a moment and an angular velocity is not rounded.
+    pub(super) fn angular_momentum<N: Scalar>(self, moments: [f64; 3]) -> [N; 3] {
+        match self {
+            Self::AngularMomentum([x, y, z]) => {
+                [N::from_double(x), N::from_double(y), N::from_double(z)]
+            }
+            Self::Omega([x, y, z]) => [
+                N::from_double(x).times(moments[0]),
+                N::from_double(y).times(moments[1]),
+                N::from_double(z).times(moments[2]),
+            ],
+        }
+    }
+
+    /// L and Ω as doubles.
+    pub(super) fn both(self, moments: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+        match self {
+            Self::AngularMomentum(l) => (l, ratio(l, moments)),
+            Self::Omega([x, y, z]) => {
+                let l = [moments[0] * x, moments[1] * y, moments[2] * z];
+                (l, [x, y, z])
+            }
+        }
+    }
+
+    /// The same quantity with other components.
+    pub(super) fn with(self, components: [f64; 3]) -> Self {
+        match self {
+            Self::AngularMomentum(_) => Self::AngularMomentum(components),
+            Self::Omega(_) => Self::Omega(components),
+        }
+    }
+}
+
+/// L_i/I_i; zero along an axis whose moment is zero.
+#[inline]
+pub(super) fn ratio(l: [f64; 3], moments: [f64; 3]) -> [f64; 3] {
+    core::array::from_fn(|k| {
+        if moments[k] == 0.0 {
+            0.0
+        } else {
+            l[k] / moments[k]
+        }
+    })
+}
+
+/// A body's axes, renumbered and turned over so that axis 3 has the component that keeps its sign and components 1 and 3
+/// start positive; right-handed like the old ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Renumbering {
+    axis: [usize; 3],
+    pub(super) sign: [f64; 3],
+}
+
+impl Renumbering {
+    pub(super) fn new(axis: [usize; 3], l: [f64; 3]) -> Self {
+        let parity = if (axis[0] + 1) % 3 == axis[1] {
+            1.0
+        } else {
+            -1.0
+        };
+        let sign_of = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
+        let (first, third) = (sign_of(l[axis[0]]), sign_of(l[axis[2]]));
+        Self {
+            axis,
+            sign: [first, parity * first * third, third],
+        }
+    }
+
+    pub(super) fn there<T: Copy>(&self, v: [T; 3]) -> [T; 3] {
+        self.axis.map(|i| v[i])
+    }
+
+    /// Back along the body's own axes.
+    #[inline]
+    pub(super) fn back(&self, w: [f64; 3]) -> [f64; 3] {
+        let mut v = [0.0; 3];
+        for k in 0..3 {
+            v[self.axis[k]] = self.sign[k] * w[k];
+        }
+        v
+    }
+}
+
+/// The order of the moments, ascending.
+pub(super) fn ascending(moments: [f64; 3]) -> [usize; 3] {
+    let mut order = [0, 1, 2];
+    order.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
+    order
+}

@@ -1,0 +1,94 @@
+//! The asteroid 4179 Toutatis as a free top (tutorial 6.6, 6.8): the figures, where they come from, and what they predict.
+//!
+//! A potato of 4.6 × 2.4 × 1.9 km whose long axis, the axis of the smallest moment, goes round L while the body rolls about it.
+//! Radar saw both periods in 1992. Computed here: both, from the moments and one angular velocity. Quoted: those, and the periods.
+
+use super::EulerTop;
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::{Attitude, BodyVector};
+
+/// One day, s.
+pub const DAY: f64 = 86_400.0;
+
+/// Moments about the middle, the short and the long axis over that about the long one, dimensionless (quoted: radar, 1992 to
+/// 2008, Takahashi, Busch and Scheeres 2013). In this order the axes are right-handed.
+pub const MOMENTS: [f64; 3] = [3.0836, 3.235, 1.0];
+
+/// Ω along the same axes at the epoch of the solution, 9 November 1992, 17:49:47 UT, degrees a day (quoted: the same).
+pub const OMEGA: [f64; 3] = [14.51, 33.529, -98.709];
+
+/// Moments about the long, the middle and the short axis over that about the long one (quoted: radar, 1992, Hudson and Ostro 1995).
+pub const EARLIER_MOMENTS: [f64; 3] = [1.0, 3.09, 3.22];
+
+/// Period of the rotation about the long axis, days (quoted: Hudson and Ostro 1995).
+pub const ROTATION_PERIOD: f64 = 5.41;
+
+/// Mean period in which the long axis goes round L, days (quoted: Hudson and Ostro 1995).
+pub const PRECESSION_PERIOD: f64 = 7.35;
+
+/// The two periods from the fly-by of December 2012, days, in the same order (quoted: Zhao et al. 2015).
+pub const FLYBY_PERIODS: [f64; 2] = [5.38, 7.40];
+
+/// Toutatis from the epoch of [`OMEGA`] on, in seconds: a free top, its attitude at the epoch taken as the identity.
+///
+/// Its moments are ratios, so energy and |L| are in units of the moment about the long axis. The torques of Sun and Earth, which
+/// change both periods a little at each passage of the Earth, are left out.
+///
+/// # Errors
+/// None for these numbers; those of [`EulerTop::from_omega`].
+///
+/// ```
+/// use spinning_bodies::euler_top::{Regime, toutatis};
+/// let asteroid = toutatis::top()?;
+/// assert_eq!(asteroid.regime(), Regime::AroundSmallest);
+/// assert!((asteroid.period() / toutatis::DAY / toutatis::ROTATION_PERIOD - 1.0).abs() < 0.01);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn top() -> Result<EulerTop> {
+    let [x, y, z] = OMEGA.map(|rate| rate.to_radians() / DAY);
+    EulerTop::from_omega(MOMENTS, BodyVector::new(x, y, z), Attitude::identity())
+}
+
+/// A top of these moments (ascending) with 2E = 1 and L² = `ratio` · I₁, at the moment when Ω₂ = 0 and Ω₁, Ω₃ ≥ 0.
+///
+/// `ratio` is L²/(2EI₁) between 1 (rotation about the long axis) and I₃/I₁ (about the short one): the one number that, besides the
+/// moments, decides the ratio of the two periods. Six roundings in L.
+///
+/// # Errors
+/// [`Error::NotPositive`] or [`Error::NotFinite`] for a moment; [`Error::Condition`] if they do not ascend; [`Error::OutOfRange`] for the ratio; those of [`EulerTop::new`].
+///
+/// ```
+/// use spinning_bodies::euler_top::toutatis::{EARLIER_MOMENTS, PRECESSION_PERIOD, ROTATION_PERIOD, mode};
+/// let asteroid = mode(EARLIER_MOMENTS, 1.69770)?;
+/// let turns = asteroid.mean_precession_rate() * asteroid.period() / core::f64::consts::TAU;
+/// assert!((turns - ROTATION_PERIOD / PRECESSION_PERIOD).abs() < 2e-6);
+/// assert!(mode(EARLIER_MOMENTS, 0.99).is_err() && mode([1.0; 3], 1.0).is_err());
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn mode(moments: [f64; 3], ratio: f64) -> Result<EulerTop> {
+    for moment in moments {
+        positive("a principal moment", moment)?;
+    }
+    let [i1, i2, i3] = moments;
+    if !(i1 <= i2 && i2 <= i3 && i1 < i3) {
+        return Err(Error::Condition {
+            condition: "the moments must ascend and not all be equal",
+            value: i3 - i1,
+        });
+    }
+    let ratio = finite("L² over 2E I₁", ratio)?;
+    let greatest = i3 / i1;
+    if !(1.0..=greatest).contains(&ratio) {
+        return Err(Error::OutOfRange {
+            quantity: "L² over 2E I₁",
+            value: ratio,
+            least: 1.0,
+            greatest,
+        });
+    }
+    // Sphere and ellipsoid with L₂ = 0: L₁² + L₃² = ratio I₁ and L₁²/I₁ + L₃²/I₃ = 1.
+    let share = i1 / (i3 - i1);
+    let l1 = (i1 * ((greatest - ratio) * share)).sqrt();
+    let l3 = (i3 * ((ratio - 1.0) * share)).sqrt();
+    EulerTop::new(moments, BodyVector::new(l1, 0.0, l3), Attitude::identity())
+}

@@ -1,0 +1,20 @@
+//! Section 6 of the tutorial: Euler's top. The truths it is held against: the register's closed forms and numbers to twenty
+//! digits, exact rationals for identities, quadrature, and an integrator of its own in pairs of doubles (`support/free_top.rs`).
+
+#![expect(
+    clippy::excessive_precision,
+    reason = "expected values keep all the digits they were computed to"
+)]
+
+mod attitude;
+mod common;
+#[path = "../support/free_top.rs"]
+mod free_top;
+mod picture;
+mod poinsot;
+mod regimes;
+mod solution;
+mod stability;
+#[path = "../support/inertia.rs"]
+mod support;
+mod symmetric;

@@ -564,6 +564,37 @@ fn s8_2_the_separation_variables_obey_her_equations() -> Result {
     Ok(())
 }
 
+/// Roots, periods and frequencies against values got by numerical quadrature elsewhere, eight digits.
+#[test]
+fn s8_2_roots_periods_and_frequencies() -> Result {
+    let lever = vector([1.0, 0.0, 0.0]);
+    let omega = vector([1.0, 0.5, 0.3]);
+    let top = KovalevskayaTop::with_up(MOMENTS, lever, omega, vector([0.6, 0.0, 0.8]))?;
+    let near =
+        |found: f64, expected: f64| assert!((found - expected).abs() < 6e-9, "{found} {expected}");
+    let roots = top.roots();
+    let expected = [0.643_355, -0.321_677, -0.321_677, 0.821_427, -0.189_760];
+    for (root, real) in roots.iter().zip(expected) {
+        assert!((root.re - real).abs() < 6e-7, "{root}");
+    }
+    assert!((roots[1].im.abs() - 0.074_512).abs() < 3e-6 && roots[1] == roots[2].conj());
+    let periods = top.periods().expect("separated");
+    for (period, value) in
+        periods
+            .into_iter()
+            .zip([3.118_751_94, 2.265_750_91, 11.865_809_81, -5.663_377_63])
+    {
+        near(period, value);
+    }
+    let [n1, n2] = top.frequencies().expect("separated");
+    near(n1, 0.266_362_26);
+    near(n2, 0.070_009_36);
+    // a₁n₁ = a₂n₂ and b₁n₁ − b₂n₂ = 1.
+    let [a1, b1, a2, b2] = periods;
+    assert!((a1 * n1 - a2 * n2).abs() < 1e-15 && (b1 * n1 - b2 * n2 - 1.0).abs() < 1e-15);
+    Ok(())
+}
+
 // ---------------------------------------------------------------- 8.3
 
 // claim: C8.3-1

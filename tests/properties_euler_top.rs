@@ -316,6 +316,11 @@ fn refused(moments: [f64; 3], l: [f64; 3]) -> Error {
 
 #[test]
 fn what_is_refused_names_the_condition() -> Result<()> {
+    let (needle, slow) = ([1e-300, 1e-150, 1e-150], vector([7.7e-128, 2.2e-308, 0.0]));
+    assert!(matches!(
+        EulerTop::from_omega(needle, slow, Attitude::identity()),
+        Err(Error::Condition { value: 0.0, .. })
+    ));
     let body = [1.0, 2.0, 2.5];
     assert!(matches!(
         refused([1.0, 2.0, 4.0], [1.0; 3]),

@@ -99,7 +99,7 @@ impl EulerTop {
     /// Along an axis whose moment is zero there is no angular velocity to speak of: that component is ignored.
     ///
     /// # Errors
-    /// As for [`new`](Self::new).
+    /// As for [`new`](Self::new); [`Error::Condition`] if I Ω is below the range of doubles.
     pub fn from_omega(moments: [f64; 3], omega: BodyVector, attitude: Attitude) -> Result<Self> {
         PrincipalMoments::new(moments[0], moments[1], moments[2])?;
         let start = Start::Omega(omega.components().into());
@@ -155,7 +155,14 @@ impl EulerTop {
         for component in l.into_iter().chain(omega) {
             finite("a component of angular velocity or momentum", component)?;
         }
-        if vector(l).components().amax() > f64::MAX / 2.0 {
+        let largest = vector(l).components().amax();
+        if largest < f64::MIN_POSITIVE && start.vanishes_by_rounding(moments) {
+            return Err(Error::Condition {
+                condition: "the angular momentum of a body that turns must not underflow",
+                value: largest,
+            });
+        }
+        if largest > f64::MAX / 2.0 {
             finite("the size of the angular momentum", vector(l).norm())?;
         }
         let (regime, constants) = decide(moments, start, digits);
@@ -280,7 +287,10 @@ impl EulerTop {
     pub fn angular_momentum_in_space(&self) -> SpaceVector {
         // Rotating adds products up, which may overflow or underflow before the result does.
         let unit = power_of_two_below(self.angular_momentum.components().amax());
-        self.attitude.to_space(self.angular_momentum / unit) * unit
+        let l = self.attitude.to_space(self.angular_momentum / unit) * unit;
+        let [x, y, z] =
+            <[f64; 3]>::from(l.components()).map(|component| component.clamp(-f64::MAX, f64::MAX));
+        SpaceVector::new(x, y, z)
     }
 
     /// Period of Ω in the body, 4K/λ, s: the polhode run through once (6.6). The attitude does not return with it.

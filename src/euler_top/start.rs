@@ -50,6 +50,17 @@ impl Start {
         }
     }
 
+    /// Whether a component of I Ω is not zero, though as a double it may be.
+    pub(super) fn vanishes_by_rounding(self, moments: [f64; 3]) -> bool {
+        match self {
+            Self::AngularMomentum(_) => false,
+            Self::Omega(omega) => omega
+                .iter()
+                .zip(moments)
+                .any(|(component, moment)| *component != 0.0 && moment != 0.0),
+        }
+    }
+
     /// L and Ω as doubles.
     pub(super) fn both(self, moments: [f64; 3]) -> ([f64; 3], [f64; 3]) {
         match self {

@@ -129,7 +129,7 @@ impl SymmetricTop {
         let l = BodyVector::new(
             omega0.x(),
             omega0.y(),
-            omega0.z() + self.wobble_rate(omega0.z()),
+            self.axial / self.transverse * omega0.z(),
         );
         for component in l.components().iter() {
             finite("the angular velocity", *component)?;

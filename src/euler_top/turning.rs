@@ -134,10 +134,13 @@ impl Turning {
         };
         // Z times the conjugate: both arguments have the same sign, so the difference stays within a right angle.
         let (along, aside) = (real * x + imaginary * y, imaginary * x - real * y);
-        let (along, aside) = if along.abs().max(aside.abs()) < TINY {
-            (along / TINY, aside / TINY)
-        } else {
+        let largest = along.abs().max(aside.abs());
+        let (along, aside) = if largest >= TINY {
             (along, aside)
+        } else if largest > 0.0 {
+            (along / largest, aside / largest)
+        } else {
+            (1.0, 0.0)
         };
         let length = (along * along + aside * aside).sqrt();
         (length + along, aside)

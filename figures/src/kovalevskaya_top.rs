@@ -178,7 +178,7 @@ pub fn bands() -> Result<Figure> {
             pen.disc([x(*e), 132.0], 3.5, Role::Ink, 1.0);
         }
         pen.text([588.0, 128.0], Anchor::End, "*s*", label(Role::Ink));
-        pen.text([64.0, 36.0], Anchor::Start, "*P*(*s*)", label(Role::Ink));
+        pen.text([116.0, 32.0], Anchor::Start, "*P*(*s*)", label(Role::Ink));
     }))
 }
 

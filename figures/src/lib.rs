@@ -10,6 +10,7 @@ mod euler_top;
 pub mod finish;
 mod impacts;
 mod inertia;
+mod kovalevskaya_top;
 mod pythagoras;
 mod rolling;
 mod solid;
@@ -124,6 +125,21 @@ pub fn all() -> &'static [Entry] {
             name: "toutatis",
             chapter: "euler-top",
             draw: euler_top::two_axes_in_the_sky,
+        },
+        Entry {
+            name: "kovalevskaya-circle",
+            chapter: "kovalevskaya-top",
+            draw: kovalevskaya_top::circle,
+        },
+        Entry {
+            name: "kovalevskaya-bands",
+            chapter: "kovalevskaya-top",
+            draw: kovalevskaya_top::bands,
+        },
+        Entry {
+            name: "appelrot-classes",
+            chapter: "kovalevskaya-top",
+            draw: kovalevskaya_top::classes,
         },
         Entry {
             name: "gas-box",

@@ -5,4 +5,7 @@ mod decimal;
 mod euler_equations;
 mod free_top;
 mod inertia;
+mod kovalevskaya;
 mod lagrange_top;
+#[path = "../support/power_series.rs"]
+mod power_series;

@@ -1,0 +1,135 @@
+//! The motions with a double root: Appelrot's classes, and where they lie among all motions (8.2).
+
+use nalgebra::Complex;
+
+use super::constants::{Constants, Root};
+use crate::double_double::DoubleDouble;
+use crate::error::{Result, finite, not_negative, positive};
+
+/// How the five roots e₁ … e₅ lie. All but [`General`](Self::General) and [`EulerSymmetric`](Self::EulerSymmetric) are Appelrot's
+/// classes of *particularly remarkable* motions: a double root, where s₁ or s₂ may rest, or come to rest in infinite time, and the
+/// functions of time are elliptic or elementary.
+///
+/// Equal means equal to 8 eps of the terms compared, the rounding of the start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Kind {
+    /// Five different roots: two periods that have nothing to do with each other.
+    General,
+    /// K = 0, e₄ = e₅: Delaunay's case, Appelrot's first class. Ω and z obey (Ω₁+iΩ₂)² = c(z₁+iz₂), two conditions instead of one.
+    Delaunay,
+    /// e₄ = (l₁+|K|)/2 is a root of the cubic: L_vert² = 2I₃(E + I₃|K|). Of Appelrot's second and third class.
+    SharedUpper,
+    /// e₅ = (l₁−|K|)/2 is a root of the cubic: L_vert² = 2I₃(E − I₃|K|). Of Appelrot's second and third class.
+    SharedLower,
+    /// Two roots of the cubic coincide: Appelrot's fourth class.
+    CubicDouble,
+    /// C = O: no gravity to speak of; Euler's symmetric top with I₁ = 2I₃ (6.5).
+    EulerSymmetric,
+}
+
+/// Which kind, by the constants in 106 bits.
+pub(super) fn classify(constants: &Constants) -> Kind {
+    const ROUNDED: f64 = 8.0 * f64::EPSILON;
+    let Constants { c, l1, l, k, .. } = *constants;
+    let energy = l1.times(3.0);
+    let doubled = l.multiply(l).scaled(2.0);
+    let size = energy.value().abs() + doubled.value() + k.value() + 2.0 * c;
+    let small = |x: DoubleDouble| x.value().abs() <= ROUNDED * size;
+    let [first, second, third, fourth, fifth] = constants.roots();
+    // Weak gravity brings both together, whatever L_vert is: the conditions below are these distances over c².
+    let meets = |root: &Root| {
+        let distance = |e: &Root| e.from(root).norm();
+        [first, second, third]
+            .iter()
+            .any(|e| distance(e) <= ROUNDED * size)
+    };
+    let spread = second.from(&third).re.hypot(2.0 * second.imaginary.value());
+    // The square of the distance is what a rounded start determines.
+    let greatest = first.real.value().abs();
+    if small(k) {
+        Kind::Delaunay
+    } else if small(energy.add(k).subtract(doubled)) || meets(&fourth) {
+        Kind::SharedUpper
+    } else if small(energy.subtract(k).subtract(doubled)) || meets(&fifth) {
+        Kind::SharedLower
+    } else if spread * spread <= ROUNDED * (greatest * greatest + size * size) {
+        Kind::CubicDouble
+    } else {
+        Kind::General
+    }
+}
+
+/// The plane of energy and L_vert² for a given |K|, with the curves on which a root is double (8.2).
+///
+/// Per unit of I₃: c = MgC/I₃ (1/s²), k = |K| (1/s²), e = E/I₃ (1/s²) and h = (L_vert/I₃)² (1/s²).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Diagram {
+    c: f64,
+    k: f64,
+}
+
+impl Diagram {
+    /// The diagram for this c > 0 and this k ≥ 0.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative), [`Error::NotFinite`](crate::Error::NotFinite).
+    pub fn new(c: f64, k: f64) -> Result<Self> {
+        positive("MgC/I3", c)?;
+        not_negative("the constant |K|", k)?;
+        Ok(Self { c, k })
+    }
+
+    /// h on the line [`Kind::SharedUpper`]: 2(e + k). From e′ = 2e₄ − l₁ = k, where d + e′² = c². Negative h: no motion there.
+    pub fn shared_upper(&self, energy: f64) -> f64 {
+        2.0 * (energy + self.k)
+    }
+
+    /// h on the line [`Kind::SharedLower`]: 2(e − k).
+    pub fn shared_lower(&self, energy: f64) -> f64 {
+        2.0 * (energy - self.k)
+    }
+
+    /// h on the two branches of the curve [`Kind::CubicDouble`], with the double root s = ±√(g₂/12) of 4s³ − g₂s − g₃:
+    /// l²c² = −8s³ − l₁(k² − c² − l₁²); nothing where g₂ < 0.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
+    pub fn cubic_double(&self, energy: f64) -> Result<Option<[f64; 2]>> {
+        let l1 = finite("the energy", energy)? / 3.0;
+        let excess = (self.k - self.c) * (self.k + self.c);
+        let s_squared = (excess + 3.0 * l1 * l1) / 12.0;
+        if s_squared < 0.0 {
+            return Ok(None);
+        }
+        let s = s_squared.sqrt();
+        let rest = l1 * (l1 * l1 - excess);
+        let square = self.c * self.c;
+        // h = (2l)².
+        Ok(Some(
+            [s, -s].map(|s| 4.0 * (rest - 8.0 * s_squared * s) / square),
+        ))
+    }
+
+    /// The five roots at a point of the diagram, 1/s².
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for h.
+    pub fn roots(&self, energy: f64, h: f64) -> Result<[Complex<f64>; 5]> {
+        let wide = DoubleDouble::from;
+        let l1 = wide(finite("the energy", energy)?).divide(wide(3.0));
+        let l = wide(not_negative("the square of L_vert/I3", h)?)
+            .square_root()
+            .scaled(0.5);
+        let k = wide(self.k);
+        let d = DoubleDouble::product(self.c, self.c).subtract(k.multiply(k));
+        let constants = Constants {
+            c: self.c,
+            l1,
+            l,
+            k,
+            d,
+        };
+        Ok(constants.roots().map(|root| root.value()))
+    }
+}

@@ -1,0 +1,161 @@
+//! What stays the same, and the five roots that follow from it (8.2).
+
+use nalgebra::Complex;
+
+use crate::double_double::DoubleDouble;
+
+type Wide = DoubleDouble;
+
+/// Angular velocity and vertical, (p, q, r, z₁, z₂, z₃), in units where I = (2, 2, 1) and C = (C₁, 0, 0).
+pub(super) type Phase = [f64; 6];
+
+/// The constants of a motion in 106 bits: rounding them to doubles would move a narrow pair of roots.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Constants {
+    /// c = MgC₁/I₃.
+    pub c: f64,
+    /// l₁ = E/3: 6l₁ = 2(p² + q²) + r² + 2cz₁.
+    pub l1: Wide,
+    /// l = L_vert/2: 2l = 2(pz₁ + qz₂) + rz₃.
+    pub l: Wide,
+    /// k = |(p + iq)² − c(z₁ + iz₂)|.
+    pub k: Wide,
+    /// d = c² − k².
+    pub d: Wide,
+}
+
+fn wide(x: f64) -> Wide {
+    Wide::from(x)
+}
+
+impl Constants {
+    pub fn of(c: f64, start: &Phase) -> Self {
+        let [p, q, r, z1, z2, z3] = start.map(wide);
+        let square = |x: Wide| x.multiply(x);
+        // The vertical of a rounded quaternion is a unit vector only to rounding; the theory wants it exact.
+        let length = square(z1).add(square(z2)).add(square(z3)).square_root();
+        let [z1, z2, z3] = [z1, z2, z3].map(|z| z.divide(length));
+        let twice_energy = square(p)
+            .add(square(q))
+            .scaled(2.0)
+            .add(square(r))
+            .add(z1.times(c).scaled(2.0));
+        let vertical = p
+            .multiply(z1)
+            .add(q.multiply(z2))
+            .scaled(2.0)
+            .add(r.multiply(z3));
+        let real = square(p).subtract(square(q)).subtract(z1.times(c));
+        let imaginary = p.multiply(q).scaled(2.0).subtract(z2.times(c));
+        let k_squared = square(real).add(square(imaginary));
+        Self {
+            c,
+            l1: twice_energy.divide(wide(6.0)),
+            l: vertical.scaled(0.5),
+            k: k_squared.square_root(),
+            d: Wide::product(c, c).subtract(k_squared),
+        }
+    }
+
+    /// b = −2lc, the middle coefficient of R(x) = −x⁴ + 6l₁x² + 2bx + d.
+    pub fn b(&self) -> f64 {
+        -2.0 * self.l.value() * self.c
+    }
+
+    /// Coefficients g₂, g₃ of her cubic 4s³ − g₂s − g₃.
+    fn invariants(&self) -> [Wide; 2] {
+        let square = self.l1.multiply(self.l1);
+        let g2 = square.times(3.0).subtract(self.d);
+        let lc = self.l.times(self.c);
+        let g3 = lc
+            .multiply(lc)
+            .subtract(self.l1.multiply(self.d.add(square)));
+        [g2, g3]
+    }
+
+    // ANCHOR: roots
+    /// e₁, e₂, e₃, the roots of 4s³ − g₂s − g₃ with e₁ the greatest in size, and e₄, e₅ = (l₁ ± k)/2.
+    ///
+    /// The three add up to zero, so the greatest in size keeps its distance from the others. It is found by Newton's
+    /// method from outside, and the others from s² + e₁s + e₁² − g₂/4: their distance √(g₂ − 3e₁²) is never a difference
+    /// of rounded roots.
+    pub fn roots(&self) -> [Root; 5] {
+        let [g2, g3] = self.invariants();
+        let (quarter, rest) = (g2.scaled(0.25), g3.scaled(0.25));
+        let value = |s: Wide| s.multiply(s).subtract(quarter).multiply(s).subtract(rest);
+        let slope = |s: f64| 3.0 * s * s - quarter.high();
+        let bound = 2.0
+            * quarter
+                .high()
+                .abs()
+                .sqrt()
+                .max((0.5 * rest.high().abs()).cbrt());
+        let mut first = wide(bound.copysign(rest.high()));
+        for _ in 0..60 {
+            let step = value(first).value() / slope(first.high());
+            // The last steps are down in the 106th bit, or 0/0 if all roots are zero.
+            if !step.is_finite() || step.abs() < 1e-32 * bound {
+                break;
+            }
+            first = first.subtract(wide(step));
+        }
+        let square = first.multiply(first);
+        let spread = g2.subtract(square.times(3.0));
+        let middle = first.scaled(-0.5);
+        let half = Root::magnitude(spread).square_root().scaled(0.5);
+        let [second, third] = if spread.high() < 0.0 {
+            [half, half.negated()].map(|imaginary| Root {
+                real: middle,
+                imaginary,
+            })
+        } else {
+            [middle.add(half), middle.subtract(half)].map(Root::on_axis)
+        };
+        let fourth = self.l1.add(self.k).scaled(0.5);
+        let fifth = self.l1.subtract(self.k).scaled(0.5);
+        [
+            Root::on_axis(first),
+            second,
+            third,
+            Root::on_axis(fourth),
+            Root::on_axis(fifth),
+        ]
+    }
+    // ANCHOR_END: roots
+}
+
+/// A root of P(s) = −4(s−e₁)(s−e₂)(s−e₃)(s−e₄)(s−e₅).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Root {
+    pub real: Wide,
+    pub imaginary: Wide,
+}
+
+impl Root {
+    fn on_axis(real: Wide) -> Self {
+        Self {
+            real,
+            imaginary: wide(0.0),
+        }
+    }
+
+    fn magnitude(x: Wide) -> Wide {
+        if x.high() < 0.0 { x.negated() } else { x }
+    }
+
+    pub fn is_real(&self) -> bool {
+        self.imaginary.high() == 0.0
+    }
+
+    /// `self` − `other`, rounded once; `other` real.
+    pub fn from(&self, other: &Self) -> Complex<f64> {
+        Complex::new(
+            self.real.subtract(other.real).value(),
+            self.imaginary.value(),
+        )
+    }
+
+    pub fn value(&self) -> Complex<f64> {
+        Complex::new(self.real.value(), self.imaginary.value())
+    }
+}

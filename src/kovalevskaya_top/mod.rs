@@ -1,0 +1,37 @@
+//! Kovalevskaya's top (tutorial 8): held off its centre, with just the moments that allow one more conserved quantity.
+//!
+//! I₁ = I₂ = 2I₃ and the centre of mass on the plane of the two equal moments. Then (Ω₁+iΩ₂)² − (MgC₁/I₃)(z₁+iz₂) moves on a
+//! circle, and with E, L_vert and |K| known, the motion can be had by quadratures. This module follows the road that
+//! Kovalevskaya took in 1889, one file a step:
+//!
+//! * `constants`: E, L_vert and |K|, and the five roots e₁ … e₅ of a polynomial P that they determine;
+//! * `separation`: variables s₁, s₂ with (s₁−s₂)²(ds/dt)² = P(s) for each, two phases that run through them, and
+//!   two sums of integrals: ∫ds₁/√P + ∫ds₂/√P stays, ∫s₁ds₁/√P + ∫s₂ds₂/√P is the time;
+//! * `series`: those integrals as cosine series, prepared once;
+//! * `solution`: from the phases back to Ω and z by a linear system, which is Kötter's of 1893;
+//! * `exact`: which signs a start has, and the trial at a later time;
+//! * `taylor`: the same motion by power series, where her road is closed or loses digits;
+//! * `walk`: the attitude, which takes one more quadrature;
+//! * [`Kind`], [`Diagram`]: the motions with a double root.
+//!
+//! Error of Ω and z, observed over 1000 random starts with |Ω_i| ≤ 1.5, c = 1, up to time 10, against power series with 24 digits: half
+//! below 2e-15, 95 per cent below 5e-15, the worst 2e-14; of the attitude the same in radians. All of these starts are separated. At time 100
+//! a table of 30 digits shows 6e-14: errors grow in proportion to time. They are greater where gravity is weak against the spin, since z is had by a
+//! division by c, (eps |Ω|²/c), and next to a double root, by the reciprocal of the roots' distance.
+//!
+//! [`toda`] is the lattice that came next (8.3).
+
+mod classes;
+mod constants;
+mod exact;
+mod separation;
+mod series;
+mod solution;
+mod taylor;
+pub mod toda;
+mod top;
+mod walk;
+
+pub use classes::{Diagram, Kind};
+pub use exact::Reason;
+pub use top::{Integrals, KovalevskayaTop, Method, State};

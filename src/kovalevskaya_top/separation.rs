@@ -1,0 +1,359 @@
+//! Her separation variables s₁, s₂, the two phases that run through them, and the time (8.2).
+
+use core::f64::consts::TAU;
+
+use nalgebra::Complex;
+
+use super::constants::{Constants, Phase, Root};
+use super::series::Quadratures;
+
+/// The phases f₁, f₂: s₁ = A + (B−A) sin²(f₁/2), s₂ = C − m tan²(f₂/2) with m = B − C.
+///
+/// s₁ swings between two neighbouring roots A < B of P, s₂ comes from −∞, turns at the smallest root C and goes back; it is
+/// infinite whenever q = 0, and f₂ is there an odd multiple of π. Both phases always increase.
+pub(super) type Phases = [f64; 2];
+
+/// The band of s₁, the end of s₂, and the four quadratures.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Separation {
+    /// The roots e₁ … e₅.
+    pub roots: [Root; 5],
+    /// Which root is A, B and C.
+    pub ends: [usize; 3],
+    /// e − A, e − B and e − C of every root, rounded once.
+    pub from_ends: [[Complex<f64>; 5]; 3],
+    /// Δ = B − A.
+    pub width: f64,
+    /// m = B − C.
+    pub depth: f64,
+    /// a₁ = ∫df₁/√G and b₁ = ∫s₁df₁/√G.
+    first: Quadratures<2>,
+    /// a₂ = ∫w df₂ and b₂ = ∫s₂w df₂.
+    second: Quadratures<2>,
+}
+
+/// G and H at given phases, and what else both the quadratures and the solution ask for.
+pub(super) struct Local {
+    /// sin and cos of f₁/2 and f₂/2.
+    pub half: [[f64; 2]; 2],
+    /// s₁ − e for every root.
+    pub s1_from: [Complex<f64>; 5],
+    /// h_e = (e−C)cos²(f₂/2) + m sin²(f₂/2) = −(s₂ − e)cos²(f₂/2) for every root.
+    pub h: [Complex<f64>; 5],
+    /// √G: (ds₁/df₁)² G = P(s₁).
+    pub root_g: f64,
+    /// √(H/m): w = cos²(f₂/2)/√(H/m).
+    pub root_h: f64,
+    /// D = (s₁ − s₂)cos²(f₂/2), never zero.
+    pub d: f64,
+}
+
+impl Separation {
+    /// The band that contains s₁; none if the roots leave no room for it.
+    pub fn prepare(constants: &Constants, s1: f64) -> Option<Self> {
+        let roots = constants.roots();
+        let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
+        real.sort_by(|&i, &j| {
+            let gap = roots[i].real.subtract(roots[j].real).value();
+            gap.total_cmp(&0.0)
+        });
+        // P > 0 below the smallest root, between the second and third, and between the fourth and fifth.
+        let outside = |a: usize, b: usize| {
+            let (low, high) = (roots[a].real.value(), roots[b].real.value());
+            (low - s1).max(s1 - high)
+        };
+        let (a, b) = real[1..]
+            .chunks_exact(2)
+            .map(|pair| (pair[0], pair[1]))
+            .min_by(|x, y| outside(x.0, x.1).total_cmp(&outside(y.0, y.1)))?;
+        let ends = [a, b, real[0]];
+        let from_ends = ends.map(|end| roots.map(|root| root.from(&roots[end])));
+        let mut separation = Self {
+            roots,
+            ends,
+            from_ends,
+            width: from_ends[0][b].re,
+            depth: from_ends[2][b].re,
+            first: Quadratures::empty(),
+            second: Quadratures::empty(),
+        };
+        let first = Quadratures::prepare(|f| {
+            let local = separation.local([f, 0.0]);
+            [1.0 / local.root_g, separation.s1(&local) / local.root_g]
+        })?;
+        let second = Quadratures::prepare(|f| {
+            let local = separation.local([0.0, f]);
+            let [sine, cosine] = local.half[1];
+            let c = separation.roots[real[0]].real.value();
+            let w = cosine * cosine / local.root_h;
+            [
+                w,
+                (c * cosine * cosine - separation.depth * sine * sine) / local.root_h,
+            ]
+        })?;
+        (separation.first, separation.second) = (first, second);
+        Some(separation)
+    }
+
+    /// The smallest distance of two roots, as a part of the greatest.
+    pub fn narrowest(&self) -> f64 {
+        let values = self.roots.map(|root| root.value());
+        let mut least = f64::INFINITY;
+        let mut greatest = f64::MIN_POSITIVE;
+        for (i, a) in values.iter().enumerate() {
+            for b in &values[..i] {
+                least = least.min((a - b).norm());
+                greatest = greatest.max((a - b).norm());
+            }
+        }
+        least / greatest
+    }
+
+    /// s₁ and s₂ at given phases; s₂ is −∞ where q = 0.
+    pub fn variables(&self, phases: Phases) -> [f64; 2] {
+        let local = self.local(phases);
+        let [_, cosine] = local.half[1];
+        let s1 = self.s1(&local);
+        [s1, s1 - local.d / (cosine * cosine)]
+    }
+
+    /// s₁.
+    pub fn s1(&self, local: &Local) -> f64 {
+        let [sine, _] = local.half[0];
+        self.roots[self.ends[0]].real.value() + self.width * sine * sine
+    }
+
+    pub fn local(&self, phases: Phases) -> Local {
+        let half = phases.map(|f| {
+            let (sine, cosine) = (0.5 * f).sin_cos();
+            [sine, cosine]
+        });
+        let [[s, k], [sine, cosine]] = half;
+        let [a, b, c] = self.ends;
+        let s1_from: [Complex<f64>; 5] = core::array::from_fn(|i| {
+            // From the end that is nearer, so that nothing cancels at either.
+            if s * s < 0.5 {
+                self.width * s * s - self.from_ends[0][i]
+            } else {
+                -self.width * k * k - self.from_ends[1][i]
+            }
+        });
+        let h: [Complex<f64>; 5] = core::array::from_fn(|i| {
+            self.from_ends[2][i] * (cosine * cosine) + self.depth * sine * sine
+        });
+        let product = |values: &[Complex<f64>; 5], without: &[usize]| {
+            (0..5)
+                .filter(|i| !without.contains(i))
+                .map(|i| values[i])
+                .product::<Complex<f64>>()
+                .re
+        };
+        Local {
+            half,
+            root_g: 2.0 * product(&s1_from, &[a, b]).abs().sqrt(),
+            root_h: 2.0 * (product(&h, &[c]) / self.depth).abs().sqrt(),
+            d: s1_from[c].re * cosine * cosine + self.depth * sine * sine,
+            s1_from,
+            h,
+        }
+    }
+
+    // ANCHOR: abel
+    /// a₁(f₁) − a₂(f₂) and b₁(f₁) − b₂(f₂): the first stays, the second is the time.
+    pub fn abel(&self, [f1, f2]: Phases) -> [f64; 2] {
+        let ([a1, b1], [a2, b2]) = (self.first.periodic(f1), self.second.periodic(f2));
+        let [m1, n1] = self.first.means;
+        let [m2, n2] = self.second.means;
+        [m1 * f1 - m2 * f2 + (a1 - a2), n1 * f1 - n2 * f2 + (b1 - b2)]
+    }
+
+    /// The phases if both sums only grew, and the determinant of that linear part.
+    fn linear(&self, [a, b]: [f64; 2]) -> (Phases, f64) {
+        let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
+        let determinant = b1 * a2 - a1 * b2;
+        let phases = [
+            (a2 * b - b2 * a) / determinant,
+            (a1 * b - b1 * a) / determinant,
+        ];
+        (phases, determinant)
+    }
+
+    /// The phases at which both sums have these values.
+    ///
+    /// By Newton's method, and where that does not settle, one phase inside the other.
+    pub fn phases(&self, target: [f64; 2]) -> Phases {
+        self.newton(target).unwrap_or_else(|| self.nested(target))
+    }
+
+    /// Newton's method from the linear part; nothing if the sums do not come closer with a sixteenth of a step.
+    ///
+    /// The map is one to one on the whole plane: its determinant (s₁ − s₂)w/√G is positive.
+    fn newton(&self, target: [f64; 2]) -> Option<Phases> {
+        let (mut phases, _) = self.linear(target);
+        let missing = |phases: Phases| {
+            let sums = self.abel(phases);
+            [target[0] - sums[0], target[1] - sums[1]]
+        };
+        let size = |x: [f64; 2]| x[0].abs().max(x[1].abs());
+        let mut rest = missing(phases);
+        for _ in 0..30 {
+            let local = self.local(phases);
+            let s1 = self.s1(&local);
+            let [_, cosine] = local.half[1];
+            let square = cosine * cosine;
+            // df₁ = √G (b − s₂a)/(s₁ − s₂), df₂ = (b − s₁a)/(w(s₁ − s₂)), both with the cosine² taken out.
+            let s2 = s1 * square - local.d;
+            let step = [
+                local.root_g * (rest[1] * square - s2 * rest[0]) / local.d,
+                local.root_h * (rest[1] - s1 * rest[0]) / local.d,
+            ];
+            let rounding = 64.0 * f64::EPSILON * size(phases);
+            if size(step) < 1e-10 + rounding {
+                return Some([phases[0] + step[0], phases[1] + step[1]]);
+            }
+            let moved = |share: f64| [phases[0] + share * step[0], phases[1] + share * step[1]];
+            (phases, rest) = [1.0, 0.5, 0.25, 0.0625]
+                .into_iter()
+                .map(|share| (moved(share), missing(moved(share))))
+                .find(|(_, left)| size(*left) < size(rest))?;
+        }
+        None
+    }
+    // ANCHOR_END: abel
+
+    /// The same by two searches that cannot fail.
+    ///
+    /// With σ between C and A, ∫(s₁−σ)ds₁/√P and ∫(σ−s₂)ds₂/√P both increase; so f₂ is a decreasing function of f₁ by the sum of
+    /// these two, and the other sum increases with f₁.
+    fn nested(&self, target: [f64; 2]) -> Phases {
+        let [a, _, c] = self.ends.map(|end| self.roots[end].real.value());
+        let middle = 0.5 * (a + c);
+        // ∫(s−σ) of a pair of integrals a, b.
+        let above = |[a, b]: [f64; 2]| b - middle * a;
+        let sum = target[1] - middle * target[0];
+        let slopes = |f1: f64, f2: f64| {
+            let local = self.local([f1, f2]);
+            let [sine, cosine] = local.half[1];
+            let (s1, s2) = (
+                self.s1(&local),
+                c * cosine * cosine - self.depth * sine * sine,
+            );
+            let square = cosine * cosine;
+            let first = [1.0 / local.root_g, (s1 - middle) / local.root_g];
+            let second = [square / local.root_h, (middle * square - s2) / local.root_h];
+            [first, second]
+        };
+        let [p1, q1] = self.first.bounds();
+        let [p2, q2] = self.second.bounds();
+        let inner_mean = -above(self.second.means);
+        let inner_bound = middle.abs() * p2 + q2;
+        let second = |f1: f64| {
+            let rest = sum - above(self.first.whole(f1));
+            let guess = rest / inner_mean;
+            let bound = inner_bound / inner_mean;
+            increasing([guess - bound, guess + bound], |f2| {
+                let value = -above(self.second.whole(f2)) - rest;
+                (value, slopes(f1, f2)[1][1])
+            })
+        };
+        let ([guess, _], determinant) = self.linear(target);
+        // Each sum differs from its mean part by at most this; both are linear in the phases.
+        let [a2, b2] = self.second.means.map(f64::abs);
+        let bound = (a2 * (q1 + q2) + b2 * (p1 + p2)) / determinant;
+        let f1 = increasing([guess - bound, guess + bound], |f1| {
+            let f2 = second(f1);
+            let [[a1_slope, v1], [a2_slope, v2]] = slopes(f1, f2);
+            let value = self.first.whole(f1)[0] - self.second.whole(f2)[0] - target[0];
+            (value, a1_slope + a2_slope * v1 / v2)
+        });
+        [f1, second(f1)]
+    }
+
+    /// Turns of the two phases per unit of time: a₁n₁ = a₂n₂, b₁n₁ − b₂n₂ = 1.
+    pub fn frequencies(&self) -> [f64; 2] {
+        let (turns, _) = self.linear([0.0, 1.0 / TAU]);
+        turns
+    }
+
+    /// Increase of the four integrals in a whole turn of a phase: real periods of the curve w² = P(s).
+    pub fn periods(&self) -> [f64; 4] {
+        let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
+        [a1, b1, a2, b2].map(|mean| TAU * mean)
+    }
+
+    /// Phases of a start, their signs still open: f₁ from s₁, f₂ from s₂.
+    pub fn first_phases(&self, variables: &Variables, l1: f64) -> Phases {
+        let [a, b, c] = self.ends.map(|end| self.roots[end].real.value());
+        let (up, down) = ((variables.s1 - a).max(0.0), (b - variables.s1).max(0.0));
+        let eight = 8.0 * variables.q_squared;
+        let deep = (variables.numerator + eight * (c - 0.5 * l1)).max(0.0);
+        [
+            2.0 * up.sqrt().atan2(down.sqrt()),
+            2.0 * deep.sqrt().atan2((eight * self.depth).sqrt()),
+        ]
+    }
+}
+
+/// The zero of an increasing function with its slope, in an interval that contains it: Newton's steps, and halves where they leave it.
+fn increasing([mut low, mut high]: [f64; 2], function: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let mut x = 0.5 * (low + high);
+    for _ in 0..100 {
+        let (value, slope) = function(x);
+        if value < 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - value / slope;
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        if (next - x).abs() <= 2.0 * f64::EPSILON * x.abs().max(1e-3) {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+/// s₁, and s₂ as the quotient that q = 0 makes infinite: s₂ = l₁/2 − numerator/8q².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Variables {
+    pub s1: f64,
+    pub numerator: f64,
+    pub q_squared: f64,
+}
+
+impl Variables {
+    // ANCHOR: variables
+    /// The separation variables of a state: s = l₁/2 + (R(x₁,x₂) ∓ |R(x₁)|)/(2(x₁−x₂)²), x₁,₂ = p ± iq.
+    ///
+    /// They solve (x₁−x₂)²σ² − R(x₁,x₂)σ + S/4 = 0 for σ = s − l₁/2; whichever of R ∓ |R| would cancel is taken from the other by
+    /// (R + |R|)(R − |R|) = (x₁−x₂)² S.
+    pub fn of(constants: &Constants, state: &Phase) -> Self {
+        let [p, q, ..] = *state;
+        let (l1, d, b) = (constants.l1.value(), constants.d.value(), constants.b());
+        let product = p * p + q * q;
+        let x = Complex::new(p, q);
+        let square = x * x;
+        let size = (-square * square + 6.0 * l1 * square + 2.0 * b * x + d).norm();
+        let mixed = -product * product + 6.0 * l1 * product + 2.0 * b * p + d;
+        let s = 6.0 * l1 * (product * product - d) + 4.0 * p * (d * p + b * product) + b * b;
+        let (sigma, numerator) = if mixed > 0.0 {
+            (0.5 * s / (mixed + size), mixed + size)
+        } else {
+            (
+                (size - mixed) / (8.0 * q * q),
+                4.0 * q * q * s / (size - mixed),
+            )
+        };
+        Self {
+            s1: 0.5 * l1 + sigma,
+            numerator,
+            q_squared: q * q,
+        }
+    }
+    // ANCHOR_END: variables
+}

@@ -1,0 +1,189 @@
+//! From the two phases back to Ω and z: Kötter's linear system, and its first two time derivatives (8.2).
+
+use nalgebra::{Complex, Matrix3, Vector3};
+
+use super::constants::{Constants, Phase};
+use super::separation::{Local, Phases, Separation};
+
+type Number = Complex<f64>;
+
+const I: Number = Number::new(0.0, 1.0);
+
+/// What the linear system needs besides the phases.
+///
+/// For each of the three roots e of the cubic, with e′ = 2e − l₁, α = 2√(l₁+e), β = √(d+e′²) and αβ = b, every state obeys
+///
+/// 2(x₁−x₂) √((s₁−e)(s₂−e)) = α(x₁x₂ − e′) + β(x₁+x₂),
+///
+/// which is linear in Π = x₁x₂ = p² + q², in p = (x₁+x₂)/2, and in q/cos(f₂/2), q = (x₁−x₂)/2i.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Reconstruction {
+    alpha: [Number; 3],
+    beta: [Number; 3],
+    shifted: [Number; 3],
+    /// Which sign each of the three square roots has.
+    pub signs: [f64; 3],
+}
+
+impl Reconstruction {
+    pub fn prepare(constants: &Constants, separation: &Separation) -> Self {
+        let b = constants.b();
+        let mut alpha = [Number::default(); 3];
+        let mut beta = alpha;
+        let mut shifted = alpha;
+        for j in 0..3 {
+            let root = &separation.roots[j];
+            let twice = root.real.scaled(2.0).subtract(constants.l1);
+            let imaginary = root.imaginary.scaled(2.0);
+            shifted[j] = Number::new(twice.value(), imaginary.value());
+            let first = Number::new(constants.l1.add(root.real).value(), root.imaginary.value());
+            let square = twice
+                .multiply(twice)
+                .subtract(imaginary.multiply(imaginary))
+                .add(constants.d);
+            let second = Number::new(
+                square.value(),
+                twice.multiply(imaginary).scaled(2.0).value(),
+            );
+            (alpha[j], beta[j]) = (2.0 * first.sqrt(), second.sqrt());
+            // The smaller of the two is a root of a difference; the product is known.
+            if alpha[j].norm() > beta[j].norm() {
+                beta[j] = b / alpha[j];
+            } else if beta[j].norm() > 0.0 {
+                alpha[j] = b / beta[j];
+            }
+        }
+        Self {
+            alpha,
+            beta,
+            shifted,
+            signs: [1.0; 3],
+        }
+    }
+
+    /// The state at these phases, regular at q = 0: there r, z₂ and z₃ are not quotients by q but derivatives of p and q.
+    pub fn state(&self, constants: &Constants, separation: &Separation, phases: Phases) -> Phase {
+        let local = separation.local(phases);
+        let flow = Flow::at(separation, &local);
+        let [_, [sine, cosine]] = local.half;
+        let mut matrix = Matrix3::<Number>::zeros();
+        let mut sides = [Vector3::<Number>::zeros(); 3];
+        for j in 0..3 {
+            let roots = flow
+                .product(separation, &local, j)
+                .map(|q| q * self.signs[j]);
+            // Rows of one size: a pair of complex roots has conjugate rows.
+            let scale = 1.0 / (self.alpha[j].norm() + self.beta[j].norm()).max(f64::MIN_POSITIVE);
+            let row = [self.alpha[j], 2.0 * self.beta[j], -4.0 * I * roots[0]];
+            for (column, entry) in row.into_iter().enumerate() {
+                matrix[(j, column)] = entry * scale;
+            }
+            sides[0][j] = self.alpha[j] * self.shifted[j] * scale;
+            sides[1][j] = 4.0 * I * roots[1] * scale;
+            sides[2][j] = 4.0 * I * roots[2] * scale;
+        }
+        let system = matrix.lu();
+        let Some([x, y, y_rate]) = solve(&system, &sides) else {
+            return [f64::NAN; 6];
+        };
+        // M x = s₀ gives (Π, p, q̂); M y = s₁ gives y = x′/(q̂ cos), and once more M y′ = s₂ + cos·y₃·s₁.
+        let [squares, p, q_hat] = x;
+        let [_, p_rate, q_rate] = y;
+        let r = 2.0 * p_rate;
+        let r_rate = 2.0 * (y_rate[1] + cosine * q_rate * p_rate);
+        let q = q_hat * cosine;
+        let dq = q_hat * (q_rate * cosine * cosine - 0.5 * sine * flow.rates[1]);
+        let c = constants.c;
+        let z3 = (2.0 * dq + r * p) / c;
+        let z2 = -r_rate / c;
+        let z1 = (6.0 * constants.l1.value() - 2.0 * squares - r * r) / (2.0 * c);
+        [p, q, r, z1, z2, z3]
+    }
+}
+
+fn solve(
+    system: &nalgebra::LU<Number, nalgebra::Const<3>, nalgebra::Const<3>>,
+    sides: &[Vector3<Number>; 3],
+) -> Option<[[f64; 3]; 3]> {
+    let mut solutions = [[0.0; 3]; 3];
+    for (solution, side) in solutions.iter_mut().zip(sides) {
+        let complex = system.solve(side)?;
+        *solution = core::array::from_fn(|i| complex[i].re);
+    }
+    Some(solutions)
+}
+
+/// How fast the phases and their functions change.
+struct Flow {
+    /// f₁′/cos²(f₂/2) and f₂′, never zero.
+    rates: [f64; 2],
+    /// Their time derivatives.
+    second: [f64; 2],
+}
+
+impl Flow {
+    fn at(separation: &Separation, local: &Local) -> Self {
+        let [[s, k], [sine, cosine]] = local.half;
+        let [a, b, c] = separation.ends;
+        let rates = [local.root_g / local.d, local.root_h / local.d];
+        let [first, second] = [rates[0] * cosine * cosine, rates[1]];
+        // d ln √G = ½ Σ ds₁/(s₁−e), d ln √H = ½ Σ dh/h, over the roots that G and H contain.
+        let s1_rate = separation.width * s * k * first;
+        let g = (0..5)
+            .filter(|i| ![a, b].contains(i))
+            .map(|i| (s1_rate / local.s1_from[i]).re)
+            .sum::<f64>();
+        let turning = sine * cosine * second;
+        let h = (0..5)
+            .filter(|i| *i != c)
+            .map(|i| (-separation.from_ends[1][i] * turning / local.h[i]).re)
+            .sum::<f64>();
+        let d_rate = s1_rate * cosine * cosine + turning * (separation.depth - local.s1_from[c].re);
+        Self {
+            rates,
+            second: [
+                rates[0] * (0.5 * g - d_rate / local.d),
+                rates[1] * (0.5 * h - d_rate / local.d),
+            ],
+        }
+    }
+
+    /// Q = cos(f₂/2)√((s₁−e)(s₂−e)) of the root e_j, then Q′/cos(f₂/2), and the time derivative of that.
+    ///
+    /// Q = uv with u² = s₁ − e and v² = −h, both smooth: at an end of the band the root is taken of sin² or cos² before the sign is lost.
+    fn product(&self, separation: &Separation, local: &Local, j: usize) -> [Number; 3] {
+        let [[s, k], [sine, cosine]] = local.half;
+        let [a, b, c] = separation.ends;
+        let root = separation.width.sqrt();
+        let [u, u1, u2] = if j == a {
+            [root * s, 0.5 * root * k, -0.25 * root * s].map(Number::from)
+        } else if j == b {
+            [root * k, -0.5 * root * s, -0.25 * root * k].map(|x| I * x)
+        } else {
+            let u = local.s1_from[j].sqrt();
+            let u1 = separation.width * s * k / (2.0 * u);
+            let u2 = separation.width * (k * k - s * s) / (4.0 * u) - u1 * u1 / u;
+            [u, u1, u2]
+        };
+        // v, and dv/df₂ and its derivative without their factor cos(f₂/2).
+        let [v, v1, v2] = if j == c {
+            let root = separation.depth.sqrt();
+            [I * root * sine, 0.5 * root * I, Number::default()]
+        } else {
+            let v = I * local.h[j].sqrt();
+            // e − B, from which m + C − e = B − e.
+            let v1 = separation.from_ends[1][j] * sine / (2.0 * v);
+            let v2 = separation.from_ends[1][j] / (4.0 * v) - v1 * v1 / v;
+            [v, v1, v2]
+        };
+        let [rate1, rate2] = self.rates;
+        let first = rate1 * cosine * cosine;
+        let over_cosine = u1 * v * cosine * rate1 + u * v1 * rate2;
+        let derivative = (u2 * first * v + u1 * v1 * (cosine * rate2)) * (cosine * rate1)
+            - u1 * v * (0.5 * sine * rate2 * rate1)
+            + u1 * v * (cosine * self.second[0])
+            + (u1 * first * v1 + u * v2 * (cosine * rate2)) * rate2
+            + u * v1 * self.second[1];
+        [u * v, over_cosine, derivative]
+    }
+}

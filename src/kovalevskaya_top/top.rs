@@ -1,0 +1,407 @@
+//! The top itself: units and axes taken off, the regime decided, Ω, z and attitude at any time (8.1, 8.2).
+
+use nalgebra::Complex;
+
+use super::classes::{Kind, classify};
+use super::constants::{Constants, Phase};
+use super::exact::{Exact, Reason};
+use super::separation::Variables;
+use super::taylor::Carried;
+use super::walk::{Walk, about_third, shortest};
+use crate::double_double::power_of_two_below;
+use crate::error::{Error, Result, finite, positive};
+use crate::euler_equations::{AxisMoments, HeavyTop, TopState, finite_vector};
+use crate::euler_top::EulerTop;
+use crate::frame::{Attitude, BodyVector, SpaceVector};
+
+/// How the motion is computed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Method {
+    /// Kovalevskaya's own road: Ω and z at any time at the same cost.
+    Separation,
+    /// The Euler–Poisson equations by their power series, step by step from time 0, for this reason.
+    PowerSeries(Reason),
+    /// C = O: the exact free top of section 6.
+    FreeTop,
+}
+
+/// Kovalevskaya's top at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Ω along the body's axes, rad/s.
+    pub omega: BodyVector,
+    /// z, the upward unit vector, along the body's axes.
+    pub up: BodyVector,
+    /// How the body stands in space; space's third axis points up.
+    pub attitude: Attitude,
+}
+
+/// What the motion keeps (8.1, 8.2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Integrals {
+    /// E = ½⟨IΩ,Ω⟩ + ⟨MgC, z⟩, J.
+    pub energy: f64,
+    /// L_vert = ⟨IΩ, z⟩, kg m²/s.
+    pub vertical_angular_momentum: f64,
+    /// Her constant |K| = |(Ω₁+iΩ₂)² − (Mg/I₃)(C₁+iC₂)(z₁+iz₂)|, 1/s².
+    pub kovalevskaya: f64,
+}
+
+/// A top with I₁ = I₂ = 2I₃ and its centre of mass on the plane of axes 1 and 2, its motion prepared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KovalevskayaTop {
+    /// I₃, kg m².
+    axial: f64,
+    /// MgC, N m, along the body's axes.
+    lever: BodyVector,
+    /// The unit of angular velocity, a power of two; its reciprocal is that of time.
+    unit: f64,
+    /// Angle from axis 1 to C about axis 3.
+    pub(super) heading: f64,
+    /// The start in the units and along the axes of the theory.
+    start: Carried,
+    pub(super) constants: Constants,
+    kind: Kind,
+    pub(super) motion: Motion,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Motion {
+    Separated(Box<Exact>),
+    Stepped(Reason),
+    Free(Box<EulerTop>),
+}
+
+/// How far from 2 the ratios I₁/I₃ and I₂/I₃ may be rounded.
+const ROUNDED: f64 = 8.0 * f64::EPSILON;
+
+/// Units of time (the reciprocal of the greatest of |Ω_i(0)| and √(Mg|C|/I₃), up to a factor 2) that are stepped through at most.
+pub(super) const LONGEST_WALK: f64 = 1e6;
+
+/// Units of time beyond which a double tells the phases to less than 1e-6.
+const LONGEST: f64 = 1e9;
+
+impl KovalevskayaTop {
+    /// The top with these moments about the pivot O (kg m², axis by axis), this lever MgC (N m, C seen from O), Ω along the
+    /// body's axes (rad/s) and attitude at time 0; space's third axis points up (8.1).
+    ///
+    /// Domain: I₁ = I₂ = 2I₃ up to 8 eps, which is taken for rounding (the moments used are 2I₃, 2I₃, I₃), and C₃ = 0 exactly; C in any
+    /// direction of the plane, also C = O. Moments need not satisfy more: Md² ≤ I₃/2 is what a body needs in addition, and
+    /// mass and lever do not come separately. The regime is decided here: [`kind`](Self::kind), [`method`](Self::method).
+    /// Cost: 0.2 ms where the series are short, 2 ms and more near a double root.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane.
+    pub fn new(
+        moments: [f64; 3],
+        lever: BodyVector,
+        omega: BodyVector,
+        attitude: Attitude,
+    ) -> Result<Self> {
+        let up = attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
+        Self::prepare(moments, lever, omega, up, attitude)
+    }
+
+    /// The same from the upward vector z along the body's axes; the attitude is the shortest turn of z onto the vertical.
+    ///
+    /// `up` of any length but zero; if it points straight down, the body is turned over about axis 1.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new), and [`Error::ZeroVector`].
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, kovalevskaya_top::KovalevskayaTop};
+    /// let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let k = top.constants().kovalevskaya;
+    /// assert!((k - 257f64.sqrt() / 12.0).abs() < 1e-15);
+    /// let later = top.at(1.0)?;
+    /// assert!((later.omega.x() - 1.110_955_534_402_430_9).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn with_up(
+        moments: [f64; 3],
+        lever: BodyVector,
+        omega: BodyVector,
+        up: BodyVector,
+    ) -> Result<Self> {
+        let up = up.direction("the vertical")?;
+        let attitude = Attitude::from_unit(shortest(up.components().into()));
+        Self::prepare(moments, lever, omega, up, attitude)
+    }
+
+    fn prepare(
+        moments: [f64; 3],
+        lever: BodyVector,
+        omega: BodyVector,
+        up: BodyVector,
+        attitude: Attitude,
+    ) -> Result<Self> {
+        for moment in moments {
+            positive("a principal moment", moment)?;
+        }
+        let axial = moments[2];
+        for moment in &moments[..2] {
+            let ratio = moment / axial;
+            // An infinite quotient of finite moments is refused with the rest.
+            if (ratio - 2.0).abs() > 2.0 * ROUNDED {
+                return Err(Error::Condition {
+                    condition: "I1/I3 and I2/I3 must be 2 for Kovalevskaya's top",
+                    value: ratio,
+                });
+            }
+        }
+        finite_vector("the lever MgC", lever)?;
+        finite_vector("the angular velocity", omega)?;
+        if lever.z() != 0.0 {
+            return Err(Error::Condition {
+                condition: "the centre of mass of Kovalevskaya's top must lie on the plane of axes 1 and 2, C3 = 0",
+                value: lever.z(),
+            });
+        }
+        let strength = finite("the lever over I3", lever.x().hypot(lever.y()) / axial)?;
+        let fastest = omega.components().amax().max(strength.sqrt());
+        let unit = power_of_two_below(fastest);
+        let heading = lever.y().atan2(lever.x());
+        let top = Self {
+            axial,
+            lever,
+            unit,
+            heading,
+            start: ([0.0; 6], [1.0, 0.0, 0.0, 0.0]),
+            constants: Constants::of(0.0, &[0.0; 6]),
+            kind: Kind::EulerSymmetric,
+            motion: Motion::Stepped(Reason::DoubleRoot),
+        };
+        // In two quotients: the square of the unit may overflow or underflow where the result does not.
+        let c = strength / unit / unit;
+        if c == 0.0 {
+            // Only the ratios count, so no moment or rate can be too small to square.
+            let free = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;
+            let start = top.inward(omega, up);
+            return Ok(Self {
+                constants: Constants::of(0.0, &start),
+                motion: Motion::Free(Box::new(free)),
+                ..top
+            });
+        }
+        let start = top.inward(omega, up);
+        let constants = Constants::of(c, &start);
+        let motion = match Exact::find(&constants, &start) {
+            Ok(exact) => Motion::Separated(Box::new(exact)),
+            Err(reason) => Motion::Stepped(reason),
+        };
+        let turned = attitude.quaternion().into_inner() * about_third(heading);
+        Ok(Self {
+            start: (start, [turned.w, turned.i, turned.j, turned.k]),
+            constants,
+            kind: classify(&constants),
+            motion,
+            ..top
+        })
+    }
+
+    /// What kind of motion it is: how the five roots lie, decided once.
+    pub const fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// How it is computed, and if not by separation, why.
+    pub fn method(&self) -> Method {
+        match &self.motion {
+            Motion::Separated(_) => Method::Separation,
+            Motion::Stepped(reason) => Method::PowerSeries(*reason),
+            Motion::Free(_) => Method::FreeTop,
+        }
+    }
+
+    /// E, L_vert and |K|, from the start (8.1, 8.2).
+    pub fn constants(&self) -> Integrals {
+        let Constants { l1, l, k, .. } = self.constants;
+        let unit = self.unit;
+        Integrals {
+            energy: 3.0 * l1.value() * unit * unit * self.axial,
+            vertical_angular_momentum: 2.0 * l.value() * unit * self.axial,
+            kovalevskaya: k.value() * unit * unit,
+        }
+    }
+
+    /// Ω and z at any time t (s), without the attitude: at the same cost for every t where [`method`](Self::method) is not
+    /// [`PowerSeries`](Method::PowerSeries).
+    ///
+    /// Newton's method for the phases, a linear system for p, q and their derivatives, the nearest point of the surface E, L_vert, |z|,
+    /// |K| = const. Error: see [the module](super). Cost: about six sums of the prepared series and one complex 3 × 3 system, 5 µs; up to a hundred in
+    /// the passage between two roots that nearly meet.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10⁹ units of the motion (10⁶ by power series), the unit being 1/max(|Ω|, √(Mg|C|/I₃)).
+    pub fn omega_and_up(&self, t: f64) -> Result<TopState> {
+        match &self.motion {
+            Motion::Separated(exact) => {
+                let time = self.inward_time(t, LONGEST)?;
+                Ok(self.outward(&exact.state(&self.constants, time)))
+            }
+            Motion::Stepped(_) => {
+                let state = self.at(t)?;
+                Ok(TopState {
+                    omega: state.omega,
+                    up: state.up,
+                })
+            }
+            Motion::Free(free) => {
+                let State { omega, up, .. } = self.free(free, t)?;
+                Ok(TopState { omega, up })
+            }
+        }
+    }
+
+    /// Ω, z and attitude at time t (s).
+    ///
+    /// The angle about the vertical takes one more quadrature: on each short stretch the attitude follows from the power series of the exact
+    /// Ω, and its tilt from the exact z, so that only the angle collects errors. Cost: [`omega_and_up`](Self::omega_and_up) and a
+    /// series for each stretch, a quarter of a unit of the motion: 40 µs a unit. It grows with t; for many times take [`states`](Self::states).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10⁶ units of the motion, [as above](Self::omega_and_up).
+    pub fn at(&self, t: f64) -> Result<State> {
+        self.walk().to(t)
+    }
+
+    /// The states at these times, one after another, each from the one before: best in ascending order.
+    ///
+    /// # Errors
+    /// Each as for [`at`](Self::at).
+    pub fn states(
+        &self,
+        times: impl IntoIterator<Item = f64>,
+    ) -> impl Iterator<Item = Result<State>> {
+        let mut walk = self.walk();
+        times.into_iter().map(move |t| walk.to(t))
+    }
+
+    /// Turns of the two phases a second, or nothing where the motion is not separated.
+    ///
+    /// Ω and z are functions of two angles that advance uniformly at these rates; they return to themselves after an even number of turns of each.
+    /// Error: 1e-15 relative. Cost: none.
+    pub fn frequencies(&self) -> Option<[f64; 2]> {
+        let exact = self.separated()?;
+        Some(exact.separation.frequencies().map(|n| n * self.unit))
+    }
+
+    /// The phases f₁, f₂ at time t (s), radians, or nothing where the motion is not separated: s₁ = A + (B−A) sin²(f₁/2), s₂ = C − (B−C) tan²(f₂/2).
+    ///
+    /// # Errors
+    /// As for [`omega_and_up`](Self::omega_and_up).
+    pub fn phases_at(&self, t: f64) -> Result<Option<[f64; 2]>> {
+        let time = self.inward_time(t, LONGEST)?;
+        Ok(self.separated().map(|exact| exact.phases(time)))
+    }
+
+    /// Her separation variables s₁ ≥ s₂ at time t (s), 1/s², or nothing where the motion is not separated; s₂ = −∞ where q = 0.
+    ///
+    /// # Errors
+    /// As for [`omega_and_up`](Self::omega_and_up).
+    pub fn separation_variables_at(&self, t: f64) -> Result<Option<[f64; 2]>> {
+        let phases = self.phases_at(t)?;
+        Ok(self.separated().zip(phases).map(|(exact, phases)| {
+            let square = self.unit * self.unit;
+            exact.separation.variables(phases).map(|s| s * square)
+        }))
+    }
+
+    /// Her separation variables of any state on the same surface, straight from their definition (8.2), 1/s².
+    ///
+    /// s = l₁/2 + (R(x₁,x₂) ∓ |R(x₁)|)/(2(x₁−x₂)²) with x₁,₂ = Ω₁ ± iΩ₂ along axes for which C₂ = 0. Error: a few eps of |Ω|². Cost: a few multiplications.
+    pub fn separation_variables(&self, state: &TopState) -> [f64; 2] {
+        let inward = self.inward(state.omega, state.up);
+        let variables = Variables::of(&self.constants, &inward);
+        let half = 0.5 * self.constants.l1.value();
+        let s2 = half - variables.numerator / (8.0 * variables.q_squared);
+        [variables.s1, s2].map(|s| s * self.unit * self.unit)
+    }
+
+    /// The five roots of P(s) = −4(s−e₁)(s−e₂)(s−e₃)(s−e₄)(s−e₅), 1/s²: (s₁−s₂)² (ds_i/dt)² = P(s_i). e₁+e₂+e₃ = 0, e₄,₅ = (E/3I₃ ± |K|)/2.
+    pub fn roots(&self) -> [Complex<f64>; 5] {
+        let square = self.unit * self.unit;
+        self.constants.roots().map(|root| root.value() * square)
+    }
+
+    /// By how much ∫ds₁/√P (s³), ∫s₁ds₁/√P (s), and the same two for s₂, increase in a whole turn of the phase: real periods of the curve
+    /// w² = P(s); nothing where the motion is not separated.
+    pub fn periods(&self) -> Option<[f64; 4]> {
+        let exact = self.separated()?;
+        let [a1, b1, a2, b2] = exact.separation.periods();
+        let cube = self.unit * self.unit * self.unit;
+        Some([a1 / cube, b1 / self.unit, a2 / cube, b2 / self.unit])
+    }
+
+    /// The same top for the general equations (5.1).
+    ///
+    /// # Errors
+    /// None that [`new`](Self::new) has not raised.
+    pub fn heavy_top(&self) -> Result<HeavyTop> {
+        let moments = AxisMoments::new(2.0 * self.axial, 2.0 * self.axial, self.axial)?;
+        HeavyTop::new(moments, self.lever)
+    }
+
+    fn separated(&self) -> Option<&Exact> {
+        match &self.motion {
+            Motion::Separated(exact) => Some(exact),
+            _ => None,
+        }
+    }
+
+    fn walk(&self) -> Walk<'_> {
+        Walk {
+            top: self,
+            time: 0.0,
+            here: self.start,
+        }
+    }
+
+    pub(super) fn free(&self, free: &EulerTop, t: f64) -> Result<State> {
+        let state = free.at(self.inward_time(t, f64::MAX)?)?;
+        Ok(State {
+            omega: state.omega * self.unit,
+            up: state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0)),
+            attitude: state.attitude,
+        })
+    }
+
+    pub(super) fn inward_time(&self, t: f64, longest: f64) -> Result<f64> {
+        let time = finite("the time", t)? * self.unit;
+        if time.abs() <= longest {
+            return Ok(time);
+        }
+        Err(Error::OutOfRange {
+            quantity: "the time",
+            value: t,
+            least: -longest / self.unit,
+            greatest: longest / self.unit,
+        })
+    }
+
+    /// To the axes for which C₂ = 0 < C₁, and to the unit of angular velocity.
+    fn inward(&self, omega: BodyVector, up: BodyVector) -> Phase {
+        let [p, q] = turned(self.heading, [omega.x(), omega.y()]);
+        let [z1, z2] = turned(self.heading, [up.x(), up.y()]);
+        let [p, q, r] = [p, q, omega.z()].map(|o| o / self.unit);
+        [p, q, r, z1, z2, up.z()]
+    }
+
+    pub(super) fn outward(&self, &[p, q, r, z1, z2, z3]: &Phase) -> TopState {
+        let [o1, o2] = turned(-self.heading, [p, q]);
+        let [u1, u2] = turned(-self.heading, [z1, z2]);
+        TopState {
+            omega: BodyVector::new(o1, o2, r) * self.unit,
+            up: BodyVector::new(u1, u2, z3),
+        }
+    }
+}
+
+/// The components of a vector along axes that are turned by an angle.
+fn turned(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    [cosine * x + sine * y, cosine * y - sine * x]
+}

@@ -1,0 +1,248 @@
+//! Kovalevskaya's top over many starts: her road against power series, whatever the start.
+
+use proptest::prelude::*;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, State};
+
+#[path = "reference/double_double.rs"]
+mod double_double;
+#[path = "support/power_series.rs"]
+mod power_series;
+
+use double_double::Dd;
+use power_series::{Number, Top, Whole};
+
+impl Number for Dd {
+    // Two digits beyond what is compared, and short of what would take twice the steps.
+    const TINY: f64 = 1e-24;
+    fn double(self) -> f64 {
+        self.value()
+    }
+}
+
+const MOMENTS: [f64; 3] = [2.0, 2.0, 1.0];
+
+fn vector([x, y, z]: [f64; 3]) -> BodyVector {
+    BodyVector::new(x, y, z)
+}
+
+/// SplitMix64: a thousand starts that are the same everywhere.
+struct Draw(u64);
+
+impl Draw {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Ω in a cube of half width `spin`, z evenly over the sphere.
+    fn start(&mut self, spin: f64) -> [[f64; 3]; 2] {
+        let omega = [(); 3].map(|()| spin * (2.0 * self.unit() - 1.0));
+        let (height, azimuth) = (2.0 * self.unit() - 1.0, std::f64::consts::TAU * self.unit());
+        let (sine, cosine) = azimuth.sin_cos();
+        let radius = (1.0 - height * height).sqrt();
+        [omega, [radius * cosine, radius * sine, height]]
+    }
+}
+
+/// The start of a top as the power series take it, z and quaternion of length 1 to 30 digits.
+fn whole(omega: [f64; 3], state: &State) -> Whole<Dd> {
+    let (z, q) = (state.up, state.attitude.quaternion());
+    let unit = |parts: &[f64]| -> Vec<Dd> {
+        let square = parts
+            .iter()
+            .fold(Dd::ZERO, |sum, &x| sum + Dd::from(x) * Dd::from(x));
+        parts.iter().map(|&x| Dd::from(x) / square.sqrt()).collect()
+    };
+    let (up, turn) = (unit(&[z.x(), z.y(), z.z()]), unit(&[q.w, q.i, q.j, q.k]));
+    let parts: Vec<Dd> = omega
+        .map(Dd::from)
+        .into_iter()
+        .chain(up)
+        .chain(turn)
+        .collect();
+    parts.try_into().expect("ten numbers")
+}
+
+/// Largest difference of a component of Ω and z, and the angle between the attitudes.
+fn errors(state: &State, expected: &Whole<Dd>) -> [f64; 2] {
+    let y = expected.map(Dd::value);
+    let found = [state.omega, state.up].map(|v| <[f64; 3]>::from(v.components()));
+    let largest = (0..6).fold(0.0_f64, |m, k| m.max((found[k / 3][k % 3] - y[k]).abs()));
+    let attitude = Attitude::from_quaternion(y[6], y[7], y[8], y[9]).expect("a quaternion");
+    [largest, attitude.angle_to(&state.attitude)]
+}
+
+/// Some starts at three times each, against 24 digits: errors of Ω and z and of the attitude in ascending order, and how many were separated.
+fn several(starts: u32, seed: u64, spin: f64) -> ([Vec<f64>; 2], usize) {
+    let mut draw = Draw(seed);
+    let mut worst = [Vec::new(), Vec::new()];
+    let mut separated = 0;
+    let lever = [1.0, 0.0, 0.0];
+    let reference = Top {
+        moments: MOMENTS,
+        lever,
+    };
+    for _ in 0..starts {
+        let [omega, up] = draw.start(spin);
+        let top = KovalevskayaTop::with_up(MOMENTS, vector(lever), vector(omega), vector(up))
+            .expect("a start");
+        separated += usize::from(top.method() == Method::Separation);
+        let start = top.at(0.0).expect("the start");
+        let (mut y, mut t, mut largest) = (whole(omega, &start), 0.0_f64, [0.0_f64; 2]);
+        for state in top.states([1.3, 4.7, 10.0]).zip([1.3, 4.7, 10.0]) {
+            let (state, time) = (state.0.expect("a state"), state.1);
+            y = reference.after(y, time - t);
+            t = time;
+            let found = errors(&state, &y);
+            largest = [0, 1].map(|i| largest[i].max(found[i]));
+        }
+        for (list, error) in worst.iter_mut().zip(largest) {
+            list.push(error);
+        }
+    }
+    for list in &mut worst {
+        list.sort_by(f64::total_cmp);
+    }
+    (worst, separated)
+}
+
+/// Median, 95 per cent, and worst.
+fn spread(sorted: &[f64]) -> [f64; 3] {
+    let n = sorted.len();
+    [sorted[n / 2], sorted[n * 95 / 100], sorted[n - 1]]
+}
+
+#[test]
+fn a_thousand_random_starts() {
+    let ([motion, attitude], separated) = several(1000, 1889, 1.5);
+    let (motion, attitude) = (spread(&motion), spread(&attitude));
+    println!("separated {separated}; motion {motion:?}; attitude {attitude:?}");
+    assert_eq!(separated, 1000);
+    // Observed: 1.6e-15, 4.7e-15, 1.9e-14 for Ω and z, 1.9e-15, 5.4e-15, 2.0e-14 rad for the attitude.
+    assert!(motion[0] < 3e-15 && motion[1] < 1e-14 && motion[2] < 8e-14);
+    assert!(attitude[0] < 4e-15 && attitude[1] < 1e-14 && attitude[2] < 8e-14);
+}
+
+#[test]
+fn fast_and_slow_starts() {
+    // Observed:
+    for (seed, spin, most) in [(1888, 6.0, 2e-12), (1893, 0.2, 2e-13)] {
+        let ([motion, attitude], separated) = several(150, seed, spin);
+        let (motion, attitude) = (spread(&motion), spread(&attitude));
+        println!("spin {spin}: separated {separated}; motion {motion:?}; attitude {attitude:?}");
+        assert_eq!(separated, 150);
+        assert!(motion[2] < most && attitude[2] < most);
+    }
+}
+
+/// Where s₁ and s₂ come within 2e-4 of each other Newton's method does not settle: the whole passage, through the nested search.
+#[test]
+fn a_narrow_passage() {
+    let omega = [
+        -0.014_214_603_824_080_019,
+        -0.152_116_599_798_004_7,
+        -0.045_524_455_129_894_61,
+    ];
+    let up = [
+        0.907_522_838_495_497_2,
+        0.002_167_017_844_112_36,
+        0.419_997_144_803_079_7,
+    ];
+    let lever = [1.0, 0.0, 0.0];
+    let top = KovalevskayaTop::with_up(MOMENTS, vector(lever), vector(omega), vector(up))
+        .expect("a start");
+    let reference = Top {
+        moments: MOMENTS,
+        lever,
+    };
+    let mut y = whole(omega, &top.at(0.0).expect("the start"));
+    let mut worst = [0.0_f64; 2];
+    let times: Vec<f64> = (1..=300).map(|n| f64::from(n) / 64.0).collect();
+    for state in top.states(times) {
+        y = reference.after(y, 1.0 / 64.0);
+        let [motion, attitude] = errors(&state.expect("a state"), &y);
+        worst = [worst[0].max(motion), worst[1].max(attitude)];
+    }
+    println!("narrow passage: {worst:?}");
+    // Observed: 6.5e-13; a distance of 2e-4 between two roots costs two digits.
+    assert!(worst[0] < 3e-12 && worst[1] < 3e-12, "{worst:?}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn nothing_panics_and_nothing_is_lost(
+        axial in prop::num::f64::ANY, lever in prop::array::uniform2(prop::num::f64::ANY),
+        omega in prop::array::uniform3(prop::num::f64::ANY), up in prop::array::uniform3(prop::num::f64::ANY),
+        t in prop::num::f64::ANY,
+    ) {
+        let moments = [2.0 * axial, 2.0 * axial, axial];
+        let [c1, c2] = lever;
+        if let Ok(top) = KovalevskayaTop::with_up(moments, vector([c1, c2, 0.0]), vector(omega), vector(up)) {
+            let _ = (top.kind(), top.method(), top.constants(), top.roots(), top.frequencies(), top.periods());
+            let _ = (top.phases_at(t), top.separation_variables_at(t), top.heavy_top());
+            if let Ok(state) = top.omega_and_up(0.0) {
+                prop_assert!(state.up.is_finite() && state.omega.is_finite());
+            }
+            if let Ok(state) = top.omega_and_up(t) {
+                prop_assert!(state.up.is_finite() && state.omega.is_finite(), "{state:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn nor_at_any_scale(
+        seed in any::<u64>(), scales in prop::array::uniform3(-320.0..308.0_f64),
+        shrunk in prop::array::uniform6(-20.0..1.0_f64), t in 0.0..1e4_f64,
+    ) {
+        let [omega, up] = Draw(seed).start(1.0);
+        let [axial, lever, rate] = scales.map(|x| 10_f64.powf(x));
+        // Each component small by a factor of its own: near axes, planes and rest.
+        let omega: [f64; 3] = std::array::from_fn(|i| rate * omega[i] * 10_f64.powf(shrunk[i]));
+        let up: [f64; 3] = std::array::from_fn(|i| up[i] * 10_f64.powf(shrunk[i + 3]));
+        for (lever, omega) in [(lever, omega), (axial * rate * rate, omega), (axial, omega.map(|o| o / rate))] {
+            let moments = [2.0 * axial, 2.0 * axial, axial];
+            let Ok(top) = KovalevskayaTop::with_up(moments, vector([0.0, -lever, 0.0]), vector(omega), vector(up)) else {
+                continue;
+            };
+            let unit = (lever / axial).sqrt().max(vector(omega).norm());
+            for time in [0.0, 1.0 / unit, -t / unit] {
+                let Ok(state) = top.omega_and_up(time) else { continue };
+                prop_assert!(state.omega.is_finite() && (state.up.norm() - 1.0).abs() < 1e-14, "{state:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn time_runs_both_ways(seed in any::<u64>(), t in 0.1..20.0_f64) {
+        let [omega, up] = Draw(seed).start(1.5);
+        let top = KovalevskayaTop::with_up(MOMENTS, vector([1.0, 0.0, 0.0]), vector(omega), vector(up)).expect("a start");
+        // Where it is at t, started anew and run back by t, is where it was.
+        let later = top.at(t).expect("a state");
+        let again = KovalevskayaTop::new(MOMENTS, vector([1.0, 0.0, 0.0]), later.omega, later.attitude).expect("a start");
+        let (first, back) = (top.at(0.0).expect("a state"), again.at(-t).expect("a state"));
+        // Observed: 1e-12 over 2000 starts.
+        prop_assert!((back.omega - first.omega).norm() < 1e-11, "{:e}", (back.omega - first.omega).norm());
+        prop_assert!(back.attitude.angle_to(&first.attitude) < 1e-11);
+    }
+
+    #[test]
+    fn the_phases_advance_at_the_frequencies(seed in any::<u64>()) {
+        let [omega, up] = Draw(seed).start(1.5);
+        let top = KovalevskayaTop::with_up(MOMENTS, vector([1.0, 0.0, 0.0]), vector(omega), vector(up)).expect("a start");
+        if let Some(frequencies) = top.frequencies() {
+            let phases = |t: f64| top.phases_at(t).expect("a time").expect("separated");
+            let (start, end) = (phases(0.0), phases(1000.0));
+            for i in 0..2 {
+                // A phase never strays more than a turn or two from its mean advance.
+                let turns = (end[i] - start[i]) / std::f64::consts::TAU;
+                prop_assert!((turns - 1000.0 * frequencies[i]).abs() < 2.0);
+            }
+        }
+    }
+}

@@ -1,7 +1,20 @@
 //! Lagrange's top (tutorial 7): a symmetric body on its tip under gravity, exactly and through the poles.
+//!
+//! | paragraph | what | where |
+//! |---|---|---|
+//! | 7.1, 7.2 | tilt, azimuth and attitude at any time; period and precession; the kind of nutation | [`LagrangeTop`] |
+//! | 7.3 | pure precession, slow and fast, and when there is any | [`pure_precession`], [`fast_spin`] |
+//! | 7.4 | how far a released top dips, and its cycloid | [`dip`] |
+//! | 7.5 | the spin with which a top sleeps, and how far a kick tilts it | [`sleeping_threshold`], [`tilt_after_kick`] |
+//! | 7.6 | the spherical pendulum and its turning ellipse | [`pendulum_between`], [`apsides`] |
 
 mod motion;
+mod precession;
 mod roots;
 mod turning;
 
 pub use motion::{LagrangeTop, Nutation, Roots, State};
+pub use precession::{
+    Apsides, Cycloid, Dip, FastSpin, PurePrecession, apsides, dip, fast_spin, pendulum_between,
+    pure_precession, sleeping_threshold, tilt_after_kick,
+};

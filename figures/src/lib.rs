@@ -147,6 +147,11 @@ pub fn all() -> &'static [Entry] {
             draw: lagrange_top::precession_rates,
         },
         Entry {
+            name: "top-animated",
+            chapter: "lagrange-top",
+            draw: lagrange_top::top_animated,
+        },
+        Entry {
             name: "gas-box",
             chapter: "pythagoras",
             draw: pythagoras::gas_box,

@@ -1,17 +1,19 @@
 //! Lagrange's top (tutorial 7): the nose on the sphere, pure precession, the released top, the sleeping top.
 //!
-//! Units of all figures: I₁ = 1 and Mgl = 1; I₃ = 1 as well, so that L₃ is Ω₃. The motion of the axis depends on I₃ through L₃ only.
+//! Units of all figures: I₁ = 1 and Mgl = 1; I₃ = 1 as well, unless said, so that L₃ is Ω₃. The motion of the axis depends on I₃ through L₃ only.
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::LagrangeTop;
 
+mod animated;
 mod cycloid;
 mod nutations;
 mod rates;
 mod sleeping;
 
+pub use animated::top_animated;
 pub use cycloid::cycloids;
 pub use nutations::nutations;
 pub use rates::precession_rates;
@@ -19,10 +21,15 @@ pub use sleeping::sleeping_threshold;
 
 /// A top whose axis is at its turning point cos θ = `height`, going round the vertical at the rate φ′ = `pace`.
 fn launch(height: f64, pace: f64, axial: f64) -> Result<LagrangeTop> {
+    launch_body(height, pace, 1.0, axial)
+}
+
+/// The same with I₃ = `moment` and Ω₃ = `spin`.
+fn launch_body(height: f64, pace: f64, moment: f64, spin: f64) -> Result<LagrangeTop> {
     let tilt = height.acos();
     let attitude = Attitude::about_axis(BodyVector::new(0.0, 1.0, 0.0), tilt)?;
-    let omega = BodyVector::new(-pace * tilt.sin(), 0.0, axial);
-    LagrangeTop::new(1.0, 1.0, 1.0, omega, attitude)
+    let omega = BodyVector::new(-pace * tilt.sin(), 0.0, spin);
+    LagrangeTop::new(1.0, moment, 1.0, omega, attitude)
 }
 
 /// Both rates of pure precession at cos θ = `height`, slow and fast: the roots of hw² − L₃w + 1 (7.3), the fast one infinite if

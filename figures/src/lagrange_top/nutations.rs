@@ -226,7 +226,8 @@ pub fn nutations() -> Result<Figure> {
             "Every top starts at its turning point 60° from the vertical, $I_1 = Mg\\ell = 1$; its sphere stands at its \
              $L_{{\\mathrm{{vert}}}}$ and $L_3$. Solid lines, orange: pure precession, slow on its left branch (drawn for $L_3 = 3$ at the \
              rate {}) and fast on the right one ($L_3 = 2$, rate {}). Dashed: cusps. Dotted: the nose passes the top or the bottom of the sphere. Between the \
-             branches of the solid line the nose rises from 60°, elsewhere it dips. Exchange $L_3$ and $L_{{\\mathrm{{vert}}}}$ and the tilt \
+             branches of the solid line the nose rises from 60°, elsewhere it dips. Waves, cusps, loops and a circle of \
+             latitude are the tutorial's pictures k, l, m and n. Exchange $L_3$ and $L_{{\\mathrm{{vert}}}}$ and the tilt \
              goes the same way: cusps at (1, 2) turn by {}° in a nutation, their waves at (2, 1) by {}°.",
             number(slow, 4),
             number(fast, 4),

@@ -45,7 +45,7 @@ fn branch(axial: f64, which: usize, tilts: [f64; 2]) -> Result<Vec<Point>> {
         let roots = top.roots();
         let off = (told - rate).abs().max(roots.h2 - roots.h1);
         // Next to the end of the branches the double root of the tilt is nearly a triple one.
-        if top.kind() != Nutation::PurePrecession && !(off < 1e-6) {
+        if top.kind() != Nutation::PurePrecession && (off.is_nan() || off >= 1e-6) {
             return Err(Error::OutOfRange {
                 quantity: "the tilt of a pure precession",
                 value: tilt,

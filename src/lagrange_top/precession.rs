@@ -393,13 +393,23 @@ pub struct Apsides {
 ///
 /// Both angles in radians from the downward vertical; the ellipse turns the way the bob goes. Independent of gravity. The exact
 /// advance is a difference from π, with an absolute error of some 10⁻¹⁵ rad. The law falls short by the part b²/6 or so.
-/// Domain and errors as [`pendulum_between`]. Cost: one Lagrange top prepared.
+/// Domain as [`pendulum_between`]. Cost: one Lagrange top prepared.
 ///
 /// # Errors
 /// As [`pendulum_between`].
+///
+/// ```
+/// let turn = spinning_bodies::lagrange_top::apsides(0.05, 0.1)?;
+/// assert!((turn.advance.to_degrees() - 0.337984).abs() < 1e-6);
+/// assert!((turn.small_swing.to_degrees() - 0.3375).abs() < 1e-12);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn apsides(inner: f64, outer: f64) -> Result<Apsides> {
     let top = pendulum_between(inner, outer, 1.0)?;
-    let turned = top.precession_per_nutation().unwrap_or(f64::NAN);
+    let turned = top.precession_per_nutation().ok_or(Error::Condition {
+        condition: "the pendulum must swing with a period",
+        value: outer,
+    })?;
     Ok(Apsides {
         advance: turned.abs() - PI,
         small_swing: 0.375 * inner * outer * PI,

@@ -77,7 +77,7 @@ impl Globe {
             pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.5));
         }
         for piece in front {
-            pen.line(&piece, stroke(Role::Ink, 1.8));
+            pen.line(&piece, stroke(Role::Ink, 1.5));
         }
         let [x, y] = self.beside;
         for (k, line) in self.name.split('\n').enumerate() {
@@ -116,7 +116,7 @@ fn globes() -> Option<Vec<Globe>> {
         globe(
             "waves",
             [2.0, 1.0],
-            2.0,
+            1.5,
             [RADIUS + 7.0, 14.0],
             Anchor::Start,
         ),
@@ -135,7 +135,7 @@ fn globes() -> Option<Vec<Globe>> {
             Anchor::Start,
         ),
         globe("loops", [3.15, 3.5], 5.0, [0.0, above], Anchor::Middle),
-        globe("waves", [4.45, 3.3], 3.0, [0.0, above], Anchor::Middle),
+        globe("waves", [4.45, 3.3], 2.5, [0.0, above], Anchor::Middle),
         globe("pendulum", [0.6, 0.0], 4.0, [0.0, below], Anchor::Middle),
     ])
 }

@@ -17,6 +17,7 @@
 //! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the wobble of the Earth |
 //! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice |
 //! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis |
+//! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
 //! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
 //! | | [`error`] | the one error type |

@@ -11,6 +11,7 @@ pub mod finish;
 mod impacts;
 mod inertia;
 mod kovalevskaya_top;
+mod lagrange_top;
 mod pythagoras;
 mod rolling;
 mod solid;
@@ -125,6 +126,31 @@ pub fn all() -> &'static [Entry] {
             name: "toutatis",
             chapter: "euler-top",
             draw: euler_top::two_axes_in_the_sky,
+        },
+        Entry {
+            name: "nutations",
+            chapter: "lagrange-top",
+            draw: lagrange_top::nutations,
+        },
+        Entry {
+            name: "sleeping-threshold",
+            chapter: "lagrange-top",
+            draw: lagrange_top::sleeping_threshold,
+        },
+        Entry {
+            name: "cycloid",
+            chapter: "lagrange-top",
+            draw: lagrange_top::cycloids,
+        },
+        Entry {
+            name: "precession-rates",
+            chapter: "lagrange-top",
+            draw: lagrange_top::precession_rates,
+        },
+        Entry {
+            name: "top-animated",
+            chapter: "lagrange-top",
+            draw: lagrange_top::top_animated,
         },
         Entry {
             name: "kovalevskaya-circle",

@@ -3,13 +3,26 @@
 //! The height h = cos θ of the axis goes like sn² between two roots of a cubic; the attitude is a pair of theta functions,
 //! one for each Cayley–Klein parameter, regular where the axis passes the vertical. [`LagrangeTop`] decides
 //! once what the axis does ([`Nutation`]).
+//!
+//! | paragraph | what | where |
+//! |---|---|---|
+//! | 7.1, 7.2 | tilt, azimuth and attitude at any time; period and precession; the kind of nutation | [`LagrangeTop`] |
+//! | 7.3 | pure precession, slow and fast, and when there is any | [`pure_precession`], [`fast_spin`] |
+//! | 7.4 | how far a released top dips, and its cycloid | [`dip`] |
+//! | 7.5 | the spin with which a top sleeps, and how far a kick tilts it | [`sleeping_threshold`], [`tilt_after_kick`] |
+//! | 7.6 | the spherical pendulum and its turning ellipse | [`pendulum_between`], [`apsides`] |
 
 mod evaluation;
 mod kinds;
 mod motion;
+mod precession;
 mod preparation;
 mod roots;
 mod turning;
 
 pub use kinds::{Nutation, Roots};
 pub use motion::{LagrangeTop, State};
+pub use precession::{
+    Apsides, Cycloid, Dip, FastSpin, PurePrecession, apsides, dip, fast_spin, pendulum_between,
+    pure_precession, sleeping_threshold, tilt_after_kick,
+};

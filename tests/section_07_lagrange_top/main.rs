@@ -14,6 +14,7 @@ mod pendulum;
 mod precession;
 mod release;
 mod sleeping;
+mod special;
 #[path = "../support/inertia.rs"]
 mod support;
 mod traces;

@@ -1,0 +1,49 @@
+//! Lagrange's top (tutorial 7): the nose on the sphere, pure precession, the released top, the sleeping top.
+//!
+//! Units of all figures: I₁ = 1 and Mgl = 1; I₃ = 1 as well, unless said, so that L₃ is Ω₃. The motion of the axis depends on I₃ through L₃ only.
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::lagrange_top::LagrangeTop;
+
+mod animated;
+mod cycloid;
+mod nutations;
+mod rates;
+mod sleeping;
+
+pub use animated::top_animated;
+pub use cycloid::cycloids;
+pub use nutations::nutations;
+pub use rates::precession_rates;
+pub use sleeping::sleeping_threshold;
+
+/// A top whose axis is at its turning point cos θ = `height`, going round the vertical at the rate φ′ = `pace`.
+fn launch(height: f64, pace: f64, axial: f64) -> Result<LagrangeTop> {
+    launch_body(height, pace, 1.0, axial)
+}
+
+/// The same with I₃ = `moment` and Ω₃ = `spin`.
+fn launch_body(height: f64, pace: f64, moment: f64, spin: f64) -> Result<LagrangeTop> {
+    let tilt = height.acos();
+    let attitude = Attitude::about_axis(BodyVector::new(0.0, 1.0, 0.0), tilt)?;
+    let omega = BodyVector::new(-pace * tilt.sin(), 0.0, spin);
+    LagrangeTop::new(1.0, moment, 1.0, omega, attitude)
+}
+
+/// Both rates of pure precession at cos θ = `height`, slow and fast: the roots of hw² − L₃w + 1 (7.3), the fast one infinite if
+/// the axis is horizontal.
+fn pure_rates(height: f64, axial: f64) -> Option<[f64; 2]> {
+    let square = axial * axial - 4.0 * height;
+    (square >= 0.0).then(|| {
+        let sum = axial + square.sqrt();
+        [2.0 / sum, 0.5 * sum / height]
+    })
+}
+
+/// Where the nose of the top is in space at a time, a unit from the pivot.
+fn nose(top: &LagrangeTop, time: f64) -> Result<Vector3<f64>> {
+    let axis = BodyVector::new(0.0, 0.0, 1.0);
+    Ok(top.at(time)?.attitude.to_space(axis).components())
+}

@@ -1,0 +1,349 @@
+//! Traces of the nose, each at its place in the plane of L_vert and L₃ (tutorial 7.2, pictures k, l, m, n).
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::lagrange_top::LagrangeTop;
+
+use super::{launch, nose, pure_rates};
+use crate::Figure;
+use crate::solid::{View, ellipse};
+use crate::style::{
+    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number, small,
+    stroke,
+};
+
+/// cos θ of every start: 60 degrees.
+const HEIGHT: f64 = 0.5;
+/// Where both momenta vanish, and units to one of them.
+const ORIGIN: Point = [214.0, 312.0];
+const UNIT: f64 = 66.0;
+/// The plane that is shown: L_vert from and to, greatest L₃.
+const REACH: [f64; 3] = [-2.9, 5.1, 4.35];
+/// Radius of a sphere.
+const RADIUS: f64 = 37.0;
+
+/// A sphere on the map.
+struct Globe {
+    name: &'static str,
+    /// L_vert and L₃.
+    momenta: [f64; 2],
+    /// How long the nose is followed: nutations, or turns if there are none.
+    cycles: f64,
+    /// Where the name stands, from the centre of the sphere.
+    beside: Point,
+    anchor: Anchor,
+}
+
+fn place(vertical: f64, axial: f64) -> Point {
+    [ORIGIN[0] + UNIT * vertical, ORIGIN[1] - UNIT * axial]
+}
+
+/// L_vert of a start at this rate φ′ (7.2).
+fn vertical(pace: f64, axial: f64) -> f64 {
+    pace * (1.0 - HEIGHT * HEIGHT) + axial * HEIGHT
+}
+
+impl Globe {
+    fn top(&self) -> Result<LagrangeTop> {
+        let [vertical, axial] = self.momenta;
+        launch(
+            HEIGHT,
+            (vertical - axial * HEIGHT) / (1.0 - HEIGHT * HEIGHT),
+            axial,
+        )
+    }
+
+    fn center(&self) -> Point {
+        place(self.momenta[0], self.momenta[1])
+    }
+
+    /// The sphere, its turning circles and the trace.
+    fn draw(&self, pen: &mut Pen<'_>, trace: &[Vector3<f64>], heights: [f64; 2], azimuth: f64) {
+        let center = self.center();
+        let view = View::new(azimuth, 0.5, center, RADIUS);
+        let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
+        pen.disc(center, RADIUS, Role::Shade, 1.0);
+        pen.ring(center, RADIUS, stroke(Role::Ink, AXIS));
+        for h in heights {
+            let r = (1.0 - h * h).max(0.0).sqrt();
+            let circle = ellipse(Vector3::z() * h, Vector3::x() * r, Vector3::y() * r, 120);
+            let [front, _] = view.split(&circle, seen);
+            for piece in front {
+                pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.6));
+            }
+        }
+        let [front, back] = view.split(trace, seen);
+        for piece in back {
+            pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.5));
+        }
+        for piece in front {
+            pen.line(&piece, stroke(Role::Ink, 1.5));
+        }
+        let [x, y] = self.beside;
+        for (k, line) in self.name.split('\n').enumerate() {
+            pen.text(
+                [center[0] + x, center[1] + y + 17.0 * k as f64],
+                self.anchor,
+                line,
+                small(Role::Ink),
+            );
+        }
+    }
+}
+
+fn globes() -> Option<Vec<Globe>> {
+    let [slow, _] = pure_rates(HEIGHT, 3.0)?;
+    let [_, fast] = pure_rates(HEIGHT, 2.0)?;
+    let globe = |name, momenta, cycles, beside, anchor| Globe {
+        name,
+        momenta,
+        cycles,
+        beside,
+        anchor,
+    };
+    let below = RADIUS + 16.0;
+    let above = -RADIUS - 8.0;
+    Some(vec![
+        globe(
+            "waves, backwards",
+            [-2.1, 1.0],
+            2.0,
+            [0.0, below],
+            Anchor::Middle,
+        ),
+        globe("loops", [-0.75, 2.75], 3.0, [0.0, above], Anchor::Middle),
+        globe("cusps", [1.0, 2.0], 3.0, [-18.0, above], Anchor::Middle),
+        globe(
+            "waves",
+            [2.0, 1.0],
+            1.5,
+            [RADIUS + 7.0, 14.0],
+            Anchor::Start,
+        ),
+        globe(
+            "slow",
+            [vertical(slow, 3.0), 3.0],
+            1.0,
+            [-6.0, above],
+            Anchor::End,
+        ),
+        globe(
+            "fast",
+            [vertical(fast, 2.0), 2.0],
+            1.0,
+            [RADIUS + 7.0, 6.0],
+            Anchor::Start,
+        ),
+        globe("loops", [3.15, 3.5], 5.0, [0.0, above], Anchor::Middle),
+        globe("waves", [4.45, 3.3], 2.5, [0.0, above], Anchor::Middle),
+        globe("pendulum", [0.6, 0.0], 4.0, [0.0, below], Anchor::Middle),
+    ])
+}
+
+/// The part of a line that is on the map and on no sphere.
+fn clear(pen: &mut Pen<'_>, points: &[Point], globes: &[Globe], style: Stroke) {
+    let [left, right, top] = REACH;
+    let ([x0, y0], [x1, _]) = (place(left, top), place(right, top));
+    let free = |p: &Point| {
+        (x0..=x1).contains(&p[0])
+            && p[1] >= y0
+            && globes.iter().all(|globe| {
+                let c = globe.center();
+                (p[0] - c[0]).hypot(p[1] - c[1]) >= RADIUS
+            })
+    };
+    for piece in points.split(|p| !free(p)) {
+        // Breaks of a broken line need long pieces.
+        pen.line(piece, style);
+    }
+}
+
+/// The lines that part the kinds of motion, each by its L₃ and L_vert.
+fn borders() -> [(Vec<Point>, bool); 6] {
+    let along = |from: f64, to: f64, vertical: &dyn Fn(f64) -> f64| -> Vec<Point> {
+        (0..=900)
+            .map(|k| from + (to - from) * f64::from(k) / 900.0)
+            .map(|axial| place(vertical(axial), axial))
+            .collect()
+    };
+    let pure = |k: usize| {
+        move |axial: f64| {
+            pure_rates(HEIGHT, axial).map_or(f64::NAN, |rates| vertical(rates[k], axial))
+        }
+    };
+    let top = REACH[2];
+    let least = (4.0 * HEIGHT).sqrt() * (1.0 + f64::EPSILON);
+    // Released from rest at cos θ = 1/2 + 3/(2L₃²) it dips to 60 degrees; from the top itself for L₃ = √3.
+    let rest = |axial: f64| axial * HEIGHT + (1.0 - HEIGHT * HEIGHT) * 2.0 / axial;
+    [
+        (along(0.0, top, &|axial| axial * HEIGHT), false),
+        (along(3.0_f64.sqrt(), top, &rest), false),
+        (along(0.0, top, &|axial| -axial), true),
+        (along(3.0_f64.sqrt(), top, &|axial| axial), true),
+        (along(least, top, &pure(0)), false),
+        (along(least, top, &pure(1)), false),
+    ]
+}
+
+/// The kinds of nutation on the map of the two momenta.
+pub fn nutations() -> Result<Figure> {
+    let globes = globes().unwrap_or_default();
+    let drawn = globes
+        .iter()
+        .map(|globe| {
+            let top = globe.top()?;
+            let roots = top.roots();
+            let pace = (globe.momenta[0] - globe.momenta[1] * HEIGHT) / (1.0 - HEIGHT * HEIGHT);
+            let time = if globe.cycles == 1.0 {
+                core::f64::consts::TAU / pace
+            } else {
+                globe.cycles * top.period()
+            };
+            let trace = (0..=600)
+                .map(|k| nose(&top, time * f64::from(k) / 600.0))
+                .collect::<Result<Vec<_>>>()?;
+            // Seen from where the middle of the trace is.
+            let turned = top.precession_per_nutation().unwrap_or_default() * globe.cycles;
+            let azimuth = if globe.cycles == 1.0 {
+                0.0
+            } else {
+                0.5 * turned
+            };
+            Ok((trace, [roots.h1, roots.h2], azimuth))
+        })
+        .collect::<Result<Vec<_>>>()?;
+    let turn = |k: usize| -> Result<f64> {
+        let advance = globes[k].top()?.precession_per_nutation();
+        Ok(advance.unwrap_or(f64::NAN).to_degrees())
+    };
+    let (cusps, waves) = (turn(2)?, turn(3)?);
+    let [slow, fast] = [4, 5].map(|k: usize| {
+        (globes[k].momenta[0] - globes[k].momenta[1] * HEIGHT) / (1.0 - HEIGHT * HEIGHT)
+    });
+    let words = Words {
+        claim: "Two momenta decide whether the nose draws waves, cusps, loops or a circle.".to_owned(),
+        details: format!(
+            "Every top starts at its turning point 60° from the vertical, $I_1 = Mg\\ell = 1$; its sphere stands at its \
+             $L_{{\\mathrm{{vert}}}}$ and $L_3$. Solid lines, orange: pure precession, slow on its left branch (drawn for $L_3 = 3$ at the \
+             rate {}) and fast on the right one ($L_3 = 2$, rate {}). Dashed: cusps. Dotted: the nose passes the top or the bottom of the sphere. Between the \
+             branches of the solid line the nose rises from 60°, elsewhere it dips. Waves, cusps, loops and a circle of \
+             latitude are the tutorial's pictures k, l, m and n. Exchange $L_3$ and $L_{{\\mathrm{{vert}}}}$ and the tilt \
+             goes the same way: cusps at (1, 2) turn by {}° in a nutation, their waves at (2, 1) by {}°.",
+            number(slow, 4),
+            number(fast, 4),
+            number(cusps, 2),
+            number(waves, 2),
+        ),
+        alt: "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \
+              the trace of the nose of a top that starts 60 degrees from the vertical. From left to right: backward waves, loops, \
+              cusps on a dashed line, waves, a circle of slow precession on one branch of a solid curve, loops and waves between \
+              the branches, a circle of fast precession on the other branch; at the bottom, without axial momentum, a spherical \
+              pendulum. Loops shrink to cusps where the dashed line is crossed and open to waves beyond."
+            .to_owned(),
+    };
+    Ok(figure("nutations", 382.0, words, |pen| {
+        let [left, right, top] = REACH;
+        let ink = stroke(Role::Ink, AXIS);
+        let axis = |from: Point, to: Point| -> Vec<Point> {
+            (0..=400)
+                .map(|k| crate::style::between(from, to, f64::from(k) / 400.0))
+                .collect()
+        };
+        clear(
+            pen,
+            &axis(place(left, 0.0), place(right, 0.0)),
+            &globes,
+            ink,
+        );
+        clear(pen, &axis(place(0.0, 0.0), place(0.0, top)), &globes, ink);
+        for k in [-2, -1, 1, 2, 3, 4, 5] {
+            let [x, y] = place(f64::from(k), 0.0);
+            let free = globes
+                .iter()
+                .all(|g| (x - g.center()[0]).hypot(y - g.center()[1]) > RADIUS + 2.0);
+            if free {
+                pen.line(&[[x, y], [x, y + 5.0]], ink);
+                pen.text(
+                    [x, y + 21.0],
+                    Anchor::Middle,
+                    &number(f64::from(k), 0),
+                    small(Role::Ink),
+                );
+            }
+        }
+        for k in [1, 4] {
+            let [x, y] = place(0.0, f64::from(k));
+            pen.line(&[[x - 5.0, y], [x, y]], ink);
+            pen.text(
+                [x - 9.0, y + 5.0],
+                Anchor::End,
+                &number(f64::from(k), 0),
+                small(Role::Ink),
+            );
+        }
+        pen.text(
+            [place(right, 0.0)[0], ORIGIN[1] + 44.0],
+            Anchor::End,
+            "*L*_{vert}",
+            label(Role::AngularMomentum),
+        );
+        let [x, y] = place(0.0, top);
+        pen.text(
+            [x - 9.0, y + 10.0],
+            Anchor::End,
+            "*L*_{3}",
+            label(Role::AngularMomentum),
+        );
+        for (k, (points, pole)) in borders().into_iter().enumerate() {
+            let style = match (k, pole) {
+                (_, true) => stroke(Role::Muted, AXIS).dotted(),
+                (0 | 1, _) => stroke(Role::Ink, SECONDARY).dashed(),
+                _ => stroke(Role::AngularMomentum, 1.8),
+            };
+            clear(pen, &points, &globes, style);
+        }
+        for (globe, (trace, heights, azimuth)) in globes.iter().zip(&drawn) {
+            globe.draw(pen, trace, *heights, *azimuth);
+        }
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use spinning_bodies::lagrange_top::Nutation;
+
+    /// Just left and right of every border on the map, the library tells another kind.
+    #[test]
+    fn the_borders_part_the_kinds() {
+        let kind = |at: Point, shift: f64| {
+            let momenta = [
+                (at[0] - ORIGIN[0]) / UNIT + shift,
+                (ORIGIN[1] - at[1]) / UNIT,
+            ];
+            let top = Globe {
+                name: "",
+                momenta,
+                cycles: 1.0,
+                beside: [0.0; 2],
+                anchor: Anchor::Start,
+            }
+            .top();
+            top.map(|top| top.kind()).expect("a finite top")
+        };
+        for (k, (points, _)) in borders().into_iter().enumerate() {
+            for at in points.iter().skip(100).step_by(100) {
+                let sides = [kind(*at, -1e-4), kind(*at, 1e-4)];
+                let expected = match k {
+                    0 => [Nutation::Loops, Nutation::Waves],
+                    1 => [Nutation::Waves, Nutation::Loops],
+                    2 => [Nutation::Waves, Nutation::Loops],
+                    3 => [Nutation::Loops, Nutation::Waves],
+                    // On both sides of pure precession there are waves.
+                    _ => [Nutation::Waves, Nutation::Waves],
+                };
+                assert_eq!(sides, expected, "border {k} at {at:?}");
+            }
+        }
+    }
+}

@@ -111,6 +111,36 @@ pub enum Error {
         /// The kind of body.
         body: &'static str,
     },
+    /// A numerical integration did not come to its end.
+    #[error("the integration stopped at t = {time} s: {reason}")]
+    Integration {
+        /// Why.
+        reason: &'static str,
+        /// How far it came, s.
+        time: f64,
+    },
+    /// A motion lost a quantity that its scene conserves, or let one rise that can only fall.
+    #[error(
+        "the ledger is violated: {quantity} drifted by {drift} relative to its scale, allowed are {allowed}"
+    )]
+    Ledger {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// Largest relative drift.
+        drift: f64,
+        /// What the accuracy asked for allows.
+        allowed: f64,
+    },
+    /// No method at hand reaches the accuracy asked for.
+    #[error(
+        "accuracy {asked} was asked for, {reached} is what the motion allows in double precision"
+    )]
+    Accuracy {
+        /// Relative accuracy asked for.
+        asked: f64,
+        /// Estimate of the accuracy reached.
+        reached: f64,
+    },
     /// A condition that has no variant of its own; the text states it.
     #[error("{condition}, got {value}")]
     Condition {

@@ -1,0 +1,536 @@
+//! The adapter to the crate `differential-equations`: systems of N numbers, samples at given times, events.
+
+use differential_equations::error::Error as Refusal;
+use differential_equations::interpolate::Interpolation;
+use differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
+use differential_equations::ode::{ODE, OrdinaryNumericalMethod, solve_ode};
+use differential_equations::prelude::{ControlFlag, Status};
+use differential_equations::solout::{
+    CrossingDirection, Event as Crossing, EventConfig, EventWrappedSolout, Solout,
+};
+
+use crate::error::{Error, Result, finite, positive};
+
+/// Equations y' = f(t, y) for N numbers.
+pub trait System<const N: usize> {
+    /// f(t, y). May be called at states that the motion never reaches; a result that is not finite makes the step fail.
+    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N];
+}
+
+impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> System<N> for F {
+    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
+        self(t, y)
+    }
+}
+
+/// A method of the crate `differential-equations`, by its usual name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Method {
+    /// The classical Runge–Kutta method, order 4, fixed steps.
+    Rk4,
+    /// Dormand and Prince, order 5(4).
+    Dopri5,
+    /// Dormand and Prince as programmed by Hairer, order 8(5,3).
+    Dop853,
+    /// Verner's most efficient pair, order 9(8).
+    Verner98,
+    /// Gauss and Legendre, 3 stages, order 6, implicit.
+    Gauss6,
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Rk4,
+        Self::Dopri5,
+        Self::Dop853,
+        Self::Verner98,
+        Self::Gauss6,
+    ];
+
+    /// The name by which it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rk4 => "rk4",
+            Self::Dopri5 => "dopri5",
+            Self::Dop853 => "dop853",
+            Self::Verner98 => "verner98",
+            Self::Gauss6 => "gauss6",
+        }
+    }
+
+    /// Whether the step is chosen by an error estimate, and [`Effort::Tolerance`] asked for; if not, [`Effort::Step`].
+    pub const fn is_adaptive(self) -> bool {
+        !matches!(self, Self::Rk4)
+    }
+}
+
+/// How hard a method works.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Effort {
+    /// Steps of this length at most, s.
+    Step(f64),
+    /// Error of one step: this times |y| + scale, component by component.
+    Tolerance(f64),
+}
+
+/// What a run has cost. The same on every machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Cost {
+    /// Evaluations of the right-hand side.
+    pub evaluations: u64,
+    /// Steps taken, accepted ones.
+    pub steps: u64,
+}
+
+impl core::ops::AddAssign for Cost {
+    fn add_assign(&mut self, other: Self) {
+        self.evaluations += other.evaluations;
+        self.steps += other.steps;
+    }
+}
+
+/// States at the times asked for, in their order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution<const N: usize> {
+    /// One state a time.
+    pub states: Vec<[f64; N]>,
+    /// What it has cost.
+    pub cost: Cost,
+}
+
+/// A quantity whose zero ends a run.
+pub trait Event<const N: usize> {
+    /// g(t, y); the run ends where it falls through zero.
+    fn value(&self, t: f64, y: &[f64; N]) -> f64;
+}
+
+impl<const N: usize, F: Fn(f64, &[f64; N]) -> f64> Event<N> for F {
+    fn value(&self, t: f64, y: &[f64; N]) -> f64 {
+        self(t, y)
+    }
+}
+
+/// A run that ended by an event, or at its end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Passage<const N: usize> {
+    /// States at those of the times asked for that were reached.
+    pub states: Vec<[f64; N]>,
+    /// Time at which the run ended.
+    pub time: f64,
+    /// State there.
+    pub end: [f64; N],
+    /// Whether an event ended it.
+    pub stopped: Stop,
+    /// What it has cost.
+    pub cost: Cost,
+}
+
+/// What ended a [`Passage`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stop {
+    /// The time was up.
+    AtTheEnd,
+    /// The event's quantity fell through zero.
+    AtTheEvent,
+}
+
+/// Most steps of one run; more than a minute of computing.
+const MOST_STEPS: usize = 20_000_000;
+
+/// States at all of `times` (s, in any order, before and after `start_time` alike).
+///
+/// `scales` are the sizes below which a component counts as small: the error of a step may be tolerance × (|y| + scale) in each.
+/// DOPRI5, DOP853 and Verner's method give samples by their dense output, of lower order than the step (DOP853: 7); the others make a
+/// run from sample to sample.
+///
+/// # Errors
+/// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort; [`Error::Integration`] where the method gives up.
+pub fn solve<const N: usize>(
+    system: &(impl System<N> + ?Sized),
+    start_time: f64,
+    start: &[f64; N],
+    scales: &[f64; N],
+    times: &[f64],
+    method: Method,
+    effort: Effort,
+) -> Result<Solution<N>> {
+    for &t in times {
+        finite("the time", t)?;
+    }
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
+    let first_after = order.partition_point(|&i| times[i] < start_time);
+    let (before, after) = order.split_at(first_after);
+    let before: Vec<usize> = before.iter().rev().copied().collect();
+    let mut states = vec![*start; times.len()];
+    let mut cost = Cost::default();
+    for places in [before.as_slice(), after] {
+        let Some(&last) = places.last() else { continue };
+        let ordered: Vec<f64> = places.iter().map(|&i| times[i]).collect();
+        let never = |_: f64, _: &[f64; N]| 1.0;
+        let run = Run {
+            system,
+            scales,
+            method,
+            effort,
+        };
+        let passage = run.until(start_time, start, &ordered, times[last], &never)?;
+        cost += passage.cost;
+        for (&place, state) in places.iter().zip(passage.states) {
+            states[place] = state;
+        }
+    }
+    Ok(Solution { states, cost })
+}
+
+/// From `start` at `start_time` towards `end_time`, with states at `times` (ordered, all between the two), until the event's quantity
+/// falls through zero.
+///
+/// A quantity that is zero at the start, or negative, does not count as falling. The event is located by the method's dense output to
+/// 1e-12 of the whole interval and then improved by one Newton step with the true rate.
+///
+/// # Errors
+/// As for [`solve`].
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a problem, its samples, its end and a method: nothing can be left out"
+)]
+pub fn until<const N: usize>(
+    system: &(impl System<N> + ?Sized),
+    start_time: f64,
+    start: &[f64; N],
+    scales: &[f64; N],
+    times: &[f64],
+    end_time: f64,
+    event: &(impl Event<N> + ?Sized),
+    method: Method,
+    effort: Effort,
+) -> Result<Passage<N>> {
+    Run {
+        system,
+        scales,
+        method,
+        effort,
+    }
+    .until(start_time, start, times, end_time, event)
+}
+
+struct Run<'a, const N: usize, S: ?Sized> {
+    system: &'a S,
+    scales: &'a [f64; N],
+    method: Method,
+    effort: Effort,
+}
+
+/// A method of the crate with the tolerances of a run.
+macro_rules! tolerant {
+    ($method:expr, $run:expr, $tolerance:expr) => {
+        $method
+            .rtol($tolerance)
+            .atol($run.scales.map(|scale| $tolerance * scale))
+            .max_steps(MOST_STEPS)
+    };
+}
+
+impl<const N: usize, S: System<N> + ?Sized> Run<'_, N, S> {
+    fn until(
+        &self,
+        start_time: f64,
+        start: &[f64; N],
+        times: &[f64],
+        end_time: f64,
+        event: &(impl Event<N> + ?Sized),
+    ) -> Result<Passage<N>> {
+        finite("the time", end_time)?;
+        for &component in start {
+            finite("the state at the start", component)?;
+        }
+        let clock = Clock {
+            start: start_time,
+            span: end_time - start_time,
+        };
+        match (self.method, self.effort) {
+            (Method::Dopri5, Effort::Tolerance(tolerance)) => {
+                let tolerance = positive("the tolerance", tolerance)?;
+                let mut method = tolerant!(ExplicitRungeKutta::dopri5(), self, tolerance);
+                self.leg(&mut method, clock, start, times, event)
+            }
+            (Method::Dop853, Effort::Tolerance(tolerance)) => {
+                let tolerance = positive("the tolerance", tolerance)?;
+                let mut method = tolerant!(ExplicitRungeKutta::dop853(), self, tolerance);
+                self.leg(&mut method, clock, start, times, event)
+            }
+            (Method::Verner98, Effort::Tolerance(tolerance)) => {
+                let tolerance = positive("the tolerance", tolerance)?;
+                let mut method = tolerant!(ExplicitRungeKutta::rkv989e(), self, tolerance);
+                self.leg(&mut method, clock, start, times, event)
+            }
+            (Method::Gauss6, Effort::Tolerance(tolerance)) => {
+                let tolerance = positive("the tolerance", tolerance)?;
+                self.legs(clock, start, times, event, |leg, from| {
+                    let method = tolerant!(ImplicitRungeKutta::gauss_legendre_6(), self, tolerance);
+                    let mut method = method.newton_tol(1e-3 * tolerance);
+                    self.leg(&mut method, leg, from, &[], event)
+                })
+            }
+            (Method::Rk4, Effort::Step(step)) => {
+                let step = positive("the step", step)?;
+                self.legs(clock, start, times, event, |leg, from| {
+                    let count = (leg.span.abs() / step).ceil().max(1.0);
+                    let mut method = ExplicitRungeKutta::rk4(1.0 / count).max_steps(MOST_STEPS);
+                    self.leg(&mut method, leg, from, &[], event)
+                })
+            }
+            _ => Err(Error::Integration {
+                reason: "rk4 must be given a step, every other method a tolerance",
+                time: start_time,
+            }),
+        }
+    }
+
+    /// One run of the crate's loop: samples by dense output, the event by root search on it.
+    fn leg<M>(
+        &self,
+        method: &mut M,
+        clock: Clock,
+        start: &[f64; N],
+        times: &[f64],
+        event: &(impl Event<N> + ?Sized),
+    ) -> Result<Passage<N>>
+    where
+        M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,
+    {
+        let phases: Vec<f64> = times.iter().map(|&t| clock.phase(t)).collect();
+        let at_start = phases.iter().take_while(|&&phase| phase <= 0.0).count();
+        let mut states = vec![*start; at_start];
+        if clock.span == 0.0 {
+            return Ok(Passage {
+                states,
+                time: clock.start,
+                end: *start,
+                stopped: Stop::AtTheEnd,
+                cost: Cost::default(),
+            });
+        }
+        let timed = Timed {
+            system: self.system,
+            clock,
+        };
+        let crossing = Falling { event, clock };
+        let mut last = (0.0, *start);
+        let recorder = Recorder {
+            phases: &phases[at_start..],
+            next: 0,
+            states: &mut states,
+            last: &mut last,
+        };
+        let mut output = EventWrappedSolout::new(recorder, &crossing, 0.0, 1.0);
+        let run = solve_ode(method, &timed, 0.0, 1.0, start, &mut output);
+        let run = run.map_err(|refusal| refused(&refusal, clock))?;
+        let cost = Cost {
+            evaluations: run.evals.function as u64,
+            steps: run.steps.accepted as u64,
+        };
+        let stopped = match (run.status, run.t.last(), run.y.last()) {
+            (Status::Interrupted, Some(&phase), Some(&state)) => {
+                last = self.improved(&timed, &crossing, (phase, state));
+                states.truncate(phases.iter().take_while(|&&p| p <= last.0).count());
+                Stop::AtTheEvent
+            }
+            _ => {
+                // The crate's loop ends within 2e-15 of the end.
+                last = (1.0, carried(&timed, last, 1.0));
+                states.resize(times.len(), last.1);
+                Stop::AtTheEnd
+            }
+        };
+        for &component in &last.1 {
+            finite("the state at the end of the integration", component)?;
+        }
+        let time = match stopped {
+            Stop::AtTheEnd => clock.start + clock.span,
+            Stop::AtTheEvent => clock.time(last.0),
+        };
+        Ok(Passage {
+            states,
+            time,
+            end: last.1,
+            stopped,
+            cost,
+        })
+    }
+
+    /// From sample to sample: for methods whose dense output is poor.
+    fn legs(
+        &self,
+        clock: Clock,
+        start: &[f64; N],
+        times: &[f64],
+        event: &(impl Event<N> + ?Sized),
+        one: impl Fn(Clock, &[f64; N]) -> Result<Passage<N>>,
+    ) -> Result<Passage<N>> {
+        let _ = event;
+        let end_time = clock.start + clock.span;
+        let mut passage = Passage {
+            states: Vec::with_capacity(times.len()),
+            time: clock.start,
+            end: *start,
+            stopped: Stop::AtTheEnd,
+            cost: Cost::default(),
+        };
+        for (place, &time) in times.iter().chain([&end_time]).enumerate() {
+            let leg = Clock {
+                start: passage.time,
+                span: time - passage.time,
+            };
+            let next = one(leg, &passage.end)?;
+            passage.cost += next.cost;
+            (passage.time, passage.end, passage.stopped) = (next.time, next.end, next.stopped);
+            if passage.stopped == Stop::AtTheEvent {
+                break;
+            }
+            if place < times.len() {
+                passage.states.push(passage.end);
+            }
+        }
+        Ok(passage)
+    }
+
+    /// A place on the dense output, moved along the true rate to where the event's quantity is zero.
+    fn improved(
+        &self,
+        timed: &Timed<'_, S>,
+        crossing: &Falling<'_, impl Event<N> + ?Sized>,
+        (phase, state): (f64, [f64; N]),
+    ) -> (f64, [f64; N]) {
+        let here = crossing.event(phase, &state);
+        // Far enough for a difference quotient, near enough for Euler's step: errors of order 1e-12 relative in a correction.
+        let probe = 1e-7;
+        let there = crossing.event(
+            phase + probe,
+            &carried(timed, (phase, state), phase + probe),
+        );
+        let correction = -here * probe / (there - here);
+        if correction.is_finite() && correction.abs() < 1e-6 {
+            let to = phase + correction;
+            (to, carried(timed, (phase, state), to))
+        } else {
+            (phase, state)
+        }
+    }
+}
+
+/// The state a very short while later, by one Euler step.
+fn carried<const N: usize, S: System<N> + ?Sized>(
+    timed: &Timed<'_, S>,
+    (phase, state): (f64, [f64; N]),
+    to: f64,
+) -> [f64; N] {
+    let mut rate = [0.0; N];
+    timed.diff(phase, &state, &mut rate);
+    core::array::from_fn(|i| state[i] + rate[i] * (to - phase))
+}
+
+/// The crate compares times with 2e-15 absolute, so every run is made to last from 0 to 1.
+#[derive(Clone, Copy)]
+struct Clock {
+    start: f64,
+    span: f64,
+}
+
+impl Clock {
+    fn time(self, phase: f64) -> f64 {
+        self.start + phase * self.span
+    }
+
+    fn phase(self, time: f64) -> f64 {
+        if self.span == 0.0 {
+            return 0.0;
+        }
+        ((time - self.start) / self.span).clamp(0.0, 1.0)
+    }
+}
+
+struct Timed<'a, S: ?Sized> {
+    system: &'a S,
+    clock: Clock,
+}
+
+impl<const N: usize, S: System<N> + ?Sized> ODE<f64, [f64; N]> for Timed<'_, S> {
+    fn diff(&self, phase: f64, y: &[f64; N], rate: &mut [f64; N]) {
+        *rate = self.system.rate(self.clock.time(phase), y);
+        for component in rate {
+            *component *= self.clock.span;
+        }
+    }
+}
+
+struct Falling<'a, E: ?Sized> {
+    event: &'a E,
+    clock: Clock,
+}
+
+impl<const N: usize, E: Event<N> + ?Sized> Crossing<f64, [f64; N]> for Falling<'_, E> {
+    fn config(&self) -> EventConfig {
+        EventConfig::new(CrossingDirection::Negative, Some(1))
+    }
+
+    fn event(&self, phase: f64, y: &[f64; N]) -> f64 {
+        self.event.value(self.clock.time(phase), y)
+    }
+}
+
+/// Keeps the samples apart from the crate's own list, which then holds the event and nothing else.
+struct Recorder<'a, const N: usize> {
+    phases: &'a [f64],
+    next: usize,
+    states: &'a mut Vec<[f64; N]>,
+    last: &'a mut (f64, [f64; N]),
+}
+
+impl<const N: usize> Solout<f64, [f64; N]> for Recorder<'_, N> {
+    fn solout<I>(
+        &mut self,
+        now: f64,
+        _before: f64,
+        state: &[f64; N],
+        _state_before: &[f64; N],
+        interpolator: &mut I,
+        _solution: &mut differential_equations::solution::Solution<f64, [f64; N]>,
+    ) -> ControlFlag<f64, [f64; N]>
+    where
+        I: Interpolation<f64, [f64; N]> + ?Sized,
+    {
+        while let Some(&phase) = self.phases.get(self.next)
+            && phase <= now
+        {
+            let sample = if phase == now {
+                *state
+            } else {
+                interpolator.interpolate(phase).unwrap_or(*state)
+            };
+            self.states.push(sample);
+            self.next += 1;
+        }
+        *self.last = (now, *state);
+        ControlFlag::Continue
+    }
+}
+
+fn refused<const N: usize>(refusal: &Refusal<f64, [f64; N]>, clock: Clock) -> Error {
+    let (reason, phase) = match refusal {
+        Refusal::MaxSteps { t, .. } => ("it takes more than twenty million steps", *t),
+        Refusal::StepSize { t, .. } => (
+            "the step became too small: the tolerance is below rounding, or the motion is not finite",
+            *t,
+        ),
+        Refusal::Stiffness { t, .. } => ("the equations are stiff", *t),
+        _ => ("the method gave up", 0.0),
+    };
+    Error::Integration {
+        reason,
+        time: clock.time(phase),
+    }
+}

@@ -1,0 +1,11 @@
+//! Ways to follow equations that have no closed form.
+//!
+//! [`solve`] and [`until`]: Runge–Kutta methods of the crate `differential-equations`, for any system of first-order equations, with
+//! samples and events. [`refined`]: the same with a bound on the error of the whole run. One way to ask for accuracy ([`Effort`]),
+//! one report of cost ([`Cost`]).
+
+mod general;
+mod refined;
+
+pub use general::{Cost, Effort, Event, Method, Passage, Solution, Stop, System, solve, until};
+pub use refined::refined;

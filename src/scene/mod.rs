@@ -1,0 +1,51 @@
+//! A scene: a body, how it is held, how it starts, and the effects at work on it. Nothing else is computed.
+//!
+//! Each kind of scene is a type with one slot an effect; what fills the slots is part of the type, so an effect that is
+//! [`Absent`] costs nothing and cannot change a bit of the answer. From what is left a [`Plan`] follows: a closed form where there is
+//! one, otherwise the cheapest method that reaches the accuracy. The [`Motion`] comes with its [`Ledger`](crate::conservation::Ledger):
+//! what the scene conserves, or may only lose, and by how much it failed to. A ledger that does not balance is an error.
+//!
+//! | kind | tutorial | module |
+//! |---|---|---|
+//! | top | 6, 7, 8 | [`top`] |
+
+mod effect;
+mod motion;
+mod plan;
+pub mod top;
+
+pub use effect::{Absent, Effect};
+pub use motion::{Motion, Request, balanced};
+pub use plan::{Choice, Plan, Solver, UnknownSolver};
+
+pub(crate) use effect::choose;
+
+use crate::error::Result;
+
+/// What every kind of scene can do.
+pub trait Scene {
+    /// The state of the scene at one time.
+    type State: Tabulated;
+
+    /// Which solver will run, and why.
+    ///
+    /// # Errors
+    /// [`Error::Condition`](crate::Error::Condition) if the solver asked for cannot run this scene.
+    fn plan(&self, request: &Request) -> Result<Plan>;
+
+    /// The motion at the times asked for, with its cost and its ledger.
+    ///
+    /// # Errors
+    /// As for [`plan`](Self::plan); [`Error::Integration`](crate::Error::Integration), [`Error::Accuracy`](crate::Error::Accuracy),
+    /// [`Error::Ledger`](crate::Error::Ledger).
+    fn simulate(&self, request: &Request) -> Result<Motion<Self::State>>;
+}
+
+/// A state as a row of numbers.
+pub trait Tabulated {
+    /// The names of the numbers.
+    const COLUMNS: &'static [&'static str];
+
+    /// The numbers, as many as there are names.
+    fn row(&self) -> Vec<f64>;
+}

@@ -1,0 +1,111 @@
+//! What a scene gives back: states at the times asked for, what they have cost, and the ledger.
+
+use super::plan::{Choice, Plan};
+use crate::conservation::Ledger;
+use crate::error::{Error, Result, finite};
+use crate::integrators::Cost;
+
+/// What is asked of a scene: when, how well, and by which solver.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    times: Vec<f64>,
+    accuracy: f64,
+    choice: Choice,
+}
+
+impl Request {
+    /// States at these times (s, any order), to a relative accuracy of 1e-10, by the solver that the scene's plan picks.
+    ///
+    /// # Errors
+    /// [`Error::Empty`]; [`Error::NotFinite`].
+    pub fn at(times: impl Into<Vec<f64>>) -> Result<Self> {
+        let times = times.into();
+        if times.is_empty() {
+            return Err(Error::Empty {
+                quantity: "the list of times",
+            });
+        }
+        for &t in &times {
+            finite("the time", t)?;
+        }
+        Ok(Self {
+            times,
+            accuracy: 1e-10,
+            choice: Choice::Auto,
+        })
+    }
+
+    /// The same to another relative accuracy.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] outside 1e-15 … 0.1.
+    pub fn to_accuracy(mut self, accuracy: f64) -> Result<Self> {
+        if !(1e-15..=0.1).contains(&accuracy) {
+            return Err(Error::OutOfRange {
+                quantity: "the accuracy",
+                value: accuracy,
+                least: 1e-15,
+                greatest: 0.1,
+            });
+        }
+        self.accuracy = accuracy;
+        Ok(self)
+    }
+
+    /// The same by this solver.
+    pub const fn by(mut self, choice: Choice) -> Self {
+        self.choice = choice;
+        self
+    }
+
+    /// The times, s.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// The relative accuracy asked for.
+    pub const fn accuracy(&self) -> f64 {
+        self.accuracy
+    }
+
+    /// Who chooses the solver.
+    pub const fn choice(&self) -> Choice {
+        self.choice
+    }
+}
+
+/// A motion, at the times asked for.
+#[derive(Debug, Clone)]
+pub struct Motion<S> {
+    /// The solver that ran, and why.
+    pub plan: Plan,
+    /// What it has cost.
+    pub cost: Cost,
+    /// What the scene conserves, or may only lose or gain, and by how much it failed to.
+    pub ledger: Ledger,
+    /// Time (s) and state, in the order asked for.
+    pub rows: Vec<(f64, S)>,
+}
+
+/// The ledger, if every drift in it is within what the accuracy asked for allows: 100 times the accuracy, and never less than 1e-11.
+///
+/// An error that a solver makes within its accuracy drives a conserved quantity off by about as much; the factor leaves room for
+/// quantities that depend on the state more steeply than in proportion.
+///
+/// # Errors
+/// [`Error::Ledger`] names the quantity that drifted most.
+pub fn balanced(ledger: Ledger, accuracy: f64) -> Result<Ledger> {
+    let allowed = (100.0 * accuracy).max(1e-11);
+    let worst = ledger
+        .entries()
+        .iter()
+        .max_by(|a, b| a.relative_drift().total_cmp(&b.relative_drift()));
+    match worst {
+        Some(entry) if entry.relative_drift() > allowed => Err(Error::Ledger {
+            quantity: entry.name(),
+            drift: entry.relative_drift(),
+            allowed,
+        }),
+        _ => Ok(ledger),
+    }
+}

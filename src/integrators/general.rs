@@ -2,7 +2,7 @@
 
 use differential_equations::error::Error as Refusal;
 use differential_equations::interpolate::Interpolation;
-use differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
+use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod, solve_ode};
 use differential_equations::prelude::{ControlFlag, Status};
 use differential_equations::solout::{
@@ -36,19 +36,11 @@ pub enum Method {
     Dop853,
     /// Verner's most efficient pair, order 9(8).
     Verner98,
-    /// Gauss and Legendre, 3 stages, order 6, implicit.
-    Gauss6,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 5] = [
-        Self::Rk4,
-        Self::Dopri5,
-        Self::Dop853,
-        Self::Verner98,
-        Self::Gauss6,
-    ];
+    pub const ALL: [Self; 4] = [Self::Rk4, Self::Dopri5, Self::Dop853, Self::Verner98];
 
     /// The name by which it is asked for.
     pub const fn name(self) -> &'static str {
@@ -57,7 +49,6 @@ impl Method {
             Self::Dopri5 => "dopri5",
             Self::Dop853 => "dop853",
             Self::Verner98 => "verner98",
-            Self::Gauss6 => "gauss6",
         }
     }
 
@@ -277,15 +268,6 @@ impl<const N: usize, S: System<N> + ?Sized> Run<'_, N, S> {
                     let method = ExplicitRungeKutta::rkv989e().max_steps(MOST_STEPS);
                     let method = method.rtol(tolerance).atol(absolute(tolerance));
                     method.h0(first_step(length))
-                };
-                self.drive(make, clock, start, times, event)
-            }
-            (Method::Gauss6, Effort::Tolerance(tolerance)) => {
-                let tolerance = positive("the tolerance", tolerance)?;
-                let make = |length: f64| {
-                    let method = ImplicitRungeKutta::gauss_legendre_6().max_steps(MOST_STEPS);
-                    let method = method.rtol(tolerance).atol(absolute(tolerance));
-                    method.newton_tol(1e-3 * tolerance).h0(first_step(length))
                 };
                 self.drive(make, clock, start, times, event)
             }

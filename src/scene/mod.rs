@@ -7,7 +7,7 @@
 //!
 //! | kind | tutorial | module |
 //! |---|---|---|
-//! | top | 6, 7, 8 | [`top`] |
+//! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
 
 mod effect;
 mod motion;

@@ -107,6 +107,38 @@ impl Resistance for PivotFriction {
     }
 }
 
+/// Friction at the pivot that spares the spin: torque −c(Ω₁, Ω₂, 0) (7.4).
+///
+/// A sharp tip or a bearing of the axle: tilting and precessing cost, spinning about the third axis does not.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BearingFriction {
+    coefficient: f64,
+}
+
+impl BearingFriction {
+    /// The friction with coefficient c in N m s.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative).
+    pub fn new(coefficient: f64) -> Result<Self> {
+        Ok(Self {
+            coefficient: not_negative("bearing friction", coefficient)?,
+        })
+    }
+}
+
+impl Effect for BearingFriction {
+    const PRESENT: bool = true;
+    const NAME: &'static str = "bearing_friction";
+}
+
+impl Resistance for BearingFriction {
+    fn add_torque(&self, turning: &Turning, torque: &mut [f64; 3]) {
+        torque[0] -= self.coefficient * turning.omega[0];
+        torque[1] -= self.coefficient * turning.omega[1];
+    }
+}
+
 /// Drag of the air in proportion to the square of the turning: torque −k|Ω|Ω.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AirDrag {

@@ -8,16 +8,19 @@ use crate::integrators::System;
 
 /// Euler's equations with the torques of the effects, each a type.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Equations<G, F, D, T> {
+pub(super) struct Equations<G, F, B, D, T> {
     pub moments: [f64; 3],
     pub arm: [f64; 3],
     pub gravity: G,
     pub pivot_friction: F,
+    pub bearing_friction: B,
     pub air_drag: D,
     pub tip_friction: T,
 }
 
-impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Equations<G, F, D, T> {
+impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance>
+    Equations<G, F, B, D, T>
+{
     /// dΩ/dt and dq/dt, and the torque that resists.
     #[inline]
     fn rates(&self, y: &[f64; 7]) -> ([f64; 7], [f64; 3]) {
@@ -33,6 +36,7 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Equations<G, F, D, 
         let turning = Turning { omega, up };
         let mut resistance = [0.0; 3];
         self.pivot_friction.add_torque(&turning, &mut resistance);
+        self.bearing_friction.add_torque(&turning, &mut resistance);
         self.air_drag.add_torque(&turning, &mut resistance);
         self.tip_friction.add_torque(&turning, &mut resistance);
         let mut torque = resistance;
@@ -55,8 +59,8 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Equations<G, F, D, 
 /// Nothing resists: seven numbers.
 pub(super) struct Lossless<'a, E>(pub &'a E);
 
-impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> System<7>
-    for Lossless<'_, Equations<G, F, D, T>>
+impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> System<7>
+    for Lossless<'_, Equations<G, F, B, D, T>>
 {
     fn rate(&self, _: f64, y: &[f64; 7]) -> [f64; 7] {
         self.0.rates(y).0
@@ -66,8 +70,8 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> System<7>
 /// Something resists: the eighth number is the energy that it has taken.
 pub(super) struct Lossy<'a, E>(pub &'a E);
 
-impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> System<8>
-    for Lossy<'_, Equations<G, F, D, T>>
+impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> System<8>
+    for Lossy<'_, Equations<G, F, B, D, T>>
 {
     fn rate(&self, _: f64, y: &[f64; 8]) -> [f64; 8] {
         let [o1, o2, o3, w, x, y, z, _] = *y;

@@ -1,15 +1,13 @@
 //! A top by a general method: in one run, or up to the moment at which dry friction has stopped the spin, and on from there.
 
-use super::effects::{Resistance, Weight};
-use super::equations::{Equations, Lossless, Lossy};
 use crate::error::Result;
 use crate::integrators::{
-    Cost, Effort, Method, Solution, Stop, System, halved, refined, tightened, until,
+    Cost, Effort, Method, Solution, Stop, System, halved, refined, solve, tightened, until,
 };
 
-/// The problem as the integrators see it.
-pub(super) struct Problem<'a, E> {
-    pub equations: &'a E,
+/// The problem as the integrators see it. The equations come as a trait object, so that the methods are compiled once and not for
+/// every list of effects; the call through it is a thirtieth of an evaluation.
+pub(super) struct Problem<'a> {
     pub start: [f64; 7],
     /// Scale of Ω, rad/s.
     pub fastest: f64,
@@ -26,23 +24,22 @@ pub(super) struct Followed {
     pub cost: Cost,
 }
 
-impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Problem<'_, Equations<G, F, D, T>> {
-    pub fn follow(&self) -> Result<Followed> {
-        if F::PRESENT || D::PRESENT || T::PRESENT {
-            self.lossy()
-        } else {
-            self.lossless()
-        }
-    }
+/// Whether dry friction will stop the spin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Spin {
+    GoesOn,
+    MayStop,
+}
 
-    fn lossless(&self) -> Result<Followed> {
+impl Problem<'_> {
+    /// Nothing resists.
+    pub fn lossless(&self, system: &dyn System<7>) -> Result<Followed> {
         let o = self.fastest;
         let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0];
-        let system = Lossless(self.equations);
         let (times, accuracy) = (self.times, self.accuracy);
         let distance = |a: &[f64; 7], b: &[f64; 7]| apart(a, b, o);
         let run = refined(
-            &system,
+            system,
             &self.start,
             &scales,
             times,
@@ -56,10 +53,10 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Problem<'_, Equatio
         })
     }
 
-    fn lossy(&self) -> Result<Followed> {
+    /// Something resists: the eighth number is the energy that it has taken.
+    pub fn lossy(&self, system: &dyn System<8>, spin: Spin) -> Result<Followed> {
         let (o, e) = (self.fastest, self.energy);
         let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0, e];
-        let system = Lossy(self.equations);
         let [o1, o2, o3, w, x, y, z] = self.start;
         let start = [o1, o2, o3, w, x, y, z, 0.0];
         let distance = |a: &[f64; 8], b: &[f64; 8]| {
@@ -67,8 +64,8 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Problem<'_, Equatio
             apart(&a1, &b1, o).max((a[7] - b[7]).abs() / e)
         };
         let (times, method, accuracy) = (self.times, self.method, self.accuracy);
-        let run = if T::PRESENT && o3 != 0.0 {
-            let stopping = |effort| spun_down(&system, &start, &scales, times, method, effort);
+        let run = if spin == Spin::MayStop && o3 != 0.0 {
+            let stopping = |effort| spun_down(system, &start, &scales, times, method, effort);
             if method.is_adaptive() {
                 tightened(|t| stopping(Effort::Tolerance(t)), accuracy, distance)?
             } else {
@@ -77,7 +74,7 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Problem<'_, Equatio
                 halved(|h| stopping(Effort::Step(h)), first, accuracy, distance)?
             }
         } else {
-            refined(&system, &start, &scales, times, method, accuracy, distance)?
+            refined(system, &start, &scales, times, method, accuracy, distance)?
         };
         let split = |y: [f64; 8]| (core::array::from_fn(|k| y[k]), y[7]);
         Ok(Followed {
@@ -90,17 +87,15 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Problem<'_, Equatio
 /// Angle between two attitudes, radians, or the distance of the angular velocities in their scale, whichever is more.
 fn apart(a: &[f64; 7], b: &[f64; 7], fastest: f64) -> f64 {
     let distance = |range: core::ops::Range<usize>| {
-        range
-            .map(|k| (a[k] - b[k]) * (a[k] - b[k]))
-            .sum::<f64>()
-            .sqrt()
+        let squares = range.map(|k| (a[k] - b[k]) * (a[k] - b[k]));
+        squares.sum::<f64>().sqrt()
     };
     (2.0 * distance(3..7)).max(distance(0..3) / fastest)
 }
 
 /// A run that is cut where Ω₃ comes to zero: there dry friction changes from a torque that brakes to one that holds.
 fn spun_down(
-    system: &impl System<8>,
+    system: &dyn System<8>,
     start: &[f64; 8],
     scales: &[f64; 8],
     times: &[f64],
@@ -112,8 +107,7 @@ fn spun_down(
     let (before, after) = order.split_at(order.partition_point(|&i| times[i] < 0.0));
     let mut states = vec![*start; times.len()];
     let before_times: Vec<f64> = before.iter().map(|&i| times[i]).collect();
-    let earlier =
-        crate::integrators::solve(system, 0.0, start, scales, &before_times, method, effort)?;
+    let earlier = solve(system, 0.0, start, scales, &before_times, method, effort)?;
     let mut cost = earlier.cost;
     for (&place, state) in before.iter().zip(earlier.states) {
         states[place] = state;
@@ -123,16 +117,9 @@ fn spun_down(
     let (mut time, mut state, mut left) = (0.0, *start, after);
     while let Some(&last) = left.last() {
         let ordered: Vec<f64> = left.iter().map(|&i| times[i]).collect();
+        let end = times[last];
         let leg = until(
-            system,
-            time,
-            &state,
-            scales,
-            &ordered,
-            times[last],
-            &spin,
-            method,
-            effort,
+            system, time, &state, scales, &ordered, end, &spin, method, effort,
         )?;
         cost += leg.cost;
         let reached = leg.states.len();

@@ -15,7 +15,9 @@ mod general;
 
 pub use body::{Body, Start};
 pub use closed::{Axes, ClosedForm};
-pub use effects::{AirDrag, Gravity, PivotFriction, Resistance, TipFriction, Turning, Weight};
+pub use effects::{
+    AirDrag, BearingFriction, Gravity, PivotFriction, Resistance, TipFriction, Turning, Weight,
+};
 
 use super::{Absent, Choice, Motion, Plan, Request, Scene, Solver, Tabulated, balanced, choose};
 use crate::error::{Error, Result};
@@ -23,16 +25,17 @@ use crate::frame::{Attitude, BodyVector};
 use crate::integrators::{Cost, Method};
 
 use books::Books;
-use equations::{Equations, fastest, packed, unpacked};
-use general::Problem;
+use equations::{Equations, Lossless, Lossy, fastest, packed, unpacked};
+use general::{Problem, Spin};
 
-/// A top and its effects, one type parameter each: gravity, pivot friction, air drag, tip friction.
+/// A top and its effects, one type parameter each: gravity, pivot friction, bearing friction, air drag, tip friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Top<G = Absent, F = Absent, D = Absent, T = Absent> {
+pub struct Top<G = Absent, F = Absent, B = Absent, D = Absent, T = Absent> {
     body: Body,
     start: Start,
     gravity: G,
     pivot_friction: F,
+    bearing_friction: B,
     air_drag: D,
     tip_friction: T,
 }
@@ -44,6 +47,8 @@ pub struct Listed {
     pub gravity: Option<Gravity>,
     /// Friction at the pivot.
     pub pivot_friction: Option<PivotFriction>,
+    /// Friction at the pivot that spares the spin.
+    pub bearing_friction: Option<BearingFriction>,
     /// Drag of the air.
     pub air_drag: Option<AirDrag>,
     /// Dry friction at the tip.
@@ -51,7 +56,7 @@ pub struct Listed {
 }
 
 impl Listed {
-    /// The scene of the type that has these effects and no others: one of sixteen, each compiled for itself.
+    /// The scene of the type that has these effects and no others: one of thirty-two, each compiled for itself.
     ///
     /// # Errors
     /// As for [`Top::new`] and [`Top::with_tip_friction`].
@@ -63,9 +68,10 @@ impl Listed {
         Ok(choose!(
             (gravity = self.gravity)
             (pivot_friction = self.pivot_friction)
+            (bearing_friction = self.bearing_friction)
             (air_drag = self.air_drag)
             (tip_friction = self.tip_friction)
-            => Box::new(Top { body, start, gravity, pivot_friction, air_drag, tip_friction })
+            => Box::new(Top { body, start, gravity, pivot_friction, bearing_friction, air_drag, tip_friction })
         ))
     }
 }
@@ -118,60 +124,88 @@ impl Top {
             start,
             gravity: Absent,
             pivot_friction: Absent,
+            bearing_friction: Absent,
             air_drag: Absent,
             tip_friction: Absent,
         })
     }
 }
 
-impl<F, D, T> Top<Absent, F, D, T> {
+impl<F, B, D, T> Top<Absent, F, B, D, T> {
     /// The same under gravity.
-    pub fn with_gravity(self, gravity: Gravity) -> Top<Gravity, F, D, T> {
+    pub fn with_gravity(self, gravity: Gravity) -> Top<Gravity, F, B, D, T> {
         Top {
             body: self.body,
             start: self.start,
             gravity,
             pivot_friction: self.pivot_friction,
+            bearing_friction: self.bearing_friction,
             air_drag: self.air_drag,
             tip_friction: self.tip_friction,
         }
     }
 }
 
-impl<G, D, T> Top<G, Absent, D, T> {
+impl<G, B, D, T> Top<G, Absent, B, D, T> {
     /// The same with friction at the pivot.
-    pub fn with_pivot_friction(self, pivot_friction: PivotFriction) -> Top<G, PivotFriction, D, T> {
+    pub fn with_pivot_friction(
+        self,
+        pivot_friction: PivotFriction,
+    ) -> Top<G, PivotFriction, B, D, T> {
         Top {
             body: self.body,
             start: self.start,
             gravity: self.gravity,
             pivot_friction,
+            bearing_friction: self.bearing_friction,
             air_drag: self.air_drag,
             tip_friction: self.tip_friction,
         }
     }
 }
 
-impl<G, F, T> Top<G, F, Absent, T> {
-    /// The same with drag of the air.
-    pub fn with_air_drag(self, air_drag: AirDrag) -> Top<G, F, AirDrag, T> {
+impl<G, F, D, T> Top<G, F, Absent, D, T> {
+    /// The same with friction at the pivot that spares the spin.
+    pub fn with_bearing_friction(
+        self,
+        bearing_friction: BearingFriction,
+    ) -> Top<G, F, BearingFriction, D, T> {
         Top {
             body: self.body,
             start: self.start,
             gravity: self.gravity,
             pivot_friction: self.pivot_friction,
+            bearing_friction,
+            air_drag: self.air_drag,
+            tip_friction: self.tip_friction,
+        }
+    }
+}
+
+impl<G, F, B, T> Top<G, F, B, Absent, T> {
+    /// The same with drag of the air.
+    pub fn with_air_drag(self, air_drag: AirDrag) -> Top<G, F, B, AirDrag, T> {
+        Top {
+            body: self.body,
+            start: self.start,
+            gravity: self.gravity,
+            pivot_friction: self.pivot_friction,
+            bearing_friction: self.bearing_friction,
             air_drag,
             tip_friction: self.tip_friction,
         }
     }
 }
 
-impl<G, F, D> Top<G, F, D, Absent> {
+impl<G, F, B, D> Top<G, F, B, D, Absent> {
     /// The same with dry friction at the tip.
     ///
     /// # Errors
     /// [`Error::Condition`] unless I₁ = I₂ and C lies on the third axis: of another body the spin would not stay stopped.
-    pub fn with_tip_friction(self, tip_friction: TipFriction) -> Result<Top<G, F, D, TipFriction>> {
+    pub fn with_tip_friction(
+        self,
+        tip_friction: TipFriction,
+    ) -> Result<Top<G, F, B, D, TipFriction>> {
         if !self.body.is_symmetric_about_third() {
             return Err(Error::Condition {
                 condition: "tip friction is for bodies with I1 = I2 and the centre of mass on the third axis",
@@ -183,6 +217,7 @@ impl<G, F, D> Top<G, F, D, Absent> {
             start: self.start,
             gravity: self.gravity,
             pivot_friction: self.pivot_friction,
+            bearing_friction: self.bearing_friction,
             air_drag: self.air_drag,
             tip_friction,
         })
@@ -192,9 +227,9 @@ impl<G, F, D> Top<G, F, D, Absent> {
 /// The method for scenes without a closed form.
 const GENERAL: Solver = Solver::General(Method::Dop853);
 
-impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Top<G, F, D, T> {
+impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<G, F, B, D, T> {
     /// Whether anything resists; known at compile time.
-    const LOSSY: bool = F::PRESENT || D::PRESENT || T::PRESENT;
+    const LOSSY: bool = F::PRESENT || B::PRESENT || D::PRESENT || T::PRESENT;
 
     /// The motion in closed form, if this scene has one.
     ///
@@ -232,6 +267,7 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Top<G, F, D, T> {
     fn reason(&self) -> String {
         let resisting = [
             (F::PRESENT, F::NAME),
+            (B::PRESENT, B::NAME),
             (D::PRESENT, D::NAME),
             (T::PRESENT, T::NAME),
         ];
@@ -243,19 +279,22 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Top<G, F, D, T> {
         }
     }
 
-    fn equations(&self) -> Equations<G, F, D, T> {
+    fn equations(&self) -> Equations<G, F, B, D, T> {
         Equations {
             moments: self.body.moments,
             arm: self.body.arm(),
             gravity: self.gravity,
             pivot_friction: self.pivot_friction,
+            bearing_friction: self.bearing_friction,
             air_drag: self.air_drag,
             tip_friction: self.tip_friction,
         }
     }
 }
 
-impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Scene for Top<G, F, D, T> {
+impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scene
+    for Top<G, F, B, D, T>
+{
     type State = State;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
@@ -276,7 +315,7 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Scene for Top<G, F,
     }
 }
 
-impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Top<G, F, D, T> {
+impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<G, F, B, D, T> {
     fn followed(
         &self,
         plan: Plan,
@@ -291,8 +330,7 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Top<G, F, D, T> {
             });
         }
         let omega = self.start.omega(self.body.moments)?;
-        let run = Problem {
-            equations: &self.equations(),
+        let problem = Problem {
             start: packed(omega, &self.start.attitude),
             fastest: fastest(&self.body, self.gravity.lever(self.body.arm()), omega)
                 .max(f64::MIN_POSITIVE),
@@ -300,8 +338,13 @@ impl<G: Weight, F: Resistance, D: Resistance, T: Resistance> Top<G, F, D, T> {
             times: request.times(),
             method,
             accuracy: request.accuracy(),
-        }
-        .follow()?;
+        };
+        let equations = self.equations();
+        let run = match (Self::LOSSY, T::PRESENT) {
+            (false, _) => problem.lossless(&Lossless(&equations))?,
+            (true, false) => problem.lossy(&Lossy(&equations), Spin::GoesOn)?,
+            (true, true) => problem.lossy(&Lossy(&equations), Spin::MayStop)?,
+        };
         let mut rows = Vec::with_capacity(run.states.len());
         let mut losses = Vec::with_capacity(run.states.len());
         for (&t, (y, lost)) in request.times().iter().zip(&run.states) {

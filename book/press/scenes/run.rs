@@ -42,8 +42,14 @@ fn times(section: &Section<'_>) -> Result<Vec<f64>> {
         (None, Some(until), samples) => {
             let samples = samples.unwrap_or(101);
             let last = (samples - 1) as f64;
-            // The last one exactly, and no overflow on the way.
-            Ok((0..samples).map(|i| until * (i as f64 / last)).collect())
+            // Product first: 49 of 52 seconds in 520 parts is 4.9 then, not one ulp less.
+            let unit = if (until * last).is_finite() {
+                1.0
+            } else {
+                last
+            };
+            let at = |i: usize| (until / unit) * i as f64 / (last / unit);
+            Ok((0..samples).map(at).collect())
         }
         (Some(_), ..) => {
             Err(section.refused("times", "and `until` or `samples` exclude each other"))

@@ -62,7 +62,11 @@ impl Books {
 
     /// ½⟨IΩ, Ω⟩ + ⟨MgC, z⟩, J.
     pub fn energy(&self, attitude: &Attitude, omega: BodyVector) -> f64 {
-        self.kinetic(omega) + self.lever.dot(&up(attitude))
+        match self.kind {
+            // Without a lever there is no height to ask for.
+            Integrability::Euler => self.kinetic(omega),
+            _ => self.kinetic(omega) + self.lever.dot(&up(attitude)),
+        }
     }
 
     /// No torque resists: E is kept; L, or of it what gravity leaves; the fourth integral of tops that have one.

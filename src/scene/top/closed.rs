@@ -82,6 +82,7 @@ impl ClosedForm {
     ///
     /// # Errors
     /// Those of the solution.
+    #[inline]
     pub fn at(&self, t: f64) -> Result<(Attitude, BodyVector)> {
         match self {
             Self::Free(top) => {

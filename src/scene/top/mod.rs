@@ -21,6 +21,7 @@ pub use effects::{
 
 use super::{Absent, Choice, Motion, Plan, Request, Scene, Solver, Tabulated, balanced, choose};
 use crate::error::{Error, Result};
+use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::{Cost, Method};
 
@@ -128,6 +129,20 @@ impl Top {
             air_drag: Absent,
             tip_friction: Absent,
         })
+    }
+}
+
+impl Top {
+    /// The motion of a scene without effects, which is the free top of section 6 and no more: nothing is asked when it runs.
+    ///
+    /// # Errors
+    /// Those of [`EulerTop`].
+    pub fn free_top(&self) -> Result<EulerTop> {
+        let (moments, attitude) = (self.body.moments, self.start.attitude);
+        match self.start.spin {
+            body::Spin::Omega(omega) => EulerTop::from_omega(moments, omega, attitude),
+            body::Spin::AngularMomentum(l) => EulerTop::new(moments, l, attitude),
+        }
     }
 }
 

@@ -17,7 +17,7 @@ mod support;
 use std::hint::black_box;
 
 use decimal::hexadecimal;
-use heavy::Heavy;
+use heavy::{Heavy, dop853};
 use joint::Engine;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
@@ -242,7 +242,7 @@ fn compared(row: &Row, [prepared, scratch]: Ours) -> Result<(Row, Vec<Answer>)> 
     for tolerance in [1e-6, 1e-9, 1e-12, 1e-14] {
         let mut found = None;
         let time = least_of_few(20, || {
-            found = black_box(heavy.dop853(black_box(start), row.time, tolerance));
+            found = black_box(dop853(&heavy, black_box(start), row.time, tolerance));
         });
         let method = format!("DOP853, {tolerance:.0e}");
         if let Some((p, steps)) = found {

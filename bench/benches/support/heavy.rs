@@ -49,23 +49,26 @@ impl Heavy {
         }
         p
     }
+}
 
-    /// The method of order 8 by Dormand and Prince with this tolerance, and how many steps it took.
-    pub fn dop853(&self, start: Point, t: f64, tolerance: f64) -> Option<(Point, usize)> {
-        let method = ExplicitRungeKutta::dop853()
-            .rtol(tolerance)
-            .atol(tolerance)
-            .max_steps(1_000_000_000);
-        let solution = IVP::ode(self, 0.0, t, start)
-            .t_eval([t])
-            .method(method)
-            .solve()
-            .ok()?;
-        Some((
-            *solution.y.last()?,
-            solution.steps.accepted + solution.steps.rejected,
-        ))
-    }
+/// The method of order 8 by Dormand and Prince, relative and absolute tolerance alike: the point at time t, and in how many steps.
+pub fn dop853<const N: usize>(
+    system: &impl ODE<f64, [f64; N]>,
+    start: [f64; N],
+    t: f64,
+    tolerance: f64,
+) -> Option<([f64; N], usize)> {
+    let method = ExplicitRungeKutta::dop853()
+        .rtol(tolerance)
+        .atol(tolerance)
+        .max_steps(1_000_000_000);
+    let solution = IVP::ode(system, 0.0, t, start)
+        .t_eval([t])
+        .method(method)
+        .solve()
+        .ok()?;
+    let steps = solution.steps.accepted + solution.steps.rejected;
+    Some((*solution.y.last()?, steps))
 }
 
 impl ODE<f64, Point> for Heavy {

@@ -50,7 +50,7 @@ impl Uniform {
     }
 }
 
-/// Twice the vector part of q⁻¹p, and 2π less it for the far half: the angle between the attitudes, radians, good to about 2e-16.
+/// The angle of q⁻¹p from its vector and scalar parts: that between the attitudes, radians, good to about 2e-16.
 pub fn angle(p: [f64; 4], q: [f64; 4]) -> f64 {
     let [w, x, y, z] = p;
     let [a, b, c, d] = q;

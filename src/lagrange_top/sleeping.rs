@@ -14,7 +14,7 @@ use crate::words::Arithmetic;
 /// and the top is still stable. Domain: I₁, I₃ > 0, Mgl ≥ 0. One rounding. Cost: a square root.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::Negative`].
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative).
 ///
 /// ```
 /// assert_eq!(spinning_bodies::lagrange_top::sleeping_threshold(1.0, 0.5, 1.0)?, 4.0);
@@ -43,7 +43,7 @@ pub fn sleeping_threshold(transverse: f64, axial: f64, weight_moment: f64) -> Re
 /// not kicked stays. Cost: one square root of 106 bits.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::Negative`].
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative).
 ///
 /// ```
 /// use spinning_bodies::lagrange_top::tilt_after_kick;

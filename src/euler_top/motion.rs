@@ -175,6 +175,10 @@ impl EulerTop {
                     .abs()
                     .max(constants.turning_rate.value());
                 finite("the rate of the motion", largest)?;
+                // What is finite at the start may swing onto an axis with a smaller moment, or round up.
+                for peak in ratio(constants.axes.back(constants.amplitudes), moments) {
+                    finite("twice the greatest angular velocity", 2.0 * peak)?;
+                }
                 let turned = constants.turned(0.0, &constants.point(0.0)?)?;
                 let base = attitude.quaternion().into_inner() * turned.conjugate();
                 Motion::Moving { constants, base }

@@ -11,7 +11,7 @@ use crate::extended::Extended;
 use crate::frame::{Attitude, BodyVector};
 
 /// Beyond this, in rad/s, sums of rates overflow.
-const FASTEST: f64 = 1e307;
+pub(super) const FASTEST: f64 = 1e307;
 
 /// The top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +62,7 @@ impl LagrangeTop {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`] for I₁, [`Error::Negative`] for I₃, [`Error::TriangleInequality`] for
-    /// I₃ > 2I₁, which no body has (2.4), [`Error::OutOfRange`] for |Ω| above 10³⁰⁷.
+    /// I₃ > 2I₁, which no body has (2.4), [`Error::OutOfRange`] for |Ω| or √(Mgl/I₁) above 10³⁰⁷.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};

@@ -4,14 +4,14 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Constants, Pull};
 use super::kinds::{Nutation, Roots, kind};
-use super::motion::Motion;
+use super::motion::{FASTEST, Motion};
 use super::roots::{Cubic, Distances};
 use super::turning::{Complex, Parameter};
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::landen::Landen;
 use crate::elliptic::theta::{Elevation, Which};
 use crate::elliptic::{Modulus, Parameter as EllipticParameter, Side};
-use crate::error::{Result, finite};
+use crate::error::{Error, Result, finite};
 use crate::extended::{Extended, Scalar, exponent_of, shifted};
 use crate::frame::{Attitude, BodyVector};
 use crate::words::{Arithmetic, Words};
@@ -57,6 +57,15 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
         .components()
         .amax()
         .max(gravity.square_root().narrow().value());
+    // What the fall adds to Ω counts like Ω.
+    if fastest > FASTEST {
+        return Err(Error::OutOfRange {
+            quantity: "the greater of |Ω| and √(Mgl/I1)",
+            value: fastest,
+            least: 0.0,
+            greatest: FASTEST,
+        });
+    }
     if fastest == 0.0 {
         let upper = 2.0 * (q.w * q.w + q.k * q.k);
         let lower = 2.0 * (q.i * q.i + q.j * q.j);
@@ -67,7 +76,7 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let exponent = exponent_of(unit);
     let mut scaled_gravity = gravity;
     scaled_gravity.exponent -= 2 * exponent;
-    let gravity = N::from_narrow(scaled_gravity.narrow());
+    let gravity = N::from_extended(scaled_gravity);
     let [o1, o2, o3] = [omega.x() / unit, omega.y() / unit, omega.z() / unit].map(N::from_double);
     let [w, x, y, z] = [q.w, q.i, q.j, q.k].map(N::from_double);
     let (upper, lower) = (w.square().add(z.square()), x.square().add(y.square()));
@@ -88,7 +97,7 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let drift = o1.multiply(z1).subtract(o2.multiply(z2).negated());
     let rise = o2.multiply(z1).subtract(o1.multiply(z2));
     let ratio = Extended::from_double(axial).divide(Extended::from_double(transverse));
-    let spin = N::from_narrow(ratio.narrow()).multiply(o3);
+    let spin = N::from_extended(ratio).multiply(o3);
     let still = if swing.is_zero() {
         let threshold = gravity.times(4.0);
         if gravity.is_zero() {

@@ -9,3 +9,5 @@ mod kovalevskaya;
 mod lagrange_top;
 #[path = "../support/power_series.rs"]
 mod power_series;
+#[path = "../support/table.rs"]
+mod table;

@@ -169,7 +169,7 @@ fn matrix(x: Point, y: Point, to: Point) -> String {
 fn tops() -> Result<[Loop; 4]> {
     let paces = [0.25, 0.0, -0.5];
     let axial = [closing(paces[0])?, closing(paces[1])?, closing(paces[2])?];
-    let [slow, _] = pure_rates(HEIGHT, axial[1]).unwrap_or([f64::NAN; 2]);
+    let [slow, _] = pure_rates(HEIGHT, axial[1])?;
     Ok([
         Loop::new("waves", "waves", [158.0, 130.0], paces[0], axial[0], None)?,
         Loop::new("cusps", "cusps", [442.0, 130.0], paces[1], axial[1], None)?,

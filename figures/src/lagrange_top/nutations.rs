@@ -91,7 +91,7 @@ impl Globe {
     }
 }
 
-fn globes() -> Option<Vec<Globe>> {
+fn globes() -> Result<Vec<Globe>> {
     let [slow, _] = pure_rates(HEIGHT, 3.0)?;
     let [_, fast] = pure_rates(HEIGHT, 2.0)?;
     let globe = |name, momenta, cycles, beside, anchor| Globe {
@@ -103,7 +103,7 @@ fn globes() -> Option<Vec<Globe>> {
     };
     let below = RADIUS + 20.0;
     let above = -RADIUS - 9.0;
-    Some(vec![
+    Ok(vec![
         globe(
             "waves, backwards",
             [-2.1, 1.0],
@@ -159,35 +159,39 @@ fn clear(pen: &mut Pen<'_>, points: &[Point], globes: &[Globe], style: Stroke) {
 }
 
 /// The lines that part the kinds of motion, each by its L₃ and L_vert.
-fn borders() -> [(Vec<Point>, bool); 6] {
+fn borders() -> Result<[(Vec<Point>, bool); 6]> {
     let along = |from: f64, to: f64, vertical: &dyn Fn(f64) -> f64| -> Vec<Point> {
         (0..=900)
             .map(|k| from + (to - from) * f64::from(k) / 900.0)
             .map(|axial| place(vertical(axial), axial))
             .collect()
     };
-    let pure = |k: usize| {
-        move |axial: f64| {
-            pure_rates(HEIGHT, axial).map_or(f64::NAN, |rates| vertical(rates[k], axial))
-        }
-    };
     let top = REACH[2];
     let least = (4.0 * HEIGHT).sqrt() * (1.0 + f64::EPSILON);
+    let pure = |which: usize| -> Result<Vec<Point>> {
+        (0..=900)
+            .map(|k| least + (top - least) * f64::from(k) / 900.0)
+            .map(|axial| {
+                let rate = pure_rates(HEIGHT, axial)?[which];
+                Ok(place(vertical(rate, axial), axial))
+            })
+            .collect()
+    };
     // Released from rest at cos θ = 1/2 + 3/(2L₃²) it dips to 60 degrees; from the top itself for L₃ = √3.
     let rest = |axial: f64| axial * HEIGHT + (1.0 - HEIGHT * HEIGHT) * 2.0 / axial;
-    [
+    Ok([
         (along(0.0, top, &|axial| axial * HEIGHT), false),
         (along(3.0_f64.sqrt(), top, &rest), false),
         (along(0.0, top, &|axial| -axial), true),
         (along(3.0_f64.sqrt(), top, &|axial| axial), true),
-        (along(least, top, &pure(0)), false),
-        (along(least, top, &pure(1)), false),
-    ]
+        (pure(0)?, false),
+        (pure(1)?, false),
+    ])
 }
 
 /// The kinds of nutation on the map of the two momenta.
 pub fn nutations() -> Result<Figure> {
-    let globes = globes().unwrap_or_default();
+    let globes = globes()?;
     let drawn = globes
         .iter()
         .map(|globe| {
@@ -231,6 +235,7 @@ pub fn nutations() -> Result<Figure> {
               pendulum. Loops shrink to cusps where the dashed line is crossed and open to waves beyond."
             .to_owned(),
     };
+    let borders = borders()?;
     Ok(figure("nutations", 574.0, words, |pen| {
         let [left, right, top] = REACH;
         let ink = stroke(Role::Ink, AXIS);
@@ -284,7 +289,7 @@ pub fn nutations() -> Result<Figure> {
             "*L*_{3}",
             label(Role::AngularMomentum),
         );
-        for (k, (points, pole)) in borders().into_iter().enumerate() {
+        for (k, (points, pole)) in borders.iter().enumerate() {
             let style = match (k, pole) {
                 (_, true) => stroke(Role::Muted, SECONDARY).dotted(),
                 (0 | 1, _) => stroke(Role::Ink, SECONDARY).dashed(),
@@ -321,7 +326,7 @@ mod tests {
             .top();
             top.map(|top| top.kind()).expect("a finite top")
         };
-        for (k, (points, _)) in borders().into_iter().enumerate() {
+        for (k, (points, _)) in borders().expect("finite tops").into_iter().enumerate() {
             for at in points.iter().skip(100).step_by(100) {
                 let sides = [kind(*at, -1e-4), kind(*at, 1e-4)];
                 let expected = match k {

@@ -33,10 +33,7 @@ fn branch(axial: f64, which: usize, tilts: [f64; 2]) -> Result<Vec<Point>> {
         // Closer towards the ends, where the slow and the fast branch meet.
         let share = 0.5 - 0.5 * (PI * f64::from(k) / f64::from(STEPS)).cos();
         let tilt = tilts[0] + (tilts[1] - tilts[0]) * share;
-        let Some(rates) = pure_rates(tilt.cos(), axial) else {
-            continue;
-        };
-        let rate = rates[which];
+        let rate = pure_rates(tilt.cos(), axial)?[which];
         if !(SHOWN[0]..=SHOWN[1]).contains(&rate) {
             continue;
         }
@@ -74,7 +71,7 @@ pub fn precession_rates() -> Result<Figure> {
     }
     let slowest = SPINS[0].0;
     let end = least_tilt(slowest);
-    let [slow, fast] = pure_rates(0.5, 3.0).unwrap_or([f64::NAN; 2]);
+    let [slow, fast] = pure_rates(0.5, 3.0)?;
     let words = Words {
         claim: "A tilted top can precess slowly or fast; if its spin is too slow and its axis too steep, not at all.".to_owned(),
         details: format!(

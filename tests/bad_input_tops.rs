@@ -274,7 +274,7 @@ mod lagranges_top {
             assert!(matches!(top.at(t), Err(Error::NotFinite { .. })));
         }
         assert!(top.at(1e15)?.height.abs() <= 1.0);
-        assert_eq!(top.at(5e-324)?.height, 0.0);
+        assert!(top.at(5e-324)?.height.abs() < 3e-16);
         Ok(())
     }
 
@@ -651,7 +651,10 @@ proptest! {
             KovalevskayaTop::with_up(moments, vector(lever), vector(omega), start.to_body(spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0))),
         ];
         let strength = (lever[0].hypot(lever[1]) / i3).sqrt();
-        let units = t.abs() * vector(omega).components().amax().max(strength);
+        let fastest = vector(omega).components().amax().max(strength);
+        // Next to the greatest double a component of Ω may round up to infinity.
+        prop_assume!(fastest.is_nan() || fastest < 1e307 || fastest.is_infinite());
+        let units = t.abs() * fastest;
         for top in tops.into_iter().flatten() {
             let kept = top.constants();
             prop_assert!(no_nan(&[kept.energy, kept.vertical_angular_momentum, kept.kovalevskaya]), "{top:?}");

@@ -217,8 +217,7 @@ impl LagrangeTop {
     pub fn precession_per_nutation(&self) -> Option<f64> {
         match &self.motion {
             Motion::Moving(constants) if constants.modulus.quarter_period().is_finite() => {
-                let [alpha, beta] = constants.turns_per_nutation();
-                let precession = alpha.add(beta).value();
+                let precession = constants.precession_per_nutation().value();
                 Some(match constants.pull {
                     Pull::Down => precession,
                     Pull::Up => -precession,

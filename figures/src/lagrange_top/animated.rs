@@ -192,7 +192,7 @@ pub fn top_animated() -> Result<Figure> {
     let words = Words {
         claim: "One push decides how the nose goes round: waves, cusps, loops, or a circle.".to_owned(),
         details: format!(
-            "Four tops start 60° from the vertical, $I_1 = Mg\\ell = 1$, ten units of time in {} s: pushed forward at \
+            "Four tops start 60° from the vertical, $I_1 = Mg\\ell = 1,$ ten units of time in {} s: pushed forward at \
              $\\varphi' = {}$, released from rest, pushed back at ${}$, pushed at exactly the slow rate {}. The spins, \
              $L_3 = {}$, {}, {} and {}, make every path close. Rest the pointer on the picture to stop it.",
             number(10.0 * SLOWNESS, 0),

@@ -75,7 +75,7 @@ pub fn precession_rates() -> Result<Figure> {
     let words = Words {
         claim: "A tilted top can precess slowly or fast; if its spin is too slow and its axis too steep, not at all.".to_owned(),
         details: format!(
-            "Rates of pure precession against the tilt for $L_3 = {}$, 2 and 3, $I_1 = Mg\\ell = 1$: slow solid, fast dashed, {} and {} for \
+            "Rates of pure precession against the tilt for $L_3 = {}$, 2 and 3, $I_1 = Mg\\ell = 1.$ Slow solid, fast dashed: {} and {} for \
              $L_3 = 3$ at 60°. Dotted: where the two meet; for $L_3 = {}$ that is at {}°, and a steeper axis has no rate at all.",
             number(slowest, 1),
             number(slow, 4),

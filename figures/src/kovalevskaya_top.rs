@@ -282,8 +282,11 @@ pub fn classes() -> Result<Figure> {
             let [x, y] = place([energy, h]);
             pen.text([x - 8.0, y - 6.0], Anchor::End, text, label(Role::Ink));
         };
-        name(pen, 1.2, diagram.shared_upper(1.2), "*e*_{4}");
-        name(pen, 0.9, diagram.shared_lower(0.9), "*e*_{5}");
+        // The straight lines have their names where they leave the axis.
+        for (energy, text) in [(-SIZE, "*e*_{4}"), (SIZE, "*e*_{5}")] {
+            let [x, y] = place([energy, 0.0]);
+            pen.text([x, y + 22.0], Anchor::Middle, text, label(Role::Ink));
+        }
         if let Some([_, upper]) = bend {
             name(pen, 2.2, upper, "cubic");
         }

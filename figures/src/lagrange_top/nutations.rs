@@ -295,7 +295,7 @@ pub fn nutations() -> Result<Figure> {
                 (0 | 1, _) => stroke(Role::Ink, SECONDARY).dashed(),
                 _ => stroke(Role::AngularMomentum, 1.8),
             };
-            clear(pen, &points, &globes, style);
+            clear(pen, points, &globes, style);
         }
         for (globe, (trace, heights, azimuth)) in globes.iter().zip(&drawn) {
             globe.draw(pen, trace, *heights, *azimuth);

@@ -245,7 +245,7 @@ pub fn classes() -> Result<Figure> {
         }
     }
 
-    let bend = diagram.cubic_double(2.2)?;
+    let ends = diagram.cubic_double(greatest)?;
 
     let words = Words {
         claim: "Where two roots meet, one kind of motion ends and another begins.".to_owned(),
@@ -262,7 +262,7 @@ pub fn classes() -> Result<Figure> {
 
     Ok(figure("appelrot-classes", 300.0, words, |pen| {
         let place = |[e, h]: Point| {
-            let x = 46.0 + 520.0 * (e - least) / (greatest - least);
+            let x = 46.0 + 486.0 * (e - least) / (greatest - least);
             [x, 262.0 - 236.0 * h / highest]
         };
         let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
@@ -278,17 +278,15 @@ pub fn classes() -> Result<Figure> {
                 }
             }
         }
-        let name = |pen: &mut Pen<'_>, energy: f64, h: f64, text: &str| {
-            let [x, y] = place([energy, h]);
-            pen.text([x - 8.0, y - 6.0], Anchor::End, text, label(Role::Ink));
-        };
-        // The straight lines have their names where they leave the axis.
-        for (energy, text) in [(-SIZE, "*e*_{4}"), (SIZE, "*e*_{5}")] {
-            let [x, y] = place([energy, 0.0]);
-            pen.text([x, y + 22.0], Anchor::Middle, text, label(Role::Ink));
-        }
-        if let Some([_, upper]) = bend {
-            name(pen, 2.2, upper, "cubic");
+        // Each line has its name where it ends.
+        let shared = [
+            (diagram.shared_upper(greatest), "*e*_{4}"),
+            (diagram.shared_lower(greatest), "*e*_{5}"),
+        ];
+        let own = ends.into_iter().flatten().map(|h| (h, "cubic"));
+        for (h, text) in shared.into_iter().chain(own) {
+            let [x, y] = place([greatest, h]);
+            pen.text([x + 8.0, y + 5.0], Anchor::Start, text, label(Role::Ink));
         }
         pen.line(&[[46.0, 262.0], [580.0, 262.0]], stroke(Role::Ink, AXIS));
         pen.line(&[[46.0, 262.0], [46.0, 16.0]], stroke(Role::Ink, AXIS));

@@ -83,7 +83,8 @@ impl EulerTop {
     /// [`at`](Self::at), the price of constants to 106 bits: with them no later time costs a digit.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] and [`Error::TriangleInequality`] for moments that no body has (2.4);
+    /// [`Error::NotFinite`], also if Ω or the rate of the motion would leave the range of doubles; [`Error::Negative`] and
+    /// [`Error::TriangleInequality`] for moments that no body has (2.4);
     /// [`Error::Condition`] for an angular momentum about an axis whose moment is zero.
     pub fn new(
         moments: [f64; 3],

@@ -14,16 +14,16 @@
 //! | 4.6 | [`superball`] | bounces that keep the energy, exactly and after any number of them |
 //! | 5 | [`euler_equations`] | Euler's equations, with torque and about any point; the heavy tops with a further integral |
 //! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants |
-//! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the wobble of the Earth |
-//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice |
 //! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis |
 //! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum |
+//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
 //! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
 //! | | [`error`] | the one error type |
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
+mod angle;
 pub mod conservation;
 mod double_double;
 pub mod elliptic;

@@ -12,7 +12,7 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Result, finite, not_negative, positive, within};
 
 /// Inertia factors κ = I/(MR²), dimensionless.
 pub mod factor {
@@ -77,15 +77,8 @@ impl RoundBody {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::OutOfRange`] if κ > 1, more than the rim itself has.
     pub fn new(mass: f64, radius: f64, inertia_factor: f64) -> Result<Self> {
-        let inertia_factor = positive("the inertia factor", inertia_factor)?;
-        if inertia_factor > 1.0 {
-            return Err(Error::OutOfRange {
-                quantity: "the inertia factor",
-                value: inertia_factor,
-                least: 0.0,
-                greatest: 1.0,
-            });
-        }
+        positive("the inertia factor", inertia_factor)?;
+        let inertia_factor = within("the inertia factor", inertia_factor, 0.0, 1.0)?;
         Ok(Self {
             mass: positive("the mass", mass)?,
             radius: positive("the radius", radius)?,
@@ -234,18 +227,12 @@ impl Shot {
 
 /// `height_over_radius`, if a level cue at that height meets the body.
 fn height_on_body(height_over_radius: f64) -> Result<f64> {
-    let quantity = "the height of the stroke in radii";
-    let value = finite(quantity, height_over_radius)?;
-    if (0.0..=2.0).contains(&value) {
-        Ok(value)
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            least: 0.0,
-            greatest: 2.0,
-        })
-    }
+    within(
+        "the height of the stroke in radii",
+        height_over_radius,
+        0.0,
+        2.0,
+    )
 }
 
 /// [`RoundBody::slide_to_roll`] for a homogeneous ball of unit mass: its `heat` is per kilogram, the rest holds for every ball.

@@ -54,6 +54,7 @@ impl<N: Scalar> Descent<N> {
         self.modulus.side()
     }
 
+    #[inline]
     /// The u in 0…K with these functions, good to a double's precision.
     pub(crate) fn argument(&self, squares: &Squares<N>) -> DoubleDouble {
         let Squares {

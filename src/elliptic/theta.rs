@@ -36,10 +36,10 @@ pub(crate) struct Exponentials<W> {
 }
 
 impl<N: Scalar> Elevation<N> {
-    /// From `rise`, `run` and `slope` of both: the smaller of them.
-    pub(crate) fn smaller(eta: [N; 3], xi: [N; 3]) -> Self {
-        let (which, [rise, run, slope]) = if xi[0].multiply(eta[1]).exceeds(eta[0].multiply(xi[1]))
-        {
+    /// From `rise` and `run` of both: the smaller of them, with the `slope` that belongs to it.
+    #[inline]
+    pub(crate) fn smaller(eta: [N; 2], xi: [N; 2], slope: impl Fn(Which) -> N) -> Self {
+        let (which, [rise, run]) = if xi[0].multiply(eta[1]).exceeds(eta[0].multiply(xi[1])) {
             (Which::Eta, eta)
         } else {
             (Which::Xi, xi)
@@ -48,7 +48,7 @@ impl<N: Scalar> Elevation<N> {
             which,
             rise,
             run,
-            slope,
+            slope: slope(which),
         }
     }
 

@@ -7,7 +7,7 @@ use super::turning::Turning;
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::Modulus;
 use crate::elliptic::descent::{Descent, Squares};
-use crate::elliptic::theta::Elevation;
+use crate::elliptic::theta::{Elevation, Which};
 use crate::extended::{Extended, Scalar, exponent_of, shifted};
 use crate::words::Words;
 
@@ -159,10 +159,10 @@ fn constants<N: Scalar>(
     let descent = Descent::new(m, mc);
     let aspect = c[0].root_of_quotient(c[1]);
     // sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
-    let elevation = Elevation::smaller(
-        [steady, wobble, c[1].multiply(size_squared)],
-        [c[0], c[2], c[1]],
-    );
+    let elevation = Elevation::smaller([steady, wobble], [c[0], c[2]], |which| match which {
+        Which::Eta => c[1].multiply(size_squared),
+        Which::Xi => c[1],
+    });
     let turning = Turning::new(&descent, &elevation, aspect);
     let amplitudes = [
         wobble.root_of_quotient(c[1]),

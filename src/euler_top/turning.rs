@@ -13,10 +13,11 @@
 //! is left that could cancel. (C. G. J. Jacobi, Sur la rotation d'un corps, 1849; that the rate is |L|/I₂ and a theta
 //! quotient follows from his formulas at u = K, where L₁ = 0.)
 
+use crate::angle::RIGHT_ANGLE;
 use crate::double_double::DoubleDouble;
 use crate::elliptic::Side;
 use crate::elliptic::descent::Descent;
-use crate::elliptic::landen::{Landen, right_angle};
+use crate::elliptic::landen::Landen;
 use crate::elliptic::local::{Local, Place};
 use crate::elliptic::theta::{DualTheta, Elevation, Exponentials, Which, dual_excess, polynomial};
 use crate::extended::Scalar;
@@ -92,7 +93,7 @@ impl Turning {
         let (a2, b2) = (up2 + down2, up2 - down2);
         let (a3, b3) = (-(up3 + down3), -(up3 - down3));
         Self {
-            lag: right_angle(),
+            lag: RIGHT_ANGLE,
             excess: excess.two(),
             aspect,
             theta: Theta::Circular {

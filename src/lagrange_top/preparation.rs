@@ -9,8 +9,8 @@ use super::roots::{Cubic, Distances};
 use super::turning::{Complex, Parameter};
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::descent::{Descent, Squares};
-use crate::elliptic::theta::Elevation;
-use crate::error::{Error, Result, finite};
+use crate::elliptic::theta::{Elevation, Which};
+use crate::error::{Result, finite, within};
 use crate::extended::{Extended, Scalar, exponent_of, shifted};
 use crate::frame::{Attitude, BodyVector};
 use crate::words::{Arithmetic, Words};
@@ -57,14 +57,7 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
         .amax()
         .max(gravity.square_root().narrow().value());
     // What the fall adds to Ω counts like Ω.
-    if fastest > FASTEST {
-        return Err(Error::OutOfRange {
-            quantity: "the greater of |Ω| and √(Mgl/I1)",
-            value: fastest,
-            least: 0.0,
-            greatest: FASTEST,
-        });
-    }
+    within("the greater of |Ω| and √(Mgl/I1)", fastest, 0.0, FASTEST)?;
     if fastest == 0.0 {
         let upper = 2.0 * (q.w * q.w + q.k * q.k);
         let lower = 2.0 * (q.i * q.i + q.j * q.j);
@@ -155,16 +148,20 @@ fn constants<N: Scalar<Narrow = DoubleDouble>>(
     let [top1, top2] = d.top;
     let [bottom1, bottom2] = d.bottom;
     let lower = Elevation::smaller(
-        [bottom1, d.band, bottom2],
-        [whole, two_g.multiply(bottom1), from_bottom],
+        [bottom1, d.band],
+        [whole, two_g.multiply(bottom1)],
+        |which| match which {
+            Which::Eta => bottom2,
+            Which::Xi => from_bottom,
+        },
     );
     let upper = Elevation::smaller(
-        [
-            top2.multiply(whole),
-            beyond.multiply(d.band),
-            top1.multiply(rest),
-        ],
-        [beyond, two_g.multiply(top2), rest],
+        [top2.multiply(whole), beyond.multiply(d.band)],
+        [beyond, two_g.multiply(top2)],
+        |which| match which {
+            Which::Eta => top1.multiply(rest),
+            Which::Xi => rest,
+        },
     );
     let sense = |x: N| if x.leading() > 0.0 { -1.0 } else { 1.0 };
     let senses = [sense(d.sum), sense(d.difference)];

@@ -259,6 +259,16 @@ mod lagranges_top {
     }
 
     #[test]
+    fn gravity_that_is_next_to_nothing() -> Result<()> {
+        // Mgl/I₁ underflows, and so the third root is beyond the doubles.
+        let omega = vector([0.0, -0.65, 0.5]);
+        let top = LagrangeTop::new(3.0, 0.0, 5e-324, omega, upright())?;
+        assert_eq!(top.roots().h3, f64::INFINITY);
+        assert!(top.at(3.0)?.omega.is_finite());
+        Ok(())
+    }
+
+    #[test]
     fn a_time_no_digit_can_tell_is_refused() -> Result<()> {
         let top = LagrangeTop::new(1.0, 0.5, 1.0, vector([0.4, 0.1, 3.0]), level())?;
         for t in [1e18, -1e18, f64::MAX] {

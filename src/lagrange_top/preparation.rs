@@ -30,7 +30,9 @@ pub(super) fn moderate(body: Body, omega: BodyVector, attitude: &Attitude) -> bo
     let swing = (body.weight_moment.abs() / body.transverse).sqrt();
     let fastest = omega.components().amax().max(swing);
     let still = omega.components().iter().all(|x| near(*x, fastest));
-    still && near(swing, fastest) && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
+    // A quotient that underflows is gravity still.
+    let gone = swing == 0.0 && body.weight_moment != 0.0;
+    still && !gone && near(swing, fastest) && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
 }
 
 /// The constants, everything in units of time in which rates are moderate.

@@ -267,10 +267,11 @@ impl Scalar for Extended {
     }
 
     fn narrow(self) -> DoubleDouble {
-        DoubleDouble::sum(
-            shifted(self.digits.high(), self.exponent),
-            shifted(self.digits.low(), self.exponent),
-        )
+        let high = shifted(self.digits.high(), self.exponent);
+        if high.is_infinite() {
+            return DoubleDouble::new(high, 0.0);
+        }
+        DoubleDouble::sum(high, shifted(self.digits.low(), self.exponent))
     }
 
     fn root_of_quotient(self, divisor: Self) -> f64 {

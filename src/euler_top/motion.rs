@@ -83,7 +83,8 @@ impl EulerTop {
     /// [`at`](Self::at), the price of constants to 106 bits: with them no later time costs a digit.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] and [`Error::TriangleInequality`] for moments that no body has (2.4);
+    /// [`Error::NotFinite`], also if Ω or the rate of the motion would leave the range of doubles; [`Error::Negative`] and
+    /// [`Error::TriangleInequality`] for moments that no body has (2.4);
     /// [`Error::Condition`] for an angular momentum about an axis whose moment is zero.
     pub fn new(
         moments: [f64; 3],
@@ -175,6 +176,10 @@ impl EulerTop {
                     .abs()
                     .max(constants.turning_rate.value());
                 finite("the rate of the motion", largest)?;
+                // What is finite at the start may swing onto an axis with a smaller moment, or round up.
+                for peak in ratio(constants.axes.back(constants.amplitudes), moments) {
+                    finite("twice the greatest angular velocity", 2.0 * peak)?;
+                }
                 let turned = constants.turned(0.0, &constants.point(0.0)?)?;
                 let base = attitude.quaternion().into_inner() * turned.conjugate();
                 Motion::Moving { constants, base }

@@ -37,19 +37,22 @@ pub(super) struct Constants {
 }
 
 impl Constants {
-    /// By how much the arguments of α and β grow in one period of nutation.
-    pub(super) fn turns_per_nutation(&self) -> [DoubleDouble; 2] {
+    /// By how much the arguments of α and β together grow in one period of nutation.
+    ///
+    /// The rates are added first: what the spin does to either, the other takes back, and that may be more than a double holds.
+    pub(super) fn precession_per_nutation(&self) -> DoubleDouble {
         let quarter = self.modulus.quarter_period_dd();
         let period = quarter.scaled(2.0).divide(self.rate);
-        core::array::from_fn(|k| {
-            let parameter = &self.parameters[k];
+        let [alpha, beta] = &self.parameters;
+        let lag = |parameter: &Parameter| {
             let lag = match self.modulus.side() {
                 Side::Circular => RIGHT_ANGLE,
                 Side::Hyperbolic => parameter.lag,
             };
-            let lag = lag.scaled(2.0 * parameter.sense);
-            self.rates[k].multiply(period).subtract(lag)
-        })
+            lag.scaled(2.0 * parameter.sense)
+        };
+        let rate = self.rates[0].add(self.rates[1]);
+        rate.multiply(period).subtract(lag(alpha).add(lag(beta)))
     }
 
     /// α and β at a place, with their derivatives by time.

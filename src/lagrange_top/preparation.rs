@@ -4,13 +4,13 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Constants, Pull};
 use super::kinds::{Nutation, Roots, kind};
-use super::motion::Motion;
+use super::motion::{FASTEST, Motion};
 use super::roots::{Cubic, Distances};
 use super::turning::{Complex, Parameter};
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::descent::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Which};
-use crate::error::{Result, finite};
+use crate::error::{Result, finite, within};
 use crate::extended::{Extended, Scalar, exponent_of, shifted};
 use crate::frame::{Attitude, BodyVector};
 use crate::words::{Arithmetic, Words};
@@ -30,7 +30,9 @@ pub(super) fn moderate(body: Body, omega: BodyVector, attitude: &Attitude) -> bo
     let swing = (body.weight_moment.abs() / body.transverse).sqrt();
     let fastest = omega.components().amax().max(swing);
     let still = omega.components().iter().all(|x| near(*x, fastest));
-    still && near(swing, fastest) && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
+    // A quotient that underflows is gravity still.
+    let gone = swing == 0.0 && body.weight_moment != 0.0;
+    still && !gone && near(swing, fastest) && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
 }
 
 /// The constants, everything in units of time in which rates are moderate.
@@ -56,6 +58,8 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
         .components()
         .amax()
         .max(gravity.square_root().narrow().value());
+    // What the fall adds to Ω counts like Ω.
+    within("the greater of |Ω| and √(Mgl/I1)", fastest, 0.0, FASTEST)?;
     if fastest == 0.0 {
         let upper = 2.0 * (q.w * q.w + q.k * q.k);
         let lower = 2.0 * (q.i * q.i + q.j * q.j);
@@ -66,7 +70,7 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let exponent = exponent_of(unit);
     let mut scaled_gravity = gravity;
     scaled_gravity.exponent -= 2 * exponent;
-    let gravity = N::from_narrow(scaled_gravity.narrow());
+    let gravity = N::from_extended(scaled_gravity);
     let [o1, o2, o3] = [omega.x() / unit, omega.y() / unit, omega.z() / unit].map(N::from_double);
     let [w, x, y, z] = [q.w, q.i, q.j, q.k].map(N::from_double);
     let (upper, lower) = (w.square().add(z.square()), x.square().add(y.square()));
@@ -87,7 +91,7 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let drift = o1.multiply(z1).subtract(o2.multiply(z2).negated());
     let rise = o2.multiply(z1).subtract(o1.multiply(z2));
     let ratio = Extended::from_double(axial).divide(Extended::from_double(transverse));
-    let spin = N::from_narrow(ratio.narrow()).multiply(o3);
+    let spin = N::from_extended(ratio).multiply(o3);
     let still = if swing.is_zero() {
         let threshold = gravity.times(4.0);
         if gravity.is_zero() {

@@ -86,9 +86,9 @@ pub fn cycloids() -> Result<Figure> {
     let words = Words {
         claim: "Released from rest the nose follows a cycloid, the better the faster the spin.".to_owned(),
         details: format!(
-            "Released at θ₀ = 60°, $I_1 = Mg\\ell = 1$; tilt downwards, $\\varphi\\sin\\theta_0$ to the right, both in units of \
-             $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$. Dashed: the cycloid of a circle of radius $a$. Dots: eighths of a nutation. Greatest \
-             difference over an arch, in units of $a$: {} for $L_3 = 3$, {} for 5, {} for 10, {} for 20.",
+            "Tilt downwards, $\\varphi\\sin\\theta_0$ to the right, in units of the wheel's radius $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$; $\\theta_0 = 60°$, \
+             $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. The nose leaves the cycloid \
+             by {}$\\,a$ at most for $L_3 = 3$, {} for 5, {} for 10, {} for 20.",
             number(greatest(&rows[0]), 2),
             number(greatest(&rows[1]), 3),
             number(greatest(&rows[2]), 4),

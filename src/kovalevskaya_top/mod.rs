@@ -21,17 +21,21 @@
 //!
 //! [`toda`] is the lattice that came next (8.3).
 
+mod attitude;
 mod classes;
 mod constants;
 mod exact;
+mod fourier;
 mod separation;
 mod series;
 mod solution;
 mod taylor;
 pub mod toda;
 mod top;
+mod torus;
 mod walk;
 
+pub use attitude::{AttitudeMethod, AttitudeSeries};
 pub use classes::{Diagram, Kind};
 pub use exact::Reason;
 pub use top::{Integrals, KovalevskayaTop, Method, State};

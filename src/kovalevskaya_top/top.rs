@@ -1,7 +1,8 @@
 //! The top itself: units and axes taken off, the regime decided, Ω, z and attitude at any time (8.1, 8.2).
 
-use nalgebra::Complex;
+use nalgebra::{Complex, Quaternion};
 
+use super::attitude::{AttitudeMethod, AttitudeSeries, Prepared};
 use super::classes::{Kind, classify};
 use super::constants::{Constants, Phase};
 use super::exact::{Exact, Reason};
@@ -56,14 +57,15 @@ pub struct KovalevskayaTop {
     /// MgC, N m, along the body's axes.
     lever: BodyVector,
     /// The unit of angular velocity, a power of two; its reciprocal is that of time.
-    unit: f64,
+    pub(super) unit: f64,
     /// Angle from axis 1 to C about axis 3.
     pub(super) heading: f64,
     /// The start in the units and along the axes of the theory.
-    start: Carried,
+    pub(super) start: Carried,
     pub(super) constants: Constants,
     kind: Kind,
     pub(super) motion: Motion,
+    pub(super) prepared: Prepared,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -80,7 +82,7 @@ const ROUNDED: f64 = 8.0 * f64::EPSILON;
 pub(super) const LONGEST_WALK: f64 = 1e6;
 
 /// Units of time beyond which a double tells the phases to less than 1e-6.
-const LONGEST: f64 = 1e9;
+pub(super) const LONGEST: f64 = 1e9;
 
 impl KovalevskayaTop {
     /// The top with these moments about the pivot O (kg m², axis by axis), this lever MgC (N m, C seen from O), Ω along the
@@ -173,6 +175,7 @@ impl KovalevskayaTop {
             constants: Constants::of(0.0, &[0.0; 6]),
             kind: Kind::EulerSymmetric,
             motion: Motion::Stepped(Reason::DoubleRoot),
+            prepared: Prepared::default(),
         };
         // In two quotients: the square of the unit may overflow or underflow where the result does not.
         let c = strength / unit / unit;
@@ -345,6 +348,22 @@ impl KovalevskayaTop {
         HeavyTop::new(moments, self.lever)
     }
 
+    /// Ω, z and attitude at any time at the same cost, prepared when first asked for; nothing where [`attitude_method`](Self::attitude_method) is
+    /// another.
+    pub fn attitude_series(&self) -> Option<AttitudeSeries<'_>> {
+        AttitudeSeries::of(self, self.separated()?)
+    }
+
+    /// How the attitude at a distant time is had.
+    pub fn attitude_method(&self) -> AttitudeMethod {
+        match &self.motion {
+            Motion::Free(_) => AttitudeMethod::FreeTop,
+            Motion::Stepped(reason) => AttitudeMethod::Stepped(*reason),
+            Motion::Separated(_) if self.attitude_series().is_some() => AttitudeMethod::Series,
+            Motion::Separated(_) => AttitudeMethod::ManyTerms,
+        }
+    }
+
     fn separated(&self) -> Option<&Exact> {
         match &self.motion {
             Motion::Separated(exact) => Some(exact),
@@ -388,6 +407,16 @@ impl KovalevskayaTop {
         let [z1, z2] = turned(self.heading, [up.x(), up.y()]);
         let [p, q, r] = [p, q, omega.z()].map(|o| o / self.unit);
         [p, q, r, z1, z2, up.z()]
+    }
+
+    pub(super) fn placed(&self, (state, [w, i, j, k]): &Carried) -> State {
+        let TopState { omega, up } = self.outward(state);
+        let turned = Quaternion::new(*w, *i, *j, *k) * about_third(-self.heading);
+        State {
+            omega,
+            up,
+            attitude: Attitude::from_unit(turned / turned.norm()),
+        }
     }
 
     pub(super) fn outward(&self, &[p, q, r, z1, z2, z3]: &Phase) -> TopState {

@@ -5,8 +5,6 @@ use nalgebra::Quaternion;
 use super::taylor::{Carried, Series, project};
 use super::top::{KovalevskayaTop, LONGEST_WALK, Motion, State};
 use crate::error::Result;
-use crate::euler_equations::TopState;
-use crate::frame::Attitude;
 
 /// A place on the way, from which the next is reached.
 pub(super) struct Walk<'a> {
@@ -24,14 +22,7 @@ impl Walk<'_> {
         while self.time != target {
             self.stretch(target);
         }
-        let (state, [w, i, j, k]) = self.here;
-        let TopState { omega, up } = self.top.outward(&state);
-        let turned = Quaternion::new(w, i, j, k) * about_third(-self.top.heading);
-        Ok(State {
-            omega,
-            up,
-            attitude: Attitude::from_unit(turned / turned.norm()),
-        })
+        Ok(self.top.placed(&self.here))
     }
 
     fn stretch(&mut self, target: f64) {

@@ -31,7 +31,7 @@ pub(super) struct Precession {
 const TAIL: f64 = 1e-15;
 
 /// The most places of a grid, and the most along one angle.
-const LARGEST: [usize; 2] = [1 << 16, 1 << 10];
+const LARGEST: [usize; 2] = [1 << 17, 1 << 10];
 
 impl Precession {
     /// The grid is refined along whichever angle the coefficients of e have not died away.

@@ -96,7 +96,8 @@ struct Row<const N: usize> {
     k1: i32,
     first: i32,
     step: i32,
-    terms: Vec<[Number; N]>,
+    /// Real and imaginary parts of the coefficients.
+    terms: Vec<[[f64; N]; 2]>,
 }
 
 impl<const N: usize> DoubleSeries<N> {
@@ -128,15 +129,18 @@ impl<const N: usize> DoubleSeries<N> {
         let mut sum = self.mean;
         for row in &self.rows {
             let ratio = ratios[row.step as usize - 1];
-            let mut inner = [Number::default(); N];
-            for term in row.terms.iter().rev() {
-                for (x, c) in inner.iter_mut().zip(term) {
-                    *x = *x * ratio + c;
+            // The functions side by side, so that they are computed at once.
+            let (mut re, mut im) = ([0.0; N], [0.0; N]);
+            for [c_re, c_im] in row.terms.iter().rev() {
+                for n in 0..N {
+                    let (x, y) = (re[n], im[n]);
+                    re[n] = (x * ratio.re - y * ratio.im) + c_re[n];
+                    im[n] = (x * ratio.im + y * ratio.re) + c_im[n];
                 }
             }
             let factor = unit(f64::from(row.k1) * u1 + f64::from(row.first) * u2);
-            for (s, x) in sum.iter_mut().zip(&inner) {
-                *s += (x * factor).re;
+            for n in 0..N {
+                sum[n] += re[n] * factor.re - im[n] * factor.im;
             }
         }
         sum
@@ -156,7 +160,14 @@ impl<const N: usize> Row<N> {
             k1,
             first: all[0].0,
             step: step as i32,
-            terms: all.iter().step_by(step).map(|(_, term)| term.unwrap_or([Number::default(); N])).collect(),
+            terms: all
+                .iter()
+                .step_by(step)
+                .map(|(_, term)| {
+                    let term = term.unwrap_or([Number::default(); N]);
+                    [term.map(|c| c.re), term.map(|c| c.im)]
+                })
+                .collect(),
         })
     }
 }

@@ -7,6 +7,7 @@ use nalgebra::{Complex, Vector3};
 use super::constants::{Constants, Phase};
 use super::exact::Exact;
 use super::fourier::Grid;
+use super::separation::Turn;
 
 type Vector = Vector3<f64>;
 
@@ -19,7 +20,8 @@ pub(super) struct Torus {
 }
 
 impl Torus {
-    /// States at every place of a grid; those of a coarser grid before it are taken over.
+    /// States at every place of a grid. Those of a coarser grid before it are taken over, and half of them follow from the other half
+    /// where a whole turn of a phase, half of one of u, gives the same state or its mirror image.
     pub fn sample(constants: &Constants, exact: &Exact, grid: Grid, coarser: Option<&Self>) -> Self {
         let [rows, columns] = grid.size;
         let known = |i: usize, j: usize| {
@@ -28,15 +30,19 @@ impl Torus {
             let there = i % above == 0 && j % below == 0;
             there.then(|| coarser.states[coarser.grid.place(i / above, j / below)])
         };
-        let phase = |i: usize, n: usize| 2.0 * TAU * i as f64 / n as f64;
-        let states = (0..grid.count())
-            .map(|place| {
-                let [i, j] = [place / columns, place % columns];
-                known(i, j).unwrap_or_else(|| {
-                    exact.state_on_torus(constants, [phase(i, rows), phase(j, columns)])
-                })
-            })
-            .collect();
+        let turn = exact.separation.whole_turn();
+        let mut states: Vec<Phase> = Vec::with_capacity(grid.count());
+        for place in 0..grid.count() {
+            let [i, j] = [place / columns, place % columns];
+            let twin = turn.and_then(|Turn { turned, reversed }| {
+                let [down, right] = [rows / 2 * usize::from(turned[0]), columns / 2 * usize::from(turned[1])];
+                let [p, q, r, z1, z2, z3] = *states.get(grid.place(i + down, j + right))?;
+                Some(if reversed { [p, -q, -r, z1, -z2, -z3] } else { [p, q, r, z1, z2, z3] })
+            });
+            let phase = |i: usize, n: usize| 2.0 * TAU * i as f64 / n as f64;
+            let fresh = || exact.state_on_torus(constants, [phase(i, rows), phase(j, columns)]);
+            states.push(twin.or_else(|| known(i, j)).unwrap_or_else(fresh));
+        }
         Self {
             grid,
             states,

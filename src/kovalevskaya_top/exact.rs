@@ -138,7 +138,8 @@ impl Exact {
 
     /// The phases if they advanced uniformly: what they are on average.
     pub fn uniform_phases(&self, t: f64) -> Phases {
-        self.separation.uniform([self.origin[0], self.origin[1] + t])
+        self.separation
+            .uniform([self.origin[0], self.origin[1] + t])
     }
 
     /// The state where both uniform phases have these values.
@@ -153,7 +154,10 @@ impl Exact {
         }
         // The linear system is singular at this very instant: from a little earlier by power series.
         const EARLIER: f64 = 0.01;
-        let before = self.raw(constants, self.separation.phases([sums[0], sums[1] - EARLIER]));
+        let before = self.raw(
+            constants,
+            self.separation.phases([sums[0], sums[1] - EARLIER]),
+        );
         let (state, _) = Series::at(constants.c, &(before, [1.0, 0.0, 0.0, 0.0])).after(EARLIER);
         project(constants, &state)
     }

@@ -25,9 +25,18 @@ impl Grid {
 
     /// The wave numbers k₁, k₂ of the coefficient at a place, each from −n/2 to n/2 − 1.
     pub fn waves(self, place: usize) -> [i32; 2] {
-        let signed = |k: usize, n: usize| if 2 * k < n { k as i32 } else { k as i32 - n as i32 };
+        let signed = |k: usize, n: usize| {
+            if 2 * k < n {
+                k as i32
+            } else {
+                k as i32 - n as i32
+            }
+        };
         let [rows, columns] = self.size;
-        [signed(place / columns, rows), signed(place % columns, columns)]
+        [
+            signed(place / columns, rows),
+            signed(place % columns, columns),
+        ]
     }
 
     /// Where the coefficient of (−k₁, −k₂) is found.
@@ -102,7 +111,11 @@ struct Row<const N: usize> {
 
 impl<const N: usize> DoubleSeries<N> {
     /// The series with these coefficients of positive k₁, and of positive k₂ where k₁ = 0; `term` returns none for what is too small to count.
-    pub fn collect(grid: Grid, mean: [f64; N], term: impl Fn(usize) -> Option<[Number; N]>) -> Self {
+    pub fn collect(
+        grid: Grid,
+        mean: [f64; N],
+        term: impl Fn(usize) -> Option<[Number; N]>,
+    ) -> Self {
         let [rows, columns] = grid.size.map(|n| n as i32 / 2);
         let rows = (0..rows)
             .filter_map(|k1| {
@@ -154,7 +167,11 @@ impl<const N: usize> Row<N> {
         let first = all.iter().position(|(_, term)| term.is_some())?;
         let last = all.iter().rposition(|(_, term)| term.is_some())?;
         let all = &all[first..=last];
-        let sparse = all.iter().skip(1).step_by(2).all(|(_, term)| term.is_none());
+        let sparse = all
+            .iter()
+            .skip(1)
+            .step_by(2)
+            .all(|(_, term)| term.is_none());
         let step = if sparse { 2 } else { 1 };
         Some(Self {
             k1,

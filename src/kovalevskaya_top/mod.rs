@@ -26,6 +26,7 @@ mod classes;
 mod constants;
 mod exact;
 mod fourier;
+mod precession;
 mod separation;
 mod series;
 mod solution;

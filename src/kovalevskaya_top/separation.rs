@@ -298,17 +298,22 @@ impl Separation {
     /// A turn of f₁ changes the sign of √(s₁−A) and √(s₁−B), a turn of f₂ those of √(s₂−C) and of cos(f₂/2). In the linear system for
     /// p and q only the roots of the cubic count, and all three signs together are the sign of q.
     pub fn whole_turn(&self) -> Option<Turn> {
-        [[false, true], [true, false], [true, true]].into_iter().find_map(|turned| {
-            let mut signs = [false; 3];
-            let [a, b, c] = self.ends;
-            for (end, turns) in [(a, turned[0]), (b, turned[0]), (c, turned[1])] {
-                if end < 3 {
-                    signs[end] ^= turns;
+        [[false, true], [true, false], [true, true]]
+            .into_iter()
+            .find_map(|turned| {
+                let mut signs = [false; 3];
+                let [a, b, c] = self.ends;
+                for (end, turns) in [(a, turned[0]), (b, turned[0]), (c, turned[1])] {
+                    if end < 3 {
+                        signs[end] ^= turns;
+                    }
                 }
-            }
-            let even = signs.iter().all(|sign| *sign == signs[0]);
-            even.then_some(Turn { turned, reversed: signs[0] != turned[1] })
-        })
+                let even = signs.iter().all(|sign| *sign == signs[0]);
+                even.then_some(Turn {
+                    turned,
+                    reversed: signs[0] != turned[1],
+                })
+            })
     }
     // ANCHOR_END: turns
 

@@ -22,7 +22,12 @@ pub(super) struct Torus {
 impl Torus {
     /// States at every place of a grid. Those of a coarser grid before it are taken over, and half of them follow from the other half
     /// where a whole turn of a phase, half of one of u, gives the same state or its mirror image.
-    pub fn sample(constants: &Constants, exact: &Exact, grid: Grid, coarser: Option<&Self>) -> Self {
+    pub fn sample(
+        constants: &Constants,
+        exact: &Exact,
+        grid: Grid,
+        coarser: Option<&Self>,
+    ) -> Self {
         let [rows, columns] = grid.size;
         let known = |i: usize, j: usize| {
             let coarser = coarser?;
@@ -35,9 +40,16 @@ impl Torus {
         for place in 0..grid.count() {
             let [i, j] = [place / columns, place % columns];
             let twin = turn.and_then(|Turn { turned, reversed }| {
-                let [down, right] = [rows / 2 * usize::from(turned[0]), columns / 2 * usize::from(turned[1])];
+                let [down, right] = [
+                    rows / 2 * usize::from(turned[0]),
+                    columns / 2 * usize::from(turned[1]),
+                ];
                 let [p, q, r, z1, z2, z3] = *states.get(grid.place(i + down, j + right))?;
-                Some(if reversed { [p, -q, -r, z1, -z2, -z3] } else { [p, q, r, z1, z2, z3] })
+                Some(if reversed {
+                    [p, -q, -r, z1, -z2, -z3]
+                } else {
+                    [p, q, r, z1, z2, z3]
+                })
             });
             let phase = |i: usize, n: usize| 2.0 * TAU * i as f64 / n as f64;
             let fresh = || exact.state_on_torus(constants, [phase(i, rows), phase(j, columns)]);
@@ -91,7 +103,11 @@ impl Torus {
     fn carried_round(&self, way: &[usize], start: Vector) -> (Vec<Vector>, f64) {
         let mut carried = vec![start];
         for pair in way.windows(2) {
-            let next = transported(&carried[carried.len() - 1], &self.up(pair[0]), &self.up(pair[1]));
+            let next = transported(
+                &carried[carried.len() - 1],
+                &self.up(pair[0]),
+                &self.up(pair[1]),
+            );
             carried.push(next);
         }
         let (home, last) = (self.up(way[0]), self.up(way[way.len() - 1]));
@@ -120,8 +136,12 @@ impl Torus {
         let change = |from: usize, to: usize| (bearing[to] * bearing[from].conj()).arg();
         let turns = |sum: f64, ways: usize| (sum / (TAU * ways as f64)).round();
         let places = || (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
-        let along_first: f64 = places().map(|(i, j)| change(grid.place(i, j), grid.place(i + 1, j))).sum();
-        let along_second: f64 = places().map(|(i, j)| change(grid.place(i, j), grid.place(i, j + 1))).sum();
+        let along_first: f64 = places()
+            .map(|(i, j)| change(grid.place(i, j), grid.place(i + 1, j)))
+            .sum();
+        let along_second: f64 = places()
+            .map(|(i, j)| change(grid.place(i, j), grid.place(i, j + 1)))
+            .sum();
         let [m1, m2] = [turns(along_first, columns), turns(along_second, rows)];
         for (i, j) in places() {
             let place = grid.place(i, j);
@@ -134,7 +154,11 @@ impl Torus {
     /// dχ/dt at every place, χ being the angle about the vertical at which e is seen from space: ⟨z×e, de/dt⟩ + ⟨Ω, z⟩.
     ///
     /// de/dt along the body's axes from its Fourier series, e₁ + ie₂ and e₃: ik·du/dt times each coefficient.
-    pub fn precession(&self, directions: &[Vector], coefficients: &[Vec<Complex<f64>>; 2]) -> Vec<f64> {
+    pub fn precession(
+        &self,
+        directions: &[Vector],
+        coefficients: &[Vec<Complex<f64>>; 2],
+    ) -> Vec<f64> {
         let rates = coefficients.each_ref().map(|list| {
             let derivative: Vec<_> = list
                 .iter()
@@ -170,7 +194,11 @@ fn nearest_turns(angle: f64) -> f64 {
 
 /// A unit vector across z.
 fn any_across(z: &Vector) -> Vector {
-    let axis = if z.z.abs() < 0.7 { Vector::z() } else { Vector::x() };
+    let axis = if z.z.abs() < 0.7 {
+        Vector::z()
+    } else {
+        Vector::x()
+    };
     (axis - z * z.dot(&axis)).normalize()
 }
 

@@ -46,10 +46,16 @@ impl Precession {
                     list(|e| Complex::new(e.z, 0.0)),
                 ];
                 let tails = coefficients.each_ref().map(|list| grid.tails(list));
-                finer = [0, 1].map(|axis| tails[0][axis].max(tails[1][axis]) > TAIL);
+                let tails = [0, 1].map(|axis| tails[0][axis].max(tails[1][axis]));
+                finer = tails.map(|tail| tail > TAIL);
                 if finer == [false; 2] {
                     let precession = torus.precession(&directions, &coefficients);
-                    return Some(Self::of(&torus, &coefficients, &precession, exact, start));
+                    let c = grid
+                        .coefficients(precession.iter().map(|x| Complex::new(*x, 0.0)).collect());
+                    let origin = exact.uniform_phases(0.0).map(|f| 0.5 * f);
+                    let mut series = Self::collect(&torus, &coefficients, &c, origin);
+                    series.set_out(origin, start);
+                    return Some(series);
                 }
             }
             for axis in [0, 1] {
@@ -67,19 +73,15 @@ impl Precession {
     ///
     /// A divisor k·u′ may be small, or zero if the two frequencies are commensurable. Such a term is kept apart and integrated over the time
     /// itself, to c_k e^{ik·u(0)} t sinc; nothing is divided by it.
-    fn of(
+    fn collect(
         torus: &Torus,
         [across, along]: &[Vec<Complex<f64>>; 2],
-        precession: &[f64],
-        exact: &Exact,
-        start: &Carried,
+        c: &[Complex<f64>],
+        origin: [f64; 2],
     ) -> Self {
         let grid = torus.grid;
-        let c = grid.coefficients(precession.iter().map(|x| Complex::new(*x, 0.0)).collect());
-        let origin = exact.uniform_phases(0.0).map(|f| 0.5 * f);
         let fastest = torus.rates[0].abs().max(torus.rates[1].abs());
-        let rounding = 0.5 * f64::EPSILON;
-        let counts = |place: usize| c[place].norm() > rounding * fastest.max(c[0].re.abs());
+        let counts = |place: usize| c[place].norm() > 0.5 * f64::EPSILON * fastest.max(c[0].re.abs());
         // The rates are rounded: what the quotient loses by it, |c| eps |k| |u′|/(k·u′)², is not to show.
         let is_slow = |place: usize| {
             let [k1, k2] = grid.waves(place).map(f64::from);
@@ -105,9 +107,7 @@ impl Precession {
                     2.0 * along[place],
                     quotient,
                 ];
-                term.iter()
-                    .any(|x| x.norm() > rounding * 0.5)
-                    .then_some(term)
+                term.iter().any(|x| x.norm() > 0.25 * f64::EPSILON).then_some(term)
             },
         );
         let slow = (1..grid.count())
@@ -121,20 +121,22 @@ impl Precession {
                 )
             })
             .collect();
-        let mut series = Self {
+        Self {
             grid,
             functions,
             slow,
             mean: c[0].re,
             angle: 0.0,
-        };
-        let [e1, e2, e3, sum] = series.functions.at(origin);
-        let (_, [w, x, y, z]) = *start;
-        let e = turned(Quaternion::new(w, x, y, z), [e1, e2, e3]);
-        series.angle = e.j.atan2(e.i) - sum;
-        series
+        }
     }
     // ANCHOR_END: quadrature
+
+    /// χ at time 0, at which e is seen in the attitude of the start.
+    fn set_out(&mut self, origin: [f64; 2], &(_, [w, x, y, z]): &Carried) {
+        let [e1, e2, e3, sum] = self.functions.at(origin);
+        let e = turned(Quaternion::new(w, x, y, z), [e1, e2, e3]);
+        self.angle = e.j.atan2(e.i) - sum;
+    }
 
     /// The state and how it stands, from the exact Ω and z: e must be seen at the angle χ, z upright.
     pub fn carried(&self, constants: &Constants, exact: &Exact, t: f64) -> Carried {

@@ -292,31 +292,6 @@ impl Separation {
         [a1, b1, a2, b2].map(|mean| TAU * mean)
     }
 
-    // ANCHOR: turns
-    /// What a whole turn of either phase, or of both, makes of a state, if it makes the same state of it or half a turn about axis 1.
-    ///
-    /// A turn of f₁ changes the sign of √(s₁−A) and √(s₁−B), a turn of f₂ those of √(s₂−C) and of cos(f₂/2). In the linear system for
-    /// p and q only the roots of the cubic count, and all three signs together are the sign of q.
-    pub fn whole_turn(&self) -> Option<Turn> {
-        [[false, true], [true, false], [true, true]]
-            .into_iter()
-            .find_map(|turned| {
-                let mut signs = [false; 3];
-                let [a, b, c] = self.ends;
-                for (end, turns) in [(a, turned[0]), (b, turned[0]), (c, turned[1])] {
-                    if end < 3 {
-                        signs[end] ^= turns;
-                    }
-                }
-                let even = signs.iter().all(|sign| *sign == signs[0]);
-                even.then_some(Turn {
-                    turned,
-                    reversed: signs[0] != turned[1],
-                })
-            })
-    }
-    // ANCHOR_END: turns
-
     /// Phases of a start, their signs still open: f₁ from s₁, f₂ from s₂.
     pub fn first_phases(&self, variables: &Variables, l1: f64) -> Phases {
         let [a, b, c] = self.ends.map(|end| self.roots[end].real.value());
@@ -328,13 +303,6 @@ impl Separation {
             2.0 * deep.sqrt().atan2((eight * self.depth).sqrt()),
         ]
     }
-}
-
-/// A turn of the first or the second phase or both after which a state is the same, or `reversed`: (p, −q, −r, z₁, −z₂, −z₃).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Turn {
-    pub turned: [bool; 2],
-    pub reversed: bool,
 }
 
 /// The zero of an increasing function with its slope, in an interval that contains it: Newton's steps, and halves where they leave it.

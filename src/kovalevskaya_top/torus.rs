@@ -7,7 +7,6 @@ use nalgebra::{Complex, Vector3};
 use super::constants::{Constants, Phase};
 use super::exact::Exact;
 use super::fourier::Grid;
-use super::separation::Turn;
 
 type Vector = Vector3<f64>;
 
@@ -35,7 +34,7 @@ impl Torus {
             let there = i % above == 0 && j % below == 0;
             there.then(|| coarser.states[coarser.grid.place(i / above, j / below)])
         };
-        let turn = exact.separation.whole_turn();
+        let turn = Turn::of(&exact.separation.ends);
         let mut states: Vec<Phase> = Vec::with_capacity(grid.count());
         for place in 0..grid.count() {
             let [i, j] = [place / columns, place % columns];
@@ -190,6 +189,41 @@ impl Torus {
 /// The multiple of 2π next to an angle.
 fn nearest_turns(angle: f64) -> f64 {
     TAU * (angle / TAU).round()
+}
+
+/// A turn of the first or the second phase or both after which a state is the same, or `reversed`: (p, −q, −r, z₁, −z₂, −z₃), the body
+/// half a turn further about axis 1.
+#[derive(Clone, Copy)]
+struct Turn {
+    turned: [bool; 2],
+    reversed: bool,
+}
+
+impl Turn {
+    // ANCHOR: turns
+    /// The first such turn, if there is one, from which roots are A, B and C.
+    ///
+    /// A turn of f₁ changes the sign of √(s₁−A) and √(s₁−B), a turn of f₂ those of √(s₂−C) and of cos(f₂/2). In the linear system for
+    /// p and q only the three roots of the cubic count, and all three signs together are the sign of q.
+    fn of(&[a, b, c]: &[usize; 3]) -> Option<Self> {
+        let of = |turned: [bool; 2]| {
+            let mut signs = [false; 3];
+            for (end, turns) in [(a, turned[0]), (b, turned[0]), (c, turned[1])] {
+                if end < 3 {
+                    signs[end] ^= turns;
+                }
+            }
+            let even = signs.iter().all(|sign| *sign == signs[0]);
+            even.then_some(Self {
+                turned,
+                reversed: signs[0] != turned[1],
+            })
+        };
+        [[false, true], [true, false], [true, true]]
+            .into_iter()
+            .find_map(of)
+    }
+    // ANCHOR_END: turns
 }
 
 /// A unit vector across z.

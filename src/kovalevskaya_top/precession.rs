@@ -48,6 +48,14 @@ impl Precession {
                 let tails = coefficients.each_ref().map(|list| grid.tails(list));
                 let tails = [0, 1].map(|axis| tails[0][axis].max(tails[1][axis]));
                 finer = tails.map(|tail| tail > TAIL);
+                // Coefficients die away exponentially: by far too few of them can be told early.
+                let needed = [0, 1].map(|axis| {
+                    let share = TAIL.ln() / tails[axis].min(0.99).ln();
+                    grid.size[axis] as f64 * share.max(1.0)
+                });
+                if needed[0] * needed[1] > 4.0 * LARGEST[0] as f64 {
+                    return None;
+                }
                 if finer == [false; 2] {
                     let precession = torus.precession(&directions, &coefficients);
                     let c = grid
@@ -81,7 +89,8 @@ impl Precession {
     ) -> Self {
         let grid = torus.grid;
         let fastest = torus.rates[0].abs().max(torus.rates[1].abs());
-        let counts = |place: usize| c[place].norm() > 0.5 * f64::EPSILON * fastest.max(c[0].re.abs());
+        let counts =
+            |place: usize| c[place].norm() > 0.5 * f64::EPSILON * fastest.max(c[0].re.abs());
         // The rates are rounded: what the quotient loses by it, |c| eps |k| |u′|/(k·u′)², is not to show.
         let is_slow = |place: usize| {
             let [k1, k2] = grid.waves(place).map(f64::from);
@@ -107,7 +116,9 @@ impl Precession {
                     2.0 * along[place],
                     quotient,
                 ];
-                term.iter().any(|x| x.norm() > 0.25 * f64::EPSILON).then_some(term)
+                term.iter()
+                    .any(|x| x.norm() > 0.25 * f64::EPSILON)
+                    .then_some(term)
             },
         );
         let slow = (1..grid.count())

@@ -90,7 +90,7 @@ fn table_of_thirty_digits() {
         // Observed at t = 1, 10, 100: 2e-15, 5e-15, 5e-14 for Ω and z, 2e-15, 5e-15, 6e-14 rad for the attitude. With gravity a hundred
         // times weaker than the spin the quotients by c show: 2e-14, 4e-14, 7e-13.
         let walked = if weak { 3e-12 } else { 3e-15 + 1e-15 * t };
-        // Observed at t = 1, 10, 100, 1000: 7e-15, 2e-14, 2e-13, 2e-12 rad; with weak gravity 2e-14, 5e-14, 7e-13.
+        // Observed at t = 1, 10, 100, 1000: 7e-15, 2e-14, 2e-13, 7e-13 rad; with weak gravity 2e-14, 5e-14, 7e-13.
         let leapt = if weak { 3e-12 } else { 1e-14 + 3e-15 * t };
         if t <= 100.0 {
             check("walked", top.at(t).expect("a state"), walked);

@@ -31,7 +31,7 @@ impl Torus {
         let known = |i: usize, j: usize| {
             let coarser = coarser?;
             let [above, below] = [rows / coarser.grid.size[0], columns / coarser.grid.size[1]];
-            let there = i % above == 0 && j % below == 0;
+            let there = i.is_multiple_of(above) && j.is_multiple_of(below);
             there.then(|| coarser.states[coarser.grid.place(i / above, j / below)])
         };
         let turn = Turn::of(&exact.separation.ends);

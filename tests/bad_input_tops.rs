@@ -662,8 +662,6 @@ proptest! {
         ];
         let strength = (lever[0].hypot(lever[1]) / i3).sqrt();
         let fastest = vector(omega).components().amax().max(strength);
-        // Next to the greatest double a component of Ω may round up to infinity.
-        prop_assume!(fastest.is_nan() || fastest < 1e307 || fastest.is_infinite());
         let units = t.abs() * fastest;
         for top in tops.into_iter().flatten() {
             let kept = top.constants();

@@ -75,6 +75,9 @@ pub(super) enum Motion {
     Free(Box<EulerTop>),
 }
 
+/// Beyond this, in rad/s, a rate that is rounded up overflows.
+const FASTEST: f64 = 1e307;
+
 /// How far from 2 the ratios I₁/I₃ and I₂/I₃ may be rounded.
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
@@ -91,7 +94,8 @@ impl KovalevskayaTop {
     /// Cost: 0.2 ms where the series are short, 2 ms and more near a double root.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane.
+    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane;
+    /// [`Error::OutOfRange`] for |Ω_i| or √(Mg|C|/I₃) above 10³⁰⁷.
     pub fn new(
         moments: [f64; 3],
         lever: BodyVector,
@@ -161,6 +165,14 @@ impl KovalevskayaTop {
         }
         let strength = finite("the lever over I3", lever.x().hypot(lever.y()) / axial)?;
         let fastest = omega.components().amax().max(strength.sqrt());
+        if fastest > FASTEST {
+            return Err(Error::OutOfRange {
+                quantity: "the angular velocity, or the square root of MgC/I3",
+                value: fastest,
+                least: 0.0,
+                greatest: FASTEST,
+            });
+        }
         let unit = power_of_two_below(fastest);
         let heading = lever.y().atan2(lever.x());
         let top = Self {

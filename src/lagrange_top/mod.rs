@@ -12,6 +12,7 @@
 //! | 7.5 | the spin with which a top sleeps, and how far a kick tilts it | [`sleeping_threshold`], [`tilt_after_kick`] |
 //! | 7.6 | the spherical pendulum and its turning ellipse | [`pendulum_between`], [`apsides`] |
 
+mod angles;
 mod dip;
 mod evaluation;
 mod kinds;
@@ -23,6 +24,7 @@ mod roots;
 mod sleeping;
 mod turning;
 
+pub use angles::EulerAngles;
 pub use dip::{Cycloid, Dip, dip};
 pub use kinds::{Nutation, Roots};
 pub use motion::{LagrangeTop, State};

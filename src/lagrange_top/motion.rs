@@ -156,6 +156,11 @@ impl LagrangeTop {
         0.5 * (self.transverse * (x * x + y * y) + self.axial * z * z) + self.weight_moment * height
     }
 
+    /// Whether C would rise: Mgl < 0.
+    pub(super) fn pulls_up(&self) -> bool {
+        self.weight_moment < 0.0
+    }
+
     /// The roots of the cubic.
     pub const fn roots(&self) -> Roots {
         self.roots

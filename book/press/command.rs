@@ -5,6 +5,7 @@ use crate::error::one_line;
 use crate::ledger::Ledger;
 use crate::paths::workspace_root;
 use crate::scenes::output::{self, Format};
+use crate::scenes::scan::{self, Over};
 use crate::{Error, Result, appendix, binding, scenes};
 use clap::{Parser, Subcommand};
 use figures::Entry;
@@ -61,6 +62,13 @@ Examples:
   cargo run -- scene book/scenes/racket.toml
   cargo run -- scene book/scenes/sleeping-top.toml --format json --output motion.json";
 
+const SCAN: &str = "\
+The last row of each motion, with the varied numbers before it and `ok`, or why there is none, behind.
+
+Examples:
+  cargo run -- scan book/scenes/racket.toml --over initial.omega.0=0.001..0.1:25
+  cargo run -- scan book/scenes/heavy-body.toml --over effects.gravity=0..20:21 --over initial.omega.2=1..20:20";
+
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Draws all figures, or those named, as SVG
@@ -93,6 +101,18 @@ enum Command {
         /// How the motion is written
         #[arg(long, value_enum, default_value = "csv")]
         format: Format,
+        /// Where to; without it, standard output
+        #[arg(long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// Simulates a scene file over a grid of its numbers, on all cores; one line of CSV a point
+    #[command(after_help = SCAN)]
+    Scan {
+        /// The scene file; `-` reads standard input
+        file: PathBuf,
+        /// A number of the file, its range, and how many values; may be given more than once
+        #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
+        over: Vec<Over>,
         /// Where to; without it, standard output
         #[arg(long, value_name = "FILE")]
         output: Option<PathBuf>,
@@ -180,6 +200,18 @@ fn obey(command: Option<Command>) -> Result<()> {
             match output {
                 Some(path) => output::write(&path, &text),
                 None => say(&text),
+            }
+        }
+        Some(Command::Scan { file, over, output }) => {
+            let bar = ProgressBar::new(scan::points(&file.display().to_string(), &over)? as u64);
+            if let Ok(style) = ProgressStyle::with_template("scenes {bar:32} {pos}/{len} {eta}") {
+                bar.set_style(style);
+            }
+            let text = scan::scan(&file, &over, || bar.inc(1));
+            bar.finish_and_clear();
+            match output {
+                Some(path) => output::write(&path, &text?),
+                None => say(&text?),
             }
         }
         Some(Command::Claims) => say(&appendix::table(&Ledger::read(&root)?)),

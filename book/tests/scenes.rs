@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use press::scenes::{output, parse, simulate};
+use press::scenes::{output, parse, scan, simulate};
 
 const RACKET: &str = "
 title = \"A racket\"
@@ -77,6 +77,67 @@ fn numbers_are_read_back_exactly() {
         Some(table.rows[10].1[5])
     );
     assert!(json["ledger"][0]["drift"].as_f64().unwrap() < 1e-15);
+}
+
+#[test]
+fn a_scan_is_its_scenes_one_by_one() {
+    let path = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(path.path(), RACKET).unwrap();
+    let overs = ["initial.omega.0=0.0..0.5:3", "body.moments.2=2..4:3"].map(|o| o.parse().unwrap());
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    let count = || {
+        done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+    };
+    let text = scan::scan(path.path(), &overs, count).unwrap();
+    assert_eq!(done.into_inner(), 9);
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 10);
+    assert!(
+        lines[0].starts_with("initial.omega.0,body.moments.2,t,qw,")
+            && lines[0].ends_with(",status")
+    );
+    // Ω₁ = 0.25, I₃ = 3: the fifth point.
+    let one = RACKET.replace("[0.01, 1.0", "[0.25, 1.0");
+    std::fs::write(path.path(), one).unwrap();
+    let (table, seconds) = simulate(path.path()).unwrap();
+    let alone = output::text(&table, seconds, output::Format::Csv);
+    assert_eq!(
+        lines[5],
+        format!("0.25,3.0,{},ok", alone.lines().last().unwrap())
+    );
+    // I₃ = 4 is no body's: said in its line, and the others stand.
+    assert!(
+        lines[6].contains("I1 + I2 >= I3") && lines[7].ends_with(",ok"),
+        "{}",
+        lines[6]
+    );
+}
+
+#[test]
+fn a_scan_over_what_is_not_there_is_refused() {
+    for wrong in [
+        "omega",
+        "a=1..2",
+        "a=1:3",
+        "a=1..x:3",
+        "a=1..2:0",
+        "=1..2:3",
+        "a=1..inf:2",
+    ] {
+        assert!(wrong.parse::<scan::Over>().is_err(), "{wrong}");
+    }
+    let path = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(path.path(), RACKET).unwrap();
+    for missing in [
+        "initial.omega.7=1..2:3",
+        "initial.spin=1..2:3",
+        "title=1..2:3",
+        "title.x=1..2:3",
+    ] {
+        let over = [missing.parse().unwrap()];
+        let error = scan::scan(path.path(), &over, || ()).unwrap_err();
+        assert_eq!(error.status(), 2);
+    }
 }
 
 /// What is wrong, and what the one line must name.

@@ -5,6 +5,7 @@
 //! | [`reader`] | tables and keys; every refusal in one line that names file and key |
 //! | [`run`] | times, accuracy, solver |
 //! | [`output`] | CSV and JSON |
+//! | [`scan`] | one file, some of its numbers varied, on all cores |
 //! | one a kind | the scene that the file describes: `top` (no `kind` given), … |
 //!
 //! A new kind brings a module with a function `read(&Section) -> Result<Ready>` and a line in [`KINDS`].
@@ -12,6 +13,7 @@
 pub mod output;
 pub mod reader;
 pub mod run;
+pub mod scan;
 mod top;
 
 use std::io::Read;
@@ -90,11 +92,18 @@ pub fn simulate(path: &Path) -> Result<(Table, f64)> {
 /// # Errors
 /// [`Error::Input`].
 pub fn parse(name: &str, text: &str) -> Result<(Ready, Request)> {
-    let table = text.parse::<toml::Table>().map_err(|error| {
+    prepare(name, &table(name, text)?)
+}
+
+fn table(name: &str, text: &str) -> Result<toml::Table> {
+    text.parse().map_err(|error: toml::de::Error| {
         let line = error.span().map_or(1, |span| line_of(text, span.start));
         Error::Input(format!("{name}:{line}: {}", error.message()))
-    })?;
-    let file = Section::whole(name, &table);
+    })
+}
+
+fn prepare(name: &str, table: &toml::Table) -> Result<(Ready, Request)> {
+    let file = Section::whole(name, table);
     file.optional_text("title", "a title in quotes")?;
     let read = file.word("kind", KINDS)?;
     let scene = read(&file)?;

@@ -367,7 +367,11 @@ impl Stretch {
         let (from, pace) = (&self.moment, &self.pace);
         let advance = t * (from.velocity + 0.5 * t * pace.velocity);
         let turn = t * (from.rim_speed + 0.5 * t * pace.rim_speed);
-        let ground = if self.on_sheet { self.sheet_advance(t) } else { 0.0 };
+        let ground = if self.on_sheet {
+            self.sheet_advance(t)
+        } else {
+            0.0
+        };
         let slip_rate = match pace.slipping {
             Hold::Held => 0.0,
             _ => pace.velocity - pace.rim_speed - pace.ground,
@@ -404,7 +408,10 @@ impl Stretch {
         };
         if let Hold::Goes(sign) = pace.slipping {
             let rate = pace.velocity - pace.rim_speed - pace.ground;
-            consider(falls(sign * from.slip, sign * rate), Happening::RollingBegins);
+            consider(
+                falls(sign * from.slip, sign * rate),
+                Happening::RollingBegins,
+            );
         }
         if let Hold::Goes(sign) = pace.turning {
             let time = falls(sign * from.rim_speed, sign * pace.rim_speed);
@@ -443,6 +450,12 @@ pub(crate) fn ground_now<S: Support>(sheet: S, leg: usize, now: f64) -> ([f64; 2
     }
 }
 
+/// By how much the sheet's speed jumps in this leg, if it is one of no duration.
+pub(crate) fn jerk<S: Support>(sheet: S, leg: usize) -> f64 {
+    let (from, to) = sheet.leg(leg);
+    if to.0 > from.0 { 0.0 } else { to.1 - from.1 }
+}
+
 /// The laws on the sheet.
 pub(crate) fn on<F: Friction, C: Resistance, S: Support>(
     sheet: S,
@@ -457,12 +470,7 @@ pub(crate) fn on<F: Friction, C: Resistance, S: Support>(
 }
 
 /// Makes zero what has just become zero, and says what that means.
-pub(crate) fn settle(
-    moment: &mut Moment,
-    what: Happening,
-    pace: Pace,
-    ground: f64,
-) -> Happening {
+pub(crate) fn settle(moment: &mut Moment, what: Happening, pace: Pace, ground: f64) -> Happening {
     if what == Happening::RollingBegins {
         moment.slip = 0.0;
         // The velocity is the better known of the two, unless the spin is dead.
@@ -579,8 +587,7 @@ impl Course {
                 (moment, margin) = (stretch.at(ends - now), stretch.margin_at(ends - now));
                 now = ends;
                 if S::ACTS && on_sheet {
-                    // A jerk of the sheet is a jump of the slip.
-                    moment.slip -= sheet.leg(leg + 1).0.1 - sheet.leg(leg).1.1;
+                    moment.slip -= jerk(sheet, leg);
                 }
                 leg += 1;
                 continue;

@@ -1,10 +1,10 @@
 //! The same motions by a general method: forces in, events located on the way. The check of [`Course`](super::course::Course).
 
 use super::course::{Friction, Happening, Hold, Laws, Load, Moment, Pace, Resistance};
-use super::course::{ground_now, on, settle};
+use super::course::{ground_now, jerk, on, settle};
 use super::sheet::Support;
 use crate::error::{Error, Result, finite, positive};
-use crate::integrators::{Cost, Effort, Method, Stop, until};
+use crate::integrators::{Cost, Effort, Method, Stop, solve, until};
 
 /// Position, velocity, rim speed, turned, heat, work, and the way of the sheet.
 type State = [f64; 7];
@@ -56,7 +56,11 @@ pub fn integrated<F: Friction, C: Resistance, S: Support>(
             kappa,
             start: now,
             sheet: motion,
-            margin: if S::ACTS { sheet.margin() - start.position } else { 0.0 },
+            margin: if S::ACTS {
+                sheet.margin() - start.position
+            } else {
+                0.0
+            },
             on_sheet,
         };
         let ends = leg_ends.min(end);
@@ -71,7 +75,7 @@ pub fn integrated<F: Friction, C: Resistance, S: Support>(
         ];
         let size = y[1].abs().max(y[2].abs()).max(motion[0].abs()).max(1e-3);
         let scales = [size, size, size, size, size * size, size * size, size];
-        let mut stopped = Stop::AtTheEnd;
+        let (mut stopped, mut what) = (Stop::AtTheEnd, Happening::Rest);
         let (from, span) = (now, ends - now);
         for part in 1..=PARTS {
             let to = if part == PARTS {
@@ -84,24 +88,59 @@ pub fn integrated<F: Friction, C: Resistance, S: Support>(
                 .copied()
                 .take_while(|&t| t <= to)
                 .collect();
-            let passage = until(
-                &|t: f64, y: &State| leg_now.rate(t, y),
-                now,
-                &y,
-                &scales,
-                &samples,
-                to,
-                &|t: f64, y: &State| leg_now.guard::<S>(t, y).0,
-                method,
-                effort,
-            )?;
-            run.cost += passage.cost;
-            run.moments
-                .extend(samples.iter().zip(&passage.states).map(|(&t, y)| leg_now.moment(t, y)));
+            let free = |t: f64, y: &State| leg_now.rate(t, y);
+            let (mut first, mut ends) = (None, to);
+            for guard in leg_now.guards::<S>().into_iter().flatten() {
+                let passage = until(
+                    &free,
+                    now,
+                    &y,
+                    &scales,
+                    &samples[..samples.partition_point(|&t| t <= ends)],
+                    ends,
+                    &|t: f64, y: &State| leg_now.value(guard, t, y),
+                    method,
+                    effort,
+                )?;
+                run.cost += passage.cost;
+                if first.is_none() || passage.stopped == Stop::AtTheEvent {
+                    (ends, what) = (passage.time, guard);
+                    first = Some(passage);
+                }
+            }
+            let Some(passage) = first else { break };
+            run.moments.extend(
+                samples
+                    .iter()
+                    .zip(&passage.states)
+                    .map(|(&t, y)| leg_now.moment(t, y)),
+            );
             (now, y, stopped) = (passage.time, passage.end, passage.stopped);
             if stopped == Stop::AtTheEvent {
                 break;
             }
+        }
+        if stopped == Stop::AtTheEvent {
+            // A root of the dense output is good to some 1e-8; Newton's method along the true motion gives it the rest.
+            for _ in 0..NEWTON {
+                let value = |t: f64, y: &State| leg_now.value(what, t, y);
+                let here = value(now, &y);
+                let rate = leg_now.rate(now, &y);
+                let probe = core::array::from_fn(|i| y[i] + PROBE * rate[i]);
+                let step = -here * PROBE / (value(now + PROBE, &probe) - here);
+                if !step.is_finite() || step.abs() <= 4e-16 * now {
+                    break;
+                }
+                let free = |t: f64, y: &State| leg_now.rate(t, y);
+                let (to, dop) = (now + step, Method::Dop853);
+                let tight = Effort::Tolerance(1e-14);
+                let short = solve(&free, now, &y, &scales, &[to], dop, tight)?;
+                run.cost += short.cost;
+                (now, y) = (to, short.states[0]);
+            }
+            // Samples between the rough root and the true one belong to what comes next.
+            let before = times.partition_point(|&t| t <= now);
+            run.moments.truncate(before);
         }
         way = y[6];
         moment = leg_now.moment(now, &y);
@@ -110,13 +149,12 @@ pub fn integrated<F: Friction, C: Resistance, S: Support>(
             if leg_ends >= end {
                 return Ok(run);
             }
-            leg += 1;
             if S::ACTS && on_sheet {
-                moment.slip -= sheet.leg(leg).0.1 - sheet.leg(leg - 1).1.1;
+                moment.slip -= jerk(sheet, leg);
             }
+            leg += 1;
             continue;
         }
-        let what = leg_now.guard::<S>(now, &y).1;
         let what = match what {
             Happening::LeavesSheet | Happening::MountsSheet => {
                 on_sheet = !on_sheet;
@@ -153,6 +191,9 @@ pub struct Run {
 }
 
 const PARTS: u32 = 8;
+const NEWTON: u32 = 8;
+/// For a difference quotient, s.
+const PROBE: f64 = 1e-7;
 const MOST_EVENTS: usize = 100_000;
 
 /// A stretch with one law.
@@ -172,7 +213,11 @@ impl Leg {
     }
 
     fn ground_speed(&self, t: f64) -> f64 {
-        if self.on_sheet { self.sheet_speed(t) } else { 0.0 }
+        if self.on_sheet {
+            self.sheet_speed(t)
+        } else {
+            0.0
+        }
     }
 
     fn rate(&self, t: f64, y: &State) -> State {
@@ -197,35 +242,35 @@ impl Leg {
         ]
     }
 
-    /// The least of what must stay positive, and what it means when it does not.
-    fn guard<S: Support>(&self, t: f64, y: &State) -> (f64, Happening) {
-        let mut least = (f64::INFINITY, Happening::Rest);
-        let mut consider = |value: f64, what| {
-            if value < least.0 {
-                least = (value, what);
-            }
+    /// What may happen in this stretch; rest stands for nothing.
+    fn guards<S: Support>(&self) -> [Option<Happening>; 3] {
+        let goes = |hold| matches!(hold, Hold::Goes(_));
+        let edge = match (S::ACTS, self.on_sheet) {
+            (false, _) => None,
+            (true, true) => Some(Happening::LeavesSheet),
+            (true, false) => Some(Happening::MountsSheet),
         };
-        if let Hold::Goes(sign) = self.pace.slipping {
-            consider(
-                sign * (y[1] - y[2] - self.ground_speed(t)),
-                Happening::RollingBegins,
-            );
-        }
-        if let Hold::Goes(sign) = self.pace.turning {
-            consider(sign * y[2], Happening::TurningStops);
-        }
-        if S::ACTS {
-            let margin = self.margin + y[0] - y[6];
-            if self.on_sheet {
-                consider(margin, Happening::LeavesSheet);
-            } else {
-                consider(-margin, Happening::MountsSheet);
+        let slips = goes(self.pace.slipping).then_some(Happening::RollingBegins);
+        let turns = goes(self.pace.turning).then_some(Happening::TurningStops);
+        [Some(slips.unwrap_or(Happening::Rest)), turns, edge]
+    }
+
+    /// What must stay positive if it is not to happen.
+    fn value(&self, what: Happening, t: f64, y: &State) -> f64 {
+        let towards_zero = |hold, value: f64| match hold {
+            Hold::Goes(sign) => sign * value,
+            _ => 1.0,
+        };
+        match what {
+            Happening::RollingBegins => {
+                let slip = y[1] - y[2] - self.ground_speed(t);
+                towards_zero(self.pace.slipping, slip)
             }
+            Happening::TurningStops => towards_zero(self.pace.turning, y[2]),
+            Happening::LeavesSheet => self.margin + y[0] - y[6],
+            Happening::MountsSheet => y[6] - y[0] - self.margin,
+            _ => 1.0,
         }
-        if least.0 == f64::INFINITY {
-            least.0 = 1.0;
-        }
-        least
     }
 
     fn moment(&self, t: f64, y: &State) -> Moment {

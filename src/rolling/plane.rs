@@ -93,9 +93,8 @@ impl Slide {
     pub fn at(&self, t: f64) -> ([f64; 2], InPlane) {
         let sliding = t.min(self.time);
         let (v, f) = (self.start.velocity, self.friction);
-        let place = [0, 1].map(|i| {
-            sliding * (v[i] + 0.5 * sliding * f[i]) + (t - sliding) * self.rolling[i]
-        });
+        let place = [0, 1]
+            .map(|i| sliding * (v[i] + 0.5 * sliding * f[i]) + (t - sliding) * self.rolling[i]);
         let motion = if t >= self.time {
             InPlane {
                 velocity: self.rolling,

@@ -190,6 +190,11 @@ impl RoundBody {
 }
 
 impl Shot {
+    /// What was struck.
+    pub fn body(&self) -> RoundBody {
+        self.body
+    }
+
     /// How the body leaves the cue.
     pub fn regime(&self) -> Regime {
         self.regime

@@ -8,10 +8,18 @@
 //! | kind | tutorial | module |
 //! |---|---|---|
 //! | top | 6, 7, 8 | [`top`] |
+//! | meteorite | 4.2 | [`meteorite`] |
+//! | roller | 4.3, 4.5 | [`roller`] |
+//! | spool | 4.4 | [`spool`] |
+//! | superball | 4.6 | [`superball`] |
 
 mod effect;
+pub mod meteorite;
 mod motion;
 mod plan;
+pub mod roller;
+pub mod spool;
+pub mod superball;
 pub mod top;
 
 pub use effect::{Absent, Effect};

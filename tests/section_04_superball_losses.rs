@@ -29,7 +29,18 @@ fn stiff(omega: f64, kappa: f64, before: Motion<f64>) -> ([f64; 2], f64) {
     let start = [0.0, -2.0, before.velocity, before.rim_speed, 0.0];
     let scales = [1.0 / omega, 1.0, 1.0, 1.0, 1.0 / omega];
     let (method, effort) = (Method::Dop853, Effort::Tolerance(1e-14));
-    let end = until(&rate, 0.0, &start, &scales, &[], 4.0 / omega, &lifted, method, effort).unwrap();
+    let end = until(
+        &rate,
+        0.0,
+        &start,
+        &scales,
+        &[],
+        4.0 / omega,
+        &lifted,
+        method,
+        effort,
+    )
+    .unwrap();
     assert_eq!(end.stopped, Stop::AtTheEvent);
     ([end.end[2], end.end[3]], end.time)
 }
@@ -44,10 +55,14 @@ fn s4_6_stiff_contact_converges_to_the_law() {
         for omega in [1e2, 1e3, 1e4] {
             let ([v, _], time) = stiff(omega, kappa, before);
             let error = [(v - law.velocity).abs(), time];
-            println!("kappa {kappa}, omega {omega}: {error:e?}");
+            println!("kappa {kappa}, omega {omega}: {error:?}");
             if let Some([coarse, long]) = last {
                 // Stiffness a hundred times: the error a hundredth, order 1 in 1/k; the duration a tenth.
-                assert!((coarse / error[0] - 100.0).abs() < 3.0, "{}", coarse / error[0]);
+                assert!(
+                    (coarse / error[0] - 100.0).abs() < 3.0,
+                    "{}",
+                    coarse / error[0]
+                );
                 assert!((long / time - 10.0).abs() < 0.4);
             }
             // κ/(1+κ) u (1 − cos ε), ε = 2g/(ωV_z).
@@ -67,7 +82,12 @@ fn s4_6_tangential_restitution() {
         let after = |m, &s: &Surface| bounce_with(m, s, kappa, e);
         surfaces.iter().fold(thrown, after).velocity
     };
-    for (e, v) in [(1.0, -0.9708), (0.8, -0.7167), (0.6, -0.4819), (0.4, -0.2640)] {
+    for (e, v) in [
+        (1.0, -0.9708),
+        (0.8, -0.7167),
+        (0.6, -0.4819),
+        (0.4, -0.2640),
+    ] {
         assert!((third(0.4, e) - v).abs() < 5e-5);
     }
     assert!((return_threshold(0.4).unwrap() - 0.13809).abs() < 5e-6);
@@ -77,8 +97,14 @@ fn s4_6_tangential_restitution() {
         assert!(third(kappa, e).abs() < 2e-15, "{kappa}: {e}");
         assert!(third(kappa, e + 1e-6) < 0.0 && third(kappa, e - 1e-6) > 0.0);
     }
-    assert!(matches!(return_threshold(0.05), Err(Error::Condition { .. })));
-    assert!(matches!(return_threshold(0.7), Err(Error::OutOfRange { .. })));
+    assert!(matches!(
+        return_threshold(0.05),
+        Err(Error::Condition { .. })
+    ));
+    assert!(matches!(
+        return_threshold(0.7),
+        Err(Error::OutOfRange { .. })
+    ));
     // The cubic, in fractions.
     let q = |n: i128, d: i128| Ratio::new(n, d);
     let (kappa, e, one) = (q(2, 5), q(3, 4), q(1, 1));
@@ -86,11 +112,16 @@ fn s4_6_tangential_restitution() {
         velocity: one,
         rim_speed: q(0, 1),
     };
-    let end = surfaces.iter().fold(start, |m, &s| bounce_with(m, s, kappa, e));
+    let end = surfaces
+        .iter()
+        .fold(start, |m, &s| bounce_with(m, s, kappa, e));
     let a = (one + e) / (one + kappa);
     let c = one - kappa;
     let three = q(3, 1);
-    assert_eq!(end.velocity, one - kappa * a * (three + (one - three * kappa) * a + c * c * a * a));
+    assert_eq!(
+        end.velocity,
+        one - kappa * a * (three + (one - three * kappa) * a + c * c * a * a)
+    );
 }
 
 proptest! {
@@ -165,7 +196,7 @@ fn s4_6_flights_three_ways() {
         }
     }
     println!("followed {:e}, dop853 {:e}", worst[0], worst[1]);
-    assert!(worst[0] < 1e-12 && worst[1] < 1e-12, "{worst:e?}");
+    assert!(worst[0] < 1e-12 && worst[1] < 1e-12, "{worst:?}");
 }
 
 #[test]
@@ -186,13 +217,32 @@ fn s4_6_bounces_that_pile_up() {
     }
     // e_n = 1 − 1e-6: the time is known at once.
     let dull = Restitution::new(1.0 - 1e-6, 0.6).unwrap();
-    let ball = Flight::new(0.4, sky, (weight(), dull, Nothing), thrown(1.0, 0.0, 1.0, 0.0)).unwrap();
+    let ball = Flight::new(
+        0.4,
+        sky,
+        (weight(), dull, Nothing),
+        thrown(1.0, 0.0, 1.0, 0.0),
+    )
+    .unwrap();
     let done = ball.last_contact().unwrap().unwrap();
-    assert_relative_eq!(done, (2.0_f64 / 9.81).sqrt() * (2.0 - 1e-6) / 1e-6, max_relative = 1e-10);
+    assert_relative_eq!(
+        done,
+        (2.0_f64 / 9.81).sqrt() * (2.0 - 1e-6) / 1e-6,
+        max_relative = 1e-10
+    );
     // A contact speed that is reversed for ever has no last value.
     let odd = Restitution::new(0.5, 1.0).unwrap();
-    let ball = Flight::new(0.4, sky, (weight(), odd, Nothing), thrown(1.0, 0.0, 1.0, 0.0)).unwrap();
-    assert!(matches!(ball.followed(&[10.0]), Err(Error::Condition { .. })));
+    let ball = Flight::new(
+        0.4,
+        sky,
+        (weight(), odd, Nothing),
+        thrown(1.0, 0.0, 1.0, 0.0),
+    )
+    .unwrap();
+    assert!(matches!(
+        ball.followed(&[10.0]),
+        Err(Error::Condition { .. })
+    ));
     // With a limited grip it may still slide when the bounces are over, and ends rolling all the same.
     let dull = Restitution::new(0.3, 0.6).unwrap();
     let grip = Slipping::new(0.05).unwrap();

@@ -123,13 +123,13 @@ pub fn speeds() -> Result<Figure> {
         pen.line(&velocity, stroke(Role::Ink, 2.6));
         pen.line(&rim, stroke(Role::Omega, 2.6));
         pen.text(
-            [x(0.066), upper(0.17)],
+            [x(0.092), upper(0.15)],
             Anchor::Start,
             "*V*",
             label(Role::Ink),
         );
         pen.text(
-            [x(0.073), upper(-0.43)],
+            [x(0.088), upper(-0.4)],
             Anchor::Start,
             "*R*\u{03a9}",
             label(Role::Omega),

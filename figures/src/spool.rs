@@ -181,8 +181,8 @@ pub fn dial() -> Result<Figure> {
             small(Role::Torque),
         );
         pen.text(
-            [494.0, 236.0],
-            Anchor::Middle,
+            [464.0, 216.0],
+            Anchor::Start,
             "comes to the tug",
             label(Role::Ink),
         );
@@ -192,11 +192,11 @@ pub fn dial() -> Result<Figure> {
             "runs away",
             label(Role::Omega),
         );
-        pen.text([544.0, HUB[1] + 6.0], Anchor::Start, "0°", small(Role::Ink));
+        pen.text([456.0, HUB[1] + 6.0], Anchor::Start, "0°", small(Role::Ink));
         let up = polar(HUB, INNER + UNIT * 0.4, PI / 2.0);
         pen.text(
-            [up[0], up[1] - 8.0],
-            Anchor::Middle,
+            [up[0] - 2.0, up[1] - 8.0],
+            Anchor::Start,
             "90°",
             small(Role::Ink),
         );

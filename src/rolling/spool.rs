@@ -109,18 +109,16 @@ impl Spool {
         (self.ratio <= 1.0).then(|| self.ratio.acos())
     }
 
-    /// Which way it rolls, tugged gently at this angle (rad) (4.4).
+    /// Which way it rolls, tugged gently at this angle (rad): decided by [`Self::critical_angle`], to the last bit (4.4).
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] outside 0…π.
     pub fn way(&self, angle: f64) -> Result<Way> {
-        let excess = tug_angle(angle)?.cos() - self.ratio;
-        Ok(if excess > 0.0 {
-            Way::TowardsTheTug
-        } else if excess < 0.0 {
-            Way::AwayFromTheTug
-        } else {
-            Way::Stays
+        let angle = tug_angle(angle)?;
+        Ok(match self.critical_angle() {
+            Some(critical) if angle < critical => Way::TowardsTheTug,
+            Some(critical) if angle == critical => Way::Stays,
+            _ => Way::AwayFromTheTug,
         })
     }
 

@@ -476,16 +476,16 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
         let g = self.gravity();
         while ball.bounces - self.start.bounces < 100_000 {
             let velocity = ball.motion.velocity;
-            // From the floor up and down again in one step would hide the contact: gravity is cut at the summit.
             let rate = |_: f64, y: &[f64; 3]| [velocity, y[2], -g];
             let room = self.room;
             let rising = ball.climb > 0.0;
-            let guard = |_: f64, y: &[f64; 3]| {
-                if rising {
-                    (room - y[1]).min(y[2])
-                } else {
-                    y[1]
-                }
+            // Energy tells whether it gets as far as the ceiling. If not, the flight is cut at its summit: up and down again in one step would
+            // hide the contact.
+            let at_ceiling = rising && ball.climb * ball.climb > 2.0 * g * (room - ball.height);
+            let guard = |_: f64, y: &[f64; 3]| match (rising, at_ceiling) {
+                (true, true) => room - y[1],
+                (true, false) => y[2],
+                (false, _) => y[1],
             };
             let y = [ball.position, ball.height, ball.climb];
             let size = ball.climb.abs().max(velocity.abs()).max(1e-3);
@@ -506,7 +506,6 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
             if passage.stopped == Stop::AtTheEnd {
                 return Ok((states, cost));
             }
-            let at_ceiling = rising && room - arrived.height <= arrived.climb;
             ball = if rising && !at_ceiling {
                 // The summit.
                 InFlight {

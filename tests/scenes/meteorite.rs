@@ -30,7 +30,10 @@ fn times() -> Request {
 #[test]
 fn free_before_and_after() {
     let alone = StruckPlanet::new(planet()).simulate(&times()).unwrap();
-    let hit = StruckPlanet::new(planet()).with_impact(impact(0.7)).simulate(&times()).unwrap();
+    let hit = StruckPlanet::new(planet())
+        .with_impact(impact(0.7))
+        .simulate(&times())
+        .unwrap();
     assert!(same(&alone, &hit) > 0.1);
     // Observed: 6e-15.
     assert!(balance(&alone) < 1e-13, "{:e}", balance(&alone));
@@ -54,7 +57,10 @@ fn free_before_and_after() {
     assert!((after.omega - exact.omega_after()).norm() < 1e-14);
     assert!(after.center.norm() < 1e-15);
     // A pebble changes as little as it weighs.
-    let pebble = StruckPlanet::new(planet()).with_impact(impact(1e-12)).simulate(&times()).unwrap();
+    let pebble = StruckPlanet::new(planet())
+        .with_impact(impact(1e-12))
+        .simulate(&times())
+        .unwrap();
     let little: f64 = alone
         .rows
         .iter()

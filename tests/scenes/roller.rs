@@ -74,10 +74,14 @@ fn each_effect_matters_and_fades() {
     let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
     let still = SheetSpeeds::through([(0.0, 0.0)]).unwrap();
     let sheet = |law, speeds| Sheet::new(law, speeds, 0.5).unwrap();
-    let pulled = thrown().with_friction(mu(0.2)).with_sheet(sheet(mu(0.3), &speeds));
+    let pulled = thrown()
+        .with_friction(mu(0.2))
+        .with_sheet(sheet(mu(0.3), &speeds));
     assert!(same(&rubbed, &run(&pulled)) > 0.1);
     // A sheet of the table's friction that stays where it is, is table.
-    let resting = thrown().with_friction(mu(0.2)).with_sheet(sheet(mu(0.2), &still));
+    let resting = thrown()
+        .with_friction(mu(0.2))
+        .with_sheet(sheet(mu(0.2), &still));
     assert!(same(&rubbed, &run(&resting)) < 1e-15);
 }
 
@@ -85,12 +89,21 @@ fn each_effect_matters_and_fades() {
 fn what_a_roller_refuses() {
     let scene = thrown().with_friction(mu(0.2));
     let early = Request::at([-1.0]).unwrap();
-    assert!(matches!(scene.simulate(&early), Err(Error::OutOfRange { .. })));
+    assert!(matches!(
+        scene.simulate(&early),
+        Err(Error::OutOfRange { .. })
+    ));
     let exact = times().by(Choice::Use(Solver::Exact));
-    assert!(matches!(scene.simulate(&exact), Err(Error::Condition { .. })));
+    assert!(matches!(
+        scene.simulate(&exact),
+        Err(Error::Condition { .. })
+    ));
     assert!(thrown().simulate(&exact).is_ok());
     let gauss = by(Method::Gauss6);
-    assert!(matches!(scene.simulate(&gauss), Err(Error::Condition { .. })));
+    assert!(matches!(
+        scene.simulate(&gauss),
+        Err(Error::Condition { .. })
+    ));
     for method in [Method::Rk4, Method::Dopri5, Method::Verner98] {
         let motion = scene.simulate(&by(method)).unwrap();
         assert!(same(&motion, &run(&scene)) < 1e-11, "{method:?}");
@@ -112,6 +125,8 @@ fn it_is_quick() {
     }
     let events = clock.elapsed() / 100;
     let clock = std::time::Instant::now();
-    scene.simulate(&request.by(Choice::Use(Solver::General(Method::Dop853)))).unwrap();
+    scene
+        .simulate(&request.by(Choice::Use(Solver::General(Method::Dop853))))
+        .unwrap();
     println!("events {events:?}, dop853 {:?}", clock.elapsed());
 }

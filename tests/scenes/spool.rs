@@ -35,7 +35,9 @@ fn each_effect_matters_and_fades() {
     assert_eq!(same(&alone, &run(&reel().with_tug(tug(0.0)))), 0.0);
     let held = run(&reel().with_tug(tug(0.3)).with_friction(mu(0.4)));
     assert!(same(&pulled, &held) > 0.1);
-    assert_eq!(same(&pulled, &run(&reel().with_tug(tug(0.3)).with_friction(mu(0.0)))), 0.0);
+    // The slip passes through zero on the way, an event more: rounding. Observed: 4e-16.
+    let slippery = run(&reel().with_tug(tug(0.3)).with_friction(mu(0.0)));
+    assert!(same(&pulled, &slippery) < 2e-15);
     let felt = |c| RollingResistance::new(c).unwrap();
     let scene = reel().with_tug(tug(0.3)).with_friction(mu(0.4));
     let slowed = run(&scene.with_resistance(felt(0.01)));
@@ -49,5 +51,8 @@ fn each_effect_matters_and_fades() {
 #[test]
 fn a_lifted_spool_is_refused() {
     let scene = reel().with_tug(Tug::new(2.1, 1.4).unwrap());
-    assert!(matches!(scene.simulate(&times()), Err(Error::NotPositive { .. })));
+    assert!(matches!(
+        scene.simulate(&times()),
+        Err(Error::NotPositive { .. })
+    ));
 }

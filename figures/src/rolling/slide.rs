@@ -84,7 +84,7 @@ pub fn lines() -> Result<Figure> {
             );
         }
         pen.text(
-            [at(UNTIL, 0.0)[0] + 12.0, at(0.0, -4.2)[1] + 20.0],
+            [at(UNTIL, 0.0)[0] + 24.0, at(0.0, -4.2)[1] + 20.0],
             Anchor::Start,
             "s",
             small(Role::Ink),

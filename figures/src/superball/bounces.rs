@@ -173,7 +173,7 @@ pub fn three_balls() -> Result<Figure> {
             pen.line(&path[..3], stroke(role, DATA));
             pen.arrow(path[2], path[3], stroke(role, DATA));
             let [x, y] = path[3];
-            let shift = [[10.0, -8.0], [-6.0, -12.0], [-4.0, -12.0]][k];
+            let shift = [[44.0, 12.0], [2.0, -12.0], [-20.0, -12.0]][k];
             pen.text(
                 [x + shift[0], y + shift[1]],
                 Anchor::Middle,

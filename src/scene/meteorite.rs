@@ -9,6 +9,7 @@
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
+use super::choose;
 use super::{Absent, Choice, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result};
@@ -300,4 +301,16 @@ fn books(
         ledger.record(energy, state.energy)?;
     }
     Ok(ledger)
+}
+
+/// Simulates `planet` with the impact if it is listed.
+///
+/// # Errors
+/// As for [`Scene::simulate`].
+pub fn listed(
+    planet: StruckPlanet,
+    impact: Option<Impact>,
+    request: &Request,
+) -> Result<Motion<Flying>> {
+    choose!((impact = impact) => planet.with_impact(impact).simulate(request))
 }

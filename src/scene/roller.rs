@@ -8,6 +8,7 @@
 //!
 //! Without any of them it glides and turns as it started.
 
+use super::choose;
 use super::{Absent, Choice, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, positive};
@@ -311,10 +312,6 @@ pub(super) fn planned(request: &Request, alone: bool, why: &str) -> Result<Plan>
             condition: "the solver exact needs a scene without friction, resistance, pull or sheet; ask for events",
             value: f64::NAN,
         }),
-        Choice::Use(Solver::General(Method::Gauss6)) => Err(Error::Condition {
-            condition: "gauss6 does not stop at events; ask for events, dop853, dopri5, verner98 or rk4",
-            value: f64::NAN,
-        }),
         Choice::Use(Solver::General(method)) => Ok(Plan::new(
             Solver::General(method),
             format!("{why}: {} with events, as asked for", method.name()),
@@ -460,4 +457,22 @@ impl Books<'_> {
         }
         Ok(())
     }
+}
+
+/// Simulates `roller` with those of the effects that are listed: one compiled scene a combination.
+///
+/// # Errors
+/// As for [`Scene::simulate`].
+pub fn listed(
+    roller: Roller,
+    friction: Option<Coulomb>,
+    resistance: Option<RollingResistance>,
+    sheet: Option<Sheet<'_>>,
+    request: &Request,
+) -> Result<Motion<Rolling>> {
+    choose!((friction = friction) (resistance = resistance) (sheet = sheet) => roller
+        .with_friction(friction)
+        .with_resistance(resistance)
+        .with_sheet(sheet)
+        .simulate(request))
 }

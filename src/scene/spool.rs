@@ -3,14 +3,17 @@
 //! | effect | type | what it does |
 //! |---|---|---|
 //! | tug | [`Tug`] | a steady pull at the string, which winds or unwinds |
-//! | friction | [`Coulomb`](crate::rolling::course::Coulomb) | holds the contact, or rubs if the tug is too hard |
-//! | resistance | [`RollingResistance`](crate::rolling::course::RollingResistance) | a couple against the turning |
+//! | friction | [`Coulomb`] | holds the contact, or rubs if the tug is too hard |
+//! | resistance | [`RollingResistance`] | a couple against the turning |
 
+use super::choose;
 use super::roller::{accounts, ascending, closed, effort, in_order, last, planned};
 use super::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
 use crate::conservation::Law;
 use crate::error::{Result, positive};
-use crate::rolling::course::{Course, Friction, Load, Moment, Resistance};
+use crate::rolling::course::{
+    Coulomb, Course, Friction, Load, Moment, Resistance, RollingResistance,
+};
 use crate::rolling::integrated::integrated;
 use crate::rolling::spool::{Spool, Tug};
 
@@ -252,4 +255,22 @@ where
             rows: in_order(request, &order, states),
         })
     }
+}
+
+/// Simulates `spool` with those of the effects that are listed: one compiled scene a combination.
+///
+/// # Errors
+/// As for [`Scene::simulate`].
+pub fn listed(
+    spool: TuggedSpool,
+    tug: Option<Tug>,
+    friction: Option<Coulomb>,
+    resistance: Option<RollingResistance>,
+    request: &Request,
+) -> Result<Motion<Spooling>> {
+    choose!((tug = tug) (friction = friction) (resistance = resistance) => spool
+        .with_tug(tug)
+        .with_friction(friction)
+        .with_resistance(resistance)
+        .simulate(request))
 }

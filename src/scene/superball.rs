@@ -6,11 +6,12 @@
 //! | restitution | [`Restitution`] | loses a part of both contact speeds; without it nothing is lost |
 //! | grip | [`Slipping`] | limits the tangential impulse; without it the contact never slips |
 
+use super::choose;
 use super::roller::{ascending, effort, in_order};
 use super::{Absent, Choice, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result};
-use crate::integrators::{Cost, Method};
+use crate::integrators::Cost;
 use crate::superball::Restitution;
 use crate::superball::flight::{Flight, Gravity, Grip, InFlight, Losses, Slipping, Weight};
 
@@ -224,10 +225,6 @@ where
                 condition: "the solver exact needs a superball without restitution and grip; ask for events",
                 value: f64::NAN,
             }),
-            Choice::Use(Solver::General(Method::Gauss6)) => Err(Error::Condition {
-                condition: "gauss6 does not stop at events; ask for events, dop853, dopri5, verner98 or rk4",
-                value: f64::NAN,
-            }),
             Choice::Use(Solver::General(method)) => Ok(Plan::new(
                 Solver::General(method),
                 format!("flights: {} with events, as asked for", method.name()),
@@ -282,4 +279,22 @@ where
             rows: in_order(request, &order, states),
         })
     }
+}
+
+/// Simulates `ball` with those of the effects that are listed: one compiled scene a combination.
+///
+/// # Errors
+/// As for [`Scene::simulate`].
+pub fn listed(
+    ball: Superball,
+    gravity: Option<Weight>,
+    restitution: Option<Restitution>,
+    grip: Option<Slipping>,
+    request: &Request,
+) -> Result<Motion<Bouncing>> {
+    choose!((gravity = gravity) (restitution = restitution) (grip = grip) => ball
+        .with_gravity(gravity)
+        .with_restitution(restitution)
+        .with_grip(grip)
+        .simulate(request))
 }

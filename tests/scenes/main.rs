@@ -1,6 +1,7 @@
-//! Scenes: for every effect, what leaving it out does, its zero limit, its ledger, and the closed form against a general method.
+//! Scenes: what each effect changes, that its absence costs nothing, that plans, ledgers and refusals are right.
 
 mod meteorite;
 mod roller;
 mod spool;
 mod superball;
+mod top;

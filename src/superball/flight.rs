@@ -5,7 +5,7 @@
 
 use super::{BounceRotation, Motion, Restitution, Surface, bounce, gripping_bounce};
 use crate::error::{Error, Result, finite, not_negative, positive};
-use crate::integrators::{Cost, Effort, Method, Stop, until};
+use crate::integrators::{Cost, Effort, Method, Stop, solve, until};
 use crate::rolling::course::{Coulomb, Course, Load, Moment, Nothing};
 
 /// Gravity, or none.
@@ -479,19 +479,23 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
             let rate = |_: f64, y: &[f64; 3]| [velocity, y[2], -g];
             let room = self.room;
             let rising = ball.climb > 0.0;
-            // Energy tells whether it gets as far as the ceiling. If not, the flight is cut at its summit: up and down again in one step would
-            // hide the contact.
-            let at_ceiling = rising && ball.climb * ball.climb > 2.0 * g * (room - ball.height);
-            let guard = |_: f64, y: &[f64; 3]| match (rising, at_ceiling) {
-                (true, true) => room - y[1],
-                (true, false) => y[2],
-                (false, _) => y[1],
+            // Up and down again in one step would hide a contact, so a flight is cut at its summit.
+            let to = if rising && g > 0.0 {
+                end.min(now + ball.climb / g)
+            } else {
+                end
             };
+            let guard = |_: f64, y: &[f64; 3]| if rising { room - y[1] } else { y[1] };
             let y = [ball.position, ball.height, ball.climb];
             let size = ball.climb.abs().max(velocity.abs()).max(1e-3);
-            let samples: Vec<f64> = times[states.len()..].to_vec();
+            let samples: Vec<f64> = times[states.len()..]
+                .iter()
+                .copied()
+                .take_while(|&t| t <= to)
+                .collect();
+            let scales = [size; 3];
             let passage = until(
-                &rate, now, &y, &[size; 3], &samples, end, &guard, method, effort,
+                &rate, now, &y, &scales, &samples, to, &guard, method, effort,
             )?;
             cost += passage.cost;
             let flying = |y: &[f64; 3]| InFlight {
@@ -501,25 +505,46 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
                 ..ball
             };
             states.extend(passage.states.iter().map(flying));
+            let mut y = passage.end;
             now = passage.time;
-            let arrived = flying(&passage.end);
             if passage.stopped == Stop::AtTheEnd {
-                return Ok((states, cost));
-            }
-            ball = if rising && !at_ceiling {
-                // The summit.
-                InFlight {
-                    climb: 0.0,
-                    ..arrived
+                if to >= end {
+                    return Ok((states, cost));
                 }
-            } else {
-                let surface = if rising {
-                    Surface::Ceiling
-                } else {
-                    Surface::Floor
+                ball = InFlight {
+                    climb: 0.0,
+                    ..flying(&y)
                 };
-                self.bounced(&arrived, 0.0, surface, arrived.climb)
+                continue;
+            }
+            // A root of the dense output is good to some 1e-8; Newton's method along the true flight gives it the rest.
+            for _ in 0..8 {
+                let speed = if rising { -y[2] } else { y[2] };
+                let step = -guard(now, &y) / speed;
+                if !step.is_finite() || step.abs() <= 4e-16 * now {
+                    break;
+                }
+                let tight = Effort::Tolerance(1e-14);
+                let short = solve(
+                    &rate,
+                    now,
+                    &y,
+                    &scales,
+                    &[now + step],
+                    Method::Dop853,
+                    tight,
+                )?;
+                cost += short.cost;
+                (now, y) = (now + step, short.states[0]);
+            }
+            states.truncate(times.partition_point(|&t| t <= now));
+            let surface = if rising {
+                Surface::Ceiling
+            } else {
+                Surface::Floor
             };
+            let arrived = flying(&y);
+            ball = self.bounced(&arrived, 0.0, surface, arrived.climb);
         }
         Err(TOO_MANY)
     }

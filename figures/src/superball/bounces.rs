@@ -27,7 +27,7 @@ pub fn reflections() -> Result<Figure> {
         claim: "A bounce is a reflection; floor and ceiling have a mirror each.".to_owned(),
         details: format!(
             "The motion of a superball is a point of a circle: across, the velocity $V$; upward, the spin as $\\sqrt{{\\kappa}}\\,R\\Omega$. The floor reflects it \
-             in the upper dashed line, the ceiling in the lower, both {degrees} degrees from the axis ($\\tan\\beta = \\sqrt\\kappa$, $\\kappa = 2/5$). \
+             in the upper dashed line, the ceiling in the lower, both {degrees} degrees from the axis ($\\tan\\beta = \\sqrt{{\\kappa}}$, $\\kappa = 2/5$). \
              Start at 0, thrown without spin; after floor, ceiling, floor the ball is at 3, almost at the opposite point."
         ),
         alt: format!(

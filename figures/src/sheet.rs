@@ -171,7 +171,7 @@ const NAME: &str = "sheet-animated";
 const PICTURES: usize = 60;
 const LASTS: f64 = 0.2;
 const SLOWNESS: f64 = 20.0;
-const TABLE: f64 = 178.0;
+const TABLE: f64 = 112.0;
 const RADIUS: f64 = 44.0;
 /// Units a metre.
 const METRE: f64 = 44.0 / 0.02;
@@ -193,7 +193,7 @@ pub fn animated() -> Result<Figure> {
               comes to rest, neither moving nor turning. Without motion: the ball as the sheet's edge comes."
             .to_owned(),
     };
-    let still = figure(NAME, 226.0, words, |pen| {
+    let still = figure(NAME, 160.0, words, |pen| {
         pen.line(
             &[[8.0, TABLE], [592.0, TABLE]],
             stroke(Role::Ink, SECONDARY),
@@ -255,7 +255,8 @@ pub fn animated() -> Result<Figure> {
     let long = 1200.0 * SCALE;
     let (thick, thin) = (2.6 * SCALE, 2.0 * SCALE);
     let groups = format!(
-        "<g class=\"{paper}\" transform=\"{at2}\"><path d=\"M0 {top:.0}L{long:.0} {top:.0}\" stroke=\"var(--torque, #6b1a6b)\" stroke-width=\"{thick:.0}\"/></g>\n\
+        "<defs><clipPath id=\"fig-{NAME}-room\"><rect x=\"80\" y=\"0\" width=\"5840\" height=\"1600\"/></clipPath></defs>\n\
+         <g clip-path=\"url(#fig-{NAME}-room)\"><g class=\"{paper}\" transform=\"{at2}\"><path d=\"M0 {top:.0}L{long:.0} {top:.0}\" stroke=\"var(--torque, #6b1a6b)\" stroke-width=\"{thick:.0}\"/></g></g>\n\
          <g class=\"{ball}\" transform=\"{at0}\"><g class=\"{hand}\" transform=\"{at1}\">\
          <circle r=\"{r:.0}\" fill=\"currentColor\" fill-opacity=\"0.1\" stroke=\"currentColor\" stroke-width=\"{thin:.0}\"/>\
          <path d=\"M0 0L0 -{r:.0}\" stroke=\"var(--omega, #0b6bcb)\" stroke-width=\"{thick:.0}\"/></g></g>\n",

@@ -46,7 +46,7 @@ fn s4_5_numbers_of_a_quick_pull() {
         assert!((leaves.moment.position - 0.005_634).abs() < 5e-7);
         let end = course.at(1e3);
         println!("{:e} {:e}", end.velocity, end.rim_speed);
-        // Dead: observed 3e-17 m/s.
+        // Dead: it comes out as 0.0.
         assert!(end.velocity.abs() < 1e-16 && end.rim_speed.abs() < 1e-16);
         let stop = course.events().last().unwrap().moment.position;
         assert!((stop - 0.014_086).abs() < 5e-7, "{stop}");
@@ -124,7 +124,7 @@ proptest! {
         let course = withdrawn(kappa, &speeds, margin, [sheet, table]);
         for k in 0..200 {
             let m = course.at(0.02 * f64::from(k));
-            // Never more than the roundings of some events. Observed: 4e-15.
+            // Never more than the roundings of some events.
             prop_assert!(m.about_the_table(kappa).abs() < 1e-13, "{}", m.about_the_table(kappa));
             let books = m.energy(kappa) + m.heat - m.work;
             let scale = m.energy(kappa) + m.heat + m.work.abs() + 1.0;
@@ -148,7 +148,7 @@ proptest! {
         let run = integrated(0.4, Load::weight(G), effects, start, &times, effort).unwrap();
         for (&t, m) in times.iter().zip(&run.moments) {
             let c = course.at(t);
-            // Speeds up to 5 m/s. Observed: 3e-14, where the sheet's edge passes slowly.
+            // Speeds up to 5 m/s.
             prop_assert!((c.velocity - m.velocity).abs() < 1e-12, "{t}: {c:?} {m:?}");
             prop_assert!((c.rim_speed - m.rim_speed).abs() < 1e-12);
             prop_assert!((c.position - m.position).abs() < 1e-12);
@@ -275,7 +275,6 @@ fn s4_5_in_space_with_any_friction() {
             ] {
                 println!("{end:?}");
                 let speed = end[0].hypot(end[1]);
-                // Observed: 3e-10, the tolerance of the run.
                 assert!(speed < 1e-8, "{speed:e}");
                 // Spin about the vertical is not touched by a point of contact.
                 assert_eq!(end[4], start[4]);

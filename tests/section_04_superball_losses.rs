@@ -93,7 +93,6 @@ fn s4_6_tangential_restitution() {
     assert!((return_threshold(0.4).unwrap() - 0.13809).abs() < 5e-6);
     for kappa in [0.08, 0.2, 0.25, 1.0 / 3.0, 0.4, 0.5, 0.6, 2.0 / 3.0] {
         let e = return_threshold(kappa).unwrap();
-        // Observed: 4e-16.
         assert!(third(kappa, e).abs() < 2e-15, "{kappa}: {e}");
         assert!(third(kappa, e + 1e-6) < 0.0 && third(kappa, e - 1e-6) > 0.0);
     }

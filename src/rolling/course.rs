@@ -508,7 +508,7 @@ impl Course {
     /// The course of a body of inertia factor `kappa`, from `start`, up to the time `until` (s).
     ///
     /// `start.slip` is taken as given; make it V − RΩ − (speed of the ground). Position is exact in each stretch: the errors are
-    /// roundings. Observed against [`until`](crate::integrators::until) with DOP853: 1e-14 of the largest speed. Cost: some 100 ns an event.
+    /// roundings. Observed against DOP853 with events: 3e-15 of the largest speed. Cost: a few microseconds a course.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the reaction or κ; [`Error::NotFinite`]; [`Error::Integration`] after a million events.

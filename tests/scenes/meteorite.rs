@@ -35,7 +35,6 @@ fn free_before_and_after() {
         .simulate(&times())
         .unwrap();
     assert!(same(&alone, &hit) > 0.1);
-    // Observed: 6e-15.
     assert!(balance(&alone) < 1e-13, "{:e}", balance(&alone));
     assert!(balance(&hit) < 1e-13, "{:e}", balance(&hit));
     // Left alone it is Euler's top.

@@ -42,7 +42,6 @@ fn by(method: Method) -> Request {
 fn run(scene: &impl Scene<State = Rolling>) -> Motion<Rolling> {
     let exact = scene.simulate(&times()).unwrap();
     let found = scene.simulate(&by(Method::Dop853)).unwrap();
-    // Observed: 6e-15 in speeds of 4 m/s; ledgers 2e-15.
     assert!(same(&exact, &found) < 1e-12, "{:e}", same(&exact, &found));
     assert!(balance(&exact) < 1e-13 && balance(&found) < 1e-12);
     assert!(exact.ledger.entries().len() >= 2);
@@ -65,7 +64,7 @@ fn each_effect_matters_and_fades() {
     let both = thrown().with_friction(mu(0.2)).with_resistance(felt(0.01));
     assert!(same(&rubbed, &run(&both)) > 1e-3);
     let zero = thrown().with_friction(mu(0.2)).with_resistance(felt(0.0));
-    // The spin's passage through zero is an event more: rounding. Observed: 2e-16.
+    // The spin's passage through zero is an event more: rounding.
     assert!(same(&rubbed, &run(&zero)) < 1e-15);
     // Which slot is filled first cannot matter.
     let other = thrown().with_resistance(felt(0.01)).with_friction(mu(0.2));

@@ -42,7 +42,7 @@ fn each_effect_matters_and_fades() {
     let scene = reel().with_tug(tug(0.3)).with_friction(mu(0.4));
     let slowed = run(&scene.with_resistance(felt(0.01)));
     assert!(same(&held, &slowed) > 1e-3);
-    // Events more than without: rounding. Observed: 3e-16.
+    // Events more than without: rounding.
     assert!(same(&held, &run(&scene.with_resistance(felt(0.0)))) < 2e-15);
     let other = reel().with_friction(mu(0.4)).with_tug(tug(0.3));
     assert_eq!(same(&held, &run(&other)), 0.0);

@@ -33,6 +33,8 @@ chapters! {
     examples: "examples",
     impacts: "impacts",
     rolling: "rolling",
+    spool: "spool",
+    sheet: "sheet",
     superball: "superball",
     tippe_top: "tippe-top",
     yo_yo: "yo-yo",

@@ -14,7 +14,9 @@ mod kovalevskaya_top;
 mod lagrange_top;
 mod pythagoras;
 mod rolling;
+mod sheet;
 mod solid;
+mod spool;
 pub mod style;
 mod superball;
 
@@ -68,9 +70,44 @@ pub fn all() -> &'static [Entry] {
             draw: rolling::billiard,
         },
         Entry {
+            name: "slide-to-roll",
+            chapter: "rolling",
+            draw: rolling::lines,
+        },
+        Entry {
+            name: "spool",
+            chapter: "spool",
+            draw: spool::three_tugs,
+        },
+        Entry {
+            name: "spool-dial",
+            chapter: "spool",
+            draw: spool::dial,
+        },
+        Entry {
+            name: "withdrawn-sheet",
+            chapter: "sheet",
+            draw: sheet::speeds,
+        },
+        Entry {
+            name: "sheet-animated",
+            chapter: "sheet",
+            draw: sheet::animated,
+        },
+        Entry {
             name: "superball",
             chapter: "superball",
             draw: superball::under_the_table,
+        },
+        Entry {
+            name: "three-superballs",
+            chapter: "superball",
+            draw: superball::three_balls,
+        },
+        Entry {
+            name: "bounce-reflections",
+            chapter: "superball",
+            draw: superball::reflections,
         },
         Entry {
             name: "momentum-flow",

@@ -7,11 +7,19 @@
 //!
 //! | kind | tutorial | module |
 //! |---|---|---|
+//! | [`StruckPlanet`](meteorite::StruckPlanet) | 4.2 | [`meteorite`]: a planet, struck |
+//! | [`Roller`](roller::Roller) | 4.3, 4.5 | [`roller`]: a ball on a table, after the cue or on a sheet |
+//! | [`TuggedSpool`](spool::TuggedSpool) | 4.4 | [`spool`]: a spool and its string |
+//! | [`Superball`](superball::Superball) | 4.6 | [`superball`]: bounces |
 //! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
 
 mod effect;
+pub mod meteorite;
 mod motion;
 mod plan;
+pub mod roller;
+pub mod spool;
+pub mod superball;
 pub mod top;
 
 pub use effect::{Absent, Effect};

@@ -10,6 +10,7 @@
 //!
 //! A new kind brings a module with a function `read(&Section) -> Result<Ready>` and a line in [`KINDS`].
 
+mod contact;
 pub mod output;
 pub mod reader;
 pub mod run;
@@ -31,7 +32,13 @@ use reader::Section;
 type Reader = fn(&Section<'_>) -> Result<Ready>;
 
 /// The kinds of scene, the first being the one without `kind`.
-const KINDS: &[(&str, Reader)] = &[("top", top::read)];
+const KINDS: &[(&str, Reader)] = &[
+    ("top", top::read),
+    ("meteorite", contact::meteorite),
+    ("roller", contact::roller),
+    ("spool", contact::spool),
+    ("superball", contact::superball),
+];
 
 /// A scene that is ready to run.
 pub struct Ready(Box<dyn Fn(&Request) -> spinning_bodies::Result<Table>>);
@@ -54,6 +61,20 @@ pub struct Table {
 impl std::fmt::Debug for Ready {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str("Ready")
+    }
+}
+
+impl Table {
+    /// The numbers of a motion.
+    fn of<S: Tabulated>(motion: spinning_bodies::scene::Motion<S>) -> Self {
+        let rows = motion.rows.iter().map(|(t, state)| (*t, state.row()));
+        Self {
+            rows: rows.collect(),
+            plan: motion.plan,
+            cost: motion.cost,
+            ledger: motion.ledger,
+            columns: S::COLUMNS,
+        }
     }
 }
 

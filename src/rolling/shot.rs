@@ -1,16 +1,4 @@
-//! Round bodies that skid and roll (tutorial 4.3): the billiard shot and what the cloth makes of it.
-//!
-//! Planar throughout. Velocity is positive in the direction of travel, and spin is positive when the body turns
-//! the way it would roll. Spin is given as *rim speed* RΩ, so that rolling means velocity = rim speed and the
-//! contact point slips at velocity − rim speed.
-//!
-//! ```
-//! use spinning_bodies::rolling::{RoundBody, factor};
-//!
-//! let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
-//! assert_eq!(ball.pure_rolling_height(), 1.4); // the chestnut: 7R/5 above the table
-//! # Ok::<(), spinning_bodies::Error>(())
-//! ```
+//! The billiard shot (tutorial 4.3): the blow of the cue and the sliding that follows it.
 
 use crate::error::{Result, finite, not_negative, positive, within};
 
@@ -195,6 +183,11 @@ impl RoundBody {
 }
 
 impl Shot {
+    /// What was struck.
+    pub fn body(&self) -> RoundBody {
+        self.body
+    }
+
     /// How the body leaves the cue.
     pub fn regime(&self) -> Regime {
         self.regime

@@ -32,6 +32,7 @@ pub mod error;
 pub mod euler_equations;
 pub mod euler_top;
 mod extended;
+pub mod falling_strip;
 pub mod frame;
 pub mod ideal_fluid;
 pub mod impacts;

@@ -47,6 +47,7 @@ pub mod rotating_fluid;
 pub mod scene;
 pub mod superball;
 mod words;
+pub mod yo_yo;
 
 pub use error::{Error, Result};
 

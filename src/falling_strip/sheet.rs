@@ -63,6 +63,11 @@ impl Sheet {
         (self.areal_density / (self.fluid_density * self.width)).sqrt()
     }
 
+    /// g, m/s².
+    pub const fn gravity(&self) -> f64 {
+        self.gravity
+    }
+
     /// The speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width.
     pub fn speed(&self) -> f64 {
         (2.0 * self.areal_density * self.gravity / (PI * self.fluid_density)).sqrt()

@@ -8,11 +8,15 @@
 //! | kind | tutorial | module |
 //! |---|---|---|
 //! | top | 6, 7, 8 | [`top`] |
+//! | yo-yo | 4.9 | [`yo_yo`] |
+//! | strip | 4.10 | [`strip`] |
 
 mod effect;
 mod motion;
 mod plan;
+pub mod strip;
 pub mod top;
+pub mod yo_yo;
 
 pub use effect::{Absent, Effect};
 pub use motion::{Motion, Request, balanced};

@@ -35,6 +35,7 @@ chapters! {
     rolling: "rolling",
     superball: "superball",
     tippe_top: "tippe-top",
+    gyroscope: "gyroscope",
     yo_yo: "yo-yo",
     falling_strip: "falling-strip",
     euler_equations: "euler-equations",

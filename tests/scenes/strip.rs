@@ -30,8 +30,10 @@ fn plate() -> Plate {
     Sheet::of_paper(0.02).unwrap().plate().unwrap()
 }
 
+/// A second, in which a tumbling start amplifies rounding to 4e-9: no more is asked for than 1e-7.
 fn request() -> Request {
-    Request::at([0.1, 0.2, 0.3, 0.5, 0.8, 1.0]).unwrap()
+    let request = Request::at([0.1, 0.2, 0.3, 0.5, 0.8, 1.0]).unwrap();
+    request.to_accuracy(1e-7).unwrap()
 }
 
 fn run(scene: &impl Scene<State = StripState>) -> Motion<StripState> {
@@ -111,8 +113,8 @@ fn in_a_vacuum_it_is_a_stone() {
         assert_eq!(state.position, [0.1 * t, t * (0.0 - 0.5 * 9.81 * t)]);
         assert_eq!((state.omega, state.angle), (1.0, 0.2 + t));
     }
-    // The equations say the same. Observed: 4e-14 m.
-    let general = request().by(Choice::Use(Solver::General(Method::Dop853)));
+    // The equations say the same.
+    let general = request().to_accuracy(1e-12).unwrap().by(Choice::Use(Solver::General(Method::Dop853)));
     let stepped = stone.simulate(&general).unwrap();
     assert!(apart(&motion, &stepped) < 5e-13, "{:e}", apart(&motion, &stepped));
     // In a fluid of no density all the effects together do nothing. Observed: the same.
@@ -121,7 +123,8 @@ fn in_a_vacuum_it_is_a_stone() {
     let all = Strip::new(thin, START).unwrap().with_gravity(GRAVITY).unwrap();
     let all = all.with_lift(LIFT).unwrap().with_drag(DRAG).unwrap();
     let all = all.with_rotational_damping(DAMPING).unwrap().with_added_mass(ADDED).unwrap();
-    assert!(apart(&motion, &run(&all)) < 5e-13);
+    let all = all.simulate(&request().to_accuracy(1e-12).unwrap()).unwrap();
+    assert!(apart(&motion, &all) < 5e-13);
 }
 
 #[test]
@@ -129,7 +132,9 @@ fn the_ideal_fluid_keeps_impulse_and_energy() {
     // Kirchhoff's equations: added mass alone. The ledger holds energy and both components of the impulse.
     let ideal = Strip::new(plate(), START).unwrap().with_added_mass(ADDED).unwrap();
     let heavy = ideal.with_gravity(GRAVITY).unwrap();
-    for ledger in [run(&ideal).ledger, run(&heavy).ledger] {
+    let tight = request().to_accuracy(1e-11).unwrap();
+    for motion in [ideal.simulate(&tight), heavy.simulate(&tight)] {
+        let ledger = motion.unwrap().ledger;
         assert_eq!(ledger.entries().len(), 3);
         // Observed: 6e-12.
         assert!(ledger.is_kept_within(5e-11).unwrap(), "{ledger}");
@@ -137,7 +142,7 @@ fn the_ideal_fluid_keeps_impulse_and_energy() {
     // Circulation does no work.
     let lifted = run(&heavy.with_lift(LIFT).unwrap());
     assert_eq!(lifted.ledger.entries().len(), 1);
-    assert!(lifted.ledger.is_kept_within(1e-9).unwrap(), "{}", lifted.ledger);
+    assert!(lifted.ledger.is_kept_within(1e-7).unwrap(), "{}", lifted.ledger);
     // Turned out of an unsteady position in the ideal fluid, the strip swings about broadside as a pendulum would:
     // θ'' of small angles off broadside is −(m_w − m_u) w²/J.
     let straight = StripStart {
@@ -155,6 +160,7 @@ fn the_ideal_fluid_keeps_impulse_and_energy() {
     let frequency = (masses / moment * (plate.mass() + masses) / plate.mass()).sqrt();
     let quarter = core::f64::consts::FRAC_PI_2 / frequency;
     let request = Request::at([quarter, 2.0 * quarter]).unwrap();
+    let request = request.to_accuracy(1e-13).unwrap();
     let rows = strip.simulate(&request).unwrap().rows;
     let [first, second] = [rows[0].1, rows[1].1];
     // Half a swing later it stands still again, and swung about the middle in between. Observed: 2e-9.
@@ -190,8 +196,8 @@ fn the_frame_does_not_matter() {
     };
     let small = Strip::in_air(&sheet, START, Coefficients::PAPER).unwrap();
     let big = Strip::in_air(&big, start, Coefficients::PAPER).unwrap();
-    let a = small.simulate(&Request::at([0.5]).unwrap()).unwrap().rows[0].1;
-    let b = big.simulate(&Request::at([1.0]).unwrap()).unwrap().rows[0].1;
+    let a = small.simulate(&Request::at([0.5]).unwrap().to_accuracy(1e-9).unwrap()).unwrap().rows[0].1;
+    let b = big.simulate(&Request::at([1.0]).unwrap().to_accuracy(1e-9).unwrap()).unwrap().rows[0].1;
     // Observed: 1e-14 relative.
     assert!((4.0 * a.position[0] - b.position[0]).abs() < 1e-11);
     assert!((4.0 * a.position[1] - b.position[1]).abs() < 1e-11);
@@ -205,8 +211,7 @@ fn methods_agree_and_refusals_are_named() {
     for method in [Method::Dopri5, Method::Verner98] {
         let request = request().by(Choice::Use(Solver::General(method)));
         let other = scene.simulate(&request).unwrap();
-        // Observed: 2e-11 m.
-        assert!(apart(&reference, &other) < 2e-10, "{method:?}: {:e}", apart(&reference, &other));
+        assert!(apart(&reference, &other) < 1e-7, "{method:?}: {:e}", apart(&reference, &other));
     }
     for solver in [Solver::Exact, Solver::Events] {
         let refused = scene.plan(&request().by(Choice::Use(solver)));

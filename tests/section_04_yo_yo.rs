@@ -67,7 +67,7 @@ fn s4_9_the_toy_of_the_book() {
     rounded(extra / (0.055 * G), 1, 14.3);
     // The thick string: fastest not at the end but at 63 cm.
     let way = let_go(thick());
-    rounded(way.duration().unwrap(), 4, 1.2567);
+    rounded(way.duration().unwrap(), 4, 1.2590);
     rounded(way.speed(1.0), 3, 0.848);
     rounded(way.omega(1.0), 0, 212.0);
     let depths = (1..10_000).map(|k| f64::from(k) / 10_000.0);
@@ -99,7 +99,7 @@ fn s4_9_the_thick_string_in_closed_form() {
                 let bound = if gravity == 1e-3 { 2e-11 } else { 2e-13 };
                 assert!((depth - y[0]).abs() < bound, "{depth} {} {gravity} {throw}", y[0]);
                 assert!((way.speed(depth) - y[1]).abs() < 5.0 * bound);
-                close(way.time_at(depth).unwrap(), *t, 1e-14);
+                close(way.time_at(depth).unwrap(), *t, if gravity == 1e-3 { 2e-11 } else { 1e-14 });
             }
         }
     }
@@ -140,9 +140,9 @@ fn s4_9_the_turn() {
     close(first.velocity, let_go(toy).speed(1.0), 5e-16);
     close(last.velocity, -first.velocity, 5e-16);
     assert!(first.angle.abs() < 1e-15 && (last.angle - PI).abs() < 1e-15);
-    // The true pendulum is 0.36 per cent faster than the constant spin on the average, and pulls as much harder.
+    // The true pendulum is 0.16 per cent faster than the constant spin on the average, and pulls as much harder.
     let exact = turn.mean_tension() / weight;
-    assert!((exact - 14.4460).abs() < 5e-4, "{exact}");
+    assert!((exact - 14.4238).abs() < 5e-5, "{exact}");
     // By the impulse: twice the momentum and the weight, over the time. The tension itself, summed over the turn, says the same.
     let steps = 2000;
     let sum: f64 = (0..steps)
@@ -212,13 +212,13 @@ fn s4_9_the_hand_that_rises_in_the_turn() {
         let gained = 0.5 * (inertia + mass * r * r) * (after * after - omega * omega);
         // What the hand does is what the yo-yo gains, and what lifting it by `height` takes. Observed: 1e-12.
         assert!((gained + mass * G * height - work).abs() < 1e-10 * work);
-        // The formula, without gravity's part and to first order in the lift. Observed: 0.6 and 2 per cent.
-        close(gained, turn.work_of_lift(height), 0.03);
+        // The formula, without gravity's part. Observed: 0.4 per cent.
+        close(gained, turn.work_of_lift(height), 0.006);
     }
-    // A rise of 13 mm in the turn brings back a fifth of the energy of the whole fall.
-    let fifth = turn.work_of_lift(0.0135) / (0.055 * G);
-    assert!((fifth - 0.2).abs() < 0.001, "{fifth}");
-    assert!((FRAC_PI_4 * 0.055 * 0.005 * omega * omega - turn.work_of_lift(1.0)).abs() < 1e-13);
+    // A rise of 10 mm in the turn brings back a fifth of the energy of the whole fall.
+    let fifth = turn.work_of_lift(0.0103) / (0.055 * G);
+    assert!((fifth - 0.2).abs() < 0.002, "{fifth}");
+    close(turn.work_of_lift(1e-9), FRAC_PI_4 * 0.055 * 0.005 * omega * omega * 1e-9, 1e-7);
 }
 
 // claim: C4.9-2

@@ -322,6 +322,7 @@ impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> Equations<G, L, D, R, A> {
 }
 
 impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> System<7> for Equations<G, L, D, R, A> {
+    // ANCHOR: rate
     fn rate(&self, _: f64, state: &[f64; 7]) -> [f64; 7] {
         let moving = moving(state);
         let (sine, cosine) = moving.slope;
@@ -338,4 +339,5 @@ impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> System<7> for Equations<G, 
             load.heating,
         ]
     }
+    // ANCHOR_END: rate
 }

@@ -59,6 +59,8 @@ fn every_effect_changes_the_motion() {
     assert!(apart(&reference, &run(&bare, 12.0)) > 0.1);
     let lossy = plain.with_turn_loss(TurnLoss { restitution: 0.9 }).unwrap();
     assert!(apart(&reference, &run(&lossy, 12.0)) > 0.1);
+    let lossy = Play::new(toy(), 0.0).unwrap().with_gravity(GRAVITY).unwrap();
+    let lossy = lossy.with_turn_loss(TurnLoss { restitution: 0.9 }).unwrap();
     let helped = lossy.with_hand(Hand { work: 0.1 }).unwrap();
     assert!(apart(&run(&lossy, 12.0), &run(&helped, 12.0)) > 0.1);
     let sleeper = plain.with_sleep(Sleep { duration: 2.0 }).unwrap();

@@ -12,10 +12,10 @@ use crate::style::{
 };
 
 const NAME: &str = "strip-animated";
-/// Widths, cm; where the paths begin; lengths of the films in their own units a/U; half widths drawn, units.
-const STRIPS: [(f64, &str, Point, f64); 2] = [
-    (24.0, "24 cm wide: flutters", [130.0, 84.0], 60.0),
-    (2.0, "2 cm wide: tumbles", [300.0, 84.0], 60.0),
+/// Widths, cm, and where the paths begin; half widths drawn, units.
+const STRIPS: [(f64, &str, Point); 2] = [
+    (24.0, "24 cm wide: flutters", [130.0, 84.0]),
+    (2.0, "2 cm wide: tumbles", [300.0, 84.0]),
 ];
 const HALF: [f64; 2] = [30.0, 7.0];
 const PICTURES: usize = 240;
@@ -23,6 +23,8 @@ const PICTURES: usize = 240;
 const SECONDS: f64 = 9.0;
 /// Height of the picture that the paths cross, units.
 const FALL: f64 = 320.0;
+/// And how far aside there is room, units.
+const ASIDE: f64 = 264.0;
 
 struct Film {
     name: &'static str,
@@ -35,13 +37,13 @@ struct Film {
 }
 
 fn film(index: usize) -> Result<Film> {
-    let (width, name, start, _) = STRIPS[index];
+    let (width, name, start) = STRIPS[index];
     let half = HALF[index];
     let sheet = Sheet::of_paper(width / 100.0)?;
     let fall = Fall::new(sheet.mass_ratio(), Coefficients::PAPER)?;
     let run = fall.long_run(Start::TILTED, 200.0, 200.0)?;
     // As long as it takes to cross the picture, in whole periods if there is one.
-    let crossing = FALL / (half * run.descent);
+    let crossing = (FALL / (half * run.descent)).min(ASIDE / (half * run.drift.abs()));
     let time = match run.period {
         Some(period) => (crossing / period).floor().max(1.0) * period,
         None => crossing,

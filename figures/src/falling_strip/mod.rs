@@ -34,9 +34,9 @@ struct Panel {
 }
 
 const PANELS: [Panel; 6] = [
-    Panel { ratio: 1.1, name: "flutter", corner: [100.0, 46.0], from: 406.0, lasts: 32.0 },
-    Panel { ratio: 1.4, name: "tumbling", corner: [220.0, 46.0], from: 400.0, lasts: 22.0 },
-    Panel { ratio: 1.45, name: "tumbling in two steps", corner: [410.0, 46.0], from: 400.0, lasts: 22.0 },
+    Panel { ratio: 1.1, name: "flutter", corner: [88.0, 46.0], from: 406.0, lasts: 32.0 },
+    Panel { ratio: 1.4, name: "tumbling", corner: [258.0, 46.0], from: 400.0, lasts: 22.0 },
+    Panel { ratio: 1.45, name: "tumbling in two steps", corner: [462.0, 46.0], from: 400.0, lasts: 22.0 },
     Panel { ratio: 1.6, name: "now this, now that", corner: [100.0, 310.0], from: 410.0, lasts: 30.0 },
     Panel { ratio: 2.2, name: "chaos", corner: [300.0, 310.0], from: 420.0, lasts: 30.0 },
     Panel { ratio: 3.0, name: "broadside flutter", corner: [500.0, 310.0], from: 400.0, lasts: 18.0 },
@@ -97,7 +97,7 @@ pub fn paths() -> Result<Figure> {
             }
             let [x, y] = panel.corner;
             let text = format!("*I** = {}", panel.ratio);
-            pen.text([x, y - 24.0], Anchor::Middle, &text.replace("*I**", "*I*^{*}"), label(Role::Ink));
+            pen.text([x, y - 24.0], Anchor::Middle, &text.replace("*I**", "*I*^{\u{2217}}"), label(Role::Ink));
             pen.text([x, y - 7.0], Anchor::Middle, panel.name, small(Role::Muted));
         }
     }))
@@ -133,7 +133,7 @@ pub fn rate() -> Result<Figure> {
         claim: "The narrower the strip, the faster it spins.".to_owned(),
         details: format!(
             "Paper of 80 g/m² in air, with the coefficients fitted to paper. Between 0.8 and 2.8 cm the rate goes as the width to the power ${}$; the scaling law of Mahadevan, Ryu and Samuel, \
-             dashed, has $-1$. The curve ends where the strip is so wide that it flutters.",
+             dashed, has $-1$. Beyond 10 cm long and short half turns take turns. The curve ends where the strip is so wide that it flutters.",
             number(slope, 2)
         ),
         alt: "Turns per second against width, both on logarithmic axes. The curve falls from about twenty-five turns a second at half a centimetre to one at fifteen, \

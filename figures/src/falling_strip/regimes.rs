@@ -17,7 +17,7 @@ use crate::style::{
 const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
 /// Widths of the strips that are drawn, cm, and units to a centimetre.
 const STRIPS: [f64; 4] = [30.0, 15.0, 5.0, 1.0];
-const CENTIMETRE: f64 = 4.4;
+const CENTIMETRE: f64 = 3.0;
 
 /// Regimes against the mass ratio, for both sets of coefficients and for paper.
 pub fn regimes() -> Result<Figure> {
@@ -120,6 +120,6 @@ pub fn regimes() -> Result<Figure> {
             pen.line(&[[x, 318.0], [x, 324.0]], stroke(Role::Ink, AXIS));
             pen.text([x, 339.0], Anchor::Middle, text, small(Role::Muted));
         }
-        pen.text([580.0, 360.0], Anchor::End, "mass ratio *I*^{*}", label(Role::Ink));
+        pen.text([580.0, 360.0], Anchor::End, "mass ratio *I*^{\u{2217}}", label(Role::Ink));
     }))
 }

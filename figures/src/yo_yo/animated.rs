@@ -22,7 +22,7 @@ const RADIUS: f64 = 0.029;
 const AXLE: f64 = 0.006;
 /// Design units to a metre, and where the hand is.
 const METRE: f64 = 900.0;
-const HAND: Point = [112.0, 46.0];
+const HAND: Point = [112.0, 40.0];
 /// Speed of the throw, m/s; length of the sleep, s; friction of the loop, N m.
 const THROW: f64 = 1.5;
 const ASLEEP: f64 = 0.35;
@@ -80,7 +80,7 @@ pub fn animated() -> Result<Figure> {
     };
     let spin = Frame {
         x,
-        y: Axis::linear([0.0, 150.0], [370.0, 244.0]),
+        y: Axis::linear([0.0, 240.0], [370.0, 244.0]),
     };
     let words = Words {
         claim: "Thrown, it sleeps at the end of its string; a jerk makes the string grip, and it climbs on the spin it has left.".to_owned(),
@@ -106,7 +106,7 @@ pub fn animated() -> Result<Figure> {
     let still = figure(NAME, 420.0, words, |pen| {
         let seconds = [(0.0, "0"), (0.25, "0.25"), (0.5, "0.5"), (0.75, "0.75")];
         depth.draw(pen, &[], &[(0.0, "0"), (0.36, "0.36")], ["", "depth, m"]);
-        spin.draw(pen, &seconds, &[(0.0, "0"), (100.0, "100")], ["time, s", "spin, rad/s"]);
+        spin.draw(pen, &seconds, &[(0.0, "0"), (100.0, "100"), (200.0, "200")], ["time, s", "spin, rad/s"]);
         let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();
         pen.line(&line, stroke(Role::Ink, DATA));
         let line: Vec<Point> = pictures.iter().map(|p| spin.at(p.0, p.1.omega)).collect();
@@ -115,10 +115,10 @@ pub fn animated() -> Result<Figure> {
         let [x, y] = depth.at(middle, 0.36);
         pen.text([x, y - 10.0], Anchor::Middle, "asleep", small(Role::Muted));
         pen.line(
-            &[[HAND[0] - 50.0, HAND[1]], [HAND[0] + 50.0, HAND[1]]],
+            &[[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]],
             stroke(Role::Ink, AXIS),
         );
-        pen.text([HAND[0], HAND[1] - 10.0], Anchor::Middle, "hand", label(Role::Muted));
+        pen.text([HAND[0] - 60.0, HAND[1] + 5.0], Anchor::End, "hand", label(Role::Muted));
     });
     let picture = pictures.len() / 2;
     Ok(with(still, &moving(&pictures, duration, picture, [&depth, &spin])))

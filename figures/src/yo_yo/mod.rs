@@ -61,7 +61,7 @@ pub fn string() -> Result<Figure> {
             place.push(point);
         }
         let point = pull.at(*t, state.tension / weight);
-        let far = |p: &Point| point[0] - p[0] >= 4.0 || (point[1] - p[1]).abs() >= 0.5;
+        let far = |p: &Point| point[0] - p[0] >= 1.0 || (point[1] - p[1]).abs() >= 0.5;
         if tension.last().is_none_or(far) {
             tension.push(point);
         }
@@ -102,8 +102,6 @@ pub fn string() -> Result<Figure> {
             "the turn: 15 ms",
             label(Role::Torque),
         );
-        let [px, py] = depth.at(0.3, 0.0);
-        pen.text([px, py + 16.0], Anchor::Start, "let go", small(Role::Muted));
     }))
 }
 
@@ -159,7 +157,7 @@ pub fn speed() -> Result<Figure> {
         let [x, y] = frame.at(fastest, peak);
         pen.disc([x, y], 4.0, Role::Omega, 1.0);
         pen.text([x, y - 12.0], Anchor::Middle, "fastest", small(Role::Omega));
-        let [x, y] = frame.at(0.16, 0.72);
+        let [x, y] = frame.at(0.13, 0.76);
         pen.text([x, y], Anchor::End, "thick string", label(Role::Omega));
         let [x, y] = frame.at(0.6, 0.7);
         pen.text([x, y], Anchor::Start, "thin string", label(Role::Ink));

@@ -7,9 +7,9 @@
 //!
 //! | kind | tutorial | module |
 //! |---|---|---|
-//! | top | 6, 7, 8 | [`top`] |
-//! | yo-yo | 4.9 | [`yo_yo`] |
-//! | strip | 4.10 | [`strip`] |
+//! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
+//! | [`Play`](yo_yo::Play) | 4.9 | [`yo_yo`]: down, turn or sleep, and up again |
+//! | [`Strip`](strip::Strip) | 4.10 | [`strip`]: a strip of paper in the air, or in a vacuum |
 
 mod effect;
 mod motion;

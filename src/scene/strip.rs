@@ -13,7 +13,7 @@
 use super::effect::{Absent, Effect};
 use super::motion::{Motion, Request, balanced};
 use super::plan::{Choice, Plan, Solver};
-use super::{Scene, Tabulated};
+use super::{Scene, Tabulated, choose};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
 use crate::falling_strip::{
@@ -432,7 +432,7 @@ where
             Solver::Exact if Self::VACUUM => "a vacuum: closed form",
             Solver::Exact | Solver::Events => {
                 return Err(Error::Condition {
-                    condition: "a strip in a fluid must be given a general solver: it has no closed form",
+                    condition: "the solver must be a general one for a strip in a fluid, which has no closed form",
                     value: f64::NAN,
                 });
             }
@@ -457,8 +457,8 @@ where
         let scales = self.scales();
         let (rows, cost) = match plan.solver {
             Solver::General(method) => {
-                let run = self.run(method, &scales, times, request.accuracy())?;
-                (run.0, run.1)
+                let (system, first) = (&self.equations as &dyn System<7>, self.first());
+                integrated(system, &first, &scales, times, method, request.accuracy())?
             }
             _ => {
                 let rows = times.iter().map(|&t| self.in_vacuum(t)).collect();
@@ -481,47 +481,73 @@ where
     }
 }
 
-impl<G, L, D, R, A> Strip<G, L, D, R, A>
-where
-    G: Weight,
-    L: Term + Effect,
-    D: Term + Effect,
-    R: Term + Effect,
-    A: Inertia + Effect,
-{
-    /// All rows by a general method: with a verified error where the method chooses its steps.
-    fn run(
-        &self,
-        method: Method,
-        scales: &[f64; 7],
-        times: &[f64],
-        accuracy: f64,
-    ) -> Result<(Vec<[f64; 7]>, Cost)> {
-        let first = self.first();
-        // Everything but the heat, which the energy vouches for.
-        let distance = |a: &[f64; 7], b: &[f64; 7]| {
-            (0..6)
-                .map(|i| (a[i] - b[i]).abs() / (scales[i] + a[i].abs()))
-                .fold(0.0, f64::max)
-        };
-        let run = if method.is_adaptive() {
-            refined(&self.equations, &first, scales, times, method, accuracy, distance)?
-        } else {
-            // An error of order step⁴, with the fastest motion of the scales as its unit of time.
-            let step = 0.1 * accuracy.powf(0.25) * scales[0] / scales[3];
-            let effort = Effort::Step(step);
-            solve(&self.equations, 0.0, &first, scales, times, method, effort)?
-        };
-        Ok((run.states, run.cost))
-    }
+/// All rows by a general method: with a verified error where the method chooses its steps. Compiled once for all lists of effects.
+fn integrated(
+    system: &dyn System<7>,
+    first: &[f64; 7],
+    scales: &[f64; 7],
+    times: &[f64],
+    method: Method,
+    accuracy: f64,
+) -> Result<(Vec<[f64; 7]>, Cost)> {
+    // Everything but the heat, which the energy vouches for.
+    let distance = |a: &[f64; 7], b: &[f64; 7]| {
+        (0..6)
+            .map(|i| (a[i] - b[i]).abs() / (scales[i] + a[i].abs()))
+            .fold(0.0, f64::max)
+    };
+    let run = if method.is_adaptive() {
+        refined(system, first, scales, times, method, accuracy, distance)?
+    } else {
+        // An error of order step⁴, with the fastest motion of the scales as its unit of time.
+        let step = 0.1 * accuracy.powf(0.25) * scales[0] / scales[3];
+        let effort = Effort::Step(step);
+        solve(system, 0.0, first, scales, times, method, effort)?
+    };
+    Ok((run.states, run.cost))
 }
 
-impl<G, L, D, R, A> Strip<G, L, D, R, A>
-where
-    Equations<G, L, D, R, A>: System<7>,
-{
-    /// x, y, θ, u, w, ω and heat, and their rates: what one evaluation costs is what the effects that are there cost.
-    pub fn rate(&self, state: &[f64; 7]) -> [f64; 7] {
-        self.equations.rate(0.0, state)
+/// Effects of a strip that are known at run time only, as from a scene file.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Listed {
+    /// Weight.
+    pub gravity: Option<Gravity>,
+    /// Lift.
+    pub lift: Option<Lift>,
+    /// Drag.
+    pub drag: Option<Drag>,
+    /// Resistance to rotation.
+    pub rotational_damping: Option<RotationalDamping>,
+    /// Added mass.
+    pub added_mass: Option<AddedMass>,
+}
+
+impl Listed {
+    /// The scene of a strip with just these effects.
+    ///
+    /// # Errors
+    /// As [`Strip::new`], and the builder method of each effect.
+    pub fn on(&self, plate: Plate, start: StripStart) -> Result<Box<dyn Scene<State = StripState>>> {
+        let bare = Strip::new(plate, start)?;
+        if let Some(effect) = self.gravity {
+            bare.with_gravity(effect)?;
+        }
+        if let Some(effect) = self.lift {
+            bare.with_lift(effect)?;
+        }
+        if let Some(effect) = self.drag {
+            bare.with_drag(effect)?;
+        }
+        if let Some(effect) = self.rotational_damping {
+            bare.with_rotational_damping(effect)?;
+        }
+        if let Some(effect) = self.added_mass {
+            bare.with_added_mass(effect)?;
+        }
+        Ok(choose!((gravity = self.gravity) (lift = self.lift) (drag = self.drag) (damping = self.rotational_damping)
+            (added_mass = self.added_mass) => {
+                let equations = Equations { plate, gravity, lift, drag, damping, added_mass };
+                Box::new(Strip { equations, start })
+            }))
     }
 }

@@ -34,8 +34,8 @@ enum Law {
         parameter: Parameter,
         start: f64,
     },
-    /// √(2e), and the function at the upper end.
-    Free { speed: f64, start: f64 },
+    /// √(2e).
+    Free { speed: f64 },
 }
 
 impl Unwinding {
@@ -78,7 +78,6 @@ impl Unwinding {
             },
             Winding::Thick { .. } if self.gravity == 0.0 => Law::Free {
                 speed: (2.0 * e).sqrt(),
-                start: free_time(self.toy.radius_squared(self.top), k2),
             },
             Winding::Thick {
                 wound_squared,
@@ -176,14 +175,23 @@ impl Unwinding {
                 parameter,
                 start,
             } => scale * (self.elliptic(depth, bare, above, parameter)? - start),
-            Law::Free { speed, start } => {
-                let now = free_time(
-                    self.toy.radius_squared(depth),
-                    self.toy.gyration_squared(),
-                );
-                (start - now) / (self.toy.thinning() * speed)
-            }
+            Law::Free { speed } => self.free_time(depth) / speed,
         })
+    }
+
+    /// ∫ √((r² + k²)/r²) dx from the upper end: in s = r², the difference of √(s(s + k²)) + k² asinh √(s/k²) between both ends over q, by formulas
+    /// in which q cancels.
+    fn free_time(&self, depth: f64) -> f64 {
+        let (k2, q, way) = (
+            self.toy.gyration_squared(),
+            self.toy.thinning(),
+            depth - self.top,
+        );
+        let [from, to] = [self.top, depth].map(|x| self.toy.radius_squared(x));
+        let [a, b] = [from, to].map(|s| (s / k2).sqrt());
+        let roots = (from * (from + k2)).sqrt() + (to * (to + k2)).sqrt();
+        let mixed = a * (1.0 + b * b).sqrt() + b * (1.0 + a * a).sqrt();
+        way * (from + to + k2) / roots + k2 * (q * way / (k2 * mixed)).asinh() / q
     }
 
     /// Time from the upper end to the end of the string, s.
@@ -267,9 +275,4 @@ impl Unwinding {
         let fallen = toy.mass * not_negative("gravity", gravity)? * depth;
         finite("the energy", toy.kinetic_energy(depth, omega) - fallen)
     }
-}
-
-/// ∫ √((s + k²)/s) ds from 0.
-fn free_time(s: f64, k2: f64) -> f64 {
-    (s * (s + k2)).sqrt() + k2 * (s / k2).sqrt().asinh()
 }

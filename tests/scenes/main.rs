@@ -1,4 +1,5 @@
-//! Scenes of Section 4: every effect matters, and what is absent does not.
+//! Scenes: every effect matters, and what is absent does not.
 
 mod strip;
+mod top;
 mod yo_yo;

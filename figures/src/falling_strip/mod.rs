@@ -90,10 +90,10 @@ pub fn paths() -> Result<Figure> {
             };
             let center: Vec<Point> = path.iter().map(|y| place(y[0], y[1])).collect();
             pen.line(&center, stroke(Role::Omega, SECONDARY).alpha(0.7));
-            for y in path.iter().step_by(8) {
+            for y in path.iter().step_by(10) {
                 let (sine, cosine) = y[2].sin_cos();
                 let ends = [1.0, -1.0].map(|s| place(y[0] + s * cosine, y[1] + s * sine));
-                pen.line(&ends, stroke(Role::Ink, DATA).alpha(0.75));
+                pen.line(&ends, stroke(Role::Ink, 1.5).alpha(0.75));
             }
             let [x, y] = panel.corner;
             let text = format!("*I** = {}", panel.ratio);

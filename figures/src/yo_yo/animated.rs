@@ -80,7 +80,7 @@ pub fn animated() -> Result<Figure> {
     };
     let spin = Frame {
         x,
-        y: Axis::linear([0.0, 240.0], [370.0, 244.0]),
+        y: Axis::linear([0.0, 320.0], [370.0, 244.0]),
     };
     let words = Words {
         claim: "Thrown, it sleeps at the end of its string; a jerk makes the string grip, and it climbs on the spin it has left.".to_owned(),
@@ -106,7 +106,7 @@ pub fn animated() -> Result<Figure> {
     let still = figure(NAME, 420.0, words, |pen| {
         let seconds = [(0.0, "0"), (0.25, "0.25"), (0.5, "0.5"), (0.75, "0.75")];
         depth.draw(pen, &[], &[(0.0, "0"), (0.36, "0.36")], ["", "depth, m"]);
-        spin.draw(pen, &seconds, &[(0.0, "0"), (100.0, "100"), (200.0, "200")], ["time, s", "spin, rad/s"]);
+        spin.draw(pen, &seconds, &[(0.0, "0"), (200.0, "200"), (300.0, "300")], ["time, s", "spin, rad/s"]);
         let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();
         pen.line(&line, stroke(Role::Ink, DATA));
         let line: Vec<Point> = pictures.iter().map(|p| spin.at(p.0, p.1.omega)).collect();

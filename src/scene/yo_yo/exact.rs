@@ -1,15 +1,12 @@
 //! Closed forms from one event to the next.
 
-use super::effects::{AirTerm, AxleTerm, HandTerm, SleepTerm, TurnTerm, Weight};
-use super::{Departure, Ending, Engine, Leg, Play, Sample, Stage};
+use super::{Bench, Departure, Ending, Engine, Leg, Sample, Stage};
 use crate::error::Result;
 use crate::integrators::Cost;
 use crate::yo_yo::{Turn, TurnState, Unwinding, sleeping_spin};
 
 /// The closed forms of a play without air.
-pub(super) struct ClosedForms<'a, G, T, H, S, X, W> {
-    pub(super) play: &'a Play<G, T, H, S, X, W>,
-}
+pub(super) struct ClosedForms(pub(super) Bench);
 
 /// Samples at the times within the duration, and the end if a time lies beyond it.
 fn leg(
@@ -31,18 +28,14 @@ fn leg(
     })
 }
 
-impl<G, T, H, S, X, W> Engine for ClosedForms<'_, G, T, H, S, X, W>
-where
-    G: Weight,
-    T: TurnTerm,
-    H: HandTerm,
-    S: SleepTerm,
-    X: AxleTerm,
-    W: AirTerm,
-{
+impl Engine for ClosedForms {
     fn leg(&self, departure: &Departure, times: &[f64]) -> Result<Leg> {
-        let toy = self.play.toy;
-        let gravity = self.play.gravity.acceleration();
+        let Bench {
+            toy,
+            gravity,
+            torque,
+            asleep,
+        } = self.0;
         let Departure {
             stage,
             energy,
@@ -116,8 +109,7 @@ where
                 leg(times, duration, sample, end)
             }
             Stage::Asleep => {
-                let torque = self.play.axle_friction.torque();
-                let duration = self.play.sleep.duration();
+                let duration = asleep;
                 let spin = |t: f64| sleeping_spin(&toy, omega, t, torque, 0.0);
                 // Differences before squares.
                 let heat = |now: f64| 0.5 * toy.inertia() * (omega - now) * (omega + now);
@@ -142,21 +134,17 @@ where
                 };
                 leg(times, duration, sample, end)
             }
-            Stage::Hanging | Stage::Caught => Ok(resting(self.play, stage, times)),
+            Stage::Hanging | Stage::Caught => Ok(resting(&self.0, stage, times)),
         }
     }
 }
 
 /// For ever at the end of the string, or in the hand.
-pub(super) fn resting<G: Weight, T, H, S, X, W>(
-    play: &Play<G, T, H, S, X, W>,
-    stage: Stage,
-    times: &[f64],
-) -> Leg {
+pub(super) fn resting(bench: &Bench, stage: Stage, times: &[f64]) -> Leg {
     let (depth, tension) = match stage {
         Stage::Hanging => (
-            play.toy.length() + play.toy.axle(),
-            play.toy.mass() * play.gravity.acceleration(),
+            bench.toy.length() + bench.toy.axle(),
+            bench.toy.mass() * bench.gravity,
         ),
         _ => (0.0, 0.0),
     };

@@ -4,14 +4,15 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::effects::{AirTerm, AxleTerm, HandTerm, SleepTerm, TurnTerm, Weight};
 use super::exact::resting;
-use super::{Departure, Ending, Engine, Leg, Play, Sample, Stage, YoYoState};
+use super::{Bench, Departure, Ending, Engine, Leg, Play, Sample, Stage, YoYoState};
 use crate::error::{Error, Result};
 use crate::integrators::{Cost, Effort, Method, Passage, Stop, until};
 use crate::yo_yo::YoYo;
 
 /// Integration of every phase with one tolerance.
-struct Stepping<'a, G, T, H, S, X, W> {
-    play: &'a Play<G, T, H, S, X, W>,
+struct Stepping<W> {
+    bench: Bench,
+    air: W,
     method: Method,
     tolerance: f64,
 }
@@ -34,7 +35,8 @@ where
     ) -> Result<(Vec<YoYoState>, Cost)> {
         let run = |tolerance: f64| {
             let engine = Stepping {
-                play: self,
+                bench: self.bench(),
+                air: self.air_drag,
                 method,
                 tolerance,
             };
@@ -75,11 +77,7 @@ where
 
 const LEAST_TOLERANCE: f64 = 1e-15;
 
-impl<G, T, H, S, X, W> Stepping<'_, G, T, H, S, X, W>
-where
-    G: Weight,
-    W: AirTerm,
-{
+impl<W: AirTerm> Stepping<W> {
     fn follow<const N: usize>(
         &self,
         rate: impl Fn(f64, &[f64; N]) -> [f64; N],
@@ -115,12 +113,12 @@ where
 
     /// Angular acceleration on the string, up (−1) or down (1).
     fn unwinding(&self, toy: &YoYo, sign: f64, depth: f64, omega: f64) -> [f64; 3] {
-        let g = self.play.gravity.acceleration();
+        let g = self.bench.gravity;
         let square = toy.radius_squared(depth);
         let r = square.sqrt();
         let inertia = toy.inertia() + toy.mass() * square;
         let drive = toy.mass() * r * (g + 0.5 * toy.thinning() * omega * omega);
-        let drag = self.play.air_drag.coefficient() * omega * omega.abs();
+        let drag = self.air.coefficient() * omega * omega.abs();
         [
             sign * r * omega,
             (sign * drive - drag) / inertia,
@@ -129,24 +127,16 @@ where
     }
 }
 
-impl<G, T, H, S, X, W> Engine for Stepping<'_, G, T, H, S, X, W>
-where
-    G: Weight,
-    T: TurnTerm,
-    H: HandTerm,
-    S: SleepTerm,
-    X: AxleTerm,
-    W: AirTerm,
-{
+impl<W: AirTerm> Engine for Stepping<W> {
     fn leg(&self, departure: &Departure, times: &[f64]) -> Result<Leg> {
-        let toy = self.play.toy;
+        let toy = self.bench.toy;
         let (g, m, l, r) = (
-            self.play.gravity.acceleration(),
+            self.bench.gravity,
             toy.mass(),
             toy.length(),
             toy.axle(),
         );
-        let air = self.play.air_drag.coefficient();
+        let air = self.air.coefficient();
         let Departure {
             stage,
             energy,
@@ -163,9 +153,12 @@ where
                     _ => 0.0,
                 };
                 let rate = |_: f64, y: &[f64; 3]| self.unwinding(&toy, sign, y[0], y[1]);
+                // Without energy to spare it is the spin that ends the way up: the depth would graze the hand.
+                let spare = energy > 1e-12 * scale;
                 let event = |_: f64, y: &[f64; 3]| match stage {
                     Stage::Down => (l - y[0]) / l,
-                    _ => (y[0] / l).min(y[1] / fastest),
+                    _ if spare => (y[0] / l).min(y[1] / fastest),
+                    _ => y[1] / fastest,
                 };
                 let start = [depth, omega, 0.0];
                 let passage = self.follow(rate, start, [l, fastest, scale], times, event)?;
@@ -227,8 +220,8 @@ where
                 Ok(self.leg(passage, sample, energy))
             }
             Stage::Asleep => {
-                let duration = self.play.sleep.duration();
-                let torque = self.play.axle_friction.torque();
+                let duration = self.bench.asleep;
+                let torque = self.bench.torque;
                 let sample = |y: &[f64; 3]| Sample {
                     depth: l + r,
                     velocity: 0.0,
@@ -267,7 +260,7 @@ where
                     cost: passage.cost,
                 })
             }
-            Stage::Hanging | Stage::Caught => Ok(resting(self.play, stage, times)),
+            Stage::Hanging | Stage::Caught => Ok(resting(&self.bench, stage, times)),
         }
     }
 }

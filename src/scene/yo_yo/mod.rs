@@ -18,7 +18,7 @@ pub use effects::{AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss};
 use super::effect::{Absent, Effect};
 use super::motion::{Motion, Request, balanced};
 use super::plan::{Choice, Plan, Solver};
-use super::{Scene, Tabulated};
+use super::{Scene, Tabulated, choose};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, not_negative};
 use crate::integrators::{Cost, Method};
@@ -281,6 +281,15 @@ struct Sample {
     heat: f64,
 }
 
+/// What both engines need to know.
+#[derive(Clone, Copy)]
+struct Bench {
+    toy: YoYo,
+    gravity: f64,
+    torque: f64,
+    asleep: f64,
+}
+
 /// What moves a yo-yo through a phase.
 trait Engine {
     /// Samples at these times (s after the phase began, in order).
@@ -296,6 +305,15 @@ where
     X: AxleTerm,
     W: AirTerm,
 {
+    fn bench(&self) -> Bench {
+        Bench {
+            toy: self.toy,
+            gravity: self.gravity.acceleration(),
+            torque: self.axle_friction.torque(),
+            asleep: self.sleep.duration(),
+        }
+    }
+
     fn first(&self) -> Result<Departure> {
         let gravity = self.gravity.acceleration();
         let energy = Unwinding::energy_at(&self.toy, gravity, 0.0, self.throw)?;
@@ -372,7 +390,7 @@ where
     }
 
     /// The states at `times`, in ascending order.
-    fn run(&self, engine: &impl Engine, times: &[f64]) -> Result<(Vec<YoYoState>, Cost)> {
+    fn run(&self, engine: &dyn Engine, times: &[f64]) -> Result<(Vec<YoYoState>, Cost)> {
         let mut states = Vec::with_capacity(times.len());
         let mut departure = self.first()?;
         let (mut clock, mut heat, mut work) = (0.0, 0.0, 0.0);
@@ -486,7 +504,7 @@ where
             Solver::Events if !W::PRESENT => "no air: closed forms from event to event",
             Solver::General(method) if !method.is_adaptive() => {
                 return Err(Error::Condition {
-                    condition: "the yo-yo must be given a method that chooses its steps: it falls for seconds and turns in milliseconds",
+                    condition: "the solver must choose its steps: a yo-yo falls for seconds and turns in milliseconds",
                     value: f64::NAN,
                 });
             }
@@ -494,7 +512,7 @@ where
             Solver::General(_) => "asked for, though there are closed forms from event to event",
             Solver::Exact | Solver::Events => {
                 return Err(Error::Condition {
-                    condition: "the yo-yo must be solved from event to event, or, with resistance of the air, by a general solver",
+                    condition: "the solver must be events for a yo-yo without air, a general one with it",
                     value: f64::NAN,
                 });
             }
@@ -510,7 +528,7 @@ where
         let times: Vec<f64> = order.iter().map(|&i| asked[i]).collect();
         let (states, cost) = match plan.solver {
             Solver::General(method) => self.refined(&times, method, request.accuracy())?,
-            _ => self.run(&exact::ClosedForms { play: self }, &times)?,
+            _ => self.run(&exact::ClosedForms(self.bench()), &times)?,
         };
         let ledger = self.ledger(&states, request.accuracy())?;
         let mut rows: Vec<(f64, YoYoState)> = asked.iter().map(|&t| (t, states[0])).collect();
@@ -523,5 +541,42 @@ where
             ledger,
             rows,
         })
+    }
+}
+
+/// Effects of a yo-yo that are known at run time only, as from a scene file.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Listed {
+    /// Weight.
+    pub gravity: Option<Gravity>,
+    /// Loss of every turn.
+    pub turn_loss: Option<TurnLoss>,
+    /// Work of the hand.
+    pub hand: Option<Hand>,
+    /// The loop.
+    pub sleep: Option<Sleep>,
+    /// Friction in the loop.
+    pub axle_friction: Option<AxleFriction>,
+    /// Resistance of the air.
+    pub air_drag: Option<AirDrag>,
+}
+
+impl Listed {
+    /// The scene of a yo-yo, thrown with this speed (m/s), with just these effects.
+    ///
+    /// # Errors
+    /// As [`Play::new`], and the builder method of each effect.
+    pub fn on(&self, toy: YoYo, throw: f64) -> Result<Box<dyn Scene<State = YoYoState>>> {
+        Play::new(toy, throw)?;
+        let gravity = self.gravity.map(Gravity::checked).transpose()?;
+        let turn_loss = self.turn_loss.map(TurnLoss::checked).transpose()?;
+        let hand = self.hand.map(Hand::checked).transpose()?;
+        let sleep = self.sleep.map(Sleep::checked).transpose()?;
+        let axle_friction = self.axle_friction.map(AxleFriction::checked).transpose()?;
+        let air_drag = self.air_drag.map(AirDrag::checked).transpose()?;
+        Ok(choose!((gravity = gravity) (turn_loss = turn_loss) (hand = hand) (sleep = sleep) (axle_friction = axle_friction)
+            (air_drag = air_drag) => {
+                Box::new(Play { toy, throw, gravity, turn_loss, hand, sleep, axle_friction, air_drag })
+            }))
     }
 }

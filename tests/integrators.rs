@@ -136,7 +136,17 @@ fn an_event_after_a_long_step_is_located_as_well() {
         for last in [1.4, 2.0, 3.0, 5.0, 20.0, 1000.0] {
             for tolerance in [1e-3, 1e-6, 1e-10] {
                 let effort = Effort::Tolerance(tolerance);
-                let run = until(&stone, 0.0, &[0.0; 2], &[1.0; 2], &[], last, &end, method, effort);
+                let run = until(
+                    &stone,
+                    0.0,
+                    &[0.0; 2],
+                    &[1.0; 2],
+                    &[],
+                    last,
+                    &end,
+                    method,
+                    effort,
+                );
                 let run = run.unwrap();
                 assert_eq!(run.stopped, Stop::AtTheEvent);
                 let error = (run.time - exact).abs().max((run.end[0] - 1.0).abs());

@@ -88,10 +88,23 @@ impl Frame {
         for &(value, text) in y_ticks {
             let y = self.y.at(value);
             pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
-            pen.line(&[[left, y], [right, y]], stroke(Role::Ink, HAIR).alpha(0.18));
+            pen.line(
+                &[[left, y], [right, y]],
+                stroke(Role::Ink, HAIR).alpha(0.18),
+            );
             pen.text([left - 9.0, y + 5.0], Anchor::End, text, small(Role::Muted));
         }
-        pen.text([right, bottom + 40.0], Anchor::End, x_name, label(Role::Ink));
-        pen.text([left - 30.0, top - 12.0], Anchor::Start, y_name, label(Role::Ink));
+        pen.text(
+            [right, bottom + 40.0],
+            Anchor::End,
+            x_name,
+            label(Role::Ink),
+        );
+        pen.text(
+            [left - 30.0, top - 12.0],
+            Anchor::Start,
+            y_name,
+            label(Role::Ink),
+        );
     }
 }

@@ -2,9 +2,7 @@
 
 use core::f64::consts::{FRAC_1_PI, PI, TAU};
 
-use super::plate::{
-    AddedMass, Drag, Equations, Gravity, Lift, Plate, RotationalDamping,
-};
+use super::plate::{AddedMass, Drag, Equations, Gravity, Lift, Plate, RotationalDamping};
 use crate::error::{Error, Result, finite, positive};
 use crate::integrators::{Effort, Method, System, solve};
 
@@ -298,7 +296,12 @@ impl Fall {
     }
 
     /// All times at which a component of the state changes its sign, and whether it fell.
-    fn crossings(&self, times: &[f64], path: &[[f64; 7]], component: usize) -> Vec<(bool, Passage)> {
+    fn crossings(
+        &self,
+        times: &[f64],
+        path: &[[f64; 7]],
+        component: usize,
+    ) -> Vec<(bool, Passage)> {
         let mut crossings = Vec::new();
         for k in 1..path.len() {
             let falling = path[k - 1][component] > 0.0;

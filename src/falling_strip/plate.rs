@@ -217,8 +217,7 @@ pub struct RotationalDamping {
 impl Term for RotationalDamping {
     fn add(&self, plate: &Plate, moving: &Moving, load: &mut Load) {
         let moment = plate.displaced_mass() * plate.half_chord * plate.half_chord;
-        let torque =
-            moment * (self.linear + self.quadratic * moving.omega.abs()) * moving.omega;
+        let torque = moment * (self.linear + self.quadratic * moving.omega.abs()) * moving.omega;
         load.torque -= torque;
         load.heating += torque * moving.omega;
     }

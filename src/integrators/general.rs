@@ -410,7 +410,11 @@ fn falling<const N: usize, S: System<N> + ?Sized>(
         let newton = place.0 + correction;
         // Rounding may carry the last step across a bound.
         let inside = newton >= low - NO_TIME && newton <= high + NO_TIME;
-        let phase = if inside { newton.clamp(low, high) } else { 0.5 * (low + high) };
+        let phase = if inside {
+            newton.clamp(low, high)
+        } else {
+            0.5 * (low + high)
+        };
         let moved = (phase - place.0).abs();
         place = (phase, reach(before, phase)?);
         if moved <= NO_TIME || high - low <= NO_TIME {

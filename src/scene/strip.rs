@@ -236,7 +236,10 @@ impl<G: Copy, L: Copy, D: Copy, R: Copy, A: Copy> Strip<G, L, D, R, A> {
     /// [`Error::NotFinite`]; [`Error::Negative`] for what should brake and would drive.
     pub fn with_drag(self, effect: Drag) -> Result<Strip<G, L, Drag, R, A>> {
         finite("the contrast of the drag", effect.contrast)?;
-        braking("the least drag", finite("the mean drag", effect.mean)? - effect.contrast.abs())?;
+        braking(
+            "the least drag",
+            finite("the mean drag", effect.mean)? - effect.contrast.abs(),
+        )?;
         let equations = Equations {
             plate: self.equations.plate,
             gravity: self.equations.gravity,
@@ -253,7 +256,10 @@ impl<G: Copy, L: Copy, D: Copy, R: Copy, A: Copy> Strip<G, L, D, R, A> {
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Negative`] for what should brake and would drive.
-    pub fn with_rotational_damping(self, effect: RotationalDamping) -> Result<Strip<G, L, D, RotationalDamping, A>> {
+    pub fn with_rotational_damping(
+        self,
+        effect: RotationalDamping,
+    ) -> Result<Strip<G, L, D, RotationalDamping, A>> {
         braking("the linear resistance to rotation", effect.linear)?;
         braking("the quadratic resistance to rotation", effect.quadratic)?;
         let equations = Equations {
@@ -527,7 +533,11 @@ impl Listed {
     ///
     /// # Errors
     /// As [`Strip::new`], and the builder method of each effect.
-    pub fn on(&self, plate: Plate, start: StripStart) -> Result<Box<dyn Scene<State = StripState>>> {
+    pub fn on(
+        &self,
+        plate: Plate,
+        start: StripStart,
+    ) -> Result<Box<dyn Scene<State = StripState>>> {
         let bare = Strip::new(plate, start)?;
         if let Some(effect) = self.gravity {
             bare.with_gravity(effect)?;
@@ -544,10 +554,12 @@ impl Listed {
         if let Some(effect) = self.added_mass {
             bare.with_added_mass(effect)?;
         }
-        Ok(choose!((gravity = self.gravity) (lift = self.lift) (drag = self.drag) (damping = self.rotational_damping)
+        Ok(
+            choose!((gravity = self.gravity) (lift = self.lift) (drag = self.drag) (damping = self.rotational_damping)
             (added_mass = self.added_mass) => {
                 let equations = Equations { plate, gravity, lift, drag, damping, added_mass };
                 Box::new(Strip { equations, start })
-            }))
+            }),
+        )
     }
 }

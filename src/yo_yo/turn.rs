@@ -113,10 +113,7 @@ impl Turn {
         let (sine, cosine) = (jacobi.sn, jacobi.cn);
         let omega = self.fastest * jacobi.dn;
         // α = π/2 + 2 am: its sine and cosine by those of twice the amplitude.
-        let (sin_alpha, cos_alpha) = (
-            (cosine - sine) * (cosine + sine),
-            -2.0 * sine * cosine,
-        );
+        let (sin_alpha, cos_alpha) = ((cosine - sine) * (cosine + sine), -2.0 * sine * cosine);
         let r = self.toy.axle();
         let centripetal = r * (omega * omega * sin_alpha - self.pull * cos_alpha * cos_alpha);
         Ok(TurnState {

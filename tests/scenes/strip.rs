@@ -15,9 +15,7 @@ const START: StripStart = StripStart {
     velocity: [0.1, 0.0],
     omega: 1.0,
 };
-const GRAVITY: Gravity = Gravity {
-    acceleration: 9.81,
-};
+const GRAVITY: Gravity = Gravity { acceleration: 9.81 };
 const ADDED: AddedMass = AddedMass { factor: 1.0 };
 const LIFT: Lift = Coefficients::PAPER.lift;
 const DRAG: Drag = Coefficients::PAPER.drag;
@@ -61,7 +59,11 @@ fn leaving_any_effect_out_changes_the_fall() {
     let weightless = bare.with_lift(LIFT).unwrap().with_drag(DRAG).unwrap();
     let weightless = weightless.with_rotational_damping(DAMPING).unwrap();
     let weightless = run(&weightless.with_added_mass(ADDED).unwrap());
-    let liftless = g.with_drag(DRAG).unwrap().with_rotational_damping(DAMPING).unwrap();
+    let liftless = g
+        .with_drag(DRAG)
+        .unwrap()
+        .with_rotational_damping(DAMPING)
+        .unwrap();
     let dragless = gl.with_rotational_damping(DAMPING).unwrap();
     for other in [
         weightless,
@@ -76,7 +78,10 @@ fn leaving_any_effect_out_changes_the_fall() {
 
 #[test]
 fn an_effect_of_size_zero_is_no_effect_bit_for_bit() {
-    let g = Strip::new(plate(), START).unwrap().with_gravity(GRAVITY).unwrap();
+    let g = Strip::new(plate(), START)
+        .unwrap()
+        .with_gravity(GRAVITY)
+        .unwrap();
     let base = g.with_drag(DRAG).unwrap();
     let reference = numbers(&run(&base));
     let lift = Lift {
@@ -91,7 +96,10 @@ fn an_effect_of_size_zero_is_no_effect_bit_for_bit() {
     let undamped = base.with_rotational_damping(damping).unwrap();
     assert_eq!(reference, numbers(&run(&undamped)));
     let added = AddedMass { factor: 0.0 };
-    assert_eq!(reference, numbers(&run(&base.with_added_mass(added).unwrap())));
+    assert_eq!(
+        reference,
+        numbers(&run(&base.with_added_mass(added).unwrap()))
+    );
     let base = g.with_lift(LIFT).unwrap();
     let drag = Drag {
         mean: 0.0,
@@ -100,13 +108,18 @@ fn an_effect_of_size_zero_is_no_effect_bit_for_bit() {
     let dragless = base.with_drag(drag).unwrap();
     assert_eq!(numbers(&run(&base)), numbers(&run(&dragless)));
     let floating = Strip::new(plate(), START).unwrap().with_drag(DRAG).unwrap();
-    let none = floating.with_gravity(Gravity { acceleration: 0.0 }).unwrap();
+    let none = floating
+        .with_gravity(Gravity { acceleration: 0.0 })
+        .unwrap();
     assert_eq!(numbers(&run(&floating)), numbers(&run(&none)));
 }
 
 #[test]
 fn in_a_vacuum_it_is_a_stone() {
-    let stone = Strip::new(plate(), START).unwrap().with_gravity(GRAVITY).unwrap();
+    let stone = Strip::new(plate(), START)
+        .unwrap()
+        .with_gravity(GRAVITY)
+        .unwrap();
     let motion = run(&stone);
     assert_eq!(motion.plan.solver, Solver::Exact);
     for (t, state) in &motion.rows {
@@ -114,23 +127,42 @@ fn in_a_vacuum_it_is_a_stone() {
         assert_eq!((state.omega, state.angle), (1.0, 0.2 + t));
     }
     // The equations say the same.
-    let general = request().to_accuracy(1e-12).unwrap().by(Choice::Use(Solver::General(Method::Dop853)));
+    let general = request()
+        .to_accuracy(1e-12)
+        .unwrap()
+        .by(Choice::Use(Solver::General(Method::Dop853)));
     let stepped = stone.simulate(&general).unwrap();
-    assert!(apart(&motion, &stepped) < 5e-13, "{:e}", apart(&motion, &stepped));
+    assert!(
+        apart(&motion, &stepped) < 5e-13,
+        "{:e}",
+        apart(&motion, &stepped)
+    );
     // In a fluid of no density all the effects together do nothing. Observed: the same.
     let thin = Sheet::of_paper(0.02).unwrap().plate().unwrap();
     let thin = Plate::new(thin.half_chord(), thin.mass(), 0.0, 0.0, 1.0 / 3.0).unwrap();
-    let all = Strip::new(thin, START).unwrap().with_gravity(GRAVITY).unwrap();
+    let all = Strip::new(thin, START)
+        .unwrap()
+        .with_gravity(GRAVITY)
+        .unwrap();
     let all = all.with_lift(LIFT).unwrap().with_drag(DRAG).unwrap();
-    let all = all.with_rotational_damping(DAMPING).unwrap().with_added_mass(ADDED).unwrap();
-    let all = all.simulate(&request().to_accuracy(1e-12).unwrap()).unwrap();
+    let all = all
+        .with_rotational_damping(DAMPING)
+        .unwrap()
+        .with_added_mass(ADDED)
+        .unwrap();
+    let all = all
+        .simulate(&request().to_accuracy(1e-12).unwrap())
+        .unwrap();
     assert!(apart(&motion, &all) < 5e-13);
 }
 
 #[test]
 fn the_ideal_fluid_keeps_impulse_and_energy() {
     // Kirchhoff's equations: added mass alone. The ledger holds energy and both components of the impulse.
-    let ideal = Strip::new(plate(), START).unwrap().with_added_mass(ADDED).unwrap();
+    let ideal = Strip::new(plate(), START)
+        .unwrap()
+        .with_added_mass(ADDED)
+        .unwrap();
     let heavy = ideal.with_gravity(GRAVITY).unwrap();
     let tight = request().to_accuracy(1e-11).unwrap();
     for motion in [ideal.simulate(&tight), heavy.simulate(&tight)] {
@@ -142,7 +174,11 @@ fn the_ideal_fluid_keeps_impulse_and_energy() {
     // Circulation does no work.
     let lifted = run(&heavy.with_lift(LIFT).unwrap());
     assert_eq!(lifted.ledger.entries().len(), 1);
-    assert!(lifted.ledger.is_kept_within(1e-7).unwrap(), "{}", lifted.ledger);
+    assert!(
+        lifted.ledger.is_kept_within(1e-7).unwrap(),
+        "{}",
+        lifted.ledger
+    );
     // Turned out of an unsteady position in the ideal fluid, the strip swings about broadside as a pendulum would:
     // θ'' of small angles off broadside is −(m_w − m_u) w²/J.
     let straight = StripStart {
@@ -151,7 +187,10 @@ fn the_ideal_fluid_keeps_impulse_and_energy() {
         omega: 0.0,
     };
     let plate = plate();
-    let strip = Strip::new(plate, straight).unwrap().with_added_mass(ADDED).unwrap();
+    let strip = Strip::new(plate, straight)
+        .unwrap()
+        .with_added_mass(ADDED)
+        .unwrap();
     let masses = plate.displaced_mass();
     let a = plate.half_chord();
     let moment = plate.mass() * a * a / 3.0 + masses * a * a / 8.0;
@@ -164,7 +203,10 @@ fn the_ideal_fluid_keeps_impulse_and_energy() {
     let rows = strip.simulate(&request).unwrap().rows;
     let [first, second] = [rows[0].1, rows[1].1];
     // Half a swing later it stands still again, and swung about the middle in between. Observed: 2e-9.
-    assert!(second.omega.abs() < 1e-6 * first.omega.abs(), "{first:?} {second:?}");
+    assert!(
+        second.omega.abs() < 1e-6 * first.omega.abs(),
+        "{first:?} {second:?}"
+    );
     assert!((first.angle - 0.5 * (1e-5 + second.angle)).abs() < 1e-10);
 }
 
@@ -176,11 +218,13 @@ fn a_mirrored_start_gives_a_mirrored_fall() {
         velocity: [-START.velocity[0], START.velocity[1]],
         omega: -START.omega,
     };
-    let [here, there] = [START, mirrored].map(|start| {
-        run(&Strip::in_air(&sheet, start, Coefficients::PAPER).unwrap())
-    });
+    let [here, there] = [START, mirrored]
+        .map(|start| run(&Strip::in_air(&sheet, start, Coefficients::PAPER).unwrap()));
     for ((_, a), (_, b)) in here.rows.iter().zip(&there.rows) {
-        assert_eq!((a.position[0], a.position[1], a.angle), (-b.position[0], b.position[1], -b.angle));
+        assert_eq!(
+            (a.position[0], a.position[1], a.angle),
+            (-b.position[0], b.position[1], -b.angle)
+        );
     }
 }
 
@@ -196,8 +240,16 @@ fn the_frame_does_not_matter() {
     };
     let small = Strip::in_air(&sheet, START, Coefficients::PAPER).unwrap();
     let big = Strip::in_air(&big, start, Coefficients::PAPER).unwrap();
-    let a = small.simulate(&Request::at([0.5]).unwrap().to_accuracy(1e-9).unwrap()).unwrap().rows[0].1;
-    let b = big.simulate(&Request::at([1.0]).unwrap().to_accuracy(1e-9).unwrap()).unwrap().rows[0].1;
+    let a = small
+        .simulate(&Request::at([0.5]).unwrap().to_accuracy(1e-9).unwrap())
+        .unwrap()
+        .rows[0]
+        .1;
+    let b = big
+        .simulate(&Request::at([1.0]).unwrap().to_accuracy(1e-9).unwrap())
+        .unwrap()
+        .rows[0]
+        .1;
     // Observed: 1e-14 relative.
     assert!((4.0 * a.position[0] - b.position[0]).abs() < 1e-11);
     assert!((4.0 * a.position[1] - b.position[1]).abs() < 1e-11);
@@ -211,7 +263,11 @@ fn methods_agree_and_refusals_are_named() {
     for method in [Method::Dopri5, Method::Verner98] {
         let request = request().by(Choice::Use(Solver::General(method)));
         let other = scene.simulate(&request).unwrap();
-        assert!(apart(&reference, &other) < 1e-7, "{method:?}: {:e}", apart(&reference, &other));
+        assert!(
+            apart(&reference, &other) < 1e-7,
+            "{method:?}: {:e}",
+            apart(&reference, &other)
+        );
     }
     for solver in [Solver::Exact, Solver::Events] {
         let refused = scene.plan(&request().by(Choice::Use(solver)));
@@ -224,8 +280,17 @@ fn methods_agree_and_refusals_are_named() {
         mean: 0.5,
         contrast: 1.0,
     };
-    assert!(matches!(strip.with_drag(driving), Err(Error::Negative { .. })));
-    assert!(strip.with_gravity(Gravity { acceleration: f64::NAN }).is_err());
+    assert!(matches!(
+        strip.with_drag(driving),
+        Err(Error::Negative { .. })
+    ));
+    assert!(
+        strip
+            .with_gravity(Gravity {
+                acceleration: f64::NAN
+            })
+            .is_err()
+    );
     assert!(Plate::new(0.01, 1e-3, 1.2, 2.0, 0.3).is_err());
 }
 

@@ -59,7 +59,8 @@ fn toy(section: &Section<'_>) -> Result<YoYo> {
             return Err(section.refused("inertia", "and `radius` exclude each other"));
         }
         (None, None) => {
-            let told = "is missing: either `inertia` in kg m² or `radius` of a disc in m is expected";
+            let told =
+                "is missing: either `inertia` in kg m² or `radius` of a disc in m is expected";
             return Err(section.refused("inertia", told));
         }
     };

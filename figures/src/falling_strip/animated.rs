@@ -108,10 +108,19 @@ pub fn animated() -> Result<Figure> {
                 );
             }
             let at = [film.start[0].max(130.0), 34.0];
-            let anchor = if film.start[0] > 200.0 { Anchor::Start } else { Anchor::Middle };
+            let anchor = if film.start[0] > 200.0 {
+                Anchor::Start
+            } else {
+                Anchor::Middle
+            };
             pen.text(at, anchor, film.name, label(Role::Ink));
         }
-        pen.text([580.0, 436.0], Anchor::End, "slow motion", small(Role::Muted));
+        pen.text(
+            [580.0, 436.0],
+            Anchor::End,
+            "slow motion",
+            small(Role::Muted),
+        );
     });
     let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
     for (film, part) in films.iter().zip(["wide", "narrow"]) {
@@ -125,7 +134,10 @@ pub fn animated() -> Result<Figure> {
                 "{percent:.2}%{{transform:translate({x:.0}px,{y:.0}px) rotate({angle:.3}rad)}}"
             );
         }
-        let _ = write!(style, "}}.{name}{{animation:{name} {SECONDS}s linear infinite}}");
+        let _ = write!(
+            style,
+            "}}.{name}{{animation:{name} {SECONDS}s linear infinite}}"
+        );
         let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
         let ([x, y], angle) = film.pictures[PICTURES / 2];
         let (x, y, half) = (x * CANVAS, y * CANVAS, film.half * CANVAS);

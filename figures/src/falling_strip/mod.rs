@@ -34,12 +34,48 @@ struct Panel {
 }
 
 const PANELS: [Panel; 6] = [
-    Panel { ratio: 1.1, name: "flutter", corner: [88.0, 46.0], from: 406.0, lasts: 32.0 },
-    Panel { ratio: 1.4, name: "tumbling", corner: [258.0, 46.0], from: 400.0, lasts: 22.0 },
-    Panel { ratio: 1.45, name: "tumbling in two steps", corner: [462.0, 46.0], from: 400.0, lasts: 22.0 },
-    Panel { ratio: 1.6, name: "now this, now that", corner: [100.0, 310.0], from: 410.0, lasts: 30.0 },
-    Panel { ratio: 2.2, name: "chaos", corner: [300.0, 310.0], from: 420.0, lasts: 30.0 },
-    Panel { ratio: 3.0, name: "broadside flutter", corner: [500.0, 310.0], from: 400.0, lasts: 18.0 },
+    Panel {
+        ratio: 1.1,
+        name: "flutter",
+        corner: [88.0, 46.0],
+        from: 406.0,
+        lasts: 32.0,
+    },
+    Panel {
+        ratio: 1.4,
+        name: "tumbling",
+        corner: [258.0, 46.0],
+        from: 400.0,
+        lasts: 22.0,
+    },
+    Panel {
+        ratio: 1.45,
+        name: "tumbling in two steps",
+        corner: [462.0, 46.0],
+        from: 400.0,
+        lasts: 22.0,
+    },
+    Panel {
+        ratio: 1.6,
+        name: "now this, now that",
+        corner: [100.0, 310.0],
+        from: 410.0,
+        lasts: 30.0,
+    },
+    Panel {
+        ratio: 2.2,
+        name: "chaos",
+        corner: [300.0, 310.0],
+        from: 420.0,
+        lasts: 30.0,
+    },
+    Panel {
+        ratio: 3.0,
+        name: "broadside flutter",
+        corner: [500.0, 310.0],
+        from: 400.0,
+        lasts: 18.0,
+    },
 ];
 /// Design units to half a width of the plate.
 const UNIT: f64 = 9.5;
@@ -57,7 +93,12 @@ pub fn paths() -> Result<Figure> {
             Ok((path, fall.long_run(Start::TILTED, 400.0, 400.0)?))
         })
         .collect::<Result<_>>()?;
-    let told = |k: usize| drawn[k].1.period.map_or("none".to_owned(), |p| number(p, 2));
+    let told = |k: usize| {
+        drawn[k]
+            .1
+            .period
+            .map_or("none".to_owned(), |p| number(p, 2))
+    };
     let words = Words {
         claim: "One plate, six weights, six ways to fall.".to_owned(),
         details: format!(
@@ -97,7 +138,12 @@ pub fn paths() -> Result<Figure> {
             }
             let [x, y] = panel.corner;
             let text = format!("*I** = {}", panel.ratio);
-            pen.text([x, y - 24.0], Anchor::Middle, &text.replace("*I**", "*I*^{\u{2217}}"), label(Role::Ink));
+            pen.text(
+                [x, y - 24.0],
+                Anchor::Middle,
+                &text.replace("*I**", "*I*^{\u{2217}}"),
+                label(Role::Ink),
+            );
             pen.text([x, y - 7.0], Anchor::Middle, panel.name, small(Role::Muted));
         }
     }))
@@ -105,7 +151,9 @@ pub fn paths() -> Result<Figure> {
 
 /// Rotation rate of strips of paper against their width.
 pub fn rate() -> Result<Figure> {
-    let widths: Vec<f64> = (0..48).map(|k| 0.5 * 36_f64.powf(f64::from(k) / 47.0)).collect();
+    let widths: Vec<f64> = (0..48)
+        .map(|k| 0.5 * 36_f64.powf(f64::from(k) / 47.0))
+        .collect();
     let sheets: Vec<Sheet> = widths
         .iter()
         .map(|w| Sheet::of_paper(w / 100.0))
@@ -121,7 +169,13 @@ pub fn rate() -> Result<Figure> {
         .filter(|&k| runs[k].regime == Regime::Tumble)
         .map(|k| frame.at(widths[k], hertz(k)))
         .collect();
-    let at = |width: f64| (0..widths.len()).min_by(|&a, &b| (widths[a] - width).abs().total_cmp(&(widths[b] - width).abs()));
+    let at = |width: f64| {
+        (0..widths.len()).min_by(|&a, &b| {
+            (widths[a] - width)
+                .abs()
+                .total_cmp(&(widths[b] - width).abs())
+        })
+    };
     let one = at(1.0).map_or(f64::NAN, hertz);
     let law = [0.45, 20.0].map(|w| frame.at(w, one / w));
     let exponent = |low: f64, high: f64| {
@@ -143,19 +197,48 @@ pub fn rate() -> Result<Figure> {
     Ok(figure("strip-rate", 390.0, words, |pen| {
         frame.draw(
             pen,
-            &[(0.5, "0.5"), (1.0, "1"), (2.0, "2"), (5.0, "5"), (10.0, "10"), (20.0, "20")],
-            &[(0.5, "0.5"), (1.0, "1"), (2.0, "2"), (5.0, "5"), (10.0, "10"), (20.0, "20")],
+            &[
+                (0.5, "0.5"),
+                (1.0, "1"),
+                (2.0, "2"),
+                (5.0, "5"),
+                (10.0, "10"),
+                (20.0, "20"),
+            ],
+            &[
+                (0.5, "0.5"),
+                (1.0, "1"),
+                (2.0, "2"),
+                (5.0, "5"),
+                (10.0, "10"),
+                (20.0, "20"),
+            ],
             ["width, cm", "turns per second"],
         );
         pen.line(&law, stroke(Role::Muted, SECONDARY).dashed());
         pen.line(&curve, stroke(Role::Omega, DATA));
         let [x, y] = frame.at(4.6, one / 4.6);
-        pen.text([x - 14.0, y + 22.0], Anchor::End, "rate ~ 1/width", small(Role::Muted));
+        pen.text(
+            [x - 14.0, y + 22.0],
+            Anchor::End,
+            "rate ~ 1/width",
+            small(Role::Muted),
+        );
         let [x, y] = frame.at(1.3, 13.0);
-        pen.text([x + 12.0, y - 6.0], Anchor::Start, "paper, 80 g/m²", label(Role::Omega));
+        pen.text(
+            [x + 12.0, y - 6.0],
+            Anchor::Start,
+            "paper, 80 g/m²",
+            label(Role::Omega),
+        );
         if let Some(end) = curve.last() {
             pen.disc(*end, 4.0, Role::Omega, 1.0);
-            pen.text([end[0] - 10.0, end[1] + 5.0], Anchor::End, "flutter begins", small(Role::Omega));
+            pen.text(
+                [end[0] - 10.0, end[1] + 5.0],
+                Anchor::End,
+                "flutter begins",
+                small(Role::Omega),
+            );
         }
     }))
 }

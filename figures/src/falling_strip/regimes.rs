@@ -3,9 +3,7 @@
 use core::f64::consts::FRAC_PI_4;
 
 use spinning_bodies::Result;
-use spinning_bodies::falling_strip::{
-    Coefficients, MEASURED_FROUDE, Regime, Sheet, transition,
-};
+use spinning_bodies::falling_strip::{Coefficients, MEASURED_FROUDE, Regime, Sheet, transition};
 
 use super::scan;
 use crate::Figure;
@@ -61,8 +59,16 @@ pub fn regimes() -> Result<Figure> {
             Role::Muted,
             0.16,
         );
-        pen.line(&[[middle, 128.0], [middle, 300.0]], stroke(Role::Muted, AXIS).dashed());
-        pen.text([middle, 122.0], Anchor::Middle, "measured", small(Role::Muted));
+        pen.line(
+            &[[middle, 128.0], [middle, 300.0]],
+            stroke(Role::Muted, AXIS).dashed(),
+        );
+        pen.text(
+            [middle, 122.0],
+            Anchor::Middle,
+            "measured",
+            small(Role::Muted),
+        );
         // Strips end on, to scale, over their mass ratio.
         for (k, centimetres) in STRIPS.into_iter().enumerate() {
             let ratio = sheet.mass_ratio() / centimetres;
@@ -73,8 +79,16 @@ pub fn regimes() -> Result<Figure> {
             let text = format!("{centimetres:.0} cm");
             pen.text([x, y - 10.0], Anchor::Middle, &text, small(Role::Ink));
         }
-        pen.text([580.0, 100.0], Anchor::End, "strips of paper, end on", small(Role::Muted));
-        for (row, (name, y)) in rows.iter().zip([("paper (our fit)", 170.0), ("published", 256.0)]) {
+        pen.text(
+            [580.0, 100.0],
+            Anchor::End,
+            "strips of paper, end on",
+            small(Role::Muted),
+        );
+        for (row, (name, y)) in rows
+            .iter()
+            .zip([("paper (our fit)", 170.0), ("published", 256.0)])
+        {
             pen.text([40.0, y - 20.0], Anchor::Start, name, label(Role::Ink));
             // Stretches of one regime.
             let mut from = 0;
@@ -96,7 +110,12 @@ pub fn regimes() -> Result<Figure> {
                     Regime::Mixed => (Role::Torque, 0.35),
                 };
                 pen.fill(
-                    &[[left, y - 12.0], [right, y - 12.0], [right, y + 12.0], [left, y + 12.0]],
+                    &[
+                        [left, y - 12.0],
+                        [right, y - 12.0],
+                        [right, y + 12.0],
+                        [left, y + 12.0],
+                    ],
                     role,
                     alpha,
                 );
@@ -105,7 +124,12 @@ pub fn regimes() -> Result<Figure> {
                         Regime::Mixed => "mixed, chaotic",
                         other => other.name(),
                     };
-                    pen.text([0.5 * (left + right), y + 30.0], Anchor::Middle, name, small(Role::Ink));
+                    pen.text(
+                        [0.5 * (left + right), y + 30.0],
+                        Anchor::Middle,
+                        name,
+                        small(Role::Ink),
+                    );
                 }
                 from = k;
             }
@@ -114,12 +138,27 @@ pub fn regimes() -> Result<Figure> {
             let x = LINE.at(ratio);
             pen.line(&[[x, y - 17.0], [x, y + 17.0]], stroke(Role::Ink, DATA));
         }
-        pen.line(&[[40.0, 318.0], [580.0, 318.0]], stroke(Role::Ink, SECONDARY));
-        for (ratio, text) in [(0.25, "0.25"), (0.5, "0.5"), (1.0, "1"), (2.0, "2"), (5.0, "5"), (10.0, "10")] {
+        pen.line(
+            &[[40.0, 318.0], [580.0, 318.0]],
+            stroke(Role::Ink, SECONDARY),
+        );
+        for (ratio, text) in [
+            (0.25, "0.25"),
+            (0.5, "0.5"),
+            (1.0, "1"),
+            (2.0, "2"),
+            (5.0, "5"),
+            (10.0, "10"),
+        ] {
             let x = LINE.at(ratio);
             pen.line(&[[x, 318.0], [x, 324.0]], stroke(Role::Ink, AXIS));
             pen.text([x, 339.0], Anchor::Middle, text, small(Role::Muted));
         }
-        pen.text([580.0, 360.0], Anchor::End, "mass ratio *I*^{\u{2217}}", label(Role::Ink));
+        pen.text(
+            [580.0, 360.0],
+            Anchor::End,
+            "mass ratio *I*^{\u{2217}}",
+            label(Role::Ink),
+        );
     }))
 }

@@ -106,7 +106,12 @@ pub fn animated() -> Result<Figure> {
     let still = figure(NAME, 420.0, words, |pen| {
         let seconds = [(0.0, "0"), (0.25, "0.25"), (0.5, "0.5"), (0.75, "0.75")];
         depth.draw(pen, &[], &[(0.0, "0"), (0.36, "0.36")], ["", "depth, m"]);
-        spin.draw(pen, &seconds, &[(0.0, "0"), (200.0, "200"), (300.0, "300")], ["time, s", "spin, rad/s"]);
+        spin.draw(
+            pen,
+            &seconds,
+            &[(0.0, "0"), (200.0, "200"), (300.0, "300")],
+            ["time, s", "spin, rad/s"],
+        );
         let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();
         pen.line(&line, stroke(Role::Ink, DATA));
         let line: Vec<Point> = pictures.iter().map(|p| spin.at(p.0, p.1.omega)).collect();
@@ -118,10 +123,18 @@ pub fn animated() -> Result<Figure> {
             &[[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]],
             stroke(Role::Ink, AXIS),
         );
-        pen.text([HAND[0] - 60.0, HAND[1] + 5.0], Anchor::End, "hand", label(Role::Muted));
+        pen.text(
+            [HAND[0] - 60.0, HAND[1] + 5.0],
+            Anchor::End,
+            "hand",
+            label(Role::Muted),
+        );
     });
     let picture = pictures.len() / 2;
-    Ok(with(still, &moving(&pictures, duration, picture, [&depth, &spin])))
+    Ok(with(
+        still,
+        &moving(&pictures, duration, picture, [&depth, &spin]),
+    ))
 }
 
 /// How far round the string's end the axle has gone shows in where its centre is: left of the string on the way down, right of it on the way up.
@@ -149,11 +162,16 @@ fn moving(
         slept |= state.phase == Phase::Asleep;
         let x = CANVAS * (HAND[0] + METRE * AXLE * aside(state, slept));
         let y = CANVAS * (HAND[1] + METRE * state.depth);
-        frames[0].push(format!("translate({x:.0}px,{y:.0}px) rotate({angle:.2}rad)"));
+        frames[0].push(format!(
+            "translate({x:.0}px,{y:.0}px) rotate({angle:.2}rad)"
+        ));
         // A string of 1000 canvas units, stretched; it ends level with the axle, or at its top in the turn.
         let end = METRE * state.depth.min(LENGTH) * CANVAS / 1000.0;
         frames[1].push(format!("scale(1,{end:.4})"));
-        for (slot, point) in [(2, depth.at(*t, state.depth)), (3, spin.at(*t, state.omega))] {
+        for (slot, point) in [
+            (2, depth.at(*t, state.depth)),
+            (3, spin.at(*t, state.omega)),
+        ] {
             let [x, y] = point.map(|c| c * CANVAS);
             frames[slot].push(format!("translate({x:.0}px,{y:.0}px)"));
         }
@@ -182,7 +200,10 @@ fn moving(
             let _ = write!(style, "{:.2}%{{transform:{value}}}", 100.0 * t / duration);
         }
         let seconds = SLOWNESS * duration;
-        let _ = write!(style, "}}.{name}{{animation:{name} {seconds:.2}s linear infinite}}");
+        let _ = write!(
+            style,
+            "}}.{name}{{animation:{name} {seconds:.2}s linear infinite}}"
+        );
         let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
         let rest = frames[slot][still].replace("px", "").replace("rad", "");
         // In the attribute an angle is in degrees; a yo-yo at rest may show any.
@@ -190,7 +211,10 @@ fn moving(
         let moved = format!("<g class=\"{name}\" transform=\"{rest}\">{drawing}</g>");
         if part == "string" {
             let [x, y] = HAND.map(|c| c * CANVAS);
-            let _ = writeln!(groups, "<g transform=\"translate({x:.0} {y:.0})\">{moved}</g>");
+            let _ = writeln!(
+                groups,
+                "<g transform=\"translate({x:.0} {y:.0})\">{moved}</g>"
+            );
         } else {
             let _ = writeln!(groups, "{moved}");
         }

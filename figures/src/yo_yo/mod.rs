@@ -37,7 +37,9 @@ pub fn string() -> Result<Figure> {
         .with_turn_loss(TurnLoss {
             restitution: RESTITUTION,
         })?;
-    let times: Vec<f64> = (0..=12_000).map(|k| SHOWN * f64::from(k) / 12_000.0).collect();
+    let times: Vec<f64> = (0..=12_000)
+        .map(|k| SHOWN * f64::from(k) / 12_000.0)
+        .collect();
     let rows = play.simulate(&Request::at(times)?)?.rows;
     let way = Unwinding::new(toy, GRAVITY, 0.0)?;
     let turn = Turn::new(toy, GRAVITY, way.omega(toy.length()))?;
@@ -86,7 +88,12 @@ pub fn string() -> Result<Figure> {
     };
     Ok(figure("yo-yo-string", 440.0, words, |pen| {
         let seconds = [(0.0, "0"), (3.0, "3"), (6.0, "6"), (9.0, "9"), (12.0, "12")];
-        depth.draw(pen, &[], &[(0.0, "0"), (0.5, "0.5"), (1.0, "1")], ["", "depth, m"]);
+        depth.draw(
+            pen,
+            &[],
+            &[(0.0, "0"), (0.5, "0.5"), (1.0, "1")],
+            ["", "depth, m"],
+        );
         pull.draw(
             pen,
             &seconds,
@@ -121,9 +128,8 @@ pub fn speed() -> Result<Figure> {
         x: Axis::linear([0.0, 1.0], [66.0, 570.0]),
         y: Axis::linear([0.0, 1.25], [310.0, 44.0]),
     };
-    let curve = |way: &Unwinding| -> Vec<Point> {
-        depths().map(|x| frame.at(x, way.speed(x))).collect()
-    };
+    let curve =
+        |way: &Unwinding| -> Vec<Point> { depths().map(|x| frame.at(x, way.speed(x))).collect() };
     let (curves, peak) = ([curve(&thin), curve(&thick)], thick.speed(fastest));
     let words = Words {
         claim: "On a thick string the yo-yo is fastest well before the end.".to_owned(),
@@ -148,7 +154,13 @@ pub fn speed() -> Result<Figure> {
     Ok(figure("yo-yo-speed", 360.0, words, |pen| {
         frame.draw(
             pen,
-            &[(0.0, "0"), (0.25, "0.25"), (0.5, "0.5"), (0.75, "0.75"), (1.0, "1")],
+            &[
+                (0.0, "0"),
+                (0.25, "0.25"),
+                (0.5, "0.5"),
+                (0.75, "0.75"),
+                (1.0, "1"),
+            ],
             &[(0.0, "0"), (0.5, "0.5"), (1.0, "1")],
             ["depth, m", "speed, m/s"],
         );

@@ -102,7 +102,13 @@ pub trait TurnTerm: Effect {
 }
 
 impl TurnTerm for TurnLoss {
-    fn pass(&self, omega: &mut f64, energy: &mut f64, heat: &mut f64, kinetic: impl Fn(f64) -> f64) {
+    fn pass(
+        &self,
+        omega: &mut f64,
+        energy: &mut f64,
+        heat: &mut f64,
+        kinetic: impl Fn(f64) -> f64,
+    ) {
         let e = self.restitution;
         *heat = (1.0 - e) * (1.0 + e) * kinetic(*omega);
         *energy -= *heat;

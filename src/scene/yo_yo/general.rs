@@ -88,7 +88,17 @@ impl<W: AirTerm> Stepping<W> {
     ) -> Result<Passage<N>> {
         let end = times.last().copied().unwrap_or(0.0);
         let effort = Effort::Tolerance(self.tolerance);
-        until(&rate, 0.0, &start, &scales, times, end, &event, self.method, effort)
+        until(
+            &rate,
+            0.0,
+            &start,
+            &scales,
+            times,
+            end,
+            &event,
+            self.method,
+            effort,
+        )
     }
 
     /// A passage as a leg. The state is a coordinate, the spin and the heat.
@@ -130,12 +140,7 @@ impl<W: AirTerm> Stepping<W> {
 impl<W: AirTerm> Engine for Stepping<W> {
     fn leg(&self, departure: &Departure, times: &[f64]) -> Result<Leg> {
         let toy = self.bench.toy;
-        let (g, m, l, r) = (
-            self.bench.gravity,
-            toy.mass(),
-            toy.length(),
-            toy.axle(),
-        );
+        let (g, m, l, r) = (self.bench.gravity, toy.mass(), toy.length(), toy.axle());
         let air = self.air.coefficient();
         let Departure {
             stage,

@@ -199,7 +199,10 @@ impl<G: Copy, T: Copy, H: Copy, S: Copy, X: Copy, W: Copy> Play<G, T, H, S, X, W
     ///
     /// # Errors
     /// As the fields of the effect say.
-    pub fn with_axle_friction(self, effect: AxleFriction) -> Result<Play<G, T, H, S, AxleFriction, W>> {
+    pub fn with_axle_friction(
+        self,
+        effect: AxleFriction,
+    ) -> Result<Play<G, T, H, S, AxleFriction, W>> {
         Ok(Play {
             toy: self.toy,
             throw: self.throw,
@@ -351,9 +354,7 @@ where
         let turns = |omega: f64| omega * omega > 2.0 * pull && omega > 0.0;
         let bottom = -self.toy.mass() * gravity * (self.toy.length() + r);
         match from {
-            Stage::Down if !turns(omega) => {
-                (go(Stage::Hanging, bottom, 0.0), energy - bottom, 0.0)
-            }
+            Stage::Down if !turns(omega) => (go(Stage::Hanging, bottom, 0.0), energy - bottom, 0.0),
             Stage::Down if S::PRESENT => (go(Stage::IntoSleep, energy, omega), 0.0, 0.0),
             Stage::Down => (go(Stage::Turn, energy, omega), 0.0, 0.0),
             Stage::IntoSleep => {
@@ -374,13 +375,21 @@ where
             }
             Stage::Turn | Stage::OutOfSleep => {
                 let (mut energy, mut omega, mut heat, mut work) = (energy, omega, 0.0, 0.0);
-                self.turn_loss.pass(&mut omega, &mut energy, &mut heat, |spin| self.kinetic(spin));
-                self.hand.pass(&mut omega, &mut energy, &mut work, 2.0 * self.kinetic(1.0));
+                self.turn_loss
+                    .pass(&mut omega, &mut energy, &mut heat, |spin| {
+                        self.kinetic(spin)
+                    });
+                self.hand
+                    .pass(&mut omega, &mut energy, &mut work, 2.0 * self.kinetic(1.0));
                 // Unwinding::new asks the same: energy enough to leave the end of the string.
                 if omega > 0.0 && energy > -self.toy.mass() * gravity * self.toy.length() {
                     (go(Stage::Up, energy, omega), heat, work)
                 } else {
-                    (go(Stage::Hanging, bottom, 0.0), heat + energy - bottom, work)
+                    (
+                        go(Stage::Hanging, bottom, 0.0),
+                        heat + energy - bottom,
+                        work,
+                    )
                 }
             }
             Stage::Up if energy > 0.0 => (go(Stage::Caught, 0.0, 0.0), 0.0, -energy),
@@ -508,7 +517,9 @@ where
                     value: f64::NAN,
                 });
             }
-            Solver::General(_) if W::PRESENT => "resistance of the air: general integration with events",
+            Solver::General(_) if W::PRESENT => {
+                "resistance of the air: general integration with events"
+            }
             Solver::General(_) => "asked for, though there are closed forms from event to event",
             Solver::Exact | Solver::Events => {
                 return Err(Error::Condition {
@@ -574,9 +585,11 @@ impl Listed {
         let sleep = self.sleep.map(Sleep::checked).transpose()?;
         let axle_friction = self.axle_friction.map(AxleFriction::checked).transpose()?;
         let air_drag = self.air_drag.map(AirDrag::checked).transpose()?;
-        Ok(choose!((gravity = gravity) (turn_loss = turn_loss) (hand = hand) (sleep = sleep) (axle_friction = axle_friction)
+        Ok(
+            choose!((gravity = gravity) (turn_loss = turn_loss) (hand = hand) (sleep = sleep) (axle_friction = axle_friction)
             (air_drag = air_drag) => {
                 Box::new(Play { toy, throw, gravity, turn_loss, hand, sleep, axle_friction, air_drag })
-            }))
+            }),
+        )
     }
 }

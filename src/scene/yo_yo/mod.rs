@@ -15,7 +15,7 @@ mod general;
 
 pub use effects::{AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss};
 
-use super::effect::{Absent, Effect};
+use super::effect::Absent;
 use super::motion::{Motion, Request, balanced};
 use super::plan::{Choice, Plan, Solver};
 use super::{Scene, Tabulated, choose};

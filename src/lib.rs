@@ -33,6 +33,7 @@ pub mod error;
 pub mod euler_equations;
 pub mod euler_top;
 mod extended;
+pub mod falling_strip;
 pub mod frame;
 pub mod ideal_fluid;
 pub mod impacts;
@@ -47,6 +48,7 @@ pub mod rotating_fluid;
 pub mod scene;
 pub mod superball;
 mod words;
+pub mod yo_yo;
 
 pub use error::{Error, Result};
 

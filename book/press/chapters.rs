@@ -37,6 +37,7 @@ chapters! {
     sheet: "sheet",
     superball: "superball",
     tippe_top: "tippe-top",
+    gyroscope: "gyroscope",
     yo_yo: "yo-yo",
     falling_strip: "falling-strip",
     euler_equations: "euler-equations",

@@ -7,11 +7,13 @@ use spinning_bodies::Result;
 mod compare;
 mod euler_equations;
 mod euler_top;
+mod falling_strip;
 pub mod finish;
 mod impacts;
 mod inertia;
 mod kovalevskaya_top;
 mod lagrange_top;
+mod plot;
 mod pythagoras;
 mod rolling;
 mod sheet;
@@ -19,6 +21,7 @@ mod solid;
 mod spool;
 pub mod style;
 mod superball;
+mod yo_yo;
 
 pub use compare::{Difference, compare};
 
@@ -108,6 +111,41 @@ pub fn all() -> &'static [Entry] {
             name: "bounce-reflections",
             chapter: "superball",
             draw: superball::reflections,
+        },
+        Entry {
+            name: "yo-yo-string",
+            chapter: "yo-yo",
+            draw: yo_yo::string,
+        },
+        Entry {
+            name: "yo-yo-speed",
+            chapter: "yo-yo",
+            draw: yo_yo::speed,
+        },
+        Entry {
+            name: "yo-yo-animated",
+            chapter: "yo-yo",
+            draw: yo_yo::animated,
+        },
+        Entry {
+            name: "strip-animated",
+            chapter: "falling-strip",
+            draw: falling_strip::animated,
+        },
+        Entry {
+            name: "strip-paths",
+            chapter: "falling-strip",
+            draw: falling_strip::paths,
+        },
+        Entry {
+            name: "strip-regimes",
+            chapter: "falling-strip",
+            draw: falling_strip::regimes,
+        },
+        Entry {
+            name: "strip-rate",
+            chapter: "falling-strip",
+            draw: falling_strip::rate,
         },
         Entry {
             name: "momentum-flow",

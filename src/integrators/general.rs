@@ -377,7 +377,10 @@ fn spent<const N: usize>(run: &Finished<f64, [f64; N]>) -> Cost {
     }
 }
 
-/// Where the event's quantity is zero, near a phase found on dense output: secants through states that the method itself reaches.
+/// Where the event's quantity is zero, near a phase found on dense output: Newton's method through states that the method itself
+/// reaches, kept between two of which one lies before the event and one after it.
+///
+/// The phase found may be off by a good part of a step: where the motion is a polynomial the steps grow long, and dense output is poor.
 fn falling<const N: usize, S: System<N> + ?Sized>(
     timed: &Timed<'_, S>,
     crossing: &Falling<'_, impl Event<N> + ?Sized>,
@@ -385,18 +388,36 @@ fn falling<const N: usize, S: System<N> + ?Sized>(
     found: f64,
     reach: &mut impl FnMut((f64, [f64; N]), f64) -> Result<[f64; N]>,
 ) -> Result<(f64, [f64; N])> {
+    let mut low = before.0;
     let mut place = (found, reach(before, found)?);
-    for _ in 0..3 {
+    let mut stride = (found - low).max(NO_TIME);
+    while crossing.event(place.0, &place.1) > 0.0 && place.0 < 1.0 {
+        low = place.0;
+        stride *= 2.0;
+        let phase = (place.0 + stride).min(1.0);
+        place = (phase, reach(before, phase)?);
+    }
+    let mut high = place.0;
+    for _ in 0..100 {
         let here = crossing.event(place.0, &place.1);
+        if here > 0.0 {
+            low = place.0;
+        } else {
+            high = place.0;
+        }
         let there = crossing.event(place.0 + PROBE, &carried(timed, place, place.0 + PROBE));
         let correction = -here * PROBE / (there - here);
-        // At a grazing fall the quotient means nothing; the phase found stays.
-        if !(correction.is_finite() && correction.abs() < 1e-3) {
-            break;
-        }
-        let phase = (place.0 + correction).max(before.0);
+        let newton = place.0 + correction;
+        // Rounding may carry the last step across a bound.
+        let inside = newton >= low - NO_TIME && newton <= high + NO_TIME;
+        let phase = if inside {
+            newton.clamp(low, high)
+        } else {
+            0.5 * (low + high)
+        };
+        let moved = (phase - place.0).abs();
         place = (phase, reach(before, phase)?);
-        if correction.abs() <= NO_TIME {
+        if moved <= NO_TIME || high - low <= NO_TIME {
             break;
         }
     }

@@ -12,6 +12,8 @@
 //! | [`TuggedSpool`](spool::TuggedSpool) | 4.4 | [`spool`]: a spool and its string |
 //! | [`Superball`](superball::Superball) | 4.6 | [`superball`]: bounces |
 //! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
+//! | [`Play`](yo_yo::Play) | 4.9 | [`yo_yo`]: down, turn or sleep, and up again |
+//! | [`Strip`](strip::Strip) | 4.10 | [`strip`]: a strip of paper in the air, or in a vacuum |
 
 mod effect;
 pub mod meteorite;
@@ -19,8 +21,10 @@ mod motion;
 mod plan;
 pub mod roller;
 pub mod spool;
+pub mod strip;
 pub mod superball;
 pub mod top;
+pub mod yo_yo;
 
 pub use effect::{Absent, Effect};
 pub use motion::{Motion, Request, balanced};

@@ -1,7 +1,9 @@
-//! Scenes: what each effect changes, that its absence costs nothing, that plans, ledgers and refusals are right.
+//! Scenes: every effect matters, and what is absent does not.
 
 mod meteorite;
 mod roller;
 mod spool;
+mod strip;
 mod superball;
 mod top;
+mod yo_yo;

@@ -15,7 +15,9 @@ pub mod output;
 pub mod reader;
 pub mod run;
 pub mod scan;
+mod strip;
 mod top;
+mod yo_yo;
 
 use std::io::Read;
 use std::path::Path;
@@ -38,6 +40,8 @@ const KINDS: &[(&str, Reader)] = &[
     ("roller", contact::roller),
     ("spool", contact::spool),
     ("superball", contact::superball),
+    ("yo-yo", yo_yo::read),
+    ("strip", strip::read),
 ];
 
 /// A scene that is ready to run.

@@ -3,11 +3,12 @@
 use super::general::{Effort, Method, Solution, System, solve};
 use crate::error::{Error, Result};
 
-/// The solution with a global error, by `distance` at every sample, below `accuracy`: solved twice with tolerances a factor 30 apart, and both
-/// tightened until the two agree to half of it.
+/// The solution with a global error, by `distance` at every sample, below `accuracy`: solved with tolerances a factor 30 apart, tightened
+/// until the distance of the last two tells that the better one is good enough.
 ///
-/// The first of each pair is the less exact by that factor or more, so their distance bounds the error of the second with a wide
-/// margin. Cost: both runs, about 2.5 times that of the last one, counted together.
+/// The error follows the tolerance in proportion (observed over 25 swings of a pendulum for DOPRI5, DOP853 and Verner's method, within a
+/// factor 5 for tolerances from 1e-7 to 1e-15). The distance of two runs is the error of the worse; of the better, ten times their ratio of
+/// tolerances of that is taken for granted. Cost: all runs, about 1.7 times that of the last one if the first guess holds.
 ///
 /// # Errors
 /// As for [`solve`]; [`Error::Accuracy`] where rounding, amplified by the motion, is more than the accuracy asked for.
@@ -21,34 +22,34 @@ pub fn refined<const N: usize>(
     distance: impl Fn(&[f64; N], &[f64; N]) -> f64,
 ) -> Result<Solution<N>> {
     let run = |tolerance: f64| {
-        let effort = Effort::Tolerance(tolerance.max(LEAST_TOLERANCE));
+        let effort = Effort::Tolerance(tolerance);
         solve(system, 0.0, start, scales, times, method, effort)
     };
-    let mut tolerance = 0.3 * accuracy;
-    let mut coarse = run(tolerance)?;
-    let mut cost = coarse.cost;
+    let mut worse = (0.1 * accuracy).clamp(LEAST_TOLERANCE, 1e-6);
+    let mut tolerance = (worse / 30.0).max(LEAST_TOLERANCE);
+    let mut last = run(worse)?;
+    let mut cost = last.cost;
     loop {
-        tolerance /= FACTOR;
-        let fine = run(tolerance)?;
-        cost += fine.cost;
-        let pairs = coarse.states.iter().zip(&fine.states);
+        let next = run(tolerance)?;
+        cost += next.cost;
+        let pairs = last.states.iter().zip(&next.states);
         let apart = pairs.map(|(a, b)| distance(a, b)).fold(0.0, f64::max);
-        if apart <= 0.5 * accuracy {
-            return Ok(Solution { cost, ..fine });
+        let error = apart * (10.0 * tolerance / worse).min(1.0);
+        if error <= 0.5 * accuracy {
+            return Ok(Solution { cost, ..next });
         }
-        if tolerance < LEAST_TOLERANCE {
+        if tolerance == LEAST_TOLERANCE || !error.is_finite() {
             return Err(Error::Accuracy {
                 asked: accuracy,
-                reached: 2.0 * apart,
+                reached: 2.0 * error,
             });
         }
-        // Error in proportion to the tolerance, at the least; no more than three more digits at once.
-        tolerance *= (0.25 * accuracy / apart).clamp(1e-3, 1.0);
-        coarse = fine;
+        // At least one more digit, at most four at once.
+        let tighter = tolerance * (0.1 * accuracy / error).clamp(1e-4, 0.1);
+        (worse, tolerance) = (tolerance, tighter.max(LEAST_TOLERANCE));
+        last = next;
     }
 }
 
-const FACTOR: f64 = 30.0;
-
 /// Below this the error estimate of a step is rounding.
-const LEAST_TOLERANCE: f64 = 1e-16;
+const LEAST_TOLERANCE: f64 = 1e-15;

@@ -114,7 +114,10 @@ impl Cat {
     pub fn places(&self, bend: &Bend) -> [BodyVector; 3] {
         let [first, second] = self.halves;
         let mass = first.mass + second.mass;
-        let (a, b) = (Vector3::x() * first.to_joint, bend.spine() * second.to_joint);
+        let (a, b) = (
+            Vector3::x() * first.to_joint,
+            bend.spine() * second.to_joint,
+        );
         let joint = a * (first.mass / mass) - b * (second.mass / mass);
         [joint, joint - a, joint + b].map(BodyVector::from_components)
     }
@@ -133,9 +136,7 @@ impl Cat {
         let mass = first.mass + second.mass;
         let va = omega.cross(&a) - parting * (second.mass / mass);
         let vb = omega.cross(&b) + parting * (first.mass / mass);
-        BodyVector::from_components(
-            spins + a.cross(&va) * first.mass + b.cross(&vb) * second.mass,
-        )
+        BodyVector::from_components(spins + a.cross(&va) * first.mass + b.cross(&vb) * second.mass)
     }
 
     /// Angular velocity of the first half, rad/s along its own axes, at this shape and angular momentum (also along those axes).

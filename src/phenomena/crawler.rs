@@ -284,7 +284,10 @@ impl Crawler {
         let velocities = self.feet(place.velocity, gap.rate);
         let accelerations = self.feet(leg.center, leg.acceleration);
         let stop = |k: usize| {
-            let (v, a) = (velocities[k] * leg.feet[k].sign(), accelerations[k] * leg.feet[k].sign());
+            let (v, a) = (
+                velocities[k] * leg.feet[k].sign(),
+                accelerations[k] * leg.feet[k].sign(),
+            );
             let after = -v / a;
             (a < 0.0 && v > 0.0 && after < time).then_some((after, k))
         };

@@ -55,11 +55,7 @@ pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result
 ///
 /// # Errors
 /// As [`turn_along`].
-pub fn turn_within(
-    plane: &impl ShapePlane,
-    path: impl Fn(f64) -> Step,
-    hub: Hub,
-) -> Result<f64> {
+pub fn turn_within(plane: &impl ShapePlane, path: impl Fn(f64) -> Step, hub: Hub) -> Result<f64> {
     finite("the turn along a path", path(0.0).shape[0])?;
     let ray = |s: f64| {
         let Step { shape, rate } = path(s);
@@ -68,8 +64,7 @@ pub fn turn_within(
                 let (out, across) = (shape[0] - x, shape[1] - psi);
                 // dx dψ = ρ (out ψ′ − across x′) dρ ds.
                 let swept = out * rate[1] - across * rate[0];
-                let density =
-                    integral(|rho| rho * plane.curvature(x + rho * out), 0.0, 1.0, 0.0);
+                let density = integral(|rho| rho * plane.curvature(x + rho * out), 0.0, 1.0, 0.0);
                 -swept * density.unwrap_or(f64::NAN)
             }
             Hub::Pole => {

@@ -90,6 +90,9 @@ impl PaperCat {
         } else {
             x + (-2.0 * x).exp().ln_1p() - core::f64::consts::LN_2
         };
-        [speed * (g * time / speed).tanh(), speed * speed / g * log_cosh]
+        [
+            speed * (g * time / speed).tanh(),
+            speed * speed / g * log_cosh,
+        ]
     }
 }

@@ -10,12 +10,7 @@ use crate::error::{Error, Result, finite};
 ///
 /// # Errors
 /// [`Error::NotFinite`] for the ends and for values of f; [`Error::Accuracy`] after 40 halvings.
-pub fn integral(
-    f: impl Fn(f64) -> f64,
-    from: f64,
-    to: f64,
-    accuracy: f64,
-) -> Result<f64> {
+pub fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64) -> Result<f64> {
     finite("the beginning of an integral", from)?;
     finite("the end of an integral", to)?;
     if from == to {

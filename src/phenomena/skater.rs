@@ -44,7 +44,10 @@ impl Skater {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the hands have no mass.
     pub fn reach(&self, moment: f64) -> Result<f64> {
         let hand = positive("the mass of a hand", self.hand)?;
-        let rest = not_negative("the moment of inertia left to the hands", moment - self.core)?;
+        let rest = not_negative(
+            "the moment of inertia left to the hands",
+            moment - self.core,
+        )?;
         Ok((rest / (2.0 * hand)).sqrt())
     }
 

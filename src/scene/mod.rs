@@ -7,11 +7,13 @@
 //!
 //! | kind | tutorial | module |
 //! |---|---|---|
+//! | swivel, skater, cat, crawler, paper cat | 1.1 | [`shape`] |
 //! | top | 6, 7, 8 | [`top`] |
 
 mod effect;
 mod motion;
 mod plan;
+pub mod shape;
 pub mod top;
 
 pub use effect::{Absent, Effect};

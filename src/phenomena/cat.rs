@@ -191,16 +191,16 @@ pub struct EqualHalves {
 
 impl ShapePlane for EqualHalves {
     fn turn_back(&self, angle: f64) -> f64 {
-        // 1 − f = 2 sin²(a/2) (I(1 + cos a) − J cos a)/D: nothing cancels for a small bend.
+        // 1 − f = 2 sin²(a/2) [(2I − J) cos a + 2I sin²(a/2)]/D: nothing cancels, neither for a small bend nor for flat halves.
         let (quarter, c) = ((0.25 * angle).sin(), (0.5 * angle).cos());
-        2.0 * quarter * quarter * (self.transverse * (1.0 + c) - self.axial * c)
-            / self.stiffness(angle)
+        let versed = 2.0 * quarter * quarter;
+        versed * (self.excess() * c + self.transverse * versed) / self.stiffness(angle)
     }
 
     fn curvature(&self, angle: f64) -> f64 {
         let (s, c) = (0.5 * angle).sin_cos();
         let d = self.stiffness(angle);
-        0.5 * self.axial * s * (self.transverse * (1.0 + c * c) - self.axial * c * c) / (d * d)
+        0.5 * self.axial * s * (self.excess() * c * c + self.transverse * s * s) / (d * d)
     }
 }
 
@@ -218,6 +218,11 @@ impl EqualHalves {
         };
         Cat::new([half, half])?;
         Ok(Self { axial, transverse })
+    }
+
+    /// 2I − J: never negative, and zero for flat discs.
+    fn excess(&self) -> f64 {
+        2.0 * self.transverse - self.axial
     }
 
     /// D = J cos²a + I sin²a.

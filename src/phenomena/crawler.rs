@@ -280,7 +280,12 @@ impl Crawler {
     }
 
     /// When a slipping foot comes to rest in this leg, s from its beginning, and which one; nothing if within `time` none does.
+    /// While one foot holds, the other goes with the stroke and rests where the stroke turns, not before.
     pub fn rest(&self, leg: &Leg, place: &Place, gap: &Gap, time: f64) -> Option<(f64, usize)> {
+        if leg.feet.contains(&Foot::Holds) {
+            return None;
+        }
+
         let velocities = self.feet(place.velocity, gap.rate);
         let accelerations = self.feet(leg.center, leg.acceleration);
         let stop = |k: usize| {
@@ -288,8 +293,9 @@ impl Crawler {
                 velocities[k] * leg.feet[k].sign(),
                 accelerations[k] * leg.feet[k].sign(),
             );
-            let after = -v / a;
-            (a < 0.0 && v > 0.0 && after < time).then_some((after, k))
+            // A foot that should have come to rest at the very end of the last leg does so now.
+            let after = (-v / a).max(0.0);
+            (a < 0.0 && after < time).then_some((after, k))
         };
         match (stop(0), stop(1)) {
             (Some(a), Some(b)) => Some(if a.0 <= b.0 { a } else { b }),

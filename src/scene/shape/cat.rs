@@ -4,11 +4,11 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::{Pace, ascending, in_order, planned, with_corners};
+use super::{Pace, Pieced, ascending, in_order, planned, with_corners};
 use crate::conservation::Ledger;
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::integrators::{Cost, Method, refined};
+use crate::integrators::{Cost, Method};
 use crate::phenomena::cat::{self, Bend, EqualHalves};
 use crate::phenomena::holonomy::ShapePlane;
 use crate::phenomena::quadrature::integral;
@@ -325,6 +325,7 @@ impl<C: Bending, G: Falling> Cat<C, G> {
     fn followed(
         &self,
         stops: &[f64],
+        corners: &[f64],
         method: Method,
         accuracy: f64,
     ) -> Result<(Vec<CatState>, Cost)> {
@@ -340,9 +341,15 @@ impl<C: Bending, G: Falling> Cat<C, G> {
         let q = self.attitude.quaternion();
         let distance = |a: &[f64; 4], b: &[f64; 4]| unit(a).angle_to(&unit(b));
         let start = [q.w, q.i, q.j, q.k];
-        let run = refined(
-            &system, &start, &[1.0; 4], stops, method, accuracy, distance,
-        )?;
+        let run = Pieced {
+            start,
+            scales: [1.0; 4],
+            stops,
+            corners,
+            method,
+            accuracy,
+        }
+        .follow(&system, distance)?;
         let mut states = Vec::with_capacity(stops.len());
         for (&t, y) in stops.iter().zip(&run.states) {
             let attitude = unit(y);
@@ -391,11 +398,14 @@ impl<C: Bending, G: Falling> Scene for Cat<C, G> {
     fn simulate(&self, request: &Request) -> Result<Motion<CatState>> {
         let plan = self.plan(request)?;
         let order = ascending(request)?;
-        let stops = with_corners(request, &order, &self.change.corners());
+        let corners = self.change.corners();
+        let stops = with_corners(request, &order, &corners);
         let (states, cost) = match (plan.solver, self.equal_halves()) {
-            (Solver::General(method), _) => self.followed(&stops, method, request.accuracy())?,
+            (Solver::General(method), _) => {
+                self.followed(&stops, &corners, method, request.accuracy())?
+            }
             (_, Some(equal)) => (self.summed(&equal, &stops)?, Cost::default()),
-            (_, None) => self.followed(&stops, Method::Dop853, request.accuracy())?,
+            (_, None) => self.followed(&stops, &corners, Method::Dop853, request.accuracy())?,
         };
         let ledger = balanced(self.ledger(&states)?, request.accuracy())?;
         Ok(Motion {

@@ -227,17 +227,27 @@ impl<F: Ground> Crawler<F> {
                 self.body.muscle(leg) * gap(t).rate,
             ]
         };
+        let strokes = self.body.strokes();
         let along = |t: f64, y: &[f64; 5], k: usize| velocities(t, y)[k] * leg.feet[k].sign();
-        let falling = |t: f64, y: &[f64; 5]| {
-            let slipping = (0..2).filter(|&k| leg.feet[k] != Foot::Holds);
-            slipping
-                .map(|k| along(t, y, k))
-                .fold(f64::INFINITY, f64::min)
+        // Only a foot that slows down can come to rest, and none while the other one holds; a foot that has just set off from rest must not
+        // hide it by its zero.
+        let accelerations = self.body.feet(leg.center, leg.acceleration);
+        let held = leg.feet.contains(&Foot::Holds);
+        let slows = |k: usize| !held && accelerations[k] * leg.feet[k].sign() < 0.0;
+        // Linear in time wherever it can be, for the sake of the secants that locate its zero.
+        let falling = |t: f64, y: &[f64; 5]| match [slows(0), slows(1)] {
+            [true, true] => along(t, y, 0).min(along(t, y, 1)),
+            [true, false] => along(t, y, 0),
+            [false, true] => along(t, y, 1),
+            [false, false] => 1.0,
         };
         let p = walk.place;
         let start = [p.center, p.velocity, p.impulse, p.heat, p.work];
-        let strokes = self.body.strokes();
         let speed = strokes.length / strokes.push.min(strokes.pull);
+        // A foot that should have come to rest at the very end of the last leg does so now.
+        if let Some(late) = (0..2).find(|&k| slows(k) && along(walk.time, &start, k) <= 0.0) {
+            return Ok(Some(late));
+        }
         let mass: f64 = self.body.masses().iter().sum();
         let energy = mass * speed * speed;
         let scales = [strokes.length, speed, mass * speed, energy, energy];
@@ -265,10 +275,10 @@ impl<F: Ground> Crawler<F> {
         let rested = run.stopped == Stop::AtTheEvent;
         Ok(rested.then(|| {
             let [rear, front] = [0, 1].map(|k| {
-                if leg.feet[k] == Foot::Holds {
-                    f64::INFINITY
-                } else {
+                if slows(k) {
                     along(run.time, &run.end, k).abs()
+                } else {
+                    f64::INFINITY
                 }
             });
             usize::from(front < rear)

@@ -25,7 +25,7 @@ pub use swivel::{FourPhases, RoundTrip, Swivel, SwivelState, Twist, Twisting};
 
 use super::{Absent, Choice, Effect, Plan, Request, Solver};
 use crate::error::{Error, Result, not_negative};
-use crate::integrators::Method;
+use crate::integrators::{Cost, Effort, Method, Solution, System, solve};
 
 /// How a stroke of a muscle is spread over its time: from 0 to 1, at rest at both ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -169,6 +169,81 @@ fn with_corners(request: &Request, order: &[usize], corners: &[f64]) -> Vec<f64>
     stops.dedup();
     stops
 }
+
+/// States at the stops by a general method, to an error below `accuracy` by `distance`: from corner to corner, since a step across one would
+/// be a bad one, and a path at rest between two looks like a path at rest for ever. Refined as [`refined`](crate::integrators::refined) is.
+struct Pieced<'a, const N: usize> {
+    start: [f64; N],
+    scales: [f64; N],
+    stops: &'a [f64],
+    corners: &'a [f64],
+    method: Method,
+    accuracy: f64,
+}
+
+impl<const N: usize> Pieced<'_, N> {
+    fn follow(
+        &self,
+        system: &impl System<N>,
+        distance: impl Fn(&[f64; N], &[f64; N]) -> f64,
+    ) -> Result<Solution<N>> {
+        let mut tolerance = (0.01 * self.accuracy).clamp(LEAST_TOLERANCE, 1e-6);
+        let mut last = self.run(system, tolerance)?;
+        let mut cost = last.cost;
+        loop {
+            tolerance = (tolerance / 30.0).max(LEAST_TOLERANCE);
+            let next = self.run(system, tolerance)?;
+            cost += next.cost;
+            let pairs = last.states.iter().zip(&next.states);
+            let apart = pairs.map(|(a, b)| distance(a, b)).fold(0.0, f64::max);
+            if apart <= 0.5 * self.accuracy {
+                return Ok(Solution { cost, ..next });
+            }
+            if tolerance == LEAST_TOLERANCE || !apart.is_finite() {
+                return Err(Error::Accuracy {
+                    asked: self.accuracy,
+                    reached: apart,
+                });
+            }
+            last = next;
+        }
+    }
+
+    fn run(&self, system: &impl System<N>, tolerance: f64) -> Result<Solution<N>> {
+        let mut solution = Solution {
+            states: Vec::with_capacity(self.stops.len()),
+            cost: Cost::default(),
+        };
+        let (mut from, mut state) = (0.0, self.start);
+        let ends = self.corners.iter().copied().chain([f64::INFINITY]);
+        for end in ends {
+            let first = solution.states.len();
+            let count = self.stops[first..].partition_point(|&t| t <= end);
+            let samples = &self.stops[first..first + count];
+            // The corner itself is among the stops, unless all are before it.
+            let Some(&to) = samples.last() else { continue };
+            let effort = Effort::Tolerance(tolerance);
+            let leg = solve(
+                system,
+                from,
+                &state,
+                &self.scales,
+                samples,
+                self.method,
+                effort,
+            )?;
+            solution.cost += leg.cost;
+            if let Some(&reached) = leg.states.last() {
+                (from, state) = (to, reached);
+            }
+            solution.states.extend(leg.states);
+        }
+        Ok(solution)
+    }
+}
+
+/// Below this the error estimate of a step is rounding.
+const LEAST_TOLERANCE: f64 = 1e-15;
 
 /// Values at the stops, brought into the order of the request.
 fn in_order<S: Copy>(request: &Request, stops: &[f64], values: &[S]) -> Vec<(f64, S)> {

@@ -1,9 +1,9 @@
 //! The skater who pulls in the arms (tutorial 1.1).
 
-use super::{Bearing, Pace, ascending, in_order, planned, with_corners};
+use super::{Bearing, Pace, Pieced, ascending, in_order, planned, with_corners};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, not_negative, positive};
-use crate::integrators::{Cost, Method, refined};
+use crate::integrators::{Cost, Method};
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::skater;
 use crate::scene::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
@@ -194,6 +194,7 @@ impl<C: Drawing, F: Bearing> Skater<C, F> {
     fn followed(
         &self,
         stops: &[f64],
+        corners: &[f64],
         method: Method,
         accuracy: f64,
     ) -> Result<(Vec<SkaterState>, Cost)> {
@@ -218,7 +219,15 @@ impl<C: Drawing, F: Bearing> Skater<C, F> {
             parts.fold(0.0, f64::max)
         };
         let start = [0.0, self.spin, 0.0, 0.0];
-        let run = refined(&system, &start, &scales, stops, method, accuracy, distance)?;
+        let run = Pieced {
+            start,
+            scales: scales,
+            stops,
+            corners,
+            method,
+            accuracy,
+        }
+        .follow(&system, distance)?;
         let pairs = stops.iter().zip(&run.states);
         Ok((pairs.map(|(&t, &y)| self.state(t, y)).collect(), run.cost))
     }
@@ -271,9 +280,12 @@ impl<C: Drawing, F: Bearing> Scene for Skater<C, F> {
     fn simulate(&self, request: &Request) -> Result<Motion<SkaterState>> {
         let plan = self.plan(request)?;
         let order = ascending(request)?;
-        let stops = with_corners(request, &order, &self.change.corners());
+        let corners = self.change.corners();
+        let stops = with_corners(request, &order, &corners);
         let (states, cost) = match plan.solver {
-            Solver::General(method) => self.followed(&stops, method, request.accuracy())?,
+            Solver::General(method) => {
+                self.followed(&stops, &corners, method, request.accuracy())?
+            }
             _ => (self.known(&stops)?, Cost::default()),
         };
         let ledger = balanced(self.ledger(&states)?, request.accuracy())?;

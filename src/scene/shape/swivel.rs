@@ -2,10 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use super::{Bearing, Pace, ascending, in_order, planned, repeated, with_corners};
+use super::{Bearing, Pace, Pieced, ascending, in_order, planned, repeated, with_corners};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, positive};
-use crate::integrators::{Cost, Method, refined};
+use crate::integrators::{Cost, Method};
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::{self, Waist};
 use crate::scene::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
@@ -278,6 +278,7 @@ impl<C: Twisting, F: Bearing> Swivel<C, F> {
     fn followed(
         &self,
         stops: &[f64],
+        corners: &[f64],
         method: Method,
         accuracy: f64,
     ) -> Result<(Vec<SwivelState>, Cost)> {
@@ -288,15 +289,15 @@ impl<C: Twisting, F: Bearing> Swivel<C, F> {
         let start = [0.0, self.angular_momentum];
         let pace = self.angular_momentum.abs().max(self.lower);
         let distance = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).abs();
-        let run = refined(
-            &system,
-            &start,
-            &[1.0, pace],
+        let run = Pieced {
+            start,
+            scales: [1.0, pace],
             stops,
+            corners,
             method,
             accuracy,
-            distance,
-        )?;
+        }
+        .follow(&system, distance)?;
         let pairs = stops.iter().zip(&run.states);
         let states = pairs.map(|(&t, y)| self.state(t, y[0], y[1])).collect();
         Ok((states, run.cost))
@@ -350,9 +351,12 @@ impl<C: Twisting, F: Bearing> Scene for Swivel<C, F> {
         let plan = self.plan(request)?;
         let order = ascending(request)?;
         let until = order.last().map_or(0.0, |&i| request.times()[i]);
-        let stops = with_corners(request, &order, &self.change.corners(until)?);
+        let corners = self.change.corners(until)?;
+        let stops = with_corners(request, &order, &corners);
         let (states, cost) = match plan.solver {
-            Solver::General(method) => self.followed(&stops, method, request.accuracy())?,
+            Solver::General(method) => {
+                self.followed(&stops, &corners, method, request.accuracy())?
+            }
             _ => (self.summed(&stops)?, Cost::default()),
         };
         let ledger = self.ledger(&stops, &states)?;

@@ -13,7 +13,7 @@ use crate::solid::View;
 use crate::style::{Anchor, Point, Role, SCALE as CANVAS, Words, figure, number, small};
 
 const NAME: &str = "cat-animated";
-const SCALE: f64 = 430.0;
+const SCALE: f64 = 540.0;
 const CENTER: Point = [300.0, 165.0];
 /// Pictures of the turnover, and how many times as long the last one stands.
 const PICTURES: usize = 56;

@@ -13,7 +13,7 @@ use crate::style::{
 const FRAMES: usize = 8;
 const SCALE: f64 = 230.0;
 /// From where the cat is seen.
-pub const AZIMUTH: f64 = -1.15;
+pub const AZIMUTH: f64 = -1.92;
 pub const ELEVATION: f64 = 0.16;
 
 /// On its back, bent, carried round, and on its feet.

@@ -97,8 +97,8 @@ pub fn ice() -> Result<Figure> {
     let upright = || Person::new(0.0, 0.0, [0.35, 0.35]);
     let poses = [
         upright(),
-        Person::new(0.3, -0.06, [1.9, 0.2]),
-        Person::new(-0.05, 0.38, [0.3, 1.7]),
+        Person::new(0.1, -0.36, [1.7, 0.3]),
+        Person::new(0.0, 0.4, [0.3, 1.9]),
         upright(),
     ];
     let centers = [80.0, 226.0, 372.0, 518.0];
@@ -109,13 +109,13 @@ pub fn ice() -> Result<Figure> {
     let words = Words {
         claim: "However you wriggle, your centre of mass stays on its vertical line.".to_owned(),
         details: format!(
-            "Four postures on frictionless ice, each with the centre of mass on the dotted line; for that the feet move by {} m and {} m, and come \
-             back to {} m with the posture. 72 kg in six parts.",
-            number(placed[1].0, 3),
-            number(placed[2].0, 3),
+            "Four postures on frictionless ice, each with the centre of mass on the dotted line; for that the feet move by {} m and {} m, and with the posture they come \
+             back, to {} m. 72 kg in six parts.",
+            number(placed[1].0 - placed[0].0, 3),
+            number(placed[2].0 - placed[0].0, 3),
             number(placed[3].0 - placed[0].0, 1),
         ),
-        alt: "A person on ice in four postures: upright, hip pushed to the right with one arm out, leaning to the right, upright again. A \
+        alt: "A person on ice in four postures: upright, leaning to the left with one arm out, leaning to the right with the other, upright again. A \
               vertical dotted line runs through the dot of the centre of mass each time; the feet shift to the side and return."
             .to_owned(),
     };
@@ -139,10 +139,9 @@ pub fn ice() -> Result<Figure> {
                 Role::AngularMomentum,
                 1.0,
             );
-            if foot.abs() > 0.001 {
-                let y = ground + 24.0;
-                pen.arrow([x, y], [x + scale * foot, y], stroke(Role::Ink, SECONDARY));
-            }
+            let y = ground + 24.0;
+            let [from, to] = [placed[0].0, *foot].map(|foot| [x + scale * foot, y]);
+            pen.arrow(from, to, stroke(Role::Ink, DATA));
         }
         pen.text(
             [centers[0], ground + 40.0],

@@ -11,7 +11,7 @@ use crate::style::{
 };
 
 const FRAMES: usize = 8;
-const SCALE: f64 = 230.0;
+const SCALE: f64 = 186.0;
 /// From where the cat is seen.
 pub const AZIMUTH: f64 = -1.92;
 pub const ELEVATION: f64 = 0.16;
@@ -39,15 +39,15 @@ pub fn cat_film() -> Result<Figure> {
             .to_owned(),
     };
     let body = cat()?;
-    Ok(figure("cat-film", 400.0, words, |pen| {
+    Ok(figure("cat-film", 360.0, words, |pen| {
         for (k, state) in states.iter().enumerate() {
             let (column, row) = ((k % 4) as f64, (k / 4) as f64);
-            let center = [78.0 + 148.0 * column, 96.0 + 196.0 * row];
+            let center = [72.0 + 148.0 * column, 92.0 + 176.0 * row];
             let view = View::new(AZIMUTH, ELEVATION, center, SCALE);
             draw(pen, &pieces(&body, state, &view, SCALE));
             let milliseconds = number(1000.0 * fractions[k] * DURATION, 0);
             pen.text(
-                [center[0], center[1] + 92.0],
+                [center[0], center[1] + 80.0],
                 Anchor::Middle,
                 &format!("{milliseconds} ms"),
                 small(Role::Muted),
@@ -155,13 +155,23 @@ pub fn back_bend() -> Result<Figure> {
         );
         for (forward, points, needed) in &curves {
             pen.line(points, stroke(Role::Ink, DATA));
-            let [x, y] = points[0];
-            pen.text(
-                [x + 6.0, y - 7.0],
-                Anchor::Start,
-                &format!("{}° forward", number(*forward, 0)),
-                small(Role::Ink),
-            );
+            let [x, y] = points.last().copied().unwrap_or([LEFT, BOTTOM]);
+            let name = number(*forward, 0);
+            if y < TOP + 2.0 {
+                pen.text(
+                    [x, y - 8.0],
+                    Anchor::Middle,
+                    &format!("{name}°"),
+                    small(Role::Ink),
+                );
+            } else {
+                pen.text(
+                    [x + 7.0, y + 5.0],
+                    Anchor::Start,
+                    &format!("{name}°"),
+                    small(Role::Ink),
+                );
+            }
             if let Some(needed) = needed {
                 let [x, y] = place(*needed, 180.0);
                 pen.disc([x, y], 3.6, Role::AngularMomentum, 1.0);

@@ -218,11 +218,11 @@ pub fn crawler() -> Result<Figure> {
               dashed line; on ground both feet and the centre between them climb step by step, the rear foot standing still during each slow stroke."
             .to_owned(),
     };
-    Ok(figure("crawler", 330.0, words, |pen| {
+    Ok(figure("crawler", 346.0, words, |pen| {
         let at = |[x, y]: Point| {
             [
-                140.0 + 165.0 * (x - center[0]),
-                160.0 - 165.0 * (y - center[1]),
+                146.0 + 118.0 * (x - center[0]),
+                160.0 - 118.0 * (y - center[1]),
             ]
         };
         for part in 0..PARTS {
@@ -240,7 +240,7 @@ pub fn crawler() -> Result<Figure> {
         pen.line(&track, stroke(Role::AngularMomentum, DATA));
         pen.disc(at(center), 6.0, Role::AngularMomentum, 1.0);
         pen.text(
-            [140.0, 312.0],
+            [146.0, 332.0],
             Anchor::Middle,
             "on ice: *C* is a point",
             label(Role::Ink),
@@ -290,28 +290,28 @@ pub fn crawler() -> Result<Figure> {
             &curve(&ice, |s| s.center),
             stroke(Role::AngularMomentum, SECONDARY).dashed(),
         );
-        let end = ground.last().map_or([0.0; 2], |(t, s)| place(*t, s.front));
+        let peak = place(0.95, 0.39);
         pen.text(
-            [end[0], end[1] - 12.0],
-            Anchor::End,
+            [peak[0] - 26.0, peak[1] - 12.0],
+            Anchor::Start,
             "front foot",
             small(Role::Ink),
         );
-        let rear = ground.last().map_or([0.0; 2], |(t, s)| place(*t, s.rear));
+        let rear = place(0.0, -0.065);
         pen.text(
-            [rear[0], rear[1] + 24.0],
-            Anchor::End,
+            [rear[0] + 5.0, rear[1] + 18.0],
+            Anchor::Start,
             "rear foot",
             small(Role::Ink),
         );
         pen.text(
             [578.0, place(0.0, 0.0)[1] + 18.0],
             Anchor::End,
-            "*C* on ice",
+            "*C* without friction",
             small(Role::AngularMomentum),
         );
         pen.text(
-            [448.0, 312.0],
+            [448.0, 332.0],
             Anchor::Middle,
             "on ground: stick and slip",
             label(Role::Ink),

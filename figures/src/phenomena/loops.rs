@@ -26,7 +26,7 @@ const BOTTOM: f64 = 270.0;
 const TOP: f64 = 50.0;
 const MOST: f64 = 2.5;
 /// The cat's disc: the bend from the middle.
-const CENTER: Point = [438.0, 164.0];
+const CENTER: Point = [431.0, 164.0];
 const RADIUS: f64 = 124.0;
 const WIDEST: f64 = 2.0 * PI / 3.0;
 
@@ -183,8 +183,12 @@ pub fn shape_loops() -> Result<Figure> {
         pen.line(&oval, stroke(Role::Ink, DATA));
         pen.arrow(oval[52], oval[60], stroke(Role::Ink, DATA));
         pen.disc(CENTER, 3.6, Role::Ink, 1.0);
-        let [x, y] = cat_at(FORWARD, 0.0);
-        pen.text([x + 6.0, y - 8.0], Anchor::Start, "belly", small(Role::Ink));
+        pen.text(
+            [CENTER[0] + RADIUS + 5.0, CENTER[1] - 8.0],
+            Anchor::Start,
+            "belly",
+            small(Role::Ink),
+        );
         pen.text(
             [CENTER[0] - RADIUS - 6.0, CENTER[1] - 8.0],
             Anchor::End,

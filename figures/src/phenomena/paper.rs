@@ -60,10 +60,10 @@ fn sheet(pen: &mut Pen<'_>, center: Point, tilt: f64, forces: bool) {
     }
     let push = turned([0.0, -44.0], center, tilt);
     pen.line(&[center, push], stroke(Role::Ink, SECONDARY).dotted());
-    pen.arrow(push, [push[0], push[1] - 52.0], stroke(Role::Torque, DATA));
+    pen.arrow([push[0], push[1] + 54.0], push, stroke(Role::Torque, DATA));
     pen.arrow(
         center,
-        [center[0], center[1] + 52.0],
+        [center[0], center[1] + 54.0],
         stroke(Role::Ink, DATA),
     );
     pen.disc(center, 4.5, Role::Ink, 1.0);
@@ -76,13 +76,13 @@ pub fn paper_cat() -> Result<Figure> {
     let scene = released(error)?;
     let righted = scene.rights_itself(10.0)?;
     let fall = righted.map_or(f64::NAN, |r| r.fall);
-    let motion = scene.simulate(&Request::at([0.26, 0.42])?)?;
+    let motion = scene.simulate(&Request::at([0.36, 0.46])?)?;
     let tilts = [PI - error, motion.rows[0].1.tilt, motion.rows[1].1.tilt];
     let words = Words {
         claim: "The paper cat is turned by the air, like a shuttlecock.".to_owned(),
         details: format!(
             "Its centre of mass lies {} mm below the point at which the air pushes, so weight (down) and drag (up) form a couple that turns the feet down \
-             from every tilt. Let go {}° from upside down, it tilts by {}° after 0.26 s and {}° after 0.42 s, and points its feet down first after {} m of fall. Terminal \
+             from every tilt. Let go {}° from upside down, it tilts by {}° after 0.36 s and {}° after 0.46 s, and points its feet down first after {} m of fall. Terminal \
              speed {} m/s. Lever drawn larger than it is.",
             number(1000.0 * CAT.lever, 0),
             number(error.to_degrees(), 0),
@@ -105,10 +105,15 @@ pub fn paper_cat() -> Result<Figure> {
                 label(Role::Ink),
             );
         }
-        pen.text([126.0, 216.0], Anchor::Start, "weight", small(Role::Ink));
+        pen.text(
+            [120.0, 124.0],
+            Anchor::Start,
+            "weight",
+            small(Role::Ink),
+        );
         let push = turned([0.0, -44.0], [108.0, 132.0], tilts[0]);
         pen.text(
-            [push[0] - 12.0, push[1] - 40.0],
+            [push[0] - 10.0, push[1] + 40.0],
             Anchor::End,
             "drag",
             small(Role::Torque),

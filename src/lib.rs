@@ -25,6 +25,7 @@
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
+mod angle;
 pub mod conservation;
 mod double_double;
 pub mod elliptic;

@@ -4,7 +4,8 @@ use crate::drawings::{self, Drawing};
 use crate::error::one_line;
 use crate::ledger::Ledger;
 use crate::paths::workspace_root;
-use crate::{Error, Result, appendix, binding};
+use crate::scenes::output::{self, Format};
+use crate::{Error, Result, appendix, binding, scenes};
 use clap::{Parser, Subcommand};
 use figures::Entry;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -12,6 +13,7 @@ use std::ffi::OsString;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
 
 /// Spinning Bodies, the executable edition: draws the figures and builds the book.
 #[derive(Debug, Parser)]
@@ -30,10 +32,34 @@ Examples:
   cargo run -- figures --out my-figs     every figure into another folder
   cargo run -- figures --check           do the committed figures still look the same?
   cargo run -- book --open               builds the book and opens it in the browser
+  cargo run -- scene book/scenes/racket.toml    simulates a scene file; `scene --help` shows one
   cargo run -- claims                    every claim of the tutorial and where it is computed
   cargo test                             runs every example of the book
 
 Exit status: 0 success, 2 wrong usage or a wrong source (one line says which), 1 anything else.";
+
+const SCENE: &str = "\
+A scene file, in TOML and SI units; nothing acts that [effects] does not name:
+
+  title = \"A racket\"
+  [body]
+  moments = [1.0, 2.0, 3.0]        # principal moments, kg m2
+  [initial]
+  omega = [0.01, 1.0, 0.01]        # rad/s, along the body's axes; or angular_momentum
+  attitude = [1.0, 0.0, 0.0, 0.0]  # w x y z, from body to space; the default
+  [effects]                        # gravity = 9.80665, pivot_friction = 0.001, ...
+  [run]
+  until = 10.0                     # s; or times = [0.0, 2.5, 10.0]
+  samples = 101
+  accuracy = 1e-10                 # relative
+  solver = \"auto\"                # or exact, dop853, dopri5, verner98, rk4
+
+A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
+book/scenes has a file for each scene of the book.
+
+Examples:
+  cargo run -- scene book/scenes/racket.toml
+  cargo run -- scene book/scenes/sleeping-top.toml --format json --output motion.json";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -58,6 +84,18 @@ enum Command {
         /// Opens the first page in the browser
         #[arg(long)]
         open: bool,
+    },
+    /// Simulates a scene file: a body, how it starts, and only the effects it names
+    #[command(after_help = SCENE)]
+    Scene {
+        /// The scene file; `-` reads standard input
+        file: PathBuf,
+        /// How the motion is written
+        #[arg(long, value_enum, default_value = "csv")]
+        format: Format,
+        /// Where to; without it, standard output
+        #[arg(long, value_name = "FILE")]
+        output: Option<PathBuf>,
     },
     /// Lists every claim of the tutorial, its verdict, and where it is computed
     Claims,
@@ -132,6 +170,18 @@ fn obey(command: Option<Command>) -> Result<()> {
             let page = print_book(&root, &drawings)?;
             if open { open_page(&page) } else { Ok(()) }
         }
+        Some(Command::Scene {
+            file,
+            format,
+            output,
+        }) => {
+            let (table, seconds) = watched(|| scenes::simulate(&file))?;
+            let text = output::text(&table, seconds, format);
+            match output {
+                Some(path) => output::write(&path, &text),
+                None => say(&text),
+            }
+        }
         Some(Command::Claims) => say(&appendix::table(&Ledger::read(&root)?)),
     }
 }
@@ -168,6 +218,15 @@ fn draw(entries: &[Entry]) -> Result<Vec<Drawing>> {
     });
     bar.finish_and_clear();
     drawings
+}
+
+/// Work that may take long, with a spinner on a terminal.
+fn watched<T>(work: impl FnOnce() -> T) -> T {
+    let spinner = ProgressBar::new_spinner().with_message("simulating");
+    spinner.enable_steady_tick(Duration::from_millis(200));
+    let result = work();
+    spinner.finish_and_clear();
+    result
 }
 
 /// Prints to standard output; a reader that has left is not an error of ours.

@@ -7,8 +7,8 @@
 //!
 //! | kind | tutorial | module |
 //! |---|---|---|
-//! | swivel, skater, cat, crawler, paper cat | 1.1 | [`shape`] |
-//! | top | 6, 7, 8 | [`top`] |
+//! | [`Swivel`](shape::Swivel), [`Skater`](shape::Skater), [`Cat`](shape::Cat), [`Crawler`](shape::Crawler), [`PaperCat`](shape::PaperCat) | 1.1 | [`shape`]: bodies that change their shape |
+//! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
 
 mod effect;
 mod motion;

@@ -1,3 +1,4 @@
-//! Scenes, kind by kind: every effect matters, its zero limit is its absence, and the ledger balances.
+//! Scenes: what each effect changes, that its absence costs nothing, that plans, ledgers and refusals are right.
 
 mod shape;
+mod top;

@@ -132,7 +132,7 @@ fn open(points: &[Point]) -> String {
             }
             Some(old) => {
                 let (x, y) = (here[0] - old[0], here[1] - old[1]);
-                if x * x + y * y >= 30 * 30 || k + 1 == points.len() {
+                if x * x + y * y >= 20 * 20 || k + 1 == points.len() {
                     let _ = write!(d, "{x} {y} ");
                     last = Some(here);
                 }

@@ -391,7 +391,7 @@ impl<C: Bending, G: Falling> Scene for Cat<C, G> {
         planned(
             request,
             closed,
-            "a cat is run by `exact`, if it has equal halves and no angular momentum, or by a method with error control",
+            "the solver of a cat is `exact`, if it has equal halves and no angular momentum, or by a method with error control",
         )
     }
 

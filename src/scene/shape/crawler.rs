@@ -333,7 +333,7 @@ impl<F: Ground> Scene for Crawler<F> {
         planned(
             request,
             closed,
-            "a crawler is run by `events` on a rough ground and by `exact` on perfect ice, or by a method with error control",
+            "the solver of a crawler is `events` on a rough ground and by `exact` on perfect ice, or by a method with error control",
         )
     }
 

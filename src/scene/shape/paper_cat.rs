@@ -258,7 +258,7 @@ impl<A: Atmosphere, W: Weight> Scene for PaperCat<A, W> {
         planned(
             request,
             closed,
-            "a paper cat is run by `exact`, if there is no air, or by a method with error control",
+            "the solver of a paper cat is `exact`, if there is no air, or by a method with error control",
         )
     }
 

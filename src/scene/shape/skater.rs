@@ -273,7 +273,7 @@ impl<C: Drawing, F: Bearing> Scene for Skater<C, F> {
         planned(
             request,
             closed,
-            "a skater is run by `exact`, if nothing resists, or by a method with error control",
+            "the solver of a skater is `exact`, if nothing resists, or by a method with error control",
         )
     }
 

@@ -343,7 +343,7 @@ impl<C: Twisting, F: Bearing> Scene for Swivel<C, F> {
         planned(
             request,
             closed,
-            "a swivel is run by `exact`, if nothing resists, or by a method with error control",
+            "the solver of a swivel is `exact`, if nothing resists, or by a method with error control",
         )
     }
 

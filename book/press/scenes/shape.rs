@@ -69,13 +69,14 @@ pub fn swivel(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let about = effects.about("four_phases");
     let ready = match (change, friction) {
         (None, None) => Ready::scene(Box::new(scene)),
         (None, Some(f)) => Ready::scene(Box::new(scene.with_friction(f))),
-        (Some(c), None) => Ready::scene(Box::new(scene.with_change(c).map_err(about)?)),
+        (Some(c), None) => Ready::scene(Box::new(
+            scene.with_change(c).map_err(effects.about("four_phases"))?,
+        )),
         (Some(c), Some(f)) => {
-            let scene = scene.with_change(c).map_err(about)?;
+            let scene = scene.with_change(c).map_err(effects.about("four_phases"))?;
             Ready::scene(Box::new(scene.with_friction(f)))
         }
     };
@@ -110,13 +111,14 @@ pub fn skater(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let about = effects.about("draw");
     let ready = match (change, friction) {
         (None, None) => Ready::scene(Box::new(scene)),
         (None, Some(f)) => Ready::scene(Box::new(scene.with_friction(f))),
-        (Some(c), None) => Ready::scene(Box::new(scene.with_change(c).map_err(about)?)),
+        (Some(c), None) => Ready::scene(Box::new(
+            scene.with_change(c).map_err(effects.about("draw"))?,
+        )),
         (Some(c), Some(f)) => {
-            let scene = scene.with_change(c).map_err(about)?;
+            let scene = scene.with_change(c).map_err(effects.about("draw"))?;
             Ready::scene(Box::new(scene.with_friction(f)))
         }
     };
@@ -158,13 +160,14 @@ pub fn cat(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let about = effects.about("turnover");
     let ready = match (change, weight) {
         (None, None) => Ready::scene(Box::new(scene)),
         (None, Some(g)) => Ready::scene(Box::new(scene.with_gravity(g))),
-        (Some(c), None) => Ready::scene(Box::new(scene.with_change(c).map_err(about)?)),
+        (Some(c), None) => Ready::scene(Box::new(
+            scene.with_change(c).map_err(effects.about("turnover"))?,
+        )),
         (Some(c), Some(g)) => {
-            let scene = scene.with_change(c).map_err(about)?;
+            let scene = scene.with_change(c).map_err(effects.about("turnover"))?;
             Ready::scene(Box::new(scene.with_gravity(g)))
         }
     };

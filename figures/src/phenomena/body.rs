@@ -228,7 +228,7 @@ pub fn draw(pen: &mut Pen<'_>, pieces: &[Piece]) {
     }
 }
 
-/// How far the cat has turned about its spine line, radians, from its back: the roll of the frame of the bend less that of the halves.
+/// How far the cat has turned from lying on its back, radians: the angle between the attitudes of its front half.
 pub fn turned(state: &CatState) -> f64 {
     let start = shape::Cat::on_its_back();
     Attitude::angle_to(&state.attitude, &start)

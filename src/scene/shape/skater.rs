@@ -221,7 +221,7 @@ impl<C: Drawing, F: Bearing> Skater<C, F> {
         let start = [0.0, self.spin, 0.0, 0.0];
         let run = Pieced {
             start,
-            scales: scales,
+            scales,
             stops,
             corners,
             method,

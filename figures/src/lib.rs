@@ -13,6 +13,7 @@ mod impacts;
 mod inertia;
 mod kovalevskaya_top;
 mod lagrange_top;
+mod phenomena;
 mod plot;
 mod pythagoras;
 mod rolling;
@@ -52,6 +53,51 @@ pub struct Entry {
 /// All figures, in the order of the book.
 pub fn all() -> &'static [Entry] {
     &[
+        Entry {
+            name: "cat-animated",
+            chapter: "phenomena",
+            draw: phenomena::cat_animated,
+        },
+        Entry {
+            name: "ice",
+            chapter: "phenomena",
+            draw: phenomena::ice,
+        },
+        Entry {
+            name: "crawler",
+            chapter: "phenomena",
+            draw: phenomena::crawler,
+        },
+        Entry {
+            name: "swivel",
+            chapter: "phenomena",
+            draw: phenomena::swivel,
+        },
+        Entry {
+            name: "cat-film",
+            chapter: "phenomena",
+            draw: phenomena::cat_film,
+        },
+        Entry {
+            name: "shape-loops",
+            chapter: "phenomena",
+            draw: phenomena::shape_loops,
+        },
+        Entry {
+            name: "back-bend",
+            chapter: "phenomena",
+            draw: phenomena::back_bend,
+        },
+        Entry {
+            name: "paper-cat",
+            chapter: "phenomena",
+            draw: phenomena::paper_cat,
+        },
+        Entry {
+            name: "paper-cat-fall",
+            chapter: "phenomena",
+            draw: phenomena::paper_cat_fall,
+        },
         Entry {
             name: "ellipsoid-of-inertia",
             chapter: "inertia",

@@ -11,6 +11,7 @@
 //! | [`Roller`](roller::Roller) | 4.3, 4.5 | [`roller`]: a ball on a table, after the cue or on a sheet |
 //! | [`TuggedSpool`](spool::TuggedSpool) | 4.4 | [`spool`]: a spool and its string |
 //! | [`Superball`](superball::Superball) | 4.6 | [`superball`]: bounces |
+//! | [`Swivel`](shape::Swivel), [`Skater`](shape::Skater), [`Cat`](shape::Cat), [`Crawler`](shape::Crawler), [`PaperCat`](shape::PaperCat) | 1.1 | [`shape`]: bodies that change their shape |
 //! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
 //! | [`Play`](yo_yo::Play) | 4.9 | [`yo_yo`]: down, turn or sleep, and up again |
 //! | [`Strip`](strip::Strip) | 4.10 | [`strip`]: a strip of paper in the air, or in a vacuum |
@@ -20,6 +21,7 @@ pub mod meteorite;
 mod motion;
 mod plan;
 pub mod roller;
+pub mod shape;
 pub mod spool;
 pub mod strip;
 pub mod superball;

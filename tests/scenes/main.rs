@@ -2,6 +2,7 @@
 
 mod meteorite;
 mod roller;
+mod shape;
 mod spool;
 mod strip;
 mod superball;

@@ -16,6 +16,7 @@ pub mod reader;
 pub mod run;
 pub mod scan;
 mod strip;
+mod shape;
 mod top;
 mod yo_yo;
 
@@ -42,6 +43,11 @@ const KINDS: &[(&str, Reader)] = &[
     ("superball", contact::superball),
     ("yo-yo", yo_yo::read),
     ("strip", strip::read),
+    ("swivel", shape::swivel),
+    ("skater", shape::skater),
+    ("cat", shape::cat),
+    ("paper-cat", shape::paper_cat),
+    ("crawler", shape::crawler),
 ];
 
 /// A scene that is ready to run.

@@ -15,8 +15,8 @@ pub mod output;
 pub mod reader;
 pub mod run;
 pub mod scan;
-mod strip;
 mod shape;
+mod strip;
 mod top;
 mod yo_yo;
 

@@ -8,7 +8,9 @@
 //! | kind | tutorial | module |
 //! |---|---|---|
 //! | top | 6, 7, 8 | [`top`] |
+//! | body on a table | 4.7 | [`contact`] |
 
+pub mod contact;
 mod effect;
 mod motion;
 mod plan;

@@ -125,9 +125,7 @@ pub fn celt_ended_top_2() -> Result<ConvexBody> {
 /// # Errors
 /// None for these parameters.
 pub fn rattleback() -> Result<ConvexBody> {
-    let inertia = Matrix3::new(
-        2e-4, -2e-5, 0.0, -2e-5, 16e-4, 0.0, 0.0, 0.0, 17e-4,
-    );
+    let inertia = Matrix3::new(2e-4, -2e-5, 0.0, -2e-5, 16e-4, 0.0, 0.0, 0.0, 17e-4);
     let inertia = InertiaMatrix::from_matrix(inertia)?;
     let surface = Surface::ellipsoid([0.2, 0.03, 0.02])?;
     ConvexBody::new(1.0, inertia, surface, BodyVector::new(0.0, 0.0, 0.01))

@@ -34,7 +34,9 @@ impl ConvexBody {
         let mass = positive("the mass", mass)?;
         finite_vector("the centre of the surface", center)?;
         let matrix = inertia.matrix();
-        let inverse = matrix.try_inverse().filter(|m| m.iter().all(|x| x.is_finite()));
+        let inverse = matrix
+            .try_inverse()
+            .filter(|m| m.iter().all(|x| x.is_finite()));
         let inverse = inverse.ok_or(Error::Condition {
             condition: "a body on a table must have three positive moments of inertia",
             value: inertia.principal_axes().moments()[0],
@@ -118,8 +120,8 @@ impl ConvexBody {
         let image = self.inertia * axis;
         let axial = axis.dot(&image);
         let transverse = 0.5 * (self.inertia.trace() - axial);
-        let symmetric = Matrix3::identity() * transverse
-            + axis * axis.transpose() * (axial - transverse);
+        let symmetric =
+            Matrix3::identity() * transverse + axis * axis.transpose() * (axial - transverse);
         close(image - axis * axial, size)
             && (self.inertia - symmetric).amax() <= 8.0 * f64::EPSILON * size
     }

@@ -141,9 +141,8 @@ impl<F: Traction, R: Couple> Table<F, R> {
             .unwrap_or_else(|| Matrix3::repeat(f64::NAN));
         let pull = arm.cross(&(up * self.gravity - whirl)) * mass;
         let mut omega_rate = inverse * (pull - omega.cross(&(body.inertia * omega)));
-        let force = |omega_rate: &Vector3<f64>| {
-            (up * self.gravity - omega_rate.cross(&arm) - whirl) * mass
-        };
+        let force =
+            |omega_rate: &Vector3<f64>| (up * self.gravity - omega_rate.cross(&arm) - whirl) * mass;
         let mut push = force(&omega_rate);
         let mut reaction = up.dot(&push);
         let mut power = 0.0;
@@ -169,8 +168,7 @@ impl<F: Traction, R: Couple> Table<F, R> {
     pub(crate) fn rates(&self, y: &Numbers, pose: &Pose, contact: &Contact) -> Numbers {
         let omega = &pose.omega;
         let q = Quaternion::new(y[0], y[1], y[2], y[3]) * Quaternion::from_imag(*omega) * 0.5;
-        let acceleration =
-            pose.turn * contact.traction * (contact.reaction / self.body.mass);
+        let acceleration = pose.turn * contact.traction * (contact.reaction / self.body.mass);
         let r = contact.omega_rate;
         [
             q.w,

@@ -43,7 +43,8 @@ impl Flight {
     ) -> Result<Self> {
         let pose = Pose::of(start);
         let axes = body.principal();
-        let principal = UnitQuaternion::from_matrix_eps(&axes.axes(), 1e-15, 100, UnitQuaternion::identity());
+        let principal =
+            UnitQuaternion::from_matrix_eps(&axes.axes(), 1e-15, 100, UnitQuaternion::identity());
         let l = axes.axes().tr_mul(&(body.inertia * pose.omega));
         let top = if l.amax() == 0.0 {
             None
@@ -156,15 +157,17 @@ impl<F: Traction, R: Couple> Table<F, R> {
     pub(crate) fn land(&self, place: &Airborne, hold: Hold) -> Result<(Numbers, Landed, Cost)> {
         let body = &self.body;
         let Pose {
-            turn, up, omega, level,
+            turn,
+            up,
+            omega,
+            level,
         } = place.pose;
         let velocity = level + up * place.climb;
         let arm = body.arm(&up);
         let before = body.kinetic_energy(&omega, &velocity);
         let contact = velocity + omega.cross(&arm);
         let cross = arm.cross_matrix();
-        let yielding: Matrix3<f64> =
-            Matrix3::identity() / body.mass - cross * body.inverse * cross;
+        let yielding: Matrix3<f64> = Matrix3::identity() / body.mass - cross * body.inverse * cross;
         let gripping = yielding
             .try_inverse()
             .map(|resistance| resistance * -contact)

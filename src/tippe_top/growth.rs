@@ -1,6 +1,6 @@
 //! Does a small tilt grow? Quasi-steady sliding states and the eigenvalues about them.
 
-use nalgebra::{Complex, Matrix6, SMatrix, Vector3, Vector4, Vector6};
+use nalgebra::{Complex, SMatrix, SVector, Vector3, Vector4};
 
 use super::body::ConvexBody;
 use super::equations::Table;
@@ -22,7 +22,6 @@ pub struct Rate {
 pub struct QuasiSteady<F> {
     table: Table<F, Smooth>,
     up: Vector3<f64>,
-    across: [Vector3<f64>; 2],
     level: [f64; 2],
     spin: f64,
 }
@@ -30,8 +29,8 @@ pub struct QuasiSteady<F> {
 /// The quasi-steady sliding state at `spin` (rad/s about the vertical) with the third axis nearly upright.
 ///
 /// Unknown are the vertical in the body (two numbers) and the velocity of C in the body's axes (two); required is that neither
-/// they nor the level part of Ω change. Newton's method from rest. Error: residuals of rounding, about 1e-12 relative. Cost: some ten
-/// Jacobians of 4 × 4, microseconds.
+/// they nor the level part of Ω change. Newton's method, from the state without friction to the full law in eight parts. Error:
+/// residuals of rounding, about 1e-12 relative. Cost: some fifty Jacobians of 4 × 4, a fraction of a millisecond.
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Condition`] where Newton's method finds no such state.
@@ -43,58 +42,101 @@ pub fn quasi_steady<F: Traction>(
 ) -> Result<QuasiSteady<F>> {
     let gravity = positive("gravity", gravity)?;
     let spin = finite("the spin", spin)?;
-    let table = Table {
+    let mut x = Vector4::zeros();
+    for part in 0..=8 {
+        let law = Part {
+            law: friction,
+            part: f64::from(part) / 8.0,
+        };
+        x = newton(&table(body, gravity, law), spin, x)?;
+    }
+    let table = table(body, gravity, friction);
+    let (up, level) = steady(&table, &x);
+    Ok(QuasiSteady {
+        table,
+        up,
+        level: [level.x, level.y],
+        spin,
+    })
+}
+
+const fn table<F>(body: &ConvexBody, gravity: f64, friction: F) -> Table<F, Smooth> {
+    Table {
         body: *body,
         gravity,
         friction,
         resistance: Smooth,
-    };
-    let speed = body.speed_scale(gravity);
-    let rate = speed / body.surface.size();
-    let across = [Vector3::x(), Vector3::y()];
-    // Unknown over their scales: vertical components, then velocity of C.
-    let state = |x: &Vector4<f64>| {
-        let height = (1.0 - x[0] * x[0] - x[1] * x[1]).max(0.0).sqrt();
-        let up = Vector3::new(x[0], x[1], height);
-        let level = tangent(&up, [x[2] * speed, x[3] * speed]);
-        (up, level)
-    };
+    }
+}
+
+/// A part of a law of friction.
+#[derive(Debug, Clone, Copy)]
+struct Part<F> {
+    law: F,
+    part: f64,
+}
+
+impl<F: Traction> Traction for Part<F> {
+    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
+        self.law.traction(slip) * self.part
+    }
+
+    fn sharpness(&self) -> f64 {
+        self.law.sharpness()
+    }
+}
+
+/// Vertical and level velocity from the unknowns: two components of the one, two of the other over √(gR).
+fn steady<F>(table: &Table<F, Smooth>, x: &Vector4<f64>) -> (Vector3<f64>, Vector3<f64>) {
+    let speed = table.body.speed_scale(table.gravity);
+    let height = (1.0 - x[0] * x[0] - x[1] * x[1]).max(0.0).sqrt();
+    let up = Vector3::new(x[0], x[1], height);
+    (up, tangent(&up, [x[2] * speed, x[3] * speed]))
+}
+
+fn newton<F: Traction>(
+    table: &Table<F, Smooth>,
+    spin: f64,
+    start: Vector4<f64>,
+) -> Result<Vector4<f64>> {
+    let size = table.body.surface.size();
+    let speed = table.body.speed_scale(table.gravity);
+    let rate = speed / size;
     let residual = |x: &Vector4<f64>| {
-        let (up, level) = state(x);
+        let (up, level) = steady(table, x);
         let omega = up * spin;
         let contact = table.sliding(&up, &omega, &level);
-        let push = contact.traction * (contact.reaction / body.mass);
-        let drift = push - omega.cross(&level);
+        let push = contact.traction * (contact.reaction / table.body.mass);
+        let drift = (push - omega.cross(&level)) / size;
         let turn = contact.omega_rate - up * up.dot(&contact.omega_rate);
-        Vector4::new(turn.x, turn.y, drift.x / body.surface.size(), drift.y / body.surface.size())
-            / (rate * rate)
+        Vector4::new(turn.x, turn.y, drift.x, drift.y) / (rate * rate)
     };
-    let sharp = (friction.sharpness() / speed).min(1.0);
-    let strides = Vector4::new(1.0, 1.0, 1.0, 1.0) * (1e-4 * sharp * (rate / spin.abs()).min(1.0));
-    let mut x = Vector4::zeros();
+    let sharp = (table.friction.sharpness() / speed).min(1.0);
+    let stride = 1e-4 * sharp * (rate / spin.abs()).min(1.0);
+    let mut x = start;
+    let mut value = residual(&x);
     for _ in 0..60 {
-        let value = residual(&x);
         let jacobian = SMatrix::<f64, 4, 4>::from_columns(&core::array::from_fn::<_, 4, _>(|i| {
             let mut shift = Vector4::zeros();
-            shift[i] = strides[i];
-            (residual(&(x + shift)) - residual(&(x - shift))) / (2.0 * strides[i])
+            shift[i] = stride;
+            (residual(&(x + shift)) - residual(&(x - shift))) / (2.0 * stride)
         }));
         let Some(step) = jacobian.lu().solve(&value) else {
             break;
         };
-        // A step over more than the bend of the friction law would not be one of Newton's.
-        let longest = step[2].hypot(step[3]) / (3.0 * sharp) + step[0].hypot(step[1]) / 0.1;
-        x -= step / longest.max(1.0);
-        if step.amax() <= 1e-13 * x.amax().max(1e-3) {
-            let (up, level) = state(&x);
-            let level = [level.x, level.y];
-            return Ok(QuasiSteady {
-                table,
-                up,
-                across,
-                level,
-                spin,
-            });
+        if step.amax() <= 1e-11 * x.amax().max(1e-2) {
+            return Ok(x - step);
+        }
+        // Shorter where the whole step does not bring the residual down.
+        let mut part = 1.0;
+        loop {
+            let next = x - step * part;
+            let there = residual(&next);
+            if there.norm() < value.norm() || part < 1e-6 {
+                (x, value) = (next, there);
+                break;
+            }
+            part *= 0.5;
         }
     }
     Err(Error::Condition {
@@ -134,11 +176,12 @@ impl<F: Traction> QuasiSteady<F> {
         self.up.dot(&contact.omega_rate)
     }
 
-    /// The six eigenvalues of small perturbations in the body's axes, the fastest growing first: 1/s.
+    /// The eigenvalues of small perturbations in the body's axes, the fastest growing first (1/s): three pairs, of slip, nutation and
+    /// slow swing. Left out is the seventh, the least: the loss of spin itself.
     ///
-    /// Coordinates: two of the vertical, two of Ω across the third axis, two of the velocity of C; the spin is frozen. The Jacobian is
-    /// taken by differences of fourth order over 2% of what bends the law: relative error about 1e-7 in the fastest rates. Observed
-    /// against steps a factor 2 apart: 1e-6 of √(g/R) at ε = 10⁻³ √(gR).
+    /// Since the state itself drifts as it loses spin, its rates depend on the coordinates by as much as [`spin_rate`](Self::spin_rate)
+    /// over the spin, a first order of friction that is the same for both senses. The coordinates here: two of the vertical, Ω, two of the velocity of C. The Jacobian is taken by differences of fourth order over 2% of
+    /// what bends the law: relative error about 1e-7 in the fastest rates.
     ///
     /// # Errors
     /// [`Error::Condition`] if the eigenvalues cannot be found.
@@ -146,63 +189,98 @@ impl<F: Traction> QuasiSteady<F> {
         let body = &self.table.body;
         let speed = body.speed_scale(self.table.gravity);
         let size = body.surface.size();
-        let rate = |x: &Vector6<f64>| {
+        let rate = |x: &SVector<f64, 7>| {
             let height = (1.0 - x[0] * x[0] - x[1] * x[1]).max(0.0).sqrt();
             let up = Vector3::new(x[0], x[1], height);
-            let omega = Vector3::new(x[2], x[3], self.spin * self.up.z);
-            let level = tangent(&up, [x[4], x[5]]);
+            let omega = Vector3::new(x[2], x[3], x[4]);
+            let level = tangent(&up, [x[5], x[6]]);
             let contact = self.table.sliding(&up, &omega, &level);
             let turn = up.cross(&omega);
             // V minus its vertical part, seen from the body.
             let drift = contact.traction * (contact.reaction / body.mass) - omega.cross(&level);
-            let omega_rate = contact.omega_rate;
-            Vector6::new(turn.x, turn.y, omega_rate.x, omega_rate.y, drift.x, drift.y)
+            let r = contact.omega_rate;
+            SVector::from([turn.x, turn.y, r.x, r.y, r.z, drift.x, drift.y])
         };
         let sharp = self.table.friction.sharpness().min(speed);
         let swing = self.spin.abs() * size;
         let [v, w] = [0.02 * sharp, 0.02 * sharp / size];
         let n = (0.02 * sharp / swing).min(1e-3);
-        let strides = [n, n, w, w, v, v];
         let omega = self.up * self.spin;
-        let x = Vector6::new(
-            self.up.x,
-            self.up.y,
-            omega.x,
-            omega.y,
-            self.level[0],
-            self.level[1],
-        );
-        let columns: [Vector6<f64>; 6] = core::array::from_fn(|i| {
-            let at = |factor: f64| {
-                let mut moved = x;
-                moved[i] += factor * strides[i];
-                rate(&moved)
-            };
-            let near = (at(1.0) - at(-1.0)) * 8.0;
-            (near - (at(2.0) - at(-2.0))) / (12.0 * strides[i])
-        });
+        let up = self.up;
+        let [a, b] = self.level;
+        let x = SVector::from([up.x, up.y, omega.x, omega.y, omega.z, a, b]);
+        let jacobian = jacobian(rate, x, [n, n, w, w, w, v, v]);
         // Each coordinate over its scale, so that the eigenvalue solver sees numbers of one size.
-        let scales = Vector6::new(1.0, 1.0, self.spin.abs(), self.spin.abs(), swing, swing);
-        let jacobian = Matrix6::from_fn(|i, j| columns[j][i] * scales[j] / scales[i]);
-        eigenvalues(jacobian)
+        let turn = self.spin.abs();
+        let scales = [1.0, 1.0, turn, turn, turn, swing, swing];
+        let scaled = SMatrix::<f64, 7, 7>::from_fn(|i, j| jacobian[(i, j)] * scales[j] / scales[i]);
+        let values: [Complex<f64>; 7] = finite_matrix(scaled)?.complex_eigenvalues().into();
+        let [_, rest @ ..] = sorted(values, |a, b| a.norm().total_cmp(&b.norm()));
+        Ok(sorted(rest, |a, b| b.re.total_cmp(&a.re)).map(Rate::from))
     }
 }
 
-fn eigenvalues(jacobian: Matrix6<f64>) -> Result<[Rate; 6]> {
-    let refusal = Error::Condition {
-        condition: "the linearised equations must have finite eigenvalues",
-        value: jacobian.sum(),
-    };
-    if !jacobian.iter().all(|x| x.is_finite()) {
-        return Err(refusal);
+impl<F: Traction> QuasiSteady<F> {
+    /// The slow swing, the pair of eigenvalues with the least frequency: whether a tippe top begins to turn over.
+    ///
+    /// # Errors
+    /// As for [`growth_rates`](Self::growth_rates).
+    pub fn slow_swing(&self) -> Result<Rate> {
+        let [first, rest @ ..] = self.growth_rates()?;
+        let slower = |a: Rate, b: Rate| {
+            if b.frequency.abs() < a.frequency.abs() {
+                b
+            } else {
+                a
+            }
+        };
+        Ok(rest.into_iter().fold(first, slower))
     }
-    let values: [Complex<f64>; 6] = jacobian.complex_eigenvalues().into();
-    let mut rates = values.map(|value| Rate {
-        growth: value.re,
-        frequency: value.im,
-    });
-    rates.sort_by(|a, b| b.growth.total_cmp(&a.growth));
-    Ok(rates)
+}
+
+impl From<Complex<f64>> for Rate {
+    fn from(value: Complex<f64>) -> Self {
+        Self {
+            growth: value.re,
+            frequency: value.im,
+        }
+    }
+}
+
+fn sorted<const N: usize>(
+    mut values: [Complex<f64>; N],
+    order: impl Fn(&Complex<f64>, &Complex<f64>) -> core::cmp::Ordering,
+) -> [Complex<f64>; N] {
+    values.sort_by(order);
+    values
+}
+
+fn finite_matrix<const N: usize>(matrix: SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>> {
+    if matrix.iter().all(|x| x.is_finite()) {
+        Ok(matrix)
+    } else {
+        Err(Error::Condition {
+            condition: "the linearised equations must be finite",
+            value: matrix.sum(),
+        })
+    }
+}
+
+/// Differences of fourth order.
+fn jacobian<const N: usize>(
+    rate: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
+    x: SVector<f64, N>,
+    strides: [f64; N],
+) -> SMatrix<f64, N, N> {
+    SMatrix::from_columns(&core::array::from_fn::<_, N, _>(|i| {
+        let at = |factor: f64| {
+            let mut moved = x;
+            moved[i] += factor * strides[i];
+            rate(&moved)
+        };
+        let near = (at(1.0) - at(-1.0)) * 8.0;
+        (near - (at(2.0) - at(-2.0))) / (12.0 * strides[i])
+    }))
 }
 
 /// The eigenvalues (1/s) of pure rolling about steady spin round the third axis, which must be vertical-steady: CK along it and the
@@ -238,28 +316,9 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     }
     let turn = natural.max(spin.abs());
     let strides = [1e-3, 1e-3, 1e-3 * turn, 1e-3 * turn];
-    let columns: [Vector4<f64>; 4] = core::array::from_fn(|i| {
-        let at = |factor: f64| {
-            let mut moved = Vector4::zeros();
-            moved[i] = factor * strides[i];
-            rate(&moved)
-        };
-        let near = (at(1.0) - at(-1.0)) * 8.0;
-        (near - (at(2.0) - at(-2.0))) / (12.0 * strides[i])
-    });
+    let jacobian = jacobian(rate, Vector4::zeros(), strides);
     let scales = [1.0, 1.0, turn, turn];
-    let jacobian = SMatrix::<f64, 4, 4>::from_fn(|i, j| columns[j][i] * scales[j] / scales[i]);
-    let values: [Complex<f64>; 4] = jacobian.complex_eigenvalues().into();
-    let mut rates = values.map(|value| Rate {
-        growth: value.re,
-        frequency: value.im,
-    });
-    if rates.iter().any(|rate| !rate.growth.is_finite()) {
-        return Err(Error::Condition {
-            condition: "the linearised equations must have finite eigenvalues",
-            value: jacobian.sum(),
-        });
-    }
-    rates.sort_by(|a, b| b.growth.total_cmp(&a.growth));
-    Ok(rates)
+    let scaled = SMatrix::<f64, 4, 4>::from_fn(|i, j| jacobian[(i, j)] * scales[j] / scales[i]);
+    let values: [Complex<f64>; 4] = finite_matrix(scaled)?.complex_eigenvalues().into();
+    Ok(sorted(values, |a, b| b.re.total_cmp(&a.re)).map(Rate::from))
 }

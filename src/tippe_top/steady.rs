@@ -73,7 +73,12 @@ impl TippeTop {
     pub fn body(&self) -> Result<ConvexBody> {
         let unit = self.mass * self.radius * self.radius;
         let moments = Vector3::new(self.transverse, self.transverse, self.axial) / unit;
-        eccentric_ball(self.mass, self.radius, self.alpha, Matrix3::from_diagonal(&moments))
+        eccentric_ball(
+            self.mass,
+            self.radius,
+            self.alpha,
+            Matrix3::from_diagonal(&moments),
+        )
     }
 
     /// What spin can do to it.
@@ -155,7 +160,9 @@ impl TippeTop {
     pub fn least_spin_to_invert(&self) -> Option<f64> {
         let unit = self.jellett_of_spin(1.0, 0.0);
         match self.inversion() {
-            Inversion::Complete => self.inverted_is_stable_above().map(|jellett| jellett / unit),
+            Inversion::Complete => self
+                .inverted_is_stable_above()
+                .map(|jellett| jellett / unit),
             Inversion::Never | Inversion::Partial => None,
         }
     }

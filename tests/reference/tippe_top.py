@@ -11,9 +11,11 @@ Usage: python3 tippe_top.py > tippe_top.csv
 import sys
 from multiprocessing import Pool
 
-from mpmath import mp, mpf, sqrt
+import gmpy2
+from gmpy2 import mpfr as mpf
+from gmpy2 import sqrt
 
-mp.dps = 34
+gmpy2.get_context().precision = 115
 COLUMNS = 16
 
 
@@ -164,6 +166,7 @@ def run(case):
     else:
         v = [-a * dot(n, swing) for a in n]  # C moves up or down only, as the tie of the contact asks
         rate = sliding(body, gravity, law, parameters)
+    gmpy2.get_context().precision = 115
     results, bounds = [], []
     for refinement in (mpf(1), mpf(16) / 10):
         state = n + omega + v + unit + [mpf(0)]
@@ -180,12 +183,12 @@ def run(case):
         results.append(states)
     scale = max(abs(a) for a in results[0][0])
     apart = max(abs(a - b) / scale for p, q in zip(*results) for a, b in zip(p, q))
-    print(f"{name}: two step sizes differ by {mp.nstr(apart, 3)}, ties by {mp.nstr(bounds[1], 3)}", file=sys.stderr)
+    print(f"{name}: two step sizes differ by {float(apart):.1e}, ties by {float(bounds[1]):.1e}", file=sys.stderr)
     assert apart < mpf("1e-26") and bounds[1] < mpf("1e-26"), name
     rows = []
     for part, state in enumerate(results[1], 1):
         numbers = state[9:13] + state[3:6] + [state[13]]
-        rows.append(",".join([name, mp.nstr(end * part / 3, 17)] + [mp.nstr(a, 25) for a in numbers]))
+        rows.append(",".join([name, f"{float(end * part / 3)!r}"] + [f"{a:.24e}" for a in numbers]))
     return rows
 
 

@@ -32,15 +32,15 @@ mod state;
 use nalgebra::Quaternion;
 
 pub use crate::tippe_top::{Coulomb, Regularised, Resistance, Viscous};
-pub use effects::{Grip, Gravity, Holding, NoSlip, Pull, Resist};
+pub use effects::{Gravity, Grip, Holding, NoSlip, Pull, Resist};
 pub use run::{Phase, Support};
-pub use state::State;
+pub use state::{State, passage};
 
 use self::run::{History, Place, Run, tightened};
+use super::Scene;
 use super::effect::Absent;
 use super::motion::{Motion, Request, balanced};
 use super::plan::{Choice, Plan, Solver};
-use super::Scene;
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{Cost, Method, refined};
@@ -132,7 +132,10 @@ impl<G: Pull, F: Grip, R: Resist> TableTop<G, F, R> {
     pub fn phases(&self, request: &Request) -> Result<Vec<Phase>> {
         let Some(gravity) = self.gravity.pull() else {
             let support = Support::Airborne;
-            return Ok(vec![Phase { start: 0.0, support }]);
+            return Ok(vec![Phase {
+                start: 0.0,
+                support,
+            }]);
         };
         let method = self.method(&self.plan(request)?)?;
         let (_, times) = ascending(request)?;
@@ -193,7 +196,9 @@ impl<G: Pull, F: Grip, R: Resist> TableTop<G, F, R> {
             }
             .follow(&y, times)
         };
-        tightened(accuracy, run, |a: &Place, b: &Place| apart(&a.numbers, &b.numbers, &scales))
+        tightened(accuracy, run, |a: &Place, b: &Place| {
+            apart(&a.numbers, &b.numbers, &scales)
+        })
     }
 
     /// Without gravity nothing presses: the free body.
@@ -206,13 +211,20 @@ impl<G: Pull, F: Grip, R: Resist> TableTop<G, F, R> {
             Solver::General(method) => {
                 let rates = |_: f64, y: &Numbers| free_rates(&table, y);
                 let times = request.times();
-                let run = refined(&rates, &y, &scales, times, method, request.accuracy(), |a, b| {
-                    apart(a, b, &scales)
-                })?;
+                let run = refined(
+                    &rates,
+                    &y,
+                    &scales,
+                    times,
+                    method,
+                    request.accuracy(),
+                    |a, b| apart(a, b, &scales),
+                )?;
                 cost = run.cost;
                 let rising = times.iter().map(|t| height + climb * t);
                 let rows = run.states.into_iter().zip(rising);
-                rows.map(|(numbers, height)| aloft(numbers, height, climb)).collect()
+                rows.map(|(numbers, height)| aloft(numbers, height, climb))
+                    .collect()
             }
             _ => {
                 let flight = Flight::from(&self.body, 0.0, &y, height, climb)?;
@@ -238,17 +250,31 @@ impl<G: Pull, F: Grip, R: Resist> TableTop<G, F, R> {
         let first = State::of(table, start);
         let mut ledger = Ledger::new();
         let energy = ledger.open("energy", Law::NonIncreasing, first.energy)?;
-        let balance = ledger.open("energy and what contact has taken", Law::Conserved, first.energy)?;
+        let balance = ledger.open(
+            "energy and what contact has taken",
+            Law::Conserved,
+            first.energy,
+        )?;
         let unbraked = G::PRESENT && !R::PRESENT;
         let size = self.body.surface().size();
         let spin = self.body.inertia().matrix().amax() * first.omega.norm();
         let jellett = if unbraked && spin > 0.0 && self.body.has_jellett_integral() {
-            Some(ledger.open_scaled("Jellett's integral", Law::Conserved, first.jellett, spin * size)?)
+            Some(ledger.open_scaled(
+                "Jellett's integral",
+                Law::Conserved,
+                first.jellett,
+                spin * size,
+            )?)
         } else {
             None
         };
         let vertical = if !F::PRESENT && !R::PRESENT && spin > 0.0 {
-            Some(ledger.open_scaled("vertical angular momentum", Law::Conserved, first.vertical_angular_momentum, spin)?)
+            Some(ledger.open_scaled(
+                "vertical angular momentum",
+                Law::Conserved,
+                first.vertical_angular_momentum,
+                spin,
+            )?)
         } else {
             None
         };
@@ -279,7 +305,9 @@ impl<G: Pull, F: Grip, R: Resist> Scene for TableTop<G, F, R> {
                 "Coulomb friction: dop853 with slip, roll and take-off as events"
             }
             (_, Holding::Slides, true) => "sliding friction: dop853 with take-off as an event",
-            (_, Holding::Slides, false) => "a table without friction: dop853 with take-off as an event",
+            (_, Holding::Slides, false) => {
+                "a table without friction: dop853 with take-off as an event"
+            }
         };
         let best = if G::PRESENT {
             Solver::General(Method::Dop853)
@@ -295,8 +323,12 @@ impl<G: Pull, F: Grip, R: Resist> Scene for TableTop<G, F, R> {
             Choice::Use(solver) => Err(Error::Condition {
                 condition: match solver {
                     Solver::Exact => "the solver exact must be given a body without gravity",
-                    Solver::Events => "the solver events must be given a scene with closed forms between events",
-                    _ => "a body on a table must be run by a method that chooses its own steps, not by rk4",
+                    Solver::Events => {
+                        "the solver events must be given a scene with closed forms between events"
+                    }
+                    _ => {
+                        "a body on a table must be run by a method that chooses its own steps, not by rk4"
+                    }
                 },
                 value: self.gravity.pull().unwrap_or(0.0),
             }),
@@ -360,7 +392,9 @@ fn ascending(request: &Request) -> Result<(Vec<usize>, Vec<f64>)> {
 fn apart(a: &Numbers, b: &Numbers, scales: &Numbers) -> f64 {
     let of = |y: &Numbers| crate::tippe_top::equations::attitude(&Pose::of(y));
     let angle = of(a).angle_to(&of(b));
-    (4..9).map(|i| (a[i] - b[i]).abs() / scales[i]).fold(angle, f64::max)
+    (4..9)
+        .map(|i| (a[i] - b[i]).abs() / scales[i])
+        .fold(angle, f64::max)
 }
 
 const fn aloft(numbers: Numbers, height: f64, climb: f64) -> Place {

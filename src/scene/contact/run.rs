@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use super::effects::{Grip, Holding, Resist};
 use crate::error::{Error, Result};
-use crate::integrators::{Cost, Effort, Method, Stop, until};
+use crate::integrators::{Cost, Effort, Event, Method, Passage, Stop, until};
 use crate::tippe_top::equations::{NUMBERS, Numbers, Pose, Table};
 use crate::tippe_top::flight::{Airborne, Flight, Landed};
 
@@ -81,7 +81,10 @@ impl<F: Grip, R: Resist> Run<'_, F, R> {
                 support = Support::Airborne;
                 (height, climb) = self.table.height(&Pose::of(&y));
             }
-            history.phases.push(Phase { start: now, support });
+            history.phases.push(Phase {
+                start: now,
+                support,
+            });
             if history.phases.len() > MOST_PHASES {
                 return Err(Error::Integration {
                     reason: "the body changes between sliding, rolling and hopping too often",
@@ -110,7 +113,7 @@ impl<F: Grip, R: Resist> Run<'_, F, R> {
                 now = reached;
                 landing.is_none()
             } else {
-                let passage = self.in_contact(now, &y, left, end, support)?;
+                let passage = self.in_contact(now, &y, left, support)?;
                 for numbers in &passage.states {
                     history.places.push(self.place(numbers, support));
                 }
@@ -128,25 +131,81 @@ impl<F: Grip, R: Resist> Run<'_, F, R> {
         }
     }
 
+    /// From sample to sample, since the method's steps are more exact than what it says between them.
     fn in_contact(
         &self,
         now: f64,
         y: &Numbers,
         times: &[f64],
-        end: f64,
         support: Support,
-    ) -> Result<crate::integrators::Passage<NUMBERS>> {
+    ) -> Result<Passage<NUMBERS>> {
+        let mut passage = Passage {
+            states: Vec::with_capacity(times.len()),
+            time: now,
+            end: *y,
+            stopped: Stop::AtTheEnd,
+            cost: Cost::default(),
+        };
+        for &time in times {
+            let event = |_: f64, y: &Numbers| self.margin(y, support);
+            let leg = self.leg(passage.time, &passage.end, time, &event, support)?;
+            passage.cost += leg.cost;
+            if leg.stopped == Stop::AtTheEvent {
+                let never = |_: f64, _: &Numbers| 1.0;
+                let again = self.leg(passage.time, &passage.end, leg.time, &never, support)?;
+                passage.cost += again.cost;
+                (passage.time, passage.end) = self.corrected(leg.time, &again.end, support);
+                passage.stopped = Stop::AtTheEvent;
+                return Ok(passage);
+            }
+            (passage.time, passage.end) = (time, leg.end);
+            passage.states.push(leg.end);
+        }
+        Ok(passage)
+    }
+
+    fn leg(
+        &self,
+        now: f64,
+        y: &Numbers,
+        end: f64,
+        event: &impl Event<NUMBERS>,
+        support: Support,
+    ) -> Result<Passage<NUMBERS>> {
         let effort = Effort::Tolerance(self.tolerance);
-        let event = |_: f64, y: &Numbers| self.margin(y, support);
+        let rates = |_: f64, y: &Numbers| self.rates(y, support);
+        until(
+            &rates,
+            now,
+            y,
+            self.scales,
+            &[],
+            end,
+            event,
+            self.method,
+            effort,
+        )
+    }
+
+    fn rates(&self, y: &Numbers, support: Support) -> Numbers {
         match support {
-            Support::Rolling => {
-                let rates = |_: f64, y: &Numbers| self.table.rolling_rates(y);
-                until(&rates, now, y, self.scales, times, end, &event, self.method, effort)
-            }
-            _ => {
-                let rates = |_: f64, y: &Numbers| self.table.sliding_rates(y);
-                until(&rates, now, y, self.scales, times, end, &event, self.method, effort)
-            }
+            Support::Rolling => self.table.rolling_rates(y),
+            _ => self.table.sliding_rates(y),
+        }
+    }
+
+    /// An event located on the method's interpolation, moved along the true rate to where its margin is zero.
+    fn corrected(&self, time: f64, y: &Numbers, support: Support) -> (f64, Numbers) {
+        let rate = self.rates(y, support);
+        let moved = |dt: f64| core::array::from_fn(|i| y[i] + dt * rate[i]);
+        let here = self.margin(y, support);
+        // So short that Euler's step is exact to rounding, so long that the margin changes.
+        let probe = 1e-8 / (1.0 + self.scales[4]);
+        let step = -here * probe / (self.margin(&moved(probe), support) - here);
+        if step.is_finite() && step.abs() < 10.0 * probe {
+            (time + step, moved(step))
+        } else {
+            (time, *y)
         }
     }
 
@@ -178,45 +237,56 @@ impl<F: Grip, R: Resist> Run<'_, F, R> {
         let pose = Pose::of(y);
         match support {
             Support::Rolling => self.table.rolling(&pose.up, &pose.omega).reaction,
-            _ => self.table.sliding(&pose.up, &pose.omega, &pose.level).reaction,
+            _ => {
+                self.table
+                    .sliding(&pose.up, &pose.omega, &pose.level)
+                    .reaction
+            }
         }
     }
 
     /// The support after an event on the table, and the state with which it begins.
     fn changed(&self, y: &mut Numbers, support: Support) -> Result<Support> {
-        let pose = Pose::of(y);
-        let weight = self.table.body.mass() * self.table.gravity;
-        // Located to rounding, the reaction may be either side of zero.
-        let pressed = self.reaction(y, support) / weight;
         let Holding::Cone { mu } = self.table.friction.hold() else {
             return Ok(Support::Airborne);
         };
+        let pose = Pose::of(y);
+        let weight = self.table.body.mass() * self.table.gravity;
+        let pressed = self.reaction(y, support) / weight;
+        // Of the two margins the lesser is the one that has come to zero.
         match support {
             Support::Sliding => {
                 let slip = self.table.sliding(&pose.up, &pose.omega, &pose.level).slip;
-                if slip.norm() > 2.0 * self.still || pressed < 1e-9 {
+                if pressed <= slip.norm() / self.still - 1.0 {
                     return Ok(Support::Airborne);
                 }
-                self.settled(y, mu)
+                self.stuck(y, mu)
             }
             _ => {
                 let needed = self.table.rolling(&pose.up, &pose.omega).traction.norm();
-                if needed < (1.0 - 1e-9) * mu {
+                if pressed <= mu - needed {
                     return Ok(Support::Airborne);
                 }
+                *y = self.table.rolled(y);
                 self.kick(y);
                 Ok(Support::Sliding)
             }
         }
     }
 
-    /// Where the slip is nil: rolling if the cone allows it.
+    /// Rolling where the slip is nil and the cone allows it, else sliding.
     fn settled(&self, y: &mut Numbers, mu: f64) -> Result<Support> {
         let pose = Pose::of(y);
         let slip = self.table.sliding(&pose.up, &pose.omega, &pose.level).slip;
-        if slip.norm() > 2.0 * self.still {
+        if slip.norm() > self.still {
             return Ok(Support::Sliding);
         }
+        self.stuck(y, mu)
+    }
+
+    /// The slip taken away; rolling if the cone then allows it, else sliding the way the force pulls that it would take.
+    fn stuck(&self, y: &mut Numbers, mu: f64) -> Result<Support> {
+        let pose = Pose::of(y);
         let (height, climb) = self.table.height(&pose);
         let place = Airborne {
             pose,
@@ -278,8 +348,11 @@ fn airborne(place: &Airborne) -> Place {
     }
 }
 
-/// Runs with tolerances a factor 30 apart, both tightened until they agree to half of `accuracy`: as
+/// Runs with tolerances a factor 30 apart, both tightened until they agree to four times `accuracy`: as
 /// [`refined`](crate::integrators::refined), for motions with phases.
+///
+/// Errors go down in proportion to the tolerance or faster, so the second of the pair, which is returned, is better than their
+/// distance by that factor: a margin of 7.
 pub(super) fn tightened(
     accuracy: f64,
     run: impl Fn(f64) -> Result<History>,
@@ -296,24 +369,29 @@ pub(super) fn tightened(
     let mut tolerance = accuracy;
     let mut coarse = counted(tolerance)?;
     loop {
-        tolerance /= FACTOR;
-        let fine = counted(tolerance)?;
+        let fine = counted(tolerance / FACTOR)?;
         let pairs = coarse.places.iter().zip(&fine.places);
         let apart = pairs.map(|(a, b)| distance(a, b)).fold(0.0, f64::max);
-        if apart <= 0.5 * accuracy {
+        if apart <= 4.0 * accuracy {
             return Ok(History {
                 cost: total.get(),
                 ..fine
             });
         }
-        if tolerance < LEAST_TOLERANCE {
+        if tolerance / FACTOR < LEAST_TOLERANCE {
             return Err(Error::Accuracy {
                 asked: accuracy,
-                reached: 2.0 * apart,
+                reached: apart,
             });
         }
-        tolerance *= (0.25 * accuracy / apart).clamp(1e-3, 1.0);
-        coarse = fine;
+        // No more than three digits at once: an estimate that large is none.
+        let wanted = tolerance * (2.0 * accuracy / apart).max(1e-3);
+        if wanted >= tolerance / FACTOR {
+            (tolerance, coarse) = (tolerance / FACTOR, fine);
+        } else {
+            tolerance = wanted;
+            coarse = counted(tolerance)?;
+        }
     }
 }
 

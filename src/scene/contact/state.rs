@@ -88,6 +88,17 @@ impl State {
     }
 }
 
+/// When `quantity` first rises through `level` (s), by linear interpolation between rows in ascending order of time, if it does.
+pub fn passage(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64, level: f64) -> Option<f64> {
+    rows.windows(2).find_map(|pair| {
+        let [(t0, a), (t1, b)] = pair else {
+            return None;
+        };
+        let (low, high) = (quantity(a), quantity(b));
+        (low < level && high >= level).then(|| t0 + (t1 - t0) * (level - low) / (high - low))
+    })
+}
+
 impl Tabulated for State {
     const COLUMNS: &'static [&'static str] = &[
         "qw",

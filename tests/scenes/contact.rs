@@ -285,8 +285,8 @@ fn a_body_hops_rather_than_be_pulled() {
     // Thrown up by its own eccentric mass: spun about a level axis fast enough, it leaves the table and comes back.
     let body = bodies::hoop_with_clay(1.0, 0.03, 0.3).unwrap();
     let attitude = Start::about_vertical(0.0, 0.0, 0.0).unwrap().attitude;
-    let mut start = Start::spinning(attitude, BodyVector::new(0.0, 45.0, 0.0)).unwrap();
-    start.velocity = SpaceVector::new(45.0 * 0.7 * 0.03, 0.0, 0.0);
+    let mut start = Start::spinning(attitude, BodyVector::new(0.0, 90.0, 0.0)).unwrap();
+    start.velocity = SpaceVector::new(90.0 * 0.7 * 0.03, 0.0, 0.0);
     let table = TableTop::new(body, start).with_gravity(gravity());
     let times: Vec<f64> = (0..=400).map(|i| 1e-3 * f64::from(i)).collect();
     let check = |motion: Motion<State>, phases: usize| {

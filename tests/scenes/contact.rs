@@ -310,11 +310,6 @@ fn a_body_hops_rather_than_be_pulled() {
         .unwrap()
         .to_accuracy(1e-8)
         .unwrap();
-    let held = table.with_friction(NoSlip);
-    check(
-        held.simulate(&request).unwrap(),
-        held.phases(&request).unwrap().len(),
-    );
     let rough = table.with_friction(Viscous::new(0.3).unwrap());
     check(
         rough.simulate(&request).unwrap(),

@@ -53,7 +53,7 @@ fn s4_7_tippe_top_turns_over() {
         .map(|row| (row.1.jellett / first.jellett - 1.0).abs())
         .fold(0.0, f64::max);
     println!("Jellett's integral drifts by {drift:e}");
-    // Observed: 5e-12.
+    // Observed: 4e-15.
     assert!(drift < 1e-10);
 }
 

@@ -185,14 +185,14 @@ impl<G: Pull, F: Grip, R: Resist> TableTop<G, F, R> {
         let table = self.table(gravity);
         let (y, scales) = self.opening(gravity)?;
         let accuracy = request.accuracy();
-        let speed = self.body.speed_scale(gravity);
         let run = |tolerance: f64| {
             Run {
                 table: &table,
                 scales: &scales,
                 method,
                 tolerance,
-                still: speed * (0.1 * accuracy).clamp(1e-11, 1e-6),
+                // Steps of this tolerance overshoot rest by about as much: nothing finer can be seen as rest.
+                still: 10.0 * tolerance * scales[7],
             }
             .follow(&y, times)
         };

@@ -8,3 +8,5 @@ mod strip;
 mod superball;
 mod top;
 mod yo_yo;
+//! Scenes: every effect changes the answer, its zero limit does not, the ledger balances, and closed forms agree with integrators.
+mod contact;

@@ -1,0 +1,164 @@
+//! What can be at work on a body on a table: gravity, friction, resistance to rolling and pivoting.
+
+use nalgebra::Vector3;
+
+use crate::error::{Result, positive};
+use crate::scene::effect::{Absent, Effect};
+use crate::tippe_top::flight::Hold;
+use crate::tippe_top::{Coulomb, Couple, Regularised, Resistance, Traction, Viscous};
+
+/// Gravity, downwards; what presses the body to the table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gravity {
+    strength: f64,
+}
+
+impl Gravity {
+    /// Of this strength, m/s².
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite).
+    pub fn new(strength: f64) -> Result<Self> {
+        let strength = positive("gravity", strength)?;
+        Ok(Self { strength })
+    }
+
+    /// Its strength, m/s².
+    pub const fn strength(&self) -> f64 {
+        self.strength
+    }
+}
+
+impl Effect for Gravity {
+    const PRESENT: bool = true;
+    const NAME: &'static str = "gravity";
+}
+
+/// The slot of gravity.
+pub trait Pull: Effect {
+    /// The strength, if there is any.
+    fn pull(&self) -> Option<f64>;
+}
+
+impl Pull for Gravity {
+    fn pull(&self) -> Option<f64> {
+        Some(self.strength)
+    }
+}
+
+impl Pull for Absent {
+    fn pull(&self) -> Option<f64> {
+        None
+    }
+}
+
+/// The rolling constraint: the point in contact never slips, whatever force that takes.
+///
+/// Where the reaction falls to zero while a level force is still needed, no table can do both: the run may end there with
+/// [`Error::Integration`](crate::Error::Integration). [`Coulomb`] slides first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct NoSlip;
+
+impl Traction for NoSlip {
+    const ACTS: bool = false;
+
+    fn traction(&self, _: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::zeros()
+    }
+
+    fn sharpness(&self) -> f64 {
+        0.0
+    }
+}
+
+/// The slot of friction at the contact.
+pub trait Grip: Effect + Traction {
+    /// How the contact can hold.
+    fn hold(&self) -> Holding;
+}
+
+/// How a contact can hold: see the laws.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Holding {
+    /// Force follows slip; the contact always slides.
+    Slides,
+    /// Coulomb's law: it sticks while the force needed is at most μ times the normal one.
+    Cone {
+        /// Coefficient of friction.
+        mu: f64,
+    },
+    /// It never slips.
+    Grips,
+}
+
+impl From<Holding> for Hold {
+    fn from(holding: Holding) -> Self {
+        match holding {
+            Holding::Slides => Self::Slides,
+            Holding::Cone { mu } => Self::Cone { mu },
+            Holding::Grips => Self::Grips,
+        }
+    }
+}
+
+impl Traction for Absent {
+    const ACTS: bool = false;
+
+    fn traction(&self, _: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::zeros()
+    }
+
+    fn sharpness(&self) -> f64 {
+        f64::INFINITY
+    }
+}
+
+/// The slot of the couple that resists turning.
+pub trait Resist: Effect + Couple {}
+
+impl Couple for Absent {
+    const ACTS: bool = false;
+
+    fn couple(&self, _: &Vector3<f64>, _: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::zeros()
+    }
+}
+
+impl Resist for Absent {}
+
+impl Effect for Resistance {
+    const PRESENT: bool = true;
+    const NAME: &'static str = "resistance";
+}
+
+impl Resist for Resistance {}
+
+macro_rules! grip {
+    ($law:ty, $name:literal, $present:literal, $self:ident => $hold:expr) => {
+        impl Grip for $law {
+            fn hold(&$self) -> Holding {
+                $hold
+            }
+        }
+
+        impl Effect for $law {
+            const PRESENT: bool = $present;
+            const NAME: &'static str = $name;
+        }
+    };
+}
+
+impl Grip for Absent {
+    fn hold(&self) -> Holding {
+        Holding::Slides
+    }
+}
+
+grip!(Viscous, "viscous_friction", true, self => Holding::Slides);
+grip!(Regularised, "regularised_friction", true, self => Holding::Slides);
+grip!(NoSlip, "no_slip", true, self => Holding::Grips);
+grip!(Coulomb, "coulomb_friction", true, self => match self.mu() {
+    // Without friction nothing ever sticks, not even where the slip is nil.
+    0.0 => Holding::Slides,
+    mu => Holding::Cone { mu },
+});

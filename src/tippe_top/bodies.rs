@@ -1,0 +1,132 @@
+//! The bodies of the chapter, with the parameters that its numbers belong to.
+
+use nalgebra::Matrix3;
+
+use super::body::ConvexBody;
+use super::surface::Surface;
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::{Attitude, BodyVector};
+use crate::inertia::InertiaMatrix;
+
+/// A ball of radius R with C a distance α R below its centre, and inertia matrix `inertia` in units M R² (third axis along CK).
+///
+/// # Errors
+/// As for [`ConvexBody::new`] and [`InertiaMatrix::from_matrix`]; [`Error::OutOfRange`] unless 0 ≤ α < 1.
+pub fn eccentric_ball(
+    mass: f64,
+    radius: f64,
+    alpha: f64,
+    inertia: Matrix3<f64>,
+) -> Result<ConvexBody> {
+    let surface = Surface::sphere(radius)?;
+    round_ended(mass, radius, alpha, inertia, surface)
+}
+
+fn round_ended(
+    mass: f64,
+    radius: f64,
+    alpha: f64,
+    inertia: Matrix3<f64>,
+    surface: Surface,
+) -> Result<ConvexBody> {
+    let radius = positive("the radius", radius)?;
+    if !(0.0..1.0).contains(&finite("the offset of C over the radius", alpha)?) {
+        return Err(Error::OutOfRange {
+            quantity: "the offset of C over the radius",
+            value: alpha,
+            least: 0.0,
+            greatest: 1.0,
+        });
+    }
+    let inertia = InertiaMatrix::from_matrix(inertia * (mass * radius * radius))?;
+    let center = BodyVector::new(0.0, 0.0, alpha * radius);
+    ConvexBody::new(mass, inertia, surface, center)
+}
+
+/// The tutorial's hoop with clay, taken as a ball with I = (2/5) M R² in every direction and C at α R from its centre.
+///
+/// # Errors
+/// As for [`eccentric_ball`].
+pub fn hoop_with_clay(mass: f64, radius: f64, alpha: f64) -> Result<ConvexBody> {
+    eccentric_ball(mass, radius, alpha, Matrix3::identity() * 0.4)
+}
+
+/// The tippe top of Rauch-Wojciechowski and Rutstam's numerics: 20 g, R = 2 cm, α = 0.3, I3 = (2/5) M R², I1 = (131/350) M R².
+///
+/// # Errors
+/// None for these parameters.
+pub fn tippe_top() -> Result<ConvexBody> {
+    let moments = nalgebra::Vector3::new(131.0 / 350.0, 131.0 / 350.0, 0.4);
+    eccentric_ball(0.02, 0.02, 0.3, Matrix3::from_diagonal(&moments))
+}
+
+/// A homogeneous egg: the spheroid with half length `long` along its third axis and radius `short` (m).
+///
+/// # Errors
+/// As for [`ConvexBody::new`].
+pub fn egg(mass: f64, long: f64, short: f64) -> Result<ConvexBody> {
+    let surface = Surface::ellipsoid([short, short, long])?;
+    let across = mass * (long * long + short * short) / 5.0;
+    let along = mass * 2.0 * short * short / 5.0;
+    let inertia = InertiaMatrix::diagonal(across, across, along)?;
+    ConvexBody::new(mass, inertia, surface, BodyVector::zero())
+}
+
+/// The inertia matrix of [`chiral_top`], in units M R².
+pub fn chiral_inertia() -> Matrix3<f64> {
+    Matrix3::new(
+        0.480, 0.017, -0.008, 0.017, 0.420, 0.008, -0.008, 0.008, 0.530,
+    )
+}
+
+/// A chiral tippe top with a perfectly spherical surface: 20 g, R = 2 cm, α = 0.19, and a skew inertia matrix.
+///
+/// Spun clockwise (seen from above) it turns over, spun anticlockwise it stays down. Its beads: [`beads`](super::beads).
+///
+/// # Errors
+/// None for these parameters.
+pub fn chiral_top() -> Result<ConvexBody> {
+    eccentric_ball(0.02, 0.02, 0.19, chiral_inertia())
+}
+
+/// A top of 20 g and R = 2 cm on an ellipsoidal end with semi-axes R(1+e), R(1−e), R, turned by `delta` (rad) about CK against the axes
+/// of inertia; moments `moments` in units M R²: chiral as a rattleback is.
+///
+/// # Errors
+/// As for [`eccentric_ball`].
+pub fn celt_ended_top(alpha: f64, moments: [f64; 3], delta: f64, e: f64) -> Result<ConvexBody> {
+    let radius = 0.02;
+    let axes = [radius * (1.0 + e), radius * (1.0 - e), radius];
+    let turn = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), delta)?;
+    let surface = Surface::ellipsoid(axes)?.turned(&turn);
+    let inertia = Matrix3::from_diagonal(&moments.into());
+    round_ended(0.02, radius, alpha, inertia, surface)
+}
+
+/// The [`celt_ended_top`] that spins over anticlockwise in a fifth of a second (at 102.4 rad/s, μ = 0.5).
+///
+/// # Errors
+/// None for these parameters.
+pub fn celt_ended_top_1() -> Result<ConvexBody> {
+    celt_ended_top(0.288, [0.351, 0.550, 0.505], 0.745, 0.144)
+}
+
+/// A slower one (62.6 rad/s, μ = 0.5).
+///
+/// # Errors
+/// None for these parameters.
+pub fn celt_ended_top_2() -> Result<ConvexBody> {
+    celt_ended_top(0.265, [0.261, 0.507, 0.406], 0.845, 0.129)
+}
+
+/// Kane and Levinson's rattleback (1982), of 1 kg: semi-axes 20, 3 and 2 cm, C 1 cm below the centre, moments 2, 16, 17 and product
+/// −0.2 cm² a unit mass.
+///
+/// # Errors
+/// None for these parameters.
+pub fn rattleback() -> Result<ConvexBody> {
+    let inertia = Matrix3::new(2e-4, -2e-5, 0.0, -2e-5, 16e-4, 0.0, 0.0, 0.0, 17e-4);
+    let inertia = InertiaMatrix::from_matrix(inertia)?;
+    let surface = Surface::ellipsoid([0.2, 0.03, 0.02])?;
+    ConvexBody::new(1.0, inertia, surface, BodyVector::new(0.0, 0.0, 0.01))
+}

@@ -1,0 +1,219 @@
+//! A rigid body that can stand on a table, and how it is put there.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::surface::{Surface, mirrored};
+use crate::conservation::finite_vector;
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::inertia::{InertiaMatrix, PrincipalAxes};
+
+/// A rigid body with a smooth convex surface (tutorial 4.7). Its reference point is the centre of mass C.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConvexBody {
+    pub(super) mass: f64,
+    pub(super) inertia: Matrix3<f64>,
+    pub(super) inverse: Matrix3<f64>,
+    pub(super) surface: Surface,
+    pub(super) center: Vector3<f64>,
+    about_c: InertiaMatrix,
+}
+
+impl ConvexBody {
+    /// The body of this mass (kg) and inertia matrix about C (kg m²), whose surface has its centre K at `center` (m, from C).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the mass; [`Error::NotFinite`]; [`Error::Condition`] for a body all on one line, whose spin about
+    /// it no torque could be held to.
+    pub fn new(
+        mass: f64,
+        inertia: InertiaMatrix,
+        surface: Surface,
+        center: BodyVector,
+    ) -> Result<Self> {
+        let mass = positive("the mass", mass)?;
+        finite_vector("the centre of the surface", center)?;
+        let matrix = inertia.matrix();
+        let inverse = matrix
+            .try_inverse()
+            .filter(|m| m.iter().all(|x| x.is_finite()));
+        let inverse = inverse.ok_or(Error::Condition {
+            condition: "a body on a table must have three positive moments of inertia",
+            value: inertia.principal_axes().moments()[0],
+        })?;
+        Ok(Self {
+            mass,
+            inertia: matrix,
+            inverse,
+            surface,
+            center: center.components(),
+            about_c: inertia,
+        })
+    }
+
+    /// Mass, kg.
+    pub const fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Inertia matrix about C, kg m².
+    pub const fn inertia(&self) -> &InertiaMatrix {
+        &self.about_c
+    }
+
+    /// The surface.
+    pub const fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    /// CK, from the centre of mass to the centre of the surface, m.
+    pub const fn center(&self) -> BodyVector {
+        BodyVector::from_components(self.center)
+    }
+
+    /// The mirror image: in the plane through the body's first and third axis. A chiral body is not a turned copy of its own.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let mut image = *self;
+        image.inertia = mirrored(&self.inertia);
+        image.inverse = mirrored(&self.inverse);
+        image.surface = self.surface.mirrored();
+        image.center.y = -self.center.y;
+        // The mirror image of the inertia matrix of a body is one.
+        image.about_c = InertiaMatrix::from_matrix(image.inertia).unwrap_or(self.about_c);
+        image
+    }
+
+    /// CR, from C to the lowest point (m), if the upward vertical is `up`; its normal component is minus the height of C.
+    pub fn lowest_point(&self, up: BodyVector) -> Result<BodyVector> {
+        let up = up.direction("the vertical")?;
+        Ok(BodyVector::from_components(self.arm(&up.components())))
+    }
+
+    /// ρ = CK − S(n), from C to the point of contact.
+    pub(super) fn arm(&self, up: &Vector3<f64>) -> Vector3<f64> {
+        self.center - self.surface.support(up)
+    }
+
+    /// Jellett's integral −⟨L, ρ⟩ (J s m), for a body on a sphere: ⟨L, R z − ε e⟩ with e the unit vector along CK and ε its length.
+    ///
+    /// Constant under any force at the contact if the body has an inertial axis of symmetry through K
+    /// (see [`has_jellett_integral`](Self::has_jellett_integral)).
+    pub fn jellett(&self, up: BodyVector, omega: BodyVector) -> f64 {
+        let l = self.inertia * omega.components();
+        -l.dot(&self.arm(&up.components()))
+    }
+
+    /// Whether the surface is a sphere about a point of an inertial axis of symmetry, to rounding (tutorial 4.7; Jellett 1872).
+    pub fn has_jellett_integral(&self) -> bool {
+        if self.surface.radius().is_none() {
+            return false;
+        }
+        let along = self.center;
+        let size = self.inertia.amax();
+        let close = |vector: Vector3<f64>, scale: f64| vector.amax() <= 8.0 * f64::EPSILON * scale;
+        if along.amax() == 0.0 {
+            // K = C: ⟨L, z⟩, which friction changes only through the arm R z, parallel to z.
+            return true;
+        }
+        let axis = along / along.norm();
+        let image = self.inertia * axis;
+        let axial = axis.dot(&image);
+        let transverse = 0.5 * (self.inertia.trace() - axial);
+        let symmetric =
+            Matrix3::identity() * transverse + axis * axis.transpose() * (axial - transverse);
+        close(image - axis * axial, size)
+            && (self.inertia - symmetric).amax() <= 8.0 * f64::EPSILON * size
+    }
+
+    pub(super) fn principal(&self) -> PrincipalAxes {
+        self.about_c.principal_axes()
+    }
+
+    /// √(gR), the speed against which slips are small or large, m/s.
+    pub(crate) fn speed_scale(&self, gravity: f64) -> f64 {
+        (gravity * self.surface.size()).sqrt()
+    }
+
+    /// Euler's equations without torque.
+    pub(crate) fn unforced(&self, omega: &Vector3<f64>) -> Vector3<f64> {
+        self.inverse * -omega.cross(&(self.inertia * omega))
+    }
+
+    /// Kinetic energy (J) at this angular velocity and velocity of C.
+    pub(crate) fn kinetic_energy(&self, omega: &Vector3<f64>, velocity: &Vector3<f64>) -> f64 {
+        0.5 * (omega.dot(&(self.inertia * omega)) + self.mass * velocity.norm_squared())
+    }
+}
+
+/// How a body is put on the table: its attitude, its angular velocity, and the level part of the velocity of C.
+///
+/// The height of C and its vertical velocity follow from the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Start {
+    /// From the body's axes to those of space; the third axis of space points up.
+    pub attitude: Attitude,
+    /// Angular velocity, rad/s.
+    pub omega: BodyVector,
+    /// Level velocity of C, m/s; a vertical component is ignored, and all of it in pure rolling.
+    pub velocity: SpaceVector,
+}
+
+impl Start {
+    /// At rest over the table but for the angular velocity `omega` (rad/s).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn spinning(attitude: Attitude, omega: BodyVector) -> Result<Self> {
+        finite_vector("the angular velocity", omega)?;
+        Ok(Self {
+            attitude,
+            omega,
+            velocity: SpaceVector::zero(),
+        })
+    }
+
+    /// Spinning about the **vertical** at `spin` (rad/s, positive: anticlockwise seen from above), the body's third axis at `tilt`
+    /// from it (rad); the vertical is (sin tilt cos azimuth, sin tilt sin azimuth, cos tilt) in the body's axes. C at rest.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn about_vertical(tilt: f64, azimuth: f64, spin: f64) -> Result<Self> {
+        let (attitude, up) = tilted(tilt, azimuth)?;
+        Self::spinning(attitude, up * finite("the spin", spin)?)
+    }
+
+    /// Spinning about the body's own **third axis** at `spin`, tilted as in [`about_vertical`](Self::about_vertical). C at rest.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn about_third_axis(tilt: f64, azimuth: f64, spin: f64) -> Result<Self> {
+        let (attitude, _) = tilted(tilt, azimuth)?;
+        let spin = finite("the spin", spin)?;
+        Self::spinning(attitude, BodyVector::new(0.0, 0.0, spin))
+    }
+
+    /// The mirror image, with [`ConvexBody::mirrored`]: the same motion in a mirror.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        // A turn by q about an axis becomes the turn by −q about the mirrored axis.
+        let q = self.attitude.quaternion();
+        let image = nalgebra::Quaternion::new(q.w, -q.i, q.j, -q.k);
+        let [x, y, z] = [self.omega.x(), self.omega.y(), self.omega.z()];
+        let v = self.velocity;
+        Self {
+            attitude: Attitude::from_unit(image),
+            omega: BodyVector::new(-x, y, -z),
+            velocity: SpaceVector::new(v.x(), -v.y(), v.z()),
+        }
+    }
+}
+
+fn tilted(tilt: f64, azimuth: f64) -> Result<(Attitude, BodyVector)> {
+    let tilt = finite("the tilt", tilt)?;
+    let (sin, cos) = finite("the azimuth", azimuth)?.sin_cos();
+    let axis = BodyVector::new(sin, -cos, 0.0);
+    let attitude = Attitude::about_axis(axis, tilt)?;
+    let up = attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
+    Ok((attitude, up))
+}

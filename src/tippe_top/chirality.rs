@@ -1,0 +1,44 @@
+//! Handedness: the index that decides it for a body on a sphere, and beads to build the body from.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::error::{Result, positive};
+use crate::frame::{Attitude, BodyVector};
+use crate::inertia::InertiaMatrix;
+
+/// χ = k·(Ik ∧ I²k), with k the unit vector along `axis` (tutorial 4.7, chiral tippe tops): in the third power of the unit of I.
+///
+/// χ = 0 if and only if some plane through k is a principal plane of I. For a body on a sphere with k along CK the reflection in that
+/// plane maps the body to itself and spin to minus spin, so it tips alike both ways. A mirror image has −χ. With k = e3,
+/// χ = I12 (I13² − I23²) + I13 I23 (I22 − I11).
+///
+/// Found by computing, not proved: χ > 0 makes negative (clockwise) spin the faster one to tip. Error: a few units of rounding of
+/// |I|³.
+///
+/// # Errors
+/// [`Error::ZeroVector`](crate::Error::ZeroVector), [`Error::NotFinite`](crate::Error::NotFinite) for the axis.
+pub fn chirality_index(inertia: &InertiaMatrix, axis: BodyVector) -> Result<f64> {
+    let k = axis.direction("the axis CK")?.components();
+    let matrix = inertia.matrix();
+    let image = matrix * k;
+    Ok(k.dot(&image.cross(&(matrix * image))))
+}
+
+/// Three pairs of opposite places ±pᵢ (m), relative to C, where six equal beads of mass `mass`/6 have this inertia matrix.
+///
+/// pᵢ = Σⱼ √(3 Jⱼ/M) Qⱼᵢ eⱼ, with the principal second moments Jⱼ = ½ tr I − Iⱼ, the principal axes eⱼ, and any rotation Q: `mixing`
+/// (the identity puts the beads on the principal axes). Every such set of three pairs is of this form, up to a reflection.
+///
+/// # Errors
+/// [`Error::NotPositive`](crate::Error::NotPositive) for the mass.
+pub fn beads(mass: f64, inertia: &InertiaMatrix, mixing: &Attitude) -> Result<[BodyVector; 3]> {
+    let mass = positive("the mass", mass)?;
+    let axes = inertia.principal_axes();
+    let moments = Vector3::from(axes.moments());
+    let half = 0.5 * moments.sum();
+    // Not below zero but by rounding: a lamina.
+    let lengths = moments.map(|moment| (3.0 * (half - moment).max(0.0) / mass).sqrt());
+    let mixing = mixing.quaternion().to_rotation_matrix();
+    let places = axes.axes() * Matrix3::from_diagonal(&lengths) * mixing.matrix();
+    Ok([0, 1, 2].map(|i| BodyVector::from_components(places.column(i).into_owned())))
+}

@@ -1,0 +1,125 @@
+//! The hoop with clay: the tutorial's estimate of how fast it tips over, and what it leaves out.
+
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::SpaceVector;
+
+/// The hoop with clay of tutorial 4.7: radius R, inertia I about C in every direction, C a distance ε = α R from the centre of curvature K,
+/// sliding with friction μ M g.
+///
+/// θ is the angle between L, vertical, and the axis from C to K. The axes of the picture: x to the right, y into the page, z up; C is
+/// below K and to the left of it, so that e = (sin θ, 0, cos θ).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HoopWithClay {
+    mass: f64,
+    radius: f64,
+    alpha: f64,
+    inertia: f64,
+    mu: f64,
+    gravity: f64,
+}
+
+impl HoopWithClay {
+    /// The hoop of this mass (kg), radius (m), α = ε/R, I/(M R²), μ, g (m/s²).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::OutOfRange`] unless 0 ≤ α < 1.
+    pub fn new(
+        mass: f64,
+        radius: f64,
+        alpha: f64,
+        inertia_factor: f64,
+        mu: f64,
+        gravity: f64,
+    ) -> Result<Self> {
+        let mass = positive("the mass", mass)?;
+        let radius = positive("the radius", radius)?;
+        let factor = positive("the moment of inertia over M R²", inertia_factor)?;
+        if !(0.0..1.0).contains(&finite("the offset of C over the radius", alpha)?) {
+            return Err(Error::OutOfRange {
+                quantity: "the offset of C over the radius",
+                value: alpha,
+                least: 0.0,
+                greatest: 1.0,
+            });
+        }
+        Ok(Self {
+            mass,
+            radius,
+            alpha,
+            inertia: factor * mass * radius * radius,
+            mu: positive("the coefficient of friction", mu)?,
+            gravity: positive("gravity", gravity)?,
+        })
+    }
+
+    /// f = μ M g, N.
+    pub fn friction(&self) -> f64 {
+        self.mu * self.mass * self.gravity
+    }
+
+    /// CO, from C to the point of contact, in the picture's axes, m: r = ε e − R z.
+    pub fn arm(&self, tilt: f64) -> SpaceVector {
+        let (sin, cos) = tilt.sin_cos();
+        let offset = self.alpha * self.radius;
+        SpaceVector::new(offset * sin, 0.0, offset * cos - self.radius)
+    }
+
+    /// Velocity of the point of contact, Ω∧r (m/s) for spin Ω (rad/s) up: into the page, with Ω ε sin θ. The motion of C is left out.
+    pub fn slip(&self, tilt: f64, spin: f64) -> SpaceVector {
+        SpaceVector::new(0.0, 0.0, spin).cross(&self.arm(tilt))
+    }
+
+    /// Torque of friction about C (N m), with friction out of the page: N = −f (R − ε cos θ) x − f ε sin θ z.
+    pub fn torque(&self, tilt: f64) -> SpaceVector {
+        self.arm(tilt)
+            .cross(&SpaceVector::new(0.0, -self.friction(), 0.0))
+    }
+
+    /// The tutorial's estimate dθ/dt ≈ R μ M g/(I Ω), rad/s. Domain: Ω > 0 with ε Ω² ≫ μ g.
+    pub fn tip_rate(&self, spin: f64) -> f64 {
+        self.radius * self.friction() / (self.inertia * spin)
+    }
+
+    /// The tutorial's time to tip over, π I Ω/(R μ M g), s.
+    pub fn tip_over_time(&self, spin: f64) -> f64 {
+        core::f64::consts::PI / self.tip_rate(spin)
+    }
+
+    /// dθ/dt with L as Jellett's integral J lets it fall, f (R − ε cos θ)²/J, rad/s; J = I Ω (R − ε cos θ₀) for spin Ω about the vertical at
+    /// tilt θ₀.
+    pub fn refined_rate(&self, spin: f64, start: f64, tilt: f64) -> f64 {
+        let arm = |tilt: f64| self.radius * (1.0 - self.alpha * tilt.cos());
+        self.friction() * arm(tilt) * arm(tilt) / (self.inertia * spin * arm(start))
+    }
+
+    /// Time from tilt θ₀, where the spin about the vertical is Ω, to tilt θ₁ with [`refined_rate`](Self::refined_rate): s.
+    ///
+    /// In closed form; from 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π.
+    pub fn refined_time(&self, spin: f64, start: f64, end: f64) -> f64 {
+        let a = self.alpha;
+        let square = (1.0 - a) * (1.0 + a);
+        // ∫ dθ/(1 − α cos θ)², a primitive that vanishes at 0 and has no jump up to π.
+        let primitive = |tilt: f64| {
+            let (sin, cos) = (0.5 * tilt).sin_cos();
+            let turn = 2.0 * ((1.0 + a).sqrt() * sin).atan2((1.0 - a).sqrt() * cos);
+            (turn / square.sqrt() + a * tilt.sin() / (1.0 - a * tilt.cos())) / square
+        };
+        (primitive(end) - primitive(start)) * (1.0 - a * start.cos()) / self.tip_rate(spin)
+    }
+
+    /// |L| at tilt θ₁ over |L| at θ₀, by Jellett's integral: (1 − α cos θ₀)/(1 − α cos θ₁).
+    pub fn spin_ratio(&self, start: f64, end: f64) -> f64 {
+        (1.0 - self.alpha * start.cos()) / (1.0 - self.alpha * end.cos())
+    }
+
+    /// ε Ω²/(μ g): the estimate needs this large, so that slip keeps its direction.
+    pub fn validity(&self, spin: f64) -> f64 {
+        self.alpha * self.radius * spin * spin / (self.mu * self.gravity)
+    }
+
+    /// −½ M Ω² ε² sin² θ (J): least at the horizontal. Centrifugal force alone would bring C there from both sides, and no higher.
+    pub fn centrifugal_potential(&self, tilt: f64, spin: f64) -> f64 {
+        let arm = self.alpha * self.radius * tilt.sin() * spin;
+        -0.5 * self.mass * arm * arm
+    }
+}

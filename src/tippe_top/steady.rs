@@ -1,0 +1,210 @@
+//! The axisymmetric tippe top in closed form: where it can end, and how fast it must be spun to get there.
+
+use core::f64::consts::PI;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::bodies::eccentric_ball;
+use super::body::ConvexBody;
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::BodyVector;
+
+/// An axisymmetric top on a sphere: mass M, radius R, C at α R from the centre, moments I1 across the axis and I3 about it.
+///
+/// Any friction takes energy and keeps Jellett's integral λ = ⟨L, R z − ε e⟩. So the top slides down the effective potential
+/// V(θ) = λ²/(2 R² D(θ)) + M g R (1 − α cos θ), D = I1 sin² θ + I3 (cos θ − α)², until it reaches a minimum: there it neither slips nor
+/// rises.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TippeTop {
+    mass: f64,
+    radius: f64,
+    alpha: f64,
+    transverse: f64,
+    axial: f64,
+    gravity: f64,
+}
+
+/// What spin can do to an axisymmetric tippe top (Ueda, Sasaki and Watanabe 2005), by γ = I1/I3.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Inversion {
+    /// γ ≤ 1 − α: upright, C low, is stable at any spin.
+    Never,
+    /// 1 − α < γ < 1 + α: fast enough, it turns over completely.
+    Complete,
+    /// γ ≥ 1 + α: fast enough, it rises to a tilt short of π.
+    Partial,
+}
+
+impl TippeTop {
+    /// The top of this mass (kg), radius (m), α, moments I1, I3 about C (kg m²), under gravity g (m/s²).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::OutOfRange`] unless 0 < α < 1.
+    pub fn new(
+        mass: f64,
+        radius: f64,
+        alpha: f64,
+        transverse: f64,
+        axial: f64,
+        gravity: f64,
+    ) -> Result<Self> {
+        if finite("the offset of C over the radius", alpha)? >= 1.0 {
+            return Err(Error::OutOfRange {
+                quantity: "the offset of C over the radius",
+                value: alpha,
+                least: 0.0,
+                greatest: 1.0,
+            });
+        }
+        Ok(Self {
+            mass: positive("the mass", mass)?,
+            radius: positive("the radius", radius)?,
+            alpha: positive("the offset of C over the radius", alpha)?,
+            transverse: positive("the transverse moment of inertia", transverse)?,
+            axial: positive("the axial moment of inertia", axial)?,
+            gravity: positive("gravity", gravity)?,
+        })
+    }
+
+    /// The same top as a body for a scene.
+    ///
+    /// # Errors
+    /// As for [`ConvexBody::new`]; moments that no body has.
+    pub fn body(&self) -> Result<ConvexBody> {
+        let unit = self.mass * self.radius * self.radius;
+        let moments = Vector3::new(self.transverse, self.transverse, self.axial) / unit;
+        eccentric_ball(
+            self.mass,
+            self.radius,
+            self.alpha,
+            Matrix3::from_diagonal(&moments),
+        )
+    }
+
+    /// What spin can do to it.
+    pub fn inversion(&self) -> Inversion {
+        let gamma = self.transverse / self.axial;
+        if gamma <= 1.0 - self.alpha {
+            Inversion::Never
+        } else if gamma < 1.0 + self.alpha {
+            Inversion::Complete
+        } else {
+            Inversion::Partial
+        }
+    }
+
+    /// λ = R I3 ω (cos θ − α) for spin ω (rad/s) about the axis at tilt θ: J s m.
+    pub fn jellett_of_spin(&self, spin: f64, tilt: f64) -> f64 {
+        self.radius * self.axial * spin * (tilt.cos() - self.alpha)
+    }
+
+    /// D(θ) = I1 sin² θ + I3 (cos θ − α)², by cos θ: kg m².
+    fn effective_inertia(&self, cos: f64) -> f64 {
+        let across = (1.0 - cos) * (1.0 + cos);
+        self.transverse * across + self.axial * (cos - self.alpha) * (cos - self.alpha)
+    }
+
+    /// I3 α − (I3 − I1) cos θ, of the sign of what steadies a precession at θ.
+    fn steadying(&self, cos: f64) -> f64 {
+        self.axial * self.alpha - (self.axial - self.transverse) * cos
+    }
+
+    /// V(θ), the least energy at tilt θ and Jellett's integral λ: J.
+    pub fn effective_potential(&self, tilt: f64, jellett: f64) -> f64 {
+        let cos = tilt.cos();
+        let spin = jellett / self.radius;
+        0.5 * spin * spin / self.effective_inertia(cos)
+            + self.mass * self.gravity * self.radius * (1.0 - self.alpha * cos)
+    }
+
+    /// The rate of precession φ̇ (rad/s) of the steady state at tilt θ strictly between 0 and π, φ̇² = M g α R/(I3 α − (I3 − I1) cos θ),
+    /// if there is one: no slip, C at rest, Ω = φ̇ (z − α e).
+    pub fn steady_precession(&self, tilt: f64) -> Option<f64> {
+        let steadying = self.steadying(tilt.cos());
+        let pull = self.mass * self.gravity * self.alpha * self.radius;
+        (steadying > 0.0).then(|| (pull / steadying).sqrt())
+    }
+
+    /// λ = R φ̇ D(θ) of the steady state at tilt θ, if there is one.
+    pub fn steady_jellett(&self, tilt: f64) -> Option<f64> {
+        let inertia = self.effective_inertia(tilt.cos());
+        self.steady_precession(tilt)
+            .map(|rate| self.radius * rate * inertia)
+    }
+
+    /// The vertical and Ω (rad/s) in the body's axes in the steady state at tilt θ, if there is one.
+    pub fn steady_state(&self, tilt: f64) -> Option<(BodyVector, BodyVector)> {
+        let rate = self.steady_precession(tilt)?;
+        let up = BodyVector::new(tilt.sin(), 0.0, tilt.cos());
+        let axis = BodyVector::new(0.0, 0.0, self.alpha);
+        Some((up, (up - axis) * rate))
+    }
+
+    /// Least λ at which the top does not stay upright with C low, if any: λ² = M g R³ I3 α (1−α)⁴/(γ − 1 + α).
+    pub fn upright_is_lost_above(&self) -> Option<f64> {
+        self.steady_jellett(0.0)
+    }
+
+    /// Least λ at which the top stands on its head, if any: √(M g R³ I3 α) (1+α)²/√(1 + α − γ).
+    pub fn inverted_is_stable_above(&self) -> Option<f64> {
+        self.steady_jellett(PI)
+    }
+
+    /// Least spin (rad/s) about the upright axis at which it rises, if any.
+    pub fn least_spin_to_rise(&self) -> Option<f64> {
+        let unit = self.jellett_of_spin(1.0, 0.0);
+        self.upright_is_lost_above().map(|jellett| jellett / unit)
+    }
+
+    /// Least spin (rad/s) about the upright axis at which it turns over completely, if any.
+    pub fn least_spin_to_invert(&self) -> Option<f64> {
+        let unit = self.jellett_of_spin(1.0, 0.0);
+        match self.inversion() {
+            Inversion::Complete => self
+                .inverted_is_stable_above()
+                .map(|jellett| jellett / unit),
+            Inversion::Never | Inversion::Partial => None,
+        }
+    }
+
+    /// The tilt (rad) at which a top with Jellett's integral λ ends that starts without energy to spare at tilt `start`: the first
+    /// minimum of the effective potential on the way down, π if there is none.
+    ///
+    /// V′ as a function of cos θ is a quartic over a square; its sign is scanned in 4096 steps of θ and the change located to
+    /// rounding. A start with much energy to spare (a slow top spun about its own tilted axis) may leave that valley.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn final_tilt(&self, jellett: f64, start: f64) -> Result<f64> {
+        let lambda = finite("Jellett's integral", jellett)?;
+        let start = finite("the tilt at the start", start)?.clamp(0.0, PI);
+        let weight = self.mass * self.gravity * self.radius * self.radius * self.radius;
+        let pull = weight * self.alpha;
+        // The sign of dV/d(cos θ), over positive factors: positive where the top rises.
+        let lift = |tilt: f64| {
+            let cos = tilt.cos();
+            let inertia = self.effective_inertia(cos);
+            lambda * lambda * self.steadying(cos) - pull * inertia * inertia
+        };
+        let rising = lift(start) > 0.0;
+        let (goal, steps) = (if rising { PI } else { 0.0 }, 4096);
+        let mut here = start;
+        for step in 1..=steps {
+            let next = start + (goal - start) * f64::from(step) / f64::from(steps);
+            if (lift(next) > 0.0) != rising {
+                let (mut before, mut after) = (here, next);
+                for _ in 0..60 {
+                    let middle = 0.5 * (before + after);
+                    if (lift(middle) > 0.0) == rising {
+                        before = middle;
+                    } else {
+                        after = middle;
+                    }
+                }
+                return Ok(0.5 * (before + after));
+            }
+            here = next;
+        }
+        Ok(goal)
+    }
+}

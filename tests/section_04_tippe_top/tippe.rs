@@ -1,0 +1,178 @@
+//! The axisymmetric tippe top: closed forms and the full motion.
+
+use core::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use spinning_bodies::scene::contact::{Gravity, TableTop, Viscous, passage};
+use spinning_bodies::tippe_top::{Inversion, Start, TippeTop, bodies};
+
+use crate::common::{degrees, last, most, run};
+
+const MR2: f64 = 0.02 * 0.02 * 0.02;
+
+/// The top of Rauch-Wojciechowski and Rutstam.
+fn top() -> TippeTop {
+    TippeTop::new(0.02, 0.02, 0.3, MR2 * 131.0 / 350.0, MR2 * 0.4, 9.82).unwrap()
+}
+
+fn scene(spin: f64) -> TableTop<Gravity, Viscous> {
+    let start = Start::about_third_axis(0.1, 0.0, spin).unwrap();
+    TableTop::new(bodies::tippe_top().unwrap(), start)
+        .with_gravity(Gravity::new(9.82).unwrap())
+        .with_friction(Viscous::new(0.3).unwrap())
+}
+
+#[test]
+fn s4_7_tippe_top_turns_over() {
+    // claim: C4.7-2, C4.7-7
+    let rows = run(&scene(155.0), 8.0, 4000, 1e-9);
+    let (first, end) = (rows[0].1, last(&rows));
+    let t = |level| passage(&rows, degrees, level).unwrap();
+    println!(
+        "90 deg at {}, 170 deg at {}, spin {}",
+        t(90.0),
+        t(170.0),
+        end.spin()
+    );
+    assert!((t(90.0) - 5.07).abs() < 0.005 && (t(170.0) - 5.92).abs() < 0.005);
+    assert!((first.spin() - 154.2).abs() < 0.05 && (end.spin() - 82.9).abs() < 0.05);
+    assert!((first.energy - 0.04120).abs() < 5e-6 && (end.energy - 0.01609).abs() < 5e-6);
+    let weight = 0.02 * 9.82;
+    let least = -most(&rows, |s| -s.reaction) / weight;
+    println!("least reaction {least} of the weight");
+    assert!((least - 0.70).abs() < 0.005);
+    assert!(
+        end.position.z() > first.position.z() + 0.011,
+        "C has risen while energy fell"
+    );
+    for pair in rows.windows(2) {
+        assert!(pair[1].1.energy <= pair[0].1.energy * (1.0 + 1e-12));
+    }
+    let drift = rows
+        .iter()
+        .map(|row| (row.1.jellett / first.jellett - 1.0).abs())
+        .fold(0.0, f64::max);
+    println!("Jellett's integral drifts by {drift:e}");
+    // Observed: 4e-15.
+    assert!(drift < 1e-10);
+}
+
+#[test]
+fn s4_7_thresholds_and_final_tilts() {
+    // claim: C4.7-12
+    let top = top();
+    assert_eq!(top.inversion(), Inversion::Complete);
+    assert!((top.least_spin_to_invert().unwrap() - 76.761).abs() < 5e-4);
+    assert!((top.least_spin_to_rise().unwrap() - 27.668).abs() < 5e-4);
+    // λ² = M g R³ I3 α (1+α)⁴/(1 + α − γ), and at the other end.
+    let gamma = 131.0 / 140.0;
+    let unit = 0.02 * 9.82 * 0.02_f64.powi(3) * MR2 * 0.4 * 0.3;
+    let inverted = (unit * 1.3_f64.powi(4) / (1.3 - gamma)).sqrt();
+    let upright = (unit * 0.7_f64.powi(4) / (gamma - 0.7)).sqrt();
+    assert_relative_eq!(
+        top.inverted_is_stable_above().unwrap(),
+        inverted,
+        max_relative = 1e-14,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        top.upright_is_lost_above().unwrap(),
+        upright,
+        max_relative = 1e-14,
+        epsilon = 0.0
+    );
+    for (spin, tilt) in [
+        (35.0, 46.11),
+        (40.0, 61.175),
+        (50.0, 86.028),
+        (60.0, 109.371),
+        (70.0, 136.178),
+        (74.0, 150.986),
+        (76.0, 161.879),
+        (78.0, 180.0),
+    ] {
+        let jellett = top.jellett_of_spin(spin, 0.1);
+        let closed = top.final_tilt(jellett, 0.1).unwrap();
+        assert!(
+            (closed.to_degrees() - tilt).abs() < 6e-3,
+            "{spin}: {}",
+            closed.to_degrees()
+        );
+        if closed < PI {
+            // A stationary point of the effective potential, and the steady state there has this very λ.
+            let steady = top.steady_jellett(closed).unwrap();
+            assert_relative_eq!(steady, jellett, max_relative = 1e-12, epsilon = 0.0);
+        }
+    }
+}
+
+#[test]
+fn s4_7_where_the_motion_ends_is_where_the_closed_form_says() {
+    // claim: C4.7-12, C4.7-19
+    let top = top();
+    for spin in [40.0, 60.0, 74.0, 78.0] {
+        let rows = run(&scene(spin), 60.0, 120, 1e-6);
+        let closed = top.final_tilt(top.jellett_of_spin(spin, 0.1), 0.1).unwrap();
+        let end = last(&rows);
+        println!("{spin}: {} against {}", degrees(&end), closed.to_degrees());
+        assert!((end.tilt() - closed).abs() < 0.02, "{spin}");
+    }
+}
+
+#[test]
+fn s4_7_steady_states_do_not_slip() {
+    // claim: C4.7-19
+    let top = top();
+    let body = top.body().unwrap();
+    for i in 1..30 {
+        let tilt = PI * f64::from(i) / 30.0;
+        let Some((up, omega)) = top.steady_state(tilt) else {
+            continue;
+        };
+        // Ω is parallel to the arm: the contact is at rest, and so is C.
+        let arm = body.lowest_point(up).unwrap();
+        assert!(omega.cross(&arm).norm() < 1e-15 * omega.norm());
+        let start = Start::about_vertical(tilt, 0.0, 1.0).unwrap();
+        let start = Start::spinning(start.attitude, omega).unwrap();
+        let scene = TableTop::new(body, start)
+            .with_gravity(Gravity::new(9.82).unwrap())
+            .with_friction(Viscous::new(0.3).unwrap());
+        let end = last(&run(&scene, 0.05, 1, 1e-10));
+        assert!(
+            (end.tilt() - tilt).abs() < 1e-9 && end.slip.norm() < 1e-9,
+            "{tilt}"
+        );
+        assert_relative_eq!(
+            end.jellett,
+            top.steady_jellett(tilt).unwrap(),
+            max_relative = 1e-9,
+            epsilon = 0.0
+        );
+        let energy = top.effective_potential(tilt, end.jellett);
+        assert_relative_eq!(end.energy, energy, max_relative = 1e-9, epsilon = 0.0);
+    }
+}
+
+#[test]
+fn s4_7_classes_of_ueda_sasaki_and_watanabe() {
+    // claim: C4.7-12
+    let of = |gamma: f64| TippeTop::new(1.0, 1.0, 0.3, 0.4 * gamma, 0.4, 1.0).unwrap();
+    for (gamma, class) in [
+        (0.6, Inversion::Never),
+        (0.65, Inversion::Never),
+        (0.75, Inversion::Complete),
+        (1.25, Inversion::Complete),
+        (1.35, Inversion::Partial),
+    ] {
+        let top = of(gamma);
+        assert_eq!(top.inversion(), class);
+        let far = top.final_tilt(1e4, 0.01).unwrap();
+        match class {
+            Inversion::Never => assert!(far < 0.01 && top.least_spin_to_rise().is_none()),
+            Inversion::Complete => assert!((far - PI).abs() < 1e-12),
+            Inversion::Partial => {
+                assert!(far > 2.0 && far < 3.1 && top.least_spin_to_invert().is_none())
+            }
+        }
+    }
+}

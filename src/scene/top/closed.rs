@@ -12,6 +12,10 @@ use crate::lagrange_top::LagrangeTop;
 
 /// A motion in closed form.
 #[derive(Debug, Clone)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "a scene has one of these, and asks it often"
+)]
 pub enum ClosedForm {
     /// No torque (6).
     Free(EulerTop),

@@ -169,8 +169,8 @@ pub fn speed() -> Result<Figure> {
         let [x, y] = frame.at(fastest, peak);
         pen.disc([x, y], 4.0, Role::Omega, 1.0);
         pen.text([x, y - 12.0], Anchor::Middle, "fastest", small(Role::Omega));
-        let [x, y] = frame.at(0.13, 0.76);
-        pen.text([x, y], Anchor::End, "thick string", label(Role::Omega));
+        let [x, y] = frame.at(0.2, 0.7);
+        pen.text([x, y], Anchor::Start, "thick string", label(Role::Omega));
         let [x, y] = frame.at(0.6, 0.7);
         pen.text([x, y], Anchor::Start, "thin string", label(Role::Ink));
     }))

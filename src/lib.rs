@@ -13,6 +13,8 @@
 //! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other |
 //! | 4.6 | [`superball`] | bounces that keep the energy, exactly and after any number of them |
 //! | 4.7 | [`tippe_top`] | bodies that stand on a table: tippe top, egg, chiral top, rattleback |
+//! | 4.9 | [`yo_yo`] | down, turn, sleep, and up again |
+//! | 4.10 | [`falling_strip`] | flutter and tumbling of a strip in a fluid |
 //! | 5 | [`euler_equations`] | Euler's equations, with torque and about any point; the heavy tops with a further integral |
 //! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants |
 //! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis |

@@ -46,6 +46,7 @@ chapters! {
     kovalevskaya_top: "kovalevskaya-top",
     pythagoras: "pythagoras",
     further_reading: "further-reading",
+    scenes: "scenes",
     errata: "errata",
     claims: "claims",
     colophon: "colophon",

@@ -17,6 +17,7 @@ mod phenomena;
 mod plot;
 mod pythagoras;
 mod rolling;
+mod scenes;
 mod sheet;
 mod solid;
 mod spool;
@@ -259,6 +260,11 @@ pub fn all() -> &'static [Entry] {
             draw: lagrange_top::sleeping_threshold,
         },
         Entry {
+            name: "sleep-ends",
+            chapter: "lagrange-top",
+            draw: lagrange_top::waking,
+        },
+        Entry {
             name: "cycloid",
             chapter: "lagrange-top",
             draw: lagrange_top::cycloids,
@@ -292,6 +298,11 @@ pub fn all() -> &'static [Entry] {
             name: "gas-box",
             chapter: "pythagoras",
             draw: pythagoras::gas_box,
+        },
+        Entry {
+            name: "scene-prices",
+            chapter: "scenes",
+            draw: scenes::prices,
         },
     ]
 }

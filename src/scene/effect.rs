@@ -4,6 +4,7 @@
 ///
 /// Each kind of scene has its own slots, one an effect, and asks of a type in a slot what that effect does; [`Absent`] answers
 /// with nothing at all, not with zero. Slots are filled by name, so the order in which effects are listed cannot matter.
+// ANCHOR: effect
 pub trait Effect: Copy + core::fmt::Debug {
     /// Whether the effect acts.
     const PRESENT: bool;
@@ -19,6 +20,7 @@ impl Effect for Absent {
     const PRESENT: bool = false;
     const NAME: &'static str = "absent";
 }
+// ANCHOR_END: effect
 
 /// From values that may be there at run time to types that are: one match an effect, and the last argument is compiled once for every
 /// combination.

@@ -15,8 +15,7 @@
 //! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
 //! | [`Play`](yo_yo::Play) | 4.9 | [`yo_yo`]: down, turn or sleep, and up again |
 //! | [`Strip`](strip::Strip) | 4.10 | [`strip`]: a strip of paper in the air, or in a vacuum |
-//! | top | 6, 7, 8 | [`top`] |
-//! | body on a table | 4.7 | [`contact`] |
+//! | body on a table | 4.7 | [`contact`]: sliding, rolling, hopping |
 
 pub mod contact;
 mod effect;

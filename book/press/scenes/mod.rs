@@ -5,6 +5,7 @@
 //! | [`reader`] | tables and keys; every refusal in one line that names file and key |
 //! | [`run`] | times, accuracy, solver |
 //! | [`output`] | CSV and JSON |
+//! | [`prices`] | what each effect costs |
 //! | [`scan`] | one file, some of its numbers varied, on all cores |
 //! | one a kind | the scene that the file describes: `top` (no `kind` given), … |
 //!
@@ -12,6 +13,7 @@
 
 mod contact;
 pub mod output;
+pub mod prices;
 pub mod reader;
 pub mod run;
 pub mod scan;
@@ -29,7 +31,7 @@ use spinning_bodies::integrators::Cost;
 use spinning_bodies::scene::{Plan, Request, Scene, Tabulated};
 
 use crate::{Error, Result};
-use reader::Section;
+use reader::{Asked, Section};
 
 /// Reads a scene of one kind: all sections but `[run]`.
 type Reader = fn(&Section<'_>) -> Result<Ready>;
@@ -49,6 +51,11 @@ const KINDS: &[(&str, Reader)] = &[
     ("paper-cat", shape::paper_cat),
     ("crawler", shape::crawler),
 ];
+
+/// The words that may stand after `kind`.
+pub fn kinds() -> Vec<&'static str> {
+    KINDS.iter().map(|(kind, _)| *kind).collect()
+}
 
 /// A scene that is ready to run.
 pub struct Ready(Box<dyn Fn(&Request) -> spinning_bodies::Result<Table>>);
@@ -123,7 +130,8 @@ pub fn simulate(path: &Path) -> Result<(Table, f64)> {
 /// # Errors
 /// [`Error::Input`].
 pub fn parse(name: &str, text: &str) -> Result<(Ready, Request)> {
-    prepare(name, &table(name, text)?)
+    let (scene, request, _) = prepare(name, &table(name, text)?)?;
+    Ok((scene, request))
 }
 
 fn table(name: &str, text: &str) -> Result<toml::Table> {
@@ -133,7 +141,7 @@ fn table(name: &str, text: &str) -> Result<toml::Table> {
     })
 }
 
-fn prepare(name: &str, table: &toml::Table) -> Result<(Ready, Request)> {
+fn prepare(name: &str, table: &toml::Table) -> Result<(Ready, Request, Vec<Asked>)> {
     let file = Section::whole(name, table);
     file.optional_text("title", "a title in quotes")?;
     let read = file.word("kind", KINDS)?;
@@ -141,8 +149,9 @@ fn prepare(name: &str, table: &toml::Table) -> Result<(Ready, Request)> {
     let section = file.section("run")?;
     let request = run::read(&section)?;
     section.done()?;
+    let asked = file.asked();
     file.done()?;
-    Ok((scene, request))
+    Ok((scene, request, asked))
 }
 
 fn source(path: &Path) -> Result<(String, String)> {

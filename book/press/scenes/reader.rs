@@ -1,6 +1,7 @@
 //! Reads a scene file table by table; every refusal names the file, the key and what was expected.
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use spinning_bodies::frame::{Attitude, BodyVector};
 use toml::{Table, Value};
@@ -16,6 +17,19 @@ pub struct Section<'a> {
     table: Option<&'a Table>,
     /// The keys that someone has asked for: those that the section may have.
     known: RefCell<Vec<&'static str>>,
+    /// The same with what was expected, of the whole file.
+    asked: Rc<RefCell<Vec<Asked>>>,
+}
+
+/// A key that a reader has asked for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Asked {
+    /// The table it stands in; nothing for the file itself.
+    pub section: &'static str,
+    /// The key.
+    pub key: &'static str,
+    /// What was expected: "a mass in kg".
+    pub what: String,
 }
 
 impl<'a> Section<'a> {
@@ -26,7 +40,13 @@ impl<'a> Section<'a> {
             name: "",
             table: Some(table),
             known: RefCell::default(),
+            asked: Rc::default(),
         }
+    }
+
+    /// The keys that have been asked for so far, in the whole file, in this order.
+    pub fn asked(&self) -> Vec<Asked> {
+        self.asked.borrow().clone()
     }
 
     /// The table `[name]`; if it is not there, one without keys.
@@ -46,6 +66,7 @@ impl<'a> Section<'a> {
             name,
             table,
             known: RefCell::default(),
+            asked: Rc::clone(&self.asked),
         })
     }
 
@@ -54,6 +75,7 @@ impl<'a> Section<'a> {
     /// # Errors
     /// If it is not a finite number.
     pub fn optional(&self, key: &'static str, what: &str) -> Result<Option<f64>> {
+        self.note(key, what);
         self.value(key)
             .map(|value| self.to_number(key, what, value))
             .transpose()
@@ -109,6 +131,7 @@ impl<'a> Section<'a> {
     /// # Errors
     /// If it is not a list of finite numbers.
     pub fn optional_numbers(&self, key: &'static str, what: &str) -> Result<Option<Vec<f64>>> {
+        self.note(key, what);
         match self.value(key) {
             None => Ok(None),
             Some(Value::Array(values)) => {
@@ -130,6 +153,7 @@ impl<'a> Section<'a> {
         most: usize,
     ) -> Result<Option<usize>> {
         let what = format!("a whole number from {least} to {most}");
+        self.note(key, &what);
         match self.value(key) {
             None => Ok(None),
             Some(Value::Integer(count)) => match usize::try_from(*count) {
@@ -145,6 +169,7 @@ impl<'a> Section<'a> {
     /// # Errors
     /// If it is not a string.
     pub fn optional_text(&self, key: &'static str, what: &str) -> Result<Option<&'a str>> {
+        self.note(key, what);
         match self.value(key) {
             None => Ok(None),
             Some(Value::String(text)) => Ok(Some(text)),
@@ -225,6 +250,17 @@ impl<'a> Section<'a> {
             Some(key) => {
                 Err(self.refused(key, format!("is unknown; allowed are {}", known.join(", "))))
             }
+        }
+    }
+
+    fn note(&self, key: &'static str, what: &str) {
+        let mut asked = self.asked.borrow_mut();
+        if !asked.iter().any(|a| a.section == self.name && a.key == key) {
+            asked.push(Asked {
+                section: self.name,
+                key,
+                what: what.to_owned(),
+            });
         }
     }
 

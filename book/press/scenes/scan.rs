@@ -90,7 +90,7 @@ impl Over {
 pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<String> {
     let (name, text) = source(path)?;
     let table = super::table(&name, &text)?;
-    let (_, request) = prepare(&name, &table)?;
+    let (_, request, _) = prepare(&name, &table)?;
     let count = points(&name, overs)?;
     let latest = (0..request.times().len())
         .max_by(|&i, &j| request.times()[i].total_cmp(&request.times()[j]));
@@ -106,8 +106,9 @@ pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<Strin
             varied.push(value);
         }
         varied.reverse();
-        let outcome = prepare(&name, &table)
-            .and_then(|(scene, request)| (scene.0)(&request).map_err(|error| told(&name, error)));
+        let outcome = prepare(&name, &table).and_then(|(scene, request, _)| {
+            (scene.0)(&request).map_err(|error| told(&name, error))
+        });
         done();
         Ok((varied, outcome))
     });

@@ -12,12 +12,14 @@ mod cycloid;
 mod nutations;
 mod rates;
 mod sleeping;
+mod waking;
 
 pub use animated::top_animated;
 pub use cycloid::cycloids;
 pub use nutations::nutations;
 pub use rates::precession_rates;
 pub use sleeping::sleeping_threshold;
+pub use waking::waking;
 
 /// A top whose axis is at its turning point cos θ = `height`, going round the vertical at the rate φ′ = `pace`.
 fn launch(height: f64, pace: f64, axial: f64) -> Result<LagrangeTop> {

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use super::body::{ConvexBody, Start};
-use super::friction::{Couple, Traction};
+use super::friction::{Couple, Holding, Traction};
 use crate::frame::Attitude;
 
 /// Numbers of a state: quaternion 4, Ω 3 (body), level velocity of C 2, level position of C 2, work done against friction 1.
@@ -163,48 +163,97 @@ impl<F: Traction, R: Couple> Table<F, R> {
             power,
         }
     }
+}
 
-    /// Rates of the numbers of a state, from those of the contact.
-    pub(crate) fn rates(&self, y: &Numbers, pose: &Pose, contact: &Contact) -> Numbers {
-        let omega = &pose.omega;
-        let q = Quaternion::new(y[0], y[1], y[2], y[3]) * Quaternion::from_imag(*omega) * 0.5;
-        let acceleration = pose.turn * contact.traction * (contact.reaction / self.body.mass);
-        let r = contact.omega_rate;
-        [
-            q.w,
-            q.i,
-            q.j,
-            q.k,
-            r.x,
-            r.y,
-            r.z,
-            acceleration.x,
-            acceleration.y,
-            y[7],
-            y[8],
-            -contact.reaction * contact.power,
-        ]
-    }
-
+/// A body on a table as what follows its motion sees it: compiled once, with gravity, friction and resistance behind a call that costs
+/// a hundredth of an evaluation.
+pub(crate) trait Ground {
+    fn body(&self) -> &ConvexBody;
+    fn gravity(&self) -> f64;
+    /// What is known of a contact that slides.
+    fn slides(&self, pose: &Pose) -> Contact;
+    /// What is known of a contact that rolls.
+    fn rolls(&self, pose: &Pose) -> Contact;
     /// The rates of a state that slides.
-    pub(crate) fn sliding_rates(&self, y: &Numbers) -> Numbers {
-        let pose = Pose::of(y);
-        let contact = self.sliding(&pose.up, &pose.omega, &pose.level);
-        self.rates(y, &pose, &contact)
-    }
-
+    fn sliding_rates(&self, y: &Numbers) -> Numbers;
     /// The rates of a state that rolls; its velocity of C is what Ω makes it.
-    pub(crate) fn rolling_rates(&self, y: &Numbers) -> Numbers {
-        let y = self.rolled(y);
-        let pose = Pose::of(&y);
-        let contact = self.rolling(&pose.up, &pose.omega);
-        self.rates(&y, &pose, &contact)
+    fn rolling_rates(&self, y: &Numbers) -> Numbers;
+    /// f(v), the level force over the normal one; and the slip over which it bends.
+    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64>;
+    /// As [`Traction::sharpness`].
+    fn sharpness(&self) -> f64;
+    /// As [`Traction::holding`].
+    fn holding(&self) -> Holding;
+}
+
+impl<F: Traction, R: Couple> Ground for Table<F, R> {
+    fn body(&self) -> &ConvexBody {
+        &self.body
     }
 
+    fn gravity(&self) -> f64 {
+        self.gravity
+    }
+
+    fn slides(&self, pose: &Pose) -> Contact {
+        self.sliding(&pose.up, &pose.omega, &pose.level)
+    }
+
+    fn rolls(&self, pose: &Pose) -> Contact {
+        self.rolling(&pose.up, &pose.omega)
+    }
+
+    fn sliding_rates(&self, y: &Numbers) -> Numbers {
+        let pose = Pose::of(y);
+        rates(&self.body, y, &pose, &self.slides(&pose))
+    }
+
+    fn rolling_rates(&self, y: &Numbers) -> Numbers {
+        let y = self.body.rolled(y);
+        let pose = Pose::of(&y);
+        rates(&self.body, &y, &pose, &self.rolls(&pose))
+    }
+
+    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
+        self.friction.traction(slip)
+    }
+
+    fn sharpness(&self) -> f64 {
+        self.friction.sharpness()
+    }
+
+    fn holding(&self) -> Holding {
+        self.friction.holding()
+    }
+}
+
+/// Rates of the numbers of a state, from those of the contact.
+fn rates(body: &ConvexBody, y: &Numbers, pose: &Pose, contact: &Contact) -> Numbers {
+    let omega = &pose.omega;
+    let q = Quaternion::new(y[0], y[1], y[2], y[3]) * Quaternion::from_imag(*omega) * 0.5;
+    let acceleration = pose.turn * contact.traction * (contact.reaction / body.mass);
+    let r = contact.omega_rate;
+    [
+        q.w,
+        q.i,
+        q.j,
+        q.k,
+        r.x,
+        r.y,
+        r.z,
+        acceleration.x,
+        acceleration.y,
+        y[7],
+        y[8],
+        -contact.reaction * contact.power,
+    ]
+}
+
+impl ConvexBody {
     /// The state with the velocity of C that pure rolling gives it.
     pub(crate) fn rolled(&self, y: &Numbers) -> Numbers {
         let pose = Pose::of(y);
-        let velocity = pose.turn * -pose.omega.cross(&self.body.arm(&pose.up));
+        let velocity = pose.turn * -pose.omega.cross(&self.arm(&pose.up));
         let mut y = *y;
         (y[7], y[8]) = (velocity.x, velocity.y);
         y
@@ -212,7 +261,7 @@ impl<F: Traction, R: Couple> Table<F, R> {
 
     /// Height of C over the table and its vertical velocity, in contact.
     pub(crate) fn height(&self, pose: &Pose) -> (f64, f64) {
-        let arm = self.body.arm(&pose.up);
+        let arm = self.arm(&pose.up);
         (-pose.up.dot(&arm), -pose.up.dot(&pose.omega.cross(&arm)))
     }
 }

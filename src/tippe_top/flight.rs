@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use super::body::ConvexBody;
-use super::equations::{Numbers, Pose, Table};
-use super::friction::{Couple, Traction};
+use super::equations::{Ground, Numbers, Pose};
+use super::friction::Holding;
 use crate::error::{Error, Result};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
@@ -128,25 +128,7 @@ impl Flight {
     }
 }
 
-/// How the point in contact leaves a landing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Landed {
-    Sliding,
-    Rolling,
-}
-
-/// What holds the point in contact during a landing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Hold {
-    /// Only the friction law.
-    Slides,
-    /// Coulomb's cone: no slip where the blow lies within it.
-    Cone { mu: f64 },
-    /// Never any slip.
-    Grips,
-}
-
-impl<F: Traction, R: Couple> Table<F, R> {
+impl dyn Ground + '_ {
     /// The inelastic blow of a landing: the normal velocity of the point in contact is lost, the level one as far as friction goes.
     ///
     /// During the blow the level force is N f(v) as at any time, with v changing as the impulse p grows (Routh 1905):
@@ -154,8 +136,8 @@ impl<F: Traction, R: Couple> Table<F, R> {
     ///
     /// # Errors
     /// [`Error::Condition`] where friction presses the body into the table harder than it comes (Painlevé's paradox).
-    pub(crate) fn land(&self, place: &Airborne, hold: Hold) -> Result<(Numbers, Landed, Cost)> {
-        let body = &self.body;
+    pub(crate) fn land(&self, place: &Airborne, hold: Holding) -> Result<(Numbers, Cost)> {
+        let body = self.body();
         let Pose {
             turn,
             up,
@@ -174,15 +156,15 @@ impl<F: Traction, R: Couple> Table<F, R> {
             .unwrap_or_else(Vector3::zeros);
         let normal = up.dot(&gripping);
         let sideways = (gripping - up * normal).norm();
-        let (impulse, landed, cost) = match hold {
-            Hold::Grips => (gripping, Landed::Rolling, Cost::default()),
-            Hold::Cone { mu } if sideways <= mu * normal => {
-                (gripping, Landed::Rolling, Cost::default())
-            }
-            _ => {
-                let (impulse, cost) = self.blow(&up, &contact, &yielding)?;
-                (impulse, Landed::Sliding, cost)
-            }
+        let held = match hold {
+            Holding::Grips => true,
+            Holding::Cone { mu } => sideways <= mu * normal,
+            Holding::Slides => false,
+        };
+        let (impulse, cost) = if held {
+            (gripping, Cost::default())
+        } else {
+            self.blow(&up, &contact, &yielding)?
         };
         let after_omega = omega + body.inverse * arm.cross(&impulse);
         let after = velocity + impulse / body.mass;
@@ -191,7 +173,7 @@ impl<F: Traction, R: Couple> Table<F, R> {
         let level = turn * after;
         (y[7], y[8]) = (level.x, level.y);
         y[11] += before - body.kinetic_energy(&after_omega, &after);
-        Ok((y, landed, cost))
+        Ok((y, cost))
     }
 
     /// The impulse of a blow under the friction law, with the lost normal velocity as the clock.
@@ -212,16 +194,13 @@ impl<F: Traction, R: Couple> Table<F, R> {
             let moving = contact + yielding * Vector3::from(*p);
             let slip = moving - up * up.dot(&moving);
             let mut push = *up;
-            if F::ACTS {
-                let sharp = self.friction.sharpness();
-                let soft = if sharp == 0.0 {
-                    let length = slip.norm();
-                    length / length.hypot(bend)
-                } else {
-                    1.0
-                };
-                push += self.friction.traction(&slip) * soft;
-            }
+            let soft = if self.sharpness() == 0.0 {
+                let length = slip.norm();
+                length / length.hypot(bend)
+            } else {
+                1.0
+            };
+            push += self.traction(&slip) * soft;
             let gain = up.dot(&(yielding * push));
             (push / gain).into()
         };
@@ -232,7 +211,7 @@ impl<F: Traction, R: Couple> Table<F, R> {
                 value: fall,
             });
         }
-        let scale = self.body.mass * size;
+        let scale = self.body().mass * size;
         let rate: &dyn System<3> = &rate;
         let run = solve(
             rate,

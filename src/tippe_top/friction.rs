@@ -14,6 +14,25 @@ pub trait Traction: Copy {
 
     /// The slip over which the law bends, m/s; infinite for a linear law.
     fn sharpness(&self) -> f64;
+
+    /// How a contact can hold.
+    fn holding(&self) -> Holding {
+        Holding::Slides
+    }
+}
+
+/// How a contact can hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Holding {
+    /// Force follows slip; the contact always slides.
+    Slides,
+    /// Coulomb's law: it sticks while the force needed is at most μ times the normal one.
+    Cone {
+        /// Coefficient of friction.
+        mu: f64,
+    },
+    /// It never slips.
+    Grips,
 }
 
 /// Coulomb's law, f = −μ v/|v| while the body slides; at rest any force up to μ times the normal one.
@@ -50,6 +69,15 @@ impl Traction for Coulomb {
 
     fn sharpness(&self) -> f64 {
         0.0
+    }
+
+    fn holding(&self) -> Holding {
+        // Without friction nothing ever sticks, not even where the slip is nil.
+        if self.mu == 0.0 {
+            Holding::Slides
+        } else {
+            Holding::Cone { mu: self.mu }
+        }
     }
 }
 

@@ -2,10 +2,14 @@
 
 use nalgebra::Vector3;
 
+use super::{State, TableTop};
 use crate::error::{Result, positive};
+use crate::scene::Scene;
+use crate::scene::effect::choose;
 use crate::scene::effect::{Absent, Effect};
-use crate::tippe_top::flight::Hold;
-use crate::tippe_top::{Coulomb, Couple, Regularised, Resistance, Traction, Viscous};
+use crate::tippe_top::{
+    ConvexBody, Coulomb, Couple, Holding, Regularised, Resistance, Start, Traction, Viscous,
+};
 
 /// Gravity, downwards; what presses the body to the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,8 +58,8 @@ impl Pull for Absent {
 
 /// The rolling constraint: the point in contact never slips, whatever force that takes.
 ///
-/// Where the reaction falls to zero while a level force is still needed, no table can do both: the run may end there with
-/// [`Error::Integration`](crate::Error::Integration). [`Coulomb`] slides first.
+/// Where the reaction falls to zero while a level force is still needed, no table can do both, and the body cannot take off either if
+/// that force held it up: the run ends there with [`Error::Integration`](crate::Error::Integration). [`Coulomb`] slides first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct NoSlip;
 
@@ -69,37 +73,14 @@ impl Traction for NoSlip {
     fn sharpness(&self) -> f64 {
         0.0
     }
+
+    fn holding(&self) -> Holding {
+        Holding::Grips
+    }
 }
 
 /// The slot of friction at the contact.
-pub trait Grip: Effect + Traction {
-    /// How the contact can hold.
-    fn hold(&self) -> Holding;
-}
-
-/// How a contact can hold: see the laws.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Holding {
-    /// Force follows slip; the contact always slides.
-    Slides,
-    /// Coulomb's law: it sticks while the force needed is at most μ times the normal one.
-    Cone {
-        /// Coefficient of friction.
-        mu: f64,
-    },
-    /// It never slips.
-    Grips,
-}
-
-impl From<Holding> for Hold {
-    fn from(holding: Holding) -> Self {
-        match holding {
-            Holding::Slides => Self::Slides,
-            Holding::Cone { mu } => Self::Cone { mu },
-            Holding::Grips => Self::Grips,
-        }
-    }
-}
+pub trait Grip: Effect + Traction {}
 
 impl Traction for Absent {
     const ACTS: bool = false;
@@ -133,32 +114,64 @@ impl Effect for Resistance {
 
 impl Resist for Resistance {}
 
+impl Grip for Absent {}
+
 macro_rules! grip {
-    ($law:ty, $name:literal, $present:literal, $self:ident => $hold:expr) => {
-        impl Grip for $law {
-            fn hold(&$self) -> Holding {
-                $hold
-            }
-        }
+    ($($law:ty, $name:literal;)*) => {$(
+        impl Grip for $law {}
 
         impl Effect for $law {
-            const PRESENT: bool = $present;
+            const PRESENT: bool = true;
             const NAME: &'static str = $name;
         }
-    };
+    )*};
 }
 
-impl Grip for Absent {
-    fn hold(&self) -> Holding {
-        Holding::Slides
+grip! {
+    Viscous, "viscous_friction";
+    Regularised, "regularised_friction";
+    NoSlip, "no_slip";
+    Coulomb, "coulomb_friction";
+}
+
+/// The friction that a scene file lists.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Friction {
+    /// Coulomb's law, with slip and roll as events.
+    Coulomb(Coulomb),
+    /// Coulomb's law, smoothed.
+    Regularised(Regularised),
+    /// In proportion to the slip.
+    Viscous(Viscous),
+    /// Pure rolling.
+    NoSlip,
+}
+
+/// Effects as a scene file lists them: some there, some not, known only when the program runs.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Listed {
+    /// Gravity, if any.
+    pub gravity: Option<Gravity>,
+    /// Friction at the contact, if any.
+    pub friction: Option<Friction>,
+    /// Resistance to rolling and pivoting, if any.
+    pub resistance: Option<Resistance>,
+}
+
+impl Listed {
+    /// The scene of the type that has these effects and no others: one of twenty. Only their equations are compiled twenty times.
+    pub fn on(self, body: ConvexBody, start: Start) -> Box<dyn Scene<State = State>> {
+        let free = TableTop::new(body, start);
+        choose!((gravity = self.gravity) (resistance = self.resistance) => {
+            // An absent effect in a slot is what an empty slot holds.
+            let scene = TableTop { body: free.body, start: free.start, gravity, friction: Absent, resistance };
+            match self.friction {
+                None => Box::new(scene),
+                Some(Friction::Coulomb(law)) => Box::new(scene.with_friction(law)),
+                Some(Friction::Regularised(law)) => Box::new(scene.with_friction(law)),
+                Some(Friction::Viscous(law)) => Box::new(scene.with_friction(law)),
+                Some(Friction::NoSlip) => Box::new(scene.with_friction(NoSlip)),
+            }
+        })
     }
 }
-
-grip!(Viscous, "viscous_friction", true, self => Holding::Slides);
-grip!(Regularised, "regularised_friction", true, self => Holding::Slides);
-grip!(NoSlip, "no_slip", true, self => Holding::Grips);
-grip!(Coulomb, "coulomb_friction", true, self => match self.mu() {
-    // Without friction nothing ever sticks, not even where the slip is nil.
-    0.0 => Holding::Slides,
-    mu => Holding::Cone { mu },
-});

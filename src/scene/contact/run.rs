@@ -2,11 +2,11 @@
 
 use core::cell::Cell;
 
-use super::effects::{Grip, Holding, Resist};
 use crate::error::{Error, Result};
-use crate::integrators::{Cost, Effort, Event, Method, Passage, Stop, System, until};
-use crate::tippe_top::equations::{NUMBERS, Numbers, Pose, Table};
-use crate::tippe_top::flight::{Airborne, Flight, Landed};
+use crate::integrators::{Cost, Effort, Method, Passage, Stop, System, until};
+use crate::tippe_top::equations::{Contact, Ground, NUMBERS, Numbers, Pose, Table};
+use crate::tippe_top::flight::{Airborne, Flight};
+use crate::tippe_top::{Holding, Smooth};
 
 /// How the body is supported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,6 +37,17 @@ pub(super) struct Place {
     pub(super) support: Support,
 }
 
+impl Place {
+    pub(super) const fn aloft(numbers: Numbers, height: f64, climb: f64) -> Self {
+        Self {
+            numbers,
+            height,
+            climb,
+            support: Support::Airborne,
+        }
+    }
+}
+
 #[derive(Debug, Clone)]
 pub(super) struct History {
     pub(super) places: Vec<Place>,
@@ -45,8 +56,8 @@ pub(super) struct History {
 }
 
 /// A motion that is being followed.
-pub(super) struct Run<'a, F, R> {
-    pub(super) table: &'a Table<F, R>,
+pub(super) struct Run<'a> {
+    pub(super) ground: &'a dyn Ground,
     pub(super) scales: &'a Numbers,
     pub(super) method: Method,
     pub(super) tolerance: f64,
@@ -57,7 +68,19 @@ pub(super) struct Run<'a, F, R> {
 /// A body that changes its support more often than this chatters, and is not followed further.
 const MOST_PHASES: usize = 100_000;
 
-impl<F: Grip, R: Resist> Run<'_, F, R> {
+/// Reaction over weight below which a body that has met an event takes off. Take-off is located to rounding; rest, which also is an
+/// event, says nothing of the reaction.
+const LIFTED: f64 = 1e-6;
+
+/// Where a phase has ended.
+struct Ended {
+    time: f64,
+    numbers: Numbers,
+    /// What holds the body after it; nothing if the time was up.
+    next: Option<Support>,
+}
+
+impl Run<'_> {
     /// The places at `times` (ascending, not negative).
     pub(super) fn follow(&self, start: &Numbers, times: &[f64]) -> Result<History> {
         let end = times.last().copied().unwrap_or(0.0);
@@ -67,19 +90,11 @@ impl<F: Grip, R: Resist> Run<'_, F, R> {
             cost: Cost::default(),
         };
         let (mut now, mut y) = (0.0, *start);
-        let mut support = match self.table.friction.hold() {
-            Holding::Grips => Support::Rolling,
-            Holding::Slides => Support::Sliding,
-            Holding::Cone { mu } => self.settled(&mut y, mu)?,
-        };
-        if support == Support::Rolling {
-            y = self.table.rolled(&y);
-        }
-        let (mut height, mut climb) = self.table.height(&Pose::of(&y));
+        let mut support = self.settled(&mut y)?;
         loop {
-            if support != Support::Airborne && self.reaction(&y, support) <= 0.0 {
+            if support != Support::Airborne && self.contact(&y, support).reaction <= 0.0 {
                 support = Support::Airborne;
-                (height, climb) = self.table.height(&Pose::of(&y));
+                self.released(now, &y)?;
             }
             history.phases.push(Phase {
                 start: now,
@@ -91,260 +106,224 @@ impl<F: Grip, R: Resist> Run<'_, F, R> {
                     time: now,
                 });
             }
-            let left = &times[history.places.len()..];
             let ended = if support == Support::Airborne {
-                let flight = Flight::from(&self.table.body, self.table.gravity, &y, height, climb)?;
-                let landing = flight.landing(end - now)?;
-                let reached = landing.map_or(end, |t| now + t);
-                for &time in left.iter().take_while(|&&time| time <= reached) {
-                    history.places.push(airborne(&flight.at(time - now)?));
-                }
-                if let Some(t) = landing {
-                    let place = flight.at(t)?;
-                    let hold = self.table.friction.hold();
-                    let (landed, kind, cost) = self.table.land(&place, hold.into())?;
-                    history.cost += cost;
-                    y = landed;
-                    support = match kind {
-                        Landed::Rolling => self.after_sticking(&mut y)?,
-                        Landed::Sliding => Support::Sliding,
-                    };
-                }
-                now = reached;
-                landing.is_none()
+                self.fly(now, &y, times, end, &mut history)?
             } else {
-                let passage = self.in_contact(now, &y, left, support)?;
-                for numbers in &passage.states {
-                    history.places.push(self.place(numbers, support));
-                }
-                history.cost += passage.cost;
-                (now, y) = (passage.time, passage.end);
-                if passage.stopped == Stop::AtTheEvent {
-                    support = self.changed(&mut y, support)?;
-                    (height, climb) = self.table.height(&Pose::of(&y));
-                }
-                passage.stopped == Stop::AtTheEnd
+                self.touch(now, &y, support, times, end, &mut history)?
             };
-            if ended {
-                return Ok(history);
+            (now, y) = (ended.time, ended.numbers);
+            match ended.next {
+                Some(next) => support = next,
+                None => return Ok(history),
             }
         }
     }
 
-    /// From sample to sample, since the method's steps are more exact than what it says between them.
-    fn in_contact(
+    fn fly(
         &self,
         now: f64,
         y: &Numbers,
         times: &[f64],
-        support: Support,
-    ) -> Result<Passage<NUMBERS>> {
-        let mut passage = Passage {
-            states: Vec::with_capacity(times.len()),
-            time: now,
-            end: *y,
-            stopped: Stop::AtTheEnd,
-            cost: Cost::default(),
-        };
-        for &time in times {
-            let event = |_: f64, y: &Numbers| self.margin(y, support);
-            let leg = self.leg(passage.time, &passage.end, time, &event, support)?;
-            passage.cost += leg.cost;
-            if leg.stopped == Stop::AtTheEvent {
-                let never = |_: f64, _: &Numbers| 1.0;
-                let again = self.leg(passage.time, &passage.end, leg.time, &never, support)?;
-                passage.cost += again.cost;
-                (passage.time, passage.end) = self.corrected(leg.time, &again.end, support);
-                passage.stopped = Stop::AtTheEvent;
-                return Ok(passage);
-            }
-            (passage.time, passage.end) = (time, leg.end);
-            passage.states.push(leg.end);
+        end: f64,
+        history: &mut History,
+    ) -> Result<Ended> {
+        let body = self.ground.body();
+        let (height, climb) = body.height(&Pose::of(y));
+        let flight = Flight::from(body, self.ground.gravity(), y, height, climb)?;
+        let landing = flight.landing(end - now)?;
+        let reached = landing.map_or(end, |t| now + t);
+        let left = &times[history.places.len()..];
+        for &time in left.iter().take_while(|&&time| time <= reached) {
+            let place = flight.at(time - now)?;
+            let place = Place::aloft(place.numbers, place.height, place.climb);
+            history.places.push(place);
         }
-        Ok(passage)
+        let Some(t) = landing else {
+            return Ok(Ended {
+                time: end,
+                numbers: *y,
+                next: None,
+            });
+        };
+        let (mut numbers, cost) = self.ground.land(&flight.at(t)?, self.ground.holding())?;
+        history.cost += cost;
+        let next = Some(self.settled(&mut numbers)?);
+        Ok(Ended {
+            time: reached,
+            numbers,
+            next,
+        })
     }
 
-    fn leg(
+    fn touch(
         &self,
         now: f64,
         y: &Numbers,
-        end: f64,
-        event: &dyn Event<NUMBERS>,
         support: Support,
-    ) -> Result<Passage<NUMBERS>> {
+        times: &[f64],
+        end: f64,
+        history: &mut History,
+    ) -> Result<Ended> {
+        let sliding = |_: f64, y: &Numbers| self.ground.sliding_rates(y);
+        let rolling = |_: f64, y: &Numbers| self.ground.rolling_rates(y);
+        let rates: &dyn System<NUMBERS> = match support {
+            Support::Rolling => &rolling,
+            _ => &sliding,
+        };
+        let left = &times[history.places.len()..];
+        let event = |_: f64, y: &Numbers| self.margin(y, support);
         let effort = Effort::Tolerance(self.tolerance);
-        let rates = |_: f64, y: &Numbers| self.rates(y, support);
-        // By reference to a trait, so that the methods are compiled once, not once a list of effects.
-        let rates: &dyn System<NUMBERS> = &rates;
-        until(
-            rates,
-            now,
-            y,
-            self.scales,
-            &[],
-            end,
-            event,
-            self.method,
-            effort,
-        )
+        let (scales, method) = (self.scales, self.method);
+        let passage: Passage<NUMBERS> =
+            until(rates, now, y, scales, left, end, &event, method, effort)?;
+        history.cost += passage.cost;
+        for numbers in &passage.states {
+            history.places.push(self.place(numbers, support));
+        }
+        let mut numbers = passage.end;
+        let next = match passage.stopped {
+            Stop::AtTheEnd => None,
+            Stop::AtTheEvent => Some(self.changed(&mut numbers, support)?),
+        };
+        Ok(Ended {
+            time: passage.time,
+            numbers,
+            next,
+        })
     }
 
-    fn rates(&self, y: &Numbers, support: Support) -> Numbers {
+    fn contact(&self, y: &Numbers, support: Support) -> Contact {
+        let pose = Pose::of(y);
         match support {
-            Support::Rolling => self.table.rolling_rates(y),
-            _ => self.table.sliding_rates(y),
+            Support::Rolling => self.ground.rolls(&pose),
+            _ => self.ground.slides(&pose),
         }
     }
 
-    /// An event located on the method's interpolation, moved along the true rate to where its margin is zero.
-    fn corrected(&self, time: f64, y: &Numbers, support: Support) -> (f64, Numbers) {
-        let rate = self.rates(y, support);
-        let moved = |dt: f64| core::array::from_fn(|i| y[i] + dt * rate[i]);
-        let here = self.margin(y, support);
-        // So short that Euler's step is exact to rounding, so long that the margin changes.
-        let probe = 1e-8 / (1.0 + self.scales[4]);
-        let step = -here * probe / (self.margin(&moved(probe), support) - here);
-        if step.is_finite() && step.abs() < 10.0 * probe {
-            (time + step, moved(step))
-        } else {
-            (time, *y)
-        }
+    fn weight(&self) -> f64 {
+        self.ground.body().mass() * self.ground.gravity()
     }
 
-    /// Positive while the phase lasts: the reaction over the weight, and how far sliding is from rest or rolling from the cone's rim.
+    /// Positive while the phase lasts: the reaction over the weight, how far sliding is from rest, how far rolling is from the cone's rim.
     fn margin(&self, y: &Numbers, support: Support) -> f64 {
-        let pose = Pose::of(y);
-        let weight = self.table.body.mass() * self.table.gravity;
-        match (support, self.table.friction.hold()) {
-            (Support::Rolling, hold) => {
-                let contact = self.table.rolling(&pose.up, &pose.omega);
-                let pressed = contact.reaction / weight;
-                match hold {
-                    Holding::Cone { mu } => pressed.min(mu - contact.traction.norm()),
-                    _ => pressed,
-                }
+        let contact = self.contact(y, support);
+        let pressed = contact.reaction / self.weight();
+        match (support, self.ground.holding()) {
+            (Support::Rolling, Holding::Cone { mu }) => {
+                pressed.min(pressed * (mu - contact.traction.norm()))
             }
-            (_, hold) => {
-                let contact = self.table.sliding(&pose.up, &pose.omega, &pose.level);
-                let pressed = contact.reaction / weight;
-                match hold {
-                    Holding::Cone { .. } => pressed.min(contact.slip.norm() / self.still - 1.0),
-                    _ => pressed,
-                }
+            (Support::Sliding, Holding::Cone { .. }) => {
+                pressed.min(contact.slip.norm() / self.still - 1.0)
             }
-        }
-    }
-
-    fn reaction(&self, y: &Numbers, support: Support) -> f64 {
-        let pose = Pose::of(y);
-        match support {
-            Support::Rolling => self.table.rolling(&pose.up, &pose.omega).reaction,
-            _ => {
-                self.table
-                    .sliding(&pose.up, &pose.omega, &pose.level)
-                    .reaction
-            }
+            _ => pressed,
         }
     }
 
     /// The support after an event on the table, and the state with which it begins.
     fn changed(&self, y: &mut Numbers, support: Support) -> Result<Support> {
-        let Holding::Cone { mu } = self.table.friction.hold() else {
+        if !matches!(self.ground.holding(), Holding::Cone { .. }) {
             return Ok(Support::Airborne);
-        };
-        let pose = Pose::of(y);
-        let weight = self.table.body.mass() * self.table.gravity;
-        let pressed = self.reaction(y, support) / weight;
-        // Rest is passed faster than any event can be located, the reaction is not: what still presses has not taken off.
-        match support {
-            Support::Sliding => {
-                if pressed <= 1e-6 {
-                    return Ok(Support::Airborne);
-                }
-                self.stuck(y, mu)
-            }
-            _ => {
-                if pressed <= 1e-6 {
-                    return Ok(Support::Airborne);
-                }
-                *y = self.table.rolled(y);
-                self.kick(y);
-                Ok(Support::Sliding)
-            }
         }
+        if self.contact(y, support).reaction <= LIFTED * self.weight() {
+            return Ok(Support::Airborne);
+        }
+        if support == Support::Sliding {
+            return self.stuck(y);
+        }
+        *y = self.ground.body().rolled(y);
+        self.kick(y);
+        Ok(Support::Sliding)
     }
 
-    /// Rolling where the slip is nil and the cone allows it, else sliding.
-    fn settled(&self, y: &mut Numbers, mu: f64) -> Result<Support> {
-        let pose = Pose::of(y);
-        let slip = self.table.sliding(&pose.up, &pose.omega, &pose.level).slip;
-        if slip.norm() > self.still {
-            return Ok(Support::Sliding);
+    /// How a body that touches the table goes on.
+    fn settled(&self, y: &mut Numbers) -> Result<Support> {
+        match self.ground.holding() {
+            Holding::Slides => Ok(Support::Sliding),
+            Holding::Grips => {
+                *y = self.ground.body().rolled(y);
+                Ok(Support::Rolling)
+            }
+            Holding::Cone { .. } => {
+                let slip = self.contact(y, Support::Sliding).slip;
+                if slip.norm() > self.still {
+                    Ok(Support::Sliding)
+                } else {
+                    self.stuck(y)
+                }
+            }
         }
-        self.stuck(y, mu)
     }
 
     /// The slip taken away; rolling if the cone then allows it, else sliding the way the force pulls that it would take.
-    fn stuck(&self, y: &mut Numbers, mu: f64) -> Result<Support> {
+    fn stuck(&self, y: &mut Numbers) -> Result<Support> {
         let pose = Pose::of(y);
-        let (height, climb) = self.table.height(&pose);
+        let (height, climb) = self.ground.body().height(&pose);
         let place = Airborne {
             pose,
             numbers: *y,
             height,
             climb,
         };
-        let (stuck, _, _) = self.table.land(&place, Holding::Grips.into())?;
-        *y = stuck;
-        let pose = Pose::of(y);
-        let rolling = self.table.rolling(&pose.up, &pose.omega);
-        if rolling.traction.norm() <= mu || rolling.reaction <= 0.0 {
+        (*y, _) = self.ground.land(&place, Holding::Grips)?;
+        // At the rim a run that rolls would see no event: the margin has to fall through zero.
+        if self.margin(y, Support::Rolling) > 0.0 {
             return Ok(Support::Rolling);
         }
         self.kick(y);
         Ok(Support::Sliding)
     }
 
-    fn after_sticking(&self, y: &mut Numbers) -> Result<Support> {
-        match self.table.friction.hold() {
-            Holding::Cone { mu } => self.settled(y, mu),
-            _ => Ok(Support::Rolling),
-        }
-    }
-
-    /// A slip of half the size that counts as none, the way the body begins to slide: against the force that no longer suffices.
+    /// A slip of twice the size that counts as none, the way the body begins to slide: against the force that no longer suffices.
+    ///
+    /// The slip then grows: between forces along one line that both keep the body on the table, acceleration along it follows force.
     fn kick(&self, y: &mut Numbers) {
         let pose = Pose::of(y);
-        let pull = self.table.rolling(&pose.up, &pose.omega).traction;
-        let slip = pose.turn * (pull * (-0.5 * self.still / pull.norm()));
-        let kinetic = |y: &Numbers| 0.5 * self.table.body.mass() * (y[7] * y[7] + y[8] * y[8]);
+        let pull = self.ground.rolls(&pose).traction;
+        if pull.norm() == 0.0 {
+            return;
+        }
+        let slip = pose.turn * (pull * (-2.0 * self.still / pull.norm()));
+        let mass = self.ground.body().mass();
+        let kinetic = |y: &Numbers| 0.5 * mass * (y[7] * y[7] + y[8] * y[8]);
         let before = kinetic(y);
         y[7] += slip.x;
         y[8] += slip.y;
         y[11] += before - kinetic(y);
     }
 
+    /// Whether a body that no longer presses can take off: with the constraint of rolling it may be the level force that keeps it up.
+    fn released(&self, now: f64, y: &Numbers) -> Result<()> {
+        if self.ground.holding() != Holding::Grips {
+            return Ok(());
+        }
+        let smooth = Table {
+            body: *self.ground.body(),
+            gravity: self.ground.gravity(),
+            friction: Smooth,
+            resistance: Smooth,
+        };
+        if smooth.slides(&Pose::of(y)).reaction < 0.0 {
+            return Ok(());
+        }
+        Err(Error::Integration {
+            reason: "pure rolling takes a level force where nothing presses the body to the table; let it slide by Coulomb's law",
+            time: now,
+        })
+    }
+
     fn place(&self, numbers: &Numbers, support: Support) -> Place {
+        let body = self.ground.body();
         let numbers = match support {
-            Support::Rolling => self.table.rolled(numbers),
+            Support::Rolling => body.rolled(numbers),
             _ => *numbers,
         };
-        let (height, climb) = self.table.height(&Pose::of(&numbers));
+        let (height, climb) = body.height(&Pose::of(&numbers));
         Place {
             numbers,
             height,
             climb,
             support,
         }
-    }
-}
-
-fn airborne(place: &Airborne) -> Place {
-    Place {
-        numbers: place.numbers,
-        height: place.height,
-        climb: place.climb,
-        support: Support::Airborne,
     }
 }
 

@@ -2,11 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::effects::{Grip, Resist};
 use super::run::{Place, Support};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::scene::Tabulated;
-use crate::tippe_top::equations::{Pose, Table, attitude};
+use crate::tippe_top::equations::{Ground, Pose, attitude};
 
 /// A body on a table at one time. The third axis of space points up, the table is the plane z = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,26 +35,26 @@ pub struct State {
 }
 
 impl State {
-    pub(super) fn of<F: Grip, R: Resist>(table: &Table<F, R>, place: &Place) -> Self {
+    pub(super) fn of(ground: &dyn Ground, place: &Place) -> Self {
         let y = &place.numbers;
         let pose = Pose::of(y);
-        let body = &table.body;
+        let body = ground.body();
         let velocity = Vector3::new(y[7], y[8], place.climb);
         let (slip, reaction) = match place.support {
             Support::Airborne => (Vector3::zeros(), 0.0),
             Support::Rolling => {
-                let contact = table.rolling(&pose.up, &pose.omega);
+                let contact = ground.rolls(&pose);
                 (contact.slip, contact.reaction)
             }
             Support::Sliding => {
-                let contact = table.sliding(&pose.up, &pose.omega, &pose.level);
+                let contact = ground.slides(&pose);
                 (contact.slip, contact.reaction)
             }
         };
         let omega = BodyVector::from_components(pose.omega);
         let up = BodyVector::from_components(pose.up);
         let l = body.inertia().angular_momentum(omega);
-        let potential = body.mass() * table.gravity * place.height;
+        let potential = body.mass() * ground.gravity() * place.height;
         Self {
             attitude: attitude(&pose),
             omega,

@@ -17,6 +17,7 @@ mod rolling;
 mod solid;
 pub mod style;
 mod superball;
+mod tippe_top;
 
 pub use compare::{Difference, compare};
 
@@ -71,6 +72,81 @@ pub fn all() -> &'static [Entry] {
             name: "superball",
             chapter: "superball",
             draw: superball::under_the_table,
+        },
+        Entry {
+            name: "tippe-top-animated",
+            chapter: "tippe-top",
+            draw: tippe_top::turning_over,
+        },
+        Entry {
+            name: "egg-film",
+            chapter: "tippe-top",
+            draw: tippe_top::egg_film,
+        },
+        Entry {
+            name: "hoop-with-clay",
+            chapter: "tippe-top",
+            draw: tippe_top::hoop_with_clay,
+        },
+        Entry {
+            name: "tip-over",
+            chapter: "tippe-top",
+            draw: tippe_top::tip_over,
+        },
+        Entry {
+            name: "contact-path",
+            chapter: "tippe-top",
+            draw: tippe_top::contact_path,
+        },
+        Entry {
+            name: "tippe-energy",
+            chapter: "tippe-top",
+            draw: tippe_top::height_and_energy,
+        },
+        Entry {
+            name: "tippe-potential",
+            chapter: "tippe-top",
+            draw: tippe_top::effective_potential,
+        },
+        Entry {
+            name: "tippe-diagram",
+            chapter: "tippe-top",
+            draw: tippe_top::energy_and_momentum,
+        },
+        Entry {
+            name: "egg-angle",
+            chapter: "tippe-top",
+            draw: tippe_top::how_far_eggs_rise,
+        },
+        Entry {
+            name: "chiral-top",
+            chapter: "chiral-top",
+            draw: tippe_top::both_spins,
+        },
+        Entry {
+            name: "chiral-strobe",
+            chapter: "chiral-top",
+            draw: tippe_top::strobed,
+        },
+        Entry {
+            name: "chiral-map",
+            chapter: "chiral-top",
+            draw: tippe_top::outcomes,
+        },
+        Entry {
+            name: "chiral-growth",
+            chapter: "chiral-top",
+            draw: tippe_top::growth_rates,
+        },
+        Entry {
+            name: "chiral-beads",
+            chapter: "chiral-top",
+            draw: tippe_top::beads,
+        },
+        Entry {
+            name: "rattleback",
+            chapter: "rattleback",
+            draw: tippe_top::reversals,
         },
         Entry {
             name: "momentum-flow",

@@ -8,7 +8,7 @@ use super::friction::{Couple, Traction};
 use crate::error::{Error, Result};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
-use crate::integrators::{Cost, Effort, Method, solve};
+use crate::integrators::{Cost, Effort, Method, System, solve};
 
 /// A free body with its centre of mass on a parabola.
 #[derive(Debug, Clone)]
@@ -233,8 +233,9 @@ impl<F: Traction, R: Couple> Table<F, R> {
             });
         }
         let scale = self.body.mass * size;
+        let rate: &dyn System<3> = &rate;
         let run = solve(
-            &rate,
+            rate,
             0.0,
             &[0.0; 3],
             &[scale; 3],

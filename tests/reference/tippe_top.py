@@ -247,7 +247,7 @@ def cases():
     yield "frictionless ellipsoid", c1, g, "none", [], q, omega, mpf("1.2"), mpf("0.01")
     stone = Body(1, [["2e-4", "-2e-5", 0], ["-2e-5", "16e-4", 0], [0, 0, "17e-4"]], diagonal(mpf("0.04"), mpf("0.0009"), mpf("0.0004")), ["0", "0", "0.01"])
     q, omega = vec(1, "0.004", "0.004", 0), vec(0, 0, -5)
-    yield "rattleback rolling", stone, g, "rolling", [], q, omega, mpf("1.2"), mpf("0.01")
+    yield "rattleback rolling", stone, g, "rolling", [], q, omega, mpf("0.9"), mpf("0.003")
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ fn scene(spin: f64) -> TableTop<Gravity, Viscous> {
 #[test]
 fn s4_7_tippe_top_turns_over() {
     // claim: C4.7-2, C4.7-7
-    let rows = run(&scene(155.0), 8.0, 1600, 1e-9);
+    let rows = run(&scene(155.0), 8.0, 4000, 1e-9);
     let (first, end) = (rows[0].1, last(&rows));
     let t = |level| passage(&rows, degrees, level).unwrap();
     println!(
@@ -38,7 +38,9 @@ fn s4_7_tippe_top_turns_over() {
     assert!((first.spin() - 154.2).abs() < 0.05 && (end.spin() - 82.9).abs() < 0.05);
     assert!((first.energy - 0.04120).abs() < 5e-6 && (end.energy - 0.01609).abs() < 5e-6);
     let weight = 0.02 * 9.82;
-    assert!((-most(&rows, |s| -s.reaction) / weight - 0.70).abs() < 0.005);
+    let least = -most(&rows, |s| -s.reaction) / weight;
+    println!("least reaction {least} of the weight");
+    assert!((least - 0.70).abs() < 0.005);
     assert!(
         end.position.z() > first.position.z() + 0.011,
         "C has risen while energy fell"
@@ -51,7 +53,7 @@ fn s4_7_tippe_top_turns_over() {
         .map(|row| (row.1.jellett / first.jellett - 1.0).abs())
         .fold(0.0, f64::max);
     println!("Jellett's integral drifts by {drift:e}");
-    // Observed: 5e-12.
+    // Observed: 4e-15.
     assert!(drift < 1e-10);
 }
 
@@ -157,7 +159,7 @@ fn s4_7_classes_of_ueda_sasaki_and_watanabe() {
     let of = |gamma: f64| TippeTop::new(1.0, 1.0, 0.3, 0.4 * gamma, 0.4, 1.0).unwrap();
     for (gamma, class) in [
         (0.6, Inversion::Never),
-        (0.7, Inversion::Never),
+        (0.65, Inversion::Never),
         (0.75, Inversion::Complete),
         (1.25, Inversion::Complete),
         (1.35, Inversion::Partial),

@@ -53,6 +53,9 @@ impl Pull for Absent {
 }
 
 /// The rolling constraint: the point in contact never slips, whatever force that takes.
+///
+/// Where the reaction falls to zero while a level force is still needed, no table can do both: the run may end there with
+/// [`Error::Integration`](crate::Error::Integration). [`Coulomb`] slides first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct NoSlip;
 

@@ -43,8 +43,8 @@ use super::motion::{Motion, Request, balanced};
 use super::plan::{Choice, Plan, Solver};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
-use crate::integrators::{Cost, Method, refined};
-use crate::tippe_top::equations::{Numbers, Pose, Table, numbers};
+use crate::integrators::{Cost, Method, System, refined};
+use crate::tippe_top::equations::{NUMBERS, Numbers, Pose, Table, numbers};
 use crate::tippe_top::flight::Flight;
 use crate::tippe_top::{ConvexBody, Start};
 
@@ -185,14 +185,14 @@ impl<G: Pull, F: Grip, R: Resist> TableTop<G, F, R> {
         let table = self.table(gravity);
         let (y, scales) = self.opening(gravity)?;
         let accuracy = request.accuracy();
-        let speed = self.body.speed_scale(gravity);
         let run = |tolerance: f64| {
             Run {
                 table: &table,
                 scales: &scales,
                 method,
                 tolerance,
-                still: speed * (0.1 * accuracy).clamp(1e-11, 1e-6),
+                // Steps of this tolerance overshoot rest by about as much: nothing finer can be seen as rest.
+                still: 10.0 * tolerance * scales[7],
             }
             .follow(&y, times)
         };
@@ -210,9 +210,10 @@ impl<G: Pull, F: Grip, R: Resist> TableTop<G, F, R> {
         let places: Vec<Place> = match plan.solver {
             Solver::General(method) => {
                 let rates = |_: f64, y: &Numbers| free_rates(&table, y);
+                let rates: &dyn System<NUMBERS> = &rates;
                 let times = request.times();
                 let run = refined(
-                    &rates,
+                    rates,
                     &y,
                     &scales,
                     times,

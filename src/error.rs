@@ -180,3 +180,27 @@ pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
         Err(Error::Negative { quantity, value })
     }
 }
+
+/// `value`, if it is finite and lies between these two, both included.
+pub(crate) fn within(quantity: &'static str, value: f64, least: f64, greatest: f64) -> Result<f64> {
+    if (least..=greatest).contains(&finite(quantity, value)?) {
+        Ok(value)
+    } else {
+        Err(Error::OutOfRange {
+            quantity,
+            value,
+            least,
+            greatest,
+        })
+    }
+}
+
+/// A time so far from 0, either way, that digits do not tell where the motion is; `limit` is the longest of which they do.
+pub(crate) fn too_long(t: f64, limit: f64) -> Error {
+    Error::OutOfRange {
+        quantity: "the time",
+        value: t,
+        least: -limit,
+        greatest: limit,
+    }
+}

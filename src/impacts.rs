@@ -21,7 +21,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::conservation::finite_vector;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, positive, within};
 use crate::frame::BodyVector;
 use crate::inertia::InertiaMatrix;
 
@@ -301,14 +301,7 @@ pub fn grazing_mass_ratio(
     let kappa = positive("the inertia factor", inertia_factor)?;
     let rim_speed = positive("the speed of the rim", rim_speed)?;
     let impact_speed = positive("the speed of the impact", impact_speed)?;
-    if !(0.0..=core::f64::consts::PI).contains(&finite("the tilt", tilt)?) {
-        return Err(Error::OutOfRange {
-            quantity: "the tilt",
-            value: tilt,
-            least: 0.0,
-            greatest: core::f64::consts::PI,
-        });
-    }
+    within("the tilt", tilt, 0.0, core::f64::consts::PI)?;
     finite(
         "the mass ratio",
         2.0 * kappa * (rim_speed / impact_speed) * (0.5 * tilt).sin(),

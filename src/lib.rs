@@ -26,6 +26,7 @@
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
+mod angle;
 pub mod conservation;
 mod double_double;
 pub mod elliptic;
@@ -33,6 +34,7 @@ pub mod error;
 pub mod euler_equations;
 pub mod euler_top;
 mod extended;
+pub mod falling_strip;
 pub mod frame;
 pub mod ideal_fluid;
 pub mod impacts;
@@ -48,6 +50,7 @@ pub mod scene;
 pub mod superball;
 pub mod tippe_top;
 mod words;
+pub mod yo_yo;
 
 pub use error::{Error, Result};
 

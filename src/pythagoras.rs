@@ -13,7 +13,7 @@
 //! ```
 
 use crate::double_double::{DoubleDouble, power_of_two_below};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, positive, within};
 
 /// Which way round the corners A, R, B run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -305,18 +305,7 @@ fn triple([u, v, w]: [[f64; 3]; 3]) -> f64 {
 }
 
 fn angle_of_triangle(gamma: f64) -> Result<f64> {
-    let quantity = "the angle at R";
-    let value = finite(quantity, gamma)?;
-    if (0.0..=core::f64::consts::PI).contains(&value) {
-        Ok(value)
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            least: 0.0,
-            greatest: core::f64::consts::PI,
-        })
-    }
+    within("the angle at R", gamma, 0.0, core::f64::consts::PI)
 }
 
 fn length(edge: Edge) -> f64 {

@@ -14,7 +14,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, within};
 
 /// An oblate spheroid in equilibrium: semi-axes a = b > c, turning about c.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -241,18 +241,5 @@ fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
         } else {
             high = middle;
         }
-    }
-}
-
-fn within(quantity: &'static str, value: f64, least: f64, greatest: f64) -> Result<f64> {
-    if (least..=greatest).contains(&finite(quantity, value)?) {
-        Ok(value)
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            least,
-            greatest,
-        })
     }
 }

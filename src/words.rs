@@ -2,8 +2,8 @@
 //!
 //! Two words keep a phase over 10⁹ periods. One is five times as fast and good for the first few radians.
 
+use crate::angle::angle;
 use crate::double_double::DoubleDouble;
-use crate::extended::angle;
 
 /// What one word, two words and two words with an exponent have in common.
 pub(crate) trait Arithmetic: Copy {

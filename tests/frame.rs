@@ -1,5 +1,9 @@
 //! Body and space axes: which way the attitude turns, and both directions of the transport theorem (tutorial 2.2, 5.1).
 
+#[path = "support/any.rs"]
+mod any;
+
+use any::any;
 use approx::assert_relative_eq;
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
@@ -212,16 +216,6 @@ fn what_is_refused() {
     ));
 }
 
-fn anything() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        -10.0..10.0_f64,
-        any::<f64>(),
-        Just(f64::NAN),
-        Just(f64::MAX),
-        Just(5e-324)
-    ]
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -240,7 +234,7 @@ proptest! {
     }
 
     #[test]
-    fn nothing_panics(n in prop::collection::vec(anything(), 4)) {
+    fn nothing_panics(n in prop::collection::vec(any(), 4)) {
         if let Ok(attitude) = Attitude::from_quaternion(n[0], n[1], n[2], n[3]) {
             prop_assert!((attitude.quaternion().norm() - 1.0).abs() < 1e-15);
         }

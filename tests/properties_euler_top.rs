@@ -1,5 +1,9 @@
 //! Properties of the free top over bodies and starts that nobody chose.
 
+#[path = "support/any.rs"]
+mod any;
+
+use any::any;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use spinning_bodies::euler_top::{EulerTop, Regime, State, SymmetricTop};
@@ -8,31 +12,6 @@ use spinning_bodies::{Error, Result};
 
 fn vector(x: [f64; 3]) -> BodyVector {
     BodyVector::new(x[0], x[1], x[2])
-}
-
-/// Any number at all: every class of f64, and the extremes more often than chance would have them.
-fn any() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        prop::num::f64::ANY,
-        0.1..10.0,
-        prop::sample::select(vec![
-            0.0,
-            -0.0,
-            1.0,
-            -1.0,
-            1.0 + f64::EPSILON,
-            2.0,
-            f64::MAX,
-            f64::MIN,
-            f64::MIN_POSITIVE,
-            5e-324,
-            f64::INFINITY,
-            f64::NAN,
-            1e150,
-            1e-150,
-            1e-300,
-        ]),
-    ]
 }
 
 /// Moments of a body, in any order: sums of pairs of three numbers, so that the triangle inequality holds.

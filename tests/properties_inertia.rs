@@ -1,5 +1,9 @@
 //! Properties of the inertia module over bodies that nobody chose.
 
+#[path = "support/any.rs"]
+mod any;
+
+use any::any;
 use nalgebra::Matrix3;
 use proptest::prelude::*;
 use spinning_bodies::Result;
@@ -13,27 +17,6 @@ const EPS: f64 = f64::EPSILON;
 
 fn vector(x: [f64; 3]) -> BodyVector {
     BodyVector::new(x[0], x[1], x[2])
-}
-
-/// Any number at all: every class of f64, and the extremes more often than chance would have them.
-fn any() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        prop::num::f64::ANY,
-        prop::sample::select(vec![
-            0.0,
-            -0.0,
-            1.0,
-            -1.0,
-            f64::MAX,
-            f64::MIN,
-            f64::MIN_POSITIVE,
-            5e-324,
-            f64::INFINITY,
-            f64::NAN,
-            1e200,
-            1e-200,
-        ]),
-    ]
 }
 
 fn point() -> impl Strategy<Value = [f64; 3]> {

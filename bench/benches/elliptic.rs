@@ -3,6 +3,8 @@
 //! `bench/peers/build.sh && cargo bench -p bench --bench elliptic`. Without the first step the peer's columns are
 //! empty. Each time is the least of many runs over the same arguments, ours and the peer's in turn.
 
+mod support;
+
 use std::hint::black_box;
 use std::io::Write;
 use std::path::Path;
@@ -11,14 +13,14 @@ use std::time::Instant;
 
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{Jacobi, Modulus, Parameter, sn_cn_dn};
+use support::{Uniform, only_tested};
 
 /// Arguments for each modulus, and moduli in a set.
 const ARGUMENTS: usize = 1024;
 const MODULI: usize = 8;
 
 fn main() -> Result<()> {
-    // `cargo test --benches` passes this flag; there is nothing to measure then.
-    if std::env::args().any(|argument| argument == "--test") {
+    if only_tested() {
         return Ok(());
     }
     println!("sn, cn, dn; ns each, and the part of GSL's time");
@@ -160,17 +162,4 @@ fn peer(groups: &[Group]) -> Option<f64> {
     let output = child.wait_with_output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;
     text.split_whitespace().next()?.parse().ok()
-}
-
-/// A generator of numbers uniform in 0..1, the same on every machine.
-struct Uniform(u64);
-
-impl Uniform {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }

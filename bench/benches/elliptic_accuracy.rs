@@ -12,11 +12,12 @@ use spinning_bodies::elliptic::{
 
 #[path = "../../tests/support/decimal.rs"]
 mod decimal;
+mod support;
 use decimal::{hexadecimal, relative_error};
+use support::only_tested;
 
 fn main() {
-    // `cargo test --benches` passes this flag; there is nothing to measure then.
-    if std::env::args().any(|argument| argument == "--test") {
+    if only_tested() {
         return;
     }
     // Greatest error of the finite answers, and how many there were none.

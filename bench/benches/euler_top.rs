@@ -4,31 +4,24 @@
 //! runs. The textbook's formulas over GSL and over Boost.Math are timed by `tests/reference/peers/state_time.cpp`; with
 //! the program built from it named in the variable `STATE_TIME`, its lines stand in the same report.
 
-use std::hint::black_box;
-use std::time::Instant;
+#[path = "../../tests/support/decimal.rs"]
+mod decimal;
+mod support;
 
+use std::hint::black_box;
+
+use decimal::hexadecimal;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
+use support::{angle, least, only_tested};
 
 fn main() -> spinning_bodies::Result<()> {
-    // `cargo test --benches` passes this flag; there is nothing to measure then.
-    if std::env::args().any(|argument| argument == "--test") {
+    if only_tested() {
         return Ok(());
     }
     let ours = states()?;
     peers();
     integrators(ours)
-}
-
-/// Least time of `runs` calls, seconds.
-fn least(runs: usize, mut work: impl FnMut()) -> f64 {
-    let mut best = f64::INFINITY;
-    for _ in 0..runs {
-        let start = Instant::now();
-        work();
-        best = best.min(start.elapsed().as_secs_f64());
-    }
-    best
 }
 
 /// Moments, L at the start, and the time over which states are asked.
@@ -240,16 +233,6 @@ struct Truth {
 
 /// The rows of Hairer and Vilmart's asymmetric body.
 fn truths() -> Vec<Truth> {
-    let hexadecimal = |text: &str| -> f64 {
-        let (sign, text) = text
-            .strip_prefix('-')
-            .map_or((1.0, text), |rest| (-1.0, rest));
-        let (mantissa, exponent) = text[2..].split_once('p').expect("a hexadecimal float");
-        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        let bits = u64::from_str_radix(&format!("{whole}{fraction}"), 16).expect("digits");
-        let exponent: i32 = exponent.parse().expect("an exponent");
-        sign * bits as f64 * 2_f64.powi(exponent - 4 * fraction.len() as i32)
-    };
     include_str!("../../tests/reference/free_top.csv")
         .lines()
         .map(|line| line.split(',').collect::<Vec<_>>())
@@ -262,16 +245,6 @@ fn truths() -> Vec<Truth> {
         })
         .filter(|truth| truth.moments[0] == 0.6 && truth.time > 0.0)
         .collect()
-}
-
-/// Twice the vector part of q⁻¹p: the angle between the attitudes, radians, good to about 2e-16.
-fn angle(p: [f64; 4], q: [f64; 4]) -> f64 {
-    let [w, x, y, z] = p;
-    let [a, b, c, d] = q;
-    let i = a * x - b * w - c * z + d * y;
-    let j = a * y + b * z - c * w - d * x;
-    let k = a * z - b * y + c * x - d * w;
-    2.0 * i.hypot(j).hypot(k)
 }
 
 fn integrators(ours: f64) -> spinning_bodies::Result<()> {

@@ -10,13 +10,15 @@ use nalgebra::Matrix3;
 use parry3d_f64::mass_properties::MassProperties as Parry;
 use spinning_bodies::inertia::{InertiaMatrix, mesh, mesh_mass_properties, principal_axes_of};
 
+use support::{Uniform, only_tested};
+
 #[path = "../../tests/reference/double_double.rs"]
 mod double_double;
+mod support;
 use double_double::{Dd, eigenvalues, inertia_error, mesh_truth};
 
 fn main() -> spinning_bodies::Result<()> {
-    // `cargo test --benches` passes this flag; there is nothing to measure then.
-    if std::env::args().any(|argument| argument == "--test") {
+    if only_tested() {
         return Ok(());
     }
     meshes()?;
@@ -107,19 +109,6 @@ fn meshes() -> spinning_bodies::Result<()> {
         }
     }
     Ok(())
-}
-
-/// A generator of numbers uniform in 0..1, the same on every machine.
-struct Uniform(u64);
-
-impl Uniform {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }
 
 fn axes() -> spinning_bodies::Result<()> {

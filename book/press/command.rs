@@ -4,7 +4,9 @@ use crate::drawings::{self, Drawing};
 use crate::error::one_line;
 use crate::ledger::Ledger;
 use crate::paths::workspace_root;
-use crate::{Error, Result, appendix, binding};
+use crate::scenes::output::{self, Format};
+use crate::scenes::scan::{self, Over};
+use crate::{Error, Result, appendix, binding, scenes};
 use clap::{Parser, Subcommand};
 use figures::Entry;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -12,6 +14,7 @@ use std::ffi::OsString;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
 
 /// Spinning Bodies, the executable edition: draws the figures and builds the book.
 #[derive(Debug, Parser)]
@@ -30,10 +33,41 @@ Examples:
   cargo run -- figures --out my-figs     every figure into another folder
   cargo run -- figures --check           do the committed figures still look the same?
   cargo run -- book --open               builds the book and opens it in the browser
+  cargo run -- scene book/scenes/racket.toml    simulates a scene file; `scene --help` shows one
   cargo run -- claims                    every claim of the tutorial and where it is computed
   cargo test                             runs every example of the book
 
 Exit status: 0 success, 2 wrong usage or a wrong source (one line says which), 1 anything else.";
+
+const SCENE: &str = "\
+A scene file, in TOML and SI units; nothing acts that [effects] does not name:
+
+  title = \"A racket\"
+  [body]
+  moments = [1.0, 2.0, 3.0]        # principal moments, kg m2
+  [initial]
+  omega = [0.01, 1.0, 0.01]        # rad/s, along the body's axes; or angular_momentum
+  attitude = [1.0, 0.0, 0.0, 0.0]  # w x y z, from body to space; the default
+  [effects]                        # gravity = 9.80665, pivot_friction = 0.001, ...
+  [run]
+  until = 10.0                     # s; or times = [0.0, 2.5, 10.0]
+  samples = 101
+  accuracy = 1e-10                 # relative
+  solver = \"auto\"                # or exact, dop853, dopri5, verner98, rk4
+
+A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
+book/scenes has a file for each scene of the book.
+
+Examples:
+  cargo run -- scene book/scenes/racket.toml
+  cargo run -- scene book/scenes/sleeping-top.toml --format json --output motion.json";
+
+const SCAN: &str = "\
+The last row of each motion, with the varied numbers before it and `ok`, or why there is none, behind.
+
+Examples:
+  cargo run -- scan book/scenes/racket.toml --over initial.omega.0=0.001..0.1:25
+  cargo run -- scan book/scenes/heavy-body.toml --over effects.gravity=0..20:21 --over initial.omega.2=1..20:20";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -58,6 +92,30 @@ enum Command {
         /// Opens the first page in the browser
         #[arg(long)]
         open: bool,
+    },
+    /// Simulates a scene file: a body, how it starts, and only the effects it names
+    #[command(after_help = SCENE)]
+    Scene {
+        /// The scene file; `-` reads standard input
+        file: PathBuf,
+        /// How the motion is written
+        #[arg(long, value_enum, default_value = "csv")]
+        format: Format,
+        /// Where to; without it, standard output
+        #[arg(long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// Simulates a scene file over a grid of its numbers, on all cores; one line of CSV a point
+    #[command(after_help = SCAN)]
+    Scan {
+        /// The scene file; `-` reads standard input
+        file: PathBuf,
+        /// A number of the file, its range, and how many values; may be given more than once
+        #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
+        over: Vec<Over>,
+        /// Where to; without it, standard output
+        #[arg(long, value_name = "FILE")]
+        output: Option<PathBuf>,
     },
     /// Lists every claim of the tutorial, its verdict, and where it is computed
     Claims,
@@ -132,6 +190,30 @@ fn obey(command: Option<Command>) -> Result<()> {
             let page = print_book(&root, &drawings)?;
             if open { open_page(&page) } else { Ok(()) }
         }
+        Some(Command::Scene {
+            file,
+            format,
+            output,
+        }) => {
+            let (table, seconds) = watched(|| scenes::simulate(&file))?;
+            let text = output::text(&table, seconds, format);
+            match output {
+                Some(path) => output::write(&path, &text),
+                None => say(&text),
+            }
+        }
+        Some(Command::Scan { file, over, output }) => {
+            let bar = ProgressBar::new(scan::points(&file.display().to_string(), &over)? as u64);
+            if let Ok(style) = ProgressStyle::with_template("scenes {bar:32} {pos}/{len} {eta}") {
+                bar.set_style(style);
+            }
+            let text = scan::scan(&file, &over, || bar.inc(1));
+            bar.finish_and_clear();
+            match output {
+                Some(path) => output::write(&path, &text?),
+                None => say(&text?),
+            }
+        }
         Some(Command::Claims) => say(&appendix::table(&Ledger::read(&root)?)),
     }
 }
@@ -168,6 +250,15 @@ fn draw(entries: &[Entry]) -> Result<Vec<Drawing>> {
     });
     bar.finish_and_clear();
     drawings
+}
+
+/// Work that may take long, with a spinner on a terminal.
+fn watched<T>(work: impl FnOnce() -> T) -> T {
+    let spinner = ProgressBar::new_spinner().with_message("simulating");
+    spinner.enable_steady_tick(Duration::from_millis(200));
+    let result = work();
+    spinner.finish_and_clear();
+    result
 }
 
 /// Prints to standard output; a reader that has left is not an error of ours.

@@ -11,6 +11,7 @@
 //! | [`ledger`] | the claims of the tutorial, and where each is computed |
 //! | [`appendix`] | the ledger as a page and as a table |
 //! | [`binding`] | builds the book, whole or not at all |
+//! | [`scenes`] | scene files: read, run, written |
 //! | [`command`] | the command line |
 
 pub mod appendix;
@@ -23,6 +24,7 @@ pub mod formulas;
 pub mod ledger;
 pub mod paths;
 pub mod pieces;
+pub mod scenes;
 pub mod typesetter;
 
 pub use error::{Error, Result};

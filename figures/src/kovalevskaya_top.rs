@@ -7,8 +7,7 @@ use spinning_bodies::{Error, Result};
 
 use crate::Figure;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small,
-    stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, stroke,
 };
 
 /// The start of all pictures: c = 1, Ω = (1, ½, 0.3), z = (2, −1, 2)/3.
@@ -31,8 +30,13 @@ fn traced(state: &TopState) -> [Point; 2] {
     ]
 }
 
-const SECONDS: f64 = 90.0;
-const SAMPLES: u32 = 1800;
+/// How long the scribble, the circle and the ring are followed.
+const SECONDS: f64 = 240.0;
+const SAMPLES: u32 = 6000;
+
+/// Half the width of a panel, and the height of its middle.
+const PANEL: f64 = 88.0;
+const MIDDLE: f64 = 112.0;
 
 /// What the body does, what her constant does, and what the same expression does for slightly wrong moments.
 pub fn circle() -> Result<Figure> {
@@ -46,24 +50,24 @@ pub fn circle() -> Result<Figure> {
     }
     let wrong = HeavyTop::new(AxisMoments::new(1.9, 1.9, 1.0)?, lever)?;
     let mut state = at_start;
-    let mut ring = Vec::new();
-    let step = SECONDS / f64::from(SAMPLES) / 10.0;
+    let mut wandering = Vec::new();
+    let step = SECONDS / f64::from(SAMPLES) / 8.0;
     for _ in 0..=SAMPLES {
-        ring.push(traced(&state)[1]);
-        for _ in 0..10 {
+        wandering.push(traced(&state)[1]);
+        for _ in 0..8 {
             state = wrong.step(&state, step);
         }
     }
     let k = top.constants().kovalevskaya;
-    let sizes = || ring.iter().map(|[x, y]| x.hypot(*y));
+    let sizes = || wandering.iter().map(|[x, y]| x.hypot(*y));
     let (least, greatest) = (sizes().fold(k, f64::min), sizes().fold(k, f64::max));
 
     let words = Words {
         claim: "The top scribbles; its constant runs round a circle.".to_owned(),
         details: format!(
-            "Left: $w=\\Omega_1+i\\Omega_2$ for {} s, from the exact motion, $MgC_1/I_3=1$. Middle: $K=w^2-(z_1+iz_2)$ of the same \
-             motion, always at {} from the origin. Right: the same expression for a top with $I_1=I_2=1.9\\,I_3$ from the same start; \
-             its size wanders between {} and {}.",
+            "Three drawings of {} s from one start, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
+             $K=w^2-(z_1+iz_2)$ of the same motion, always {} from the origin. Right: the same expression if \
+             $I_1=I_2=1.9\\,I_3$; dashed, where it should be. It wanders from {} to {}.",
             number(SECONDS, 0),
             number(k, 4),
             number(least, 2),
@@ -79,32 +83,47 @@ pub fn circle() -> Result<Figure> {
         ),
     };
 
-    Ok(figure("kovalevskaya-circle", 262.0, words, |pen| {
-        let scale = 84.0 / greatest.max(1.9);
-        let panels = [104.0, 300.0, 496.0];
-        let place = |x: f64| move |[re, im]: Point| [x + scale * re, 112.0 - scale * im];
+    Ok(figure("kovalevskaya-circle", 268.0, words, |pen| {
+        // Each fills its panel: the scribble is wider to the left than to the right.
+        let reach = hers
+            .iter()
+            .map(|p| p[0][0].hypot(p[0][1]))
+            .fold(0.0, f64::max);
+        let panels = [100.0, 300.0, 500.0];
+        let place = |x: f64, reach: f64| {
+            let scale = PANEL / reach;
+            move |[re, im]: Point| [x + scale * re, MIDDLE - scale * im]
+        };
+        let [scribble, circle, smear] =
+            [(0, reach), (1, greatest), (2, greatest)].map(|(n, reach)| place(panels[n], reach));
         for (x, text, remark) in [
             (panels[0], "*w*", "what the top does"),
             (panels[1], "*K*", "*I*_{1} = 2 *I*_{3}"),
             (panels[2], "*K*", "*I*_{1} = 1.9 *I*_{3}"),
         ] {
-            pen.line(
-                &[[x - 90.0, 112.0], [x + 90.0, 112.0]],
-                stroke(Role::Ink, HAIR),
+            let [left, right] = [x - PANEL - 6.0, x + PANEL + 6.0];
+            pen.line(&[[left, MIDDLE], [right, MIDDLE]], stroke(Role::Ink, HAIR));
+            let [above, below] = [MIDDLE - PANEL - 6.0, MIDDLE + PANEL + 6.0];
+            pen.line(&[[x, above], [x, below]], stroke(Role::Ink, HAIR));
+            pen.text(
+                [right - 4.0, above + 18.0],
+                Anchor::Middle,
+                text,
+                label(Role::Ink),
             );
-            pen.line(&[[x, 22.0], [x, 202.0]], stroke(Role::Ink, HAIR));
-            pen.text([x + 76.0, 36.0], Anchor::Middle, text, label(Role::Ink));
-            pen.text([x, 236.0], Anchor::Middle, remark, small(Role::Ink));
+            pen.text([x, below + 26.0], Anchor::Middle, remark, label(Role::Ink));
         }
-        let path = |to: usize, x: f64| hers.iter().map(|p| place(x)(p[to])).collect::<Vec<_>>();
-        pen.line(&path(0, panels[0]), stroke(Role::Omega, SECONDARY));
-        pen.line(&path(1, panels[1]), stroke(Role::AngularMomentum, DATA));
-        let smear: Vec<Point> = ring.iter().map(|p| place(panels[2])(*p)).collect();
-        pen.line(&smear, stroke(Role::AngularMomentum, SECONDARY));
-        pen.disc(place(panels[0])(hers[0][0]), 3.5, Role::Omega, 1.0);
-        for x in &panels[1..] {
-            pen.disc(place(*x)(hers[0][1]), 3.5, Role::AngularMomentum, 1.0);
-        }
+        let path: Vec<Point> = hers.iter().map(|p| scribble(p[0])).collect();
+        pen.line(&path, stroke(Role::Omega, AXIS).alpha(0.8));
+        let ring: Vec<Point> = (0..=360)
+            .map(|n| f64::from(n).to_radians().sin_cos())
+            .map(|(sine, cosine)| smear([k * cosine, k * sine]))
+            .collect();
+        let path: Vec<Point> = hers.iter().map(|p| circle(p[1])).collect();
+        pen.line(&path, stroke(Role::AngularMomentum, DATA));
+        let path: Vec<Point> = wandering.iter().map(|p| smear(*p)).collect();
+        pen.line(&path, stroke(Role::AngularMomentum, HAIR).alpha(0.8));
+        pen.line(&ring, stroke(Role::Ink, SECONDARY).dashed());
     }))
 }
 
@@ -145,7 +164,7 @@ pub fn bands() -> Result<Figure> {
         claim: "Two quantities swing where a polynomial is positive.".to_owned(),
         details: format!(
             "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion of the circle, heights on a logarithmic scale beyond 0.01. $s_1$ swings between \
-             {} and {}, {} times a second; $s_2$ comes from $-\\infty$, turns at {} and goes back, {} times a second. The ratio, {}, is no fraction.",
+             {} and {}, {} times a second; $s_2$ comes from $-\\infty$, turns at {} and goes back, {} times a second. Their ratio is {}.",
             number(low, 3),
             number(high, 3),
             number(first, 4),
@@ -226,27 +245,29 @@ pub fn classes() -> Result<Figure> {
         }
     }
 
-    let bend = diagram.cubic_double(2.2)?;
+    let ends = diagram.cubic_double(greatest)?;
 
     let words = Words {
         claim: "Where two roots meet, one kind of motion ends and another begins.".to_owned(),
         details: format!(
-            "Motions with $\\lvert K\\rvert={}$, $MgC_1=I_3=1$: a dot for each of {} starts at its energy $E$ and $L_{{\\text{{vert}}}}^2$. Two straight              lines, where $(l_1\\pm k)/2$ is a root of the cubic, and one curve, where the cubic has a double root: Appelrot's classes two to four.",
-            number(SIZE, 1),
+            "A dot for each of {} starts with $\\lvert K\\rvert={}$, $MgC_1=I_3=1$, at its energy and $L_{{\\text{{vert}}}}^2$. On the straight lines a root \
+             of the cubic meets $e_4$ or $e_5$, on the curve two of its own meet: Appelrot's classes two to four.",
             motions.len(),
+            number(SIZE, 1),
         ),
-        alt: "A plane with energy to the right and the square of the vertical angular momentum upwards. Dots fill a region that starts at a               lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
+        alt: "A plane with energy to the right and the square of the vertical angular momentum upwards. Dots fill a region that starts at a \
+              lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
             .to_owned(),
     };
 
     Ok(figure("appelrot-classes", 300.0, words, |pen| {
         let place = |[e, h]: Point| {
-            let x = 46.0 + 520.0 * (e - least) / (greatest - least);
+            let x = 46.0 + 486.0 * (e - least) / (greatest - least);
             [x, 262.0 - 236.0 * h / highest]
         };
         let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
         for motion in motions.iter().filter(|m| inside(m)) {
-            pen.disc(place(*motion), 1.0, Role::Omega, 0.45);
+            pen.disc(place(*motion), 1.5, Role::Omega, 0.6);
         }
         for curve in &curves {
             // A branch may leave the picture and come back.
@@ -257,14 +278,15 @@ pub fn classes() -> Result<Figure> {
                 }
             }
         }
-        let name = |pen: &mut Pen<'_>, energy: f64, h: f64, text: &str| {
-            let [x, y] = place([energy, h]);
-            pen.text([x - 8.0, y - 6.0], Anchor::End, text, label(Role::Ink));
-        };
-        name(pen, 1.2, diagram.shared_upper(1.2), "*e*_{4}");
-        name(pen, 0.9, diagram.shared_lower(0.9), "*e*_{5}");
-        if let Some([_, upper]) = bend {
-            name(pen, 2.2, upper, "cubic");
+        // Each line has its name where it ends.
+        let shared = [
+            (diagram.shared_upper(greatest), "*e*_{4}"),
+            (diagram.shared_lower(greatest), "*e*_{5}"),
+        ];
+        let own = ends.into_iter().flatten().map(|h| (h, "cubic"));
+        for (h, text) in shared.into_iter().chain(own) {
+            let [x, y] = place([greatest, h]);
+            pen.text([x + 8.0, y + 5.0], Anchor::Start, text, label(Role::Ink));
         }
         pen.line(&[[46.0, 262.0], [580.0, 262.0]], stroke(Role::Ink, AXIS));
         pen.line(&[[46.0, 262.0], [46.0, 16.0]], stroke(Role::Ink, AXIS));

@@ -7,17 +7,23 @@ use spinning_bodies::Result;
 mod compare;
 mod euler_equations;
 mod euler_top;
+mod falling_strip;
 pub mod finish;
 mod impacts;
 mod inertia;
 mod kovalevskaya_top;
 mod lagrange_top;
+mod phenomena;
+mod plot;
 mod pythagoras;
 mod rolling;
+mod sheet;
 mod solid;
+mod spool;
 pub mod style;
 mod superball;
 mod tippe_top;
+mod yo_yo;
 
 pub use compare::{Difference, compare};
 
@@ -49,6 +55,51 @@ pub struct Entry {
 pub fn all() -> &'static [Entry] {
     &[
         Entry {
+            name: "cat-animated",
+            chapter: "phenomena",
+            draw: phenomena::cat_animated,
+        },
+        Entry {
+            name: "ice",
+            chapter: "phenomena",
+            draw: phenomena::ice,
+        },
+        Entry {
+            name: "crawler",
+            chapter: "phenomena",
+            draw: phenomena::crawler,
+        },
+        Entry {
+            name: "swivel",
+            chapter: "phenomena",
+            draw: phenomena::swivel,
+        },
+        Entry {
+            name: "cat-film",
+            chapter: "phenomena",
+            draw: phenomena::cat_film,
+        },
+        Entry {
+            name: "shape-loops",
+            chapter: "phenomena",
+            draw: phenomena::shape_loops,
+        },
+        Entry {
+            name: "back-bend",
+            chapter: "phenomena",
+            draw: phenomena::back_bend,
+        },
+        Entry {
+            name: "paper-cat",
+            chapter: "phenomena",
+            draw: phenomena::paper_cat,
+        },
+        Entry {
+            name: "paper-cat-fall",
+            chapter: "phenomena",
+            draw: phenomena::paper_cat_fall,
+        },
+        Entry {
             name: "ellipsoid-of-inertia",
             chapter: "inertia",
             draw: inertia::ellipsoid,
@@ -69,9 +120,44 @@ pub fn all() -> &'static [Entry] {
             draw: rolling::billiard,
         },
         Entry {
+            name: "slide-to-roll",
+            chapter: "rolling",
+            draw: rolling::lines,
+        },
+        Entry {
+            name: "spool",
+            chapter: "spool",
+            draw: spool::three_tugs,
+        },
+        Entry {
+            name: "spool-dial",
+            chapter: "spool",
+            draw: spool::dial,
+        },
+        Entry {
+            name: "withdrawn-sheet",
+            chapter: "sheet",
+            draw: sheet::speeds,
+        },
+        Entry {
+            name: "sheet-animated",
+            chapter: "sheet",
+            draw: sheet::animated,
+        },
+        Entry {
             name: "superball",
             chapter: "superball",
             draw: superball::under_the_table,
+        },
+        Entry {
+            name: "three-superballs",
+            chapter: "superball",
+            draw: superball::three_balls,
+        },
+        Entry {
+            name: "bounce-reflections",
+            chapter: "superball",
+            draw: superball::reflections,
         },
         Entry {
             name: "tippe-top-animated",
@@ -147,6 +233,41 @@ pub fn all() -> &'static [Entry] {
             name: "rattleback",
             chapter: "rattleback",
             draw: tippe_top::reversals,
+        },
+        Entry {
+            name: "yo-yo-string",
+            chapter: "yo-yo",
+            draw: yo_yo::string,
+        },
+        Entry {
+            name: "yo-yo-speed",
+            chapter: "yo-yo",
+            draw: yo_yo::speed,
+        },
+        Entry {
+            name: "yo-yo-animated",
+            chapter: "yo-yo",
+            draw: yo_yo::animated,
+        },
+        Entry {
+            name: "strip-animated",
+            chapter: "falling-strip",
+            draw: falling_strip::animated,
+        },
+        Entry {
+            name: "strip-paths",
+            chapter: "falling-strip",
+            draw: falling_strip::paths,
+        },
+        Entry {
+            name: "strip-regimes",
+            chapter: "falling-strip",
+            draw: falling_strip::regimes,
+        },
+        Entry {
+            name: "strip-rate",
+            chapter: "falling-strip",
+            draw: falling_strip::rate,
         },
         Entry {
             name: "momentum-flow",

@@ -1,5 +1,9 @@
 //! Where to hit a billiard ball (tutorial 4.3).
 
+mod slide;
+
+pub use slide::lines;
+
 use core::f64::consts::FRAC_PI_2;
 
 use spinning_bodies::Result;

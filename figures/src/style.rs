@@ -51,17 +51,20 @@ pub enum Role {
     Torque,
     /// The light on a round body: a radial gradient of ink.
     Shade,
+    /// The page: what a nearer body is filled with to hide what is behind it.
+    Paper,
 }
 
 impl Role {
     /// All roles.
-    pub const ALL: [Role; 6] = [
+    pub const ALL: [Role; 7] = [
         Role::Ink,
         Role::Muted,
         Role::Omega,
         Role::AngularMomentum,
         Role::Torque,
         Role::Shade,
+        Role::Paper,
     ];
 
     /// The colour that stands for the role on the canvas, until the finisher replaces it.
@@ -73,6 +76,7 @@ impl Role {
             Role::AngularMomentum => RGBColor(3, 0, 0),
             Role::Torque => RGBColor(4, 0, 0),
             Role::Shade => RGBColor(5, 0, 0),
+            Role::Paper => RGBColor(6, 0, 0),
         }
     }
 
@@ -85,6 +89,7 @@ impl Role {
             Role::AngularMomentum => "var(--angular-momentum, #b85300)".to_owned(),
             Role::Torque => "var(--torque, #6b1a6b)".to_owned(),
             Role::Shade => format!("url(#fig-{figure}-shade)"),
+            Role::Paper => "var(--bg, Canvas)".to_owned(),
         }
     }
 }

@@ -1,5 +1,9 @@
 //! The superball under the table (tutorial 4.6).
 
+mod bounces;
+
+pub use bounces::{reflections, three_balls};
+
 use core::f64::consts::FRAC_PI_2;
 
 use num_rational::Ratio;

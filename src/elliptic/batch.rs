@@ -1,6 +1,7 @@
 //! The Jacobi functions of many arguments of one modulus, in loops that the compiler lays out side by side.
 
-use super::jacobi::{circular, hyperbolic};
+use super::crest::hyperbolic;
+use super::jacobi::circular;
 use super::modulus::{Modulus, Side};
 use super::series::Corrections;
 use crate::error::{Error, Result};

@@ -4,21 +4,7 @@ use super::carlson;
 use super::modulus::Modulus;
 use super::parameter::Parameter;
 use crate::double_double::{DoubleDouble as Dd, power_of_two_below};
-use crate::error::{Error, Result, finite};
-
-fn within(quantity: &'static str, value: f64, least: f64) -> Result<f64> {
-    let value = finite(quantity, value)?;
-    if (least..=1.0).contains(&value) {
-        Ok(value)
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            least,
-            greatest: 1.0,
-        })
-    }
-}
+use crate::error::{Error, Result, finite, within};
 
 fn complement(x: f64) -> Dd {
     Dd::difference(1.0, x).multiply(Dd::sum(1.0, x))
@@ -34,7 +20,7 @@ fn complement(x: f64) -> Dd {
 ///
 /// If x is not finite or lies outside −1…1.
 pub fn inverse_sn(x: f64, parameter: Parameter) -> Result<f64> {
-    let x = within("value of sn", x, -1.0)?;
+    let x = within("value of sn", x, -1.0, 1.0)?;
     let c2 = complement(x);
     let s2 = Dd::product(x, x);
     Ok(from_squares(Dd::from(x), s2, c2, parameter).value())
@@ -49,7 +35,7 @@ pub fn inverse_sn(x: f64, parameter: Parameter) -> Result<f64> {
 ///
 /// If x is not finite or lies outside −1…1.
 pub fn inverse_cn(x: f64, parameter: Parameter) -> Result<f64> {
-    let x = within("value of cn", x, -1.0)?;
+    let x = within("value of cn", x, -1.0, 1.0)?;
     let s2 = complement(x);
     let u = from_squares(s2.square_root(), s2, Dd::product(x, x), parameter);
     Ok(reflected(u, x < 0.0, parameter))
@@ -111,7 +97,7 @@ pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
 /// If x is not finite or lies outside √mc…1.
 pub fn inverse_dn(x: f64, parameter: Parameter) -> Result<f64> {
     let least = parameter.mc().sqrt();
-    let x = within("value of dn", x, least)?;
+    let x = within("value of dn", x, least, 1.0)?;
     if parameter.m() == 0.0 {
         return Ok(0.0);
     }

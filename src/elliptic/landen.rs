@@ -3,7 +3,7 @@
 //! Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) stays.
 //! At the end K is π/2 and sn z is sin z. The mean of 1 and k′, the nome and the functions of z all come from the same steps.
 
-use super::modulus::PI;
+use crate::angle::RIGHT_ANGLE;
 use crate::double_double::DoubleDouble;
 use crate::extended::Scalar;
 use crate::words::{Arithmetic, Words};
@@ -73,7 +73,7 @@ impl<N: Scalar> Landen<N> {
 
     /// The quarter period K = π/(2 mean).
     pub(crate) fn quarter(&self) -> DoubleDouble {
-        N::Narrow::from_two(right_angle()).divide(self.mean).two()
+        N::Narrow::from_two(RIGHT_ANGLE).divide(self.mean).two()
     }
 
     /// The quarter period of the complementary modulus, K′ = (K/π) ln(1/q), also where q itself underflows; infinite for k = 0.
@@ -134,9 +134,4 @@ impl<N: Scalar> Landen<N> {
         let root = a.sqrt() * s.leading();
         root * root
     }
-}
-
-/// π/2 to 106 bits.
-pub(crate) fn right_angle() -> DoubleDouble {
-    PI.scaled(0.5)
 }

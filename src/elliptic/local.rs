@@ -1,7 +1,8 @@
 //! An argument reduced to the nearest multiple of K, and the elementary functions there that everything else is made of.
 
-pub(crate) use super::jacobi::Crest;
-use super::jacobi::{Circular, Hyperbolic, QUARTER_PARTS, circular_at, hyperbolic_at, in_quadrant};
+pub(crate) use super::crest::Crest;
+use super::crest::{Hyperbolic, hyperbolic_at};
+use super::jacobi::{Circular, QUARTER_PARTS, circular_at, in_quadrant};
 use super::kernel::{self, ROUNDER};
 use super::modulus::{EXACT_COUNT, Modulus, Side};
 use crate::double_double::DoubleDouble;
@@ -20,6 +21,9 @@ pub(crate) enum Local {
     /// sinh and cosh of π rest/(2K′), both divided by e^x or nearly so.
     Hyperbolic(Crest),
 }
+
+/// 2⁶² radians, the greatest angle of two words of which sine and cosine are of use: 106 bits leave 10⁻¹³ of it.
+pub(crate) const GREATEST_ANGLE: f64 = 4.6e18;
 
 /// Sine and cosine of an angle of two words.
 ///

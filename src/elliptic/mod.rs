@@ -47,6 +47,8 @@
 mod batch;
 pub mod carlson;
 mod complete;
+mod crest;
+pub(crate) mod descent;
 mod incomplete;
 mod inverse;
 mod jacobi;

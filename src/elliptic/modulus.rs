@@ -6,13 +6,10 @@ use super::landen::Landen;
 use super::logarithm::logarithm;
 use super::parameter::Parameter;
 use super::series::Series;
+use crate::angle::RIGHT_ANGLE;
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::extended::Scalar;
 use crate::words::Words;
-
-/// π/2 to 106 bits.
-const HALF_PI: DoubleDouble =
-    DoubleDouble::new(core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
 
 /// π to 106 bits.
 pub(super) const PI: DoubleDouble =
@@ -88,7 +85,7 @@ impl Modulus {
         if m.value() <= mc.value() {
             let mean = Mean::new(mc, m);
             let q = Nome::new(m.value(), mean.product.value()).value();
-            let quarter = kernel::quotient(HALF_PI, mean.value);
+            let quarter = kernel::quotient(RIGHT_ANGLE, mean.value);
             let series = Series::circular(q, complementary_modulus);
             Self::assemble(parameter, Side::Circular, quarter, mean.value, series)
         } else {

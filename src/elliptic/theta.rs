@@ -22,9 +22,65 @@ pub(crate) enum Which {
     Xi,
 }
 
+/// The powers of q and e that a theta function of a complex argument has as coefficients, w = πη/2K, for m ≤ 1/2.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Exponentials<W> {
+    /// ρ = q e^{2w}.
+    pub(crate) rho: W,
+    /// ε = e^{−2w}.
+    pub(crate) epsilon: W,
+    /// sinh x, e^x and e^{−x} of the smaller argument x, w or πξ/2K. One of ρ and ε is e^{−2x}, and 1 less it 2 sinh x · e^{−x}.
+    pub(crate) sinh: W,
+    pub(crate) growth: W,
+    pub(crate) decay: W,
+}
+
 impl<N: Scalar> Elevation<N> {
+    /// From `rise` and `run` of both: the smaller of them, with the `slope` that belongs to it.
+    #[inline]
+    pub(crate) fn smaller(eta: [N; 2], xi: [N; 2], slope: impl Fn(Which) -> N) -> Self {
+        let (which, [rise, run]) = if xi[0].multiply(eta[1]).exceeds(eta[0].multiply(xi[1])) {
+            (Which::Eta, eta)
+        } else {
+            (Which::Xi, xi)
+        };
+        Self {
+            which,
+            rise,
+            run,
+            slope: slope(which),
+        }
+    }
+
+    /// For m ≤ 1/2.
+    pub(crate) fn exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials<N::Narrow> {
+        let q = landen.nome;
+        let sinh = self.hyperbolic_sine(landen, m);
+        let growth = sinh.add(sinh.hypotenuse_with_one());
+        let decay = N::Narrow::from_double(1.0).divide(growth);
+        let lesser = decay.multiply(decay);
+        // q may have underflown where e^{2x} is large: zero times that is zero.
+        let other = if q.is_zero() {
+            q
+        } else {
+            q.multiply(growth).multiply(growth)
+        };
+        // For ξ in place of η they change roles.
+        let (rho, epsilon) = match self.which {
+            Which::Eta => (other, lesser),
+            Which::Xi => (lesser, other),
+        };
+        Exponentials {
+            rho,
+            epsilon,
+            sinh,
+            growth,
+            decay,
+        }
+    }
+
     /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
-    pub(crate) fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
+    fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
         if self.run.is_zero() {
             return N::Narrow::from_double(1e150);
         }

@@ -205,7 +205,7 @@ fn unpack(y: &[f64; 6]) -> TopState {
 }
 
 // ANCHOR: classify
-fn classify(i: [f64; 3], lever: BodyVector) -> Integrability {
+pub(crate) fn classify(i: [f64; 3], lever: BodyVector) -> Integrability {
     let c = lever.components();
     if c.iter().all(|&c| c == 0.0) {
         return Integrability::Euler;

@@ -18,6 +18,7 @@ mod heavy;
 mod springs;
 
 pub use flow::{Equilibrium, Nature, equilibria, fastest_flow, flow, separatrix_slope, streamline};
+pub(crate) use heavy::classify;
 pub use heavy::{HeavyTop, Integrability, Integral, TopState};
 pub use springs::SpringBody;
 

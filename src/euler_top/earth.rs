@@ -3,7 +3,7 @@
 //! Computed here: the rigid period, and the naive lengthening by elasticity. Quoted from geodesy: the ellipticity, the
 //! Love number, the observed period.
 
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, positive, within};
 
 /// I₃/I₁ in the tutorial (6.5), dimensionless.
 pub const TUTORIAL_AXIAL_OVER_TRANSVERSE: f64 = 301.0 / 300.0;
@@ -44,15 +44,7 @@ pub const DYNAMICAL_FORM_FACTOR: f64 = 1.082_635_9e-3;
 /// [`Error::NotFinite`]; [`Error::NotPositive`]; [`Error::OutOfRange`] for H above ½, which no body has (2.4).
 pub fn rigid_period(ellipticity: f64) -> Result<f64> {
     let value = positive("the dynamical ellipticity", ellipticity)?;
-    if value > 0.5 {
-        let quantity = "the dynamical ellipticity";
-        return Err(Error::OutOfRange {
-            quantity,
-            value,
-            least: 0.0,
-            greatest: 0.5,
-        });
-    }
+    within("the dynamical ellipticity", value, 0.0, 0.5)?;
     finite("the rigid period", (1.0 - value) / value)
 }
 

@@ -3,11 +3,11 @@
 use nalgebra::Quaternion;
 
 use super::preparation::Constants;
+use crate::angle::RIGHT_ANGLE;
 use crate::double_double::DoubleDouble;
 use crate::elliptic::Side;
-use crate::elliptic::landen::right_angle;
-use crate::elliptic::local::{Place, sine_cosine};
-use crate::error::{Error, Result};
+use crate::elliptic::local::{GREATEST_ANGLE, Place, sine_cosine};
+use crate::error::{Result, too_long};
 
 /// Where L is, along the renumbered axes.
 pub(super) struct Point {
@@ -28,13 +28,7 @@ impl Constants {
             let l = [p1 * cn, p2 * sn, p3 * dn];
             return Ok(Point { place, sn, cn, l });
         }
-        let limit = greatest / self.rate.high().abs();
-        Err(Error::OutOfRange {
-            quantity: "the time",
-            value: t,
-            least: -limit,
-            greatest: limit,
-        })
+        Err(too_long(t, greatest / self.rate.high().abs()))
     }
 
     /// The turn by ψ about L after the shortest rotation of L onto axis 3, as a unit quaternion along the body's own axes.
@@ -80,7 +74,7 @@ impl Constants {
         if quarter.high() == f64::INFINITY {
             return self.turning_rate.value();
         }
-        let gain = right_angle().subtract(self.turning.lag);
+        let gain = RIGHT_ANGLE.subtract(self.turning.lag);
         let quarters = self.rate.divide(quarter);
         self.turning_rate.add(gain.multiply(quarters)).value()
     }
@@ -114,19 +108,11 @@ impl Constants {
     }
 }
 
-/// The greatest half turn about L, in radians: 2⁶², where its 106 bits leave 10⁻¹³ of a radian.
-const GREATEST_HALF_TURN: f64 = 4.6e18;
-
 /// Sine and cosine of half the angle turned about L until time t at about this rate.
 pub(super) fn half_turn(half: DoubleDouble, t: f64, rate: DoubleDouble) -> Result<(f64, f64)> {
-    if half.high().abs() <= GREATEST_HALF_TURN {
-        return Ok(sine_cosine(half));
+    if half.high().abs() <= GREATEST_ANGLE {
+        Ok(sine_cosine(half))
+    } else {
+        Err(too_long(t, 2.0 * GREATEST_ANGLE / rate.high().abs()))
     }
-    let limit = 2.0 * GREATEST_HALF_TURN / rate.high().abs();
-    Err(Error::OutOfRange {
-        quantity: "the time",
-        value: t,
-        least: -limit,
-        greatest: limit,
-    })
 }

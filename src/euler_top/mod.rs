@@ -30,5 +30,6 @@ pub mod toutatis;
 mod turning;
 
 pub use motion::{EulerTop, GeometricPhase, Regime, State};
-pub use poinsot::{Poinsot, Sector, separatrix_slope};
+pub use poinsot::{Poinsot, Sector};
+pub use separation::separatrix_slope;
 pub use symmetric::{Cones, Shape, SymmetricTop};

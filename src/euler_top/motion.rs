@@ -4,7 +4,7 @@ use nalgebra::Quaternion;
 
 use super::evaluation::half_turn;
 use super::preparation::{Constants, decide};
-use super::start::{Digits, Start, ascending, ratio};
+use super::start::{Digits, Start, ratio};
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, not_negative};
 use crate::extended::{Extended, Scalar};
@@ -83,7 +83,8 @@ impl EulerTop {
     /// [`at`](Self::at), the price of constants to 106 bits: with them no later time costs a digit.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] and [`Error::TriangleInequality`] for moments that no body has (2.4);
+    /// [`Error::NotFinite`], also if Ω or the rate of the motion would leave the range of doubles; [`Error::Negative`] and
+    /// [`Error::TriangleInequality`] for moments that no body has (2.4);
     /// [`Error::Condition`] for an angular momentum about an axis whose moment is zero.
     pub fn new(
         moments: [f64; 3],
@@ -150,7 +151,7 @@ impl EulerTop {
         for component in start.components() {
             finite(start.name(), component)?;
         }
-        refuse_impossible_rod(moments, &start)?;
+        start.refuse_impossible_rod(moments)?;
         let (l, omega) = start.both(moments);
         for component in l.into_iter().chain(omega) {
             finite("a component of angular velocity or momentum", component)?;
@@ -175,6 +176,10 @@ impl EulerTop {
                     .abs()
                     .max(constants.turning_rate.value());
                 finite("the rate of the motion", largest)?;
+                // What is finite at the start may swing onto an axis with a smaller moment, or round up.
+                for peak in ratio(constants.axes.back(constants.amplitudes), moments) {
+                    finite("twice the greatest angular velocity", 2.0 * peak)?;
+                }
                 let turned = constants.turned(0.0, &constants.point(0.0)?)?;
                 let base = attitude.quaternion().into_inner() * turned.conjugate();
                 Motion::Moving { constants, base }
@@ -340,32 +345,6 @@ pub struct GeometricPhase {
     /// Less the solid angle of the cone that L draws in the body, counted positive if L goes round right-handed as seen from its
     /// own end. It depends on the shape of the path alone, not on the pace.
     pub geometric: f64,
-}
-
-/// A body on a line must not spin about that line, nor be a line in only one of two directions.
-fn refuse_impossible_rod(moments: [f64; 3], start: &Start) -> Result<()> {
-    let [first, middle, last] = ascending(moments);
-    if moments[first] > 0.0 {
-        return Ok(());
-    }
-    if let Start::AngularMomentum(l) = start {
-        for (moment, component) in moments.iter().zip(l) {
-            if *moment == 0.0 && *component != 0.0 {
-                return Err(Error::Condition {
-                    condition: "the angular momentum about an axis whose moment is zero must be zero",
-                    value: *component,
-                });
-            }
-        }
-    }
-    let gap = moments[last] - moments[middle];
-    if gap > 8.0 * f64::EPSILON * moments[last] {
-        return Err(Error::Condition {
-            condition: "if one moment is zero, the difference of the other two must be zero",
-            value: gap,
-        });
-    }
-    Ok(())
 }
 
 fn vector([x, y, z]: [f64; 3]) -> BodyVector {

@@ -5,11 +5,11 @@ use super::separation::{differences, rounded_separation, separation};
 use super::start::{Digits, Renumbering, Start, ascending};
 use super::turning::Turning;
 use crate::double_double::{DoubleDouble, power_of_two_below};
-use crate::elliptic::landen::Landen;
+use crate::elliptic::Modulus;
+use crate::elliptic::descent::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Which};
-use crate::elliptic::{Modulus, Parameter, Side};
 use crate::extended::{Extended, Scalar, exponent_of, shifted};
-use crate::words::{Arithmetic, Words};
+use crate::words::Words;
 
 /// 2⁻²⁰⁰: the fourth power of what is above it is a normal double.
 const FAR_BELOW: f64 = 6.223_015_277_861_142e-61;
@@ -156,37 +156,31 @@ fn constants<N: Scalar>(
     let lambda = frequency.square_root().divide(volume);
     let base = size_squared.square_root().divide(N::from_double(i[1]));
 
-    let side = if m.exceeds(mc) {
-        Side::Hyperbolic
-    } else {
-        Side::Circular
-    };
-    let (lesser, greater) = match side {
-        Side::Circular => (m, mc),
-        Side::Hyperbolic => (mc, m),
-    };
-    let landen = Landen::new(lesser, greater.narrow().square_root());
-    let one = N::from_double(1.0);
-    let k_prime = mc.root_of_quotient(one);
-    let parameter = Parameter::from_both(m.narrow().two(), mc.narrow().two());
-    let modulus = Modulus::from_landen(side, parameter, k_prime, &landen);
+    let descent = Descent::new(m, mc);
     let aspect = c[0].root_of_quotient(c[1]);
-    let elevation = elevation(steady, wobble, size_squared, &c);
-    let turning = match side {
-        Side::Circular => Turning::circular(&landen, &elevation, m, aspect),
-        Side::Hyperbolic => Turning::hyperbolic(&landen, &elevation, mc, aspect),
-    };
+    // sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
+    let elevation = Elevation::smaller([steady, wobble], [c[0], c[2]], |which| match which {
+        Which::Eta => c[1].multiply(size_squared),
+        Which::Xi => c[1],
+    });
+    let turning = Turning::new(&descent, &elevation, aspect);
     let amplitudes = [
         wobble.root_of_quotient(c[1]),
         wobble.root_of_quotient(c[0]),
         steady.root_of_quotient(c[1]),
     ];
-    let start = start(&squares, &c, wobble, steady, mc, &modulus, &landen);
+    let start = descent.argument(&Squares {
+        sn: squares[1].multiply(c[0]),
+        cn: squares[0].multiply(c[1]),
+        whole: wobble,
+        dn: squares[2].multiply(c[1]),
+        dn_whole: steady,
+    });
     let rate = lambda.signed(sense);
     let excess = rate.multiply(N::from_narrow(N::Narrow::from_two(turning.excess)));
     Constants {
         axes,
-        modulus,
+        modulus: descent.modulus,
         start: if l[1].leading() < 0.0 {
             start.negated()
         } else {
@@ -196,76 +190,5 @@ fn constants<N: Scalar>(
         amplitudes,
         turning,
         turning_rate: base.subtract(excess.negated()).narrow().two(),
-    }
-}
-
-/// η or ξ, whichever is the smaller: sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
-fn elevation<N: Scalar>(steady: N, wobble: N, size_squared: N, c: &[N; 3]) -> Elevation<N> {
-    if c[0].multiply(wobble).exceeds(c[2].multiply(steady)) {
-        Elevation {
-            which: Which::Eta,
-            rise: steady,
-            run: wobble,
-            slope: c[1].multiply(size_squared),
-        }
-    } else {
-        Elevation {
-            which: Which::Xi,
-            rise: c[0],
-            run: c[2],
-            slope: c[1],
-        }
-    }
-}
-
-/// |u| at time 0, between 0 and K, from cn² = L₁²c₂/wobble, sn² = L₂²c₁/wobble and dn² = L₃²c₂/steady there.
-fn start<N: Scalar>(
-    squares: &[N; 3],
-    c: &[N; 3],
-    wobble: N,
-    steady: N,
-    mc: N,
-    modulus: &Modulus,
-    landen: &Landen<N>,
-) -> DoubleDouble {
-    let (cn2, sn2) = (squares[0].multiply(c[1]), squares[1].multiply(c[0]));
-    let dn2 = squares[2].multiply(c[1]);
-    // Beyond the middle of the quarter period, where mc sn⁴ > cn⁴, count from its end: there sn is cn/dn and dn is k′/dn.
-    let from_end = mc.multiply(sn2.square()).exceeds(cn2.square());
-    let rest = match modulus.side() {
-        Side::Circular => {
-            let [s, d] = if from_end {
-                [
-                    cn2.multiply(steady).root_of_quotient(dn2.multiply(wobble)),
-                    mc.multiply(steady).root_of_quotient(dn2),
-                ]
-            } else {
-                [sn2.root_of_quotient(wobble), dn2.root_of_quotient(steady)]
-            };
-            N::from_double(landen.nearest_sine(s, d, 1.0).asin())
-        }
-        Side::Hyperbolic => {
-            let [s, d] = if from_end {
-                [
-                    cn2.root_of_quotient(mc.multiply(sn2)),
-                    wobble.root_of_quotient(sn2),
-                ]
-            } else {
-                [
-                    sn2.root_of_quotient(cn2),
-                    dn2.multiply(wobble).root_of_quotient(cn2.multiply(steady)),
-                ]
-            };
-            let sinh = landen.nearest_sine(s, d, -1.0);
-            N::from_narrow(N::from_double(sinh + sinh.hypot(1.0)).logarithm())
-        }
-    }
-    .divide(N::from_narrow(landen.mean))
-    .narrow()
-    .two();
-    if from_end {
-        modulus.quarter_period_dd().subtract(rest)
-    } else {
-        rest
     }
 }

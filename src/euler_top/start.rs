@@ -1,5 +1,6 @@
 //! How a motion of the free top starts, and along which axes it is looked at.
 
+use crate::error::{Error, Result};
 use crate::extended::Scalar;
 
 /// To how many digits the constants are formed.
@@ -78,6 +79,32 @@ impl Start {
             Self::AngularMomentum(_) => Self::AngularMomentum(components),
             Self::Omega(_) => Self::Omega(components),
         }
+    }
+
+    /// A body on a line must not spin about that line, nor be a line in only one of two directions.
+    pub(super) fn refuse_impossible_rod(&self, moments: [f64; 3]) -> Result<()> {
+        let [first, middle, last] = ascending(moments);
+        if moments[first] > 0.0 {
+            return Ok(());
+        }
+        if let Start::AngularMomentum(l) = self {
+            for (moment, component) in moments.iter().zip(l) {
+                if *moment == 0.0 && *component != 0.0 {
+                    return Err(Error::Condition {
+                        condition: "the angular momentum about an axis whose moment is zero must be zero",
+                        value: *component,
+                    });
+                }
+            }
+        }
+        let gap = moments[last] - moments[middle];
+        if gap > 8.0 * f64::EPSILON * moments[last] {
+            return Err(Error::Condition {
+                condition: "if one moment is zero, the difference of the other two must be zero",
+                value: gap,
+            });
+        }
+        Ok(())
     }
 }
 

@@ -4,7 +4,7 @@
 //! Radar saw both periods in 1992. Computed here: both, from the moments and one angular velocity. Quoted: those, and the periods.
 
 use super::EulerTop;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, positive, within};
 use crate::frame::{Attitude, BodyVector};
 
 /// One day, s.
@@ -76,16 +76,8 @@ pub fn mode(moments: [f64; 3], ratio: f64) -> Result<EulerTop> {
             value: i3 - i1,
         });
     }
-    let ratio = finite("L² over 2E I₁", ratio)?;
     let greatest = i3 / i1;
-    if !(1.0..=greatest).contains(&ratio) {
-        return Err(Error::OutOfRange {
-            quantity: "L² over 2E I₁",
-            value: ratio,
-            least: 1.0,
-            greatest,
-        });
-    }
+    within("L² over 2E I₁", ratio, 1.0, greatest)?;
     // Sphere and ellipsoid with L₂ = 0: L₁² + L₃² = ratio I₁ and L₁²/I₁ + L₃²/I₃ = 1.
     let share = i1 / (i3 - i1);
     let l1 = (i1 * ((greatest - ratio) * share)).sqrt();

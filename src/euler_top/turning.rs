@@ -13,10 +13,13 @@
 //! is left that could cancel. (C. G. J. Jacobi, Sur la rotation d'un corps, 1849; that the rate is |L|/I₂ and a theta
 //! quotient follows from his formulas at u = K, where L₁ = 0.)
 
+use crate::angle::RIGHT_ANGLE;
 use crate::double_double::DoubleDouble;
-use crate::elliptic::landen::{Landen, right_angle};
+use crate::elliptic::Side;
+use crate::elliptic::descent::Descent;
+use crate::elliptic::landen::Landen;
 use crate::elliptic::local::{Local, Place};
-use crate::elliptic::theta::{DualTheta, Elevation, Which, dual_excess, polynomial};
+use crate::elliptic::theta::{DualTheta, Elevation, Exponentials, Which, dual_excess, polynomial};
 use crate::extended::Scalar;
 use crate::words::{Arithmetic, Words};
 
@@ -45,28 +48,35 @@ enum Theta {
 }
 
 impl Turning {
+    pub(super) fn new<N: Scalar>(
+        descent: &Descent<N>,
+        elevation: &Elevation<N>,
+        aspect: f64,
+    ) -> Self {
+        match descent.side() {
+            Side::Circular => Self::circular(&descent.landen, elevation, descent.m, aspect),
+            Side::Hyperbolic => Self::hyperbolic(&descent.landen, elevation, descent.mc, aspect),
+        }
+    }
+
     /// For m ≤ 1/2.
-    pub(super) fn circular<N: Scalar>(
+    fn circular<N: Scalar>(
         landen: &Landen<N>,
         elevation: &Elevation<N>,
         m: N,
         aspect: f64,
     ) -> Self {
-        let one = N::Narrow::from_double(1.0);
         let q = landen.nome;
-        let sinh = elevation.hyperbolic_sine(landen, m);
-        let exponential = sinh.add(sinh.hypotenuse_with_one());
-        let inverse = one.divide(exponential);
-        let decay = inverse.multiply(inverse);
-        // ρ = q e^{2w} and ε = e^{−2w}; for ξ in place of η they change roles. 1 − e^{−2x} = 2 sinh x · e^{−x}.
-        let other = if q.is_zero() {
-            q
-        } else {
-            q.multiply(exponential).multiply(exponential)
-        };
-        let (rho, epsilon, one_less_rho) = match elevation.which {
-            Which::Xi => (decay, other, 2.0 * sinh.value() / exponential.value()),
-            Which::Eta => (other, decay, 1.0 - other.value()),
+        let Exponentials {
+            rho,
+            epsilon,
+            sinh,
+            growth,
+            ..
+        } = elevation.exponentials(landen, m);
+        let one_less_rho = match elevation.which {
+            Which::Xi => 2.0 * sinh.value() / growth.value(),
+            Which::Eta => 1.0 - rho.value(),
         };
         let excess = circular_excess(landen, rho, epsilon);
         let (q, rho, epsilon) = (q.value(), rho.value(), epsilon.value());
@@ -83,7 +93,7 @@ impl Turning {
         let (a2, b2) = (up2 + down2, up2 - down2);
         let (a3, b3) = (-(up3 + down3), -(up3 - down3));
         Self {
-            lag: right_angle(),
+            lag: RIGHT_ANGLE,
             excess: excess.two(),
             aspect,
             theta: Theta::Circular {
@@ -103,7 +113,7 @@ impl Turning {
     }
 
     /// For m > 1/2, the separatrix included.
-    pub(super) fn hyperbolic<N: Scalar>(
+    fn hyperbolic<N: Scalar>(
         landen: &Landen<N>,
         elevation: &Elevation<N>,
         mc: N,

@@ -2,12 +2,13 @@
 
 use differential_equations::error::Error as Refusal;
 use differential_equations::interpolate::Interpolation;
-use differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
+use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod, solve_ode};
 use differential_equations::prelude::{ControlFlag, Status};
 use differential_equations::solout::{
     CrossingDirection, Event as Crossing, EventConfig, EventWrappedSolout, Solout,
 };
+use differential_equations::solution::Solution as Finished;
 
 use crate::error::{Error, Result, finite, positive};
 
@@ -35,19 +36,11 @@ pub enum Method {
     Dop853,
     /// Verner's most efficient pair, order 9(8).
     Verner98,
-    /// Gauss and Legendre, 3 stages, order 6, implicit.
-    Gauss6,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 5] = [
-        Self::Rk4,
-        Self::Dopri5,
-        Self::Dop853,
-        Self::Verner98,
-        Self::Gauss6,
-    ];
+    pub const ALL: [Self; 4] = [Self::Rk4, Self::Dopri5, Self::Dop853, Self::Verner98];
 
     /// The name by which it is asked for.
     pub const fn name(self) -> &'static str {
@@ -56,7 +49,6 @@ impl Method {
             Self::Dopri5 => "dopri5",
             Self::Dop853 => "dop853",
             Self::Verner98 => "verner98",
-            Self::Gauss6 => "gauss6",
         }
     }
 
@@ -142,8 +134,8 @@ const MOST_STEPS: usize = 20_000_000;
 /// States at all of `times` (s, in any order, before and after `start_time` alike).
 ///
 /// `scales` are the sizes below which a component counts as small: the error of a step may be tolerance × (|y| + scale) in each.
-/// DOPRI5, DOP853 and Verner's method give samples by their dense output, of lower order than the step (DOP853: 7); the others make a
-/// run from sample to sample.
+/// Each sample is reached by a step of its own from the last step before it, not by dense output, which is less exact by up to
+/// four digits; it costs the evaluations of one step.
 ///
 /// # Errors
 /// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort; [`Error::Integration`] where the method gives up.
@@ -188,8 +180,8 @@ pub fn solve<const N: usize>(
 /// From `start` at `start_time` towards `end_time`, with states at `times` (ordered, all between the two), until the event's quantity
 /// falls through zero.
 ///
-/// A quantity that is zero at the start, or negative, does not count as falling. The event is located by the method's dense output to
-/// 1e-12 of the whole interval and then improved by one Newton step with the true rate.
+/// A quantity that is zero at the start, or negative, does not count as falling. The event is found on the method's dense output and
+/// then located by secants through states that the method itself reaches; observed error: that of the run.
 ///
 /// # Errors
 /// As for [`solve`].
@@ -224,16 +216,6 @@ struct Run<'a, const N: usize, S: ?Sized> {
     effort: Effort,
 }
 
-/// A method of the crate with the tolerances of a run.
-macro_rules! tolerant {
-    ($method:expr, $run:expr, $tolerance:expr) => {
-        $method
-            .rtol($tolerance)
-            .atol($run.scales.map(|scale| $tolerance * scale))
-            .max_steps(MOST_STEPS)
-    };
-}
-
 impl<const N: usize, S: System<N> + ?Sized> Run<'_, N, S> {
     fn until(
         &self,
@@ -251,37 +233,43 @@ impl<const N: usize, S: System<N> + ?Sized> Run<'_, N, S> {
             start: start_time,
             span: end_time - start_time,
         };
+        // Components with their own tolerances: tolerance × (|y| + scale).
+        let absolute = |tolerance: f64| self.scales.map(|scale| tolerance * scale);
         match (self.method, self.effort) {
+            (Method::Rk4, Effort::Step(step)) => {
+                let step = positive("the step", step)? / clock.span.abs();
+                let make = |length: f64| {
+                    let count = (length / step).ceil().max(1.0);
+                    ExplicitRungeKutta::rk4(length / count).max_steps(MOST_STEPS)
+                };
+                self.drive(make, clock, start, times, event)
+            }
             (Method::Dopri5, Effort::Tolerance(tolerance)) => {
                 let tolerance = positive("the tolerance", tolerance)?;
-                let mut method = tolerant!(ExplicitRungeKutta::dopri5(), self, tolerance);
-                self.leg(&mut method, clock, start, times, event)
+                let make = |length: f64| {
+                    let method = ExplicitRungeKutta::dopri5().max_steps(MOST_STEPS);
+                    let method = method.rtol(tolerance).atol(absolute(tolerance));
+                    method.h0(first_step(length))
+                };
+                self.drive(make, clock, start, times, event)
             }
             (Method::Dop853, Effort::Tolerance(tolerance)) => {
                 let tolerance = positive("the tolerance", tolerance)?;
-                let mut method = tolerant!(ExplicitRungeKutta::dop853(), self, tolerance);
-                self.leg(&mut method, clock, start, times, event)
+                let make = |length: f64| {
+                    let method = ExplicitRungeKutta::dop853().max_steps(MOST_STEPS);
+                    let method = method.rtol(tolerance).atol(absolute(tolerance));
+                    method.h0(first_step(length))
+                };
+                self.drive(make, clock, start, times, event)
             }
             (Method::Verner98, Effort::Tolerance(tolerance)) => {
                 let tolerance = positive("the tolerance", tolerance)?;
-                let mut method = tolerant!(ExplicitRungeKutta::rkv989e(), self, tolerance);
-                self.leg(&mut method, clock, start, times, event)
-            }
-            (Method::Gauss6, Effort::Tolerance(tolerance)) => {
-                let tolerance = positive("the tolerance", tolerance)?;
-                self.legs(clock, start, times, event, |leg, from| {
-                    let method = tolerant!(ImplicitRungeKutta::gauss_legendre_6(), self, tolerance);
-                    let mut method = method.newton_tol(1e-3 * tolerance);
-                    self.leg(&mut method, leg, from, &[], event)
-                })
-            }
-            (Method::Rk4, Effort::Step(step)) => {
-                let step = positive("the step", step)?;
-                self.legs(clock, start, times, event, |leg, from| {
-                    let count = (leg.span.abs() / step).ceil().max(1.0);
-                    let mut method = ExplicitRungeKutta::rk4(1.0 / count).max_steps(MOST_STEPS);
-                    self.leg(&mut method, leg, from, &[], event)
-                })
+                let make = |length: f64| {
+                    let method = ExplicitRungeKutta::rkv989e().max_steps(MOST_STEPS);
+                    let method = method.rtol(tolerance).atol(absolute(tolerance));
+                    method.h0(first_step(length))
+                };
+                self.drive(make, clock, start, times, event)
             }
             _ => Err(Error::Integration {
                 reason: "rk4 must be given a step, every other method a tolerance",
@@ -290,10 +278,11 @@ impl<const N: usize, S: System<N> + ?Sized> Run<'_, N, S> {
         }
     }
 
-    /// One run of the crate's loop: samples by dense output, the event by root search on it.
-    fn leg<M>(
+    /// One run of the crate's loop from phase 0 to 1, then a short one to each sample and to the event, from the step before it: dense
+    /// output loses up to four digits against the steps, so it serves to find the event and nothing else.
+    fn drive<M>(
         &self,
-        method: &mut M,
+        make: impl Fn(f64) -> M,
         clock: Clock,
         start: &[f64; N],
         times: &[f64],
@@ -302,125 +291,141 @@ impl<const N: usize, S: System<N> + ?Sized> Run<'_, N, S> {
     where
         M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,
     {
-        let phases: Vec<f64> = times.iter().map(|&t| clock.phase(t)).collect();
-        let at_start = phases.iter().take_while(|&&phase| phase <= 0.0).count();
-        let mut states = vec![*start; at_start];
+        let mut cost = Cost::default();
         if clock.span == 0.0 {
             return Ok(Passage {
-                states,
+                states: vec![*start; times.len()],
                 time: clock.start,
                 end: *start,
                 stopped: Stop::AtTheEnd,
-                cost: Cost::default(),
+                cost,
             });
         }
+        let phases: Vec<f64> = times.iter().map(|&t| clock.phase(t)).collect();
         let timed = Timed {
             system: self.system,
             clock,
         };
         let crossing = Falling { event, clock };
-        let mut last = (0.0, *start);
+        let mut track = Track {
+            places: Vec::with_capacity(phases.len()),
+            last: (0.0, *start),
+            before: (0.0, *start),
+        };
         let recorder = Recorder {
-            phases: &phases[at_start..],
-            next: 0,
-            states: &mut states,
-            last: &mut last,
+            phases: &phases,
+            track: &mut track,
         };
         let mut output = EventWrappedSolout::new(recorder, &crossing, 0.0, 1.0);
-        let run = solve_ode(method, &timed, 0.0, 1.0, start, &mut output);
+        let run = solve_ode(&mut make(1.0), &timed, 0.0, 1.0, start, &mut output);
         let run = run.map_err(|refusal| refused(&refusal, clock))?;
-        let cost = Cost {
-            evaluations: run.evals.function as u64,
-            steps: run.steps.accepted as u64,
-        };
-        let stopped = match (run.status, run.t.last(), run.y.last()) {
-            (Status::Interrupted, Some(&phase), Some(&state)) => {
-                last = self.improved(&timed, &crossing, (phase, state));
-                states.truncate(phases.iter().take_while(|&&p| p <= last.0).count());
-                Stop::AtTheEvent
+        cost += spent(&run);
+        let mut reach = |from: (f64, [f64; N]), to: f64| -> Result<[f64; N]> {
+            let length = to - from.0;
+            if length <= NO_TIME {
+                return Ok(carried(&timed, from, to));
             }
-            _ => {
-                // The crate's loop ends within 2e-15 of the end.
-                last = (1.0, carried(&timed, last, 1.0));
-                states.resize(times.len(), last.1);
-                Stop::AtTheEnd
-            }
+            let mut end = Last(from);
+            let run = solve_ode(&mut make(length), &timed, from.0, to, &from.1, &mut end);
+            cost += spent(&run.map_err(|refusal| refused(&refusal, clock))?);
+            Ok(carried(&timed, end.0, to))
         };
-        for &component in &last.1 {
-            finite("the state at the end of the integration", component)?;
+        let (stopped, end) = match (run.status, run.t.last()) {
+            (Status::Interrupted, Some(&found)) => {
+                let place = falling(&timed, &crossing, track.before, found, &mut reach)?;
+                (Stop::AtTheEvent, place)
+            }
+            _ => (Stop::AtTheEnd, (1.0, carried(&timed, track.last, 1.0))),
+        };
+        track.places.resize(phases.len(), track.last);
+        let mut states = Vec::with_capacity(phases.len());
+        for (&phase, &place) in phases.iter().zip(&track.places) {
+            if phase > end.0 {
+                break;
+            }
+            states.push(reach(place, phase)?);
+        }
+        for &component in states.iter().chain([&end.1]).flatten() {
+            finite("the state after integration", component)?;
         }
         let time = match stopped {
             Stop::AtTheEnd => clock.start + clock.span,
-            Stop::AtTheEvent => clock.time(last.0),
+            Stop::AtTheEvent => clock.time(end.0),
         };
         Ok(Passage {
             states,
             time,
-            end: last.1,
+            end: end.1,
             stopped,
             cost,
         })
     }
+}
 
-    /// From sample to sample: for methods whose dense output is poor.
-    fn legs(
-        &self,
-        clock: Clock,
-        start: &[f64; N],
-        times: &[f64],
-        event: &(impl Event<N> + ?Sized),
-        one: impl Fn(Clock, &[f64; N]) -> Result<Passage<N>>,
-    ) -> Result<Passage<N>> {
-        let _ = event;
-        let end_time = clock.start + clock.span;
-        let mut passage = Passage {
-            states: Vec::with_capacity(times.len()),
-            time: clock.start,
-            end: *start,
-            stopped: Stop::AtTheEnd,
-            cost: Cost::default(),
-        };
-        for (place, &time) in times.iter().chain([&end_time]).enumerate() {
-            let leg = Clock {
-                start: passage.time,
-                span: time - passage.time,
-            };
-            let next = one(leg, &passage.end)?;
-            passage.cost += next.cost;
-            (passage.time, passage.end, passage.stopped) = (next.time, next.end, next.stopped);
-            if passage.stopped == Stop::AtTheEvent {
-                break;
-            }
-            if place < times.len() {
-                passage.states.push(passage.end);
-            }
-        }
-        Ok(passage)
-    }
+/// Phases nearer than this are one step of Euler's method apart: the crate's loop ends within 2e-15 of its end.
+const NO_TIME: f64 = 1e-14;
 
-    /// A place on the dense output, moved along the true rate to where the event's quantity is zero.
-    fn improved(
-        &self,
-        timed: &Timed<'_, S>,
-        crossing: &Falling<'_, impl Event<N> + ?Sized>,
-        (phase, state): (f64, [f64; N]),
-    ) -> (f64, [f64; N]) {
-        let here = crossing.event(phase, &state);
-        // Far enough for a difference quotient, near enough for Euler's step: errors of order 1e-12 relative in a correction.
-        let probe = 1e-7;
-        let there = crossing.event(
-            phase + probe,
-            &carried(timed, (phase, state), phase + probe),
-        );
-        let correction = -here * probe / (there - here);
-        if correction.is_finite() && correction.abs() < 1e-6 {
-            let to = phase + correction;
-            (to, carried(timed, (phase, state), to))
-        } else {
-            (phase, state)
-        }
+/// The first step: chosen by the method for the whole run, a single one for what is left of a step.
+fn first_step(length: f64) -> f64 {
+    if length < 1.0 { length } else { 0.0 }
+}
+
+fn spent<const N: usize>(run: &Finished<f64, [f64; N]>) -> Cost {
+    Cost {
+        evaluations: run.evals.function as u64,
+        steps: run.steps.accepted as u64,
     }
 }
+
+/// Where the event's quantity is zero, near a phase found on dense output: Newton's method through states that the method itself
+/// reaches, kept between two of which one lies before the event and one after it.
+///
+/// The phase found may be off by a good part of a step: where the motion is a polynomial the steps grow long, and dense output is poor.
+fn falling<const N: usize, S: System<N> + ?Sized>(
+    timed: &Timed<'_, S>,
+    crossing: &Falling<'_, impl Event<N> + ?Sized>,
+    before: (f64, [f64; N]),
+    found: f64,
+    reach: &mut impl FnMut((f64, [f64; N]), f64) -> Result<[f64; N]>,
+) -> Result<(f64, [f64; N])> {
+    let mut low = before.0;
+    let mut place = (found, reach(before, found)?);
+    let mut stride = (found - low).max(NO_TIME);
+    while crossing.event(place.0, &place.1) > 0.0 && place.0 < 1.0 {
+        low = place.0;
+        stride *= 2.0;
+        let phase = (place.0 + stride).min(1.0);
+        place = (phase, reach(before, phase)?);
+    }
+    let mut high = place.0;
+    for _ in 0..100 {
+        let here = crossing.event(place.0, &place.1);
+        if here > 0.0 {
+            low = place.0;
+        } else {
+            high = place.0;
+        }
+        let there = crossing.event(place.0 + PROBE, &carried(timed, place, place.0 + PROBE));
+        let correction = -here * PROBE / (there - here);
+        let newton = place.0 + correction;
+        // Rounding may carry the last step across a bound.
+        let inside = newton >= low - NO_TIME && newton <= high + NO_TIME;
+        let phase = if inside {
+            newton.clamp(low, high)
+        } else {
+            0.5 * (low + high)
+        };
+        let moved = (phase - place.0).abs();
+        place = (phase, reach(before, phase)?);
+        if moved <= NO_TIME || high - low <= NO_TIME {
+            break;
+        }
+    }
+    Ok(place)
+}
+
+/// Step of the difference quotient that tells how fast the event's quantity falls, in phase.
+const PROBE: f64 = 1e-8;
 
 /// The state a very short while later, by one Euler step.
 fn carried<const N: usize, S: System<N> + ?Sized>(
@@ -482,39 +487,65 @@ impl<const N: usize, E: Event<N> + ?Sized> Crossing<f64, [f64; N]> for Falling<'
     }
 }
 
+/// What a run leaves behind: for each sample the last step before it, and the last two steps.
+struct Track<const N: usize> {
+    places: Vec<(f64, [f64; N])>,
+    last: (f64, [f64; N]),
+    before: (f64, [f64; N]),
+}
+
 /// Keeps the samples apart from the crate's own list, which then holds the event and nothing else.
 struct Recorder<'a, const N: usize> {
     phases: &'a [f64],
-    next: usize,
-    states: &'a mut Vec<[f64; N]>,
-    last: &'a mut (f64, [f64; N]),
+    track: &'a mut Track<N>,
 }
 
 impl<const N: usize> Solout<f64, [f64; N]> for Recorder<'_, N> {
     fn solout<I>(
         &mut self,
         now: f64,
-        _before: f64,
+        before: f64,
         state: &[f64; N],
-        _state_before: &[f64; N],
-        interpolator: &mut I,
-        _solution: &mut differential_equations::solution::Solution<f64, [f64; N]>,
+        state_before: &[f64; N],
+        _interpolator: &mut I,
+        _solution: &mut Finished<f64, [f64; N]>,
     ) -> ControlFlag<f64, [f64; N]>
     where
         I: Interpolation<f64, [f64; N]> + ?Sized,
     {
-        while let Some(&phase) = self.phases.get(self.next)
+        let track = &mut *self.track;
+        while let Some(&phase) = self.phases.get(track.places.len())
             && phase <= now
         {
-            let sample = if phase == now {
-                *state
+            let from = if phase < now {
+                (before, *state_before)
             } else {
-                interpolator.interpolate(phase).unwrap_or(*state)
+                (now, *state)
             };
-            self.states.push(sample);
-            self.next += 1;
+            track.places.push(from);
         }
-        *self.last = (now, *state);
+        (track.before, track.last) = ((before, *state_before), (now, *state));
+        ControlFlag::Continue
+    }
+}
+
+/// Keeps the last state only.
+struct Last<const N: usize>((f64, [f64; N]));
+
+impl<const N: usize> Solout<f64, [f64; N]> for Last<N> {
+    fn solout<I>(
+        &mut self,
+        now: f64,
+        _before: f64,
+        state: &[f64; N],
+        _state_before: &[f64; N],
+        _interpolator: &mut I,
+        _solution: &mut Finished<f64, [f64; N]>,
+    ) -> ControlFlag<f64, [f64; N]>
+    where
+        I: Interpolation<f64, [f64; N]> + ?Sized,
+    {
+        self.0 = (now, *state);
         ControlFlag::Continue
     }
 }

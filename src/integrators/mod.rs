@@ -8,4 +8,4 @@ mod general;
 mod refined;
 
 pub use general::{Cost, Effort, Event, Method, Passage, Solution, Stop, System, solve, until};
-pub use refined::refined;
+pub use refined::{halved, refined, tightened};

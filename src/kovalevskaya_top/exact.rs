@@ -133,13 +133,31 @@ impl Exact {
     }
 
     pub fn state(&self, constants: &Constants, t: f64) -> Phase {
-        let state = self.raw(constants, self.phases(t));
+        self.state_of_sums(constants, [self.origin[0], self.origin[1] + t])
+    }
+
+    /// The phases if they advanced uniformly: what they are on average.
+    pub fn uniform_phases(&self, t: f64) -> Phases {
+        self.separation
+            .uniform([self.origin[0], self.origin[1] + t])
+    }
+
+    /// The state where both uniform phases have these values.
+    pub fn state_on_torus(&self, constants: &Constants, uniform: Phases) -> Phase {
+        self.state_of_sums(constants, self.separation.sums(uniform))
+    }
+
+    fn state_of_sums(&self, constants: &Constants, sums: [f64; 2]) -> Phase {
+        let state = self.raw(constants, self.separation.phases(sums));
         if state.iter().all(|x| x.is_finite()) {
             return project(constants, &state);
         }
         // The linear system is singular at this very instant: from a little earlier by power series.
         const EARLIER: f64 = 0.01;
-        let before = self.raw(constants, self.phases(t - EARLIER));
+        let before = self.raw(
+            constants,
+            self.separation.phases([sums[0], sums[1] - EARLIER]),
+        );
         let (state, _) = Series::at(constants.c, &(before, [1.0, 0.0, 0.0, 0.0])).after(EARLIER);
         project(constants, &state)
     }

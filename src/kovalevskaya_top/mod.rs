@@ -11,7 +11,8 @@
 //! * `solution`: from the phases back to Ω and z by a linear system, which is Kötter's of 1893;
 //! * `exact`: which signs a start has, and the trial at a later time;
 //! * `taylor`: the same motion by power series, where her road is closed or loses digits;
-//! * `walk`: the attitude, which takes one more quadrature;
+//! * `walk`: the attitude, which takes one more quadrature, from stretch to stretch;
+//! * `torus`, `precession`, `fourier`, `attitude`: the same quadrature as a Fourier series in two angles, at any time at the same cost;
 //! * [`Kind`], [`Diagram`]: the motions with a double root.
 //!
 //! Error of Ω and z, observed over 1000 random starts with |Ω_i| ≤ 1.5, c = 1, up to time 10, against power series with 24 digits: half
@@ -19,19 +20,29 @@
 //! a table of 30 digits shows 6e-14: errors grow in proportion to time. They are greater where gravity is weak against the spin, since z is had by a
 //! division by c, (eps |Ω|²/c), and next to a double root, by the reciprocal of the roots' distance.
 //!
+//! Attitude by the double series ([`AttitudeSeries`]), observed over 300 random starts: half below 3e-15, 3e-14 rad at times 10, 100, 95 per
+//! cent below 1.2e-14, 1.5e-13, the worst 3e-14, 3e-13; growing in proportion to time, for the frequencies are rounded: a motion started anew
+//! from the state at 10⁵, 10⁸ parts from the old one by 1e-10, 2e-7 within 20 units, and Ω at 10⁶ is 3e-10 from a reference. All of these starts
+//! have a series: 22 ms to prepare in the median, 0.12 s at most in 95 per cent, 1.1 s in the worst; 9 µs, 26 µs, 0.2 ms a state.
+//!
 //! [`toda`] is the lattice that came next (8.3).
 
+mod attitude;
 mod classes;
 mod constants;
 mod exact;
+mod fourier;
+mod precession;
 mod separation;
 mod series;
 mod solution;
 mod taylor;
 pub mod toda;
 mod top;
+mod torus;
 mod walk;
 
+pub use attitude::{AttitudeMethod, AttitudeSeries};
 pub use classes::{Diagram, Kind};
 pub use exact::Reason;
 pub use top::{Integrals, KovalevskayaTop, Method, State};

@@ -167,6 +167,11 @@ impl Separation {
         [m1 * f1 - m2 * f2 + (a1 - a2), n1 * f1 - n2 * f2 + (b1 - b2)]
     }
 
+    /// The uniform phases where the sums have these values: linear in time.
+    pub fn uniform(&self, sums: [f64; 2]) -> Phases {
+        self.linear(sums).0
+    }
+
     /// The phases if both sums only grew, and the determinant of that linear part.
     fn linear(&self, [a, b]: [f64; 2]) -> (Phases, f64) {
         let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
@@ -176,6 +181,12 @@ impl Separation {
             (a1 * b - b1 * a) / determinant,
         ];
         (phases, determinant)
+    }
+
+    /// The two sums where the uniform phases have these values.
+    pub fn sums(&self, [u1, u2]: Phases) -> [f64; 2] {
+        let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
+        [a1 * u1 - a2 * u2, b1 * u1 - b2 * u2]
     }
 
     /// The phases at which both sums have these values.

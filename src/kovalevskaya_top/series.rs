@@ -97,14 +97,25 @@ fn cosine_coefficients(ordinates: &[f64]) -> Vec<f64> {
     let mut values: Vec<Complex<f64>> = (0..2 * n)
         .map(|j| Complex::new(ordinates[j.min(2 * n - j)], 0.0))
         .collect();
-    transform(&mut values);
+    transform(&mut values, &roots_of_unity(2 * n));
     (0..n)
         .map(|j| values[j].re / if j == 0 { 2 * n } else { n } as f64)
         .collect()
 }
 
-/// The fast Fourier transform of 2ⁿ values in place (Cooley and Tukey).
-fn transform(values: &mut [Complex<f64>]) {
+/// e^{−2πij/n} for the first half of j.
+pub(super) fn roots_of_unity(n: usize) -> Vec<Complex<f64>> {
+    let turn = -core::f64::consts::TAU / n as f64;
+    // Each from its own angle: a recurrence would lose a digit over long series.
+    let root = |j: usize| {
+        let (sine, cosine) = (turn * j as f64).sin_cos();
+        Complex::new(cosine, sine)
+    };
+    (0..n / 2).map(root).collect()
+}
+
+/// The fast Fourier transform of n = 2ᵐ values in place (Cooley and Tukey), with the roots of unity for n.
+pub(super) fn transform(values: &mut [Complex<f64>], roots: &[Complex<f64>]) {
     let n = values.len();
     let bits = n.trailing_zeros();
     for i in 0..n {
@@ -115,15 +126,12 @@ fn transform(values: &mut [Complex<f64>]) {
     }
     let mut length = 2;
     while length <= n {
-        let turn = -core::f64::consts::TAU / length as f64;
-        for j in 0..length / 2 {
-            // Each factor from its own angle: a recurrence would lose a digit over long series.
-            let (sine, cosine) = (turn * j as f64).sin_cos();
-            let factor = Complex::new(cosine, sine);
-            for start in (j..n).step_by(length) {
-                let (a, b) = (values[start], values[start + length / 2] * factor);
-                values[start] = a + b;
-                values[start + length / 2] = a - b;
+        for start in (0..n).step_by(length) {
+            let (low, high) = values[start..start + length].split_at_mut(length / 2);
+            let factors = roots.iter().step_by(n / length);
+            for ((a, b), factor) in low.iter_mut().zip(high).zip(factors) {
+                let product = *b * factor;
+                (*a, *b) = (*a + product, *a - product);
             }
         }
         length *= 2;

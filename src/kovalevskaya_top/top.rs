@@ -2,12 +2,13 @@
 
 use nalgebra::Complex;
 
+use super::attitude::Prepared;
 use super::classes::{Kind, classify};
 use super::constants::{Constants, Phase};
 use super::exact::{Exact, Reason};
 use super::separation::Variables;
 use super::taylor::Carried;
-use super::walk::{Walk, about_third, shortest};
+use super::walk::{about_third, shortest};
 use crate::double_double::power_of_two_below;
 use crate::error::{Error, Result, finite, positive};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState, finite_vector};
@@ -56,14 +57,15 @@ pub struct KovalevskayaTop {
     /// MgC, N m, along the body's axes.
     lever: BodyVector,
     /// The unit of angular velocity, a power of two; its reciprocal is that of time.
-    unit: f64,
+    pub(super) unit: f64,
     /// Angle from axis 1 to C about axis 3.
     pub(super) heading: f64,
     /// The start in the units and along the axes of the theory.
-    start: Carried,
+    pub(super) start: Carried,
     pub(super) constants: Constants,
     kind: Kind,
     pub(super) motion: Motion,
+    pub(super) prepared: Prepared,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -73,14 +75,14 @@ pub(super) enum Motion {
     Free(Box<EulerTop>),
 }
 
+/// Beyond this, in rad/s, a rate that is rounded up overflows.
+const FASTEST: f64 = 1e307;
+
 /// How far from 2 the ratios I₁/I₃ and I₂/I₃ may be rounded.
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
-/// Units of time (the reciprocal of the greatest of |Ω_i(0)| and √(Mg|C|/I₃), up to a factor 2) that are stepped through at most.
-pub(super) const LONGEST_WALK: f64 = 1e6;
-
-/// Units of time beyond which a double tells the phases to less than 1e-6.
-const LONGEST: f64 = 1e9;
+/// Units of time (the reciprocal of the greatest of |Ω_i(0)| and √(Mg|C|/I₃), up to a factor 2) beyond which a double tells the phases to less than 1e-6.
+pub(super) const LONGEST: f64 = 1e9;
 
 impl KovalevskayaTop {
     /// The top with these moments about the pivot O (kg m², axis by axis), this lever MgC (N m, C seen from O), Ω along the
@@ -92,7 +94,8 @@ impl KovalevskayaTop {
     /// Cost: 0.2 ms where the series are short, 2 ms and more near a double root.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane.
+    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane;
+    /// [`Error::OutOfRange`] for |Ω_i| or √(Mg|C|/I₃) above 10³⁰⁷.
     pub fn new(
         moments: [f64; 3],
         lever: BodyVector,
@@ -162,6 +165,14 @@ impl KovalevskayaTop {
         }
         let strength = finite("the lever over I3", lever.x().hypot(lever.y()) / axial)?;
         let fastest = omega.components().amax().max(strength.sqrt());
+        if fastest > FASTEST {
+            return Err(Error::OutOfRange {
+                quantity: "the angular velocity, or the square root of MgC/I3",
+                value: fastest,
+                least: 0.0,
+                greatest: FASTEST,
+            });
+        }
         let unit = power_of_two_below(fastest);
         let heading = lever.y().atan2(lever.x());
         let top = Self {
@@ -173,6 +184,7 @@ impl KovalevskayaTop {
             constants: Constants::of(0.0, &[0.0; 6]),
             kind: Kind::EulerSymmetric,
             motion: Motion::Stepped(Reason::DoubleRoot),
+            prepared: Prepared::default(),
         };
         // In two quotients: the square of the unit may overflow or underflow where the result does not.
         let c = strength / unit / unit;
@@ -256,30 +268,6 @@ impl KovalevskayaTop {
         }
     }
 
-    /// Ω, z and attitude at time t (s).
-    ///
-    /// The angle about the vertical takes one more quadrature: on each short stretch the attitude follows from the power series of the exact
-    /// Ω, and its tilt from the exact z, so that only the angle collects errors. Cost: [`omega_and_up`](Self::omega_and_up) and a
-    /// series for each stretch, a quarter of a unit of the motion: 40 µs a unit. It grows with t; for many times take [`states`](Self::states).
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10⁶ units of the motion, [as above](Self::omega_and_up).
-    pub fn at(&self, t: f64) -> Result<State> {
-        self.walk().to(t)
-    }
-
-    /// The states at these times, one after another, each from the one before: best in ascending order.
-    ///
-    /// # Errors
-    /// Each as for [`at`](Self::at).
-    pub fn states(
-        &self,
-        times: impl IntoIterator<Item = f64>,
-    ) -> impl Iterator<Item = Result<State>> {
-        let mut walk = self.walk();
-        times.into_iter().map(move |t| walk.to(t))
-    }
-
     /// Turns of the two phases a second, or nothing where the motion is not separated.
     ///
     /// Ω and z are functions of two angles that advance uniformly at these rates; they return to themselves after an even number of turns of each.
@@ -345,28 +333,11 @@ impl KovalevskayaTop {
         HeavyTop::new(moments, self.lever)
     }
 
-    fn separated(&self) -> Option<&Exact> {
+    pub(super) fn separated(&self) -> Option<&Exact> {
         match &self.motion {
             Motion::Separated(exact) => Some(exact),
             _ => None,
         }
-    }
-
-    fn walk(&self) -> Walk<'_> {
-        Walk {
-            top: self,
-            time: 0.0,
-            here: self.start,
-        }
-    }
-
-    pub(super) fn free(&self, free: &EulerTop, t: f64) -> Result<State> {
-        let state = free.at(self.inward_time(t, f64::MAX)?)?;
-        Ok(State {
-            omega: state.omega * self.unit,
-            up: state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0)),
-            attitude: state.attitude,
-        })
     }
 
     pub(super) fn inward_time(&self, t: f64, longest: f64) -> Result<f64> {

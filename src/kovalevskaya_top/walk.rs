@@ -3,10 +3,15 @@
 use nalgebra::Quaternion;
 
 use super::taylor::{Carried, Series, project};
-use super::top::{KovalevskayaTop, LONGEST_WALK, Motion, State};
+use super::top::{KovalevskayaTop, LONGEST, Motion, State};
 use crate::error::Result;
-use crate::euler_equations::TopState;
-use crate::frame::Attitude;
+
+/// Units of time that are walked rather than leapt over by the double series, which costs as much to prepare as this or a few times as
+/// much. The choice depends on the time alone, not on what was asked for before, and so does the result.
+const FAR: f64 = 256.0;
+
+/// Units of time that are walked at most.
+const LONGEST_WALK: f64 = 1e6;
 
 /// A place on the way, from which the next is reached.
 pub(super) struct Walk<'a> {
@@ -20,18 +25,18 @@ impl Walk<'_> {
         if let Motion::Free(free) = &self.top.motion {
             return self.top.free(free, t);
         }
-        let target = self.top.inward_time(t, LONGEST_WALK)?;
+        let target = self.top.inward_time(t, LONGEST)?;
+        if (target - self.time).abs() > FAR {
+            if let Some(series) = self.top.attitude_series() {
+                (self.time, self.here) = (target, series.carried(target));
+            } else {
+                self.top.inward_time(t, LONGEST_WALK)?;
+            }
+        }
         while self.time != target {
             self.stretch(target);
         }
-        let (state, [w, i, j, k]) = self.here;
-        let TopState { omega, up } = self.top.outward(&state);
-        let turned = Quaternion::new(w, i, j, k) * about_third(-self.top.heading);
-        Ok(State {
-            omega,
-            up,
-            attitude: Attitude::from_unit(turned / turned.norm()),
-        })
+        Ok(self.top.placed(&self.here))
     }
 
     fn stretch(&mut self, target: f64) {

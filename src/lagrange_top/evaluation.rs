@@ -4,11 +4,11 @@ use nalgebra::Quaternion;
 
 use super::motion::State;
 use super::turning::{Complex, Parameter};
+use crate::angle::RIGHT_ANGLE;
 use crate::double_double::DoubleDouble;
-use crate::elliptic::landen::right_angle;
-use crate::elliptic::local::{Local, sine_cosine};
+use crate::elliptic::local::{GREATEST_ANGLE, Local, sine_cosine};
 use crate::elliptic::{Modulus, Side};
-use crate::error::{Error, Result};
+use crate::error::{Result, too_long};
 use crate::frame::{Attitude, BodyVector};
 
 /// Which way gravity pulls along space z; up is solved as down, upside down.
@@ -37,19 +37,22 @@ pub(super) struct Constants {
 }
 
 impl Constants {
-    /// By how much the arguments of α and β grow in one period of nutation.
-    pub(super) fn turns_per_nutation(&self) -> [DoubleDouble; 2] {
+    /// By how much the arguments of α and β together grow in one period of nutation.
+    ///
+    /// The rates are added first: what the spin does to either, the other takes back, and that may be more than a double holds.
+    pub(super) fn precession_per_nutation(&self) -> DoubleDouble {
         let quarter = self.modulus.quarter_period_dd();
         let period = quarter.scaled(2.0).divide(self.rate);
-        core::array::from_fn(|k| {
-            let parameter = &self.parameters[k];
+        let [alpha, beta] = &self.parameters;
+        let lag = |parameter: &Parameter| {
             let lag = match self.modulus.side() {
-                Side::Circular => right_angle(),
+                Side::Circular => RIGHT_ANGLE,
                 Side::Hyperbolic => parameter.lag,
             };
-            let lag = lag.scaled(2.0 * parameter.sense);
-            self.rates[k].multiply(period).subtract(lag)
-        })
+            lag.scaled(2.0 * parameter.sense)
+        };
+        let rate = self.rates[0].add(self.rates[1]);
+        rate.multiply(period).subtract(lag(alpha).add(lag(beta)))
     }
 
     /// α and β at a place, with their derivatives by time.
@@ -95,12 +98,7 @@ impl Constants {
         let countable = u.high().abs() <= greatest;
         if !countable {
             let limit = greatest / self.rate.high().abs();
-            return Err(Error::OutOfRange {
-                quantity: "the time",
-                value: t,
-                least: -limit,
-                greatest: limit,
-            });
+            return Err(too_long(t, limit));
         }
         let ([sn, cn, _], [alpha, beta, alpha_rate, beta_rate]) = self.pair(t, u)?;
         let size = alpha.norm_sqr() + beta.norm_sqr();
@@ -173,15 +171,9 @@ impl Constants {
 
 /// Sine and cosine of an angle at a time, if it is one that its digits tell from its neighbours.
 pub(super) fn turned(angle: DoubleDouble, t: f64) -> Result<(f64, f64)> {
-    const GREATEST: f64 = 4.6e18;
-    if angle.high().abs() <= GREATEST {
-        return Ok(sine_cosine(angle));
+    if angle.high().abs() <= GREATEST_ANGLE {
+        Ok(sine_cosine(angle))
+    } else {
+        Err(too_long(t, GREATEST_ANGLE / (angle.high() / t).abs()))
     }
-    let limit = GREATEST / (angle.high() / t).abs();
-    Err(Error::OutOfRange {
-        quantity: "the time",
-        value: t,
-        least: -limit,
-        greatest: limit,
-    })
 }

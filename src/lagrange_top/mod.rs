@@ -12,17 +12,22 @@
 //! | 7.5 | the spin with which a top sleeps, and how far a kick tilts it | [`sleeping_threshold`], [`tilt_after_kick`] |
 //! | 7.6 | the spherical pendulum and its turning ellipse | [`pendulum_between`], [`apsides`] |
 
+mod angles;
+mod dip;
 mod evaluation;
 mod kinds;
 mod motion;
+mod pendulum;
 mod precession;
 mod preparation;
 mod roots;
+mod sleeping;
 mod turning;
 
+pub use angles::EulerAngles;
+pub use dip::{Cycloid, Dip, dip};
 pub use kinds::{Nutation, Roots};
 pub use motion::{LagrangeTop, State};
-pub use precession::{
-    Apsides, Cycloid, Dip, FastSpin, PurePrecession, apsides, dip, fast_spin, pendulum_between,
-    pure_precession, sleeping_threshold, tilt_after_kick,
-};
+pub use pendulum::{Apsides, apsides, pendulum_between};
+pub use precession::{FastSpin, PurePrecession, fast_spin, pure_precession};
+pub use sleeping::{sleeping_threshold, tilt_after_kick};

@@ -11,7 +11,7 @@ use crate::extended::Extended;
 use crate::frame::{Attitude, BodyVector};
 
 /// Beyond this, in rad/s, sums of rates overflow.
-const FASTEST: f64 = 1e307;
+pub(super) const FASTEST: f64 = 1e307;
 
 /// The top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,13 +56,14 @@ impl LagrangeTop {
     /// The top with moments I₁ = I₂ = `transverse` about the pivot and I₃ = `axial`, kg m², and Mgl = `weight_moment`, N m,
     /// the centre of mass at +l on x₃; with this angular velocity (rad/s) and attitude at time 0. The space axis z points up.
     ///
-    /// Domain: any such body; no gravity, and gravity upwards (Mgl < 0), are tops like others. The attitude counts as the
-    /// direction of its quaternion. What is exactly pure precession, a cusp, upright, at the threshold or on the separatrix is
+    /// Domain: any such body; no gravity (the pivot at the centre of mass), and gravity upwards (Mgl < 0), are tops like others, and
+    /// so is a needle (I₃ = 0), whose L₃ is zero whatever its Ω₃. Upright or hanging, at rest or spinning, the axis stays, exactly.
+    /// The attitude counts as the direction of its quaternion. What is exactly pure precession, a cusp, upright, at the threshold or on the separatrix is
     /// found to be so, up to the rounding of the numbers given. Cost: some twenty evaluations of [`at`](Self::at).
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`] for I₁, [`Error::Negative`] for I₃, [`Error::TriangleInequality`] for
-    /// I₃ > 2I₁, which no body has (2.4), [`Error::OutOfRange`] for |Ω| above 10³⁰⁷.
+    /// I₃ > 2I₁, which no body has (2.4), [`Error::OutOfRange`] for |Ω| or √(Mgl/I₁) above 10³⁰⁷.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -126,7 +127,8 @@ impl LagrangeTop {
         })
     }
 
-    /// What kind of motion the axis makes, decided once.
+    /// What kind of motion the axis makes, decided once. With gravity upwards, the kind of the same motion seen upside down:
+    /// the axis that points down is then the sleeping one.
     pub const fn kind(&self) -> Nutation {
         self.kind
     }
@@ -152,6 +154,11 @@ impl LagrangeTop {
         let q = self.attitude.quaternion();
         let height = (q.w * q.w + q.k * q.k) - (q.i * q.i + q.j * q.j);
         0.5 * (self.transverse * (x * x + y * y) + self.axial * z * z) + self.weight_moment * height
+    }
+
+    /// Whether C would rise: Mgl < 0.
+    pub(super) fn pulls_up(&self) -> bool {
+        self.weight_moment < 0.0
     }
 
     /// The roots of the cubic.
@@ -217,8 +224,7 @@ impl LagrangeTop {
     pub fn precession_per_nutation(&self) -> Option<f64> {
         match &self.motion {
             Motion::Moving(constants) if constants.modulus.quarter_period().is_finite() => {
-                let [alpha, beta] = constants.turns_per_nutation();
-                let precession = alpha.add(beta).value();
+                let precession = constants.precession_per_nutation().value();
                 Some(match constants.pull {
                     Pull::Down => precession,
                     Pull::Up => -precession,

@@ -4,14 +4,13 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Constants, Pull};
 use super::kinds::{Nutation, Roots, kind};
-use super::motion::Motion;
+use super::motion::{FASTEST, Motion};
 use super::roots::{Cubic, Distances};
 use super::turning::{Complex, Parameter};
 use crate::double_double::{DoubleDouble, power_of_two_below};
-use crate::elliptic::landen::Landen;
+use crate::elliptic::descent::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Which};
-use crate::elliptic::{Modulus, Parameter as EllipticParameter, Side};
-use crate::error::{Result, finite};
+use crate::error::{Result, finite, within};
 use crate::extended::{Extended, Scalar, exponent_of, shifted};
 use crate::frame::{Attitude, BodyVector};
 use crate::words::{Arithmetic, Words};
@@ -31,7 +30,9 @@ pub(super) fn moderate(body: Body, omega: BodyVector, attitude: &Attitude) -> bo
     let swing = (body.weight_moment.abs() / body.transverse).sqrt();
     let fastest = omega.components().amax().max(swing);
     let still = omega.components().iter().all(|x| near(*x, fastest));
-    still && near(swing, fastest) && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
+    // A quotient that underflows is gravity still.
+    let gone = swing == 0.0 && body.weight_moment != 0.0;
+    still && !gone && near(swing, fastest) && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
 }
 
 /// The constants, everything in units of time in which rates are moderate.
@@ -57,6 +58,8 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
         .components()
         .amax()
         .max(gravity.square_root().narrow().value());
+    // What the fall adds to Ω counts like Ω.
+    within("the greater of |Ω| and √(Mgl/I1)", fastest, 0.0, FASTEST)?;
     if fastest == 0.0 {
         let upper = 2.0 * (q.w * q.w + q.k * q.k);
         let lower = 2.0 * (q.i * q.i + q.j * q.j);
@@ -67,7 +70,7 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let exponent = exponent_of(unit);
     let mut scaled_gravity = gravity;
     scaled_gravity.exponent -= 2 * exponent;
-    let gravity = N::from_narrow(scaled_gravity.narrow());
+    let gravity = N::from_extended(scaled_gravity);
     let [o1, o2, o3] = [omega.x() / unit, omega.y() / unit, omega.z() / unit].map(N::from_double);
     let [w, x, y, z] = [q.w, q.i, q.j, q.k].map(N::from_double);
     let (upper, lower) = (w.square().add(z.square()), x.square().add(y.square()));
@@ -88,7 +91,7 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let drift = o1.multiply(z1).subtract(o2.multiply(z2).negated());
     let rise = o2.multiply(z1).subtract(o1.multiply(z2));
     let ratio = Extended::from_double(axial).divide(Extended::from_double(transverse));
-    let spin = N::from_narrow(ratio.narrow()).multiply(o3);
+    let spin = N::from_extended(ratio).multiply(o3);
     let still = if swing.is_zero() {
         let threshold = gravity.times(4.0);
         if gravity.is_zero() {
@@ -143,64 +146,31 @@ fn constants<N: Scalar<Narrow = DoubleDouble>>(
     let m = two_g.multiply(d.band).divide(whole);
     let mc = rest.divide(whole);
     let lambda = whole.square_root().times(0.5);
-    let side = if m.exceeds(mc) {
-        Side::Hyperbolic
-    } else {
-        Side::Circular
-    };
-    let (lesser, greater) = match side {
-        Side::Circular => (m, mc),
-        Side::Hyperbolic => (mc, m),
-    };
-    let landen = Landen::new(lesser, greater.narrow().square_root());
-    let one = N::from_double(1.0);
-    let k_prime = mc.root_of_quotient(one);
-    let parameter = EllipticParameter::from_both(m.narrow().two(), mc.narrow().two());
-    let modulus = Modulus::from_landen(side, parameter, k_prime, &landen);
+    let descent = Descent::new(m, mc);
     let [top1, top2] = d.top;
     let [bottom1, bottom2] = d.bottom;
-    let choose = |eta: [N; 3], xi: [N; 3]| {
-        let [rise, run, slope] = eta;
-        if xi[0].multiply(run).exceeds(rise.multiply(xi[1])) {
-            Elevation {
-                which: Which::Eta,
-                rise,
-                run,
-                slope,
-            }
-        } else {
-            Elevation {
-                which: Which::Xi,
-                rise: xi[0],
-                run: xi[1],
-                slope: xi[2],
-            }
-        }
-    };
-    let lower = choose(
-        [bottom1, d.band, bottom2],
-        [whole, two_g.multiply(bottom1), from_bottom],
+    let lower = Elevation::smaller(
+        [bottom1, d.band],
+        [whole, two_g.multiply(bottom1)],
+        |which| match which {
+            Which::Eta => bottom2,
+            Which::Xi => from_bottom,
+        },
     );
-    let upper = choose(
-        [
-            top2.multiply(whole),
-            beyond.multiply(d.band),
-            top1.multiply(rest),
-        ],
-        [beyond, two_g.multiply(top2), rest],
+    let upper = Elevation::smaller(
+        [top2.multiply(whole), beyond.multiply(d.band)],
+        [beyond, two_g.multiply(top2)],
+        |which| match which {
+            Which::Eta => top1.multiply(rest),
+            Which::Xi => rest,
+        },
     );
     let sense = |x: N| if x.leading() > 0.0 { -1.0 } else { 1.0 };
     let senses = [sense(d.sum), sense(d.difference)];
-    let parameters = match side {
-        Side::Circular => [
-            Parameter::circular(&landen, &lower, m, senses[0]),
-            Parameter::circular(&landen, &upper, m, senses[1]),
-        ],
-        Side::Hyperbolic => [
-            Parameter::hyperbolic(&landen, &lower, mc, senses[0]),
-            Parameter::hyperbolic(&landen, &upper, mc, senses[1]),
-        ],
-    };
+    let parameters = [
+        Parameter::new(&descent, &lower, senses[0]),
+        Parameter::new(&descent, &upper, senses[1]),
+    ];
     // The phases: α at u = K, where 1 + h is greatest, β at u = 0.
     let over = |x: N, y: N| if x.is_zero() { x } else { x.divide(y) };
     let excess = axial_rate.subtract(spin);
@@ -215,11 +185,11 @@ fn constants<N: Scalar<Narrow = DoubleDouble>>(
             .scaled(parameters[k].sense);
         halves[k].narrow().subtract(own)
     });
-    let start = start(d, cubic, mc, &modulus, &landen);
+    let start = start(d, cubic, &descent);
     let rate = lambda.narrow().two();
     Ok(Constants {
         pull: Pull::Down,
-        modulus,
+        modulus: descent.modulus,
         start,
         rate,
         parameters,
@@ -231,58 +201,24 @@ fn constants<N: Scalar<Narrow = DoubleDouble>>(
     })
 }
 
-/// u at time 0: sn² = (h − h₁)/(h₂ − h₁), rising if h rises.
+/// u at time 0: sn² = (h − h₁)/(h₂ − h₁), dn² = (h₃ − h)/(h₃ − h₁), rising if h rises.
 fn start<N: Scalar<Narrow = DoubleDouble>>(
     d: &Distances<N>,
     cubic: &Cubic<N>,
-    mc: N,
-    modulus: &Modulus,
-    landen: &Landen<N>,
+    descent: &Descent<N>,
 ) -> DoubleDouble {
     if d.band.is_zero() {
         return DoubleDouble::from(0.0);
     }
     let [_, _, whole, rest] = d.third;
-    let (sn2, cn2) = (d.to_lower, d.to_upper);
-    // dn² = (h₃ − h)/(h₃ − h₁), over the band like the others.
     let two_g = cubic.gravity.times(2.0);
-    let dn2 = rest
-        .add(two_g.multiply(d.to_upper))
-        .divide(whole)
-        .multiply(d.band);
-    let from_end = mc.multiply(sn2.square()).exceeds(cn2.square());
-    let fraction = match modulus.side() {
-        Side::Circular => {
-            let [s, c] = if from_end {
-                [
-                    cn2.root_of_quotient(dn2),
-                    mc.multiply(d.band).root_of_quotient(dn2),
-                ]
-            } else {
-                [sn2.root_of_quotient(d.band), dn2.root_of_quotient(d.band)]
-            };
-            N::from_double(landen.nearest_sine(s, c, 1.0).asin())
-        }
-        Side::Hyperbolic => {
-            let [s, c] = if from_end {
-                [
-                    cn2.root_of_quotient(mc.multiply(sn2)),
-                    d.band.root_of_quotient(sn2),
-                ]
-            } else {
-                [sn2.root_of_quotient(cn2), dn2.root_of_quotient(cn2)]
-            };
-            let sinh = landen.nearest_sine(s, c, -1.0);
-            N::from_narrow(N::from_double(sinh + sinh.hypot(1.0)).logarithm())
-        }
-    }
-    .divide(N::from_narrow(landen.mean))
-    .narrow();
-    let u = if from_end {
-        modulus.quarter_period_dd().subtract(fraction)
-    } else {
-        fraction
-    };
+    let u = descent.argument(&Squares {
+        sn: d.to_lower,
+        cn: d.to_upper,
+        whole: d.band,
+        dn: rest.add(two_g.multiply(d.to_upper)),
+        dn_whole: whole,
+    });
     if cubic.rise.leading() < 0.0 {
         u.negated()
     } else {

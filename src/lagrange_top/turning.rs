@@ -9,9 +9,11 @@
 //! Through the upright and the hanging position nothing happens to them: there one of the two is zero, and passes on.
 
 use crate::double_double::DoubleDouble;
+use crate::elliptic::Side;
+use crate::elliptic::descent::Descent;
 use crate::elliptic::landen::Landen;
 use crate::elliptic::local::{Local, Place};
-use crate::elliptic::theta::{DualTheta, Elevation, Which, dual_excess, polynomial};
+use crate::elliptic::theta::{DualTheta, Elevation, Exponentials, Which, dual_excess, polynomial};
 use crate::extended::Scalar;
 use crate::words::{Arithmetic, Words};
 
@@ -43,27 +45,33 @@ enum Family {
 pub(super) type Complex = nalgebra::Complex<f64>;
 
 impl Parameter {
-    pub(super) fn circular<N: Scalar>(
-        landen: &Landen<N>,
+    /// Of ϑ₁(π(u + iη)/2K), or of its conjugate if `sense` is −1.
+    pub(super) fn new<N: Scalar>(
+        descent: &Descent<N>,
         elevation: &Elevation<N>,
-        m: N,
         sense: f64,
     ) -> Self {
+        match descent.side() {
+            Side::Circular => Self::circular(&descent.landen, elevation, descent.m, sense),
+            Side::Hyperbolic => Self::hyperbolic(&descent.landen, elevation, descent.mc, sense),
+        }
+    }
+
+    /// For m ≤ 1/2.
+    fn circular<N: Scalar>(landen: &Landen<N>, elevation: &Elevation<N>, m: N, sense: f64) -> Self {
         let one = N::Narrow::from_double(1.0);
         let q = landen.nome;
-        let sinh = elevation.hyperbolic_sine(landen, m);
-        let exponential = sinh.add(sinh.hypotenuse_with_one());
-        let inverse = one.divide(exponential);
-        let decay = inverse.multiply(inverse);
-        let other = if q.is_zero() {
-            q
-        } else {
-            q.multiply(exponential).multiply(exponential)
-        };
-        // ρ = q e^{2w}, ε = e^{−2w}, 1 − ε = 2 sinh w · e^{−w}.
-        let (rho, epsilon, rest) = match elevation.which {
-            Which::Eta => (other, decay, sinh.scaled(2.0).multiply(inverse)),
-            Which::Xi => (decay, other, one.subtract(other)),
+        let Exponentials {
+            rho,
+            epsilon,
+            sinh,
+            decay,
+            ..
+        } = elevation.exponentials(landen, m);
+        // 1 − ε.
+        let rest = match elevation.which {
+            Which::Eta => sinh.scaled(2.0).multiply(decay),
+            Which::Xi => one.subtract(epsilon),
         };
         // q^{n²} ρⁿ (1 ± ε^{2n+1}) for n = 0, 1, 2, 3.
         let square = epsilon.multiply(epsilon);
@@ -140,7 +148,7 @@ impl Parameter {
     }
 
     /// For m > 1/2: ϑ₂(ix − v) with v = πη/2K′ − π/2.
-    pub(super) fn hyperbolic<N: Scalar>(
+    fn hyperbolic<N: Scalar>(
         landen: &Landen<N>,
         elevation: &Elevation<N>,
         mc: N,

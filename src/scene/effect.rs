@@ -26,7 +26,9 @@ impl Effect for Absent {
 /// `choose!((gravity = a) (friction = b) => body)` evaluates `body` with `gravity` bound to what is in the option `a`, or to
 /// [`Absent`].
 macro_rules! choose {
-    (=> $body:expr) => { $body };
+    (=> $body:expr) => {
+        $body
+    };
     (($name:ident = $option:expr) $($rest:tt)*) => {
         match $option {
             Some($name) => $crate::scene::choose!($($rest)*),

@@ -7,14 +7,29 @@
 //!
 //! | kind | tutorial | module |
 //! |---|---|---|
+//! | [`StruckPlanet`](meteorite::StruckPlanet) | 4.2 | [`meteorite`]: a planet, struck |
+//! | [`Roller`](roller::Roller) | 4.3, 4.5 | [`roller`]: a ball on a table, after the cue or on a sheet |
+//! | [`TuggedSpool`](spool::TuggedSpool) | 4.4 | [`spool`]: a spool and its string |
+//! | [`Superball`](superball::Superball) | 4.6 | [`superball`]: bounces |
+//! | [`Swivel`](shape::Swivel), [`Skater`](shape::Skater), [`Cat`](shape::Cat), [`Crawler`](shape::Crawler), [`PaperCat`](shape::PaperCat) | 1.1 | [`shape`]: bodies that change their shape |
+//! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
+//! | [`Play`](yo_yo::Play) | 4.9 | [`yo_yo`]: down, turn or sleep, and up again |
+//! | [`Strip`](strip::Strip) | 4.10 | [`strip`]: a strip of paper in the air, or in a vacuum |
 //! | top | 6, 7, 8 | [`top`] |
 //! | body on a table | 4.7 | [`contact`] |
 
 pub mod contact;
 mod effect;
+pub mod meteorite;
 mod motion;
 mod plan;
+pub mod roller;
+pub mod shape;
+pub mod spool;
+pub mod strip;
+pub mod superball;
 pub mod top;
+pub mod yo_yo;
 
 pub use effect::{Absent, Effect};
 pub use motion::{Motion, Request, balanced};

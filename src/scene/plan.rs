@@ -19,14 +19,13 @@ pub enum Solver {
 
 impl Solver {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 6] = [
         Self::Exact,
         Self::Events,
         Self::General(Method::Rk4),
         Self::General(Method::Dopri5),
         Self::General(Method::Dop853),
         Self::General(Method::Verner98),
-        Self::General(Method::Gauss6),
     ];
 
     /// The name by which it is asked for in a scene file.

@@ -9,8 +9,8 @@ use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::{Error, Result};
 
-use super::decimal::hexadecimal;
 use super::inertia::{decimal, double_double::Dd};
+use super::table::{Report, WRONG, angle, lines};
 
 /// One line of the table.
 struct Row {
@@ -27,39 +27,17 @@ struct Row {
     turns: f64,
 }
 
-/// Angle between the attitudes (radians), |ΔL|/|L| and |ΔΩ|/|Ω|.
-#[derive(Debug, Clone, Copy, Default)]
-struct Errors {
-    attitude: f64,
-    angular_momentum: f64,
-    omega: f64,
-}
-
-impl Errors {
-    const WRONG: Self = Self {
-        attitude: f64::INFINITY,
-        angular_momentum: f64::INFINITY,
-        omega: f64::INFINITY,
-    };
-}
-
 fn table() -> impl Iterator<Item = Row> {
-    let lines = include_str!("../reference/free_top.csv").lines().skip(1);
-    lines.map(|line| {
-        let fields: Vec<&'static str> = line.split(',').collect();
-        let exact = |from: usize| [0, 1, 2].map(|k| hexadecimal(fields[from + k]));
-        let number = |k: usize| fields[k].parse().expect("a number");
-        Row {
-            id: fields[0].parse().expect("a number"),
-            group: fields[1],
-            moments: exact(2),
-            start: exact(5),
-            time: hexadecimal(fields[8]),
-            angular_momentum: [9, 10, 11].map(|k| decimal(fields[k])),
-            attitude: [12, 13, 14, 15].map(|k| decimal(fields[k])),
-            periods: number(16),
-            turns: number(17),
-        }
+    lines(include_str!("../reference/free_top.csv")).map(|cells| Row {
+        id: cells.id(),
+        group: cells.text(1),
+        moments: cells.exact(2),
+        start: cells.exact(5),
+        time: cells.exact::<1>(8)[0],
+        angular_momentum: cells.decimals(9),
+        attitude: cells.decimals(12),
+        periods: cells.number(16),
+        turns: cells.number(17),
     })
 }
 
@@ -74,17 +52,6 @@ fn relative(found: BodyVector, exact: [Dd; 3]) -> f64 {
     } else {
         length(difference) / size
     }
-}
-
-/// Twice the vector part of q⁻¹p in 106 bits: the angle between the attitudes without a subtraction from 1.
-fn angle(found: &Attitude, exact: [Dd; 4]) -> f64 {
-    let p = found.quaternion();
-    let [w, x, y, z] = [p.w, p.i, p.j, p.k].map(Dd::from);
-    let [a, b, c, d] = exact;
-    let i = a * x - b * w - c * z + d * y;
-    let j = a * y + b * z - c * w - d * x;
-    let k = a * z - b * y + c * x - d * w;
-    2.0 * i.value().hypot(j.value()).hypot(k.value())
 }
 
 impl Row {
@@ -108,17 +75,18 @@ impl Row {
         top?.at(self.time)
     }
 
-    fn errors(&self, state: &State) -> Errors {
+    /// Angle between the attitudes (radians), |ΔL|/|L| and |ΔΩ|/|Ω|.
+    fn errors(&self, state: &State) -> [f64; 3] {
         // A rod has no component of L along itself and is taken not to turn about itself.
         let omega = [0, 1, 2].map(|k| match self.moments[k] {
             0.0 => Dd::ZERO,
             moment => self.angular_momentum[k] / Dd::from(moment),
         });
-        Errors {
-            attitude: angle(&state.attitude, self.attitude),
-            angular_momentum: relative(state.angular_momentum, self.angular_momentum),
-            omega: relative(state.omega, omega),
-        }
+        [
+            angle(&state.attitude, self.attitude),
+            relative(state.angular_momentum, self.angular_momentum),
+            relative(state.omega, omega),
+        ]
     }
 
     /// What the motion has gone through: periods of Ω, or turns where Ω is steady or has no period.
@@ -137,59 +105,26 @@ const BAR: f64 = 2e-15;
 
 #[test]
 fn free_top_against_the_table() {
-    let mut worst: BTreeMap<(&str, u32), (Errors, usize)> = BTreeMap::new();
-    let mut failures = Vec::new();
-    let mut rows = 0;
+    let spans = &[
+        (10.5, "<= 10 periods"),
+        (1001.0, "<= 1e3 periods"),
+        (1_000_001.0, "<= 1e6 periods"),
+        (f64::INFINITY, "> 1e6 periods"),
+    ];
+    let mut report = Report::new(["attitude", "L", "omega"], BAR, spans);
     for row in table() {
-        rows += 1;
         let (errors, note) = match row.state() {
             Ok(state) => (row.errors(&state), String::new()),
-            Err(error) => (Errors::WRONG, error.to_string()),
+            Err(error) => (WRONG, error.to_string()),
         };
-        // Decades of time: up to 10, a thousand, a million periods, and beyond.
-        let span = [10.5, 1001.0, 1_000_001.0]
-            .iter()
-            .filter(|limit| row.elapsed() > **limit)
-            .count() as u32;
-        let entry = worst.entry((row.group, span)).or_default();
-        entry.0.attitude = entry.0.attitude.max(errors.attitude);
-        entry.0.angular_momentum = entry.0.angular_momentum.max(errors.angular_momentum);
-        entry.0.omega = entry.0.omega.max(errors.omega);
-        entry.1 += 1;
-        // Written so that a NaN fails.
-        let within = [errors.attitude, errors.angular_momentum, errors.omega]
-            .iter()
-            .all(|error| *error <= BAR);
-        if !within {
-            failures.push(format!(
-                "row {} ({}, {:.4e} periods, {:.4e} turns): attitude {:.2e}, L {:.2e}, omega {:.2e}, {note}\n    moments {:?} L {:?} t {:?}",
-                row.id,
-                row.group,
-                row.periods,
-                row.turns,
-                errors.attitude,
-                errors.angular_momentum,
-                errors.omega,
-                row.moments,
-                row.start,
-                row.time,
-            ));
-        }
+        report.add(row.group, row.elapsed(), errors, || {
+            format!(
+                "row {} ({}, {:.4e} periods, {:.4e} turns) {note}\n    moments {:?} L {:?} t {:?}\n    ",
+                row.id, row.group, row.periods, row.turns, row.moments, row.start, row.time,
+            )
+        });
     }
-    let spans = ["<= 10", "<= 1e3", "<= 1e6", "> 1e6"];
-    for ((group, span), (errors, count)) in &worst {
-        println!(
-            "{group:>20} {:>7} periods, {count:>3} rows: attitude {:.1e}, L {:.1e}, omega {:.1e}",
-            spans[*span as usize], errors.attitude, errors.angular_momentum, errors.omega
-        );
-    }
-    assert_eq!(rows, 998);
-    assert!(
-        failures.is_empty(),
-        "{} of {rows} rows\n{}",
-        failures.len(),
-        failures.join("\n")
-    );
+    report.finish(998);
 }
 
 /// The racket of 6.3 turns over in half a period of Ω: from a tilt of 0.1 to one of 1e-300, beside what other libraries make of it.

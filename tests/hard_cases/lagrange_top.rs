@@ -3,14 +3,12 @@
 //! `tests/reference/lagrange_top.py` says how the table was made and by which two routes. The inputs are exact numbers, so
 //! whatever differs is the library's error.
 
-use std::collections::BTreeMap;
-
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, State};
 
-use super::decimal::hexadecimal;
-use super::inertia::{decimal, double_double::Dd};
+use super::inertia::double_double::Dd;
+use super::table::{Report, WRONG, angle, lines};
 
 /// One line of the table.
 struct Row {
@@ -29,59 +27,19 @@ struct Row {
     turns: f64,
 }
 
-/// Angle between the attitudes (radians), |ΔΩ| over the fastest rate, and how far the distances from the two poles are off,
-/// as chords of the unit sphere.
-#[derive(Debug, Clone, Copy, Default)]
-struct Errors {
-    attitude: f64,
-    omega: f64,
-    poles: f64,
-}
-
-impl Errors {
-    const WRONG: Self = Self {
-        attitude: f64::INFINITY,
-        omega: f64::INFINITY,
-        poles: f64::INFINITY,
-    };
-
-    fn all(&self) -> [f64; 3] {
-        [self.attitude, self.omega, self.poles]
-    }
-}
-
 fn table() -> impl Iterator<Item = Row> {
-    let lines = include_str!("../reference/lagrange_top.csv")
-        .lines()
-        .skip(1);
-    lines.map(|line| {
-        let fields: Vec<&'static str> = line.split(',').collect();
-        let exact = |k: usize| hexadecimal(fields[k]);
-        let number = |k: usize| fields[k].parse().expect("a number");
-        Row {
-            id: fields[0].parse().expect("a number"),
-            group: fields[1],
-            body: [2, 3, 4].map(exact),
-            start_omega: [5, 6, 7].map(exact),
-            start_attitude: [8, 9, 10, 11].map(exact),
-            time: exact(12),
-            omega: [13, 14, 15].map(|k| decimal(fields[k])),
-            attitude: [16, 17, 18, 19].map(|k| decimal(fields[k])),
-            nutations: number(20),
-            turns: number(21),
-        }
+    lines(include_str!("../reference/lagrange_top.csv")).map(|cells| Row {
+        id: cells.id(),
+        group: cells.text(1),
+        body: cells.exact(2),
+        start_omega: cells.exact(5),
+        start_attitude: cells.exact(8),
+        time: cells.exact::<1>(12)[0],
+        omega: cells.decimals(13),
+        attitude: cells.decimals(16),
+        nutations: cells.number(20),
+        turns: cells.number(21),
     })
-}
-
-/// Twice the vector part of q⁻¹p in 106 bits: the angle between the attitudes without a subtraction from 1.
-fn angle(found: &Attitude, exact: [Dd; 4]) -> f64 {
-    let p = found.quaternion();
-    let [w, x, y, z] = [p.w, p.i, p.j, p.k].map(Dd::from);
-    let [a, b, c, d] = exact;
-    let i = a * x - b * w - c * z + d * y;
-    let j = a * y + b * z - c * w - d * x;
-    let k = a * z - b * y + c * x - d * w;
-    2.0 * i.value().hypot(j.value()).hypot(k.value())
 }
 
 /// √2x̂ − √2x, which is what an error of the tilt is near a pole, where 1 − cos θ is flat.
@@ -110,7 +68,9 @@ impl Row {
         LagrangeTop::new(transverse, axial, weight_moment, omega, attitude)
     }
 
-    fn errors(&self, state: &State) -> Errors {
+    /// Angle between the attitudes (radians), |ΔΩ| over the fastest rate, and how far the distances from the two poles are off,
+    /// as chords of the unit sphere.
+    fn errors(&self, state: &State) -> [f64; 3] {
         let [transverse, _, weight_moment] = self.body;
         let swing = (weight_moment / transverse).abs().sqrt();
         let fastest = self
@@ -122,12 +82,12 @@ impl Row {
         let off = off[0].hypot(off[1]).hypot(off[2]);
         let [a, b, c, d] = self.attitude;
         let twice = Dd::from(2.0);
-        Errors {
-            attitude: angle(&state.attitude, self.attitude),
-            omega: if off == 0.0 { 0.0 } else { off / fastest },
-            poles: chord(state.one_less, twice * (b * b + c * c))
+        [
+            angle(&state.attitude, self.attitude),
+            if off == 0.0 { 0.0 } else { off / fastest },
+            chord(state.one_less, twice * (b * b + c * c))
                 .max(chord(state.one_more, twice * (a * a + d * d))),
-        }
+        ]
     }
 
     /// What the motion has gone through: nutations, or turns where nothing nutates.
@@ -145,44 +105,24 @@ const BAR: f64 = 3e-15;
 
 #[test]
 fn lagrange_top_against_the_table() {
-    let mut worst: BTreeMap<(&str, bool), (Errors, usize)> = BTreeMap::new();
-    let mut failures = Vec::new();
-    let mut rows = 0;
+    let spans = &[
+        (10.5, "<= 10 nutations"),
+        (f64::INFINITY, "<= 1e3 nutations"),
+    ];
+    let mut report = Report::new(["attitude", "omega", "poles"], BAR, spans);
     for row in table() {
-        rows += 1;
         let (errors, note) = match row.top().and_then(|top| top.at(row.time)) {
             Ok(state) => (row.errors(&state), format!("h {:?}", state.height)),
-            Err(error) => (Errors::WRONG, error.to_string()),
+            Err(error) => (WRONG, error.to_string()),
         };
-        let entry = worst.entry((row.group, row.elapsed() > 10.5)).or_default();
-        // Written so that a NaN stays.
-        let larger = |a: f64, b: f64| if a >= b { a } else { b };
-        entry.0.attitude = larger(entry.0.attitude, errors.attitude);
-        entry.0.omega = larger(entry.0.omega, errors.omega);
-        entry.0.poles = larger(entry.0.poles, errors.poles);
-        entry.1 += 1;
-        if !errors.all().iter().all(|error| *error <= BAR) {
-            let [attitude, omega, poles] = errors.all();
-            failures.push(format!(
-                "row {} ({}, {:.4e} nutations, {:.4e} turns): attitude {attitude:.2e}, omega {omega:.2e}, poles {poles:.2e}, {note}\n    body {:?} omega {:?} attitude {:?} t {:?}",
+        report.add(row.group, row.elapsed(), errors, || {
+            format!(
+                "row {} ({}, {:.4e} nutations, {:.4e} turns) {note}\n    body {:?} omega {:?} attitude {:?} t {:?}\n    ",
                 row.id, row.group, row.nutations, row.turns, row.body, row.start_omega, row.start_attitude, row.time,
-            ));
-        }
+            )
+        });
     }
-    for ((group, long), (errors, count)) in &worst {
-        let span = if *long { "<= 1e3" } else { "<= 10" };
-        println!(
-            "{group:>20} {span:>7} nutations, {count:>3} rows: attitude {:.1e}, omega {:.1e}, poles {:.1e}",
-            errors.attitude, errors.omega, errors.poles
-        );
-    }
-    assert_eq!(rows, ROWS);
-    assert!(
-        failures.is_empty(),
-        "{} of {rows} rows\n{}",
-        failures.len(),
-        failures.join("\n")
-    );
+    report.finish(ROWS);
 }
 
 /// The height is the difference of its complements: h = ½((1 + h) − (1 − h)), all three of the same state.
@@ -220,17 +160,13 @@ fn constants_against_the_table() -> Result<()> {
     let mut worst = [0.0_f64; 7];
     let mut failures = Vec::new();
     let mut rows = 0;
-    let lines = include_str!("../reference/lagrange_constants.csv")
-        .lines()
-        .skip(1);
-    for line in lines {
+    for cells in lines(include_str!("../reference/lagrange_constants.csv")) {
         rows += 1;
-        let fields: Vec<&str> = line.split(',').collect();
-        let [i1, i3, weight, x, y, z] = [1, 2, 3, 4, 5, 6].map(|k| hexadecimal(fields[k]));
-        let [a, b, c, d] = [7, 8, 9, 10].map(|k| hexadecimal(fields[k]));
+        let [i1, i3, weight, x, y, z] = cells.exact(1);
+        let [a, b, c, d] = cells.exact(7);
         let attitude = Attitude::from_quaternion(a, b, c, d)?;
         let top = LagrangeTop::new(i1, i3, weight, BodyVector::new(x, y, z), attitude)?;
-        let numbers = [11, 12, 13, 14, 15].map(|k| decimal(fields[k]));
+        let numbers: [Dd; 6] = cells.decimals(11);
         let roots = top.roots();
         let ([less1, less2], [more1, more2]) = (roots.one_less, roots.one_more);
         let found = [less1, less2, more1, more2, roots.third_less_one];
@@ -238,10 +174,10 @@ fn constants_against_the_table() -> Result<()> {
         for k in 0..5 {
             errors[k] = relative(found[k], numbers[k]);
         }
-        errors[5] = relative(top.period(), decimal(fields[16]));
+        errors[5] = relative(top.period(), numbers[5]);
         // Through a pole the axis has no azimuth.
-        if fields[17] != "nan" {
-            let exact = decimal(fields[17]);
+        if cells.text(17) != "nan" {
+            let [exact] = cells.decimals(17);
             let found = top.precession_per_nutation().expect("a period");
             errors[6] = (Dd::from(found) - exact).value().abs() / exact.value().abs().max(1e-3);
         }
@@ -249,7 +185,7 @@ fn constants_against_the_table() -> Result<()> {
             *worst = if *worst >= error { *worst } else { error };
         }
         if !errors.iter().all(|error| *error <= 1e-15) {
-            failures.push(format!("{} {line}", shown(errors)));
+            failures.push(format!("row {rows}, {}: {}", cells.text(0), shown(errors)));
         }
     }
     println!(

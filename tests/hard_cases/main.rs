@@ -6,6 +6,9 @@ mod euler_equations;
 mod free_top;
 mod inertia;
 mod kovalevskaya;
+mod kovalevskaya_attitude;
 mod lagrange_top;
 #[path = "../support/power_series.rs"]
 mod power_series;
+#[path = "../support/table.rs"]
+mod table;

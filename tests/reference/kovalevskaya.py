@@ -14,6 +14,8 @@ import gmpy2
 from gmpy2 import mpfr, sqrt
 
 TIMES = [1.0, 10.0, 100.0]
+# Every sixth of the first 36 starts goes on to here, a minute each.
+FAR = 1000.0
 
 
 def start(case):
@@ -62,11 +64,11 @@ def horner(terms, h):
     return value
 
 
-def integrate(case, digits, order, rounding):
+def integrate(case, times, digits, order, rounding):
     gmpy2.get_context().precision = int(digits * 3.33)
     moments, lever, y = start(case)
     t, out = mpfr(0), []
-    for stop in TIMES:
+    for stop in times:
         while t < stop:
             s = series(moments, lever, y, order)
             last = max(abs(terms[order]) for terms in s)
@@ -81,13 +83,14 @@ def integrate(case, digits, order, rounding):
 
 
 def run(job):
-    name, case = job
-    first = integrate(case, 45, 44, 38)
-    second = integrate(case, 60, 34, 40)
+    number, (name, case) = job
+    times = TIMES + [FAR] if number % 6 == 0 and number < 36 else TIMES
+    first = integrate(case, times, 45, 44, 38)
+    second = integrate(case, times, 60, 34, 40)
     for a, b in zip(first, second):
         worst = max(abs(x - y) for x, y in zip(a, b))
         assert worst < mpfr(10) ** -29, (name, worst)
-    return name, case, second
+    return name, case, list(zip(times, second))
 
 
 def cases():
@@ -117,9 +120,9 @@ def cases():
 def main():
     lines = ["group,I3,C1,C2,omega1,omega2,omega3,up1,up2,up3,t,omega1_t,omega2_t,omega3_t,z1,z2,z3,qw,qx,qy,qz"]
     with Pool(2) as pool:
-        for name, (axial, lever, omega, up), states in pool.imap(run, list(cases())):
+        for name, (axial, lever, omega, up), states in pool.imap(run, enumerate(cases())):
             given = [axial, lever[0], lever[1], *omega, *up]
-            for t, y in zip(TIMES, states):
+            for t, y in states:
                 row = [name, *(float(x).hex() for x in given), float(t).hex(), *(f"{x:.29e}" for x in y)]
                 lines.append(",".join(row))
     path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "kovalevskaya.csv")

@@ -1,3 +1,12 @@
-//! Scenes: every effect changes the answer, its zero limit does not, the ledger balances, and closed forms agree with integrators.
+//! Scenes: every effect matters, and what is absent does not.
 
+mod meteorite;
+mod roller;
+mod shape;
+mod spool;
+mod strip;
+mod superball;
+mod top;
+mod yo_yo;
+//! Scenes: every effect changes the answer, its zero limit does not, the ledger balances, and closed forms agree with integrators.
 mod contact;

@@ -9,7 +9,7 @@ use crate::support::{Uniform, rational};
 use spinning_bodies::elliptic::{
     Characteristic, Modulus, Parameter, complete_first, complete_third,
 };
-use spinning_bodies::frame::BodyVector;
+use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::LagrangeTop;
 
 const EXAMPLES: [fn() -> LagrangeTop; 3] = [cusp, wave, swirl];
@@ -240,4 +240,33 @@ fn s7_2_a_duality() {
         within((a - b).abs(), 4e-15);
     }
     assert_ne!(swirl().kind(), dual.kind());
+}
+
+#[test]
+fn s7_1_angles_are_those_of_the_attitude() {
+    let z = BodyVector::new(0.0, 0.0, 1.0);
+    let x = BodyVector::new(1.0, 0.0, 0.0);
+    for tilt in [0.0, 1e-160, 1e-9, 0.7, 3.0, core::f64::consts::PI] {
+        for pull in [1.0, -1.0] {
+            let start = Attitude::about_axis(x, tilt).unwrap();
+            let top =
+                LagrangeTop::new(1.0, 0.5, pull, BodyVector::new(0.2, 0.1, 5.0), start).unwrap();
+            let [least, most] = top.turning_angles();
+            for i in 0..40 {
+                let state = top.at(0.37 * f64::from(i)).unwrap();
+                let angles = state.angles();
+                assert!(
+                    least - 1e-14 <= angles.theta && angles.theta <= most + 1e-14,
+                    "{tilt}"
+                );
+                let turns = [(z, angles.phi), (x, angles.theta), (z, angles.psi)];
+                let turns = turns.map(|(axis, angle)| Attitude::about_axis(axis, angle).unwrap());
+                let [phi, theta, psi] = turns.map(|turn| turn.quaternion());
+                let q = (phi * theta * psi).into_inner();
+                let again = Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap();
+                // Observed: 6e-16.
+                assert!(state.attitude.angle_to(&again) < 2e-15, "{tilt} {i}");
+            }
+        }
+    }
 }

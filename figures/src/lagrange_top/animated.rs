@@ -16,7 +16,8 @@ use crate::Figure;
 use crate::finish::with;
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SCALE as CANVAS, Words, figure, label, number, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, Words, figure, label, number,
+    stroke,
 };
 
 const NAME: &str = "top-animated";
@@ -33,7 +34,7 @@ const STILL: usize = 56;
 /// Seconds to a unit of time.
 const SLOWNESS: f64 = 0.7;
 /// Radius of a sphere; where the flywheel sits on the axle, and its radius, in radii of the sphere.
-const RADIUS: f64 = 96.0;
+const RADIUS: f64 = 116.0;
 const SEAT: f64 = 0.56;
 const WHEEL: f64 = 0.36;
 
@@ -120,10 +121,10 @@ impl Loop {
             .collect::<Result<Vec<_>>>()?;
         let [front, back] = view.split(&path, seen);
         for piece in back {
-            pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.5));
+            pen.line(&piece, stroke(Role::Ink, AXIS).alpha(0.5));
         }
         for piece in front {
-            pen.line(&piece, stroke(Role::Ink, 1.4).alpha(0.8));
+            pen.line(&piece, stroke(Role::Ink, DATA).alpha(0.85));
         }
         let [x, y] = self.center;
         pen.text(
@@ -168,15 +169,15 @@ fn matrix(x: Point, y: Point, to: Point) -> String {
 fn tops() -> Result<[Loop; 4]> {
     let paces = [0.25, 0.0, -0.5];
     let axial = [closing(paces[0])?, closing(paces[1])?, closing(paces[2])?];
-    let [slow, _] = pure_rates(HEIGHT, axial[1]).unwrap_or([f64::NAN; 2]);
+    let [slow, _] = pure_rates(HEIGHT, axial[1])?;
     Ok([
-        Loop::new("waves", "waves", [150.0, 112.0], paces[0], axial[0], None)?,
-        Loop::new("cusps", "cusps", [450.0, 112.0], paces[1], axial[1], None)?,
-        Loop::new("loops", "loops", [150.0, 348.0], paces[2], axial[2], None)?,
+        Loop::new("waves", "waves", [158.0, 130.0], paces[0], axial[0], None)?,
+        Loop::new("cusps", "cusps", [442.0, 130.0], paces[1], axial[1], None)?,
+        Loop::new("loops", "loops", [158.0, 416.0], paces[2], axial[2], None)?,
         Loop::new(
             "pure precession",
             "pure",
-            [450.0, 348.0],
+            [442.0, 416.0],
             slow,
             axial[1],
             Some(TAU / slow),
@@ -191,10 +192,9 @@ pub fn top_animated() -> Result<Figure> {
     let words = Words {
         claim: "One push decides how the nose goes round: waves, cusps, loops, or a circle.".to_owned(),
         details: format!(
-            "Four tops start 60° from the vertical, $I_1 = Mg\\ell = 1$, ten units of time in {} s. Pushed forward at \
-             $\\varphi' = {}$; released from rest; pushed back at ${}$; pushed at exactly the slow rate {}. Their spins, \
-             $L_3 = {}$, {}, {} and {}, are such that five nutations, or the one turn of the last, close the path. Rest the pointer on \
-             the picture to stop it.",
+            "Four tops start 60° from the vertical, $I_1 = Mg\\ell = 1,$ ten units of time in {} s: pushed forward at \
+             $\\varphi' = {}$, released from rest, pushed back at ${}$, pushed at exactly the slow rate {}. The spins, \
+             $L_3 = {}$, {}, {} and {}, make every path close. Rest the pointer on the picture to stop it.",
             number(10.0 * SLOWNESS, 0),
             number(waves.pace, 2),
             number(loops.pace, 1),
@@ -211,7 +211,7 @@ pub fn top_animated() -> Result<Figure> {
             .to_owned(),
     };
     let mut drawn = Ok(());
-    let still = figure(NAME, 480.0, words, |pen| {
+    let still = figure(NAME, 566.0, words, |pen| {
         drawn = tops.iter().try_for_each(|top| top.draw(pen));
     });
     drawn?;

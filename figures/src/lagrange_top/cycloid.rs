@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use spinning_bodies::Result;
+use spinning_bodies::lagrange_top::{Cycloid, dip};
 
 use super::{launch, nose};
 use crate::Figure;
@@ -26,20 +27,21 @@ struct Row {
     from: f64,
     /// φ sin θ₀ and θ − θ₀ in units of the radius, step by step.
     trace: Vec<Point>,
+    /// The cycloid of the limit in the same units.
+    limit: Vec<Point>,
     /// The greatest difference over the first arch in each of them.
     off: [f64; 2],
-}
-
-/// The cycloid of the limit: a point of the rim at the angle u.
-fn cycloid(u: f64) -> Point {
-    [u - u.sin(), 1.0 - u.cos()]
 }
 
 impl Row {
     fn new(axial: f64, from: f64) -> Result<Self> {
         let top = launch(HEIGHT, 0.0, axial)?;
         let tilt = HEIGHT.acos();
-        let radius = tilt.sin() / (axial * axial);
+        let cycloid = dip(1.0, 1.0, axial, tilt)?.cycloid;
+        let shown = |[down, azimuth]: [f64; 2]| {
+            let Cycloid { radius, sine } = cycloid;
+            [azimuth * sine / radius, down / radius]
+        };
         let mut turned = 0.0;
         let mut azimuth = 0.0;
         let mut trace = Vec::new();
@@ -49,20 +51,21 @@ impl Row {
             turned += (now - azimuth + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
             azimuth = now;
             let here = at.x.hypot(at.y).atan2(at.z);
-            trace.push([turned * tilt.sin() / radius, (here - tilt) / radius]);
+            trace.push(shown([here - tilt, turned]));
         }
+        let limit: Vec<Point> = (0..=STEPS * ARCHES)
+            .map(|k| shown(cycloid.at(TAU * f64::from(k) / f64::from(STEPS))))
+            .collect();
         let off = core::array::from_fn(|c| {
-            (0..=STEPS)
-                .map(|k| {
-                    let limit = cycloid(TAU * f64::from(k) / f64::from(STEPS));
-                    (trace[k as usize][c] - limit[c]).abs()
-                })
+            let arch = trace.iter().zip(&limit).take(STEPS as usize + 1);
+            arch.map(|(trace, limit)| (trace[c] - limit[c]).abs())
                 .fold(0.0, f64::max)
         });
         Ok(Self {
             axial,
             from,
             trace,
+            limit,
             off,
         })
     }
@@ -83,9 +86,9 @@ pub fn cycloids() -> Result<Figure> {
     let words = Words {
         claim: "Released from rest the nose follows a cycloid, the better the faster the spin.".to_owned(),
         details: format!(
-            "Released at θ₀ = 60°, $I_1 = Mg\\ell = 1$; tilt downwards, $\\varphi\\sin\\theta_0$ to the right, both in units of \
-             $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$. Dashed: the cycloid of a circle of radius $a$. Dots: eighths of a nutation. Greatest \
-             difference over an arch, in units of $a$: {} for $L_3 = 3$, {} for 5, {} for 10, {} for 20.",
+            "Tilt downwards, $\\varphi\\sin\\theta_0$ to the right, in units of the wheel's radius $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$; $\\theta_0 = 60°$, \
+             $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. The nose leaves the cycloid \
+             by {}$\\,a$ at most for $L_3 = 3$, {} for 5, {} for 10, {} for 20.",
             number(greatest(&rows[0]), 2),
             number(greatest(&rows[1]), 3),
             number(greatest(&rows[2]), 4),
@@ -109,9 +112,7 @@ pub fn cycloids() -> Result<Figure> {
                 let [x, y] = row.place([0.0, height]);
                 pen.text([x - 10.0, y + 5.0], Anchor::End, text, small(Role::Ink));
             }
-            let limit: Vec<Point> = (0..=STEPS * ARCHES)
-                .map(|k| row.place(cycloid(TAU * f64::from(k) / f64::from(STEPS))))
-                .collect();
+            let limit: Vec<Point> = row.limit.iter().map(|p| row.place(*p)).collect();
             pen.line(&limit, stroke(Role::Ink, SECONDARY).dashed());
             let trace: Vec<Point> = row.trace.iter().map(|p| row.place(*p)).collect();
             pen.line(&trace, stroke(Role::Ink, DATA));

@@ -5,7 +5,7 @@
 use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::LagrangeTop;
+use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession};
 
 mod animated;
 mod cycloid;
@@ -32,13 +32,14 @@ fn launch_body(height: f64, pace: f64, moment: f64, spin: f64) -> Result<Lagrang
     LagrangeTop::new(1.0, moment, 1.0, omega, attitude)
 }
 
-/// Both rates of pure precession at cos θ = `height`, slow and fast: the roots of hw² − L₃w + 1 (7.3), the fast one infinite if
-/// the axis is horizontal.
-fn pure_rates(height: f64, axial: f64) -> Option<[f64; 2]> {
-    let square = axial * axial - 4.0 * height;
-    (square >= 0.0).then(|| {
-        let sum = axial + square.sqrt();
-        [2.0 / sum, 0.5 * sum / height]
+/// Both rates of pure precession at cos θ = `height`, slow and fast (7.3): the fast one infinite if the axis is horizontal, neither a
+/// number where there is none.
+fn pure_rates(height: f64, axial: f64) -> Result<[f64; 2]> {
+    Ok(match pure_precession(1.0, 1.0, axial, height)? {
+        PurePrecession::Two { slow, fast } => [slow, fast],
+        PurePrecession::One(rate) if height == 0.0 => [rate, f64::INFINITY],
+        PurePrecession::One(rate) => [rate, rate],
+        PurePrecession::None | PurePrecession::Any => [f64::NAN; 2],
     })
 }
 

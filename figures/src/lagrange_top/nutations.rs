@@ -8,19 +8,19 @@ use super::{launch, nose, pure_rates};
 use crate::Figure;
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number, small,
-    stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number,
+    small, stroke,
 };
 
 /// cos θ of every start: 60 degrees.
 const HEIGHT: f64 = 0.5;
 /// Where both momenta vanish, and units to one of them.
-const ORIGIN: Point = [214.0, 312.0];
-const UNIT: f64 = 66.0;
+const ORIGIN: Point = [214.0, 490.0];
+const UNIT: Point = [70.0, 112.0];
 /// The plane that is shown: L_vert from and to, greatest L₃.
-const REACH: [f64; 3] = [-2.9, 5.1, 4.35];
+const REACH: [f64; 3] = [-2.95, 5.35, 4.15];
 /// Radius of a sphere.
-const RADIUS: f64 = 37.0;
+const RADIUS: f64 = 52.0;
 
 /// A sphere on the map.
 struct Globe {
@@ -35,7 +35,7 @@ struct Globe {
 }
 
 fn place(vertical: f64, axial: f64) -> Point {
-    [ORIGIN[0] + UNIT * vertical, ORIGIN[1] - UNIT * axial]
+    [ORIGIN[0] + UNIT[0] * vertical, ORIGIN[1] - UNIT[1] * axial]
 }
 
 /// L_vert of a start at this rate φ′ (7.2).
@@ -77,7 +77,7 @@ impl Globe {
             pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.5));
         }
         for piece in front {
-            pen.line(&piece, stroke(Role::Ink, 1.5));
+            pen.line(&piece, stroke(Role::Ink, DATA));
         }
         let [x, y] = self.beside;
         for (k, line) in self.name.split('\n').enumerate() {
@@ -85,13 +85,13 @@ impl Globe {
                 [center[0] + x, center[1] + y + 17.0 * k as f64],
                 self.anchor,
                 line,
-                small(Role::Ink),
+                label(Role::Ink),
             );
         }
     }
 }
 
-fn globes() -> Option<Vec<Globe>> {
+fn globes() -> Result<Vec<Globe>> {
     let [slow, _] = pure_rates(HEIGHT, 3.0)?;
     let [_, fast] = pure_rates(HEIGHT, 2.0)?;
     let globe = |name, momenta, cycles, beside, anchor| Globe {
@@ -101,42 +101,42 @@ fn globes() -> Option<Vec<Globe>> {
         beside,
         anchor,
     };
-    let below = RADIUS + 16.0;
-    let above = -RADIUS - 8.0;
-    Some(vec![
+    let below = RADIUS + 20.0;
+    let above = -RADIUS - 9.0;
+    Ok(vec![
         globe(
             "waves, backwards",
             [-2.1, 1.0],
             2.0,
-            [0.0, below],
+            [6.0, below],
             Anchor::Middle,
         ),
-        globe("loops", [-0.75, 2.75], 3.0, [0.0, above], Anchor::Middle),
-        globe("cusps", [1.0, 2.0], 3.0, [-18.0, above], Anchor::Middle),
+        globe("loops", [-1.1, 2.75], 3.0, [0.0, above], Anchor::Middle),
+        globe("cusps", [1.0, 2.0], 3.0, [-24.0, above], Anchor::Middle),
         globe(
             "waves",
             [2.0, 1.0],
             1.5,
-            [RADIUS + 7.0, 14.0],
+            [RADIUS + 8.0, 18.0],
             Anchor::Start,
         ),
         globe(
-            "slow",
+            "slow circle",
             [vertical(slow, 3.0), 3.0],
             1.0,
-            [-6.0, above],
+            [-22.0, above],
             Anchor::End,
         ),
         globe(
-            "fast",
+            "fast circle",
             [vertical(fast, 2.0), 2.0],
             1.0,
-            [RADIUS + 7.0, 6.0],
+            [8.0, below],
             Anchor::Start,
         ),
-        globe("loops", [3.15, 3.5], 5.0, [0.0, above], Anchor::Middle),
-        globe("waves", [4.45, 3.3], 2.5, [0.0, above], Anchor::Middle),
-        globe("pendulum", [0.6, 0.0], 4.0, [0.0, below], Anchor::Middle),
+        globe("loops", [3.25, 3.6], 5.0, [0.0, above], Anchor::Middle),
+        globe("waves", [4.6, 3.05], 2.5, [0.0, above], Anchor::Middle),
+        globe("pendulum", [0.75, 0.0], 4.0, [0.0, below], Anchor::Middle),
     ])
 }
 
@@ -159,35 +159,39 @@ fn clear(pen: &mut Pen<'_>, points: &[Point], globes: &[Globe], style: Stroke) {
 }
 
 /// The lines that part the kinds of motion, each by its L₃ and L_vert.
-fn borders() -> [(Vec<Point>, bool); 6] {
+fn borders() -> Result<[(Vec<Point>, bool); 6]> {
     let along = |from: f64, to: f64, vertical: &dyn Fn(f64) -> f64| -> Vec<Point> {
         (0..=900)
             .map(|k| from + (to - from) * f64::from(k) / 900.0)
             .map(|axial| place(vertical(axial), axial))
             .collect()
     };
-    let pure = |k: usize| {
-        move |axial: f64| {
-            pure_rates(HEIGHT, axial).map_or(f64::NAN, |rates| vertical(rates[k], axial))
-        }
-    };
     let top = REACH[2];
     let least = (4.0 * HEIGHT).sqrt() * (1.0 + f64::EPSILON);
+    let pure = |which: usize| -> Result<Vec<Point>> {
+        (0..=900)
+            .map(|k| least + (top - least) * f64::from(k) / 900.0)
+            .map(|axial| {
+                let rate = pure_rates(HEIGHT, axial)?[which];
+                Ok(place(vertical(rate, axial), axial))
+            })
+            .collect()
+    };
     // Released from rest at cos θ = 1/2 + 3/(2L₃²) it dips to 60 degrees; from the top itself for L₃ = √3.
     let rest = |axial: f64| axial * HEIGHT + (1.0 - HEIGHT * HEIGHT) * 2.0 / axial;
-    [
+    Ok([
         (along(0.0, top, &|axial| axial * HEIGHT), false),
         (along(3.0_f64.sqrt(), top, &rest), false),
         (along(0.0, top, &|axial| -axial), true),
         (along(3.0_f64.sqrt(), top, &|axial| axial), true),
-        (along(least, top, &pure(0)), false),
-        (along(least, top, &pure(1)), false),
-    ]
+        (pure(0)?, false),
+        (pure(1)?, false),
+    ])
 }
 
 /// The kinds of nutation on the map of the two momenta.
 pub fn nutations() -> Result<Figure> {
-    let globes = globes().unwrap_or_default();
+    let globes = globes()?;
     let drawn = globes
         .iter()
         .map(|globe| {
@@ -212,27 +216,17 @@ pub fn nutations() -> Result<Figure> {
             Ok((trace, [roots.h1, roots.h2], azimuth))
         })
         .collect::<Result<Vec<_>>>()?;
-    let turn = |k: usize| -> Result<f64> {
-        let advance = globes[k].top()?.precession_per_nutation();
-        Ok(advance.unwrap_or(f64::NAN).to_degrees())
-    };
-    let (cusps, waves) = (turn(2)?, turn(3)?);
     let [slow, fast] = [4, 5].map(|k: usize| {
         (globes[k].momenta[0] - globes[k].momenta[1] * HEIGHT) / (1.0 - HEIGHT * HEIGHT)
     });
     let words = Words {
         claim: "Two momenta decide whether the nose draws waves, cusps, loops or a circle.".to_owned(),
         details: format!(
-            "Every top starts at its turning point 60° from the vertical, $I_1 = Mg\\ell = 1$; its sphere stands at its \
-             $L_{{\\mathrm{{vert}}}}$ and $L_3$. Solid lines, orange: pure precession, slow on its left branch (drawn for $L_3 = 3$ at the \
-             rate {}) and fast on the right one ($L_3 = 2$, rate {}). Dashed: cusps. Dotted: the nose passes the top or the bottom of the sphere. Between the \
-             branches of the solid line the nose rises from 60°, elsewhere it dips. Waves, cusps, loops and a circle of \
-             latitude are the tutorial's pictures k, l, m and n. Exchange $L_3$ and $L_{{\\mathrm{{vert}}}}$ and the tilt \
-             goes the same way: cusps at (1, 2) turn by {}° in a nutation, their waves at (2, 1) by {}°.",
+            "The tutorial's pictures k, l, m and n, each at its place: every top starts 60° from the vertical, where its tilt turns, with \
+             $I_1 = Mg\\ell = 1$. Dashed: cusps. Orange: pure precession, slow ({} at $L_3 = 3$) on the left branch and fast ({} at \
+             $L_3 = 2$) on the right. Dotted: the nose passes the top or the bottom of its sphere.",
             number(slow, 4),
             number(fast, 4),
-            number(cusps, 2),
-            number(waves, 2),
         ),
         alt: "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \
               the trace of the nose of a top that starts 60 degrees from the vertical. From left to right: backward waves, loops, \
@@ -241,7 +235,8 @@ pub fn nutations() -> Result<Figure> {
               pendulum. Loops shrink to cusps where the dashed line is crossed and open to waves beyond."
             .to_owned(),
     };
-    Ok(figure("nutations", 382.0, words, |pen| {
+    let borders = borders()?;
+    Ok(figure("nutations", 574.0, words, |pen| {
         let [left, right, top] = REACH;
         let ink = stroke(Role::Ink, AXIS);
         let axis = |from: Point, to: Point| -> Vec<Point> {
@@ -271,7 +266,7 @@ pub fn nutations() -> Result<Figure> {
                 );
             }
         }
-        for k in [1, 4] {
+        for k in [1, 2, 3, 4] {
             let [x, y] = place(0.0, f64::from(k));
             pen.line(&[[x - 5.0, y], [x, y]], ink);
             pen.text(
@@ -282,25 +277,25 @@ pub fn nutations() -> Result<Figure> {
             );
         }
         pen.text(
-            [place(right, 0.0)[0], ORIGIN[1] + 44.0],
+            [place(right, 0.0)[0], ORIGIN[1] + 48.0],
             Anchor::End,
             "*L*_{vert}",
             label(Role::AngularMomentum),
         );
         let [x, y] = place(0.0, top);
         pen.text(
-            [x - 9.0, y + 10.0],
-            Anchor::End,
+            [x + 9.0, y + 10.0],
+            Anchor::Start,
             "*L*_{3}",
             label(Role::AngularMomentum),
         );
-        for (k, (points, pole)) in borders().into_iter().enumerate() {
+        for (k, (points, pole)) in borders.iter().enumerate() {
             let style = match (k, pole) {
-                (_, true) => stroke(Role::Muted, AXIS).dotted(),
+                (_, true) => stroke(Role::Muted, SECONDARY).dotted(),
                 (0 | 1, _) => stroke(Role::Ink, SECONDARY).dashed(),
                 _ => stroke(Role::AngularMomentum, 1.8),
             };
-            clear(pen, &points, &globes, style);
+            clear(pen, points, &globes, style);
         }
         for (globe, (trace, heights, azimuth)) in globes.iter().zip(&drawn) {
             globe.draw(pen, trace, *heights, *azimuth);
@@ -318,8 +313,8 @@ mod tests {
     fn the_borders_part_the_kinds() {
         let kind = |at: Point, shift: f64| {
             let momenta = [
-                (at[0] - ORIGIN[0]) / UNIT + shift,
-                (ORIGIN[1] - at[1]) / UNIT,
+                (at[0] - ORIGIN[0]) / UNIT[0] + shift,
+                (ORIGIN[1] - at[1]) / UNIT[1],
             ];
             let top = Globe {
                 name: "",
@@ -331,7 +326,7 @@ mod tests {
             .top();
             top.map(|top| top.kind()).expect("a finite top")
         };
-        for (k, (points, _)) in borders().into_iter().enumerate() {
+        for (k, (points, _)) in borders().expect("finite tops").into_iter().enumerate() {
             for at in points.iter().skip(100).step_by(100) {
                 let sides = [kind(*at, -1e-4), kind(*at, 1e-4)];
                 let expected = match k {

@@ -8,7 +8,7 @@ use spinning_bodies::{Error, Result};
 use super::{launch, pure_rates};
 use crate::Figure;
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, Words, figure, label, number, small, stroke,
 };
 
 /// L₃ of the curves, and how they are drawn.
@@ -33,10 +33,7 @@ fn branch(axial: f64, which: usize, tilts: [f64; 2]) -> Result<Vec<Point>> {
         // Closer towards the ends, where the slow and the fast branch meet.
         let share = 0.5 - 0.5 * (PI * f64::from(k) / f64::from(STEPS)).cos();
         let tilt = tilts[0] + (tilts[1] - tilts[0]) * share;
-        let Some(rates) = pure_rates(tilt.cos(), axial) else {
-            continue;
-        };
-        let rate = rates[which];
+        let rate = pure_rates(tilt.cos(), axial)?[which];
         if !(SHOWN[0]..=SHOWN[1]).contains(&rate) {
             continue;
         }
@@ -74,19 +71,17 @@ pub fn precession_rates() -> Result<Figure> {
     }
     let slowest = SPINS[0].0;
     let end = least_tilt(slowest);
-    let [slow, fast] = pure_rates(0.5, 3.0).unwrap_or([f64::NAN; 2]);
+    let [slow, fast] = pure_rates(0.5, 3.0)?;
     let words = Words {
         claim: "A tilted top can precess slowly or fast; if its spin is too slow and its axis too steep, not at all.".to_owned(),
         details: format!(
-            "Rates of pure precession against the tilt for $L_3 = {}$, 2 and 3, $I_1 = Mg\\ell = 1$: slow solid, fast dashed. For $L_3 = 3$ at \
-             60° they are {} and {}. Below $L_3 = 2$ they meet where $L_3^2 = 4I_1Mg\\ell\\cos\\theta$, at {}° for $L_3 = {}$, and there is none for a \
-             steeper axis. At 90° the slow rate is exactly $Mg\\ell/L_3$ and the fast one infinite; below the horizontal it goes the other \
-             way round. Dotted: where the two meet, for all spins.",
+            "Rates of pure precession against the tilt for $L_3 = {}$, 2 and 3, $I_1 = Mg\\ell = 1.$ Slow solid, fast dashed: {} and {} for \
+             $L_3 = 3$ at 60°. Dotted: where the two meet; for $L_3 = {}$ that is at {}°, and a steeper axis has no rate at all.",
             number(slowest, 1),
             number(slow, 4),
             number(fast, 4),
-            number(end.to_degrees(), 2),
             number(slowest, 1),
+            number(end.to_degrees(), 2),
         ),
         alt: "Rates of precession against the tilt from 0 to 180 degrees. For each of three spins a slow branch, low and nearly level, falls \
               gently to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. \
@@ -102,7 +97,7 @@ pub fn precession_rates() -> Result<Figure> {
             .filter(|(_, rate)| *rate < SHOWN[1])
             .map(|(tilt, rate)| place(tilt, rate))
             .collect();
-        pen.line(&meeting, stroke(Role::Muted, SECONDARY).dotted());
+        pen.line(&meeting, stroke(Role::Muted, 1.6).dotted());
         for (width, fast, points) in &curves {
             let style = stroke(Role::Ink, *width);
             pen.line(points, if *fast { style.dashed() } else { style });

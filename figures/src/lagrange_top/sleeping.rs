@@ -57,13 +57,12 @@ pub fn sleeping_threshold() -> Result<Figure> {
     };
     let (above, at, below) = (tilt(2.4)?, tilt(2.0)?, tilt(1.7)?);
     let words = Words {
-        claim: "The top sleeps as long as the third root stays beyond the double root of the upright axis.".to_owned(),
+        claim: "A top sleeps until its third root has come down past the upright position."
+            .to_owned(),
         details: format!(
-            "$f(h)$ of the upright top, $h = \\cos\\theta$, for $L_3$ from 2.4 to 1.7, $I_1 = Mg\\ell = 1$, threshold $L_3 = 2$. \
-             The axis is shaded where the nose can be. Above the threshold $f$ is negative on both sides of $h = 1$; below it \
-             opens down to the third root, $\\cos\\theta = {}$ for \
-             $L_3 = 1.7$. At the threshold the root is triple and $f$ still negative. A kick of 0.01 tilts the three tops by {}°, {}° and \
-             {}°.",
+            "$f(h)$ of an upright top, $I_1 = Mg\\ell = 1$, as $L_3$ falls from 2.4 to 1.7. The motion needs $f\\ge0$: shaded, the room \
+             below $h = 1$ that opens under the threshold $L_3 = 2$, down to $\\cos\\theta = {}$ for 1.7. A sideways kick of 0.01 tilts the \
+             top by {}° at $L_3 = 2.4$, by {}° at 2 and by {}° at 1.7.",
             number(loner(&curves[4].1), 3),
             number(above, 2),
             number(at, 2),
@@ -90,6 +89,15 @@ pub fn sleeping_threshold() -> Result<Figure> {
                 core::cmp::Ordering::Equal => stroke(Role::AngularMomentum, 2.6),
                 core::cmp::Ordering::Less => stroke(Role::Ink, SECONDARY).dashed(),
             };
+            // The room that the top may fall into.
+            let room: Vec<Point> = points
+                .iter()
+                .filter(|p| p[0] <= place(1.0, 0.0)[0] && p[1] <= FRAME[2])
+                .copied()
+                .collect();
+            if *axial < 2.0 {
+                pen.fill(&room, Role::Ink, 0.13);
+            }
             pen.line(&points, style);
             let root = loner(roots);
             if root < SHOWN[1] {
@@ -120,16 +128,6 @@ fn axes(pen: &mut Pen<'_>) {
     let ink = stroke(Role::Ink, AXIS);
     pen.line(&[place(SHOWN[0], 0.0), place(SHOWN[1], 0.0)], ink);
     pen.line(&[place(SHOWN[0], CUT[0]), place(SHOWN[0], CUT[1])], ink);
-    pen.fill(
-        &[
-            place(SHOWN[0], 0.0),
-            place(1.0, 0.0),
-            [place(1.0, 0.0)[0], FRAME[2] + 7.0],
-            [FRAME[0], FRAME[2] + 7.0],
-        ],
-        Role::Ink,
-        0.14,
-    );
     pen.line(
         &[place(1.0, CUT[0]), place(1.0, CUT[1])],
         stroke(Role::Muted, HAIR).dotted(),

@@ -1,18 +1,6 @@
-//! Round bodies that skid and roll (tutorial 4.3): the billiard shot and what the cloth makes of it.
-//!
-//! Planar throughout. Velocity is positive in the direction of travel, and spin is positive when the body turns
-//! the way it would roll. Spin is given as *rim speed* RΩ, so that rolling means velocity = rim speed and the
-//! contact point slips at velocity − rim speed.
-//!
-//! ```
-//! use spinning_bodies::rolling::{RoundBody, factor};
-//!
-//! let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
-//! assert_eq!(ball.pure_rolling_height(), 1.4); // the chestnut: 7R/5 above the table
-//! # Ok::<(), spinning_bodies::Error>(())
-//! ```
+//! The billiard shot (tutorial 4.3): the blow of the cue and the sliding that follows it.
 
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Result, finite, not_negative, positive, within};
 
 /// Inertia factors κ = I/(MR²), dimensionless.
 pub mod factor {
@@ -75,17 +63,10 @@ impl RoundBody {
     /// A body of `mass` (kg), rolling `radius` (m) and inertia factor κ = I/(MR²) (dimensionless; see [`factor`]).
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::OutOfRange`] if κ > 1, more than the rim itself has.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) if κ > 1, more than the rim itself has.
     pub fn new(mass: f64, radius: f64, inertia_factor: f64) -> Result<Self> {
-        let inertia_factor = positive("the inertia factor", inertia_factor)?;
-        if inertia_factor > 1.0 {
-            return Err(Error::OutOfRange {
-                quantity: "the inertia factor",
-                value: inertia_factor,
-                least: 0.0,
-                greatest: 1.0,
-            });
-        }
+        positive("the inertia factor", inertia_factor)?;
+        let inertia_factor = within("the inertia factor", inertia_factor, 0.0, 1.0)?;
         Ok(Self {
             mass: positive("the mass", mass)?,
             radius: positive("the radius", radius)?,
@@ -119,7 +100,7 @@ impl RoundBody {
     /// Formed as ((1+κ) − H/R)/κ: zero exactly at [`Self::pure_rolling_height`], and within two roundings elsewhere.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] if the cue misses, H outside 0…2R.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) if the cue misses, H outside 0…2R.
     pub fn cue_slip(&self, height_over_radius: f64) -> Result<f64> {
         let height = height_on_body(height_over_radius)?;
         Ok((self.pure_rolling_height() - height) / self.inertia_factor)
@@ -139,7 +120,7 @@ impl RoundBody {
     /// The body after a level stroke at height H that gave its centre the velocity V' (m/s); the regime is decided here.
     ///
     /// # Errors
-    /// As [`Self::cue_slip`]; [`Error::NotPositive`] if the velocity is not.
+    /// As [`Self::cue_slip`]; [`Error::NotPositive`](crate::Error::NotPositive) if the velocity is not.
     pub fn strike(&self, height_over_radius: f64, velocity: f64) -> Result<Shot> {
         let velocity = positive("the velocity after the stroke", velocity)?;
         let relative = self.cue_slip(height_over_radius)?;
@@ -169,7 +150,7 @@ impl RoundBody {
     /// stroke near 7R/5, use [`Shot::slide`], where u comes from the height and nothing cancels.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a number that is not, or a result that overflows; [`Error::NotPositive`] for μ or g.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for a number that is not, or a result that overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
     pub fn slide_to_roll(
         &self,
         velocity: f64,
@@ -202,6 +183,11 @@ impl RoundBody {
 }
 
 impl Shot {
+    /// What was struck.
+    pub fn body(&self) -> RoundBody {
+        self.body
+    }
+
     /// How the body leaves the cue.
     pub fn regime(&self) -> Regime {
         self.regime
@@ -234,18 +220,12 @@ impl Shot {
 
 /// `height_over_radius`, if a level cue at that height meets the body.
 fn height_on_body(height_over_radius: f64) -> Result<f64> {
-    let quantity = "the height of the stroke in radii";
-    let value = finite(quantity, height_over_radius)?;
-    if (0.0..=2.0).contains(&value) {
-        Ok(value)
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            least: 0.0,
-            greatest: 2.0,
-        })
-    }
+    within(
+        "the height of the stroke in radii",
+        height_over_radius,
+        0.0,
+        2.0,
+    )
 }
 
 /// [`RoundBody::slide_to_roll`] for a homogeneous ball of unit mass: its `heat` is per kilogram, the rest holds for every ball.

@@ -12,6 +12,11 @@
 //! assert_eq!(third.velocity, Ratio::new(-333, 343)); // it comes back out
 //! ```
 
+pub mod flight;
+mod losses;
+
+pub use losses::{Restitution, bounce_with, gripping_bounce, return_threshold};
+
 use core::f64::consts::PI;
 
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Num};
@@ -288,6 +293,16 @@ impl BounceRotation {
             velocity: along,
             rim_speed,
         }
+    }
+
+    /// V₁ + V₂ + … + V_n, velocities after bounces 1…n, floor first: where bounce n+1 happens, in flights (4.6).
+    ///
+    /// The sum of a geometric series of rotations: with gⁿ = p + q√−κ it is ½(p − 1 + q)V + ½(κq − p + 1)RΩ, so it never leaves
+    /// [`reach`]. Error and cost as [`Self::after`].
+    pub fn place(&self, start: Motion<f64>, bounces: u64) -> f64 {
+        let [p, q] = self.power(bounces);
+        let kappa = self.kappa.value();
+        0.5 * ((p - 1.0 + q) * start.velocity + (kappa * q - p + 1.0) * start.rim_speed)
     }
 
     fn power(&self, mut exponent: u64) -> [f64; 2] {

@@ -1,0 +1,239 @@
+//! `kind = "meteorite"`, `"roller"`, `"spool"`, `"superball"`: what strikes, skids, rolls and bounces (4.2 to 4.6).
+//!
+//! | kind | `[body]` | `[initial]` | `[effects]` |
+//! |---|---|---|---|
+//! | meteorite | mass, moments | velocity, omega | impact_mass, impact_velocity, impact_at |
+//! | roller | mass, radius, inertia_factor | velocity, rim_speed or cue_height (in radii) | friction, static_friction, rolling_resistance, sheet_friction, sheet_times, sheet_speeds, sheet_margin |
+//! | spool | the same and axle | velocity, rim_speed | tension, tug_angle, and friction as above |
+//! | superball | mass, inertia_factor | height, climb, velocity, rim_speed | ceiling, restitution, tangential_restitution, grip |
+//!
+//! All but the first take `gravity`; what lies on a table must have it.
+
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::impacts::{Meteorite, Planet};
+use spinning_bodies::inertia::InertiaMatrix;
+use spinning_bodies::rolling::RoundBody;
+use spinning_bodies::rolling::course::{Coulomb, RollingResistance};
+use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
+use spinning_bodies::rolling::spool::{Spool, Tug};
+use spinning_bodies::scene::meteorite::{self, Impact, StruckPlanet};
+use spinning_bodies::scene::roller::{self, Roller};
+use spinning_bodies::scene::spool::{self, TuggedSpool};
+use spinning_bodies::scene::superball::{self, Superball};
+use spinning_bodies::superball::flight::{InFlight, Slipping, Weight};
+use spinning_bodies::superball::{Motion, Restitution};
+
+use super::reader::Section;
+use super::{Ready, Table};
+use crate::Result;
+
+const BALL: f64 = 0.4;
+const GRAVITY: &str = "an acceleration in m/s²";
+const SPEED: &str = "a speed in m/s";
+const RATIO: &str = "a ratio without a unit";
+
+fn round(section: &Section<'_>) -> Result<RoundBody> {
+    let mass = section.number("mass", "a mass in kg")?;
+    let radius = section.number("radius", "a radius in m")?;
+    let kappa = section.number_or("inertia_factor", RATIO, BALL)?;
+    RoundBody::new(mass, radius, kappa).map_err(section.about("inertia_factor"))
+}
+
+fn friction(section: &Section<'_>) -> Result<Option<Coulomb>> {
+    let kinetic = section.optional("friction", RATIO)?;
+    let grip = section.optional("static_friction", RATIO)?;
+    match (kinetic, grip) {
+        (Some(kinetic), grip) => Coulomb::with_grip(kinetic, grip.unwrap_or(kinetic))
+            .map(Some)
+            .map_err(section.about("friction")),
+        (None, None) => Ok(None),
+        (None, Some(_)) => Err(section.refused("static_friction", "needs `friction` beside it")),
+    }
+}
+
+fn resistance(section: &Section<'_>) -> Result<Option<RollingResistance>> {
+    const KEY: &str = "rolling_resistance";
+    let arm = section.optional(KEY, RATIO)?;
+    arm.map(RollingResistance::new)
+        .transpose()
+        .map_err(section.about(KEY))
+}
+
+/// A sheet that is not yet under anything.
+type Pulled = (Coulomb, SheetSpeeds, f64);
+
+fn sheet(section: &Section<'_>) -> Result<Option<Pulled>> {
+    let keys = [
+        "sheet_friction",
+        "sheet_times",
+        "sheet_speeds",
+        "sheet_margin",
+    ];
+    if !keys.iter().any(|key| section.has(key)) {
+        return Ok(None);
+    }
+    let law = section.number(keys[0], RATIO)?;
+    let law = Coulomb::new(law).map_err(section.about(keys[0]))?;
+    let list = |key, what: &str| {
+        let numbers = section.optional_numbers(key, what)?;
+        numbers.ok_or_else(|| section.refused(key, format!("is missing: {what} is expected")))
+    };
+    let times = list(keys[1], "a list of times in s")?;
+    let speeds = list(keys[2], "a list of speeds in m/s")?;
+    if times.len() != speeds.len() {
+        let told = format!(
+            "must be as many as sheet_times, {}, got {}",
+            times.len(),
+            speeds.len()
+        );
+        return Err(section.refused(keys[2], told));
+    }
+    let points: Vec<(f64, f64)> = times.into_iter().zip(speeds).collect();
+    let speeds = SheetSpeeds::through(points).map_err(section.about(keys[1]))?;
+    let margin = section.number(keys[3], "a distance in m")?;
+    Sheet::new(law, &speeds, margin).map_err(section.about(keys[3]))?;
+    Ok(Some((law, speeds, margin)))
+}
+
+pub fn roller(file: &Section<'_>) -> Result<Ready> {
+    let section = file.section("body")?;
+    let body = round(&section)?;
+    section.done()?;
+    let effects = file.section("effects")?;
+    let gravity = effects.number("gravity", GRAVITY)?;
+    let (law, arm, pulled) = (friction(&effects)?, resistance(&effects)?, sheet(&effects)?);
+    effects.done()?;
+    let section = file.section("initial")?;
+    let velocity = section.number_or("velocity", SPEED, 0.0)?;
+    let rim = section.optional("rim_speed", SPEED)?;
+    let scene = match (rim, section.optional("cue_height", RATIO)?) {
+        (Some(_), Some(_)) => {
+            return Err(section.refused("rim_speed", "and `cue_height` exclude each other"));
+        }
+        (None, Some(height)) => body
+            .strike(height, velocity)
+            .and_then(|shot| Roller::after(&shot, gravity))
+            .map_err(section.about("cue_height"))?,
+        (rim, None) => Roller::new(body, gravity, velocity, rim.unwrap_or(0.0))
+            .map_err(section.about("velocity"))?,
+    };
+    section.done()?;
+    Ok(Ready(Box::new(move |request| {
+        let sheet = match &pulled {
+            Some((law, speeds, margin)) => Some(Sheet::new(*law, speeds, *margin)?),
+            None => None,
+        };
+        roller::listed(scene, law, arm, sheet, request).map(Table::of)
+    })))
+}
+
+pub fn spool(file: &Section<'_>) -> Result<Ready> {
+    let section = file.section("body")?;
+    let body = round(&section)?;
+    let axle = section.number("axle", "a radius in m")?;
+    let reel = Spool::new(body, axle).map_err(section.about("axle"))?;
+    section.done()?;
+    let effects = file.section("effects")?;
+    let gravity = effects.number("gravity", GRAVITY)?;
+    let (law, arm) = (friction(&effects)?, resistance(&effects)?);
+    let tension = effects.optional("tension", "a force in N")?;
+    let tug = match (tension, effects.optional("tug_angle", "an angle in rad")?) {
+        (Some(tension), Some(angle)) => {
+            Some(Tug::new(tension, angle).map_err(effects.about("tension"))?)
+        }
+        (None, None) => None,
+        _ => return Err(effects.refused("tension", "and `tug_angle` belong together")),
+    };
+    let scene = TuggedSpool::new(reel, gravity).map_err(effects.about("gravity"))?;
+    effects.done()?;
+    let section = file.section("initial")?;
+    let velocity = section.number_or("velocity", SPEED, 0.0)?;
+    let scene = scene.moving(velocity, section.number_or("rim_speed", SPEED, 0.0)?);
+    section.done()?;
+    Ok(Ready(Box::new(move |request| {
+        spool::listed(scene, tug, law, arm, request).map(Table::of)
+    })))
+}
+
+pub fn superball(file: &Section<'_>) -> Result<Ready> {
+    let section = file.section("initial")?;
+    let start = InFlight {
+        position: 0.0,
+        height: section.number("height", "a height in m")?,
+        climb: section.number_or("climb", SPEED, 0.0)?,
+        motion: Motion {
+            velocity: section.number_or("velocity", SPEED, 0.0)?,
+            rim_speed: section.number_or("rim_speed", SPEED, 0.0)?,
+        },
+        bounces: 0,
+    };
+    section.done()?;
+    let section = file.section("body")?;
+    let mass = section.number("mass", "a mass in kg")?;
+    let kappa = section.number_or("inertia_factor", RATIO, BALL)?;
+    let mut ball = Superball::new(mass, kappa, start).map_err(section.about("mass"))?;
+    section.done()?;
+    let effects = file.section("effects")?;
+    if let Some(room) = effects.optional("ceiling", "a height in m")? {
+        ball = ball.under(room);
+    }
+    ball.flight().map_err(effects.about("ceiling"))?;
+    let gravity = effects
+        .optional("gravity", GRAVITY)?
+        .map(Weight::new)
+        .transpose();
+    let gravity = gravity.map_err(effects.about("gravity"))?;
+    let normal = effects.optional("restitution", RATIO)?;
+    let tangential = effects.optional("tangential_restitution", RATIO)?;
+    let restitution = if normal.is_some() || tangential.is_some() {
+        let both = Restitution::new(normal.unwrap_or(1.0), tangential.unwrap_or(1.0));
+        Some(both.map_err(effects.about("restitution"))?)
+    } else {
+        None
+    };
+    let grip = effects
+        .optional("grip", RATIO)?
+        .map(Slipping::new)
+        .transpose();
+    let grip = grip.map_err(effects.about("grip"))?;
+    effects.done()?;
+    Ok(Ready(Box::new(move |request| {
+        superball::listed(ball, gravity, restitution, grip, request).map(Table::of)
+    })))
+}
+
+pub fn meteorite(file: &Section<'_>) -> Result<Ready> {
+    let section = file.section("initial")?;
+    let zero = BodyVector::zero;
+    let velocity = section
+        .optional_vector("velocity", "a velocity in m/s")?
+        .unwrap_or_else(zero);
+    let omega = section.optional_vector("omega", "an angular velocity in rad/s")?;
+    section.done()?;
+    let section = file.section("body")?;
+    let mass = section.number("mass", "a mass in kg")?;
+    let [a, b, c] = section.list("moments", "principal moments in kg m²")?;
+    let inertia = InertiaMatrix::diagonal(a, b, c).map_err(section.about("moments"))?;
+    let planet = Planet::new(mass, inertia, velocity, omega.unwrap_or_else(zero))
+        .map_err(section.about("moments"))?;
+    section.done()?;
+    let effects = file.section("effects")?;
+    let impact_mass = effects.optional("impact_mass", "a mass in kg")?;
+    let flight = effects.optional_vector("impact_velocity", "a velocity in m/s")?;
+    let at = effects.optional_vector("impact_at", "a place in m")?;
+    let impact = match (impact_mass, flight, at) {
+        (Some(mass), Some(velocity), Some(at)) => Some(Impact {
+            meteorite: Meteorite::new(mass, velocity).map_err(effects.about("impact_mass"))?,
+            at,
+        }),
+        (None, None, None) => None,
+        _ => {
+            let told = "`impact_velocity` and `impact_at` belong together";
+            return Err(effects.refused("impact_mass", told));
+        }
+    };
+    effects.done()?;
+    Ok(Ready(Box::new(move |request| {
+        meteorite::listed(StruckPlanet::new(planet), impact, request).map(Table::of)
+    })))
+}

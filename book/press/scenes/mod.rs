@@ -1,0 +1,184 @@
+//! Scene files: a TOML file becomes a scene of the library, the scene a table of numbers.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`reader`] | tables and keys; every refusal in one line that names file and key |
+//! | [`run`] | times, accuracy, solver |
+//! | [`output`] | CSV and JSON |
+//! | [`scan`] | one file, some of its numbers varied, on all cores |
+//! | one a kind | the scene that the file describes: `top` (no `kind` given), … |
+//!
+//! A new kind brings a module with a function `read(&Section) -> Result<Ready>` and a line in [`KINDS`].
+
+mod contact;
+pub mod output;
+pub mod reader;
+pub mod run;
+pub mod scan;
+mod shape;
+mod strip;
+mod top;
+mod yo_yo;
+
+use std::io::Read;
+use std::path::Path;
+use std::time::Instant;
+
+use spinning_bodies::conservation::Ledger;
+use spinning_bodies::integrators::Cost;
+use spinning_bodies::scene::{Plan, Request, Scene, Tabulated};
+
+use crate::{Error, Result};
+use reader::Section;
+
+/// Reads a scene of one kind: all sections but `[run]`.
+type Reader = fn(&Section<'_>) -> Result<Ready>;
+
+/// The kinds of scene, the first being the one without `kind`.
+const KINDS: &[(&str, Reader)] = &[
+    ("top", top::read),
+    ("meteorite", contact::meteorite),
+    ("roller", contact::roller),
+    ("spool", contact::spool),
+    ("superball", contact::superball),
+    ("yo-yo", yo_yo::read),
+    ("strip", strip::read),
+    ("swivel", shape::swivel),
+    ("skater", shape::skater),
+    ("cat", shape::cat),
+    ("paper-cat", shape::paper_cat),
+    ("crawler", shape::crawler),
+];
+
+/// A scene that is ready to run.
+pub struct Ready(Box<dyn Fn(&Request) -> spinning_bodies::Result<Table>>);
+
+/// A motion as numbers.
+#[derive(Debug)]
+pub struct Table {
+    /// The solver, and why.
+    pub plan: Plan,
+    /// What the solver spent.
+    pub cost: Cost,
+    /// What was kept.
+    pub ledger: Ledger,
+    /// Names of the numbers in a row, after the time.
+    pub columns: &'static [&'static str],
+    /// Time, and as many numbers as there are columns.
+    pub rows: Vec<(f64, Vec<f64>)>,
+}
+
+impl std::fmt::Debug for Ready {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Ready")
+    }
+}
+
+impl Table {
+    /// The numbers of a motion.
+    fn of<S: Tabulated>(motion: spinning_bodies::scene::Motion<S>) -> Self {
+        let rows = motion.rows.iter().map(|(t, state)| (*t, state.row()));
+        Self {
+            rows: rows.collect(),
+            plan: motion.plan,
+            cost: motion.cost,
+            ledger: motion.ledger,
+            columns: S::COLUMNS,
+        }
+    }
+}
+
+impl Ready {
+    /// This scene of the library.
+    pub fn scene<S: Tabulated + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
+        Self(Box::new(move |request| {
+            let motion = scene.simulate(request)?;
+            let rows = motion.rows.iter().map(|(t, state)| (*t, state.row()));
+            Ok(Table {
+                rows: rows.collect(),
+                plan: motion.plan,
+                cost: motion.cost,
+                ledger: motion.ledger,
+                columns: S::COLUMNS,
+            })
+        }))
+    }
+}
+
+/// Reads a scene file, `-` being standard input, runs the scene, and gives what came of it with the seconds it took.
+///
+/// # Errors
+/// [`Error::Input`] for a file that is not a scene, and for a scene that is impossible; [`Error::Failed`] where the motion could not be
+/// followed; [`Error::File`].
+pub fn simulate(path: &Path) -> Result<(Table, f64)> {
+    let (name, text) = source(path)?;
+    let (scene, request) = parse(&name, &text)?;
+    let start = Instant::now();
+    let table = scene.0(&request).map_err(|error| told(&name, error))?;
+    Ok((table, start.elapsed().as_secs_f64()))
+}
+
+/// The scene and the request that a file's text describes.
+///
+/// # Errors
+/// [`Error::Input`].
+pub fn parse(name: &str, text: &str) -> Result<(Ready, Request)> {
+    prepare(name, &table(name, text)?)
+}
+
+fn table(name: &str, text: &str) -> Result<toml::Table> {
+    text.parse().map_err(|error: toml::de::Error| {
+        let line = error.span().map_or(1, |span| line_of(text, span.start));
+        Error::Input(format!("{name}:{line}: {}", error.message()))
+    })
+}
+
+fn prepare(name: &str, table: &toml::Table) -> Result<(Ready, Request)> {
+    let file = Section::whole(name, table);
+    file.optional_text("title", "a title in quotes")?;
+    let read = file.word("kind", KINDS)?;
+    let scene = read(&file)?;
+    let section = file.section("run")?;
+    let request = run::read(&section)?;
+    section.done()?;
+    file.done()?;
+    Ok((scene, request))
+}
+
+fn source(path: &Path) -> Result<(String, String)> {
+    if path == Path::new("-") {
+        let mut text = String::new();
+        let read = std::io::stdin().lock().read_to_string(&mut text);
+        return match read {
+            Ok(_) => Ok(("standard input".to_owned(), text)),
+            Err(error) => Err(Error::Input(format!("standard input: {error}"))),
+        };
+    }
+    let name = path.display().to_string();
+    let read = std::fs::read_to_string(path);
+    let text =
+        read.map_err(|error| Error::Input(format!("{name}: {error}; a scene file is expected")))?;
+    Ok((name, text))
+}
+
+/// The file asks for something impossible, or the motion could not be followed: two exit statuses.
+fn told(name: &str, error: spinning_bodies::Error) -> Error {
+    use spinning_bodies::Error as Refusal;
+    match error {
+        Refusal::Integration { .. } | Refusal::Ledger { .. } => {
+            Error::Failed(format!("{name}: {error}"))
+        }
+        Refusal::Accuracy { .. } => Error::Failed(format!(
+            "{name}: {error}; ask for less by `accuracy` in [run], or for a shorter time"
+        )),
+        Refusal::Condition { condition, .. } if condition.starts_with("the solver") => {
+            Error::Input(format!("{name}: key `solver` in [run]: {condition}"))
+        }
+        other => Error::Input(format!("{name}: {other}")),
+    }
+}
+
+fn line_of(text: &str, place: usize) -> usize {
+    text.get(..place)
+        .map_or(1, |before| before.matches('\n').count() + 1)
+}

@@ -1,0 +1,98 @@
+//! `kind = "top"`, or no kind: a body with a fixed point.
+//!
+//! `[body]` mass, moments, center_of_mass; `[initial]` attitude, omega or angular_momentum; `[effects]` gravity, pivot_friction,
+//! bearing_friction, air_drag, tip_friction.
+
+use spinning_bodies::scene::top::{
+    AirDrag, BearingFriction, Body, Gravity, Listed, PivotFriction, Start, TipFriction,
+};
+
+use super::Ready;
+use super::reader::Section;
+use crate::Result;
+
+pub fn read(file: &Section<'_>) -> Result<Ready> {
+    let effects = file.section("effects")?;
+    let listed = listed(&effects)?;
+    effects.done()?;
+    let section = file.section("body")?;
+    let body = body(&section, &listed)?;
+    section.done()?;
+    let section = file.section("initial")?;
+    let start = start(&section)?;
+    section.done()?;
+    let key = if listed.tip_friction.is_some() {
+        "effects"
+    } else {
+        "initial"
+    };
+    let scene = listed.on(body, start).map_err(file.about(key))?;
+    Ok(Ready::scene(scene))
+}
+
+fn listed(section: &Section<'_>) -> Result<Listed> {
+    let effect = |key: &'static str, what| section.optional(key, what);
+    Ok(Listed {
+        gravity: effect("gravity", "an acceleration in m/s²")?
+            .map(Gravity::new)
+            .transpose()
+            .map_err(section.about("gravity"))?,
+        pivot_friction: effect("pivot_friction", "a coefficient in N m s")?
+            .map(PivotFriction::new)
+            .transpose()
+            .map_err(section.about("pivot_friction"))?,
+        bearing_friction: effect("bearing_friction", "a coefficient in N m s")?
+            .map(BearingFriction::new)
+            .transpose()
+            .map_err(section.about("bearing_friction"))?,
+        air_drag: effect("air_drag", "a coefficient in N m s²")?
+            .map(AirDrag::new)
+            .transpose()
+            .map_err(section.about("air_drag"))?,
+        tip_friction: effect("tip_friction", "a torque in N m")?
+            .map(TipFriction::new)
+            .transpose()
+            .map_err(section.about("tip_friction"))?,
+    })
+}
+
+fn body(section: &Section<'_>, listed: &Listed) -> Result<Body> {
+    let moments = section.list("moments", "principal moments in kg m²")?;
+    let body = Body::new(moments).map_err(section.about("moments"))?;
+    let mass = section.optional("mass", "a mass in kg")?;
+    let center = section.optional_vector("center_of_mass", "a place in m")?;
+    if let Some(mass) = mass
+        && mass <= 0.0
+    {
+        return Err(section.refused("mass", format!("must be positive, in kg, got {mass}")));
+    }
+    match (mass, center) {
+        (Some(mass), Some(center)) => {
+            let body = body.with_center_of_mass(mass, center);
+            body.map_err(section.about("center_of_mass"))
+        }
+        (None, Some(center)) if listed.gravity.is_some() && center.norm() > 0.0 => Err(section
+            .refused(
+                "mass",
+                "is missing: gravity acts on the centre of mass, a mass in kg is expected",
+            )),
+        _ => Ok(body),
+    }
+}
+
+fn start(section: &Section<'_>) -> Result<Start> {
+    let attitude = section.attitude()?;
+    let omega = section.optional_vector("omega", "an angular velocity in rad/s")?;
+    let l = section.optional_vector("angular_momentum", "an angular momentum in kg m²/s")?;
+    match (omega, l) {
+        (Some(omega), None) => Ok(Start::with_omega(omega, attitude)),
+        (None, Some(l)) => Ok(Start::with_angular_momentum(l, attitude)),
+        (Some(_), Some(_)) => {
+            Err(section.refused("omega", "and `angular_momentum` exclude each other"))
+        }
+        (None, None) => Err(section.refused(
+            "omega",
+            "is missing: either `omega` in rad/s or `angular_momentum` in kg m²/s is expected",
+        )),
+    }
+}

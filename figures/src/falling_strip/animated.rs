@@ -1,0 +1,157 @@
+//! Two strips of paper: one flutters, one tumbles.
+
+use core::fmt::Write as _;
+
+use spinning_bodies::Result;
+use spinning_bodies::falling_strip::{Coefficients, Fall, Sheet, Start};
+
+use crate::Figure;
+use crate::finish::with;
+use crate::style::{
+    Anchor, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, label, number, small, stroke,
+};
+
+const NAME: &str = "strip-animated";
+/// Widths, cm, and where the paths begin; half widths drawn, units.
+const STRIPS: [(f64, &str, Point); 2] = [
+    (24.0, "24 cm wide: flutters", [130.0, 84.0]),
+    (2.0, "2 cm wide: tumbles", [300.0, 84.0]),
+];
+const HALF: [f64; 2] = [30.0, 7.0];
+const PICTURES: usize = 240;
+/// Seconds of the film.
+const SECONDS: f64 = 9.0;
+/// Height of the picture that the paths cross, units.
+const FALL: f64 = 320.0;
+/// And how far aside there is room, units.
+const ASIDE: f64 = 264.0;
+
+struct Film {
+    name: &'static str,
+    start: Point,
+    half: f64,
+    sheet: Sheet,
+    /// Places and angles.
+    pictures: Vec<(Point, f64)>,
+    time: f64,
+}
+
+fn film(index: usize) -> Result<Film> {
+    let (width, name, start) = STRIPS[index];
+    let half = HALF[index];
+    let sheet = Sheet::of_paper(width / 100.0)?;
+    let fall = Fall::new(sheet.mass_ratio(), Coefficients::PAPER)?;
+    let run = fall.long_run(Start::TILTED, 200.0, 200.0)?;
+    // As long as it takes to cross the picture, in whole periods if there is one.
+    let crossing = (FALL / (half * run.descent)).min(ASIDE / (half * run.drift.abs()));
+    let time = match run.period {
+        Some(period) => (crossing / period).floor().max(1.0) * period,
+        None => crossing,
+    };
+    let times: Vec<f64> = (0..=PICTURES)
+        .map(|k| 300.0 + time * k as f64 / PICTURES as f64)
+        .collect();
+    let path = fall.path(Start::TILTED, &times)?;
+    let sign = if run.drift < -1e-6 { -1.0 } else { 1.0 };
+    let middle = if run.drift.abs() > 1e-6 {
+        path[0][0]
+    } else {
+        let xs = || path.iter().map(|y| y[0]);
+        0.5 * (xs().fold(f64::MAX, f64::min) + xs().fold(f64::MIN, f64::max))
+    };
+    let pictures = path
+        .iter()
+        .map(|y| {
+            let place = [
+                start[0] + half * sign * (y[0] - middle),
+                start[1] - half * (y[1] - path[0][1]),
+            ];
+            // Down is positive on the canvas.
+            (place, -sign * y[2])
+        })
+        .collect();
+    Ok(Film {
+        name,
+        start,
+        half,
+        sheet,
+        pictures,
+        time,
+    })
+}
+
+/// A wide strip and a narrow one.
+pub fn animated() -> Result<Figure> {
+    let films = [film(0)?, film(1)?];
+    let slow = |film: &Film| SECONDS / (film.time * film.sheet.time());
+    let words = Words {
+        claim: "Of the same paper the wide strip flutters down, the narrow one spins and sails away.".to_owned(),
+        details: format!(
+            "Both seen along their length, each drawn in a scale of its own, paper of 80 g/m², coefficients fitted to paper; {} and {} times slower than life. Rest the pointer on the picture to stop it.",
+            number(slow(&films[0]), 1),
+            number(slow(&films[1]), 0),
+        ),
+        alt: "Two paths with a short line that moves along each. The line on the left swings from side to side and always shows the same face upward. The line on the right turns over \
+              and over and slides down a straight slope to the right. Without motion: some of the positions on both paths."
+            .to_owned(),
+    };
+    let still = figure(NAME, 450.0, words, |pen| {
+        for film in &films {
+            let path: Vec<Point> = film.pictures.iter().map(|p| p.0).collect();
+            pen.line(&path, stroke(Role::Omega, SECONDARY).alpha(0.6));
+            for ([x, y], angle) in film.pictures.iter().step_by(6) {
+                let (sine, cosine) = angle.sin_cos();
+                let (dx, dy) = (film.half * cosine, film.half * sine);
+                pen.line(
+                    &[[x - dx, y - dy], [x + dx, y + dy]],
+                    stroke(Role::Ink, SECONDARY).alpha(0.22),
+                );
+            }
+            let at = [film.start[0].max(130.0), 34.0];
+            let anchor = if film.start[0] > 200.0 {
+                Anchor::Start
+            } else {
+                Anchor::Middle
+            };
+            pen.text(at, anchor, film.name, label(Role::Ink));
+        }
+        pen.text(
+            [580.0, 436.0],
+            Anchor::End,
+            "slow motion",
+            small(Role::Muted),
+        );
+    });
+    let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
+    for (film, part) in films.iter().zip(["wide", "narrow"]) {
+        let name = format!("fig-{NAME}-{part}");
+        let _ = write!(style, "@keyframes {name}{{");
+        for (k, ([x, y], angle)) in film.pictures.iter().enumerate() {
+            let percent = 100.0 * k as f64 / PICTURES as f64;
+            let (x, y) = (x * CANVAS, y * CANVAS);
+            let _ = write!(
+                style,
+                "{percent:.2}%{{transform:translate({x:.0}px,{y:.0}px) rotate({angle:.3}rad)}}"
+            );
+        }
+        let _ = write!(
+            style,
+            "}}.{name}{{animation:{name} {SECONDS}s linear infinite}}"
+        );
+        let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
+        let ([x, y], angle) = film.pictures[PICTURES / 2];
+        let (x, y, half) = (x * CANVAS, y * CANVAS, film.half * CANVAS);
+        let degrees = angle.to_degrees();
+        let _ = writeln!(
+            groups,
+            "<g class=\"{name}\" transform=\"translate({x:.0} {y:.0}) rotate({degrees:.1})\">\
+             <path d=\"M-{half:.0} 0L{half:.0} 0\" stroke=\"currentColor\" stroke-width=\"45\" stroke-linecap=\"round\"/></g>"
+        );
+    }
+    let _ = writeln!(
+        style,
+        "#fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
+         @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}@media print{{{all}{{animation:none}}}}</style>"
+    );
+    Ok(with(still, &(style + &groups)))
+}

@@ -1,0 +1,164 @@
+//! What falls how: the phase line.
+
+use core::f64::consts::FRAC_PI_4;
+
+use spinning_bodies::Result;
+use spinning_bodies::falling_strip::{Coefficients, MEASURED_FROUDE, Regime, Sheet, transition};
+
+use super::scan;
+use crate::Figure;
+use crate::plot::Axis;
+use crate::style::{
+    AXIS, Anchor, DATA, Role, SECONDARY, Words, figure, label, number, small, stroke,
+};
+
+const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
+/// Widths of the strips that are drawn, cm, and units to a centimetre.
+const STRIPS: [f64; 4] = [30.0, 15.0, 5.0, 1.0];
+const CENTIMETRE: f64 = 3.0;
+
+/// Regimes against the mass ratio, for both sets of coefficients and for paper.
+pub fn regimes() -> Result<Figure> {
+    let ratios: Vec<f64> = (0..=150)
+        .map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0))
+        .collect();
+    let sets = [Coefficients::PAPER, Coefficients::PUBLISHED];
+    let [paper, published] = sets.map(|set| scan(&ratios, set));
+    let rows = [paper?, published?];
+    let ends = [
+        transition(sets[0], 0.4, 0.6, 1e-4, 400.0)?,
+        transition(sets[1], 1.1, 1.3, 1e-4, 400.0)?,
+    ];
+    let sheet = Sheet::of_paper(0.01)?;
+    let (froude, error) = MEASURED_FROUDE;
+    let measured = [froude - error, froude, froude + error].map(|f| f * f / FRAC_PI_4);
+    let width = |ratio: f64| sheet.width_for(ratio).map(|w| 100.0 * w);
+    let widths = [width(ends[0])?, width(measured[1])?, width(ends[1])?];
+    let words = Words {
+        claim: "Wide strips flutter, narrow ones tumble; where the one becomes the other, experiment decides.".to_owned(),
+        details: format!(
+            "Mass ratio $I^* = 4\\sigma/(\\pi\\rho w)$. Flutter ends at $I^* = {}$ with the coefficients fitted to paper, at {} with the published ones; measured is {} (Froude number \
+             $0.67 \\pm 0.05$, grey band). For paper of 80 g/m² these are widths of {}, {} and {} cm. The strips above are seen along their length, to one scale.",
+            number(ends[0], 3),
+            number(ends[1], 3),
+            number(measured[1], 2),
+            number(widths[0], 1),
+            number(widths[2], 1),
+            number(widths[1], 1),
+        ),
+        alt: "Two bars along a logarithmic axis of the mass ratio from a quarter to twelve. In the upper one, for paper, flutter ends at 0.53, within a grey band that marks the measured transition, and all the rest \
+              is tumbling. In the lower one, with the published coefficients, flutter reaches to 1.22, a short stretch of tumbling follows, then mixed and chaotic motion, then \
+              flutter again. Above the bars four strips of paper, of 30, 15, 5 and 1 centimetres width, each at its mass ratio."
+            .to_owned(),
+    };
+    Ok(figure("strip-regimes", 370.0, words, |pen| {
+        // The measured band.
+        let [low, middle, high] = measured.map(|ratio| LINE.at(ratio));
+        pen.fill(
+            &[[low, 128.0], [high, 128.0], [high, 300.0], [low, 300.0]],
+            Role::Muted,
+            0.16,
+        );
+        pen.line(
+            &[[middle, 128.0], [middle, 300.0]],
+            stroke(Role::Muted, AXIS).dashed(),
+        );
+        pen.text(
+            [middle, 122.0],
+            Anchor::Middle,
+            "measured",
+            small(Role::Muted),
+        );
+        // Strips end on, to scale, over their mass ratio.
+        for (k, centimetres) in STRIPS.into_iter().enumerate() {
+            let ratio = sheet.mass_ratio() / centimetres;
+            let x = LINE.at(ratio);
+            let half = 0.5 * CENTIMETRE * centimetres;
+            let y = if k == 1 { 84.0 } else { 56.0 };
+            pen.line(&[[x - half, y], [x + half, y]], stroke(Role::Ink, 3.0));
+            let text = format!("{centimetres:.0} cm");
+            pen.text([x, y - 10.0], Anchor::Middle, &text, small(Role::Ink));
+        }
+        pen.text(
+            [580.0, 100.0],
+            Anchor::End,
+            "strips of paper, end on",
+            small(Role::Muted),
+        );
+        for (row, (name, y)) in rows
+            .iter()
+            .zip([("paper (our fit)", 170.0), ("published", 256.0)])
+        {
+            pen.text([40.0, y - 20.0], Anchor::Start, name, label(Role::Ink));
+            // Stretches of one regime.
+            let mut from = 0;
+            for k in 1..=row.len() {
+                if k < row.len() && row[k].regime == row[from].regime {
+                    continue;
+                }
+                let edge = |i: usize| {
+                    if i == 0 || i == row.len() {
+                        LINE.at(ratios[i.min(row.len() - 1)])
+                    } else {
+                        0.5 * (LINE.at(ratios[i - 1]) + LINE.at(ratios[i]))
+                    }
+                };
+                let (left, right) = (edge(from), edge(k));
+                let (role, alpha) = match row[from].regime {
+                    Regime::Steady | Regime::Flutter => (Role::Ink, 0.14),
+                    Regime::Tumble => (Role::Omega, 0.55),
+                    Regime::Mixed => (Role::Torque, 0.35),
+                };
+                pen.fill(
+                    &[
+                        [left, y - 12.0],
+                        [right, y - 12.0],
+                        [right, y + 12.0],
+                        [left, y + 12.0],
+                    ],
+                    role,
+                    alpha,
+                );
+                if right - left > 56.0 {
+                    let name = match row[from].regime {
+                        Regime::Mixed => "mixed, chaotic",
+                        other => other.name(),
+                    };
+                    pen.text(
+                        [0.5 * (left + right), y + 30.0],
+                        Anchor::Middle,
+                        name,
+                        small(Role::Ink),
+                    );
+                }
+                from = k;
+            }
+        }
+        for (ratio, y) in ends.into_iter().zip([170.0, 256.0]) {
+            let x = LINE.at(ratio);
+            pen.line(&[[x, y - 17.0], [x, y + 17.0]], stroke(Role::Ink, DATA));
+        }
+        pen.line(
+            &[[40.0, 318.0], [580.0, 318.0]],
+            stroke(Role::Ink, SECONDARY),
+        );
+        for (ratio, text) in [
+            (0.25, "0.25"),
+            (0.5, "0.5"),
+            (1.0, "1"),
+            (2.0, "2"),
+            (5.0, "5"),
+            (10.0, "10"),
+        ] {
+            let x = LINE.at(ratio);
+            pen.line(&[[x, 318.0], [x, 324.0]], stroke(Role::Ink, AXIS));
+            pen.text([x, 339.0], Anchor::Middle, text, small(Role::Muted));
+        }
+        pen.text(
+            [580.0, 360.0],
+            Anchor::End,
+            "mass ratio *I*^{\u{2217}}",
+            label(Role::Ink),
+        );
+    }))
+}

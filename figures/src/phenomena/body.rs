@@ -1,0 +1,235 @@
+//! A cat of round pieces: two halves, head, legs, tail; nearer pieces hide what is behind them.
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::phenomena::cat::{Cat, EqualHalves, Half};
+use spinning_bodies::scene::shape::{self, CatState, Pace, Turnover};
+use spinning_bodies::scene::{Request, Scene};
+
+use crate::solid::{View, hull};
+use crate::style::{AXIS, HAIR, Pen, Point, Role, polar, stroke};
+
+/// I/J of a half.
+pub const RATIO: f64 = 4.0;
+/// Bend forward, radians.
+pub const FORWARD: f64 = FRAC_PI_2;
+/// Duration of a turnover, s.
+pub const DURATION: f64 = 0.3;
+
+/// A cat of 3 kg in two halves.
+pub fn cat() -> Result<Cat> {
+    let half = Half {
+        mass: 1.5,
+        axial: 0.0025,
+        transverse: 0.0025 * RATIO,
+        to_joint: 0.11,
+    };
+    Cat::new([half, half])
+}
+
+/// The bend backward, radians, that makes a turnover half a turn.
+pub fn back() -> Result<f64> {
+    let equal = EqualHalves::new(1.0, RATIO)?;
+    Ok(equal.back_bend_for_half_turn(FORWARD)?.unwrap_or(f64::NAN))
+}
+
+/// States of a cat let go on its back, at these fractions of the turnover.
+pub fn turnover(fractions: &[f64]) -> Result<Vec<CatState>> {
+    let change = Turnover {
+        forward: FORWARD,
+        back: back()?,
+        duration: DURATION,
+        pace: Pace::Even,
+    };
+    let scene = shape::Cat::new(cat()?, shape::Cat::on_its_back()).with_change(change)?;
+    let times: Vec<f64> = fractions.iter().map(|u| u * DURATION).collect();
+    let motion = scene.simulate(&Request::at(times)?)?;
+    Ok(motion.rows.into_iter().map(|(_, state)| state).collect())
+}
+
+/// A piece: what it covers, and lines on its surface.
+pub struct Piece {
+    depth: f64,
+    /// Its outline.
+    pub outline: Vec<Point>,
+    /// Lines that shade it.
+    pub hatch: Vec<Vec<Point>>,
+    /// Whether it is a dark spot: an eye, a nose.
+    pub dark: bool,
+}
+
+/// The pieces of a cat seen like this, the farthest first.
+pub fn pieces(cat: &Cat, state: &CatState, view: &View, scale: f64) -> Vec<Piece> {
+    let mut drawing = Drawing {
+        view,
+        scale,
+        pieces: Vec::new(),
+    };
+    let first = &state.attitude;
+    let relative = state.bend.relative();
+    let turn = |v: Vector3<f64>| first.to_space(BodyVector::from_components(v)).components();
+    // Axes of each half: outward along its spine, towards the belly, to one side.
+    let second = |v: Vector3<f64>| turn(relative.quaternion() * v);
+    let joint = turn(cat.places(&state.bend)[0].components());
+    let front = [turn(-Vector3::x()), turn(Vector3::y()), turn(Vector3::z())];
+    let rear = [
+        second(Vector3::x()),
+        second(Vector3::y()),
+        second(Vector3::z()),
+    ];
+    drawing.half(joint, &front, 0.056);
+    drawing.half(joint, &rear, 0.062);
+    let at = |axes: &[Vector3<f64>; 3], out: f64, belly: f64, side: f64| {
+        joint + axes[0] * out + axes[1] * belly + axes[2] * side
+    };
+    for (axes, out, lean) in [(&front, 0.165, 0.02), (&rear, 0.175, 0.01)] {
+        for side in [-0.034, 0.034] {
+            let hip = at(axes, out, 0.03, side);
+            let paw = at(axes, out + lean, 0.15, 1.15 * side);
+            drawing.round([hip, paw], [0.022, 0.013], 0);
+            let toe = paw + front_of(axes, &front) * 0.012;
+            drawing.round([paw, toe], [0.015, 0.013], 0);
+        }
+    }
+    let head = at(&front, 0.275, -0.02, 0.0);
+    drawing.round([head, head], [0.052, 0.052], 0);
+    for side in [-1.0, 1.0] {
+        let root = at(&front, 0.272, -0.052, 0.03 * side);
+        let tip = at(&front, 0.262, -0.096, 0.04 * side);
+        drawing.round([root, tip], [0.017, 0.004], 0);
+        drawing.spot(head, at(&front, 0.32, -0.034, 0.02 * side), 0.0065);
+    }
+    drawing.spot(head, at(&front, 0.3265, -0.012, 0.0), 0.0075);
+    // The tail rises in the plane of the rear half.
+    let tail = |u: f64| {
+        at(
+            &rear,
+            0.225 + 0.12 * u.sin(),
+            -0.03 - 0.15 * (1.0 - u.cos()),
+            0.02 * (2.0 * u).sin(),
+        )
+    };
+    for k in 0..9 {
+        let u = |k: u8| 1.7 * f64::from(k) / 9.0;
+        drawing.round([tail(u(k)), tail(u(k + 1))], [0.0125, 0.0125], 0);
+    }
+    let mut pieces = drawing.pieces;
+    pieces.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+    pieces
+}
+
+/// Toes of the front point ahead, and those of the rear as well.
+fn front_of(axes: &[Vector3<f64>; 3], front: &[Vector3<f64>; 3]) -> Vector3<f64> {
+    if core::ptr::eq(axes, front) {
+        axes[0]
+    } else {
+        -axes[0]
+    }
+}
+
+/// A circle of as many corners as it needs to look round.
+pub fn circle(center: Point, radius: f64) -> Vec<Point> {
+    let corners = (4.5 * radius.sqrt()).clamp(8.0, 48.0) as u32;
+    let angle = |k: u32| TAU * f64::from(k) / f64::from(corners);
+    (0..corners)
+        .map(|k| polar(center, radius, angle(k)))
+        .collect()
+}
+
+struct Drawing<'a> {
+    view: &'a View,
+    scale: f64,
+    pieces: Vec<Piece>,
+}
+
+impl Drawing<'_> {
+    fn half(&mut self, joint: Vector3<f64>, axes: &[Vector3<f64>; 3], radius: f64) {
+        self.round([joint, joint + axes[0] * 0.2], [0.046, radius], 9);
+    }
+
+    /// Two balls and what lies between them, with `rings` lines around it on the side away from the light.
+    fn round(&mut self, ends: [Vector3<f64>; 2], radii: [f64; 2], rings: u32) {
+        let mut points = Vec::new();
+        for (end, radius) in ends.iter().zip(radii) {
+            points.extend(circle(self.view.project(end), radius * self.scale));
+        }
+        let axis = ends[1] - ends[0];
+        let mut hatch = Vec::new();
+        if rings > 0 {
+            let along = axis.normalize();
+            let across = along.cross(&self.view.toward).try_normalize(1e-9);
+            let u = across.unwrap_or(Vector3::z());
+            let v = along.cross(&u);
+            let light = Vector3::new(0.25, -0.45, 0.85).normalize();
+            for ring in 0..rings {
+                let part = (f64::from(ring) + 0.5) / f64::from(rings);
+                let center = ends[0] + axis * part;
+                let radius = radii[0] + (radii[1] - radii[0]) * part;
+                let mut line = Vec::new();
+                // Every second ring only in the deeper shade.
+                let limit = if ring % 2 == 0 { 0.25 } else { -0.12 };
+                for k in 0..=36 {
+                    let (s, c) = (TAU * f64::from(k) / 36.0).sin_cos();
+                    let normal = u * c + v * s;
+                    if normal.dot(&self.view.toward) > 0.0 && normal.dot(&light) < limit {
+                        line.push(self.view.project(&(center + normal * radius)));
+                    } else if line.len() > 1 {
+                        hatch.push(core::mem::take(&mut line));
+                    } else {
+                        line.clear();
+                    }
+                }
+                if line.len() > 1 {
+                    hatch.push(line);
+                }
+            }
+        }
+        let nearest = ends
+            .iter()
+            .zip(radii)
+            .map(|(end, radius)| end.dot(&self.view.toward) + 0.3 * radius);
+        self.pieces.push(Piece {
+            depth: 0.5 * nearest.sum::<f64>(),
+            outline: hull(&points),
+            hatch,
+            dark: false,
+        });
+    }
+
+    /// A dark spot on the head, if it is on the near side.
+    fn spot(&mut self, head: Vector3<f64>, place: Vector3<f64>, radius: f64) {
+        let out = place - head;
+        if out.dot(&self.view.toward) > 0.1 * out.norm() {
+            self.pieces.push(Piece {
+                depth: head.dot(&self.view.toward) + 0.06,
+                outline: circle(self.view.project(&place), radius * self.scale),
+                hatch: Vec::new(),
+                dark: true,
+            });
+        }
+    }
+}
+
+/// Draws the pieces.
+pub fn draw(pen: &mut Pen<'_>, pieces: &[Piece]) {
+    for piece in pieces {
+        if piece.dark {
+            pen.fill(&piece.outline, Role::Ink, 1.0);
+            continue;
+        }
+        pen.fill(&piece.outline, Role::Paper, 1.0);
+        for line in &piece.hatch {
+            pen.line(line, stroke(Role::Ink, HAIR).alpha(0.75));
+        }
+        pen.outline(&piece.outline, stroke(Role::Ink, AXIS + 0.3));
+    }
+}
+
+/// How far the cat has turned from lying on its back, radians: the angle between the attitudes of its front half.
+pub fn turned(state: &CatState) -> f64 {
+    let start = shape::Cat::on_its_back();
+    Attitude::angle_to(&state.attitude, &start)
+}

@@ -1,0 +1,205 @@
+//! Turning as an area of the shape plane: the swivel's and the cat's (tutorial 1.1).
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use spinning_bodies::Result;
+use spinning_bodies::phenomena::cat::EqualHalves;
+use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_within};
+use spinning_bodies::phenomena::{Swivel, Waist};
+
+use super::body::{FORWARD, RATIO, back};
+use crate::Figure;
+use crate::style::{
+    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, label, number, polar,
+    small, stroke,
+};
+
+const WAIST: Waist = Waist {
+    upper_arms_out: 2.0,
+    upper_arms_in: 0.7,
+    lower: 0.6,
+};
+/// The swivel's plane: ψ to the right, A upward.
+const LEFT: f64 = 62.0;
+const RIGHT: f64 = 262.0;
+const BOTTOM: f64 = 270.0;
+const TOP: f64 = 50.0;
+const MOST: f64 = 2.5;
+/// The cat's disc: the bend from the middle.
+const CENTER: Point = [431.0, 164.0];
+const RADIUS: f64 = 124.0;
+const WIDEST: f64 = 2.0 * PI / 3.0;
+
+fn swivel_at(psi: f64, upper: f64) -> Point {
+    [
+        LEFT + (RIGHT - LEFT) * psi / 2.0,
+        BOTTOM - (BOTTOM - TOP) * upper / MOST,
+    ]
+}
+
+fn cat_at(bend: f64, psi: f64) -> Point {
+    polar(CENTER, RADIUS * bend / WIDEST, psi)
+}
+
+/// Two planes, two loops.
+pub fn shape_loops() -> Result<Figure> {
+    let plane = Swivel { lower: WAIST.lower };
+    let cat = EqualHalves::new(1.0, RATIO)?;
+    let back = back()?;
+    let path = |s: f64| Step {
+        shape: [0.5 * (FORWARD + back) + 0.5 * (FORWARD - back) * s.cos(), s],
+        rate: [-0.5 * (FORWARD - back) * s.sin(), 1.0],
+    };
+    let turn = turn_within(&cat, path, Hub::Pole)?.to_degrees();
+    let net = WAIST.swivel_angle(FRAC_PI_2)?.to_degrees();
+    let words = Words {
+        claim: "The turn is the shaded charge inside the loop of shapes.".to_owned(),
+        details: format!(
+            "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$; the rectangle of one cycle holds {}°. \
+             Right, the cat seen along its spine: bend $\\gamma$ outward to {}°, direction $\\psi$ around; the loop goes {}° forward and {}° backward, and \
+             holds {}°. Neither pace nor path inside a shape matters, only what the loop encloses.",
+            number(net.abs(), 3),
+            number(WIDEST.to_degrees(), 0),
+            number(FORWARD.to_degrees(), 0),
+            number(back.to_degrees(), 2),
+            number(turn.abs(), 4),
+        ),
+        alt: "Left, a plane shaded darker towards small moments of inertia, with a rectangular loop run through in four strokes. Right, a disc \
+              shaded evenly in rings, with an oval loop around its centre that reaches far out to one side and little to the other."
+            .to_owned(),
+    };
+    Ok(figure("shape-loops", 350.0, words, |pen| {
+        // Densities relative to the greatest shown.
+        const BANDS: u32 = 25;
+        let least = 0.1;
+        let most = plane.curvature(least);
+        for k in 0..BANDS {
+            let band = |k: u32| least + (MOST - least) * f64::from(k) / f64::from(BANDS);
+            let (low, high) = (band(k), band(k + 1));
+            let tone = 0.75 * plane.curvature(0.5 * (low + high)) / most;
+            let corners = [
+                swivel_at(0.0, low),
+                swivel_at(2.0, low),
+                swivel_at(2.0, high),
+                swivel_at(0.0, high),
+            ];
+            pen.fill(&corners, Role::Omega, tone);
+        }
+        let axis = stroke(Role::Ink, AXIS);
+        pen.line(
+            &[
+                swivel_at(0.0, MOST),
+                swivel_at(0.0, 0.0),
+                swivel_at(2.0, 0.0),
+            ],
+            axis,
+        );
+        pen.text([RIGHT, BOTTOM + 24.0], Anchor::End, "*ψ*", label(Role::Ink));
+        pen.text(
+            [LEFT - 12.0, TOP + 6.0],
+            Anchor::End,
+            "*A*",
+            label(Role::Ink),
+        );
+        let corner = swivel_at(FRAC_PI_2, 0.0);
+        pen.line(&[corner, [corner[0], corner[1] + 5.0]], axis);
+        pen.text(
+            [corner[0], corner[1] + 22.0],
+            Anchor::Middle,
+            "90°",
+            small(Role::Ink),
+        );
+        let (out, near) = (WAIST.upper_arms_out, WAIST.upper_arms_in);
+        for (upper, name) in [(out, "out"), (near, "in")] {
+            let [x, y] = swivel_at(0.0, upper);
+            pen.line(&[[x - 5.0, y], [x, y]], axis);
+            pen.text([x - 9.0, y + 5.0], Anchor::End, name, small(Role::Ink));
+        }
+        let corners = [
+            swivel_at(0.0, out),
+            swivel_at(FRAC_PI_2, out),
+            swivel_at(FRAC_PI_2, near),
+            swivel_at(0.0, near),
+        ];
+        pen.outline(&corners, stroke(Role::Ink, DATA));
+        for k in 0..4 {
+            let (a, b) = (corners[k], corners[(k + 1) % 4]);
+            pen.arrow(
+                between(a, b, 0.42),
+                between(a, b, 0.6),
+                stroke(Role::Ink, DATA),
+            );
+        }
+        let middle = between(corners[0], corners[2], 0.5);
+        pen.text(
+            [middle[0], middle[1] + 6.0],
+            Anchor::Middle,
+            &format!("{}°", number(net.abs(), 1)),
+            label(Role::Ink),
+        );
+        pen.text(
+            [162.0, 334.0],
+            Anchor::Middle,
+            "the swivel",
+            label(Role::Ink),
+        );
+
+        // Charge per area of the flat disc: a′(γ)/γ.
+        const RINGS: u32 = 24;
+        let density = |bend: f64| cat.curvature(bend) / bend;
+        let bends = || (0..RINGS).map(|k| WIDEST * (f64::from(k) + 0.5) / f64::from(RINGS));
+        let greatest = bends().map(density).fold(0.0, f64::max);
+        for bend in bends() {
+            let half = 0.5 * WIDEST / f64::from(RINGS);
+            let ring = |at: f64| (0..=60).map(move |k| cat_at(at, TAU * f64::from(k) / 60.0));
+            let mut outline: Vec<Point> = ring(bend + half).collect();
+            outline.extend(ring(bend - half).collect::<Vec<_>>().into_iter().rev());
+            pen.fill(&outline, Role::Omega, 0.75 * density(bend) / greatest);
+        }
+        pen.ring(CENTER, RADIUS, axis);
+        for degrees in [30.0_f64, 60.0, 90.0] {
+            let radius = RADIUS * degrees.to_radians() / WIDEST;
+            pen.ring(CENTER, radius, stroke(Role::Ink, AXIS).alpha(0.5).dotted());
+            let [x, y] = polar(CENTER, radius, -0.62 * PI);
+            pen.text(
+                [x, y + 4.0],
+                Anchor::Middle,
+                &format!("{}°", number(degrees, 0)),
+                small(Role::Ink),
+            );
+        }
+        let oval: Vec<Point> = (0..=240)
+            .map(|k| {
+                let Step {
+                    shape: [bend, psi], ..
+                } = path(TAU * f64::from(k) / 240.0);
+                cat_at(bend, psi)
+            })
+            .collect();
+        pen.line(
+            &[cat_at(0.0, 0.0), cat_at(FORWARD, 0.0)],
+            stroke(Role::Ink, SECONDARY),
+        );
+        pen.line(&oval, stroke(Role::Ink, DATA));
+        pen.arrow(oval[52], oval[60], stroke(Role::Ink, DATA));
+        pen.disc(CENTER, 3.6, Role::Ink, 1.0);
+        pen.text(
+            [CENTER[0] + RADIUS + 5.0, CENTER[1] - 8.0],
+            Anchor::Start,
+            "belly",
+            small(Role::Ink),
+        );
+        pen.text(
+            [CENTER[0] - RADIUS - 6.0, CENTER[1] - 8.0],
+            Anchor::End,
+            "back",
+            small(Role::Ink),
+        );
+        pen.text(
+            [CENTER[0], 334.0],
+            Anchor::Middle,
+            "the cat",
+            label(Role::Ink),
+        );
+    }))
+}

@@ -1,0 +1,216 @@
+//! The paper cat (tutorial 1.1): the forces on it, and what the first degree costs.
+
+use core::f64::consts::{LN_10, PI};
+
+use spinning_bodies::Result;
+use spinning_bodies::phenomena::PaperCat;
+use spinning_bodies::scene::shape;
+use spinning_bodies::scene::{Request, Scene};
+
+use crate::Figure;
+use crate::style::{
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+};
+
+const CAT: PaperCat = PaperCat::POSTCARD;
+const AIR: shape::Air = shape::Air { density: 1.2 };
+const GRAVITY: shape::Gravity = shape::Gravity { g: 9.81 };
+
+fn released(error: f64) -> Result<shape::PaperCat<shape::Air, shape::Gravity>> {
+    let scene = shape::PaperCat::new(CAT, PI - error)?;
+    Ok(scene.with_air(AIR).with_gravity(GRAVITY))
+}
+
+/// A folded sheet seen from the side: back up at tilt 0, legs at the two ends.
+const SHEET: [Point; 15] = [
+    [-62.0, 30.0],
+    [-62.0, -6.0],
+    [-56.0, -22.0],
+    [-70.0, -30.0],
+    [-84.0, -26.0],
+    [-86.0, -40.0],
+    [-78.0, -52.0],
+    [-72.0, -60.0],
+    [-66.0, -50.0],
+    [-56.0, -44.0],
+    [-44.0, -32.0],
+    [46.0, -32.0],
+    [62.0, -20.0],
+    [66.0, 30.0],
+    [54.0, 30.0],
+];
+
+/// Turned by `tilt` about the centre of mass.
+fn turned([x, y]: Point, center: Point, tilt: f64) -> Point {
+    let (s, c) = tilt.sin_cos();
+    [center[0] + c * x + s * y, center[1] - s * x + c * y]
+}
+
+fn sheet(pen: &mut Pen<'_>, center: Point, tilt: f64, forces: bool) {
+    let mut outline: Vec<Point> = SHEET.to_vec();
+    outline.extend([[50.0, -4.0], [-44.0, -4.0], [-48.0, 30.0]]);
+    let outline: Vec<Point> = outline
+        .into_iter()
+        .map(|p| turned(p, center, tilt))
+        .collect();
+    pen.fill(&outline, Role::Ink, 0.1);
+    pen.outline(&outline, stroke(Role::Ink, SECONDARY));
+    if !forces {
+        return;
+    }
+    let push = turned([0.0, -44.0], center, tilt);
+    pen.line(&[center, push], stroke(Role::Ink, SECONDARY).dotted());
+    pen.arrow([push[0], push[1] + 54.0], push, stroke(Role::Torque, DATA));
+    pen.arrow(
+        center,
+        [center[0], center[1] + 54.0],
+        stroke(Role::Ink, DATA),
+    );
+    pen.disc(center, 4.5, Role::Ink, 1.0);
+    pen.disc(push, 4.5, Role::Torque, 1.0);
+}
+
+/// Three tilts in the air, and the sheet to fold.
+pub fn paper_cat() -> Result<Figure> {
+    let error = 10.0_f64.to_radians();
+    let scene = released(error)?;
+    let righted = scene.rights_itself(10.0)?;
+    let fall = righted.map_or(f64::NAN, |r| r.fall);
+    let motion = scene.simulate(&Request::at([0.36, 0.46])?)?;
+    let tilts = [PI - error, motion.rows[0].1.tilt, motion.rows[1].1.tilt];
+    let words = Words {
+        claim: "The paper cat is turned by the air, like a shuttlecock.".to_owned(),
+        details: format!(
+            "Its centre of mass lies {} mm below the point at which the air pushes, so weight (down) and drag (up) form a couple that turns the feet down \
+             from every tilt. Let go {}° from upside down, it tilts by {}° after 0.36 s and {}° after 0.46 s, and points its feet down first after {} m of fall. Terminal \
+             speed {} m/s. Lever drawn larger than it is.",
+            number(1000.0 * CAT.lever, 0),
+            number(error.to_degrees(), 0),
+            number(tilts[1].to_degrees(), 0),
+            number(tilts[2].to_degrees(), 0),
+            number(fall, 3),
+            number(CAT.terminal_speed(AIR.density, GRAVITY.g), 3),
+        ),
+        alt: "A cat cut from stiff paper in three positions: nearly upside down, on its side, nearly upright. In each an arrow of drag points up from the \
+              middle of its back and an arrow of weight points down from a dot nearer its feet."
+            .to_owned(),
+    };
+    Ok(figure("paper-cat", 280.0, words, |pen| {
+        for (tilt, x) in tilts.into_iter().zip([108.0, 312.0, 500.0]) {
+            sheet(pen, [x, 132.0], tilt, true);
+            pen.text(
+                [x, 270.0],
+                Anchor::Middle,
+                &format!("{}°", number(tilt.to_degrees(), 0)),
+                label(Role::Ink),
+            );
+        }
+        pen.text([120.0, 124.0], Anchor::Start, "weight", small(Role::Ink));
+        let push = turned([0.0, -44.0], [108.0, 132.0], tilts[0]);
+        pen.text(
+            [push[0] - 10.0, push[1] + 40.0],
+            Anchor::End,
+            "drag",
+            small(Role::Torque),
+        );
+    }))
+}
+
+const LEFT: f64 = 66.0;
+const RIGHT: f64 = 566.0;
+const BOTTOM: f64 = 290.0;
+const TOP: f64 = 36.0;
+
+/// Initial error as its logarithm to the right, fall upward.
+fn place(error: f64, fall: f64) -> Point {
+    let decades = (90.0 / error).ln() / LN_10;
+    [
+        LEFT + (RIGHT - LEFT) * decades / 6.0,
+        BOTTOM - (BOTTOM - TOP) * fall / 3.0,
+    ]
+}
+
+/// How far it falls, for errors from 90° to a ten-thousandth of a degree.
+pub fn paper_cat_fall() -> Result<Figure> {
+    let fall = |degrees: f64| -> Result<f64> {
+        let righted = released(degrees.to_radians())?.rights_itself(30.0)?;
+        Ok(righted.map_or(f64::NAN, |r| r.fall))
+    };
+    let points = (0..=100)
+        .map(|k| {
+            let degrees = 90.0 * (-LN_10 * 6.0 * f64::from(k) / 100.0).exp();
+            Ok(place(degrees, fall(degrees)?))
+        })
+        .collect::<Result<Vec<_>>>()?;
+    let marks = [30.0, 10.0, 5.0, 1.0];
+    let falls = [
+        fall(marks[0])?,
+        fall(marks[1])?,
+        fall(marks[2])?,
+        fall(marks[3])?,
+    ];
+    let decade = CAT.fall_per_decade(AIR.density, GRAVITY.g);
+    let words = Words {
+        claim: "Ten times nearer to upside down costs the paper cat the same fall again.".to_owned(),
+        details: format!(
+            "Height of fall after which the feet first point down, against the angle by which the cat was not upside down. 30°, 10°, 5° and 1° take {}, {}, {} and {} m; \
+             each further factor of ten takes {} m. At 0° it takes for ever.",
+            number(falls[0], 3),
+            number(falls[1], 3),
+            number(falls[2], 3),
+            number(falls[3], 3),
+            number(decade, 3),
+        ),
+        alt: "A curve that soon becomes a straight line: the fall grows evenly with each factor of ten by which the angle of the release comes closer \
+              to upside down."
+            .to_owned(),
+    };
+    Ok(figure("paper-cat-fall", 350.0, words, |pen| {
+        let axis = stroke(Role::Ink, AXIS);
+        pen.line(&[[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
+        for (degrees, name) in [
+            (10.0, "10°"),
+            (1.0, "1°"),
+            (0.1, "0.1°"),
+            (0.01, "0.01°"),
+            (0.001, "0.001°"),
+        ] {
+            let [x, y] = place(degrees, 0.0);
+            pen.line(&[[x, y], [x, y + 5.0]], axis);
+            pen.text([x, y + 22.0], Anchor::Middle, name, small(Role::Ink));
+        }
+        for fall in [0.0, 1.0, 2.0, 3.0] {
+            let [x, y] = place(90.0, fall);
+            pen.line(&[[x - 5.0, y], [x, y]], axis);
+            pen.text(
+                [x - 9.0, y + 5.0],
+                Anchor::End,
+                &number(fall, 0),
+                small(Role::Ink),
+            );
+        }
+        pen.text(
+            [LEFT - 44.0, TOP - 14.0],
+            Anchor::Start,
+            "fall, m",
+            label(Role::Ink),
+        );
+        pen.text(
+            [RIGHT, BOTTOM + 46.0],
+            Anchor::End,
+            "short of upside down by",
+            label(Role::Ink),
+        );
+        pen.line(&points, stroke(Role::Omega, DATA));
+        for (degrees, fall) in marks.into_iter().zip(falls) {
+            let at = place(degrees, fall);
+            pen.disc(at, 4.0, Role::Omega, 1.0);
+            pen.text(
+                [at[0] - 4.0, at[1] - 12.0],
+                Anchor::End,
+                &number(fall, 3),
+                small(Role::Ink),
+            );
+        }
+    }))
+}

@@ -1,0 +1,145 @@
+//! The swivel in four pictures, seen from above (tutorial 1.1, picture b).
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use spinning_bodies::Result;
+use spinning_bodies::scene::shape::{self, FourPhases, Pace, SwivelState};
+use spinning_bodies::scene::{Request, Scene};
+
+use crate::Figure;
+use crate::style::{
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar, small,
+    stroke,
+};
+
+const CHANGE: FourPhases = FourPhases {
+    arms_out: 2.0,
+    arms_in: 0.7,
+    twist: FRAC_PI_2,
+    duration: 4.0,
+    pace: Pace::Even,
+};
+const LOWER: f64 = 0.6;
+
+/// An ellipse turned by `angle`, counterclockwise.
+fn ellipse(center: Point, half: [f64; 2], angle: f64) -> Vec<Point> {
+    let (s, c) = angle.sin_cos();
+    (0..72)
+        .map(|k| {
+            let (sin, cos) = (TAU * f64::from(k) / 72.0).sin_cos();
+            let (x, y) = (half[0] * cos, half[1] * sin);
+            [center[0] + c * x - s * y, center[1] - s * x - c * y]
+        })
+        .collect()
+}
+
+/// Someone who looks up the page at angle 0: feet and hip below, shoulders, arms and head above.
+fn person(pen: &mut Pen<'_>, center: Point, state: &SwivelState) {
+    let out = state.upper_moment > 0.5 * (CHANGE.arms_out + CHANGE.arms_in);
+    let solid = |pen: &mut Pen<'_>, outline: &[Point], tone: f64| {
+        pen.fill(outline, Role::Paper, 1.0);
+        pen.fill(outline, Role::Ink, tone);
+        pen.outline(outline, stroke(Role::Ink, AXIS));
+    };
+    // Feet, pointing where the lower body faces.
+    for side in [-1.0, 1.0] {
+        let angle = state.lower;
+        let (s, c) = angle.sin_cos();
+        let (x, y) = (13.0 * side, 12.0);
+        let place = [center[0] + c * x - s * y, center[1] - s * x - c * y];
+        solid(pen, &ellipse(place, [7.5, 17.0], angle), 0.3);
+    }
+    solid(pen, &ellipse(center, [26.0, 15.0], state.lower), 0.2);
+    let (s, c) = state.upper.sin_cos();
+    let at = |x: f64, y: f64| [center[0] + c * x - s * y, center[1] - s * x - c * y];
+    for side in [-1.0, 1.0] {
+        if out {
+            solid(
+                pen,
+                &ellipse(at(46.0 * side, 2.0), [24.0, 6.0], state.upper),
+                0.06,
+            );
+            pen.disc(at(71.0 * side, 2.0), 5.0, Role::Ink, 0.8);
+        } else {
+            solid(
+                pen,
+                &ellipse(at(23.0 * side, 9.0), [6.0, 13.0], state.upper),
+                0.06,
+            );
+            pen.disc(at(17.0 * side, 20.0), 5.0, Role::Ink, 0.8);
+        }
+    }
+    solid(pen, &ellipse(center, [31.0, 13.0], state.upper), 0.06);
+    solid(pen, &ellipse(center, [11.5, 13.5], state.upper), 0.06);
+    let nose = [at(-3.5, 12.5), at(0.0, 19.0), at(3.5, 12.5)];
+    pen.fill(&nose, Role::Ink, 1.0);
+}
+
+/// Twist, arms in, untwist, arms out.
+pub fn swivel() -> Result<Figure> {
+    let scene = shape::Swivel::new(LOWER, CHANGE.arms_out)?.with_change(CHANGE)?;
+    let motion = scene.simulate(&Request::at([0.0, 1.0, 2.0, 3.0, 4.0])?)?;
+    let states: Vec<SwivelState> = motion.rows.into_iter().map(|(_, s)| s).collect();
+    let degrees = |angle: f64| number(angle.to_degrees(), 1);
+    let words = Words {
+        claim: "Twist with the arms out, untwist with the arms in: you face another way.".to_owned(),
+        details: format!(
+            "Seen from above. The upper body twists by 90° against the lower; the arrows show how far the lower body has turned. Moments 2 and 0.7 kg m² \
+             above, 0.6 kg m² below: the feet go {}° one way, {}° back, and end at {}°. The angular momentum is 0 throughout.",
+            degrees(states[1].lower),
+            degrees(states[3].lower - states[2].lower),
+            number(states[4].lower.to_degrees(), 3),
+        ),
+        alt: "Five views of a person from above. At first feet and nose point up the page. Arms out, the shoulders have turned left a little and the \
+              feet right a lot. Arms in. Untwisted: the feet have come back, but not the whole way. Arms out again: feet and nose point to \
+              the right of where they began."
+            .to_owned(),
+    };
+    let centers: [Point; 5] = [
+        [100.0, 112.0],
+        [300.0, 112.0],
+        [500.0, 112.0],
+        [200.0, 316.0],
+        [400.0, 316.0],
+    ];
+    let names = ["", "1  twist", "2  arms in", "3  untwist", "4  arms out"];
+    Ok(figure("swivel", 430.0, words, |pen| {
+        for ((state, center), name) in states.iter().zip(centers).zip(names) {
+            pen.ring(center, 82.0, stroke(Role::Muted, AXIS).alpha(0.6));
+            pen.line(
+                &[
+                    polar(center, 74.0, FRAC_PI_2),
+                    polar(center, 88.0, FRAC_PI_2),
+                ],
+                stroke(Role::Muted, AXIS),
+            );
+            person(pen, center, state);
+            let tip = FRAC_PI_2 + state.lower;
+            if state.lower.abs() > 0.01 {
+                pen.arc_arrow(center, 82.0, FRAC_PI_2, tip, stroke(Role::Omega, DATA));
+                let ahead = polar(center, 82.0, tip);
+                pen.line(
+                    &[polar(center, 30.0, tip), ahead],
+                    stroke(Role::Omega, SECONDARY).dotted(),
+                );
+            }
+            let text = if name.is_empty() {
+                "at first".to_owned()
+            } else {
+                format!("{name}: {}°", degrees(state.lower))
+            };
+            pen.text(
+                [center[0], center[1] + 106.0],
+                Anchor::Middle,
+                &text,
+                label(Role::Ink),
+            );
+        }
+        pen.text(
+            [590.0, 424.0],
+            Anchor::End,
+            "angles of the feet",
+            small(Role::Omega),
+        );
+    }))
+}

@@ -1,0 +1,110 @@
+//! Axes of a plain diagram.
+
+use crate::style::{AXIS, Anchor, HAIR, Pen, Point, Role, label, small, stroke};
+
+/// How numbers become places.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// In proportion.
+    Linear,
+    /// By their logarithms.
+    Log,
+}
+
+/// One axis: the numbers at its ends and where they are, units.
+#[derive(Debug, Clone, Copy)]
+pub struct Axis {
+    /// Numbers at both ends.
+    pub shown: [f64; 2],
+    /// Their places.
+    pub ends: [f64; 2],
+    /// Between them.
+    pub scale: Scale,
+}
+
+impl Axis {
+    /// An axis in proportion.
+    pub const fn linear(shown: [f64; 2], ends: [f64; 2]) -> Self {
+        Self {
+            shown,
+            ends,
+            scale: Scale::Linear,
+        }
+    }
+
+    /// A logarithmic axis.
+    pub const fn log(shown: [f64; 2], ends: [f64; 2]) -> Self {
+        Self {
+            shown,
+            ends,
+            scale: Scale::Log,
+        }
+    }
+
+    /// The place of a number.
+    pub fn at(&self, value: f64) -> f64 {
+        let [low, high] = self.shown;
+        let share = match self.scale {
+            Scale::Linear => (value - low) / (high - low),
+            Scale::Log => (value / low).ln() / (high / low).ln(),
+        };
+        self.ends[0] + share * (self.ends[1] - self.ends[0])
+    }
+}
+
+/// Both axes of a diagram: x to the right, y upward.
+#[derive(Debug, Clone, Copy)]
+pub struct Frame {
+    /// To the right.
+    pub x: Axis,
+    /// Upward.
+    pub y: Axis,
+}
+
+impl Frame {
+    /// The place of a pair of numbers.
+    pub fn at(&self, x: f64, y: f64) -> Point {
+        [self.x.at(x), self.y.at(y)]
+    }
+
+    /// The axes with ticks, a number and its text each, and what they show.
+    pub fn draw(
+        &self,
+        pen: &mut Pen<'_>,
+        x_ticks: &[(f64, &str)],
+        y_ticks: &[(f64, &str)],
+        [x_name, y_name]: [&str; 2],
+    ) {
+        let ([left, right], [bottom, top]) = (self.x.ends, self.y.ends);
+        pen.line(
+            &[[left, top], [left, bottom], [right, bottom]],
+            stroke(Role::Ink, AXIS),
+        );
+        for &(value, text) in x_ticks {
+            let x = self.x.at(value);
+            pen.line(&[[x, bottom], [x, bottom + 5.0]], stroke(Role::Ink, AXIS));
+            pen.text([x, bottom + 20.0], Anchor::Middle, text, small(Role::Muted));
+        }
+        for &(value, text) in y_ticks {
+            let y = self.y.at(value);
+            pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
+            pen.line(
+                &[[left, y], [right, y]],
+                stroke(Role::Ink, HAIR).alpha(0.18),
+            );
+            pen.text([left - 9.0, y + 5.0], Anchor::End, text, small(Role::Muted));
+        }
+        pen.text(
+            [right, bottom + 40.0],
+            Anchor::End,
+            x_name,
+            label(Role::Ink),
+        );
+        pen.text(
+            [left - 30.0, top - 12.0],
+            Anchor::Start,
+            y_name,
+            label(Role::Ink),
+        );
+    }
+}

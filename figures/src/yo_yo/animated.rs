@@ -1,0 +1,228 @@
+//! A yo-yo that is thrown, sleeps, wakes and comes back.
+
+use core::fmt::Write as _;
+
+use spinning_bodies::Result;
+use spinning_bodies::scene::yo_yo::{AxleFriction, Gravity, Phase, Play, Sleep, YoYoState};
+use spinning_bodies::scene::{Request, Scene};
+use spinning_bodies::yo_yo::YoYo;
+
+use super::GRAVITY;
+use crate::Figure;
+use crate::finish::with;
+use crate::plot::{Axis, Frame};
+use crate::style::{
+    AXIS, Anchor, DATA, Point, Role, SCALE as CANVAS, Words, figure, label, number, small, stroke,
+};
+
+const NAME: &str = "yo-yo-animated";
+/// String, radius of the discs and of the axle, m: short, to be drawn to scale.
+const LENGTH: f64 = 0.36;
+const RADIUS: f64 = 0.029;
+const AXLE: f64 = 0.006;
+/// Design units to a metre, and where the hand is.
+const METRE: f64 = 900.0;
+const HAND: Point = [112.0, 40.0];
+/// Speed of the throw, m/s; length of the sleep, s; friction of the loop, N m.
+const THROW: f64 = 1.5;
+const ASLEEP: f64 = 0.35;
+const FRICTION: f64 = 5e-4;
+/// Seconds of the film to a second of the yo-yo.
+const SLOWNESS: f64 = 8.0;
+/// Pictures; the motion between two is filled in by the browser.
+const PICTURES: usize = 240;
+
+/// One loop: times, states and angles turned, until the hand has it again.
+fn film() -> Result<(f64, Vec<(f64, YoYoState, f64)>)> {
+    let toy = YoYo::disc(0.055, RADIUS, LENGTH, AXLE)?;
+    let play = Play::new(toy, THROW)?
+        .with_gravity(Gravity {
+            acceleration: GRAVITY,
+        })?
+        .with_sleep(Sleep { duration: ASLEEP })?
+        .with_axle_friction(AxleFriction { torque: FRICTION })?;
+    // When it is caught: by bisection on the phase.
+    let (mut low, mut high) = (0.0, 4.0);
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        let state = play.simulate(&Request::at([middle])?)?.rows[0].1;
+        if state.phase == Phase::Caught {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    let times: Vec<f64> = (0..=PICTURES * 8)
+        .map(|k| low * k as f64 / (PICTURES * 8) as f64)
+        .collect();
+    let rows = play.simulate(&Request::at(times)?)?.rows;
+    let mut angle = 0.0;
+    let mut last = rows[0];
+    let mut pictures = Vec::new();
+    for (k, &(t, state)) in rows.iter().enumerate() {
+        angle += 0.5 * (t - last.0) * (state.omega + last.1.omega);
+        last = (t, state);
+        if k % 8 == 0 {
+            pictures.push((t, state, angle));
+        }
+    }
+    Ok((low, pictures))
+}
+
+/// Down, asleep, awake, and up.
+pub fn animated() -> Result<Figure> {
+    let (duration, pictures) = film()?;
+    let fastest = pictures.iter().map(|p| p.1.omega).fold(0.0, f64::max);
+    let x = Axis::linear([0.0, duration], [270.0, 576.0]);
+    let depth = Frame {
+        x,
+        y: Axis::linear([0.4, 0.0], [180.0, 50.0]),
+    };
+    let spin = Frame {
+        x,
+        y: Axis::linear([0.0, 320.0], [370.0, 244.0]),
+    };
+    let words = Words {
+        claim: "Thrown, it sleeps at the end of its string; a jerk makes the string grip, and it climbs on the spin it has left.".to_owned(),
+        details: format!(
+            "To scale: radius 29 mm, axle of {} mm, a string of {} cm with a loop at its end, thrown at {THROW} m/s, asleep for {ASLEEP} s under a friction of \
+             {} mN m; one second in {SLOWNESS}. Greatest spin {} rad/s. Rest the pointer on the picture to stop it.",
+            number(1e3 * AXLE, 0),
+            number(1e2 * LENGTH, 0),
+            number(1e3 * FRICTION, 1),
+            number(fastest, 0),
+        ),
+        alt: "On the left a yo-yo on its string, with a spoke that shows its spin. It runs down, spins in place at the end of the string, and climbs back to the \
+              hand on the other side of the string. On the right its depth and its spin against time, with a marker that moves along: the depth rises to a \
+              plateau, the sleep, and returns; the spin rises on the way down, declines slowly in the sleep, drops a little at the jerk, and declines on the way up, \
+              without ever changing its sense. Without motion: the yo-yo asleep."
+            .to_owned(),
+    };
+    let asleep: Vec<f64> = pictures
+        .iter()
+        .filter(|p| p.1.phase == Phase::Asleep)
+        .map(|p| p.0)
+        .collect();
+    let still = figure(NAME, 420.0, words, |pen| {
+        let seconds = [(0.0, "0"), (0.25, "0.25"), (0.5, "0.5"), (0.75, "0.75")];
+        depth.draw(pen, &[], &[(0.0, "0"), (0.36, "0.36")], ["", "depth, m"]);
+        spin.draw(
+            pen,
+            &seconds,
+            &[(0.0, "0"), (200.0, "200"), (300.0, "300")],
+            ["time, s", "spin, rad/s"],
+        );
+        let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();
+        pen.line(&line, stroke(Role::Ink, DATA));
+        let line: Vec<Point> = pictures.iter().map(|p| spin.at(p.0, p.1.omega)).collect();
+        pen.line(&line, stroke(Role::Omega, DATA));
+        let middle = 0.5 * (asleep[0] + asleep[asleep.len() - 1]);
+        let [x, y] = depth.at(middle, 0.36);
+        pen.text([x, y - 10.0], Anchor::Middle, "asleep", small(Role::Muted));
+        pen.line(
+            &[[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]],
+            stroke(Role::Ink, AXIS),
+        );
+        pen.text(
+            [HAND[0] - 60.0, HAND[1] + 5.0],
+            Anchor::End,
+            "hand",
+            label(Role::Muted),
+        );
+    });
+    let picture = pictures.len() / 2;
+    Ok(with(
+        still,
+        &moving(&pictures, duration, picture, [&depth, &spin]),
+    ))
+}
+
+/// How far round the string's end the axle has gone shows in where its centre is: left of the string on the way down, right of it on the way up.
+fn aside(state: &YoYoState, after: bool) -> f64 {
+    let below = ((state.depth - LENGTH) / AXLE).clamp(0.0, 1.0);
+    let away = (1.0 - below * below).sqrt();
+    match state.phase {
+        Phase::Down => -1.0,
+        Phase::Turn if !after => -away,
+        Phase::Turn => away,
+        Phase::Up | Phase::Caught => 1.0,
+        Phase::Asleep | Phase::Hanging => 0.0,
+    }
+}
+
+fn moving(
+    pictures: &[(f64, YoYoState, f64)],
+    duration: f64,
+    still: usize,
+    [depth, spin]: [&Frame; 2],
+) -> String {
+    let mut frames: [Vec<String>; 4] = Default::default();
+    let mut slept = false;
+    for (t, state, angle) in pictures {
+        slept |= state.phase == Phase::Asleep;
+        let x = CANVAS * (HAND[0] + METRE * AXLE * aside(state, slept));
+        let y = CANVAS * (HAND[1] + METRE * state.depth);
+        frames[0].push(format!(
+            "translate({x:.0}px,{y:.0}px) rotate({angle:.2}rad)"
+        ));
+        // A string of 1000 canvas units, stretched; it ends level with the axle, or at its top in the turn.
+        let end = METRE * state.depth.min(LENGTH) * CANVAS / 1000.0;
+        frames[1].push(format!("scale(1,{end:.4})"));
+        for (slot, point) in [
+            (2, depth.at(*t, state.depth)),
+            (3, spin.at(*t, state.omega)),
+        ] {
+            let [x, y] = point.map(|c| c * CANVAS);
+            frames[slot].push(format!("translate({x:.0}px,{y:.0}px)"));
+        }
+    }
+    let (big, axle) = (METRE * RADIUS * CANVAS, METRE * AXLE * CANVAS);
+    let yo_yo = format!(
+        "<circle r=\"{big:.0}\" fill=\"currentColor\" fill-opacity=\"0.16\" stroke=\"currentColor\" stroke-width=\"16\"/>\
+         <path d=\"M0 0L{big:.0} 0\" stroke=\"var(--omega, #0b6bcb)\" stroke-width=\"30\"/>\
+         <circle r=\"{axle:.0}\" fill=\"currentColor\"/>"
+    );
+    let marker = "<circle r=\"50\" fill=\"currentColor\"/>".to_owned();
+    let string = "<path d=\"M0 0L0 1000\" stroke=\"currentColor\" stroke-width=\"14\" vector-effect=\"non-scaling-stroke\" \
+                  style=\"stroke-width:1.4px\"/>"
+        .to_owned();
+    let parts = [
+        ("string", 1, string),
+        ("toy", 0, yo_yo),
+        ("depth", 2, marker.clone()),
+        ("spin", 3, marker),
+    ];
+    let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
+    for (part, slot, drawing) in parts {
+        let name = format!("fig-{NAME}-{part}");
+        let _ = write!(style, "@keyframes {name}{{");
+        for (t, value) in pictures.iter().map(|p| p.0).zip(&frames[slot]) {
+            let _ = write!(style, "{:.2}%{{transform:{value}}}", 100.0 * t / duration);
+        }
+        let seconds = SLOWNESS * duration;
+        let _ = write!(
+            style,
+            "}}.{name}{{animation:{name} {seconds:.2}s linear infinite}}"
+        );
+        let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
+        let rest = frames[slot][still].replace("px", "").replace("rad", "");
+        // In the attribute an angle is in degrees; a yo-yo at rest may show any.
+        let rest = rest.split(" rotate").next().unwrap_or_default();
+        let moved = format!("<g class=\"{name}\" transform=\"{rest}\">{drawing}</g>");
+        if part == "string" {
+            let [x, y] = HAND.map(|c| c * CANVAS);
+            let _ = writeln!(
+                groups,
+                "<g transform=\"translate({x:.0} {y:.0})\">{moved}</g>"
+            );
+        } else {
+            let _ = writeln!(groups, "{moved}");
+        }
+    }
+    let _ = writeln!(
+        style,
+        "#fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
+         @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}@media print{{{all}{{animation:none}}}}</style>"
+    );
+    style + &groups
+}

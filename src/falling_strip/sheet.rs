@@ -1,0 +1,137 @@
+//! A real strip of paper: what it weighs against the air that it must push aside.
+
+use core::f64::consts::PI;
+
+use super::fall::{Coefficients, Fall, Regime, Start};
+use super::plate::Plate;
+use crate::error::{Error, Result, positive};
+
+/// Where flutter goes over into tumbling, as a Froude number: measured value and its uncertainty.
+///
+/// Source: Belmonte, Eisenberg and Moses, Physical Review Letters 81 (1998), for flat strips falling between two walls.
+pub const MEASURED_FROUDE: (f64, f64) = (0.67, 0.05);
+
+/// A strip by its width (m), its mass per area (kg/m²), the density of the fluid (kg/m³) and g (m/s²).
+///
+/// Its length does not matter to a quasi-two-dimensional model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sheet {
+    width: f64,
+    areal_density: f64,
+    fluid_density: f64,
+    gravity: f64,
+}
+
+impl Sheet {
+    /// The strip of this width, mass per area, in this fluid, under this gravity.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NotPositive`].
+    pub fn new(width: f64, areal_density: f64, fluid_density: f64, gravity: f64) -> Result<Self> {
+        Ok(Self {
+            width: positive("the width of the strip", width)?,
+            areal_density: positive("the mass per area", areal_density)?,
+            fluid_density: positive("the density of the fluid", fluid_density)?,
+            gravity: positive("gravity", gravity)?,
+        })
+    }
+
+    /// Office paper, 80 g/m², in air of 1.2 kg/m³, with g = 9.81 m/s².
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), for the width.
+    pub fn of_paper(width: f64) -> Result<Self> {
+        Self::new(width, 0.08, 1.2, 9.81)
+    }
+
+    /// The width at which such paper has this mass ratio: 4σ/(π ρ I*), m.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NotPositive`].
+    pub fn width_for(&self, mass_ratio: f64) -> Result<f64> {
+        Ok(4.0 * self.areal_density
+            / (PI * self.fluid_density * positive("the mass ratio", mass_ratio)?))
+    }
+
+    /// I* = 4σ/(π ρ w): the mass of the strip over that of the air cylinder around it. Dimensionless.
+    pub fn mass_ratio(&self) -> f64 {
+        4.0 * self.areal_density / (PI * self.fluid_density * self.width)
+    }
+
+    /// √(σ/(ρ w)) = √(π I*/4), dimensionless: the number by which the experiments are sorted.
+    pub fn froude(&self) -> f64 {
+        (self.areal_density / (self.fluid_density * self.width)).sqrt()
+    }
+
+    /// g, m/s².
+    pub const fn gravity(&self) -> f64 {
+        self.gravity
+    }
+
+    /// The speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width.
+    pub fn speed(&self) -> f64 {
+        (2.0 * self.areal_density * self.gravity / (PI * self.fluid_density)).sqrt()
+    }
+
+    /// Half the width, the length of the theory, m.
+    pub fn half_chord(&self) -> f64 {
+        0.5 * self.width
+    }
+
+    /// The time of the theory, a/U, s.
+    pub fn time(&self) -> f64 {
+        self.half_chord() / self.speed()
+    }
+
+    /// The strip as a flat [`Plate`].
+    ///
+    /// # Errors
+    /// As [`Plate::new`].
+    pub fn plate(&self) -> Result<Plate> {
+        let mass = self.areal_density * self.width;
+        Plate::new(self.half_chord(), mass, self.fluid_density, 0.0, 1.0 / 3.0)
+    }
+}
+
+/// The mass ratio I* at which flutter ends, between `low`, where the plate must flutter, and `high`, where it must not; to `accuracy`.
+///
+/// By bisection on what becomes of the plate [in the long run](Fall::long_run). Flutter ends where its period grows beyond all bounds,
+/// so the last digits need long runs: `window` is how long the plate is watched, after as long a run-up, units a/U.
+///
+/// Cost: log₂((high − low)/accuracy) long runs.
+///
+/// # Errors
+/// [`Error::Condition`] if the ends do not bracket the transition; as [`Fall::long_run`].
+pub fn transition(
+    coefficients: Coefficients,
+    low: f64,
+    high: f64,
+    accuracy: f64,
+    window: f64,
+) -> Result<f64> {
+    let accuracy = positive("the accuracy of the transition", accuracy)?;
+    let flutters = |ratio: f64| -> Result<bool> {
+        let fall = Fall::new(ratio, coefficients)?;
+        let run = fall.long_run(Start::TILTED, window, window)?;
+        Ok(matches!(run.regime, Regime::Flutter | Regime::Steady))
+    };
+    for (ratio, expected) in [(low, true), (high, false)] {
+        if flutters(ratio)? != expected {
+            return Err(Error::Condition {
+                condition: "the plate must flutter at the lower end of the bracket and not at the upper one",
+                value: ratio,
+            });
+        }
+    }
+    let (mut low, mut high) = (low, high);
+    // A bracket of neighbouring numbers cannot be halved.
+    while high - low > accuracy.max(f64::EPSILON * high) {
+        let middle = 0.5 * (low + high);
+        if flutters(middle)? {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(0.5 * (low + high))
+}

@@ -1,0 +1,308 @@
+//! The falling cat: two cylinders joined so that they cannot twist against each other (tutorial 1.1).
+//!
+//! Shape: the angle γ between the halves, and the direction ψ around the spine into which they bend. The relative rotation is
+//! R = exp(γ b(ψ)) with b perpendicular to the spine. Bend, carry the bend once round, unbend: the cat has its old shape, has had no
+//! angular momentum at any time, and lies the other way up.
+//!
+//! [`Cat`] takes any two halves and any path of shapes, and solves L = 0 for the angular velocity. [`EqualHalves`] is the case with a closed form:
+//! the bisector of the two spines then keeps its direction in space, and the cat is a swivel in disguise.
+
+use core::f64::consts::TAU;
+
+use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
+
+use super::holonomy::ShapePlane;
+use super::quadrature::periodic;
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::{Attitude, BodyVector};
+
+/// One half of a cat: a body of revolution, its spine its axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Half {
+    /// Mass m, kg.
+    pub mass: f64,
+    /// Moment J about the spine, kg m².
+    pub axial: f64,
+    /// Moment I about any line across the spine through the half's own centre, kg m².
+    pub transverse: f64,
+    /// Distance d from that centre to the joint, m.
+    pub to_joint: f64,
+}
+
+/// A shape and the rate at which it changes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Bend {
+    /// γ, angle between the halves' spines, radians: 0 is a straight cat.
+    pub angle: f64,
+    /// ψ, direction of the bend around the spine, radians.
+    pub direction: f64,
+    /// γ′, rad/s.
+    pub angle_rate: f64,
+    /// ψ′, rad/s.
+    pub direction_rate: f64,
+}
+
+impl Bend {
+    /// Spine of the second half along the axes of the first, whose own spine is x.
+    fn spine(&self) -> Vector3<f64> {
+        let ((s, c), (sp, cp)) = (self.angle.sin_cos(), self.direction.sin_cos());
+        Vector3::new(c, s * cp, s * sp)
+    }
+
+    /// Axis b(ψ) of the bend.
+    fn axis(&self) -> Vector3<f64> {
+        let (sp, cp) = self.direction.sin_cos();
+        Vector3::new(0.0, -sp, cp)
+    }
+
+    /// Angular velocity of the second half against the first, along the first's axes: γ′b + ψ′(e − Re).
+    /// No exponential map is differentiated, so a straight cat is like any other.
+    fn rate(&self) -> Vector3<f64> {
+        self.axis() * self.angle_rate + (Vector3::x() - self.spine()) * self.direction_rate
+    }
+
+    /// The attitude of the second half against the first.
+    pub fn relative(&self) -> Attitude {
+        let axis = Unit::new_unchecked(self.axis());
+        Attitude::from_unit(*UnitQuaternion::from_axis_angle(&axis, self.angle).quaternion())
+    }
+}
+
+/// A cat of two halves. Its body axes are those of the first half: x along the spine towards the joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cat {
+    halves: [Half; 2],
+}
+
+impl Cat {
+    /// The cat of these halves, front and rear.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::TriangleInequality`] for moments that no body has.
+    pub fn new(halves: [Half; 2]) -> Result<Self> {
+        for half in &halves {
+            positive("the mass of a half", half.mass)?;
+            positive("the moment about the spine", half.axial)?;
+            positive("the moment across the spine", half.transverse)?;
+            positive("the distance to the joint", half.to_joint)?;
+            if half.axial > 2.0 * half.transverse {
+                return Err(Error::TriangleInequality {
+                    smallest: half.transverse,
+                    middle: half.transverse,
+                    largest: half.axial,
+                });
+            }
+        }
+        Ok(Self { halves })
+    }
+
+    /// The halves.
+    pub const fn halves(&self) -> &[Half; 2] {
+        &self.halves
+    }
+
+    /// The closed form, if the halves are equal.
+    pub fn equal_halves(&self) -> Option<EqualHalves> {
+        let [first, second] = self.halves;
+        (first == second).then_some(EqualHalves {
+            axial: first.axial,
+            transverse: first.transverse,
+        })
+    }
+
+    /// Place of the joint and of the two halves' centres from the common centre of mass, m, along the first half's axes.
+    pub fn places(&self, bend: &Bend) -> [BodyVector; 3] {
+        let [first, second] = self.halves;
+        let mass = first.mass + second.mass;
+        let (a, b) = (
+            Vector3::x() * first.to_joint,
+            bend.spine() * second.to_joint,
+        );
+        let joint = a * (first.mass / mass) - b * (second.mass / mass);
+        [joint, joint - a, joint + b].map(BodyVector::from_components)
+    }
+
+    /// Angular momentum about the centre of mass, along the first half's axes, when that half turns at `omega`.
+    ///
+    /// Summed over the halves: each its own moments, and its mass at its place. This is what the ledger of a fall records.
+    pub fn angular_momentum(&self, bend: &Bend, omega: BodyVector) -> BodyVector {
+        let omega = omega.components();
+        let other = omega + bend.rate();
+        let [first, second] = &self.halves;
+        let spins = spin(first, Vector3::x(), omega) + spin(second, bend.spine(), other);
+        let [_, a, b] = self.places(bend).map(|place| place.components());
+        // Velocities seen from the centre of mass, along turning axes: r′ + Ω ∧ r.
+        let parting = bend.rate().cross(&bend.spine()) * second.to_joint;
+        let mass = first.mass + second.mass;
+        let va = omega.cross(&a) - parting * (second.mass / mass);
+        let vb = omega.cross(&b) + parting * (first.mass / mass);
+        BodyVector::from_components(spins + a.cross(&va) * first.mass + b.cross(&vb) * second.mass)
+    }
+
+    /// Angular velocity of the first half, rad/s along its own axes, at this shape and angular momentum (also along those axes).
+    ///
+    /// The locked body's matrix times Ω is L less what the shape alone would have: [I_A + RI_BRᵀ + μ(c²1 − ccᵀ)] Ω = L − RI_BRᵀw − μ c ∧ c′,
+    /// with c from centre to centre and μ the reduced mass. Observed error of the momentum restored: 3e-16 of its largest term.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a shape that is none.
+    pub fn angular_velocity(&self, bend: &Bend, momentum: BodyVector) -> Result<BodyVector> {
+        let [first, second] = &self.halves;
+        let (e, u) = (Vector3::x(), bend.spine());
+        let reduced = first.mass * (second.mass / (first.mass + second.mass));
+        let c = e * first.to_joint + u * second.to_joint;
+        let c_rate = bend.rate().cross(&u) * second.to_joint;
+        let matrix = inertia(first, e)
+            + inertia(second, u)
+            + (Matrix3::identity() * c.norm_squared() - c * c.transpose()) * reduced;
+        let shape = spin(second, u, bend.rate()) + c.cross(&c_rate) * reduced;
+        let right = momentum.components() - shape;
+        let omega = matrix
+            .cholesky()
+            .map(|factors| factors.solve(&right))
+            .unwrap_or(Vector3::repeat(f64::NAN));
+        for component in omega.iter() {
+            finite("the angular velocity of the cat", *component)?;
+        }
+        Ok(BodyVector::from_components(omega))
+    }
+}
+
+/// A half's own angular momentum when it turns at `omega`.
+fn spin(half: &Half, spine: Vector3<f64>, omega: Vector3<f64>) -> Vector3<f64> {
+    omega * half.transverse + spine * ((half.axial - half.transverse) * spine.dot(&omega))
+}
+
+fn inertia(half: &Half, spine: Vector3<f64>) -> Matrix3<f64> {
+    Matrix3::identity() * half.transverse
+        + spine * spine.transpose() * (half.axial - half.transverse)
+}
+
+/// The cat with equal halves, after Rademaker and ter Braak (1935): x is the bend γ, ψ its direction, polar coordinates of a disc of shapes.
+///
+/// Along the bisector of the spines and nowhere else the changing shape has angular momentum, so the bisector keeps its direction and the frame of
+/// the bend turns about it by χ′ = f(γ)ψ′, f = J cos a/(J cos²a + I sin²a), a = γ/2. Each half spins back by ψ on its own axis: seen along
+/// the straight cat, the turn is −∮(1 − f) dψ. The bending itself, γ′, turns nothing; the distance to the joint does not occur.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EqualHalves {
+    axial: f64,
+    transverse: f64,
+}
+
+impl ShapePlane for EqualHalves {
+    fn turn_back(&self, angle: f64) -> f64 {
+        // 1 − f = 2 sin²(a/2) [(2I − J) cos a + 2I sin²(a/2)]/D: nothing cancels, neither for a small bend nor for flat halves.
+        let (quarter, c) = ((0.25 * angle).sin(), (0.5 * angle).cos());
+        let versed = 2.0 * quarter * quarter;
+        versed * (self.excess() * c + self.transverse * versed) / self.stiffness(angle)
+    }
+
+    fn curvature(&self, angle: f64) -> f64 {
+        let (s, c) = (0.5 * angle).sin_cos();
+        let d = self.stiffness(angle);
+        0.5 * self.axial * s * (self.excess() * c * c + self.transverse * s * s) / (d * d)
+    }
+}
+
+impl EqualHalves {
+    /// The cat with these moments of each half, kg m².
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::TriangleInequality`].
+    pub fn new(axial: f64, transverse: f64) -> Result<Self> {
+        let half = Half {
+            mass: 1.0,
+            axial,
+            transverse,
+            to_joint: 1.0,
+        };
+        Cat::new([half, half])?;
+        Ok(Self { axial, transverse })
+    }
+
+    /// 2I − J: never negative, and zero for flat discs.
+    fn excess(&self) -> f64 {
+        2.0 * self.transverse - self.axial
+    }
+
+    /// D = J cos²a + I sin²a.
+    fn stiffness(&self, angle: f64) -> f64 {
+        let (s, c) = (0.5 * angle).sin_cos();
+        self.axial * c * c + self.transverse * s * s
+    }
+
+    /// f(γ): how far the frame of the bend turns in space a radian of ψ.
+    pub fn frame_turn(&self, angle: f64) -> f64 {
+        self.axial * (0.5 * angle).cos() / self.stiffness(angle)
+    }
+
+    /// Turn of the cat, radians, in the sense opposite to the swing, when the bend γ is carried once round:
+    /// 2π[1 − J cos a/(J cos²a + I sin²a)] with a = γ/2. 0 for γ = 0; independent of pace and of the distance to the joint.
+    /// Observed error: 4 ulp.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for γ outside 0…π.
+    pub fn turn_per_swing(&self, angle: f64) -> Result<f64> {
+        Ok(TAU * self.turn_back(bendable(angle)?))
+    }
+
+    /// The bend γ, radians, that turns the cat by exactly half a turn: with c = cos(γ/2) and a = I/J,
+    /// c = a/(√(1 + a(a − 1)) + 1).
+    pub fn half_turn_bend(&self) -> f64 {
+        let ratio = self.transverse / self.axial;
+        // Written so that a = 1 is no exception: there c = 1/2.
+        2.0 * (ratio / ((1.0 + ratio * (ratio - 1.0)).sqrt() + 1.0)).acos()
+    }
+
+    /// The turn, radians, when the bend is γ_forward at ψ = 0 and γ_back at ψ = π, and swings as (γ_f + γ_b)/2 + (γ_f − γ_b)/2 cos ψ:
+    /// Kane and Scher's cat (1969), which bends back less than forward. Observed error: 2e-16.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for bends outside 0…π.
+    pub fn turn_of_uneven_swing(&self, forward: f64, back: f64) -> Result<f64> {
+        let (forward, back) = (bendable(forward)?, bendable(back)?);
+        periodic(
+            |psi| self.turn_back(0.5 * (forward + back) + 0.5 * (forward - back) * psi.cos()),
+            TAU,
+        )
+    }
+
+    /// The bend γ_back, radians, that makes the uneven swing half a turn, or nothing if none does. The turn grows with the bend, so
+    /// bisection finds it to the last bit.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a bend outside 0…π.
+    pub fn back_bend_for_half_turn(&self, forward: f64) -> Result<Option<f64>> {
+        let excess =
+            |back: f64| Ok::<f64, Error>(self.turn_of_uneven_swing(forward, back)? - 0.5 * TAU);
+        let (mut low, mut high) = (0.0, core::f64::consts::PI);
+        if excess(low)? > 0.0 || excess(high)? < 0.0 {
+            return Ok(None);
+        }
+        loop {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                return Ok(Some(middle));
+            }
+            if excess(middle)? < 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+    }
+}
+
+/// A bend that a cat can have.
+fn bendable(angle: f64) -> Result<f64> {
+    if (0.0..=core::f64::consts::PI).contains(&angle) {
+        Ok(angle)
+    } else {
+        Err(Error::OutOfRange {
+            quantity: "the bend",
+            value: angle,
+            least: 0.0,
+            greatest: core::f64::consts::PI,
+        })
+    }
+}

@@ -1,0 +1,331 @@
+//! Two feet on a line, with a muscle between them: friction is what makes crawling possible (tutorial 1.1).
+
+use crate::error::{Error, Result, positive};
+
+/// Two feet, rear and front.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Crawler {
+    masses: [f64; 2],
+    strokes: Strokes,
+}
+
+/// How the muscle changes the gap between the feet: pushed apart by `length` within `push`, pulled together within `pull`, again and again.
+///
+/// Each stroke speeds up evenly and slows down evenly, so the acceleration of the gap is constant on four pieces of a cycle and every
+/// velocity is linear between events.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strokes {
+    /// Least gap, m.
+    pub gap: f64,
+    /// How much a stroke adds, m.
+    pub length: f64,
+    /// Duration of the push, s.
+    pub push: f64,
+    /// Duration of the pull, s.
+    pub pull: f64,
+}
+
+/// The gap (m), its rate and its acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// Front minus rear, m.
+    pub gap: f64,
+    /// Its rate, m/s.
+    pub rate: f64,
+    /// Its acceleration, m/s².
+    pub acceleration: f64,
+}
+
+impl Strokes {
+    /// Duration of a cycle, s.
+    pub fn cycle(&self) -> f64 {
+        self.push + self.pull
+    }
+
+    /// Piece of the motion with this number, four a cycle: its beginning and end, s, and the acceleration of the gap.
+    pub fn piece(&self, number: u64) -> (f64, f64, f64) {
+        let from_start = |number: u64| {
+            let within = match number % 4 {
+                0 => 0.0,
+                1 => 0.5 * self.push,
+                2 => self.push,
+                _ => self.push + 0.5 * self.pull,
+            };
+            (number / 4) as f64 * self.cycle() + within
+        };
+        let acceleration = match number % 4 {
+            0 => 4.0 * self.length / (self.push * self.push),
+            1 => -4.0 * self.length / (self.push * self.push),
+            2 => -4.0 * self.length / (self.pull * self.pull),
+            _ => 4.0 * self.length / (self.pull * self.pull),
+        };
+        (from_start(number), from_start(number + 1), acceleration)
+    }
+
+    /// The gap at a time within the piece of this number.
+    pub fn at(&self, number: u64, time: f64) -> Gap {
+        let (from, to, acceleration) = self.piece(number);
+        let (since, left) = (time - from, time - to);
+        // From the end of the piece at which the rate is zero.
+        let (base, elapsed) = match number % 4 {
+            0 => (self.gap, since),
+            1 => (self.gap + self.length, left),
+            2 => (self.gap + self.length, since),
+            _ => (self.gap, left),
+        };
+        Gap {
+            gap: base + 0.5 * acceleration * elapsed * elapsed,
+            rate: acceleration * elapsed,
+            acceleration,
+        }
+    }
+}
+
+/// Which way a foot moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Foot {
+    /// It holds.
+    Holds,
+    /// It slips forward.
+    Forward,
+    /// It slips back.
+    Back,
+}
+
+impl Foot {
+    /// The sign of its velocity.
+    pub const fn sign(self) -> f64 {
+        match self {
+            Self::Holds => 0.0,
+            Self::Forward => 1.0,
+            Self::Back => -1.0,
+        }
+    }
+
+    fn toward(velocity: f64) -> Self {
+        if velocity > 0.0 {
+            Self::Forward
+        } else {
+            Self::Back
+        }
+    }
+}
+
+/// The crawler at one time.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Place {
+    /// Centre of mass, m.
+    pub center: f64,
+    /// Its velocity, m/s.
+    pub velocity: f64,
+    /// What friction has given to the momentum, N s.
+    pub impulse: f64,
+    /// What friction has turned into heat, J.
+    pub heat: f64,
+    /// What the muscle has done, J.
+    pub work: f64,
+}
+
+/// A stretch of time in which neither the muscle's acceleration nor the state of a foot changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    /// State of rear and front foot.
+    pub feet: [Foot; 2],
+    /// Acceleration of the gap, m/s².
+    pub acceleration: f64,
+    /// Acceleration of the centre, m/s².
+    pub center: f64,
+    /// Force of the ground on each foot, N.
+    pub ground: [f64; 2],
+}
+
+impl Crawler {
+    /// Feet of these masses (kg), rear and front, moved like this.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`].
+    pub fn new(rear: f64, front: f64, strokes: Strokes) -> Result<Self> {
+        positive("the least gap", strokes.gap)?;
+        positive("the length of a stroke", strokes.length)?;
+        positive("the duration of the push", strokes.push)?;
+        positive("the duration of the pull", strokes.pull)?;
+        let masses = [
+            positive("the mass of the rear foot", rear)?,
+            positive("the mass of the front foot", front)?,
+        ];
+        positive("the acceleration of the push", strokes.piece(0).2)?;
+        positive("the acceleration of the pull", strokes.piece(3).2)?;
+        Ok(Self { masses, strokes })
+    }
+
+    /// Masses of rear and front foot, kg.
+    pub const fn masses(&self) -> [f64; 2] {
+        self.masses
+    }
+
+    /// What the muscle does.
+    pub const fn strokes(&self) -> &Strokes {
+        &self.strokes
+    }
+
+    fn mass(&self) -> f64 {
+        self.masses[0] + self.masses[1]
+    }
+
+    /// Places of rear and front foot, m.
+    pub fn feet(&self, center: f64, gap: f64) -> [f64; 2] {
+        let [rear, front] = self.masses;
+        [
+            center - front / self.mass() * gap,
+            center + rear / self.mass() * gap,
+        ]
+    }
+
+    /// Kinetic energy, J.
+    pub fn energy(&self, velocity: f64, gap_rate: f64) -> f64 {
+        let [v, w] = self.feet(velocity, gap_rate);
+        0.5 * (self.masses[0] * v * v + self.masses[1] * w * w)
+    }
+
+    /// What follows for the stretch that begins: which feet hold, and how the centre accelerates.
+    ///
+    /// `feet` says which feet were slipping so far; `grip` is μg (m/s²). A foot at rest holds if the force that this takes is no more than μ
+    /// times its weight, and otherwise sets off against it.
+    pub fn leg(&self, feet: [Foot; 2], gap: &Gap, grip: f64) -> Leg {
+        let [rear, front] = self.masses;
+        let alpha = gap.acceleration;
+        let feet = match feet {
+            [Foot::Holds, Foot::Holds] => {
+                // The other foot sets off: outward when the gap opens.
+                let outward = [Foot::toward(-alpha), Foot::toward(alpha)];
+                if front * (alpha.abs() + grip) <= rear * grip {
+                    [Foot::Holds, outward[1]]
+                } else if rear * (alpha.abs() + grip) <= front * grip {
+                    [outward[0], Foot::Holds]
+                } else {
+                    outward
+                }
+            }
+            [Foot::Holds, moving] => {
+                let needed = front * (alpha + grip * moving.sign());
+                if needed.abs() <= rear * grip {
+                    feet
+                } else {
+                    [Foot::toward(-needed), moving]
+                }
+            }
+            [moving, Foot::Holds] => {
+                let needed = rear * (-alpha + grip * moving.sign());
+                if needed.abs() <= front * grip {
+                    feet
+                } else {
+                    [moving, Foot::toward(-needed)]
+                }
+            }
+            both => both,
+        };
+        let slides = [
+            -grip * rear * feet[0].sign(),
+            -grip * front * feet[1].sign(),
+        ];
+        let (center, ground) = match feet {
+            [Foot::Holds, _] => {
+                let center = front / self.mass() * alpha;
+                (center, [front * alpha - slides[1], slides[1]])
+            }
+            [_, Foot::Holds] => {
+                let center = -rear / self.mass() * alpha;
+                (center, [slides[0], -rear * alpha - slides[0]])
+            }
+            _ => ((slides[0] + slides[1]) / self.mass(), slides),
+        };
+        Leg {
+            feet,
+            acceleration: alpha,
+            center,
+            ground,
+        }
+    }
+
+    /// Force of the muscle, N, that presses the front foot forward and the rear foot back.
+    pub fn muscle(&self, leg: &Leg) -> f64 {
+        let [rear, front] = self.masses;
+        front * (leg.center + rear / self.mass() * leg.acceleration) - leg.ground[1]
+    }
+
+    /// Heat, W, at these velocities of the feet.
+    pub fn heating(&self, leg: &Leg, velocities: [f64; 2]) -> f64 {
+        let foot = |k: usize| {
+            if leg.feet[k] == Foot::Holds {
+                0.0
+            } else {
+                -leg.ground[k] * velocities[k]
+            }
+        };
+        foot(0) + foot(1)
+    }
+
+    /// The place after `time` in a leg that begins at `place` with this gap, and the gap's change in that time.
+    pub fn after(&self, leg: &Leg, place: &Place, gap: &Gap, time: f64) -> Place {
+        let advance = (place.velocity + 0.5 * leg.center * time) * time;
+        let opened = (gap.rate + 0.5 * leg.acceleration * time) * time;
+        let moved = self.feet(advance, opened);
+        Place {
+            center: place.center + advance,
+            velocity: place.velocity + leg.center * time,
+            impulse: place.impulse + (leg.ground[0] + leg.ground[1]) * time,
+            heat: place.heat + self.heating(leg, moved),
+            work: place.work + self.muscle(leg) * opened,
+        }
+    }
+
+    /// When a slipping foot comes to rest in this leg, s from its beginning, and which one; nothing if within `time` none does.
+    /// While one foot holds, the other goes with the stroke and rests where the stroke turns, not before.
+    pub fn rest(&self, leg: &Leg, place: &Place, gap: &Gap, time: f64) -> Option<(f64, usize)> {
+        if leg.feet.contains(&Foot::Holds) {
+            return None;
+        }
+
+        let velocities = self.feet(place.velocity, gap.rate);
+        let accelerations = self.feet(leg.center, leg.acceleration);
+        let stop = |k: usize| {
+            let (v, a) = (
+                velocities[k] * leg.feet[k].sign(),
+                accelerations[k] * leg.feet[k].sign(),
+            );
+            // A foot that should have come to rest at the very end of the last leg does so now.
+            let after = (-v / a).max(0.0);
+            (a < 0.0 && after < time).then_some((after, k))
+        };
+        match (stop(0), stop(1)) {
+            (Some(a), Some(b)) => Some(if a.0 <= b.0 { a } else { b }),
+            (a, b) => a.or(b),
+        }
+    }
+
+    /// The velocity of the centre that leaves this foot at rest, m/s.
+    pub fn holding(&self, foot: usize, gap_rate: f64) -> f64 {
+        let [rear, front] = self.masses;
+        if foot == 0 {
+            front / self.mass() * gap_rate
+        } else {
+            -rear / self.mass() * gap_rate
+        }
+    }
+
+    /// Most events to be looked for: more than an hour of crawling.
+    ///
+    /// # Errors
+    /// [`Error::Condition`] if the times ask for more pieces than a million.
+    pub(crate) fn pieces_until(&self, time: f64) -> Result<u64> {
+        let cycles = (time / self.strokes.cycle()).ceil();
+        if cycles <= 250_000.0 {
+            Ok(4 * cycles as u64)
+        } else {
+            Err(Error::Condition {
+                condition: "a crawler must be asked for no more than 250000 cycles",
+                value: cycles,
+            })
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! The geometric phase: turning by going round a loop of shapes (tutorial 1.1).
+//!
+//! A body whose shape has two coordinates, x and an angle ψ, and which turns about one line by θ′ = −a(x) ψ′ when it has no angular
+//! momentum. Along a closed path of shapes the turn is −∮ a dψ: a line integral that knows no time. By Stokes' theorem it is an area,
+//! −∬ a′(x) dx dψ, with the curvature a′ as density. Where the curvature is zero, as for the [slide on ice](super::ice), no loop moves anything.
+
+use core::f64::consts::TAU;
+
+use super::quadrature::{integral, periodic};
+use crate::error::{Result, finite};
+
+/// A shape plane (x, ψ) and the law by which the body turns back when ψ grows.
+pub trait ShapePlane {
+    /// a(x): radians of turn lost a radian of ψ.
+    fn turn_back(&self, x: f64) -> f64;
+
+    /// a′(x): the curvature, density of the turn over the plane, with respect to dx dψ.
+    fn curvature(&self, x: f64) -> f64;
+}
+
+/// A place on a closed path of shapes, and the rate by which the path leaves it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// (x, ψ).
+    pub shape: [f64; 2],
+    /// (x′, ψ′), by the parameter of the path.
+    pub rate: [f64; 2],
+}
+
+/// From where an area is swept out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Hub {
+    /// From a point (x, ψ) of the plane: the loop does not go round the axis of ψ.
+    Point([f64; 2]),
+    /// From x = 0, where all ψ are the same shape: the loop goes round it, x and ψ are polar coordinates, and a(0) = 0.
+    Pole,
+}
+
+/// The turn −∮ a dψ along a closed smooth path, s from 0 to 2π, radians. Observed error: 2e-16 of ∮ |a ψ′| ds.
+///
+/// # Errors
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) as [`periodic`].
+pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result<f64> {
+    let rate = |s: f64| {
+        let step = path(s);
+        -plane.turn_back(step.shape[0]) * step.rate[1]
+    };
+    periodic(rate, TAU)
+}
+
+/// The turn −∬ a′ dx dψ over what a closed smooth path encloses, radians: the same number as [`turn_along`], from the curvature alone.
+///
+/// The area is swept by the ray from the hub to the path; where the path goes round the other way the area counts as negative.
+/// Observed difference from [`turn_along`]: 4e-16 relative for the loops of the book.
+///
+/// # Errors
+/// As [`turn_along`].
+pub fn turn_within(plane: &impl ShapePlane, path: impl Fn(f64) -> Step, hub: Hub) -> Result<f64> {
+    finite("the turn along a path", path(0.0).shape[0])?;
+    let ray = |s: f64| {
+        let Step { shape, rate } = path(s);
+        match hub {
+            Hub::Point([x, psi]) => {
+                let (out, across) = (shape[0] - x, shape[1] - psi);
+                // dx dψ = ρ (out ψ′ − across x′) dρ ds.
+                let swept = out * rate[1] - across * rate[0];
+                let density = integral(|rho| rho * plane.curvature(x + rho * out), 0.0, 1.0, 0.0);
+                -swept * density.unwrap_or(f64::NAN)
+            }
+            Hub::Pole => {
+                let along = integral(|x| plane.curvature(x), 0.0, shape[0], 0.0);
+                -rate[1] * along.unwrap_or(f64::NAN)
+            }
+        }
+    };
+    periodic(ray, TAU)
+}

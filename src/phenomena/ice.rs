@@ -1,0 +1,150 @@
+//! On perfect ice: why wriggling takes you nowhere (tutorial 1.1, picture a).
+
+use crate::error::{Error, Result, finite, positive};
+use crate::integrators::System;
+
+/// A part of a body on ice.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Part {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Where it is, from the feet, m.
+    pub from_feet: [f64; 2],
+}
+
+/// Where the feet are, m, when the parts are arranged like this about them and the centre of mass is at `center`.
+///
+/// A body that starts from rest without a horizontal force keeps its centre, so its feet are a function of its shape: F = C − Σmx/Σm.
+/// A closed cycle of shapes brings them back, bit for bit.
+///
+/// # Errors
+/// [`Error::Empty`] without parts; [`Error::NotPositive`] for a mass; [`Error::NotFinite`].
+pub fn feet(parts: &[Part], center: [f64; 2]) -> Result<[f64; 2]> {
+    let mut mass = 0.0;
+    let mut moment = [0.0; 2];
+    for part in parts {
+        mass += positive("the mass of a part", part.mass)?;
+        for (sum, place) in moment.iter_mut().zip(part.from_feet) {
+            *sum += part.mass * finite("the place of a part", place)?;
+        }
+    }
+    if parts.is_empty() {
+        return Err(Error::Empty {
+            quantity: "the list of parts",
+        });
+    }
+    Ok([
+        finite("the place of the feet", center[0] - moment[0] / mass)?,
+        finite("the place of the feet", center[1] - moment[1] / mass)?,
+    ])
+}
+
+/// Parts of a [`Wriggler`].
+pub const PARTS: usize = 6;
+const JOINS: usize = PARTS * (PARTS - 1) / 2;
+
+/// A body of six parts on frictionless ice, each pair pulled and pushed by a muscle of its own that knows no purpose.
+///
+/// A muscle acts along the join like a spring whose rest length swings by half, with damping; opposite forces on its two ends, and
+/// nothing else acts. State for the integrator: x, y of each part, then their velocities.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wriggler {
+    masses: [f64; PARTS],
+    muscles: [Muscle; JOINS],
+    start: [f64; 4 * PARTS],
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Muscle {
+    rest: f64,
+    rate: f64,
+    phase: f64,
+}
+
+/// Stiffness (N/m) and damping (N s/m) of a muscle.
+const STIFFNESS: f64 = 300.0;
+const DAMPING: f64 = 8.0;
+
+impl Wriggler {
+    /// A wriggler of this seed, at rest: masses of 5 to 15 kg on a circle of radius 0.5 m, muscles at 2 to 8 rad/s.
+    pub fn random(seed: u64) -> Self {
+        let mut state = seed;
+        let mut next = || {
+            // Knuth's linear congruential sequence; the high bits are the good ones.
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 53) as f64
+        };
+        next();
+        let masses = core::array::from_fn(|_| 5.0 + 10.0 * next());
+        let mut start = [0.0; 4 * PARTS];
+        for k in 0..PARTS {
+            let (s, c) = (core::f64::consts::TAU * k as f64 / PARTS as f64).sin_cos();
+            (start[2 * k], start[2 * k + 1]) = (0.5 * c, 0.5 * s);
+        }
+        let mut muscles = [Muscle::default(); JOINS];
+        for (muscle, (i, j)) in muscles.iter_mut().zip(joins()) {
+            let apart = [
+                start[2 * j] - start[2 * i],
+                start[2 * j + 1] - start[2 * i + 1],
+            ];
+            *muscle = Muscle {
+                rest: apart[0].hypot(apart[1]),
+                rate: 2.0 + 6.0 * next(),
+                phase: core::f64::consts::TAU * next(),
+            };
+        }
+        Self {
+            masses,
+            muscles,
+            start,
+        }
+    }
+
+    /// The masses, kg.
+    pub const fn masses(&self) -> &[f64; PARTS] {
+        &self.masses
+    }
+
+    /// The state at time 0: at rest.
+    pub const fn start(&self) -> &[f64; 4 * PARTS] {
+        &self.start
+    }
+
+    /// The centre of mass, m.
+    pub fn center(&self, state: &[f64; 4 * PARTS]) -> [f64; 2] {
+        let mass: f64 = self.masses.iter().sum();
+        core::array::from_fn(|axis| {
+            let parts = self.masses.iter().enumerate();
+            parts.map(|(k, m)| m * state[2 * k + axis]).sum::<f64>() / mass
+        })
+    }
+}
+
+/// Every pair once.
+fn joins() -> impl Iterator<Item = (usize, usize)> {
+    (0..PARTS).flat_map(|i| (i + 1..PARTS).map(move |j| (i, j)))
+}
+
+impl System<{ 4 * PARTS }> for Wriggler {
+    fn rate(&self, t: f64, y: &[f64; 4 * PARTS]) -> [f64; 4 * PARTS] {
+        const HALF: usize = 2 * PARTS;
+        let mut rate = [0.0; 4 * PARTS];
+        rate[..HALF].copy_from_slice(&y[HALF..]);
+        for (muscle, (i, j)) in self.muscles.iter().zip(joins()) {
+            let apart = [0, 1].map(|axis| y[2 * j + axis] - y[2 * i + axis]);
+            let parting = [0, 1].map(|axis| y[HALF + 2 * j + axis] - y[HALF + 2 * i + axis]);
+            let length = apart[0].hypot(apart[1]);
+            let lengthening = (apart[0] * parting[0] + apart[1] * parting[1]) / length;
+            let rest = muscle.rest * (1.0 + 0.5 * (muscle.rate * t + muscle.phase).sin());
+            let pull = STIFFNESS * (length - rest) + DAMPING * lengthening;
+            for axis in [0, 1] {
+                let force = pull * apart[axis] / length;
+                rate[HALF + 2 * i + axis] += force / self.masses[i];
+                rate[HALF + 2 * j + axis] -= force / self.masses[j];
+            }
+        }
+        rate
+    }
+}

@@ -1,0 +1,98 @@
+//! The paper cat: a shuttlecock, and no relation of real cats (tutorial 1.1).
+
+use crate::error::{Result, finite, positive};
+
+/// A folded sheet of paper whose centre of mass lies below the point at which the air pushes.
+///
+/// One angle, its tilt a from feet-down, and the velocity of fall v: v′ = g − q/m and m k² a″ = −q d sin a − c|v|a′, with
+/// q = ½ρSC v|v|. Air and gravity are effects of the scene; this is the cat and what the air does to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PaperCat {
+    /// Mass m, kg.
+    pub mass: f64,
+    /// Area S of the sheet, m².
+    pub area: f64,
+    /// Height d of the centre of pressure above the centre of mass, m, when the feet are down.
+    pub lever: f64,
+    /// Radius of gyration k, m.
+    pub gyration: f64,
+    /// Normal force coefficient C.
+    pub coefficient: f64,
+    /// Damping length squared, m²: the air resists turning with ½ρSC·(this)·|v|a′.
+    pub damping: f64,
+}
+
+impl PaperCat {
+    /// A cat cut from a postcard: 1.2 g, 40 cm², lever 6 mm, radius of gyration 2 cm.
+    pub const POSTCARD: Self = Self {
+        mass: 1.2e-3,
+        area: 40e-4,
+        lever: 6e-3,
+        gyration: 2e-2,
+        coefficient: 1.2,
+        damping: 4e-4,
+    };
+
+    /// The same cat, if a cat can be like that.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite); the lever may have any sign.
+    pub fn checked(self) -> Result<Self> {
+        positive("the mass", self.mass)?;
+        positive("the area", self.area)?;
+        positive("the radius of gyration", self.gyration)?;
+        positive("the normal force coefficient", self.coefficient)?;
+        positive("the damping", self.damping)?;
+        finite("the lever", self.lever)?;
+        Ok(self)
+    }
+
+    /// ½ρSC, kg/m, in air of density `air` (kg/m³).
+    fn grip(&self, air: f64) -> f64 {
+        0.5 * air * self.area * self.coefficient
+    }
+
+    /// The speed, m/s, at which air of density `air` (kg/m³) carries the weight under gravity `g` (m/s²): √(2mg/ρSC).
+    pub fn terminal_speed(&self, air: f64, g: f64) -> f64 {
+        (self.mass * g / self.grip(air)).sqrt()
+    }
+
+    /// Deceleration by the air, m/s², at this velocity of fall: q/m.
+    pub fn drag(&self, air: f64, velocity: f64) -> f64 {
+        self.grip(air) * velocity * velocity.abs() / self.mass
+    }
+
+    /// Angular acceleration by the air, rad/s².
+    pub fn righting(&self, air: f64, velocity: f64, tilt: f64, tilt_rate: f64) -> f64 {
+        let per_moment = self.grip(air) * velocity.abs() / (self.mass * self.gyration.powi(2));
+        -per_moment * (self.lever * velocity * tilt.sin() + self.damping * tilt_rate)
+    }
+
+    /// Fall, m, that each factor of ten in the initial error costs a cat that is nearly upside down, at terminal speed:
+    /// v_t ln 10/λ, where λ is the rate at which the error grows, mk²λ² + c v_t λ = mgd.
+    pub fn fall_per_decade(&self, air: f64, g: f64) -> f64 {
+        let speed = self.terminal_speed(air, g);
+        let moment = self.mass * self.gyration.powi(2);
+        let half = 0.5 * self.grip(air) * speed * self.damping / moment;
+        let stiffness = self.mass * g * self.lever / moment;
+        // The positive root, without a difference.
+        let rate = stiffness / (half + (half * half + stiffness).sqrt());
+        speed * core::f64::consts::LN_10 / rate
+    }
+
+    /// Velocity (m/s) and fall (m) after a time (s) from rest in this air: v = v_t tanh(gt/v_t), z = (v_t²/g) ln cosh(gt/v_t).
+    pub fn fall(&self, air: f64, g: f64, time: f64) -> [f64; 2] {
+        let speed = self.terminal_speed(air, g);
+        let x = (g * time / speed).abs();
+        // ln cosh x = x + ln(1 + e^(−2x)) − ln 2; for small x through sinh², which does not cancel.
+        let log_cosh = if x < 1.0 {
+            0.5 * (x.sinh().powi(2)).ln_1p()
+        } else {
+            x + (-2.0 * x).exp().ln_1p() - core::f64::consts::LN_2
+        };
+        [
+            speed * (g * time / speed).tanh(),
+            speed * speed / g * log_cosh,
+        ]
+    }
+}

@@ -1,0 +1,129 @@
+//! Integrals of smooth functions, to rounding.
+
+use crate::error::{Error, Result, finite};
+
+/// ∫ f from `from` to `to`, for a function that is smooth between them.
+///
+/// Gauss and Legendre with 20 points, intervals halved until both halves together agree with the whole to 1e-14 of the integral of |f|, or
+/// to `accuracy` times it if that is more, or to what the rounding of the variable does to f. Observed error for analytic integrands: 3e-16 of that integral.
+/// Cost: 60 evaluations where nothing has to be halved.
+///
+/// # Errors
+/// [`Error::NotFinite`] for the ends and for values of f; [`Error::Accuracy`] after 40 halvings.
+pub fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64) -> Result<f64> {
+    finite("the beginning of an integral", from)?;
+    finite("the end of an integral", to)?;
+    if from == to {
+        return Ok(0.0);
+    }
+    let (whole, size, greatest) = panel(&f, from, to);
+    finite("an integral", whole)?;
+    let rounding = Rounding {
+        variable: 4.0 * f64::EPSILON * from.abs().max(to.abs()) * greatest,
+        left: 40,
+    };
+    halved(&f, [from, to], whole, size * accuracy.max(1e-14), rounding)
+}
+
+/// ∮ f(s) ds over one period from 0, for a smooth function of period `period`.
+///
+/// The trapezoidal rule, which for such functions gains digits in proportion to its points; doubled until it settles to 1e-15 of the
+/// largest value met. Observed error: 2e-16 of ∮ |f|.
+///
+/// # Errors
+/// [`Error::NotFinite`]; [`Error::Accuracy`] if 2^16 points do not settle it.
+pub fn periodic(f: impl Fn(f64) -> f64, period: f64) -> Result<f64> {
+    finite("the period", period)?;
+    let mean = |points: u32, shift: f64| -> (f64, f64) {
+        let values = (0..points).map(|k| f(period * (f64::from(k) + shift) / f64::from(points)));
+        let (sum, size) = values.fold((0.0, 0.0_f64), |(sum, size), value| {
+            (sum + value, size.max(value.abs()))
+        });
+        (sum / f64::from(points), size)
+    };
+    let mut points = 16;
+    let (mut whole, mut size) = mean(points, 0.0);
+    let mut apart = f64::INFINITY;
+    while points < 1 << 16 {
+        let (between, other) = mean(points, 0.5);
+        size = size.max(other);
+        apart = (whole - between).abs();
+        whole = 0.5 * (whole + between);
+        finite("an integral over a period", whole)?;
+        // The two sums differ by twice the error of the first; the next is nearly the square of it.
+        if apart <= 1e-15 * size {
+            return Ok(period * whole);
+        }
+        points *= 2;
+    }
+    Err(Error::Accuracy {
+        asked: 1e-15,
+        reached: apart / size,
+    })
+}
+
+/// The sum over one interval, of f and of |f|, and the greatest |f|.
+fn panel(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let (mut sum, mut size, mut greatest) = (0.0, 0.0, 0.0_f64);
+    for [node, weight] in GAUSS {
+        let (below, above) = (f(middle - half * node), f(middle + half * node));
+        sum += weight * (below + above);
+        size += weight * (below.abs() + above.abs());
+        greatest = greatest.max(below.abs()).max(above.abs());
+    }
+    (half * sum, half.abs() * size, greatest)
+}
+
+/// Where halving ends.
+#[derive(Clone, Copy)]
+struct Rounding {
+    /// What an error of the variable by its last bits does to the integral.
+    variable: f64,
+    /// Halvings left.
+    left: u32,
+}
+
+fn halved(
+    f: &impl Fn(f64) -> f64,
+    [from, to]: [f64; 2],
+    whole: f64,
+    allowed: f64,
+    rounding: Rounding,
+) -> Result<f64> {
+    let middle = 0.5 * (from + to);
+    let ((first, a, _), (second, b, _)) = (panel(f, from, middle), panel(f, middle, to));
+    let sum = first + second;
+    finite("an integral", sum)?;
+    // Near rounding, of the sum itself or of the variable, nothing can be gained.
+    let noise = rounding.variable.max(4.0 * f64::EPSILON * (a + b));
+    if (sum - whole).abs() <= allowed.max(noise) {
+        return Ok(sum);
+    }
+    if rounding.left == 0 {
+        return Err(Error::Accuracy {
+            asked: allowed,
+            reached: (sum - whole).abs(),
+        });
+    }
+    let rounding = Rounding {
+        left: rounding.left - 1,
+        ..rounding
+    };
+    Ok(halved(f, [from, middle], first, 0.5 * allowed, rounding)?
+        + halved(f, [middle, to], second, 0.5 * allowed, rounding)?)
+}
+
+/// Nodes and weights on −1…1, the positive half.
+const GAUSS: [[f64; 2]; 10] = [
+    [0.076_526_521_133_497_33, 0.152_753_387_130_725_85],
+    [0.227_785_851_141_645_08, 0.149_172_986_472_603_75],
+    [0.373_706_088_715_419_56, 0.142_096_109_318_382_05],
+    [0.510_867_001_950_827_1, 0.131_688_638_449_176_63],
+    [0.636_053_680_726_515, 0.118_194_531_961_518_42],
+    [0.746_331_906_460_150_8, 0.101_930_119_817_240_44],
+    [0.839_116_971_822_218_8, 0.083_276_741_576_704_75],
+    [0.912_234_428_251_326, 0.062_672_048_334_109_06],
+    [0.963_971_927_277_913_8, 0.040_601_429_800_386_94],
+    [0.993_128_599_185_094_9, 0.017_614_007_139_152_118],
+];

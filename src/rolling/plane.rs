@@ -1,0 +1,111 @@
+//! Sliding in any direction over the cloth (tutorial 4.3, out of its plane): the massé shot.
+//!
+//! The slip u = V − W, with W the rim's velocity (rolling: W = V), keeps its direction while it dies, because friction acts against it
+//! on both V and W. So friction is a constant vector, and the path is a parabola that ends in a straight line.
+
+use super::shot::RoundBody;
+use crate::error::{Result, finite, positive};
+
+/// Velocities along the two directions of the table, m/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InPlane {
+    /// Velocity V of the centre.
+    pub velocity: [f64; 2],
+    /// Velocity W that the centre would have if the ball rolled with its spin: (RΩ_y, −RΩ_x).
+    pub rim_velocity: [f64; 2],
+}
+
+/// A slide over the cloth and the rolling that follows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slide {
+    start: InPlane,
+    /// Friction per mass, m/s².
+    friction: [f64; 2],
+    time: f64,
+    kappa: f64,
+    rolling: [f64; 2],
+}
+
+impl InPlane {
+    /// Velocity of the contact point over the cloth, V − W.
+    pub fn slip(&self) -> [f64; 2] {
+        [0, 1].map(|i| self.velocity[i] - self.rim_velocity[i])
+    }
+}
+
+impl RoundBody {
+    /// The velocity that a ball ends up rolling with: (V + κW)/(1+κ), m/s, whatever rubs it in whatever manner (4.3, 4.5).
+    pub fn eventual_velocity(&self, motion: &InPlane) -> [f64; 2] {
+        let kappa = self.inertia_factor();
+        [0, 1].map(|i| {
+            (motion.velocity[i] + kappa * motion.rim_velocity[i]) / self.pure_rolling_height()
+        })
+    }
+
+    /// From sliding in any direction to rolling, under Coulomb's friction. Closed form; κ|u|/((1+κ)μg) seconds of parabola.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
+    pub fn slide_in_plane(&self, start: InPlane, friction: f64, gravity: f64) -> Result<Slide> {
+        let strength = positive("the coefficient of friction", friction)?
+            * positive("the acceleration of gravity", gravity)?;
+        for value in start.velocity.iter().chain(&start.rim_velocity) {
+            finite("a velocity", *value)?;
+        }
+        let [x, y] = start.slip();
+        let size = x.hypot(y);
+        let friction = if size == 0.0 {
+            [0.0; 2]
+        } else {
+            [-strength * (x / size), -strength * (y / size)]
+        };
+        let kappa = self.inertia_factor();
+        Ok(Slide {
+            start,
+            friction,
+            time: finite(
+                "the sliding time",
+                kappa / self.pure_rolling_height() * size / strength,
+            )?,
+            kappa,
+            rolling: self.eventual_velocity(&start),
+        })
+    }
+}
+
+impl Slide {
+    /// When rolling begins, s.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The velocity of rolling, m/s.
+    pub fn rolling(&self) -> [f64; 2] {
+        self.rolling
+    }
+
+    /// Friction per mass while it slides, m/s²: a constant vector.
+    pub fn friction(&self) -> [f64; 2] {
+        self.friction
+    }
+
+    /// Place of the centre, m, and the motion, at a time (s, 0 or later) since the stroke.
+    pub fn at(&self, t: f64) -> ([f64; 2], InPlane) {
+        let sliding = t.min(self.time);
+        let (v, f) = (self.start.velocity, self.friction);
+        let place = [0, 1]
+            .map(|i| sliding * (v[i] + 0.5 * sliding * f[i]) + (t - sliding) * self.rolling[i]);
+        let motion = if t >= self.time {
+            InPlane {
+                velocity: self.rolling,
+                rim_velocity: self.rolling,
+            }
+        } else {
+            InPlane {
+                velocity: [0, 1].map(|i| v[i] + t * f[i]),
+                rim_velocity: [0, 1].map(|i| self.start.rim_velocity[i] - t * f[i] / self.kappa),
+            }
+        };
+        (place, motion)
+    }
+}

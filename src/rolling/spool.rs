@@ -1,0 +1,226 @@
+//! The spool whose string is tugged (tutorial 4.4): about the point of contact friction has no moment, and the tug's decides.
+//!
+//! The string leaves the axle from below; the tug has tension T at the angle θ above the horizontal, 0 towards +x. Its moment about
+//! the centre is −rT at every angle, about the point of contact T(R cos θ − r), and the sign of that is the way the spool rolls.
+
+use super::course::{Course, Friction, Load, Moment, Nothing, Resistance};
+use super::shot::RoundBody;
+use crate::error::{Error, Result, finite, not_negative, positive};
+
+/// A spool on a table: discs of the radius of a [`RoundBody`] and a thinner axle between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spool {
+    body: RoundBody,
+    ratio: f64,
+}
+
+/// A steady tug at the string.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tug {
+    tension: f64,
+    angle: f64,
+}
+
+/// Which way a spool rolls when it is gently tugged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// Towards the tug, and the string is wound up.
+    TowardsTheTug,
+    /// Not at all: the line of force goes through the point of contact.
+    Stays,
+    /// Away from the tug, paying out string.
+    AwayFromTheTug,
+}
+
+impl Tug {
+    /// A tension (N) at an angle (rad) above the horizontal, 0…π.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Negative`]; [`Error::OutOfRange`] for the angle.
+    pub fn new(tension: f64, angle: f64) -> Result<Self> {
+        Ok(Self {
+            tension: not_negative("the tension", tension)?,
+            angle: tug_angle(angle)?,
+        })
+    }
+
+    /// Tension, N.
+    pub fn tension(&self) -> f64 {
+        self.tension
+    }
+
+    /// Angle above the horizontal, rad.
+    pub fn angle(&self) -> f64 {
+        self.angle
+    }
+}
+
+fn tug_angle(angle: f64) -> Result<f64> {
+    let quantity = "the angle of the tug";
+    let value = finite(quantity, angle)?;
+    if (0.0..=core::f64::consts::PI).contains(&value) {
+        Ok(value)
+    } else {
+        Err(Error::OutOfRange {
+            quantity,
+            value,
+            least: 0.0,
+            greatest: core::f64::consts::PI,
+        })
+    }
+}
+
+impl Spool {
+    /// A spool that rolls on `body` and whose string is wound on an axle of radius `axle` (m), which may be the larger one: a
+    /// spool whose axle rolls on rails.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`] for the axle.
+    pub fn new(body: RoundBody, axle: f64) -> Result<Self> {
+        let axle = positive("the radius of the axle", axle)?;
+        Ok(Self {
+            body,
+            ratio: positive("the ratio of the radii", axle / body.radius())?,
+        })
+    }
+
+    /// What rolls.
+    pub fn body(&self) -> RoundBody {
+        self.body
+    }
+
+    /// r/R, dimensionless.
+    pub fn ratio(&self) -> f64 {
+        self.ratio
+    }
+
+    /// The tug's moment about the centre, −rT, N m, the same at every angle; positive the way of rolling forward (4.4).
+    pub fn moment_about_centre(&self, tug: Tug) -> f64 {
+        -self.ratio * self.body.radius() * tug.tension
+    }
+
+    /// The tug's moment about the point of contact, T(R cos θ − r), N m (4.4): friction has none there.
+    pub fn moment_about_contact(&self, tug: Tug) -> f64 {
+        self.body.radius() * tug.tension * (tug.angle.cos() - self.ratio)
+    }
+
+    /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; none if r > R (4.4).
+    pub fn critical_angle(&self) -> Option<f64> {
+        (self.ratio <= 1.0).then(|| self.ratio.acos())
+    }
+
+    /// Which way it rolls, tugged gently at this angle (rad): decided by [`Self::critical_angle`], to the last bit (4.4).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] outside 0…π.
+    pub fn way(&self, angle: f64) -> Result<Way> {
+        let angle = tug_angle(angle)?;
+        Ok(match self.critical_angle() {
+            Some(critical) if angle < critical => Way::TowardsTheTug,
+            Some(critical) if angle == critical => Way::Stays,
+            _ => Way::AwayFromTheTug,
+        })
+    }
+
+    // ANCHOR: rolling-acceleration
+    /// Acceleration while it rolls, T(cos θ − r/R)/(M(1+κ)), m/s², positive along +x (4.4).
+    pub fn rolling_acceleration(&self, tug: Tug) -> f64 {
+        let whole = self.body.mass() * self.body.pure_rolling_height();
+        tug.tension * (tug.angle.cos() - self.ratio) / whole
+    }
+    // ANCHOR_END: rolling-acceleration
+
+    /// Friction on the spool while it rolls, −T(r/R + κ cos θ)/(1+κ), N, positive along +x (4.4).
+    pub fn rolling_friction(&self, tug: Tug) -> f64 {
+        -tug.tension * self.needed(tug.angle)
+    }
+
+    /// −f/T while it rolls.
+    fn needed(&self, angle: f64) -> f64 {
+        (self.ratio + self.body.inertia_factor() * angle.cos()) / self.body.pure_rolling_height()
+    }
+
+    /// Reaction of the table, Mg − T sin θ, N; negative: the spool is in the air.
+    pub fn reaction(&self, tug: Tug, gravity: f64) -> f64 {
+        self.body.mass() * gravity - tug.tension * tug.angle.sin()
+    }
+
+    /// The largest tension (N) that friction μ (dimensionless) lets roll without slipping at this angle (rad), with gravity g (m/s²): what "gently"
+    /// means (4.4). |f| ≤ μ(Mg − T sin θ), solved for T. Never more than [`Self::lift_off_tension`].
+    ///
+    /// # Errors
+    /// As [`Self::way`]; [`Error::Negative`] for μ; [`Error::NotPositive`] for g.
+    pub fn largest_gentle_tension(&self, angle: f64, friction: f64, gravity: f64) -> Result<f64> {
+        let angle = tug_angle(angle)?;
+        let friction = not_negative("the coefficient of friction", friction)?;
+        let weight = self.body.mass() * positive("the acceleration of gravity", gravity)?;
+        let grip = self.needed(angle).abs() + friction * angle.sin();
+        Ok(friction * weight / grip)
+    }
+
+    /// The tension (N) that lifts the spool off the table, Mg/sin θ; infinite for a level tug (4.4).
+    ///
+    /// # Errors
+    /// As [`Self::way`]; [`Error::NotPositive`] for g.
+    pub fn lift_off_tension(&self, angle: f64, gravity: f64) -> Result<f64> {
+        let weight = self.body.mass() * positive("the acceleration of gravity", gravity)?;
+        Ok(weight / tug_angle(angle)?.sin())
+    }
+
+    /// Where the line of force meets the table, m in front of the point of contact (+x); infinite for a level tug at R > r (4.4, pictures e–g).
+    ///
+    /// The string touches the axle at r(sin θ, −cos θ) from the centre.
+    ///
+    /// # Errors
+    /// As [`Self::way`].
+    pub fn foot_of_the_line(&self, angle: f64) -> Result<f64> {
+        let (sin, cos) = tug_angle(angle)?.sin_cos();
+        Ok(self.body.radius() * (self.ratio - cos) / sin)
+    }
+
+    /// The load of a tug, per mass.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the reaction: the tug lifts the spool.
+    pub fn load(&self, tug: Tug, gravity: f64) -> Result<Load> {
+        let gravity = positive("the acceleration of gravity", gravity)?;
+        let pull = tug.tension / self.body.mass();
+        let (sin, cos) = tug.angle.sin_cos();
+        Ok(Load {
+            push: pull * cos,
+            twist: -pull * self.ratio,
+            reaction: positive(
+                "the reaction of the table under the tug",
+                gravity - pull * sin,
+            )?,
+        })
+    }
+
+    /// The motion from rest under a steady tug, up to `until` (s): rolling, or slipping if the tug is too hard for friction.
+    ///
+    /// # Errors
+    /// As [`Self::load`] and [`Course::new`].
+    pub fn course(
+        &self,
+        tug: Tug,
+        gravity: f64,
+        friction: impl Friction,
+        resistance: impl Resistance,
+        until: f64,
+    ) -> Result<Course> {
+        let load = self.load(tug, gravity)?;
+        let effects = (friction, resistance, Nothing);
+        let kappa = self.body.inertia_factor();
+        Course::new(kappa, load, effects, Moment::at_rest(), until)
+    }
+
+    /// Length of string on the axle since the start, m, from what the rim has turned: positive is wound up.
+    pub fn wound(&self, moment: &Moment) -> f64 {
+        self.ratio * moment.turned
+    }
+
+    /// Speed of the hand along the tug, V cos θ − (r/R)RΩ, m/s; T times this is the power of the tug (4.4).
+    pub fn hand_speed(&self, tug: Tug, moment: &Moment) -> f64 {
+        moment.velocity * tug.angle.cos() - self.ratio * moment.rim_speed
+    }
+}

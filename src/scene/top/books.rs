@@ -1,0 +1,185 @@
+//! What a top conserves, or may only lose.
+
+use super::State;
+use super::body::{Body, Start};
+use crate::conservation::{Law, Ledger};
+use crate::error::{Result, finite};
+use crate::euler_equations::{Integrability, classify};
+use crate::frame::{Attitude, BodyVector, SpaceVector};
+
+/// The body and its start, as the ledger needs them.
+pub(super) struct Books {
+    moments: [f64; 3],
+    lever: BodyVector,
+    kind: Integrability,
+    start: State,
+    /// Size of the energies at play, J; positive.
+    pub energy_scale: f64,
+    /// Size of the angular momenta at play, kg m²/s; positive.
+    momentum_scale: f64,
+}
+
+/// A closed form keeps its constants by construction; reading that many of its rows shows whether it did.
+const MOST_READ: usize = 256;
+
+impl Books {
+    pub fn of(body: &Body, lever: [f64; 3], start: &Start) -> Result<Self> {
+        let omega = start.omega(body.moments)?;
+        let [x, y, z] = lever;
+        let mut books = Self {
+            moments: body.moments,
+            lever: BodyVector::new(x, y, z),
+            kind: classify(body.moments, BodyVector::new(x, y, z)),
+            start: State {
+                attitude: start.attitude,
+                omega,
+                energy: 0.0,
+            },
+            energy_scale: 0.0,
+            momentum_scale: 0.0,
+        };
+        let weight = books.lever.norm();
+        let greatest = body.moments.iter().fold(0.0_f64, |a, &b| a.max(b));
+        books.start.energy = finite("the energy", books.energy(&start.attitude, omega))?;
+        books.energy_scale = (books.kinetic(omega) + weight).max(f64::MIN_POSITIVE);
+        books.momentum_scale = books
+            .angular_momentum(omega)
+            .norm()
+            .hypot((greatest * weight).sqrt())
+            .max(f64::MIN_POSITIVE);
+        finite("the angular momentum", books.momentum_scale)?;
+        Ok(books)
+    }
+
+    fn angular_momentum(&self, omega: BodyVector) -> BodyVector {
+        let [i1, i2, i3] = self.moments;
+        BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z())
+    }
+
+    fn kinetic(&self, omega: BodyVector) -> f64 {
+        0.5 * self.angular_momentum(omega).dot(&omega)
+    }
+
+    /// ½⟨IΩ, Ω⟩ + ⟨MgC, z⟩, J.
+    pub fn energy(&self, attitude: &Attitude, omega: BodyVector) -> f64 {
+        match self.kind {
+            // Without a lever there is no height to ask for.
+            Integrability::Euler => self.kinetic(omega),
+            _ => self.kinetic(omega) + self.lever.dot(&up(attitude)),
+        }
+    }
+
+    /// No torque resists: E is kept; L, or of it what gravity leaves; the fourth integral of tops that have one.
+    pub fn lossless(&self, rows: &[(f64, State)]) -> Result<Ledger> {
+        let mut ledger = Ledger::new();
+        let energy = ledger.open_scaled(
+            "energy",
+            Law::Conserved,
+            self.start.energy,
+            self.energy_scale,
+        )?;
+        let chosen: Vec<&State> = in_time(rows, MOST_READ).map(|i| &rows[i].1).collect();
+        for state in &chosen {
+            ledger.record(energy, state.energy)?;
+        }
+        let momentum = |state: &State| state.attitude.to_space(self.angular_momentum(state.omega));
+        if matches!(self.kind, Integrability::Euler) {
+            let first = momentum(&self.start);
+            let account =
+                ledger.open_vector_scaled("angular momentum", first, self.momentum_scale)?;
+            for state in &chosen {
+                ledger.record_vector(account, momentum(state))?;
+            }
+            return Ok(ledger);
+        }
+        let first = momentum(&self.start).z();
+        let name = "angular momentum about the vertical";
+        let account = ledger.open_scaled(name, Law::Conserved, first, self.momentum_scale)?;
+        for state in &chosen {
+            ledger.record(account, momentum(state).z())?;
+        }
+        if let Some((name, first, scale)) = self.fourth(&self.start) {
+            let account = ledger.open_scaled(name, Law::Conserved, first, scale)?;
+            for state in &chosen {
+                if let Some((_, value, _)) = self.fourth(state) {
+                    ledger.record(account, value)?;
+                }
+            }
+        }
+        Ok(ledger)
+    }
+
+    /// Something resists: the energy can only fall, and with what was lost it is kept; without gravity |L| can only fall.
+    pub fn lossy(&self, rows: &[(f64, State)], losses: &[f64]) -> Result<Ledger> {
+        let mut ledger = Ledger::new();
+        let scale = self.energy_scale;
+        let order: Vec<usize> = in_time(rows, usize::MAX).collect();
+        // The motion may be asked for before the start: monotone quantities begin with the earliest row.
+        let earliest = order
+            .first()
+            .map_or(self.start.energy, |&i| rows[i].1.energy);
+        let energy = ledger.open_scaled("energy", Law::NonIncreasing, earliest, scale)?;
+        let name = "energy and what resistance took";
+        let total = ledger.open_scaled(name, Law::Conserved, self.start.energy, scale)?;
+        for &i in &order {
+            ledger.record(energy, rows[i].1.energy)?;
+            ledger.record(total, rows[i].1.energy + losses[i])?;
+        }
+        if matches!(self.kind, Integrability::Euler) {
+            let size = |state: &State| self.angular_momentum(state.omega).norm();
+            let first = order.first().map_or(0.0, |&i| size(&rows[i].1));
+            let name = "size of the angular momentum";
+            let account =
+                ledger.open_scaled(name, Law::NonIncreasing, first, self.momentum_scale)?;
+            for &i in &order {
+                ledger.record(account, size(&rows[i].1))?;
+            }
+        }
+        Ok(ledger)
+    }
+
+    /// Name, value and scale of the fourth integral: L along the axis of symmetry, or Kovalevskaya's.
+    fn fourth(&self, state: &State) -> Option<(&'static str, f64, f64)> {
+        let l = self.angular_momentum(state.omega);
+        match self.kind {
+            Integrability::Lagrange(axis) => Some((
+                "angular momentum about the axis of symmetry",
+                l.components()[axis],
+                self.momentum_scale,
+            )),
+            Integrability::SphericalInertia => Some((
+                "angular momentum about the line to the centre of mass",
+                l.dot(&self.lever) / self.lever.norm(),
+                self.momentum_scale,
+            )),
+            Integrability::Kovalevskaya(axis) => {
+                let turned = |v: BodyVector| {
+                    let c = v.components();
+                    [c[(axis + 1) % 3], c[(axis + 2) % 3]]
+                };
+                let [o1, o2] = turned(state.omega);
+                let [z1, z2] = turned(up(&state.attitude));
+                let [c1, c2] = turned(self.lever).map(|c| c / self.moments[axis]);
+                let re = o1 * o1 - o2 * o2 - (c1 * z1 - c2 * z2);
+                let im = 2.0 * o1 * o2 - (c1 * z2 + c2 * z1);
+                let scale = self.energy_scale / self.moments[axis];
+                Some(("Kovalevskaya's constant", re.hypot(im), scale))
+            }
+            _ => None,
+        }
+    }
+}
+
+fn up(attitude: &Attitude) -> BodyVector {
+    attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
+}
+
+/// The numbers of at most `most` rows, evenly chosen, the last among them, in ascending order of time.
+fn in_time(rows: &[(f64, State)], most: usize) -> impl Iterator<Item = usize> {
+    let stride = rows.len().div_ceil(most).max(1);
+    let last = rows.len().checked_sub(1);
+    let mut order: Vec<usize> = (0..rows.len()).step_by(stride).chain(last).collect();
+    order.dedup();
+    order.sort_by(|&i, &j| rows[i].0.total_cmp(&rows[j].0));
+    order.into_iter()
+}

@@ -1,0 +1,182 @@
+//! The tops whose motion is known: which of them a scene is, and the same top along the axes that its solution wants.
+
+use nalgebra::{Quaternion, UnitQuaternion};
+
+use super::body::{Body, Spin, Start};
+use crate::error::Result;
+use crate::euler_equations::{Integrability, classify};
+use crate::euler_top::EulerTop;
+use crate::frame::{Attitude, BodyVector};
+use crate::kovalevskaya_top::KovalevskayaTop;
+use crate::lagrange_top::LagrangeTop;
+
+/// A motion in closed form.
+#[derive(Debug, Clone)]
+pub enum ClosedForm {
+    /// No torque (6).
+    Free(EulerTop),
+    /// Gravity on a body that is symmetric about the line from the pivot to its centre of mass (7).
+    Lagrange(LagrangeTop, Axes),
+    /// Gravity on Kovalevskaya's body (8).
+    Kovalevskaya(Box<KovalevskayaTop>, Axes),
+}
+
+/// How a solution's axes lie in the body: the turn that takes the body's components to the solution's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axes {
+    onto: UnitQuaternion<f64>,
+    /// By how many places the axes are exchanged cyclically, if the turn does nothing else.
+    shift: Option<usize>,
+}
+
+/// Why a scene has no closed form.
+pub(super) const NONE: &str = "gravity on a body without a fourth integral: no closed form exists";
+
+impl ClosedForm {
+    /// The closed form of a top under this lever MgC alone, if it has one.
+    pub(super) fn find(body: &Body, lever: [f64; 3], start: &Start) -> Result<Option<Self>> {
+        let moments = body.moments;
+        let [x, y, z] = lever;
+        let lever_vector = BodyVector::new(x, y, z);
+        let axes = match classify(moments, lever_vector) {
+            Integrability::Euler => {
+                let top = match start.spin {
+                    Spin::Omega(omega) => EulerTop::from_omega(moments, omega, start.attitude),
+                    Spin::AngularMomentum(l) => EulerTop::new(moments, l, start.attitude),
+                };
+                return Ok(Some(Self::Free(top?)));
+            }
+            Integrability::SphericalInertia => Axes::third_along(lever_vector),
+            Integrability::Lagrange(axis) => Axes::third_from(axis),
+            Integrability::Kovalevskaya(axis) => {
+                let axes = Axes::third_from(axis);
+                let [i1, i2, i3] = axes.exchanged(moments);
+                let (omega, attitude) = axes.start(moments, start)?;
+                let lever = axes.inward(lever_vector);
+                let top = KovalevskayaTop::new([i1, i2, i3], lever, omega, attitude)?;
+                return Ok(Some(Self::Kovalevskaya(Box::new(top), axes)));
+            }
+            Integrability::OnLevelZero(_) | Integrability::None => return Ok(None),
+        };
+        let [transverse, _, axial] = axes.exchanged(moments);
+        let (omega, attitude) = axes.start(moments, start)?;
+        // The lever lies on the third axis: its length is its component, but for the sign that a sorted axis may have.
+        let weight_moment = match axes.shift {
+            Some(_) => axes.inward(lever_vector).z(),
+            None => lever_vector.norm(),
+        };
+        let top = LagrangeTop::new(transverse, axial, weight_moment, omega, attitude)?;
+        Ok(Some(Self::Lagrange(top, axes)))
+    }
+
+    /// In a few words, why it is known.
+    pub(super) fn reason(&self) -> &'static str {
+        match self {
+            Self::Free(_) => "no torque: closed form",
+            Self::Lagrange(..) => "gravity on a symmetric top: closed form",
+            Self::Kovalevskaya(..) => "gravity on Kovalevskaya's top: separation of variables",
+        }
+    }
+
+    /// Attitude and Ω at time t (s).
+    ///
+    /// # Errors
+    /// Those of the solution.
+    #[inline]
+    pub fn at(&self, t: f64) -> Result<(Attitude, BodyVector)> {
+        match self {
+            Self::Free(top) => {
+                let state = top.at(t)?;
+                Ok((state.attitude, state.omega))
+            }
+            Self::Lagrange(top, axes) => {
+                let state = top.at(t)?;
+                Ok((axes.attitude(&state.attitude), axes.outward(state.omega)))
+            }
+            Self::Kovalevskaya(top, axes) => {
+                let state = top.at(t)?;
+                Ok((axes.attitude(&state.attitude), axes.outward(state.omega)))
+            }
+        }
+    }
+}
+
+impl Axes {
+    /// The body's axis of this number becomes the third, the others follow in cyclic order.
+    fn third_from(axis: usize) -> Self {
+        let shift = (axis + 1) % 3;
+        let half = [(1.0, 0.0), (0.5, -0.5), (0.5, 0.5)][shift];
+        let onto = Quaternion::new(half.0, half.1, half.1, half.1);
+        Self {
+            onto: UnitQuaternion::new_unchecked(onto),
+            shift: Some(shift),
+        }
+    }
+
+    /// This direction becomes the third axis, by the shortest turn; any axis of a spherical body will do.
+    fn third_along(direction: BodyVector) -> Self {
+        let third = nalgebra::Vector3::z();
+        let direction = direction.components();
+        let onto = UnitQuaternion::rotation_between(&direction, &third)
+            .unwrap_or_else(|| UnitQuaternion::new_unchecked(Quaternion::new(0.0, 1.0, 0.0, 0.0)));
+        Self { onto, shift: None }
+    }
+
+    fn exchanged(&self, moments: [f64; 3]) -> [f64; 3] {
+        let shift = self.shift.unwrap_or(0);
+        core::array::from_fn(|k| moments[(k + shift) % 3])
+    }
+
+    fn inward(&self, vector: BodyVector) -> BodyVector {
+        match self.shift {
+            Some(shift) => {
+                let v = vector.components();
+                BodyVector::new(v[shift % 3], v[(1 + shift) % 3], v[(2 + shift) % 3])
+            }
+            None => BodyVector::from_components(self.onto * vector.components()),
+        }
+    }
+
+    fn outward(&self, vector: BodyVector) -> BodyVector {
+        match self.shift {
+            Some(shift) => {
+                let v = vector.components();
+                let back = 3 - shift;
+                BodyVector::new(v[back % 3], v[(1 + back) % 3], v[(2 + back) % 3])
+            }
+            None => BodyVector::from_components(self.onto.inverse() * vector.components()),
+        }
+    }
+
+    fn start(&self, moments: [f64; 3], start: &Start) -> Result<(BodyVector, Attitude)> {
+        let omega = self.inward(start.omega(moments)?);
+        let turned = start.attitude.quaternion().into_inner() * self.onto.inverse().into_inner();
+        Ok((omega, Attitude::from_unit(turned)))
+    }
+
+    fn attitude(&self, attitude: &Attitude) -> Attitude {
+        Attitude::from_unit(attitude.quaternion().into_inner() * self.onto.into_inner())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exchanging_axes_is_the_turn_it_claims_to_be() {
+        let vector = BodyVector::new(1.0, 2.0, 3.0);
+        for axis in 0..3 {
+            let axes = Axes::third_from(axis);
+            let inward = axes.inward(vector);
+            assert_eq!(inward.z(), vector.components()[axis]);
+            let turned = axes.onto * vector.components();
+            assert!((turned - inward.components()).amax() < 1e-15);
+            assert_eq!(axes.outward(inward), vector);
+        }
+        let axes = Axes::third_along(vector);
+        assert!((axes.inward(vector).z() - vector.norm()).abs() < 1e-15);
+        let below = BodyVector::new(0.0, 0.0, -1.0);
+        assert!((Axes::third_along(below).inward(below).z() - 1.0).abs() < 1e-15);
+    }
+}

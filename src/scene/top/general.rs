@@ -1,0 +1,136 @@
+//! A top by a general method: in one run, or up to the moment at which dry friction has stopped the spin, and on from there.
+
+use crate::error::Result;
+use crate::integrators::{
+    Cost, Effort, Method, Solution, Stop, System, halved, refined, solve, tightened, until,
+};
+
+/// The problem as the integrators see it. The equations come as a trait object, so that the methods are compiled once and not for
+/// every list of effects; the call through it is a thirtieth of an evaluation.
+pub(super) struct Problem<'a> {
+    pub start: [f64; 7],
+    /// Scale of Ω, rad/s.
+    pub fastest: f64,
+    /// Scale of the energy, J.
+    pub energy: f64,
+    pub times: &'a [f64],
+    pub method: Method,
+    pub accuracy: f64,
+}
+
+/// Attitude and Ω as seven numbers, and the energy lost, at each time.
+pub(super) struct Followed {
+    pub states: Vec<([f64; 7], f64)>,
+    pub cost: Cost,
+}
+
+/// Whether dry friction will stop the spin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Spin {
+    GoesOn,
+    MayStop,
+}
+
+impl Problem<'_> {
+    /// Nothing resists.
+    pub fn lossless(&self, system: &dyn System<7>) -> Result<Followed> {
+        let o = self.fastest;
+        let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0];
+        let (times, accuracy) = (self.times, self.accuracy);
+        let distance = |a: &[f64; 7], b: &[f64; 7]| apart(a, b, o);
+        let run = refined(
+            system,
+            &self.start,
+            &scales,
+            times,
+            self.method,
+            accuracy,
+            distance,
+        )?;
+        Ok(Followed {
+            states: run.states.into_iter().map(|y| (y, 0.0)).collect(),
+            cost: run.cost,
+        })
+    }
+
+    /// Something resists: the eighth number is the energy that it has taken.
+    pub fn lossy(&self, system: &dyn System<8>, spin: Spin) -> Result<Followed> {
+        let (o, e) = (self.fastest, self.energy);
+        let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0, e];
+        let [o1, o2, o3, w, x, y, z] = self.start;
+        let start = [o1, o2, o3, w, x, y, z, 0.0];
+        let distance = |a: &[f64; 8], b: &[f64; 8]| {
+            let [a1, b1] = [a, b].map(|s| core::array::from_fn(|k| s[k]));
+            apart(&a1, &b1, o).max((a[7] - b[7]).abs() / e)
+        };
+        let (times, method, accuracy) = (self.times, self.method, self.accuracy);
+        let run = if spin == Spin::MayStop && o3 != 0.0 {
+            let stopping = |effort| spun_down(system, &start, &scales, times, method, effort);
+            if method.is_adaptive() {
+                tightened(|t| stopping(Effort::Tolerance(t)), accuracy, distance)?
+            } else {
+                let longest = times.iter().fold(0.0_f64, |a, &b| a.max(b.abs()));
+                let first = longest.max(f64::MIN_POSITIVE) / 64.0;
+                halved(|h| stopping(Effort::Step(h)), first, accuracy, distance)?
+            }
+        } else {
+            refined(system, &start, &scales, times, method, accuracy, distance)?
+        };
+        let split = |y: [f64; 8]| (core::array::from_fn(|k| y[k]), y[7]);
+        Ok(Followed {
+            states: run.states.into_iter().map(split).collect(),
+            cost: run.cost,
+        })
+    }
+}
+
+/// Angle between two attitudes, radians, or the distance of the angular velocities in their scale, whichever is more.
+fn apart(a: &[f64; 7], b: &[f64; 7], fastest: f64) -> f64 {
+    let distance = |range: core::ops::Range<usize>| {
+        let squares = range.map(|k| (a[k] - b[k]) * (a[k] - b[k]));
+        squares.sum::<f64>().sqrt()
+    };
+    (2.0 * distance(3..7)).max(distance(0..3) / fastest)
+}
+
+/// A run that is cut where Ω₃ comes to zero: there dry friction changes from a torque that brakes to one that holds.
+fn spun_down(
+    system: &dyn System<8>,
+    start: &[f64; 8],
+    scales: &[f64; 8],
+    times: &[f64],
+    method: Method,
+    effort: Effort,
+) -> Result<Solution<8>> {
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
+    let (before, after) = order.split_at(order.partition_point(|&i| times[i] < 0.0));
+    let mut states = vec![*start; times.len()];
+    let before_times: Vec<f64> = before.iter().map(|&i| times[i]).collect();
+    let earlier = solve(system, 0.0, start, scales, &before_times, method, effort)?;
+    let mut cost = earlier.cost;
+    for (&place, state) in before.iter().zip(earlier.states) {
+        states[place] = state;
+    }
+    let sense = start[2].signum();
+    let spin = |_: f64, y: &[f64; 8]| y[2] * sense;
+    let (mut time, mut state, mut left) = (0.0, *start, after);
+    while let Some(&last) = left.last() {
+        let ordered: Vec<f64> = left.iter().map(|&i| times[i]).collect();
+        let end = times[last];
+        let leg = until(
+            system, time, &state, scales, &ordered, end, &spin, method, effort,
+        )?;
+        cost += leg.cost;
+        let reached = leg.states.len();
+        for (&place, sample) in left.iter().zip(leg.states) {
+            states[place] = sample;
+        }
+        if leg.stopped == Stop::AtTheEnd {
+            break;
+        }
+        (time, state, left) = (leg.time, leg.end, &left[reached..]);
+        state[2] = 0.0;
+    }
+    Ok(Solution { states, cost })
+}

@@ -1,0 +1,140 @@
+//! Balls that are not quite super: restitution along and across the surface, and a contact that slips.
+
+use num_traits::Num;
+
+use super::{Motion, Surface};
+use crate::error::{Error, Result, positive};
+
+/// What is left of the two speeds of the contact point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Restitution {
+    normal: f64,
+    tangential: f64,
+}
+
+impl Restitution {
+    /// Coefficients across the surface (0…1) and along it (−1…1), dimensionless: u' = −e_t u and V_z' = −e_n V_z.
+    ///
+    /// Along the surface 1 is the superball, 0 a ball that leaves the surface rolling, −1 a frictionless one.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`], also for what is not finite.
+    pub fn new(normal: f64, tangential: f64) -> Result<Self> {
+        let within = |quantity, value: f64, least| {
+            if (least..=1.0).contains(&value) {
+                Ok(value)
+            } else {
+                Err(Error::OutOfRange {
+                    quantity,
+                    value,
+                    least,
+                    greatest: 1.0,
+                })
+            }
+        };
+        Ok(Self {
+            normal: within("the coefficient of restitution", normal, 0.0)?,
+            tangential: within("the tangential restitution", tangential, -1.0)?,
+        })
+    }
+
+    /// e_n.
+    pub fn normal(&self) -> f64 {
+        self.normal
+    }
+
+    /// e_t.
+    pub fn tangential(&self) -> f64 {
+        self.tangential
+    }
+}
+
+/// A bounce that leaves the part `restitution` of the contact speed, reversed: V' = V − κ(1+e_t)u/(1+κ), RΩ' = RΩ ± (1+e_t)u/(1+κ) (4.6).
+///
+/// At e_t = 1 it is [`bounce`](super::bounce) to the bit. Energy κu²(1−e_t²)/(1+κ) (in the unit of [`Motion::energy`]) is lost. Panics as [`bounce`](super::bounce).
+pub fn bounce_with<T: Num + Copy>(
+    before: Motion<T>,
+    surface: Surface,
+    kappa: T,
+    restitution: T,
+) -> Motion<T> {
+    let one = T::one();
+    let slip = before.contact_speed(surface);
+    kicked(
+        before,
+        surface,
+        kappa,
+        (slip + restitution * slip) / (one + kappa),
+    )
+}
+
+/// The same, if the contact can pass on an impulse of at most `most` per mass (m/s): beyond it slips and takes that much.
+///
+/// `most` is μ(1+e_n)|V_z|. At grazing incidence V_z is small and every ball slips.
+pub fn gripping_bounce(
+    before: Motion<f64>,
+    surface: Surface,
+    kappa: f64,
+    restitution: f64,
+    most: f64,
+) -> Motion<f64> {
+    let slip = before.contact_speed(surface);
+    let turned = (slip + restitution * slip) / (1.0 + kappa);
+    let turned = if kappa * turned.abs() > most {
+        (most / kappa).copysign(slip)
+    } else {
+        turned
+    };
+    kicked(before, surface, kappa, turned)
+}
+
+fn kicked<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T, turned: T) -> Motion<T> {
+    Motion {
+        velocity: before.velocity - kappa * turned,
+        rim_speed: match surface {
+            Surface::Floor => before.rim_speed + turned,
+            Surface::Ceiling => before.rim_speed - turned,
+        },
+    }
+}
+
+/// The tangential restitution below which a ball thrown under a table without spin does not come back after three bounces, V₃ > 0.
+///
+/// With a = (1+e_t)/(1+κ), V₃/V = 1 − κa(3 + (1−3κ)a + (1−κ)²a²), which falls with a; the root by bisection, to rounding. 0.13809 for κ = 2/5.
+///
+/// # Errors
+/// [`Error::NotPositive`], [`Error::NotFinite`] for κ; [`Error::OutOfRange`] above 2/3, the thin shell's, where V₃ is no longer monotone;
+/// [`Error::Condition`] below 0.0718, where the superball itself does not come back.
+pub fn return_threshold(kappa: f64) -> Result<f64> {
+    let kappa = positive("the inertia factor", kappa)?;
+    if kappa > 2.0 / 3.0 {
+        return Err(Error::OutOfRange {
+            quantity: "the inertia factor",
+            value: kappa,
+            least: 0.0,
+            greatest: 2.0 / 3.0,
+        });
+    }
+    let (b, c) = (1.0 - 3.0 * kappa, (1.0 - kappa) * (1.0 - kappa));
+    let (mut low, mut high) = (0.0, 2.0 / (1.0 + kappa));
+    // The slope 3 + 2ba + 3ca² has the discriminant 4b² − 36c, which is negative for κ < 2/3.
+    let value = |a: f64| kappa * a * (3.0 + a * (b + a * c)) - 1.0;
+    if value(high) < 0.0 {
+        return Err(Error::Condition {
+            condition: "the inertia factor must be large enough that a superball of it comes back at all",
+            value: kappa,
+        });
+    }
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if value(middle) < 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(high * (1.0 + kappa) - 1.0)
+}

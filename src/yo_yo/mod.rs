@@ -1,0 +1,190 @@
+//! How a yo-yo works (tutorial 4.9): unwinding, the turn at the end of the string, the sleep.
+//!
+//! | phase | module item | solved by |
+//! |---|---|---|
+//! | down and up | [`Unwinding`] | constant acceleration (thin string); an elliptic integral of the second kind (thick string) |
+//! | the turn | [`Turn`] | half a revolution of a physical pendulum: Jacobi functions |
+//! | asleep | [`sleeping_spin`] | elementary |
+//!
+//! Depth is measured down from where the string is fully wound, energy from rest there. SI units.
+
+mod sleep;
+mod turn;
+mod unwinding;
+
+pub use sleep::{sleeping_spin, spin_after_waking};
+pub use turn::{Turn, TurnState};
+pub use unwinding::Unwinding;
+
+use crate::error::{Error, Result, positive};
+
+/// A yo-yo: two discs on an axle, a string wound round it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct YoYo {
+    mass: f64,
+    inertia: f64,
+    length: f64,
+    axle: f64,
+    winding: Winding,
+}
+
+/// How thick the string is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Winding {
+    /// It always leaves at the radius of the axle.
+    Thin,
+    /// It leaves at a radius r(x) with r² = r_w² − q x; q > 0.
+    Thick { wound_squared: f64, slope: f64 },
+}
+
+impl YoYo {
+    /// A yo-yo of this mass (kg) and moment of inertia about its axle (kg m²), on a thin string of this length (m) round an axle of this radius (m).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::OutOfRange`] for an axle thicker than half the length of the string.
+    pub fn new(mass: f64, inertia: f64, length: f64, axle: f64) -> Result<Self> {
+        let length = positive("the length of the string", length)?;
+        let axle = positive("the radius of the axle", axle)?;
+        if axle > 0.5 * length {
+            return Err(Error::OutOfRange {
+                quantity: "the radius of the axle",
+                value: axle,
+                least: 0.0,
+                greatest: 0.5 * length,
+            });
+        }
+        Ok(Self {
+            mass: positive("the mass of the yo-yo", mass)?,
+            inertia: positive("the moment of inertia of the yo-yo", inertia)?,
+            length,
+            axle,
+            winding: Winding::Thin,
+        })
+    }
+
+    /// A solid disc of this mass (kg) and radius (m), I = mR²/2; the rest as for [`new`](Self::new).
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn disc(mass: f64, radius: f64, length: f64, axle: f64) -> Result<Self> {
+        let radius = positive("the radius of the yo-yo", radius)?;
+        Self::new(mass, 0.5 * mass * radius * radius, length, axle)
+    }
+
+    /// The same with a string so thick that it is wound up to this radius (m) at the hand: r(x)² = r_w² − (r_w² − r₀²)x/l.
+    ///
+    /// The area of the wound string, seen along the axle, shrinks in proportion to what has come off.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::OutOfRange`] below the radius of the axle or beyond half the length.
+    pub fn wound_to(mut self, radius: f64) -> Result<Self> {
+        positive("the radius of the wound string", radius)?;
+        if !(self.axle..=0.5 * self.length).contains(&radius) {
+            return Err(Error::OutOfRange {
+                quantity: "the radius of the wound string",
+                value: radius,
+                least: self.axle,
+                greatest: 0.5 * self.length,
+            });
+        }
+        let slope = (radius - self.axle) * (radius + self.axle) / self.length;
+        self.winding = if slope > 0.0 {
+            Winding::Thick {
+                wound_squared: radius * radius,
+                slope,
+            }
+        } else {
+            Winding::Thin
+        };
+        Ok(self)
+    }
+
+    /// Mass, kg.
+    pub const fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Moment of inertia about the axle, kg m².
+    pub const fn inertia(&self) -> f64 {
+        self.inertia
+    }
+
+    /// Length of the string, m.
+    pub const fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Radius of the axle, m.
+    pub const fn axle(&self) -> f64 {
+        self.axle
+    }
+
+    /// I/(m r²) with the radius of the bare axle, dimensionless.
+    pub fn inertia_factor(&self) -> f64 {
+        self.inertia / (self.mass * self.axle * self.axle)
+    }
+
+    /// k² = I/m, m².
+    pub(crate) fn gyration_squared(&self) -> f64 {
+        self.inertia / self.mass
+    }
+
+    pub(crate) const fn winding(&self) -> Winding {
+        self.winding
+    }
+
+    /// r², m², at a depth between 0 and the length of the string.
+    pub(crate) fn radius_squared(&self, depth: f64) -> f64 {
+        match self.winding {
+            Winding::Thin => self.axle * self.axle,
+            // From the nearer end, so that both ends are exact.
+            Winding::Thick {
+                wound_squared,
+                slope,
+            } => {
+                if depth < 0.5 * self.length {
+                    wound_squared - slope * depth
+                } else {
+                    self.axle * self.axle + slope * (self.length - depth)
+                }
+            }
+        }
+    }
+
+    /// −d(r²)/dx, m.
+    pub(crate) fn thinning(&self) -> f64 {
+        match self.winding {
+            Winding::Thin => 0.0,
+            Winding::Thick { slope, .. } => slope,
+        }
+    }
+
+    /// The radius at which the string leaves, m, at a depth between 0 and the length of the string.
+    pub fn radius(&self, depth: f64) -> f64 {
+        self.radius_squared(depth.clamp(0.0, self.length)).sqrt()
+    }
+
+    /// Downward acceleration, m/s², at this depth and spin (rad/s): the same on the way down and on the way up.
+    ///
+    /// (g r² − q k² ω²/2)/(r² + k²) with q = −d(r²)/dx; on a thin string g/(1 + I/(m r²)).
+    pub fn acceleration(&self, depth: f64, omega: f64, gravity: f64) -> f64 {
+        let square = self.radius_squared(depth.clamp(0.0, self.length));
+        let brake = 0.5 * self.thinning() * self.gyration_squared() * omega * omega;
+        (gravity * square - brake) / (square + self.gyration_squared())
+    }
+
+    /// Tension of the string m(g − a), N, while it unwinds or winds.
+    ///
+    /// As m(g k² + q k² ω²/2)/(r² + k²): nothing cancels.
+    pub fn tension(&self, depth: f64, omega: f64, gravity: f64) -> f64 {
+        let square = self.radius_squared(depth.clamp(0.0, self.length));
+        let pull = gravity + 0.5 * self.thinning() * omega * omega;
+        self.inertia * pull / (square + self.gyration_squared())
+    }
+
+    /// ½(I + m r²)ω², J, with the radius at this depth.
+    pub fn kinetic_energy(&self, depth: f64, omega: f64) -> f64 {
+        let square = self.radius_squared(depth.clamp(0.0, self.length));
+        0.5 * (self.inertia + self.mass * square) * omega * omega
+    }
+}

@@ -1,0 +1,34 @@
+//! Spinning in the loop at the end of the string.
+
+use super::YoYo;
+
+/// Spin, rad/s, `time` seconds after falling asleep with spin `omega`, under a constant torque of the axle's friction (N m) and a torque
+/// c ω² of the air (`air` = c, kg m²): I ω' = −torque − c ω², and zero once it has stopped.
+///
+/// Linear, hyperbolic, or a tangent, by what is zero. No error; not a number if an argument is none. All arguments not negative.
+pub fn sleeping_spin(toy: &YoYo, omega: f64, time: f64, torque: f64, air: f64) -> f64 {
+    let inertia = toy.inertia();
+    if air == 0.0 {
+        return (omega - torque * time / inertia).max(0.0);
+    }
+    if torque == 0.0 {
+        return omega / (1.0 + air * omega * time / inertia);
+    }
+    // tan(a − b) by the tangents of both, so that a small torque does no harm: with s = √(torque·air)/I,
+    // tan(s t) = s t times something near one.
+    let terminal = (torque / air).sqrt();
+    let angle = (torque * air).sqrt() / inertia * time;
+    if angle >= (omega / terminal).atan() {
+        return 0.0;
+    }
+    let tangent = angle.tan();
+    (omega - terminal * tangent) / (1.0 + tangent * (omega / terminal))
+}
+
+/// Spin, rad/s, after a jerk has made the string grip: I ω = (I + m r²)ω'.
+///
+/// The angular momentum about the string's end is kept while the centre, at rest till then, is caught up into the motion; a fraction 1/(1 + I/(m r²)) of the energy is lost.
+pub fn spin_after_waking(toy: &YoYo, omega: f64) -> f64 {
+    let factor = toy.inertia_factor();
+    omega * (factor / (1.0 + factor))
+}

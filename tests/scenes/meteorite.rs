@@ -1,0 +1,77 @@
+//! The impact, absent and vanishing.
+
+use spinning_bodies::Error;
+use spinning_bodies::euler_top::EulerTop;
+use spinning_bodies::frame::{Attitude, BodyVector as V};
+use spinning_bodies::impacts::{Meteorite, Planet, strike};
+use spinning_bodies::inertia::shapes;
+use spinning_bodies::integrators::Method;
+use spinning_bodies::scene::meteorite::{Impact, StruckPlanet};
+use spinning_bodies::scene::{Choice, Request, Scene, Solver};
+
+use super::roller::{balance, same};
+
+fn planet() -> Planet {
+    let brick = shapes::cuboid(5.0, [1.0, 2.0, 3.0]).unwrap().inertia();
+    Planet::new(5.0, brick, V::new(1.0, -2.0, 0.5), V::new(0.3, 0.2, -1.0)).unwrap()
+}
+
+fn impact(mass: f64) -> Impact {
+    Impact {
+        meteorite: Meteorite::new(mass, V::new(3.0, 8.0, -20.0)).unwrap(),
+        at: V::new(0.4, -1.0, 1.2),
+    }
+}
+
+fn times() -> Request {
+    Request::at([-2.0, -0.5, 0.0, 0.3, 5.0]).unwrap()
+}
+
+#[test]
+fn free_before_and_after() {
+    let alone = StruckPlanet::new(planet()).simulate(&times()).unwrap();
+    let hit = StruckPlanet::new(planet())
+        .with_impact(impact(0.7))
+        .simulate(&times())
+        .unwrap();
+    assert!(same(&alone, &hit) > 0.1);
+    assert!(balance(&alone) < 1e-13, "{:e}", balance(&alone));
+    assert!(balance(&hit) < 1e-13, "{:e}", balance(&hit));
+    // Left alone it is Euler's top.
+    let moments = planet().inertia().matrix().diagonal();
+    let top = EulerTop::from_omega(
+        [moments[0], moments[1], moments[2]],
+        planet().omega(),
+        Attitude::identity(),
+    )
+    .unwrap();
+    for (t, state) in &alone.rows {
+        let expected = top.at(*t).unwrap();
+        assert!((state.omega - expected.omega).norm() < 1e-14);
+        assert!(state.attitude.angle_to(&expected.attitude) < 1e-14);
+    }
+    // Just after the blow it moves as the six equations say.
+    let exact = strike(&planet(), &impact(0.7).meteorite, impact(0.7).at).unwrap();
+    let after = &hit.rows[2].1;
+    assert!((after.omega - exact.omega_after()).norm() < 1e-14);
+    assert!(after.center.norm() < 1e-15);
+    // A pebble changes as little as it weighs.
+    let pebble = StruckPlanet::new(planet())
+        .with_impact(impact(1e-12))
+        .simulate(&times())
+        .unwrap();
+    let little: f64 = alone
+        .rows
+        .iter()
+        .zip(&pebble.rows)
+        .map(|(a, b)| (a.1.omega - b.1.omega).norm())
+        .fold(0.0, f64::max);
+    assert!(little > 0.0 && little < 1e-9, "{little:e}");
+}
+
+#[test]
+fn only_the_closed_form_runs_it() {
+    let dop853 = times().by(Choice::Use(Solver::General(Method::Dop853)));
+    let refused = StruckPlanet::new(planet()).simulate(&dop853);
+    assert!(matches!(refused, Err(Error::Condition { .. })));
+}

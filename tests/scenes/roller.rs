@@ -1,0 +1,126 @@
+//! Friction, rolling resistance and the sheet, each absent and at zero. Slots are filled by name, so there is no order to change.
+
+use spinning_bodies::Error;
+use spinning_bodies::integrators::Method;
+use spinning_bodies::rolling::course::{Coulomb, RollingResistance};
+use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
+use spinning_bodies::rolling::{RoundBody, factor};
+use spinning_bodies::scene::roller::{Roller, Rolling};
+use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver, Tabulated};
+
+pub fn times() -> Request {
+    Request::at([2.0, 0.0, 0.1, 0.3, 0.7, 1.5]).unwrap()
+}
+
+pub fn same<S: Tabulated>(a: &Motion<S>, b: &Motion<S>) -> f64 {
+    let rows = a.rows.iter().zip(&b.rows);
+    rows.flat_map(|(x, y)| {
+        let pairs: Vec<_> = x.1.row().into_iter().zip(y.1.row()).collect();
+        pairs
+    })
+    .fold(0.0, |worst, (x, y)| worst.max((x - y).abs()))
+}
+
+pub fn balance<S>(motion: &Motion<S>) -> f64 {
+    let entries = motion.ledger.entries().iter();
+    entries.map(|e| e.relative_drift()).fold(0.0, f64::max)
+}
+
+fn thrown() -> Roller {
+    let ball = RoundBody::new(0.17, 0.028_575, factor::BALL).unwrap();
+    Roller::new(ball, 9.81, 1.0, -4.0).unwrap()
+}
+
+fn mu(value: f64) -> Coulomb {
+    Coulomb::new(value).unwrap()
+}
+
+fn by(method: Method) -> Request {
+    times().by(Choice::Use(Solver::General(method)))
+}
+
+fn run(scene: &impl Scene<State = Rolling>) -> Motion<Rolling> {
+    let exact = scene.simulate(&times()).unwrap();
+    let found = scene.simulate(&by(Method::Dop853)).unwrap();
+    assert!(same(&exact, &found) < 1e-12, "{:e}", same(&exact, &found));
+    assert!(balance(&exact) < 1e-13 && balance(&found) < 1e-12);
+    assert!(exact.ledger.entries().len() >= 2);
+    exact
+}
+
+#[test]
+fn each_effect_matters_and_fades() {
+    let none = run(&thrown());
+    assert_eq!(none.plan.solver, Solver::Exact);
+    let rubbed = run(&thrown().with_friction(mu(0.2)));
+    assert_eq!(rubbed.plan.solver, Solver::Events);
+    assert!(same(&none, &rubbed) > 0.1);
+    // μ = 0 to the bit; a small μ by as much as it is small.
+    assert_eq!(same(&none, &run(&thrown().with_friction(mu(0.0)))), 0.0);
+    let little = same(&none, &run(&thrown().with_friction(mu(1e-9))));
+    assert!(little > 0.0 && little < 1e-7);
+
+    let felt = |c| RollingResistance::new(c).unwrap();
+    let both = thrown().with_friction(mu(0.2)).with_resistance(felt(0.01));
+    assert!(same(&rubbed, &run(&both)) > 1e-3);
+    let zero = thrown().with_friction(mu(0.2)).with_resistance(felt(0.0));
+    // The spin's passage through zero is an event more: rounding.
+    assert!(same(&rubbed, &run(&zero)) < 1e-15);
+    // Which slot is filled first cannot matter.
+    let other = thrown().with_resistance(felt(0.01)).with_friction(mu(0.2));
+    assert_eq!(same(&run(&both), &run(&other)), 0.0);
+
+    let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
+    let still = SheetSpeeds::through([(0.0, 0.0)]).unwrap();
+    let sheet = |law, speeds| Sheet::new(law, speeds, 0.5).unwrap();
+    let pulled = thrown()
+        .with_friction(mu(0.2))
+        .with_sheet(sheet(mu(0.3), &speeds));
+    assert!(same(&rubbed, &run(&pulled)) > 0.1);
+    // A sheet of the table's friction that stays where it is, is table.
+    let resting = thrown()
+        .with_friction(mu(0.2))
+        .with_sheet(sheet(mu(0.2), &still));
+    assert!(same(&rubbed, &run(&resting)) < 1e-15);
+}
+
+#[test]
+fn what_a_roller_refuses() {
+    let scene = thrown().with_friction(mu(0.2));
+    let early = Request::at([-1.0]).unwrap();
+    assert!(matches!(
+        scene.simulate(&early),
+        Err(Error::OutOfRange { .. })
+    ));
+    let exact = times().by(Choice::Use(Solver::Exact));
+    assert!(matches!(
+        scene.simulate(&exact),
+        Err(Error::Condition { .. })
+    ));
+    assert!(thrown().simulate(&exact).is_ok());
+    for method in [Method::Rk4, Method::Dopri5, Method::Verner98] {
+        let motion = scene.simulate(&by(method)).unwrap();
+        assert!(same(&motion, &run(&scene)) < 1e-11, "{method:?}");
+    }
+}
+
+#[test]
+fn it_is_quick() {
+    let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
+    let sheet = Sheet::new(mu(0.3), &speeds, 0.5).unwrap();
+    let scene = thrown()
+        .with_friction(mu(0.2))
+        .with_resistance(RollingResistance::new(0.01).unwrap())
+        .with_sheet(sheet);
+    let request = times().to_accuracy(1e-9).unwrap();
+    let clock = std::time::Instant::now();
+    for _ in 0..100 {
+        scene.simulate(&request).unwrap();
+    }
+    let events = clock.elapsed() / 100;
+    let clock = std::time::Instant::now();
+    scene
+        .simulate(&request.by(Choice::Use(Solver::General(Method::Dop853))))
+        .unwrap();
+    println!("events {events:?}, dop853 {:?}", clock.elapsed());
+}

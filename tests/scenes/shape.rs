@@ -1,0 +1,441 @@
+//! Bodies that change their shape. The order in which effects are listed cannot matter: each has a slot of its own.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use spinning_bodies::Error;
+use spinning_bodies::frame::{Attitude, SpaceVector};
+use spinning_bodies::integrators::Method;
+use spinning_bodies::phenomena::cat::{Cat, Half};
+use spinning_bodies::phenomena::crawler::{self, Strokes};
+use spinning_bodies::phenomena::{PaperCat, skater};
+use spinning_bodies::scene::shape::{self, Pace};
+use spinning_bodies::scene::{Choice, Request, Scene, Solver, Tabulated};
+
+const GENERAL: Choice = Choice::Use(Solver::General(Method::Dop853));
+
+fn request(until: f64, accuracy: f64) -> Request {
+    let times: Vec<f64> = (0..=50).map(|k| until * f64::from(k) / 50.0).collect();
+    Request::at(times).unwrap().to_accuracy(accuracy).unwrap()
+}
+
+/// Largest difference of any column at any time.
+fn apart<S: Scene>(a: &S, b: &S, requests: [&Request; 2]) -> f64 {
+    let [a, b] = [
+        a.simulate(requests[0]).unwrap(),
+        b.simulate(requests[1]).unwrap(),
+    ];
+    let pairs = a.rows.iter().zip(&b.rows);
+    let differences = pairs.flat_map(|((_, a), (_, b))| {
+        let columns = a.row().into_iter().zip(b.row());
+        columns.map(|(a, b)| (a - b).abs()).collect::<Vec<_>>()
+    });
+    differences.fold(0.0, f64::max)
+}
+
+fn rows<S: Scene>(scene: &S, request: &Request) -> Vec<Vec<f64>> {
+    let motion = scene.simulate(request).unwrap();
+    motion.rows.iter().map(|(_, state)| state.row()).collect()
+}
+
+const PHASES: shape::FourPhases = shape::FourPhases {
+    arms_out: 2.0,
+    arms_in: 0.7,
+    twist: FRAC_PI_2,
+    duration: 2.0,
+    pace: Pace::Even,
+};
+
+fn swivel() -> shape::Swivel<shape::FourPhases> {
+    shape::Swivel::new(0.6, 2.0)
+        .unwrap()
+        .with_change(PHASES)
+        .unwrap()
+}
+
+#[test]
+fn the_swivel_by_one_integral_and_by_a_general_method() {
+    let scene = swivel().with_angular_momentum(0.4).unwrap();
+    let asked = request(7.0, 1e-10);
+    assert_eq!(scene.plan(&asked).unwrap().solver, Solver::Exact);
+    let other = asked.clone().by(GENERAL);
+    let difference = apart(&scene, &scene, [&asked, &other]);
+    // Observed: 6e-11.
+    assert!(difference < 3e-10, "{difference:e}");
+}
+
+#[test]
+fn a_swivel_without_its_effects() {
+    let asked = request(7.0, 1e-10);
+    // Rigid, it does not turn; rigid with angular momentum it turns evenly.
+    let rigid = shape::Swivel::new(0.6, 2.0).unwrap();
+    assert!(
+        rows(&rigid, &asked)
+            .iter()
+            .all(|row| row[0] == 0.0 && row[1] == 0.0)
+    );
+    let turning = rigid.with_angular_momentum(2.6).unwrap();
+    for (t, state) in turning.simulate(&asked).unwrap().rows {
+        assert!((state.lower - t).abs() < 4e-15, "{t} {state:?}");
+    }
+    // Friction with c = 0 is no friction, to the error of the method that then has to run.
+    let none = swivel().with_friction(shape::BearingFriction { resistance: 0.0 });
+    let exact = rows(&swivel(), &asked);
+    for (a, b) in exact.iter().zip(rows(&none, &asked)) {
+        for (a, b) in a.iter().zip(b) {
+            assert!((a - b).abs() < 3e-10, "{a} {b}");
+        }
+    }
+    // With friction the answer is another.
+    let some = swivel().with_friction(shape::BearingFriction { resistance: 0.1 });
+    let difference = (exact[50][0] - rows(&some, &asked)[50][0]).abs();
+    assert!(difference > 0.05, "{difference}");
+}
+
+/// The law L + cβ = const: however small the friction, it turns you all the way back.
+#[test]
+fn viscous_friction_undoes_the_swivel() {
+    #[derive(Debug, Clone, Copy)]
+    struct Thrice;
+    impl spinning_bodies::scene::Effect for Thrice {
+        const PRESENT: bool = true;
+        const NAME: &'static str = "thrice";
+    }
+    impl shape::Twisting for Thrice {
+        fn shape(&self, still: f64, t: f64) -> shape::Twist {
+            if t < 3.0 * PHASES.duration {
+                PHASES.shape(still, t)
+            } else {
+                PHASES.shape(still, 0.0)
+            }
+        }
+        fn corners(&self, until: f64) -> spinning_bodies::Result<Vec<f64>> {
+            PHASES.corners(until.min(3.0 * PHASES.duration))
+        }
+        fn checked(&self) -> spinning_bodies::Result<()> {
+            PHASES.checked()
+        }
+    }
+    let body = shape::Swivel::new(0.6, 2.0)
+        .unwrap()
+        .with_change(Thrice)
+        .unwrap();
+    let asked = Request::at([6.0, 600.0]).unwrap();
+    let free = body.simulate(&asked).unwrap();
+    let net = 3.0 * PHASES.waist(0.6).swivel_angle(FRAC_PI_2).unwrap();
+    assert!((free.rows[1].1.lower - net).abs() < 1e-14);
+    let rubbed = body.with_friction(shape::BearingFriction { resistance: 0.1 });
+    let rubbed = rubbed.simulate(&asked).unwrap();
+    // Time constant (A + B)/c = 26 s: after 594 s nothing is left.
+    let [after, late] = [rubbed.rows[0].1.lower, rubbed.rows[1].1.lower];
+    assert!(after < 0.5 * net, "{after}");
+    assert!(late.abs() < 1e-9, "{late:e}");
+}
+
+fn grown() -> skater::Skater {
+    skater::Skater::new(0.8, 2.5).unwrap()
+}
+
+const DRAW: shape::Draw = shape::Draw {
+    to: 0.2,
+    begin: 0.3,
+    duration: 0.8,
+    pace: Pace::Even,
+};
+
+#[test]
+fn the_skater_by_the_closed_form_and_by_forces() {
+    let scene = shape::Skater::new(grown(), 0.7, 12.0)
+        .unwrap()
+        .with_change(DRAW)
+        .unwrap();
+    let asked = request(2.0, 1e-11);
+    assert_eq!(scene.plan(&asked).unwrap().solver, Solver::Exact);
+    let other = asked.clone().by(GENERAL);
+    let [a, b] = [rows(&scene, &asked), rows(&scene, &other)];
+    for (a, b) in a.iter().zip(&b) {
+        for (a, b) in a.iter().zip(b) {
+            // Observed: 3e-12 of values up to 700.
+            assert!((a - b).abs() <= 1e-11 * a.abs().max(1.0), "{a} {b}");
+        }
+    }
+}
+
+#[test]
+fn a_skater_without_effects_spins_evenly_and_friction_matters() {
+    let asked = request(2.0, 1e-10);
+    let still = shape::Skater::new(grown(), 0.7, 12.0).unwrap();
+    for (t, state) in still.simulate(&asked).unwrap().rows {
+        assert_eq!((state.spin, state.work, state.heat), (12.0, 0.0, 0.0));
+        assert!((state.angle - 12.0 * t).abs() < 1e-13);
+    }
+    let moving = still.with_change(DRAW).unwrap();
+    let none = rows(
+        &moving.with_friction(shape::BearingFriction { resistance: 0.0 }),
+        &asked,
+    );
+    for (a, b) in rows(&moving, &asked).iter().zip(&none) {
+        for (a, b) in a.iter().zip(b) {
+            assert!((a - b).abs() <= 1e-9 * a.abs().max(1.0), "{a} {b}");
+        }
+    }
+    let rubbed = moving.with_friction(shape::BearingFriction { resistance: 0.05 });
+    let motion = rubbed.simulate(&asked).unwrap();
+    let end = motion.rows[50].1;
+    assert!(end.heat > 1.0 && end.spin < none[50][1] - 1.0, "{end:?}");
+    assert!(
+        motion.ledger.is_kept_within(1e-9).unwrap(),
+        "{}",
+        motion.ledger
+    );
+}
+
+fn cat_body() -> Cat {
+    let half = Half {
+        mass: 1.5,
+        axial: 0.004,
+        transverse: 0.016,
+        to_joint: 0.12,
+    };
+    Cat::new([half, half]).unwrap()
+}
+
+const OVER: shape::Turnover = shape::Turnover {
+    forward: PI / 2.0,
+    back: 0.6,
+    duration: 0.4,
+    pace: Pace::Late,
+};
+
+fn cat() -> shape::Cat<shape::Turnover> {
+    let attitude = shape::Cat::on_its_back();
+    shape::Cat::new(cat_body(), attitude)
+        .with_change(OVER)
+        .unwrap()
+}
+
+#[test]
+fn gravity_moves_the_cat_and_does_not_turn_it() {
+    for asked in [request(0.4, 1e-10), request(0.4, 1e-10).by(GENERAL)] {
+        let floating = cat().simulate(&asked).unwrap();
+        let falling = cat()
+            .with_gravity(shape::Gravity { g: 9.81 })
+            .simulate(&asked)
+            .unwrap();
+        for ((t, a), (_, b)) in floating.rows.iter().zip(&falling.rows) {
+            // Not a bit.
+            assert_eq!(a.attitude, b.attitude);
+            assert_eq!(a.omega, b.omega);
+            assert_eq!(a.center, SpaceVector::zero());
+            assert!((b.center.z() + 0.5 * 9.81 * t * t).abs() < 1e-15);
+        }
+        let weightless = cat().with_gravity(shape::Gravity { g: 0.0 });
+        assert_eq!(rows(&weightless, &asked), rows(&cat(), &asked));
+    }
+}
+
+#[test]
+fn the_cat_by_one_integral_and_by_a_general_method() {
+    let asked = request(0.4, 1e-10);
+    assert_eq!(cat().plan(&asked).unwrap().solver, Solver::Exact);
+    let [exact, followed] =
+        [asked.clone(), asked.clone().by(GENERAL)].map(|r| cat().simulate(&r).unwrap());
+    for ((_, a), (_, b)) in exact.rows.iter().zip(&followed.rows) {
+        let apart = a.attitude.angle_to(&b.attitude);
+        // Observed: 2e-11.
+        assert!(apart < 1e-10, "{apart:e}");
+        // The rates as well: one from the bisector, one from L = 0 and nothing else.
+        assert!(
+            (a.omega - b.omega).norm() < 1e-12 * 40.0,
+            "{:?} {:?}",
+            a.omega,
+            b.omega
+        );
+    }
+    // Rounding in both. Observed: 2e-16 of the moments times the rates.
+    for motion in [&exact, &followed] {
+        assert!(
+            motion.ledger.is_kept_within(1e-15).unwrap(),
+            "{}",
+            motion.ledger
+        );
+    }
+}
+
+#[test]
+fn a_rigid_cat_does_not_turn_and_one_with_angular_momentum_does() {
+    let asked = request(0.4, 1e-10);
+    let start = shape::Cat::on_its_back();
+    let stiff = shape::Cat::new(cat_body(), start);
+    for (_, state) in stiff.simulate(&asked).unwrap().rows {
+        assert!(state.attitude.angle_to(&start) < 1e-15);
+    }
+    // About the spine: evenly, L/2J.
+    let spinning = stiff
+        .with_angular_momentum(SpaceVector::new(0.008, 0.0, 0.0))
+        .unwrap();
+    let plan = spinning.plan(&asked).unwrap();
+    assert_eq!(plan.solver, Solver::General(Method::Dop853));
+    for (t, state) in spinning.simulate(&asked).unwrap().rows {
+        assert!((state.attitude.angle_to(&start) - t).abs() < 1e-10);
+    }
+    // The shape adds its own turn: for a straight spine and equal halves the two parts do not simply add, but L stays.
+    let both = cat()
+        .with_angular_momentum(SpaceVector::new(0.01, 0.02, -0.01))
+        .unwrap();
+    let motion = both.simulate(&asked).unwrap();
+    assert!(
+        motion.ledger.is_kept_within(1e-13).unwrap(),
+        "{}",
+        motion.ledger
+    );
+    // Unequal halves have no closed form: `exact` is refused, by name.
+    let [half, _] = *cat_body().halves();
+    let unequal = Cat::new([
+        half,
+        Half {
+            axial: 0.005,
+            ..half
+        },
+    ])
+    .unwrap();
+    let unequal = shape::Cat::new(unequal, start).with_change(OVER).unwrap();
+    let refused = unequal.simulate(&asked.clone().by(Choice::Use(Solver::Exact)));
+    assert!(
+        matches!(refused, Err(Error::Condition { condition, .. }) if condition.contains("`exact`"))
+    );
+    assert!(unequal.simulate(&asked).is_ok());
+}
+
+#[test]
+fn a_paper_cat_without_its_effects() {
+    let asked = request(1.0, 1e-10);
+    let cat = shape::PaperCat::new(PaperCat::POSTCARD, 2.9).unwrap();
+    let (g, air) = (shape::Gravity { g: 9.81 }, shape::Air { density: 1.2 });
+    // Without weight nothing moves, air or not.
+    for rows in [rows(&cat, &asked), rows(&cat.with_air(air), &asked)] {
+        assert!(rows.iter().all(|row| row[..] == [0.0, 0.0, 2.9, 0.0, 0.0]));
+    }
+    let vacuum = rows(&cat.with_gravity(g), &asked);
+    let thin = cat.with_gravity(g).with_air(shape::Air { density: 0.0 });
+    for (a, b) in vacuum.iter().zip(rows(&thin, &asked)) {
+        for (a, b) in a.iter().zip(b) {
+            assert!((a - b).abs() < 1e-10, "{a} {b}");
+        }
+    }
+    let full = cat.with_gravity(g).with_air(air).simulate(&asked).unwrap();
+    assert!(full.rows[50].1.tilt < 1.0);
+    assert!(full.ledger.is_kept_within(1e-9).unwrap(), "{}", full.ledger);
+}
+
+fn crawler_body() -> shape::Crawler {
+    let strokes = Strokes {
+        gap: 0.3,
+        length: 0.2,
+        push: 1.0,
+        pull: 0.15,
+    };
+    shape::Crawler::new(crawler::Crawler::new(3.0, 1.0, strokes).unwrap())
+}
+
+#[test]
+fn the_crawler_from_event_to_event_and_by_a_general_method() {
+    for mu in [0.003, 0.03, 0.1, 0.3, 0.9] {
+        let scene = crawler_body().with_friction(shape::GroundFriction::new(mu, 9.81).unwrap());
+        let asked = request(8.0, 1e-10);
+        assert_eq!(scene.plan(&asked).unwrap().solver, Solver::Events);
+        let difference = apart(&scene, &scene, [&asked, &asked.clone().by(GENERAL)]);
+        assert!(difference < 1e-10, "{mu}: {difference:e}");
+        let ledger = scene.simulate(&asked).unwrap().ledger;
+        // Observed: 6e-15.
+        assert!(ledger.is_kept_within(3e-14).unwrap(), "{mu}: {ledger}");
+    }
+}
+
+#[test]
+fn a_crawler_without_friction_gets_nowhere() {
+    let asked = request(8.0, 1e-10);
+    let ice = rows(&crawler_body(), &asked);
+    let none = crawler_body().with_friction(shape::GroundFriction::new(0.0, 9.81).unwrap());
+    for (a, b) in ice.iter().zip(rows(&none, &asked)) {
+        // Feet, centre and velocity bit for bit; the work is summed over the strokes there.
+        assert_eq!(a[..4], b[..4]);
+        // Observed: 3e-14 J of 7 J.
+        assert!((a[4] - b[4]).abs() < 2e-13, "{} {}", a[4], b[4]);
+    }
+    for mu in [1e-6, 1e-4, 1e-2] {
+        let scene = crawler_body().with_friction(shape::GroundFriction::new(mu, 9.81).unwrap());
+        for (t, state) in scene.simulate(&asked).unwrap().rows {
+            // Friction can do no more than μg.
+            assert!(state.center.abs() <= 0.5 * mu * 9.81 * t * t * (1.0 + 1e-12));
+        }
+        assert!(rows(&scene, &asked)[50][2] != 0.0);
+    }
+}
+
+#[test]
+fn what_cannot_be_simulated_is_refused() {
+    let asked = Request::at([-1.0]).unwrap();
+    assert!(matches!(
+        swivel().simulate(&asked),
+        Err(Error::OutOfRange { .. })
+    ));
+    assert!(matches!(
+        crawler_body().simulate(&asked),
+        Err(Error::OutOfRange { .. })
+    ));
+    let asked = Request::at([1.0]).unwrap();
+    let rk4 = asked.clone().by(Choice::Use(Solver::General(Method::Rk4)));
+    assert!(matches!(cat().simulate(&rk4), Err(Error::Condition { .. })));
+    let events = asked.by(Choice::Use(Solver::Events));
+    assert!(matches!(
+        swivel().simulate(&events),
+        Err(Error::Condition { .. })
+    ));
+    let far = Request::at([1e300]).unwrap();
+    assert!(matches!(
+        swivel().simulate(&far),
+        Err(Error::Condition { .. })
+    ));
+    assert!(matches!(
+        crawler_body().simulate(&far),
+        Err(Error::Condition { .. })
+    ));
+    let impossible = shape::Turnover {
+        forward: 4.0,
+        ..OVER
+    };
+    assert!(
+        shape::Cat::new(cat_body(), Attitude::identity())
+            .with_change(impossible)
+            .is_err()
+    );
+    let half = Half {
+        axial: 0.04,
+        ..cat_body().halves()[0]
+    };
+    assert!(matches!(
+        Cat::new([half, half]),
+        Err(Error::TriangleInequality { .. })
+    ));
+    assert!(
+        shape::PaperCat::new(
+            PaperCat {
+                mass: f64::NAN,
+                ..PaperCat::POSTCARD
+            },
+            0.0
+        )
+        .is_err()
+    );
+    assert!(shape::Skater::new(grown(), -1.0, TAU).is_err());
+}
+
+#[test]
+fn times_come_in_the_order_asked_for() {
+    let asked = Request::at([0.4, 0.0, 0.1, 0.4]).unwrap();
+    let rows = cat().simulate(&asked).unwrap().rows;
+    let times: Vec<f64> = rows.iter().map(|(t, _)| *t).collect();
+    assert_eq!(times, [0.4, 0.0, 0.1, 0.4]);
+    assert_eq!(rows[0].1, rows[3].1);
+    assert_eq!(rows[1].1.bend.angle, 0.0);
+}

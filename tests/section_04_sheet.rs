@@ -1,0 +1,344 @@
+//! Paragraph 4.5: a ball on a sheet that is withdrawn, in any manner.
+
+use approx::assert_relative_eq;
+use proptest::prelude::*;
+use spinning_bodies::Error;
+use spinning_bodies::frame::SpaceVector as V;
+use spinning_bodies::integrators::{Effort, Method, solve};
+use spinning_bodies::rolling::course::{
+    Coulomb, Course, Happening, Load, Moment, Nothing, RollingResistance,
+};
+use spinning_bodies::rolling::integrated::integrated;
+use spinning_bodies::rolling::plane::InPlane;
+use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
+use spinning_bodies::rolling::{RoundBody, factor};
+
+const G: f64 = 9.81;
+
+fn friction(mu: f64) -> Coulomb {
+    Coulomb::new(mu).unwrap()
+}
+
+/// From rest on a sheet with its edge `margin` behind.
+fn withdrawn(kappa: f64, speeds: &SheetSpeeds, margin: f64, [sheet, table]: [f64; 2]) -> Course {
+    let sheet = Sheet::new(friction(sheet), speeds, margin).unwrap();
+    let effects = (friction(table), Nothing, sheet);
+    let mut start = Moment::at_rest();
+    start.slip = -speeds.points()[0].1;
+    Course::new(kappa, Load::weight(G), effects, start, 1e3).unwrap()
+}
+
+// claim: C4.5-1
+#[test]
+fn s4_5_numbers_of_a_quick_pull() {
+    let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
+    let mut stops = Vec::new();
+    for (kappa, rim) in [
+        (0.4, -0.455_268),
+        (2.0 / 3.0, -0.273_161),
+        (1.0, -0.182_107),
+    ] {
+        let course = withdrawn(kappa, &speeds, 0.15, [0.3, 0.2]);
+        let leaves = course.first(Happening::LeavesSheet).unwrap();
+        assert!((leaves.time - 0.061_88).abs() < 5e-6, "{leaves:?}");
+        assert!((leaves.moment.velocity - 0.182_107).abs() < 5e-7);
+        assert!((leaves.moment.rim_speed - rim).abs() < 5e-7);
+        assert!((leaves.moment.position - 0.005_634).abs() < 5e-7);
+        let end = course.at(1e3);
+        println!("{:e} {:e}", end.velocity, end.rim_speed);
+        // Dead: it comes out as 0.0.
+        assert!(end.velocity.abs() < 1e-16 && end.rim_speed.abs() < 1e-16);
+        let stop = course.events().last().unwrap().moment.position;
+        assert!((stop - 0.014_086).abs() < 5e-7, "{stop}");
+        stops.push(stop);
+    }
+    // It does not depend on κ.
+    assert!(
+        stops.iter().all(|stop| (stop - stops[0]).abs() < 1e-16),
+        "{stops:?}"
+    );
+}
+
+// claim: C4.5-2
+#[test]
+fn s4_5_numbers_of_a_gentle_pull() {
+    for kappa in [factor::BALL, factor::SHELL, factor::HOOP] {
+        let body = RoundBody::new(1.0, 1.0, kappa).unwrap();
+        // 1 m/s reached in two seconds: no slip. Then a metre and more of sheet, then the table.
+        let speeds = SheetSpeeds::ramp(1.0, 2.0).unwrap();
+        let sheet = Sheet::new(friction(0.3), &speeds, 1.5).unwrap();
+        let effects = (friction(0.2), Nothing, sheet);
+        let course =
+            Course::new(kappa, Load::weight(9.8), effects, Moment::at_rest(), 1e3).unwrap();
+        let on = course.at(2.5);
+        let share = kappa / (1.0 + kappa);
+        assert_eq!(on.slip, 0.0);
+        assert_relative_eq!(on.velocity, share, max_relative = 4e-16);
+        assert_relative_eq!(on.rim_speed, share - 1.0, max_relative = 4e-16);
+        assert_relative_eq!(course.at(1.0).velocity, share * 0.5, max_relative = 4e-16);
+        assert_relative_eq!(
+            body.carried_by_sheet(0.5).unwrap(),
+            share * 0.5,
+            max_relative = 4e-16
+        );
+        let leaves = course.first(Happening::LeavesSheet).unwrap();
+        let stops = course.events().last().unwrap();
+        // V and RΩ reach zero together, after V/(μg) = κu/((1+κ)μg).
+        assert_relative_eq!(stops.time - leaves.time, share / 1.96, max_relative = 1e-14);
+        let way = stops.moment.position - leaves.moment.position;
+        assert_relative_eq!(way, share * share / 3.92, max_relative = 1e-13);
+        assert!(course.at(1e3).velocity.abs() < 1e-15);
+        if kappa == factor::BALL {
+            assert_relative_eq!(share, 2.0 / 7.0, max_relative = 3e-16);
+            let time = stops.time - leaves.time;
+            assert_relative_eq!(time, 0.145_772_594_752_186_6, max_relative = 1e-14);
+            assert_relative_eq!(way, 0.020_824_656_393_169_5, max_relative = 1e-13);
+        }
+    }
+}
+
+/// Speeds of a sheet: up to ten random points, forwards and back, jerks among them, and away at the end.
+fn speeds() -> impl Strategy<Value = SheetSpeeds> {
+    let point = (prop_oneof![Just(0.0), 0.0..0.4], -1.0..4.0);
+    proptest::collection::vec(point, 1..10).prop_map(|steps| {
+        let mut time = 0.0;
+        let mut points = vec![(0.0, 0.0)];
+        for (wait, speed) in steps {
+            time += wait;
+            points.push((time, speed));
+        }
+        points.push((time + 0.1, 5.0));
+        SheetSpeeds::through(points).unwrap()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    // claim: C4.5-1
+    #[test]
+    fn s4_5_stops_dead_after_any_history(
+        speeds in speeds(), margin in 0.05..0.5, kappa in 0.05..1.0,
+        sheet in 0.0..0.8, table in 0.05..0.8,
+    ) {
+        let course = withdrawn(kappa, &speeds, margin, [sheet, table]);
+        for k in 0..200 {
+            let m = course.at(0.02 * f64::from(k));
+            // Never more than the roundings of some events.
+            prop_assert!(m.about_the_table(kappa).abs() < 1e-13, "{}", m.about_the_table(kappa));
+            let books = m.energy(kappa) + m.heat - m.work;
+            let scale = m.energy(kappa) + m.heat + m.work.abs() + 1.0;
+            prop_assert!(books.abs() < 1e-13 * scale, "{books}");
+        }
+        let end = course.at(1e3);
+        prop_assert!(course.margin(1e3).unwrap() < 0.0);
+        prop_assert!(end.velocity.abs() < 1e-13 && end.rim_speed.abs() < 1e-13);
+    }
+
+    #[test]
+    fn s4_5_closed_forms_against_dop853(
+        speeds in speeds(), margin in 0.1..0.5, sheet in 0.1..0.8, table in 0.05..0.8,
+    ) {
+        let cloth = Sheet::new(friction(sheet), &speeds, margin).unwrap();
+        let effects = (friction(table), RollingResistance::new(0.01).unwrap(), cloth);
+        let start = Moment::at_rest();
+        let times: Vec<f64> = (0..=40).map(|k| 0.1 * f64::from(k)).collect();
+        let course = Course::new(0.4, Load::weight(G), effects, start, 4.0).unwrap();
+        let effort = (Method::Dop853, Effort::Tolerance(1e-14));
+        let run = integrated(0.4, Load::weight(G), effects, start, &times, effort).unwrap();
+        for (&t, m) in times.iter().zip(&run.moments) {
+            let c = course.at(t);
+            // Speeds up to 5 m/s.
+            prop_assert!((c.velocity - m.velocity).abs() < 1e-12, "{t}: {c:?} {m:?}");
+            prop_assert!((c.rim_speed - m.rim_speed).abs() < 1e-12);
+            prop_assert!((c.position - m.position).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn s4_5_what_resistance_and_ice_do_to_it() {
+    let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
+    // A couple against the turning is no force along the table: while the ball spins backward it adds forward momentum, so the ball
+    // rolls on a little, and then the couple stops it.
+    let sheet = Sheet::new(friction(0.3), &speeds, 0.15).unwrap();
+    let resistance = RollingResistance::new(0.01).unwrap();
+    let effects = (friction(0.2), resistance, sheet);
+    let course = Course::new(0.4, Load::weight(G), effects, Moment::at_rest(), 1e3).unwrap();
+    let dies = course.first(Happening::TurningStops).unwrap();
+    // V = arm g t/… : all momentum about the table comes from the couple, arm g a second.
+    assert_relative_eq!(
+        dies.moment.velocity,
+        0.01 * G * dies.time,
+        max_relative = 1e-13
+    );
+    assert!(dies.moment.velocity > 0.01);
+    let rest = course.first(Happening::Rest).unwrap();
+    assert!(rest.moment.position > 0.014_086);
+    assert_eq!(course.at(1e3).velocity, 0.0);
+    // A table without friction: the ball keeps both.
+    let course = withdrawn(0.4, &speeds, 0.15, [0.3, 0.0]);
+    let end = course.at(1e3);
+    assert!((end.velocity - 0.182_107).abs() < 5e-7 && end.rim_speed < -0.45);
+    // Nearly without: it still stops dead, V²/(2μg) farther on.
+    let course = withdrawn(0.4, &speeds, 0.15, [0.3, 1e-3]);
+    let stop = course.events().last().unwrap();
+    assert!(stop.moment.velocity.abs() < 1e-15);
+    assert!((stop.moment.position - (0.005_634 + 0.182_107_f64.powi(2) / (2e-3 * G))).abs() < 2e-5);
+}
+
+#[test]
+fn s4_5_a_thin_sheet_is_thin_enough_if_it_is_quick() {
+    // The edge of a sheet of thickness h leaves a ball that falls freely, if it runs ahead of the ball's rising underside: (Ut)²/(2R) > ½gt².
+    let (r, g) = (0.02, G);
+    let touches = |speed: f64| {
+        (1..2000).any(|k| {
+            let t = 1e-5 * f64::from(k);
+            let x = speed * t;
+            x < r && r - (r * r - x * x).sqrt() < 0.5 * g * t * t
+        })
+    };
+    let quick = (g * r).sqrt();
+    assert!(!touches(1.001 * quick) && touches(0.95 * quick));
+    assert!((quick - 0.443).abs() < 1e-3, "m/s");
+}
+
+/// A ball in space on a sheet with velocity `sheet(t)`, table after `leaves`: x, y, V, Ω; friction μg against the slip, softened, or viscous.
+fn in_space(
+    sheet: impl Fn(f64) -> [f64; 2],
+    leaves: f64,
+    kappa: f64,
+    rubbing: impl Fn([f64; 2]) -> [f64; 2],
+    start: [f64; 5],
+    end: f64,
+) -> [f64; 5] {
+    let radius = 0.02;
+    let rate = |t: f64, y: &[f64; 5]| {
+        let [vx, vy, ox, oy, oz] = *y;
+        let omega = V::new(ox, oy, oz);
+        let arm = V::new(0.0, 0.0, -radius);
+        let ground = if t < leaves { sheet(t) } else { [0.0; 2] };
+        let spin = omega.cross(&arm);
+        let f = rubbing([vx + spin.x() - ground[0], vy + spin.y() - ground[1]]);
+        let torque = arm.cross(&V::new(f[0], f[1], 0.0));
+        let turn = kappa * radius * radius;
+        [
+            f[0],
+            f[1],
+            torque.x() / turn,
+            torque.y() / turn,
+            torque.z() / turn,
+        ]
+    };
+    let mut y = start;
+    for (from, to) in [(0.0, leaves), (leaves, end)] {
+        let effort = Effort::Tolerance(1e-11);
+        // Times shift so that the run starts at `from`, and its first stage sees the right ground.
+        let shifted = |t: f64, y: &[f64; 5]| {
+            let inside = t.clamp(
+                from * (1.0 + 1e-15),
+                if to == leaves { to * (1.0 - 1e-15) } else { to },
+            );
+            rate(inside, y)
+        };
+        let scales = [1.0, 1.0, 50.0, 50.0, 50.0];
+        y = solve(&shifted, from, &y, &scales, &[to], Method::Dop853, effort)
+            .unwrap()
+            .states[0];
+    }
+    y
+}
+
+fn coulomb(mu: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
+    // Softened below 0.1 mm/s, so that sliding dies out as e^(−t/τ), τ = 3e-5 s.
+    move |u| {
+        let size = u[0].hypot(u[1]).hypot(1e-4);
+        u.map(|c| -mu * G * c / size)
+    }
+}
+
+// claim: C4.5-1, C4.5-3, C4.5-4
+#[test]
+fn s4_5_in_space_with_any_friction() {
+    let jerks = |t: f64| {
+        [
+            1.5 * (9.0 * t).sin() + 2.0 * t,
+            0.8 * (17.0 * t).cos() - 0.5,
+        ]
+    };
+    let viscous = |u: [f64; 2]| u.map(|c| -30.0 * c);
+    for kappa in [factor::BALL, factor::SHELL] {
+        for start in [[0.0; 5], [0.0, 0.0, 0.0, 0.0, 20.0]] {
+            for end in [
+                in_space(jerks, 0.4, kappa, coulomb(0.3), start, 2.0),
+                in_space(jerks, 0.4, kappa, viscous, start, 2.0),
+            ] {
+                println!("{end:?}");
+                let speed = end[0].hypot(end[1]);
+                assert!(speed < 1e-8, "{speed:e}");
+                // Spin about the vertical is not touched by a point of contact.
+                assert_eq!(end[4], start[4]);
+            }
+        }
+        // Rolling at (0.5, −0.3) when the sheet comes in: rolling at (0.5, −0.3) in the end. RΩ_y = V_x, −RΩ_x = V_y.
+        let rolling = [0.5, -0.3, 0.3 / 0.02, 0.5 / 0.02, 20.0];
+        let end = in_space(jerks, 0.4, kappa, coulomb(0.3), rolling, 2.0);
+        for (a, b) in end.iter().zip(&rolling) {
+            assert!((a - b).abs() < 1e-6, "{end:?}");
+        }
+        let body = RoundBody::new(1.0, 0.02, kappa).unwrap();
+        let motion = InPlane {
+            velocity: [0.5, -0.3],
+            rim_velocity: [0.5, -0.3],
+        };
+        let [x, y] = body.eventual_velocity(&motion);
+        assert!((x - 0.5).abs() < 1e-16 && (y + 0.3).abs() < 1e-16);
+    }
+}
+
+// claim: C4.5-4
+#[test]
+fn s4_5_a_ball_already_rolling_keeps_its_velocity() {
+    let speeds = SheetSpeeds::through([(0.0, 0.0), (0.2, 3.0), (0.3, -1.0), (0.5, 4.0)]).unwrap();
+    for v in [0.5, -0.3] {
+        let sheet = Sheet::new(friction(0.3), &speeds, 0.6).unwrap();
+        let effects = (friction(0.2), Nothing, sheet);
+        let start = Moment::moving(v, v);
+        let course = Course::new(0.4, Load::weight(G), effects, start, 50.0).unwrap();
+        assert!(course.first(Happening::LeavesSheet).is_some());
+        let end = course.at(50.0);
+        assert_relative_eq!(end.velocity, v, max_relative = 4e-15);
+        assert_eq!(end.slip, 0.0);
+    }
+}
+
+// claim: C4.5-5
+#[test]
+fn s4_5_moral_friction_has_no_moment_about_a_point_of_the_table() {
+    // Any force in the plane, acting at any point of it, about any other: its moment is vertical.
+    for k in 0..50 {
+        let a = f64::from(k);
+        let force = V::new((3.0 * a).sin(), (5.0 * a).cos(), 0.0);
+        let arm = V::new((7.0 * a).cos(), (2.0 * a).sin(), 0.0);
+        let moment = arm.cross(&force);
+        assert_eq!((moment.x(), moment.y()), (0.0, 0.0));
+    }
+}
+
+#[test]
+fn sheet_refuses_what_is_no_history() {
+    assert!(matches!(SheetSpeeds::through([]), Err(Error::Empty { .. })));
+    assert!(matches!(
+        SheetSpeeds::through([(1.0, 0.0)]),
+        Err(Error::Condition { .. })
+    ));
+    let back = SheetSpeeds::through([(0.0, 0.0), (1.0, 1.0), (0.5, 1.0)]);
+    assert!(matches!(back, Err(Error::Condition { .. })));
+    assert!(SheetSpeeds::through([(0.0, f64::NAN)]).is_err());
+    let speeds = SheetSpeeds::ramp(1.0, 1.0).unwrap();
+    assert!(Sheet::new(friction(0.1), &speeds, 0.0).is_err());
+    assert_eq!(
+        (speeds.at(0.5), speeds.at(7.0), speeds.at(-1.0)),
+        (0.5, 1.0, 0.0)
+    );
+}

@@ -1,0 +1,288 @@
+//! Paragraph 4.6, continued: stiff contacts, restitution along the surface, slipping, bounces that pile up, and flights in closed form.
+
+use approx::assert_relative_eq;
+use num_rational::Ratio;
+use proptest::prelude::*;
+use spinning_bodies::Error;
+use spinning_bodies::integrators::{Effort, Method, Stop, until};
+use spinning_bodies::rolling::course::Nothing;
+use spinning_bodies::superball::flight::{Flight, InFlight, Slipping, Weight};
+use spinning_bodies::superball::{
+    Motion, Restitution, Surface, bounce, bounce_with, gripping_bounce, return_threshold,
+};
+
+fn motion(velocity: f64, rim_speed: f64) -> Motion<f64> {
+    Motion {
+        velocity,
+        rim_speed,
+    }
+}
+
+/// A contact on springs of frequency `omega`, tuned, with gravity: V and RΩ as the ball leaves, and how long it took.
+fn stiff(omega: f64, kappa: f64, before: Motion<f64>) -> ([f64; 2], f64) {
+    let (k, g) = (omega * omega, 9.81);
+    let rate = |_: f64, y: &[f64; 5]| {
+        let f = -k * kappa / (1.0 + kappa) * y[4];
+        [y[1], -k * y[0] - g, f, -f / kappa, y[2] - y[3]]
+    };
+    let lifted = |t: f64, y: &[f64; 5]| if t * omega > 1.0 { -y[0] } else { 1.0 };
+    let start = [0.0, -2.0, before.velocity, before.rim_speed, 0.0];
+    let scales = [1.0 / omega, 1.0, 1.0, 1.0, 1.0 / omega];
+    let (method, effort) = (Method::Dop853, Effort::Tolerance(1e-14));
+    let end = until(
+        &rate,
+        0.0,
+        &start,
+        &scales,
+        &[],
+        4.0 / omega,
+        &lifted,
+        method,
+        effort,
+    )
+    .unwrap();
+    assert_eq!(end.stopped, Stop::AtTheEvent);
+    ([end.end[2], end.end[3]], end.time)
+}
+
+// claim: C4.6-1, C4.6-3, C4.6-14
+#[test]
+fn s4_6_stiff_contact_converges_to_the_law() {
+    for kappa in [0.4, 2.0 / 3.0, 1.0] {
+        let before = motion(1.0, 0.3);
+        let law = bounce(before, Surface::Floor, kappa);
+        let mut last: Option<[f64; 2]> = None;
+        for omega in [1e2, 1e3, 1e4] {
+            let ([v, _], time) = stiff(omega, kappa, before);
+            let error = [(v - law.velocity).abs(), time];
+            println!("kappa {kappa}, omega {omega}: {error:?}");
+            if let Some([coarse, long]) = last {
+                // Stiffness a hundred times: the error a hundredth, order 1 in 1/k; the duration a tenth.
+                assert!(
+                    (coarse / error[0] - 100.0).abs() < 3.0,
+                    "{}",
+                    coarse / error[0]
+                );
+                assert!((long / time - 10.0).abs() < 0.4);
+            }
+            // κ/(1+κ) u (1 − cos ε), ε = 2g/(ωV_z).
+            let phase = 9.81 / omega;
+            let expected = kappa / (1.0 + kappa) * 0.7 * 0.5 * phase * phase;
+            assert_relative_eq!(error[0], expected, max_relative = 0.02);
+            last = Some(error);
+        }
+    }
+}
+
+#[test]
+fn s4_6_tangential_restitution() {
+    let thrown = motion(1.0, 0.0);
+    let surfaces = [Surface::Floor, Surface::Ceiling, Surface::Floor];
+    let third = |kappa: f64, e: f64| {
+        let after = |m, &s: &Surface| bounce_with(m, s, kappa, e);
+        surfaces.iter().fold(thrown, after).velocity
+    };
+    for (e, v) in [
+        (1.0, -0.9708),
+        (0.8, -0.7167),
+        (0.6, -0.4819),
+        (0.4, -0.2640),
+    ] {
+        assert!((third(0.4, e) - v).abs() < 5e-5);
+    }
+    assert!((return_threshold(0.4).unwrap() - 0.13809).abs() < 5e-6);
+    for kappa in [0.08, 0.2, 0.25, 1.0 / 3.0, 0.4, 0.5, 0.6, 2.0 / 3.0] {
+        let e = return_threshold(kappa).unwrap();
+        assert!(third(kappa, e).abs() < 2e-15, "{kappa}: {e}");
+        assert!(third(kappa, e + 1e-6) < 0.0 && third(kappa, e - 1e-6) > 0.0);
+    }
+    assert!(matches!(
+        return_threshold(0.05),
+        Err(Error::Condition { .. })
+    ));
+    assert!(matches!(
+        return_threshold(0.7),
+        Err(Error::OutOfRange { .. })
+    ));
+    // The cubic, in fractions.
+    let q = |n: i128, d: i128| Ratio::new(n, d);
+    let (kappa, e, one) = (q(2, 5), q(3, 4), q(1, 1));
+    let start = Motion {
+        velocity: one,
+        rim_speed: q(0, 1),
+    };
+    let end = surfaces
+        .iter()
+        .fold(start, |m, &s| bounce_with(m, s, kappa, e));
+    let a = (one + e) / (one + kappa);
+    let c = one - kappa;
+    let three = q(3, 1);
+    assert_eq!(
+        end.velocity,
+        one - kappa * a * (three + (one - three * kappa) * a + c * c * a * a)
+    );
+}
+
+proptest! {
+    #[test]
+    fn s4_6_every_bounce_of_the_family(
+        v in -5.0..5.0, w in -5.0..5.0, kappa in 0.05..1.0, e in -1.0..1.0, most in 0.0..3.0,
+    ) {
+        let before = motion(v, w);
+        for surface in [Surface::Floor, Surface::Ceiling] {
+            let elastic = bounce_with(before, surface, kappa, 1.0);
+            prop_assert_eq!(elastic, bounce(before, surface, kappa));
+            let u = before.contact_speed(surface);
+            let after = bounce_with(before, surface, kappa, e);
+            prop_assert!((after.contact_speed(surface) + e * u).abs() < 1e-14 * (v.abs() + w.abs()));
+            let lost = before.energy(kappa) - after.energy(kappa);
+            let expected = kappa / (1.0 + kappa) * u * u * (1.0 - e * e);
+            prop_assert!((lost - expected).abs() < 1e-13);
+            let clipped = gripping_bounce(before, surface, kappa, e, most);
+            let impulse = (clipped.velocity - v).abs();
+            prop_assert!(impulse <= most * (1.0 + 1e-14) + 1e-15);
+            prop_assert!(clipped.energy(kappa) <= before.energy(kappa) * (1.0 + 1e-15));
+        }
+    }
+}
+
+fn thrown(height: f64, climb: f64, velocity: f64, rim_speed: f64) -> InFlight {
+    InFlight {
+        position: 0.0,
+        height,
+        climb,
+        motion: motion(velocity, rim_speed),
+        bounces: 0,
+    }
+}
+
+fn weight() -> Weight {
+    Weight::new(9.81).unwrap()
+}
+
+// claim: C4.6-11
+#[test]
+fn s4_6_flights_three_ways() {
+    let mut worst = [0.0_f64; 2];
+    let sky = f64::INFINITY;
+    for (room, start) in [
+        (0.6, thrown(0.3, -5.0, 2.0, 0.0)),
+        (0.6, thrown(0.3, 5.0, 2.0, 0.7)),
+        (0.6, thrown(0.0, 4.0, -1.0, 0.7)),
+        (sky, thrown(1.0, 0.0, 1.0, -3.0)),
+        (sky, thrown(0.2, 3.0, 1.0, 2.0)),
+        // The ceiling is out of reach.
+        (2.0, thrown(1.0, 0.0, 1.0, -3.0)),
+    ] {
+        let flight = Flight::new(0.4, room, (weight(), Nothing, Nothing), start).unwrap();
+        let times: Vec<f64> = (0..40).map(|k| 0.0731 * f64::from(k)).collect();
+        let followed = flight.followed(&times).unwrap();
+        let effort = (Method::Dop853, Effort::Tolerance(1e-14));
+        let (found, _) = flight.integrated(&times, effort).unwrap();
+        for ((&t, a), b) in times.iter().zip(&followed).zip(&found) {
+            let e = flight.exact(t).unwrap();
+            for (k, other) in [a, b].into_iter().enumerate() {
+                let apart = [
+                    e.position - other.position,
+                    e.height - other.height,
+                    e.climb - other.climb,
+                    e.motion.velocity - other.motion.velocity,
+                    e.motion.rim_speed - other.motion.rim_speed,
+                ];
+                worst[k] = apart.iter().fold(worst[k], |w, d| w.max(d.abs()));
+                assert_eq!(e.bounces, other.bounces);
+            }
+        }
+    }
+    println!("followed {:e}, dop853 {:e}", worst[0], worst[1]);
+    assert!(worst[0] < 1e-12 && worst[1] < 1e-12, "{worst:?}");
+}
+
+#[test]
+fn s4_6_bounces_that_pile_up() {
+    let sky = f64::INFINITY;
+    for e in [0.0, 0.3, 0.8, 0.99, 0.999] {
+        let dull = Restitution::new(e, 0.6).unwrap();
+        let start = thrown(1.0, 0.0, 1.0, 0.0);
+        let ball = Flight::new(0.4, sky, (weight(), dull, Nothing), start).unwrap();
+        let done = ball.last_contact().unwrap().unwrap();
+        let expected = (2.0_f64 / 9.81).sqrt() * (1.0 + e) / (1.0 - e);
+        assert_relative_eq!(done, expected, max_relative = 1e-14);
+        let end = ball.followed(&[0.5 * done, done, done + 2.0]).unwrap()[2];
+        assert_eq!((end.height, end.climb), (0.0, 0.0));
+        // It rolls with what a point of the floor has always known.
+        assert_relative_eq!(end.motion.velocity, 5.0 / 7.0, max_relative = 1e-14);
+        assert_eq!(end.motion.velocity, end.motion.rim_speed);
+    }
+    // e_n = 1 − 1e-6: the time is known at once.
+    let dull = Restitution::new(1.0 - 1e-6, 0.6).unwrap();
+    let ball = Flight::new(
+        0.4,
+        sky,
+        (weight(), dull, Nothing),
+        thrown(1.0, 0.0, 1.0, 0.0),
+    )
+    .unwrap();
+    let done = ball.last_contact().unwrap().unwrap();
+    assert_relative_eq!(
+        done,
+        (2.0_f64 / 9.81).sqrt() * (2.0 - 1e-6) / 1e-6,
+        max_relative = 1e-10
+    );
+    // A contact speed that is reversed for ever has no last value.
+    let odd = Restitution::new(0.5, 1.0).unwrap();
+    let ball = Flight::new(
+        0.4,
+        sky,
+        (weight(), odd, Nothing),
+        thrown(1.0, 0.0, 1.0, 0.0),
+    )
+    .unwrap();
+    assert!(matches!(
+        ball.followed(&[10.0]),
+        Err(Error::Condition { .. })
+    ));
+    // With a limited grip it may still slide when the bounces are over, and ends rolling all the same.
+    let dull = Restitution::new(0.3, 0.6).unwrap();
+    let grip = Slipping::new(0.05).unwrap();
+    let ball = Flight::new(0.4, sky, (weight(), dull, grip), thrown(0.1, 0.0, 3.0, 0.0)).unwrap();
+    let done = ball.last_contact().unwrap().unwrap();
+    let [slides, rolls] = ball.followed(&[done + 0.01, done + 9.0]).unwrap()[..] else {
+        unreachable!()
+    };
+    assert!(slides.motion.contact_speed(Surface::Floor) > 1.0);
+    assert_relative_eq!(rolls.motion.velocity, 15.0 / 7.0, max_relative = 1e-14);
+}
+
+#[test]
+fn s4_6_grazing_incidence_slips() {
+    let sky = f64::INFINITY;
+    let grip = Slipping::new(0.2).unwrap();
+    // κ(1+e)u/(1+κ) against μ(1+e)V_z: it slips if V_z < κu/((1+κ)μ).
+    let limit: f64 = 0.4 / 1.4 * 5.0 / 0.2;
+    for (factor, slips) in [(0.999, true), (1.001, false)] {
+        let start = thrown(0.0, factor * limit, 5.0, 0.0);
+        let ball = Flight::new(0.4, sky, (weight(), Nothing, grip), start).unwrap();
+        let t = 2.0 * factor * limit / 9.81 + 1e-3;
+        let after = ball.followed(&[t]).unwrap()[0];
+        assert_eq!(after.bounces, 1);
+        let law = bounce(start.motion, Surface::Floor, 0.4);
+        assert_eq!(after.motion != law, slips);
+    }
+}
+
+#[test]
+fn flight_refuses_what_is_no_ball() {
+    let none = (Nothing, Nothing, Nothing);
+    let start = thrown(0.1, 0.0, 1.0, 0.0);
+    for kappa in [0.0, -1.0, 1.1, f64::NAN] {
+        assert!(Flight::new(kappa, 1.0, none, start).is_err());
+    }
+    assert!(Flight::new(0.4, 0.05, none, start).is_err());
+    assert!(Flight::new(0.4, 0.0, none, start).is_err());
+    assert!(Restitution::new(1.1, 0.0).is_err() && Restitution::new(0.5, -1.1).is_err());
+    assert!(Restitution::new(f64::NAN, 0.0).is_err());
+    let ball = Flight::new(0.4, 1.0, none, start).unwrap();
+    assert!(matches!(ball.exact(-1.0), Err(Error::Negative { .. })));
+    assert_eq!(ball.exact(5.0).unwrap().position, 5.0);
+}

@@ -17,6 +17,7 @@ pub mod run;
 pub mod scan;
 mod shape;
 mod strip;
+mod table_top;
 mod top;
 mod yo_yo;
 
@@ -48,6 +49,7 @@ const KINDS: &[(&str, Reader)] = &[
     ("cat", shape::cat),
     ("paper-cat", shape::paper_cat),
     ("crawler", shape::crawler),
+    ("table-top", table_top::read),
 ];
 
 /// A scene that is ready to run.

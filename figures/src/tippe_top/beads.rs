@@ -45,11 +45,11 @@ pub fn beads() -> Result<Figure> {
             .to_owned(),
     };
     Ok(figure("chiral-beads", 300.0, words, |pen| {
-        view(pen, [150.0, 136.0], 0.35, &beads, mass);
+        view(pen, [150.0, 136.0], 0.95, &beads, mass);
         view(
             pen,
             [450.0, 136.0],
-            0.35 + core::f64::consts::FRAC_PI_2,
+            0.95 + core::f64::consts::FRAC_PI_2,
             &beads,
             mass,
         );

@@ -10,14 +10,14 @@ use crate::solid::{View, ellipse};
 use crate::style::{AXIS, Anchor, HAIR, Point, Role, Words, figure, label, number, small, stroke};
 
 /// Spin, rad/s, and offset of the ball drawn: slow enough to be followed with the eye.
-const SPIN: f64 = 130.0;
-const ALPHA: f64 = 0.15;
-const END: f64 = 1.1;
+const SPIN: f64 = 200.0;
+const ALPHA: f64 = 0.2;
+const END: f64 = 1.25;
 
 /// The point that touches the table winds from the heavy pole to the light one.
 pub fn contact_path() -> Result<Figure> {
     let scene = toy_scene(ALPHA, SPIN)?;
-    let rows = run(&scene, END, 2200, 1e-3)?;
+    let rows = run(&scene, END, 4000, 1e-3)?;
     let aloft = rows
         .iter()
         .filter(|row| row.1.support == Support::Airborne)
@@ -67,7 +67,7 @@ pub fn contact_path() -> Result<Figure> {
             pen.line(&piece, stroke(Role::Omega, HAIR).alpha(0.45));
         }
         for piece in front {
-            pen.line(&piece, stroke(Role::Omega, 1.6));
+            pen.line(&piece, stroke(Role::Omega, 1.2));
         }
         pen.ring(center, radius, stroke(Role::Ink, AXIS));
         let pole = |z: f64| view.project(&Vector3::new(0.0, 0.0, z));

@@ -16,7 +16,7 @@ pub fn height_and_energy() -> Result<Figure> {
     let weight = 0.02 * super::G_TIPPE;
     let gain = weight * (last.position.z() - first.position.z());
     let words = Words {
-        claim: "While the top climbs, it loses energy: the spin pays the climb, and friction takes nine times as much.".to_owned(),
+        claim: "While the top climbs, its energy falls: the spin pays the climb, and friction takes ten times as much.".to_owned(),
         details: format!(
             "Tippe top of 20 g, $R = 2$ cm, $\\alpha = 0.3$, spun at 155 rad/s about its axis, viscous friction 0.3 s/m. $C$ rises from {} to {} mm, \
              half of it at {} s; that costs {} mJ. The energy falls from {} to {} mJ, at no instant rising.",

@@ -23,7 +23,7 @@ pub fn tip_over() -> Result<Figure> {
         120.0 / (at(150.0).unwrap_or(f64::NAN) - at(30.0).unwrap_or(f64::NAN))
     };
     let words = Words {
-        claim: "The tutorial's straight line is within a tenth of the truth, and the truth approaches it as the clay gets lighter."
+        claim: "The tutorial's straight line has the right slope to a tenth, and the lighter the clay, the better."
             .to_owned(),
         details: format!(
             "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, 50 turns a second, $\\mu = \\frac13$, released at 0.1 rad. \
@@ -34,8 +34,9 @@ pub fn tip_over() -> Result<Figure> {
             number(mean(1), 1),
         ),
         alt: "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at 2.3 seconds. Two \
-              solid curves follow it closely, trembling a little, and pass it halfway; both bend at the end and creep into 180 \
-              degrees. The curve for the lighter clay is closer to the line. A dotted curve runs through the other one."
+              solid curves of nearly the same slope bend at the end and creep into 180 degrees. The one for the heavier clay is the steeper; the one for the \
+              lighter clay starts a tenth of a second late and then runs almost parallel to the line. A dotted curve runs through the \
+              steeper one."
             .to_owned(),
     };
     Ok(figure("tip-over", 392.0, words, |pen| {

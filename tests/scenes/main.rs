@@ -1,5 +1,6 @@
-//! Scenes: every effect matters, and what is absent does not.
+//! Scenes: every effect changes the answer, its zero limit does not, the ledger balances, and closed forms agree with integrators.
 
+mod contact;
 mod meteorite;
 mod roller;
 mod shape;
@@ -8,5 +9,3 @@ mod strip;
 mod superball;
 mod top;
 mod yo_yo;
-//! Scenes: every effect changes the answer, its zero limit does not, the ledger balances, and closed forms agree with integrators.
-mod contact;

@@ -10,24 +10,13 @@ use nalgebra::Matrix3;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::scene::contact::{
-    Coulomb, Gravity, Grip, NoSlip, Pull, Regularised, Resist, Resistance, TableTop, Viscous,
+    self, Coulomb, Friction, Gravity, Regularised, Resistance, TableTop, Viscous,
 };
-use spinning_bodies::scene::{Absent, Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
 
 use super::reader::Section;
 use super::{Ready, Table};
 use crate::Result;
-
-/// The friction that a file lists.
-#[derive(Debug, Clone, Copy)]
-enum Law {
-    Smooth,
-    Coulomb(Coulomb),
-    Smoothed(Regularised),
-    Viscous(Viscous),
-    NoSlip,
-}
 
 pub fn read(file: &Section<'_>) -> Result<Ready> {
     let section = file.section("body")?;
@@ -46,43 +35,9 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     let resistance = resistance(&effects)?;
     effects.done()?;
     let scene = TableTop::new(body, start);
-    Ok(Ready(Box::new(move |request| match gravity {
-        Some(gravity) => resisting(scene.with_gravity(gravity), law, resistance, request),
-        None => resisting(scene, law, resistance, request),
+    Ok(Ready(Box::new(move |request| {
+        contact::listed(scene, gravity, law, resistance, request).map(Table::of)
     })))
-}
-
-fn resisting<G: Pull>(
-    scene: TableTop<G>,
-    law: Law,
-    resistance: Option<Resistance>,
-    request: &Request,
-) -> spinning_bodies::Result<Table> {
-    match resistance {
-        Some(resistance) => rubbing(scene.with_resistance(resistance), law, request),
-        None => rubbing(scene, law, request),
-    }
-}
-
-fn rubbing<G: Pull, R: Resist>(
-    scene: TableTop<G, Absent, R>,
-    law: Law,
-    request: &Request,
-) -> spinning_bodies::Result<Table> {
-    match law {
-        Law::Smooth => run(&scene, request),
-        Law::Coulomb(law) => run(&scene.with_friction(law), request),
-        Law::Smoothed(law) => run(&scene.with_friction(law), request),
-        Law::Viscous(law) => run(&scene.with_friction(law), request),
-        Law::NoSlip => run(&scene.with_friction(NoSlip), request),
-    }
-}
-
-fn run<G: Pull, F: Grip, R: Resist>(
-    scene: &TableTop<G, F, R>,
-    request: &Request,
-) -> spinning_bodies::Result<Table> {
-    scene.simulate(request).map(Table::of)
 }
 
 fn body(section: &Section<'_>) -> Result<ConvexBody> {
@@ -160,14 +115,14 @@ fn start(section: &Section<'_>) -> Result<Start> {
     Ok(start)
 }
 
-fn law(section: &Section<'_>) -> Result<Law> {
+fn law(section: &Section<'_>) -> Result<Option<Friction>> {
     const RATIO: &str = "a coefficient of friction, s/m for the viscous law";
     let named = section.has("friction_law");
     let friction = section.optional("friction", RATIO)?;
     let slip = section.optional("friction_slip", "a speed in m/s")?;
     if !named {
         return match (friction, slip) {
-            (None, None) => Ok(Law::Smooth),
+            (None, None) => Ok(None),
             _ => Err(section.refused("friction_law", "is missing: it says what `friction` means")),
         };
     }
@@ -179,12 +134,12 @@ fn law(section: &Section<'_>) -> Result<Law> {
     ];
     let about = || section.about("friction");
     match (section.word("friction_law", &laws)?, friction, slip) {
-        (0, Some(mu), None) => Coulomb::new(mu).map(Law::Coulomb).map_err(about()),
+        (0, Some(mu), None) => Coulomb::new(mu).map(|law| Some(Friction::Coulomb(law))).map_err(about()),
         (1, Some(mu), Some(slip)) => Regularised::new(mu, slip)
-            .map(Law::Smoothed)
+            .map(|law| Some(Friction::Regularised(law)))
             .map_err(about()),
-        (2, Some(c), None) => Viscous::new(c).map(Law::Viscous).map_err(about()),
-        (3, None, None) => Ok(Law::NoSlip),
+        (2, Some(c), None) => Viscous::new(c).map(|law| Some(Friction::Viscous(law))).map_err(about()),
+        (3, None, None) => Ok(Some(Friction::NoSlip)),
         _ => Err(section.refused(
             "friction_law",
             "\"coulomb\" and \"viscous\" need `friction`, \"smoothed\" `friction_slip` as well, \"no-slip\" neither",

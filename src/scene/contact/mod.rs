@@ -26,6 +26,7 @@
 //! ```
 
 mod effects;
+mod listed;
 mod run;
 mod state;
 
@@ -33,6 +34,7 @@ use nalgebra::Quaternion;
 
 pub use crate::tippe_top::{Coulomb, Regularised, Resistance, Viscous};
 pub use effects::{Gravity, Grip, Holding, NoSlip, Pull, Resist};
+pub use listed::{Friction, listed};
 pub use run::{Phase, Support};
 pub use state::{State, passage};
 

@@ -14,7 +14,7 @@ const SPIN: f64 = 200.0;
 const ALPHA: f64 = 0.2;
 const END: f64 = 1.25;
 
-/// The point that touches the table winds from the heavy pole to the light one.
+/// The point that touches the table walks from the heavy pole to the light one.
 pub fn contact_path() -> Result<Figure> {
     let scene = toy_scene(ALPHA, SPIN)?;
     let rows = run(&scene, END, 4000, 1e-3)?;
@@ -37,10 +37,10 @@ pub fn contact_path() -> Result<Figure> {
         / core::f64::consts::TAU;
     let last = rows[rows.len() - 1].1;
     let words = Words {
-        claim: "On the ball, the point of contact winds from the heavy pole up to the light one.".to_owned(),
+        claim: "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned(),
         details: format!(
             "A ball of $R = 2$ cm, $\\alpha = {}$, $\\mu = \\frac13$, spun about the vertical at {} rad/s: the place that touches the table, seen from \
-             the ball, during {} s. It goes round {} times while the tilt grows to {}°; {} of the samples are in the air.",
+             the ball, during {} s. The ball turns about the vertical meanwhile, so the path goes round only {} times while the tilt grows to {}°; {} of the samples are in the air.",
             number(ALPHA, 2),
             number(SPIN, 0),
             number(END, 1),
@@ -48,8 +48,7 @@ pub fn contact_path() -> Result<Figure> {
             number(last.tilt().to_degrees(), 0),
             aloft,
         ),
-        alt: "A ball with the centre of mass below its centre. A line on its surface starts near the south pole and climbs in a spiral of about equal \
-              steps, over the equator, to the north pole; the part on the far side is drawn thin."
+        alt: "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, climbs over the equator on the far side, and ends near the north pole in front."
             .to_owned(),
     };
     Ok(figure("contact-path", 360.0, words, |pen| {

@@ -37,6 +37,8 @@ chapters! {
     sheet: "sheet",
     superball: "superball",
     tippe_top: "tippe-top",
+    chiral_top: "chiral-top",
+    rattleback: "rattleback",
     gyroscope: "gyroscope",
     yo_yo: "yo-yo",
     falling_strip: "falling-strip",

@@ -23,6 +23,7 @@ mod solid;
 mod spool;
 pub mod style;
 mod superball;
+mod tippe_top;
 mod yo_yo;
 
 pub use compare::{Difference, compare};
@@ -158,6 +159,81 @@ pub fn all() -> &'static [Entry] {
             name: "bounce-reflections",
             chapter: "superball",
             draw: superball::reflections,
+        },
+        Entry {
+            name: "tippe-top-animated",
+            chapter: "tippe-top",
+            draw: tippe_top::turning_over,
+        },
+        Entry {
+            name: "egg-film",
+            chapter: "tippe-top",
+            draw: tippe_top::egg_film,
+        },
+        Entry {
+            name: "hoop-with-clay",
+            chapter: "tippe-top",
+            draw: tippe_top::hoop_with_clay,
+        },
+        Entry {
+            name: "tip-over",
+            chapter: "tippe-top",
+            draw: tippe_top::tip_over,
+        },
+        Entry {
+            name: "contact-path",
+            chapter: "tippe-top",
+            draw: tippe_top::contact_path,
+        },
+        Entry {
+            name: "tippe-energy",
+            chapter: "tippe-top",
+            draw: tippe_top::height_and_energy,
+        },
+        Entry {
+            name: "tippe-potential",
+            chapter: "tippe-top",
+            draw: tippe_top::effective_potential,
+        },
+        Entry {
+            name: "tippe-diagram",
+            chapter: "tippe-top",
+            draw: tippe_top::energy_and_momentum,
+        },
+        Entry {
+            name: "egg-angle",
+            chapter: "tippe-top",
+            draw: tippe_top::how_far_eggs_rise,
+        },
+        Entry {
+            name: "chiral-top",
+            chapter: "chiral-top",
+            draw: tippe_top::both_spins,
+        },
+        Entry {
+            name: "chiral-strobe",
+            chapter: "chiral-top",
+            draw: tippe_top::strobed,
+        },
+        Entry {
+            name: "chiral-map",
+            chapter: "chiral-top",
+            draw: tippe_top::outcomes,
+        },
+        Entry {
+            name: "chiral-growth",
+            chapter: "chiral-top",
+            draw: tippe_top::growth_rates,
+        },
+        Entry {
+            name: "chiral-beads",
+            chapter: "chiral-top",
+            draw: tippe_top::beads,
+        },
+        Entry {
+            name: "rattleback",
+            chapter: "rattleback",
+            draw: tippe_top::reversals,
         },
         Entry {
             name: "yo-yo-string",

@@ -2,6 +2,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::body::ConvexBody;
+use super::friction::Regularised;
+use super::growth::{Rate, quasi_steady};
 use crate::error::{Result, positive};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::InertiaMatrix;
@@ -22,6 +25,23 @@ pub fn chirality_index(inertia: &InertiaMatrix, axis: BodyVector) -> Result<f64>
     let matrix = inertia.matrix();
     let image = matrix * k;
     Ok(k.dot(&image.cross(&(matrix * image))))
+}
+
+/// The slow swing of small perturbations for spin in both senses, anticlockwise first, at `spin` (rad/s) under gravity g: whether the top
+/// begins to turn over one way, the other, or both.
+///
+/// As [`quasi_steady`] and [`QuasiSteady::slow_swing`](super::QuasiSteady::slow_swing) for ±`spin`; errors and cost are theirs.
+///
+/// # Errors
+/// As for [`quasi_steady`].
+pub fn swings_of_both_senses(
+    body: &ConvexBody,
+    gravity: f64,
+    friction: Regularised,
+    spin: f64,
+) -> Result<[Rate; 2]> {
+    let swing = |spin| quasi_steady(body, gravity, friction, spin)?.slow_swing();
+    Ok([swing(spin)?, swing(-spin)?])
 }
 
 /// Three pairs of opposite places ±pᵢ (m), relative to C, where six equal beads of mass `mass`/6 have this inertia matrix.

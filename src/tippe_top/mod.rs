@@ -28,7 +28,7 @@ mod steady;
 mod surface;
 
 pub use body::{ConvexBody, Start};
-pub use chirality::{beads, chirality_index};
+pub use chirality::{beads, chirality_index, swings_of_both_senses};
 pub use estimate::HoopWithClay;
 pub use friction::{Coulomb, Couple, Holding, Regularised, Resistance, Smooth, Traction, Viscous};
 pub use growth::{QuasiSteady, Rate, quasi_steady, rolling_growth_rates};

@@ -19,6 +19,7 @@ pub mod run;
 pub mod scan;
 mod shape;
 mod strip;
+mod table_top;
 mod top;
 mod yo_yo;
 
@@ -50,6 +51,7 @@ const KINDS: &[(&str, Reader)] = &[
     ("cat", shape::cat),
     ("paper-cat", shape::paper_cat),
     ("crawler", shape::crawler),
+    ("table-top", table_top::read),
 ];
 
 /// The words that may stand after `kind`.

@@ -1,0 +1,162 @@
+//! A tippe top that turns itself over, seen by a camera that goes round with its axis.
+
+use core::fmt::Write as _;
+
+use spinning_bodies::Result;
+use spinning_bodies::scene::contact::State;
+
+use super::ball::{cap_outline, table};
+use super::plot::Frame;
+use super::{run, tippe_scene};
+use crate::Figure;
+use crate::finish::with;
+use crate::style::{
+    Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, label, number,
+    small, stroke,
+};
+
+const NAME: &str = "tippe-top-animated";
+/// Seconds of the run, and its pictures.
+const END: f64 = 8.0;
+const PICTURES: u32 = 160;
+/// The picture that stands when nothing moves: half way over.
+const STILL: usize = 100;
+/// The ball: centre, radius, and where C is, over the radius.
+const CENTER: Point = [150.0, 178.0];
+const RADIUS: f64 = 104.0;
+const ALPHA: f64 = 0.3;
+
+const FRAME: Frame = Frame {
+    sides: [340.0, 574.0, 282.0, 30.0],
+    x: [0.0, END],
+    y: [0.0, 180.0],
+};
+
+/// The whole puzzle in eight seconds.
+pub fn turning_over() -> Result<Figure> {
+    let rows = run(&tippe_scene(155.0)?, END, PICTURES, 1e-3)?;
+    let degrees = |s: &State| s.tilt().to_degrees();
+    let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
+    let words = Words {
+        claim: "Spun, a ball with a heavy foot turns itself upside down.".to_owned(),
+        details: format!(
+            "Tippe top of 20 g, $R = 2$ cm, its centre of mass $C$ 6 mm below the centre $K$ of the ball, spun at 155 rad/s, in real time; the camera goes \
+             round with the axis. Its spin about the vertical falls from {} to {} rad/s, $C$ rises by {} mm. Rest the pointer on the picture to stop it.",
+            number(first.spin(), 1),
+            number(last.spin(), 1),
+            number(1e3 * (last.position.z() - first.position.z()), 1),
+        ),
+        alt: "On the left a ball with a dark cap on top and its centre of mass below the centre. On the right its tilt against time. For four seconds \
+              the tilt is small, then the ball leans over, passes the horizontal at five seconds, and at six the cap is at the bottom \
+              and the centre of mass above. Without motion: the ball almost on its side."
+            .to_owned(),
+    };
+    let still = figure(NAME, 330.0, words, |pen| {
+        table(pen, 18.0, 282.0, CENTER[1] + RADIUS);
+        pen.disc(CENTER, RADIUS, Role::Shade, 1.0);
+        FRAME.axes(
+            pen,
+            &[(0.0, "0"), (2.0, "2"), (4.0, "4"), (6.0, "6"), (8.0, "8 s")],
+            &[(0.0, "0°"), (90.0, "90°"), (180.0, "180°")],
+        );
+        FRAME.curve(
+            pen,
+            rows.iter().map(|(t, s)| (*t, degrees(s))),
+            stroke(Role::Ink, DATA),
+        );
+        let line = [FRAME.at(0.0, 90.0), FRAME.at(END, 90.0)];
+        pen.line(&line, stroke(Role::Muted, HAIR));
+        pen.text(
+            FRAME.at(0.3, 96.0),
+            Anchor::Start,
+            "on its side",
+            small(Role::Muted),
+        );
+        pen.text(
+            FRAME.at(0.3, 168.0),
+            Anchor::Start,
+            "tilt",
+            label(Role::Ink),
+        );
+        spin_arrow(pen);
+    });
+    Ok(with(still, &moving(&rows)))
+}
+
+/// The arrow of the spin about the vertical, over the ball.
+fn spin_arrow(pen: &mut Pen<'_>) {
+    let [x, y] = CENTER;
+    let points: Vec<Point> = (0..=40)
+        .map(|k| 2.5 + 4.4 * f64::from(k) / 40.0)
+        .map(|a: f64| [x + 44.0 * a.cos(), y - RADIUS - 24.0 - 10.0 * a.sin()])
+        .collect();
+    pen.line(&points[..38], stroke(Role::Omega, SECONDARY));
+    pen.arrow(points[37], points[40], stroke(Role::Omega, SECONDARY));
+    pen.text(
+        [x + 56.0, y - RADIUS - 18.0],
+        Anchor::Start,
+        "Ω",
+        label(Role::Omega),
+    );
+}
+
+/// The cap, the axis and C turn about K; the disc runs along the curve.
+fn moving(rows: &[(f64, State)]) -> String {
+    let mut style = String::from("<style>");
+    let count = rows.len() - 1;
+    let percent = |n: usize| short(100.0 * n as f64 / count as f64, 3);
+    let turn = |s: &State| format!("rotate({}deg)", short(s.tilt().to_degrees(), 2));
+    let shift = |t: f64, s: &State| {
+        let [x, y] = FRAME.at(t, s.tilt().to_degrees());
+        format!("translate({:.0}px,{:.0}px)", x * CANVAS, y * CANVAS)
+    };
+    let _ = write!(style, "@keyframes fig-{NAME}-ball{{");
+    for (n, (_, s)) in rows.iter().enumerate() {
+        let _ = write!(style, "{}%{{transform:{}}}", percent(n), turn(s));
+    }
+    let _ = write!(style, "}}@keyframes fig-{NAME}-dot{{");
+    for (n, (t, s)) in rows.iter().enumerate() {
+        let _ = write!(style, "{}%{{transform:{}}}", percent(n), shift(*t, s));
+    }
+    let both = format!(".fig-{NAME}-ball,.fig-{NAME}-dot");
+    let _ = writeln!(
+        style,
+        "}}.fig-{NAME}-ball{{animation:fig-{NAME}-ball {END}s linear infinite}}\
+         .fig-{NAME}-dot{{animation:fig-{NAME}-dot {END}s linear infinite}}\
+         #fig-{NAME}-svg:hover :is({both}){{animation-play-state:paused}}\
+         @media (prefers-reduced-motion:reduce){{{both}{{animation:none}}}}\
+         @media print{{{both}{{animation:none}}}}</style>"
+    );
+    let (time, state) = &rows[STILL];
+    let cap: String = cap_outline(RADIUS * CANVAS, 0.0)
+        .iter()
+        .enumerate()
+        .map(|(k, p)| format!("{}{:.0} {:.0}", if k == 0 { "M" } else { "L" }, p[0], p[1]))
+        .collect();
+    let [x, y] = CENTER.map(|c| c * CANVAS);
+    let (r, c) = (RADIUS * CANVAS, ALPHA * RADIUS * CANVAS);
+    let [dx, dy] = FRAME
+        .at(*time, state.tilt().to_degrees())
+        .map(|c| c * CANVAS);
+    format!(
+        "{style}<g transform=\"translate({x:.0} {y:.0})\"><circle r=\"{r:.0}\" stroke=\"currentColor\" stroke-width=\"12\"/>\n\
+         <g class=\"fig-{NAME}-ball\" transform=\"rotate({})\">\
+         <path d=\"{cap}Z\" fill=\"currentColor\" fill-opacity=\"0.55\"/>\
+         <path d=\"M0 {r:.0}L0 -{r:.0}\" stroke=\"currentColor\" stroke-width=\"8\" stroke-dasharray=\"1 36\"/>\
+         <circle r=\"32\" fill=\"currentColor\"/>\
+         <circle cy=\"{c:.0}\" r=\"58\" fill=\"var(--angular-momentum, #b85300)\"/></g></g>\n\
+         <g class=\"fig-{NAME}-dot\" transform=\"translate({dx:.0} {dy:.0})\"><circle r=\"52\" fill=\"var(--omega, #0b6bcb)\"/></g>\n",
+        short(state.tilt().to_degrees(), 2),
+    )
+}
+
+/// A number without the digits that say nothing.
+fn short(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if matches!(text, "-0" | "") {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
+}

@@ -1,0 +1,125 @@
+//! Six beads in a ball: a chiral top to build.
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::frame::Attitude;
+use spinning_bodies::tippe_top::{beads as places, bodies};
+
+use crate::Figure;
+use crate::solid::{View, ellipse};
+use crate::style::{
+    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+};
+
+const RADIUS: f64 = 122.0;
+
+/// Three rods, six beads, one ball.
+pub fn beads() -> Result<Figure> {
+    let body = bodies::chiral_top()?;
+    let pairs = places(body.mass(), body.inertia(), &Attitude::identity())?;
+    // In units of R, seen from K.
+    let mass = -body.center().components() / 0.02;
+    let beads: Vec<[Vector3<f64>; 2]> = pairs
+        .iter()
+        .map(|p| [mass + p.components() / 0.02, mass - p.components() / 0.02])
+        .collect();
+    let farthest = beads
+        .iter()
+        .flatten()
+        .map(Vector3::norm)
+        .fold(0.0, f64::max);
+    let words = Words {
+        claim: "Six equal beads on three crossed rods make the chiral top.".to_owned(),
+        details: format!(
+            "The ball from two sides; $K$ its centre, the rods cross at $C$, {} mm below it for $R = 2$ cm. Beads of a sixth of the mass each sit on the \
+             principal axes at {}, {} and {} mm from $C$; the farthest is {} of $R$ from $K$. The rods are tilted against $CK$ by up to 8.4°, and \
+             that is the whole secret.",
+            number(1e3 * body.center().norm(), 1),
+            number(1e3 * pairs[0].norm(), 2),
+            number(1e3 * pairs[1].norm(), 2),
+            number(1e3 * pairs[2].norm(), 2),
+            number(farthest, 3),
+        ),
+        alt: "Two views of a transparent ball. Three rods cross at a point C a little below the centre K, each with a bead at both ends, all inside the ball. One \
+              rod is nearly vertical but visibly leans."
+            .to_owned(),
+    };
+    Ok(figure("chiral-beads", 300.0, words, |pen| {
+        view(pen, [150.0, 136.0], 0.95, &beads, mass);
+        view(
+            pen,
+            [450.0, 136.0],
+            0.95 + core::f64::consts::FRAC_PI_2,
+            &beads,
+            mass,
+        );
+        pen.text(
+            [150.0, 288.0],
+            Anchor::Middle,
+            "from the front",
+            label(Role::Ink),
+        );
+        pen.text(
+            [450.0, 288.0],
+            Anchor::Middle,
+            "from the side",
+            label(Role::Ink),
+        );
+    }))
+}
+
+fn view(
+    pen: &mut Pen<'_>,
+    center: Point,
+    azimuth: f64,
+    beads: &[[Vector3<f64>; 2]],
+    mass: Vector3<f64>,
+) {
+    let view = View::new(azimuth, 0.12, center, RADIUS);
+    pen.disc(center, RADIUS, Role::Shade, 0.6);
+    let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 96);
+    pen.line(&view.trace(&equator), stroke(Role::Muted, HAIR));
+    pen.ring(center, RADIUS, stroke(Role::Ink, AXIS));
+    let axis = [
+        view.project(&Vector3::new(0.0, 0.0, -1.0)),
+        view.project(&Vector3::new(0.0, 0.0, 1.0)),
+    ];
+    pen.line(&axis, stroke(Role::Muted, SECONDARY).dotted());
+    for (k, pair) in beads.iter().enumerate() {
+        pen.line(&view.trace(pair), stroke(Role::Ink, SECONDARY));
+        for end in pair {
+            let depth = end.dot(&view.toward);
+            let at = view.project(end);
+            pen.disc(at, 9.0 + 2.0 * depth, Role::Omega, 1.0);
+            pen.ring(at, 9.0 + 2.0 * depth, stroke(Role::Ink, AXIS));
+        }
+        let outer = if pair[0].z >= pair[1].z {
+            pair[0]
+        } else {
+            pair[1]
+        };
+        let [x, y] = view.project(&outer);
+        pen.text(
+            [x + 15.0, y - 4.0],
+            Anchor::Start,
+            &format!("{}", k + 1),
+            small(Role::Ink),
+        );
+    }
+    let k = view.project(&Vector3::zeros());
+    let c = view.project(&mass);
+    pen.disc(k, 3.2, Role::Ink, 1.0);
+    pen.disc(c, 3.2, Role::Ink, 1.0);
+    pen.text(
+        [k[0] - 8.0, k[1] - 2.0],
+        Anchor::End,
+        "*K*",
+        label(Role::Ink),
+    );
+    pen.text(
+        [c[0] - 8.0, c[1] + 17.0],
+        Anchor::End,
+        "*C*",
+        label(Role::Ink),
+    );
+}

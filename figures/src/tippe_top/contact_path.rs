@@ -1,0 +1,93 @@
+//! The path of the contact point on the ball.
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::scene::contact::Support;
+
+use super::{run, toy_scene};
+use crate::Figure;
+use crate::solid::{View, ellipse};
+use crate::style::{AXIS, Anchor, HAIR, Point, Role, Words, figure, label, number, small, stroke};
+
+/// Spin, rad/s, and offset of the ball drawn: slow enough to be followed with the eye.
+const SPIN: f64 = 200.0;
+const ALPHA: f64 = 0.2;
+const END: f64 = 1.25;
+
+/// The point that touches the table walks from the heavy pole to the light one.
+pub fn contact_path() -> Result<Figure> {
+    let scene = toy_scene(ALPHA, SPIN)?;
+    let rows = run(&scene, END, 4000, 1e-3)?;
+    let aloft = rows
+        .iter()
+        .filter(|row| row.1.support == Support::Airborne)
+        .count();
+    // The contact lies opposite to the vertical, seen from K in the body's axes.
+    let path: Vec<Vector3<f64>> = rows.iter().map(|(_, s)| -s.up().components()).collect();
+    let turns: f64 = path
+        .windows(2)
+        .map(|pair| {
+            let angle = |p: &Vector3<f64>| p.y.atan2(p.x);
+            let step = angle(&pair[1]) - angle(&pair[0]);
+            (step + core::f64::consts::PI).rem_euclid(core::f64::consts::TAU)
+                - core::f64::consts::PI
+        })
+        .sum::<f64>()
+        .abs()
+        / core::f64::consts::TAU;
+    let last = rows[rows.len() - 1].1;
+    let words = Words {
+        claim: "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned(),
+        details: format!(
+            "A ball of $R = 2$ cm, $\\alpha = {}$, $\\mu = \\frac13$, spun about the vertical at {} rad/s: the place that touches the table, seen from \
+             the ball, during {} s. The ball turns about the vertical meanwhile, so the path goes round only {} times while the tilt grows to {}°; {} of the samples are in the air.",
+            number(ALPHA, 2),
+            number(SPIN, 0),
+            number(END, 1),
+            number(turns, 1),
+            number(last.tilt().to_degrees(), 0),
+            aloft,
+        ),
+        alt: "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, climbs over the equator on the far side, and ends near the north pole in front."
+            .to_owned(),
+    };
+    Ok(figure("contact-path", 360.0, words, |pen| {
+        let (center, radius): (Point, f64) = ([300.0, 180.0], 164.0);
+        let view = View::new(0.4, 0.3, center, radius);
+        let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
+        pen.disc(center, radius, Role::Shade, 1.0);
+        let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 120);
+        let [front, _] = view.split(&equator, seen);
+        for piece in front {
+            pen.line(&piece, stroke(Role::Muted, HAIR));
+        }
+        let [front, back] = view.split(&path, seen);
+        for piece in back {
+            pen.line(&piece, stroke(Role::Omega, HAIR).alpha(0.45));
+        }
+        for piece in front {
+            pen.line(&piece, stroke(Role::Omega, 1.2));
+        }
+        pen.ring(center, radius, stroke(Role::Ink, AXIS));
+        let pole = |z: f64| view.project(&Vector3::new(0.0, 0.0, z));
+        pen.line(&[pole(0.0), pole(-ALPHA)], stroke(Role::Ink, AXIS));
+        pen.disc(pole(0.0), 3.6, Role::Ink, 1.0);
+        pen.disc(pole(-ALPHA), 3.6, Role::Ink, 1.0);
+        let [x, y] = pole(0.0);
+        pen.text([x + 8.0, y], Anchor::Start, "*K*", label(Role::Ink));
+        let [x, y] = pole(-ALPHA);
+        pen.text([x + 8.0, y + 12.0], Anchor::Start, "*C*", label(Role::Ink));
+        let first = view.project(&path[0]);
+        pen.disc(first, 4.0, Role::Omega, 1.0);
+        pen.text(
+            [474.0, 316.0],
+            Anchor::Start,
+            "starts here",
+            small(Role::Omega),
+        );
+        pen.line(
+            &[[470.0, 312.0], [first[0] + 6.0, first[1]]],
+            stroke(Role::Omega, HAIR),
+        );
+    }))
+}

@@ -1,0 +1,181 @@
+//! The boiled egg: picture h, and how far a sluggish egg gets.
+
+use core::f64::consts::FRAC_PI_2;
+
+use spinning_bodies::scene::contact::passage;
+use spinning_bodies::{Error, Result};
+
+use super::ball::table;
+use super::plot::Frame;
+use super::{egg_scene, run};
+use crate::Figure;
+use crate::style::{
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, label, number, polar, small, stroke,
+};
+
+/// Half length and half thickness in the film, units.
+const HALF: [f64; 2] = [51.0, 34.0];
+/// Turns a second of the film, and of the curve.
+const FILM: f64 = 20.0;
+const TURNS: [f64; 7] = [8.0, 9.0, 10.0, 12.0, 14.0, 16.0, 20.0];
+
+/// Degrees from the vertical, whichever end is up.
+fn slope(tilt: f64) -> f64 {
+    tilt.to_degrees().min(180.0 - tilt.to_degrees())
+}
+
+/// The outline of an egg lying with its long axis at `tilt` from the vertical, about its centre, and the height of that.
+fn outline(tilt: f64) -> (Vec<Point>, f64) {
+    let (s, c) = tilt.sin_cos();
+    let points: Vec<Point> = (0..=90)
+        .map(|k| core::f64::consts::TAU * f64::from(k) / 90.0)
+        .map(|a| [HALF[0] * a.cos(), HALF[1] * a.sin()])
+        .map(|[u, v]| [u * s + v * c, v * s - u * c])
+        .collect();
+    let low = points.iter().map(|p| p[1]).fold(f64::MIN, f64::max);
+    (points, low)
+}
+
+/// An egg that was laid down and spun stands up.
+pub fn egg_film() -> Result<Figure> {
+    let rows = run(&egg_scene(FILM)?, 2.5, 500, 1e-2)?;
+    let times = [88.0, 70.0, 50.0, 30.0, 6.0].map(|level| {
+        if level > 87.0 {
+            Some(0.0)
+        } else {
+            passage(&rows, |s| -slope(s.tilt()), -level)
+        }
+    });
+    let frames: Vec<(f64, f64)> = times
+        .iter()
+        .zip([88.0_f64, 70.0, 50.0, 30.0, 6.0])
+        .filter_map(|(t, level)| t.map(|t| (t, level.to_radians())))
+        .collect();
+    let words = Words {
+        claim: "Laid down and spun hard, a boiled egg stands up.".to_owned(),
+        details: format!(
+            "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {} turns a second, $\\mu = 0.1$, drawn when its long axis first stands at \
+             the angles marked; the camera goes round with it.",
+            number(FILM, 0),
+        ),
+        alt: "Five pictures of an egg on a table, from left to right lying, raised by twenty degrees, half up, leaning, and standing on its end, \
+              with the times under them."
+            .to_owned(),
+    };
+    Ok(figure("egg-film", 178.0, words, |pen| {
+        let floor = 128.0;
+        table(pen, 8.0, 592.0, floor);
+        for (k, &(time, tilt)) in frames.iter().enumerate() {
+            one(pen, [66.0 + 117.0 * k as f64, floor], time, tilt);
+        }
+    }))
+}
+
+fn one(pen: &mut Pen<'_>, foot: Point, time: f64, tilt: f64) {
+    let (points, low) = outline(tilt);
+    let center = [foot[0], foot[1] - low];
+    let moved: Vec<Point> = points
+        .iter()
+        .map(|p| [center[0] + p[0], center[1] + p[1]])
+        .collect();
+    pen.fill(&moved, Role::Ink, 0.09);
+    pen.outline(&moved, stroke(Role::Ink, 1.4));
+    let tip = |sign: f64| {
+        let [x, y] = polar([0.0, 0.0], HALF[0], FRAC_PI_2 - tilt);
+        [center[0] + sign * x, center[1] + sign * y]
+    };
+    pen.line(&[tip(1.0), tip(-1.0)], stroke(Role::Ink, HAIR).alpha(0.7));
+    pen.disc(center, 2.8, Role::Ink, 1.0);
+    pen.text(
+        [foot[0], foot[1] + 22.0],
+        Anchor::Middle,
+        &format!("{}°", number(tilt.to_degrees(), 0)),
+        small(Role::Ink),
+    );
+    pen.text(
+        [foot[0], foot[1] + 41.0],
+        Anchor::Middle,
+        &format!("{} s", number(time, 2)),
+        small(Role::Muted),
+    );
+}
+
+/// A sluggish egg rises part of the way, then rolls.
+pub fn how_far_eggs_rise() -> Result<Figure> {
+    let one = |turns: f64| -> Result<f64> {
+        let rows = run(&egg_scene(turns)?, 8.0, 8, 1e-2)?;
+        Ok(slope(rows[8].1.tilt()))
+    };
+    // Seconds of computing: one thread for the slow eggs, one for the fast.
+    let (slow, fast) = TURNS.split_at(4);
+    let ends = std::thread::scope(|scope| {
+        let other = scope.spawn(|| fast.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>());
+        let mut ends = slow.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>()?;
+        let lost = |_| Error::Empty {
+            quantity: "the list of eggs",
+        };
+        ends.extend(other.join().map_err(lost)??);
+        Ok::<_, Error>(ends)
+    })?;
+    let words = Words {
+        claim: "An egg that is spun too sluggishly rises part of the way, or not at all.".to_owned(),
+        details: format!(
+            "Angle between the long axis and the vertical after 8 s, against the spin given to the lying egg ($6\\times4$ cm, 60 g, $\\mu = 0.1$). At 8 \
+             turns a second it stays at {}°, at 10 it rests at {}°, at 20 at {}°.",
+            number(ends[0], 0),
+            number(ends[2], 0),
+            number(ends[6], 1),
+        ),
+        alt: "Final angle from the vertical against turns a second. Up to nine turns the egg stays at about 89 degrees. Then the angle falls: about 64 \
+              at ten turns, and near zero at twenty."
+            .to_owned(),
+    };
+    Ok(figure("egg-angle", 330.0, words, |pen| {
+        let frame = Frame {
+            sides: [62.0, 572.0, 278.0, 14.0],
+            x: [7.0, 21.0],
+            y: [0.0, 95.0],
+        };
+        frame.axes(
+            pen,
+            &[
+                (8.0, "8"),
+                (10.0, "10"),
+                (12.0, "12"),
+                (14.0, "14"),
+                (16.0, "16"),
+                (18.0, "18"),
+                (20.0, "20"),
+            ],
+            &[(0.0, "0°"), (30.0, "30°"), (60.0, "60°"), (90.0, "90°")],
+        );
+        frame.names(pen, "turns a second", "");
+        let curve = TURNS.iter().copied().zip(ends.iter().copied());
+        frame.curve(pen, curve.clone(), stroke(Role::Ink, AXIS).dotted());
+        for (turns, end) in curve {
+            pen.disc(frame.at(turns, end), 4.6, Role::Ink, 1.0);
+            if let 10.0 | 14.0 = turns {
+                let [x, y] = frame.at(turns, end);
+                let (points, _) = outline(end.to_radians());
+                let small_egg: Vec<Point> = points
+                    .iter()
+                    .map(|p| [x + 62.0 + 0.62 * p[0], y - 12.0 + 0.62 * p[1]])
+                    .collect();
+                pen.fill(&small_egg, Role::Ink, 0.09);
+                pen.outline(&small_egg, stroke(Role::Ink, DATA * 0.6));
+            }
+        }
+        pen.text(
+            frame.at(8.0, 80.0),
+            Anchor::Middle,
+            "lies",
+            label(Role::Ink),
+        );
+        pen.text(
+            frame.at(20.0, 7.0),
+            Anchor::Middle,
+            "stands",
+            label(Role::Ink),
+        );
+    }))
+}

@@ -1,0 +1,114 @@
+//! Which releases turn the chiral top over: tilt and azimuth, both spins.
+
+use core::f64::consts::TAU;
+
+use spinning_bodies::{Error, Result};
+
+use super::{CHIRAL_SPIN, chiral_scene, run};
+use crate::Figure;
+use crate::style::{
+    AXIS, Anchor, HAIR, Pen, Point, Role, Words, figure, label, number, polar, small, stroke,
+};
+
+/// Tilts of the release, degrees, and azimuths a ring.
+const TILTS: [f64; 6] = [2.0, 5.0, 10.0, 15.0, 20.0, 30.0];
+const AZIMUTHS: u32 = 8;
+/// When the outcome is read, s.
+const END: f64 = 2.5;
+
+/// Whether the top is on its head at the end.
+fn over(sense: f64, tilt: f64, azimuth: f64) -> Result<bool> {
+    let scene = chiral_scene(sense * CHIRAL_SPIN, tilt.to_radians(), azimuth)?;
+    let rows = run(&scene, END, 1, 0.1)?;
+    Ok(rows[1].1.tilt() > core::f64::consts::FRAC_PI_2)
+}
+
+fn rings(sense: f64) -> Result<Vec<Vec<bool>>> {
+    let ring = |&tilt: &f64| {
+        (0..AZIMUTHS)
+            .map(|k| over(sense, tilt, TAU * f64::from(k) / f64::from(AZIMUTHS)))
+            .collect()
+    };
+    TILTS.iter().map(ring).collect()
+}
+
+/// How carelessly it may be released.
+pub fn outcomes() -> Result<Figure> {
+    let [plus, minus] = std::thread::scope(|scope| {
+        let other = scope.spawn(|| rings(-1.0));
+        let plus = rings(1.0)?;
+        let lost = |_| Error::Empty {
+            quantity: "the list of outcomes",
+        };
+        Ok::<_, Error>([plus, other.join().map_err(lost)??])
+    })?;
+    let count = |rings: &[Vec<bool>]| rings.iter().flatten().filter(|x| **x).count();
+    let total = TILTS.len() * AZIMUTHS as usize;
+    let by_ring: Vec<String> = plus
+        .iter()
+        .zip(TILTS)
+        .filter(|(ring, _)| ring.iter().any(|x| *x))
+        .map(|(ring, tilt)| {
+            format!(
+                "{} of {AZIMUTHS} at {}°",
+                ring.iter().filter(|x| **x).count(),
+                number(tilt, 0)
+            )
+        })
+        .collect();
+    let words = Words {
+        claim: "Clockwise it turns over from every release; anticlockwise only if you let it lean.".to_owned(),
+        details: format!(
+            "Outcome after {} s of {total} releases each way: the ring gives the tilt of the release, 2°, 5°, 10°, 15°, 20° and 30°, the direction its \
+             azimuth in the body. Full discs turn over: {} of {total} clockwise, {} of {total} anticlockwise ({}). $\\mu = 0.3$, 132.9 rad/s.",
+            number(END, 1),
+            count(&minus),
+            count(&plus),
+            by_ring.join(", "),
+        ),
+        alt: "Two targets of six rings with eight discs each. On the left, clockwise, all discs are full. On the right, anticlockwise, the \
+              inner rings are empty and some discs of the outer rings are full."
+            .to_owned(),
+    };
+    Ok(figure("chiral-map", 330.0, words, |pen| {
+        target(pen, [155.0, 168.0], &minus, "clockwise", Role::Omega);
+        target(
+            pen,
+            [445.0, 168.0],
+            &plus,
+            "anticlockwise",
+            Role::AngularMomentum,
+        );
+    }))
+}
+
+fn target(pen: &mut Pen<'_>, center: Point, rings: &[Vec<bool>], name: &str, role: Role) {
+    let reach = |k: usize| 22.0 + 21.0 * k as f64;
+    for (k, ring) in rings.iter().enumerate() {
+        pen.ring(center, reach(k), stroke(Role::Muted, HAIR));
+        for (j, over) in ring.iter().enumerate() {
+            let angle = TAU * j as f64 / f64::from(AZIMUTHS);
+            let at = polar(center, reach(k), angle);
+            if *over {
+                pen.disc(at, 5.6, role, 1.0);
+            } else {
+                pen.ring(at, 5.0, stroke(Role::Ink, AXIS));
+            }
+        }
+        if k == 0 || k == 2 || k == 5 {
+            let [x, y] = polar(center, reach(k), 1.18);
+            pen.text(
+                [x, y - 1.0],
+                Anchor::Middle,
+                &format!("{}°", number(TILTS[k], 0)),
+                small(Role::Muted),
+            );
+        }
+    }
+    pen.text(
+        [center[0], center[1] + reach(5) + 29.0],
+        Anchor::Middle,
+        name,
+        label(role),
+    );
+}

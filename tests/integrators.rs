@@ -156,3 +156,99 @@ fn an_event_after_a_long_step_is_located_as_well() {
         }
     }
 }
+
+/// A stone thrown up from the ground at speed V: y = V t − t²/2 and V − t.
+fn stone(_: f64, y: &[f64; 2]) -> [f64; 2] {
+    [y[1], -1.0]
+}
+
+const V: f64 = 1.7;
+
+#[test]
+fn events_of_every_shape_are_located_to_rounding() {
+    type Shape = fn(f64, &[f64; 2]) -> f64;
+    let root = |height: f64| V + (V * V - 2.0 * height).sqrt();
+    let shapes: [(&str, Shape, f64); 8] = [
+        ("linear", |_, y| y[1] - 0.3, V - 0.3),
+        ("quadratic, zero at the start", |_, y| y[0], 2.0 * V),
+        (
+            "quadratic, below its start",
+            |_, y| y[0] + 0.25,
+            root(-0.25),
+        ),
+        (
+            "the least of two, near the corner",
+            |_, y| {
+                (y[0] - 1.0 + 1e-3)
+                    .min(V - 0.5 - 1e-9 + y[1] - 1.2)
+                    .max(y[1] - 0.6)
+            },
+            1.7 - 0.6,
+        ),
+        (
+            "a corner at the zero itself",
+            |t, _| if t < 1.2 { 1.2 - t } else { 50.0 * (1.2 - t) },
+            1.2,
+        ),
+        ("a jump", |t, _| if t < 1.3 { 4.0 } else { -1e-6 }, 1.3),
+        ("a cube, flat at its zero", |t, _| (1.25 - t).powi(3), 1.25),
+        ("in the very first instant", |t, _| 1e-7 - t, 1e-7),
+    ];
+    for method in Method::ALL {
+        for last in [4.0, 20.0] {
+            for (name, shape, exact) in shapes {
+                let start = [0.0, V];
+                let run = until(
+                    &stone,
+                    0.0,
+                    &start,
+                    &[1.0; 2],
+                    &[],
+                    last,
+                    &shape,
+                    method,
+                    by(method),
+                );
+                let run = run.unwrap();
+                assert_eq!(run.stopped, Stop::AtTheEvent, "{method:?} {last} {name}");
+                let error = (run.time - exact).abs();
+                println!("{method:?} {last} {name}: {error:e}");
+                let y = exact * (V - 0.5 * exact);
+                let off = (run.end[0] - y).abs().max((run.end[1] - V + exact).abs());
+                assert!(
+                    error.max(off) < 2e-13,
+                    "{method:?} {last} {name}: {error:e} {off:e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn what_does_not_fall_through_zero_is_no_event() {
+    type Shape = fn(f64, &[f64; 2]) -> f64;
+    let shapes: [(&str, Shape); 4] = [
+        ("negative throughout", |_, _| -1.0),
+        ("rising", |t, _| t - 1.0),
+        ("zero throughout", |_, _| 0.0),
+        ("zero at the start and falling", |t, _| -t),
+    ];
+    for method in Method::ALL {
+        for (name, shape) in shapes {
+            let start = [0.0, V];
+            let effort = by(method);
+            let run = until(
+                &stone,
+                0.0,
+                &start,
+                &[1.0; 2],
+                &[],
+                4.0,
+                &shape,
+                method,
+                effort,
+            );
+            assert_eq!(run.unwrap().stopped, Stop::AtTheEnd, "{method:?} {name}");
+        }
+    }
+}

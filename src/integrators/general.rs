@@ -4,10 +4,8 @@ use differential_equations::error::Error as Refusal;
 use differential_equations::interpolate::Interpolation;
 use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod, solve_ode};
-use differential_equations::prelude::{ControlFlag, Status};
-use differential_equations::solout::{
-    CrossingDirection, Event as Crossing, EventConfig, EventWrappedSolout, Solout,
-};
+use differential_equations::prelude::ControlFlag;
+use differential_equations::solout::Solout;
 use differential_equations::solution::Solution as Finished;
 
 use crate::error::{Error, Result, finite, positive};
@@ -140,7 +138,7 @@ const MOST_STEPS: usize = 20_000_000;
 /// # Errors
 /// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort; [`Error::Integration`] where the method gives up.
 pub fn solve<const N: usize>(
-    system: &(impl System<N> + ?Sized),
+    system: &dyn System<N>,
     start_time: f64,
     start: &[f64; N],
     scales: &[f64; N],
@@ -180,8 +178,15 @@ pub fn solve<const N: usize>(
 /// From `start` at `start_time` towards `end_time`, with states at `times` (ordered, all between the two), until the event's quantity
 /// falls through zero.
 ///
-/// A quantity that is zero at the start, or negative, does not count as falling. The event is found on the method's dense output and
-/// then located by secants through states that the method itself reaches; observed error: that of the run.
+/// It is asked for at the end of every step. Where a step ends without it that began with it, the moment is enclosed between states that
+/// the method itself reaches, by secants kept within the enclosure and by halving, down to rounding: corners (the least of several
+/// quantities) are no worse than smooth ones, and dense output has no part in it. Observed error: that of the run. Cost: one step of the
+/// method for each of some ten trials.
+///
+/// What counts: a quantity that is zero at the start falls only after it has risen, and one that is negative at the start only after a
+/// step has ended with it positive. What is missed: a quantity that falls and rises again within one step, and one that touches zero
+/// without going through; give such a one a quantity that changes its sign. Of three crossings in one step one is found, not
+/// necessarily the first.
 ///
 /// # Errors
 /// As for [`solve`].
@@ -190,13 +195,13 @@ pub fn solve<const N: usize>(
     reason = "a problem, its samples, its end and a method: nothing can be left out"
 )]
 pub fn until<const N: usize>(
-    system: &(impl System<N> + ?Sized),
+    system: &dyn System<N>,
     start_time: f64,
     start: &[f64; N],
     scales: &[f64; N],
     times: &[f64],
     end_time: f64,
-    event: &(impl Event<N> + ?Sized),
+    event: &dyn Event<N>,
     method: Method,
     effort: Effort,
 ) -> Result<Passage<N>> {
@@ -209,21 +214,21 @@ pub fn until<const N: usize>(
     .until(start_time, start, times, end_time, event)
 }
 
-struct Run<'a, const N: usize, S: ?Sized> {
-    system: &'a S,
+struct Run<'a, const N: usize> {
+    system: &'a dyn System<N>,
     scales: &'a [f64; N],
     method: Method,
     effort: Effort,
 }
 
-impl<const N: usize, S: System<N> + ?Sized> Run<'_, N, S> {
+impl<const N: usize> Run<'_, N> {
     fn until(
         &self,
         start_time: f64,
         start: &[f64; N],
         times: &[f64],
         end_time: f64,
-        event: &(impl Event<N> + ?Sized),
+        event: &dyn Event<N>,
     ) -> Result<Passage<N>> {
         finite("the time", end_time)?;
         for &component in start {
@@ -279,14 +284,14 @@ impl<const N: usize, S: System<N> + ?Sized> Run<'_, N, S> {
     }
 
     /// One run of the crate's loop from phase 0 to 1, then a short one to each sample and to the event, from the step before it: dense
-    /// output loses up to four digits against the steps, so it serves to find the event and nothing else.
+    /// output loses up to four digits against the steps.
     fn drive<M>(
         &self,
         make: impl Fn(f64) -> M,
         clock: Clock,
         start: &[f64; N],
         times: &[f64],
-        event: &(impl Event<N> + ?Sized),
+        event: &dyn Event<N>,
     ) -> Result<Passage<N>>
     where
         M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,
@@ -307,35 +312,25 @@ impl<const N: usize, S: System<N> + ?Sized> Run<'_, N, S> {
             clock,
         };
         let crossing = Falling { event, clock };
-        let mut track = Track {
-            places: Vec::with_capacity(phases.len()),
-            last: (0.0, *start),
-            before: (0.0, *start),
-        };
-        let recorder = Recorder {
-            phases: &phases,
-            track: &mut track,
-        };
-        let mut output = EventWrappedSolout::new(recorder, &crossing, 0.0, 1.0);
-        let run = solve_ode(&mut make(1.0), &timed, 0.0, 1.0, start, &mut output);
-        let run = run.map_err(|refusal| refused(&refusal, clock))?;
-        cost += spent(&run);
+        let mut track = Track::new(&phases, Some(&crossing), (0.0, *start));
+        track.armed = crossing.is_armed(&timed, start);
+        let run = solve_ode(&mut make(1.0), &timed, 0.0, 1.0, start, &mut track);
+        cost += spent(&run.map_err(|refusal| refused(&refusal, clock))?);
         let mut reach = |from: (f64, [f64; N]), to: f64| -> Result<[f64; N]> {
             let length = to - from.0;
             if length <= NO_TIME {
                 return Ok(carried(&timed, from, to));
             }
-            let mut end = Last(from);
+            let mut end = Track::new(&[], None, from);
             let run = solve_ode(&mut make(length), &timed, from.0, to, &from.1, &mut end);
             cost += spent(&run.map_err(|refusal| refused(&refusal, clock))?);
-            Ok(carried(&timed, end.0, to))
+            Ok(carried(&timed, end.last, to))
         };
-        let (stopped, end) = match (run.status, run.t.last()) {
-            (Status::Interrupted, Some(&found)) => {
-                let place = falling(&timed, &crossing, track.before, found, &mut reach)?;
-                (Stop::AtTheEvent, place)
-            }
-            _ => (Stop::AtTheEnd, (1.0, carried(&timed, track.last, 1.0))),
+        let (stopped, end) = if track.fallen {
+            let place = falling(&crossing, track.before, track.last, &mut reach)?;
+            (Stop::AtTheEvent, place)
+        } else {
+            (Stop::AtTheEnd, (1.0, carried(&timed, track.last, 1.0)))
         };
         track.places.resize(phases.len(), track.last);
         let mut states = Vec::with_capacity(phases.len());
@@ -377,59 +372,75 @@ fn spent<const N: usize>(run: &Finished<f64, [f64; N]>) -> Cost {
     }
 }
 
-/// Where the event's quantity is zero, near a phase found on dense output: Newton's method through states that the method itself
-/// reaches, kept between two of which one lies before the event and one after it.
+/// Where the event's quantity is zero, between the two ends of a step of which the second is past it.
 ///
-/// The phase found may be off by a good part of a step: where the motion is a polynomial the steps grow long, and dense output is poor.
-fn falling<const N: usize, S: System<N> + ?Sized>(
-    timed: &Timed<'_, S>,
-    crossing: &Falling<'_, impl Event<N> + ?Sized>,
+/// Secants, with the value at an end that stays twice halved (the Illinois rule), and halving whenever three trials have not made the
+/// enclosure eight times smaller: that also finds the way out of a start at zero, whose secant leads nowhere.
+fn falling<const N: usize>(
+    crossing: &Falling<'_, N>,
     before: (f64, [f64; N]),
-    found: f64,
+    after: (f64, [f64; N]),
     reach: &mut impl FnMut((f64, [f64; N]), f64) -> Result<[f64; N]>,
 ) -> Result<(f64, [f64; N])> {
-    let mut low = before.0;
-    let mut place = (found, reach(before, found)?);
-    let mut stride = (found - low).max(NO_TIME);
-    while crossing.event(place.0, &place.1) > 0.0 && place.0 < 1.0 {
-        low = place.0;
-        stride *= 2.0;
-        let phase = (place.0 + stride).min(1.0);
-        place = (phase, reach(before, phase)?);
-    }
-    let mut high = place.0;
-    for _ in 0..100 {
-        let here = crossing.event(place.0, &place.1);
-        if here > 0.0 {
-            low = place.0;
-        } else {
-            high = place.0;
-        }
-        let there = crossing.event(place.0 + PROBE, &carried(timed, place, place.0 + PROBE));
-        let correction = -here * PROBE / (there - here);
-        let newton = place.0 + correction;
-        // Rounding may carry the last step across a bound.
-        let inside = newton >= low - NO_TIME && newton <= high + NO_TIME;
-        let phase = if inside {
-            newton.clamp(low, high)
-        } else {
-            0.5 * (low + high)
-        };
-        let moved = (phase - place.0).abs();
-        place = (phase, reach(before, phase)?);
-        if moved <= NO_TIME || high - low <= NO_TIME {
+    let (mut low, mut high) = (before, after);
+    let (mut above, mut below) = (
+        crossing.value(low.0, &low.1),
+        crossing.value(high.0, &high.1),
+    );
+    // The ordinates of the secant: the values, or a part of them.
+    let (mut left, mut right, mut moved) = (above, below, None);
+    let (mut width, mut trials) = (high.0 - low.0, 0);
+    for _ in 0..MOST_TRIALS {
+        let rounding = 2.0 * f64::EPSILON * high.0;
+        if high.0 - low.0 <= 2.0 * rounding || below == 0.0 {
             break;
         }
+        trials += 1;
+        let secant = low.0 + (high.0 - low.0) * (left / (left - right));
+        let slow = trials == 3 && high.0 - low.0 > 0.125 * width;
+        let phase = if slow || above <= 0.0 || !secant.is_finite() {
+            0.5 * (low.0 + high.0)
+        } else {
+            // A step beyond the zero, so that the far end comes near as well.
+            secant.clamp(low.0 + rounding, high.0 - rounding)
+        };
+        if trials == 3 {
+            (width, trials) = (high.0 - low.0, 0);
+        }
+        let place = (phase, reach(before, phase)?);
+        let here = crossing.value(place.0, &place.1);
+        if here > 0.0 {
+            if moved == Some(End::Low) {
+                right *= 0.5;
+            }
+            (low, above, left, moved) = (place, here, here, Some(End::Low));
+        } else {
+            if moved == Some(End::High) {
+                left *= 0.5;
+            }
+            (high, below, right, moved) = (place, here, here, Some(End::High));
+        }
     }
-    Ok(place)
+    Ok(if above > 0.0 && above < -below {
+        low
+    } else {
+        high
+    })
 }
 
-/// Step of the difference quotient that tells how fast the event's quantity falls, in phase.
-const PROBE: f64 = 1e-8;
+/// An end of the enclosure.
+#[derive(Clone, Copy, PartialEq)]
+enum End {
+    Low,
+    High,
+}
+
+/// Trials at most; halving alone would need sixty.
+const MOST_TRIALS: usize = 200;
 
 /// The state a very short while later, by one Euler step.
-fn carried<const N: usize, S: System<N> + ?Sized>(
-    timed: &Timed<'_, S>,
+fn carried<const N: usize>(
+    timed: &Timed<'_, N>,
     (phase, state): (f64, [f64; N]),
     to: f64,
 ) -> [f64; N] {
@@ -458,12 +469,12 @@ impl Clock {
     }
 }
 
-struct Timed<'a, S: ?Sized> {
-    system: &'a S,
+struct Timed<'a, const N: usize> {
+    system: &'a dyn System<N>,
     clock: Clock,
 }
 
-impl<const N: usize, S: System<N> + ?Sized> ODE<f64, [f64; N]> for Timed<'_, S> {
+impl<const N: usize> ODE<f64, [f64; N]> for Timed<'_, N> {
     fn diff(&self, phase: f64, y: &[f64; N], rate: &mut [f64; N]) {
         *rate = self.system.rate(self.clock.time(phase), y);
         for component in rate {
@@ -472,35 +483,58 @@ impl<const N: usize, S: System<N> + ?Sized> ODE<f64, [f64; N]> for Timed<'_, S> 
     }
 }
 
-struct Falling<'a, E: ?Sized> {
-    event: &'a E,
+struct Falling<'a, const N: usize> {
+    event: &'a dyn Event<N>,
     clock: Clock,
 }
 
-impl<const N: usize, E: Event<N> + ?Sized> Crossing<f64, [f64; N]> for Falling<'_, E> {
-    fn config(&self) -> EventConfig {
-        EventConfig::new(CrossingDirection::Negative, Some(1))
+impl<const N: usize> Falling<'_, N> {
+    fn value(&self, phase: f64, y: &[f64; N]) -> f64 {
+        self.event.value(self.clock.time(phase), y)
     }
 
-    fn event(&self, phase: f64, y: &[f64; N]) -> f64 {
-        self.event.value(self.clock.time(phase), y)
+    /// Whether the quantity can fall from the start on: it is positive, or zero and about to rise.
+    fn is_armed(&self, timed: &Timed<'_, N>, start: &[f64; N]) -> bool {
+        let here = self.value(0.0, start);
+        here > 0.0 || here == 0.0 && self.value(PROBE, &carried(timed, (0.0, *start), PROBE)) > 0.0
     }
 }
 
-/// What a run leaves behind: for each sample the last step before it, and the last two steps.
-struct Track<const N: usize> {
+/// Step of the difference that tells whether a quantity rises from zero, in phase.
+const PROBE: f64 = 1e-8;
+
+/// What a run leaves behind: for each sample the last step before it, and the last two steps. Ends the run when the event is past.
+struct Track<'a, const N: usize> {
+    phases: &'a [f64],
+    crossing: Option<&'a Falling<'a, N>>,
     places: Vec<(f64, [f64; N])>,
     last: (f64, [f64; N]),
     before: (f64, [f64; N]),
+    /// The quantity has been positive.
+    armed: bool,
+    /// And is no longer.
+    fallen: bool,
 }
 
-/// Keeps the samples apart from the crate's own list, which then holds the event and nothing else.
-struct Recorder<'a, const N: usize> {
-    phases: &'a [f64],
-    track: &'a mut Track<N>,
+impl<'a, const N: usize> Track<'a, N> {
+    fn new(
+        phases: &'a [f64],
+        crossing: Option<&'a Falling<'a, N>>,
+        start: (f64, [f64; N]),
+    ) -> Self {
+        Self {
+            phases,
+            crossing,
+            places: Vec::with_capacity(phases.len()),
+            last: start,
+            before: start,
+            armed: false,
+            fallen: false,
+        }
+    }
 }
 
-impl<const N: usize> Solout<f64, [f64; N]> for Recorder<'_, N> {
+impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
     fn solout<I>(
         &mut self,
         now: f64,
@@ -513,8 +547,7 @@ impl<const N: usize> Solout<f64, [f64; N]> for Recorder<'_, N> {
     where
         I: Interpolation<f64, [f64; N]> + ?Sized,
     {
-        let track = &mut *self.track;
-        while let Some(&phase) = self.phases.get(track.places.len())
+        while let Some(&phase) = self.phases.get(self.places.len())
             && phase <= now
         {
             let from = if phase < now {
@@ -522,31 +555,24 @@ impl<const N: usize> Solout<f64, [f64; N]> for Recorder<'_, N> {
             } else {
                 (now, *state)
             };
-            track.places.push(from);
+            self.places.push(from);
         }
-        (track.before, track.last) = ((before, *state_before), (now, *state));
-        ControlFlag::Continue
-    }
-}
-
-/// Keeps the last state only.
-struct Last<const N: usize>((f64, [f64; N]));
-
-impl<const N: usize> Solout<f64, [f64; N]> for Last<N> {
-    fn solout<I>(
-        &mut self,
-        now: f64,
-        _before: f64,
-        state: &[f64; N],
-        _state_before: &[f64; N],
-        _interpolator: &mut I,
-        _solution: &mut Finished<f64, [f64; N]>,
-    ) -> ControlFlag<f64, [f64; N]>
-    where
-        I: Interpolation<f64, [f64; N]> + ?Sized,
-    {
-        self.0 = (now, *state);
-        ControlFlag::Continue
+        // The first call comes before the first step.
+        let stepped = now > self.last.0;
+        self.before = self.last;
+        self.last = (now, *state);
+        if let Some(crossing) = self.crossing
+            && stepped
+        {
+            let here = crossing.value(now, state);
+            self.fallen = self.armed && here <= 0.0;
+            self.armed |= here > 0.0;
+        }
+        if self.fallen {
+            ControlFlag::Terminate
+        } else {
+            ControlFlag::Continue
+        }
     }
 }
 

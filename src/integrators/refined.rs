@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 /// # Errors
 /// As for [`solve`]; [`Error::Accuracy`] where rounding, amplified by the motion, is more than the accuracy asked for.
 pub fn refined<const N: usize>(
-    system: &(impl System<N> + ?Sized),
+    system: &dyn System<N>,
     start: &[f64; N],
     scales: &[f64; N],
     times: &[f64],

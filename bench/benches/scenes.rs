@@ -55,7 +55,7 @@ fn here() -> String {
 }
 
 /// Solver, evaluations, least milliseconds of a scene.
-fn spent(text: &str) -> Result<(String, usize, f64), Box<dyn std::error::Error>> {
+fn spent(text: &str) -> Result<(String, u64, f64), Box<dyn std::error::Error>> {
     let table = run("scene", text)?;
     let once = least(1, || drop(black_box(run("scene", text))));
     // A fifth of a second each, twenty runs at most.

@@ -60,8 +60,8 @@ pub fn waking() -> Result<Figure> {
             number(deepest, 0),
         ),
         alt: "Tilt of a top against its spin, the spin falling to the right. A dashed curve leaves zero steeply at the threshold, marked by a \
-              dotted upright line. The solid curve of the motion stays at zero through the threshold and beyond it, then shoots up and \
-              oscillates below the dashed curve."
+              dotted upright line. The solid curve of the motion stays at zero through the threshold and beyond it, then climbs steeply \
+              towards the dashed curve."
             .to_owned(),
     };
     let frame = Frame {

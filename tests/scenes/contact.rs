@@ -6,8 +6,8 @@ use spinning_bodies::frame::{BodyVector, SpaceVector};
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::slide_to_roll;
 use spinning_bodies::scene::contact::{
-    Coulomb, Gravity, Grip, NoSlip, Pull, Regularised, Resist, Resistance, State, Support,
-    TableTop, Viscous,
+    Coulomb, Friction, Gravity, Grip, Listed, NoSlip, Pull, Regularised, Resist, Resistance, State,
+    Support, TableTop, Viscous,
 };
 use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver};
 use spinning_bodies::tippe_top::{ConvexBody, Start, bodies};
@@ -324,6 +324,44 @@ fn a_body_hops_rather_than_be_pulled() {
         table.simulate(&request).unwrap(),
         table.phases(&request).unwrap().len(),
     );
+}
+
+#[test]
+fn pure_rolling_ends_where_nothing_presses_and_a_level_force_is_needed() {
+    let body = bodies::hoop_with_clay(1.0, 0.03, 0.3).unwrap();
+    let attitude = Start::about_vertical(0.0, 0.0, 0.0).unwrap().attitude;
+    let start = Start::spinning(attitude, BodyVector::new(0.0, 90.0, 0.0)).unwrap();
+    let scene = TableTop::new(body, start)
+        .with_gravity(gravity())
+        .with_friction(NoSlip);
+    let request = Request::at([0.4]).unwrap().to_accuracy(1e-8).unwrap();
+    let refused = scene.simulate(&request).unwrap_err();
+    let Error::Integration { reason, time } = refused else {
+        panic!("{refused}");
+    };
+    // Within the first turn, and not after a hundred thousand changes.
+    assert!(reason.contains("pure rolling") && time < std::f64::consts::TAU / 90.0);
+}
+
+#[test]
+fn effects_listed_at_run_time_make_the_same_scene() {
+    let resistance = Resistance::new(1e-4, 1e-4).unwrap();
+    let law = Coulomb::new(0.3).unwrap();
+    let typed = skew()
+        .with_gravity(gravity())
+        .with_friction(law)
+        .with_resistance(resistance);
+    let listed = Listed {
+        gravity: Some(gravity()),
+        friction: Some(Friction::Coulomb(law)),
+        resistance: Some(resistance),
+    };
+    let scene = listed.on(*typed.body(), *typed.start());
+    let request = Request::at([0.2]).unwrap().to_accuracy(1e-8).unwrap();
+    let state = scene.simulate(&request).unwrap().rows[0].1;
+    assert!(same(&state, &end(&typed, 0.2, 1e-8)));
+    let bare = Listed::default().on(*typed.body(), *typed.start());
+    assert_eq!(bare.plan(&request).unwrap().solver, Solver::Exact);
 }
 
 #[test]

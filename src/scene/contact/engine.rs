@@ -142,8 +142,6 @@ impl Setting<'_> {
                 scales: &scales,
                 method,
                 tolerance,
-                // Steps of this tolerance overshoot rest by about as much: nothing finer can be seen as rest.
-                still: 10.0 * tolerance * scales[7],
             }
             .follow(&y, times)
         };

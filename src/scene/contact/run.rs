@@ -61,23 +61,44 @@ pub(super) struct Run<'a> {
     pub(super) scales: &'a Numbers,
     pub(super) method: Method,
     pub(super) tolerance: f64,
-    /// Slip below which Coulomb's law sticks, if it can.
-    pub(super) still: f64,
 }
 
 /// A body that changes its support more often than this chatters, and is not followed further.
-const MOST_PHASES: usize = 100_000;
+const MOST_CHANGES: usize = 100_000;
 
 /// Reaction over weight below which a body that has met an event takes off. Take-off is located to rounding; rest, which also is an
 /// event, says nothing of the reaction.
 const LIFTED: f64 = 1e-6;
 
-/// Where a phase has ended.
+/// How a stretch of a motion is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Mode {
+    Sliding,
+    /// Sliding, but from rest, and not yet fast enough for rest to be an event.
+    Leaving,
+    Rolling,
+    Airborne,
+}
+
+impl Mode {
+    const fn support(self) -> Support {
+        match self {
+            Self::Sliding | Self::Leaving => Support::Sliding,
+            Self::Rolling => Support::Rolling,
+            Self::Airborne => Support::Airborne,
+        }
+    }
+}
+
+/// How far within the cone a body that leaves its rest must be to roll again, in weights.
+const AT_THE_RIM: f64 = 1e-9;
+
+/// Where a stretch has ended.
 struct Ended {
     time: f64,
     numbers: Numbers,
-    /// What holds the body after it; nothing if the time was up.
-    next: Option<Support>,
+    /// How it goes on; nothing if the time was up.
+    next: Option<Mode>,
 }
 
 impl Run<'_> {
@@ -90,33 +111,40 @@ impl Run<'_> {
             cost: Cost::default(),
         };
         let (mut now, mut y) = (0.0, *start);
-        let mut support = self.settled(&mut y)?;
-        loop {
-            if support != Support::Airborne && self.contact(&y, support).reaction <= 0.0 {
-                support = Support::Airborne;
+        let mut mode = self.settled(&mut y)?;
+        for _ in 0..MOST_CHANGES {
+            if mode != Mode::Airborne && self.contact(&y, mode).reaction <= 0.0 {
+                mode = Mode::Airborne;
                 self.released(now, &y)?;
             }
-            history.phases.push(Phase {
-                start: now,
-                support,
-            });
-            if history.phases.len() > MOST_PHASES {
-                return Err(Error::Integration {
-                    reason: "the body changes between sliding, rolling and hopping too often",
-                    time: now,
+            let support = mode.support();
+            if history.phases.last().map(|phase| phase.support) != Some(support) {
+                history.phases.push(Phase {
+                    start: now,
+                    support,
                 });
             }
-            let ended = if support == Support::Airborne {
+            let ended = if mode == Mode::Airborne {
                 self.fly(now, &y, times, end, &mut history)?
             } else {
-                self.touch(now, &y, support, times, end, &mut history)?
+                self.touch(now, &y, mode, times, end, &mut history)?
             };
             (now, y) = (ended.time, ended.numbers);
             match ended.next {
-                Some(next) => support = next,
-                None => return Ok(history),
+                Some(next) if now < end => mode = next,
+                _ => {
+                    // An event at the very end leaves the last samples to the state after it.
+                    while history.places.len() < times.len() {
+                        history.places.push(self.place(&y, mode));
+                    }
+                    return Ok(history);
+                }
             }
         }
+        Err(Error::Integration {
+            reason: "the body changes between sliding, rolling and hopping too often",
+            time: now,
+        })
     }
 
     fn fly(
@@ -159,43 +187,109 @@ impl Run<'_> {
         &self,
         now: f64,
         y: &Numbers,
-        support: Support,
+        mode: Mode,
         times: &[f64],
         end: f64,
         history: &mut History,
     ) -> Result<Ended> {
         let sliding = |_: f64, y: &Numbers| self.ground.sliding_rates(y);
         let rolling = |_: f64, y: &Numbers| self.ground.rolling_rates(y);
-        let rates: &dyn System<NUMBERS> = match support {
-            Support::Rolling => &rolling,
+        let rates: &dyn System<NUMBERS> = match mode {
+            Mode::Rolling => &rolling,
             _ => &sliding,
         };
         let left = &times[history.places.len()..];
-        let event = |_: f64, y: &Numbers| self.margin(y, support);
+        let event = |_: f64, y: &Numbers| self.margin(y, mode);
         let effort = Effort::Tolerance(self.tolerance);
         let (scales, method) = (self.scales, self.method);
         let passage: Passage<NUMBERS> =
             until(rates, now, y, scales, left, end, &event, method, effort)?;
         history.cost += passage.cost;
         for numbers in &passage.states {
-            history.places.push(self.place(numbers, support));
+            history.places.push(self.place(numbers, mode));
         }
-        let mut numbers = passage.end;
-        let next = match passage.stopped {
-            Stop::AtTheEnd => None,
-            Stop::AtTheEvent => Some(self.changed(&mut numbers, support)?),
+        let (mut time, mut numbers) = (passage.time, passage.end);
+        if passage.stopped == Stop::AtTheEnd {
+            return Ok(Ended {
+                time,
+                numbers,
+                next: None,
+            });
+        }
+        let cone = matches!(self.ground.holding(), Holding::Cone { .. });
+        let pressed = self.contact(&numbers, mode).reaction > LIFTED * self.weight();
+        if mode == Mode::Sliding && cone && pressed {
+            let left = self.time_to_rest(&numbers);
+            let at_rest = time + left;
+            while let Some(&sample) = times.get(history.places.len())
+                && sample <= at_rest
+            {
+                let place = self.coasted(&numbers, sample - time);
+                history.places.push(self.place(&place, mode));
+            }
+            numbers = self.coasted(&numbers, left);
+            time = at_rest;
+        }
+        let next = match mode {
+            _ if !(cone && pressed) => Mode::Airborne,
+            Mode::Sliding => self.stuck(&mut numbers)?,
+            Mode::Leaving if self.slip(&numbers) > 1.5 * self.still() => Mode::Sliding,
+            Mode::Leaving => {
+                // Before it has gone anywhere rolling is possible again.
+                self.hold(&mut numbers)?;
+                Mode::Rolling
+            }
+            _ => {
+                numbers = self.ground.body().rolled(&numbers);
+                self.kick(&mut numbers);
+                Mode::Leaving
+            }
         };
         Ok(Ended {
-            time: passage.time,
+            time,
             numbers,
-            next,
+            next: Some(next),
         })
     }
 
-    fn contact(&self, y: &Numbers, support: Support) -> Contact {
+    /// Slip at which a sliding body is taken to its rest in one step of second order, m/s. A step of the method overshoots rest by some
+    /// hundreds of its tolerance, since its error estimate sees little of the jump of the force there.
+    fn still(&self) -> f64 {
+        (1000.0 * self.tolerance)
+            .min(1e-3)
+            .max(10.0 * self.tolerance)
+            * self.scales[7]
+    }
+
+    fn slip(&self, y: &Numbers) -> f64 {
+        self.contact(y, Mode::Sliding).slip.norm()
+    }
+
+    /// Time until the slip is nil, by a secant; zero where the slip does not go down.
+    fn time_to_rest(&self, y: &Numbers) -> f64 {
+        let slip = self.slip(y);
+        let probe = 0.05 * slip / self.ground.gravity();
+        let left = probe * slip / (slip - self.slip(&self.coasted(y, probe)));
+        let longest = 0.1 * self.still() / self.tolerance.max(1e-12) / self.ground.gravity();
+        if left > 0.0 && left < longest.min(0.01 / self.scales[4]) {
+            left
+        } else {
+            0.0
+        }
+    }
+
+    /// A sliding state a very short while later, by the midpoint rule.
+    fn coasted(&self, y: &Numbers, time: f64) -> Numbers {
+        let rate = self.ground.sliding_rates(y);
+        let middle: Numbers = core::array::from_fn(|i| y[i] + 0.5 * time * rate[i]);
+        let rate = self.ground.sliding_rates(&middle);
+        core::array::from_fn(|i| y[i] + time * rate[i])
+    }
+
+    fn contact(&self, y: &Numbers, mode: Mode) -> Contact {
         let pose = Pose::of(y);
-        match support {
-            Support::Rolling => self.ground.rolls(&pose),
+        match mode {
+            Mode::Rolling => self.ground.rolls(&pose),
             _ => self.ground.slides(&pose),
         }
     }
@@ -204,58 +298,56 @@ impl Run<'_> {
         self.ground.body().mass() * self.ground.gravity()
     }
 
-    /// Positive while the phase lasts: the reaction over the weight, how far sliding is from rest, how far rolling is from the cone's rim.
-    fn margin(&self, y: &Numbers, support: Support) -> f64 {
-        let contact = self.contact(y, support);
+    /// Positive while the stretch lasts: the reaction over the weight, how far sliding is from rest, how far rolling is from the cone's
+    /// rim; and for a body that leaves its rest, how far it is from a slip of its own and from being able to roll.
+    fn margin(&self, y: &Numbers, mode: Mode) -> f64 {
+        let contact = self.contact(y, mode);
         let pressed = contact.reaction / self.weight();
-        match (support, self.ground.holding()) {
-            (Support::Rolling, Holding::Cone { mu }) => {
-                pressed.min(pressed * (mu - contact.traction.norm()))
+        let Holding::Cone { mu } = self.ground.holding() else {
+            return pressed;
+        };
+        match mode {
+            Mode::Rolling => pressed.min(pressed * (mu - contact.traction.norm())),
+            Mode::Leaving => {
+                let rolled = self.contact(&self.ground.body().rolled(y), Mode::Rolling);
+                let weight = self.weight();
+                let pulled = (rolled.reaction * rolled.traction.norm()).abs() / weight;
+                let beyond = pulled - mu * rolled.reaction / weight;
+                pressed
+                    .min(2.0 - contact.slip.norm() / self.still())
+                    // A body starts at the rim itself; rounding must not put it past the event.
+                    .min(beyond + AT_THE_RIM)
             }
-            (Support::Sliding, Holding::Cone { .. }) => {
-                pressed.min(contact.slip.norm() / self.still - 1.0)
-            }
-            _ => pressed,
+            _ => pressed.min(contact.slip.norm() / self.still() - 1.0),
         }
-    }
-
-    /// The support after an event on the table, and the state with which it begins.
-    fn changed(&self, y: &mut Numbers, support: Support) -> Result<Support> {
-        if !matches!(self.ground.holding(), Holding::Cone { .. }) {
-            return Ok(Support::Airborne);
-        }
-        if self.contact(y, support).reaction <= LIFTED * self.weight() {
-            return Ok(Support::Airborne);
-        }
-        if support == Support::Sliding {
-            return self.stuck(y);
-        }
-        *y = self.ground.body().rolled(y);
-        self.kick(y);
-        Ok(Support::Sliding)
     }
 
     /// How a body that touches the table goes on.
-    fn settled(&self, y: &mut Numbers) -> Result<Support> {
+    fn settled(&self, y: &mut Numbers) -> Result<Mode> {
         match self.ground.holding() {
-            Holding::Slides => Ok(Support::Sliding),
+            Holding::Slides => Ok(Mode::Sliding),
             Holding::Grips => {
                 *y = self.ground.body().rolled(y);
-                Ok(Support::Rolling)
+                Ok(Mode::Rolling)
             }
-            Holding::Cone { .. } => {
-                let slip = self.contact(y, Support::Sliding).slip;
-                if slip.norm() > self.still {
-                    Ok(Support::Sliding)
-                } else {
-                    self.stuck(y)
-                }
-            }
+            Holding::Cone { .. } if self.slip(y) > self.still() => Ok(Mode::Sliding),
+            Holding::Cone { .. } => self.stuck(y),
         }
     }
 
     /// The slip taken away; rolling if the cone then allows it, else sliding the way the force pulls that it would take.
-    fn stuck(&self, y: &mut Numbers) -> Result<Support> {
+    fn stuck(&self, y: &mut Numbers) -> Result<Mode> {
+        self.hold(y)?;
+        // At the rim a run that rolls would see no event: the margin has to fall through zero.
+        if self.margin(y, Mode::Rolling) > 0.0 {
+            return Ok(Mode::Rolling);
+        }
+        self.kick(y);
+        Ok(Mode::Leaving)
+    }
+
+    /// The blow that takes away what slip there is.
+    fn hold(&self, y: &mut Numbers) -> Result<()> {
         let pose = Pose::of(y);
         let (height, climb) = self.ground.body().height(&pose);
         let place = Airborne {
@@ -265,15 +357,10 @@ impl Run<'_> {
             climb,
         };
         (*y, _) = self.ground.land(&place, Holding::Grips)?;
-        // At the rim a run that rolls would see no event: the margin has to fall through zero.
-        if self.margin(y, Support::Rolling) > 0.0 {
-            return Ok(Support::Rolling);
-        }
-        self.kick(y);
-        Ok(Support::Sliding)
+        Ok(())
     }
 
-    /// A slip of twice the size that counts as none, the way the body begins to slide: against the force that no longer suffices.
+    /// A slip of the size of a step's error, the way the body begins to slide: against the force that no longer suffices.
     ///
     /// The slip then grows: between forces along one line that both keep the body on the table, acceleration along it follows force.
     fn kick(&self, y: &mut Numbers) {
@@ -282,7 +369,7 @@ impl Run<'_> {
         if pull.norm() == 0.0 {
             return;
         }
-        let slip = pose.turn * (pull * (-2.0 * self.still / pull.norm()));
+        let slip = pose.turn * (pull * (-3.0 * self.tolerance * self.scales[7] / pull.norm()));
         let mass = self.ground.body().mass();
         let kinetic = |y: &Numbers| 0.5 * mass * (y[7] * y[7] + y[8] * y[8]);
         let before = kinetic(y);
@@ -311,10 +398,10 @@ impl Run<'_> {
         })
     }
 
-    fn place(&self, numbers: &Numbers, support: Support) -> Place {
+    fn place(&self, numbers: &Numbers, mode: Mode) -> Place {
         let body = self.ground.body();
-        let numbers = match support {
-            Support::Rolling => body.rolled(numbers),
+        let numbers = match mode {
+            Mode::Rolling => body.rolled(numbers),
             _ => *numbers,
         };
         let (height, climb) = body.height(&Pose::of(&numbers));
@@ -322,7 +409,7 @@ impl Run<'_> {
             numbers,
             height,
             climb,
-            support,
+            support: mode.support(),
         }
     }
 }

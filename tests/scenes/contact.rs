@@ -6,8 +6,8 @@ use spinning_bodies::frame::{BodyVector, SpaceVector};
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::slide_to_roll;
 use spinning_bodies::scene::contact::{
-    Coulomb, Friction, Gravity, Grip, Listed, NoSlip, Pull, Regularised, Resist, Resistance, State,
-    Support, TableTop, Viscous,
+    Coulomb, Friction, Gravity, Grip, NoSlip, Pull, Regularised, Resist, Resistance, State,
+    Support, TableTop, Viscous, listed,
 };
 use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver};
 use spinning_bodies::tippe_top::{ConvexBody, Start, bodies};
@@ -351,17 +351,15 @@ fn effects_listed_at_run_time_make_the_same_scene() {
         .with_gravity(gravity())
         .with_friction(law)
         .with_resistance(resistance);
-    let listed = Listed {
-        gravity: Some(gravity()),
-        friction: Some(Friction::Coulomb(law)),
-        resistance: Some(resistance),
-    };
-    let scene = listed.on(*typed.body(), *typed.start());
     let request = Request::at([0.2]).unwrap().to_accuracy(1e-8).unwrap();
-    let state = scene.simulate(&request).unwrap().rows[0].1;
+    let (g, f) = (Some(gravity()), Some(Friction::Coulomb(law)));
+    let state = listed(skew(), g, f, Some(resistance), &request)
+        .unwrap()
+        .rows[0]
+        .1;
     assert!(same(&state, &end(&typed, 0.2, 1e-8)));
-    let bare = Listed::default().on(*typed.body(), *typed.start());
-    assert_eq!(bare.plan(&request).unwrap().solver, Solver::Exact);
+    let bare = listed(skew(), None, None, None, &request).unwrap();
+    assert_eq!(bare.plan.solver, Solver::Exact);
 }
 
 #[test]

@@ -2,14 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::{State, TableTop};
 use crate::error::{Result, positive};
-use crate::scene::Scene;
-use crate::scene::effect::choose;
 use crate::scene::effect::{Absent, Effect};
-use crate::tippe_top::{
-    ConvexBody, Coulomb, Couple, Holding, Regularised, Resistance, Start, Traction, Viscous,
-};
+use crate::tippe_top::{Coulomb, Couple, Holding, Regularised, Resistance, Traction, Viscous};
 
 /// Gravity, downwards; what presses the body to the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,46 +127,4 @@ grip! {
     Regularised, "regularised_friction";
     NoSlip, "no_slip";
     Coulomb, "coulomb_friction";
-}
-
-/// The friction that a scene file lists.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Friction {
-    /// Coulomb's law, with slip and roll as events.
-    Coulomb(Coulomb),
-    /// Coulomb's law, smoothed.
-    Regularised(Regularised),
-    /// In proportion to the slip.
-    Viscous(Viscous),
-    /// Pure rolling.
-    NoSlip,
-}
-
-/// Effects as a scene file lists them: some there, some not, known only when the program runs.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Listed {
-    /// Gravity, if any.
-    pub gravity: Option<Gravity>,
-    /// Friction at the contact, if any.
-    pub friction: Option<Friction>,
-    /// Resistance to rolling and pivoting, if any.
-    pub resistance: Option<Resistance>,
-}
-
-impl Listed {
-    /// The scene of the type that has these effects and no others: one of twenty. Only their equations are compiled twenty times.
-    pub fn on(self, body: ConvexBody, start: Start) -> Box<dyn Scene<State = State>> {
-        let free = TableTop::new(body, start);
-        choose!((gravity = self.gravity) (resistance = self.resistance) => {
-            // An absent effect in a slot is what an empty slot holds.
-            let scene = TableTop { body: free.body, start: free.start, gravity, friction: Absent, resistance };
-            match self.friction {
-                None => Box::new(scene),
-                Some(Friction::Coulomb(law)) => Box::new(scene.with_friction(law)),
-                Some(Friction::Regularised(law)) => Box::new(scene.with_friction(law)),
-                Some(Friction::Viscous(law)) => Box::new(scene.with_friction(law)),
-                Some(Friction::NoSlip) => Box::new(scene.with_friction(NoSlip)),
-            }
-        })
-    }
 }

@@ -27,11 +27,13 @@
 
 mod effects;
 mod engine;
+mod listed;
 mod run;
 mod state;
 
 pub use crate::tippe_top::{Coulomb, Holding, Regularised, Resistance, Viscous};
-pub use effects::{Friction, Gravity, Grip, Listed, NoSlip, Pull, Resist};
+pub use effects::{Gravity, Grip, NoSlip, Pull, Resist};
+pub use listed::{Friction, listed};
 pub use run::{Phase, Support};
 pub use state::{State, passage};
 

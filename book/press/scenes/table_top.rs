@@ -10,12 +10,12 @@ use nalgebra::Matrix3;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::scene::contact::{
-    Coulomb, Friction, Gravity, Listed, Regularised, Resistance, Viscous,
+    self, Coulomb, Friction, Gravity, Regularised, Resistance, TableTop, Viscous,
 };
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
 
-use super::Ready;
 use super::reader::Section;
+use super::{Ready, Table};
 use crate::Result;
 
 pub fn read(file: &Section<'_>) -> Result<Ready> {
@@ -34,12 +34,10 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     let law = law(&effects)?;
     let resistance = resistance(&effects)?;
     effects.done()?;
-    let listed = Listed {
-        gravity,
-        friction: law,
-        resistance,
-    };
-    Ok(Ready::scene(listed.on(body, start)))
+    let scene = TableTop::new(body, start);
+    Ok(Ready(Box::new(move |request| {
+        contact::listed(scene, gravity, law, resistance, request).map(Table::of)
+    })))
 }
 
 fn body(section: &Section<'_>) -> Result<ConvexBody> {

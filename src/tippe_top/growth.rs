@@ -308,7 +308,8 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     };
     let natural = body.speed_scale(gravity) / body.surface.size();
     let drift = rate(&Vector4::zeros()).amax();
-    if !(drift <= 1e-12 * (natural * natural + spin * spin)) {
+    let rounding = 1e-12 * (natural * natural + spin * spin);
+    if drift.is_nan() || drift > rounding {
         return Err(Error::Condition {
             condition: "spin about the third axis must be steady in pure rolling",
             value: drift,

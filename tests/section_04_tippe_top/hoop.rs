@@ -98,7 +98,7 @@ fn s4_7_tip_over_time() {
     let refined = toy.refined_time(SPIN, 0.0, PI);
     assert_relative_eq!(
         refined,
-        2.164_216_504_307_684_3,
+        2.164_216_504_307_684,
         max_relative = 1e-14,
         epsilon = 0.0
     );

@@ -59,8 +59,11 @@ pub fn kinds() -> Vec<&'static str> {
     KINDS.iter().map(|(kind, _)| *kind).collect()
 }
 
+/// Runs a scene.
+type Simulation = dyn Fn(&Request) -> spinning_bodies::Result<Table>;
+
 /// A scene that is ready to run.
-pub struct Ready(Box<dyn Fn(&Request) -> spinning_bodies::Result<Table>>);
+pub struct Ready(Box<Simulation>);
 
 /// A motion as numbers.
 #[derive(Debug)]

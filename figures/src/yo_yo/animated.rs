@@ -32,8 +32,11 @@ const SLOWNESS: f64 = 8.0;
 /// Pictures; the motion between two is filled in by the browser.
 const PICTURES: usize = 240;
 
-/// One loop: times, states and angles turned, until the hand has it again.
-fn film() -> Result<(f64, Vec<(f64, YoYoState, f64)>)> {
+/// Time, state, and the angle turned.
+type Picture = (f64, YoYoState, f64);
+
+/// One loop and how long it takes, until the hand has it again.
+fn film() -> Result<(f64, Vec<Picture>)> {
     let toy = YoYo::disc(0.055, RADIUS, LENGTH, AXLE)?;
     let play = Play::new(toy, THROW)?
         .with_gravity(Gravity {

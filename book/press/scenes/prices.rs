@@ -160,6 +160,20 @@ pub const PRICED: &[Priced] = &[
             "ground_friction = { coefficient = 0.1, gravity = 9.81 }",
         )],
     },
+    Priced {
+        kind: "table-top",
+        body: "[body]\nmass = 0.02\nradius = 0.02\nsurface_center = [0.0, 0.0, 0.006]\n\
+               inertia = [3.0e-6, 3.0e-6, 3.2e-6, 0.0, 0.0, 0.0]\n[initial]\ntilt = 0.1\naxial_spin = 155.0\n",
+        usual: &[0],
+        effects: &[
+            ("gravity", "gravity = 9.81"),
+            ("friction", "friction_law = \"viscous\"\nfriction = 0.3"),
+            (
+                "rolling_resistance",
+                "rolling_resistance = 1e-4\npivoting_resistance = 1e-4",
+            ),
+        ],
+    },
 ];
 
 /// An effect that a kind of scene cannot do without: what lies on a table must be pressed to it.

@@ -9,7 +9,7 @@
 //! | [`scan`] | one file, some of its numbers varied, on all cores |
 //! | one a kind | the scene that the file describes: `top` (no `kind` given), … |
 //!
-//! A new kind brings a module with a function `read(&Section) -> Result<Ready>` and a line in [`KINDS`].
+//! A new kind brings a module with a function `read(&Section) -> Result<Ready>` and a line in `KINDS`.
 
 mod contact;
 pub mod output;

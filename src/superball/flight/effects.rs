@@ -34,7 +34,7 @@ pub struct Weight(f64);
 
 impl Weight {
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative).
     pub fn new(strength: f64) -> Result<Self> {
         Ok(Self(not_negative("the acceleration of gravity", strength)?))
     }
@@ -46,7 +46,7 @@ pub struct Slipping(f64);
 
 impl Slipping {
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative).
     pub fn new(friction: f64) -> Result<Self> {
         Ok(Self(not_negative("the coefficient of friction", friction)?))
     }

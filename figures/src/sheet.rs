@@ -255,7 +255,7 @@ pub fn animated() -> Result<Figure> {
     let long = 1200.0 * SCALE;
     let (thick, thin) = (2.6 * SCALE, 2.0 * SCALE);
     let groups = format!(
-        "<defs><clipPath id=\"fig-{NAME}-room\"><rect x=\"80\" y=\"0\" width=\"5840\" height=\"1600\"/></clipPath></defs>\n\
+        "<defs><clipPath id=\"fig-{NAME}-room\"><path d=\"M80 0H5920V1600H80Z\"/></clipPath></defs>\n\
          <g clip-path=\"url(#fig-{NAME}-room)\"><g class=\"{paper}\" transform=\"{at2}\"><path d=\"M0 {top:.0}L{long:.0} {top:.0}\" stroke=\"var(--torque, #6b1a6b)\" stroke-width=\"{thick:.0}\"/></g></g>\n\
          <g class=\"{ball}\" transform=\"{at0}\"><g class=\"{hand}\" transform=\"{at1}\">\
          <circle r=\"{r:.0}\" fill=\"currentColor\" fill-opacity=\"0.1\" stroke=\"currentColor\" stroke-width=\"{thin:.0}\"/>\

@@ -181,7 +181,7 @@ pub fn dial() -> Result<Figure> {
             small(Role::Torque),
         );
         pen.text(
-            [464.0, 216.0],
+            [455.0, 216.0],
             Anchor::Start,
             "comes to the tug",
             label(Role::Ink),

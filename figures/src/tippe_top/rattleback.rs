@@ -46,9 +46,9 @@ pub fn reversals() -> Result<Figure> {
                 (12.0, "12"),
                 (14.0, "14 s"),
             ],
-            &[(-5.0, "−5"), (0.0, "0"), (5.0, "5 rad/s")],
+            &[(-5.0, "−5"), (0.0, "0"), (5.0, "5")],
         );
-        frame.names(pen, "time", "");
+        frame.names(pen, "time", "spin, rad/s");
         pen.line(
             &[frame.at(0.0, 0.0), frame.at(14.0, 0.0)],
             stroke(Role::Ink, AXIS),

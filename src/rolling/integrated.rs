@@ -121,7 +121,7 @@ pub fn integrated<F: Friction, C: Resistance, S: Support>(
             }
         }
         if stopped == Stop::AtTheEvent {
-            // A root of the dense output is good to some 1e-8; Newton's method along the true motion gives it the rest.
+            // Newton's method along the true motion takes the located root to rounding.
             for _ in 0..NEWTON {
                 let value = |t: f64, y: &State| leg_now.value(what, t, y);
                 let here = value(now, &y);

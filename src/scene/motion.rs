@@ -63,6 +63,25 @@ impl Request {
         &self.times
     }
 
+    /// The places of the times in ascending order, and the times in it, for a scene that cannot be run backward.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a time before the start.
+    pub(super) fn forward(&self) -> Result<(Vec<usize>, Vec<f64>)> {
+        let mut order: Vec<usize> = (0..self.times.len()).collect();
+        order.sort_by(|&i, &j| self.times[i].total_cmp(&self.times[j]));
+        let sorted: Vec<f64> = order.iter().map(|&i| self.times[i]).collect();
+        match sorted.first() {
+            Some(&first) if first < 0.0 => Err(Error::OutOfRange {
+                quantity: "the time of a scene that cannot be run backward",
+                value: first,
+                least: 0.0,
+                greatest: f64::INFINITY,
+            }),
+            _ => Ok((order, sorted)),
+        }
+    }
+
     /// The relative accuracy asked for.
     pub const fn accuracy(&self) -> f64 {
         self.accuracy

@@ -249,7 +249,7 @@ where
 
     fn simulate(&self, request: &Request) -> Result<Motion<Rolling>> {
         let plan = self.plan(request)?;
-        let (order, times) = ascending(request)?;
+        let (order, times) = request.forward()?;
         let effects = (self.friction, self.resistance, self.sheet);
         let (moments, cost) = match plan.solver {
             Solver::General(method) => {
@@ -317,23 +317,6 @@ pub(super) fn planned(request: &Request, alone: bool, why: &str) -> Result<Plan>
             format!("{why}: {} with events, as asked for", method.name()),
         )),
         Choice::Use(solver) => Ok(Plan::new(solver, "as asked for")),
-    }
-}
-
-/// Times in ascending order and their places in the request; none before the start.
-pub(super) fn ascending(request: &Request) -> Result<(Vec<usize>, Vec<f64>)> {
-    let times = request.times();
-    let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
-    let sorted: Vec<f64> = order.iter().map(|&i| times[i]).collect();
-    match sorted.first() {
-        Some(&first) if first < 0.0 => Err(Error::OutOfRange {
-            quantity: "the time of a scene that cannot be run backward",
-            value: first,
-            least: 0.0,
-            greatest: f64::INFINITY,
-        }),
-        _ => Ok((order, sorted)),
     }
 }
 

@@ -7,7 +7,7 @@
 //! | resistance | [`RollingResistance`] | a couple against the turning |
 
 use super::choose;
-use super::roller::{accounts, ascending, closed, effort, in_order, last, planned};
+use super::roller::{accounts, closed, effort, in_order, last, planned};
 use super::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
 use crate::conservation::Law;
 use crate::error::{Result, positive};
@@ -214,7 +214,7 @@ where
 
     fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
         let plan = self.plan(request)?;
-        let (order, times) = ascending(request)?;
+        let (order, times) = request.forward()?;
         let kappa = self.spool.body().inertia_factor();
         let load = self.tug.load(&self.spool, self.gravity)?;
         let (moments, cost) = match plan.solver {

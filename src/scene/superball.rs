@@ -7,7 +7,7 @@
 //! | grip | [`Slipping`] | limits the tangential impulse; without it the contact never slips |
 
 use super::choose;
-use super::roller::{ascending, effort, in_order};
+use super::roller::{effort, in_order};
 use super::{Absent, Choice, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result};
@@ -235,7 +235,7 @@ where
 
     fn simulate(&self, request: &Request) -> Result<Motion<Bouncing>> {
         let plan = self.plan(request)?;
-        let (order, times) = ascending(request)?;
+        let (order, times) = request.forward()?;
         let flight = self.flight()?;
         let bounces = |balls: &[InFlight]| Cost {
             evaluations: 0,

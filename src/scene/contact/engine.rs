@@ -71,7 +71,7 @@ impl Setting<'_> {
                 support,
             }]);
         }
-        let (_, times) = ascending(request)?;
+        let (_, times) = request.forward()?;
         Ok(self.history(request, self.method(&plan)?, &times)?.phases)
     }
 
@@ -80,7 +80,7 @@ impl Setting<'_> {
         if !self.gravity {
             return self.free(request, plan);
         }
-        let (order, times) = ascending(request)?;
+        let (order, times) = request.forward()?;
         let history = self.history(request, self.method(&plan)?, &times)?;
         let mut rows: Vec<Option<(f64, State)>> = vec![None; times.len()];
         for (&i, place) in order.iter().zip(&history.places) {
@@ -233,23 +233,6 @@ impl Setting<'_> {
             }
         }
         Ok(ledger)
-    }
-}
-
-/// The places of the times in ascending order, and the times in it; the contact cannot be run backwards.
-fn ascending(request: &Request) -> Result<(Vec<usize>, Vec<f64>)> {
-    let times = request.times();
-    let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
-    let sorted: Vec<f64> = order.iter().map(|&i| times[i]).collect();
-    match sorted.first() {
-        Some(&first) if first < 0.0 => Err(Error::OutOfRange {
-            quantity: "the time of a body on a table",
-            value: first,
-            least: 0.0,
-            greatest: f64::INFINITY,
-        }),
-        _ => Ok((order, sorted)),
     }
 }
 

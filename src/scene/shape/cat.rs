@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::{Pace, Pieced, ascending, in_order, planned, with_corners};
+use super::{Pace, Pieced, in_order, planned, with_corners};
 use crate::conservation::Ledger;
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
@@ -397,7 +397,7 @@ impl<C: Bending, G: Falling> Scene for Cat<C, G> {
 
     fn simulate(&self, request: &Request) -> Result<Motion<CatState>> {
         let plan = self.plan(request)?;
-        let order = ascending(request)?;
+        let (order, _) = request.forward()?;
         let corners = self.change.corners();
         let stops = with_corners(request, &order, &corners);
         let (states, cost) = match (plan.solver, self.equal_halves()) {

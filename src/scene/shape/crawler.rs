@@ -1,6 +1,6 @@
 //! The crawler (tutorial 1.1): what friction makes possible on ice that is not perfect.
 
-use super::{ascending, in_order, planned};
+use super::{in_order, planned};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, not_negative, positive};
 use crate::integrators::{Cost, Effort, Method, Stop, until};
@@ -339,7 +339,7 @@ impl<F: Ground> Scene for Crawler<F> {
 
     fn simulate(&self, request: &Request) -> Result<Motion<CrawlerState>> {
         let plan = self.plan(request)?;
-        let order = ascending(request)?;
+        let (order, _) = request.forward()?;
         let mut stops: Vec<f64> = order.iter().map(|&i| request.times()[i]).collect();
         stops.dedup();
         let last = stops.last().copied().unwrap_or(0.0);

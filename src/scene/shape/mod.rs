@@ -142,24 +142,6 @@ fn planned(
     }
 }
 
-/// The places of the times in ascending order; a motion that starts at 0 is not asked for what was before.
-fn ascending(request: &Request) -> Result<Vec<usize>> {
-    let times = request.times();
-    for &t in times {
-        if t < 0.0 {
-            return Err(Error::OutOfRange {
-                quantity: "the time of a scene that starts at 0",
-                value: t,
-                least: 0.0,
-                greatest: f64::INFINITY,
-            });
-        }
-    }
-    let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
-    Ok(order)
-}
-
 /// The times asked for, in ascending order, with those at which a path of shapes has a corner among them.
 fn with_corners(request: &Request, order: &[usize], corners: &[f64]) -> Vec<f64> {
     let mut stops: Vec<f64> = order.iter().map(|&i| request.times()[i]).collect();

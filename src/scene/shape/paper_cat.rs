@@ -1,6 +1,6 @@
 //! The paper cat (tutorial 1.1): a rigid sheet that the air turns over.
 
-use super::{ascending, in_order, planned, with_corners};
+use super::{in_order, planned, with_corners};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, positive};
 use crate::integrators::{Cost, Effort, Method, Stop, refined, until};
@@ -264,7 +264,7 @@ impl<A: Atmosphere, W: Weight> Scene for PaperCat<A, W> {
 
     fn simulate(&self, request: &Request) -> Result<Motion<PaperCatState>> {
         let plan = self.plan(request)?;
-        let order = ascending(request)?;
+        let (order, _) = request.forward()?;
         let stops = with_corners(request, &order, &[]);
         let (states, cost) = match plan.solver {
             Solver::General(method) => {

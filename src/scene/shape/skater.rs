@@ -1,6 +1,6 @@
 //! The skater who pulls in the arms (tutorial 1.1).
 
-use super::{Bearing, Pace, Pieced, ascending, in_order, planned, with_corners};
+use super::{Bearing, Pace, Pieced, in_order, planned, with_corners};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, not_negative, positive};
 use crate::integrators::{Cost, Method};
@@ -279,7 +279,7 @@ impl<C: Drawing, F: Bearing> Scene for Skater<C, F> {
 
     fn simulate(&self, request: &Request) -> Result<Motion<SkaterState>> {
         let plan = self.plan(request)?;
-        let order = ascending(request)?;
+        let (order, _) = request.forward()?;
         let corners = self.change.corners();
         let stops = with_corners(request, &order, &corners);
         let (states, cost) = match plan.solver {

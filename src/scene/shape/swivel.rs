@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::{Bearing, Pace, Pieced, ascending, in_order, planned, repeated, with_corners};
+use super::{Bearing, Pace, Pieced, in_order, planned, repeated, with_corners};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, positive};
 use crate::integrators::{Cost, Method};
@@ -349,7 +349,7 @@ impl<C: Twisting, F: Bearing> Scene for Swivel<C, F> {
 
     fn simulate(&self, request: &Request) -> Result<Motion<SwivelState>> {
         let plan = self.plan(request)?;
-        let order = ascending(request)?;
+        let (order, _) = request.forward()?;
         let until = order.last().map_or(0.0, |&i| request.times()[i]);
         let corners = self.change.corners(until)?;
         let stops = with_corners(request, &order, &corners);

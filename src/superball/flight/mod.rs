@@ -431,7 +431,7 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
                 };
                 continue;
             }
-            // A root of the dense output is good to some 1e-8; Newton's method along the true flight gives it the rest.
+            // Newton's method along the true flight takes the located root to rounding.
             for _ in 0..8 {
                 let speed = if rising { -y[2] } else { y[2] };
                 let step = -guard(now, &y) / speed;

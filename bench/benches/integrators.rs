@@ -31,8 +31,18 @@ fn main() -> Result<()> {
     if only_tested() {
         return Ok(());
     }
-    steps()?;
-    long_runs()
+    // `-- steps` or `-- long` for one part alone.
+    let asked = |part: &str| {
+        let mut named = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).peekable();
+        named.peek().is_none() || named.any(|argument| argument == part)
+    };
+    if asked("steps") {
+        steps()?;
+    }
+    if asked("long") {
+        long_runs()?;
+    }
+    Ok(())
 }
 
 fn free_methods() -> Result<Vec<Box<dyn Integrator>>> {

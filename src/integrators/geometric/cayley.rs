@@ -42,7 +42,8 @@ impl VeselovOrder {
 
 /// The discrete free top of Moser and Veselov (1991), its moments of inertia changed so that it has order 2, 4, 6 or 10 (Hairer and Vilmart 2006).
 ///
-/// Kept, to rounding: |L|, the energy, L in space, the phase volume (symplectic), time symmetry. The only method here of high order whose cost
+/// Kept, to rounding: |L|, the energy, L in space, time symmetry. Symplectic is order 2 alone: the changed moments depend on |L| and the energy, so
+/// neighbouring phases are moved by different tops, and the form changes by O(step^(p+1)) a step. The only method here of high order whose cost
 /// does not grow with it. Each step is solved by Newton's method until the next correction is below rounding; observed: two rounds at a hundred steps
 /// a turn. Domain: steps up to about half a radian, beyond which the changed moments are none; then [`Error::Integration`].
 #[derive(Debug, Clone, Copy, PartialEq)]

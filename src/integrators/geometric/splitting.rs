@@ -76,18 +76,13 @@ impl FreeSplitting {
             q: Sums::new([one, zero, zero, zero]),
         };
         run.about_first(outer[0]);
-        for left in (0..steps).rev() {
-            for n in 0..N {
-                run.about_third(inner[n]);
-                let next = if n + 1 < N {
-                    outer[n + 1]
-                } else if left > 0 {
-                    joint
-                } else {
-                    outer[0]
-                };
-                run.about_first(next);
-            }
+        // One loop over all stages: its body stays small enough for every number to stay in a register.
+        let mut n = 0;
+        for left in (0..steps * N as u64).rev() {
+            run.about_third(inner[n]);
+            n = if n + 1 < N { n + 1 } else { 0 };
+            let last = if left == 0 { outer[0] } else { joint };
+            run.about_first(if n == 0 { last } else { outer[n] });
         }
         // The part about L, of which the rider sees nothing: q exp(tL₀/2I₂) times what the others have made.
         let about = about_momentum(phase.l, self.moments[j], step, steps);

@@ -65,8 +65,10 @@ fn heavy_methods() -> Result<Vec<Box<dyn Integrator>>> {
         let drift = SymmetricDrift::new(TOP)?;
         all.push(Box::new(HeavySplitting::new(drift, weight, order)));
     }
-    let rotations = Rotations::new(MOMENTS)?;
-    all.push(Box::new(HeavySplitting::new(rotations, weight, Order::Two)));
+    for order in Order::ALL {
+        let drift = Rotations::new(MOMENTS, order)?;
+        all.push(Box::new(HeavySplitting::new(drift, weight, order)));
+    }
     let exact = UnequalDrift::new(MOMENTS)?;
     all.push(Box::new(HeavySplitting::new(exact, weight, Order::Two)));
     all.push(Box::new(MuntheKaas::new(TOP, weight)?));

@@ -65,13 +65,16 @@ pub fn heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follo
 pub fn general_heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
     let weight = Weight::new(lever).unwrap();
     let midpoint = GroupMidpoint::new(moments).unwrap();
-    let rotations = Rotations::new(moments).unwrap();
-    vec![
-        Box::new(HeavySplitting::new(rotations, weight, Order::Two)),
+    let rotations = Order::ALL.map(|order| {
+        let drift = Rotations::new(moments, order).unwrap();
+        Box::new(HeavySplitting::new(drift, weight, order)) as Box<dyn Follow>
+    });
+    let others: [Box<dyn Follow>; 3] = [
         Box::new(HeavySplitting::new(midpoint, weight, Order::Two)),
         Box::new(MuntheKaas::new(moments, weight).unwrap()),
         Box::new(Unfitted::new(moments, weight, Method::Rk4).unwrap()),
-    ]
+    ];
+    rotations.into_iter().chain(others).collect()
 }
 
 pub fn exact_drifts_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {

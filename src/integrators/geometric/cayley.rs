@@ -143,6 +143,10 @@ impl<T: Real> Drift<T> for GroupMidpoint {
         Ok(())
     }
 
+    fn order(&self) -> Option<u32> {
+        Some(2)
+    }
+
     fn evaluations(&self) -> u64 {
         2
     }

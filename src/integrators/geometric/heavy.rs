@@ -136,7 +136,7 @@ impl<N: Torque<f64>> Kick<f64> for LinearFriction<N> {
 ///
 /// Order 2 is Strang's; orders 4 and 6 are Blanes' and Moan's Nyström splittings with six and eleven kicks where the kick is [of the attitude
 /// alone](Kick::OF_ATTITUDE_ALONE), their splittings for any two parts with six and ten where it is not. The free motion being exact, the error
-/// carries the torque as a factor: a fast top allows long steps. A drift of order 2 ([`Rotations`](super::Rotations)) is for order 2.
+/// carries the torque as a factor: a fast top allows long steps. With a drift that is not exact the order is the lower of the two.
 ///
 /// Kept, under weight alone: L along the vertical and the phase volume (symplectic), to rounding; time symmetry; the energy oscillates by
 /// O(stepᵖ) and does not drift; for Lagrange's top also L along the axis.
@@ -190,11 +190,13 @@ impl<D, K> HeavySplitting<D, K> {
 
 impl<T: Real, D: Drift<T>, K: Kick<T>> Integrator<T> for HeavySplitting<D, K> {
     fn name(&self) -> String {
-        format!("kick and {} {}", self.drift.name(), self.order.number())
+        let order = Integrator::<T>::order(self);
+        format!("kick and {} {order}", self.drift.name())
     }
 
     fn order(&self) -> u32 {
-        self.order.number()
+        let order = self.order.number();
+        self.drift.order().map_or(order, |own| own.min(order))
     }
 
     fn advance(&self, phase: &mut Phase<T>, step: T, steps: u64) -> Result<Cost> {

@@ -75,7 +75,8 @@ impl<T: Real, N: Torque<T>> Integrator<T> for MuntheKaas<N> {
         let scaled = |h: T, rate: [T; 3]| rate.map(|component| h * component);
         for _ in 0..steps {
             let Phase { l, q } = run.phase();
-            let (u1, n1) = self.rates(q, [T::from_double(0.0); 3], l);
+            let u1 = core::array::from_fn(|k| T::from_double(self.inverse[k]) * l[k]);
+            let n1 = self.torque.torque(&Phase { l, q });
             let (u2, n2) = self.rates(q, scaled(half, u1), moved(l, half, n1));
             let (u3, n3) = self.rates(q, scaled(half, u2), moved(l, half, n2));
             let (u4, n4) = self.rates(q, scaled(step, u3), moved(l, step, n3));

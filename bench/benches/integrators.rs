@@ -8,11 +8,12 @@ use spinning_bodies::Result;
 use spinning_bodies::euler_equations::quaternion_rate;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::integrators::geometric::{Follow, Real};
 use spinning_bodies::integrators::geometric::{
     FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Nothing,
-    Order, Phase, Rotations, SymmetricDrift, TwoWords, Unfitted, UnequalDrift, VeselovOrder, Weight,
+    Order, Phase, Rotations, SymmetricDrift, TwoWords, UnequalDrift, Unfitted, VeselovOrder,
+    Weight,
 };
-use spinning_bodies::integrators::geometric::{Follow, Real};
 use spinning_bodies::integrators::{Effort, Method};
 
 #[path = "support/mod.rs"]
@@ -33,7 +34,10 @@ fn main() -> Result<()> {
     }
     // `-- steps` or `-- long` for one part alone.
     let asked = |part: &str| {
-        let mut named = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).peekable();
+        let mut named = std::env::args()
+            .skip(1)
+            .filter(|argument| !argument.starts_with('-'))
+            .peekable();
         named.peek().is_none() || named.any(|argument| argument == part)
     };
     if asked("steps") {
@@ -82,7 +86,15 @@ fn plain(y: &[f64; 7], h: f64) -> [f64; 7] {
         let [a, b, c, w, x, z, v] = *y;
         let [o1, o2, o3] = [a / i1, b / i2, c / i3];
         let [p, q, r, s] = quaternion_rate([w, x, z, v], BodyVector::new(o1, o2, o3));
-        [b * o3 - c * o2, c * o1 - a * o3, a * o2 - b * o1, p, q, r, s]
+        [
+            b * o3 - c * o2,
+            c * o1 - a * o3,
+            a * o2 - b * o1,
+            p,
+            q,
+            r,
+            s,
+        ]
     };
     let moved = |h: f64, k: &[f64; 7]| -> [f64; 7] { core::array::from_fn(|i| y[i] + h * k[i]) };
     let a = rate(y);
@@ -95,14 +107,26 @@ fn plain(y: &[f64; 7], h: f64) -> [f64; 7] {
 fn steps() -> Result<()> {
     const COUNT: u64 = 100_000;
     let (h, t) = (0.01, 10.0);
-    let start = Phase { l: START, q: UPRIGHT };
-    let exact = EulerTop::new(MOMENTS, BodyVector::new(1.8, 0.4, -0.9), Attitude::identity())?;
+    let start = Phase {
+        l: START,
+        q: UPRIGHT,
+    };
+    let exact = EulerTop::new(
+        MOMENTS,
+        BodyVector::new(1.8, 0.4, -0.9),
+        Attitude::identity(),
+    )?;
     let exact = exact.at(t)?.attitude.quaternion();
     let exact = [exact.w, exact.i, exact.j, exact.k];
-    println!("free body 0.6, 0.8, 1.0: ns a step, and the attitude's error at t = 10 with 1000 steps");
+    println!(
+        "free body 0.6, 0.8, 1.0: ns a step, and the attitude's error at t = 10 with 1000 steps"
+    );
     let report = |name: &str, time: f64, q: [f64; 4]| {
         let error = angle(q, exact);
-        println!("{name:>30} {:>9.1} {error:>10.1e}", time / COUNT as f64 * 1e9);
+        println!(
+            "{name:>30} {:>9.1} {error:>10.1e}",
+            time / COUNT as f64 * 1e9
+        );
     };
     let time = least(9, || {
         let mut y = [1.8, 0.4, -0.9, 1.0, 0.0, 0.0, 0.0];
@@ -127,7 +151,10 @@ fn steps() -> Result<()> {
     }
     for (name, time) in [
         ("rotations 2, f32", of_type::<f32>(COUNT)?),
-        ("rotations 2, two words", of_type::<TwoWords>(COUNT / 10)? * 10.0),
+        (
+            "rotations 2, two words",
+            of_type::<TwoWords>(COUNT / 10)? * 10.0,
+        ),
     ] {
         println!("{name:>30} {:>9.1}", time / COUNT as f64 * 1e9);
     }
@@ -136,14 +163,22 @@ fn steps() -> Result<()> {
         (Method::Dop853, Effort::Tolerance(1e-10)),
     ] {
         let general = Unfitted::new(MOMENTS, Nothing, method)?;
-        let end = if method == Method::Rk4 { h * COUNT as f64 } else { 1000.0 };
+        let end = if method == Method::Rk4 {
+            h * COUNT as f64
+        } else {
+            1000.0
+        };
         let steps = general.follow(&start, &[end], effort)?.cost.steps;
         let time = least_of_few(5, || {
             let _ = black_box(general.follow(&start, &[end], effort));
         });
         let course = general.follow(&start, &[t], effort)?;
         let time = time / steps as f64 * COUNT as f64;
-        report(&format!("{} of the crate", method.name()), time, course.phases[0].q);
+        report(
+            &format!("{} of the crate", method.name()),
+            time,
+            course.phases[0].q,
+        );
     }
     println!("\nheavy bodies: ns a step");
     for method in heavy_methods()? {
@@ -162,14 +197,22 @@ fn steps() -> Result<()> {
         let time = least(5, || {
             let _ = black_box(general.follow(&start, &[100.0], effort));
         });
-        println!("{:>30} {:>9.1}", format!("{} of the crate", method.name()), time / steps as f64 * 1e9);
+        println!(
+            "{:>30} {:>9.1}",
+            format!("{} of the crate", method.name()),
+            time / steps as f64 * 1e9
+        );
     }
     Ok(())
 }
 
 fn of_type<T: Real>(count: u64) -> Result<f64> {
     let method = FreeSplitting::new(MOMENTS, Order::Two)?;
-    let start = Phase { l: START, q: UPRIGHT }.cast::<T>();
+    let start = Phase {
+        l: START,
+        q: UPRIGHT,
+    }
+    .cast::<T>();
     let h = T::from_double(0.01);
     Ok(least(5, || {
         let mut phase = black_box(start);
@@ -179,8 +222,13 @@ fn of_type<T: Real>(count: u64) -> Result<f64> {
 
 /// |L| and the energy over 10⁷ steps: the spread of the first and of the last tenth, and by how much their means differ.
 fn long_runs() -> Result<()> {
-    println!("\n10^7 steps of 0.01 s, sampled 10^4 times: relative, spread in the first tenth, in the last, and the means' difference");
-    println!("{:>30} {:>28} {:>28} {:>10}", "method", "|L|", "E", "|q| - 1");
+    println!(
+        "\n10^7 steps of 0.01 s, sampled 10^4 times: relative, spread in the first tenth, in the last, and the means' difference"
+    );
+    println!(
+        "{:>30} {:>28} {:>28} {:>10}",
+        "method", "|L|", "E", "|q| - 1"
+    );
     let free = free_methods()?;
     for method in &free {
         drift(&method.name(), MOMENTS, [0.0; 3], |phase| {
@@ -199,7 +247,10 @@ fn long_runs() -> Result<()> {
             p = plain(&p, 0.01);
         }
         let [a, b, c, w, x, y, z] = p;
-        *phase = Phase { l: [a, b, c], q: [w, x, y, z] };
+        *phase = Phase {
+            l: [a, b, c],
+            q: [w, x, y, z],
+        };
         Ok(())
     })
 }
@@ -210,7 +261,10 @@ fn drift(
     lever: [f64; 3],
     mut advance: impl FnMut(&mut Phase) -> Result<()>,
 ) -> Result<()> {
-    let mut phase = Phase { l: START, q: UPRIGHT };
+    let mut phase = Phase {
+        l: START,
+        q: UPRIGHT,
+    };
     let mut values: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
     for _ in 0..10_000 {
         advance(&mut phase)?;
@@ -222,7 +276,9 @@ fn drift(
         } else {
             phase.l.iter().map(|x| x * x).sum::<f64>().sqrt()
         };
-        let kinetic: f64 = (0..3).map(|k| 0.5 * phase.l[k] * phase.l[k] / moments[k]).sum();
+        let kinetic: f64 = (0..3)
+            .map(|k| 0.5 * phase.l[k] * phase.l[k] / moments[k])
+            .sum();
         let weight: f64 = (0..3).map(|k| lever[k] * up[k]).sum();
         values[0].push(size);
         values[1].push(kinetic + weight);
@@ -232,12 +288,23 @@ fn drift(
     for values in values {
         let scale = values[0].abs();
         let spread = |part: &[f64]| {
-            let (least, most) = part.iter().fold((f64::INFINITY, -f64::INFINITY), |(a, b), &v| (a.min(v), b.max(v)));
+            let (least, most) = part
+                .iter()
+                .fold((f64::INFINITY, -f64::INFINITY), |(a, b), &v| {
+                    (a.min(v), b.max(v))
+                });
             (most - least) / scale
         };
-        let mean = |part: &[f64]| part.iter().map(|v| v - values[0]).sum::<f64>() / part.len() as f64 / scale;
+        let mean = |part: &[f64]| {
+            part.iter().map(|v| v - values[0]).sum::<f64>() / part.len() as f64 / scale
+        };
         let (first, last) = (&values[..1000], &values[9000..]);
-        print!(" {:>8.1e} {:>8.1e} {:>10.1e}", spread(first), spread(last), mean(last) - mean(first));
+        print!(
+            " {:>8.1e} {:>8.1e} {:>10.1e}",
+            spread(first),
+            spread(last),
+            mean(last) - mean(first)
+        );
     }
     println!(" {norm:>10.1e}");
     Ok(())

@@ -4,7 +4,7 @@ use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::geometric::{
     Follow, FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Nothing, Order,
-    Phase, Rotations, SymmetricDrift, Unfitted, UnequalDrift, VeselovOrder, Weight,
+    Phase, Rotations, SymmetricDrift, UnequalDrift, Unfitted, VeselovOrder, Weight,
 };
 use spinning_bodies::integrators::{Effort, Method};
 

@@ -1,13 +1,18 @@
 //! Long runs: invariants neither drift nor spread, however many steps.
 
-use spinning_bodies::integrators::geometric::{FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov, Order, Phase, SymmetricDrift, VeselovOrder, Weight};
+use spinning_bodies::integrators::geometric::{
+    FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov, Order, Phase,
+    SymmetricDrift, VeselovOrder, Weight,
+};
 
 use super::common::{LEVER, MOMENTS, TOP, start};
 
 /// |L| of a free body or L along the vertical, and the energy.
 fn invariants(phase: &Phase, moments: [f64; 3], lever: [f64; 3]) -> [f64; 2] {
     let up = phase.up();
-    let kinetic: f64 = (0..3).map(|k| 0.5 * phase.l[k] * phase.l[k] / moments[k]).sum();
+    let kinetic: f64 = (0..3)
+        .map(|k| 0.5 * phase.l[k] * phase.l[k] / moments[k])
+        .sum();
     let potential: f64 = (0..3).map(|k| lever[k] * up[k]).sum();
     let size = if lever == [0.0; 3] {
         phase.l.iter().map(|x| x * x).sum::<f64>().sqrt()
@@ -46,13 +51,19 @@ fn nothing_drifts() {
         println!("rotations {order:?}: {size:e} {trend:e} {spread:e}");
         assert!(size < 4e-15, "{order:?} {size:e}");
         // The mean of an oscillation of O(step²) over 40 samples is not zero; of the higher orders there is less to see.
-        assert!(trend < [2e-5, 2e-11, 2e-15][order.number() as usize / 2 - 1], "{order:?} {trend:e}");
+        assert!(
+            trend < [2e-5, 2e-11, 2e-15][order.number() as usize / 2 - 1],
+            "{order:?} {trend:e}"
+        );
     }
     for order in VeselovOrder::ALL {
         let discrete = MoserVeselov::new(MOMENTS, order).unwrap();
         let [size, trend, spread] = run(&discrete, MOMENTS, [0.0; 3], samples / 4);
         println!("Moser-Veselov {order:?}: {size:e} {trend:e} {spread:e}");
-        assert!(size < 4e-15 && spread < 4e-15, "{order:?} {size:e} {spread:e}");
+        assert!(
+            size < 4e-15 && spread < 4e-15,
+            "{order:?} {size:e} {spread:e}"
+        );
     }
     let midpoint = GroupMidpoint::new(MOMENTS).unwrap();
     let [size, _, spread] = run(&midpoint, MOMENTS, [0.0; 3], samples / 4);

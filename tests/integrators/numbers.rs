@@ -1,6 +1,8 @@
 //! One method in three kinds of numbers: what of its error is the step's, and what is rounding.
 
-use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, MoserVeselov, Order, Phase, Real, TwoWords, VeselovOrder};
+use spinning_bodies::integrators::geometric::{
+    FreeSplitting, Integrator, MoserVeselov, Order, Phase, Real, TwoWords, VeselovOrder,
+};
 
 use super::common::{MOMENTS, distance, free, start};
 
@@ -30,12 +32,18 @@ fn two_words_take_the_same_steps() {
     let (t, steps) = (10.0, 1000);
     for order in Order::ALL {
         let method = FreeSplitting::new(MOMENTS, order).unwrap();
-        let apart = distance(&run::<f64>(&method, t, steps), &run::<TwoWords>(&method, t, steps));
+        let apart = distance(
+            &run::<f64>(&method, t, steps),
+            &run::<TwoWords>(&method, t, steps),
+        );
         assert!(apart[0] < 1e-14 && apart[1] < 1e-14, "{order:?} {apart:?}");
     }
     for order in VeselovOrder::ALL {
         let method = MoserVeselov::new(MOMENTS, order).unwrap();
-        let apart = distance(&run::<f64>(&method, t, steps), &run::<TwoWords>(&method, t, steps));
+        let apart = distance(
+            &run::<f64>(&method, t, steps),
+            &run::<TwoWords>(&method, t, steps),
+        );
         assert!(apart[0] < 1e-14 && apart[1] < 1e-14, "{order:?} {apart:?}");
     }
 }

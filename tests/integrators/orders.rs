@@ -1,7 +1,9 @@
 //! The order of each method, measured as the slope of its error on nonlinear motions with a closed form.
 
 use spinning_bodies::frame::Attitude;
-use spinning_bodies::integrators::geometric::{Follow, HeavySplitting, Order, Phase, SymmetricDrift};
+use spinning_bodies::integrators::geometric::{
+    Follow, HeavySplitting, Order, Phase, SymmetricDrift,
+};
 use spinning_bodies::integrators::geometric::{LinearFriction, Unfitted, Weight};
 use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
@@ -69,7 +71,11 @@ fn lagrange_top() {
     let (omega, attitude) = (omega(TOP), start().attitude().unwrap());
     let top = LagrangeTop::new(TOP[0], TOP[2], LEVER[2], omega, attitude).unwrap();
     let state = top.at(t).unwrap();
-    check(&heavy_methods_of(TOP, LEVER), &phase(TOP, state.omega, &state.attitude), t);
+    check(
+        &heavy_methods_of(TOP, LEVER),
+        &phase(TOP, state.omega, &state.attitude),
+        t,
+    );
 }
 
 #[test]
@@ -79,7 +85,11 @@ fn kovalevskaya_top() {
     let attitude = start().attitude().unwrap();
     let top = KovalevskayaTop::new(moments, vector(lever), omega(moments), attitude).unwrap();
     let state = top.at(t).unwrap();
-    check(&heavy_methods_of(moments, lever), &phase(moments, state.omega, &state.attitude), t);
+    check(
+        &heavy_methods_of(moments, lever),
+        &phase(moments, state.omega, &state.attitude),
+        t,
+    );
 }
 
 /// No closed form here: an independent method of high order at 1e-14 judges.
@@ -88,7 +98,10 @@ fn heavy_asymmetric_body() {
     let t = 3.0;
     let lever = [0.4, -0.3, 0.6];
     let judge = Unfitted::new(MOMENTS, Weight::new(lever).unwrap(), Method::Verner98).unwrap();
-    let exact = judge.follow(&start(), &[t], Effort::Tolerance(1e-14)).unwrap().phases[0];
+    let exact = judge
+        .follow(&start(), &[t], Effort::Tolerance(1e-14))
+        .unwrap()
+        .phases[0];
     let mut methods = exact_drifts_of(MOMENTS, lever);
     methods.extend(general_heavy_methods_of(MOMENTS, lever));
     check(&methods, &exact, t);
@@ -97,9 +110,13 @@ fn heavy_asymmetric_body() {
 #[test]
 fn friction_keeps_the_order() {
     let t = 4.0;
-    let friction = LinearFriction::new(Weight::new(LEVER).unwrap(), [0.05, 0.05, 0.02], TOP).unwrap();
+    let friction =
+        LinearFriction::new(Weight::new(LEVER).unwrap(), [0.05, 0.05, 0.02], TOP).unwrap();
     let judge = Unfitted::new(TOP, friction, Method::Verner98).unwrap();
-    let exact = judge.follow(&start(), &[t], Effort::Tolerance(1e-14)).unwrap().phases[0];
+    let exact = judge
+        .follow(&start(), &[t], Effort::Tolerance(1e-14))
+        .unwrap()
+        .phases[0];
     let drift = SymmetricDrift::new(TOP).unwrap();
     let of = |order| Box::new(HeavySplitting::new(drift, friction, order)) as Box<dyn Follow>;
     check(&Order::ALL.map(of), &exact, t);
@@ -108,12 +125,20 @@ fn friction_keeps_the_order() {
 /// A symmetric body is turned exactly, by any order and any step.
 #[test]
 fn two_equal_moments_leave_no_error() {
-    for moments in [[1.0, 1.0, 0.6], [0.6, 1.0, 1.0], [1.0, 0.6, 1.0], [0.7, 0.7, 0.7]] {
+    for moments in [
+        [1.0, 1.0, 0.6],
+        [0.6, 1.0, 1.0],
+        [1.0, 0.6, 1.0],
+        [0.7, 0.7, 0.7],
+    ] {
         let exact = free(moments, &start(), 10.0);
         for method in super::common::free_methods_of(moments).iter().take(3) {
             let [attitude, momentum] = distance(&after(&**method, &start(), 10.0, 7), &exact);
             // Observed: 1.1e-15.
-            assert!(attitude < 4e-15 && momentum < 4e-15, "{moments:?} {attitude:e} {momentum:e}");
+            assert!(
+                attitude < 4e-15 && momentum < 4e-15,
+                "{moments:?} {attitude:e} {momentum:e}"
+            );
         }
     }
 }
@@ -121,14 +146,25 @@ fn two_equal_moments_leave_no_error() {
 /// The axes may come in any order, odd ones included.
 #[test]
 fn permuted_moments_turn_the_same_body() {
-    let orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [1, 0, 2], [0, 2, 1], [2, 1, 0]];
+    let orders = [
+        [0, 1, 2],
+        [1, 2, 0],
+        [2, 0, 1],
+        [1, 0, 2],
+        [0, 2, 1],
+        [2, 1, 0],
+    ];
     for order in orders {
         let moments = order.map(|k| MOMENTS[k]);
         let exact = free(moments, &start(), 10.0);
         for method in super::common::free_methods_of(moments) {
             let [attitude, momentum] = distance(&after(&*method, &start(), 10.0, 4000), &exact);
             // Observed: 3.3e-4 (Moser-Veselov 2).
-            assert!(attitude < 5e-4 && momentum < 5e-4, "{} {order:?} {attitude:e}", method.name());
+            assert!(
+                attitude < 5e-4 && momentum < 5e-4,
+                "{} {order:?} {attitude:e}",
+                method.name()
+            );
         }
     }
 }
@@ -137,7 +173,14 @@ fn omega(moments: [f64; 3]) -> spinning_bodies::frame::BodyVector {
     vector(core::array::from_fn(|k| L[k] / moments[k]))
 }
 
-fn phase(moments: [f64; 3], omega: spinning_bodies::frame::BodyVector, attitude: &Attitude) -> Phase {
+fn phase(
+    moments: [f64; 3],
+    omega: spinning_bodies::frame::BodyVector,
+    attitude: &Attitude,
+) -> Phase {
     let omega: [f64; 3] = omega.components().into();
-    Phase::new(vector(core::array::from_fn(|k| moments[k] * omega[k])), attitude)
+    Phase::new(
+        vector(core::array::from_fn(|k| moments[k] * omega[k])),
+        attitude,
+    )
 }

@@ -13,7 +13,11 @@ const STEP: f64 = 0.2;
 /// Values in the course of 4000 steps: kept to rounding, bounded, or drifting.
 fn verdict(values: &[f64]) -> &'static str {
     let scale = values[0].abs();
-    let worst = |part: &[f64]| part.iter().fold(0.0_f64, |a, &v| a.max((v - values[0]).abs())) / scale;
+    let worst = |part: &[f64]| {
+        part.iter()
+            .fold(0.0_f64, |a, &v| a.max((v - values[0]).abs()))
+            / scale
+    };
     let quarter = values.len() / 4;
     let (early, late) = (worst(&values[..quarter]), worst(&values[3 * quarter..]));
     // Observed: at most 2e-13 where kept (exact drifts of unequal moments, whose sums are plain), above 1e-8 elsewhere.
@@ -29,7 +33,10 @@ fn verdict(values: &[f64]) -> &'static str {
 fn course(method: &dyn Follow) -> Vec<Phase> {
     let times: Vec<f64> = (0..=400).map(|n| f64::from(n) * 10.0 * STEP).collect();
     let step = STEP * (1.0 + 1e-12);
-    method.follow(&start(), &times, Effort::Step(step)).unwrap().phases
+    method
+        .follow(&start(), &times, Effort::Step(step))
+        .unwrap()
+        .phases
 }
 
 fn one(method: &dyn Follow, phase: &Phase, t: f64) -> Phase {
@@ -42,7 +49,9 @@ fn is_symmetric(method: &dyn Follow) -> bool {
     let there = one(method, &start(), STEP);
     let back = one(method, &there, -STEP);
     let gap = (0..3).map(|k| (back.l[k] - start().l[k]).abs());
-    let worst = gap.chain((0..4).map(|k| (back.q[k] - start().q[k]).abs())).fold(0.0, f64::max);
+    let worst = gap
+        .chain((0..4).map(|k| (back.q[k] - start().q[k]).abs()))
+        .fold(0.0, f64::max);
     worst < 1e-14
 }
 
@@ -69,9 +78,16 @@ fn is_symplectic(method: &dyn Follow) -> bool {
             };
             let (ahead, behind) = (moved(1.0), moved(-1.0));
             let [w, x, y, z] = image.q;
-            let there = product([w, -x, -y, -z], core::array::from_fn(|i| ahead.q[i] - behind.q[i]));
+            let there = product(
+                [w, -x, -y, -z],
+                core::array::from_fn(|i| ahead.q[i] - behind.q[i]),
+            );
             core::array::from_fn(|i| {
-                let change = if i < 3 { 2.0 * there[i + 1] } else { ahead.l[i - 3] - behind.l[i - 3] };
+                let change = if i < 3 {
+                    2.0 * there[i + 1]
+                } else {
+                    ahead.l[i - 3] - behind.l[i - 3]
+                };
                 change / (2.0 * SMALL)
             })
         })
@@ -115,21 +131,33 @@ fn row(method: &dyn Follow, moments: [f64; 3], lever: [f64; 3]) -> String {
         .iter()
         .map(|p| {
             let up = p.up();
-            (0..3).map(|k| 0.5 * p.l[k] * p.l[k] / moments[k] + lever[k] * up[k]).sum()
+            (0..3)
+                .map(|k| 0.5 * p.l[k] * p.l[k] / moments[k] + lever[k] * up[k])
+                .sum()
         })
         .collect();
     let in_space = |axis: usize| -> Vec<f64> {
-        let along = |p: &Phase| p.attitude().unwrap().to_space(p.angular_momentum()).components()[axis];
+        let along = |p: &Phase| {
+            p.attitude()
+                .unwrap()
+                .to_space(p.angular_momentum())
+                .components()[axis]
+        };
         course.iter().map(along).collect()
     };
     let verdicts = [0, 1, 2].map(|axis| verdict(&in_space(axis)));
     let space = if heavy {
         verdicts[2]
     } else {
-        let worst = ["drifts", "bounded"].into_iter().find(|v| verdicts.contains(v));
+        let worst = ["drifts", "bounded"]
+            .into_iter()
+            .find(|v| verdicts.contains(v));
         worst.unwrap_or("kept")
     };
-    let norm: Vec<f64> = course.iter().map(|p| p.q.iter().map(|x| x * x).sum::<f64>()).collect();
+    let norm: Vec<f64> = course
+        .iter()
+        .map(|p| p.q.iter().map(|x| x * x).sum::<f64>())
+        .collect();
     let yes = |kept: bool| if kept { "yes" } else { "no" };
     format!(
         "| {} | {} | {} | {} | {} | {} | {} |\n",
@@ -169,7 +197,10 @@ fn table() -> String {
 /// The committed table is the measured one. `UPDATE_TABLES=1 cargo test --test integrators preservation` writes it.
 #[test]
 fn the_table_of_what_is_kept() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/book/src/tables/integrators.md");
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/book/src/tables/integrators.md"
+    );
     let measured = table();
     println!("{measured}");
     if std::env::var_os("UPDATE_TABLES").is_some() {
@@ -177,5 +208,8 @@ fn the_table_of_what_is_kept() {
         std::fs::write(path, &measured).unwrap();
     }
     let committed = std::fs::read_to_string(path).unwrap_or_default();
-    assert!(committed == measured, "what is kept has changed: UPDATE_TABLES=1 writes the table anew\n{measured}");
+    assert!(
+        committed == measured,
+        "what is kept has changed: UPDATE_TABLES=1 writes the table anew\n{measured}"
+    );
 }

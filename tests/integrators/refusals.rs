@@ -1,8 +1,10 @@
 //! What cannot be followed is refused with a reason, and never with a panic.
 
 use spinning_bodies::Error;
-use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, MoserVeselov, Order, SymmetricDrift, VeselovOrder, Weight};
 use spinning_bodies::integrators::Effort;
+use spinning_bodies::integrators::geometric::{
+    FreeSplitting, Integrator, MoserVeselov, Order, SymmetricDrift, VeselovOrder, Weight,
+};
 
 use super::common::{LEVER, MOMENTS, TOP, exact_drifts_of, free_methods, heavy_methods_of, start};
 
@@ -15,15 +17,35 @@ fn numbers_that_are_none() {
         for bad in [f64::NAN, f64::INFINITY] {
             let mut phase = start();
             phase.l[1] = bad;
-            assert!(method.follow(&phase, &[1.0], Effort::Step(0.1)).is_err(), "{}", method.name());
+            assert!(
+                method.follow(&phase, &[1.0], Effort::Step(0.1)).is_err(),
+                "{}",
+                method.name()
+            );
             let mut phase = start();
             phase.q[2] = bad;
-            assert!(method.follow(&phase, &[1.0], Effort::Step(0.1)).is_err(), "{}", method.name());
-            assert!(method.follow(&start(), &[bad], Effort::Step(0.1)).is_err(), "{}", method.name());
-            assert!(method.follow(&start(), &[1.0], Effort::Step(bad)).is_err(), "{}", method.name());
+            assert!(
+                method.follow(&phase, &[1.0], Effort::Step(0.1)).is_err(),
+                "{}",
+                method.name()
+            );
+            assert!(
+                method.follow(&start(), &[bad], Effort::Step(0.1)).is_err(),
+                "{}",
+                method.name()
+            );
+            assert!(
+                method.follow(&start(), &[1.0], Effort::Step(bad)).is_err(),
+                "{}",
+                method.name()
+            );
         }
         for bad in [0.0, -1.0] {
-            assert!(method.follow(&start(), &[1.0], Effort::Step(bad)).is_err(), "{}", method.name());
+            assert!(
+                method.follow(&start(), &[1.0], Effort::Step(bad)).is_err(),
+                "{}",
+                method.name()
+            );
         }
     }
 }
@@ -39,8 +61,14 @@ fn extremes_neither_hang_nor_panic() {
             phase.l = phase.l.map(|x| x * scale);
             // A number or an error; both are fine.
             if let Ok(course) = method.follow(&phase, &[1.0], Effort::Step(0.1)) {
-                let [end] = course.phases[..] else { panic!("one sample") };
-                assert!(end.l.iter().chain(&end.q).all(|x| x.is_finite()), "{} {scale:e}", method.name());
+                let [end] = course.phases[..] else {
+                    panic!("one sample")
+                };
+                assert!(
+                    end.l.iter().chain(&end.q).all(|x| x.is_finite()),
+                    "{} {scale:e}",
+                    method.name()
+                );
             }
         }
     }
@@ -71,12 +99,53 @@ fn a_tolerance_is_met_by_every_method() {
             if method.name() == "rk4" {
                 continue;
             }
-            let course = method.follow(&start(), &[-3.0, 10.0], Effort::Tolerance(tolerance)).unwrap();
+            let course = method
+                .follow(&start(), &[-3.0, 10.0], Effort::Tolerance(tolerance))
+                .unwrap();
             let exact = super::common::free(MOMENTS, &start(), 10.0);
             let [error, _] = super::common::distance(&course.phases[1], &exact);
             let steps = course.cost.steps as f64;
             // No more than every step's error added up, with a little for those that are worse than the first.
-            assert!(error < 3.0 * tolerance * steps + 1e-14, "{} {tolerance:e} {error:e}", method.name());
+            assert!(
+                error < 3.0 * tolerance * steps + 1e-14,
+                "{} {tolerance:e} {error:e}",
+                method.name()
+            );
         }
     }
+}
+
+/// The closed forms are asked like the methods, and a body without one is refused.
+#[test]
+fn closed_forms_follow() {
+    use spinning_bodies::integrators::geometric::{ClosedForm, Follow, HeavySplitting};
+    for (moments, lever) in [
+        (MOMENTS, [0.0; 3]),
+        (TOP, LEVER),
+        ([2.0, 2.0, 1.0], [1.5, 0.0, 0.0]),
+    ] {
+        let exact = ClosedForm::new(moments, lever).unwrap();
+        let weight = Weight::new(lever).unwrap();
+        let drift =
+            spinning_bodies::integrators::geometric::Rotations::new(moments, Order::Six).unwrap();
+        let method = HeavySplitting::new(drift, weight, Order::Six);
+        let times = [2.0, -1.5, 0.0];
+        let a = exact.follow(&start(), &times, Effort::Step(1.0)).unwrap();
+        let b = method
+            .follow(&start(), &times, Effort::Step(0.004))
+            .unwrap();
+        assert_eq!(a.cost.evaluations, 3);
+        for (a, b) in a.phases.iter().zip(&b.phases) {
+            let [angle, momentum] = super::common::distance(b, a);
+            // Observed: 2e-14.
+            assert!(
+                angle < 1e-13 && momentum < 1e-13,
+                "{moments:?} {angle:e} {momentum:e}"
+            );
+        }
+    }
+    assert!(matches!(
+        ClosedForm::new(MOMENTS, LEVER),
+        Err(Error::Condition { .. })
+    ));
 }

@@ -205,10 +205,8 @@ fn about_momentum<T: Real>(run: &mut Run<T>, moment: f64, h: T) {
     let square = dot(half, half);
     let (sine, versine) = square.turn_of_square();
     let [x, y, z] = half.map(|component| sine * component);
-    run.q.add_all(super::product(
-        run.q.values,
-        [-(square * versine), x, y, z],
-    ));
+    run.q
+        .add_all(super::product(run.q.values, [-(square * versine), x, y, z]));
 }
 
 fn about_any<T: Real>(run: &mut Run<T>, axis: usize, factor: T) {

@@ -61,19 +61,21 @@ macro_rules! series {
         let z = $z;
         let w = z * z;
         if z < SHORT as $real {
-            let sine = (-1.0 / 6.0 + z * (1.0 / 120.0)) + w * (-1.0 / 5040.0 + z * (1.0 / 362_880.0));
-            let versine = (-1.0 / 24.0 + z * (1.0 / 720.0)) + w * (-1.0 / 40_320.0 + z * (1.0 / 3_628_800.0));
+            let sine =
+                (-1.0 / 6.0 + z * (1.0 / 120.0)) + w * (-1.0 / 5040.0 + z * (1.0 / 362_880.0));
+            let versine =
+                (-1.0 / 24.0 + z * (1.0 / 720.0)) + w * (-1.0 / 40_320.0 + z * (1.0 / 3_628_800.0));
             (sine, versine)
         } else {
-            const S: [$real; 6] = [
+            const S: [f64; 6] = [
                 -1.666_666_666_666_663_2e-1,
-                8.333_333_333_322_489e-3,
+                8.333_333_333_322_49e-3,
                 -1.984_126_982_985_795e-4,
                 2.755_731_370_707_007e-6,
                 -2.505_076_025_340_686_3e-8,
                 1.589_690_995_211_55e-10,
             ];
-            const C: [$real; 6] = [
+            const C: [f64; 6] = [
                 -4.166_666_666_666_66e-2,
                 1.388_888_888_887_411e-3,
                 -2.480_158_728_947_673e-5,
@@ -81,8 +83,9 @@ macro_rules! series {
                 -2.087_572_321_298_175e-9,
                 1.135_964_755_778_819_5e-11,
             ];
-            let sine = (S[0] + z * S[1]) + w * ((S[2] + z * S[3]) + w * (S[4] + z * S[5]));
-            let versine = (C[0] + z * C[1]) + w * ((C[2] + z * C[3]) + w * (C[4] + z * C[5]));
+            let (s, c) = (S.map(|x| x as $real), C.map(|x| x as $real));
+            let sine = (s[0] + z * s[1]) + w * ((s[2] + z * s[3]) + w * (s[4] + z * s[5]));
+            let versine = (c[0] + z * c[1]) + w * ((c[2] + z * c[3]) + w * (c[4] + z * c[5]));
             (sine, versine)
         }
     }};
@@ -120,7 +123,10 @@ macro_rules! machine {
                     return (self.sin(), 2.0 * half * half);
                 }
                 let (sine, versine) = series!($real, square);
-                (self + self * (square * sine), square * (0.5 + square * versine))
+                (
+                    self + self * (square * sine),
+                    square * (0.5 + square * versine),
+                )
             }
 
             #[inline(always)]
@@ -331,7 +337,9 @@ mod tests {
             worst[2] = worst[2].max(ulps(s * x, exact[0], f64::EPSILON));
             worst[3] = worst[3].max(ulps(v * x * x, exact[1], f64::EPSILON));
             // The truth itself, by the platform.
-            assert!((exact[0] - x.sin()).abs() < 2e-16 && (exact[1] - (1.0 - x.cos())).abs() < 3e-16);
+            assert!(
+                (exact[0] - x.sin()).abs() < 2e-16 && (exact[1] - (1.0 - x.cos())).abs() < 3e-16
+            );
             x *= 1.003;
         }
         // Observed, in units 2⁻⁵²; the last two contain the rounding of x² and of the products that undo the division.

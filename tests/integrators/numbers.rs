@@ -21,9 +21,12 @@ fn rounding_falls_with_the_length_of_the_numbers() {
     let [f32_error, _] = distance(&run::<f32>(&method, t, steps), &exact);
     let [f64_error, _] = distance(&run::<f64>(&method, t, steps), &exact);
     let [dd_error, _] = distance(&run::<TwoWords>(&method, t, steps), &exact);
-    println!("{f32_error:e} {f64_error:e} {dd_error:e}");
-    assert!(f32_error > 1e-8 && f32_error < 2e-5);
-    assert!(f64_error < 1e-14 && dd_error < 2e-15);
+    // Observed: 3.8e-6; 2.5e-15; 6.6e-16, which is the rounding of the phase that is compared.
+    assert!(f32_error > 1e-7 && f32_error < 1e-5, "{f32_error:e}");
+    assert!(
+        f64_error < 5e-15 && dd_error < 1.3e-15,
+        "{f64_error:e} {dd_error:e}"
+    );
 }
 
 /// The truncation error is the same in doubles and in two words: the difference of the two is rounding, and tiny.

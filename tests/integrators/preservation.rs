@@ -109,8 +109,8 @@ fn is_symplectic(method: &dyn Follow) -> bool {
         }
     }
     println!("{:>24} symplectic form off by {worst:e}", method.name());
-    // Observed: at most 1e-10 where kept (differences of 1e-5), at least 3e-8 where not.
-    worst < 1e-9
+    // Observed: at most 2.2e-10 where kept (differences of 1e-5), at least 4e-8 where not.
+    worst < 2e-9
 }
 
 fn product(p: [f64; 4], q: [f64; 4]) -> [f64; 4] {

@@ -149,3 +149,34 @@ fn closed_forms_follow() {
         Err(Error::Condition { .. })
     ));
 }
+
+/// A quaternion is a direction: its length is nobody's torque.
+#[test]
+fn the_length_of_the_quaternion_does_not_matter() {
+    let mut methods = free_methods();
+    methods.extend(heavy_methods_of(TOP, LEVER));
+    for method in methods {
+        let mut long = start();
+        long.q = long.q.map(|x| 3.0 * x);
+        let of = |phase| {
+            method
+                .follow(phase, &[1.0], Effort::Step(0.1))
+                .unwrap()
+                .phases[0]
+        };
+        let [angle, momentum] = super::common::distance(&of(&long), &of(&start()));
+        // Observed: 6e-16.
+        assert!(
+            angle < 3e-15 && momentum < 3e-15,
+            "{} {angle:e}",
+            method.name()
+        );
+        let mut none = start();
+        none.q = [0.0; 4];
+        assert!(
+            method.follow(&none, &[1.0], Effort::Step(0.1)).is_err(),
+            "{}",
+            method.name()
+        );
+    }
+}

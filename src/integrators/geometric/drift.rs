@@ -1,8 +1,7 @@
 //! Free motion as one part of a heavy top's step.
 
-use super::coefficients::{S6, S10, STRANG, Splitting};
 use super::real::{Real, dot};
-use super::{Order, Run, checked_moments};
+use super::{FreeSplitting, Order, Run, checked_moments};
 use crate::error::{Error, Result, finite};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
@@ -123,12 +122,11 @@ impl Drift<f64> for UnequalDrift {
     }
 }
 
-/// The free motion by rotations: about L once, about the axes of the smallest and the largest moment in turn, as [`FreeSplitting`](super::FreeSplitting)
+/// The free motion by rotations: about L once, about the axes of the smallest and the largest moment in turn, as [`FreeSplitting`]
 /// does it in any of its orders. Four, fourteen or twenty-two sine pairs; for unequal moments that is a tenth of the cost of an exact drift.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rotations {
-    moments: [f64; 3],
-    axes: [usize; 3],
+    splitting: FreeSplitting,
     order: Order,
 }
 
@@ -138,27 +136,10 @@ impl Rotations {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::TriangleInequality`].
     pub fn new(moments: [f64; 3], order: Order) -> Result<Self> {
-        let moments = checked_moments(moments)?;
-        let mut axes = [0, 1, 2];
-        axes.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
         Ok(Self {
-            moments,
-            axes,
+            splitting: FreeSplitting::new(moments, order)?,
             order,
         })
-    }
-
-    fn run<T: Real, const N: usize>(&self, splitting: &Splitting<N>, run: &mut Run<T>, h: T) {
-        let [first, middle, third] = self.axes.map(|axis| self.moments[axis]);
-        let a = half_factor(middle, first, h);
-        let b = half_factor(middle, third, h);
-        about_momentum(run, middle, h);
-        about_any(run, self.axes[0], a * T::from_double(splitting.outer[0]));
-        for n in 0..N {
-            about_any(run, self.axes[2], b * T::from_double(splitting.inner[n]));
-            let next = splitting.outer[(n + 1) % N];
-            about_any(run, self.axes[0], a * T::from_double(next));
-        }
     }
 }
 
@@ -168,11 +149,7 @@ impl<T: Real> Drift<T> for Rotations {
     }
 
     fn drift(&self, run: &mut Run<T>, h: T) -> Result<()> {
-        match self.order {
-            Order::Two => self.run(&STRANG, run, h),
-            Order::Four => self.run(&S6, run, h),
-            Order::Six => self.run(&S10, run, h),
-        }
+        self.splitting.drift(run, h);
         Ok(())
     }
 
@@ -207,14 +184,6 @@ fn about_momentum<T: Real>(run: &mut Run<T>, moment: f64, h: T) {
     let [x, y, z] = half.map(|component| sine * component);
     run.q
         .add_all(super::product(run.q.values, [-(square * versine), x, y, z]));
-}
-
-fn about_any<T: Real>(run: &mut Run<T>, axis: usize, factor: T) {
-    match axis {
-        0 => about_axis::<T, 0>(run, factor),
-        1 => about_axis::<T, 1>(run, factor),
-        _ => about_axis::<T, 2>(run, factor),
-    }
 }
 
 /// A turn about an axis of the body by 2·`factor`·L along it.

@@ -1,6 +1,6 @@
 //! One way to ask every method, geometric or general, for a motion.
 
-use super::{Integrator, Phase, Torque, checked_moments};
+use super::{Integrator, Phase, Torque, checked_moments, unit};
 use crate::error::{Error, Result, finite, positive};
 use crate::euler_equations::quaternion_rate;
 use crate::frame::BodyVector;
@@ -198,7 +198,8 @@ impl<N: Torque<f64>> Follow for Unfitted<N> {
     }
 
     fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
-        let ([a, b, c], [w, x, y, z]) = (start.l, start.q);
+        start.check()?;
+        let ([a, b, c], [w, x, y, z]) = (start.l, unit(start.q));
         let packed = [a, b, c, w, x, y, z];
         let size = a.hypot(b).hypot(c).max(f64::MIN_POSITIVE);
         let scales = [size, size, size, 1.0, 1.0, 1.0, 1.0];

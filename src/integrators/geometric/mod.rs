@@ -61,7 +61,7 @@ use real::{Sums, product};
 pub struct Phase<T = f64> {
     /// L along the body's principal axes, kg m²/s.
     pub l: [T; 3],
-    /// The attitude's quaternion (w, x, y, z), body to space, of norm 1.
+    /// The attitude's quaternion (w, x, y, z), body to space; every method begins by giving it norm 1.
     pub q: [T; 4],
 }
 
@@ -177,7 +177,7 @@ impl<T: Real> Run<T> {
     fn new(phase: &Phase<T>) -> Self {
         Self {
             l: Sums::new(phase.l),
-            q: Sums::new(phase.q),
+            q: Sums::new(unit(phase.q)),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::coefficients::{S6, S10, STRANG, Splitting};
 use super::real::{Real, Sums, TwoWords, dot, product};
-use super::{Cost, Integrator, Order, Phase, checked_moments, checked_run, unit};
+use super::{Cost, Integrator, Order, Phase, Run, checked_moments, checked_run, unit};
 use crate::error::Result;
 
 /// A free body, its energy split as |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², I₁ ≤ I₂ ≤ I₃.
@@ -63,37 +63,46 @@ impl FreeSplitting {
         }
         let [i, j, k] = self.axes;
         let sign = T::from_double(self.handedness);
-        let [a, b] = self.halves::<T>(step);
-        let outer = splitting.outer.map(|c| T::from_double(c) * a);
-        let inner = splitting.inner.map(|c| T::from_double(c) * b);
-        // The last rotation of a step and the first of the next are one.
-        let joint = T::from_double(2.0) * outer[0];
+        let (one, zero) = (T::from_double(1.0), T::from_double(0.0));
         let start = [sign * phase.l[i], sign * phase.l[j], sign * phase.l[k]];
-        let one = T::from_double(1.0);
-        let zero = T::from_double(0.0);
         let mut run = Turning {
             l: Sums::new(start),
             q: Sums::new([one, zero, zero, zero]),
         };
-        run.about_first(outer[0]);
-        // One loop over all stages: its body stays small enough for every number to stay in a register.
-        let mut n = 0;
-        for left in (0..steps * N as u64).rev() {
-            run.about_third(inner[n]);
-            n = if n + 1 < N { n + 1 } else { 0 };
-            let last = if left == 0 { outer[0] } else { joint };
-            run.about_first(if n == 0 { last } else { outer[n] });
-        }
+        run.stages(splitting, self.halves(step), steps);
         // The part about L, of which the rider sees nothing: q exp(tL₀/2I₂) times what the others have made.
-        let about = about_momentum(phase.l, self.moments[j], step, steps);
-        let mut turned = [zero; 4];
-        turned[0] = run.q.values[0];
+        let [less, x, y, z] = about_momentum(phase.l, self.moments[j], step, steps);
+        let about = [one + less, x, y, z];
+        let mut turned = [run.q.values[0]; 4];
         for (n, axis) in [i, j, k].into_iter().enumerate() {
             turned[axis + 1] = sign * run.q.values[n + 1];
             phase.l[axis] = sign * run.l.values[n];
         }
         phase.q = unit(product(product(phase.q, about), turned));
         steps * N as u64
+    }
+
+    /// One step as a part of another method's.
+    #[inline(always)]
+    pub(super) fn drift<T: Real>(&self, run: &mut Run<T>, h: T) {
+        let [i, j, k] = self.axes;
+        let (one, sign) = (T::from_double(1.0), T::from_double(self.handedness));
+        let (vector, scalar_first) = ([sign; 3], [one, sign, sign, sign]);
+        let places = [0, i + 1, j + 1, k + 1];
+        let mut sorted = Turning {
+            l: run.l.arranged([i, j, k], vector),
+            q: run.q.arranged(places, scalar_first),
+        };
+        let about = about_momentum(sorted.l.values, self.moments[j], h, 1);
+        sorted.q.add_all(product(sorted.q.values, about));
+        let halves = self.halves(h);
+        match self.order {
+            Order::Two => sorted.stages(&STRANG, halves, 1),
+            Order::Four => sorted.stages(&S6, halves, 1),
+            Order::Six => sorted.stages(&S10, halves, 1),
+        }
+        run.l.arrange_back(&sorted.l, [i, j, k], vector);
+        run.q.arrange_back(&sorted.q, places, scalar_first);
     }
 
     /// Half angles per unit of L₁ and of L₃ in a whole step.
@@ -125,7 +134,7 @@ impl<T: Real> Integrator<T> for FreeSplitting {
     }
 }
 
-/// The quaternion of the turn about L by |L|t/I in the time t of all steps.
+/// The quaternion, less 1, of the turn about L by |L|t/I in the time t of all steps.
 ///
 /// A single word counts on for the angle that it holds to rounding, π/2; two words for any other, or 10⁷ steps would lose five digits here.
 fn about_momentum<T: Real>(l: [T; 3], moment: f64, step: T, steps: u64) -> [T; 4] {
@@ -137,7 +146,7 @@ fn about_momentum<T: Real>(l: [T; 3], moment: f64, step: T, steps: u64) -> [T; 4
     if square.to_double() < 0.6 {
         let (sine, versine) = square.turn_of_square();
         let [x, y, z] = half.map(|component| sine * component);
-        return [one - square * versine, x, y, z];
+        return [-(square * versine), x, y, z];
     }
     let exact = TwoWords::from_double(0.5 * steps as f64)
         * step.two_words()
@@ -145,7 +154,7 @@ fn about_momentum<T: Real>(l: [T; 3], moment: f64, step: T, steps: u64) -> [T; 4
     let exact = l.map(|x| x.two_words() * exact);
     let (sine, cosine) = T::long_turn(dot(exact, exact));
     let [x, y, z] = half.map(|component| sine * component);
-    [cosine, x, y, z]
+    [cosine - one, x, y, z]
 }
 
 /// L along the sorted axes and the turn so far.
@@ -155,6 +164,24 @@ struct Turning<T> {
 }
 
 impl<T: Real> Turning<T> {
+    /// So many steps of A B … A with these half angles per unit of L.
+    #[inline(always)]
+    fn stages<const N: usize>(&mut self, splitting: &Splitting<N>, [a, b]: [T; 2], steps: u64) {
+        let outer = splitting.outer.map(|c| T::from_double(c) * a);
+        let inner = splitting.inner.map(|c| T::from_double(c) * b);
+        // The last rotation of a step and the first of the next are one.
+        let joint = T::from_double(2.0) * outer[0];
+        self.about_first(outer[0]);
+        // One loop over all stages: its body stays small enough for every number to stay in a register.
+        let mut n = 0;
+        for left in (0..steps * N as u64).rev() {
+            self.about_third(inner[n]);
+            n = if n + 1 < N { n + 1 } else { 0 };
+            let last = if left == 0 { outer[0] } else { joint };
+            self.about_first(if n == 0 { last } else { outer[n] });
+        }
+    }
+
     /// The body turns by the angle 2·`half`·L₁ about the first axis.
     #[inline(always)]
     fn about_first(&mut self, half: T) {

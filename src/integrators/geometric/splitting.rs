@@ -158,6 +158,7 @@ fn about_momentum<T: Real>(l: [T; 3], moment: f64, step: T, steps: u64) -> [T; 4
 }
 
 /// L along the sorted axes and the turn so far.
+#[derive(Clone, Copy)]
 struct Turning<T> {
     l: Sums<T, 3>,
     q: Sums<T, 4>,
@@ -165,21 +166,24 @@ struct Turning<T> {
 
 impl<T: Real> Turning<T> {
     /// So many steps of A B … A with these half angles per unit of L.
-    #[inline(always)]
+    ///
+    /// A function of its own, and one loop over all stages: unrolled, its numbers no longer fit into registers, at twice the cost.
+    #[inline(never)]
     fn stages<const N: usize>(&mut self, splitting: &Splitting<N>, [a, b]: [T; 2], steps: u64) {
         let outer = splitting.outer.map(|c| T::from_double(c) * a);
         let inner = splitting.inner.map(|c| T::from_double(c) * b);
         // The last rotation of a step and the first of the next are one.
         let joint = T::from_double(2.0) * outer[0];
-        self.about_first(outer[0]);
-        // One loop over all stages: its body stays small enough for every number to stay in a register.
+        let mut run = *self;
+        run.about_first(outer[0]);
         let mut n = 0;
         for left in (0..steps * N as u64).rev() {
-            self.about_third(inner[n]);
+            run.about_third(inner[n]);
             n = if n + 1 < N { n + 1 } else { 0 };
             let last = if left == 0 { outer[0] } else { joint };
-            self.about_first(if n == 0 { last } else { outer[n] });
+            run.about_first(if n == 0 { last } else { outer[n] });
         }
+        *self = run;
     }
 
     /// The body turns by the angle 2·`half`·L₁ about the first axis.

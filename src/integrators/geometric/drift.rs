@@ -123,7 +123,7 @@ impl Drift<f64> for UnequalDrift {
 }
 
 /// The free motion by rotations: about L once, about the axes of the smallest and the largest moment in turn, as [`FreeSplitting`]
-/// does it in any of its orders. Four, fourteen or twenty-two sine pairs; for unequal moments that is a tenth of the cost of an exact drift.
+/// does it in any of its orders. Four, fourteen or twenty-two sine pairs; for unequal moments that is a tenth, a quarter or a third of the cost of an exact drift.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rotations {
     splitting: FreeSplitting,

@@ -167,7 +167,7 @@ struct Turning<T> {
 impl<T: Real> Turning<T> {
     /// So many steps of A B … A with these half angles per unit of L.
     ///
-    /// A function of its own, and one loop over all stages: unrolled, its numbers no longer fit into registers, at twice the cost.
+    /// One loop over all stages and a function of its own: every order and every caller share the small code.
     #[inline(never)]
     fn stages<const N: usize>(&mut self, splitting: &Splitting<N>, [a, b]: [T; 2], steps: u64) {
         let outer = splitting.outer.map(|c| T::from_double(c) * a);

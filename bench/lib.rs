@@ -7,4 +7,5 @@
 //! | `elliptic_accuracy` | errors of the elliptic integrals | ellip |
 //! | `euler_top` | one state of a free top | Runge–Kutta, power series; GSL and Boost.Math on request |
 //! | `lagrange_top` | one state of Lagrange's top | Runge–Kutta, DOP853, rapier3d |
+//! | `integrators` | one step of each geometric method, and 10⁷ of them | Runge–Kutta, DOP853 |
 //! | `kovalevskaya_top` | one state of Kovalevskaya's top | Runge–Kutta, DOP853 |

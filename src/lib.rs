@@ -22,7 +22,7 @@
 //! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
 //! | | [`scene`] | a body, how it is held, its effects; the plan that follows, the motion and its ledger |
-//! | | [`integrators`] | methods for equations without a closed form |
+//! | | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn |
 //! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
 //! | | [`error`] | the one error type |
 //!

@@ -2,9 +2,10 @@
 //!
 //! [`solve`] and [`until`]: Runge–Kutta methods of the crate `differential-equations`, for any system of first-order equations, with
 //! samples and events. [`refined`]: the same with a bound on the error of the whole run. One way to ask for accuracy ([`Effort`]),
-//! one report of cost ([`Cost`]).
+//! one report of cost ([`Cost`]). [`geometric`]: methods for a turning body alone, which keep what it keeps.
 
 mod general;
+pub mod geometric;
 mod refined;
 
 pub use general::{Cost, Effort, Event, Method, Passage, Solution, Stop, System, solve, until};

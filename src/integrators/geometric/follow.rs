@@ -1,0 +1,216 @@
+//! One way to ask every method, geometric or general, for a motion.
+
+use super::{Integrator, Phase, Torque, checked_moments, unit};
+use crate::error::{Error, Result, finite, positive};
+use crate::euler_equations::quaternion_rate;
+use crate::frame::BodyVector;
+use crate::integrators::{Cost, Effort, Method, System, solve};
+
+/// Phases at the times asked for, in their order, and what they have cost.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Course {
+    /// One a time.
+    pub phases: Vec<Phase>,
+    /// Sine pairs, torques or Newton's rounds, whichever the method lives by; and steps.
+    pub cost: Cost,
+}
+
+/// A method that can be asked for a motion by step or by tolerance.
+pub trait Follow {
+    /// Its name, as in the tables.
+    fn name(&self) -> String;
+
+    /// Its order, where it has one.
+    fn order(&self) -> Option<u32>;
+
+    /// Phases at `times` (s, either side of 0, in any order) of the motion that starts with `start` at time 0.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NotPositive`] for times and effort; [`Error::Integration`], [`Error::Accuracy`] where the method cannot.
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course>;
+}
+
+/// With [`Effort::Step`]: between two samples steps of one length, not above the one given. With [`Effort::Tolerance`]: the same, with the longest
+/// step whose error, by comparison of one with two halves for the first four, is below the tolerance times |L| and in radians.
+impl<I: Integrator<f64>> Follow for I {
+    fn name(&self) -> String {
+        Integrator::name(self)
+    }
+
+    fn order(&self) -> Option<u32> {
+        Some(Integrator::order(self))
+    }
+
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+        for &t in times {
+            finite("the time", t)?;
+        }
+        let mut cost = Cost::default();
+        let longest = times.iter().fold(0.0_f64, |a, &b| a.max(b.abs()));
+        let step = match effort {
+            Effort::Step(step) => positive("the step", step)?,
+            Effort::Tolerance(tolerance) => {
+                let tolerance = positive("the tolerance", tolerance)?;
+                longest_step(self, start, longest, tolerance, &mut cost)?
+            }
+        };
+        let mut order: Vec<usize> = (0..times.len()).collect();
+        order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
+        let first_after = order.partition_point(|&i| times[i] < 0.0);
+        let (before, after) = order.split_at(first_after);
+        let mut phases = vec![*start; times.len()];
+        let before: Vec<usize> = before.iter().rev().copied().collect();
+        for places in [before.as_slice(), after] {
+            let (mut phase, mut time) = (*start, 0.0);
+            for &place in places {
+                let leg = times[place] - time;
+                let count = (leg.abs() / step).ceil();
+                if count > MOST_STEPS {
+                    return Err(Error::Integration {
+                        reason: "more than 10^10 steps between two samples",
+                        time,
+                    });
+                }
+                if count > 0.0 {
+                    cost += self.advance(&mut phase, leg / count, count as u64)?;
+                }
+                time = times[place];
+                phases[place] = phase;
+            }
+        }
+        Ok(Course { phases, cost })
+    }
+}
+
+const MOST_STEPS: f64 = 1e10;
+
+/// The longest step with an error below the tolerance, from trials at the start.
+fn longest_step(
+    method: &(impl Integrator<f64> + ?Sized),
+    start: &Phase,
+    span: f64,
+    tolerance: f64,
+    cost: &mut Cost,
+) -> Result<f64> {
+    if span == 0.0 {
+        return Ok(1.0);
+    }
+    let size = start.l.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let order = f64::from(method.order());
+    let (mut step, mut error) = (span, f64::INFINITY);
+    for _ in 0..60 {
+        error = match trial(method, start, step, size, cost) {
+            Ok(error) => error,
+            // Too long for an implicit method to have a solution.
+            Err(Error::Integration { .. }) => f64::INFINITY,
+            Err(error) => return Err(error),
+        };
+        if error <= tolerance {
+            return Ok(step);
+        }
+        let shrink = 0.9 * (tolerance / error).powf(1.0 / (order + 1.0));
+        step *= shrink.clamp(0.1, 0.9);
+    }
+    Err(Error::Accuracy {
+        asked: tolerance,
+        reached: error,
+    })
+}
+
+/// By how much one step and two halves differ, at worst of a few steps in a row: a single one may be right by chance.
+fn trial(
+    method: &(impl Integrator<f64> + ?Sized),
+    start: &Phase,
+    step: f64,
+    size: f64,
+    cost: &mut Cost,
+) -> Result<f64> {
+    let unit = size.max(f64::MIN_POSITIVE);
+    let mut here = *start;
+    let mut worst = 0.0_f64;
+    for _ in 0..4 {
+        let mut whole = here;
+        *cost += method.advance(&mut whole, step, 1)?;
+        *cost += method.advance(&mut here, 0.5 * step, 2)?;
+        let l = (0..3).map(|k| ((whole.l[k] - here.l[k]) / unit).abs());
+        let q = (0..4).map(|k| 2.0 * (whole.q[k] - here.q[k]).abs());
+        worst = l.chain(q).fold(worst, f64::max);
+    }
+    Ok(worst)
+}
+
+/// A method of the crate `differential-equations` for the same phase: seven numbers, of which it knows nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unfitted<N> {
+    moments: [f64; 3],
+    torque: N,
+    method: Method,
+}
+
+impl<N> Unfitted<N> {
+    /// For the body with these moments under this torque.
+    ///
+    /// # Errors
+    /// Those of the moments.
+    pub fn new(moments: [f64; 3], torque: N, method: Method) -> Result<Self> {
+        Ok(Self {
+            moments: checked_moments(moments)?,
+            torque,
+            method,
+        })
+    }
+}
+
+impl<N: Torque<f64>> System<7> for Unfitted<N> {
+    /// L′ = L∧Ω + N and q′ = ½qΩ.
+    fn rate(&self, _: f64, y: &[f64; 7]) -> [f64; 7] {
+        let [a, b, c, w, x, y, z] = *y;
+        let phase = Phase {
+            l: [a, b, c],
+            q: [w, x, y, z],
+        };
+        let [i1, i2, i3] = self.moments;
+        let [o1, o2, o3] = [a / i1, b / i2, c / i3];
+        let [n1, n2, n3] = self.torque.torque(&phase);
+        let [qw, qx, qy, qz] = quaternion_rate(phase.q, BodyVector::new(o1, o2, o3));
+        [
+            (i2 - i3) * o2 * o3 + n1,
+            (i3 - i1) * o3 * o1 + n2,
+            (i1 - i2) * o1 * o2 + n3,
+            qw,
+            qx,
+            qy,
+            qz,
+        ]
+    }
+}
+
+impl<N: Torque<f64>> Follow for Unfitted<N> {
+    fn name(&self) -> String {
+        self.method.name().to_owned()
+    }
+
+    fn order(&self) -> Option<u32> {
+        match self.method {
+            Method::Rk4 => Some(4),
+            _ => None,
+        }
+    }
+
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+        start.check()?;
+        let ([a, b, c], [w, x, y, z]) = (start.l, unit(start.q));
+        let packed = [a, b, c, w, x, y, z];
+        let size = a.hypot(b).hypot(c).max(f64::MIN_POSITIVE);
+        let scales = [size, size, size, 1.0, 1.0, 1.0, 1.0];
+        let run = solve(self, 0.0, &packed, &scales, times, self.method, effort)?;
+        let phases = run.states.iter().map(|y| Phase {
+            l: [y[0], y[1], y[2]],
+            q: [y[3], y[4], y[5], y[6]],
+        });
+        Ok(Course {
+            phases: phases.collect(),
+            cost: run.cost,
+        })
+    }
+}

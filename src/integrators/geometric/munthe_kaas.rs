@@ -1,0 +1,121 @@
+//! Munthe-Kaas' Runge–Kutta method on the rotations.
+
+use super::real::{Real, cross, dot};
+use super::{Cost, Integrator, Phase, Run, Torque, checked_moments, checked_run, product};
+use crate::error::Result;
+
+/// The classical Runge–Kutta method for the rotation vector u since the start of the step and for L along the axes of that start, order 4.
+///
+/// u′ = Ω + ½u∧Ω + u∧(u∧Ω)/12 is Munthe-Kaas' equation as far as order 4 needs it (Numer. Math. 1998); then q exp(u). Kept without torque:
+/// |L| and L in space, to rounding; the norm of the attitude. The energy drifts like step⁵ a step: explicit and neither symmetric nor symplectic.
+/// Cost: four torques, four sine pairs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MuntheKaas<N> {
+    inverse: [f64; 3],
+    torque: N,
+}
+
+impl<N> MuntheKaas<N> {
+    /// For the body with these moments under this torque.
+    ///
+    /// # Errors
+    /// Those of the moments.
+    pub fn new(moments: [f64; 3], torque: N) -> Result<Self> {
+        Ok(Self {
+            inverse: checked_moments(moments)?.map(|moment| 1.0 / moment),
+            torque,
+        })
+    }
+
+    /// Rates of u and of L along the axes of the start, at u and that L.
+    #[inline(always)]
+    fn rates<T: Real>(&self, q: [T; 4], u: [T; 3], l: [T; 3]) -> ([T; 3], [T; 3])
+    where
+        N: Torque<T>,
+    {
+        let turn = exponential(u);
+        let seen = back(turn, l);
+        let here: [T; 3] = core::array::from_fn(|k| l[k] + seen[k]);
+        let omega = core::array::from_fn(|k| T::from_double(self.inverse[k]) * here[k]);
+        let first = cross(u, omega);
+        let second = cross(u, first);
+        let (half, twelfth) = (T::from_double(0.5), T::from_double(1.0 / 12.0));
+        let rate = core::array::from_fn(|k| omega[k] + half * first[k] + twelfth * second[k]);
+        if !N::ACTS {
+            return (rate, [T::from_double(0.0); 3]);
+        }
+        let change = product(q, turn);
+        let phase = Phase {
+            l: here,
+            q: core::array::from_fn(|k| q[k] + change[k]),
+        };
+        let torque = self.torque.torque(&phase);
+        let [w, x, y, z] = turn;
+        let forward = back([w, -x, -y, -z], torque);
+        (rate, core::array::from_fn(|k| torque[k] + forward[k]))
+    }
+}
+
+impl<T: Real, N: Torque<T>> Integrator<T> for MuntheKaas<N> {
+    fn name(&self) -> String {
+        "Munthe-Kaas 4".to_owned()
+    }
+
+    fn order(&self) -> u32 {
+        4
+    }
+
+    fn advance(&self, phase: &mut Phase<T>, step: T, steps: u64) -> Result<Cost> {
+        checked_run(phase, step)?;
+        let mut run = Run::new(phase);
+        let half = T::from_double(0.5) * step;
+        let sixth = step * T::from_double(6.0).reciprocal();
+        let two = T::from_double(2.0);
+        let moved = |l: [T; 3], h: T, rate: [T; 3]| core::array::from_fn(|k| l[k] + h * rate[k]);
+        let scaled = |h: T, rate: [T; 3]| rate.map(|component| h * component);
+        for _ in 0..steps {
+            let Phase { l, q } = run.phase();
+            let u1 = core::array::from_fn(|k| T::from_double(self.inverse[k]) * l[k]);
+            let n1 = self.torque.torque(&Phase { l, q });
+            let (u2, n2) = self.rates(q, scaled(half, u1), moved(l, half, n1));
+            let (u3, n3) = self.rates(q, scaled(half, u2), moved(l, half, n2));
+            let (u4, n4) = self.rates(q, scaled(step, u3), moved(l, step, n3));
+            let mean = |a: [T; 3], b: [T; 3], c: [T; 3], d: [T; 3]| -> [T; 3] {
+                core::array::from_fn(|k| sixth * (a[k] + two * (b[k] + c[k]) + d[k]))
+            };
+            let gained = mean(n1, n2, n3, n4);
+            let turn = exponential(mean(u1, u2, u3, u4));
+            let seen = back(turn, core::array::from_fn(|k| l[k] + gained[k]));
+            run.turn(turn, core::array::from_fn(|k| gained[k] + seen[k]));
+        }
+        run.settle(phase)?;
+        Ok(Cost {
+            evaluations: 4 * steps,
+            steps,
+        })
+    }
+}
+
+/// The quaternion of the rotation vector u, less 1.
+#[inline(always)]
+fn exponential<T: Real>(u: [T; 3]) -> [T; 4] {
+    let half = u.map(|component| T::from_double(0.5) * component);
+    let square = dot(half, half);
+    let (sine, versine) = square.turn_of_square();
+    [
+        -(square * versine),
+        sine * half[0],
+        sine * half[1],
+        sine * half[2],
+    ]
+}
+
+/// How a vector at rest changes for a rider who is turned by the rotation 1 + `turn`.
+#[inline(always)]
+fn back<T: Real>([w, x, y, z]: [T; 4], v: [T; 3]) -> [T; 3] {
+    let p = [x, y, z];
+    let first = cross(p, v);
+    let second = cross(p, first);
+    let (one, two) = (T::from_double(1.0), T::from_double(2.0));
+    core::array::from_fn(|k| two * (second[k] - (one + w) * first[k]))
+}

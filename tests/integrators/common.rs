@@ -1,0 +1,118 @@
+//! Bodies, methods, distances.
+
+use spinning_bodies::euler_top::EulerTop;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::integrators::geometric::{
+    Follow, FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Nothing, Order,
+    Phase, Rotations, SymmetricDrift, UnequalDrift, Unfitted, VeselovOrder, Weight,
+};
+use spinning_bodies::integrators::{Effort, Method};
+
+/// The asymmetric body of Hairer and Vilmart (2006), and the start there.
+pub const MOMENTS: [f64; 3] = [0.6, 0.8, 1.0];
+pub const L: [f64; 3] = [1.8, 0.4, -0.9];
+
+/// A symmetric top whose axis nods with loops, its lever along the axis.
+pub const TOP: [f64; 3] = [1.0, 1.0, 0.6];
+pub const LEVER: [f64; 3] = [0.0, 0.0, 1.5];
+
+pub fn vector([x, y, z]: [f64; 3]) -> BodyVector {
+    BodyVector::new(x, y, z)
+}
+
+/// Neither special nor upright.
+pub fn tilted() -> Attitude {
+    Attitude::from_quaternion(0.8, 0.4, -0.3, 0.2).unwrap()
+}
+
+pub fn start() -> Phase {
+    Phase::new(vector(L), &tilted())
+}
+
+pub fn free_methods() -> Vec<Box<dyn Follow>> {
+    free_methods_of(MOMENTS)
+}
+
+pub fn free_methods_of(moments: [f64; 3]) -> Vec<Box<dyn Follow>> {
+    let mut all: Vec<Box<dyn Follow>> = Vec::new();
+    for order in Order::ALL {
+        all.push(Box::new(FreeSplitting::new(moments, order).unwrap()));
+    }
+    for order in VeselovOrder::ALL {
+        all.push(Box::new(MoserVeselov::new(moments, order).unwrap()));
+    }
+    all.push(Box::new(GroupMidpoint::new(moments).unwrap()));
+    all.push(Box::new(MuntheKaas::new(moments, Nothing).unwrap()));
+    all.push(Box::new(
+        Unfitted::new(moments, Nothing, Method::Rk4).unwrap(),
+    ));
+    all
+}
+
+/// For the body with these moments and this lever, of which two moments are equal.
+pub fn heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
+    let weight = Weight::new(lever).unwrap();
+    let mut all: Vec<Box<dyn Follow>> = Vec::new();
+    for order in Order::ALL {
+        let drift = SymmetricDrift::new(moments).unwrap();
+        all.push(Box::new(HeavySplitting::new(drift, weight, order)));
+    }
+    all.extend(general_heavy_methods_of(moments, lever));
+    all
+}
+
+/// The same without the use of the equal moments.
+pub fn general_heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
+    let weight = Weight::new(lever).unwrap();
+    let midpoint = GroupMidpoint::new(moments).unwrap();
+    let rotations = Order::ALL.map(|order| {
+        let drift = Rotations::new(moments, order).unwrap();
+        Box::new(HeavySplitting::new(drift, weight, order)) as Box<dyn Follow>
+    });
+    let others: [Box<dyn Follow>; 3] = [
+        Box::new(HeavySplitting::new(midpoint, weight, Order::Two)),
+        Box::new(MuntheKaas::new(moments, weight).unwrap()),
+        Box::new(Unfitted::new(moments, weight, Method::Rk4).unwrap()),
+    ];
+    rotations.into_iter().chain(others).collect()
+}
+
+pub fn exact_drifts_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
+    let weight = Weight::new(lever).unwrap();
+    let drift = UnequalDrift::new(moments).unwrap();
+    let of = |order| Box::new(HeavySplitting::new(drift, weight, order)) as Box<dyn Follow>;
+    Order::ALL.into_iter().map(of).collect()
+}
+
+/// One sample after so many steps.
+pub fn after(method: &dyn Follow, phase: &Phase, t: f64, steps: u32) -> Phase {
+    let step = t.abs() / f64::from(steps) * (1.0 + 1e-12);
+    let course = method.follow(phase, &[t], Effort::Step(step));
+    course.unwrap().phases[0]
+}
+
+/// The free body's phase in closed form.
+pub fn free(moments: [f64; 3], phase: &Phase, t: f64) -> Phase {
+    let attitude = phase.attitude().unwrap();
+    let top = EulerTop::new(moments, phase.angular_momentum(), attitude).unwrap();
+    let state = top.at(t).unwrap();
+    Phase::new(state.angular_momentum, &state.attitude)
+}
+
+/// The angle between the attitudes, and |ΔL|/|L|.
+pub fn distance(a: &Phase, b: &Phase) -> [f64; 2] {
+    let angle = a.attitude().unwrap().angle_to(&b.attitude().unwrap());
+    let gap = (a.angular_momentum() - b.angular_momentum()).norm();
+    [angle, gap / b.angular_momentum().norm()]
+}
+
+/// The slope of ln error over ln step, by least squares.
+pub fn slope(points: &[(f64, f64)]) -> f64 {
+    let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
+    let count = logs.len() as f64;
+    let x = logs.iter().map(|p| p.0).sum::<f64>() / count;
+    let y = logs.iter().map(|p| p.1).sum::<f64>() / count;
+    let cross: f64 = logs.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    let square: f64 = logs.iter().map(|p| (p.0 - x).powi(2)).sum();
+    cross / square
+}

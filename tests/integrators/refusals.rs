@@ -1,0 +1,182 @@
+//! What cannot be followed is refused with a reason, and never with a panic.
+
+use spinning_bodies::Error;
+use spinning_bodies::integrators::Effort;
+use spinning_bodies::integrators::geometric::{
+    FreeSplitting, Integrator, MoserVeselov, Order, SymmetricDrift, VeselovOrder, Weight,
+};
+
+use super::common::{LEVER, MOMENTS, TOP, exact_drifts_of, free_methods, heavy_methods_of, start};
+
+#[test]
+fn numbers_that_are_none() {
+    let mut methods = free_methods();
+    methods.extend(heavy_methods_of(TOP, LEVER));
+    methods.extend(exact_drifts_of(MOMENTS, LEVER));
+    for method in methods {
+        for bad in [f64::NAN, f64::INFINITY] {
+            let mut phase = start();
+            phase.l[1] = bad;
+            assert!(
+                method.follow(&phase, &[1.0], Effort::Step(0.1)).is_err(),
+                "{}",
+                method.name()
+            );
+            let mut phase = start();
+            phase.q[2] = bad;
+            assert!(
+                method.follow(&phase, &[1.0], Effort::Step(0.1)).is_err(),
+                "{}",
+                method.name()
+            );
+            assert!(
+                method.follow(&start(), &[bad], Effort::Step(0.1)).is_err(),
+                "{}",
+                method.name()
+            );
+            assert!(
+                method.follow(&start(), &[1.0], Effort::Step(bad)).is_err(),
+                "{}",
+                method.name()
+            );
+        }
+        for bad in [0.0, -1.0] {
+            assert!(
+                method.follow(&start(), &[1.0], Effort::Step(bad)).is_err(),
+                "{}",
+                method.name()
+            );
+        }
+    }
+}
+
+#[test]
+fn extremes_neither_hang_nor_panic() {
+    let mut methods = free_methods();
+    methods.extend(heavy_methods_of(TOP, LEVER));
+    methods.extend(exact_drifts_of(MOMENTS, LEVER));
+    for method in methods {
+        for scale in [0.0, 1e-300, 1e-150, 1e150, 1e300] {
+            let mut phase = start();
+            phase.l = phase.l.map(|x| x * scale);
+            // A number or an error; both are fine.
+            if let Ok(course) = method.follow(&phase, &[1.0], Effort::Step(0.1)) {
+                let [end] = course.phases[..] else {
+                    panic!("one sample")
+                };
+                assert!(
+                    end.l.iter().chain(&end.q).all(|x| x.is_finite()),
+                    "{} {scale:e}",
+                    method.name()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_step_too_long_for_an_implicit_method_is_refused() {
+    let method = MoserVeselov::new(MOMENTS, VeselovOrder::Ten).unwrap();
+    let mut phase = start();
+    let run = method.advance(&mut phase, 50.0, 1);
+    assert!(matches!(run, Err(Error::Integration { .. })), "{run:?}");
+    assert!(matches!(
+        SymmetricDrift::new(MOMENTS),
+        Err(Error::Condition { .. })
+    ));
+    assert!(matches!(
+        FreeSplitting::new([1.0, 1.0, 3.0], Order::Two),
+        Err(Error::TriangleInequality { .. })
+    ));
+    assert!(Weight::new([0.0, f64::NAN, 0.0]).is_err());
+}
+
+/// The step is chosen so that one step's error is what was asked for; the run's follows.
+#[test]
+fn a_tolerance_is_met_by_every_method() {
+    for method in free_methods() {
+        for tolerance in [1e-4, 1e-7, 1e-10] {
+            if method.name() == "rk4" {
+                continue;
+            }
+            let course = method
+                .follow(&start(), &[-3.0, 10.0], Effort::Tolerance(tolerance))
+                .unwrap();
+            let exact = super::common::free(MOMENTS, &start(), 10.0);
+            let [error, _] = super::common::distance(&course.phases[1], &exact);
+            let steps = course.cost.steps as f64;
+            // No more than every step's error added up, with a little for those that are worse than the first.
+            assert!(
+                error < 3.0 * tolerance * steps + 1e-14,
+                "{} {tolerance:e} {error:e}",
+                method.name()
+            );
+        }
+    }
+}
+
+/// The closed forms are asked like the methods, and a body without one is refused.
+#[test]
+fn closed_forms_follow() {
+    use spinning_bodies::integrators::geometric::{ClosedForm, Follow, HeavySplitting};
+    for (moments, lever) in [
+        (MOMENTS, [0.0; 3]),
+        (TOP, LEVER),
+        ([2.0, 2.0, 1.0], [1.5, 0.0, 0.0]),
+    ] {
+        let exact = ClosedForm::new(moments, lever).unwrap();
+        let weight = Weight::new(lever).unwrap();
+        let drift =
+            spinning_bodies::integrators::geometric::Rotations::new(moments, Order::Six).unwrap();
+        let method = HeavySplitting::new(drift, weight, Order::Six);
+        let times = [2.0, -1.5, 0.0];
+        let a = exact.follow(&start(), &times, Effort::Step(1.0)).unwrap();
+        let b = method
+            .follow(&start(), &times, Effort::Step(0.004))
+            .unwrap();
+        assert_eq!(a.cost.evaluations, 3);
+        for (a, b) in a.phases.iter().zip(&b.phases) {
+            let [angle, momentum] = super::common::distance(b, a);
+            // Observed: 2e-14.
+            assert!(
+                angle < 1e-13 && momentum < 1e-13,
+                "{moments:?} {angle:e} {momentum:e}"
+            );
+        }
+    }
+    assert!(matches!(
+        ClosedForm::new(MOMENTS, LEVER),
+        Err(Error::Condition { .. })
+    ));
+}
+
+/// A quaternion is a direction: its length is nobody's torque.
+#[test]
+fn the_length_of_the_quaternion_does_not_matter() {
+    let mut methods = free_methods();
+    methods.extend(heavy_methods_of(TOP, LEVER));
+    for method in methods {
+        let mut long = start();
+        long.q = long.q.map(|x| 3.0 * x);
+        let of = |phase| {
+            method
+                .follow(phase, &[1.0], Effort::Step(0.1))
+                .unwrap()
+                .phases[0]
+        };
+        let [angle, momentum] = super::common::distance(&of(&long), &of(&start()));
+        // Observed: 6e-16.
+        assert!(
+            angle < 3e-15 && momentum < 3e-15,
+            "{} {angle:e}",
+            method.name()
+        );
+        let mut none = start();
+        none.q = [0.0; 4];
+        assert!(
+            method.follow(&none, &[1.0], Effort::Step(0.1)).is_err(),
+            "{}",
+            method.name()
+        );
+    }
+}

@@ -98,21 +98,32 @@ impl Table {
             columns: S::COLUMNS,
         }
     }
+
+    /// The numbers of these names, `t` being the time, in the order of the rows.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a name that is no column.
+    pub fn numbers<const N: usize>(&self, names: [&str; N]) -> Result<Vec<[f64; N]>> {
+        let mut places = [0; N];
+        for (place, name) in places.iter_mut().zip(names) {
+            let mut columns = core::iter::once("t").chain(self.columns.iter().copied());
+            *place = columns.position(|column| column == name).ok_or_else(|| {
+                let columns = self.columns.join(", ");
+                Error::Input(format!("no column {name}; there are t, {columns}"))
+            })?;
+        }
+        let rows = self.rows.iter();
+        Ok(rows
+            .map(|(t, row)| places.map(|place| if place == 0 { *t } else { row[place - 1] }))
+            .collect())
+    }
 }
 
 impl Ready {
     /// This scene of the library.
     pub fn scene<S: Tabulated + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
         Self(Box::new(move |request| {
-            let motion = scene.simulate(request)?;
-            let rows = motion.rows.iter().map(|(t, state)| (*t, state.row()));
-            Ok(Table {
-                rows: rows.collect(),
-                plan: motion.plan,
-                cost: motion.cost,
-                ledger: motion.ledger,
-                columns: S::COLUMNS,
-            })
+            scene.simulate(request).map(Table::of)
         }))
     }
 }
@@ -122,8 +133,8 @@ impl Ready {
 /// # Errors
 /// [`Error::Input`] for a file that is not a scene, and for a scene that is impossible; [`Error::Failed`] where the motion could not be
 /// followed; [`Error::File`].
-pub fn simulate(path: &Path) -> Result<(Table, f64)> {
-    let (name, text) = source(path)?;
+pub fn simulate(path: impl AsRef<Path>) -> Result<(Table, f64)> {
+    let (name, text) = source(path.as_ref())?;
     let (scene, request) = parse(&name, &text)?;
     let start = Instant::now();
     let table = scene.0(&request).map_err(|error| told(&name, error))?;

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use press::chapters::CHAPTERS;
 use press::scenes::{output, parse, scan, simulate};
 
 const RACKET: &str = "
@@ -33,6 +34,43 @@ fn every_scene_of_the_book_runs_and_its_ledger_balances() {
         count += 1;
     }
     assert!(count >= 4);
+}
+
+/// A chapter that is not the page on scenes runs it: its name stands in a Rust block that simulates a file.
+#[test]
+fn every_scene_of_the_book_is_run_by_a_chapter() {
+    let mut idle = Vec::new();
+    for entry in Path::new("scenes").read_dir().unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        let told = |block: &str| {
+            let whole = block.contains(&format!("\"scenes/{name}.toml\""));
+            whole || (block.contains("scenes/{") && block.contains(&format!("(\"{name}\"")))
+        };
+        let chapters = CHAPTERS.iter().filter(|chapter| chapter.name != "scenes");
+        let mut blocks =
+            chapters.flat_map(|chapter| chapter.source.split("```").skip(1).step_by(2));
+        if !blocks
+            .any(|block| block.starts_with("rust\n") && block.contains("simulate(") && told(block))
+        {
+            idle.push(name.to_owned());
+        }
+    }
+    assert!(idle.is_empty(), "no chapter runs {}", idle.join(", "));
+}
+
+#[test]
+fn the_columns_of_a_table_are_found_by_name() {
+    let (table, _) = simulate("scenes/racket.toml").unwrap();
+    let rows = table.numbers(["omega2", "t"]).unwrap();
+    for ([omega2, t], (time, row)) in rows.into_iter().zip(&table.rows) {
+        assert_eq!((t, omega2), (*time, row[5]));
+    }
+    let error = table.numbers(["omega4"]).unwrap_err().to_string();
+    assert!(
+        error.contains("omega4") && error.contains("omega3"),
+        "{error}"
+    );
 }
 
 #[test]

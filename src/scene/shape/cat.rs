@@ -349,7 +349,7 @@ impl<C: Bending, G: Falling> Cat<C, G> {
             method,
             accuracy,
         }
-        .follow(&system, distance)?;
+        .follow(&system, &distance)?;
         let mut states = Vec::with_capacity(stops.len());
         for (&t, y) in stops.iter().zip(&run.states) {
             let attitude = unit(y);

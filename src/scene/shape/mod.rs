@@ -153,7 +153,8 @@ fn with_corners(request: &Request, order: &[usize], corners: &[f64]) -> Vec<f64>
 }
 
 /// States at the stops by a general method, to an error below `accuracy` by `distance`: from corner to corner, since a step across one would
-/// be a bad one, and a path at rest between two looks like a path at rest for ever. Refined as [`refined`](crate::integrators::refined) is.
+/// be a bad one, and a path at rest between two looks like a path at rest for ever. Refined as [`refined`](crate::integrators::refined) is. System and distance come
+/// as trait objects, so that this is compiled once for each size of state and not for every list of effects.
 struct Pieced<'a, const N: usize> {
     start: [f64; N],
     scales: [f64; N],
@@ -166,8 +167,8 @@ struct Pieced<'a, const N: usize> {
 impl<const N: usize> Pieced<'_, N> {
     fn follow(
         &self,
-        system: &impl System<N>,
-        distance: impl Fn(&[f64; N], &[f64; N]) -> f64,
+        system: &dyn System<N>,
+        distance: &dyn Fn(&[f64; N], &[f64; N]) -> f64,
     ) -> Result<Solution<N>> {
         let mut tolerance = (0.01 * self.accuracy).clamp(LEAST_TOLERANCE, 1e-6);
         let mut last = self.run(system, tolerance)?;
@@ -191,7 +192,7 @@ impl<const N: usize> Pieced<'_, N> {
         }
     }
 
-    fn run(&self, system: &impl System<N>, tolerance: f64) -> Result<Solution<N>> {
+    fn run(&self, system: &dyn System<N>, tolerance: f64) -> Result<Solution<N>> {
         let mut solution = Solution {
             states: Vec::with_capacity(self.stops.len()),
             cost: Cost::default(),

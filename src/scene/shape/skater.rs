@@ -227,7 +227,7 @@ impl<C: Drawing, F: Bearing> Skater<C, F> {
             method,
             accuracy,
         }
-        .follow(&system, distance)?;
+        .follow(&system, &distance)?;
         let pairs = stops.iter().zip(&run.states);
         Ok((pairs.map(|(&t, &y)| self.state(t, y)).collect(), run.cost))
     }

@@ -297,7 +297,7 @@ impl<C: Twisting, F: Bearing> Swivel<C, F> {
             method,
             accuracy,
         }
-        .follow(&system, distance)?;
+        .follow(&system, &distance)?;
         let pairs = stops.iter().zip(&run.states);
         let states = pairs.map(|(&t, y)| self.state(t, y[0], y[1])).collect();
         Ok((states, run.cost))

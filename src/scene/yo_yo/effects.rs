@@ -3,6 +3,19 @@
 use crate::error::{Error, Result, not_negative, positive};
 use crate::scene::effect::{Absent, Effect};
 
+/// A yo-yo on its way through a turn: what the effects of the turn take and give.
+#[derive(Debug, Clone, Copy)]
+pub struct Passed {
+    /// Spin, rad/s.
+    pub omega: f64,
+    /// Energy of the whole, J.
+    pub energy: f64,
+    /// Lost in the turn, J.
+    pub heat: f64,
+    /// Done by the hand in the turn, J.
+    pub work: f64,
+}
+
 /// Weight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gravity {
@@ -98,44 +111,38 @@ impl Weight for Absent {
 /// What the slot of the turn's loss asks.
 pub trait TurnTerm: Effect {
     /// Takes spin and energy, and gives heat; `kinetic` tells the energy of a spin.
-    fn pass(&self, omega: &mut f64, energy: &mut f64, heat: &mut f64, kinetic: impl Fn(f64) -> f64);
+    fn pass(&self, passed: &mut Passed, kinetic: &dyn Fn(f64) -> f64);
 }
 
 impl TurnTerm for TurnLoss {
-    fn pass(
-        &self,
-        omega: &mut f64,
-        energy: &mut f64,
-        heat: &mut f64,
-        kinetic: impl Fn(f64) -> f64,
-    ) {
+    fn pass(&self, passed: &mut Passed, kinetic: &dyn Fn(f64) -> f64) {
         let e = self.restitution;
-        *heat = (1.0 - e) * (1.0 + e) * kinetic(*omega);
-        *energy -= *heat;
-        *omega *= e;
+        passed.heat = (1.0 - e) * (1.0 + e) * kinetic(passed.omega);
+        passed.energy -= passed.heat;
+        passed.omega *= e;
     }
 }
 
 impl TurnTerm for Absent {
-    fn pass(&self, _: &mut f64, _: &mut f64, _: &mut f64, _: impl Fn(f64) -> f64) {}
+    fn pass(&self, _: &mut Passed, _: &dyn Fn(f64) -> f64) {}
 }
 
 /// What the slot of the hand asks.
 pub trait HandTerm: Effect {
     /// Gives spin and energy; `inertia` is I + m r².
-    fn pass(&self, omega: &mut f64, energy: &mut f64, work: &mut f64, inertia: f64);
+    fn pass(&self, passed: &mut Passed, inertia: f64);
 }
 
 impl HandTerm for Hand {
-    fn pass(&self, omega: &mut f64, energy: &mut f64, work: &mut f64, inertia: f64) {
-        *work = self.work;
-        *energy += self.work;
-        *omega = (*omega * *omega + 2.0 * self.work / inertia).sqrt();
+    fn pass(&self, passed: &mut Passed, inertia: f64) {
+        passed.work = self.work;
+        passed.energy += self.work;
+        passed.omega = (passed.omega * passed.omega + 2.0 * self.work / inertia).sqrt();
     }
 }
 
 impl HandTerm for Absent {
-    fn pass(&self, _: &mut f64, _: &mut f64, _: &mut f64, _: f64) {}
+    fn pass(&self, _: &mut Passed, _: f64) {}
 }
 
 /// What the slot of the sleep asks.

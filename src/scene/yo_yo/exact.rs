@@ -1,6 +1,6 @@
 //! Closed forms from one event to the next.
 
-use super::{Bench, Departure, Ending, Engine, Leg, Sample, Stage};
+use super::engine::{Bench, Departure, Ending, Engine, Leg, Sample, Stage};
 use crate::error::Result;
 use crate::integrators::Cost;
 use crate::yo_yo::{Turn, TurnState, Unwinding, sleeping_spin};

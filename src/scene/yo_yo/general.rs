@@ -2,30 +2,23 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::effects::{AirTerm, AxleTerm, HandTerm, SleepTerm, TurnTerm, Weight};
+use super::YoYoState;
+use super::engine::{Bench, Departure, Ending, Engine, Leg, Sample, Setting, Stage};
 use super::exact::resting;
-use super::{Bench, Departure, Ending, Engine, Leg, Play, Sample, Stage, YoYoState};
 use crate::error::{Error, Result};
 use crate::integrators::{Cost, Effort, Method, Passage, Stop, until};
 use crate::yo_yo::YoYo;
 
 /// Integration of every phase with one tolerance.
-struct Stepping<W> {
+struct Stepping {
     bench: Bench,
-    air: W,
+    /// Resistance of the air, kg m².
+    air: f64,
     method: Method,
     tolerance: f64,
 }
 
-impl<G, T, H, S, X, W> Play<G, T, H, S, X, W>
-where
-    G: Weight,
-    T: TurnTerm,
-    H: HandTerm,
-    S: SleepTerm,
-    X: AxleTerm,
-    W: AirTerm,
-{
+impl Setting<'_> {
     /// The states at `times` by a general method: with tolerances that fall until two runs agree to the accuracy.
     pub(super) fn refined(
         &self,
@@ -36,7 +29,7 @@ where
         let run = |tolerance: f64| {
             let engine = Stepping {
                 bench: self.bench(),
-                air: self.air_drag,
+                air: self.effects.air().unwrap_or(0.0),
                 method,
                 tolerance,
             };
@@ -77,7 +70,7 @@ where
 
 const LEAST_TOLERANCE: f64 = 1e-15;
 
-impl<W: AirTerm> Stepping<W> {
+impl Stepping {
     fn follow<const N: usize>(
         &self,
         rate: impl Fn(f64, &[f64; N]) -> [f64; N],
@@ -128,7 +121,7 @@ impl<W: AirTerm> Stepping<W> {
         let r = square.sqrt();
         let inertia = toy.inertia() + toy.mass() * square;
         let drive = toy.mass() * r * (g + 0.5 * toy.thinning() * omega * omega);
-        let drag = self.air.coefficient() * omega * omega.abs();
+        let drag = self.air * omega * omega.abs();
         [
             sign * r * omega,
             (sign * drive - drag) / inertia,
@@ -137,11 +130,11 @@ impl<W: AirTerm> Stepping<W> {
     }
 }
 
-impl<W: AirTerm> Engine for Stepping<W> {
+impl Engine for Stepping {
     fn leg(&self, departure: &Departure, times: &[f64]) -> Result<Leg> {
         let toy = self.bench.toy;
         let (g, m, l, r) = (self.bench.gravity, toy.mass(), toy.length(), toy.axle());
-        let air = self.air.coefficient();
+        let air = self.air;
         let Departure {
             stage,
             energy,

@@ -165,8 +165,14 @@ pub fn back_bend() -> Result<Figure> {
                     small(Role::Ink),
                 );
             } else {
+                // Under the level line where the curve ends on it.
+                let below = if (y - place(0.0, 180.0)[1]).abs() < 12.0 {
+                    20.0
+                } else {
+                    5.0
+                };
                 pen.text(
-                    [x + 7.0, y + 5.0],
+                    [x + 7.0, y + below],
                     Anchor::Start,
                     &format!("{name}°"),
                     small(Role::Ink),

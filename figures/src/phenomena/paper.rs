@@ -105,7 +105,7 @@ pub fn paper_cat() -> Result<Figure> {
                 label(Role::Ink),
             );
         }
-        pen.text([120.0, 124.0], Anchor::Start, "weight", small(Role::Ink));
+        pen.text([510.0, 178.0], Anchor::Start, "weight", small(Role::Ink));
         let push = turned([0.0, -44.0], [108.0, 132.0], tilts[0]);
         pen.text(
             [push[0] - 10.0, push[1] + 40.0],

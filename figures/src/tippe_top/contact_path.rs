@@ -40,13 +40,16 @@ pub fn contact_path() -> Result<Figure> {
         claim: "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned(),
         details: format!(
             "A ball of $R = 2$ cm, $\\alpha = {}$, $\\mu = \\frac13$, spun about the vertical at {} rad/s: the place that touches the table, seen from \
-             the ball, during {} s. The ball turns about the vertical meanwhile, so the path goes round only {} times while the tilt grows to {}°; {} of the samples are in the air.",
+             the ball, during {} s. The ball turns about the vertical meanwhile, so the path goes round only {} times while the tilt grows to {}°{}.",
             number(ALPHA, 2),
             number(SPIN, 0),
             number(END, 1),
             number(turns, 1),
             number(last.tilt().to_degrees(), 0),
-            aloft,
+            match aloft {
+                0 => ", and it never leaves the table".to_owned(),
+                _ => format!("; at {aloft} of the samples it is in the air"),
+            },
         ),
         alt: "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, climbs over the equator on the far side, and ends near the north pole in front."
             .to_owned(),

@@ -59,11 +59,14 @@ fn one(pen: &mut Pen<'_>, k: Point, tilt: f64, torque: SpaceVector) {
     // The clay: a lump on the inside of the rim, on the side of C.
     let down = core::f64::consts::FRAC_PI_2 - tilt + core::f64::consts::PI;
     let mut lump = crate::style::arc(k, RADIUS - 1.0, down - 0.34, down + 0.34);
-    lump.extend([
-        polar(k, 0.83 * RADIUS, down + 0.2),
-        polar(k, 0.79 * RADIUS, down),
-        polar(k, 0.83 * RADIUS, down - 0.2),
-    ]);
+    lump.extend((-20..=20).rev().map(|step| {
+        let part = f64::from(step) / 20.0;
+        polar(
+            k,
+            (1.0 - 0.21 * (1.0 - part * part)) * RADIUS - 1.0,
+            down + 0.34 * part,
+        )
+    }));
     pen.fill(&lump, Role::Ink, 0.6);
     pen.line(
         &[along(-RADIUS), along(1.22 * RADIUS)],

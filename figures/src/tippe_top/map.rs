@@ -95,7 +95,8 @@ fn target(pen: &mut Pen<'_>, center: Point, rings: &[Vec<bool>], name: &str, rol
                 pen.ring(at, 5.0, stroke(Role::Ink, AXIS));
             }
         }
-        if k == 0 || k == 2 || k == 5 {
+        // The innermost ring has no room for a name.
+        if k == 2 || k == 5 {
             let [x, y] = polar(center, reach(k), 1.18);
             pen.text(
                 [x, y - 1.0],

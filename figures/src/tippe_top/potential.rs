@@ -64,7 +64,7 @@ pub fn effective_potential() -> Result<Figure> {
                 (0.5, "0.5"),
             ],
         );
-        frame.names(pen, "tilt *θ*", "(*V* − *V*(0))/*MgR*");
+        frame.names(pen, "tilt *θ*", "(*V* − *V* (0))/*MgR*");
         for spin in SPINS {
             let jellett = lambda(spin);
             let height = |tilt: f64| {

@@ -69,7 +69,7 @@ pub fn string() -> Result<Figure> {
         }
     }
     let words = Words {
-        claim: "On the way down and on the way up the string pulls a little less than the weight; in the turn, for fifteen milliseconds, as hard as twenty yo-yos."
+        claim: "On the way down and on the way up the string pulls a little less than the weight; in the turn, for fifteen milliseconds, as hard as fifteen yo-yos."
             .to_owned(),
         details: format!(
             "A yo-yo of 55 g and radius 29 mm on a metre of string round an axle of 5 mm, let go. Pull while it winds: ${} mg$. First turn: {} ms, mean \

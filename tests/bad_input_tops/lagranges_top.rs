@@ -1,0 +1,288 @@
+//! Lagrange's top.
+
+use super::*;
+
+#[test]
+fn pivot_at_the_centre_of_mass_is_a_free_top() -> Result<()> {
+    let (omega, tilted) = (
+        vector([0.7, -0.4, 3.0]),
+        Attitude::from_quaternion(0.9, 0.3, 0.2, 0.1)?,
+    );
+    let free = EulerTop::from_omega([1.0, 1.0, 0.5], omega, tilted)?;
+    for weightless in [0.0, -0.0] {
+        let top = LagrangeTop::new(1.0, 0.5, weightless, omega, tilted)?;
+        assert_eq!(top.roots().h3, f64::INFINITY);
+        for t in [-3.0, 0.0, 0.5, 20.0] {
+            let (mine, theirs) = (top.at(t)?, free.at(t)?);
+            assert!(mine.attitude.angle_to(&theirs.attitude) < 3e-15);
+            assert!((mine.omega - theirs.omega).norm() < 6e-15);
+        }
+    }
+    let (kind, states) = lagrange(0.0, [0.0, 0.0, 3.0], tilted)?;
+    assert_eq!(kind, Nutation::Spinning);
+    assert!(
+        states
+            .iter()
+            .all(|s| s.omega == BodyVector::new(0.0, 0.0, 3.0))
+    );
+    Ok(())
+}
+
+#[test]
+fn gravity_upwards_is_the_same_top_upside_down() -> Result<()> {
+    for omega in [ZERO, [0.0, 0.0, 3.0]] {
+        assert_eq!(lagrange(-1.0, omega, upright())?.0, Nutation::Hanging);
+        let stable = omega == [0.0, 0.0, 5.0];
+        assert_eq!(
+            lagrange(-1.0, omega, hanging())?.0,
+            Nutation::Sleeping { stable }
+        );
+    }
+    // h goes where −h would.
+    let [down, up] = [1.0, -1.0].map(|weight| {
+        LagrangeTop::new(1.0, 0.5, weight, vector([0.4, 0.0, 0.0]), level()).expect("a top")
+    });
+    for t in [0.0, 0.7, 30.0] {
+        assert!((down.at(t)?.height + up.at(-t)?.height).abs() < 1e-15);
+    }
+    Ok(())
+}
+
+#[test]
+fn tilt_of_exactly_nothing_or_a_half_turn() -> Result<()> {
+    for (attitude, height) in [(upright(), 1.0), (hanging(), -1.0)] {
+        for spin in [0.0, 1.0, -7.0] {
+            let (kind, states) = lagrange(1.0, [0.0, 0.0, spin], attitude)?;
+            let expected = match height {
+                1.0 => Nutation::Sleeping {
+                    stable: spin == -7.0,
+                },
+                _ => Nutation::Hanging,
+            };
+            assert_eq!(kind, expected, "at rest or spinning, the axis stays");
+            assert!(
+                states
+                    .iter()
+                    .all(|s| (s.height, s.omega.z()) == (height, spin))
+            );
+        }
+        // Kicked, it leaves the pole and comes back to it.
+        for spin in [0.0, 1.0, -7.0] {
+            let omega = vector([0.3, 0.0, spin]);
+            let top = LagrangeTop::new(1.0, 0.5, 1.0, omega, attitude)?;
+            assert_eq!(top.at(0.0)?.height, height);
+            let away = top.at(0.5 * top.period())?;
+            let back = top.at(top.period())?;
+            // Without spin the upright one falls through the bottom; the other swings.
+            assert!(
+                (away.height - height).abs() > 1e-3,
+                "{height} {spin}: {away:?}"
+            );
+            assert!((back.height - height).abs() < 1e-15);
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn spin_exactly_at_the_threshold_sleeps() -> Result<()> {
+    let threshold = sleeping_threshold(1.0, 0.5, 1.0)?;
+    assert_eq!(threshold, 4.0);
+    for (spin, stable) in [
+        (threshold, true),
+        (-threshold, true),
+        (threshold.next_down(), false),
+    ] {
+        let (kind, _) = lagrange(1.0, [0.0, 0.0, spin], upright())?;
+        assert_eq!(kind, Nutation::Sleeping { stable });
+    }
+    Ok(())
+}
+
+#[test]
+fn at_rest_it_falls_unless_upright_or_hanging() -> Result<()> {
+    let tilted = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0)?;
+    for omega in [ZERO, [-0.0; 3]] {
+        assert_eq!(
+            lagrange(1.0, omega, upright())?.0,
+            Nutation::Sleeping { stable: false }
+        );
+        assert_eq!(lagrange(1.0, omega, hanging())?.0, Nutation::Hanging);
+        for attitude in [tilted, level()] {
+            let (kind, [first, later]) = lagrange(1.0, omega, attitude)?;
+            assert_eq!(kind, Nutation::PlanePendulum);
+            assert!(first.omega.norm() < 1e-15);
+            assert!(later.omega.norm() > 0.1);
+        }
+        // Weightless and at rest, it stays as it is.
+        let (kind, [first, later]) = lagrange(0.0, omega, tilted)?;
+        assert_eq!((kind, first), (Nutation::Spinning, later));
+    }
+    Ok(())
+}
+
+#[test]
+fn a_negative_zero_is_a_zero() -> Result<()> {
+    let turn = |x: f64| Attitude::from_quaternion(2.0, 1.0, x, x).expect("a quaternion");
+    for omega in [[0.0, 0.0, 3.0], [0.5, 0.0, 0.0], [0.0, 0.7, 0.0]] {
+        let signed = omega.map(|x: f64| if x == 0.0 { -0.0 } else { x });
+        for weight in [1.0, -1.0, 0.0] {
+            let plain = LagrangeTop::new(1.0, 0.5, weight, vector(omega), turn(0.0))?;
+            let other = LagrangeTop::new(1.0, 0.5, weight, vector(signed), turn(-0.0))?;
+            assert_eq!(plain.kind(), other.kind());
+            for t in [0.0, -0.0, 7.0] {
+                assert_eq!(plain.at(t)?, other.at(t)?);
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn what_is_no_body_is_named() {
+    let refused = |body: [f64; 3], omega: [f64; 3]| {
+        LagrangeTop::new(body[0], body[1], body[2], vector(omega), level()).expect_err("refused")
+    };
+    assert!(matches!(
+        refused([0.0, 0.0, 1.0], [1.0; 3]),
+        Error::NotPositive { .. }
+    ));
+    assert!(matches!(
+        refused([-1.0, 0.5, 1.0], [1.0; 3]),
+        Error::NotPositive { .. }
+    ));
+    assert!(matches!(
+        refused([1.0, -0.5, 1.0], [1.0; 3]),
+        Error::Negative { .. }
+    ));
+    assert!(matches!(
+        refused([1.0, 2.1, 1.0], [1.0; 3]),
+        Error::TriangleInequality { .. }
+    ));
+    for bad in BAD {
+        for k in 0..3 {
+            let (mut body, mut omega) = ([1.0, 0.5, 1.0], [1.0; 3]);
+            body[k] = bad;
+            assert!(matches!(refused(body, omega), Error::NotFinite { .. }));
+            omega[k] = bad;
+            assert!(matches!(
+                refused([1.0, 0.5, 1.0], omega),
+                Error::NotFinite { .. }
+            ));
+        }
+        assert!(matches!(
+            Attitude::from_quaternion(bad, 1.0, 0.0, 0.0),
+            Err(Error::NotFinite { .. })
+        ));
+    }
+    assert!(matches!(
+        refused([1.0, 0.5, 1.0], [0.0, 1.7e308, 0.0]),
+        Error::OutOfRange { .. }
+    ));
+}
+
+#[test]
+fn a_needle_is_a_pendulum_whatever_its_spin() -> Result<()> {
+    // I₃ = 0: L₃ = 0, and Ω₃ stays what it was.
+    let needle = LagrangeTop::new(1.0, 0.0, 1.0, vector([0.3, 0.4, 50.0]), level())?;
+    let pendulum = LagrangeTop::new(1.0, 0.0, 1.0, vector([0.3, 0.4, 0.0]), level())?;
+    assert_eq!(needle.kind(), Nutation::SphericalPendulum);
+    for t in [0.0, 1.0, 30.0] {
+        let (spinning, still) = (needle.at(t)?, pendulum.at(t)?);
+        assert!((spinning.height - still.height).abs() < 2e-15);
+        assert_eq!(spinning.omega.z(), 50.0);
+    }
+    Ok(())
+}
+
+#[test]
+fn huge_and_tiny() -> Result<()> {
+    let tilted = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0)?;
+    for size in [1e300, 1e-300, f64::MIN_POSITIVE, 5e-324] {
+        // The unit of mass is nothing to the motion as long as the numbers have their digits.
+        let top = LagrangeTop::new(size, 0.5 * size, size, vector([0.0, 0.0, 3.0]), tilted)?;
+        if size >= 1e-300 {
+            let unit = LagrangeTop::new(1.0, 0.5, 1.0, vector([0.0, 0.0, 3.0]), tilted)?;
+            assert!(top.at(5.0)?.attitude.angle_to(&unit.at(5.0)?.attitude) < 2e-15);
+        }
+        assert!(top.at(5.0)?.omega.is_finite());
+        for omega in [[size, 0.0, 0.0], [0.0, size, size], [0.3, size, 0.4]] {
+            let top = LagrangeTop::new(1.0, 0.5, 1.0, vector(omega), tilted)?;
+            let state = top.at(1.0 / size.max(1.0))?;
+            assert!(state.omega.is_finite() && state.height.abs() <= 1.0);
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn gravity_that_is_next_to_nothing() -> Result<()> {
+    // Mgl/I₁ underflows, and so the third root is beyond the doubles.
+    let omega = vector([0.0, -0.65, 0.5]);
+    let top = LagrangeTop::new(3.0, 0.0, 5e-324, omega, upright())?;
+    assert_eq!(top.roots().h3, f64::INFINITY);
+    assert!(top.at(3.0)?.omega.is_finite());
+    Ok(())
+}
+
+#[test]
+fn a_time_no_digit_can_tell_is_refused() -> Result<()> {
+    let top = LagrangeTop::new(1.0, 0.5, 1.0, vector([0.4, 0.1, 3.0]), level())?;
+    for t in [1e18, -1e18, f64::MAX] {
+        assert!(matches!(
+            top.at(t),
+            Err(Error::OutOfRange {
+                quantity: "the time",
+                ..
+            })
+        ));
+    }
+    for t in BAD {
+        assert!(matches!(top.at(t), Err(Error::NotFinite { .. })));
+    }
+    assert!(top.at(1e15)?.height.abs() <= 1.0);
+    assert!(top.at(5e-324)?.height.abs() < 3e-16);
+    Ok(())
+}
+
+#[test]
+fn special_motions_name_what_they_refuse() {
+    for bad in BAD {
+        for k in 0..4 {
+            let mut x = [1.0, 1.0, 3.0, 0.5];
+            x[k] = bad;
+            assert!(matches!(
+                pure_precession(x[0], x[1], x[2], x[3]),
+                Err(Error::NotFinite { .. })
+            ));
+            assert!(fast_spin(x[0], x[1], x[2], x[3]).is_err());
+            assert!(dip(x[0], x[1], x[2], x[3]).is_err());
+            assert!(tilt_after_kick(x[0], x[1], x[2], x[3]).is_err());
+        }
+        assert!(sleeping_threshold(1.0, bad, 1.0).is_err());
+        assert!(pendulum_between(bad, 1.0, 1.0).is_err() && apsides(0.1, bad).is_err());
+    }
+    assert!(matches!(
+        pure_precession(1.0, 1.0, 3.0, 1.1),
+        Err(Error::OutOfRange { .. })
+    ));
+    assert!(matches!(
+        fast_spin(1.0, 1.0, 0.0, 0.5),
+        Err(Error::Condition { .. })
+    ));
+    assert!(matches!(
+        dip(1.0, 0.0, 1.0, 0.5),
+        Err(Error::NotPositive { .. })
+    ));
+    for tilt in [0.0, std::f64::consts::PI, -0.5] {
+        assert!(dip(1.0, 1.0, 1.0, tilt).is_err(), "let go at {tilt}");
+    }
+    assert!(
+        apsides(0.0, 0.1).is_err(),
+        "a plane pendulum has no ellipse"
+    );
+    assert!(apsides(0.2, 0.1).is_err() && apsides(1.0, 3.0).is_err());
+    assert_eq!(sleeping_threshold(1.0, 0.5, 0.0), Ok(0.0));
+    assert_eq!(pure_precession(1.0, 0.0, 0.0, 0.0), Ok(PurePrecession::Any));
+    assert_eq!(tilt_after_kick(1.0, 1.0, 1.0, 0.0), Ok(0.0));
+}

@@ -1,0 +1,102 @@
+//! The skater, and a top of three different moments.
+
+use std::f64::consts::TAU;
+
+use approx::assert_relative_eq;
+use spinning_bodies::conservation::{Law, Ledger};
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::inertia::InertiaMatrix;
+use spinning_bodies::integrators::Method;
+use spinning_bodies::phenomena::quadrature;
+use spinning_bodies::phenomena::skater::Skater;
+use spinning_bodies::scene::{Request, Scene, shape};
+
+// claim: C1.1-10
+#[test]
+fn s1_1_the_skater_and_the_work_of_the_arms() {
+    let body = Skater::new(1.0, 0.25).unwrap();
+    let scene = shape::Skater::new(body, 1.0, 6.0)
+        .unwrap()
+        .with_change(shape::Draw {
+            to: 0.4,
+            begin: 0.5,
+            duration: 1.0,
+            pace: shape::Pace::Late,
+        });
+    let scene = scene.unwrap();
+    let request = Request::at([0.9, 1.2, 2.0])
+        .unwrap()
+        .to_accuracy(1e-12)
+        .unwrap();
+    let exact = scene.simulate(&request).unwrap();
+    let end = exact.rows[2].1;
+    assert_relative_eq!(end.spin, 25.0 / 3.0, max_relative = 3e-16, epsilon = 0.0);
+    assert_relative_eq!(end.work, 10.5, max_relative = 5e-16, epsilon = 0.0);
+    // Coriolis' force and the pull against the centrifugal force, integrated.
+    let method = spinning_bodies::scene::Choice::Use(spinning_bodies::scene::Solver::General(
+        Method::Dop853,
+    ));
+    let followed = scene.simulate(&request.by(method)).unwrap();
+    for ((_, a), (_, b)) in exact.rows.iter().zip(&followed.rows) {
+        // Observed: 2e-14.
+        assert_relative_eq!(a.spin, b.spin, max_relative = 1e-12, epsilon = 0.0);
+        assert_relative_eq!(a.work, b.work, max_relative = 1e-12, epsilon = 0.0);
+        assert_relative_eq!(b.work, b.energy - 27.0, max_relative = 1e-12, epsilon = 0.0);
+    }
+    // The arms alone: ∫ 2mΩ²r dr.
+    let l = 9.0;
+    let pull = |r: f64| -2.0 * 0.25 * body.spin(l, r).powi(2) * r;
+    let work = quadrature::integral(pull, 1.0, 0.4, 0.0).unwrap();
+    assert_relative_eq!(work, 10.5, max_relative = 1e-14, epsilon = 0.0);
+
+    // A grown skater: 3.5 to 1 kg m², from two turns a second.
+    let body = Skater::new(0.8, 2.5).unwrap();
+    let [out, close] = [3.5, 1.0].map(|moment| body.reach(moment).unwrap());
+    let l = 3.5 * 2.0 * TAU;
+    assert_relative_eq!(
+        body.spin(l, close) / TAU,
+        7.0,
+        max_relative = 5e-16,
+        epsilon = 0.0
+    );
+    let before = body.energy(body.spin(l, out), out, 0.0);
+    let after = body.energy(body.spin(l, close), close, 0.0);
+    assert!(
+        (before - 276.3).abs() < 0.05 && (after - 967.2).abs() < 0.05,
+        "{before} {after}"
+    );
+    assert_relative_eq!(
+        after - before,
+        body.work(l, out, close).unwrap(),
+        max_relative = 1e-15,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(after / before, 3.5, max_relative = 1e-15, epsilon = 0.0);
+}
+
+// claim: C1.4-1
+#[test]
+fn s1_4_a_top_need_not_be_symmetric() {
+    // Three different moments, and a free motion that keeps them apart.
+    let matrix = InertiaMatrix::diagonal(1.0, 2.0, 3.0).unwrap();
+    let axes = matrix.principal_axes().moments();
+    assert_eq!(axes, [1.0, 2.0, 3.0]);
+    let top = spinning_bodies::euler_top::EulerTop::from_omega(
+        [1.0, 2.0, 3.0],
+        BodyVector::new(0.4, 0.3, 1.0),
+        Attitude::identity(),
+    )
+    .unwrap();
+    let mut ledger = Ledger::new();
+    let energy = |omega: BodyVector| matrix.rotational_energy(omega);
+    let start = top.at(0.0).unwrap().omega;
+    let account = ledger
+        .open("energy", Law::Conserved, energy(start))
+        .unwrap();
+    for k in 1..20 {
+        ledger
+            .record(account, energy(top.at(f64::from(k)).unwrap().omega))
+            .unwrap();
+    }
+    assert!(ledger.is_kept_within(1e-14).unwrap(), "{ledger}");
+}

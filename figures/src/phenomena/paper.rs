@@ -202,12 +202,17 @@ pub fn paper_cat_fall() -> Result<Figure> {
             label(Role::Ink),
         );
         pen.line(&points, stroke(Role::Omega, DATA));
-        for (degrees, fall) in marks.into_iter().zip(falls) {
+        for (k, (degrees, fall)) in marks.into_iter().zip(falls).enumerate() {
             let at = place(degrees, fall);
             pen.disc(at, 4.0, Role::Omega, 1.0);
+            // Above and below the curve in turn: the marks are close together.
+            let (aside, anchor) = match k % 2 {
+                0 => ([-4.0, -12.0], Anchor::End),
+                _ => ([6.0, 22.0], Anchor::Start),
+            };
             pen.text(
-                [at[0] - 4.0, at[1] - 12.0],
-                Anchor::End,
+                [at[0] + aside[0], at[1] + aside[1]],
+                anchor,
                 &number(fall, 3),
                 small(Role::Ink),
             );

@@ -92,7 +92,7 @@ impl Strip {
     /// A strip on which nothing acts.
     ///
     /// # Errors
-    /// [`Error::NotFinite`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
     pub fn new(plate: Plate, start: StripStart) -> Result<Self> {
         for component in [start.velocity[0], start.velocity[1]] {
             finite("the velocity at the start", component)?;
@@ -149,7 +149,7 @@ impl<G: Copy, L: Copy, D: Copy, R: Copy, A: Copy> Strip<G, L, D, R, A> {
     /// Adds weight.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] for what should brake and would drive.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) for what should brake and would drive.
     pub fn with_gravity(self, effect: Gravity) -> Result<Strip<Gravity, L, D, R, A>> {
         finite("gravity", effect.acceleration)?;
         let equations = Equations {
@@ -167,7 +167,7 @@ impl<G: Copy, L: Copy, D: Copy, R: Copy, A: Copy> Strip<G, L, D, R, A> {
     /// Adds lift.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] for what should brake and would drive.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) for what should brake and would drive.
     pub fn with_lift(self, effect: Lift) -> Result<Strip<G, Lift, D, R, A>> {
         finite("the lift of the angle of attack", effect.translational)?;
         finite("the lift of the rotation", effect.rotational)?;
@@ -186,7 +186,7 @@ impl<G: Copy, L: Copy, D: Copy, R: Copy, A: Copy> Strip<G, L, D, R, A> {
     /// Adds drag.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] for what should brake and would drive.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) for what should brake and would drive.
     pub fn with_drag(self, effect: Drag) -> Result<Strip<G, L, Drag, R, A>> {
         finite("the contrast of the drag", effect.contrast)?;
         braking(
@@ -208,7 +208,7 @@ impl<G: Copy, L: Copy, D: Copy, R: Copy, A: Copy> Strip<G, L, D, R, A> {
     /// Adds resistance to rotation.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] for what should brake and would drive.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) for what should brake and would drive.
     pub fn with_rotational_damping(
         self,
         effect: RotationalDamping,
@@ -230,7 +230,7 @@ impl<G: Copy, L: Copy, D: Copy, R: Copy, A: Copy> Strip<G, L, D, R, A> {
     /// Adds the mass of the fluid that is taken along.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] for what should brake and would drive.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) for what should brake and would drive.
     pub fn with_added_mass(self, effect: AddedMass) -> Result<Strip<G, L, D, R, AddedMass>> {
         braking("the added mass", effect.factor)?;
         let equations = Equations {

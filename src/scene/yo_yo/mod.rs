@@ -113,7 +113,7 @@ impl Play {
     /// This yo-yo, thrown from the hand with this speed (m/s; 0: let go).
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative).
     pub fn new(toy: YoYo, throw: f64) -> Result<Self> {
         Ok(Self {
             toy,

@@ -1,0 +1,166 @@
+//! Places of many arguments, one a lane, in pieces without a branch: the compiler lays the lanes out side by side.
+//!
+//! What [`Modulus::place`] and [`Modulus::triple`] do for one argument, from coefficients that may differ from lane to lane.
+
+use super::crest::{Crest, Hyperbolic, hyperbolic_at};
+use super::jacobi::{Circular, QUARTER_PARTS, circular_at, in_quadrant};
+use super::kernel::{self, ROUNDER};
+use super::modulus::Modulus;
+use super::series::Corrections;
+use crate::double_double::DoubleDouble;
+
+/// The greatest count, of quarter periods and of right angles, whose products with the short words are exact.
+pub(crate) use super::modulus::EXACT_COUNT;
+
+/// Four polynomials: the denominator and the corrections of sn, cn and dn.
+pub(crate) type Polynomials = [[f64; 4]; 4];
+
+/// What a modulus gives to a lane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Coefficients {
+    /// 1/K.
+    pub(crate) inverse: f64,
+    /// K in three words, of which the first two are short.
+    pub(crate) parts: [f64; 3],
+    /// π/(2K), or π/(2K′), in two words.
+    pub(crate) pace: [f64; 2],
+    /// Next to an even multiple of K; on the circular side everywhere.
+    pub(crate) even: Polynomials,
+    /// Next to an odd one.
+    pub(crate) odd: Polynomials,
+    /// 2q′^{1/4}.
+    pub(crate) root: f64,
+    /// √mc.
+    pub(crate) complementary_modulus: f64,
+}
+
+impl Modulus {
+    /// What a lane needs.
+    pub(crate) fn coefficients(&self) -> Coefficients {
+        let list = |set: &Corrections| [set.denominator, set.sn, set.cn, set.dn];
+        Coefficients {
+            inverse: self.reduction.inverse,
+            parts: self.reduction.parts,
+            pace: [self.rate.high(), self.rate.low()],
+            even: list(&self.series.even),
+            odd: list(&self.series.odd),
+            root: self.series.root,
+            complementary_modulus: self.series.complementary_modulus,
+        }
+    }
+}
+
+fn corrections([denominator, sn, cn, dn]: Polynomials) -> Corrections {
+    Corrections {
+        denominator,
+        sn,
+        cn,
+        dn,
+    }
+}
+
+/// An argument as a number of units and what is left of it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Rest {
+    pub(crate) count: f64,
+    /// The count, in the lowest bits.
+    pub(crate) bits: u64,
+    pub(crate) high: f64,
+    pub(crate) low: f64,
+}
+
+/// `high + low` less the nearest multiple of a unit in three words, at most [`EXACT_COUNT`] of them.
+#[inline(always)]
+pub(crate) fn reduced([high, low]: [f64; 2], inverse: f64, parts: [f64; 3]) -> Rest {
+    let rounded = high * inverse + ROUNDER;
+    let count = rounded - ROUNDER;
+    // The first difference is exact: its terms are within a factor of two, or the count is zero.
+    let first = high - count * parts[0];
+    let rest = DoubleDouble::difference(first, count * parts[1]);
+    let low = rest.low() + (low - count * parts[2]);
+    // In order, unless what is left is so small that it does not matter.
+    let (high, low) = kernel::ordered_sum(rest.high(), low);
+    Rest {
+        count,
+        bits: rounded.to_bits(),
+        high,
+        low,
+    }
+}
+
+/// Times a factor of two words, rounded: half an ulp of an angle, which is less than one.
+#[inline(always)]
+pub(crate) fn scaled(rest: &Rest, [high, low]: [f64; 2]) -> [f64; 2] {
+    [rest.high * high, rest.high * low + rest.low * high]
+}
+
+/// Sine and cosine of an angle of two words, at most [`EXACT_COUNT`] right angles.
+#[inline(always)]
+pub(crate) fn sine_cosine(angle: [f64; 2]) -> (f64, f64) {
+    let rest = reduced(angle, core::f64::consts::FRAC_2_PI, QUARTER_PARTS);
+    let (sine, cosine) = kernel::sine_cosine(rest.high, rest.low);
+    in_quadrant(rest.bits, sine, cosine)
+}
+
+/// After as many right angles as the lowest bits say.
+#[inline(always)]
+pub(crate) fn turned(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
+    in_quadrant(bits, sine, cosine)
+}
+
+/// sin and cos of z = πu/(2K), the quarters included, and sn, cn, dn.
+#[inline(always)]
+pub(crate) fn circular(
+    polynomials: Polynomials,
+    bits: u64,
+    [high, low]: [f64; 2],
+) -> ([f64; 2], [f64; 3]) {
+    let (sine, cosine) = kernel::sine_cosine(high, low);
+    let (sine, cosine) = in_quadrant(bits, sine, cosine);
+    let Circular { sn, cn, dn, .. } = circular_at(&corrections(polynomials), sine, cosine);
+    ([sine, cosine], [sn, cn, dn])
+}
+
+/// Ones if the number of quarter periods is odd.
+#[inline(always)]
+pub(crate) fn odd_mask(bits: u64) -> u64 {
+    (bits & 1).wrapping_neg()
+}
+
+/// `odd` where the bits of the mask are ones, `even` elsewhere.
+#[inline(always)]
+pub(crate) fn either(mask: u64, odd: f64, even: f64) -> f64 {
+    kernel::select(mask, odd, even)
+}
+
+/// The same for the coefficients of a polynomial.
+#[inline(always)]
+pub(crate) fn either_polynomial(mask: u64, odd: [f64; 4], even: [f64; 4]) -> [f64; 4] {
+    [
+        either(mask, odd[0], even[0]),
+        either(mask, odd[1], even[1]),
+        either(mask, odd[2], even[2]),
+        either(mask, odd[3], even[3]),
+    ]
+}
+
+/// The hyperbolic functions of what is left of an argument, and sn, cn, dn.
+#[inline(always)]
+pub(crate) fn hyperbolic(
+    [odd, even]: [Polynomials; 2],
+    [root, complementary_modulus]: [f64; 2],
+    bits: u64,
+    [high, low]: [f64; 2],
+) -> (Crest, [f64; 3]) {
+    let mask = odd_mask(bits);
+    let set = [
+        either_polynomial(mask, odd[0], even[0]),
+        either_polynomial(mask, odd[1], even[1]),
+        either_polynomial(mask, odd[2], even[2]),
+        either_polynomial(mask, odd[3], even[3]),
+    ];
+    let crest = Crest::new(root, high, low);
+    let Hyperbolic { sn, cn, dn } =
+        hyperbolic_at(complementary_modulus, &corrections(set), bits, &crest);
+    (crest, [sn, cn, dn])
+}

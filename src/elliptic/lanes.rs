@@ -108,17 +108,18 @@ pub(crate) fn turned(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
     in_quadrant(bits, sine, cosine)
 }
 
-/// sin and cos of z = πu/(2K), the quarters included, and sn, cn, dn.
+/// sin and cos of z = πu/(2K), the quarters included.
 #[inline(always)]
-pub(crate) fn circular(
-    polynomials: Polynomials,
-    bits: u64,
-    [high, low]: [f64; 2],
-) -> ([f64; 2], [f64; 3]) {
+pub(crate) fn place(bits: u64, [high, low]: [f64; 2]) -> (f64, f64) {
     let (sine, cosine) = kernel::sine_cosine(high, low);
-    let (sine, cosine) = in_quadrant(bits, sine, cosine);
+    in_quadrant(bits, sine, cosine)
+}
+
+/// sn, cn and dn there.
+#[inline(always)]
+pub(crate) fn circular(polynomials: Polynomials, sine: f64, cosine: f64) -> [f64; 3] {
     let Circular { sn, cn, dn, .. } = circular_at(&corrections(polynomials), sine, cosine);
-    ([sine, cosine], [sn, cn, dn])
+    [sn, cn, dn]
 }
 
 /// Ones if the number of quarter periods is odd.

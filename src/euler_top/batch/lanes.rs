@@ -261,71 +261,135 @@ impl<const W: usize> Hyperbolic<[f64; W]> {
     }
 }
 
+/// What one pass hands to the next. Short passes over all lanes, rather than one long pass: of a long one the processor sees too
+/// little ahead to work on the next lanes while it waits.
+struct Work<const W: usize> {
+    /// Quarter periods, in the lowest bits.
+    bits: [u64; W],
+    quarters: [f64; W],
+    /// π/(2K) or π/(2K′) times what is left of u.
+    angle: [[f64; W]; 2],
+    half: [[f64; W]; 2],
+    /// Sine and cosine of the angle or of half of ψ.
+    sine: [f64; W],
+    cosine: [f64; W],
+    /// sn, cn, dn.
+    functions: [[f64; W]; 3],
+    /// Real and imaginary part of Z.
+    z: [[f64; W]; 2],
+}
+
+impl<const W: usize> Work<W> {
+    #[inline(always)]
+    fn new() -> Self {
+        Self {
+            bits: [0; W],
+            quarters: [0.0; W],
+            angle: [[0.0; W]; 2],
+            half: [[0.0; W]; 2],
+            sine: [0.0; W],
+            cosine: [0.0; W],
+            functions: [[0.0; W]; 3],
+            z: [[0.0; W]; 2],
+        }
+    }
+}
+
 impl<C: Constant> Phases<C> {
     /// What is left of u after the nearest multiple of K, and half of νt − quarters · lag.
     #[inline(always)]
-    fn at(&self, i: usize, time: Time) -> (lanes::Rest, [f64; 2]) {
-        let [start, start_low] = all(&self.start, i);
-        let [high, low] = self.rate.times(i, time);
-        let u = DoubleDouble::sum(high, start);
-        let rest = lanes::reduced(
-            [u.high(), u.low() + (low + start_low)],
-            self.inverse.lane(i),
-            all(&self.parts, i),
-        );
-        let [high, low] = self.half_turning.times(i, time);
-        let [first, second, third] = all(&self.half_lag, i);
-        let once = DoubleDouble::difference(high, rest.count * first);
-        let twice = DoubleDouble::difference(once.high(), rest.count * second);
-        let low = (low - rest.count * third) + (once.low() + twice.low());
-        (rest, [twice.high(), low])
+    fn run<const W: usize>(&self, times: &[f64; W], work: &mut Work<W>) {
+        for i in 0..W {
+            let [start, start_low] = all(&self.start, i);
+            let [high, low] = self.rate.times(i, Time::new(times[i]));
+            let u = DoubleDouble::sum(high, start);
+            let rest = lanes::reduced(
+                [u.high(), u.low() + (low + start_low)],
+                self.inverse.lane(i),
+                all(&self.parts, i),
+            );
+            let [high, low] = lanes::scaled(&rest, all(&self.pace, i));
+            work.angle[0][i] = high;
+            work.angle[1][i] = low;
+            work.bits[i] = rest.bits;
+            work.quarters[i] = rest.count;
+        }
+        for i in 0..W {
+            let count = work.quarters[i];
+            let [high, low] = self.half_turning.times(i, Time::new(times[i]));
+            let [first, second, third] = all(&self.half_lag, i);
+            let once = DoubleDouble::difference(high, count * first);
+            let twice = DoubleDouble::difference(once.high(), count * second);
+            work.half[0][i] = twice.high();
+            work.half[1][i] = (low - count * third) + (once.low() + twice.low());
+        }
     }
 }
 
 impl<C: Constant> Amplitudes<C> {
     /// L, Ω and the attitude from sn, cn, dn, Z and the half angle that is left.
     #[inline(always)]
-    fn at<const W: usize>(
-        &self,
-        i: usize,
-        quarters: u64,
-        [sn, cn, dn]: [f64; 3],
-        [real, imaginary]: [f64; 2],
-        half: [f64; 2],
-        rows: &mut Rows<W>,
-    ) {
-        let functions = [cn, sn, dn];
-        for k in 0..3 {
-            rows.l[k][i] = self.l[k].lane(i) * functions[k];
-            rows.omega[k][i] = self.omega[k].lane(i) * functions[k];
+    fn run<const W: usize>(&self, work: &mut Work<W>, rows: &mut Rows<W>) {
+        for i in 0..W {
+            let (sine, cosine) = lanes::sine_cosine([work.half[0][i], work.half[1][i]]);
+            (work.sine[i], work.cosine[i]) = (sine, cosine);
         }
-        let [d1, d2, d3] = all(&self.direction, i);
-        let (n1, n2, w) = (d1 * cn, d2 * sn, 1.0 + d3 * dn);
-        // Z over P₁ cn + i P₂ sn, the quarter periods taken off both: an angle of at most a right one, and half of it.
-        let across = self.aspect.lane(i) * cn;
-        let (aside, along) = lanes::turned(
-            quarters,
-            imaginary * across - real * sn,
-            real * across + imaginary * sn,
-        );
-        let x = (along * along + aside * aside).sqrt() + along;
-        let (sine, cosine) = lanes::sine_cosine(half);
-        let (cosine, sine) = (cosine * x - sine * aside, sine * x + cosine * aside);
-        // (cos + k sin) (w + n₂ i − n₁ j), and its length.
-        let size = (cosine * cosine + sine * sine) * (w * w + (n1 * n1 + n2 * n2));
-        let scale = 1.0 / size.sqrt();
-        let (cosine, sine) = (cosine * scale, sine * scale);
-        let q = [
-            cosine * w,
-            cosine * n2 + sine * n1,
-            sine * n2 - cosine * n1,
-            sine * w,
-        ];
-        for k in 0..4 {
-            let row = all(&self.base[k], i);
-            rows.attitude[k][i] = (row[0] * q[0] + row[1] * q[1]) + (row[2] * q[2] + row[3] * q[3]);
+        for i in 0..W {
+            let [sn, cn, _] = row(&work.functions, i);
+            let [real, imaginary] = row(&work.z, i);
+            // Z over P₁ cn + i P₂ sn, the quarter periods taken off both: an angle of at most a right one, and half of it.
+            let across = self.aspect.lane(i) * cn;
+            let (aside, along) = lanes::turned(
+                work.bits[i],
+                imaginary * across - real * sn,
+                real * across + imaginary * sn,
+            );
+            let x = (along * along + aside * aside).sqrt() + along;
+            let (sine, cosine) = (work.sine[i], work.cosine[i]);
+            work.cosine[i] = cosine * x - sine * aside;
+            work.sine[i] = sine * x + cosine * aside;
+        }
+        for i in 0..W {
+            let [sn, cn, dn] = row(&work.functions, i);
+            let (sine, cosine) = (work.sine[i], work.cosine[i]);
+            let [d1, d2, d3] = all(&self.direction, i);
+            let (n1, n2, w) = (d1 * cn, d2 * sn, 1.0 + d3 * dn);
+            // (cos + k sin) (w + n₂ i − n₁ j), and its length.
+            let size = (cosine * cosine + sine * sine) * (w * w + (n1 * n1 + n2 * n2));
+            let scale = 1.0 / size.sqrt();
+            let (cosine, sine) = (cosine * scale, sine * scale);
+            let q = [
+                cosine * w,
+                cosine * n2 + sine * n1,
+                sine * n2 - cosine * n1,
+                sine * w,
+            ];
+            for k in 0..4 {
+                rows.attitude[k][i] = q[k];
+            }
+        }
+        for i in 0..W {
+            let q = row(&rows.attitude, i);
+            for k in 0..4 {
+                let base = all(&self.base[k], i);
+                rows.attitude[k][i] =
+                    (base[0] * q[0] + base[1] * q[1]) + (base[2] * q[2] + base[3] * q[3]);
+            }
+        }
+        for i in 0..W {
+            let [sn, cn, dn] = row(&work.functions, i);
+            let functions = [cn, sn, dn];
+            for k in 0..3 {
+                rows.l[k][i] = self.l[k].lane(i) * functions[k];
+                rows.omega[k][i] = self.omega[k].lane(i) * functions[k];
+            }
         }
     }
+}
+
+#[inline(always)]
+fn row<const N: usize, const W: usize>(rows: &[[f64; W]; N], i: usize) -> [f64; N] {
+    core::array::from_fn(|k| rows[k][i])
 }
 
 /// A kind of motion that goes over a row of times.
@@ -343,6 +407,8 @@ impl<C: Constant> Motion for Steady<C> {
                 rows.attitude[k][i] =
                     cosine * self.unturned[k].lane(i) + sine * self.turned[k].lane(i);
             }
+        }
+        for i in 0..W {
             for k in 0..3 {
                 rows.l[k][i] = self.l[k].lane(i);
                 rows.omega[k][i] = self.omega[k].lane(i);
@@ -354,35 +420,49 @@ impl<C: Constant> Motion for Steady<C> {
 impl<C: Constant> Motion for Circular<C> {
     #[inline(never)]
     fn at<const W: usize>(&self, times: &[f64; W], rows: &mut Rows<W>) {
+        let mut work = Work::new();
+        self.phases.run(times, &mut work);
         for i in 0..W {
-            let (rest, half) = self.phases.at(i, Time::new(times[i]));
-            let angle = lanes::scaled(&rest, all(&self.phases.pace, i));
-            let ([sine, cosine], functions) =
-                lanes::circular(four(&self.corrections, i), rest.bits, angle);
+            let (sine, cosine) = lanes::place(work.bits[i], row(&work.angle, i));
+            (work.sine[i], work.cosine[i]) = (sine, cosine);
+        }
+        for i in 0..W {
+            let (sine, cosine) = (work.sine[i], work.cosine[i]);
+            let [sn, cn, dn] = lanes::circular(four(&self.corrections, i), sine, cosine);
+            work.functions[0][i] = sn;
+            work.functions[1][i] = cn;
+            work.functions[2][i] = dn;
+        }
+        for i in 0..W {
+            let (sine, cosine) = (work.sine[i], work.cosine[i]);
             let s2 = sine * sine;
             let [a, b, c, d] = all(&self.real, i);
-            let real = a + s2 * (b + s2 * (c + s2 * d));
+            work.z[0][i] = a + s2 * (b + s2 * (c + s2 * d));
             let [a, b, c] = all(&self.imaginary, i);
-            let imaginary = sine * cosine * (a + s2 * (b + s2 * c));
-            self.amplitudes
-                .at(i, rest.bits, functions, [real, imaginary], half, rows);
+            work.z[1][i] = sine * cosine * (a + s2 * (b + s2 * c));
         }
+        self.amplitudes.run(&mut work, rows);
     }
 }
 
 impl<C: Constant> Motion for Hyperbolic<C> {
     #[inline(never)]
     fn at<const W: usize>(&self, times: &[f64; W], rows: &mut Rows<W>) {
+        let mut work = Work::new();
+        self.phases.run(times, &mut work);
         for i in 0..W {
-            let (rest, half) = self.phases.at(i, Time::new(times[i]));
-            let angle = lanes::scaled(&rest, all(&self.phases.pace, i));
+            let bits = work.bits[i];
             let sets: [Polynomials; 2] = [four(&self.odd, i), four(&self.even, i)];
             let roots = all(&self.roots, i);
-            let (crest, functions) = lanes::hyperbolic(sets, roots, rest.bits, angle);
-            let theta = four(&self.theta, i);
-            let z = crest_theta(&crest, roots[0], theta, rest.bits);
-            self.amplitudes.at(i, rest.bits, functions, z, half, rows);
+            let (crest, [sn, cn, dn]) = lanes::hyperbolic(sets, roots, bits, row(&work.angle, i));
+            work.functions[0][i] = sn;
+            work.functions[1][i] = cn;
+            work.functions[2][i] = dn;
+            let [real, imaginary] = crest_theta(&crest, roots[0], four(&self.theta, i), bits);
+            work.z[0][i] = real;
+            work.z[1][i] = imaginary;
         }
+        self.amplitudes.run(&mut work, rows);
     }
 }
 

@@ -18,21 +18,23 @@ const TIMES: usize = 32;
 const BODIES: usize = 16;
 
 impl<const W: usize> Rows<W> {
+    /// Hands out the states of the lanes one by one, along the body's own axes.
     #[inline(always)]
-    fn state(&self, i: usize, axis: [usize; 3]) -> State {
-        let along = |rows: &[[f64; W]; 3]| {
-            let mut components = [0.0; 3];
-            for k in 0..3 {
-                components[axis[k]] = rows[k][i];
-            }
-            let [x, y, z] = components;
-            BodyVector::new(x, y, z)
-        };
+    fn each(&self, axis: [usize; 3], mut give: impl FnMut(usize, State)) {
+        let mut own = [0; 3];
+        for k in 0..3 {
+            own[axis[k]] = k;
+        }
+        let [l1, l2, l3] = own.map(|k| &self.l[k]);
+        let [o1, o2, o3] = own.map(|k| &self.omega[k]);
         let [w, x, y, z] = &self.attitude;
-        State {
-            omega: along(&self.omega),
-            angular_momentum: along(&self.l),
-            attitude: Attitude::from_unit(Quaternion::new(w[i], x[i], y[i], z[i])),
+        for i in 0..W {
+            let state = State {
+                omega: BodyVector::new(o1[i], o2[i], o3[i]),
+                angular_momentum: BodyVector::new(l1[i], l2[i], l3[i]),
+                attitude: Attitude::from_unit(Quaternion::new(w[i], x[i], y[i], z[i])),
+            };
+            give(i, state);
         }
     }
 }
@@ -81,8 +83,14 @@ impl EulerTop {
                 near &= t.abs() <= reach;
             }
             motion.at(&lanes, &mut rows);
-            for (i, state) in states.iter_mut().enumerate() {
-                *state = rows.state(i, axis);
+            if let Ok(all) = <&mut [State; TIMES]>::try_from(&mut *states) {
+                rows.each(axis, |i, state| all[i] = state);
+            } else {
+                rows.each(axis, |i, state| {
+                    if let Some(place) = states.get_mut(i) {
+                        *place = state;
+                    }
+                });
             }
             if !near {
                 for (t, state) in times.iter().zip(states) {
@@ -113,22 +121,28 @@ struct Group<M> {
     motion: M,
     /// Which bodies they are; the last is repeated where there are too few.
     place: [usize; BODIES],
-    axis: [[usize; 3]; BODIES],
+    axis: [usize; 3],
     reach: f64,
 }
 
+/// A body of one kind: which it is, its axes, its reach and its constants.
+type Body<One> = (usize, [usize; 3], f64, One);
+
+/// Bodies with the same axes are put side by side.
 fn groups<One: Copy, M>(
-    bodies: &[(usize, [usize; 3], f64, One)],
+    mut bodies: Vec<Body<One>>,
     gather: impl Fn([One; BODIES]) -> M,
 ) -> Vec<Group<M>> {
+    bodies.sort_by_key(|body| body.1);
     bodies
-        .chunks(BODIES)
+        .chunk_by(|a, b| a.1 == b.1)
+        .flat_map(|alike| alike.chunks(BODIES))
         .map(|chunk| {
             let body = |i: usize| chunk[i.min(chunk.len() - 1)];
             Group {
                 motion: gather(core::array::from_fn(|i| body(i).3)),
                 place: core::array::from_fn(|i| body(i).0),
-                axis: core::array::from_fn(|i| body(i).1),
+                axis: body(0).1,
                 reach: chunk
                     .iter()
                     .fold(f64::INFINITY, |reach, body| reach.min(body.2)),
@@ -154,9 +168,9 @@ impl Ensemble {
         }
         Self {
             tops,
-            steady: groups(&steady, Steady::gather),
-            circular: groups(&circular, Circular::gather),
-            hyperbolic: groups(&hyperbolic, Hyperbolic::gather),
+            steady: groups(steady, Steady::gather),
+            circular: groups(circular, Circular::gather),
+            hyperbolic: groups(hyperbolic, Hyperbolic::gather),
             single,
         }
     }
@@ -183,9 +197,7 @@ impl Ensemble {
         for group in groups {
             if t.abs() <= group.reach {
                 group.motion.at(&times, &mut rows);
-                for (i, (place, axis)) in group.place.iter().zip(group.axis).enumerate() {
-                    states[*place] = rows.state(i, axis);
-                }
+                rows.each(group.axis, |i, state| states[group.place[i]] = state);
             } else {
                 for place in group.place {
                     states[place] = self.tops[place].at(t)?;

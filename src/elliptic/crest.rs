@@ -84,7 +84,7 @@ pub(crate) struct Wave {
     /// 2^j, or so much of it as a double holds.
     pub(crate) growth: f64,
     /// 2^−j as a product, so that it may be less than the least double.
-    decay: [f64; 2],
+    pub(super) decay: [f64; 2],
 }
 
 impl Wave {

@@ -2,7 +2,7 @@
 //!
 //! What [`Modulus::place`] and [`Modulus::triple`] do for one argument, from coefficients that may differ from lane to lane.
 
-use super::crest::{Crest, Hyperbolic, hyperbolic_at};
+use super::crest::{Crest, Hyperbolic, Wave, hyperbolic_at};
 use super::jacobi::{Circular, QUARTER_PARTS, circular_at, in_quadrant};
 use super::kernel::{self, ROUNDER};
 use super::modulus::Modulus;
@@ -145,14 +145,66 @@ pub(crate) fn either_polynomial(mask: u64, odd: [f64; 4], even: [f64; 4]) -> [f6
     ]
 }
 
-/// The hyperbolic functions of what is left of an argument, and sn, cn, dn.
+/// The hyperbolic functions of a row of lanes.
+#[derive(Debug)]
+pub(crate) struct Crests<const W: usize> {
+    sign: [u64; W],
+    sine: [f64; W],
+    cosine: [f64; W],
+    growth: [f64; W],
+    decay: [[f64; W]; 2],
+    z: [f64; W],
+}
+
+impl<const W: usize> Crests<W> {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self {
+            sign: [0; W],
+            sine: [0.0; W],
+            cosine: [0.0; W],
+            growth: [0.0; W],
+            decay: [[0.0; W]; 2],
+            z: [0.0; W],
+        }
+    }
+
+    /// Those of `high + low`; `root` is 2q′^{1/4}.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, i: usize, root: f64, [high, low]: [f64; 2]) {
+        let Crest { sign, wave, z } = Crest::new(root, high, low);
+        self.sign[i] = sign;
+        self.sine[i] = wave.sine;
+        self.cosine[i] = wave.cosine;
+        self.growth[i] = wave.growth;
+        self.decay[0][i] = wave.decay[0];
+        self.decay[1][i] = wave.decay[1];
+        self.z[i] = z;
+    }
+
+    #[inline(always)]
+    pub(crate) fn get(&self, i: usize) -> Crest {
+        Crest {
+            sign: self.sign[i],
+            wave: Wave {
+                sine: self.sine[i],
+                cosine: self.cosine[i],
+                growth: self.growth[i],
+                decay: [self.decay[0][i], self.decay[1][i]],
+            },
+            z: self.z[i],
+        }
+    }
+}
+
+/// sn, cn and dn there.
 #[inline(always)]
 pub(crate) fn hyperbolic(
     [odd, even]: [Polynomials; 2],
-    [root, complementary_modulus]: [f64; 2],
+    complementary_modulus: f64,
     bits: u64,
-    [high, low]: [f64; 2],
-) -> (Crest, [f64; 3]) {
+    crest: &Crest,
+) -> [f64; 3] {
     let mask = odd_mask(bits);
     let set = [
         either_polynomial(mask, odd[0], even[0]),
@@ -160,8 +212,7 @@ pub(crate) fn hyperbolic(
         either_polynomial(mask, odd[2], even[2]),
         either_polynomial(mask, odd[3], even[3]),
     ];
-    let crest = Crest::new(root, high, low);
     let Hyperbolic { sn, cn, dn } =
-        hyperbolic_at(complementary_modulus, &corrections(set), bits, &crest);
-    (crest, [sn, cn, dn])
+        hyperbolic_at(complementary_modulus, &corrections(set), bits, crest);
+    [sn, cn, dn]
 }

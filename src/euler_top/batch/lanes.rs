@@ -4,7 +4,7 @@
 //! code is the same, and so are the values.
 
 use crate::double_double::DoubleDouble;
-use crate::elliptic::lanes::{self, Polynomials};
+use crate::elliptic::lanes::{self, Crests, Polynomials};
 
 /// A constant of the motion in a loop over lanes: one number for all, or one a lane.
 pub(super) trait Constant: Copy {
@@ -450,15 +450,26 @@ impl<C: Constant> Motion for Hyperbolic<C> {
     fn at<const W: usize>(&self, times: &[f64; W], rows: &mut Rows<W>) {
         let mut work = Work::new();
         self.phases.run(times, &mut work);
+        let mut crests = Crests::<W>::new();
         for i in 0..W {
-            let bits = work.bits[i];
+            crests.set(i, self.roots[0].lane(i), row(&work.angle, i));
+        }
+        for i in 0..W {
             let sets: [Polynomials; 2] = [four(&self.odd, i), four(&self.even, i)];
-            let roots = all(&self.roots, i);
-            let (crest, [sn, cn, dn]) = lanes::hyperbolic(sets, roots, bits, row(&work.angle, i));
+            let [sn, cn, dn] = lanes::hyperbolic(
+                sets,
+                self.roots[1].lane(i),
+                work.bits[i],
+                &crests.get(i),
+            );
             work.functions[0][i] = sn;
             work.functions[1][i] = cn;
             work.functions[2][i] = dn;
-            let [real, imaginary] = crest_theta(&crest, roots[0], four(&self.theta, i), bits);
+        }
+        for i in 0..W {
+            let root = self.roots[0].lane(i);
+            let [real, imaginary] =
+                crest_theta(&crests.get(i), root, four(&self.theta, i), work.bits[i]);
             work.z[0][i] = real;
             work.z[1][i] = imaginary;
         }

@@ -167,13 +167,11 @@ impl DualTheta {
     }
 
     /// Real and imaginary part next to even and next to odd multiples of K.
-    pub(crate) fn coefficients(&self) -> [[f64; 4]; 4] {
+    pub(crate) fn coefficients(&self) -> [[[f64; 4]; 2]; 2] {
         let [a, b, c] = self.odd_imaginary;
         [
-            self.even_real,
-            self.even_imaginary,
-            self.odd_real,
-            [a, b, c, 0.0],
+            [self.even_real, self.even_imaginary],
+            [self.odd_real, [a, b, c, 0.0]],
         ]
     }
 

@@ -4,7 +4,7 @@
 //! code is the same, and so are the values.
 
 use crate::double_double::DoubleDouble;
-use crate::elliptic::lanes::{self, Crests, Polynomials};
+use crate::elliptic::lanes::{self, Choice, Crests, difference_of_bits};
 
 /// A constant of the motion in a loop over lanes: one number for all, or one a lane.
 pub(super) trait Constant: Copy {
@@ -45,7 +45,7 @@ fn rows<const N: usize, const W: usize>(each: [[f64; N]; W]) -> [[f64; W]; N] {
     core::array::from_fn(|k| core::array::from_fn(|i| each[i][k]))
 }
 
-fn tables<const W: usize>(each: [[[f64; 4]; 4]; W]) -> [[[f64; W]; 4]; 4] {
+fn tables<const N: usize, const W: usize>(each: [[[f64; 4]; N]; W]) -> [[[f64; W]; 4]; N] {
     core::array::from_fn(|j| rows(core::array::from_fn(|i| each[i][j])))
 }
 
@@ -185,17 +185,52 @@ pub(super) struct Circular<C> {
     pub(super) imaginary: [C; 3],
 }
 
+/// N polynomials next to even multiples of K, and by which bits those next to odd ones differ.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Choices<C, const N: usize> {
+    even: [[C; 4]; N],
+    change: [[C; 4]; N],
+}
+
+impl<const N: usize> Choices<f64, N> {
+    pub(super) fn new(even: [[f64; 4]; N], odd: [[f64; 4]; N]) -> Self {
+        let change = |j: usize, k: usize| difference_of_bits(even[j][k], odd[j][k]);
+        Self {
+            even,
+            change: core::array::from_fn(|j| core::array::from_fn(|k| change(j, k))),
+        }
+    }
+}
+
+impl<const N: usize, const W: usize> Choices<[f64; W], N> {
+    fn gather(each: [Choices<f64, N>; W]) -> Self {
+        Self {
+            even: tables(each.map(|x| x.even)),
+            change: tables(each.map(|x| x.change)),
+        }
+    }
+}
+
+impl<C: Constant, const N: usize> Choices<C, N> {
+    #[inline(always)]
+    fn lane(&self, i: usize) -> [Choice; N] {
+        core::array::from_fn(|j| Choice {
+            even: all(&self.even[j], i),
+            change: all(&self.change[j], i),
+        })
+    }
+}
+
 /// Ω moves, m > 1/2, the separatrix included.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Hyperbolic<C> {
     pub(super) phases: Phases<C>,
     pub(super) amplitudes: Amplitudes<C>,
-    pub(super) even: [[C; 4]; 4],
-    pub(super) odd: [[C; 4]; 4],
+    pub(super) corrections: Choices<C, 4>,
     /// 2q′^{1/4} and √mc.
     pub(super) roots: [C; 2],
-    /// Real and imaginary part of the theta function next to even and next to odd multiples of K.
-    pub(super) theta: [[C; 4]; 4],
+    /// Real and imaginary part of the theta function.
+    pub(super) theta: Choices<C, 2>,
 }
 
 impl<const W: usize> Steady<[f64; W]> {
@@ -253,17 +288,17 @@ impl<const W: usize> Hyperbolic<[f64; W]> {
         Self {
             phases: Phases::gather(each.map(|x| x.phases)),
             amplitudes: Amplitudes::gather(each.map(|x| x.amplitudes)),
-            even: tables(each.map(|x| x.even)),
-            odd: tables(each.map(|x| x.odd)),
+            corrections: Choices::gather(each.map(|x| x.corrections)),
             roots: rows(each.map(|x| x.roots)),
-            theta: tables(each.map(|x| x.theta)),
+            theta: Choices::gather(each.map(|x| x.theta)),
         }
     }
 }
 
 /// What one pass hands to the next. Short passes over all lanes, rather than one long pass: of a long one the processor sees too
 /// little ahead to work on the next lanes while it waits.
-struct Work<const W: usize> {
+#[derive(Debug)]
+pub(super) struct Work<const W: usize> {
     /// Quarter periods, in the lowest bits.
     bits: [u64; W],
     quarters: [f64; W],
@@ -277,11 +312,11 @@ struct Work<const W: usize> {
     functions: [[f64; W]; 3],
     /// Real and imaginary part of Z.
     z: [[f64; W]; 2],
+    crests: Crests<W>,
 }
 
 impl<const W: usize> Work<W> {
-    #[inline(always)]
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self {
             bits: [0; W],
             quarters: [0.0; W],
@@ -291,6 +326,7 @@ impl<const W: usize> Work<W> {
             cosine: [0.0; W],
             functions: [[0.0; W]; 3],
             z: [[0.0; W]; 2],
+            crests: Crests::new(),
         }
     }
 }
@@ -394,12 +430,12 @@ fn row<const N: usize, const W: usize>(rows: &[[f64; W]; N], i: usize) -> [f64; 
 
 /// A kind of motion that goes over a row of times.
 pub(super) trait Motion {
-    fn at<const W: usize>(&self, times: &[f64; W], rows: &mut Rows<W>);
+    fn at<const W: usize>(&self, times: &[f64; W], work: &mut Work<W>, rows: &mut Rows<W>);
 }
 
 impl<C: Constant> Motion for Steady<C> {
     #[inline(never)]
-    fn at<const W: usize>(&self, times: &[f64; W], rows: &mut Rows<W>) {
+    fn at<const W: usize>(&self, times: &[f64; W], _: &mut Work<W>, rows: &mut Rows<W>) {
         for i in 0..W {
             let half = self.half_rate.times(i, Time::new(times[i]));
             let (sine, cosine) = lanes::sine_cosine(half);
@@ -419,9 +455,8 @@ impl<C: Constant> Motion for Steady<C> {
 
 impl<C: Constant> Motion for Circular<C> {
     #[inline(never)]
-    fn at<const W: usize>(&self, times: &[f64; W], rows: &mut Rows<W>) {
-        let mut work = Work::new();
-        self.phases.run(times, &mut work);
+    fn at<const W: usize>(&self, times: &[f64; W], work: &mut Work<W>, rows: &mut Rows<W>) {
+        self.phases.run(times, work);
         for i in 0..W {
             let (sine, cosine) = lanes::place(work.bits[i], row(&work.angle, i));
             (work.sine[i], work.cosine[i]) = (sine, cosine);
@@ -441,26 +476,24 @@ impl<C: Constant> Motion for Circular<C> {
             let [a, b, c] = all(&self.imaginary, i);
             work.z[1][i] = sine * cosine * (a + s2 * (b + s2 * c));
         }
-        self.amplitudes.run(&mut work, rows);
+        self.amplitudes.run(work, rows);
     }
 }
 
 impl<C: Constant> Motion for Hyperbolic<C> {
     #[inline(never)]
-    fn at<const W: usize>(&self, times: &[f64; W], rows: &mut Rows<W>) {
-        let mut work = Work::new();
-        self.phases.run(times, &mut work);
-        let mut crests = Crests::<W>::new();
+    fn at<const W: usize>(&self, times: &[f64; W], work: &mut Work<W>, rows: &mut Rows<W>) {
+        self.phases.run(times, work);
         for i in 0..W {
-            crests.set(i, self.roots[0].lane(i), row(&work.angle, i));
+            let root = self.roots[0].lane(i);
+            work.crests.set(i, root, row(&work.angle, i));
         }
         for i in 0..W {
-            let sets: [Polynomials; 2] = [four(&self.odd, i), four(&self.even, i)];
             let [sn, cn, dn] = lanes::hyperbolic(
-                sets,
+                self.corrections.lane(i),
                 self.roots[1].lane(i),
                 work.bits[i],
-                &crests.get(i),
+                &work.crests.get(i),
             );
             work.functions[0][i] = sn;
             work.functions[1][i] = cn;
@@ -468,12 +501,12 @@ impl<C: Constant> Motion for Hyperbolic<C> {
         }
         for i in 0..W {
             let root = self.roots[0].lane(i);
-            let [real, imaginary] =
-                crest_theta(&crests.get(i), root, four(&self.theta, i), work.bits[i]);
+            let crest = work.crests.get(i);
+            let [real, imaginary] = crest_theta(&crest, root, self.theta.lane(i), work.bits[i]);
             work.z[0][i] = real;
             work.z[1][i] = imaginary;
         }
-        self.amplitudes.run(&mut work, rows);
+        self.amplitudes.run(work, rows);
     }
 }
 
@@ -482,12 +515,12 @@ impl<C: Constant> Motion for Hyperbolic<C> {
 fn crest_theta(
     crest: &crate::elliptic::local::Crest,
     root: f64,
-    [even_real, even_imaginary, odd_real, odd_imaginary]: [[f64; 4]; 4],
+    [real, imaginary]: [Choice; 2],
     bits: u64,
 ) -> [f64; 2] {
     let mask = lanes::odd_mask(bits);
-    let [a, b, c, d] = lanes::either_polynomial(mask, odd_real, even_real);
-    let [e, f, g, h] = lanes::either_polynomial(mask, odd_imaginary, even_imaginary);
+    let [a, b, c, d] = real.of(mask);
+    let [e, f, g, h] = imaginary.of(mask);
     let (sine, cosine, z) = (crest.wave.sine, crest.wave.cosine, crest.z);
     // 4√q′ sinh cosh.
     let root = root * crest.wave.growth;

@@ -2,7 +2,7 @@
 
 use nalgebra::Quaternion;
 
-use super::lanes::{Amplitudes, Circular, Hyperbolic, Phases, Rate, Steady, halves};
+use super::lanes::{Amplitudes, Choices, Circular, Hyperbolic, Phases, Rate, Steady, halves};
 use crate::elliptic::lanes::{Coefficients, EXACT_COUNT};
 use crate::euler_top::motion::{EulerTop, Motion};
 use crate::euler_top::preparation::Constants;
@@ -110,10 +110,12 @@ fn moving(constants: &Constants, base: Quaternion<f64>, moments: [f64; 3]) -> Op
         Theta::Hyperbolic(theta) => Kind::Hyperbolic(Hyperbolic {
             phases,
             amplitudes,
-            even,
-            odd,
+            corrections: Choices::new(even, odd),
             roots: [root, complementary_modulus],
-            theta: theta.coefficients(),
+            theta: {
+                let [even, odd] = theta.coefficients();
+                Choices::new(even, odd)
+            },
         }),
     };
     let quarters = (NEARLY * EXACT_COUNT - 1.0) * constants.modulus.quarter_period() / rate;

@@ -41,12 +41,12 @@ fn four<C: Constant>(constants: &[[C; 4]; 4], i: usize) -> [[f64; 4]; 4] {
 }
 
 /// Row k holds the k-th number of every lane.
-fn rows<const N: usize, const W: usize>(each: [[f64; N]; W]) -> [[f64; W]; N] {
+fn rows<const N: usize, const W: usize>(each: [&[f64; N]; W]) -> [[f64; W]; N] {
     core::array::from_fn(|k| core::array::from_fn(|i| each[i][k]))
 }
 
-fn tables<const N: usize, const W: usize>(each: [[[f64; 4]; N]; W]) -> [[[f64; W]; 4]; N] {
-    core::array::from_fn(|j| rows(core::array::from_fn(|i| each[i][j])))
+fn tables<const N: usize, const W: usize>(each: [&[[f64; 4]; N]; W]) -> [[[f64; W]; 4]; N] {
+    core::array::from_fn(|j| rows(each.map(|x| &x[j])))
 }
 
 /// A rate of two words that times are multiplied with: the first also in halves, whose products are exact.
@@ -95,7 +95,7 @@ impl Rate<f64> {
 }
 
 impl<const W: usize> Rate<[f64; W]> {
-    fn gather(each: [Rate<f64>; W]) -> Self {
+    fn gather(each: [&Rate<f64>; W]) -> Self {
         Self {
             high: each.map(|x| x.high),
             upper: each.map(|x| x.upper),
@@ -203,10 +203,10 @@ impl<const N: usize> Choices<f64, N> {
 }
 
 impl<const N: usize, const W: usize> Choices<[f64; W], N> {
-    fn gather(each: [Choices<f64, N>; W]) -> Self {
+    fn gather(each: [&Choices<f64, N>; W]) -> Self {
         Self {
-            even: tables(each.map(|x| x.even)),
-            change: tables(each.map(|x| x.change)),
+            even: tables(each.map(|x| &x.even)),
+            change: tables(each.map(|x| &x.change)),
         }
     }
 }
@@ -234,63 +234,63 @@ pub(super) struct Hyperbolic<C> {
 }
 
 impl<const W: usize> Steady<[f64; W]> {
-    pub(super) fn gather(each: [Steady<f64>; W]) -> Self {
+    pub(super) fn gather(each: [&Steady<f64>; W]) -> Self {
         Self {
-            half_rate: Rate::gather(each.map(|x| x.half_rate)),
-            unturned: rows(each.map(|x| x.unturned)),
-            turned: rows(each.map(|x| x.turned)),
-            l: rows(each.map(|x| x.l)),
-            omega: rows(each.map(|x| x.omega)),
+            half_rate: Rate::gather(each.map(|x| &x.half_rate)),
+            unturned: rows(each.map(|x| &x.unturned)),
+            turned: rows(each.map(|x| &x.turned)),
+            l: rows(each.map(|x| &x.l)),
+            omega: rows(each.map(|x| &x.omega)),
         }
     }
 }
 
 impl<const W: usize> Phases<[f64; W]> {
-    fn gather(each: [Phases<f64>; W]) -> Self {
+    fn gather(each: [&Phases<f64>; W]) -> Self {
         Self {
-            rate: Rate::gather(each.map(|x| x.rate)),
-            start: rows(each.map(|x| x.start)),
+            rate: Rate::gather(each.map(|x| &x.rate)),
+            start: rows(each.map(|x| &x.start)),
             inverse: each.map(|x| x.inverse),
-            parts: rows(each.map(|x| x.parts)),
-            pace: rows(each.map(|x| x.pace)),
-            half_turning: Rate::gather(each.map(|x| x.half_turning)),
-            half_lag: rows(each.map(|x| x.half_lag)),
+            parts: rows(each.map(|x| &x.parts)),
+            pace: rows(each.map(|x| &x.pace)),
+            half_turning: Rate::gather(each.map(|x| &x.half_turning)),
+            half_lag: rows(each.map(|x| &x.half_lag)),
         }
     }
 }
 
 impl<const W: usize> Amplitudes<[f64; W]> {
-    fn gather(each: [Amplitudes<f64>; W]) -> Self {
+    fn gather(each: [&Amplitudes<f64>; W]) -> Self {
         Self {
-            l: rows(each.map(|x| x.l)),
-            omega: rows(each.map(|x| x.omega)),
-            direction: rows(each.map(|x| x.direction)),
+            l: rows(each.map(|x| &x.l)),
+            omega: rows(each.map(|x| &x.omega)),
+            direction: rows(each.map(|x| &x.direction)),
             aspect: each.map(|x| x.aspect),
-            base: tables(each.map(|x| x.base)),
+            base: tables(each.map(|x| &x.base)),
         }
     }
 }
 
 impl<const W: usize> Circular<[f64; W]> {
-    pub(super) fn gather(each: [Circular<f64>; W]) -> Self {
+    pub(super) fn gather(each: [&Circular<f64>; W]) -> Self {
         Self {
-            phases: Phases::gather(each.map(|x| x.phases)),
-            amplitudes: Amplitudes::gather(each.map(|x| x.amplitudes)),
-            corrections: tables(each.map(|x| x.corrections)),
-            real: rows(each.map(|x| x.real)),
-            imaginary: rows(each.map(|x| x.imaginary)),
+            phases: Phases::gather(each.map(|x| &x.phases)),
+            amplitudes: Amplitudes::gather(each.map(|x| &x.amplitudes)),
+            corrections: tables(each.map(|x| &x.corrections)),
+            real: rows(each.map(|x| &x.real)),
+            imaginary: rows(each.map(|x| &x.imaginary)),
         }
     }
 }
 
 impl<const W: usize> Hyperbolic<[f64; W]> {
-    pub(super) fn gather(each: [Hyperbolic<f64>; W]) -> Self {
+    pub(super) fn gather(each: [&Hyperbolic<f64>; W]) -> Self {
         Self {
-            phases: Phases::gather(each.map(|x| x.phases)),
-            amplitudes: Amplitudes::gather(each.map(|x| x.amplitudes)),
-            corrections: Choices::gather(each.map(|x| x.corrections)),
-            roots: rows(each.map(|x| x.roots)),
-            theta: Choices::gather(each.map(|x| x.theta)),
+            phases: Phases::gather(each.map(|x| &x.phases)),
+            amplitudes: Amplitudes::gather(each.map(|x| &x.amplitudes)),
+            corrections: Choices::gather(each.map(|x| &x.corrections)),
+            roots: rows(each.map(|x| &x.roots)),
+            theta: Choices::gather(each.map(|x| &x.theta)),
         }
     }
 }

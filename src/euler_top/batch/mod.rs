@@ -202,18 +202,16 @@ enum Numbering {
 type Body<One> = (usize, Axes, f64, One);
 
 /// Bodies whose axes are numbered alike are put side by side, as far as it goes.
-fn groups<One: Copy, M>(
-    mut bodies: Vec<Body<One>>,
-    gather: impl Fn([One; BODIES]) -> M,
-) -> Vec<Group<M>> {
-    bodies.sort_by_key(|body| body.1);
-    bodies
+fn groups<One, M>(bodies: &[Body<One>], gather: impl Fn([&One; BODIES]) -> M) -> Vec<Group<M>> {
+    let mut order: Vec<&Body<One>> = bodies.iter().collect();
+    order.sort_by_key(|body| body.1);
+    order
         .chunks(BODIES)
         .map(|chunk| {
             let body = |i: usize| chunk[i.min(chunk.len() - 1)];
             let axes: [Axes; BODIES] = core::array::from_fn(|i| body(i).1);
             Group {
-                motion: gather(core::array::from_fn(|i| body(i).3)),
+                motion: gather(core::array::from_fn(|i| &body(i).3)),
                 place: core::array::from_fn(|i| body(i).0),
                 axes: if axes[0] == axes[BODIES - 1] {
                     Numbering::Alike(axes[0])
@@ -245,9 +243,9 @@ impl Ensemble {
         }
         Self {
             tops,
-            steady: groups(steady, Steady::gather),
-            circular: groups(circular, Circular::gather),
-            hyperbolic: groups(hyperbolic, Hyperbolic::gather),
+            steady: groups(&steady, Steady::gather),
+            circular: groups(&circular, Circular::gather),
+            hyperbolic: groups(&hyperbolic, Hyperbolic::gather),
             single,
         }
     }

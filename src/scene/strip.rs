@@ -17,10 +17,10 @@ use super::{Scene, Tabulated, choose};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
 use crate::falling_strip::{
-    AddedMass, Coefficients, Drag, Equations, Gravity, Inertia, Lift, Load, Masses, Moving, Plate,
-    RotationalDamping, Sheet, Term,
+    AddedMass, Coefficients, Drag, Equations, Gravity, Inertia, Lift, Load, Masses, Moving, Pieces,
+    Plate, RotationalDamping, Sheet, Term, in_pieces,
 };
-use crate::integrators::{Cost, Effort, Method, System, refined, solve};
+use crate::integrators::{Cost, Effort, Method, tightened};
 
 impl Term for Absent {
     fn add(&self, _: &Plate, _: &Moving, _: &mut Load) {}
@@ -463,7 +463,7 @@ where
         let scales = self.scales();
         let (rows, cost) = match plan.solver {
             Solver::General(method) => {
-                let (system, first) = (&self.equations as &dyn System<7>, self.first());
+                let (system, first) = (&self.equations as &dyn Pieces, self.first());
                 integrated(system, &first, &scales, times, method, request.accuracy())?
             }
             _ => {
@@ -489,7 +489,7 @@ where
 
 /// All rows by a general method: with a verified error where the method chooses its steps. Compiled once for all lists of effects.
 fn integrated(
-    system: &dyn System<7>,
+    system: &dyn Pieces,
     first: &[f64; 7],
     scales: &[f64; 7],
     times: &[f64],
@@ -503,12 +503,17 @@ fn integrated(
             .fold(0.0, f64::max)
     };
     let run = if method.is_adaptive() {
-        refined(system, first, scales, times, method, accuracy, distance)?
+        // Turning back is a kink of the resistance, which no step may cross.
+        let run = |tolerance: f64| {
+            let effort = Effort::Tolerance(tolerance);
+            in_pieces(system, first, scales, times, method, effort)
+        };
+        tightened(run, accuracy, distance)?
     } else {
         // An error of order step⁴, with the fastest motion of the scales as its unit of time.
         let step = 0.1 * accuracy.powf(0.25) * scales[0] / scales[3];
         let effort = Effort::Step(step);
-        solve(system, 0.0, first, scales, times, method, effort)?
+        in_pieces(system, first, scales, times, method, effort)?
     };
     Ok((run.states, run.cost))
 }

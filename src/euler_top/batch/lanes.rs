@@ -3,6 +3,11 @@
 //! A lane is a time or a body. What is the same for all of them is one number, what is not is a row of numbers; the
 //! code is the same, and so are the values.
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "a lane is its index: all rows are read and written at it"
+)]
+
 use crate::double_double::DoubleDouble;
 use crate::elliptic::lanes::{self, Choice, Crests, difference_of_bits};
 

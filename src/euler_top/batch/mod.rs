@@ -81,11 +81,11 @@ impl EulerTop {
     /// 10⁶⁰ and more, 32 states are formed side by side; what lies beyond is handed to [`at`](Self::at), one by one.
     ///
     /// Error: the states are those of [`at`](Self::at) up to rounding; against the same 998 references of 32 digits the attitude is off by
-    /// at most 1.5e-15 rad, Ω and L by 5e-16.
+    /// at most 7e-16 rad (1.5e-15, as [`at`](Self::at) is, for bodies one unit in the last place from a sphere), Ω and L by 5e-16.
     ///
     /// Cost: beside [`at`](Self::at) in the same run (`cargo bench -p bench --bench ensembles`), with the instructions every processor of the kind
-    /// has, 0.20 of the time a state where m ≤ 1/2 and 0.25 where m > 1/2; the constants of a batch cost as much as one state. The values are
-    /// independent: parts of the slices may be filled by different threads.
+    /// has: 0.19 of the time a state where m ≤ 1/2, 0.24 where m > 1/2, 0.38 where Ω stays and [`at`](Self::at) has little to do. The constants
+    /// of a batch cost as much as one state. States are independent of each other: parts of the slices may be filled by different threads.
     ///
     /// # Errors
     /// [`Error::Condition`] if the slices differ in length; otherwise that of the first time that [`at`](Self::at) refuses, the states being partly
@@ -227,7 +227,7 @@ fn groups<One, M>(bodies: &[Body<One>], gather: impl Fn([&One; BODIES]) -> M) ->
 }
 
 impl Ensemble {
-    /// These bodies. Cost: an eighth of what [`EulerTop::new`] has cost for each, and 1 kB a body.
+    /// These bodies. Cost: half of what [`EulerTop::new`] has cost for each, and less than 2 kB a body with its top.
     pub fn new(tops: Vec<EulerTop>) -> Self {
         let (mut steady, mut circular, mut hyperbolic, mut single) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
@@ -257,8 +257,9 @@ impl Ensemble {
 
     /// Ω, L and attitude of every body at time t (s), in the order of the bodies (6.6, 6.8).
     ///
-    /// Domain and error: those of [`EulerTop::states_at`]; eight bodies go side by side unless one of them is beyond its reach. Cost: 0.24–0.26 of
-    /// [`EulerTop::at`] for each body, in ensembles from a thousand bodies on.
+    /// Domain and error: those of [`EulerTop::states_at`]; eight bodies go side by side unless one of them is beyond its reach. Cost: 0.25 of
+    /// [`EulerTop::at`] for each body of a thousand, 0.27 for each of a hundred. Ten thousand no longer fit the nearer caches: 0.25 if nothing else
+    /// wants the memory, otherwise more. What the ensemble costs comes back after some eight times.
     ///
     /// # Errors
     /// [`Error::Condition`] if there is not one place for each body; that of the first body whose [`EulerTop::at`] refuses the time, the states

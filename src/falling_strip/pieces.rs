@@ -45,9 +45,13 @@ pub(crate) fn in_pieces(
         if sense == 0.0 {
             // Which way it begins to turn: seen after a thousandth of the time in which it crosses its own half chord.
             let soon = (1e-3 * scales[0] / scales[3]).min(end.abs());
-            let first = whole(&[soon.copysign(end)])?;
-            cost += first.cost;
-            sense = first.states[0][5];
+            let times = [soon.copysign(end)];
+            let step = Effort::Step(soon);
+            if soon > 0.0 {
+                let run = solve(plate.whole(), 0.0, start, scales, &times, Method::Rk4, step)?;
+                cost += run.cost;
+                sense = run.states[0][5];
+            }
         }
         let mut sense = 1.0_f64.copysign(sense);
         let (mut time, mut state) = (0.0, *start);

@@ -3,10 +3,10 @@
 use super::kernel::{self, ROUNDER};
 use super::series::{Corrections, Series};
 
-pub(super) struct Hyperbolic {
-    pub(super) sn: f64,
-    pub(super) cn: f64,
-    pub(super) dn: f64,
+pub(crate) struct Hyperbolic {
+    pub(crate) sn: f64,
+    pub(crate) cn: f64,
+    pub(crate) dn: f64,
 }
 
 /// The functions at v = `high + low` after as many quarter periods as the lowest bits say, with the corrections
@@ -19,7 +19,8 @@ pub(super) fn hyperbolic(
     high: f64,
     low: f64,
 ) -> Hyperbolic {
-    hyperbolic_at(series, set, bits, &Crest::new(series, high, low))
+    let crest = Crest::new(series.root, high, low);
+    hyperbolic_at(series.complementary_modulus, set, bits, &crest)
 }
 
 /// sinh and cosh of |v|, the sign of v as a bit, and z = 4 √q′ sinh² v.
@@ -30,12 +31,13 @@ pub(crate) struct Crest {
 }
 
 impl Crest {
+    /// At v = `high + low`; `root` is 2q′^{1/4}.
     #[inline(always)]
-    pub(super) fn new(series: &Series, high: f64, low: f64) -> Self {
+    pub(crate) fn new(root: f64, high: f64, low: f64) -> Self {
         let sign = high.to_bits() & (1 << 63);
         let (high, low) = (high.abs(), f64::from_bits(low.to_bits() ^ sign));
         let wave = Wave::new(high, low);
-        let root = kernel::lesser(series.root * wave.growth * wave.sine, 2.0);
+        let root = kernel::lesser(root * wave.growth * wave.sine, 2.0);
         Self {
             sign,
             wave,
@@ -46,8 +48,8 @@ impl Crest {
 
 /// The functions from the hyperbolic functions of v.
 #[inline(always)]
-pub(super) fn hyperbolic_at(
-    series: &Series,
+pub(crate) fn hyperbolic_at(
+    complementary_modulus: f64,
     set: &Corrections,
     bits: u64,
     crest: &Crest,
@@ -55,7 +57,7 @@ pub(super) fn hyperbolic_at(
     let odd = (bits & 1).wrapping_neg();
     let Crest { sign, wave, z } = crest;
     let inverse = 1.0 / kernel::polynomial(&set.denominator, *z);
-    let upper = series.complementary_modulus * wave.growth;
+    let upper = complementary_modulus * wave.growth;
     let below = 1.0 / wave.cosine;
     let sech = wave.decay(below);
     let s = kernel::select(odd, 1.0, wave.sine / wave.cosine);
@@ -71,7 +73,7 @@ pub(super) fn hyperbolic_at(
     Hyperbolic {
         sn: f64::from_bits(kernel::lesser(sn, 1.0).to_bits() ^ sn_sign),
         cn: f64::from_bits(cn.to_bits() ^ cn_sign),
-        dn: kernel::lesser(kernel::greater(dn, series.complementary_modulus), 1.0),
+        dn: kernel::lesser(kernel::greater(dn, complementary_modulus), 1.0),
     }
 }
 
@@ -82,7 +84,7 @@ pub(crate) struct Wave {
     /// 2^j, or so much of it as a double holds.
     pub(crate) growth: f64,
     /// 2^−j as a product, so that it may be less than the least double.
-    decay: [f64; 2],
+    pub(super) decay: [f64; 2],
 }
 
 impl Wave {

@@ -6,7 +6,7 @@ use super::kernel::ROUNDER;
 use super::modulus::{Modulus, Reduction, Side};
 use super::parameter::Parameter;
 use super::quarter;
-use super::series::Series;
+use super::series::{Corrections, Series};
 use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite};
 
@@ -257,7 +257,7 @@ pub(super) struct Circular {
 pub(super) fn circular(series: &Series, bits: u64, high: f64, low: f64) -> Circular {
     let (sine, cosine) = kernel::sine_cosine(high, low);
     let (s, c) = in_quadrant(bits, sine, cosine);
-    circular_at(series, s, c)
+    circular_at(&series.even, s, c)
 }
 
 /// Sine and cosine after as many right angles as the lowest bits say.
@@ -275,8 +275,7 @@ pub(super) fn in_quadrant(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
 
 /// The functions from the sine and the cosine of v.
 #[inline(always)]
-pub(super) fn circular_at(series: &Series, s: f64, c: f64) -> Circular {
-    let set = &series.even;
+pub(super) fn circular_at(set: &Corrections, s: f64, c: f64) -> Circular {
     let (s2, c2) = (s * s, c * c);
     let inverse = 1.0 / kernel::polynomial(&set.denominator, s2);
     let (near, far) = (c2 * inverse, s2 * inverse);

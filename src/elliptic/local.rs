@@ -53,7 +53,7 @@ impl Modulus {
                 let (sine, cosine) = in_quadrant(quarters as i64 as u64, sine, cosine);
                 Local::Circular { sine, cosine }
             }
-            Side::Hyperbolic => Local::Hyperbolic(Crest::new(&self.series, high, low)),
+            Side::Hyperbolic => Local::Hyperbolic(Crest::new(self.series.root, high, low)),
         };
         Place { quarters, local }
     }
@@ -87,7 +87,7 @@ impl Modulus {
         let bits = place.quarters as i64 as u64;
         match &place.local {
             Local::Circular { sine, cosine } => {
-                let Circular { sn, cn, dn, .. } = circular_at(&self.series, *sine, *cosine);
+                let Circular { sn, cn, dn, .. } = circular_at(&self.series.even, *sine, *cosine);
                 [sn, cn, dn]
             }
             Local::Hyperbolic(crest) => {
@@ -96,7 +96,8 @@ impl Modulus {
                 } else {
                     &self.series.odd
                 };
-                let Hyperbolic { sn, cn, dn } = hyperbolic_at(&self.series, set, bits, crest);
+                let Hyperbolic { sn, cn, dn } =
+                    hyperbolic_at(self.series.complementary_modulus, set, bits, crest);
                 [sn, cn, dn]
             }
         }

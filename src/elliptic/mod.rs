@@ -54,6 +54,7 @@ mod inverse;
 mod jacobi;
 mod kernel;
 pub(crate) mod landen;
+pub(crate) mod lanes;
 pub(crate) mod local;
 mod logarithm;
 mod modulus;

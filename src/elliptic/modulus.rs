@@ -70,7 +70,7 @@ pub(super) struct Reduction {
 }
 
 /// 2²⁵: with 27 bits of K the product still fits 53.
-pub(super) const EXACT_COUNT: f64 = 33_554_432.0;
+pub(crate) const EXACT_COUNT: f64 = 33_554_432.0;
 
 impl Modulus {
     /// The modulus prepared for many arguments. Any parameter will do, the ends m = 0 and m = 1 included.

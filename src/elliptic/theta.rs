@@ -166,6 +166,15 @@ impl DualTheta {
         }
     }
 
+    /// Real and imaginary part next to even and next to odd multiples of K.
+    pub(crate) fn coefficients(&self) -> [[[f64; 4]; 2]; 2] {
+        let [a, b, c] = self.odd_imaginary;
+        [
+            [self.even_real, self.even_imaginary],
+            [self.odd_real, [a, b, c, 0.0]],
+        ]
+    }
+
     /// Value and derivative by x, signed, as at [`at`](Self::at); `root` is 2q′^{1/4}.
     pub(crate) fn with_slope(&self, odd: bool, crest: &Crest, root: f64) -> [(f64, f64); 2] {
         let (sine, cosine, z) = (crest.wave.sine, crest.wave.cosine, crest.z);

@@ -45,14 +45,25 @@ pub struct State {
     pub attitude: Attitude,
 }
 
+impl Default for State {
+    /// At rest, the body's axes along those of space: what a slice of states may hold before it is filled.
+    fn default() -> Self {
+        Self {
+            omega: BodyVector::zero(),
+            angular_momentum: BodyVector::zero(),
+            attitude: Attitude::identity(),
+        }
+    }
+}
+
 /// A free rigid body, its motion prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EulerTop {
-    moments: [f64; 3],
-    angular_momentum: BodyVector,
-    attitude: Attitude,
+    pub(super) moments: [f64; 3],
+    pub(super) angular_momentum: BodyVector,
+    pub(super) attitude: Attitude,
     regime: Regime,
-    motion: Motion,
+    pub(super) motion: Motion,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,7 +71,7 @@ pub struct EulerTop {
     clippy::large_enum_variant,
     reason = "a top is one value without allocation; most tops move"
 )]
-enum Motion {
+pub(super) enum Motion {
     /// Ω constant: its components, its size to 106 bits, its direction.
     Steady {
         omega: [f64; 3],

@@ -124,7 +124,7 @@ pub(super) fn ratio(l: [f64; 3], moments: [f64; 3]) -> [f64; 3] {
 /// start positive; right-handed like the old ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Renumbering {
-    axis: [usize; 3],
+    pub(super) axis: [usize; 3],
     pub(super) sign: [f64; 3],
 }
 

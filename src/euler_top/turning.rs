@@ -34,13 +34,13 @@ pub(super) struct Turning {
     /// dψ/du less |L|/(I₂ λ): what the theta functions add to the rate, sign included.
     pub(super) excess: DoubleDouble,
     /// P₁/P₂.
-    aspect: f64,
-    theta: Theta,
+    pub(super) aspect: f64,
+    pub(super) theta: Theta,
 }
 
 /// Z as polynomials: real part, and imaginary part over the odd factor.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Theta {
+pub(super) enum Theta {
     /// In sin² z.
     Circular { real: [f64; 4], imaginary: [f64; 3] },
     /// In 4√q′ sinh² x.

@@ -14,10 +14,13 @@
 //! | Froude number there | 0.979 | 0.636; Belmonte, Eisenberg and Moses measured 0.67 ± 0.05 |
 
 mod fall;
+mod pieces;
 mod plate;
 mod sheet;
 
 pub use fall::{Coefficients, Fall, LongRun, Regime, Start};
+pub(crate) use pieces::in_pieces;
+pub(crate) use plate::Pieces;
 pub use plate::{
     AddedMass, Drag, Equations, Gravity, Inertia, Lift, Load, Masses, Moving, Plate,
     RotationalDamping, Term,

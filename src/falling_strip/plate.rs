@@ -102,6 +102,9 @@ pub struct Moving {
     pub w: f64,
     /// Angular velocity θ', rad/s, about the long axis.
     pub omega: f64,
+    /// 1 if it turns anticlockwise, −1 if clockwise: |ω| is `sense` · ω. Within a step of an integrator that ends where the plate turns
+    /// back, it is the sense before that.
+    pub sense: f64,
 }
 
 impl Moving {
@@ -128,6 +131,11 @@ pub struct Load {
 pub trait Term: Copy + Debug {
     /// Adds its force, torque and heating to the load.
     fn add(&self, plate: &Plate, moving: &Moving, load: &mut Load);
+
+    /// Whether it has a kink where the plate turns back.
+    fn has_kink(&self) -> bool {
+        false
+    }
 }
 
 /// What the plate resists acceleration with.
@@ -217,9 +225,14 @@ pub struct RotationalDamping {
 impl Term for RotationalDamping {
     fn add(&self, plate: &Plate, moving: &Moving, load: &mut Load) {
         let moment = plate.displaced_mass() * plate.half_chord * plate.half_chord;
-        let torque = moment * (self.linear + self.quadratic * moving.omega.abs()) * moving.omega;
+        let size = moving.sense * moving.omega;
+        let torque = moment * (self.linear + self.quadratic * size) * moving.omega;
         load.torque -= torque;
         load.heating += torque * moving.omega;
+    }
+
+    fn has_kink(&self) -> bool {
+        self.quadratic != 0.0
     }
 }
 
@@ -286,7 +299,18 @@ pub(crate) fn moving(state: &[f64; 7]) -> Moving {
         u: state[3],
         w: state[4],
         omega: state[5],
+        sense: 1.0_f64.copysign(state[5]),
     }
+}
+
+/// Equations that are smooth as long as the plate does not turn back.
+pub(crate) trait Pieces {
+    /// The rates with |ω| read as `sense` · ω.
+    fn rate_in(&self, sense: f64, state: &[f64; 7]) -> [f64; 7];
+    /// Whether turning back is a kink.
+    fn has_kink(&self) -> bool;
+    /// The same equations with |ω| itself.
+    fn whole(&self) -> &dyn System<7>;
 }
 
 impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> Equations<G, L, D, R, A> {
@@ -320,13 +344,12 @@ impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> Equations<G, L, D, R, A> {
     }
 }
 
-impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> System<7> for Equations<G, L, D, R, A> {
+impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> Equations<G, L, D, R, A> {
     // ANCHOR: rate
-    fn rate(&self, _: f64, state: &[f64; 7]) -> [f64; 7] {
-        let moving = moving(state);
+    fn rates(&self, moving: &Moving) -> [f64; 7] {
         let (sine, cosine) = moving.slope;
-        let Moving { u, w, omega, .. } = moving;
-        let load = self.load(&moving);
+        let Moving { u, w, omega, .. } = *moving;
+        let load = self.load(moving);
         let masses = self.added_mass.masses(&self.plate);
         [
             u * cosine - w * sine,
@@ -339,4 +362,25 @@ impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> System<7> for Equations<G, 
         ]
     }
     // ANCHOR_END: rate
+}
+
+impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> System<7> for Equations<G, L, D, R, A> {
+    fn rate(&self, _: f64, state: &[f64; 7]) -> [f64; 7] {
+        self.rates(&moving(state))
+    }
+}
+
+impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> Pieces for Equations<G, L, D, R, A> {
+    fn rate_in(&self, sense: f64, state: &[f64; 7]) -> [f64; 7] {
+        let moving = moving(state);
+        self.rates(&Moving { sense, ..moving })
+    }
+
+    fn has_kink(&self) -> bool {
+        self.damping.has_kink()
+    }
+
+    fn whole(&self) -> &dyn System<7> {
+        self
+    }
 }

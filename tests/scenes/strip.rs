@@ -6,7 +6,7 @@ use spinning_bodies::Error;
 use spinning_bodies::falling_strip::{
     AddedMass, Coefficients, Drag, Gravity, Lift, Plate, RotationalDamping, Sheet,
 };
-use spinning_bodies::integrators::Method;
+use spinning_bodies::integrators::{Effort, Method, solve};
 use spinning_bodies::scene::strip::{Strip, StripStart, StripState};
 use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver, Tabulated};
 
@@ -28,10 +28,10 @@ fn plate() -> Plate {
     Sheet::of_paper(0.02).unwrap().plate().unwrap()
 }
 
-/// A second, in which a tumbling start amplifies rounding to 4e-9: no more is asked for than 1e-7.
+/// A second, in which a tumbling start amplifies what it is given a hundredfold.
 fn request() -> Request {
     let request = Request::at([0.1, 0.2, 0.3, 0.5, 0.8, 1.0]).unwrap();
-    request.to_accuracy(1e-7).unwrap()
+    request.to_accuracy(1e-9).unwrap()
 }
 
 fn run(scene: &impl Scene<State = StripState>) -> Motion<StripState> {
@@ -255,6 +255,46 @@ fn the_frame_does_not_matter() {
     assert!((4.0 * a.position[1] - b.position[1]).abs() < 1e-11);
 }
 
+/// |ω|ω has a kink where the strip turns back, six times in this second: the runs go from one to the next. Without that the error told was 4e-9
+/// whatever was asked for.
+#[test]
+fn turning_back_costs_no_digit() {
+    let sheet = Sheet::of_paper(0.02).unwrap();
+    let from_rest = StripStart {
+        angle: 0.2,
+        ..StripStart::default()
+    };
+    for start in [START, from_rest] {
+        let scene = Strip::in_air(&sheet, start, Coefficients::PAPER).unwrap();
+        // The equations as they stand, kink and all, by a method of another kind with steps so small that it does not matter.
+        let (sine, cosine) = start.angle.sin_cos();
+        let [vx, vy] = start.velocity;
+        let (u, w) = (vx * cosine + vy * sine, vy * cosine - vx * sine);
+        let first = [0.0, 0.0, start.angle, u, w, start.omega, 0.0];
+        let plain = solve(
+            scene.equations(),
+            0.0,
+            &first,
+            &[0.01, 0.01, 1.0, 0.3, 0.3, 30.0, 1e-4],
+            &[1.0],
+            Method::Verner98,
+            Effort::Tolerance(1e-15),
+        )
+        .unwrap();
+        let [x, y, angle, _, _, omega, _] = plain.states[0];
+        // Observed: 2e-11 where 1e-9 is asked for, 7e-14 where 1e-11 is.
+        for (asked, bound) in [(1e-9, 1e-10), (1e-11, 1e-12)] {
+            let request = request().to_accuracy(asked).unwrap();
+            let motion = scene.simulate(&request).unwrap();
+            let state = motion.rows[motion.rows.len() - 1].1;
+            let [a, b] = state.position;
+            assert!((a - x).hypot(b - y) < bound * 0.01, "{a}, {b}: {x}, {y}");
+            assert!((state.angle - angle).abs() < bound);
+            assert!((state.omega - omega).abs() < bound * 30.0);
+        }
+    }
+}
+
 #[test]
 fn methods_agree_and_refusals_are_named() {
     let sheet = Sheet::of_paper(0.02).unwrap();
@@ -264,7 +304,8 @@ fn methods_agree_and_refusals_are_named() {
         let request = request().by(Choice::Use(Solver::General(method)));
         let other = scene.simulate(&request).unwrap();
         assert!(
-            apart(&reference, &other) < 1e-7,
+            // Observed: 5e-13, as each is off by.
+            apart(&reference, &other) < 2e-12,
             "{method:?}: {:e}",
             apart(&reference, &other)
         );

@@ -7,6 +7,7 @@
 )]
 
 mod attitude;
+mod batch;
 mod common;
 #[path = "../support/free_top.rs"]
 mod free_top;

@@ -3,13 +3,13 @@
 use super::{StripStart, StripState};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
-use crate::falling_strip::Plate;
-use crate::integrators::{Cost, Effort, Method, System, refined, solve};
+use crate::falling_strip::{Pieces, Plate, in_pieces};
+use crate::integrators::{Cost, Effort, Method, tightened};
 use crate::scene::motion::{Motion, Request, balanced};
 use crate::scene::plan::{Choice, Plan, Solver};
 
 /// Equations of a strip under some list of effects. The state is x, y, θ, u, w, ω and heat.
-pub(super) trait Acting: System<7> {
+pub(super) trait Acting: Pieces {
     /// The strip.
     fn plate(&self) -> &Plate;
     /// g, m/s².
@@ -78,7 +78,7 @@ impl Setting<'_> {
         let scales = self.scales();
         let (rows, cost) = match plan.solver {
             Solver::General(method) => {
-                let (system, first) = (self.equations as &dyn System<7>, self.first());
+                let (system, first) = (self.equations as &dyn Pieces, self.first());
                 integrated(system, &first, &scales, times, method, request.accuracy())?
             }
             _ => {
@@ -210,7 +210,7 @@ impl Setting<'_> {
 
 /// All rows by a general method: with a verified error where the method chooses its steps.
 fn integrated(
-    system: &dyn System<7>,
+    system: &dyn Pieces,
     first: &[f64; 7],
     scales: &[f64; 7],
     times: &[f64],
@@ -224,12 +224,17 @@ fn integrated(
             .fold(0.0, f64::max)
     };
     let run = if method.is_adaptive() {
-        refined(system, first, scales, times, method, accuracy, distance)?
+        // Turning back is a kink of the resistance, which no step may cross.
+        let run = |tolerance: f64| {
+            let effort = Effort::Tolerance(tolerance);
+            in_pieces(system, first, scales, times, method, effort)
+        };
+        tightened(run, accuracy, distance)?
     } else {
         // An error of order step⁴, with the fastest motion of the scales as its unit of time.
         let step = 0.1 * accuracy.powf(0.25) * scales[0] / scales[3];
         let effort = Effort::Step(step);
-        solve(system, 0.0, first, scales, times, method, effort)?
+        in_pieces(system, first, scales, times, method, effort)?
     };
     Ok((run.states, run.cost))
 }

@@ -67,13 +67,12 @@ pub struct Measurement {
     pub status: Status,
 }
 
-/// Measures how long it takes to call what it is given; `None` if it does not care to.
+/// Measures how long it takes to call what it is given, by calling it as often as it likes; `None` if it does not care to.
 pub type Clock<'a> = dyn FnMut(&mut dyn FnMut()) -> Option<f64> + 'a;
 
 /// One run of a method at one effort: errors against the truth, cost, and time by the clock.
 ///
-/// Errors at the end and cost belong to a run that is asked for the end alone; so does the time, measured by further runs of the same. A run
-/// that fails or diverges is not timed.
+/// Errors at the end, cost and time belong to a run that is asked for the end alone. A run that fails has no time.
 pub fn measure(
     problem: &Problem,
     candidate: &Candidate,
@@ -99,9 +98,13 @@ pub fn measure(
         seconds: None,
         status: Status::Failed,
     };
-    let Ok(course) = method.follow(problem.start(), &end, effort) else {
+    let follow = || method.follow(problem.start(), &end, effort);
+    let mut last = None;
+    let seconds = clock(&mut || last = Some(follow()));
+    let Ok(course) = last.unwrap_or_else(follow) else {
         return found;
     };
+    found.seconds = seconds;
     let [apart] = errors(problem, &course, problem.truth().len() - 1)[..] else {
         return found;
     };
@@ -122,12 +125,6 @@ pub fn measure(
         let most = |of: fn(&Apart) -> f64| all.iter().map(of).fold(0.0, f64::max);
         found.largest_attitude = Some(most(|a| a.attitude));
         found.largest_omega = Some(most(|a| a.omega));
-    }
-    if found.status == Status::Ok {
-        found.seconds = clock(&mut || {
-            // The same run as above; what it returns is known.
-            let _ = core::hint::black_box(method.follow(problem.start(), &end, effort));
-        });
     }
     found
 }

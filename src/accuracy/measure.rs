@@ -159,7 +159,8 @@ pub fn sweep(
         }
     }
     for place in 1..rows.len() {
-        if (place..rows.len()).all(|later| no_gain(&rows[..], later) || rows[later].status == Status::Failed)
+        if (place..rows.len())
+            .all(|later| no_gain(&rows[..], later) || rows[later].status == Status::Failed)
             && no_gain(&rows[..], place)
         {
             rows[place].status = Status::Floor;

@@ -37,9 +37,8 @@ impl Sample {
             let high = x.to_double();
             DoubleDouble::sum(high, (x - TwoWords::from_double(high)).to_double())
         };
-        let omega = core::array::from_fn(|k| {
-            words(phase.l[k]).divide(DoubleDouble::from(moments[k]))
-        });
+        let omega =
+            core::array::from_fn(|k| words(phase.l[k]).divide(DoubleDouble::from(moments[k])));
         Self {
             time,
             omega,
@@ -60,6 +59,12 @@ impl Sample {
     /// The attitude's quaternion (w, x, y, z), rounded.
     pub fn attitude(&self) -> [f64; 4] {
         self.attitude.map(DoubleDouble::value)
+    }
+
+    /// Ω and the attitude's quaternion, every number as the sum of two.
+    pub fn words(&self) -> ([[f64; 2]; 3], [[f64; 2]; 4]) {
+        let words = |x: DoubleDouble| [x.high(), x.low()];
+        (self.omega.map(words), self.attitude.map(words))
     }
 
     /// How far `phase`, of a body with these moments, is from the truth.
@@ -105,14 +110,21 @@ mod tests {
     #[test]
     fn errors_far_below_rounding_are_seen() {
         let third = [1.0 / 3.0, 1.0 / 3.0 * 2.0_f64.powi(-54)];
-        let truth = Sample::new(1.0, [third, [0.0; 2], [0.0; 2]], [[1.0, 0.0], [1e-25, 0.0], [0.0; 2], [0.0; 2]]);
+        let truth = Sample::new(
+            1.0,
+            [third, [0.0; 2], [0.0; 2]],
+            [[1.0, 0.0], [1e-25, 0.0], [0.0; 2], [0.0; 2]],
+        );
         let phase = Phase {
             l: [1.0 / 3.0, 0.0, 0.0],
             q: [-3.0, 0.0, 0.0, 0.0],
         };
         let apart = truth.apart(&phase, [1.0; 3]);
         assert!((apart.attitude / 2e-25 - 1.0).abs() < 1e-15, "{apart:?}");
-        assert!((apart.omega / 2.0_f64.powi(-54) - 1.0).abs() < 1e-15, "{apart:?}");
+        assert!(
+            (apart.omega / 2.0_f64.powi(-54) - 1.0).abs() < 1e-15,
+            "{apart:?}"
+        );
         let lost = Phase {
             l: [f64::NAN; 3],
             q: [f64::NAN; 4],

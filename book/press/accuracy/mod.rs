@@ -150,6 +150,10 @@ fn line(row: &Measurement) -> String {
     }
     let seconds = row.seconds.map_or(String::new(), |s| format!("{s:?}"));
     let status = row.status.word();
-    let _ = writeln!(text, ",{},{},{seconds},{status}", row.evaluations, row.steps);
+    let _ = writeln!(
+        text,
+        ",{},{},{seconds},{status}",
+        row.evaluations, row.steps
+    );
     text
 }

@@ -9,12 +9,17 @@ use spinning_bodies::integrators::geometric::{
     ClosedForm, Follow, HeavySplitting, Integrator, Order, Phase, Real, Rotations, TwoWords, Weight,
 };
 
-use crate::scenes::reader::Section;
 use crate::scenes;
+use crate::scenes::reader::Section;
 use crate::{Error, Result};
 
 /// Effects that a measured scene may not have.
-const LOSSES: [&str; 4] = ["pivot_friction", "bearing_friction", "air_drag", "tip_friction"];
+const LOSSES: [&str; 4] = [
+    "pivot_friction",
+    "bearing_friction",
+    "air_drag",
+    "tip_friction",
+];
 
 /// The file that a name stands for: a path, or a file of `book/scenes` with or without its ending.
 pub fn file(root: &Path, name: &str) -> Option<PathBuf> {
@@ -37,7 +42,10 @@ pub fn problem(file: &Path) -> Result<Problem> {
     scenes::parse(&name, &text)?;
     let table = scenes::table(&name, &text)?;
     let whole = Section::whole(&name, &table);
-    if table.get("kind").is_some_and(|kind| kind.as_str() != Some("top")) {
+    if table
+        .get("kind")
+        .is_some_and(|kind| kind.as_str() != Some("top"))
+    {
         return Err(whole.refused("kind", "must be \"top\" to be measured, or not there"));
     }
     let effects = whole.section("effects")?;
@@ -48,10 +56,14 @@ pub fn problem(file: &Path) -> Result<Problem> {
     let start = start(&whole, moments)?;
     let end = last_time(&whole)?;
     let told = |error: spinning_bodies::Error| Error::Input(format!("{name}: {error}"));
-    let omega = (0..3).map(|k| start.l[k] / moments[k]).fold(0.0, f64::hypot);
+    let omega = (0..3)
+        .map(|k| start.l[k] / moments[k])
+        .fold(0.0, f64::hypot);
     let turns = (omega * end / std::f64::consts::TAU).max(1.0);
     let truth = truth(moments, lever, &start, end, turns).map_err(told)?;
-    let stem = file.file_stem().map_or(name.clone(), |s| s.to_string_lossy().into_owned());
+    let stem = file
+        .file_stem()
+        .map_or(name.clone(), |s| s.to_string_lossy().into_owned());
     Problem::top(stem, (moments, lever), start, turns.round(), truth).map_err(told)
 }
 
@@ -60,7 +72,9 @@ type Body = ([f64; 3], [f64; 3]);
 fn body(whole: &Section<'_>, effects: &Section<'_>) -> Result<Body> {
     let body = whole.section("body")?;
     let moments = body.list("moments", "principal moments in kg m²")?;
-    let gravity = effects.optional("gravity", "an acceleration in m/s²")?.unwrap_or(0.0);
+    let gravity = effects
+        .optional("gravity", "an acceleration in m/s²")?
+        .unwrap_or(0.0);
     let mass = body.optional("mass", "a mass in kg")?.unwrap_or(0.0);
     let center = body.optional_vector("center_of_mass", "a place in m")?;
     let center: [f64; 3] = center.unwrap_or_else(BodyVector::zero).components().into();
@@ -110,13 +124,16 @@ fn truth(
     if let Ok(exact) = ClosedForm::new(moments, lever) {
         let course = exact.follow(start, &times, Effort::Tolerance(0.0))?;
         let pairs = times.iter().zip(&course.phases);
-        return Ok(pairs.map(|(&t, phase)| Sample::of_phase(t, &phase.cast(), moments)).collect());
+        return Ok(pairs
+            .map(|(&t, phase)| Sample::of_phase(t, &phase.cast(), moments))
+            .collect());
     }
     let drift = Rotations::new(moments, Order::Six)?;
     let method = HeavySplitting::new(drift, Weight::new(lever)?, Order::Six);
     let run = |steps: u64| -> spinning_bodies::Result<Vec<Phase<TwoWords>>> {
         let mut phase: Phase<TwoWords> = start.cast();
-        let step = TwoWords::from_double(end) * TwoWords::from_double(16.0 * steps as f64).reciprocal();
+        let step =
+            TwoWords::from_double(end) * TwoWords::from_double(16.0 * steps as f64).reciprocal();
         let mut phases = Vec::new();
         for _ in 0..16 {
             method.advance(&mut phase, step, steps)?;
@@ -137,7 +154,10 @@ fn truth(
         let gap = before.iter().zip(&now).flat_map(|(a, b)| {
             let l = (0..3).map(|k| (a.l[k] - b.l[k]).to_double().abs());
             let q = (0..4).map(|k| (a.q[k] - b.q[k]).to_double().abs());
-            let size = b.l.iter().map(|x| x.to_double()).fold(f64::MIN_POSITIVE, f64::hypot);
+            let size =
+                b.l.iter()
+                    .map(|x| x.to_double())
+                    .fold(f64::MIN_POSITIVE, f64::hypot);
             l.map(move |x| x / size).chain(q)
         });
         let gap = gap.fold(0.0, f64::max);

@@ -108,5 +108,10 @@ fn first(problem: &Problem, candidate: &Candidate, effort: Effort) -> f64 {
     let _ = candidate
         .method()
         .follow(problem.start(), &[problem.end() / parts], effort);
-    begin.elapsed().as_secs_f64() * if candidate.name() == "exact" { 1.0 } else { parts }
+    begin.elapsed().as_secs_f64()
+        * if candidate.name() == "exact" {
+            1.0
+        } else {
+            parts
+        }
 }

@@ -53,7 +53,13 @@ pub fn text(problem: &Problem, swept: &[Swept]) -> String {
 }
 
 fn line(row: &Measurement) -> String {
-    let error = |x: f64| if x.is_finite() { format!("{x:.1e}") } else { "-".to_owned() };
+    let error = |x: f64| {
+        if x.is_finite() {
+            format!("{x:.1e}")
+        } else {
+            "-".to_owned()
+        }
+    };
     let (time, digits) = match row.seconds {
         None => ("-".to_owned(), "-".to_owned()),
         Some(seconds) => (duration(seconds), digits(row.error_attitude, seconds)),
@@ -85,7 +91,11 @@ fn digits(error: f64, seconds: f64) -> String {
         return "-".to_owned();
     }
     let value = digits / (1e6 * seconds);
-    if value >= 0.01 { format!("{value:.2}") } else { format!("{value:.1e}") }
+    if value >= 0.01 {
+        format!("{value:.2}")
+    } else {
+        format!("{value:.1e}")
+    }
 }
 
 /// With three digits.
@@ -96,7 +106,11 @@ fn duration(seconds: f64) -> String {
         s if s < 1.0 => (s * 1e3, "ms"),
         s => (s, "s"),
     };
-    let places = if value < 9.995 { 2 } else { usize::from(value < 99.95) };
+    let places = if value < 9.995 {
+        2
+    } else {
+        usize::from(value < 99.95)
+    };
     format!("{value:.places$} {unit}")
 }
 

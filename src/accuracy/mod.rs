@@ -23,6 +23,7 @@
 mod candidate;
 mod listed;
 mod measure;
+mod order;
 mod problem;
 mod sample;
 mod table_top;
@@ -32,6 +33,7 @@ mod truth;
 pub use candidate::{Candidate, candidates};
 pub use listed::{NAMES, named, problems};
 pub use measure::{Clock, Judged, Measurement, Status, measure, sweep};
+pub use order::measured_order;
 pub use problem::{Problem, Setting};
 pub use sample::{Apart, Sample};
 pub use table_top::OnTable;

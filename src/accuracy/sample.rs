@@ -33,10 +33,6 @@ impl Sample {
 
     /// From a motion computed in two words, of a body with these moments.
     pub fn of_phase(time: f64, phase: &Phase<TwoWords>, moments: [f64; 3]) -> Self {
-        let words = |x: TwoWords| {
-            let high = x.to_double();
-            DoubleDouble::sum(high, (x - TwoWords::from_double(high)).to_double())
-        };
         let omega =
             core::array::from_fn(|k| words(phase.l[k]).divide(DoubleDouble::from(moments[k])));
         Self {
@@ -69,32 +65,38 @@ impl Sample {
 
     /// How far `phase`, of a body with these moments, is from the truth.
     ///
-    /// Differences are formed in two words: errors are right to rounding themselves, down to 1e-30. The quaternion may have any length.
-    pub fn apart(&self, phase: &Phase, moments: [f64; 3]) -> Apart {
+    /// Differences are formed in two words: errors are right to rounding themselves, down to 1e-30, in whatever numbers the state is given.
+    /// The quaternion may have any length.
+    pub fn apart<T: Real>(&self, phase: &Phase<T>, moments: [f64; 3]) -> Apart {
         let [a, b, c, d] = self.attitude;
-        let [w, x, y, z] = phase.q;
+        let [w, x, y, z] = phase.q.map(|x| words(x.two_words()));
         // The vector part of truth⁻¹q, which for small angles is all of it.
-        let four = |terms: [(DoubleDouble, f64); 4]| {
-            let products = terms.map(|(truth, found)| truth.times(found));
+        let four = |terms: [(DoubleDouble, DoubleDouble); 4]| {
+            let products = terms.map(|(truth, found)| truth.multiply(found));
             let [p, q, r, s] = products;
             p.add(q).add(r.add(s)).value()
         };
         let across = [
-            four([(a, x), (b, -w), (c, -z), (d, y)]),
-            four([(a, y), (b, z), (c, -w), (d, -x)]),
-            four([(a, z), (b, -y), (c, x), (d, -w)]),
+            four([(a, x), (b, w.negated()), (c, z.negated()), (d, y)]),
+            four([(a, y), (b, z), (c, w.negated()), (d, x.negated())]),
+            four([(a, z), (b, y.negated()), (c, x), (d, w.negated())]),
         ];
         let along = four([(a, w), (b, x), (c, y), (d, z)]);
         let size = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
         let gaps = core::array::from_fn(|k| {
             let l = self.omega[k].times(moments[k]);
-            DoubleDouble::from(phase.l[k]).subtract(l).value() / moments[k]
+            words(phase.l[k].two_words()).subtract(l).value() / moments[k]
         });
         Apart {
             attitude: known(2.0 * size(across).atan2(along.abs())),
             omega: known(size(gaps) / size(self.omega())),
         }
     }
+}
+
+fn words(x: TwoWords) -> DoubleDouble {
+    let high = x.to_double();
+    DoubleDouble::sum(high, (x - TwoWords::from_double(high)).to_double())
 }
 
 /// An error that is not a number is no small one.

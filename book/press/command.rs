@@ -78,7 +78,7 @@ counted. All problems together take about ten minutes, one of them seconds. Time
 
 Problems: free-top, near-separatrix, cusped-top, near-sleeping, kovalevskaya, heavy-body, tippe-top; each over 1, 10
 and 1000 turns, the first four over 1000000 (the tippe top: 1, 10, 100): free-top/1000 is one of them. A scene file, by
-its path or by its name in book/scenes, is judged by its closed form, or by a run with 32 digits.
+its path or by its name in book/scenes, is judged by a run with 32 digits; by its closed form where that takes too long.
 
 Examples:
   cargo run --release -- accuracy --scene near-separatrix/1000

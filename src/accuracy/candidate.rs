@@ -143,14 +143,15 @@ impl Found<'_> {
         let efforts = if method.is_adaptive() {
             tolerances()
         } else {
-            steps(self.problem)
+            // The crate counts time from 0 to 1, where a third is no double.
+            steps(self.problem, &[1.0])
         };
         let candidate = Candidate::new(method.name(), follow, efforts);
         self.candidates.push(candidate);
     }
 
     fn stepped(&mut self, name: impl Into<String>, method: impl Follow + 'static) {
-        let candidate = Candidate::new(name, Box::new(method), steps(self.problem));
+        let candidate = Candidate::new(name, Box::new(method), steps(self.problem, &[1.0, 1.5]));
         self.candidates.push(candidate);
     }
 }
@@ -163,9 +164,9 @@ fn tolerances() -> Vec<Effort> {
     DECADES.map(Effort::Tolerance).to_vec()
 }
 
-/// From about two steps a turn up: the run in 2ᵏ and in 3·2ᵏ parts, which for the listed problems are exact doubles, so that steps add up to the
-/// run without a rounding of time.
-fn steps(problem: &Problem) -> Vec<Effort> {
+/// From about two steps a turn up: the run in 2ᵏ parts, and in as many times the `multiples`. With 1.5 these are 3·2ᵏ, which for the listed
+/// problems are exact doubles, too: steps add up to the run without a rounding of time.
+fn steps(problem: &Problem, multiples: &[f64]) -> Vec<Effort> {
     const MOST: f64 = 1e9;
     const MOST_A_TURN: f64 = 131_072.0;
     let least = (2.0 * problem.turns()).max(4.0).log2().floor();
@@ -173,8 +174,8 @@ fn steps(problem: &Problem) -> Vec<Effort> {
     let mut count = least.exp2();
     let mut efforts = Vec::new();
     while count <= most {
-        efforts.push(Effort::Step(problem.end() / count));
-        efforts.push(Effort::Step(problem.end() / (1.5 * count)));
+        let parts = multiples.iter().map(|multiple| multiple * count);
+        efforts.extend(parts.map(|parts| Effort::Step(problem.end() / parts)));
         count *= 2.0;
     }
     efforts

@@ -22,7 +22,7 @@ pub enum Status {
     Ok,
     /// Rounding: more effort than a coarser run, and no gain. Only [`sweep`] can tell.
     Floor,
-    /// The attitude is off by more than a radian, or not finite.
+    /// The attitude is off by more than a radian, Ω by more than itself, or either not finite.
     Diverged,
     /// The method returned an error.
     Failed,
@@ -112,8 +112,8 @@ pub fn measure(
     found.error_omega = apart.omega;
     found.evaluations = course.cost.evaluations;
     found.steps = course.cost.steps;
-    // A radian off is no answer; the comparison is false for what is not a number.
-    found.status = if apart.attitude <= 1.0 && apart.omega.is_finite() {
+    // A radian off is no answer, nor is all of the angular velocity.
+    found.status = if apart.attitude <= 1.0 && apart.omega <= 1.0 {
         Status::Ok
     } else {
         Status::Diverged
@@ -159,10 +159,8 @@ pub fn sweep(
         }
     }
     for place in 1..rows.len() {
-        if (place..rows.len())
-            .all(|later| no_gain(&rows[..], later) || rows[later].status == Status::Failed)
-            && no_gain(&rows[..], place)
-        {
+        let never = (place..rows.len()).all(|later| no_gain(&rows, later));
+        if never && rows[place].status != Status::Failed {
             rows[place].status = Status::Floor;
         }
     }
@@ -179,5 +177,5 @@ fn no_gain(rows: &[Measurement], place: usize) -> bool {
         .map(|row| row.error_attitude)
         .fold(f64::INFINITY, f64::min);
     let row = &rows[place];
-    row.status != Status::Failed && best < 1e-3 && row.error_attitude > 0.8 * best
+    best < 1e-3 && row.error_attitude > 0.8 * best
 }

@@ -26,9 +26,10 @@ fn once(problem: &Problem, name: &str, effort: Effort) -> Measurement {
 #[test]
 fn a_step_too_long_diverges_and_a_wrong_effort_fails() {
     let free = problem("free-top/10");
-    let coarse = once(&free, "rk4", Effort::Step(free.end() / 16.0));
+    // Ten turns in one step.
+    let coarse = once(&free, "rk4", Effort::Step(free.end()));
     assert_eq!(coarse.status, Status::Diverged);
-    assert!(coarse.error_attitude > 1.0 && coarse.evaluations > 0);
+    assert!(coarse.error_omega > 1.0 && coarse.evaluations > 0);
     let wrong = once(&free, "dop853", Effort::Step(0.1));
     assert_eq!(wrong.status, Status::Failed);
     assert_eq!(
@@ -50,7 +51,7 @@ fn a_step_too_long_diverges_and_a_wrong_effort_fails() {
 #[test]
 fn rounding_is_called_the_floor_and_ends_the_sweep() {
     let free = problem("free-top/1");
-    for name in ["rotations-6", "moser-veselov-10", "dop853", "rk4"] {
+    for name in ["rotations-6", "moser-veselov-10", "munthe-kaas-4", "rk4"] {
         let method = candidate(&free, name);
         let rows = sweep(
             &free,
@@ -62,16 +63,12 @@ fn rounding_is_called_the_floor_and_ends_the_sweep() {
         let [.., before, last] = &rows[..] else {
             panic!("{name}: {rows:?}");
         };
-        assert!(
-            rows.len() < method.efforts().len() || name == "dop853",
-            "{name}"
-        );
+        assert!(rows.len() < method.efforts().len(), "{name}");
         assert_eq!(
             (before.status, last.status),
             (Status::Floor, Status::Floor),
             "{name}"
         );
-        // The better runs before are not.
         let best = rows
             .iter()
             .map(|r| r.error_attitude)
@@ -79,9 +76,6 @@ fn rounding_is_called_the_floor_and_ends_the_sweep() {
         println!("{name}: {best:e} in {} runs", rows.len());
         // Observed: 1.8e-16 … 6e-14 (rk4).
         assert!(best < 1e-13, "{name}: {best:e}");
-        assert!(rows.iter().any(
-            |r| r.error_attitude == best && r.status == Status::Ok || r.status == Status::Floor
-        ));
         assert!(
             rows.iter().filter(|r| r.status == Status::Ok).count() >= 4,
             "{name}"
@@ -175,7 +169,8 @@ fn evaluations_are_counted_to_the_last() {
     let top = problem("cusped-top/10");
     let effort = Effort::Step(top.end() / 512.0);
     let rk4 = once(&top, "rk4", effort);
-    assert_eq!((rk4.steps, rk4.evaluations), (512, 4 * 512));
+    // And one before the first step.
+    assert_eq!((rk4.steps, rk4.evaluations), (512, 4 * 512 + 1));
     let kicks = once(&top, "kick-drift-2", effort);
     assert_eq!(kicks.steps, 512);
     println!("{kicks:?}");

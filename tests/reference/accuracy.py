@@ -289,15 +289,15 @@ def apart(one, two):
 def same_equations():
     """Rates by tippe_top.py where this file's motion is, and its extrapolation over a sixteenth of a turn."""
     mass, across, along, radius, offset, gravity, friction, omega = TIPPE
-    gmpy2.get_context().precision = 115
+    gmpy2.get_context().precision = 150
     square = mpfr(radius) ** 2
     body = tippe_top.Body(mass, tippe_top.diagonal(across, across, along), tippe_top.diagonal(square, square, square), [0, 0, offset])
     rate = tippe_top.sliding(body, mpfr(gravity), "viscous", [mpfr(friction)])
     ours = TippeTop("tippe-top")
     state = ours.start + [mpfr(0)]
     step = mpfr(PROBLEMS["tippe-top"][4]) / SAMPLES
-    for _ in range(4):
-        state = tippe_top.extrapolated(rate, state, step / 4)
+    for _ in range(8):
+        state = tippe_top.extrapolated(rate, state, step / 8)
     gap = max(abs(a - b[1]) / (1 + abs(a)) for a, b in zip(rate(state), ours.series(state[:13], 2)))
     assert gap < 1e-29, float(gap)
     return [mpf(str(x)) for x in state[3:6]], [mpf(str(x)) for x in state[9:13]]

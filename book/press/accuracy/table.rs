@@ -86,7 +86,8 @@ fn line(row: &Measurement) -> String {
 
 /// Correct digits for each microsecond.
 fn digits(error: f64, seconds: f64) -> String {
-    let digits = -error.max(f64::MIN_POSITIVE).log10();
+    // No error at all: judged by itself.
+    let digits = -error.log10();
     if digits <= 0.0 || !digits.is_finite() {
         return "-".to_owned();
     }

@@ -38,7 +38,7 @@ const LINES: [Line; 4] = [
         hardness: Hardness::Tolerance(1e-11),
         most: 4,
         role: Role::Torque,
-        aside: [-8.0, -12.0],
+        aside: [10.0, 5.0],
     },
     Line {
         method: "rotations-4",
@@ -52,7 +52,7 @@ const LINES: [Line; 4] = [
         hardness: Hardness::StepsATurn(16.0),
         most: 6,
         role: Role::AngularMomentum,
-        aside: [0.0, 40.0],
+        aside: [0.0, 52.0],
     },
 ];
 
@@ -138,7 +138,12 @@ pub fn growth() -> Result<Figure> {
             beaded(pen, places, line.role);
             if let Some(point) = places.last() {
                 let at = [point[0] + line.aside[0], point[1] + line.aside[1]];
-                named_line(pen, at, Anchor::End, line.method, line.role);
+                let anchor = if line.aside[0] > 0.0 {
+                    Anchor::Start
+                } else {
+                    Anchor::End
+                };
+                named_line(pen, at, anchor, line.method, line.role);
             }
         }
         let places: Vec<Point> = exact.iter().map(|&[t, e]| frame.at(t, e)).collect();

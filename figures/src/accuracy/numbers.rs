@@ -74,7 +74,7 @@ pub fn three_numbers() -> Result<Figure> {
     Ok(figure("accuracy-numbers", 424.0, words, |pen| {
         frame.draw(
             pen,
-            &[(4.0, "4"), (16.0, "16"), (128.0, "128"), (256.0, "256")],
+            &[(8.0, "8"), (32.0, "32"), (128.0, "128"), (512.0, "512")],
             &[
                 (1.0, "1"),
                 (1e-5, "10^{−5}"),
@@ -89,7 +89,13 @@ pub fn three_numbers() -> Result<Figure> {
             let places: Vec<Point> = line.iter().map(|&[x, y]| frame.at(x, y)).collect();
             beaded(pen, &places, *role);
             if let Some(end) = places.last() {
-                named_line(pen, [end[0], end[1] - 14.0], Anchor::End, name, *role);
+                let aside = if *role == Role::Omega {
+                    [-26.0, 4.0]
+                } else {
+                    [0.0, -14.0]
+                };
+                let at = [end[0] + aside[0], end[1] + aside[1]];
+                named_line(pen, at, Anchor::End, name, *role);
             }
         }
     }))

@@ -10,17 +10,29 @@ use crate::style::{Anchor, Point, Role, Words, figure, number};
 
 /// Method, colour, what stands before its slope, and where: at the point that is so far along the line, and so far beside it.
 const METHODS: [(&str, Role, &str, f64, [f64; 2]); 6] = [
-    ("rotations-2", Role::Omega, "rotations: ", 0.60, [6.0, -12.0]),
+    (
+        "rotations-2",
+        Role::Omega,
+        "rotations: ",
+        0.60,
+        [6.0, -12.0],
+    ),
     ("rk4", Role::Torque, "rk4: ", 0.72, [8.0, -8.0]),
-    ("rotations-4", Role::Omega, "", 0.62, [8.0, -4.0]),
+    ("rotations-4", Role::Omega, "", 0.35, [8.0, -4.0]),
     ("rotations-6", Role::Omega, "", 0.40, [-8.0, 12.0]),
-    ("moser-veselov-6", Role::AngularMomentum, "", 0.45, [8.0, -4.0]),
+    (
+        "moser-veselov-6",
+        Role::AngularMomentum,
+        "",
+        0.45,
+        [8.0, -4.0],
+    ),
     (
         "moser-veselov-10",
         Role::AngularMomentum,
         "Moser and Veselov: ",
         0.80,
-        [-10.0, 14.0],
+        [-12.0, -6.0],
     ),
 ];
 

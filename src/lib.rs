@@ -23,11 +23,13 @@
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
 //! | | [`scene`] | a body, how it is held, its effects; the plan that follows, the motion and its ledger |
 //! | | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn |
+//! | | [`accuracy`] | every method on every kind of top: error against cost |
 //! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
 //! | | [`error`] | the one error type |
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
+pub mod accuracy;
 mod angle;
 pub mod conservation;
 mod double_double;

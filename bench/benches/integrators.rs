@@ -8,12 +8,12 @@ use spinning_bodies::Result;
 use spinning_bodies::euler_equations::quaternion_rate;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::integrators::geometric::{Follow, Real};
 use spinning_bodies::integrators::geometric::{
-    FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Nothing,
-    Order, Phase, Rotations, SymmetricDrift, TwoWords, UnequalDrift, Unfitted, VeselovOrder,
-    Weight,
+    DormandPrince8, FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov,
+    MuntheKaas, Nothing, Order, Phase, Rotations, SymmetricDrift, TwoWords, UnequalDrift, Unfitted,
+    VeselovOrder, Weight,
 };
+use spinning_bodies::integrators::geometric::{Follow, Real};
 use spinning_bodies::integrators::{Effort, Method};
 
 #[path = "support/mod.rs"]
@@ -42,6 +42,9 @@ fn main() -> Result<()> {
     };
     if asked("steps") {
         steps()?;
+    }
+    if asked("eight") {
+        order_eight()?;
     }
     if asked("long") {
         long_runs()?;
@@ -203,6 +206,79 @@ fn steps() -> Result<()> {
             format!("{} of the crate", method.name()),
             time / steps as f64 * 1e9
         );
+    }
+    Ok(())
+}
+
+/// Ours and the crate's method of order 8: time a step, and time at the same error by interpolation between tolerances.
+fn order_eight() -> Result<()> {
+    let start = Phase {
+        l: START,
+        q: UPRIGHT,
+    };
+    let weight = Weight::new(LEVER)?;
+    let free: [Box<dyn Follow>; 2] = [
+        Box::new(Unfitted::new(MOMENTS, Nothing, Method::Dop853)?),
+        Box::new(DormandPrince8::new(MOMENTS, Nothing)?),
+    ];
+    let heavy: [Box<dyn Follow>; 2] = [
+        Box::new(Unfitted::new(MOMENTS, weight, Method::Dop853)?),
+        Box::new(DormandPrince8::new(MOMENTS, weight)?),
+    ];
+    let t = 50.0;
+    let exact = EulerTop::new(
+        MOMENTS,
+        BodyVector::new(1.8, 0.4, -0.9),
+        Attitude::identity(),
+    )?;
+    let exact = exact.at(t)?.attitude.quaternion();
+    let truth = DormandPrince8::new(MOMENTS, weight)?;
+    let truth = truth.follow(&start, &[t], Effort::Tolerance(1e-15))?;
+    println!(
+        "\norder 8 over {t} s: tolerance, error, steps, microseconds, ns a step; then the ratio of times at the same error"
+    );
+    for (what, methods, exact) in [
+        ("free", free, [exact.w, exact.i, exact.j, exact.k]),
+        ("heavy, unequal moments", heavy, truth.phases[0].q),
+    ] {
+        println!("{what}");
+        let mut curves: Vec<Vec<(f64, f64)>> = Vec::new();
+        for method in &methods {
+            let mut curve = Vec::new();
+            for decade in 2..15 {
+                let effort = Effort::Tolerance(10.0_f64.powi(-decade));
+                let course = method.follow(&start, &[t], effort)?;
+                let steps = course.cost.steps;
+                let error = angle(course.phases[0].q, exact);
+                let time = least(60, || {
+                    let _ = black_box(method.follow(black_box(&start), &[t], effort));
+                });
+                println!(
+                    "{:>20} {:>8.0e} {error:>9.1e} {steps:>6} {:>9.2} {:>7.0}",
+                    method.name(),
+                    10.0_f64.powi(-decade),
+                    time * 1e6,
+                    time / steps as f64 * 1e9
+                );
+                curve.push((error.ln(), time.ln()));
+            }
+            curves.push(curve);
+        }
+        for decade in [3, 6, 9, 12] {
+            let error = 10.0_f64.powi(-decade).ln();
+            let at = |curve: &[(f64, f64)]| {
+                let pair = curve.windows(2).find(|w| w[1].0 <= error);
+                pair.map_or(f64::NAN, |w| {
+                    let share = ((error - w[0].0) / (w[1].0 - w[0].0)).max(0.0);
+                    w[0].1 + share * (w[1].1 - w[0].1)
+                })
+            };
+            let ratio = (at(&curves[1]) - at(&curves[0])).exp();
+            println!(
+                "{:>20} 1e-{decade}: ours takes {ratio:.2} of the crate's time",
+                ""
+            );
+        }
     }
     Ok(())
 }

@@ -11,9 +11,11 @@
 //! | [`ledger`] | the claims of the tutorial, and where each is computed |
 //! | [`appendix`] | the ledger as a page and as a table |
 //! | [`binding`] | builds the book, whole or not at all |
+//! | [`accuracy`] | every method on every kind of top, timed on this machine |
 //! | [`scenes`] | scene files: read, run, written |
 //! | [`command`] | the command line |
 
+pub mod accuracy;
 pub mod appendix;
 pub mod binding;
 pub mod chapters;

@@ -4,6 +4,7 @@
 
 use spinning_bodies::Result;
 
+mod accuracy;
 mod compare;
 mod euler_equations;
 mod euler_top;
@@ -379,6 +380,36 @@ pub fn all() -> &'static [Entry] {
             name: "scene-prices",
             chapter: "scenes",
             draw: scenes::prices,
+        },
+        Entry {
+            name: "accuracy-evaluations",
+            chapter: "accuracy",
+            draw: accuracy::work,
+        },
+        Entry {
+            name: "accuracy-orders",
+            chapter: "accuracy",
+            draw: accuracy::orders,
+        },
+        Entry {
+            name: "accuracy-numbers",
+            chapter: "accuracy",
+            draw: accuracy::three_numbers,
+        },
+        Entry {
+            name: "accuracy-growth",
+            chapter: "accuracy",
+            draw: accuracy::growth,
+        },
+        Entry {
+            name: "accuracy-drift",
+            chapter: "accuracy",
+            draw: accuracy::energy_drift,
+        },
+        Entry {
+            name: "accuracy-seconds",
+            chapter: "accuracy",
+            draw: accuracy::seconds,
         },
     ]
 }

@@ -7,6 +7,7 @@
 mod general;
 pub mod geometric;
 mod refined;
+mod scaled;
 
 pub use general::{Cost, Effort, Event, Method, Passage, Solution, Stop, System, solve, until};
 pub use refined::{halved, refined, tightened};

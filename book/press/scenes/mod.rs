@@ -150,7 +150,7 @@ pub fn parse(name: &str, text: &str) -> Result<(Ready, Request)> {
     Ok((scene, request))
 }
 
-fn table(name: &str, text: &str) -> Result<toml::Table> {
+pub(crate) fn table(name: &str, text: &str) -> Result<toml::Table> {
     text.parse().map_err(|error: toml::de::Error| {
         let line = error.span().map_or(1, |span| line_of(text, span.start));
         Error::Input(format!("{name}:{line}: {}", error.message()))
@@ -170,7 +170,7 @@ fn prepare(name: &str, table: &toml::Table) -> Result<(Ready, Request, Vec<Asked
     Ok((scene, request, asked))
 }
 
-fn source(path: &Path) -> Result<(String, String)> {
+pub(crate) fn source(path: &Path) -> Result<(String, String)> {
     if path == Path::new("-") {
         let mut text = String::new();
         let read = std::io::stdin().lock().read_to_string(&mut text);

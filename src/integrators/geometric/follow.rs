@@ -193,6 +193,7 @@ impl<N: Torque<f64>> Follow for Unfitted<N> {
     fn order(&self) -> Option<u32> {
         match self.method {
             Method::Rk4 => Some(4),
+            Method::Gauss => Some(6),
             _ => None,
         }
     }

@@ -7,6 +7,7 @@
 //! | [`GroupMidpoint`] | free bodies | 2 | the implicit midpoint rule with rotations for sums |
 //! | [`HeavySplitting`] | any torque | 2, 4, 6 | exact kicks by the torque between exact free motions |
 //! | [`MuntheKaas`] | any torque | 4 | Runge–Kutta in the rotation vector |
+//! | [`DormandPrince8`] | any torque | 8 | explicit Runge–Kutta with error control, the quaternion kept at norm 1 |
 //!
 //! All share [`Integrator`]: a phase, a step, a number of steps. Long runs keep what rounding leaves over (Kahan): over 10⁷ steps |L| is off by
 //! 4e-15, the energy by no more than its oscillation (symplectic methods) or 9e-14 (implicit ones, a random walk).
@@ -32,6 +33,7 @@
 
 mod cayley;
 mod coefficients;
+mod dormand_prince;
 mod drift;
 mod exact;
 mod follow;
@@ -42,6 +44,7 @@ mod real;
 mod splitting;
 
 pub use cayley::{GroupMidpoint, MoserVeselov, VeselovOrder};
+pub use dormand_prince::{DormandPrince8, Kept, order_eight};
 pub use drift::{Drift, Rotations, SymmetricDrift, UnequalDrift};
 pub use exact::ClosedForm;
 pub use follow::{Course, Follow, Unfitted};

@@ -265,7 +265,7 @@ impl Real for TwoWords {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sums<T, const N: usize> {
     pub values: [T; N],
-    left: [T; N],
+    pub left: [T; N],
 }
 
 impl<T: Real, const N: usize> Sums<T, N> {

@@ -1,0 +1,191 @@
+//! A scene file as a problem: a top without losses, judged by a run in two words, or by its closed form.
+
+use std::path::{Path, PathBuf};
+
+use spinning_bodies::accuracy::{Problem, Sample};
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::integrators::Effort;
+use spinning_bodies::integrators::geometric::{
+    ClosedForm, Follow, HeavySplitting, Integrator, Order, Phase, Real, Rotations, TwoWords, Weight,
+};
+
+use crate::scenes;
+use crate::scenes::reader::Section;
+use crate::{Error, Result};
+
+/// Effects that a measured scene may not have.
+const LOSSES: [&str; 4] = [
+    "pivot_friction",
+    "bearing_friction",
+    "air_drag",
+    "tip_friction",
+];
+
+/// The file that a name stands for: a path, or a file of `book/scenes` with or without its ending.
+pub fn file(root: &Path, name: &str) -> Option<PathBuf> {
+    let scenes = root.join("book/scenes");
+    let places = [
+        PathBuf::from(name),
+        scenes.join(name),
+        scenes.join(format!("{name}.toml")),
+    ];
+    places.into_iter().find(|place| place.is_file())
+}
+
+/// The motion that a scene file describes, from its start to its last time.
+///
+/// # Errors
+/// [`Error::Input`] for a file that is not the scene of a top without losses, or one that ends where it begins.
+pub fn problem(file: &Path) -> Result<Problem> {
+    let (name, text) = scenes::source(file)?;
+    // Whatever is wrong with the file is told here.
+    scenes::parse(&name, &text)?;
+    let table = scenes::table(&name, &text)?;
+    let whole = Section::whole(&name, &table);
+    if table
+        .get("kind")
+        .is_some_and(|kind| kind.as_str() != Some("top"))
+    {
+        return Err(whole.refused("kind", "must be \"top\" to be measured, or not there"));
+    }
+    let effects = whole.section("effects")?;
+    if let Some(loss) = LOSSES.into_iter().find(|loss| effects.has(loss)) {
+        return Err(effects.refused(loss, "is a loss; tops are measured without"));
+    }
+    let (moments, lever) = body(&whole, &effects)?;
+    let start = start(&whole, moments)?;
+    let end = last_time(&whole)?;
+    let told = |error: spinning_bodies::Error| Error::Input(format!("{name}: {error}"));
+    let omega = (0..3)
+        .map(|k| start.l[k] / moments[k])
+        .fold(0.0, f64::hypot);
+    let turns = (omega * end / std::f64::consts::TAU).max(1.0);
+    let truth = truth((moments, lever), &start, end, turns).map_err(told)?;
+    let stem = file
+        .file_stem()
+        .map_or(name.clone(), |s| s.to_string_lossy().into_owned());
+    Problem::top(stem, (moments, lever), start, turns.round(), truth).map_err(told)
+}
+
+type Body = ([f64; 3], [f64; 3]);
+
+fn body(whole: &Section<'_>, effects: &Section<'_>) -> Result<Body> {
+    let body = whole.section("body")?;
+    let moments = body.list("moments", "principal moments in kg m²")?;
+    let gravity = effects
+        .optional("gravity", "an acceleration in m/s²")?
+        .unwrap_or(0.0);
+    let mass = body.optional("mass", "a mass in kg")?.unwrap_or(0.0);
+    let center = body.optional_vector("center_of_mass", "a place in m")?;
+    let center: [f64; 3] = center.unwrap_or_else(BodyVector::zero).components().into();
+    // No minus zero: it would not be "no lever" to those who look.
+    Ok((moments, center.map(|x| mass * gravity * x + 0.0)))
+}
+
+fn start(whole: &Section<'_>, moments: [f64; 3]) -> Result<Phase> {
+    let initial = whole.section("initial")?;
+    let attitude = initial.attitude()?;
+    let l = match initial.optional_vector("omega", "an angular velocity in rad/s")? {
+        Some(omega) => {
+            let omega: [f64; 3] = omega.components().into();
+            let [x, y, z] = std::array::from_fn(|k| moments[k] * omega[k]);
+            BodyVector::new(x, y, z)
+        }
+        None => initial
+            .optional_vector("angular_momentum", "an angular momentum in kg m²/s")?
+            .unwrap_or_else(BodyVector::zero),
+    };
+    Ok(Phase::new(l, &attitude))
+}
+
+fn last_time(whole: &Section<'_>) -> Result<f64> {
+    let run = whole.section("run")?;
+    let until = run.optional("until", "the last time in s")?;
+    let times = run.optional_numbers("times", "a list of times in s")?;
+    let times = until.into_iter().chain(times.into_iter().flatten());
+    let last = times.fold(0.0_f64, f64::max);
+    if last > 0.0 {
+        Ok(last)
+    } else {
+        Err(run.refused("until", "must be positive for a motion to be measured"))
+    }
+}
+
+/// Sixteen samples: by a splitting of order 6 in two words if that takes seconds; otherwise by the closed form, if there is one.
+fn truth(
+    (moments, lever): Body,
+    start: &Phase,
+    end: f64,
+    turns: f64,
+) -> spinning_bodies::Result<Vec<Sample>> {
+    let times: Vec<f64> = (1..=16).map(|k| end * f64::from(k) / 16.0).collect();
+    let judged = |phases: &[Phase<TwoWords>]| {
+        let pairs = times.iter().zip(phases);
+        pairs
+            .map(|(&t, phase)| Sample::of_phase(t, phase, moments))
+            .collect()
+    };
+    match two_words((moments, lever), start, end, turns) {
+        Ok(phases) => Ok(judged(&phases)),
+        Err(error) => {
+            let exact = ClosedForm::new(moments, lever).map_err(|_| error)?;
+            let course = exact.follow(start, &times, Effort::Tolerance(0.0))?;
+            let phases: Vec<_> = course.phases.iter().map(Phase::cast).collect();
+            Ok(judged(&phases))
+        }
+    }
+}
+
+/// Most steps of a run in two words: some seconds of computing.
+const MOST_STEPS: u64 = 300_000;
+
+/// Steps are halved until the last two runs agree to 1e-16, the better one thereby to 2e-18.
+fn two_words(
+    (moments, lever): Body,
+    start: &Phase,
+    end: f64,
+    turns: f64,
+) -> spinning_bodies::Result<Vec<Phase<TwoWords>>> {
+    let drift = Rotations::new(moments, Order::Six)?;
+    let method = HeavySplitting::new(drift, Weight::new(lever)?, Order::Six);
+    let run = |steps: u64| -> spinning_bodies::Result<Vec<Phase<TwoWords>>> {
+        let mut phase: Phase<TwoWords> = start.cast();
+        let parts = TwoWords::from_double(16.0 * steps as f64).reciprocal();
+        let mut phases = Vec::new();
+        for _ in 0..16 {
+            method.advance(&mut phase, TwoWords::from_double(end) * parts, steps)?;
+            phases.push(phase);
+        }
+        Ok(phases)
+    };
+    let (mut before, mut reached) = (None, f64::INFINITY);
+    let mut steps = (turns * 4.0).ceil() as u64;
+    while steps <= MOST_STEPS / 16 {
+        let now = run(steps)?;
+        if let Some(before) = before {
+            reached = apart(before, &now);
+            if reached < 1e-16 {
+                return Ok(now);
+            }
+        }
+        (before, steps) = (Some(now), 2 * steps);
+    }
+    Err(spinning_bodies::Error::Accuracy {
+        asked: 1e-16,
+        reached,
+    })
+}
+
+/// The largest difference of two runs, of L relative.
+fn apart(a: Vec<Phase<TwoWords>>, b: &[Phase<TwoWords>]) -> f64 {
+    let gaps = a.iter().zip(b).map(|(a, b)| {
+        let size =
+            b.l.iter()
+                .map(|x| x.to_double())
+                .fold(f64::MIN_POSITIVE, f64::hypot);
+        let l = (0..3).map(|k| (a.l[k] - b.l[k]).to_double().abs() / size);
+        let q = (0..4).map(|k| (a.q[k] - b.q[k]).to_double().abs());
+        l.chain(q).fold(0.0, f64::max)
+    });
+    gaps.fold(0.0, f64::max)
+}

@@ -1,0 +1,74 @@
+//! What accuracy costs (chapter "What accuracy costs"): orders, long runs, three kinds of numbers, and the price of a digit.
+//!
+//! Everything here but `seconds` is computed when it is drawn.
+
+mod drift;
+mod evaluations;
+mod growth;
+mod numbers;
+mod orders;
+mod seconds;
+
+pub use drift::energy_drift;
+pub use evaluations::work;
+pub use growth::growth;
+pub use numbers::three_numbers;
+pub use orders::orders;
+pub use seconds::seconds;
+
+use spinning_bodies::Result;
+use spinning_bodies::accuracy::{Judged, Measurement, Problem, Status, candidates, named, sweep};
+
+use crate::style::{Anchor, DATA, Pen, Point, Role, label, stroke};
+
+/// One problem over one length.
+fn problem(name: &str) -> Result<Problem> {
+    named(name)?
+        .into_iter()
+        .next()
+        .ok_or(spinning_bodies::Error::Empty {
+            quantity: "the list of problems of this name",
+        })
+}
+
+/// The sweep of one method, with no run of more than so many evaluations.
+fn swept(problem: &Problem, method: &str, most: u64) -> Result<Vec<Measurement>> {
+    let all = candidates(problem)?;
+    let Some(candidate) = all.iter().find(|candidate| candidate.name() == method) else {
+        return Ok(Vec::new());
+    };
+    let mut more = |rows: &[Measurement], _| {
+        // Efforts are at most a decade or a factor 1.5 apart.
+        rows.last().is_none_or(|row| 3 * row.evaluations < 2 * most)
+    };
+    Ok(sweep(
+        problem,
+        candidate,
+        Judged::AtTheEnd,
+        &mut |_| None,
+        &mut more,
+    ))
+}
+
+/// Errors against what is chosen, without the runs that failed or lost their way, and with one point of the floor.
+fn points(rows: &[Measurement], across: impl Fn(&Measurement) -> f64) -> Vec<Point> {
+    let mut floor = 0;
+    let kept = rows.iter().filter(|row| {
+        floor += usize::from(row.status == Status::Floor);
+        matches!(row.status, Status::Ok | Status::Floor) && floor < 2
+    });
+    kept.map(|row| [across(row), row.error_attitude]).collect()
+}
+
+/// A line of data with a disc at each point.
+fn beaded(pen: &mut Pen<'_>, line: &[Point], role: Role) {
+    pen.line(line, stroke(role, DATA));
+    for &point in line {
+        pen.disc(point, 2.6, role, 1.0);
+    }
+}
+
+/// A name in the colour of its line.
+fn named_line(pen: &mut Pen<'_>, at: Point, anchor: Anchor, name: &str, role: Role) {
+    pen.text(at, anchor, name, label(role));
+}

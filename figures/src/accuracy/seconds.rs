@@ -1,0 +1,159 @@
+//! Error against time, as measured on one machine.
+
+use spinning_bodies::Result;
+
+use crate::Figure;
+use crate::plot::Axis;
+use crate::style::{
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, label, small, stroke,
+};
+
+/// What the command `accuracy --csv` wrote, under a line that names machine and compiler.
+const MEASURED: &str = include_str!("../../../book/src/tables/accuracy.csv");
+
+/// Problem and its name on the figure.
+const PANELS: [(&str, &str); 6] = [
+    ("free-top/1000", "free body"),
+    ("near-separatrix/1000", "beside the separatrix"),
+    ("cusped-top/1000", "top with cusps"),
+    ("near-sleeping/1000", "top, nearly asleep"),
+    ("kovalevskaya/1000", "Kovalevskaya’s top"),
+    ("heavy-body/1000", "no closed form"),
+];
+const X: [f64; 2] = [1e-7, 1e-1];
+const Y: [f64; 2] = [1e-16, 1.0];
+
+/// One measurement, as far as it is drawn.
+struct Row<'a> {
+    problem: &'a str,
+    method: &'a str,
+    error: f64,
+    seconds: f64,
+}
+
+fn rows() -> Vec<Row<'static>> {
+    let lines = MEASURED
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .skip(1);
+    let rows = lines.filter_map(|line| {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [problem, method, _, error, _, _, _, seconds, status] = fields[..] else {
+            return None;
+        };
+        let error: f64 = error.parse().ok()?;
+        let seconds = seconds.parse().ok()?;
+        let shown = status == "ok" || status == "floor";
+        (shown && error < Y[1]).then(|| Row {
+            problem,
+            method,
+            error: error.max(Y[0]),
+            seconds,
+        })
+    });
+    rows.collect()
+}
+
+/// The least time for each error or a smaller one: a staircase's corners.
+fn best<'a>(rows: impl Iterator<Item = &'a Row<'static>>) -> Vec<Point> {
+    let mut points: Vec<Point> = rows.map(|row| [row.seconds, row.error]).collect();
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut kept: Vec<Point> = Vec::new();
+    for point in points {
+        if kept.last().is_none_or(|last| point[1] < last[1]) {
+            kept.push(point);
+        }
+    }
+    kept
+}
+
+fn is_general(method: &str) -> bool {
+    matches!(method, "rk4" | "dopri5" | "dop853" | "verner98" | "gauss")
+}
+
+/// Small multiples: what a thousand turns of each top cost on a clock.
+pub fn seconds() -> Result<Figure> {
+    let rows = rows();
+    let machine = MEASURED
+        .lines()
+        .next()
+        .unwrap_or_default()
+        .trim_start_matches(['#', ' ']);
+    let words = Words {
+        claim: "A thousand turns on a clock: the closed form is exact before a general method has warmed up.".to_owned(),
+        details: format!(
+            "Error of the attitude in radians after a thousand turns against time. Purple: the best of the general methods; dotted, rk4. Blue: the best of our own methods \
+             that take steps. Black: the closed form, its preparation included. Measured once, least of repeated runs: {machine}."
+        ),
+        alt: "Six small diagrams, error against seconds, both logarithmic. The line of our stepping methods lies to the left of that of the general methods; a black disc, the \
+              closed form, lies far to the left of both and at the bottom. The sixth problem has no closed form and no disc."
+            .to_owned(),
+    };
+    Ok(figure("accuracy-seconds", 640.0, words, |pen| {
+        for (k, (problem, name)) in PANELS.iter().enumerate() {
+            let place = [54.0 + 300.0 * (k % 2) as f64, 40.0 + 204.0 * (k / 2) as f64];
+            let of = |keep: &dyn Fn(&str) -> bool| {
+                best(
+                    rows.iter()
+                        .filter(|row| row.problem == *problem && keep(row.method)),
+                )
+            };
+            let lines = [
+                (of(&|m| m == "rk4"), stroke(Role::Torque, DATA).dotted()),
+                (
+                    of(&|m| is_general(m) && m != "rk4"),
+                    stroke(Role::Torque, DATA),
+                ),
+                (
+                    of(&|m| !is_general(m) && m != "exact"),
+                    stroke(Role::Omega, DATA),
+                ),
+            ];
+            let y = axes(pen, name, place);
+            let x = Axis::log(X, [place[0], place[0] + 234.0]);
+            for (line, stroke) in lines {
+                let line: Vec<Point> = line
+                    .iter()
+                    .filter(|p| p[0] < X[1])
+                    .map(|p| [x.at(p[0]), y.at(p[1])])
+                    .collect();
+                pen.line(&line, stroke);
+            }
+            for point in of(&|m| m == "exact") {
+                pen.disc([x.at(point[0]), y.at(point[1])], 6.0, Role::Ink, 1.0);
+            }
+        }
+    }))
+}
+
+fn axes(pen: &mut Pen<'_>, name: &str, [left, top]: Point) -> Axis {
+    let (right, bottom) = (left + 234.0, top + 140.0);
+    let x = Axis::log(X, [left, right]);
+    let y = Axis::log(Y, [bottom, top]);
+    pen.text([left, top - 14.0], Anchor::Start, name, label(Role::Ink));
+    pen.line(
+        &[[left, top], [left, bottom], [right, bottom]],
+        stroke(Role::Ink, AXIS),
+    );
+    for (value, text) in [(1e-6, "1 µs"), (1e-3, "1 ms"), (1e-1, "0.1 s")] {
+        pen.text(
+            [x.at(value), bottom + 18.0],
+            Anchor::Middle,
+            text,
+            small(Role::Muted),
+        );
+    }
+    for (value, text) in [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")] {
+        pen.line(
+            &[[left, y.at(value)], [right, y.at(value)]],
+            stroke(Role::Ink, HAIR).alpha(0.18),
+        );
+        pen.text(
+            [left - 6.0, y.at(value) + 5.0],
+            Anchor::End,
+            text,
+            small(Role::Muted),
+        );
+    }
+    y
+}

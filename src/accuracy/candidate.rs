@@ -1,0 +1,182 @@
+//! Which methods can run a problem, and how hard each is asked to work.
+
+use super::problem::{Problem, Setting};
+use super::table_top::Sliding;
+use crate::error::Result;
+use crate::integrators::geometric::{
+    ClosedForm, Drift, Follow, FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov,
+    MuntheKaas, Nothing, Order, Rotations, SymmetricDrift, Torque, UnequalDrift, Unfitted,
+    VeselovOrder, Weight,
+};
+use crate::integrators::{Effort, Method};
+
+/// A method for a problem, and the efforts from coarse to more than rounding allows.
+pub struct Candidate {
+    name: String,
+    method: Box<dyn Follow>,
+    efforts: Vec<Effort>,
+}
+
+impl core::fmt::Debug for Candidate {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Candidate")
+            .field("name", &self.name)
+            .field("efforts", &self.efforts)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Candidate {
+    /// A method under this name, to be asked with these efforts.
+    pub fn new(name: impl Into<String>, method: Box<dyn Follow>, efforts: Vec<Effort>) -> Self {
+        Self {
+            name: name.into(),
+            method,
+            efforts,
+        }
+    }
+
+    /// The name in the tables: `exact`, `rk4`, `kick-drift-6`, …
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The method.
+    pub fn method(&self) -> &dyn Follow {
+        &*self.method
+    }
+
+    /// How hard it is asked to work, from coarse to fine.
+    pub fn efforts(&self) -> &[Effort] {
+        &self.efforts
+    }
+}
+
+/// The methods that can run a problem: closed form where there is one, geometric ones, those of the crate `differential-equations`.
+///
+/// # Errors
+/// Those of moments and levers that no body has.
+pub fn candidates(problem: &Problem) -> Result<Vec<Candidate>> {
+    let mut found = Found {
+        problem,
+        candidates: Vec::new(),
+    };
+    match *problem.setting() {
+        Setting::Top { moments, lever } => {
+            if let Ok(exact) = ClosedForm::new(moments, lever) {
+                let once = vec![Effort::Tolerance(0.0)];
+                found
+                    .candidates
+                    .push(Candidate::new("exact", Box::new(exact), once));
+            }
+            if lever == [0.0; 3] {
+                found.free(moments)?;
+            } else {
+                found.heavy(moments, lever)?;
+            }
+        }
+        Setting::Table(table) => {
+            for method in Method::ALL {
+                found.general(method, Box::new(Sliding { table, method }));
+            }
+        }
+    }
+    Ok(found.candidates)
+}
+
+struct Found<'a> {
+    problem: &'a Problem,
+    candidates: Vec<Candidate>,
+}
+
+impl Found<'_> {
+    fn free(&mut self, moments: [f64; 3]) -> Result<()> {
+        for order in Order::ALL {
+            let method = FreeSplitting::new(moments, order)?;
+            self.stepped(format!("rotations-{}", order.number()), method);
+        }
+        for order in VeselovOrder::ALL {
+            let method = MoserVeselov::new(moments, order)?;
+            self.stepped(format!("moser-veselov-{}", order.number()), method);
+        }
+        self.stepped("midpoint-2", GroupMidpoint::new(moments)?);
+        self.any_torque(moments, Nothing)
+    }
+
+    fn heavy(&mut self, moments: [f64; 3], lever: [f64; 3]) -> Result<()> {
+        let weight = Weight::new(lever)?;
+        if let Ok(drift) = SymmetricDrift::new(moments) {
+            self.kicked("kick-drift", drift, weight);
+        } else {
+            self.kicked("kick-drift", UnequalDrift::new(moments)?, weight);
+            for order in Order::ALL {
+                let method = HeavySplitting::new(Rotations::new(moments, order)?, weight, order);
+                self.stepped(format!("kick-rotations-{}", order.number()), method);
+            }
+        }
+        let midpoint = HeavySplitting::new(GroupMidpoint::new(moments)?, weight, Order::Two);
+        self.stepped("midpoint-2", midpoint);
+        self.any_torque(moments, weight)
+    }
+
+    fn kicked<D: Drift<f64> + Copy + 'static>(&mut self, name: &str, drift: D, weight: Weight) {
+        for order in Order::ALL {
+            let method = HeavySplitting::new(drift, weight, order);
+            self.stepped(format!("{name}-{}", order.number()), method);
+        }
+    }
+
+    fn any_torque<N: Torque<f64> + Copy + 'static>(
+        &mut self,
+        moments: [f64; 3],
+        torque: N,
+    ) -> Result<()> {
+        self.stepped("munthe-kaas-4", MuntheKaas::new(moments, torque)?);
+        for method in Method::ALL {
+            let fitted = Unfitted::new(moments, torque, method)?;
+            self.general(method, Box::new(fitted));
+        }
+        Ok(())
+    }
+
+    fn general(&mut self, method: Method, follow: Box<dyn Follow>) {
+        let efforts = if method.is_adaptive() {
+            tolerances()
+        } else {
+            // The crate counts time from 0 to 1, where a third is no double.
+            steps(self.problem, &[1.0])
+        };
+        let candidate = Candidate::new(method.name(), follow, efforts);
+        self.candidates.push(candidate);
+    }
+
+    fn stepped(&mut self, name: impl Into<String>, method: impl Follow + 'static) {
+        let candidate = Candidate::new(name, Box::new(method), steps(self.problem, &[1.0, 1.5]));
+        self.candidates.push(candidate);
+    }
+}
+
+/// A decade apart, down to where the error of a step is rounding.
+fn tolerances() -> Vec<Effort> {
+    const DECADES: [f64; 14] = [
+        1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,
+    ];
+    DECADES.map(Effort::Tolerance).to_vec()
+}
+
+/// From about two steps a turn up: the run in 2ᵏ parts, and in as many times the `multiples`. With 1.5 these are 3·2ᵏ, which for the listed
+/// problems are exact doubles, too: steps add up to the run without a rounding of time.
+fn steps(problem: &Problem, multiples: &[f64]) -> Vec<Effort> {
+    const MOST: f64 = 1e9;
+    const MOST_A_TURN: f64 = 131_072.0;
+    let least = (2.0 * problem.turns()).max(4.0).log2().floor();
+    let most = (MOST_A_TURN * problem.turns().max(1.0)).min(MOST);
+    let mut count = least.exp2();
+    let mut efforts = Vec::new();
+    while count <= most {
+        let parts = multiples.iter().map(|multiple| multiple * count);
+        efforts.extend(parts.map(|parts| Effort::Step(problem.end() / parts)));
+        count *= 2.0;
+    }
+    efforts
+}

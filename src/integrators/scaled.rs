@@ -1,0 +1,54 @@
+//! The same equations with every component near 1.
+
+use super::general::{Event, Passage, System};
+use crate::double_double::power_of_two_below;
+
+/// A system and its event with components in units of their scales, rounded to powers of two so that nothing else is rounded.
+pub(super) struct Scaled<'a, const N: usize> {
+    system: &'a dyn System<N>,
+    event: &'a dyn Event<N>,
+    units: [f64; N],
+}
+
+impl<'a, const N: usize> Scaled<'a, N> {
+    pub(super) fn new(
+        system: &'a dyn System<N>,
+        event: &'a dyn Event<N>,
+        scales: &[f64; N],
+    ) -> Self {
+        let units = scales.map(|scale| power_of_two_below(scale.abs()));
+        Self {
+            system,
+            event,
+            units,
+        }
+    }
+
+    pub(super) fn to_units(&self, y: &[f64; N]) -> [f64; N] {
+        core::array::from_fn(|n| y[n] / self.units[n])
+    }
+
+    fn from_units(&self, y: &[f64; N]) -> [f64; N] {
+        core::array::from_fn(|n| y[n] * self.units[n])
+    }
+
+    pub(super) fn passage(&self, passage: Passage<N>) -> Passage<N> {
+        Passage {
+            states: passage.states.iter().map(|y| self.from_units(y)).collect(),
+            end: self.from_units(&passage.end),
+            ..passage
+        }
+    }
+}
+
+impl<const N: usize> System<N> for Scaled<'_, N> {
+    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
+        self.to_units(&self.system.rate(t, &self.from_units(y)))
+    }
+}
+
+impl<const N: usize> Event<N> for Scaled<'_, N> {
+    fn value(&self, t: f64, y: &[f64; N]) -> f64 {
+        self.event.value(t, &self.from_units(y))
+    }
+}

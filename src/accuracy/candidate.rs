@@ -1,12 +1,12 @@
 //! Which methods can run a problem, and how hard each is asked to work.
 
 use super::problem::{Problem, Setting};
-use super::table_top::Sliding;
+use super::table_top::{Sliding, SlidingOrderEight};
 use crate::error::Result;
 use crate::integrators::geometric::{
-    ClosedForm, Drift, Follow, FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov,
-    MuntheKaas, Nothing, Order, Rotations, SymmetricDrift, Torque, UnequalDrift, Unfitted,
-    VeselovOrder, Weight,
+    ClosedForm, DormandPrince8, Drift, Follow, FreeSplitting, GroupMidpoint, HeavySplitting,
+    MoserVeselov, MuntheKaas, Nothing, Order, Rotations, SymmetricDrift, Torque, UnequalDrift,
+    Unfitted, VeselovOrder, Weight,
 };
 use crate::integrators::{Effort, Method};
 
@@ -79,6 +79,7 @@ pub fn candidates(problem: &Problem) -> Result<Vec<Candidate>> {
             for method in Method::ALL {
                 found.general(method, Box::new(Sliding { table, method }));
             }
+            found.order_eight(Box::new(SlidingOrderEight { table }));
         }
     }
     Ok(found.candidates)
@@ -136,6 +137,7 @@ impl Found<'_> {
             let fitted = Unfitted::new(moments, torque, method)?;
             self.general(method, Box::new(fitted));
         }
+        self.order_eight(Box::new(DormandPrince8::new(moments, torque)?));
         Ok(())
     }
 
@@ -147,6 +149,11 @@ impl Found<'_> {
             steps(self.problem, &[1.0])
         };
         let candidate = Candidate::new(method.name(), follow, efforts);
+        self.candidates.push(candidate);
+    }
+
+    fn order_eight(&mut self, follow: Box<dyn Follow>) {
+        let candidate = Candidate::new("dormand-prince-8", follow, tolerances());
         self.candidates.push(candidate);
     }
 

@@ -1,4 +1,4 @@
-//! The seven motions, from an ordinary one to those that break methods.
+//! The seven motions, from an ordinary one to those that are hard on a method.
 
 use super::problem::{Problem, Setting};
 use super::sample::Sample;
@@ -7,7 +7,17 @@ use super::truth;
 use crate::error::Result;
 use crate::integrators::geometric::Phase;
 
-/// The names of the problems; each is a family of runs, of 1, 10, … turns.
+/// The names of the problems; each is a family of runs, of 1, 10, … turns, a turn being 2π/|Ω| at the start.
+///
+/// | name | what makes it hard |
+/// |---|---|
+/// | `free-top` | nothing: the body of Hairer and Vilmart (2006) |
+/// | `near-separatrix` | the period hangs on the logarithm of 6e-8, and what goes wrong at one flip is there at all that follow |
+/// | `cusped-top` | the axis comes to rest at every cusp |
+/// | `near-sleeping` | upright but for a thousandth, it falls and rises again: near the pole, and near the waking separatrix |
+/// | `kovalevskaya` | no axis of symmetry |
+/// | `heavy-body` | no closed form. Regular: starts 1e-9 apart are 3e-8 apart after 300 turns, in proportion to the time, as on a torus |
+/// | `tippe-top` | friction: nothing is kept; a tilt grows until the top stands on its head |
 pub const NAMES: [&str; 7] = [
     "free-top",
     "near-separatrix",

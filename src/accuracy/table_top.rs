@@ -5,7 +5,7 @@ use nalgebra::Matrix3;
 use crate::error::Result;
 use crate::frame::BodyVector;
 use crate::inertia::InertiaMatrix;
-use crate::integrators::geometric::{Course, Follow, Phase};
+use crate::integrators::geometric::{Course, Follow, Kept, Phase, order_eight};
 use crate::integrators::{Effort, Method, System, solve};
 use crate::scene::Absent;
 use crate::tippe_top::equations::{Ground, NUMBERS, Numbers, Table, numbers};
@@ -91,13 +91,44 @@ impl Follow for Sliding {
     }
 
     fn order(&self) -> Option<u32> {
-        None
+        match self.method {
+            Method::Rk4 => Some(4),
+            Method::Gauss => Some(6),
+            _ => None,
+        }
     }
 
     fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
         let y = self.table.numbers(start)?;
         let scales = self.table.scales(&y);
         let run = solve(&self.table, 0.0, &y, &scales, times, self.method, effort)?;
+        Ok(Course {
+            phases: run.states.iter().map(|y| self.table.phase(y)).collect(),
+            cost: run.cost,
+        })
+    }
+}
+
+/// Our own method of order 8 on a table.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SlidingOrderEight {
+    pub(super) table: OnTable,
+}
+
+impl Follow for SlidingOrderEight {
+    fn name(&self) -> String {
+        "dormand-prince-8".to_owned()
+    }
+
+    fn order(&self) -> Option<u32> {
+        Some(8)
+    }
+
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+        let y = self.table.numbers(start)?;
+        let scales = self.table.scales(&y);
+        let kept = Kept::UnitQuaternion(0);
+        let run = order_eight(&self.table, kept, &y, &scales, times, effort)?;
         Ok(Course {
             phases: run.states.iter().map(|y| self.table.phase(y)).collect(),
             cost: run.cost,

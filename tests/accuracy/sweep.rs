@@ -85,6 +85,10 @@ fn orders_are_those_promised() {
     ] {
         for (method, order, rows) in rows(&problem(name), 60_000) {
             let Some(order) = order else { continue };
+            // Where a tolerance chooses the steps there is no order to be seen.
+            if method == "dormand-prince-8" {
+                continue;
+            }
             // The crate's RK4 keeps nothing of what rounding leaves.
             let rounding = if method == "rk4" { 2e-11 } else { 2e-13 };
             // Below the steps that are too long for any order, above rounding.

@@ -72,6 +72,33 @@ fn an_event_is_located_to_the_accuracy_of_the_run() {
 }
 
 #[test]
+fn evaluations_are_those_made() {
+    for method in Method::ALL {
+        let made = std::cell::Cell::new(0_u64);
+        let counted = |t: f64, y: &[f64; 2]| {
+            made.set(made.get() + 1);
+            pendulum(t, y)
+        };
+        let run = solve(
+            &counted,
+            0.0,
+            &START,
+            &[1.0; 2],
+            &[1.0, 2.0],
+            method,
+            by(method),
+        );
+        let told = run.unwrap().cost.evaluations;
+        // Not told: Euler's steps over what rounding has left, one for each sample and the end.
+        let made = made.get();
+        assert!(
+            made >= told && made - told <= 4,
+            "{method:?}: {made} {told}"
+        );
+    }
+}
+
+#[test]
 fn what_cannot_be_followed_is_refused() {
     let explodes = |_: f64, y: &[f64; 1]| [y[0] * y[0]];
     for method in [Method::Dopri5, Method::Dop853, Method::Verner98] {

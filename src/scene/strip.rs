@@ -436,7 +436,7 @@ where
         };
         let reason = match solver {
             Solver::Exact if Self::VACUUM => "a vacuum: closed form",
-            Solver::Exact | Solver::Events => {
+            Solver::Exact | Solver::Events | Solver::Geometric(_) => {
                 return Err(Error::Condition {
                     condition: "the solver must be a general one for a strip in a fluid, which has no closed form",
                     value: f64::NAN,
@@ -479,6 +479,7 @@ where
         let ledger = self.ledger(times, &rows, request.accuracy())?;
         let states = rows.iter().map(|y| self.state(y));
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger,

@@ -1,4 +1,4 @@
-//! The truth for bodies without a closed form: Taylor series of order 28 in two words a number.
+//! The truth for bodies without a closed form: Taylor series of order 22 in two words a number.
 
 use spinning_bodies::integrators::geometric::{Phase, Real, TwoWords};
 
@@ -12,7 +12,7 @@ pub struct Series {
 }
 
 /// Size of the last term that is taken, in units of L and of the quaternion.
-const LAST: f64 = 1e-26;
+const LAST: f64 = 1e-22;
 
 impl Series {
     pub fn new(moments: [f64; 3], lever: [f64; 3], friction: f64, order: usize) -> Self {
@@ -32,7 +32,10 @@ impl Series {
     /// The phase at `t`, rounded.
     pub fn at(&self, start: &Phase, t: f64) -> Phase {
         let mut phase = start.cast::<TwoWords>();
-        let norm = phase.q.iter().fold(TwoWords::from_double(0.0), |s, &x| s + x * x);
+        let norm = phase
+            .q
+            .iter()
+            .fold(TwoWords::from_double(0.0), |s, &x| s + x * x);
         let scale = norm.square_root().reciprocal();
         phase.q = phase.q.map(|x| x * scale);
         let size = start.l.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);

@@ -1,8 +1,10 @@
 //! Tops under gravity alone by the methods for turning bodies.
 
+use super::State;
+use super::books::Books;
 use super::steered::{Steered, Wheel};
 use crate::error::{Error, Result};
-use crate::frame::{Attitude, BodyVector};
+use crate::frame::BodyVector;
 use crate::integrators::geometric::{
     DormandPrince8, Follow, FreeSplitting, HeavySplitting, Kept, MoserVeselov, MuntheKaas, Order,
     Phase, Rotations, SymmetricDrift, Weight, order_eight,
@@ -185,10 +187,21 @@ impl Heavy<'_> {
         (2.0 * turned.sqrt()).max(faster.sqrt() / self.fastest)
     }
 
-    /// Attitude and Ω.
-    pub fn state(&self, phase: &Phase) -> Result<(Attitude, BodyVector)> {
-        let [o1, o2, o3] = core::array::from_fn(|k| phase.l[k] / self.moments[k]);
-        Ok((phase.attitude()?, BodyVector::new(o1, o2, o3)))
+    /// The rows of a motion.
+    pub fn rows(&self, phases: &[Phase], books: &Books) -> Result<Vec<(f64, State)>> {
+        let row = |(&t, phase): (&f64, &Phase)| {
+            let attitude = phase.attitude()?;
+            let [o1, o2, o3] = core::array::from_fn(|k| phase.l[k] / self.moments[k]);
+            let omega = BodyVector::new(o1, o2, o3);
+            let energy = books.energy(&attitude, omega);
+            let state = State {
+                attitude,
+                omega,
+                energy,
+            };
+            Ok((t, state))
+        };
+        self.times.iter().zip(phases).map(row).collect()
     }
 }
 

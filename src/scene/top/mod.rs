@@ -318,9 +318,10 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         })
     }
 
-    /// One run by a method for turning bodies, at these times, with this effort and no question about its error: attitude and Ω at each.
+    /// One run by a method for turning bodies, at these times, with this effort and no question about its error.
     ///
-    /// What [`Scene::simulate`] does without the second run that vouches for the first: for those who measure methods.
+    /// What [`Scene::simulate`] does without the second run that vouches for the first, and without a word about a ledger that does not balance:
+    /// for those who measure methods.
     ///
     /// # Errors
     /// [`Error::Condition`] where something other than gravity acts, or the method cannot run this top; those of the method.
@@ -329,7 +330,7 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         times: &[f64],
         method: Geometric,
         effort: Effort,
-    ) -> Result<(Vec<(Attitude, BodyVector)>, Cost)> {
+    ) -> Result<Motion<State>> {
         if Self::LOSSY {
             return Err(Error::Condition {
                 condition: "a run without a question about its error is for tops under gravity alone",
@@ -339,8 +340,14 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         let books = Books::of(&self.body, self.gravity.lever(self.body.arm()), &self.start)?;
         let heavy = self.heavy(times, &books)?;
         let (phases, cost) = heavy.once(method, effort)?;
-        let states = phases.iter().map(|phase| heavy.state(phase));
-        Ok((states.collect::<Result<Vec<_>>>()?, cost))
+        let rows = heavy.rows(&phases, &books)?;
+        Ok(Motion {
+            plan: Plan::new(Solver::Geometric(method), "asked for"),
+            cost,
+            error_estimate: None,
+            ledger: books.lossless(&rows)?,
+            rows,
+        })
     }
 
     fn heavy<'a>(&self, times: &'a [f64], books: &Books) -> Result<Heavy<'a>> {
@@ -441,19 +448,7 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
     ) -> Result<Motion<State>> {
         let heavy = self.heavy(request.times(), books)?;
         let run = heavy.to_accuracy(method, request.accuracy())?;
-        let mut rows = Vec::with_capacity(run.states.len());
-        for (&t, phase) in request.times().iter().zip(&run.states) {
-            let (attitude, omega) = heavy.state(phase)?;
-            let energy = books.energy(&attitude, omega);
-            rows.push((
-                t,
-                State {
-                    attitude,
-                    omega,
-                    energy,
-                },
-            ));
-        }
+        let rows = heavy.rows(&run.states, books)?;
         Ok(Motion {
             plan,
             cost: run.cost,

@@ -1,6 +1,5 @@
 //! A top by a general method: in one run, or up to the moment at which dry friction has stopped the spin, and on from there.
 
-use super::methods::{longest, with_checks};
 use super::steered::Wheel;
 use crate::error::Result;
 use crate::integrators::geometric::{Kept, order_eight};
@@ -99,11 +98,10 @@ impl Problem<'_> {
         let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0, e];
         let [o1, o2, o3, w, x, y, z] = self.start;
         let start = [o1, o2, o3, w, x, y, z, 0.0];
-        let times = with_checks(self.times, o);
         let wheel = Wheel {
-            run: |tolerance| {
+            run: |tolerance, times: &[f64]| {
                 let (kept, effort) = (Kept::UnitQuaternion(3), Effort::Tolerance(tolerance));
-                let run = order_eight(system, kept, &start, &scales, &times, effort)?;
+                let run = order_eight(system, kept, &start, &scales, times, effort)?;
                 Ok((run.states, run.cost))
             },
             distance: |a: &[f64; 8], b: &[f64; 8]| {
@@ -111,11 +109,11 @@ impl Problem<'_> {
                 apart(&a1, &b1, o).max((a[7] - b[7]).abs() / e)
             },
             drift: |y: &[f64; 8]| (self.total)(y).abs() / e,
-            angle: o * longest(&times),
+            times: self.times,
+            fastest: o,
             accuracy: self.accuracy,
         };
-        let mut run = wheel.steer()?;
-        run.states.truncate(self.times.len());
+        let run = wheel.steer()?;
         let split = |y: [f64; 8]| (core::array::from_fn(|k| y[k]), y[7]);
         Ok(Followed {
             states: run.states.into_iter().map(split).collect(),

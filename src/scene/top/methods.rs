@@ -34,23 +34,23 @@ impl Heavy<'_> {
         if method != Geometric::DormandPrince8 {
             return self.halved(method, accuracy);
         }
-        let times = with_checks(self.times, self.fastest);
         let system = DormandPrince8::new(self.moments, Weight::new(self.lever)?)?;
         let (first, spin) = self.invariants(&self.start);
         let wheel = Wheel {
-            run: |tolerance| self.of_order_eight(&system, &times, Effort::Tolerance(tolerance)),
+            run: |tolerance, times: &[f64]| {
+                self.of_order_eight(&system, times, Effort::Tolerance(tolerance))
+            },
             distance: |a: &Phase, b: &Phase| self.apart(a, b),
             drift: |phase: &Phase| {
                 let (energy, about_vertical) = self.invariants(phase);
                 let lost = (energy - first).abs() / self.energy;
                 lost.max((about_vertical - spin).abs() / self.momentum)
             },
-            angle: self.fastest * longest(&times),
+            times: self.times,
+            fastest: self.fastest,
             accuracy,
         };
-        let mut run = wheel.steer()?;
-        run.states.truncate(self.times.len());
-        Ok(run)
+        wheel.steer()
     }
 
     /// One run, its error not asked for.
@@ -210,17 +210,4 @@ const MOST_STEPS: f64 = 1e9;
 
 pub(super) fn longest(times: &[f64]) -> f64 {
     times.iter().fold(0.0_f64, |a, &b| a.max(b.abs()))
-}
-
-/// The times, and after them some on the way to the last, at which two runs are compared as well: at a single time they may agree by chance.
-pub(super) fn with_checks(times: &[f64], fastest: f64) -> Vec<f64> {
-    let last = times
-        .iter()
-        .copied()
-        .fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
-    let turns = fastest * last.abs() / core::f64::consts::TAU;
-    let count = (0.7 * turns).floor().clamp(0.0, 6.0) as usize;
-    let missing = count.saturating_sub(times.len() - 1);
-    let checks = (1..=missing).map(|n| last * n as f64 / (missing + 1) as f64);
-    times.iter().copied().chain(checks).collect()
 }

@@ -427,7 +427,17 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
         match (plan.solver, closed) {
             (Solver::General(method), _) => self.followed(plan, Some(method), request, &books),
             (Solver::Geometric(_), _) if Self::LOSSY => self.followed(plan, None, request, &books),
-            (Solver::Geometric(method), _) => self.turned(plan, method, request, &books),
+            (Solver::Geometric(method), _) => match self.turned(plan, method, request, &books) {
+                // Dear as it is, the closed form may reach what a run cannot.
+                Err(refusal @ Error::Accuracy { .. }) if request.choice() == Choice::Auto => {
+                    let Some(closed) = self.closed_form()? else {
+                        return Err(refusal);
+                    };
+                    let plan = Plan::new(Solver::Exact, closed.reason());
+                    known(plan, &closed, request, &books)
+                }
+                done => done,
+            },
             (_, Some(closed)) => known(plan, &closed, request, &books),
             (_, None) => Err(Error::Condition {
                 condition: "a plan without a closed form must name a general method",

@@ -110,11 +110,11 @@ where
     /// Where two runs are compared: at a single time they may agree by chance, at all of many the loose run would have to stop for each.
     fn checks(&self) -> Checks {
         let count = self.times.len();
-        let last =
-            self.times
-                .iter()
-                .copied()
-                .fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
+        let last = self
+            .times
+            .iter()
+            .copied()
+            .fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
         let turns = self.fastest * last.abs() / core::f64::consts::TAU;
         let wanted = (0.7 * turns).floor().clamp(0.0, MOST_CHECKS as f64 - 1.0) as usize + 1;
         if count < wanted {

@@ -257,6 +257,7 @@ impl<B: Effect + Blow> Scene for StruckPlanet<B> {
             .map(|&t| Ok((t, look(t)?.0)))
             .collect::<Result<Vec<_>>>()?;
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost: Cost::default(),
             ledger: balanced(ledger, request.accuracy())?,

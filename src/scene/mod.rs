@@ -32,9 +32,10 @@ pub mod yo_yo;
 
 pub use effect::{Absent, Effect};
 pub use motion::{Motion, Request, balanced};
-pub use plan::{Choice, Plan, Solver, UnknownSolver};
+pub use plan::{Choice, Geometric, Plan, Solver, UnknownSolver};
 
 pub(crate) use effect::choose;
+pub(crate) use plan::only_for_tops;
 
 use crate::error::Result;
 

@@ -100,6 +100,8 @@ pub struct Motion<S> {
     pub plan: Plan,
     /// What it has cost.
     pub cost: Cost,
+    /// By how much the states may be off, where the solver tells: the most over attitude (radians) and angular velocity (relative).
+    pub error_estimate: Option<f64>,
     /// What the scene conserves, or may only lose or gain, and by how much it failed to.
     pub ledger: Ledger,
     /// Time (s) and state, in the order asked for.

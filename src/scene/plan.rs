@@ -3,7 +3,9 @@
 use core::fmt;
 use core::str::FromStr;
 
+use crate::error::Error;
 use crate::integrators::Method;
+use crate::integrators::geometric::{Order, VeselovOrder};
 
 /// Everything that can move a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,18 +17,78 @@ pub enum Solver {
     Events,
     /// A general method with error control.
     General(Method),
+    /// A method for turning bodies.
+    Geometric(Geometric),
+}
+
+/// A method of [`geometric`](crate::integrators::geometric), by the name that the tables give it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Geometric {
+    /// Exact rotations about principal axes in turn; free bodies.
+    Rotations(Order),
+    /// The discrete free top; free bodies.
+    MoserVeselov(VeselovOrder),
+    /// Kicks by the weight between free motions.
+    KickDrift(Order),
+    /// Runge–Kutta of order 4 in the rotation vector.
+    MuntheKaas,
+    /// Runge–Kutta of order 8 with error control.
+    DormandPrince8,
+}
+
+impl Geometric {
+    /// All of them.
+    pub const ALL: [Self; 12] = [
+        Self::Rotations(Order::Two),
+        Self::Rotations(Order::Four),
+        Self::Rotations(Order::Six),
+        Self::MoserVeselov(VeselovOrder::ALL[0]),
+        Self::MoserVeselov(VeselovOrder::ALL[1]),
+        Self::MoserVeselov(VeselovOrder::ALL[2]),
+        Self::MoserVeselov(VeselovOrder::ALL[3]),
+        Self::KickDrift(Order::Two),
+        Self::KickDrift(Order::Four),
+        Self::KickDrift(Order::Six),
+        Self::MuntheKaas,
+        Self::DormandPrince8,
+    ];
+
+    /// The name by which it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rotations(Order::Two) => "rotations-2",
+            Self::Rotations(Order::Four) => "rotations-4",
+            Self::Rotations(Order::Six) => "rotations-6",
+            Self::MoserVeselov(VeselovOrder::Two) => "moser-veselov-2",
+            Self::MoserVeselov(VeselovOrder::Four) => "moser-veselov-4",
+            Self::MoserVeselov(VeselovOrder::Six) => "moser-veselov-6",
+            Self::MoserVeselov(VeselovOrder::Ten) => "moser-veselov-10",
+            Self::KickDrift(Order::Two) => "kick-drift-2",
+            Self::KickDrift(Order::Four) => "kick-drift-4",
+            Self::KickDrift(Order::Six) => "kick-drift-6",
+            Self::MuntheKaas => "munthe-kaas-4",
+            Self::DormandPrince8 => "dormand-prince-8",
+        }
+    }
 }
 
 impl Solver {
     /// All of them.
-    pub const ALL: [Self; 6] = [
-        Self::Exact,
-        Self::Events,
-        Self::General(Method::Rk4),
-        Self::General(Method::Dopri5),
-        Self::General(Method::Dop853),
-        Self::General(Method::Verner98),
-    ];
+    pub const ALL: [Self; 6 + Geometric::ALL.len()] = {
+        let mut all = [Self::Exact; 6 + Geometric::ALL.len()];
+        all[1] = Self::Events;
+        let mut n = 0;
+        while n < Method::ALL.len() {
+            all[2 + n] = Self::General(Method::ALL[n]);
+            n += 1;
+        }
+        let mut n = 0;
+        while n < Geometric::ALL.len() {
+            all[6 + n] = Self::Geometric(Geometric::ALL[n]);
+            n += 1;
+        }
+        all
+    };
 
     /// The name by which it is asked for in a scene file.
     pub const fn name(self) -> &'static str {
@@ -34,6 +96,7 @@ impl Solver {
             Self::Exact => "exact",
             Self::Events => "events",
             Self::General(method) => method.name(),
+            Self::Geometric(method) => method.name(),
         }
     }
 }
@@ -78,6 +141,14 @@ impl Plan {
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.solver, self.reason)
+    }
+}
+
+/// What a scene that is no top says to a geometric method.
+pub(crate) const fn only_for_tops() -> Error {
+    Error::Condition {
+        condition: "the geometric solvers (rotations, moser-veselov, kick-drift, munthe-kaas, dormand-prince-8) are for tops",
+        value: f64::NAN,
     }
 }
 

@@ -292,6 +292,7 @@ where
             heat: mass * moment.heat,
         });
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger: balanced(ledger, request.accuracy())?,
@@ -316,6 +317,7 @@ pub(super) fn planned(request: &Request, alone: bool, why: &str) -> Result<Plan>
             Solver::General(method),
             format!("{why}: {} with events, as asked for", method.name()),
         )),
+        Choice::Use(Solver::Geometric(_)) => Err(super::only_for_tops()),
         Choice::Use(solver) => Ok(Plan::new(solver, "as asked for")),
     }
 }

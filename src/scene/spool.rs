@@ -249,6 +249,7 @@ where
             work: mass * moment.work,
         });
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger: balanced(ledger, request.accuracy())?,

@@ -229,6 +229,7 @@ where
                 Solver::General(method),
                 format!("flights: {} with events, as asked for", method.name()),
             )),
+            Choice::Use(Solver::Geometric(_)) => Err(super::only_for_tops()),
             Choice::Use(solver) => Ok(Plan::new(solver, "as asked for")),
         }
     }
@@ -249,7 +250,7 @@ where
             Solver::General(method) => {
                 flight.integrated(&times, (method, effort(method, request, &times)))?
             }
-            Solver::Events => {
+            Solver::Events | Solver::Geometric(_) => {
                 let balls = flight.followed(&times)?;
                 let cost = bounces(&balls);
                 (balls, cost)
@@ -273,6 +274,7 @@ where
             energy: energy(ball),
         });
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger: balanced(ledger, request.accuracy())?,

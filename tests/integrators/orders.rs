@@ -2,7 +2,7 @@
 
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::integrators::geometric::{
-    Follow, HeavySplitting, Order, Phase, SymmetricDrift,
+    DormandPrince8, Follow, HeavySplitting, Nothing, Order, Phase, SymmetricDrift,
 };
 use spinning_bodies::integrators::geometric::{LinearFriction, Unfitted, Weight};
 use spinning_bodies::integrators::{Effort, Method};
@@ -57,6 +57,68 @@ fn check(methods: &[Box<dyn Follow>], exact: &Phase, t: f64) {
     }
     println!("{report}");
     assert!(!wrong, "\n{report}");
+}
+
+/// Explicit and of high order: the slope comes near to 8 where rounding is not far, so that its bound has one side.
+#[test]
+fn order_eight() {
+    let lever = [0.4, -0.3, 0.6];
+    let weight = Weight::new(lever).unwrap();
+    let heavy = DormandPrince8::new(MOMENTS, weight).unwrap();
+    let judge = Unfitted::new(MOMENTS, weight, Method::Verner98).unwrap();
+    let judged = judge
+        .follow(&start(), &[3.0], Effort::Tolerance(1e-15))
+        .unwrap()
+        .phases[0];
+    let t = 10.0;
+    let cases: [(Box<dyn Follow>, Phase, f64); 2] = [
+        (
+            Box::new(DormandPrince8::new(MOMENTS, Nothing).unwrap()),
+            free(MOMENTS, &start(), t),
+            t,
+        ),
+        (Box::new(heavy), judged, 3.0),
+    ];
+    for (method, exact, t) in cases {
+        let slopes = measured(&*method, &exact, t);
+        println!("{slopes:.2?}");
+        assert!(
+            slopes.iter().all(|&s| (7.8..8.6).contains(&s)),
+            "{slopes:?}"
+        );
+    }
+}
+
+/// The error at the end follows the tolerance, the norm of the quaternion is kept, and it makes no difference in which order samples are asked for.
+#[test]
+fn order_eight_by_tolerance() {
+    let method = DormandPrince8::new(MOMENTS, Nothing).unwrap();
+    let times = [10.0, -4.0, 2.5, 0.0, 30.0];
+    for decade in 4..14 {
+        let tolerance = 10.0_f64.powi(-decade);
+        let course = method.follow(&start(), &times, Effort::Tolerance(tolerance));
+        for (&t, phase) in times.iter().zip(&course.unwrap().phases) {
+            let [angle, momentum] = distance(phase, &free(MOMENTS, &start(), t));
+            // Observed: at most 12 times the tolerance.
+            let allowed = 25.0 * tolerance + 1e-14;
+            assert!(
+                angle < allowed && momentum < allowed,
+                "{t} {angle:e} {momentum:e}"
+            );
+            let norm = phase.q.iter().map(|x| x * x).sum::<f64>();
+            assert!((norm - 1.0).abs() < 1e-15);
+        }
+    }
+    assert!(
+        method
+            .follow(&start(), &[1.0], Effort::Tolerance(0.0))
+            .is_err()
+    );
+    assert!(
+        method
+            .follow(&start(), &[f64::NAN], Effort::Step(0.1))
+            .is_err()
+    );
 }
 
 #[test]

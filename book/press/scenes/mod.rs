@@ -72,6 +72,8 @@ pub struct Table {
     pub plan: Plan,
     /// What the solver spent.
     pub cost: Cost,
+    /// By how much the numbers may be off, where the solver tells.
+    pub error_estimate: Option<f64>,
     /// What was kept.
     pub ledger: Ledger,
     /// Names of the numbers in a row, after the time.
@@ -94,6 +96,7 @@ impl Table {
             rows: rows.collect(),
             plan: motion.plan,
             cost: motion.cost,
+            error_estimate: motion.error_estimate,
             ledger: motion.ledger,
             columns: S::COLUMNS,
         }

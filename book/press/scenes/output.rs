@@ -60,7 +60,11 @@ fn object(table: &Table, seconds: f64) -> Value {
         })
     });
     json!({
-        "plan": { "solver": table.plan.solver.name(), "reason": table.plan.reason },
+        "plan": {
+            "solver": table.plan.solver.name(),
+            "reason": table.plan.reason,
+            "error_estimate": table.error_estimate,
+        },
         "cost": {
             "evaluations": table.cost.evaluations,
             "steps": table.cost.steps,

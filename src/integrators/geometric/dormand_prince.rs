@@ -170,6 +170,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
             );
             self.accept(place, &taken, h);
         }
+        place.time = Sums::new([end]);
         Ok(())
     }
 
@@ -204,6 +205,10 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
             let growth = SAFETY / root;
             if error <= 1.0 {
                 self.accept(place, &taken, cut);
+                if cut == left {
+                    // What is left of the time now is rounding, not worth a step.
+                    place.time = Sums::new([end]);
+                }
                 if self.cost.steps > MOST_STEPS {
                     return Err(too_many(time));
                 }
@@ -240,8 +245,9 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
         if let Kept::UnitQuaternion(first) = self.kept
             && let Some(&[w, x, y, z]) = place.state.values[first.min(N)..].first_chunk()
         {
-            // To first order in what the norm is off by: the next step mends the square of that.
-            let excess = 0.5 - 0.5 * (w * w + x * x + y * y + z * z);
+            // 1/|q| - 1, from 1 - |q|².
+            let square = w * w + x * x + y * y + z * z;
+            let excess = (1.0 - square) / (square + square.sqrt());
             for (n, component) in [w, x, y, z].into_iter().enumerate() {
                 place.state.add(first + n, component * excess);
             }

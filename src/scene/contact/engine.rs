@@ -102,6 +102,7 @@ impl Setting<'_> {
         };
         let ledger = self.ledger(&start, &rows)?;
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost: history.cost,
             ledger: balanced(ledger, request.accuracy())?,
@@ -183,6 +184,7 @@ impl Setting<'_> {
         let rows: Vec<_> = times.iter().copied().zip(states).collect();
         let ledger = self.ledger(&Place::aloft(y, height, climb), &rows)?;
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger: balanced(ledger, request.accuracy())?,

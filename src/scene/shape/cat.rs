@@ -409,6 +409,7 @@ impl<C: Bending, G: Falling> Scene for Cat<C, G> {
         };
         let ledger = balanced(self.ledger(&states)?, request.accuracy())?;
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger,

@@ -368,6 +368,7 @@ impl<F: Ground> Scene for Crawler<F> {
             .map(|(&t, (piece, place))| self.state(*piece, t, place))
             .collect();
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger,

@@ -301,6 +301,7 @@ impl<A: Atmosphere, W: Weight> Scene for PaperCat<A, W> {
             (t, state)
         };
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger,

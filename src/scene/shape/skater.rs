@@ -290,6 +290,7 @@ impl<C: Drawing, F: Bearing> Scene for Skater<C, F> {
         };
         let ledger = balanced(self.ledger(&states)?, request.accuracy())?;
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger,

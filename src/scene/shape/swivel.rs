@@ -361,6 +361,7 @@ impl<C: Twisting, F: Bearing> Scene for Swivel<C, F> {
         };
         let ledger = self.ledger(&stops, &states)?;
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger: balanced(ledger, request.accuracy())?,

@@ -57,7 +57,7 @@ impl Setting<'_> {
         };
         let reason = match solver {
             Solver::Exact if vacuum => "a vacuum: closed form",
-            Solver::Exact | Solver::Events => {
+            Solver::Exact | Solver::Events | Solver::Geometric(_) => {
                 return Err(Error::Condition {
                     condition: "the solver must be a general one for a strip in a fluid, which has no closed form",
                     value: f64::NAN,
@@ -94,6 +94,7 @@ impl Setting<'_> {
         let ledger = self.ledger(times, &rows, request.accuracy())?;
         let states = rows.iter().map(|y| self.state(y));
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger,

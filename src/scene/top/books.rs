@@ -16,7 +16,7 @@ pub(super) struct Books {
     /// Size of the energies at play, J; positive.
     pub energy_scale: f64,
     /// Size of the angular momenta at play, kg m²/s; positive.
-    momentum_scale: f64,
+    pub momentum_scale: f64,
 }
 
 /// A closed form keeps its constants by construction; reading that many of its rows shows whether it did.
@@ -58,6 +58,11 @@ impl Books {
 
     fn kinetic(&self, omega: BodyVector) -> f64 {
         0.5 * self.angular_momentum(omega).dot(&omega)
+    }
+
+    /// The energy at the start, J.
+    pub const fn first_energy(&self) -> f64 {
+        self.start.energy
     }
 
     /// ½⟨IΩ, Ω⟩ + ⟨MgC, z⟩, J.

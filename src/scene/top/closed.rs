@@ -82,6 +82,15 @@ impl ClosedForm {
         }
     }
 
+    /// The error that rounding makes, observed over random tops: attitude in radians, Ω relative.
+    pub(super) const fn rounding(&self) -> f64 {
+        match self {
+            Self::Free(_) => 1e-14,
+            Self::Lagrange(..) => 1e-13,
+            Self::Kovalevskaya(..) => 1e-12,
+        }
+    }
+
     /// Attitude and Ω at time t (s).
     ///
     /// # Errors

@@ -1,6 +1,8 @@
 //! A top by a general method: in one run, or up to the moment at which dry friction has stopped the spin, and on from there.
 
+use super::steered::Wheel;
 use crate::error::Result;
+use crate::integrators::geometric::{Kept, order_eight};
 use crate::integrators::{
     Cost, Effort, Method, Solution, Stop, System, halved, refined, solve, tightened, until,
 };
@@ -14,14 +16,17 @@ pub(super) struct Problem<'a> {
     /// Scale of the energy, J.
     pub energy: f64,
     pub times: &'a [f64],
-    pub method: Method,
     pub accuracy: f64,
+    /// Energy and what was lost of it, less the energy at the start, J.
+    pub total: &'a dyn Fn(&[f64; 8]) -> f64,
 }
 
 /// Attitude and Ω as seven numbers, and the energy lost, at each time.
 pub(super) struct Followed {
     pub states: Vec<([f64; 7], f64)>,
     pub cost: Cost,
+    /// By how much the states may be off, where the method tells.
+    pub error: Option<f64>,
 }
 
 /// Whether dry friction will stop the spin.
@@ -33,7 +38,7 @@ pub(super) enum Spin {
 
 impl Problem<'_> {
     /// Nothing resists.
-    pub fn lossless(&self, system: &dyn System<7>) -> Result<Followed> {
+    pub fn lossless(&self, system: &dyn System<7>, method: Method) -> Result<Followed> {
         let o = self.fastest;
         let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0];
         let (times, accuracy) = (self.times, self.accuracy);
@@ -43,18 +48,19 @@ impl Problem<'_> {
             &self.start,
             &scales,
             times,
-            self.method,
+            method,
             accuracy,
             distance,
         )?;
         Ok(Followed {
             states: run.states.into_iter().map(|y| (y, 0.0)).collect(),
             cost: run.cost,
+            error: None,
         })
     }
 
     /// Something resists: the eighth number is the energy that it has taken.
-    pub fn lossy(&self, system: &dyn System<8>, spin: Spin) -> Result<Followed> {
+    pub fn lossy(&self, system: &dyn System<8>, method: Method, spin: Spin) -> Result<Followed> {
         let (o, e) = (self.fastest, self.energy);
         let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0, e];
         let [o1, o2, o3, w, x, y, z] = self.start;
@@ -63,7 +69,7 @@ impl Problem<'_> {
             let [a1, b1] = [a, b].map(|s| core::array::from_fn(|k| s[k]));
             apart(&a1, &b1, o).max((a[7] - b[7]).abs() / e)
         };
-        let (times, method, accuracy) = (self.times, self.method, self.accuracy);
+        let (times, accuracy) = (self.times, self.accuracy);
         let run = if spin == Spin::MayStop && o3 != 0.0 {
             let stopping = |effort| spun_down(system, &start, &scales, times, method, effort);
             if method.is_adaptive() {
@@ -80,6 +86,39 @@ impl Problem<'_> {
         Ok(Followed {
             states: run.states.into_iter().map(split).collect(),
             cost: run.cost,
+            error: None,
+        })
+    }
+}
+
+impl Problem<'_> {
+    /// Something resists, smoothly: by the method of order 8 that is ours.
+    pub fn steered(&self, system: &dyn System<8>) -> Result<Followed> {
+        let (o, e) = (self.fastest, self.energy);
+        let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0, e];
+        let [o1, o2, o3, w, x, y, z] = self.start;
+        let start = [o1, o2, o3, w, x, y, z, 0.0];
+        let wheel = Wheel {
+            run: |tolerance, times: &[f64]| {
+                let (kept, effort) = (Kept::UnitQuaternion(3), Effort::Tolerance(tolerance));
+                let run = order_eight(system, kept, &start, &scales, times, effort)?;
+                Ok((run.states, run.cost))
+            },
+            distance: |a: &[f64; 8], b: &[f64; 8]| {
+                let [a1, b1] = [a, b].map(|s| core::array::from_fn(|k| s[k]));
+                apart(&a1, &b1, o).max((a[7] - b[7]).abs() / e)
+            },
+            drift: |y: &[f64; 8]| (self.total)(y).abs() / e,
+            times: self.times,
+            fastest: o,
+            accuracy: self.accuracy,
+        };
+        let run = wheel.steer()?;
+        let split = |y: [f64; 8]| (core::array::from_fn(|k| y[k]), y[7]);
+        Ok(Followed {
+            states: run.states.into_iter().map(split).collect(),
+            cost: run.cost,
+            error: Some(run.error),
         })
     }
 }

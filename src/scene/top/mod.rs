@@ -4,6 +4,7 @@
 //! * `effects`: what can act, and its torque;
 //! * `closed`: the scenes whose motion is known;
 //! * `equations`, `general`: the others, by a method with error control;
+//! * `methods`: tops under gravity alone by the methods for turning bodies, `steered`: the error of such a run, `prices`: what to choose;
 //! * this file: the slots, the plan, the motion and its ledger.
 
 mod body;
@@ -12,6 +13,9 @@ mod closed;
 mod effects;
 mod equations;
 mod general;
+mod methods;
+mod prices;
+mod steered;
 
 pub use body::{Body, Start};
 pub use closed::{Axes, ClosedForm};
@@ -19,15 +23,20 @@ pub use effects::{
     AirDrag, BearingFriction, Gravity, PivotFriction, Resistance, TipFriction, Turning, Weight,
 };
 
-use super::{Absent, Choice, Motion, Plan, Request, Scene, Solver, Tabulated, balanced, choose};
+use super::{
+    Absent, Choice, Geometric, Motion, Plan, Request, Scene, Solver, Tabulated, balanced, choose,
+};
 use crate::error::{Error, Result};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
-use crate::integrators::{Cost, Method};
+use crate::integrators::geometric::Phase;
+use crate::integrators::{Cost, Effort, Method};
 
 use books::Books;
 use equations::{Equations, Lossless, Lossy, fastest, packed, unpacked};
 use general::{Problem, Spin};
+use methods::{Heavy, longest};
+use prices::{Cheapest, cheapest};
 
 /// A top and its effects, one type parameter each: gravity, pivot friction, bearing friction, air drag, tip friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -240,7 +249,10 @@ impl<G, F, B, D> Top<G, F, B, D, Absent> {
 }
 
 /// The method for scenes without a closed form.
-const GENERAL: Solver = Solver::General(Method::Dop853);
+const LEAN: Solver = Solver::Geometric(Geometric::DormandPrince8);
+
+/// That for scenes with events.
+const WITH_EVENTS: Solver = Solver::General(Method::Dop853);
 
 impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<G, F, B, D, T> {
     /// Whether anything resists; known at compile time.
@@ -259,10 +271,9 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
 
     fn planned(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
         match request.choice() {
-            Choice::Auto => Ok(match self.closed_form()? {
-                Some(closed) => (Plan::new(Solver::Exact, closed.reason()), Some(closed)),
-                None => (Plan::new(GENERAL, self.reason()), None),
-            }),
+            Choice::Auto if T::PRESENT => Ok((Plan::new(WITH_EVENTS, self.reason()), None)),
+            Choice::Auto if Self::LOSSY => Ok((Plan::new(LEAN, self.reason()), None)),
+            Choice::Auto => self.cheapest(request),
             Choice::Use(Solver::Exact) => match self.closed_form()? {
                 Some(closed) => Ok((Plan::new(Solver::Exact, "asked for"), Some(closed))),
                 None => Err(Error::Condition {
@@ -271,10 +282,104 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
                 }),
             },
             Choice::Use(solver @ Solver::General(_)) => Ok((Plan::new(solver, "asked for"), None)),
+            Choice::Use(Solver::Geometric(method)) => {
+                if T::PRESENT || Self::LOSSY && method != Geometric::DormandPrince8 {
+                    return Err(Error::Condition {
+                        condition: "the geometric solvers are for tops under gravity alone, and dormand-prince-8 for those whose friction is smooth",
+                        value: f64::NAN,
+                    });
+                }
+                Ok((Plan::new(Solver::Geometric(method), "asked for"), None))
+            }
             Choice::Use(Solver::Events) => Err(Error::Condition {
                 condition: "the solver `events` is for scenes with contacts, a top has none",
                 value: f64::NAN,
             }),
+        }
+    }
+
+    /// A closed form, unless one run of order 8 is cheaper than preparing it.
+    fn cheapest(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
+        let lever = self.gravity.lever(self.body.arm());
+        let omega = self.start.omega(self.body.moments)?;
+        let angle = fastest(&self.body, lever, omega) * longest(request.times());
+        let (samples, accuracy) = (request.times().len(), request.accuracy());
+        let closed = match cheapest(self.body.moments, lever, angle, samples, accuracy) {
+            Cheapest::ClosedForm => self.closed_form()?,
+            Cheapest::OnlyRun => None,
+            Cheapest::Run => {
+                let reason = "a run so short that it costs less than preparing the closed form";
+                return Ok((Plan::new(LEAN, reason), None));
+            }
+        };
+        Ok(match closed {
+            Some(closed) => (Plan::new(Solver::Exact, closed.reason()), Some(closed)),
+            None => (Plan::new(LEAN, self.reason()), None),
+        })
+    }
+
+    /// One run by a method for turning bodies, at these times, with this effort and no question about its error.
+    ///
+    /// What [`Scene::simulate`] does without the second run that vouches for the first, and without a word about a ledger that does not balance:
+    /// for those who measure methods.
+    ///
+    /// # Errors
+    /// [`Error::Condition`] where something other than gravity acts, or the method cannot run this top; those of the method.
+    pub fn run_once(
+        &self,
+        times: &[f64],
+        method: Geometric,
+        effort: Effort,
+    ) -> Result<Motion<State>> {
+        if Self::LOSSY {
+            return Err(Error::Condition {
+                condition: "a run without a question about its error is for tops under gravity alone",
+                value: f64::NAN,
+            });
+        }
+        let books = Books::of(&self.body, self.gravity.lever(self.body.arm()), &self.start)?;
+        let heavy = self.heavy(times, &books)?;
+        let (phases, cost) = heavy.once(method, effort)?;
+        let rows = heavy.rows(&phases, &books)?;
+        Ok(Motion {
+            plan: Plan::new(Solver::Geometric(method), "asked for"),
+            cost,
+            error_estimate: None,
+            ledger: books.lossless(&rows)?,
+            rows,
+        })
+    }
+
+    fn heavy<'a>(&self, times: &'a [f64], books: &Books) -> Result<Heavy<'a>> {
+        self.needs_moments()?;
+        let lever = self.gravity.lever(self.body.arm());
+        let moments = self.body.moments;
+        let omega = self.start.omega(moments)?;
+        let l = match self.start.spin {
+            body::Spin::AngularMomentum(l) => l,
+            body::Spin::Omega(_) => {
+                let [a, b, c] = moments;
+                BodyVector::new(a * omega.x(), b * omega.y(), c * omega.z())
+            }
+        };
+        Ok(Heavy {
+            moments,
+            lever,
+            start: Phase::new(l, &self.start.attitude),
+            fastest: fastest(&self.body, lever, omega).max(f64::MIN_POSITIVE),
+            momentum: books.momentum_scale,
+            energy: books.energy_scale,
+            times,
+        })
+    }
+
+    fn needs_moments(&self) -> Result<()> {
+        match self.body.moments.iter().find(|&&moment| moment == 0.0) {
+            Some(&moment) => Err(Error::NotPositive {
+                quantity: "a principal moment of a body without a closed form",
+                value: moment,
+            }),
+            None => Ok(()),
         }
     }
 
@@ -320,7 +425,19 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
         let (plan, closed) = self.planned(request)?;
         let books = Books::of(&self.body, self.gravity.lever(self.body.arm()), &self.start)?;
         match (plan.solver, closed) {
-            (Solver::General(method), _) => self.followed(plan, method, request, &books),
+            (Solver::General(method), _) => self.followed(plan, Some(method), request, &books),
+            (Solver::Geometric(_), _) if Self::LOSSY => self.followed(plan, None, request, &books),
+            (Solver::Geometric(method), _) => match self.turned(plan, method, request, &books) {
+                // Dear as it is, the closed form may reach what a run cannot.
+                Err(refusal @ Error::Accuracy { .. }) if request.choice() == Choice::Auto => {
+                    let Some(closed) = self.closed_form()? else {
+                        return Err(refusal);
+                    };
+                    let plan = Plan::new(Solver::Exact, closed.reason());
+                    known(plan, &closed, request, &books)
+                }
+                done => done,
+            },
             (_, Some(closed)) => known(plan, &closed, request, &books),
             (_, None) => Err(Error::Condition {
                 condition: "a plan without a closed form must name a general method",
@@ -331,34 +448,59 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
 }
 
 impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<G, F, B, D, T> {
-    fn followed(
+    /// Under gravity alone by a method for turning bodies.
+    fn turned(
         &self,
         plan: Plan,
-        method: Method,
+        method: Geometric,
         request: &Request,
         books: &Books,
     ) -> Result<Motion<State>> {
-        if let Some(&moment) = self.body.moments.iter().find(|&&moment| moment == 0.0) {
-            return Err(Error::NotPositive {
-                quantity: "a principal moment of a body without a closed form",
-                value: moment,
-            });
-        }
+        let heavy = self.heavy(request.times(), books)?;
+        let run = heavy.to_accuracy(method, request.accuracy())?;
+        let rows = heavy.rows(&run.states, books)?;
+        Ok(Motion {
+            plan,
+            cost: run.cost,
+            error_estimate: Some(run.error),
+            ledger: balanced(books.lossless(&rows)?, request.accuracy())?,
+            rows,
+        })
+    }
+
+    /// By a general method, or where something resists by the one of order 8 without a name.
+    fn followed(
+        &self,
+        plan: Plan,
+        method: Option<Method>,
+        request: &Request,
+        books: &Books,
+    ) -> Result<Motion<State>> {
+        self.needs_moments()?;
         let omega = self.start.omega(self.body.moments)?;
+        let total = |y: &[f64; 8]| {
+            let (attitude, omega) = unpacked(y);
+            books.energy(&attitude, omega) + y[7] - books.first_energy()
+        };
         let problem = Problem {
             start: packed(omega, &self.start.attitude),
             fastest: fastest(&self.body, self.gravity.lever(self.body.arm()), omega)
                 .max(f64::MIN_POSITIVE),
             energy: books.energy_scale,
             times: request.times(),
-            method,
             accuracy: request.accuracy(),
+            total: &total,
         };
         let equations = self.equations();
-        let run = match (Self::LOSSY, T::PRESENT) {
-            (false, _) => problem.lossless(&Lossless(&equations))?,
-            (true, false) => problem.lossy(&Lossy(&equations), Spin::GoesOn)?,
-            (true, true) => problem.lossy(&Lossy(&equations), Spin::MayStop)?,
+        let run = match (method, Self::LOSSY, T::PRESENT) {
+            (None, ..) => problem.steered(&Lossy(&equations))?,
+            (Some(method), false, _) => problem.lossless(&Lossless(&equations), method)?,
+            (Some(method), true, false) => {
+                problem.lossy(&Lossy(&equations), method, Spin::GoesOn)?
+            }
+            (Some(method), true, true) => {
+                problem.lossy(&Lossy(&equations), method, Spin::MayStop)?
+            }
         };
         let mut rows = Vec::with_capacity(run.states.len());
         let mut losses = Vec::with_capacity(run.states.len());
@@ -383,6 +525,7 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         Ok(Motion {
             plan,
             cost: run.cost,
+            error_estimate: run.error,
             ledger: balanced(ledger, request.accuracy())?,
             rows,
         })
@@ -412,6 +555,7 @@ fn known(
     Ok(Motion {
         plan,
         cost: Cost::default(),
+        error_estimate: Some(closed.rounding()),
         ledger: balanced(books.lossless(&rows)?, request.accuracy())?,
         rows,
     })

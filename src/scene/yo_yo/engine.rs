@@ -117,7 +117,7 @@ impl Setting<'_> {
             }
             Solver::General(_) if air => "resistance of the air: general integration with events",
             Solver::General(_) => "asked for, though there are closed forms from event to event",
-            Solver::Exact | Solver::Events => {
+            Solver::Exact | Solver::Events | Solver::Geometric(_) => {
                 return Err(Error::Condition {
                     condition: "the solver must be events for a yo-yo without air, a general one with it",
                     value: f64::NAN,
@@ -141,6 +141,7 @@ impl Setting<'_> {
             rows[place].1 = state;
         }
         Ok(Motion {
+            error_estimate: None,
             plan,
             cost,
             ledger,

@@ -1,0 +1,213 @@
+//! Tops under gravity alone by the methods for turning bodies.
+
+use super::State;
+use super::books::Books;
+use super::steered::{Steered, Wheel};
+use crate::error::{Error, Result};
+use crate::frame::BodyVector;
+use crate::integrators::geometric::{
+    DormandPrince8, Follow, FreeSplitting, HeavySplitting, Kept, MoserVeselov, MuntheKaas, Order,
+    Phase, Rotations, SymmetricDrift, Weight, order_eight,
+};
+use crate::integrators::{Cost, Effort};
+use crate::scene::plan::Geometric;
+
+/// A top under its weight, or nothing.
+pub(super) struct Heavy<'a> {
+    pub moments: [f64; 3],
+    /// MgC, N m.
+    pub lever: [f64; 3],
+    pub start: Phase,
+    /// Scales of Ω (rad/s), of L (kg m²/s) and of the energy (J).
+    pub fastest: f64,
+    pub momentum: f64,
+    pub energy: f64,
+    pub times: &'a [f64],
+}
+
+impl Heavy<'_> {
+    /// Phases at the times asked for, with an error below the accuracy.
+    ///
+    /// # Errors
+    /// [`Error::Condition`] for a method that cannot run this top; [`Error::Accuracy`]; those of the method.
+    pub fn to_accuracy(&self, method: Geometric, accuracy: f64) -> Result<Steered<Phase>> {
+        if method != Geometric::DormandPrince8 {
+            return self.halved(method, accuracy);
+        }
+        let system = DormandPrince8::new(self.moments, Weight::new(self.lever)?)?;
+        let (first, spin) = self.invariants(&self.start);
+        let wheel = Wheel {
+            run: |tolerance, times: &[f64]| {
+                self.of_order_eight(&system, times, Effort::Tolerance(tolerance))
+            },
+            distance: |a: &Phase, b: &Phase| self.apart(a, b),
+            drift: |phase: &Phase| {
+                let (energy, about_vertical) = self.invariants(phase);
+                let lost = (energy - first).abs() / self.energy;
+                lost.max((about_vertical - spin).abs() / self.momentum)
+            },
+            times: self.times,
+            fastest: self.fastest,
+            accuracy,
+        };
+        wheel.steer()
+    }
+
+    /// One run, its error not asked for.
+    ///
+    /// # Errors
+    /// As for [`to_accuracy`](Self::to_accuracy).
+    pub fn once(&self, method: Geometric, effort: Effort) -> Result<(Vec<Phase>, Cost)> {
+        if method == Geometric::DormandPrince8 {
+            let system = DormandPrince8::new(self.moments, Weight::new(self.lever)?)?;
+            return self.of_order_eight(&system, self.times, effort);
+        }
+        let course = self
+            .method(method)?
+            .follow(&self.start, self.times, effort)?;
+        Ok((course.phases, course.cost))
+    }
+
+    fn of_order_eight(
+        &self,
+        system: &DormandPrince8<Weight>,
+        times: &[f64],
+        effort: Effort,
+    ) -> Result<(Vec<Phase>, Cost)> {
+        let ([a, b, c], [w, x, y, z]) = (self.start.l, self.start.q);
+        let start = [a, b, c, w, x, y, z];
+        let l = self.momentum;
+        let scales = [l, l, l, 1.0, 1.0, 1.0, 1.0];
+        let kept = Kept::UnitQuaternion(3);
+        let run = order_eight(system, kept, &start, &scales, times, effort)?;
+        let phases = run.states.iter().map(|&[a, b, c, w, x, y, z]| Phase {
+            l: [a, b, c],
+            q: [w, x, y, z],
+        });
+        Ok((phases.collect(), run.cost))
+    }
+
+    /// Steps of one length, shortened until two runs vouch for each other: of the better the error is their distance over ratioᵖ − 1.
+    fn halved(&self, method: Geometric, accuracy: f64) -> Result<Steered<Phase>> {
+        let method = self.method(method)?;
+        let order = f64::from(method.order().unwrap_or(2));
+        let longest = longest(self.times);
+        let run = |step: f64| method.follow(&self.start, self.times, Effort::Step(step));
+        let mut before_step = (0.5 / self.fastest).min(longest).max(f64::MIN_POSITIVE);
+        let mut before = run(before_step)?;
+        let (mut cost, mut shrink) = (before.cost, 0.5_f64);
+        let mut reached = f64::INFINITY;
+        loop {
+            let step = before_step * shrink;
+            if longest / step > MOST_STEPS {
+                break;
+            }
+            let next = run(step)?;
+            cost += next.cost;
+            let pairs = before.phases.iter().zip(&next.phases);
+            let apart = pairs.map(|(a, b)| self.apart(a, b)).fold(0.0, |m, d| {
+                // What is not a number must not pass for small.
+                if d <= m { m } else { d }
+            });
+            let error = 2.0 * apart / (shrink.powf(-order) - 1.0);
+            if error <= accuracy {
+                return Ok(Steered {
+                    states: next.phases,
+                    error,
+                    cost,
+                });
+            }
+            // Rounding: shorter steps no longer help.
+            if error > reached && error < 1e-6 {
+                break;
+            }
+            reached = reached.min(error);
+            shrink = (0.4 * accuracy / error).powf(1.0 / order).clamp(0.1, 0.6);
+            (before, before_step) = (next, step);
+        }
+        Err(Error::Accuracy {
+            asked: accuracy,
+            reached,
+        })
+    }
+
+    /// The method, if it can run this top.
+    fn method(&self, method: Geometric) -> Result<Box<dyn Follow>> {
+        let free = self.lever == [0.0; 3];
+        Ok(match method {
+            Geometric::Rotations(order) if free => {
+                Box::new(FreeSplitting::new(self.moments, order)?)
+            }
+            Geometric::MoserVeselov(order) if free => {
+                Box::new(MoserVeselov::new(self.moments, order)?)
+            }
+            Geometric::Rotations(_) | Geometric::MoserVeselov(_) => {
+                return Err(Error::Condition {
+                    condition: "the solvers rotations and moser-veselov are for tops that no torque acts on",
+                    value: f64::NAN,
+                });
+            }
+            Geometric::KickDrift(order) => self.kick_drift(order)?,
+            Geometric::MuntheKaas => {
+                Box::new(MuntheKaas::new(self.moments, Weight::new(self.lever)?)?)
+            }
+            Geometric::DormandPrince8 => {
+                Box::new(DormandPrince8::new(self.moments, Weight::new(self.lever)?)?)
+            }
+        })
+    }
+
+    fn kick_drift(&self, order: Order) -> Result<Box<dyn Follow>> {
+        let weight = Weight::new(self.lever)?;
+        Ok(match SymmetricDrift::new(self.moments) {
+            Ok(drift) => Box::new(HeavySplitting::new(drift, weight, order)),
+            Err(_) => {
+                let drift = Rotations::new(self.moments, order)?;
+                Box::new(HeavySplitting::new(drift, weight, order))
+            }
+        })
+    }
+
+    /// Energy, and L along the vertical.
+    fn invariants(&self, phase: &Phase) -> (f64, f64) {
+        let up = phase.up();
+        let sum = |of: &dyn Fn(usize) -> f64| of(0) + of(1) + of(2);
+        let energy =
+            sum(&|k| 0.5 * phase.l[k] * phase.l[k] / self.moments[k] + self.lever[k] * up[k]);
+        (energy, sum(&|k| phase.l[k] * up[k]))
+    }
+
+    /// Angle between two attitudes, radians, or the distance of the angular velocities in their scale, whichever is more.
+    fn apart(&self, a: &Phase, b: &Phase) -> f64 {
+        let square = |x: f64| x * x;
+        let turned: f64 = (0..4).map(|k| square(a.q[k] - b.q[k])).sum();
+        let faster: f64 = (0..3)
+            .map(|k| square((a.l[k] - b.l[k]) / self.moments[k]))
+            .sum();
+        (2.0 * turned.sqrt()).max(faster.sqrt() / self.fastest)
+    }
+
+    /// The rows of a motion.
+    pub fn rows(&self, phases: &[Phase], books: &Books) -> Result<Vec<(f64, State)>> {
+        let row = |(&t, phase): (&f64, &Phase)| {
+            let attitude = phase.attitude()?;
+            let [o1, o2, o3] = core::array::from_fn(|k| phase.l[k] / self.moments[k]);
+            let omega = BodyVector::new(o1, o2, o3);
+            let energy = books.energy(&attitude, omega);
+            let state = State {
+                attitude,
+                omega,
+                energy,
+            };
+            Ok((t, state))
+        };
+        self.times.iter().zip(phases).map(row).collect()
+    }
+}
+
+/// More steps are not tried.
+const MOST_STEPS: f64 = 1e9;
+
+pub(super) fn longest(times: &[f64]) -> f64 {
+    times.iter().fold(0.0_f64, |a, &b| a.max(b.abs()))
+}

@@ -5,10 +5,12 @@
 //! | [`stopwatch`] | the least of repeated runs; what would take too long |
 //! | [`table`] | the table that a person reads, with the winners |
 //! | [`scene`] | a scene file as a problem |
+//! | [`winners`] | the table of the chapter |
 
 pub mod scene;
 pub mod stopwatch;
 pub mod table;
+pub mod winners;
 
 use std::fmt::Write as _;
 use std::io::Write as _;

@@ -170,12 +170,12 @@ pub fn sweep(
 /// Whether the run at `place` is not better than all coarser ones by a fifth, one of which is within the reach of rounding.
 ///
 /// A finer effort is one by a quarter at least, so that the error of a method of order 2 falls to 0.57 of what it was: less gain than that
-/// to 0.8 is none. Errors above 1e-3 may be those of steps too long for the method to be of any order.
+/// to 0.8 is none. Errors above 1e-6 may be those of steps too long for the method to be of any order, and happen to be small.
 fn no_gain(rows: &[Measurement], place: usize) -> bool {
     let best = rows[..place]
         .iter()
         .map(|row| row.error_attitude)
         .fold(f64::INFINITY, f64::min);
     let row = &rows[place];
-    best < 1e-3 && row.error_attitude > 0.8 * best
+    best < 1e-6 && row.error_attitude > 0.8 * best
 }

@@ -70,7 +70,7 @@ static FAMILIES: [Family; 7] = [
         description: "free, 6e-8 beside the separatrix: a racket that flips",
         body: Body::Top([1.5, 3.0, 4.0], [0.0; 3]),
         // 1 + 2⁻²⁴; with 1 it is the separatrix itself.
-        l: [1.000_000_059_604_644_775_390_625, 1.0, 2.0],
+        l: [1.000_000_059_604_644_8, 1.0, 2.0],
         q: LEVEL,
         runs: &[
             (1, &truth::NEAR_SEPARATRIX_1),

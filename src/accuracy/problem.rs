@@ -7,6 +7,10 @@ use crate::integrators::geometric::Phase;
 
 /// What moves.
 #[derive(Debug, Clone, Copy)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there are some thirty of them, and they are copied once a sweep"
+)]
 pub enum Setting {
     /// A body with a fixed point, under its weight or none.
     Top {

@@ -28,14 +28,18 @@ impl<'a, const N: usize> Scaled<'a, N> {
         core::array::from_fn(|n| y[n] / self.units[n])
     }
 
-    fn from_units(&self, y: &[f64; N]) -> [f64; N] {
+    fn out_of_units(&self, y: &[f64; N]) -> [f64; N] {
         core::array::from_fn(|n| y[n] * self.units[n])
     }
 
     pub(super) fn passage(&self, passage: Passage<N>) -> Passage<N> {
         Passage {
-            states: passage.states.iter().map(|y| self.from_units(y)).collect(),
-            end: self.from_units(&passage.end),
+            states: passage
+                .states
+                .iter()
+                .map(|y| self.out_of_units(y))
+                .collect(),
+            end: self.out_of_units(&passage.end),
             ..passage
         }
     }
@@ -43,12 +47,12 @@ impl<'a, const N: usize> Scaled<'a, N> {
 
 impl<const N: usize> System<N> for Scaled<'_, N> {
     fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
-        self.to_units(&self.system.rate(t, &self.from_units(y)))
+        self.to_units(&self.system.rate(t, &self.out_of_units(y)))
     }
 }
 
 impl<const N: usize> Event<N> for Scaled<'_, N> {
     fn value(&self, t: f64, y: &[f64; N]) -> f64 {
-        self.event.value(t, &self.from_units(y))
+        self.event.value(t, &self.out_of_units(y))
     }
 }

@@ -26,7 +26,7 @@ mod support;
 mod taylor;
 
 use suite::{Case, Kind, cases};
-use support::{least, only_tested};
+use support::{least, least_of_few, only_tested};
 
 /// Accuracies 1e-3 … 1e-12.
 const DECADES: core::ops::RangeInclusive<i32> = 3..=12;
@@ -74,7 +74,7 @@ fn judged(case: &Case) -> Vec<Outcome> {
         let mut error = f64::INFINITY;
         let planned = scene.simulate(&request).ok().map(|motion| {
             error = case.error(&motion, &truth) / asked;
-            let time = least(9, || {
+            let time = least_of_few(9, || {
                 let _ = black_box(scene.simulate(black_box(&request)));
             });
             (time * 1e6, motion.plan.solver.name())
@@ -108,7 +108,7 @@ fn swept(
     };
     let exact = case.request(1e-3).by(Choice::Use(Solver::Exact));
     if let Ok(motion) = scene.simulate(&exact) {
-        let time = least(9, || {
+        let time = least_of_few(9, || {
             let _ = black_box(scene.simulate(black_box(&exact)));
         });
         enter(case.error(&motion, truth), time * 1e6, "exact");
@@ -119,7 +119,7 @@ fn swept(
         };
         let error = case.error(&motion, truth);
         let runs = if error <= 1e-3 { 5 } else { 1 };
-        let time = least(runs, || {
+        let time = least_of_few(runs, || {
             let _ = black_box(run());
         }) * 1e6;
         let last = enter(error, time, name);

@@ -220,6 +220,7 @@ impl Case {
     }
 
     /// The same as a type, for those without friction.
+    #[allow(dead_code, reason = "the benchmark asks for it")]
     pub fn top(&self) -> Top<Gravity> {
         let (body, start) = self.parts();
         let top: Top<Absent> = Top::new(body, start).unwrap();

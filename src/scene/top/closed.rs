@@ -82,12 +82,12 @@ impl ClosedForm {
         }
     }
 
-    /// The error that rounding makes, observed over random tops: attitude in radians, Ω relative.
+    /// The error that rounding makes: attitude in radians, Ω relative. Observed over 260, 280 and 180 random tops and up to 25 turns: 7e-16, 9e-15, 2e-13.
     pub(super) const fn rounding(&self) -> f64 {
         match self {
-            Self::Free(_) => 1e-14,
-            Self::Lagrange(..) => 1e-13,
-            Self::Kovalevskaya(..) => 1e-12,
+            Self::Free(_) => 2e-15,
+            Self::Lagrange(..) => 2e-14,
+            Self::Kovalevskaya(..) => 5e-13,
         }
     }
 

@@ -5,10 +5,12 @@
 //! * `closed`: the scenes whose motion is known;
 //! * `equations`, `general`: the others, by a method with error control;
 //! * `methods`: tops under gravity alone by the methods for turning bodies, `steered`: the error of such a run, `prices`: what to choose;
+//! * `with`: an effect into its slot; `choice`: who runs a scene, and why;
 //! * this file: the slots, the plan, the motion and its ledger.
 
 mod body;
 mod books;
+mod choice;
 mod closed;
 mod effects;
 mod equations;
@@ -16,6 +18,7 @@ mod general;
 mod methods;
 mod prices;
 mod steered;
+mod with;
 
 pub use body::{Body, Start};
 pub use closed::{Axes, ClosedForm};
@@ -29,14 +32,11 @@ use super::{
 use crate::error::{Error, Result};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
-use crate::integrators::geometric::Phase;
-use crate::integrators::{Cost, Effort, Method};
+use crate::integrators::{Cost, Method};
 
 use books::Books;
-use equations::{Equations, Lossless, Lossy, fastest, packed, unpacked};
+use equations::{Lossless, Lossy, fastest, packed, unpacked};
 use general::{Problem, Spin};
-use methods::{Heavy, longest};
-use prices::{Cheapest, cheapest};
 
 /// A top and its effects, one type parameter each: gravity, pivot friction, bearing friction, air drag, tip friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -151,263 +151,6 @@ impl Top {
         match self.start.spin {
             body::Spin::Omega(omega) => EulerTop::from_omega(moments, omega, attitude),
             body::Spin::AngularMomentum(l) => EulerTop::new(moments, l, attitude),
-        }
-    }
-}
-
-impl<F, B, D, T> Top<Absent, F, B, D, T> {
-    /// The same under gravity.
-    pub fn with_gravity(self, gravity: Gravity) -> Top<Gravity, F, B, D, T> {
-        Top {
-            body: self.body,
-            start: self.start,
-            gravity,
-            pivot_friction: self.pivot_friction,
-            bearing_friction: self.bearing_friction,
-            air_drag: self.air_drag,
-            tip_friction: self.tip_friction,
-        }
-    }
-}
-
-impl<G, B, D, T> Top<G, Absent, B, D, T> {
-    /// The same with friction at the pivot.
-    pub fn with_pivot_friction(
-        self,
-        pivot_friction: PivotFriction,
-    ) -> Top<G, PivotFriction, B, D, T> {
-        Top {
-            body: self.body,
-            start: self.start,
-            gravity: self.gravity,
-            pivot_friction,
-            bearing_friction: self.bearing_friction,
-            air_drag: self.air_drag,
-            tip_friction: self.tip_friction,
-        }
-    }
-}
-
-impl<G, F, D, T> Top<G, F, Absent, D, T> {
-    /// The same with friction at the pivot that spares the spin.
-    pub fn with_bearing_friction(
-        self,
-        bearing_friction: BearingFriction,
-    ) -> Top<G, F, BearingFriction, D, T> {
-        Top {
-            body: self.body,
-            start: self.start,
-            gravity: self.gravity,
-            pivot_friction: self.pivot_friction,
-            bearing_friction,
-            air_drag: self.air_drag,
-            tip_friction: self.tip_friction,
-        }
-    }
-}
-
-impl<G, F, B, T> Top<G, F, B, Absent, T> {
-    /// The same with drag of the air.
-    pub fn with_air_drag(self, air_drag: AirDrag) -> Top<G, F, B, AirDrag, T> {
-        Top {
-            body: self.body,
-            start: self.start,
-            gravity: self.gravity,
-            pivot_friction: self.pivot_friction,
-            bearing_friction: self.bearing_friction,
-            air_drag,
-            tip_friction: self.tip_friction,
-        }
-    }
-}
-
-impl<G, F, B, D> Top<G, F, B, D, Absent> {
-    /// The same with dry friction at the tip.
-    ///
-    /// # Errors
-    /// [`Error::Condition`] unless I₁ = I₂ and C lies on the third axis: of another body the spin would not stay stopped.
-    pub fn with_tip_friction(
-        self,
-        tip_friction: TipFriction,
-    ) -> Result<Top<G, F, B, D, TipFriction>> {
-        if !self.body.is_symmetric_about_third() {
-            return Err(Error::Condition {
-                condition: "tip friction is for bodies with I1 = I2 and the centre of mass on the third axis",
-                value: self.body.moments[1] / self.body.moments[0],
-            });
-        }
-        Ok(Top {
-            body: self.body,
-            start: self.start,
-            gravity: self.gravity,
-            pivot_friction: self.pivot_friction,
-            bearing_friction: self.bearing_friction,
-            air_drag: self.air_drag,
-            tip_friction,
-        })
-    }
-}
-
-/// The method for scenes without a closed form.
-const LEAN: Solver = Solver::Geometric(Geometric::DormandPrince8);
-
-/// That for scenes with events.
-const WITH_EVENTS: Solver = Solver::General(Method::Dop853);
-
-impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<G, F, B, D, T> {
-    /// Whether anything resists; known at compile time.
-    const LOSSY: bool = F::PRESENT || B::PRESENT || D::PRESENT || T::PRESENT;
-
-    /// The motion in closed form, if this scene has one.
-    ///
-    /// # Errors
-    /// Those of the solution.
-    pub fn closed_form(&self) -> Result<Option<ClosedForm>> {
-        if Self::LOSSY {
-            return Ok(None);
-        }
-        ClosedForm::find(&self.body, self.gravity.lever(self.body.arm()), &self.start)
-    }
-
-    fn planned(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
-        match request.choice() {
-            Choice::Auto if T::PRESENT => Ok((Plan::new(WITH_EVENTS, self.reason()), None)),
-            Choice::Auto if Self::LOSSY => Ok((Plan::new(LEAN, self.reason()), None)),
-            Choice::Auto => self.cheapest(request),
-            Choice::Use(Solver::Exact) => match self.closed_form()? {
-                Some(closed) => Ok((Plan::new(Solver::Exact, "asked for"), Some(closed))),
-                None => Err(Error::Condition {
-                    condition: "the solver `exact` is for scenes with a closed form, this one has none",
-                    value: f64::NAN,
-                }),
-            },
-            Choice::Use(solver @ Solver::General(_)) => Ok((Plan::new(solver, "asked for"), None)),
-            Choice::Use(Solver::Geometric(method)) => {
-                if T::PRESENT || Self::LOSSY && method != Geometric::DormandPrince8 {
-                    return Err(Error::Condition {
-                        condition: "the geometric solvers are for tops under gravity alone, and dormand-prince-8 for those whose friction is smooth",
-                        value: f64::NAN,
-                    });
-                }
-                Ok((Plan::new(Solver::Geometric(method), "asked for"), None))
-            }
-            Choice::Use(Solver::Events) => Err(Error::Condition {
-                condition: "the solver `events` is for scenes with contacts, a top has none",
-                value: f64::NAN,
-            }),
-        }
-    }
-
-    /// A closed form, unless one run of order 8 is cheaper than preparing it.
-    fn cheapest(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
-        let lever = self.gravity.lever(self.body.arm());
-        let omega = self.start.omega(self.body.moments)?;
-        let angle = fastest(&self.body, lever, omega) * longest(request.times());
-        let (samples, accuracy) = (request.times().len(), request.accuracy());
-        let closed = match cheapest(self.body.moments, lever, angle, samples, accuracy) {
-            Cheapest::ClosedForm => self.closed_form()?,
-            Cheapest::OnlyRun => None,
-            Cheapest::Run => {
-                let reason = "a run so short that it costs less than preparing the closed form";
-                return Ok((Plan::new(LEAN, reason), None));
-            }
-        };
-        Ok(match closed {
-            Some(closed) => (Plan::new(Solver::Exact, closed.reason()), Some(closed)),
-            None => (Plan::new(LEAN, self.reason()), None),
-        })
-    }
-
-    /// One run by a method for turning bodies, at these times, with this effort and no question about its error.
-    ///
-    /// What [`Scene::simulate`] does without the second run that vouches for the first, and without a word about a ledger that does not balance:
-    /// for those who measure methods.
-    ///
-    /// # Errors
-    /// [`Error::Condition`] where something other than gravity acts, or the method cannot run this top; those of the method.
-    pub fn run_once(
-        &self,
-        times: &[f64],
-        method: Geometric,
-        effort: Effort,
-    ) -> Result<Motion<State>> {
-        if Self::LOSSY {
-            return Err(Error::Condition {
-                condition: "a run without a question about its error is for tops under gravity alone",
-                value: f64::NAN,
-            });
-        }
-        let books = Books::of(&self.body, self.gravity.lever(self.body.arm()), &self.start)?;
-        let heavy = self.heavy(times, &books)?;
-        let (phases, cost) = heavy.once(method, effort)?;
-        let rows = heavy.rows(&phases, &books)?;
-        Ok(Motion {
-            plan: Plan::new(Solver::Geometric(method), "asked for"),
-            cost,
-            error_estimate: None,
-            ledger: books.lossless(&rows)?,
-            rows,
-        })
-    }
-
-    fn heavy<'a>(&self, times: &'a [f64], books: &Books) -> Result<Heavy<'a>> {
-        self.needs_moments()?;
-        let lever = self.gravity.lever(self.body.arm());
-        let moments = self.body.moments;
-        let omega = self.start.omega(moments)?;
-        let l = match self.start.spin {
-            body::Spin::AngularMomentum(l) => l,
-            body::Spin::Omega(_) => {
-                let [a, b, c] = moments;
-                BodyVector::new(a * omega.x(), b * omega.y(), c * omega.z())
-            }
-        };
-        Ok(Heavy {
-            moments,
-            lever,
-            start: Phase::new(l, &self.start.attitude),
-            fastest: fastest(&self.body, lever, omega).max(f64::MIN_POSITIVE),
-            momentum: books.momentum_scale,
-            energy: books.energy_scale,
-            times,
-        })
-    }
-
-    fn needs_moments(&self) -> Result<()> {
-        match self.body.moments.iter().find(|&&moment| moment == 0.0) {
-            Some(&moment) => Err(Error::NotPositive {
-                quantity: "a principal moment of a body without a closed form",
-                value: moment,
-            }),
-            None => Ok(()),
-        }
-    }
-
-    /// Why no closed form will do.
-    fn reason(&self) -> String {
-        let resisting = [
-            (F::PRESENT, F::NAME),
-            (B::PRESENT, B::NAME),
-            (D::PRESENT, D::NAME),
-            (T::PRESENT, T::NAME),
-        ];
-        let names: Vec<&str> = resisting.iter().filter(|r| r.0).map(|r| r.1).collect();
-        if names.is_empty() {
-            closed::NONE.to_owned()
-        } else {
-            format!("{}: no closed form", names.join(" and "))
-        }
-    }
-
-    fn equations(&self) -> Equations<G, F, B, D, T> {
-        Equations {
-            moments: self.body.moments,
-            arm: self.body.arm(),
-            gravity: self.gravity,
-            pivot_friction: self.pivot_friction,
-            bearing_friction: self.bearing_friction,
-            air_drag: self.air_drag,
-            tip_friction: self.tip_friction,
         }
     }
 }

@@ -14,11 +14,10 @@ impl<const N: usize> Step<N> {
     /// The error as a multiple of what is allowed: both estimates in one (Hairer, Nørsett, Wanner, II.10).
     #[inline(always)]
     pub fn error(&self, state: &[f64; N], scales: &[f64; N], tolerance: f64, h: f64) -> f64 {
-        let mut weights = [0.0; N];
-        for n in 0..N {
+        let weights: [f64; N] = core::array::from_fn(|n| {
             let size = state[n].abs().max(self.after[n].abs());
-            weights[n] = 1.0 / (tolerance * (size + scales[n]));
-        }
+            1.0 / (tolerance * (size + scales[n]))
+        });
         let (mut fifth, mut third) = (0.0, 0.0);
         for n in 0..N {
             let (five, three) = (self.fifth[n] * weights[n], self.third[n] * weights[n]);

@@ -83,7 +83,7 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
 
     /// One run by a method for turning bodies, at these times, with this effort and no question about its error.
     ///
-    /// What [`Scene::simulate`] does without the second run that vouches for the first, and without a word about a ledger that does not balance:
+    /// What [`Scene::simulate`](crate::scene::Scene::simulate) does without the second run that vouches for the first, and without a word about a ledger that does not balance:
     /// for those who measure methods.
     ///
     /// # Errors

@@ -19,8 +19,8 @@ impl<const N: usize> Step<N> {
             1.0 / (tolerance * (size + scales[n]))
         });
         let (mut fifth, mut third) = (0.0, 0.0);
-        for n in 0..N {
-            let (five, three) = (self.fifth[n] * weights[n], self.third[n] * weights[n]);
+        for ((five, three), weight) in self.fifth.iter().zip(&self.third).zip(weights) {
+            let (five, three) = (five * weight, three * weight);
             fifth += five * five;
             third += three * three;
         }

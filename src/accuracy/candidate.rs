@@ -163,12 +163,13 @@ impl Found<'_> {
     }
 }
 
-/// A decade apart, down to where the error of a step is rounding.
+/// Three to a decade, down to where the error of a step is rounding: finer than the differences between methods.
 fn tolerances() -> Vec<Effort> {
     const DECADES: [f64; 14] = [
         1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,
     ];
-    DECADES.map(Effort::Tolerance).to_vec()
+    let within = |decade: f64| [decade, 0.5 * decade, 0.2 * decade].map(Effort::Tolerance);
+    DECADES.into_iter().flat_map(within).collect()
 }
 
 /// From about two steps a turn up: the run in 2ᵏ parts, and in as many times the `multiples`. With 1.5 these are 3·2ᵏ, which for the listed

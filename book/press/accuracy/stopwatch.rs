@@ -16,11 +16,11 @@ pub enum Times {
 }
 
 /// A run that would take longer is left out, s.
-pub const PATIENCE: f64 = 1.0;
+pub const PATIENCE: f64 = 0.6;
 
 /// Repeated runs last at least this long together, s; and not much longer than [`LONG`].
 const SHORT: f64 = 0.02;
-const LONG: f64 = 0.2;
+const LONG: f64 = 0.1;
 /// A call to the clock costs some 30 ns: runs are bundled into lots of this length, s.
 const LOT: f64 = 2e-5;
 const FEWEST: u32 = 5;
@@ -43,7 +43,7 @@ impl Stopwatch {
         }
     }
 
-    /// Runs until five lots and 0.02 s are over, or 0.2 s: the time of the fastest lot, per run.
+    /// Runs until five lots and 0.02 s are over, or 0.1 s: the time of the fastest lot, per run.
     pub fn time(&self, run: &mut dyn FnMut()) -> Option<f64> {
         let begin = Instant::now();
         run();
@@ -81,8 +81,8 @@ impl Stopwatch {
         let expected = match (rows.last(), next) {
             (None, _) => first(problem, candidate, next),
             (Some(row), Effort::Step(step)) => self.last.get() * row.parameter / step,
-            // A decade of tolerance costs a method of order 5 a factor 1.6.
-            (Some(_), Effort::Tolerance(_)) => self.last.get() * 1.6,
+            // A third of a decade of tolerance costs a method of order 5 a factor 1.2.
+            (Some(_), Effort::Tolerance(_)) => self.last.get() * 1.2,
         };
         let affords = expected <= PATIENCE;
         if !affords {

@@ -12,7 +12,7 @@ pub const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 /// The method that the others are compared with.
 const PEER: &str = "dop853";
 
-/// The table of a problem: every measurement, then the winners.
+/// The table of a problem: what tells of each method, then the winners.
 pub fn text(problem: &Problem, swept: &[Swept]) -> String {
     let mut text = format!("{}: {}\n", problem.name(), problem.description());
     let _ = writeln!(
@@ -30,13 +30,13 @@ pub fn text(problem: &Problem, swept: &[Swept]) -> String {
         "digits/us",
     );
     for one in swept {
-        for row in &one.rows {
+        for row in telling(&one.rows) {
             text.push_str(&line(row));
         }
         if one.left_out > 0 {
             let _ = writeln!(
                 text,
-                "{:>17}   left out: {} finer efforts, more than a second each",
+                "{:>17}   left out: {} finer efforts, too long for this table",
                 one.method, one.left_out
             );
         }
@@ -50,6 +50,27 @@ pub fn text(problem: &Problem, swept: &[Swept]) -> String {
         text.push('\n');
     }
     text
+}
+
+/// The rows that a person wants to see: the cheapest to reach each of the targets, and the most exact. The CSV file has them all.
+fn telling(rows: &[Measurement]) -> Vec<&Measurement> {
+    let price = |row: &Measurement| row.seconds.unwrap_or(row.evaluations as f64);
+    let cheapest = |target: f64| {
+        let good = rows.iter().enumerate();
+        let good = good.filter(|(_, row)| row.error_attitude.max(row.error_omega) <= target);
+        good.min_by(|a, b| price(a.1).total_cmp(&price(b.1)))
+    };
+    let all = rows.iter().enumerate();
+    let best = all.min_by(|a, b| a.1.error_attitude.total_cmp(&b.1.error_attitude));
+    let mut places: Vec<usize> = TARGETS
+        .iter()
+        .filter_map(|&target| cheapest(target))
+        .chain(best)
+        .map(|(place, _)| place)
+        .collect();
+    places.sort_unstable();
+    places.dedup();
+    places.into_iter().map(|place| &rows[place]).collect()
 }
 
 fn line(row: &Measurement) -> String {

@@ -49,6 +49,7 @@ chapters! {
     pythagoras: "pythagoras",
     further_reading: "further-reading",
     scenes: "scenes",
+    accuracy: "accuracy",
     errata: "errata",
     claims: "claims",
     colophon: "colophon",

@@ -98,7 +98,7 @@ fn order_eight_by_tolerance() {
         let course = method.follow(&start(), &times, Effort::Tolerance(tolerance));
         for (&t, phase) in times.iter().zip(&course.unwrap().phases) {
             let [angle, momentum] = distance(phase, &free(MOMENTS, &start(), t));
-            // Observed: at most 12 times the tolerance.
+            // It grows with the time: 40 times the tolerance after 50 s in `bench/benches/integrators.rs`.
             let allowed = 25.0 * tolerance + 1e-14;
             assert!(
                 angle < allowed && momentum < allowed,

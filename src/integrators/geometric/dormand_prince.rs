@@ -26,7 +26,7 @@ pub enum Kept {
 /// (|y| + scale) in the mean square of the components; or the steps have one length. A sample ends a step: there is no dense output to be less
 /// exact. State and time are sums that keep what rounding leaves over (Kahan).
 ///
-/// Observed, free bodies over ten turns: order 8.0, error at the end 0.1 to 10 times the tolerance, floor 3e-15. Cost: twelve evaluations a
+/// Observed: order 8.0; of a free body after 25 turns the error is 40 times the tolerance, 4e-13 at 1e-14. Cost: twelve evaluations a
 /// step, no allocation; the rest of a step costs about as much as the evaluations do for a body.
 ///
 /// # Errors
@@ -284,7 +284,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
     }
 }
 
-/// Length of the first step as a multiple of tolerance^(1/8) over the rate; for bodies a step too long by at most a third.
+/// Length of the first step as a multiple of tolerance^(1/8) over the rate.
 const FIRST: f64 = 4.0;
 /// Those of DOP853.
 const SAFETY: f64 = 0.9;

@@ -65,7 +65,7 @@ pub fn markdown(csv: &str) -> String {
                     " | {} {}, ×{}",
                     best.method,
                     time(best.seconds),
-                    factor(peer.seconds / best.seconds)
+                    short(peer.seconds / best.seconds)
                 ),
                 (Some(best), None) => write!(
                     text,
@@ -82,20 +82,19 @@ pub fn markdown(csv: &str) -> String {
 }
 
 fn time(seconds: f64) -> String {
-    let microseconds = 1e6 * seconds;
-    if microseconds < 10.0 {
-        format!("{microseconds:.1} µs")
-    } else if microseconds < 1e4 {
-        format!("{microseconds:.0} µs")
+    if seconds < 1e-3 {
+        format!("{} µs", short(1e6 * seconds))
     } else {
-        format!("{:.0} ms", 1e3 * seconds)
+        format!("{} ms", short(1e3 * seconds))
     }
 }
 
-fn factor(ratio: f64) -> String {
-    if ratio < 10.0 {
-        format!("{ratio:.1}")
+/// Two digits: more would not be the same tomorrow.
+fn short(value: f64) -> String {
+    if value < 9.95 {
+        format!("{value:.1}")
     } else {
-        format!("{ratio:.0}")
+        let unit = 10.0_f64.powf(value.log10().floor() - 1.0);
+        format!("{:.0}", (value / unit).round() * unit)
     }
 }

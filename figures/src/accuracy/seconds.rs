@@ -20,7 +20,7 @@ const PANELS: [(&str, &str); 6] = [
     ("kovalevskaya/1000", "Kovalevskaya’s top"),
     ("heavy-body/1000", "no closed form"),
 ];
-const X: [f64; 2] = [1e-7, 1e-1];
+const X: [f64; 2] = [3e-7, 1.0];
 const Y: [f64; 2] = [1e-16, 1.0];
 
 /// One measurement, as far as it is drawn.
@@ -83,7 +83,7 @@ pub fn seconds() -> Result<Figure> {
         claim: "A thousand turns on a clock: the closed form is exact before a general method has warmed up.".to_owned(),
         details: format!(
             "Error of the attitude in radians after a thousand turns against time. Purple: the best of the general methods; dotted, rk4. Blue: the best of our own methods \
-             that take steps. Black: the closed form, its preparation included. Measured once, least of repeated runs: {machine}."
+             that take steps. Black: the closed form, its preparation included, which for Kovalevskaya’s top takes long. Measured once, least of repeated runs: {machine}."
         ),
         alt: "Six small diagrams, error against seconds, both logarithmic. The line of our stepping methods lies to the left of that of the general methods; a black disc, the \
               closed form, lies far to the left of both and at the bottom. The sixth problem has no closed form and no disc."
@@ -119,6 +119,9 @@ pub fn seconds() -> Result<Figure> {
                     .collect();
                 pen.line(&line, stroke);
             }
+            if k == 0 {
+                legend(pen, place);
+            }
             for point in of(&|m| m == "exact") {
                 pen.disc([x.at(point[0]), y.at(point[1])], 6.0, Role::Ink, 1.0);
             }
@@ -135,10 +138,15 @@ fn axes(pen: &mut Pen<'_>, name: &str, [left, top]: Point) -> Axis {
         &[[left, top], [left, bottom], [right, bottom]],
         stroke(Role::Ink, AXIS),
     );
-    for (value, text) in [(1e-6, "1 µs"), (1e-3, "1 ms"), (1e-1, "0.1 s")] {
+    for (value, text) in [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")] {
+        let anchor = if value < X[1] {
+            Anchor::Middle
+        } else {
+            Anchor::End
+        };
         pen.text(
             [x.at(value), bottom + 18.0],
-            Anchor::Middle,
+            anchor,
             text,
             small(Role::Muted),
         );
@@ -156,4 +164,15 @@ fn axes(pen: &mut Pen<'_>, name: &str, [left, top]: Point) -> Axis {
         );
     }
     y
+}
+
+/// Names at the lines of the first panel.
+fn legend(pen: &mut Pen<'_>, [left, top]: Point) {
+    for (x, y, name, role) in [
+        (90.0, 62.0, "ours", Role::Omega),
+        (176.0, 128.0, "general", Role::Torque),
+        (52.0, 130.0, "closed form", Role::Ink),
+    ] {
+        pen.text([left + x, top + y], Anchor::Start, name, small(role));
+    }
 }

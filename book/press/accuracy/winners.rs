@@ -62,14 +62,14 @@ pub fn markdown(csv: &str) -> String {
             let _ = match (best, peer) {
                 (Some(best), Some(peer)) => write!(
                     text,
-                    " | {} {}, ×{}",
+                    " | {}<br>{}, ×{}",
                     best.method,
                     time(best.seconds),
                     short(peer.seconds / best.seconds)
                 ),
                 (Some(best), None) => write!(
                     text,
-                    " | {} {}; {PEER} never",
+                    " | {}<br>{}; {PEER} never",
                     best.method,
                     time(best.seconds)
                 ),
@@ -83,9 +83,9 @@ pub fn markdown(csv: &str) -> String {
 
 fn time(seconds: f64) -> String {
     if seconds < 1e-3 {
-        format!("{} µs", short(1e6 * seconds))
+        format!("{}\u{a0}µs", short(1e6 * seconds))
     } else {
-        format!("{} ms", short(1e3 * seconds))
+        format!("{}\u{a0}ms", short(1e3 * seconds))
     }
 }
 

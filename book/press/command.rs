@@ -73,7 +73,7 @@ Examples:
 const ACCURACY: &str = "\
 Errors are those at the end of the run, against motions known to 30 digits: the angle between the attitudes in
 radians, and the relative error of the angular velocity. Times are the least of repeated runs. The winners at 1e-3,
-1e-6, 1e-9 and 1e-12 stand below each table. Efforts that would take more than a second a run are left out, and
+1e-6, 1e-9 and 1e-12 stand below each table. Efforts that would take much of a second a run are left out, and
 counted. All problems together take about ten minutes, one of them seconds. Times need a release build.
 
 Problems: free-top, near-separatrix, cusped-top, near-sleeping, kovalevskaya, heavy-body, tippe-top; each over 1, 10

@@ -1,0 +1,92 @@
+//! Where between two steps a quantity falls through zero.
+
+use super::Event;
+use super::track::{Clock, Timed, carried};
+use crate::error::Result;
+
+/// A quantity that may fall through zero, asked in phase.
+pub(super) struct Falling<'a, const N: usize> {
+    pub event: &'a dyn Event<N>,
+    pub clock: Clock,
+}
+
+impl<const N: usize> Falling<'_, N> {
+    pub fn value(&self, phase: f64, y: &[f64; N]) -> f64 {
+        self.event.value(self.clock.time(phase), y)
+    }
+
+    /// Whether the quantity can fall from the start on: it is positive, or zero and about to rise.
+    pub fn is_armed(&self, timed: &Timed<'_, N>, start: &[f64; N]) -> bool {
+        let here = self.value(0.0, start);
+        here > 0.0 || here == 0.0 && self.value(PROBE, &carried(timed, (0.0, *start), PROBE)) > 0.0
+    }
+}
+
+/// Step of the difference that tells whether a quantity rises from zero, in phase.
+const PROBE: f64 = 1e-8;
+
+/// Where the event's quantity is zero, between the two ends of a step of which the second is past it.
+///
+/// Secants, with the value at an end that stays twice halved (the Illinois rule), and halving whenever three trials have not made the
+/// enclosure eight times smaller: that also finds the way out of a start at zero, whose secant leads nowhere.
+pub(super) fn falling<const N: usize>(
+    crossing: &Falling<'_, N>,
+    before: (f64, [f64; N]),
+    after: (f64, [f64; N]),
+    reach: &mut impl FnMut((f64, [f64; N]), f64) -> Result<[f64; N]>,
+) -> Result<(f64, [f64; N])> {
+    let (mut low, mut high) = (before, after);
+    let (mut above, mut below) = (
+        crossing.value(low.0, &low.1),
+        crossing.value(high.0, &high.1),
+    );
+    // The ordinates of the secant: the values, or a part of them.
+    let (mut left, mut right, mut moved) = (above, below, None);
+    let (mut width, mut trials) = (high.0 - low.0, 0);
+    for _ in 0..MOST_TRIALS {
+        let rounding = 2.0 * f64::EPSILON * high.0;
+        if high.0 - low.0 <= 2.0 * rounding || below == 0.0 {
+            break;
+        }
+        trials += 1;
+        let secant = low.0 + (high.0 - low.0) * (left / (left - right));
+        let slow = trials == 3 && high.0 - low.0 > 0.125 * width;
+        let phase = if slow || above <= 0.0 || !secant.is_finite() {
+            0.5 * (low.0 + high.0)
+        } else {
+            // A step beyond the zero, so that the far end comes near as well.
+            secant.clamp(low.0 + rounding, high.0 - rounding)
+        };
+        if trials == 3 {
+            (width, trials) = (high.0 - low.0, 0);
+        }
+        let place = (phase, reach(before, phase)?);
+        let here = crossing.value(place.0, &place.1);
+        if here > 0.0 {
+            if moved == Some(End::Low) {
+                right *= 0.5;
+            }
+            (low, above, left, moved) = (place, here, here, Some(End::Low));
+        } else {
+            if moved == Some(End::High) {
+                left *= 0.5;
+            }
+            (high, below, right, moved) = (place, here, here, Some(End::High));
+        }
+    }
+    Ok(if above > 0.0 && above < -below {
+        low
+    } else {
+        high
+    })
+}
+
+/// An end of the enclosure.
+#[derive(Clone, Copy, PartialEq)]
+enum End {
+    Low,
+    High,
+}
+
+/// Trials at most; halving alone would need sixty.
+const MOST_TRIALS: usize = 200;

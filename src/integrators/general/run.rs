@@ -1,0 +1,221 @@
+//! The crate's loop with one of its methods, and the short steps to samples and events.
+
+use differential_equations::error::Error as Refusal;
+use differential_equations::interpolate::Interpolation;
+use differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
+use differential_equations::ode::{OrdinaryNumericalMethod, solve_ode};
+use differential_equations::solution::Solution as Finished;
+
+use super::falling::{Falling, falling};
+use super::track::{Clock, Timed, Track, carried};
+use super::{Cost, Effort, Event, Method, Passage, Stop, System};
+use crate::error::{Error, Result, finite, positive};
+use crate::integrators::scaled::Scaled;
+
+/// Most steps of one run; more than a minute of computing.
+const MOST_STEPS: usize = 20_000_000;
+
+pub(super) struct Run<'a, const N: usize> {
+    pub system: &'a dyn System<N>,
+    pub scales: &'a [f64; N],
+    pub method: Method,
+    pub effort: Effort,
+}
+
+impl<const N: usize> Run<'_, N> {
+    pub fn until(
+        &self,
+        start_time: f64,
+        start: &[f64; N],
+        times: &[f64],
+        end_time: f64,
+        event: &dyn Event<N>,
+    ) -> Result<Passage<N>> {
+        finite("the time", end_time)?;
+        for &component in start {
+            finite("the state at the start", component)?;
+        }
+        let clock = Clock {
+            start: start_time,
+            span: end_time - start_time,
+        };
+        // Components with their own tolerances: tolerance × (|y| + scale).
+        let absolute = |tolerance: f64| self.scales.map(|scale| tolerance * scale);
+        match (self.method, self.effort) {
+            (Method::Rk4, Effort::Step(step)) => {
+                let step = positive("the step", step)? / clock.span.abs();
+                let make = |length: f64| {
+                    let count = (length / step).ceil().max(1.0);
+                    ExplicitRungeKutta::rk4(length / count).max_steps(MOST_STEPS)
+                };
+                self.drive(make, clock, start, times, event)
+            }
+            (Method::Dopri5, Effort::Tolerance(tolerance)) => {
+                let tolerance = positive("the tolerance", tolerance)?;
+                let make = |length: f64| {
+                    let method = ExplicitRungeKutta::dopri5().max_steps(MOST_STEPS);
+                    let method = method.rtol(tolerance).atol(absolute(tolerance));
+                    method.h0(first_step(length))
+                };
+                self.drive(make, clock, start, times, event)
+            }
+            (Method::Dop853, Effort::Tolerance(tolerance)) => {
+                let tolerance = positive("the tolerance", tolerance)?;
+                let make = |length: f64| {
+                    let method = ExplicitRungeKutta::dop853().max_steps(MOST_STEPS);
+                    let method = method.rtol(tolerance).atol(absolute(tolerance));
+                    method.h0(first_step(length))
+                };
+                self.drive(make, clock, start, times, event)
+            }
+            (Method::Verner98, Effort::Tolerance(tolerance)) => {
+                let tolerance = positive("the tolerance", tolerance)?;
+                let make = |length: f64| {
+                    let method = ExplicitRungeKutta::rkv989e().max_steps(MOST_STEPS);
+                    let method = method.rtol(tolerance).atol(absolute(tolerance));
+                    method.h0(first_step(length))
+                };
+                self.drive(make, clock, start, times, event)
+            }
+            (Method::Gauss, Effort::Step(step)) => {
+                let step = positive("the step", step)? / clock.span.abs();
+                let make = |length: f64| {
+                    let count = (length / step).ceil().max(1.0);
+                    held(ImplicitRungeKutta::gauss_legendre_6(), length / count)
+                };
+                // Newton's method stops at one size for all components: they are made alike.
+                let scaled = Scaled::new(self.system, event, self.scales);
+                let run = Run {
+                    system: &scaled,
+                    scales: &[1.0; N],
+                    ..*self
+                };
+                let start = scaled.to_units(start);
+                let passage = run.drive(make, clock, &start, times, &scaled)?;
+                Ok(scaled.passage(passage))
+            }
+            _ => Err(Error::Integration {
+                reason: "rk4 and gauss must be given a step, every other method a tolerance",
+                time: start_time,
+            }),
+        }
+    }
+
+    /// One run of the crate's loop from phase 0 to 1, then a short one to each sample and to the event, from the step before it: dense
+    /// output loses up to four digits against the steps.
+    fn drive<M>(
+        &self,
+        make: impl Fn(f64) -> M,
+        clock: Clock,
+        start: &[f64; N],
+        times: &[f64],
+        event: &dyn Event<N>,
+    ) -> Result<Passage<N>>
+    where
+        M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,
+    {
+        let mut cost = Cost::default();
+        if clock.span == 0.0 {
+            return Ok(Passage {
+                states: vec![*start; times.len()],
+                time: clock.start,
+                end: *start,
+                stopped: Stop::AtTheEnd,
+                cost,
+            });
+        }
+        let phases: Vec<f64> = times.iter().map(|&t| clock.phase(t)).collect();
+        let timed = Timed {
+            system: self.system,
+            clock,
+        };
+        let crossing = Falling { event, clock };
+        let mut track = Track::new(&phases, Some(&crossing), (0.0, *start));
+        track.armed = crossing.is_armed(&timed, start);
+        let run = solve_ode(&mut make(1.0), &timed, 0.0, 1.0, start, &mut track);
+        cost += spent(&run.map_err(|refusal| refused(&refusal, clock))?);
+        let mut reach = |from: (f64, [f64; N]), to: f64| -> Result<[f64; N]> {
+            let length = to - from.0;
+            if length <= NO_TIME {
+                return Ok(carried(&timed, from, to));
+            }
+            let mut end = Track::new(&[], None, from);
+            let run = solve_ode(&mut make(length), &timed, from.0, to, &from.1, &mut end);
+            cost += spent(&run.map_err(|refusal| refused(&refusal, clock))?);
+            Ok(carried(&timed, end.last, to))
+        };
+        let (stopped, end) = if track.fallen {
+            let place = falling(&crossing, track.before, track.last, &mut reach)?;
+            (Stop::AtTheEvent, place)
+        } else {
+            (Stop::AtTheEnd, (1.0, carried(&timed, track.last, 1.0)))
+        };
+        track.places.resize(phases.len(), track.last);
+        let mut states = Vec::with_capacity(phases.len());
+        for (&phase, &place) in phases.iter().zip(&track.places) {
+            if phase > end.0 {
+                break;
+            }
+            states.push(reach(place, phase)?);
+        }
+        for &component in states.iter().chain([&end.1]).flatten() {
+            finite("the state after integration", component)?;
+        }
+        let time = match stopped {
+            Stop::AtTheEnd => clock.start + clock.span,
+            Stop::AtTheEvent => clock.time(end.0),
+        };
+        Ok(Passage {
+            states,
+            time,
+            end: end.1,
+            stopped,
+            cost,
+        })
+    }
+}
+
+/// Phases nearer than this are one step of Euler's method apart: the crate's loop ends within 2e-15 of its end.
+const NO_TIME: f64 = 1e-14;
+
+/// An implicit method with steps of one length: no error is too large, and no step may grow.
+fn held<E, F, const N: usize, const O: usize, const S: usize, const I: usize>(
+    method: ImplicitRungeKutta<E, F, f64, [f64; N], O, S, I>,
+    step: f64,
+) -> ImplicitRungeKutta<E, F, f64, [f64; N], O, S, I> {
+    let method = method.max_steps(MOST_STEPS).h0(step).h_max(step);
+    method.atol(f64::MAX).newton_tol(NEWTON)
+}
+
+/// What may be left of the stage equations, in units of the scales: a few roundings.
+const NEWTON: f64 = 4.0 * f64::EPSILON;
+
+/// The first step: chosen by the method for the whole run, a single one for what is left of a step.
+fn first_step(length: f64) -> f64 {
+    if length < 1.0 { length } else { 0.0 }
+}
+
+fn spent<const N: usize>(run: &Finished<f64, [f64; N]>) -> Cost {
+    // An implicit method differentiates by differences: one evaluation a component, and one between them.
+    let differences = run.evals.jacobian * (N + 1);
+    Cost {
+        evaluations: (run.evals.function + differences) as u64,
+        steps: run.steps.accepted as u64,
+    }
+}
+
+fn refused<const N: usize>(refusal: &Refusal<f64, [f64; N]>, clock: Clock) -> Error {
+    let (reason, phase) = match refusal {
+        Refusal::MaxSteps { t, .. } => ("it takes more than twenty million steps", *t),
+        Refusal::StepSize { t, .. } => (
+            "the step became too small: the tolerance is below rounding, or the motion is not finite",
+            *t,
+        ),
+        Refusal::Stiffness { t, .. } => ("the equations are stiff", *t),
+        _ => ("the method gave up", 0.0),
+    };
+    Error::Integration {
+        reason,
+        time: clock.time(phase),
+    }
+}

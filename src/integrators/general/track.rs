@@ -1,0 +1,129 @@
+//! What a run leaves behind, in times from 0 to 1.
+
+use differential_equations::interpolate::Interpolation;
+use differential_equations::ode::ODE;
+use differential_equations::prelude::ControlFlag;
+use differential_equations::solout::Solout;
+use differential_equations::solution::Solution as Finished;
+
+use super::System;
+use super::falling::Falling;
+
+/// The crate compares times with 2e-15 absolute, so every run is made to last from 0 to 1.
+#[derive(Clone, Copy)]
+pub(super) struct Clock {
+    pub start: f64,
+    pub span: f64,
+}
+
+impl Clock {
+    pub fn time(self, phase: f64) -> f64 {
+        self.start + phase * self.span
+    }
+
+    pub fn phase(self, time: f64) -> f64 {
+        if self.span == 0.0 {
+            return 0.0;
+        }
+        ((time - self.start) / self.span).clamp(0.0, 1.0)
+    }
+}
+
+/// The equations in phase.
+pub(super) struct Timed<'a, const N: usize> {
+    pub system: &'a dyn System<N>,
+    pub clock: Clock,
+}
+
+impl<const N: usize> ODE<f64, [f64; N]> for Timed<'_, N> {
+    fn diff(&self, phase: f64, y: &[f64; N], rate: &mut [f64; N]) {
+        *rate = self.system.rate(self.clock.time(phase), y);
+        for component in rate {
+            *component *= self.clock.span;
+        }
+    }
+}
+
+/// What a run leaves behind: for each sample the last step before it, and the last two steps. Ends the run when the event is past.
+pub(super) struct Track<'a, const N: usize> {
+    phases: &'a [f64],
+    crossing: Option<&'a Falling<'a, N>>,
+    pub places: Vec<(f64, [f64; N])>,
+    pub last: (f64, [f64; N]),
+    pub before: (f64, [f64; N]),
+    /// The quantity has been positive.
+    pub armed: bool,
+    /// And is no longer.
+    pub fallen: bool,
+}
+
+impl<'a, const N: usize> Track<'a, N> {
+    pub fn new(
+        phases: &'a [f64],
+        crossing: Option<&'a Falling<'a, N>>,
+        start: (f64, [f64; N]),
+    ) -> Self {
+        Self {
+            phases,
+            crossing,
+            places: Vec::with_capacity(phases.len()),
+            last: start,
+            before: start,
+            armed: false,
+            fallen: false,
+        }
+    }
+}
+
+impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
+    fn solout<I>(
+        &mut self,
+        now: f64,
+        before: f64,
+        state: &[f64; N],
+        state_before: &[f64; N],
+        _interpolator: &mut I,
+        _solution: &mut Finished<f64, [f64; N]>,
+    ) -> ControlFlag<f64, [f64; N]>
+    where
+        I: Interpolation<f64, [f64; N]> + ?Sized,
+    {
+        while let Some(&phase) = self.phases.get(self.places.len())
+            && phase <= now
+        {
+            let from = if phase < now {
+                (before, *state_before)
+            } else {
+                (now, *state)
+            };
+            self.places.push(from);
+        }
+        // The first call comes before the first step.
+        let stepped = now > self.last.0;
+        self.before = self.last;
+        self.last = (now, *state);
+        if let Some(crossing) = self.crossing
+            && stepped
+        {
+            let here = crossing.value(now, state);
+            self.fallen = self.armed && here <= 0.0;
+            self.armed |= here > 0.0;
+        }
+        if self.fallen {
+            ControlFlag::Terminate
+        } else {
+            ControlFlag::Continue
+        }
+    }
+}
+
+/// The state a very short while later, by one Euler step.
+pub(super) fn carried<const N: usize>(
+    timed: &Timed<'_, N>,
+    (phase, state): (f64, [f64; N]),
+    to: f64,
+) -> [f64; N] {
+    let mut rate = [0.0; N];
+    timed.diff(phase, &state, &mut rate);
+    core::array::from_fn(|i| state[i] + rate[i] * (to - phase))
+}

@@ -97,7 +97,7 @@ impl OnTable {
 impl System<NUMBERS> for OnTable {
     /// The equations of any body on a table, for a ball with C on its third axis: a third of the work, so that a method's own cost is not lost in that of the problem.
     ///
-    /// Notation of [`Table::sliding`]: the arm from C to the contact is (0, 0, a) − Ru.
+    /// In the notation of the general equations the arm from C to the contact is (0, 0, a) − Ru.
     #[inline]
     fn rate(&self, _: f64, y: &Numbers) -> Numbers {
         let [w, x, yy, z, o1, o2, o3, v1, v2, ..] = *y;

@@ -149,7 +149,8 @@ pub enum Stop {
 /// four digits; it costs the evaluations of one step.
 ///
 /// # Errors
-/// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort; [`Error::Integration`] where the method gives up.
+/// [`NotFinite`](crate::Error::NotFinite) for times and start; [`NotPositive`](crate::Error::NotPositive) for the effort;
+/// [`Integration`](crate::Error::Integration) where the method gives up.
 pub fn solve<const N: usize>(
     system: &dyn System<N>,
     start_time: f64,

@@ -163,13 +163,18 @@ impl Found<'_> {
     }
 }
 
-/// Three to a decade, down to where the error of a step is rounding: finer than the differences between methods.
+/// Three to a decade, down to where the error of a step is rounding: finer than the differences between methods. Below 1e-15 a method may look
+/// for a step that rounding does not let it find.
 fn tolerances() -> Vec<Effort> {
     const DECADES: [f64; 14] = [
         1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,
     ];
     let within = |decade: f64| [decade, 0.5 * decade, 0.2 * decade].map(Effort::Tolerance);
-    DECADES.into_iter().flat_map(within).collect()
+    DECADES
+        .into_iter()
+        .flat_map(within)
+        .take(3 * DECADES.len() - 2)
+        .collect()
 }
 
 /// From about two steps a turn up: the run in 2ᵏ parts, and in as many times the `multiples`. With 1.5 these are 3·2ᵏ, which for the listed

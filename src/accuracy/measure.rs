@@ -154,7 +154,8 @@ pub fn sweep(
             break;
         }
         rows.push(measure(problem, candidate, effort, judged, clock));
-        if no_gain(&rows, rows.len() - 1) && no_gain(&rows, rows.len() - 2) {
+        let in_vain = (0..rows.len()).rev().take_while(|&n| no_gain(&rows, n));
+        if in_vain.count() >= vain_runs(effort) {
             break;
         }
     }
@@ -165,6 +166,14 @@ pub fn sweep(
         }
     }
     rows
+}
+
+/// How many runs without a gain in a row end a sweep: a short run may take the same few steps for tolerances two decades apart.
+const fn vain_runs(effort: Effort) -> usize {
+    match effort {
+        Effort::Step(_) => 2,
+        Effort::Tolerance(_) => 5,
+    }
 }
 
 /// Whether the run at `place` is not better than all coarser ones by a fifth, one of which is within the reach of rounding.

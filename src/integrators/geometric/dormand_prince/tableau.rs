@@ -284,7 +284,7 @@ mod tests {
         let power = |t: f64, _: &[f64; 1]| [8.0 * t.powi(7)];
         let taken = step(&power, 1.0, &[1.0], &[8.0], 0.5);
         let error = (1.0 + taken.change[0]) / 1.5_f64.powi(8) - 1.0;
-        // A few roundings of 2e-16.
-        assert!(error.abs() < 2e-15, "{error:e}");
+        // Observed: 2.4e-15 at most; the weights reach 6 and change their signs, and how `powi` rounds depends on the level of optimisation.
+        assert!(error.abs() < 5e-15, "{error:e}");
     }
 }

@@ -1,7 +1,6 @@
 //! The energy over ten million steps.
 
 use spinning_bodies::Result;
-use spinning_bodies::accuracy::Setting;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::integrators::geometric::{
     Follow, FreeSplitting, Integrator, MoserVeselov, Nothing, Order, Phase, Unfitted, VeselovOrder,
@@ -40,18 +39,7 @@ fn followed(
 /// Relative error of the energy, largest so far, over 10⁷ steps of three methods.
 pub fn energy_drift() -> Result<Figure> {
     let problem = problem("free-top/1")?;
-    let Setting::Top { moments, .. } = *problem.setting() else {
-        return Ok(figure(
-            "accuracy-drift",
-            1.0,
-            Words {
-                claim: String::new(),
-                details: String::new(),
-                alt: String::new(),
-            },
-            |_| {},
-        ));
-    };
+    let moments = problem.moments();
     let start = problem.start();
     let rotations = FreeSplitting::new(moments, Order::Two)?;
     let discrete = MoserVeselov::new(moments, VeselovOrder::Two)?;

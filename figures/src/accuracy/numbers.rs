@@ -1,7 +1,7 @@
 //! The same method in three kinds of numbers.
 
 use spinning_bodies::Result;
-use spinning_bodies::accuracy::{Problem, Setting};
+use spinning_bodies::accuracy::Problem;
 use spinning_bodies::integrators::geometric::{
     Integrator, MoserVeselov, Phase, Real, TwoWords, VeselovOrder,
 };
@@ -36,10 +36,7 @@ fn line<T: Real>(
 /// Single, double and two doubles.
 pub fn three_numbers() -> Result<Figure> {
     let problem = problem("free-top/10")?;
-    let Setting::Top { moments, .. } = *problem.setting() else {
-        return super::orders();
-    };
-    let method = MoserVeselov::new(moments, VeselovOrder::Ten)?;
+    let method = MoserVeselov::new(problem.moments(), VeselovOrder::Ten)?;
     let powers = |most: u32| (3..=most).map(|k| 1 << k);
     let lines = [
         (

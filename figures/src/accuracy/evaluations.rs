@@ -3,12 +3,10 @@
 use spinning_bodies::Result;
 use spinning_bodies::accuracy::Problem;
 
-use super::{points, problem, swept};
+use super::{Y, panel_axes, points, problem, swept};
 use crate::Figure;
-use crate::plot::Axis;
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, label, small, stroke,
-};
+use crate::plot::Frame;
+use crate::style::{Anchor, DATA, Pen, Point, Role, Words, figure, small, stroke};
 
 /// Problem, its name on the figure, and the best geometric method for it.
 const PANELS: [(&str, &str, &str); 6] = [
@@ -26,7 +24,7 @@ const PANELS: [(&str, &str, &str); 6] = [
 const GENERAL: &str = "dop853";
 const CLASSIC: &str = "rk4";
 const X: [f64; 2] = [0.7, 1e5];
-const Y: [f64; 2] = [1e-16, 1.0];
+const TICKS: [(f64, &str); 3] = [(1.0, "1"), (100.0, "100"), (1e4, "10^{4}")];
 
 struct Panel {
     name: &'static str,
@@ -85,44 +83,12 @@ pub fn work() -> Result<Figure> {
 }
 
 fn draw(pen: &mut Pen<'_>, panel: &Panel, [left, top]: Point) {
-    let (right, bottom) = (left + 234.0, top + 140.0);
-    let x = Axis::log(X, [left, right]);
-    let y = Axis::log(Y, [bottom, top]);
+    let Frame { x, y } = panel_axes(pen, panel.name, [left, top], X, &TICKS);
     let place = |line: &[Point]| -> Vec<Point> {
         line.iter()
             .map(|p| [x.at(p[0].min(X[1])), y.at(p[1])])
             .collect()
     };
-    pen.text(
-        [left, top - 14.0],
-        Anchor::Start,
-        panel.name,
-        label(Role::Ink),
-    );
-    pen.line(
-        &[[left, top], [left, bottom], [right, bottom]],
-        stroke(Role::Ink, AXIS),
-    );
-    for (value, text) in [(1.0, "1"), (100.0, "100"), (1e4, "10^{4}")] {
-        pen.text(
-            [x.at(value), bottom + 18.0],
-            Anchor::Middle,
-            text,
-            small(Role::Muted),
-        );
-    }
-    for (value, text) in [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")] {
-        pen.line(
-            &[[left, y.at(value)], [right, y.at(value)]],
-            stroke(Role::Ink, HAIR).alpha(0.18),
-        );
-        pen.text(
-            [left - 6.0, y.at(value) + 5.0],
-            Anchor::End,
-            text,
-            small(Role::Muted),
-        );
-    }
     pen.line(&place(&panel.classic), stroke(Role::Torque, DATA).dotted());
     pen.line(&place(&panel.general), stroke(Role::Torque, DATA));
     pen.line(&place(&panel.geometric), stroke(Role::Omega, DATA));

@@ -2,11 +2,10 @@
 
 use spinning_bodies::Result;
 
+use super::{Y, panel_axes};
 use crate::Figure;
-use crate::plot::Axis;
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, label, small, stroke,
-};
+use crate::plot::Frame;
+use crate::style::{Anchor, DATA, Pen, Point, Role, Words, figure, small, stroke};
 
 /// What the command `accuracy --csv` wrote, under a line that names machine and compiler.
 const MEASURED: &str = include_str!("../../../book/src/tables/accuracy.csv");
@@ -21,7 +20,7 @@ const PANELS: [(&str, &str); 6] = [
     ("heavy-body/1000", "no closed form"),
 ];
 const X: [f64; 2] = [3e-7, 1.0];
-const Y: [f64; 2] = [1e-16, 1.0];
+const TICKS: [(f64, &str); 3] = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];
 
 /// One measurement, as far as it is drawn.
 struct Row<'a> {
@@ -109,8 +108,7 @@ pub fn seconds() -> Result<Figure> {
                     stroke(Role::Omega, DATA),
                 ),
             ];
-            let y = axes(pen, name, place);
-            let x = Axis::log(X, [place[0], place[0] + 234.0]);
+            let Frame { x, y } = panel_axes(pen, name, place, X, &TICKS);
             for (line, stroke) in lines {
                 let line: Vec<Point> = line
                     .iter()
@@ -127,43 +125,6 @@ pub fn seconds() -> Result<Figure> {
             }
         }
     }))
-}
-
-fn axes(pen: &mut Pen<'_>, name: &str, [left, top]: Point) -> Axis {
-    let (right, bottom) = (left + 234.0, top + 140.0);
-    let x = Axis::log(X, [left, right]);
-    let y = Axis::log(Y, [bottom, top]);
-    pen.text([left, top - 14.0], Anchor::Start, name, label(Role::Ink));
-    pen.line(
-        &[[left, top], [left, bottom], [right, bottom]],
-        stroke(Role::Ink, AXIS),
-    );
-    for (value, text) in [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")] {
-        let anchor = if value < X[1] {
-            Anchor::Middle
-        } else {
-            Anchor::End
-        };
-        pen.text(
-            [x.at(value), bottom + 18.0],
-            anchor,
-            text,
-            small(Role::Muted),
-        );
-    }
-    for (value, text) in [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")] {
-        pen.line(
-            &[[left, y.at(value)], [right, y.at(value)]],
-            stroke(Role::Ink, HAIR).alpha(0.18),
-        );
-        pen.text(
-            [left - 6.0, y.at(value) + 5.0],
-            Anchor::End,
-            text,
-            small(Role::Muted),
-        );
-    }
-    y
 }
 
 /// Names at the lines of the first panel.

@@ -24,6 +24,7 @@
 //! | | [`scene`] | a body, how it is held, its effects; the plan that follows, the motion and its ledger |
 //! | | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn |
 //! | | [`accuracy`] | every method on every kind of top: error against cost |
+//! | | [`hard_cases`] | textbook formulas beside ours, where digits go |
 //! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
 //! | | [`error`] | the one error type |
 //!
@@ -40,6 +41,7 @@ pub mod euler_top;
 mod extended;
 pub mod falling_strip;
 pub mod frame;
+pub mod hard_cases;
 pub mod ideal_fluid;
 pub mod impacts;
 pub mod inertia;

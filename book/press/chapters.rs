@@ -50,6 +50,7 @@ chapters! {
     further_reading: "further-reading",
     scenes: "scenes",
     accuracy: "accuracy",
+    hard_cases: "hard-cases",
     errata: "errata",
     claims: "claims",
     colophon: "colophon",

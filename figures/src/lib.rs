@@ -10,6 +10,7 @@ mod euler_equations;
 mod euler_top;
 mod falling_strip;
 pub mod finish;
+mod hard_cases;
 mod impacts;
 mod inertia;
 mod kovalevskaya_top;
@@ -410,6 +411,21 @@ pub fn all() -> &'static [Entry] {
             name: "accuracy-seconds",
             chapter: "accuracy",
             draw: accuracy::seconds,
+        },
+        Entry {
+            name: "hard-cases",
+            chapter: "hard-cases",
+            draw: hard_cases::overview,
+        },
+        Entry {
+            name: "hard-cases-tops",
+            chapter: "hard-cases",
+            draw: hard_cases::tops,
+        },
+        Entry {
+            name: "hard-cases-bodies",
+            chapter: "hard-cases",
+            draw: hard_cases::bodies,
         },
     ]
 }

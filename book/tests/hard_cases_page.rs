@@ -1,0 +1,61 @@
+//! The table of the chapter "Hard cases" is what the library computes.
+
+use std::path::Path;
+
+use spinning_bodies::hard_cases::{Comparison, families};
+
+/// How close, and the heading.
+const COLUMNS: [(f64, &str); 4] = [
+    (1e-3, "$10^{-3}$"),
+    (1e-6, "$10^{-6}$"),
+    (1e-9, "$10^{-9}$"),
+    (1e-12, "$10^{-12}$"),
+];
+
+/// One digit, or none: an error of one and more is no answer.
+fn cell(error: f64) -> String {
+    if error >= 0.5 || error.is_nan() {
+        return "nothing".to_owned();
+    }
+    let text = format!("{error:.0e}");
+    let (digit, power) = text.split_once('e').unwrap();
+    format!("${digit} \\cdot 10^{{{power}}}$")
+}
+
+fn table() -> String {
+    let mut text = String::from("| case | in | textbook: ");
+    let headings: Vec<&str> = COLUMNS.iter().map(|column| column.1).collect();
+    text += &headings.join(" | ");
+    text += " | ours, at worst |\n|---|---|---|---|---|---|---|\n";
+    for family in families() {
+        let steps = family.comparisons().unwrap();
+        let at = |nearness: f64| {
+            let off = |step: &&Comparison| (step.nearness / nearness).ln().abs();
+            let best = steps.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+            cell(best.unwrap().textbook)
+        };
+        let cells: Vec<String> = COLUMNS.iter().map(|column| at(column.0)).collect();
+        let worst = steps
+            .iter()
+            .fold(0.0_f64, |worst, step| worst.max(step.ours));
+        text += &format!(
+            "| {} | {} | {} | {} |\n",
+            family.name().replace('-', " "),
+            family.paragraph(),
+            cells.join(" | "),
+            cell(worst)
+        );
+    }
+    text
+}
+
+/// `UPDATE_TABLES=1 cargo test -p book --test hard_cases_page` writes it.
+#[test]
+fn the_table_is_what_is_computed() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/tables/hard-cases.md");
+    let table = table();
+    if std::env::var_os("UPDATE_TABLES").is_some() {
+        std::fs::write(&path, &table).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(path).unwrap(), table);
+}

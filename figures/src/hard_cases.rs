@@ -1,0 +1,238 @@
+//! Hard cases (chapter "Hard cases"): the error of the textbook's formula beside the error of ours.
+
+use spinning_bodies::Result;
+use spinning_bodies::hard_cases::{Comparison, Family, families};
+
+use crate::Figure;
+use crate::plot::{Axis, Frame};
+use crate::style::{
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small,
+    stroke,
+};
+
+/// Whose error.
+const TEXTBOOK: Role = Role::Torque;
+const OURS: Role = Role::AngularMomentum;
+
+/// Errors shown: no less than a tenth of a rounding, and all above one as one: nothing is right then.
+const SHOWN: [f64; 2] = [1e-17, 1.0];
+
+/// The picture that opens the chapter is taken this close.
+const CLOSE: f64 = 1e-6;
+
+/// Twelve formulas a millionth away from trouble.
+pub fn overview() -> Result<Figure> {
+    let all = families();
+    let rows = all
+        .iter()
+        .map(|family| Ok((family, closest(family, CLOSE)?)));
+    let rows: Vec<(&Family, Comparison)> = rows.collect::<Result<_>>()?;
+    let worst = rows.iter().fold(0.0_f64, |m, (_, c)| m.max(c.ours));
+    let (top, pitch) = (58.0, 29.0);
+    let bottom = top + pitch * (rows.len() as f64 - 0.3);
+    let axis = Axis::log(SHOWN, [188.0, 580.0]);
+    let words = Words {
+        claim: "The formula is the same, the digits are not.".to_owned(),
+        details: format!(
+            "Twelve quantities of this book, each about a millionth away from the place where its formula loses its digits (after a million units of time, a million \
+             bounces). Relative error of the formula as printed, and of the library, from the same doubles, against 36 digits. The library’s worst is {}.",
+            power(worst)
+        ),
+        alt: format!(
+            "Twelve horizontal lines, one a case, on a logarithmic axis of errors from 1e-17 to 1. The left end of each, the library, lies between 1e-17 and {worst:.0e}. The \
+             right end, the textbook, lies anywhere from 1e-13 to beyond 1."
+        ),
+    };
+    Ok(figure("hard-cases", bottom + 44.0, words, |pen| {
+        for (value, text) in TICKS {
+            let x = axis.at(value);
+            pen.line(
+                &[[x, top - 12.0], [x, bottom]],
+                stroke(Role::Ink, HAIR).alpha(0.18),
+            );
+            pen.text([x, bottom + 20.0], Anchor::Middle, text, small(Role::Muted));
+        }
+        pen.text(
+            [axis.at(1e-16), 26.0],
+            Anchor::Middle,
+            "ours",
+            label(OURS).strong(),
+        );
+        pen.text(
+            [axis.at(1e-4), 26.0],
+            Anchor::Middle,
+            "the textbook",
+            label(TEXTBOOK).strong(),
+        );
+        for (n, (family, at)) in rows.iter().enumerate() {
+            let y = top + pitch * n as f64;
+            let [a, b] = [at.ours, at.textbook].map(|error| [axis.at(shown(error)), y]);
+            pen.text(
+                [172.0, y + 5.0],
+                Anchor::End,
+                &title(family),
+                label(Role::Ink),
+            );
+            pen.line(&[a, b], stroke(Role::Muted, SECONDARY).alpha(0.7));
+            pen.disc(a, 4.5, OURS, 1.0);
+            pen.disc(b, 4.5, TEXTBOOK, 1.0);
+        }
+    }))
+}
+
+/// Tops: the walk to the separatrix, the axis, the sphere, and so on.
+pub fn tops() -> Result<Figure> {
+    let words = Words {
+        claim: "The textbook walks uphill, the library on a floor.".to_owned(),
+        details: "Six walks of a top to a place where its formula loses digits: relative error against the distance that is left (for the fast top and the slow \
+                  precession, four over the spin). Upper line the formula as printed, lower line the library. What reaches the top has not one digit left."
+            .to_owned(),
+        alt: "Six small panels with logarithmic axes. In each the line of the textbook climbs from 1e-16 to 1 as the distance shrinks, steeply for the sleeping and \
+              the fast top; the line of the library stays at 1e-16 throughout."
+            .to_owned(),
+    };
+    panels(
+        "hard-cases-tops",
+        words,
+        [
+            "near-separatrix",
+            "near-axis",
+            "nearly-sphere",
+            "sleeping-top",
+            "fast-top",
+            "slow-precession",
+        ],
+    )
+}
+
+/// The rest.
+pub fn bodies() -> Result<Figure> {
+    let words = Words {
+        claim: "It is not only tops.".to_owned(),
+        details: "Six more walks: relative error against the distance that is left. For the long time and the bounces that is one over the time or their number, \
+                  for the mesh the size of the body over its distance from the origin."
+            .to_owned(),
+        alt: "Six small panels with logarithmic axes: long time, quarter period, far mesh, needle, small turn, many bounces. The line of the textbook climbs from \
+              1e-16 towards 1 in each; the line of the library stays at 1e-16."
+            .to_owned(),
+    };
+    panels(
+        "hard-cases-bodies",
+        words,
+        [
+            "long-time",
+            "many-bounces",
+            "quarter-period",
+            "small-turn",
+            "far-mesh",
+            "needle",
+        ],
+    )
+}
+
+/// Two columns of three.
+fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> {
+    let mut walks = Vec::new();
+    for family in families() {
+        if let Some(place) = names.iter().position(|&name| name == family.name()) {
+            walks.push((place, title(&family), family.comparisons()?));
+        }
+    }
+    Ok(figure(name, 660.0, words, |pen| {
+        for (place, title, steps) in &walks {
+            let corner = [
+                54.0 + 290.0 * (place % 2) as f64,
+                44.0 + 212.0 * (place / 2) as f64,
+            ];
+            panel(pen, corner, title, steps);
+        }
+    }))
+}
+
+fn panel(pen: &mut Pen<'_>, [left, top]: Point, title: &str, steps: &[Comparison]) {
+    let (right, bottom) = (left + 234.0, top + 140.0);
+    // The nearest at the right, as far as doubles have a say.
+    let frame = Frame {
+        x: Axis::log([1.0, 1e-16], [left, right]),
+        y: Axis::log(SHOWN, [bottom, top]),
+    };
+    pen.text([left, top - 14.0], Anchor::Start, title, label(Role::Ink));
+    pen.line(
+        &[[left, top], [left, bottom], [right, bottom]],
+        stroke(Role::Ink, AXIS),
+    );
+    for (value, text) in [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")] {
+        let height = frame.at(1.0, value)[1];
+        pen.line(
+            &[[left, height], [right, height]],
+            stroke(Role::Ink, HAIR).alpha(0.18),
+        );
+        pen.text(
+            [left - 6.0, height + 5.0],
+            Anchor::End,
+            text,
+            small(Role::Muted),
+        );
+        let anchor = if value > 1e-16 {
+            Anchor::Middle
+        } else {
+            Anchor::End
+        };
+        let x = frame.at(value, 1.0)[0];
+        pen.text([x, bottom + 18.0], anchor, text, small(Role::Muted));
+    }
+    for (error, role) in [
+        ((|step| step.textbook) as fn(&Comparison) -> f64, TEXTBOOK),
+        (|step| step.ours, OURS),
+    ] {
+        let line: Vec<Point> = steps
+            .iter()
+            .filter(|step| (1e-16..=1.0).contains(&step.nearness))
+            .map(|step| frame.at(step.nearness, shown(error(step))))
+            .collect();
+        pen.line(&line, stroke(role, DATA));
+        for &point in &line {
+            pen.disc(point, 2.6, role, 1.0);
+        }
+    }
+}
+
+const TICKS: [(f64, &str); 5] = [
+    (1e-16, "10^{−16}"),
+    (1e-12, "10^{−12}"),
+    (1e-8, "10^{−8}"),
+    (1e-4, "10^{−4}"),
+    (1.0, "1"),
+];
+
+/// Of all steps the one that is nearest to this nearness, in the ratio.
+fn closest(family: &Family, nearness: f64) -> Result<Comparison> {
+    let steps = family.comparisons()?;
+    let off = |step: &Comparison| (step.nearness / nearness).ln().abs();
+    let best = steps.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+    best.ok_or(spinning_bodies::Error::Empty {
+        quantity: "the steps of a family",
+    })
+}
+
+/// An error as it is drawn; no answer is as wrong as can be.
+fn shown(error: f64) -> f64 {
+    if error.is_nan() {
+        SHOWN[1]
+    } else {
+        error.clamp(SHOWN[0], SHOWN[1])
+    }
+}
+
+fn title(family: &Family) -> String {
+    family.name().replace('-', " ")
+}
+
+/// A small number as a formula: 2.9·10⁻¹⁶.
+fn power(value: f64) -> String {
+    let exponent = value.log10().floor();
+    format!(
+        "${} \\cdot 10^{{{exponent}}}$",
+        number(value / 10f64.powf(exponent), 1)
+    )
+}

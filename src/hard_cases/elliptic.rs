@@ -1,0 +1,28 @@
+//! dn by its definition, and by Jacobi's functions with the complementary parameter.
+
+use super::{Family, truth};
+use crate::elliptic::{Parameter, sn_cn_dn};
+
+pub(super) const QUARTER_PERIOD: Family = Family {
+    name: "quarter-period",
+    paragraph: "6.6",
+    quantity: "dn(u, k) next to a quarter period, k² near 1",
+    lost: "1 − k² sn²",
+    rows: truth::QUARTER_PERIOD,
+    textbook: |inputs| {
+        let [u, mc] = two(inputs);
+        let k2 = 1.0 - mc;
+        let (sn, ..) = sn_cn_dn(u, Parameter::from_parameter(k2)?)?;
+        Ok(vec![(1.0 - k2 * sn * sn).sqrt()])
+    },
+    ours: |inputs| {
+        let [u, mc] = two(inputs);
+        let (.., dn) = sn_cn_dn(u, Parameter::from_complement(mc)?)?;
+        Ok(vec![dn])
+    },
+};
+
+/// u and 1 − k².
+fn two(inputs: &[f64]) -> [f64; 2] {
+    [inputs[0], inputs[1]]
+}

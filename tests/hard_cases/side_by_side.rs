@@ -1,0 +1,69 @@
+//! The formula of the textbook beside ours, on the cases of the chapter "Hard cases".
+
+use spinning_bodies::hard_cases::{Way, families, named};
+
+/// Observed: 2.9e-16 at most; 1.0e-15 for the longest time, where a phase of 106 bits begins to show.
+#[test]
+fn ours_are_right_to_a_rounding_at_every_step() {
+    for family in families() {
+        for step in family.comparisons().unwrap() {
+            let phase = if family.name() == "long-time" {
+                1e-30 / step.nearness
+            } else {
+                0.0
+            };
+            assert!(step.ours < 4e-16 + phase, "{}: {step:?}", family.name());
+        }
+    }
+}
+
+/// The cases are hard, and they become hard: the formula has 13 digits or more at the first step and four at most at the last.
+#[test]
+fn the_textbook_is_right_on_paper_and_runs_out_of_digits() {
+    for family in families() {
+        let steps = family.comparisons().unwrap();
+        assert_eq!(steps.len(), family.steps());
+        let (first, last) = (steps[0], steps[steps.len() - 1]);
+        assert!(first.textbook < 1e-14, "{}: {first:?}", family.name());
+        // Not a number is no answer.
+        let lost = last.textbook.is_nan() || last.textbook > 5e-8;
+        assert!(lost, "{}: {last:?}", family.name());
+        assert!(
+            steps
+                .windows(2)
+                .all(|pair| pair[1].nearness < pair[0].nearness)
+        );
+    }
+}
+
+/// The library's copy of the truth is the committed table.
+#[test]
+fn every_row_of_the_table_is_a_step() {
+    let table = include_str!("../reference/hard_cases.csv");
+    for family in families() {
+        let rows = super::table::lines(table).filter(|cells| cells.text(0) == family.name());
+        let steps = family.comparisons().unwrap();
+        let mut count = 0;
+        for (cells, step) in rows.zip(&steps) {
+            let true_size = cells.text(3).split(' ').map(|x| x.parse::<f64>().unwrap());
+            let found = family.run(count, Way::Ours).unwrap();
+            let scale = found.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            for (found, truth) in found.iter().zip(true_size) {
+                assert!(
+                    (found - truth).abs() <= 2e-15 * scale,
+                    "{} {step:?}",
+                    family.name()
+                );
+            }
+            assert_eq!(cells.exact::<1>(1), [step.nearness]);
+            count += 1;
+        }
+        assert_eq!(count, family.steps(), "{}", family.name());
+    }
+}
+
+#[test]
+fn what_is_not_there_is_not_found() {
+    assert!(named("far-side").is_none());
+    assert!(named("needle").unwrap().run(1000, Way::Ours).is_err());
+}

@@ -12,27 +12,24 @@ const COLUMNS: [(f64, &str); 4] = [
     (1e-12, "$10^{-12}$"),
 ];
 
-/// One digit, or none: an error of one and more is no answer.
-fn cell(error: f64) -> String {
-    if error >= 0.5 || error.is_nan() {
-        return "nothing".to_owned();
-    }
-    let text = format!("{error:.0e}");
-    let (digit, power) = text.split_once('e').unwrap();
-    format!("${digit} \\cdot 10^{{{power}}}$")
+/// How many digits are right.
+fn digits(error: f64) -> String {
+    // No answer has none.
+    let right = if error.is_nan() { 0.0 } else { -error.log10() };
+    format!("{:.0}", right.max(0.0).round().abs())
 }
 
 fn table() -> String {
-    let mut text = String::from("| case | in | textbook: ");
+    let mut text = String::from("| case | in | ");
     let headings: Vec<&str> = COLUMNS.iter().map(|column| column.1).collect();
     text += &headings.join(" | ");
-    text += " | ours, at worst |\n|---|---|---|---|---|---|---|\n";
+    text += " | ours, at least |\n|---|---|---|---|---|---|---|\n";
     for family in families() {
         let steps = family.comparisons().unwrap();
         let at = |nearness: f64| {
             let off = |step: &&Comparison| (step.nearness / nearness).ln().abs();
             let best = steps.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-            cell(best.unwrap().textbook)
+            digits(best.unwrap().textbook)
         };
         let cells: Vec<String> = COLUMNS.iter().map(|column| at(column.0)).collect();
         let worst = steps
@@ -43,7 +40,7 @@ fn table() -> String {
             family.name().replace('-', " "),
             family.paragraph(),
             cells.join(" | "),
-            cell(worst)
+            digits(worst)
         );
     }
     text

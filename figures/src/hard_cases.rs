@@ -4,10 +4,9 @@ use spinning_bodies::Result;
 use spinning_bodies::hard_cases::{Comparison, Family, families};
 
 use crate::Figure;
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, beaded};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small,
-    stroke,
+    Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
 };
 
 /// Whose error.
@@ -149,38 +148,15 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
     }))
 }
 
-fn panel(pen: &mut Pen<'_>, [left, top]: Point, title: &str, steps: &[Comparison]) {
-    let (right, bottom) = (left + 234.0, top + 140.0);
+fn panel(pen: &mut Pen<'_>, corner: Point, title: &str, steps: &[Comparison]) {
     // The nearest at the right, as far as doubles have a say.
-    let frame = Frame {
-        x: Axis::log([1.0, 1e-16], [left, right]),
-        y: Axis::log(SHOWN, [bottom, top]),
-    };
-    pen.text([left, top - 14.0], Anchor::Start, title, label(Role::Ink));
-    pen.line(
-        &[[left, top], [left, bottom], [right, bottom]],
-        stroke(Role::Ink, AXIS),
+    let frame = Frame::panel(
+        pen,
+        title,
+        corner,
+        [[1.0, 1e-16], SHOWN],
+        [&POWERS, &POWERS],
     );
-    for (value, text) in [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")] {
-        let height = frame.at(1.0, value)[1];
-        pen.line(
-            &[[left, height], [right, height]],
-            stroke(Role::Ink, HAIR).alpha(0.18),
-        );
-        pen.text(
-            [left - 6.0, height + 5.0],
-            Anchor::End,
-            text,
-            small(Role::Muted),
-        );
-        let anchor = if value > 1e-16 {
-            Anchor::Middle
-        } else {
-            Anchor::End
-        };
-        let x = frame.at(value, 1.0)[0];
-        pen.text([x, bottom + 18.0], anchor, text, small(Role::Muted));
-    }
     for (error, role) in [
         ((|step| step.textbook) as fn(&Comparison) -> f64, TEXTBOOK),
         (|step| step.ours, OURS),
@@ -190,12 +166,11 @@ fn panel(pen: &mut Pen<'_>, [left, top]: Point, title: &str, steps: &[Comparison
             .filter(|step| (1e-16..=1.0).contains(&step.nearness))
             .map(|step| frame.at(step.nearness, shown(error(step))))
             .collect();
-        pen.line(&line, stroke(role, DATA));
-        for &point in &line {
-            pen.disc(point, 2.6, role, 1.0);
-        }
+        beaded(pen, &line, role);
     }
 }
+
+const POWERS: [(f64, &str); 3] = [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")];
 
 const TICKS: [(f64, &str); 5] = [
     (1e-16, "10^{−16}"),

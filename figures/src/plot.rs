@@ -1,6 +1,6 @@
 //! Axes of a plain diagram.
 
-use crate::style::{AXIS, Anchor, HAIR, Pen, Point, Role, label, small, stroke};
+use crate::style::{AXIS, Anchor, DATA, HAIR, Pen, Point, Role, label, small, stroke};
 
 /// How numbers become places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,5 +106,51 @@ impl Frame {
             y_name,
             label(Role::Ink),
         );
+    }
+
+    /// A small panel whose upper left corner is given, both axes logarithmic: its name, the numbers at the ends of each axis, and ticks.
+    pub fn panel(
+        pen: &mut Pen<'_>,
+        name: &str,
+        [left, top]: Point,
+        [across, up]: [[f64; 2]; 2],
+        [x_ticks, y_ticks]: [&[(f64, &str)]; 2],
+    ) -> Self {
+        let (right, bottom) = (left + 234.0, top + 140.0);
+        let x = Axis::log(across, [left, right]);
+        let y = Axis::log(up, [bottom, top]);
+        pen.text([left, top - 14.0], Anchor::Start, name, label(Role::Ink));
+        pen.line(
+            &[[left, top], [left, bottom], [right, bottom]],
+            stroke(Role::Ink, AXIS),
+        );
+        for &(value, text) in x_ticks {
+            // A tick at the end must not stand out of the panel.
+            let anchor = if value == across[1] {
+                Anchor::End
+            } else {
+                Anchor::Middle
+            };
+            let place = [x.at(value), bottom + 18.0];
+            pen.text(place, anchor, text, small(Role::Muted));
+        }
+        for &(value, text) in y_ticks {
+            let height = y.at(value);
+            pen.line(
+                &[[left, height], [right, height]],
+                stroke(Role::Ink, HAIR).alpha(0.18),
+            );
+            let place = [left - 6.0, height + 5.0];
+            pen.text(place, Anchor::End, text, small(Role::Muted));
+        }
+        Self { x, y }
+    }
+}
+
+/// A line of data with a disc at each point.
+pub fn beaded(pen: &mut Pen<'_>, line: &[Point], role: Role) {
+    pen.line(line, stroke(role, DATA));
+    for &point in line {
+        pen.disc(point, 2.6, role, 1.0);
     }
 }

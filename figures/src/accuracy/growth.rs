@@ -5,9 +5,9 @@ use spinning_bodies::accuracy::{Candidate, candidates};
 use spinning_bodies::integrators::Effort;
 use spinning_bodies::integrators::geometric::Phase;
 
-use super::{beaded, named_line, problem};
+use super::{named_line, problem};
 use crate::Figure;
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, beaded};
 use crate::style::{Anchor, Point, Role, Words, figure, number};
 
 /// How hard a method works.

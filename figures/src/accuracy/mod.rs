@@ -19,8 +19,8 @@ pub use seconds::seconds;
 use spinning_bodies::Result;
 use spinning_bodies::accuracy::{Judged, Measurement, Problem, Status, candidates, named, sweep};
 
-use crate::plot::{Axis, Frame};
-use crate::style::{AXIS, Anchor, DATA, HAIR, Pen, Point, Role, label, small, stroke};
+use crate::plot::Frame;
+use crate::style::{Anchor, Pen, Point, Role, label};
 
 /// One problem over one length.
 fn problem(name: &str) -> Result<Problem> {
@@ -61,14 +61,6 @@ fn points(rows: &[Measurement], across: impl Fn(&Measurement) -> f64) -> Vec<Poi
     kept.map(|row| [across(row), row.error_attitude]).collect()
 }
 
-/// A line of data with a disc at each point.
-fn beaded(pen: &mut Pen<'_>, line: &[Point], role: Role) {
-    pen.line(line, stroke(role, DATA));
-    for &point in line {
-        pen.disc(point, 2.6, role, 1.0);
-    }
-}
-
 /// A name in the colour of its line.
 fn named_line(pen: &mut Pen<'_>, at: Point, anchor: Anchor, name: &str, role: Role) {
     pen.text(at, anchor, name, label(role));
@@ -81,36 +73,11 @@ const Y: [f64; 2] = [1e-16, 1.0];
 fn panel_axes(
     pen: &mut Pen<'_>,
     name: &str,
-    [left, top]: Point,
+    corner: Point,
     across: [f64; 2],
     ticks: &[(f64, &str)],
 ) -> Frame {
-    let (right, bottom) = (left + 234.0, top + 140.0);
-    let x = Axis::log(across, [left, right]);
-    let y = Axis::log(Y, [bottom, top]);
-    pen.text([left, top - 14.0], Anchor::Start, name, label(Role::Ink));
-    pen.line(
-        &[[left, top], [left, bottom], [right, bottom]],
-        stroke(Role::Ink, AXIS),
-    );
-    for &(value, text) in ticks {
-        // A tick at the end must not stand out of the panel.
-        let anchor = if value < across[1] {
-            Anchor::Middle
-        } else {
-            Anchor::End
-        };
-        let place = [x.at(value), bottom + 18.0];
-        pen.text(place, anchor, text, small(Role::Muted));
-    }
-    for (value, text) in [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")] {
-        let height = y.at(value);
-        pen.line(
-            &[[left, height], [right, height]],
-            stroke(Role::Ink, HAIR).alpha(0.18),
-        );
-        let place = [left - 6.0, height + 5.0];
-        pen.text(place, Anchor::End, text, small(Role::Muted));
-    }
-    Frame { x, y }
+    Frame::panel(pen, name, corner, [across, Y], [ticks, &POWERS])
 }
+
+const POWERS: [(f64, &str); 3] = [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")];

@@ -6,9 +6,9 @@ use spinning_bodies::integrators::geometric::{
     Integrator, MoserVeselov, Phase, Real, TwoWords, VeselovOrder,
 };
 
-use super::{beaded, named_line, problem};
+use super::{named_line, problem};
 use crate::Figure;
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, beaded};
 use crate::style::{Anchor, Point, Role, Words, figure};
 
 /// Errors after ten turns against steps a turn.

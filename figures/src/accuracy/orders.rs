@@ -3,9 +3,9 @@
 use spinning_bodies::Result;
 use spinning_bodies::accuracy::measured_order;
 
-use super::{beaded, named_line, points, problem, swept};
+use super::{named_line, points, problem, swept};
 use crate::Figure;
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, beaded};
 use crate::style::{Anchor, Point, Role, Words, figure, number};
 
 /// Method, colour, what stands before its slope, and where: at the point that is so far along the line, and so far beside it.

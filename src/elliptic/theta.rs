@@ -37,7 +37,7 @@ pub(crate) struct Exponentials<W> {
 
 impl<N: Scalar> Elevation<N> {
     /// From `rise` and `run` of both: the smaller of them, with the `slope` that belongs to it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn smaller(eta: [N; 2], xi: [N; 2], slope: impl Fn(Which) -> N) -> Self {
         let (which, [rise, run]) = if xi[0].multiply(eta[1]).exceeds(eta[0].multiply(xi[1])) {
             (Which::Eta, eta)
@@ -53,6 +53,7 @@ impl<N: Scalar> Elevation<N> {
     }
 
     /// For m ≤ 1/2.
+    #[inline(always)]
     pub(crate) fn exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials<N::Narrow> {
         let q = landen.nome;
         let sinh = self.hyperbolic_sine(landen, m);
@@ -80,6 +81,7 @@ impl<N: Scalar> Elevation<N> {
     }
 
     /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
+    #[inline(always)]
     fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
         if self.run.is_zero() {
             return N::Narrow::from_double(1e150);
@@ -98,6 +100,7 @@ impl<N: Scalar> Elevation<N> {
     }
 
     /// Sine and cosine of v = πη/2K′, for mc < 1/2.
+    #[inline(always)]
     pub(crate) fn angle(&self, landen: &Landen<N>, mc: N) -> (N::Narrow, N::Narrow) {
         let one = N::Narrow::from_double(1.0);
         let sn2 = self.rise.divide(self.slope).narrow();
@@ -123,6 +126,7 @@ pub(crate) struct DualTheta {
 
 impl DualTheta {
     /// With the nome q′ and the sine and cosine of v.
+    #[inline(always)]
     pub(crate) fn new(q: f64, s: f64, c: f64) -> Self {
         let (s2, s4) = (s * s, s * s * s * s);
         let root = q.sqrt();
@@ -167,6 +171,7 @@ impl DualTheta {
     }
 
     /// Real and imaginary part next to even and next to odd multiples of K.
+    #[inline(always)]
     pub(crate) fn coefficients(&self) -> [[[f64; 4]; 2]; 2] {
         let [a, b, c] = self.odd_imaginary;
         [
@@ -226,6 +231,7 @@ impl DualTheta {
 }
 
 /// d arg ϑ₂(ix − v)/du at u = K: (π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).
+#[inline(always)]
 pub(crate) fn dual_excess<N: Scalar>(
     landen: &Landen<N>,
     sine: N::Narrow,

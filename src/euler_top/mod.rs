@@ -31,7 +31,7 @@ pub mod symmetric;
 pub mod toutatis;
 mod turning;
 
-pub use batch::Ensemble;
+pub use batch::{Ensemble, Release, released_states};
 pub use motion::{EulerTop, GeometricPhase, Regime, State};
 pub use poinsot::{Poinsot, Sector};
 pub use separation::separatrix_slope;

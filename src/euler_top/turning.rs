@@ -60,7 +60,8 @@ impl Turning {
     }
 
     /// For m ≤ 1/2.
-    fn circular<N: Scalar>(
+    #[inline(always)]
+    pub(super) fn circular<N: Scalar>(
         landen: &Landen<N>,
         elevation: &Elevation<N>,
         m: N,
@@ -173,6 +174,7 @@ impl Turning {
 }
 
 /// +(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
+#[inline(always)]
 fn circular_excess<N: Scalar>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> N::Narrow {
     let q = landen.nome;
     let q2 = q.multiply(q);

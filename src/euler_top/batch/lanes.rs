@@ -57,10 +57,10 @@ fn tables<const N: usize, const W: usize>(each: [&[[f64; 4]; N]; W]) -> [[[f64; 
 /// A rate of two words that times are multiplied with: the first also in halves, whose products are exact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rate<C> {
-    high: C,
-    upper: C,
-    lower: C,
-    low: C,
+    pub(super) high: C,
+    pub(super) upper: C,
+    pub(super) lower: C,
+    pub(super) low: C,
 }
 
 /// A time and its halves.
@@ -100,6 +100,15 @@ impl Rate<f64> {
 }
 
 impl<const W: usize> Rate<[f64; W]> {
+    fn zero() -> Self {
+        Self {
+            high: [0.0; W],
+            upper: [0.0; W],
+            lower: [0.0; W],
+            low: [0.0; W],
+        }
+    }
+
     fn gather(each: [&Rate<f64>; W]) -> Self {
         Self {
             high: each.map(|x| x.high),
@@ -208,6 +217,23 @@ impl<const N: usize> Choices<f64, N> {
 }
 
 impl<const N: usize, const W: usize> Choices<[f64; W], N> {
+    fn zero() -> Self {
+        Self {
+            even: [[[0.0; W]; 4]; N],
+            change: [[[0.0; W]; 4]; N],
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn put(&mut self, i: usize, even: [[f64; 4]; N], odd: [[f64; 4]; N]) {
+        for j in 0..N {
+            for k in 0..4 {
+                self.even[j][k][i] = even[j][k];
+                self.change[j][k][i] = difference_of_bits(even[j][k], odd[j][k]);
+            }
+        }
+    }
+
     fn gather(each: [&Choices<f64, N>; W]) -> Self {
         Self {
             even: tables(each.map(|x| &x.even)),
@@ -239,6 +265,16 @@ pub(super) struct Hyperbolic<C> {
 }
 
 impl<const W: usize> Steady<[f64; W]> {
+    pub(super) fn zero() -> Self {
+        Self {
+            half_rate: Rate::zero(),
+            unturned: [[0.0; W]; 4],
+            turned: [[0.0; W]; 4],
+            l: [[0.0; W]; 3],
+            omega: [[0.0; W]; 3],
+        }
+    }
+
     pub(super) fn gather(each: [&Steady<f64>; W]) -> Self {
         Self {
             half_rate: Rate::gather(each.map(|x| &x.half_rate)),
@@ -251,6 +287,18 @@ impl<const W: usize> Steady<[f64; W]> {
 }
 
 impl<const W: usize> Phases<[f64; W]> {
+    pub(super) fn zero() -> Self {
+        Self {
+            rate: Rate::zero(),
+            start: [[0.0; W]; 2],
+            inverse: [0.0; W],
+            parts: [[0.0; W]; 3],
+            pace: [[0.0; W]; 2],
+            half_turning: Rate::zero(),
+            half_lag: [[0.0; W]; 3],
+        }
+    }
+
     fn gather(each: [&Phases<f64>; W]) -> Self {
         Self {
             rate: Rate::gather(each.map(|x| &x.rate)),
@@ -265,6 +313,16 @@ impl<const W: usize> Phases<[f64; W]> {
 }
 
 impl<const W: usize> Amplitudes<[f64; W]> {
+    pub(super) fn zero() -> Self {
+        Self {
+            l: [[0.0; W]; 3],
+            omega: [[0.0; W]; 3],
+            direction: [[0.0; W]; 3],
+            aspect: [0.0; W],
+            base: [[[0.0; W]; 4]; 4],
+        }
+    }
+
     fn gather(each: [&Amplitudes<f64>; W]) -> Self {
         Self {
             l: rows(each.map(|x| &x.l)),
@@ -277,6 +335,16 @@ impl<const W: usize> Amplitudes<[f64; W]> {
 }
 
 impl<const W: usize> Circular<[f64; W]> {
+    pub(super) fn zero() -> Self {
+        Self {
+            phases: Phases::zero(),
+            amplitudes: Amplitudes::zero(),
+            corrections: [[[0.0; W]; 4]; 4],
+            real: [[0.0; W]; 4],
+            imaginary: [[0.0; W]; 3],
+        }
+    }
+
     pub(super) fn gather(each: [&Circular<f64>; W]) -> Self {
         Self {
             phases: Phases::gather(each.map(|x| &x.phases)),
@@ -289,6 +357,16 @@ impl<const W: usize> Circular<[f64; W]> {
 }
 
 impl<const W: usize> Hyperbolic<[f64; W]> {
+    pub(super) fn zero() -> Self {
+        Self {
+            phases: Phases::zero(),
+            amplitudes: Amplitudes::zero(),
+            corrections: Choices::zero(),
+            roots: [[0.0; W]; 2],
+            theta: Choices::zero(),
+        }
+    }
+
     pub(super) fn gather(each: [&Hyperbolic<f64>; W]) -> Self {
         Self {
             phases: Phases::gather(each.map(|x| &x.phases)),

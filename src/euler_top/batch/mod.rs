@@ -3,13 +3,20 @@
 //! The closed form without a branch, over rows of lanes that the compiler lays out side by side: a lane is a time or a body. Which
 //! closed form it is, and up to which time, is decided once a body; beyond that time each state is [`EulerTop::at`]'s.
 
+mod beginning;
 mod lanes;
 mod prepared;
+mod release;
+
+use std::sync::OnceLock;
 
 use nalgebra::Quaternion;
 
+use beginning::Beginnings;
 use lanes::{Circular, Hyperbolic, Motion, Rows, Steady, Work};
 use prepared::{Kind, Prepared};
+pub use release::Release;
+use release::{Sorted, Way};
 
 use super::motion::{EulerTop, State};
 use crate::error::{Error, Result};
@@ -173,12 +180,26 @@ impl EulerTop {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Ensemble {
-    tops: Vec<EulerTop>,
+    bodies: Bodies,
+    groups: Groups,
+}
+
+/// What the bodies were made from.
+#[derive(Debug, Clone)]
+enum Bodies {
+    Tops(Vec<EulerTop>),
+    /// With the tops, if they have been asked for.
+    Releases(Vec<Release>, OnceLock<Vec<EulerTop>>),
+}
+
+/// Bodies of one kind next to each other.
+#[derive(Debug, Clone, Default)]
+struct Groups {
     steady: Vec<Group<Steady<[f64; BODIES]>>>,
     circular: Vec<Group<Circular<[f64; BODIES]>>>,
     hyperbolic: Vec<Group<Hyperbolic<[f64; BODIES]>>>,
     /// Those that are done one by one.
-    single: Vec<usize>,
+    single: Vec<(usize, EulerTop)>,
 }
 
 /// Bodies side by side.
@@ -198,6 +219,16 @@ enum Numbering {
     Mixed([Axes; BODIES]),
 }
 
+impl Numbering {
+    fn new(axes: [Axes; BODIES]) -> Self {
+        if axes.iter().all(|x| *x == axes[0]) {
+            Self::Alike(axes[0])
+        } else {
+            Self::Mixed(axes)
+        }
+    }
+}
+
 /// A body of one kind: which it is, its axes, its reach and its constants.
 type Body<One> = (usize, Axes, f64, One);
 
@@ -209,18 +240,38 @@ fn groups<One, M>(bodies: &[Body<One>], gather: impl Fn([&One; BODIES]) -> M) ->
         .chunks(BODIES)
         .map(|chunk| {
             let body = |i: usize| chunk[i.min(chunk.len() - 1)];
-            let axes: [Axes; BODIES] = core::array::from_fn(|i| body(i).1);
             Group {
                 motion: gather(core::array::from_fn(|i| &body(i).3)),
                 place: core::array::from_fn(|i| body(i).0),
-                axes: if axes[0] == axes[BODIES - 1] {
-                    Numbering::Alike(axes[0])
-                } else {
-                    Numbering::Mixed(axes)
-                },
+                axes: Numbering::new(core::array::from_fn(|i| body(i).1)),
                 reach: chunk
                     .iter()
                     .fold(f64::INFINITY, |reach, body| reach.min(body.2)),
+            }
+        })
+        .collect()
+}
+
+/// The same for bodies that are prepared side by side.
+fn begun<M>(
+    releases: &[Release],
+    way: Way,
+    sorted: &[Sorted],
+    mut prepare: impl FnMut(&Beginnings<BODIES>) -> (M, f64),
+) -> Vec<Group<M>> {
+    let mut order: Vec<&Sorted> = sorted.iter().filter(|body| body.way == way).collect();
+    order.sort_by_key(|body| body.axes.axis);
+    order
+        .chunks(BODIES)
+        .map(|chunk| {
+            let bodies: [&Sorted; BODIES] =
+                core::array::from_fn(|i| chunk[i.min(chunk.len() - 1)]);
+            let (motion, reach) = prepare(&Beginnings::gather(releases, bodies));
+            Group {
+                motion,
+                place: bodies.map(|body| body.place),
+                axes: Numbering::new(bodies.map(|body| body.axes.axis)),
+                reach,
             }
         })
         .collect()
@@ -233,7 +284,7 @@ impl Ensemble {
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (i, top) in tops.iter().enumerate() {
             match Prepared::new(top) {
-                None => single.push(i),
+                None => single.push((i, *top)),
                 Some(Prepared { kind, axis, reach }) => match kind {
                     Kind::Steady(motion) => steady.push((i, axis, reach, motion)),
                     Kind::Circular(motion) => circular.push((i, axis, reach, motion)),
@@ -242,17 +293,71 @@ impl Ensemble {
             }
         }
         Self {
-            tops,
-            steady: groups(&steady, Steady::gather),
-            circular: groups(&circular, Circular::gather),
-            hyperbolic: groups(&hyperbolic, Hyperbolic::gather),
-            single,
+            bodies: Bodies::Tops(tops),
+            groups: Groups {
+                steady: groups(&steady, Steady::gather),
+                circular: groups(&circular, Circular::gather),
+                hyperbolic: groups(&hyperbolic, Hyperbolic::gather),
+                single,
+            },
         }
     }
 
-    /// The bodies, in the order they were given.
+    /// Bodies from scratch, prepared side by side.
+    ///
+    /// # Errors
+    /// [`Error::AtPlace`]: which body [`EulerTop::new`] would refuse, the first of them, and why.
+    pub fn released(releases: Vec<Release>) -> Result<Self> {
+        let sorted: Vec<Sorted> = releases
+            .iter()
+            .enumerate()
+            .map(|(place, release)| release.sorted(place))
+            .collect();
+        let mut single = Vec::new();
+        for body in sorted.iter().filter(|body| body.way == Way::Single) {
+            single.push((body.place, prepared_at(&releases, body.place)?));
+        }
+        let mut work = Work::new();
+        let groups = Groups {
+            steady: begun(&releases, Way::Steady, &sorted, |rows| rows.steady()),
+            circular: begun(&releases, Way::Circular, &sorted, |rows| {
+                rows.circular(&mut work)
+            }),
+            hyperbolic: begun(&releases, Way::Hyperbolic, &sorted, |rows| {
+                rows.hyperbolic(&mut work)
+            }),
+            single,
+        };
+        Ok(Self {
+            bodies: Bodies::Releases(releases, OnceLock::new()),
+            groups,
+        })
+    }
+
+    /// The bodies, in the order they were given. Those that were released are prepared one by one when this is first asked.
     pub fn tops(&self) -> &[EulerTop] {
-        &self.tops
+        match &self.bodies {
+            Bodies::Tops(tops) => tops,
+            Bodies::Releases(releases, tops) => tops.get_or_init(|| {
+                let tops: Result<Vec<_>> = releases.iter().map(Release::top).collect();
+                // What would be refused was refused when the ensemble was made.
+                tops.unwrap_or_default()
+            }),
+        }
+    }
+
+    fn count(&self) -> usize {
+        match &self.bodies {
+            Bodies::Tops(tops) => tops.len(),
+            Bodies::Releases(releases, _) => releases.len(),
+        }
+    }
+
+    fn alone(&self, place: usize, t: f64) -> Result<State> {
+        match &self.bodies {
+            Bodies::Tops(tops) => tops[place].at(t),
+            Bodies::Releases(releases, _) => releases[place].top()?.at(t),
+        }
     }
 
     /// Ω, L and attitude of every body at time t (s), in the order of the bodies (6.6, 6.8).
@@ -265,38 +370,101 @@ impl Ensemble {
     /// [`Error::Condition`] if there is not one place for each body; that of the first body whose [`EulerTop::at`] refuses the time, the states
     /// being partly written.
     pub fn states_at(&self, t: f64, states: &mut [State]) -> Result<()> {
-        same_length(self.tops.len(), states.len())?;
-        for i in &self.single {
-            states[*i] = self.tops[*i].at(t)?;
+        same_length(self.count(), states.len())?;
+        for (place, top) in &self.groups.single {
+            states[*place] = top.at(t)?;
         }
-        self.fill(&self.steady, t, states)?;
-        self.fill(&self.circular, t, states)?;
-        self.fill(&self.hyperbolic, t, states)
+        self.fill(&self.groups.steady, t, states)?;
+        self.fill(&self.groups.circular, t, states)?;
+        self.fill(&self.groups.hyperbolic, t, states)
     }
 
     fn fill<M: Motion>(&self, groups: &[Group<M>], t: f64, states: &mut [State]) -> Result<()> {
         let times = [t; BODIES];
         let (mut work, mut rows) = (Work::new(), Rows::zero());
         for group in groups {
-            let place = &group.place;
             if t.abs() <= group.reach {
                 group.motion.at(&times, &mut work, &mut rows);
-                match &group.axes {
-                    Numbering::Alike(axes) => {
-                        rows.each(*axes, |i, state| states[place[i]] = state);
-                    }
-                    Numbering::Mixed(axes) => {
-                        for i in 0..BODIES {
-                            states[place[i]] = rows.one(i, axes[i]);
-                        }
-                    }
-                }
+                group.hand_out(&rows, states);
             } else {
-                for place in place {
-                    states[*place] = self.tops[*place].at(t)?;
+                for place in group.place {
+                    states[place] = self.alone(place, t)?;
                 }
             }
         }
         Ok(())
     }
+}
+
+impl<M> Group<M> {
+    #[inline(always)]
+    fn hand_out(&self, rows: &Rows<BODIES>, states: &mut [State]) {
+        match &self.axes {
+            Numbering::Alike(axes) => {
+                rows.each(*axes, |i, state| states[self.place[i]] = state);
+            }
+            Numbering::Mixed(axes) => {
+                for i in 0..BODIES {
+                    states[self.place[i]] = rows.one(i, axes[i]);
+                }
+            }
+        }
+    }
+}
+
+/// The body at a place, or what is wrong with it there.
+fn prepared_at(releases: &[Release], place: usize) -> Result<EulerTop> {
+    releases[place].top().map_err(|reason| Error::AtPlace {
+        place,
+        reason: Box::new(reason),
+    })
+}
+
+/// The states of bodies let go at time 0, at one time t (s) after that or before: nothing is kept for another time.
+///
+/// # Errors
+/// [`Error::Condition`] if there is not one place for each body; [`Error::AtPlace`].
+pub fn released_states(releases: &[Release], t: f64, states: &mut [State]) -> Result<()> {
+    same_length(releases.len(), states.len())?;
+    let mut ways: [Vec<Sorted>; 3] = [Vec::new(), Vec::new(), Vec::new()];
+    for (place, release) in releases.iter().enumerate() {
+        let sorted = release.sorted(place);
+        match sorted.way {
+            Way::Single => states[place] = prepared_at(releases, place)?.at(t)?,
+            Way::Steady => ways[0].push(sorted),
+            Way::Circular => ways[1].push(sorted),
+            Way::Hyperbolic => ways[2].push(sorted),
+        }
+    }
+    let [steady, circular, hyperbolic] = &ways;
+    at_once(releases, steady, t, states, |rows, _| rows.steady())?;
+    at_once(releases, circular, t, states, |rows, work| rows.circular(work))?;
+    at_once(releases, hyperbolic, t, states, |rows, work| rows.hyperbolic(work))?;
+    Ok(())
+}
+
+fn at_once<M: Motion>(
+    releases: &[Release],
+    sorted: &[Sorted],
+    t: f64,
+    states: &mut [State],
+    mut prepare: impl FnMut(&Beginnings<BODIES>, &mut Work<BODIES>) -> (M, f64),
+) -> Result<()> {
+    let times = [t; BODIES];
+    let (mut work, mut rows) = (Work::new(), Rows::zero());
+    for chunk in sorted.chunks(BODIES) {
+        let bodies: [&Sorted; BODIES] = core::array::from_fn(|i| &chunk[i.min(chunk.len() - 1)]);
+        let (motion, reach) = prepare(&Beginnings::gather(releases, bodies), &mut work);
+        if t.abs() <= reach {
+            motion.at(&times, &mut work, &mut rows);
+            for i in 0..BODIES {
+                states[bodies[i].place] = rows.one(i, bodies[i].axes.axis);
+            }
+        } else {
+            for body in chunk {
+                states[body.place] = releases[body.place].top()?.at(t)?;
+            }
+        }
+    }
+    Ok(())
 }

@@ -1,0 +1,564 @@
+//! From moments and L to the constants of the motion, several bodies side by side: what
+//! [`preparation`](crate::euler_top::preparation) does for one.
+
+#![allow(
+    clippy::needless_range_loop,
+    reason = "a lane is its index: all rows are read and written at it"
+)]
+
+use super::lanes::{
+    Amplitudes, Circular, Hyperbolic, Motion, Phases, Rate, Rows, Steady, Work, halves,
+};
+use super::prepared::{quarters_reach, turning_reach};
+use super::release::{Release, Sorted};
+use crate::double_double::DoubleDouble;
+use crate::elliptic::lanes::descent::{
+    Landens, Squares, circular_polynomials, from_either_end, hyperbolic_polynomials, quarter,
+    reduction,
+};
+use crate::elliptic::lanes::words::{Lane, Two};
+use crate::elliptic::theta::{DualTheta, Elevation, Which, dual_excess};
+use crate::euler_top::separation::exact_separation;
+use crate::euler_top::turning::{Theta, Turning};
+use crate::extended::{Scalar, exponent_of};
+use crate::words::{Arithmetic, Words};
+
+/// Bodies along their renumbered axes.
+pub(super) struct Beginnings<'a, const W: usize> {
+    sorted: [&'a Sorted; W],
+    /// In kg m².
+    moments: [[f64; W]; 3],
+    /// Less powers of two.
+    scaled: [[f64; W]; 3],
+    l: [[f64; W]; 3],
+    sense: [f64; W],
+    /// Unit of L, kg m²/s, and of rates, 1/s.
+    momentum: [f64; W],
+    pace: [f64; W],
+    signs: [[f64; W]; 3],
+    attitude: [[f64; W]; 4],
+}
+
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((exponent + 1023).unsigned_abs() as u64) << 52)
+}
+
+impl<'a, const W: usize> Beginnings<'a, W> {
+    pub(super) fn gather(releases: &[Release], sorted: [&'a Sorted; W]) -> Self {
+        let mut rows = Self {
+            sorted,
+            moments: [[0.0; W]; 3],
+            scaled: [[0.0; W]; 3],
+            l: [[0.0; W]; 3],
+            sense: sorted.map(|x| x.sense),
+            momentum: sorted.map(|x| x.unit),
+            pace: [0.0; W],
+            signs: [[0.0; W]; 3],
+            attitude: [[0.0; W]; 4],
+        };
+        for i in 0..W {
+            let Sorted {
+                place,
+                axes,
+                unit,
+                unit_of_moments,
+                ..
+            } = *sorted[i];
+            let release = &releases[place];
+            // Reciprocals of powers of two: exact.
+            let (per_unit, per_moment) = (1.0 / unit, 1.0 / unit_of_moments);
+            let l: [f64; 3] = release.angular_momentum.components().into();
+            let q = release.attitude.quaternion();
+            let vector = [q.i, q.j, q.k];
+            rows.attitude[0][i] = q.w;
+            for k in 0..3 {
+                let (axis, sign) = (axes.axis[k], axes.sign[k]);
+                rows.moments[k][i] = release.moments[axis];
+                rows.scaled[k][i] = release.moments[axis] * per_moment;
+                rows.l[k][i] = sign * l[axis] * per_unit;
+                rows.signs[k][i] = sign;
+                rows.attitude[k + 1][i] = sign * vector[axis];
+            }
+            rows.pace[i] = power_of_two(exponent_of(unit) - exponent_of(unit_of_moments));
+        }
+        rows
+    }
+}
+
+/// What both kinds of motion have: all from sums of terms of one sign, as for one body.
+struct Constants<const W: usize> {
+    /// The lesser of m and mc.
+    lesser: Two<W>,
+    rate: Two<W>,
+    /// |L|/I₂.
+    base: Two<W>,
+    rise: Two<W>,
+    run: Two<W>,
+    slope: Two<W>,
+    /// 1 for η, 0 for ξ.
+    eta: [f64; W],
+    amplitudes: [[f64; W]; 3],
+    aspect: [f64; W],
+    /// sn², cn², their sum, dn² and dn² + m sn², as in [`Squares`].
+    squares: [[f64; W]; 5],
+}
+
+/// Which of m and mc is the lesser.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Lesser {
+    Parameter,
+    Complement,
+}
+
+/// So much of the leading word may cancel before the difference is formed of exact products.
+const CANCELLED: f64 = 1.0 / 1024.0;
+
+impl<const W: usize> Beginnings<'_, W> {
+    /// c₁, c₂, c₃, not negative.
+    #[inline(always)]
+    fn differences(&self, i: usize) -> [Lane; 3] {
+        let [i0, i1, i2] = [0, 1, 2].map(|k| self.scaled[k][i]);
+        let sense = self.sense[i];
+        let difference = |a: f64, b: f64| Lane::difference(sense * a, sense * b);
+        [
+            difference(i2, i1).times(i0),
+            difference(i2, i0).times(i1),
+            difference(i1, i0).times(i2),
+        ]
+    }
+
+    #[inline(always)]
+    fn squares(&self, i: usize) -> [Lane; 3] {
+        [0, 1, 2].map(|k| Lane::product(self.l[k][i], self.l[k][i]))
+    }
+
+    /// c₁ L₃² − c₃ L₁², how far the separatrix is.
+    #[inline(always)]
+    fn distances(&self) -> Two<W> {
+        let mut distances = [[0.0; W]; 2];
+        let mut blurred = [0.0; W];
+        for i in 0..W {
+            let (c, squares) = (self.differences(i), self.squares(i));
+            let third = c[0].multiply(squares[2]);
+            let distance = third.subtract(c[2].multiply(squares[0]));
+            distance.put(&mut distances, i);
+            blurred[i] = distance.leading() - CANCELLED * third.leading();
+        }
+        for i in 0..W {
+            if blurred[i] <= 0.0 {
+                let row = |rows: &[[f64; W]; 3]| [rows[0][i], rows[1][i], rows[2][i]];
+                let exact = exact_separation(row(&self.scaled), row(&self.l));
+                let number = Lane::new(exact);
+                let number = if self.sense[i] < 0.0 {
+                    number.negated()
+                } else {
+                    number
+                };
+                number.put(&mut distances, i);
+            }
+        }
+        distances
+    }
+
+    #[inline(always)]
+    fn constants(&self, lesser: Lesser) -> Constants<W> {
+        let zero = [[0.0; W]; 2];
+        let mut rows = Constants {
+            lesser: zero,
+            rate: zero,
+            base: zero,
+            rise: zero,
+            run: zero,
+            slope: zero,
+            eta: [0.0; W],
+            amplitudes: [[0.0; W]; 3],
+            aspect: [0.0; W],
+            squares: [[0.0; W]; 5],
+        };
+        let distances = match lesser {
+            Lesser::Parameter => zero,
+            Lesser::Complement => self.distances(),
+        };
+        for i in 0..W {
+            let (c, squares) = (self.differences(i), self.squares(i));
+            let steady = c[2].multiply(squares[1]).add(c[1].multiply(squares[2]));
+            let wobble = c[1].multiply(squares[0]).add(c[0].multiply(squares[1]));
+            let size_squared = squares[0].add(squares[1]).add(squares[2]);
+            let frequency = c[0].multiply(steady);
+            let part = match lesser {
+                Lesser::Parameter => c[2].multiply(wobble),
+                Lesser::Complement => c[1].multiply(Lane::of(&distances, i)),
+            };
+            part.divide(frequency).put(&mut rows.lesser, i);
+            let [i0, i1, i2] = [0, 1, 2].map(|k| self.scaled[k][i]);
+            let volume = Lane::product(i0, i1).times(i2);
+            let rate = frequency.square_root().divide(volume);
+            rate.put(&mut rows.rate, i);
+            let base = size_squared.square_root().divide(Lane::from_double(i1));
+            base.put(&mut rows.base, i);
+            let elevation =
+                Elevation::smaller([steady, wobble], [c[0], c[2]], |which| match which {
+                    Which::Eta => c[1].multiply(size_squared),
+                    Which::Xi => c[1],
+                });
+            elevation.rise.put(&mut rows.rise, i);
+            elevation.run.put(&mut rows.run, i);
+            elevation.slope.put(&mut rows.slope, i);
+            rows.eta[i] = match elevation.which {
+                Which::Eta => 1.0,
+                Which::Xi => 0.0,
+            };
+            rows.aspect[i] = c[0].root_of_quotient(c[1]);
+            rows.amplitudes[0][i] = wobble.root_of_quotient(c[1]);
+            rows.amplitudes[1][i] = wobble.root_of_quotient(c[0]);
+            rows.amplitudes[2][i] = steady.root_of_quotient(c[1]);
+            let [c0, c1, _] = c.map(Lane::leading);
+            let [s0, s1, s2] = squares.map(Lane::leading);
+            let places = [s1 * c0, s0 * c1, wobble.leading(), s2 * c1, steady.leading()];
+            for k in 0..5 {
+                rows.squares[k][i] = places[k];
+            }
+        }
+        rows
+    }
+}
+
+impl<const W: usize> Constants<W> {
+    #[inline(always)]
+    fn elevation(&self, i: usize) -> Elevation<Lane> {
+        Elevation {
+            which: if self.eta[i] > 0.5 {
+                Which::Eta
+            } else {
+                Which::Xi
+            },
+            rise: Lane::of(&self.rise, i),
+            run: Lane::of(&self.run, i),
+            slope: Lane::of(&self.slope, i),
+        }
+    }
+
+    #[inline(always)]
+    fn squares(&self, i: usize) -> Squares {
+        let [sn, cn, whole, dn, dn_whole] = [0, 1, 2, 3, 4].map(|k| self.squares[k][i]);
+        Squares {
+            sn,
+            cn,
+            whole,
+            dn,
+            dn_whole,
+        }
+    }
+}
+
+/// What theta functions and quarter periods add to the constants.
+struct Turnings<const W: usize> {
+    quarter: Two<W>,
+    lag: Two<W>,
+    excess: Two<W>,
+    /// π/(2K) or π/(2K′).
+    mean: Two<W>,
+    /// u at time 0, its sign that of L₂.
+    start: Two<W>,
+}
+
+impl<const W: usize> Turnings<W> {
+    fn zero() -> Self {
+        let zero = [[0.0; W]; 2];
+        Self {
+            quarter: zero,
+            lag: zero,
+            excess: zero,
+            mean: zero,
+            start: zero,
+        }
+    }
+}
+
+/// A word of two times a power of two, into a rate.
+#[inline(always)]
+fn put_rate<const W: usize>(rate: &mut Rate<[f64; W]>, i: usize, [high, low]: [f64; 2]) {
+    let [upper, lower] = halves(high);
+    rate.high[i] = high;
+    rate.upper[i] = upper;
+    rate.lower[i] = lower;
+    rate.low[i] = low;
+}
+
+impl<const W: usize> Beginnings<'_, W> {
+    /// The phases, and up to which time they hold.
+    #[inline(always)]
+    fn phases(&self, constants: &Constants<W>, turnings: &Turnings<W>) -> (Phases<[f64; W]>, f64) {
+        let mut phases = Phases::zero();
+        let mut reach = [0.0; W];
+        for i in 0..W {
+            let rate = Lane::of(&constants.rate, i);
+            let excess = rate.multiply(Lane::of(&turnings.excess, i));
+            let sense = self.sense[i];
+            // Base + sense · excess: the excess may have either sign.
+            let turning = Lane::of(&constants.base, i).subtract(excess.scaled(-sense));
+            let pace = self.pace[i];
+            let rate = rate.scaled(sense * pace).words();
+            put_rate(&mut phases.rate, i, rate);
+            let half_turning = turning.scaled(0.5 * pace).words();
+            put_rate(&mut phases.half_turning, i, half_turning);
+            let quarter = Lane::of(&turnings.quarter, i).words();
+            let (inverse, parts) = reduction(quarter);
+            phases.inverse[i] = inverse;
+            for k in 0..3 {
+                phases.parts[k][i] = parts[k];
+            }
+            for k in 0..2 {
+                phases.start[k][i] = turnings.start[k][i];
+                phases.pace[k][i] = turnings.mean[k][i];
+            }
+            let [high, low] = Lane::of(&turnings.lag, i).scaled(0.5).words();
+            let [first, second] = halves(high);
+            phases.half_lag[0][i] = first;
+            phases.half_lag[1][i] = second;
+            phases.half_lag[2][i] = low;
+            let quarters = quarters_reach(quarter[0], rate[0].abs());
+            let turns = turning_reach(2.0 * half_turning[0].abs());
+            reach[i] = if quarters < turns { quarters } else { turns };
+        }
+        let least = reach
+            .iter()
+            .fold(f64::INFINITY, |least, x| if *x < least { *x } else { least });
+        (phases, least)
+    }
+
+    /// The amplitudes, for bodies whose own axes are the renumbered ones at time 0.
+    #[inline(always)]
+    fn amplitudes(&self, constants: &Constants<W>) -> Amplitudes<[f64; W]> {
+        let mut rows = Amplitudes::zero();
+        for i in 0..W {
+            let p = [0, 1, 2].map(|k| constants.amplitudes[k][i]);
+            let per_size = 1.0 / (p[0] * p[0] + p[2] * p[2]).sqrt();
+            for k in 0..3 {
+                let own = self.signs[k][i] * (p[k] * self.momentum[i]);
+                rows.l[k][i] = own;
+                rows.omega[k][i] = own / self.moments[k][i];
+                rows.direction[k][i] = p[k] * per_size;
+            }
+            rows.aspect[i] = constants.aspect[i];
+        }
+        for k in 0..4 {
+            rows.base[k][k] = [1.0; W];
+        }
+        rows
+    }
+
+    /// The attitudes less those that the motions have at time 0.
+    fn put_base(&self, base: &mut [[[f64; W]; 4]; 4], found: &[[f64; W]; 4]) {
+        let mut renumbered = [[[0.0; W]; 4]; 4];
+        for i in 0..W {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|k| self.attitude[k][i]);
+            let [w, x, y, z] = [0, 1, 2, 3].map(|k| found[k][i]);
+            // (a + bi + cj + dk)(w − xi − yj − zk).
+            let p = (a * w + b * x) + (c * y + d * z);
+            let q = (b * w - a * x) + (d * y - c * z);
+            let r = (c * w - a * y) + (b * z - d * x);
+            let s = (d * w - a * z) + (c * x - b * y);
+            let [e, f, g] = [0, 1, 2].map(|k| self.signs[k][i]);
+            let rows = [
+                [p, -q, -r, -s],
+                [e * q, e * p, -e * s, e * r],
+                [f * r, f * s, f * p, -f * q],
+                [g * s, -g * r, g * q, g * p],
+            ];
+            for row in 0..4 {
+                for column in 0..4 {
+                    renumbered[row][column][i] = rows[row][column];
+                }
+            }
+        }
+        base[0] = renumbered[0];
+        for i in 0..W {
+            for k in 0..3 {
+                let own = self.sorted[i].axes.axis[k] + 1;
+                for column in 0..4 {
+                    base[own][column][i] = renumbered[k + 1][column][i];
+                }
+            }
+        }
+    }
+
+    /// The base of a motion from where it stands at time 0.
+    fn settled<M: Motion>(
+        &self,
+        mut motion: M,
+        base: impl Fn(&mut M) -> &mut [[[f64; W]; 4]; 4],
+        work: &mut Work<W>,
+    ) -> M {
+        let mut rows = Rows::zero();
+        motion.at(&[0.0; W], work, &mut rows);
+        self.put_base(base(&mut motion), &rows.attitude);
+        motion
+    }
+
+    /// Motions with m ≤ 1/2, and up to which time they hold.
+    #[inline(never)]
+    pub(super) fn circular(&self, work: &mut Work<W>) -> (Circular<[f64; W]>, f64) {
+        let constants = self.constants(Lesser::Parameter);
+        let landens = Landens::new(&constants.lesser);
+        let mut turnings = Turnings::zero();
+        let mut motion = Circular::zero();
+        for i in 0..W {
+            let landen = landens.lane(i);
+            let turning = Turning::circular(
+                &landen,
+                &constants.elevation(i),
+                Lane::of(&constants.lesser, i),
+                0.0,
+            );
+            Lane::new(turning.lag).put(&mut turnings.lag, i);
+            Lane::new(turning.excess).put(&mut turnings.excess, i);
+            if let Theta::Circular { real, imaginary } = turning.theta {
+                for k in 0..4 {
+                    motion.real[k][i] = real[k];
+                }
+                for k in 0..3 {
+                    motion.imaginary[k][i] = imaginary[k];
+                }
+            }
+        }
+        for i in 0..W {
+            let landen = landens.lane(i);
+            let polynomials = circular_polynomials(&landen);
+            for j in 0..4 {
+                for k in 0..4 {
+                    motion.corrections[j][k][i] = polynomials[j][k];
+                }
+            }
+        }
+        for i in 0..W {
+            let landen = landens.lane(i);
+            let quarter = quarter(&landen);
+            quarter.put(&mut turnings.quarter, i);
+            landen.mean.put(&mut turnings.mean, i);
+            let (squares, mc) = (constants.squares(i), 1.0 - constants.lesser[0][i]);
+            let rest = Lane::from_double(squares.angle(&landen, mc)).divide(landen.mean);
+            let start = from_either_end(squares.from_end(mc), quarter, rest);
+            self.put_start(&mut turnings.start, i, start);
+        }
+        let (phases, reach) = self.phases(&constants, &turnings);
+        motion.phases = phases;
+        motion.amplitudes = self.amplitudes(&constants);
+        let motion = self.settled(motion, |motion| &mut motion.amplitudes.base, work);
+        (motion, reach)
+    }
+
+    #[inline(always)]
+    fn put_start(&self, starts: &mut Two<W>, i: usize, start: DoubleDouble) {
+        let sign = if self.l[1][i] < 0.0 { -1.0 } else { 1.0 };
+        Lane::new(start).scaled(sign).put(starts, i);
+    }
+
+    /// Motions with m > 1/2, and up to which time they hold.
+    #[inline(never)]
+    pub(super) fn hyperbolic(&self, work: &mut Work<W>) -> (Hyperbolic<[f64; W]>, f64) {
+        let constants = self.constants(Lesser::Complement);
+        let landens = Landens::new(&constants.lesser);
+        let mut turnings = Turnings::zero();
+        let mut motion = Hyperbolic::zero();
+        let zero = [[0.0; W]; 2];
+        let (mut sines, mut cosines) = (zero, zero);
+        for i in 0..W {
+            let landen = landens.lane(i);
+            let lesser = Lane::of(&constants.lesser, i);
+            let (sine, cosine) = constants.elevation(i).angle(&landen, lesser);
+            sine.put(&mut sines, i);
+            cosine.put(&mut cosines, i);
+        }
+        for i in 0..W {
+            let (sine, cosine) = (Lane::of(&sines, i), Lane::of(&cosines, i));
+            let excess = dual_excess(&landens.lane(i), sine, cosine).negated();
+            excess.put(&mut turnings.excess, i);
+        }
+        for i in 0..W {
+            let (sine, cosine) = (Lane::of(&sines, i), Lane::of(&cosines, i));
+            Lane::angle(sine, cosine).put(&mut turnings.lag, i);
+        }
+        for i in 0..W {
+            let (sine, cosine) = (Lane::of(&sines, i), Lane::of(&cosines, i));
+            let landen = landens.lane(i);
+            let theta = DualTheta::new(landen.nome.value(), sine.value(), cosine.value());
+            let [even, odd] = theta.coefficients();
+            motion.theta.put(i, even, odd);
+        }
+        for i in 0..W {
+            let landen = landens.lane(i);
+            let complementary_modulus = constants.lesser[0][i].sqrt();
+            let ([even, odd], root) = hyperbolic_polynomials(&landen, complementary_modulus);
+            motion.corrections.put(i, even, odd);
+            motion.roots[0][i] = root;
+            motion.roots[1][i] = complementary_modulus;
+        }
+        let mut growth = [0.0; W];
+        for i in 0..W {
+            let landen = landens.lane(i);
+            growth[i] = constants.squares(i).growth(&landen, constants.lesser[0][i]);
+        }
+        for i in 0..W {
+            let landen = landens.lane(i);
+            let quarter = Lane::new(landen.complementary_quarter());
+            quarter.put(&mut turnings.quarter, i);
+            landen.mean.put(&mut turnings.mean, i);
+            let rest = Lane::from_double(growth[i]).logarithm().divide(landen.mean);
+            let end = constants.squares(i).from_end(constants.lesser[0][i]);
+            self.put_start(&mut turnings.start, i, from_either_end(end, quarter, rest));
+        }
+        let (phases, reach) = self.phases(&constants, &turnings);
+        motion.phases = phases;
+        motion.amplitudes = self.amplitudes(&constants);
+        let motion = self.settled(motion, |motion| &mut motion.amplitudes.base, work);
+        (motion, reach)
+    }
+
+    /// Bodies whose Ω stays: at the rate Σ L_i²/I_i / |L| about L.
+    #[inline(never)]
+    pub(super) fn steady(&self) -> (Steady<[f64; W]>, f64) {
+        let mut motion = Steady::zero();
+        let mut reach = [0.0; W];
+        for i in 0..W {
+            let squares = self.squares(i);
+            let moments = [0, 1, 2].map(|k| Lane::from_double(self.scaled[k][i]));
+            let size = squares[0].add(squares[1]).add(squares[2]).square_root();
+            let [a, b, c] = [0, 1, 2].map(|k| squares[k].divide(moments[k]));
+            let rate = a.add(b).add(c).divide(size).scaled(self.pace[i]);
+            put_rate(&mut motion.half_rate, i, rate.scaled(0.5).words());
+            reach[i] = turning_reach(rate.leading());
+            let [x, y, z] = [0, 1, 2].map(|k| {
+                let own = self.l[k][i];
+                let component = Lane::from_double(own).divide(size).value();
+                let signed = self.signs[k][i] * (own * self.momentum[i]);
+                motion.l[k][i] = signed;
+                motion.omega[k][i] = signed / self.moments[k][i];
+                component
+            });
+            let [a, b, c, d] = [0, 1, 2, 3].map(|k| self.attitude[k][i]);
+            let turned = [
+                -(b * x + c * y + d * z),
+                a * x + (c * z - d * y),
+                a * y + (d * x - b * z),
+                a * z + (b * y - c * x),
+            ];
+            let signs = [1.0, self.signs[0][i], self.signs[1][i], self.signs[2][i]];
+            for k in 0..4 {
+                motion.unturned[k][i] = signs[k] * self.attitude[k][i];
+                motion.turned[k][i] = signs[k] * turned[k];
+            }
+        }
+        // Back to the body's own order: the attitude is along the renumbered axes so far.
+        let (unturned, turned) = (motion.unturned, motion.turned);
+        for i in 0..W {
+            for k in 0..3 {
+                let own = self.sorted[i].axes.axis[k] + 1;
+                motion.unturned[own][i] = unturned[k + 1][i];
+                motion.turned[own][i] = turned[k + 1][i];
+            }
+        }
+        let least = reach.iter().fold(f64::INFINITY, |least, x| x.min(least));
+        (motion, least)
+    }
+}

@@ -54,7 +54,10 @@ impl Turning {
         aspect: f64,
     ) -> Self {
         match descent.side() {
-            Side::Circular => Self::circular(&descent.landen, elevation, descent.m, aspect),
+            Side::Circular => {
+                let exponentials = elevation.exponentials(&descent.landen, descent.m);
+                Self::circular(&descent.landen, elevation.which, exponentials, aspect)
+            }
             Side::Hyperbolic => Self::hyperbolic(&descent.landen, elevation, descent.mc, aspect),
         }
     }
@@ -63,8 +66,8 @@ impl Turning {
     #[inline(always)]
     pub(super) fn circular<N: Scalar>(
         landen: &Landen<N>,
-        elevation: &Elevation<N>,
-        m: N,
+        which: Which,
+        exponentials: Exponentials<N::Narrow>,
         aspect: f64,
     ) -> Self {
         let q = landen.nome;
@@ -74,8 +77,8 @@ impl Turning {
             sinh,
             growth,
             ..
-        } = elevation.exponentials(landen, m);
-        let one_less_rho = match elevation.which {
+        } = exponentials;
+        let one_less_rho = match which {
             Which::Xi => 2.0 * sinh.value() / growth.value(),
             Which::Eta => 1.0 - rho.value(),
         };

@@ -58,8 +58,12 @@ impl<const W: usize> Landens<W> {
     #[inline(always)]
     pub(crate) fn lane(&self, i: usize) -> Landen<Lane> {
         Landen {
-            sums: [0, 1, 2].map(|k| Lane::of(&self.sums[k], i)),
-            moduli: [0, 1].map(|k| Lane::of(&self.moduli[k], i)),
+            sums: [
+                Lane::of(&self.sums[0], i),
+                Lane::of(&self.sums[1], i),
+                Lane::of(&self.sums[2], i),
+            ],
+            moduli: [Lane::of(&self.moduli[0], i), Lane::of(&self.moduli[1], i)],
             last: self.last[i],
             mean: Lane::of(&self.mean, i),
             nome_over_square: Lane::of(&self.nome_over_square, i),
@@ -81,9 +85,10 @@ pub(crate) fn reduction([high, low]: [f64; 2]) -> (f64, [f64; 3]) {
 /// K = π/2 over the mean, for m ≤ 1/2.
 #[inline(always)]
 pub(crate) fn quarter(landen: &Landen<Lane>) -> Lane {
-    Lane::new(RIGHT_ANGLE).divide(landen.mean)
+    Lane::new(RIGHT_ANGLE).divide(landen.mean).ordered()
 }
 
+#[inline(always)]
 fn polynomials(set: Corrections) -> super::Polynomials {
     [set.denominator, set.sn, set.cn, set.dn]
 }
@@ -163,7 +168,7 @@ impl Squares {
 /// The argument: what it is away from the end that it was counted from, or K less that.
 #[inline(always)]
 pub(crate) fn from_either_end(end: bool, quarter: Lane, rest: Lane) -> DoubleDouble {
-    let from_end = quarter.subtract(rest);
+    let (from_end, rest) = (quarter.subtract(rest).ordered(), rest.ordered());
     let choose = |k: usize| {
         if end {
             from_end.words()[k]

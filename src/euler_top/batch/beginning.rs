@@ -8,6 +8,7 @@
 
 use super::lanes::{
     Amplitudes, Circular, Hyperbolic, Motion, Phases, Rate, Rows, Steady, Work, halves,
+    row,
 };
 use super::prepared::{quarters_reach, turning_reach};
 use super::release::{Release, Sorted};
@@ -117,7 +118,7 @@ impl<const W: usize> Beginnings<'_, W> {
     /// c₁, c₂, c₃, not negative.
     #[inline(always)]
     fn differences(&self, i: usize) -> [Lane; 3] {
-        let [i0, i1, i2] = [0, 1, 2].map(|k| self.scaled[k][i]);
+        let [i0, i1, i2] = row(&self.scaled, i);
         let sense = self.sense[i];
         let difference = |a: f64, b: f64| Lane::difference(sense * a, sense * b);
         [
@@ -129,7 +130,8 @@ impl<const W: usize> Beginnings<'_, W> {
 
     #[inline(always)]
     fn squares(&self, i: usize) -> [Lane; 3] {
-        [0, 1, 2].map(|k| Lane::product(self.l[k][i], self.l[k][i]))
+        let [x, y, z] = row(&self.l, i);
+        [Lane::product(x, x), Lane::product(y, y), Lane::product(z, z)]
     }
 
     /// c₁ L₃² − c₃ L₁², how far the separatrix is.
@@ -146,8 +148,7 @@ impl<const W: usize> Beginnings<'_, W> {
         }
         for i in 0..W {
             if blurred[i] <= 0.0 {
-                let row = |rows: &[[f64; W]; 3]| [rows[0][i], rows[1][i], rows[2][i]];
-                let exact = exact_separation(row(&self.scaled), row(&self.l));
+                let exact = exact_separation(row(&self.scaled, i), row(&self.l, i));
                 let number = Lane::new(exact);
                 let number = if self.sense[i] < 0.0 {
                     number.negated()
@@ -189,8 +190,8 @@ impl<const W: usize> Beginnings<'_, W> {
                 Lesser::Parameter => c[2].multiply(wobble),
                 Lesser::Complement => c[1].multiply(Lane::of(&distances, i)),
             };
-            part.divide(frequency).put(&mut rows.lesser, i);
-            let [i0, i1, i2] = [0, 1, 2].map(|k| self.scaled[k][i]);
+            part.divide(frequency).ordered().put(&mut rows.lesser, i);
+            let [i0, i1, i2] = row(&self.scaled, i);
             let volume = Lane::product(i0, i1).times(i2);
             let rate = frequency.square_root().divide(volume);
             rate.put(&mut rows.rate, i);
@@ -212,9 +213,13 @@ impl<const W: usize> Beginnings<'_, W> {
             rows.amplitudes[0][i] = wobble.root_of_quotient(c[1]);
             rows.amplitudes[1][i] = wobble.root_of_quotient(c[0]);
             rows.amplitudes[2][i] = steady.root_of_quotient(c[1]);
-            let [c0, c1, _] = c.map(Lane::leading);
-            let [s0, s1, s2] = squares.map(Lane::leading);
-            let places = [s1 * c0, s0 * c1, wobble.leading(), s2 * c1, steady.leading()];
+            let (c0, c1) = (c[0].value(), c[1].value());
+            let [s0, s1, s2] = [
+                squares[0].value(),
+                squares[1].value(),
+                squares[2].value(),
+            ];
+            let places = [s1 * c0, s0 * c1, wobble.value(), s2 * c1, steady.value()];
             for k in 0..5 {
                 rows.squares[k][i] = places[k];
             }
@@ -240,7 +245,7 @@ impl<const W: usize> Constants<W> {
 
     #[inline(always)]
     fn squares(&self, i: usize) -> Squares {
-        let [sn, cn, whole, dn, dn_whole] = [0, 1, 2, 3, 4].map(|k| self.squares[k][i]);
+        let [sn, cn, whole, dn, dn_whole] = row(&self.squares, i);
         Squares {
             sn,
             cn,
@@ -285,11 +290,20 @@ fn put_rate<const W: usize>(rate: &mut Rate<[f64; W]>, i: usize, [high, low]: [f
     rate.low[i] = low;
 }
 
+fn least<const W: usize>(reach: &[f64; W]) -> f64 {
+    let lesser = |a: f64, b: &f64| if *b < a { *b } else { a };
+    reach.iter().fold(f64::INFINITY, lesser)
+}
+
 impl<const W: usize> Beginnings<'_, W> {
     /// The phases, and up to which time they hold.
     #[inline(always)]
-    fn phases(&self, constants: &Constants<W>, turnings: &Turnings<W>) -> (Phases<[f64; W]>, f64) {
-        let mut phases = Phases::zero();
+    fn put_phases(
+        &self,
+        constants: &Constants<W>,
+        turnings: &Turnings<W>,
+        phases: &mut Phases<[f64; W]>,
+    ) -> f64 {
         let mut reach = [0.0; W];
         for i in 0..W {
             let rate = Lane::of(&constants.rate, i);
@@ -298,9 +312,9 @@ impl<const W: usize> Beginnings<'_, W> {
             // Base + sense · excess: the excess may have either sign.
             let turning = Lane::of(&constants.base, i).subtract(excess.scaled(-sense));
             let pace = self.pace[i];
-            let rate = rate.scaled(sense * pace).words();
+            let rate = rate.scaled(sense * pace).ordered().words();
             put_rate(&mut phases.rate, i, rate);
-            let half_turning = turning.scaled(0.5 * pace).words();
+            let half_turning = turning.scaled(0.5 * pace).ordered().words();
             put_rate(&mut phases.half_turning, i, half_turning);
             let quarter = Lane::of(&turnings.quarter, i).words();
             let (inverse, parts) = reduction(quarter);
@@ -321,18 +335,14 @@ impl<const W: usize> Beginnings<'_, W> {
             let turns = turning_reach(2.0 * half_turning[0].abs());
             reach[i] = if quarters < turns { quarters } else { turns };
         }
-        let least = reach
-            .iter()
-            .fold(f64::INFINITY, |least, x| if *x < least { *x } else { least });
-        (phases, least)
+        least(&reach)
     }
 
     /// The amplitudes, for bodies whose own axes are the renumbered ones at time 0.
     #[inline(always)]
-    fn amplitudes(&self, constants: &Constants<W>) -> Amplitudes<[f64; W]> {
-        let mut rows = Amplitudes::zero();
+    fn put_amplitudes(&self, constants: &Constants<W>, rows: &mut Amplitudes<[f64; W]>) {
         for i in 0..W {
-            let p = [0, 1, 2].map(|k| constants.amplitudes[k][i]);
+            let p = row(&constants.amplitudes, i);
             let per_size = 1.0 / (p[0] * p[0] + p[2] * p[2]).sqrt();
             for k in 0..3 {
                 let own = self.signs[k][i] * (p[k] * self.momentum[i]);
@@ -343,23 +353,23 @@ impl<const W: usize> Beginnings<'_, W> {
             rows.aspect[i] = constants.aspect[i];
         }
         for k in 0..4 {
+            rows.base[k] = [[0.0; W]; 4];
             rows.base[k][k] = [1.0; W];
         }
-        rows
     }
 
     /// The attitudes less those that the motions have at time 0.
     fn put_base(&self, base: &mut [[[f64; W]; 4]; 4], found: &[[f64; W]; 4]) {
         let mut renumbered = [[[0.0; W]; 4]; 4];
         for i in 0..W {
-            let [a, b, c, d] = [0, 1, 2, 3].map(|k| self.attitude[k][i]);
-            let [w, x, y, z] = [0, 1, 2, 3].map(|k| found[k][i]);
+            let [a, b, c, d] = row(&self.attitude, i);
+            let [w, x, y, z] = row(found, i);
             // (a + bi + cj + dk)(w − xi − yj − zk).
             let p = (a * w + b * x) + (c * y + d * z);
             let q = (b * w - a * x) + (d * y - c * z);
             let r = (c * w - a * y) + (b * z - d * x);
             let s = (d * w - a * z) + (c * x - b * y);
-            let [e, f, g] = [0, 1, 2].map(|k| self.signs[k][i]);
+            let [e, f, g] = row(&self.signs, i);
             let rows = [
                 [p, -q, -r, -s],
                 [e * q, e * p, -e * s, e * r],
@@ -383,34 +393,18 @@ impl<const W: usize> Beginnings<'_, W> {
         }
     }
 
-    /// The base of a motion from where it stands at time 0.
-    fn settled<M: Motion>(
-        &self,
-        mut motion: M,
-        base: impl Fn(&mut M) -> &mut [[[f64; W]; 4]; 4],
-        work: &mut Work<W>,
-    ) -> M {
-        let mut rows = Rows::zero();
-        motion.at(&[0.0; W], work, &mut rows);
-        self.put_base(base(&mut motion), &rows.attitude);
-        motion
-    }
-
     /// Motions with m ≤ 1/2, and up to which time they hold.
     #[inline(never)]
-    pub(super) fn circular(&self, work: &mut Work<W>) -> (Circular<[f64; W]>, f64) {
+    pub(super) fn circular(&self, motion: &mut Circular<[f64; W]>, work: &mut Work<W>) -> f64 {
         let constants = self.constants(Lesser::Parameter);
         let landens = Landens::new(&constants.lesser);
         let mut turnings = Turnings::zero();
-        let mut motion = Circular::zero();
         for i in 0..W {
             let landen = landens.lane(i);
-            let turning = Turning::circular(
-                &landen,
-                &constants.elevation(i),
-                Lane::of(&constants.lesser, i),
-                0.0,
-            );
+            let elevation = constants.elevation(i);
+            let exponentials =
+                elevation.bounded_exponentials(&landen, Lane::of(&constants.lesser, i));
+            let turning = Turning::circular(&landen, elevation.which, exponentials, 0.0);
             Lane::new(turning.lag).put(&mut turnings.lag, i);
             Lane::new(turning.excess).put(&mut turnings.excess, i);
             if let Theta::Circular { real, imaginary } = turning.theta {
@@ -435,17 +429,18 @@ impl<const W: usize> Beginnings<'_, W> {
             let landen = landens.lane(i);
             let quarter = quarter(&landen);
             quarter.put(&mut turnings.quarter, i);
-            landen.mean.put(&mut turnings.mean, i);
+            landen.mean.ordered().put(&mut turnings.mean, i);
             let (squares, mc) = (constants.squares(i), 1.0 - constants.lesser[0][i]);
             let rest = Lane::from_double(squares.angle(&landen, mc)).divide(landen.mean);
             let start = from_either_end(squares.from_end(mc), quarter, rest);
             self.put_start(&mut turnings.start, i, start);
         }
-        let (phases, reach) = self.phases(&constants, &turnings);
-        motion.phases = phases;
-        motion.amplitudes = self.amplitudes(&constants);
-        let motion = self.settled(motion, |motion| &mut motion.amplitudes.base, work);
-        (motion, reach)
+        let reach = self.put_phases(&constants, &turnings, &mut motion.phases);
+        self.put_amplitudes(&constants, &mut motion.amplitudes);
+        let mut rows = Rows::zero();
+        motion.at(&[0.0; W], work, &mut rows);
+        self.put_base(&mut motion.amplitudes.base, &rows.attitude);
+        reach
     }
 
     #[inline(always)]
@@ -456,19 +451,18 @@ impl<const W: usize> Beginnings<'_, W> {
 
     /// Motions with m > 1/2, and up to which time they hold.
     #[inline(never)]
-    pub(super) fn hyperbolic(&self, work: &mut Work<W>) -> (Hyperbolic<[f64; W]>, f64) {
+    pub(super) fn hyperbolic(&self, motion: &mut Hyperbolic<[f64; W]>, work: &mut Work<W>) -> f64 {
         let constants = self.constants(Lesser::Complement);
         let landens = Landens::new(&constants.lesser);
         let mut turnings = Turnings::zero();
-        let mut motion = Hyperbolic::zero();
         let zero = [[0.0; W]; 2];
         let (mut sines, mut cosines) = (zero, zero);
         for i in 0..W {
             let landen = landens.lane(i);
             let lesser = Lane::of(&constants.lesser, i);
             let (sine, cosine) = constants.elevation(i).angle(&landen, lesser);
-            sine.put(&mut sines, i);
-            cosine.put(&mut cosines, i);
+            sine.ordered().put(&mut sines, i);
+            cosine.ordered().put(&mut cosines, i);
         }
         for i in 0..W {
             let (sine, cosine) = (Lane::of(&sines, i), Lane::of(&cosines, i));
@@ -503,40 +497,40 @@ impl<const W: usize> Beginnings<'_, W> {
             let landen = landens.lane(i);
             let quarter = Lane::new(landen.complementary_quarter());
             quarter.put(&mut turnings.quarter, i);
-            landen.mean.put(&mut turnings.mean, i);
+            landen.mean.ordered().put(&mut turnings.mean, i);
             let rest = Lane::from_double(growth[i]).logarithm().divide(landen.mean);
             let end = constants.squares(i).from_end(constants.lesser[0][i]);
             self.put_start(&mut turnings.start, i, from_either_end(end, quarter, rest));
         }
-        let (phases, reach) = self.phases(&constants, &turnings);
-        motion.phases = phases;
-        motion.amplitudes = self.amplitudes(&constants);
-        let motion = self.settled(motion, |motion| &mut motion.amplitudes.base, work);
-        (motion, reach)
+        let reach = self.put_phases(&constants, &turnings, &mut motion.phases);
+        self.put_amplitudes(&constants, &mut motion.amplitudes);
+        let mut rows = Rows::zero();
+        motion.at(&[0.0; W], work, &mut rows);
+        self.put_base(&mut motion.amplitudes.base, &rows.attitude);
+        reach
     }
 
     /// Bodies whose Ω stays: at the rate Σ L_i²/I_i / |L| about L.
     #[inline(never)]
-    pub(super) fn steady(&self) -> (Steady<[f64; W]>, f64) {
-        let mut motion = Steady::zero();
+    pub(super) fn steady(&self, motion: &mut Steady<[f64; W]>) -> f64 {
         let mut reach = [0.0; W];
         for i in 0..W {
             let squares = self.squares(i);
-            let moments = [0, 1, 2].map(|k| Lane::from_double(self.scaled[k][i]));
+            let moments = row(&self.scaled, i);
             let size = squares[0].add(squares[1]).add(squares[2]).square_root();
-            let [a, b, c] = [0, 1, 2].map(|k| squares[k].divide(moments[k]));
-            let rate = a.add(b).add(c).divide(size).scaled(self.pace[i]);
-            put_rate(&mut motion.half_rate, i, rate.scaled(0.5).words());
+            let energy = |k: usize| squares[k].divide(Lane::from_double(moments[k]));
+            let twice_energy = energy(0).add(energy(1)).add(energy(2));
+            let rate = twice_energy.divide(size).scaled(self.pace[i]);
+            put_rate(&mut motion.half_rate, i, rate.scaled(0.5).ordered().words());
             reach[i] = turning_reach(rate.leading());
-            let [x, y, z] = [0, 1, 2].map(|k| {
-                let own = self.l[k][i];
-                let component = Lane::from_double(own).divide(size).value();
-                let signed = self.signs[k][i] * (own * self.momentum[i]);
-                motion.l[k][i] = signed;
-                motion.omega[k][i] = signed / self.moments[k][i];
-                component
-            });
-            let [a, b, c, d] = [0, 1, 2, 3].map(|k| self.attitude[k][i]);
+            for k in 0..3 {
+                let own = self.signs[k][i] * (self.l[k][i] * self.momentum[i]);
+                motion.l[k][i] = own;
+                motion.omega[k][i] = own / self.moments[k][i];
+            }
+            let direction = |k: usize| Lane::from_double(self.l[k][i]).divide(size).value();
+            let (x, y, z) = (direction(0), direction(1), direction(2));
+            let [a, b, c, d] = row(&self.attitude, i);
             let turned = [
                 -(b * x + c * y + d * z),
                 a * x + (c * z - d * y),
@@ -558,7 +552,6 @@ impl<const W: usize> Beginnings<'_, W> {
                 motion.turned[own][i] = turned[k + 1][i];
             }
         }
-        let least = reach.iter().fold(f64::INFINITY, |least, x| x.min(least));
-        (motion, least)
+        least(&reach)
     }
 }

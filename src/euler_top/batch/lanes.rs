@@ -507,7 +507,7 @@ impl<C: Constant> Amplitudes<C> {
 }
 
 #[inline(always)]
-fn row<const N: usize, const W: usize>(rows: &[[f64; W]; N], i: usize) -> [f64; N] {
+pub(super) fn row<const N: usize, const W: usize>(rows: &[[f64; W]; N], i: usize) -> [f64; N] {
     core::array::from_fn(|k| rows[k][i])
 }
 

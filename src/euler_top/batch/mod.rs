@@ -257,7 +257,8 @@ fn begun<M>(
     releases: &[Release],
     way: Way,
     sorted: &[Sorted],
-    mut prepare: impl FnMut(&Beginnings<BODIES>) -> (M, f64),
+    zero: impl Fn() -> M,
+    mut prepare: impl FnMut(&Beginnings<BODIES>, &mut M) -> f64,
 ) -> Vec<Group<M>> {
     let mut order: Vec<&Sorted> = sorted.iter().filter(|body| body.way == way).collect();
     order.sort_by_key(|body| body.axes.axis);
@@ -266,13 +267,15 @@ fn begun<M>(
         .map(|chunk| {
             let bodies: [&Sorted; BODIES] =
                 core::array::from_fn(|i| chunk[i.min(chunk.len() - 1)]);
-            let (motion, reach) = prepare(&Beginnings::gather(releases, bodies));
-            Group {
-                motion,
+            let mut group = Group {
+                motion: zero(),
                 place: bodies.map(|body| body.place),
                 axes: Numbering::new(bodies.map(|body| body.axes.axis)),
-                reach,
-            }
+                reach: 0.0,
+            };
+            let rows = Beginnings::gather(releases, bodies);
+            group.reach = prepare(&rows, &mut group.motion);
+            group
         })
         .collect()
 }
@@ -319,12 +322,14 @@ impl Ensemble {
         }
         let mut work = Work::new();
         let groups = Groups {
-            steady: begun(&releases, Way::Steady, &sorted, |rows| rows.steady()),
-            circular: begun(&releases, Way::Circular, &sorted, |rows| {
-                rows.circular(&mut work)
+            steady: begun(&releases, Way::Steady, &sorted, Steady::zero, |rows, motion| {
+                rows.steady(motion)
             }),
-            hyperbolic: begun(&releases, Way::Hyperbolic, &sorted, |rows| {
-                rows.hyperbolic(&mut work)
+            circular: begun(&releases, Way::Circular, &sorted, Circular::zero, |rows, motion| {
+                rows.circular(motion, &mut work)
+            }),
+            hyperbolic: begun(&releases, Way::Hyperbolic, &sorted, Hyperbolic::zero, |rows, motion| {
+                rows.hyperbolic(motion, &mut work)
             }),
             single,
         };
@@ -437,9 +442,9 @@ pub fn released_states(releases: &[Release], t: f64, states: &mut [State]) -> Re
         }
     }
     let [steady, circular, hyperbolic] = &ways;
-    at_once(releases, steady, t, states, |rows, _| rows.steady())?;
-    at_once(releases, circular, t, states, |rows, work| rows.circular(work))?;
-    at_once(releases, hyperbolic, t, states, |rows, work| rows.hyperbolic(work))?;
+    at_once(releases, steady, t, states, Steady::zero(), |rows, motion, _| rows.steady(motion))?;
+    at_once(releases, circular, t, states, Circular::zero(), |rows, motion, work| rows.circular(motion, work))?;
+    at_once(releases, hyperbolic, t, states, Hyperbolic::zero(), |rows, motion, work| rows.hyperbolic(motion, work))?;
     Ok(())
 }
 
@@ -448,13 +453,14 @@ fn at_once<M: Motion>(
     sorted: &[Sorted],
     t: f64,
     states: &mut [State],
-    mut prepare: impl FnMut(&Beginnings<BODIES>, &mut Work<BODIES>) -> (M, f64),
+    mut motion: M,
+    prepare: impl Fn(&Beginnings<BODIES>, &mut M, &mut Work<BODIES>) -> f64,
 ) -> Result<()> {
     let times = [t; BODIES];
     let (mut work, mut rows) = (Work::new(), Rows::zero());
     for chunk in sorted.chunks(BODIES) {
         let bodies: [&Sorted; BODIES] = core::array::from_fn(|i| &chunk[i.min(chunk.len() - 1)]);
-        let (motion, reach) = prepare(&Beginnings::gather(releases, bodies), &mut work);
+        let reach = prepare(&Beginnings::gather(releases, bodies), &mut motion, &mut work);
         if t.abs() <= reach {
             motion.at(&times, &mut work, &mut rows);
             for i in 0..BODIES {

@@ -1,10 +1,11 @@
 //! Moduli of many bodies side by side: the transformations, the quarter periods, the polynomials and the arguments at the start.
 
 use super::words::{Lane, Two};
-use crate::angle::RIGHT_ANGLE;
+use crate::angle::{self, RIGHT_ANGLE};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::kernel;
 use crate::elliptic::landen::Landen;
+use crate::elliptic::logarithm::{Place, logarithm_at};
 use crate::elliptic::series::{
     Corrections, circular_corrections, circular_thetas, hyperbolic_corrections, hyperbolic_thetas,
 };
@@ -71,6 +72,78 @@ impl<const W: usize> Landens<W> {
             nome: Lane::of(&self.nome, i),
         }
     }
+}
+
+/// The natural logarithms of normal positive numbers; of zero, nothing of use.
+#[inline(always)]
+pub(crate) fn logarithms<const W: usize>(numbers: &Two<W>) -> Two<W> {
+    let mut places = [[0.0; W]; 5];
+    for i in 0..W {
+        // The table is looked up lane by lane.
+        let place = Place::new(numbers[0][i]);
+        places[0][i] = place.inverse;
+        places[1][i] = place.exponent;
+        places[2][i] = place.center;
+        places[3][i] = place.entry.high();
+        places[4][i] = place.entry.low();
+    }
+    let mut logarithms = [[0.0; W]; 2];
+    for i in 0..W {
+        let place = Place {
+            inverse: places[0][i],
+            exponent: places[1][i],
+            center: places[2][i],
+            entry: DoubleDouble::new(places[3][i], places[4][i]),
+        };
+        let number = Lane::of(numbers, i).two();
+        Lane::new(logarithm_at(number, &place)).put(&mut logarithms, i);
+    }
+    logarithms
+}
+
+/// The angles of the points (cosine, sine) in the first quadrant.
+#[inline(always)]
+pub(crate) fn angles<const W: usize>(cosines: &Two<W>, sines: &Two<W>) -> Two<W> {
+    let mut places = [[0.0; W]; 3];
+    for i in 0..W {
+        places[0][i] = angle::nearest(cosines[0][i], sines[0][i]);
+    }
+    for i in 0..W {
+        let entry = angle::tabulated(places[0][i]);
+        places[1][i] = entry.high();
+        places[2][i] = entry.low();
+    }
+    let mut angles = [[0.0; W]; 2];
+    for i in 0..W {
+        let entry = DoubleDouble::new(places[1][i], places[2][i]);
+        let (cosine, sine) = (Lane::of(cosines, i), Lane::of(sines, i));
+        let angle = angle::angle_at(cosine, sine, places[0][i], entry);
+        angle.ordered().put(&mut angles, i);
+    }
+    angles
+}
+
+/// K = (K′/π) ln(1/q′) for m > 1/2; infinite on the separatrix.
+#[inline(always)]
+pub(crate) fn complementary_quarters<const W: usize>(landens: &Landens<W>) -> Two<W> {
+    let mut nomes = [[0.0; W]; 2];
+    for i in 0..W {
+        let nome = Lane::of(&landens.parameter, i)
+            .multiply(Lane::of(&landens.nome_over_square, i))
+            .ordered();
+        nome.put(&mut nomes, i);
+    }
+    let logarithms = logarithms(&nomes);
+    let mut quarters = [[0.0; W]; 2];
+    for i in 0..W {
+        let logarithm = Lane::of(&logarithms, i).negated();
+        let twice = Lane::of(&landens.mean, i).scaled(2.0);
+        let [high, low] = logarithm.divide(twice).ordered().words();
+        let on_it = landens.parameter[0][i] == 0.0;
+        quarters[0][i] = if on_it { f64::INFINITY } else { high };
+        quarters[1][i] = if on_it { 0.0 } else { low };
+    }
+    quarters
 }
 
 /// A quarter period as it is taken off an argument: 1/K, and K in three words of which the first two are short.

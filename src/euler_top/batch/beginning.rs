@@ -6,6 +6,7 @@
     reason = "a lane is its index: all rows are read and written at it"
 )]
 
+use super::Axes;
 use super::lanes::{
     Amplitudes, Circular, Hyperbolic, Motion, Phases, Rate, Rows, Steady, Work, halves,
     row,
@@ -14,7 +15,7 @@ use super::prepared::{quarters_reach, turning_reach};
 use super::release::{Release, Sorted};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::lanes::descent::{
-    Landens, Squares, circular_polynomials, from_either_end, hyperbolic_polynomials, quarter,
+    Landens, Squares, angles, circular_polynomials, complementary_quarters, logarithms, from_either_end, hyperbolic_polynomials, quarter,
     reduction,
 };
 use crate::elliptic::lanes::words::{Lane, Two};
@@ -25,8 +26,8 @@ use crate::extended::{Scalar, exponent_of};
 use crate::words::{Arithmetic, Words};
 
 /// Bodies along their renumbered axes.
-pub(super) struct Beginnings<'a, const W: usize> {
-    sorted: [&'a Sorted; W],
+pub(super) struct Beginnings<const W: usize> {
+    axes: [Axes; W],
     /// In kg m².
     moments: [[f64; W]; 3],
     /// Less powers of two.
@@ -44,10 +45,10 @@ fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023).unsigned_abs() as u64) << 52)
 }
 
-impl<'a, const W: usize> Beginnings<'a, W> {
-    pub(super) fn gather(releases: &[Release], sorted: [&'a Sorted; W]) -> Self {
+impl<const W: usize> Beginnings<W> {
+    pub(super) fn gather(releases: &[Release], sorted: [&Sorted; W]) -> Self {
         let mut rows = Self {
-            sorted,
+            axes: sorted.map(|x| x.axes.axis),
             moments: [[0.0; W]; 3],
             scaled: [[0.0; W]; 3],
             l: [[0.0; W]; 3],
@@ -114,7 +115,7 @@ enum Lesser {
 /// So much of the leading word may cancel before the difference is formed of exact products.
 const CANCELLED: f64 = 1.0 / 1024.0;
 
-impl<const W: usize> Beginnings<'_, W> {
+impl<const W: usize> Beginnings<W> {
     /// c₁, c₂, c₃, not negative.
     #[inline(always)]
     fn differences(&self, i: usize) -> [Lane; 3] {
@@ -295,7 +296,7 @@ fn least<const W: usize>(reach: &[f64; W]) -> f64 {
     reach.iter().fold(f64::INFINITY, lesser)
 }
 
-impl<const W: usize> Beginnings<'_, W> {
+impl<const W: usize> Beginnings<W> {
     /// The phases, and up to which time they hold.
     #[inline(always)]
     fn put_phases(
@@ -385,7 +386,7 @@ impl<const W: usize> Beginnings<'_, W> {
         base[0] = renumbered[0];
         for i in 0..W {
             for k in 0..3 {
-                let own = self.sorted[i].axes.axis[k] + 1;
+                let own = self.axes[i][k] + 1;
                 for column in 0..4 {
                     base[own][column][i] = renumbered[k + 1][column][i];
                 }
@@ -469,10 +470,8 @@ impl<const W: usize> Beginnings<'_, W> {
             let excess = dual_excess(&landens.lane(i), sine, cosine).negated();
             excess.put(&mut turnings.excess, i);
         }
-        for i in 0..W {
-            let (sine, cosine) = (Lane::of(&sines, i), Lane::of(&cosines, i));
-            Lane::angle(sine, cosine).put(&mut turnings.lag, i);
-        }
+        // What it lags behind is the angle's complement.
+        turnings.lag = angles(&sines, &cosines);
         for i in 0..W {
             let (sine, cosine) = (Lane::of(&sines, i), Lane::of(&cosines, i));
             let landen = landens.lane(i);
@@ -488,18 +487,19 @@ impl<const W: usize> Beginnings<'_, W> {
             motion.roots[0][i] = root;
             motion.roots[1][i] = complementary_modulus;
         }
-        let mut growth = [0.0; W];
+        let mut growths = zero;
         for i in 0..W {
             let landen = landens.lane(i);
-            growth[i] = constants.squares(i).growth(&landen, constants.lesser[0][i]);
+            growths[0][i] = constants.squares(i).growth(&landen, constants.lesser[0][i]);
         }
+        let arguments = logarithms(&growths);
+        turnings.quarter = complementary_quarters(&landens);
         for i in 0..W {
             let landen = landens.lane(i);
-            let quarter = Lane::new(landen.complementary_quarter());
-            quarter.put(&mut turnings.quarter, i);
             landen.mean.ordered().put(&mut turnings.mean, i);
-            let rest = Lane::from_double(growth[i]).logarithm().divide(landen.mean);
+            let rest = Lane::of(&arguments, i).divide(landen.mean);
             let end = constants.squares(i).from_end(constants.lesser[0][i]);
+            let quarter = Lane::of(&turnings.quarter, i);
             self.put_start(&mut turnings.start, i, from_either_end(end, quarter, rest));
         }
         let reach = self.put_phases(&constants, &turnings, &mut motion.phases);
@@ -547,7 +547,7 @@ impl<const W: usize> Beginnings<'_, W> {
         let (unturned, turned) = (motion.unturned, motion.turned);
         for i in 0..W {
             for k in 0..3 {
-                let own = self.sorted[i].axes.axis[k] + 1;
+                let own = self.axes[i][k] + 1;
                 motion.unturned[own][i] = unturned[k + 1][i];
                 motion.turned[own][i] = turned[k + 1][i];
             }

@@ -431,46 +431,79 @@ fn prepared_at(releases: &[Release], place: usize) -> Result<EulerTop> {
 /// [`Error::Condition`] if there is not one place for each body; [`Error::AtPlace`].
 pub fn released_states(releases: &[Release], t: f64, states: &mut [State]) -> Result<()> {
     same_length(releases.len(), states.len())?;
-    let mut ways: [Vec<Sorted>; 3] = [Vec::new(), Vec::new(), Vec::new()];
+    let mut steady = Waiting::new(Steady::zero(), |rows, motion, _| rows.steady(motion));
+    let mut circular = Waiting::new(Circular::zero(), Beginnings::circular);
+    let mut hyperbolic = Waiting::new(Hyperbolic::zero(), Beginnings::hyperbolic);
     for (place, release) in releases.iter().enumerate() {
         let sorted = release.sorted(place);
         match sorted.way {
             Way::Single => states[place] = prepared_at(releases, place)?.at(t)?,
-            Way::Steady => ways[0].push(sorted),
-            Way::Circular => ways[1].push(sorted),
-            Way::Hyperbolic => ways[2].push(sorted),
+            Way::Steady => steady.join(sorted, releases, t, states)?,
+            Way::Circular => circular.join(sorted, releases, t, states)?,
+            Way::Hyperbolic => hyperbolic.join(sorted, releases, t, states)?,
         }
     }
-    let [steady, circular, hyperbolic] = &ways;
-    at_once(releases, steady, t, states, Steady::zero(), |rows, motion, _| rows.steady(motion))?;
-    at_once(releases, circular, t, states, Circular::zero(), |rows, motion, work| rows.circular(motion, work))?;
-    at_once(releases, hyperbolic, t, states, Hyperbolic::zero(), |rows, motion, work| rows.hyperbolic(motion, work))?;
-    Ok(())
+    steady.go(releases, t, states)?;
+    circular.go(releases, t, states)?;
+    hyperbolic.go(releases, t, states)
 }
 
-fn at_once<M: Motion>(
-    releases: &[Release],
-    sorted: &[Sorted],
-    t: f64,
-    states: &mut [State],
-    mut motion: M,
-    prepare: impl Fn(&Beginnings<BODIES>, &mut M, &mut Work<BODIES>) -> f64,
-) -> Result<()> {
-    let times = [t; BODIES];
-    let (mut work, mut rows) = (Work::new(), Rows::zero());
-    for chunk in sorted.chunks(BODIES) {
-        let bodies: [&Sorted; BODIES] = core::array::from_fn(|i| &chunk[i.min(chunk.len() - 1)]);
-        let reach = prepare(&Beginnings::gather(releases, bodies), &mut motion, &mut work);
+/// How a kind of motion is prepared for eight bodies; up to which time it holds.
+type Prepare<M> = fn(&Beginnings<BODIES>, &mut M, &mut Work<BODIES>) -> f64;
+
+/// Bodies of one kind that wait until there are enough of them to go side by side.
+struct Waiting<M> {
+    bodies: Vec<Sorted>,
+    motion: M,
+    prepare: Prepare<M>,
+    work: Work<BODIES>,
+    rows: Rows<BODIES>,
+}
+
+impl<M: Motion> Waiting<M> {
+    fn new(motion: M, prepare: Prepare<M>) -> Self {
+        Self {
+            bodies: Vec::with_capacity(BODIES),
+            motion,
+            prepare,
+            work: Work::new(),
+            rows: Rows::zero(),
+        }
+    }
+
+    fn join(
+        &mut self,
+        body: Sorted,
+        releases: &[Release],
+        t: f64,
+        states: &mut [State],
+    ) -> Result<()> {
+        self.bodies.push(body);
+        if self.bodies.len() < BODIES {
+            return Ok(());
+        }
+        self.go(releases, t, states)
+    }
+
+    /// Those who wait; the last is repeated where there are too few.
+    fn go(&mut self, releases: &[Release], t: f64, states: &mut [State]) -> Result<()> {
+        let Some(last) = self.bodies.len().checked_sub(1) else {
+            return Ok(());
+        };
+        let bodies: [&Sorted; BODIES] = core::array::from_fn(|i| &self.bodies[i.min(last)]);
+        let beginnings = Beginnings::gather(releases, bodies);
+        let reach = (self.prepare)(&beginnings, &mut self.motion, &mut self.work);
         if t.abs() <= reach {
-            motion.at(&times, &mut work, &mut rows);
-            for i in 0..BODIES {
-                states[bodies[i].place] = rows.one(i, bodies[i].axes.axis);
+            self.motion.at(&[t; BODIES], &mut self.work, &mut self.rows);
+            for (i, body) in self.bodies.iter().enumerate() {
+                states[body.place] = self.rows.one(i, body.axes.axis);
             }
         } else {
-            for body in chunk {
+            for body in &self.bodies {
                 states[body.place] = releases[body.place].top()?.at(t)?;
             }
         }
+        self.bodies.clear();
+        Ok(())
     }
-    Ok(())
 }

@@ -42,15 +42,15 @@ impl<const W: usize> Landens<W> {
             let greater = Lane::from_double(1.0).add(parameter.negated());
             let landen = Landen::new(parameter, greater.square_root());
             for k in 0..3 {
-                landen.sums[k].put(&mut rows.sums[k], i);
+                landen.sums[k].ordered().put(&mut rows.sums[k], i);
             }
             for k in 0..2 {
-                landen.moduli[k].put(&mut rows.moduli[k], i);
+                landen.moduli[k].ordered().put(&mut rows.moduli[k], i);
             }
             rows.last[i] = landen.last;
             landen.mean.put(&mut rows.mean, i);
             landen.nome_over_square.put(&mut rows.nome_over_square, i);
-            landen.nome.put(&mut rows.nome, i);
+            landen.nome.ordered().put(&mut rows.nome, i);
         }
         rows
     }

@@ -31,14 +31,25 @@ const BODIES: usize = 8;
 /// Which row is which of the body's own axes.
 type Axes = [usize; 3];
 
-impl<const W: usize> Rows<W> {
-    /// Hands out the states of the lanes one by one, along axes that are the same for all.
-    #[inline(always)]
-    fn each(&self, axis: Axes, mut give: impl FnMut(usize, State)) {
+/// Which row is which of the body's own axes, and the other way round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Rowing([usize; 3]);
+
+impl Rowing {
+    /// From the body's own axes of the rows.
+    fn new(axis: Axes) -> Self {
         let mut own = [0; 3];
         for k in 0..3 {
             own[axis[k]] = k;
         }
+        Self(own)
+    }
+}
+
+impl<const W: usize> Rows<W> {
+    /// Hands out the states of the lanes one by one, along axes that are the same for all.
+    #[inline(always)]
+    fn each(&self, Rowing(own): Rowing, mut give: impl FnMut(usize, State)) {
         let [l1, l2, l3] = own.map(|k| &self.l[k]);
         let [o1, o2, o3] = own.map(|k| &self.omega[k]);
         let [w, x, y, z] = &self.attitude;
@@ -53,19 +64,13 @@ impl<const W: usize> Rows<W> {
     }
 
     /// The state of one lane.
-    fn one(&self, i: usize, axis: Axes) -> State {
-        let along = |rows: &[[f64; W]; 3]| {
-            let mut components = [0.0; 3];
-            for k in 0..3 {
-                components[axis[k]] = rows[k][i];
-            }
-            let [x, y, z] = components;
-            BodyVector::new(x, y, z)
-        };
+    #[inline(always)]
+    fn one(&self, i: usize, Rowing([a, b, c]): Rowing) -> State {
+        let (l, omega) = (&self.l, &self.omega);
         let [w, x, y, z] = &self.attitude;
         State {
-            omega: along(&self.omega),
-            angular_momentum: along(&self.l),
+            omega: BodyVector::new(omega[a][i], omega[b][i], omega[c][i]),
+            angular_momentum: BodyVector::new(l[a][i], l[b][i], l[c][i]),
             attitude: Attitude::from_unit(Quaternion::new(w[i], x[i], y[i], z[i])),
         }
     }
@@ -132,6 +137,7 @@ impl EulerTop {
         times: &[f64],
         states: &mut [State],
     ) -> Result<()> {
+        let axis = Rowing::new(axis);
         let (mut work, mut rows) = (Work::<TIMES>::new(), Rows::<TIMES>::zero());
         for (times, states) in times.chunks(TIMES).zip(states.chunks_mut(TIMES)) {
             // The lanes of a last chunk that is not full are at time 0.
@@ -215,16 +221,17 @@ struct Group<M> {
 /// How the axes of the bodies of a group are numbered.
 #[derive(Debug, Clone)]
 enum Numbering {
-    Alike(Axes),
-    Mixed([Axes; BODIES]),
+    Alike(Rowing),
+    Mixed([Rowing; BODIES]),
 }
 
 impl Numbering {
     fn new(axes: [Axes; BODIES]) -> Self {
-        if axes.iter().all(|x| *x == axes[0]) {
-            Self::Alike(axes[0])
+        let rows = axes.map(Rowing::new);
+        if rows.iter().all(|x| *x == rows[0]) {
+            Self::Alike(rows[0])
         } else {
-            Self::Mixed(axes)
+            Self::Mixed(rows)
         }
     }
 }
@@ -496,7 +503,7 @@ impl<M: Motion> Waiting<M> {
         if t.abs() <= reach {
             self.motion.at(&[t; BODIES], &mut self.work, &mut self.rows);
             for (i, body) in self.bodies.iter().enumerate() {
-                states[body.place] = self.rows.one(i, body.axes.axis);
+                states[body.place] = self.rows.one(i, Rowing::new(body.axes.axis));
             }
         } else {
             for body in &self.bodies {

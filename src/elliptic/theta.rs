@@ -89,11 +89,7 @@ impl<N: Scalar> Elevation<N> {
 
     /// For m ≤ 1/2 and a `run` that is not zero, without a branch.
     #[inline(always)]
-    pub(crate) fn bounded_exponentials(
-        &self,
-        landen: &Landen<N>,
-        m: N,
-    ) -> Exponentials<N::Narrow> {
+    pub(crate) fn bounded_exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials<N::Narrow> {
         Exponentials::new(self.which, self.hyperbolic_sine(landen, m), landen.nome)
     }
 

@@ -7,8 +7,8 @@
 //! be some units in the last place of the leading one. What is left out is the square of that: some 98 bits are right at the end,
 //! where the states side by side need 80, since they reach no further than 2²⁴ half turns.
 
-use crate::elliptic::kernel;
 use crate::double_double::DoubleDouble;
+use crate::elliptic::kernel;
 use crate::extended::{Extended, Scalar};
 use crate::words::{Arithmetic, Words};
 

@@ -8,15 +8,14 @@
 
 use super::Axes;
 use super::lanes::{
-    Amplitudes, Circular, Hyperbolic, Motion, Phases, Rate, Rows, Steady, Work, halves,
-    row,
+    Amplitudes, Circular, Hyperbolic, Motion, Phases, Rate, Rows, Steady, Work, halves, row,
 };
 use super::prepared::{quarters_reach, turning_reach};
 use super::release::{Release, Sorted};
 use crate::double_double::DoubleDouble;
 use crate::elliptic::lanes::descent::{
-    Landens, Squares, angles, circular_polynomials, complementary_quarters, logarithms, from_either_end, hyperbolic_polynomials, quarter,
-    reduction,
+    Landens, Squares, angles, circular_polynomials, complementary_quarters, from_either_end,
+    hyperbolic_polynomials, logarithms, quarter, reduction,
 };
 use crate::elliptic::lanes::words::{Lane, Two};
 use crate::elliptic::theta::{DualTheta, Elevation, Which, dual_excess};
@@ -132,7 +131,11 @@ impl<const W: usize> Beginnings<W> {
     #[inline(always)]
     fn squares(&self, i: usize) -> [Lane; 3] {
         let [x, y, z] = row(&self.l, i);
-        [Lane::product(x, x), Lane::product(y, y), Lane::product(z, z)]
+        [
+            Lane::product(x, x),
+            Lane::product(y, y),
+            Lane::product(z, z),
+        ]
     }
 
     /// c₁ L₃² − c₃ L₁², how far the separatrix is.
@@ -215,11 +218,7 @@ impl<const W: usize> Beginnings<W> {
             rows.amplitudes[1][i] = wobble.root_of_quotient(c[0]);
             rows.amplitudes[2][i] = steady.root_of_quotient(c[1]);
             let (c0, c1) = (c[0].value(), c[1].value());
-            let [s0, s1, s2] = [
-                squares[0].value(),
-                squares[1].value(),
-                squares[2].value(),
-            ];
+            let [s0, s1, s2] = [squares[0].value(), squares[1].value(), squares[2].value()];
             let places = [s1 * c0, s0 * c1, wobble.value(), s2 * c1, steady.value()];
             for k in 0..5 {
                 rows.squares[k][i] = places[k];

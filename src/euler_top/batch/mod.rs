@@ -272,8 +272,7 @@ fn begun<M>(
     order
         .chunks(BODIES)
         .map(|chunk| {
-            let bodies: [&Sorted; BODIES] =
-                core::array::from_fn(|i| chunk[i.min(chunk.len() - 1)]);
+            let bodies: [&Sorted; BODIES] = core::array::from_fn(|i| chunk[i.min(chunk.len() - 1)]);
             let mut group = Group {
                 motion: zero(),
                 place: bodies.map(|body| body.place),
@@ -329,15 +328,27 @@ impl Ensemble {
         }
         let mut work = Work::new();
         let groups = Groups {
-            steady: begun(&releases, Way::Steady, &sorted, Steady::zero, |rows, motion| {
-                rows.steady(motion)
-            }),
-            circular: begun(&releases, Way::Circular, &sorted, Circular::zero, |rows, motion| {
-                rows.circular(motion, &mut work)
-            }),
-            hyperbolic: begun(&releases, Way::Hyperbolic, &sorted, Hyperbolic::zero, |rows, motion| {
-                rows.hyperbolic(motion, &mut work)
-            }),
+            steady: begun(
+                &releases,
+                Way::Steady,
+                &sorted,
+                Steady::zero,
+                |rows, motion| rows.steady(motion),
+            ),
+            circular: begun(
+                &releases,
+                Way::Circular,
+                &sorted,
+                Circular::zero,
+                |rows, motion| rows.circular(motion, &mut work),
+            ),
+            hyperbolic: begun(
+                &releases,
+                Way::Hyperbolic,
+                &sorted,
+                Hyperbolic::zero,
+                |rows, motion| rows.hyperbolic(motion, &mut work),
+            ),
             single,
         };
         Ok(Self {

@@ -68,7 +68,8 @@ impl Release {
         let given: [f64; 3] = self.angular_momentum.components().into();
         let rank = |k: usize| {
             let before = |j: usize| {
-                usize::from(moments[j] < moments[k]) + usize::from(j < k && moments[j] == moments[k])
+                usize::from(moments[j] < moments[k])
+                    + usize::from(j < k && moments[j] == moments[k])
             };
             before(0) + before(1) + before(2)
         };
@@ -121,7 +122,11 @@ impl Release {
         } else {
             (c[2] * (c[1] * s0 + c[0] * s1), c[1] * distance)
         };
-        sorted.way = if m > mc { Way::Hyperbolic } else { Way::Circular };
+        sorted.way = if m > mc {
+            Way::Hyperbolic
+        } else {
+            Way::Circular
+        };
         sorted
     }
 }

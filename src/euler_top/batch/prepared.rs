@@ -2,7 +2,8 @@
 
 use nalgebra::Quaternion;
 
-use super::lanes::{Amplitudes, Choices, Circular, Hyperbolic, Phases, Rate, Steady, halves};
+use super::constants::{Amplitudes, Choices, Circular, Hyperbolic, Phases, Steady};
+use super::rate::{Rate, halves};
 use crate::elliptic::lanes::{Coefficients, EXACT_COUNT};
 use crate::euler_top::motion::{EulerTop, Motion};
 use crate::euler_top::preparation::Constants;

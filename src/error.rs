@@ -141,6 +141,14 @@ pub enum Error {
         /// Estimate of the accuracy reached.
         reached: f64,
     },
+    /// One of many is refused.
+    #[error("number {place} of the list, counted from 0: {reason}")]
+    AtPlace {
+        /// Its place in the list, counted from 0.
+        place: usize,
+        /// What is wrong with it.
+        reason: Box<Error>,
+    },
     /// A condition that has no variant of its own; the text states it.
     #[error("{condition}, got {value}")]
     Condition {

@@ -12,21 +12,22 @@ use crate::words::{Arithmetic, Words};
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Landen<N: Scalar> {
     /// 1 + k′ₙ for n = 0, 1, 2.
-    sums: [N::Narrow; 3],
+    pub(super) sums: [N::Narrow; 3],
     /// k₁ and k₂; k₃² fits a double, since it enters as a correction of at most 2·10⁻¹⁰.
-    moduli: [N::Narrow; 2],
-    last: f64,
+    pub(super) moduli: [N::Narrow; 2],
+    pub(super) last: f64,
     /// The arithmetic-geometric mean of 1 and k′: π/(2K).
     pub(crate) mean: N::Narrow,
     /// The nome divided by k².
-    nome_over_square: N::Narrow,
-    parameter: N,
+    pub(super) nome_over_square: N::Narrow,
+    pub(super) parameter: N,
     /// The nome q = exp(−πK′/K); zero where it underflows.
     pub(crate) nome: N::Narrow,
 }
 
 impl<N: Scalar> Landen<N> {
     /// For the parameter m = k² ≤ 1/2 and the complementary modulus k′, both to all the digits of their kind.
+    #[inline(always)]
     pub(crate) fn new(parameter: N, complement: N::Narrow) -> Self {
         let one = N::Narrow::from_double(1.0);
         let square = parameter.narrow();
@@ -67,6 +68,7 @@ impl<N: Scalar> Landen<N> {
     }
 
     /// √q for the modulus k, as a double: still there where q underflows.
+    #[inline(always)]
     pub(crate) fn root_of_nome(&self, k: f64) -> f64 {
         k * self.nome_over_square.value().sqrt()
     }
@@ -89,16 +91,19 @@ impl<N: Scalar> Landen<N> {
     }
 
     /// sin z from sn u and dn u, z = πu/(2K).
+    #[inline(always)]
     pub(crate) fn sine(&self, sn: N::Narrow, dn: N::Narrow) -> N::Narrow {
         self.descend(sn, dn, 1.0)
     }
 
     /// sinh x from −i sn(iy) = sc(y, k′) and dn(iy) = dc(y, k′), x = πy/(2K).
+    #[inline(always)]
     pub(crate) fn hyperbolic_sine(&self, sc: N::Narrow, dc: N::Narrow) -> N::Narrow {
         self.descend(sc, dc, -1.0)
     }
 
     /// sin z, or sinh x if `sign` is −1, as a double: good for one place, not for a rate.
+    #[inline(always)]
     pub(crate) fn nearest_sine(&self, start: f64, delta: f64, sign: f64) -> f64 {
         let (mut s, mut d) = (start, delta);
         for (sum, modulus) in self.sums.iter().zip(&self.moduli) {
@@ -111,6 +116,7 @@ impl<N: Scalar> Landen<N> {
         s - 0.25 * s * (self.last - sign * ks * ks)
     }
 
+    #[inline(always)]
     fn descend(&self, start: N::Narrow, delta: N::Narrow, sign: f64) -> N::Narrow {
         let one = N::Narrow::from_double(1.0);
         let (mut s, mut d) = (start, delta);
@@ -130,6 +136,7 @@ impl<N: Scalar> Landen<N> {
     }
 
     /// a s², where s² alone may overflow.
+    #[inline(always)]
     fn scaled_square(&self, s: N::Narrow, a: f64) -> f64 {
         let root = a.sqrt() * s.leading();
         root * root

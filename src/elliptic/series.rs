@@ -115,24 +115,12 @@ fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 
 
 impl Series {
     pub(super) fn circular(q: f64, complementary_modulus: f64) -> Self {
-        let [t1, t2, t3, t4] = if q < SMALL {
+        let thetas = if q < SMALL {
             few_thetas([[q, q], [q * q, q * q]])
         } else {
-            let powers = powers(q);
-            thetas(|a, _| powers[a])
+            circular_thetas(q)
         };
-        // sn = 1 at z = 1: the correction has the factor 1 − z, which is divided out.
-        let at_one = |t: [f64; 4]| ((t[3] + t[2]) + t[1]) + t[0];
-        let r = correction(at_one(t4) / at_one(t1), t1, t4);
-        // cn = cos and dn = 1 at z = 0: the factor z is divided out.
-        let c = correction(t4[0] / t2[0], t2, t4);
-        let d = correction(t4[0] / t3[0], t3, t4);
-        let even = Corrections {
-            denominator: t4,
-            sn: [r[0], r[0] + r[1], -r[3], 0.0],
-            cn: [c[1], c[2], c[3], 0.0],
-            dn: [d[1], d[2], d[3], 0.0],
-        };
+        let even = circular_corrections(thetas);
         Self {
             even,
             odd: even,
@@ -142,32 +130,73 @@ impl Series {
     }
 
     pub(super) fn hyperbolic(half: f64, complementary_modulus: f64, rate: f64) -> Self {
-        // sin² = −sinh² = −z/(4 √q): q^a sin^2j becomes q^(a − j/2) (−z/4)^j.
-        // `half` is the root of the nome.
         let q = half * half;
-        let [t1, t2, t3, t4] = if q < SMALL {
+        let thetas = if q < SMALL {
             few_thetas([[q, -0.25 * half], [q * q, -0.25 * half * q]])
         } else {
-            let powers = powers(half);
-            const QUARTERS: [f64; 4] = [1.0, -1.0 / 4.0, 1.0 / 16.0, -1.0 / 64.0];
-            thetas(|a, j| powers[2 * a - j.min(2 * a)] * QUARTERS[j])
+            hyperbolic_thetas(half)
         };
-        let slope = 1.0 / (rate * t1[0]);
+        let [even, odd] = hyperbolic_corrections(thetas, rate);
         Self {
-            even: Corrections {
-                denominator: t2,
-                sn: correction(slope * t2[0], t1, t2),
-                cn: correction(t2[0] / t4[0], t4, t2),
-                dn: correction(t2[0] / t3[0], t3, t2),
-            },
-            odd: Corrections {
-                denominator: t3,
-                sn: correction(t3[0] / t4[0], t4, t3),
-                cn: correction(slope * t3[0], t1, t3),
-                dn: correction(t3[0] / t2[0], t2, t3),
-            },
+            even,
+            odd,
             root: 2.0 * half.sqrt(),
             complementary_modulus,
         }
     }
+}
+
+/// For any nome q.
+#[inline(always)]
+pub(super) fn circular_thetas(q: f64) -> [[f64; 4]; 4] {
+    let powers = powers(q);
+    thetas(|a, _| powers[a])
+}
+
+/// For any nome, from its root.
+#[inline(always)]
+pub(super) fn hyperbolic_thetas(half: f64) -> [[f64; 4]; 4] {
+    // sin² = −sinh² = −z/(4 √q): q^a sin^2j becomes q^(a − j/2) (−z/4)^j.
+    const QUARTERS: [f64; 4] = [1.0, -1.0 / 4.0, 1.0 / 16.0, -1.0 / 64.0];
+    let powers = powers(half);
+    thetas(|a, j| powers[2 * a - j.min(2 * a)] * QUARTERS[j])
+}
+
+#[inline(always)]
+pub(super) fn circular_corrections([t1, t2, t3, t4]: [[f64; 4]; 4]) -> Corrections {
+    // sn = 1 at z = 1: the correction has the factor 1 − z, which is divided out.
+    let at_one = |t: [f64; 4]| ((t[3] + t[2]) + t[1]) + t[0];
+    let r = correction(at_one(t4) / at_one(t1), t1, t4);
+    // cn = cos and dn = 1 at z = 0: the factor z is divided out.
+    let c = correction(t4[0] / t2[0], t2, t4);
+    let d = correction(t4[0] / t3[0], t3, t4);
+    Corrections {
+        denominator: t4,
+        sn: [r[0], r[0] + r[1], -r[3], 0.0],
+        cn: [c[1], c[2], c[3], 0.0],
+        dn: [d[1], d[2], d[3], 0.0],
+    }
+}
+
+/// Next to even and next to odd multiples of K; `rate` is π/(2K′).
+#[inline(always)]
+pub(super) fn hyperbolic_corrections(
+    [t1, t2, t3, t4]: [[f64; 4]; 4],
+    rate: f64,
+) -> [Corrections; 2] {
+    let slope = 1.0 / (rate * t1[0]);
+    [
+        Corrections {
+            denominator: t2,
+            sn: correction(slope * t2[0], t1, t2),
+            cn: correction(t2[0] / t4[0], t4, t2),
+            dn: correction(t2[0] / t3[0], t3, t2),
+        },
+        Corrections {
+            denominator: t3,
+            sn: correction(t3[0] / t4[0], t4, t3),
+            cn: correction(slope * t3[0], t1, t3),
+            dn: correction(t3[0] / t2[0], t2, t3),
+        },
+    ]
 }

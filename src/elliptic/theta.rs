@@ -35,9 +35,33 @@ pub(crate) struct Exponentials<W> {
     pub(crate) decay: W,
 }
 
+impl<W: Words> Exponentials<W> {
+    /// From sinh x and the nome q.
+    #[inline(always)]
+    fn new(which: Which, sinh: W, q: W) -> Self {
+        let growth = sinh.add(sinh.hypotenuse_with_one());
+        let decay = W::from_double(1.0).divide(growth);
+        let lesser = decay.multiply(decay);
+        // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
+        let other = q.multiply(growth).multiply(growth);
+        // For ξ in place of η they change roles.
+        let (rho, epsilon) = match which {
+            Which::Eta => (other, lesser),
+            Which::Xi => (lesser, other),
+        };
+        Self {
+            rho,
+            epsilon,
+            sinh,
+            growth,
+            decay,
+        }
+    }
+}
+
 impl<N: Scalar> Elevation<N> {
     /// From `rise` and `run` of both: the smaller of them, with the `slope` that belongs to it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn smaller(eta: [N; 2], xi: [N; 2], slope: impl Fn(Which) -> N) -> Self {
         let (which, [rise, run]) = if xi[0].multiply(eta[1]).exceeds(eta[0].multiply(xi[1])) {
             (Which::Eta, eta)
@@ -53,37 +77,25 @@ impl<N: Scalar> Elevation<N> {
     }
 
     /// For m ≤ 1/2.
+    #[inline]
     pub(crate) fn exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials<N::Narrow> {
-        let q = landen.nome;
-        let sinh = self.hyperbolic_sine(landen, m);
-        let growth = sinh.add(sinh.hypotenuse_with_one());
-        let decay = N::Narrow::from_double(1.0).divide(growth);
-        let lesser = decay.multiply(decay);
-        // q may have underflown where e^{2x} is large: zero times that is zero.
-        let other = if q.is_zero() {
-            q
+        let sinh = if self.run.is_zero() {
+            N::Narrow::from_double(1e150)
         } else {
-            q.multiply(growth).multiply(growth)
+            self.hyperbolic_sine(landen, m)
         };
-        // For ξ in place of η they change roles.
-        let (rho, epsilon) = match self.which {
-            Which::Eta => (other, lesser),
-            Which::Xi => (lesser, other),
-        };
-        Exponentials {
-            rho,
-            epsilon,
-            sinh,
-            growth,
-            decay,
-        }
+        Exponentials::new(self.which, sinh, landen.nome)
+    }
+
+    /// For m ≤ 1/2 and a `run` that is not zero, without a branch.
+    #[inline(always)]
+    pub(crate) fn bounded_exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials<N::Narrow> {
+        Exponentials::new(self.which, self.hyperbolic_sine(landen, m), landen.nome)
     }
 
     /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
+    #[inline(always)]
     fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
-        if self.run.is_zero() {
-            return N::Narrow::from_double(1e150);
-        }
         // sc² and dc² = 1 + m sc².
         let sc2 = self.rise.divide(self.run);
         let dc2 = N::Narrow::from_double(1.0).add(m.multiply(sc2).narrow());
@@ -98,6 +110,7 @@ impl<N: Scalar> Elevation<N> {
     }
 
     /// Sine and cosine of v = πη/2K′, for mc < 1/2.
+    #[inline(always)]
     pub(crate) fn angle(&self, landen: &Landen<N>, mc: N) -> (N::Narrow, N::Narrow) {
         let one = N::Narrow::from_double(1.0);
         let sn2 = self.rise.divide(self.slope).narrow();
@@ -123,6 +136,7 @@ pub(crate) struct DualTheta {
 
 impl DualTheta {
     /// With the nome q′ and the sine and cosine of v.
+    #[inline(always)]
     pub(crate) fn new(q: f64, s: f64, c: f64) -> Self {
         let (s2, s4) = (s * s, s * s * s * s);
         let root = q.sqrt();
@@ -167,6 +181,7 @@ impl DualTheta {
     }
 
     /// Real and imaginary part next to even and next to odd multiples of K.
+    #[inline(always)]
     pub(crate) fn coefficients(&self) -> [[[f64; 4]; 2]; 2] {
         let [a, b, c] = self.odd_imaginary;
         [
@@ -226,6 +241,7 @@ impl DualTheta {
 }
 
 /// d arg ϑ₂(ix − v)/du at u = K: (π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).
+#[inline(always)]
 pub(crate) fn dual_excess<N: Scalar>(
     landen: &Landen<N>,
     sine: N::Narrow,

@@ -7,7 +7,7 @@
 //! | 6.5 | two equal moments: sines and cosines | [`SymmetricTop`] |
 //! | 6.5 | the example everybody lives on | [`earth`] |
 //! | 6.1, 6.4, 6.6, 6.8 | Ω, L and attitude of any body at any time; period, mean precession, geometric phase | [`EulerTop`] |
-//! | 6.6, 6.8 | the same for many times or many bodies at once | [`EulerTop::states_at`], [`Ensemble`] |
+//! | 6.6, 6.8 | the same for many times or many bodies at once | [`EulerTop::states_at`], [`Ensemble`], [`released_states`] |
 //! | 6.6, 6.8 | an asteroid that is no symmetric top | [`toutatis`] |
 //!
 //! [`EulerTop`] decides once what kind of motion it is ([`Regime`]) and covers the symmetric top, the sphere, the rod and the
@@ -31,7 +31,7 @@ pub mod symmetric;
 pub mod toutatis;
 mod turning;
 
-pub use batch::Ensemble;
+pub use batch::{Ensemble, Release, released_states};
 pub use motion::{EulerTop, GeometricPhase, Regime, State};
 pub use poinsot::{Poinsot, Sector};
 pub use separation::separatrix_slope;

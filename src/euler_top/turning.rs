@@ -54,16 +54,20 @@ impl Turning {
         aspect: f64,
     ) -> Self {
         match descent.side() {
-            Side::Circular => Self::circular(&descent.landen, elevation, descent.m, aspect),
+            Side::Circular => {
+                let exponentials = elevation.exponentials(&descent.landen, descent.m);
+                Self::circular(&descent.landen, elevation.which, exponentials, aspect)
+            }
             Side::Hyperbolic => Self::hyperbolic(&descent.landen, elevation, descent.mc, aspect),
         }
     }
 
     /// For m ≤ 1/2.
-    fn circular<N: Scalar>(
+    #[inline(always)]
+    pub(super) fn circular<N: Scalar>(
         landen: &Landen<N>,
-        elevation: &Elevation<N>,
-        m: N,
+        which: Which,
+        exponentials: Exponentials<N::Narrow>,
         aspect: f64,
     ) -> Self {
         let q = landen.nome;
@@ -73,8 +77,8 @@ impl Turning {
             sinh,
             growth,
             ..
-        } = elevation.exponentials(landen, m);
-        let one_less_rho = match elevation.which {
+        } = exponentials;
+        let one_less_rho = match which {
             Which::Xi => 2.0 * sinh.value() / growth.value(),
             Which::Eta => 1.0 - rho.value(),
         };
@@ -173,6 +177,7 @@ impl Turning {
 }
 
 /// +(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
+#[inline(always)]
 fn circular_excess<N: Scalar>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> N::Narrow {
     let q = landen.nome;
     let q2 = q.multiply(q);

@@ -14,6 +14,7 @@ mod free_top;
 mod picture;
 mod poinsot;
 mod regimes;
+mod released;
 mod solution;
 mod stability;
 #[path = "../support/inertia.rs"]

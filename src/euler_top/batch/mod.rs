@@ -1,14 +1,25 @@
 //! Many states at once: one body at many times, or many bodies at one (tutorial 6.6, 6.8).
 //!
 //! The closed form without a branch, over rows of lanes that the compiler lays out side by side: a lane is a time or a body. Which
-//! closed form it is, and up to which time, is decided once a body; beyond that time each state is [`EulerTop::at`]'s.
+//! closed form it is, and up to which time, is decided once a body; beyond that time each state is [`EulerTop::at`]'s. Bodies from
+//! scratch are prepared in the same way: sorted by kind, then eight at a time.
 
+mod at_once;
+mod beginning;
+mod constants;
+mod ensemble;
 mod lanes;
 mod prepared;
+mod rate;
+mod release;
 
 use nalgebra::Quaternion;
 
-use lanes::{Circular, Hyperbolic, Motion, Rows, Steady, Work};
+pub use at_once::released_states;
+pub use ensemble::Ensemble;
+pub use release::Release;
+
+use lanes::{Motion, Rows, Work};
 use prepared::{Kind, Prepared};
 
 use super::motion::{EulerTop, State};
@@ -24,14 +35,25 @@ const BODIES: usize = 8;
 /// Which row is which of the body's own axes.
 type Axes = [usize; 3];
 
-impl<const W: usize> Rows<W> {
-    /// Hands out the states of the lanes one by one, along axes that are the same for all.
-    #[inline(always)]
-    fn each(&self, axis: Axes, mut give: impl FnMut(usize, State)) {
+/// Which row is which of the body's own axes, and the other way round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Rowing([usize; 3]);
+
+impl Rowing {
+    /// From the body's own axes of the rows.
+    fn new(axis: Axes) -> Self {
         let mut own = [0; 3];
         for k in 0..3 {
             own[axis[k]] = k;
         }
+        Self(own)
+    }
+}
+
+impl<const W: usize> Rows<W> {
+    /// Hands out the states of the lanes one by one, along axes that are the same for all.
+    #[inline(always)]
+    fn each(&self, Rowing(own): Rowing, mut give: impl FnMut(usize, State)) {
         let [l1, l2, l3] = own.map(|k| &self.l[k]);
         let [o1, o2, o3] = own.map(|k| &self.omega[k]);
         let [w, x, y, z] = &self.attitude;
@@ -46,19 +68,13 @@ impl<const W: usize> Rows<W> {
     }
 
     /// The state of one lane.
-    fn one(&self, i: usize, axis: Axes) -> State {
-        let along = |rows: &[[f64; W]; 3]| {
-            let mut components = [0.0; 3];
-            for k in 0..3 {
-                components[axis[k]] = rows[k][i];
-            }
-            let [x, y, z] = components;
-            BodyVector::new(x, y, z)
-        };
+    #[inline(always)]
+    fn one(&self, i: usize, Rowing([a, b, c]): Rowing) -> State {
+        let (l, omega) = (&self.l, &self.omega);
         let [w, x, y, z] = &self.attitude;
         State {
-            omega: along(&self.omega),
-            angular_momentum: along(&self.l),
+            omega: BodyVector::new(omega[a][i], omega[b][i], omega[c][i]),
+            angular_momentum: BodyVector::new(l[a][i], l[b][i], l[c][i]),
             attitude: Attitude::from_unit(Quaternion::new(w[i], x[i], y[i], z[i])),
         }
     }
@@ -125,6 +141,7 @@ impl EulerTop {
         times: &[f64],
         states: &mut [State],
     ) -> Result<()> {
+        let axis = Rowing::new(axis);
         let (mut work, mut rows) = (Work::<TIMES>::new(), Rows::<TIMES>::zero());
         for (times, states) in times.chunks(TIMES).zip(states.chunks_mut(TIMES)) {
             // The lanes of a last chunk that is not full are at time 0.
@@ -143,157 +160,6 @@ impl EulerTop {
             if within < TIMES {
                 for (t, state) in times.iter().zip(states) {
                     *state = self.at(*t)?;
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Many free bodies, so laid out that their states at one time are formed side by side (6.6, 6.8).
-///
-/// Which of the closed forms belongs to a body, and up to which time, is decided once, here.
-///
-/// ```
-/// use spinning_bodies::euler_top::{Ensemble, EulerTop, State};
-/// use spinning_bodies::frame::{Attitude, BodyVector};
-/// // Rackets, tossed ever more nearly about the middle axis.
-/// let rackets = (0..20)
-///     .map(|k| {
-///         let tilt = 10f64.powi(-k);
-///         EulerTop::new([1.0, 2.0, 3.0], BodyVector::new(tilt, 1.0, tilt), Attitude::identity())
-///     })
-///     .collect::<Result<Vec<_>, _>>()?;
-/// let ensemble = Ensemble::new(rackets);
-/// let mut states = [State::default(); 20];
-/// ensemble.states_at(50.0, &mut states)?;
-/// let last = ensemble.tops()[19].at(50.0)?;
-/// assert!(states[19].attitude.angle_to(&last.attitude) < 2e-15);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-#[derive(Debug, Clone)]
-pub struct Ensemble {
-    tops: Vec<EulerTop>,
-    steady: Vec<Group<Steady<[f64; BODIES]>>>,
-    circular: Vec<Group<Circular<[f64; BODIES]>>>,
-    hyperbolic: Vec<Group<Hyperbolic<[f64; BODIES]>>>,
-    /// Those that are done one by one.
-    single: Vec<usize>,
-}
-
-/// Bodies side by side.
-#[derive(Debug, Clone)]
-struct Group<M> {
-    motion: M,
-    /// Which bodies they are; the last is repeated where there are too few.
-    place: [usize; BODIES],
-    axes: Numbering,
-    reach: f64,
-}
-
-/// How the axes of the bodies of a group are numbered.
-#[derive(Debug, Clone)]
-enum Numbering {
-    Alike(Axes),
-    Mixed([Axes; BODIES]),
-}
-
-/// A body of one kind: which it is, its axes, its reach and its constants.
-type Body<One> = (usize, Axes, f64, One);
-
-/// Bodies whose axes are numbered alike are put side by side, as far as it goes.
-fn groups<One, M>(bodies: &[Body<One>], gather: impl Fn([&One; BODIES]) -> M) -> Vec<Group<M>> {
-    let mut order: Vec<&Body<One>> = bodies.iter().collect();
-    order.sort_by_key(|body| body.1);
-    order
-        .chunks(BODIES)
-        .map(|chunk| {
-            let body = |i: usize| chunk[i.min(chunk.len() - 1)];
-            let axes: [Axes; BODIES] = core::array::from_fn(|i| body(i).1);
-            Group {
-                motion: gather(core::array::from_fn(|i| &body(i).3)),
-                place: core::array::from_fn(|i| body(i).0),
-                axes: if axes[0] == axes[BODIES - 1] {
-                    Numbering::Alike(axes[0])
-                } else {
-                    Numbering::Mixed(axes)
-                },
-                reach: chunk
-                    .iter()
-                    .fold(f64::INFINITY, |reach, body| reach.min(body.2)),
-            }
-        })
-        .collect()
-}
-
-impl Ensemble {
-    /// These bodies. Cost: half of what [`EulerTop::new`] has cost for each, and less than 2 kB a body with its top.
-    pub fn new(tops: Vec<EulerTop>) -> Self {
-        let (mut steady, mut circular, mut hyperbolic, mut single) =
-            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        for (i, top) in tops.iter().enumerate() {
-            match Prepared::new(top) {
-                None => single.push(i),
-                Some(Prepared { kind, axis, reach }) => match kind {
-                    Kind::Steady(motion) => steady.push((i, axis, reach, motion)),
-                    Kind::Circular(motion) => circular.push((i, axis, reach, motion)),
-                    Kind::Hyperbolic(motion) => hyperbolic.push((i, axis, reach, motion)),
-                },
-            }
-        }
-        Self {
-            tops,
-            steady: groups(&steady, Steady::gather),
-            circular: groups(&circular, Circular::gather),
-            hyperbolic: groups(&hyperbolic, Hyperbolic::gather),
-            single,
-        }
-    }
-
-    /// The bodies, in the order they were given.
-    pub fn tops(&self) -> &[EulerTop] {
-        &self.tops
-    }
-
-    /// Ω, L and attitude of every body at time t (s), in the order of the bodies (6.6, 6.8).
-    ///
-    /// Domain and error: those of [`EulerTop::states_at`]; eight bodies go side by side unless one of them is beyond its reach. Cost: 0.25 of
-    /// [`EulerTop::at`] for each body of a thousand, 0.27 for each of a hundred. Ten thousand no longer fit the nearer caches: 0.25 if nothing else
-    /// wants the memory, otherwise more. What the ensemble costs comes back after some eight times.
-    ///
-    /// # Errors
-    /// [`Error::Condition`] if there is not one place for each body; that of the first body whose [`EulerTop::at`] refuses the time, the states
-    /// being partly written.
-    pub fn states_at(&self, t: f64, states: &mut [State]) -> Result<()> {
-        same_length(self.tops.len(), states.len())?;
-        for i in &self.single {
-            states[*i] = self.tops[*i].at(t)?;
-        }
-        self.fill(&self.steady, t, states)?;
-        self.fill(&self.circular, t, states)?;
-        self.fill(&self.hyperbolic, t, states)
-    }
-
-    fn fill<M: Motion>(&self, groups: &[Group<M>], t: f64, states: &mut [State]) -> Result<()> {
-        let times = [t; BODIES];
-        let (mut work, mut rows) = (Work::new(), Rows::zero());
-        for group in groups {
-            let place = &group.place;
-            if t.abs() <= group.reach {
-                group.motion.at(&times, &mut work, &mut rows);
-                match &group.axes {
-                    Numbering::Alike(axes) => {
-                        rows.each(*axes, |i, state| states[place[i]] = state);
-                    }
-                    Numbering::Mixed(axes) => {
-                        for i in 0..BODIES {
-                            states[place[i]] = rows.one(i, axes[i]);
-                        }
-                    }
-                }
-            } else {
-                for place in place {
-                    states[*place] = self.tops[*place].at(t)?;
                 }
             }
         }

@@ -2,7 +2,8 @@
 
 use nalgebra::Quaternion;
 
-use super::lanes::{Amplitudes, Choices, Circular, Hyperbolic, Phases, Rate, Steady, halves};
+use super::constants::{Amplitudes, Choices, Circular, Hyperbolic, Phases, Steady};
+use super::rate::{Rate, halves};
 use crate::elliptic::lanes::{Coefficients, EXACT_COUNT};
 use crate::euler_top::motion::{EulerTop, Motion};
 use crate::euler_top::preparation::Constants;
@@ -74,8 +75,15 @@ impl Prepared {
 }
 
 /// 2²⁴ half turns at this rate: with the lag, no more than twice as many right angles of half the angle.
-fn turning_reach(rate: f64) -> f64 {
+#[inline(always)]
+pub(super) fn turning_reach(rate: f64) -> f64 {
     (NEARLY * 0.5 * EXACT_COUNT * core::f64::consts::PI / rate).min(1e290)
+}
+
+/// As many quarter periods at this rate of u.
+#[inline(always)]
+pub(super) fn quarters_reach(quarter: f64, rate: f64) -> f64 {
+    (NEARLY * EXACT_COUNT - 1.0) * quarter / rate
 }
 
 fn moving(constants: &Constants, base: Quaternion<f64>, moments: [f64; 3]) -> Option<Prepared> {
@@ -118,7 +126,7 @@ fn moving(constants: &Constants, base: Quaternion<f64>, moments: [f64; 3]) -> Op
             },
         }),
     };
-    let quarters = (NEARLY * EXACT_COUNT - 1.0) * constants.modulus.quarter_period() / rate;
+    let quarters = quarters_reach(constants.modulus.quarter_period(), rate);
     Some(Prepared {
         kind,
         axis: constants.axes.axis,

@@ -2,6 +2,9 @@
 //!
 //! What [`Modulus::place`] and [`Modulus::triple`] do for one argument, from coefficients that may differ from lane to lane.
 
+pub(crate) mod descent;
+pub(crate) mod words;
+
 use super::crest::{Crest, Hyperbolic, Wave, hyperbolic_at};
 use super::jacobi::{Circular, QUARTER_PARTS, circular_at, in_quadrant};
 use super::kernel::{self, ROUNDER};

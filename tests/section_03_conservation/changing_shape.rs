@@ -1,0 +1,74 @@
+//! 3.5: a body that changes its shape turns without angular momentum.
+
+use approx::assert_relative_eq;
+use spinning_bodies::conservation::{CompensatedSum, Law, Ledger};
+use spinning_bodies::phenomena::Waist;
+
+// claim: C3.5-3, C1.1-3
+#[test]
+fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
+    let body = Waist {
+        upper_arms_out: 3.0,
+        upper_arms_in: 1.0,
+        lower: 1.0,
+    };
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let turn = body.swivel_angle(quarter).unwrap();
+    assert_relative_eq!(
+        turn,
+        -std::f64::consts::FRAC_PI_8,
+        max_relative = 4e-16,
+        epsilon = 0.0
+    );
+
+    // At zero angular momentum, A(β' + ψ') + Bβ' = 0: integrate the four phases at an uneven pace, arms moving in
+    // phases two and four, when nothing turns. Midpoint rule in a pace s(u) = u³; the turn is linear in ψ: exact.
+    let mut beta = CompensatedSum::new();
+    let mut l = Ledger::new();
+    let none = l
+        .open_scaled("angular momentum", Law::Conserved, 0.0, 1.0)
+        .unwrap();
+    for (upper, from, to) in [(3.0, 0.0, quarter), (1.0, quarter, 0.0)] {
+        let steps = 1000;
+        let psi = |i: i32| from + (to - from) * (f64::from(i) / f64::from(steps)).powi(3);
+        for i in 0..steps {
+            let twist = psi(i + 1) - psi(i);
+            let lower = -upper * twist / (upper + 1.0);
+            beta.add(lower);
+            l.record(none, upper * (lower + twist) + lower).unwrap();
+        }
+        if upper == 3.0 {
+            assert_relative_eq!(
+                beta.value(),
+                -3.0 * std::f64::consts::FRAC_PI_8,
+                max_relative = 1e-15,
+                epsilon = 0.0
+            );
+        }
+    }
+    assert_relative_eq!(beta.value(), turn, max_relative = 2e-15, epsilon = 0.0);
+    assert!(l.is_kept_within(1e-17).unwrap(), "{l}");
+    for (still, twist) in [
+        (
+            Waist {
+                upper_arms_in: 3.0,
+                ..body
+            },
+            quarter,
+        ),
+        (Waist { lower: 0.0, ..body }, quarter),
+        (body, 0.0),
+    ] {
+        assert_eq!(still.swivel_angle(twist).unwrap(), 0.0);
+    }
+    assert!(
+        Waist {
+            lower: 1e300,
+            ..body
+        }
+        .swivel_angle(quarter)
+        .unwrap()
+        .abs()
+            < 1e-299
+    );
+}

@@ -1,0 +1,77 @@
+//! 8.1: the equations with gravity, and what stays.
+
+use approx::assert_relative_eq;
+use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
+
+use crate::common::{Q, Result, points, q, rates, vector};
+
+fn dot(a: [Q; 3], b: [Q; 3]) -> Q {
+    (0..3).map(|i| a[i] * b[i]).sum()
+}
+
+fn float(x: Q) -> f64 {
+    *x.numer() as f64 / *x.denom() as f64
+}
+
+// claim: C8.1-1
+#[test]
+fn s8_1_eulers_equations_with_gravity() -> Result {
+    for [a, b, c, o1, o2, o3, z1, z2, z3, c1, c2, c3] in points() {
+        // Moments that a body has.
+        let (x, y, w) = (a * a + q(1, 1), b * b + q(1, 1), c * c + q(1, 1));
+        let [i1, i2, i3] = [y + w, w + x, x + y];
+        let [change, _] = rates([i1, i2, i3], [c1, c2, c3], [o1, o2, o3], [z1, z2, z3]);
+        let displayed = [
+            (i2 - i3) * o2 * o3 - (c2 * z3 - c3 * z2),
+            (i3 - i1) * o3 * o1 - (c3 * z1 - c1 * z3),
+            (i1 - i2) * o1 * o2 - (c1 * z2 - c2 * z1),
+        ];
+        let moments = AxisMoments::new(float(i1), float(i2), float(i3))?;
+        let top = HeavyTop::new(moments, vector([c1, c2, c3].map(float)))?;
+        let computed = top.rate(&TopState {
+            omega: vector([o1, o2, o3].map(float)),
+            up: vector([z1, z2, z3].map(float)),
+        });
+        for k in 0..3 {
+            assert_eq!(change[k] * [i1, i2, i3][k], displayed[k]);
+            // Observed: 1e-14 for numbers up to 9 and their products.
+            assert_relative_eq!(
+                computed.omega.components()[k],
+                float(change[k]),
+                max_relative = 1e-14,
+                epsilon = 1e-13
+            );
+        }
+    }
+    Ok(())
+}
+
+// claim: C8.1-2, C8.1-3
+#[test]
+fn s8_1_energy_and_vertical_momentum_stay_and_l3_does_not() {
+    let mut lost = 0;
+    for [a, b, c, o1, o2, o3, z1, z2, z3, c1, c2, c3] in points() {
+        let moments = [a * a, b * b, c * c].map(|x| x + q(1, 1));
+        let (omega, z, lever) = ([o1, o2, o3], [z1, z2, z3], [c1, c2, c3]);
+        let [change, up_change] = rates(moments, lever, omega, z);
+        let l: [Q; 3] = std::array::from_fn(|i| moments[i] * omega[i]);
+        let l_change: [Q; 3] = std::array::from_fn(|i| moments[i] * change[i]);
+        let zero = q(0, 1);
+        assert_eq!(dot(l, change) + dot(lever, up_change), zero, "dE/dt");
+        assert_eq!(dot(l_change, z) + dot(l, up_change), zero, "dL_vert/dt");
+        assert_eq!(dot(z, up_change), zero, "d|z|²/dt");
+        // I₁ = I₂, C on axis 1: dL₃/dt = −MgC₁z₂.
+        let [change, _] = rates(
+            [moments[0], moments[0], moments[2]],
+            [c1, zero, zero],
+            omega,
+            z,
+        );
+        assert_eq!(moments[2] * change[2], -c1 * z2);
+        lost += usize::from(change[2] != zero);
+    }
+    assert!(
+        lost > 150,
+        "L3 changes except where C1 z2 = 0: {lost} of 200"
+    );
+}

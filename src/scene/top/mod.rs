@@ -35,8 +35,9 @@ use crate::frame::{Attitude, BodyVector};
 use crate::integrators::{Cost, Method};
 
 use books::Books;
-use equations::{Lossless, Lossy, fastest, packed, unpacked};
+use equations::{Lossless, Lossy, unpacked};
 use general::{Problem, Spin};
+use methods::Heavy;
 
 /// A top and its effects, one type parameter each: gravity, pivot friction, bearing friction, air drag, tip friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -219,36 +220,40 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         request: &Request,
         books: &Books,
     ) -> Result<Motion<State>> {
-        self.needs_moments()?;
-        let omega = self.start.omega(self.body.moments)?;
+        let Heavy {
+            moments,
+            start,
+            fastest,
+            ..
+        } = self.heavy(request.times(), books)?;
         let total = |y: &[f64; 8]| {
-            let (attitude, omega) = unpacked(y);
+            let (attitude, omega) = unpacked(moments, y);
             books.energy(&attitude, omega) + y[7] - books.first_energy()
         };
         let problem = Problem {
-            start: packed(omega, &self.start.attitude),
-            fastest: fastest(&self.body, self.gravity.lever(self.body.arm()), omega)
-                .max(f64::MIN_POSITIVE),
+            moments,
+            start,
+            fastest,
             energy: books.energy_scale,
             times: request.times(),
             accuracy: request.accuracy(),
             total: &total,
         };
-        let equations = self.equations();
+        let equations = self.equations().divided();
         let run = match (method, Self::LOSSY, T::PRESENT) {
-            (None, ..) => problem.steered(&Lossy(&equations))?,
-            (Some(method), false, _) => problem.lossless(&Lossless(&equations), method)?,
+            (None, ..) => problem.steered(&Lossy(equations))?,
+            (Some(method), false, _) => problem.lossless(&Lossless(equations), method)?,
             (Some(method), true, false) => {
-                problem.lossy(&Lossy(&equations), method, Spin::GoesOn)?
+                problem.lossy(&Lossy(equations), method, Spin::GoesOn)?
             }
             (Some(method), true, true) => {
-                problem.lossy(&Lossy(&equations), method, Spin::MayStop)?
+                problem.lossy(&Lossy(equations), method, Spin::MayStop)?
             }
         };
         let mut rows = Vec::with_capacity(run.states.len());
         let mut losses = Vec::with_capacity(run.states.len());
         for (&t, (y, lost)) in request.times().iter().zip(&run.states) {
-            let (attitude, omega) = unpacked(y);
+            let (attitude, omega) = unpacked(moments, y);
             let energy = books.energy(&attitude, omega);
             rows.push((
                 t,

@@ -44,7 +44,7 @@ mod real;
 mod splitting;
 
 pub use cayley::{GroupMidpoint, MoserVeselov, VeselovOrder};
-pub use dormand_prince::{DormandPrince8, Kept, order_eight};
+pub use dormand_prince::{DormandPrince8, Kept, order_eight, order_eight_watched};
 pub use drift::{Drift, Rotations, SymmetricDrift, UnequalDrift};
 pub use exact::ClosedForm;
 pub use follow::{Course, Follow, Unfitted};

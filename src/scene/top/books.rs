@@ -11,7 +11,8 @@ use crate::frame::{Attitude, BodyVector, SpaceVector};
 pub(super) struct Books {
     moments: [f64; 3],
     lever: BodyVector,
-    kind: Integrability,
+    /// What is conserved besides.
+    pub kind: Integrability,
     start: State,
     /// Size of the energies at play, J; positive.
     pub energy_scale: f64,

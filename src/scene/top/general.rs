@@ -1,8 +1,8 @@
 //! A top by a general method: in one run, or up to the moment at which dry friction has stopped the spin, and on from there.
 
-use super::steered::Wheel;
+use super::steered::{CALM, Shown, Wheel};
 use crate::error::Result;
-use crate::integrators::geometric::{Kept, order_eight};
+use crate::integrators::geometric::{Kept, order_eight_watched};
 use crate::integrators::{
     Cost, Effort, Method, Solution, Stop, System, halved, refined, solve, tightened, until,
 };
@@ -101,16 +101,22 @@ impl Problem<'_> {
         let wheel = Wheel {
             run: |tolerance, times: &[f64]| {
                 let (kept, effort) = (Kept::UnitQuaternion(3), Effort::Tolerance(tolerance));
-                let run = order_eight(system, kept, &start, &scales, times, effort)?;
-                Ok((run.states, run.cost))
+                let mut drift = 0.0_f64;
+                let watch = |_, y: &[f64; 8]| drift = drift.max((self.total)(y).abs() / e);
+                let run = order_eight_watched(system, kept, &start, &scales, times, effort, watch)?;
+                Ok(Shown {
+                    states: run.states,
+                    cost: run.cost,
+                    drift,
+                })
             },
             distance: |a: &[f64; 8], b: &[f64; 8]| {
                 let [a1, b1] = [a, b].map(|s| core::array::from_fn(|k| s[k]));
                 apart(&a1, &b1, o).max((a[7] - b[7]).abs() / e)
             },
-            drift: |y: &[f64; 8]| (self.total)(y).abs() / e,
             times: self.times,
             fastest: o,
+            calm: CALM,
             accuracy: self.accuracy,
         };
         let run = wheel.steer()?;

@@ -2,12 +2,12 @@
 
 use super::State;
 use super::books::Books;
-use super::steered::{Steered, Wheel};
+use super::steered::{Shown, Steered, Wheel};
 use crate::error::{Error, Result};
 use crate::frame::BodyVector;
 use crate::integrators::geometric::{
     DormandPrince8, Follow, FreeSplitting, HeavySplitting, Kept, MoserVeselov, MuntheKaas, Order,
-    Phase, Rotations, SymmetricDrift, Weight, order_eight,
+    Phase, Rotations, SymmetricDrift, Weight, order_eight_watched,
 };
 use crate::integrators::{Cost, Effort};
 use crate::scene::plan::Geometric;
@@ -23,6 +23,8 @@ pub(super) struct Heavy<'a> {
     pub momentum: f64,
     pub energy: f64,
     pub times: &'a [f64],
+    /// The angle up to which an error grows no faster than in proportion to the time.
+    pub calm: f64,
 }
 
 impl Heavy<'_> {
@@ -35,19 +37,12 @@ impl Heavy<'_> {
             return self.halved(method, accuracy);
         }
         let system = DormandPrince8::new(self.moments, Weight::new(self.lever)?)?;
-        let (first, spin) = self.invariants(&self.start);
         let wheel = Wheel {
-            run: |tolerance, times: &[f64]| {
-                self.of_order_eight(&system, times, Effort::Tolerance(tolerance))
-            },
+            run: |tolerance, times: &[f64]| self.shown(&system, times, tolerance),
             distance: |a: &Phase, b: &Phase| self.apart(a, b),
-            drift: |phase: &Phase| {
-                let (energy, about_vertical) = self.invariants(phase);
-                let lost = (energy - first).abs() / self.energy;
-                lost.max((about_vertical - spin).abs() / self.momentum)
-            },
             times: self.times,
             fastest: self.fastest,
+            calm: self.calm,
             accuracy,
         };
         wheel.steer()
@@ -60,7 +55,7 @@ impl Heavy<'_> {
     pub fn once(&self, method: Geometric, effort: Effort) -> Result<(Vec<Phase>, Cost)> {
         if method == Geometric::DormandPrince8 {
             let system = DormandPrince8::new(self.moments, Weight::new(self.lever)?)?;
-            return self.of_order_eight(&system, self.times, effort);
+            return self.of_order_eight(&system, self.times, effort, |_, _| {});
         }
         let course = self
             .method(method)?
@@ -68,18 +63,45 @@ impl Heavy<'_> {
         Ok((course.phases, course.cost))
     }
 
+    /// A run of order 8 and the most that it fails energy and L along the vertical.
+    fn shown(
+        &self,
+        system: &DormandPrince8<Weight>,
+        times: &[f64],
+        tolerance: f64,
+    ) -> Result<Shown<Phase>> {
+        let (first, spin) = self.invariants(&self.start);
+        let mut drift = 0.0_f64;
+        let watch = |_, &[a, b, c, w, x, y, z]: &[f64; 7]| {
+            let (l, q) = ([a, b, c], [w, x, y, z]);
+            let (energy, about_vertical) = self.invariants(&Phase { l, q });
+            let lost = (energy - first).abs() / self.energy;
+            drift = drift
+                .max(lost)
+                .max((about_vertical - spin).abs() / self.momentum);
+        };
+        let effort = Effort::Tolerance(tolerance);
+        let (states, cost) = self.of_order_eight(system, times, effort, watch)?;
+        Ok(Shown {
+            states,
+            cost,
+            drift,
+        })
+    }
+
     fn of_order_eight(
         &self,
         system: &DormandPrince8<Weight>,
         times: &[f64],
         effort: Effort,
+        watch: impl FnMut(f64, &[f64; 7]),
     ) -> Result<(Vec<Phase>, Cost)> {
         let ([a, b, c], [w, x, y, z]) = (self.start.l, self.start.q);
         let start = [a, b, c, w, x, y, z];
         let l = self.momentum;
         let scales = [l, l, l, 1.0, 1.0, 1.0, 1.0];
         let kept = Kept::UnitQuaternion(3);
-        let run = order_eight(system, kept, &start, &scales, times, effort)?;
+        let run = order_eight_watched(system, kept, &start, &scales, times, effort, watch)?;
         let phases = run.states.iter().map(|&[a, b, c, w, x, y, z]| Phase {
             l: [a, b, c],
             q: [w, x, y, z],

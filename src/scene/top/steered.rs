@@ -41,13 +41,8 @@ pub(super) const CALM: f64 = 40.0;
 /// The least tolerance; below it the error estimate of a step is rounding.
 const LEAST: f64 = 1e-15;
 const GREATEST: f64 = 3e-3;
-/// The error of a run is its tolerance times the angle (radians) times, observed in 500 tops of every kind at all tolerances, 0.15 in the middle, 1 in one
-/// case of twenty, 4 at most. Of order 8 this factor costs 1.25 of what the luckiest tolerance would have cost.
-const TIGHTER: f64 = 3.0;
-/// Runs of few steps: as if they turned by so many radians more.
-const SHORT: f64 = 2.0;
 /// An error is told as no less than tolerance times angle times this: the drift may be small by chance.
-const FLOOR: f64 = 0.25;
+const FLOOR: f64 = 0.2;
 /// How much looser the run beside a long one is: of order 8 it costs a quarter.
 const LOOSER: f64 = 1e5;
 /// A long run is so much tighter than the loose run's drift would have it: the growth is known only when both are done.
@@ -73,7 +68,7 @@ where
     pub fn steer(&self) -> Result<Steered<S>> {
         let angle = self.fastest * self.last().abs();
         if angle <= self.calm {
-            let tolerance = self.accuracy / (TIGHTER * (angle + SHORT));
+            let tolerance = tolerance(angle, self.accuracy);
             return self.until_accurate(
                 tolerance,
                 self.times,
@@ -87,7 +82,7 @@ where
         let checks = self.checks();
         let every: Vec<f64> = self.times.iter().chain(&checks.added).copied().collect();
         let seldom: Vec<f64> = checks.places.iter().map(|&n| every[n]).collect();
-        let tolerance = self.accuracy / (0.5 * TIGHTER * angle);
+        let tolerance = self.accuracy / (1.5 * angle);
         let loose = (LOOSER * tolerance)
             .min(GREATEST)
             .max(30.0 * tolerance.max(LEAST));
@@ -170,7 +165,16 @@ where
 
 /// The share of drift times angle that the error is taken for: observed, of 4 radians 0.1 to 1.3, of 150 radians 0.02 to 0.5 and seldom more.
 fn share(angle: f64) -> f64 {
-    0.2 + 0.4 / (1.0 + angle / 20.0)
+    0.2 + 0.2 / (1.0 + angle / 20.0)
+}
+
+/// The tolerance of a run that turns by `angle`.
+///
+/// Its error is the tolerance times the angle times, observed in 500 tops of every kind at all tolerances up to 40 radians, 0.15 in the middle, 1 in one
+/// case of twenty, 4 at most, and of short runs less: their steps are few. Of order 8 this much in reserve costs 1.2 of what the luckiest tolerance would.
+pub(super) fn tolerance(angle: f64, accuracy: f64) -> f64 {
+    let angle = angle.max(2.0);
+    (accuracy / (angle * (1.0 + 0.1 * angle).min(2.5))).clamp(LEAST, GREATEST)
 }
 
 /// Two runs are compared at so many times.

@@ -1,8 +1,8 @@
 //! A top by a general method: in one run, or up to the moment at which dry friction has stopped the spin, and on from there.
 
-use super::steered::Wheel;
+use super::steered::{CALM, Shown, Wheel};
 use crate::error::Result;
-use crate::integrators::geometric::{Kept, Phase, order_eight};
+use crate::integrators::geometric::{Kept, Phase, order_eight_watched};
 use crate::integrators::{
     Cost, Effort, Method, Solution, Stop, System, halved, refined, solve, tightened, until,
 };
@@ -11,6 +11,8 @@ use crate::integrators::{
 /// every list of effects; that their call is not compiled into the step costs less than can be measured.
 pub(super) struct Problem<'a> {
     pub moments: [f64; 3],
+    /// MgC, N m.
+    pub lever: [f64; 3],
     pub start: Phase,
     /// Scale of Ω, rad/s.
     pub fastest: f64,
@@ -18,8 +20,6 @@ pub(super) struct Problem<'a> {
     pub energy: f64,
     pub times: &'a [f64],
     pub accuracy: f64,
-    /// Energy and what was lost of it, less the energy at the start, J.
-    pub total: &'a dyn Fn(&[f64; 8]) -> f64,
 }
 
 /// L and attitude as seven numbers, and the energy lost, at each time.
@@ -85,22 +85,29 @@ impl Problem<'_> {
             error: None,
         })
     }
-}
 
-impl Problem<'_> {
     /// Something resists, smoothly: by the method of order 8 that is ours.
     pub fn steered(&self, system: &dyn System<8>) -> Result<Followed> {
         let (start, scales) = self.with_loss();
+        let first = self.total(&start);
         let wheel = Wheel {
             run: |tolerance, times: &[f64]| {
                 let (kept, effort) = (Kept::UnitQuaternion(3), Effort::Tolerance(tolerance));
-                let run = order_eight(system, kept, &start, &scales, times, effort)?;
-                Ok((run.states, run.cost))
+                let mut drift = 0.0_f64;
+                let watch = |_, y: &[f64; 8]| {
+                    drift = drift.max((self.total(y) - first).abs() / self.energy);
+                };
+                let run = order_eight_watched(system, kept, &start, &scales, times, effort, watch)?;
+                Ok(Shown {
+                    states: run.states,
+                    cost: run.cost,
+                    drift,
+                })
             },
             distance: |a: &[f64; 8], b: &[f64; 8]| self.apart_with_loss(a, b),
-            drift: |y: &[f64; 8]| (self.total)(y).abs() / self.energy,
             times: self.times,
             fastest: self.fastest,
+            calm: CALM,
             accuracy: self.accuracy,
         };
         let run = wheel.steer()?;
@@ -118,6 +125,19 @@ impl Problem<'_> {
         let [l1, l2, l3] = self.moments.map(|moment| moment * self.fastest);
         let scales = [l1, l2, l3, 1.0, 1.0, 1.0, 1.0, self.energy];
         ([a, b, c, w, x, y, z, 0.0], scales)
+    }
+
+    /// Energy and what was lost of it, J.
+    fn total(&self, y: &[f64; 8]) -> f64 {
+        let [a, b, c, w, x, y, z, lost] = *y;
+        let phase = Phase {
+            l: [a, b, c],
+            q: [w, x, y, z],
+        };
+        let up = phase.up();
+        let part =
+            |k: usize| 0.5 * phase.l[k] * phase.l[k] / self.moments[k] + self.lever[k] * up[k];
+        part(0) + part(1) + part(2) + lost
     }
 
     /// Angle between two attitudes, radians, or the distance of the angular velocities in their scale, whichever is more.

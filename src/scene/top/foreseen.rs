@@ -52,7 +52,8 @@ impl Foreseen {
             method: Geometric::MoserVeselov(VeselovOrder::Ten),
             order: 10.0,
             scale: 9e-7 * span * fastest * fastest.powi(10),
-            longest: 1.8 / fastest,
+            // With longer steps the implicit equation has other solutions.
+            longest: 1.0 / fastest,
             check: Check::None,
         };
         let rotations = |order: Order, scale: f64| Self {
@@ -86,9 +87,9 @@ impl Foreseen {
             })
         };
         [
-            (Order::Two, 0.05, 1.0, 0.5),
-            (Order::Four, 1.5e-6, 3.0, 0.5),
-            (Order::Six, 5e-8, 5.0, 1.0),
+            (Order::Two, 0.025, 1.0, 0.5),
+            (Order::Four, 8e-7, 2.0, 0.5),
+            (Order::Six, 3.5e-8, 4.0, 1.0),
         ]
         .map(each)
     }
@@ -124,7 +125,8 @@ impl Foreseen {
             // A step beyond the span has no power that is finite.
             let formula = (self.scale * step.powf(self.order)).min(accuracy);
             let error = match self.check {
-                Check::None => formula + ROUNDING,
+                // What has left the right solution is off by more than its share in energy, too.
+                Check::None => formula.max(0.1 * drift) + ROUNDING,
                 Check::Energy { share, angle } => {
                     let by_energy = share * (1.0 + angle) * drift;
                     by_energy.max(FLOOR * formula) + ROUNDING * (1.0 + angle)

@@ -47,7 +47,7 @@ const fn of_steps(method: Geometric) -> Price {
 /// Steps of order 8 a radian, times tolerance^(1/8): observed 0.08 to 0.14.
 const STEPS_A_RADIAN: f64 = 0.1;
 /// Up to this multiple of the cheapest run a closed form is taken: its error is rounding.
-const WORTH: f64 = 1.2;
+const WORTH: f64 = 1.1;
 
 /// Which way is cheapest.
 #[derive(Debug, Clone, Copy)]
@@ -76,7 +76,7 @@ pub(super) struct Task {
 }
 
 /// Kicks lose little energy near steady motions, whatever their error.
-const LIVELY: f64 = 0.2;
+const LIVELY: f64 = 0.3;
 
 impl Task {
     pub fn of(heavy: &Heavy<'_>, kind: Integrability, accuracy: f64) -> Self {

@@ -52,6 +52,22 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
     times: &[f64],
     effort: Effort,
 ) -> Result<Solution<N>> {
+    order_eight_watched(system, kept, start, scales, times, effort, |_, _| {})
+}
+
+/// The same, every state at the end of a step shown to `watch` together with its time.
+///
+/// # Errors
+/// As for [`order_eight`].
+pub fn order_eight_watched<const N: usize, S: System<N> + ?Sized>(
+    system: &S,
+    kept: Kept,
+    start: &[f64; N],
+    scales: &[f64; N],
+    times: &[f64],
+    effort: Effort,
+    watch: impl FnMut(f64, &[f64; N]),
+) -> Result<Solution<N>> {
     for &t in times {
         finite("the time", t)?;
     }
@@ -69,6 +85,7 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
         kept,
         scales,
         cost: &mut cost,
+        watch,
     };
     if let &[time] = times {
         states[0] = walk.legs(start, [time], pace, |_, _| {})?;
@@ -95,11 +112,12 @@ enum Pace {
 /// Most steps of one run; about a minute of computing.
 const MOST_STEPS: u64 = 200_000_000;
 
-struct Walk<'a, const N: usize, S: ?Sized> {
+struct Walk<'a, const N: usize, S: ?Sized, W> {
     system: &'a S,
     kept: Kept,
     scales: &'a [f64; N],
     cost: &'a mut Cost,
+    watch: W,
 }
 
 /// Where a run is.
@@ -117,7 +135,7 @@ impl<const N: usize> Place<N> {
     }
 }
 
-impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
+impl<const N: usize, S: System<N> + ?Sized, W: FnMut(f64, &[f64; N])> Walk<'_, N, S, W> {
     /// One leg after the other, all in one direction; the last state.
     fn legs(
         &mut self,
@@ -256,6 +274,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
         place.rate = self.system.rate(place.time.values[0], &place.state.values);
         self.cost.evaluations += STAGES;
         self.cost.steps += 1;
+        (self.watch)(place.time.values[0], &place.state.values);
     }
 
     /// A first guess at the length of a step: rates and their change over a short Euler step (Hairer, Nørsett, Wanner, II.4).

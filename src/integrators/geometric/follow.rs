@@ -30,30 +30,36 @@ pub trait Follow {
     fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course>;
 }
 
-/// With [`Effort::Step`]: between two samples steps of one length, not above the one given. With [`Effort::Tolerance`]: the same, with the longest
-/// step whose error, by comparison of one with two halves for the first four, is below the tolerance times |L| and in radians.
-impl<I: Integrator<f64>> Follow for I {
-    fn name(&self) -> String {
-        Integrator::name(self)
-    }
+/// A method with steps of one length that shows its phase on the way.
+pub trait Watched {
+    /// Phases at `times`, as [`Follow::follow`] gives them with [`Effort::Step`]; every `stride` steps, and at each of the times, `watch` sees the phase.
+    ///
+    /// # Errors
+    /// As there.
+    fn watched(
+        &self,
+        start: &Phase,
+        times: &[f64],
+        step: f64,
+        stride: u64,
+        watch: &mut dyn FnMut(&Phase),
+    ) -> Result<Course>;
+}
 
-    fn order(&self) -> Option<u32> {
-        Some(Integrator::order(self))
-    }
-
-    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+impl<I: Integrator<f64>> Watched for I {
+    fn watched(
+        &self,
+        start: &Phase,
+        times: &[f64],
+        step: f64,
+        stride: u64,
+        watch: &mut dyn FnMut(&Phase),
+    ) -> Result<Course> {
         for &t in times {
             finite("the time", t)?;
         }
+        let step = positive("the step", step)?;
         let mut cost = Cost::default();
-        let longest = times.iter().fold(0.0_f64, |a, &b| a.max(b.abs()));
-        let step = match effort {
-            Effort::Step(step) => positive("the step", step)?,
-            Effort::Tolerance(tolerance) => {
-                let tolerance = positive("the tolerance", tolerance)?;
-                longest_step(self, start, longest, tolerance, &mut cost)?
-            }
-        };
         let mut order: Vec<usize> = (0..times.len()).collect();
         order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
         let first_after = order.partition_point(|&i| times[i] < 0.0);
@@ -71,14 +77,48 @@ impl<I: Integrator<f64>> Follow for I {
                         time,
                     });
                 }
-                if count > 0.0 {
-                    cost += self.advance(&mut phase, leg / count, count as u64)?;
+                let mut left = count as u64;
+                while left > 0 {
+                    let next = left.min(stride.max(1));
+                    cost += self.advance(&mut phase, leg / count, next)?;
+                    left -= next;
+                    watch(&phase);
                 }
                 time = times[place];
                 phases[place] = phase;
             }
         }
         Ok(Course { phases, cost })
+    }
+}
+
+/// With [`Effort::Step`]: between two samples steps of one length, not above the one given. With [`Effort::Tolerance`]: the same, with the longest
+/// step whose error, by comparison of one with two halves for the first four, is below the tolerance times |L| and in radians.
+impl<I: Integrator<f64>> Follow for I {
+    fn name(&self) -> String {
+        Integrator::name(self)
+    }
+
+    fn order(&self) -> Option<u32> {
+        Some(Integrator::order(self))
+    }
+
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+        let mut trials = Cost::default();
+        let step = match effort {
+            Effort::Step(step) => step,
+            Effort::Tolerance(tolerance) => {
+                for &t in times {
+                    finite("the time", t)?;
+                }
+                let tolerance = positive("the tolerance", tolerance)?;
+                let longest = times.iter().fold(0.0_f64, |a, &b| a.max(b.abs()));
+                longest_step(self, start, longest, tolerance, &mut trials)?
+            }
+        };
+        let mut course = self.watched(start, times, step, u64::MAX, &mut |_| {})?;
+        course.cost += trials;
+        Ok(course)
     }
 }
 

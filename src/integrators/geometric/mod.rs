@@ -44,10 +44,10 @@ mod real;
 mod splitting;
 
 pub use cayley::{GroupMidpoint, MoserVeselov, VeselovOrder};
-pub use dormand_prince::{DormandPrince8, Kept, order_eight};
+pub use dormand_prince::{DormandPrince8, Kept, order_eight, order_eight_watched};
 pub use drift::{Drift, Rotations, SymmetricDrift, UnequalDrift};
 pub use exact::ClosedForm;
-pub use follow::{Course, Follow, Unfitted};
+pub use follow::{Course, Follow, Unfitted, Watched};
 pub use heavy::{HeavySplitting, Kick, LinearFriction, Nothing, Torque, Weight};
 pub use munthe_kaas::MuntheKaas;
 pub use real::{Real, TwoWords};

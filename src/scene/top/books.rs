@@ -11,7 +11,8 @@ use crate::frame::{Attitude, BodyVector, SpaceVector};
 pub(super) struct Books {
     moments: [f64; 3],
     lever: BodyVector,
-    kind: Integrability,
+    /// What is conserved besides.
+    pub kind: Integrability,
     start: State,
     /// Size of the energies at play, J; positive.
     pub energy_scale: f64,
@@ -58,11 +59,6 @@ impl Books {
 
     fn kinetic(&self, omega: BodyVector) -> f64 {
         0.5 * self.angular_momentum(omega).dot(&omega)
-    }
-
-    /// The energy at the start, J.
-    pub const fn first_energy(&self) -> f64 {
-        self.start.energy
     }
 
     /// ½⟨IΩ, Ω⟩ + ⟨MgC, z⟩, J.

@@ -14,10 +14,7 @@ pub struct Turning {
 
 /// The weight's slot.
 pub trait Weight: Effect {
-    /// Adds the torque about the pivot, N m; `arm` is MC, kg m.
-    fn add_torque(&self, arm: [f64; 3], up: [f64; 3], torque: &mut [f64; 3]);
-
-    /// MgC, N m.
+    /// MgC, N m, from MC, kg m: with the upward unit vector z the torque about the pivot is z∧MgC (8.1).
     fn lever(&self, arm: [f64; 3]) -> [f64; 3];
 }
 
@@ -28,8 +25,6 @@ pub trait Resistance: Effect {
 }
 
 impl Weight for Absent {
-    fn add_torque(&self, _: [f64; 3], _: [f64; 3], _: &mut [f64; 3]) {}
-
     fn lever(&self, _: [f64; 3]) -> [f64; 3] {
         [0.0; 3]
     }
@@ -63,14 +58,6 @@ impl Effect for Gravity {
 }
 
 impl Weight for Gravity {
-    /// z∧MgC (8.1).
-    fn add_torque(&self, arm: [f64; 3], up: [f64; 3], torque: &mut [f64; 3]) {
-        let [x, y, z] = self.lever(arm);
-        torque[0] += up[1] * z - up[2] * y;
-        torque[1] += up[2] * x - up[0] * z;
-        torque[2] += up[0] * y - up[1] * x;
-    }
-
     fn lever(&self, arm: [f64; 3]) -> [f64; 3] {
         arm.map(|component| component * self.g)
     }
@@ -165,7 +152,8 @@ impl Effect for AirDrag {
 impl Resistance for AirDrag {
     fn add_torque(&self, turning: &Turning, torque: &mut [f64; 3]) {
         let [x, y, z] = turning.omega;
-        let strength = self.coefficient * x.hypot(y).hypot(z);
+        // Not `hypot`, which takes longer than all the rest: the square of Ω would have to overflow for it to matter.
+        let strength = self.coefficient * (x * x + y * y + z * z).sqrt();
         for (component, omega) in torque.iter_mut().zip(turning.omega) {
             *component -= strength * omega;
         }

@@ -1,4 +1,4 @@
-//! The equations of a top for a general method: Ω, the attitude's quaternion and, where something resists, the work it takes.
+//! The equations of a top for any method: L along the body's axes, the attitude's quaternion and, where something resists, the work it takes.
 
 use super::body::Body;
 use super::effects::{Resistance, Turning, Weight};
@@ -6,7 +6,7 @@ use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::System;
 
-/// Euler's equations with the torques of the effects, each a type.
+/// A body and the torques on it, each effect a type.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Equations<G, F, B, D, T> {
     pub moments: [f64; 3],
@@ -18,49 +18,81 @@ pub(super) struct Equations<G, F, B, D, T> {
     pub tip_friction: T,
 }
 
+/// The same with all divisions done: an evaluation waits for each of its operations, and for a division three times as long as for a sum.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Divided<E> {
+    effects: E,
+    inverse: [f64; 3],
+    /// (I₂ − I₃)/(I₂I₃) and so on: L₁′ is this times L₂L₃, nearly equal moments lose nothing.
+    difference: [f64; 3],
+    lever: [f64; 3],
+}
+
 impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance>
     Equations<G, F, B, D, T>
 {
-    /// dΩ/dt and dq/dt, and the torque that resists.
-    #[inline]
-    fn rates(&self, y: &[f64; 7]) -> ([f64; 7], [f64; 3]) {
-        let [o1, o2, o3, w, x, y, z] = *y;
-        let omega = [o1, o2, o3];
-        // The third row of the rotation matrix; the quaternion's length drifts off 1 within the tolerance.
-        let square = w * w + x * x + y * y + z * z;
+    /// For moments that are not zero.
+    pub fn divided(self) -> Divided<Self> {
+        Divided {
+            inverse: self.moments.map(|moment| 1.0 / moment),
+            difference: core::array::from_fn(|k| {
+                let (a, b) = (self.moments[(k + 1) % 3], self.moments[(k + 2) % 3]);
+                (a - b) / a / b
+            }),
+            lever: self.gravity.lever(self.arm),
+            effects: self,
+        }
+    }
+
+    /// What resists.
+    #[inline(always)]
+    fn resistance(&self, turning: &Turning) -> [f64; 3] {
+        let mut torque = [0.0; 3];
+        self.pivot_friction.add_torque(turning, &mut torque);
+        self.bearing_friction.add_torque(turning, &mut torque);
+        self.air_drag.add_torque(turning, &mut torque);
+        self.tip_friction.add_torque(turning, &mut torque);
+        torque
+    }
+}
+
+impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance>
+    Divided<Equations<G, F, B, D, T>>
+{
+    /// L′ = L∧Ω + N and q′ = ½qΩ, and the power that the resistance takes.
+    #[inline(always)]
+    fn rates(&self, y: &[f64; 7]) -> ([f64; 7], f64) {
+        let [a, b, c, w, x, y, z] = *y;
+        let [j1, j2, j3] = self.inverse;
+        let omega = [j1 * a, j2 * b, j3 * c];
+        // The third row of the rotation matrix, for |q| = 1: off it the equations go on smoothly, and q stays on it as well as it is computed.
         let up = [
-            2.0 * (x * z - w * y) / square,
-            2.0 * (y * z + w * x) / square,
-            ((w * w + z * z) - (x * x + y * y)) / square,
+            2.0 * (x * z - w * y),
+            2.0 * (y * z + w * x),
+            (w * w + z * z) - (x * x + y * y),
         ];
-        let turning = Turning { omega, up };
-        let mut resistance = [0.0; 3];
-        self.pivot_friction.add_torque(&turning, &mut resistance);
-        self.bearing_friction.add_torque(&turning, &mut resistance);
-        self.air_drag.add_torque(&turning, &mut resistance);
-        self.tip_friction.add_torque(&turning, &mut resistance);
-        let mut torque = resistance;
-        self.gravity.add_torque(self.arm, up, &mut torque);
-        let [i1, i2, i3] = self.moments;
+        let resistance = self.effects.resistance(&Turning { omega, up });
+        let [d1, d2, d3] = self.difference;
+        let mut n = [d1 * (b * c), d2 * (c * a), d3 * (a * b)];
+        if G::PRESENT {
+            let [x, y, z] = self.lever;
+            n[0] += up[1] * z - up[2] * y;
+            n[1] += up[2] * x - up[0] * z;
+            n[2] += up[0] * y - up[1] * x;
+        }
+        let [n1, n2, n3] = core::array::from_fn(|k| n[k] + resistance[k]);
+        let [o1, o2, o3] = omega;
+        let power = -(resistance[0] * o1 + resistance[1] * o2 + resistance[2] * o3);
         let [qw, qx, qy, qz] = quaternion_rate([w, x, y, z], BodyVector::new(o1, o2, o3));
-        let rates = [
-            ((i2 - i3) * o2 * o3 + torque[0]) / i1,
-            ((i3 - i1) * o3 * o1 + torque[1]) / i2,
-            ((i1 - i2) * o1 * o2 + torque[2]) / i3,
-            qw,
-            qx,
-            qy,
-            qz,
-        ];
-        (rates, resistance)
+        ([n1, n2, n3, qw, qx, qy, qz], power)
     }
 }
 
 /// Nothing resists: seven numbers.
-pub(super) struct Lossless<'a, E>(pub &'a E);
+pub(super) struct Lossless<E>(pub Divided<E>);
 
 impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> System<7>
-    for Lossless<'_, Equations<G, F, B, D, T>>
+    for Lossless<Equations<G, F, B, D, T>>
 {
     fn rate(&self, _: f64, y: &[f64; 7]) -> [f64; 7] {
         self.0.rates(y).0
@@ -68,31 +100,25 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Syst
 }
 
 /// Something resists: the eighth number is the energy that it has taken.
-pub(super) struct Lossy<'a, E>(pub &'a E);
+pub(super) struct Lossy<E>(pub Divided<E>);
 
 impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> System<8>
-    for Lossy<'_, Equations<G, F, B, D, T>>
+    for Lossy<Equations<G, F, B, D, T>>
 {
     fn rate(&self, _: f64, y: &[f64; 8]) -> [f64; 8] {
-        let [o1, o2, o3, w, x, y, z, _] = *y;
-        let (rates, [n1, n2, n3]) = self.0.rates(&[o1, o2, o3, w, x, y, z]);
-        let [a1, a2, a3, qw, qx, qy, qz] = rates;
-        let power = -(n1 * o1 + n2 * o2 + n3 * o3);
-        [a1, a2, a3, qw, qx, qy, qz, power]
+        let [a, b, c, w, x, y, z, _] = *y;
+        let ([n1, n2, n3, qw, qx, qy, qz], power) = self.0.rates(&[a, b, c, w, x, y, z]);
+        [n1, n2, n3, qw, qx, qy, qz, power]
     }
 }
 
-/// Ω and attitude as the first seven numbers.
-pub(super) fn packed(omega: BodyVector, attitude: &Attitude) -> [f64; 7] {
-    let q = attitude.quaternion();
-    [omega.x(), omega.y(), omega.z(), q.w, q.i, q.j, q.k]
-}
-
-pub(super) fn unpacked(y: &[f64]) -> (Attitude, BodyVector) {
+/// Attitude and Ω of a state.
+pub(super) fn unpacked(moments: [f64; 3], y: &[f64]) -> (Attitude, BodyVector) {
     let quaternion = nalgebra::Quaternion::new(y[3], y[4], y[5], y[6]);
+    let [o1, o2, o3] = core::array::from_fn(|k| y[k] / moments[k]);
     (
         Attitude::from_unit(quaternion / quaternion.norm()),
-        BodyVector::new(y[0], y[1], y[2]),
+        BodyVector::new(o1, o2, o3),
     )
 }
 

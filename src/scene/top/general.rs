@@ -1,27 +1,28 @@
 //! A top by a general method: in one run, or up to the moment at which dry friction has stopped the spin, and on from there.
 
-use super::steered::Wheel;
+use super::steered::{CALM, Shown, Wheel};
 use crate::error::Result;
-use crate::integrators::geometric::{Kept, order_eight};
+use crate::integrators::geometric::{Kept, Phase, order_eight_watched};
 use crate::integrators::{
     Cost, Effort, Method, Solution, Stop, System, halved, refined, solve, tightened, until,
 };
 
 /// The problem as the integrators see it. The equations come as a trait object, so that the methods are compiled once and not for
-/// every list of effects; the call through it is a thirtieth of an evaluation.
+/// every list of effects; compiled into the step an evaluation would take a twenty-fifth less.
 pub(super) struct Problem<'a> {
-    pub start: [f64; 7],
+    pub moments: [f64; 3],
+    /// MgC, N m.
+    pub lever: [f64; 3],
+    pub start: Phase,
     /// Scale of Ω, rad/s.
     pub fastest: f64,
     /// Scale of the energy, J.
     pub energy: f64,
     pub times: &'a [f64],
     pub accuracy: f64,
-    /// Energy and what was lost of it, less the energy at the start, J.
-    pub total: &'a dyn Fn(&[f64; 8]) -> f64,
 }
 
-/// Attitude and Ω as seven numbers, and the energy lost, at each time.
+/// L and attitude as seven numbers, and the energy lost, at each time.
 pub(super) struct Followed {
     pub states: Vec<([f64; 7], f64)>,
     pub cost: Cost,
@@ -39,13 +40,14 @@ pub(super) enum Spin {
 impl Problem<'_> {
     /// Nothing resists.
     pub fn lossless(&self, system: &dyn System<7>, method: Method) -> Result<Followed> {
-        let o = self.fastest;
-        let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0];
+        let [l1, l2, l3] = self.moments.map(|moment| moment * self.fastest);
+        let scales = [l1, l2, l3, 1.0, 1.0, 1.0, 1.0];
+        let ([a, b, c], [w, x, y, z]) = (self.start.l, self.start.q);
         let (times, accuracy) = (self.times, self.accuracy);
-        let distance = |a: &[f64; 7], b: &[f64; 7]| apart(a, b, o);
+        let distance = |a: &[f64; 7], b: &[f64; 7]| self.apart(a, b);
         let run = refined(
             system,
-            &self.start,
+            &[a, b, c, w, x, y, z],
             &scales,
             times,
             method,
@@ -61,16 +63,10 @@ impl Problem<'_> {
 
     /// Something resists: the eighth number is the energy that it has taken.
     pub fn lossy(&self, system: &dyn System<8>, method: Method, spin: Spin) -> Result<Followed> {
-        let (o, e) = (self.fastest, self.energy);
-        let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0, e];
-        let [o1, o2, o3, w, x, y, z] = self.start;
-        let start = [o1, o2, o3, w, x, y, z, 0.0];
-        let distance = |a: &[f64; 8], b: &[f64; 8]| {
-            let [a1, b1] = [a, b].map(|s| core::array::from_fn(|k| s[k]));
-            apart(&a1, &b1, o).max((a[7] - b[7]).abs() / e)
-        };
+        let (start, scales) = self.with_loss();
+        let distance = |a: &[f64; 8], b: &[f64; 8]| self.apart_with_loss(a, b);
         let (times, accuracy) = (self.times, self.accuracy);
-        let run = if spin == Spin::MayStop && o3 != 0.0 {
+        let run = if spin == Spin::MayStop && start[2] != 0.0 {
             let stopping = |effort| spun_down(system, &start, &scales, times, method, effort);
             if method.is_adaptive() {
                 tightened(|t| stopping(Effort::Tolerance(t)), accuracy, distance)?
@@ -89,28 +85,29 @@ impl Problem<'_> {
             error: None,
         })
     }
-}
 
-impl Problem<'_> {
     /// Something resists, smoothly: by the method of order 8 that is ours.
     pub fn steered(&self, system: &dyn System<8>) -> Result<Followed> {
-        let (o, e) = (self.fastest, self.energy);
-        let scales = [o, o, o, 1.0, 1.0, 1.0, 1.0, e];
-        let [o1, o2, o3, w, x, y, z] = self.start;
-        let start = [o1, o2, o3, w, x, y, z, 0.0];
+        let (start, scales) = self.with_loss();
+        let first = self.total(&start);
         let wheel = Wheel {
             run: |tolerance, times: &[f64]| {
                 let (kept, effort) = (Kept::UnitQuaternion(3), Effort::Tolerance(tolerance));
-                let run = order_eight(system, kept, &start, &scales, times, effort)?;
-                Ok((run.states, run.cost))
+                let mut drift = 0.0_f64;
+                let watch = |_, y: &[f64; 8]| {
+                    drift = drift.max((self.total(y) - first).abs() / self.energy);
+                };
+                let run = order_eight_watched(system, kept, &start, &scales, times, effort, watch)?;
+                Ok(Shown {
+                    states: run.states,
+                    cost: run.cost,
+                    drift,
+                })
             },
-            distance: |a: &[f64; 8], b: &[f64; 8]| {
-                let [a1, b1] = [a, b].map(|s| core::array::from_fn(|k| s[k]));
-                apart(&a1, &b1, o).max((a[7] - b[7]).abs() / e)
-            },
-            drift: |y: &[f64; 8]| (self.total)(y).abs() / e,
+            distance: |a: &[f64; 8], b: &[f64; 8]| self.apart_with_loss(a, b),
             times: self.times,
-            fastest: o,
+            fastest: self.fastest,
+            calm: CALM,
             accuracy: self.accuracy,
         };
         let run = wheel.steer()?;
@@ -121,18 +118,45 @@ impl Problem<'_> {
             error: Some(run.error),
         })
     }
+
+    /// The start, nothing lost, and the scales of the eight numbers.
+    fn with_loss(&self) -> ([f64; 8], [f64; 8]) {
+        let ([a, b, c], [w, x, y, z]) = (self.start.l, self.start.q);
+        let [l1, l2, l3] = self.moments.map(|moment| moment * self.fastest);
+        let scales = [l1, l2, l3, 1.0, 1.0, 1.0, 1.0, self.energy];
+        ([a, b, c, w, x, y, z, 0.0], scales)
+    }
+
+    /// Energy and what was lost of it, J: asked for at every step.
+    fn total(&self, y: &[f64; 8]) -> f64 {
+        let [a, b, c, w, x, y, z, lost] = *y;
+        let phase = Phase {
+            l: [a, b, c],
+            q: [w, x, y, z],
+        };
+        let up = phase.up();
+        let part =
+            |k: usize| 0.5 * phase.l[k] * phase.l[k] / self.moments[k] + self.lever[k] * up[k];
+        part(0) + part(1) + part(2) + lost
+    }
+
+    /// Angle between two attitudes, radians, or the distance of the angular velocities in their scale, whichever is more.
+    fn apart(&self, a: &[f64], b: &[f64]) -> f64 {
+        let square = |x: f64| x * x;
+        let faster = (0..3).map(|k| square((a[k] - b[k]) / self.moments[k]));
+        let turned = (3..7).map(|k| square(a[k] - b[k]));
+        let root = |squares: f64| squares.sqrt();
+        (2.0 * root(turned.sum())).max(root(faster.sum()) / self.fastest)
+    }
+
+    /// The same, or the distance of the energies lost.
+    fn apart_with_loss(&self, a: &[f64; 8], b: &[f64; 8]) -> f64 {
+        let lost = (a[7] - b[7]).abs() / self.energy;
+        self.apart(a, b).max(lost)
+    }
 }
 
-/// Angle between two attitudes, radians, or the distance of the angular velocities in their scale, whichever is more.
-fn apart(a: &[f64; 7], b: &[f64; 7], fastest: f64) -> f64 {
-    let distance = |range: core::ops::Range<usize>| {
-        let squares = range.map(|k| (a[k] - b[k]) * (a[k] - b[k]));
-        squares.sum::<f64>().sqrt()
-    };
-    (2.0 * distance(3..7)).max(distance(0..3) / fastest)
-}
-
-/// A run that is cut where Ω₃ comes to zero: there dry friction changes from a torque that brakes to one that holds.
+/// A run that is cut where L₃ comes to zero: there dry friction changes from a torque that brakes to one that holds.
 fn spun_down(
     system: &dyn System<8>,
     start: &[f64; 8],

@@ -2,12 +2,13 @@
 
 use super::State;
 use super::books::Books;
-use super::steered::{Steered, Wheel};
+use super::foreseen::Foreseen;
+use super::steered::{Shown, Steered, Wheel};
 use crate::error::{Error, Result};
 use crate::frame::BodyVector;
 use crate::integrators::geometric::{
     DormandPrince8, Follow, FreeSplitting, HeavySplitting, Kept, MoserVeselov, MuntheKaas, Order,
-    Phase, Rotations, SymmetricDrift, Weight, order_eight,
+    Phase, Rotations, SymmetricDrift, Watched, Weight, order_eight_watched,
 };
 use crate::integrators::{Cost, Effort};
 use crate::scene::plan::Geometric;
@@ -23,6 +24,8 @@ pub(super) struct Heavy<'a> {
     pub momentum: f64,
     pub energy: f64,
     pub times: &'a [f64],
+    /// The angle up to which an error grows no faster than in proportion to the time.
+    pub calm: f64,
 }
 
 impl Heavy<'_> {
@@ -35,22 +38,76 @@ impl Heavy<'_> {
             return self.halved(method, accuracy);
         }
         let system = DormandPrince8::new(self.moments, Weight::new(self.lever)?)?;
-        let (first, spin) = self.invariants(&self.start);
         let wheel = Wheel {
-            run: |tolerance, times: &[f64]| {
-                self.of_order_eight(&system, times, Effort::Tolerance(tolerance))
-            },
+            run: |tolerance, times: &[f64]| self.shown(&system, times, tolerance),
             distance: |a: &Phase, b: &Phase| self.apart(a, b),
-            drift: |phase: &Phase| {
-                let (energy, about_vertical) = self.invariants(phase);
-                let lost = (energy - first).abs() / self.energy;
-                lost.max((about_vertical - spin).abs() / self.momentum)
-            },
             times: self.times,
             fastest: self.fastest,
+            // Near an unstable steady motion what is a little off grows from the start.
+            calm: if self.liveliness() < STEADY && self.calm.is_finite() {
+                0.0
+            } else {
+                self.calm
+            },
             accuracy,
         };
         wheel.steer()
+    }
+
+    /// The same by steps whose length is known.
+    ///
+    /// # Errors
+    /// As for [`to_accuracy`](Self::to_accuracy).
+    pub fn foreseen(&self, foreseen: &Foreseen, accuracy: f64) -> Result<Steered<Phase>> {
+        let free = self.lever == [0.0; 3];
+        let (first, _) = self.invariants(&self.start);
+        let run = |step: f64, method: &dyn Watched| {
+            // About as many looks at the energy as steps make a turn at most.
+            let stride = if free {
+                u64::MAX
+            } else {
+                (longest(self.times) / step / LOOKS).ceil() as u64
+            };
+            let mut drift = 0.0_f64;
+            let course =
+                method.watched(&self.start, self.times, step, stride.max(1), &mut |phase| {
+                    let (energy, _) = self.invariants(phase);
+                    drift = drift.max((energy - first).abs() / self.energy);
+                })?;
+            Ok((course.phases, course.cost, drift))
+        };
+        let moments = self.moments;
+        match foreseen.method {
+            Geometric::Rotations(order) if free => {
+                let method = FreeSplitting::new(moments, order)?;
+                foreseen.steer(accuracy, |step| run(step, &method))
+            }
+            Geometric::MoserVeselov(order) if free => {
+                let method = MoserVeselov::new(moments, order)?;
+                foreseen.steer(accuracy, |step| run(step, &method))
+            }
+            Geometric::KickDrift(order) => {
+                let drift = SymmetricDrift::new(moments)?;
+                let method = HeavySplitting::new(drift, Weight::new(self.lever)?, order);
+                foreseen.steer(accuracy, |step| run(step, &method))
+            }
+            _ => self.to_accuracy(foreseen.method, accuracy),
+        }
+    }
+
+    /// How fast L and the vertical change along the body's axes, as a share of the fastest rate: nothing in steady motions.
+    pub fn liveliness(&self) -> f64 {
+        let (l, up) = (self.start.l, self.start.up());
+        let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.moments[k]);
+        let square = |of: &dyn Fn(usize, usize) -> f64| {
+            let each = |k: usize| of((k + 1) % 3, (k + 2) % 3);
+            (0..3).map(|k| each(k) * each(k)).sum::<f64>()
+        };
+        let tilting = square(&|i, j| up[i] * omega[j] - up[j] * omega[i]);
+        let turning = square(&|i, j| {
+            l[i] * omega[j] - l[j] * omega[i] + up[i] * self.lever[j] - up[j] * self.lever[i]
+        });
+        (tilting.sqrt() + turning.sqrt() / self.momentum) / self.fastest
     }
 
     /// One run, its error not asked for.
@@ -60,7 +117,7 @@ impl Heavy<'_> {
     pub fn once(&self, method: Geometric, effort: Effort) -> Result<(Vec<Phase>, Cost)> {
         if method == Geometric::DormandPrince8 {
             let system = DormandPrince8::new(self.moments, Weight::new(self.lever)?)?;
-            return self.of_order_eight(&system, self.times, effort);
+            return self.of_order_eight(&system, self.times, effort, |_, _| {});
         }
         let course = self
             .method(method)?
@@ -68,18 +125,45 @@ impl Heavy<'_> {
         Ok((course.phases, course.cost))
     }
 
+    /// A run of order 8 and the most that it fails energy and L along the vertical.
+    fn shown(
+        &self,
+        system: &DormandPrince8<Weight>,
+        times: &[f64],
+        tolerance: f64,
+    ) -> Result<Shown<Phase>> {
+        let (first, spin) = self.invariants(&self.start);
+        let mut drift = 0.0_f64;
+        let watch = |_, &[a, b, c, w, x, y, z]: &[f64; 7]| {
+            let (l, q) = ([a, b, c], [w, x, y, z]);
+            let (energy, about_vertical) = self.invariants(&Phase { l, q });
+            let lost = (energy - first).abs() / self.energy;
+            drift = drift
+                .max(lost)
+                .max((about_vertical - spin).abs() / self.momentum);
+        };
+        let effort = Effort::Tolerance(tolerance);
+        let (states, cost) = self.of_order_eight(system, times, effort, watch)?;
+        Ok(Shown {
+            states,
+            cost,
+            drift,
+        })
+    }
+
     fn of_order_eight(
         &self,
         system: &DormandPrince8<Weight>,
         times: &[f64],
         effort: Effort,
+        watch: impl FnMut(f64, &[f64; 7]),
     ) -> Result<(Vec<Phase>, Cost)> {
         let ([a, b, c], [w, x, y, z]) = (self.start.l, self.start.q);
         let start = [a, b, c, w, x, y, z];
         let l = self.momentum;
         let scales = [l, l, l, 1.0, 1.0, 1.0, 1.0];
         let kept = Kept::UnitQuaternion(3);
-        let run = order_eight(system, kept, &start, &scales, times, effort)?;
+        let run = order_eight_watched(system, kept, &start, &scales, times, effort, watch)?;
         let phases = run.states.iter().map(|&[a, b, c, w, x, y, z]| Phase {
             l: [a, b, c],
             q: [w, x, y, z],
@@ -204,6 +288,12 @@ impl Heavy<'_> {
         self.times.iter().zip(phases).map(row).collect()
     }
 }
+
+/// Below this a motion is as good as steady, and may be leaving a place where it is unstable.
+const STEADY: f64 = 0.02;
+
+/// In a run of many steps the energy is looked at so often.
+const LOOKS: f64 = 16.0;
 
 /// More steps are not tried.
 const MOST_STEPS: f64 = 1e9;

@@ -4,7 +4,7 @@
 //! * `effects`: what can act, and its torque;
 //! * `closed`: the scenes whose motion is known;
 //! * `equations`, `general`: the others, by a method with error control;
-//! * `methods`: tops under gravity alone by the methods for turning bodies, `steered`: the error of such a run, `prices`: what to choose;
+//! * `methods`: tops under gravity alone by the methods for turning bodies, `steered` and `foreseen`: the error of such a run, `prices`: what to choose;
 //! * `with`: an effect into its slot; `choice`: who runs a scene, and why;
 //! * this file: the slots, the plan, the motion and its ledger.
 
@@ -14,6 +14,7 @@ mod choice;
 mod closed;
 mod effects;
 mod equations;
+mod foreseen;
 mod general;
 mod methods;
 mod prices;
@@ -35,8 +36,10 @@ use crate::frame::{Attitude, BodyVector};
 use crate::integrators::{Cost, Method};
 
 use books::Books;
-use equations::{Lossless, Lossy, fastest, packed, unpacked};
+use choice::Way;
+use equations::{Lossless, Lossy, unpacked};
 use general::{Problem, Spin};
+use methods::Heavy;
 
 /// A top and its effects, one type parameter each: gravity, pivot friction, bearing friction, air drag, tip friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -161,49 +164,60 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
     type State = State;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        Ok(self.planned(request)?.0)
+        Ok(self.planned(request, &self.books()?)?.0)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
-        let (plan, closed) = self.planned(request)?;
-        let books = Books::of(&self.body, self.gravity.lever(self.body.arm()), &self.start)?;
-        match (plan.solver, closed) {
-            (Solver::General(method), _) => self.followed(plan, Some(method), request, &books),
-            (Solver::Geometric(_), _) if Self::LOSSY => self.followed(plan, None, request, &books),
-            (Solver::Geometric(method), _) => match self.turned(plan, method, request, &books) {
-                // Dear as it is, the closed form may reach what a run cannot.
-                Err(refusal @ Error::Accuracy { .. }) if request.choice() == Choice::Auto => {
-                    let Some(closed) = self.closed_form()? else {
-                        return Err(refusal);
-                    };
-                    let plan = Plan::new(Solver::Exact, closed.reason());
-                    known(plan, &closed, request, &books)
+        let books = self.books()?;
+        let (mut plan, mut way) = self.planned(request, &books)?;
+        loop {
+            let method = match (plan.solver, &way) {
+                (_, Way::Closed(closed)) => return known(plan, closed, request, &books),
+                (Solver::General(method), _) => {
+                    return self.followed(plan, Some(method), request, &books);
                 }
-                done => done,
-            },
-            (_, Some(closed)) => known(plan, &closed, request, &books),
-            (_, None) => Err(Error::Condition {
-                condition: "a plan without a closed form must name a general method",
-                value: f64::NAN,
-            }),
+                _ if Self::LOSSY => return self.followed(plan, None, request, &books),
+                (Solver::Geometric(method), _) => method,
+                _ => {
+                    return Err(Error::Condition {
+                        condition: "a plan without a closed form must name a method",
+                        value: f64::NAN,
+                    });
+                }
+            };
+            match self.turned(&plan, method, &way, request, &books) {
+                Err(refusal @ Error::Accuracy { .. }) if request.choice() == Choice::Auto => {
+                    (plan, way) = self.instead(&plan)?.ok_or(refusal)?;
+                }
+                done => return done,
+            }
         }
     }
 }
 
 impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<G, F, B, D, T> {
+    fn books(&self) -> Result<Books> {
+        Books::of(&self.body, self.gravity.lever(self.body.arm()), &self.start)
+    }
+
     /// Under gravity alone by a method for turning bodies.
     fn turned(
         &self,
-        plan: Plan,
+        plan: &Plan,
         method: Geometric,
+        way: &Way,
         request: &Request,
         books: &Books,
     ) -> Result<Motion<State>> {
+        self.needs_moments()?;
         let heavy = self.heavy(request.times(), books)?;
-        let run = heavy.to_accuracy(method, request.accuracy())?;
+        let run = match way {
+            Way::Foreseen(foreseen) => heavy.foreseen(foreseen, request.accuracy())?,
+            _ => heavy.to_accuracy(method, request.accuracy())?,
+        };
         let rows = heavy.rows(&run.states, books)?;
         Ok(Motion {
-            plan,
+            plan: plan.clone(),
             cost: run.cost,
             error_estimate: Some(run.error),
             ledger: balanced(books.lossless(&rows)?, request.accuracy())?,
@@ -219,36 +233,37 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         request: &Request,
         books: &Books,
     ) -> Result<Motion<State>> {
-        self.needs_moments()?;
-        let omega = self.start.omega(self.body.moments)?;
-        let total = |y: &[f64; 8]| {
-            let (attitude, omega) = unpacked(y);
-            books.energy(&attitude, omega) + y[7] - books.first_energy()
-        };
+        let Heavy {
+            moments,
+            lever,
+            start,
+            fastest,
+            ..
+        } = self.heavy(request.times(), books)?;
         let problem = Problem {
-            start: packed(omega, &self.start.attitude),
-            fastest: fastest(&self.body, self.gravity.lever(self.body.arm()), omega)
-                .max(f64::MIN_POSITIVE),
+            moments,
+            lever,
+            start,
+            fastest,
             energy: books.energy_scale,
             times: request.times(),
             accuracy: request.accuracy(),
-            total: &total,
         };
-        let equations = self.equations();
+        let equations = self.equations().divided();
         let run = match (method, Self::LOSSY, T::PRESENT) {
-            (None, ..) => problem.steered(&Lossy(&equations))?,
-            (Some(method), false, _) => problem.lossless(&Lossless(&equations), method)?,
+            (None, ..) => problem.steered(&Lossy(equations))?,
+            (Some(method), false, _) => problem.lossless(&Lossless(equations), method)?,
             (Some(method), true, false) => {
-                problem.lossy(&Lossy(&equations), method, Spin::GoesOn)?
+                problem.lossy(&Lossy(equations), method, Spin::GoesOn)?
             }
             (Some(method), true, true) => {
-                problem.lossy(&Lossy(&equations), method, Spin::MayStop)?
+                problem.lossy(&Lossy(equations), method, Spin::MayStop)?
             }
         };
         let mut rows = Vec::with_capacity(run.states.len());
         let mut losses = Vec::with_capacity(run.states.len());
         for (&t, (y, lost)) in request.times().iter().zip(&run.states) {
-            let (attitude, omega) = unpacked(y);
+            let (attitude, omega) = unpacked(moments, y);
             let energy = books.energy(&attitude, omega);
             rows.push((
                 t,

@@ -260,16 +260,20 @@ pub(super) fn circular(series: &Series, bits: u64, high: f64, low: f64) -> Circu
     circular_at(&series.even, s, c)
 }
 
+const SIGN: u64 = 1 << 63;
+
 /// Sine and cosine after as many right angles as the lowest bits say.
 #[inline(always)]
 pub(super) fn in_quadrant(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
     let odd = (bits & 1).wrapping_neg();
-    let s = kernel::select(odd, cosine, sine);
-    let c = kernel::select(odd, sine, cosine);
+    let (s, c) = (sine.to_bits(), cosine.to_bits());
+    // Exchanged by the bits in which they differ.
+    let exchange = (s ^ c) & odd;
     // Quadrants 2 and 3 turn the sign of the sine, 1 and 2 that of the cosine.
+    let sign = (bits << 62) & SIGN;
     (
-        f64::from_bits(s.to_bits() ^ ((bits & 2) << 62)),
-        f64::from_bits(c.to_bits() ^ (((bits ^ (bits << 1)) & 2) << 62)),
+        f64::from_bits(s ^ exchange ^ sign),
+        f64::from_bits(c ^ exchange ^ sign ^ (bits << 63)),
     )
 }
 

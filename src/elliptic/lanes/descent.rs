@@ -1,5 +1,10 @@
 //! Moduli of many bodies side by side: the transformations, the quarter periods, the polynomials and the arguments at the start.
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "a lane is its index: all rows are read and written at it"
+)]
+
 use super::words::{Lane, Two};
 use crate::angle::{self, RIGHT_ANGLE};
 use crate::double_double::DoubleDouble;
@@ -197,7 +202,7 @@ pub(crate) struct Squares {
 impl Squares {
     /// Beyond the middle of the quarter period, where mc sn⁴ > cn⁴: then an argument is counted from its end.
     #[inline(always)]
-    pub(crate) fn from_end(&self, mc: f64) -> bool {
+    pub(crate) fn nearer_to_end(&self, mc: f64) -> bool {
         mc * (self.sn * self.sn) > self.cn * self.cn
     }
 
@@ -211,7 +216,7 @@ impl Squares {
             dn,
             dn_whole,
         } = *self;
-        let end = self.from_end(mc);
+        let end = self.nearer_to_end(mc);
         let either = |a: f64, b: f64| if end { a } else { b };
         let s = (either(cn * dn_whole, sn) / either(dn * whole, whole)).sqrt();
         let d = (either(mc * dn_whole, dn) / either(dn, dn_whole)).sqrt();
@@ -229,7 +234,7 @@ impl Squares {
             dn,
             dn_whole,
         } = *self;
-        let end = self.from_end(mc);
+        let end = self.nearer_to_end(mc);
         let either = |a: f64, b: f64| if end { a } else { b };
         let s = (either(cn, sn) / either(mc * sn, cn)).sqrt();
         let d = (either(whole, dn * whole) / either(sn, cn * dn_whole)).sqrt();

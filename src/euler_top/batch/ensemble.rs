@@ -253,9 +253,10 @@ impl Ensemble {
 
     /// Ω, L and attitude of every body at time t (s), in the order of the bodies (6.6, 6.8).
     ///
-    /// Domain and error: those of [`EulerTop::states_at`]; eight bodies go side by side unless one of them is beyond its reach. Cost: 0.25 of
-    /// [`EulerTop::at`] for each body of a thousand, 0.27 for each of a hundred. Ten thousand no longer fit the nearer caches: 0.25 if nothing else
-    /// wants the memory, otherwise more. What the ensemble costs comes back after some eight times.
+    /// Domain and error: those of [`EulerTop::states_at`]; eight bodies go side by side unless one of them is beyond its reach. Cost: 0.23 of
+    /// [`EulerTop::at`] for each body of a hundred or a thousand, 0.28 for spheres, for which [`EulerTop::at`] has little to do. Ten thousand no longer
+    /// fit the nearer caches: 0.22 if nothing else wants the memory, otherwise more. An ensemble of prepared tops pays after some eight times, one
+    /// from scratch at the first.
     ///
     /// # Errors
     /// [`Error::Condition`] if there is not one place for each body; that of the first body whose [`EulerTop::at`] refuses the time, the states

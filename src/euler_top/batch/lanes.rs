@@ -170,17 +170,24 @@ pub(super) trait Motion {
     fn at<const W: usize>(&self, times: &[f64; W], work: &mut Work<W>, rows: &mut Rows<W>);
 }
 
-impl<C: Constant> Motion for Steady<C> {
-    #[inline(never)]
-    fn at<const W: usize>(&self, times: &[f64; W], _: &mut Work<W>, rows: &mut Rows<W>) {
+impl<C: Constant> Steady<C> {
+    /// The attitudes alone.
+    #[inline(always)]
+    pub(super) fn turn<const W: usize>(&self, times: &[f64; W], attitude: &mut [[f64; W]; 4]) {
         for i in 0..W {
             let half = self.half_rate.times(i, Time::new(times[i]));
             let (sine, cosine) = lanes::sine_cosine(half);
             for k in 0..4 {
-                rows.attitude[k][i] =
-                    cosine * self.unturned[k].lane(i) + sine * self.turned[k].lane(i);
+                attitude[k][i] = cosine * self.unturned[k].lane(i) + sine * self.turned[k].lane(i);
             }
         }
+    }
+}
+
+impl<C: Constant> Motion for Steady<C> {
+    #[inline(never)]
+    fn at<const W: usize>(&self, times: &[f64; W], _: &mut Work<W>, rows: &mut Rows<W>) {
+        self.turn(times, &mut rows.attitude);
         for i in 0..W {
             for k in 0..3 {
                 rows.l[k][i] = self.l[k].lane(i);

@@ -19,6 +19,7 @@ pub use at_once::released_states;
 pub use ensemble::Ensemble;
 pub use release::Release;
 
+use constants::Steady;
 use lanes::{Motion, Rows, Work};
 use prepared::{Kind, Prepared};
 
@@ -90,6 +91,15 @@ fn same_length(wanted: usize, found: usize) -> Result<()> {
     })
 }
 
+/// A lane for each time, and whether all are within reach. The lanes of a last chunk that is not full are at time 0.
+fn lanes_of(times: &[f64], reach: f64) -> ([f64; TIMES], bool) {
+    let mut lanes = [0.0; TIMES];
+    lanes[..times.len()].copy_from_slice(times);
+    // So counted that not-a-number is beyond.
+    let within = lanes.iter().filter(|t| t.abs() <= reach).count();
+    (lanes, within == TIMES)
+}
+
 impl EulerTop {
     /// Ω, L and attitude at each of these times (s), in any order, into a slice of the same length (6.6, 6.8).
     ///
@@ -100,7 +110,7 @@ impl EulerTop {
     /// at most 7e-16 rad (1.5e-15, as [`at`](Self::at) is, for bodies one unit in the last place from a sphere), Ω and L by 5e-16.
     ///
     /// Cost: beside [`at`](Self::at) in the same run (`cargo bench -p bench --bench ensembles`), with the instructions every processor of the kind
-    /// has: 0.19 of the time a state where m ≤ 1/2, 0.24 where m > 1/2, 0.38 where Ω stays and [`at`](Self::at) has little to do. The constants
+    /// has: 0.19 of the time a state where m ≤ 1/2, 0.24 where m > 1/2, 0.27 where Ω stays and [`at`](Self::at) has little to do. The constants
     /// of a batch cost as much as one state. States are independent of each other: parts of the slices may be filled by different threads.
     ///
     /// # Errors
@@ -121,16 +131,49 @@ impl EulerTop {
     pub fn states_at(&self, times: &[f64], states: &mut [State]) -> Result<()> {
         same_length(times.len(), states.len())?;
         let Some(Prepared { kind, axis, reach }) = Prepared::new(self) else {
-            for (t, state) in times.iter().zip(states) {
-                *state = self.at(*t)?;
-            }
-            return Ok(());
+            return self.fill_singly(times, states);
         };
         match &kind {
-            Kind::Steady(motion) => self.fill(motion, axis, reach, times, states),
+            Kind::Steady(motion) => self.fill_turning(motion, reach, times, states),
             Kind::Circular(motion) => self.fill(motion, axis, reach, times, states),
             Kind::Hyperbolic(motion) => self.fill(motion, axis, reach, times, states),
         }
+    }
+
+    /// Ω and L stay: they are written, not formed again.
+    fn fill_turning(
+        &self,
+        motion: &Steady<f64>,
+        reach: f64,
+        times: &[f64],
+        states: &mut [State],
+    ) -> Result<()> {
+        let ([a, b, c], [x, y, z]) = (motion.omega, motion.l);
+        let (omega, angular_momentum) = (BodyVector::new(a, b, c), BodyVector::new(x, y, z));
+        let mut rows = [[0.0; TIMES]; 4];
+        for (times, states) in times.chunks(TIMES).zip(states.chunks_mut(TIMES)) {
+            let (lanes, within) = lanes_of(times, reach);
+            motion.turn(&lanes, &mut rows);
+            let [w, x, y, z] = &rows;
+            for (i, state) in states.iter_mut().take(TIMES).enumerate() {
+                *state = State {
+                    omega,
+                    angular_momentum,
+                    attitude: Attitude::from_unit(Quaternion::new(w[i], x[i], y[i], z[i])),
+                };
+            }
+            if !within {
+                self.fill_singly(times, states)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_singly(&self, times: &[f64], states: &mut [State]) -> Result<()> {
+        for (t, state) in times.iter().zip(states) {
+            *state = self.at(*t)?;
+        }
+        Ok(())
     }
 
     fn fill(
@@ -144,9 +187,7 @@ impl EulerTop {
         let axis = Rowing::new(axis);
         let (mut work, mut rows) = (Work::<TIMES>::new(), Rows::<TIMES>::zero());
         for (times, states) in times.chunks(TIMES).zip(states.chunks_mut(TIMES)) {
-            // The lanes of a last chunk that is not full are at time 0.
-            let mut lanes = [0.0; TIMES];
-            lanes[..times.len()].copy_from_slice(times);
+            let (lanes, within) = lanes_of(times, reach);
             motion.at(&lanes, &mut work, &mut rows);
             if let Ok(states) = <&mut [State; TIMES]>::try_from(&mut *states) {
                 rows.each(axis, |i, state| states[i] = state);
@@ -155,12 +196,8 @@ impl EulerTop {
                     *state = rows.one(i, axis);
                 }
             }
-            // So counted that not-a-number is beyond.
-            let within = lanes.iter().filter(|t| t.abs() <= reach).count();
-            if within < TIMES {
-                for (t, state) in times.iter().zip(states) {
-                    *state = self.at(*t)?;
-                }
+            if !within {
+                self.fill_singly(times, states)?;
             }
         }
         Ok(())

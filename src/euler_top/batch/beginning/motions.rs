@@ -200,7 +200,7 @@ impl<const W: usize> Beginnings<W> {
             landen.mean.ordered().put(&mut turnings.mean, i);
             let (squares, mc) = (constants.squares(i), 1.0 - constants.lesser[0][i]);
             let rest = Lane::from_double(squares.angle(&landen, mc)).divide(landen.mean);
-            let start = from_either_end(squares.from_end(mc), quarter, rest);
+            let start = from_either_end(squares.nearer_to_end(mc), quarter, rest);
             self.put_start(&mut turnings.start, i, start);
         }
         let reach = self.put_phases(&constants, &turnings, &mut motion.phases);
@@ -269,7 +269,7 @@ impl<const W: usize> Beginnings<W> {
             let landen = landens.lane(i);
             landen.mean.ordered().put(&mut turnings.mean, i);
             let rest = Lane::of(&arguments, i).divide(landen.mean);
-            let end = constants.squares(i).from_end(constants.lesser[0][i]);
+            let end = constants.squares(i).nearer_to_end(constants.lesser[0][i]);
             let quarter = Lane::of(&turnings.quarter, i);
             self.put_start(&mut turnings.start, i, from_either_end(end, quarter, rest));
         }

@@ -80,17 +80,12 @@ impl AttitudeSeries<'_> {
     /// [`frequencies`](KovalevskayaTop::frequencies) (times 2π) may be added to c₀, since a body that passes through the vertical can be counted as going round
     /// on either side; this is the rate of the direction from which the third axis goes round least on the torus.
     pub fn mean_precession_rate(&self) -> f64 {
-        self.precession.mean * self.top.unit
-    }
-
-    /// Ordinates taken along each of the two angles.
-    pub fn grid(&self) -> [usize; 2] {
-        self.precession.grid.size
+        self.precession.mean() * self.top.unit
     }
 
     /// Terms of the double Fourier series.
     pub fn terms(&self) -> usize {
-        self.precession.functions.len()
+        self.precession.terms()
     }
 }
 

@@ -136,15 +136,19 @@ impl Exact {
         self.state_of_sums(constants, [self.origin[0], self.origin[1] + t])
     }
 
-    /// The phases if they advanced uniformly: what they are on average.
-    pub fn uniform_phases(&self, t: f64) -> Phases {
-        self.separation
-            .uniform([self.origin[0], self.origin[1] + t])
+    /// Turns of the two phases if they advanced evenly, halved, from 0 to 1: a state returns when one of these gains 1.
+    pub fn halved(&self, t: f64) -> Phases {
+        halved(&self.separation, [self.origin[0], self.origin[1] + t])
     }
 
-    /// The state where both uniform phases have these values.
-    pub fn state_on_torus(&self, constants: &Constants, uniform: Phases) -> Phase {
-        self.state_of_sums(constants, self.separation.sums(uniform))
+    /// The state at these phases and the halved even turns there; none at an instant where the linear system is singular.
+    pub fn at_phases(&self, constants: &Constants, phases: Phases) -> Option<(Phase, [f64; 2])> {
+        let state = self.raw(constants, phases);
+        let known = state.iter().all(|x| x.is_finite());
+        known.then(|| {
+            let sums = self.separation.abel(phases);
+            (project(constants, &state), halved(&self.separation, sums))
+        })
     }
 
     fn state_of_sums(&self, constants: &Constants, sums: [f64; 2]) -> Phase {
@@ -161,6 +165,13 @@ impl Exact {
         let (state, _) = Series::at(constants.c, &(before, [1.0, 0.0, 0.0, 0.0])).after(EARLIER);
         project(constants, &state)
     }
+}
+
+fn halved(separation: &Separation, sums: [f64; 2]) -> [f64; 2] {
+    separation.normalized(sums).map(|turns| {
+        let v = 0.5 * turns;
+        v - v.floor()
+    })
 }
 
 fn distance(a: &Phase, b: &Phase) -> f64 {

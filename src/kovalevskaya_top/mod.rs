@@ -31,15 +31,15 @@ mod attitude;
 mod classes;
 mod constants;
 mod exact;
-mod fourier;
+mod periods;
 mod precession;
 mod separation;
 mod series;
 mod solution;
 mod taylor;
+mod theta;
 pub mod toda;
 mod top;
-mod torus;
 mod walk;
 
 pub use attitude::{AttitudeMethod, AttitudeSeries};

@@ -1,176 +1,331 @@
-//! The angle about the vertical, one more quadrature, as a double Fourier series (8.2).
+//! The angle about the vertical by theta functions (8.2).
+//!
+//! ξ = X + iY, the two horizontal axes of space seen from the body, obeys the same equation as z. From η₁² = ξ₁ + iξ₂ and
+//! η₂² = −(ξ₁ − iξ₂), so that η₁η₂ = ξ₃, come two quadratures, for the phases of η₁²  and η₂²:
+//!
+//! ∫(−r/2 + A₋′/2)dt and ∫(r/2 + A₊′/2)dt, A±′ = (2l ± r)/(1 ± z₃).
+//!
+//! A₊′ has poles where z₁ + iz₂ = 0 or z₁ − iz₂ = 0 with z₃ = −1, at complex times only. With m = Ω₁² + Ω₂² these states make the curve
+//! r²(c²+m²−k²) + 4lc²r + 4l²c² + 2(m−3l₁)(m²−k²) = 0, and this is w² = P(s) again: m = l₁ − 2s. On the complex torus of the motion the two curves
+//! are copies of the curve itself, moved apart by the integrals from ∞ to Z (s = l² − l₁), and A₊/2 less something that grows evenly is −2 arg G₊,
+//!
+//! G = θ(v − a) θ(v − a − h), v the turns of the two phases, halved, a half of those integrals, h the half period from e₄ to e₅.
+//!
+//! With z₃ = 1 the same comes out but for a half period added to a. So the azimuth of the third axis, the phase of ξ₃, is αt − arg G₊G₋.
 
-use nalgebra::{Complex, Quaternion, Vector3};
+use core::f64::consts::TAU;
 
-use super::constants::Constants;
+use nalgebra::{Complex, Quaternion};
+
+use super::constants::{Constants, Phase};
 use super::exact::Exact;
-use super::fourier::{DoubleSeries, Grid};
+use super::periods::{Curve, Half};
 use super::taylor::Carried;
-use super::torus::Torus;
+use super::theta::{Sums, Theta};
 use super::walk::{about_third, shortest};
 
-/// The four functions of u₁, u₂ that are needed besides z, and the rates: all that the angle about the vertical depends on.
+type Number = Complex<f64>;
+
+/// What the azimuth takes besides Ω and z.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Precession {
-    pub grid: Grid,
-    /// e₁, e₂, e₃, and the sum S over the terms c_k e^{ik·u}/(ik·u′) that are not slow.
-    pub functions: DoubleSeries<4>,
-    /// k·u′ and 2c_k e^{ik·u(0)} where the quotient would be of a small divisor.
-    pub slow: Vec<(f64, Complex<f64>)>,
-    /// c₀, the mean of χ′.
-    pub mean: f64,
-    /// χ − S at time 0.
+    /// G₊ and G₋, two factors each.
+    products: [[Factor; 2]; 2],
+    /// α.
+    rate: f64,
+    /// arg ξ₃G₊G₋ at time 0.
     angle: f64,
+    /// Turns of the two phases a unit of time, halved.
+    advance: [f64; 2],
 }
 
-/// Directions are told to this much.
-const TAIL: f64 = 1e-15;
+/// θ(±v − a) for one a.
+#[derive(Debug, Clone, PartialEq)]
+struct Factor {
+    theta: Theta,
+    place: Place,
+    twisted: bool,
+}
 
-/// The most places of a grid, and the most along one angle.
-const LARGEST: [usize; 2] = [1 << 17, 1 << 10];
+/// Where a factor is taken: v or −v less this, and a half period along the real directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Place {
+    sign: f64,
+    shift: [f64; 2],
+    half: [u8; 2],
+}
+
+impl Place {
+    fn at(&self, v: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|i| self.sign * v[i] - self.shift[i])
+    }
+
+    /// The sums put together: signs from the half period, i from the real part ½ of τ.
+    fn join(&self, twisted: bool, sums: &Sums) -> Number {
+        let mut whole = Number::default();
+        for (place, sum) in sums.iter().enumerate() {
+            let odd = [place >> 1, place & 1].map(|x| x as u8);
+            let negative = (odd[0] & self.half[0]) ^ (odd[1] & self.half[1]) == 1;
+            let term = if twisted && odd[0] != odd[1] {
+                Number::new(-sum.im, sum.re)
+            } else {
+                *sum
+            };
+            whole += if negative { -term } else { term };
+        }
+        whole
+    }
+}
+
+/// A state, v there, and what tells a fit.
+struct Witness {
+    v: [f64; 2],
+    /// A₊′/2 and A₋′/2.
+    rates: [f64; 2],
+    /// 1 + z₃ and 1 − z₃.
+    heights: [f64; 2],
+}
+
+/// States from which α is taken as a mean, and those that tell which half periods belong to a.
+const WITNESSES: usize = 32;
+const DECIDING: usize = 4;
+
+/// The largest disagreement about α between those few.
+const TRUSTED: f64 = 1e-9;
 
 impl Precession {
-    /// The grid is refined along whichever angle the coefficients of e have not died away.
     pub fn prepare(constants: &Constants, exact: &Exact, start: &Carried) -> Option<Self> {
-        let mut grid = Grid { size: [32, 32] };
-        let mut torus = Torus::sample(constants, exact, grid, None);
-        loop {
-            let mut finer = [true; 2];
-            if let Some(mut directions) = torus.directions() {
-                torus.following_the_third_axis(&mut directions);
-                let list = |f: fn(&Vector3<f64>) -> Complex<f64>| {
-                    grid.coefficients(directions.iter().map(f).collect())
-                };
-                let coefficients = [
-                    list(|e| Complex::new(e.x, e.y)),
-                    list(|e| Complex::new(e.z, 0.0)),
-                ];
-                let tails = coefficients.each_ref().map(|list| grid.tails(list));
-                let tails = [0, 1].map(|axis| tails[0][axis].max(tails[1][axis]));
-                finer = tails.map(|tail| tail > TAIL);
-                // Coefficients die away exponentially: by far too few of them can be told early.
-                let needed = [0, 1].map(|axis| {
-                    let share = TAIL.ln() / tails[axis].min(0.99).ln();
-                    grid.size[axis] as f64 * share.max(1.0)
-                });
-                if needed[0] * needed[1] > 4.0 * LARGEST[0] as f64 {
-                    return None;
-                }
-                if finer == [false; 2] {
-                    let precession = torus.precession(&directions, &coefficients);
-                    let c = grid
-                        .coefficients(precession.iter().map(|x| Complex::new(*x, 0.0)).collect());
-                    let origin = exact.uniform_phases(0.0).map(|f| 0.5 * f);
-                    let mut series = Self::collect(&torus, &coefficients, &c, origin);
-                    series.set_out(origin, start);
-                    return Some(series);
-                }
-            }
-            for axis in [0, 1] {
-                grid.size[axis] <<= usize::from(finer[axis]);
-            }
-            if grid.count() > LARGEST[0] || grid.size.into_iter().any(|n| n > LARGEST[1]) {
-                return None;
-            }
-            torus = Torus::sample(constants, exact, grid, Some(&torus));
-        }
-    }
-
-    // ANCHOR: quadrature
-    /// The one more quadrature: χ = c₀t + Σ c_k e^{ik·u}/(ik·u′), from the coefficients c_k of χ′.
-    ///
-    /// A divisor k·u′ may be small, or zero if the two frequencies are commensurable. Such a term is kept apart and integrated over the time
-    /// itself, to c_k e^{ik·u(0)} t sinc; nothing is divided by it.
-    fn collect(
-        torus: &Torus,
-        [across, along]: &[Vec<Complex<f64>>; 2],
-        c: &[Complex<f64>],
-        origin: [f64; 2],
-    ) -> Self {
-        let grid = torus.grid;
-        let fastest = torus.rates[0].abs().max(torus.rates[1].abs());
-        let counts =
-            |place: usize| c[place].norm() > 0.5 * f64::EPSILON * fastest.max(c[0].re.abs());
-        // The rates are rounded: what the quotient loses by it, |c| eps |k| |u′|/(k·u′)², is not to show.
-        let is_slow = |place: usize| {
-            let [k1, k2] = grid.waves(place).map(f64::from);
-            let rate = torus.rate(place);
-            c[place].norm() * k1.hypot(k2) * fastest > rate * rate
-        };
-        let functions = DoubleSeries::collect(
-            grid,
-            [across[0].re, across[0].im, along[0].re, 0.0],
-            |place| {
-                let opposite = grid.opposite(place);
-                let i = Complex::new(0.0, 1.0);
-                // Two real functions were transformed as one complex: e₁ = (f + f̄)/2, e₂ = (f − f̄)/2i.
-                let (f, conjugate) = (across[place], across[opposite].conj());
-                let quotient = if counts(place) && !is_slow(place) {
-                    2.0 * c[place] / (i * torus.rate(place))
-                } else {
-                    Complex::default()
-                };
-                let term = [
-                    f + conjugate,
-                    (f - conjugate) / i,
-                    2.0 * along[place],
-                    quotient,
-                ];
-                term.iter()
-                    .any(|x| x.norm() > 0.25 * f64::EPSILON)
-                    .then_some(term)
-            },
-        );
-        let slow = (1..grid.count())
-            .filter(|&place| grid.waves(place) > [0, 0] && counts(place) && is_slow(place))
-            .map(|place| {
-                let [k1, k2] = grid.waves(place).map(f64::from);
-                let (sine, cosine) = (k1 * origin[0] + k2 * origin[1]).sin_cos();
-                (
-                    torus.rate(place),
-                    2.0 * c[place] * Complex::new(cosine, sine),
-                )
-            })
-            .collect();
-        Self {
-            grid,
-            functions,
-            slow,
-            mean: c[0].re,
+        let curve = Curve::prepare(constants, &exact.separation)?;
+        let advance = exact.separation.frequencies().map(|n| 0.5 * n);
+        let witnesses = Witness::some(constants, exact);
+        let products = products(&curve, &witnesses, advance)?;
+        let mut precession = Self {
+            products,
+            rate: 0.0,
             angle: 0.0,
+            advance,
+        };
+        let known = curve.rate(constants, &exact.separation);
+        precession.rate = [0, 1]
+            .map(|side| {
+                let rough = precession.mean_rate(side, &witnesses);
+                known.map_or(rough, |known| settled(known, rough, advance))
+            })
+            .iter()
+            .sum::<f64>()
+            * 0.5;
+        let &([.., z1, z2, z3], [w, x, y, z]) = start;
+        let third = turned(Quaternion::new(w, x, y, z), [0.0, 0.0, 1.0]);
+        let _ = (z1, z2, z3);
+        let seen = Number::new(third.i, third.j);
+        precession.angle = (seen * precession.product(exact.halved(0.0))).arg();
+        precession.angle.is_finite().then_some(precession)
+    }
+
+    /// α from one of the two products, each witness trusted as far as its quotient is well-conditioned.
+    fn mean_rate(&self, side: usize, witnesses: &[Witness]) -> f64 {
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for witness in witnesses {
+            let turning: f64 = self.products[side]
+                .iter()
+                .map(|factor| factor.turning(witness.v, self.advance))
+                .sum();
+            let weight = witness.heights[side].powi(2);
+            sum += weight * (witness.rates[side] + 2.0 * turning);
+            weights += weight;
         }
-    }
-    // ANCHOR_END: quadrature
-
-    /// χ at time 0, at which e is seen in the attitude of the start.
-    fn set_out(&mut self, origin: [f64; 2], &(_, [w, x, y, z]): &Carried) {
-        let [e1, e2, e3, sum] = self.functions.at(origin);
-        let e = turned(Quaternion::new(w, x, y, z), [e1, e2, e3]);
-        self.angle = e.j.atan2(e.i) - sum;
+        sum / weights
     }
 
-    /// The state and how it stands, from the exact Ω and z: e must be seen at the angle χ, z upright.
+    /// G₊G₋.
+    fn product(&self, v: [f64; 2]) -> Number {
+        self.products
+            .iter()
+            .flatten()
+            .map(|factor| factor.value(v))
+            .product()
+    }
+
+    /// The state and how it stands, from the exact Ω and z: z upright, and the third axis at its azimuth.
     pub fn carried(&self, constants: &Constants, exact: &Exact, t: f64) -> Carried {
         let state = exact.state(constants, t);
         let [.., z1, z2, z3] = state;
-        let [e1, e2, e3, sum] = self.functions.at(exact.uniform_phases(t).map(|f| 0.5 * f));
-        let slow: f64 = self
-            .slow
-            .iter()
-            .map(|(rate, c)| {
-                let half = 0.5 * rate * t;
-                let (sine, cosine) = half.sin_cos();
-                let sinc = if half == 0.0 { 1.0 } else { sine / half };
-                t * sinc * (c * Complex::new(cosine, sine)).re
-            })
-            .sum();
-        let angle = self.angle + self.mean * t + sum + slow;
         let upright = shortest([z1, z2, z3]);
-        let e = turned(upright, [e1, e2, e3]);
-        let Quaternion { coords } = about_third(angle - e.j.atan2(e.i)) * upright;
+        let third = turned(upright, [0.0, 0.0, 1.0]);
+        let seen = Number::new(third.i, third.j);
+        let angle = self.angle + self.rate * t - (self.product(exact.halved(t)) * seen).arg();
+        let Quaternion { coords } = about_third(angle) * upright;
         (state, [coords.w, coords.x, coords.y, coords.z])
     }
+
+    /// How many terms the theta functions have.
+    pub fn terms(&self) -> usize {
+        let factors = self.products.iter().flatten();
+        factors.map(|factor| factor.theta.len()).sum()
+    }
+
+    /// The mean rate of the third axis: α less what arg G₊G₋ gains.
+    pub fn mean(&self) -> f64 {
+        let turns = [0, 1].map(|axis| self.winding(axis));
+        self.rate - TAU * (turns[0] * self.advance[0] + turns[1] * self.advance[1])
+    }
+
+    /// How often G₊G₋ goes round 0 as one of v₁, v₂ gains 1: in steps fine enough that none is more than a radian.
+    fn winding(&self, axis: usize) -> f64 {
+        let mut count = 64;
+        loop {
+            let at = |k: usize| {
+                let mut v = [0.0; 2];
+                v[axis] = k as f64 / count as f64;
+                self.product(v)
+            };
+            let steps: Vec<f64> = (0..count)
+                .map(|k| (at(k + 1) * at(k).conj()).arg())
+                .collect();
+            let longest = steps.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            if longest < 1.0 || count >= 1 << 14 {
+                return (steps.iter().sum::<f64>() / TAU).round();
+            }
+            count *= 2;
+        }
+    }
 }
+
+impl Factor {
+    fn value(&self, v: [f64; 2]) -> Number {
+        let sums = self.theta.at(self.place.at(v));
+        self.place.join(self.twisted, &sums)
+    }
+
+    /// d arg/dt.
+    fn turning(&self, v: [f64; 2], advance: [f64; 2]) -> f64 {
+        let rates = advance.map(|x| self.place.sign * x);
+        let [value, rate] = self
+            .theta
+            .with_rates(self.place.at(v), rates)
+            .map(|sums| self.place.join(self.twisted, &sums));
+        (rate / value).im
+    }
+}
+
+impl Witness {
+    /// States spread over the torus, at phases: no equation has to be solved for these.
+    fn some(constants: &Constants, exact: &Exact) -> Vec<Self> {
+        let l = constants.l.value();
+        (0..WITNESSES)
+            .filter_map(|n| {
+                // Multiples of the plastic number's powers spread most evenly.
+                let part = |x: f64| 2.0 * TAU * (0.1 + n as f64 * x).fract();
+                let phases = [part(0.754_877_666_246_692_7), part(0.569_840_290_998_053_2)];
+                let (state, v) = exact.at_phases(constants, phases)?;
+                let [_, _, r, .., z3]: Phase = state;
+                let heights = [1.0 + z3, 1.0 - z3];
+                let rates = [(l + 0.5 * r) / heights[0], (l - 0.5 * r) / heights[1]];
+                rates.iter().all(|x| x.is_finite()).then_some(Self {
+                    v,
+                    rates,
+                    heights,
+                })
+            })
+            .collect()
+    }
+}
+
+/// The rate that is nearest to a rough one among those that whole turns of v set apart.
+fn settled(known: f64, rough: f64, advance: [f64; 2]) -> f64 {
+    const MOST: i32 = 4;
+    let all = (-MOST..=MOST).flat_map(|i| (-MOST..=MOST).map(move |j| (i, j)));
+    all.map(|(i, j)| known + TAU * (f64::from(i) * advance[0] + f64::from(j) * advance[1]))
+        .min_by(|x, y| (x - rough).abs().total_cmp(&(y - rough).abs()))
+        .unwrap_or(rough)
+}
+
+/// m of the half periods ½(n + τm).
+const MEASURES: [[u8; 2]; 4] = [[0, 0], [0, 1], [1, 0], [1, 1]];
+
+// ANCHOR: choice
+/// G₊ and G₋: a is half of the integrals to Z, up to its sign and one of sixteen half periods, of which h makes eight pairs.
+///
+/// Which it is depends on the signs of the roots with which the start was found; the one that fits is told by A′/2 + 2 d arg G/dt being the same α everywhere.
+fn products(
+    curve: &Curve,
+    witnesses: &[Witness],
+    advance: [f64; 2],
+) -> Option<[[Factor; 2]; 2]> {
+    let [real, imaginary] = curve.point;
+    let mut thetas = Vec::with_capacity(4);
+    let mut shifts = Vec::with_capacity(4);
+    for m in MEASURES {
+        let moved = m.map(|x| 0.5 * f64::from(x));
+        let (imaginary, whole) = curve.reduced([0, 1].map(|i| {
+            imaginary[i] + curve.y[i][0] * moved[0] + curve.y[i][1] * moved[1]
+        }));
+        thetas.push(Theta::prepare(curve.y, imaginary)?);
+        // Re τ(m/2 − whole), the same in both components.
+        let twist = curve.twist(moved[0] + moved[1] - whole[0] - whole[1]);
+        shifts.push(real.map(|x| x + twist));
+    }
+    let number = |m: [u8; 2]| usize::from(2 * m[0] + m[1]);
+    let place = |sign: f64, half: Half| Place {
+        sign,
+        shift: shifts[number(half.m)],
+        half: half.n,
+    };
+    let mut best = [(f64::INFINITY, 1.0, Half::default()); 2];
+    let few = &witnesses[..DECIDING.min(witnesses.len())];
+    for sign in [1.0, -1.0] {
+        // d arg θ/dt for every half period and every witness.
+        let turning: Vec<Vec<f64>> = few
+            .iter()
+            .map(|witness| {
+                let all: Vec<[Sums; 2]> = MEASURES
+                    .map(|m| {
+                        let at = place(sign, Half { n: [0, 0], m }).at(witness.v);
+                        thetas[number(m)].with_rates(at, advance.map(|x| sign * x))
+                    })
+                    .into();
+                Half::all()
+                    .map(|half| {
+                        let place = place(sign, half);
+                        let [value, rate] = all[number(half.m)]
+                            .each_ref()
+                            .map(|sums| place.join(curve.twisted, sums));
+                        (rate / value).im
+                    })
+                    .collect()
+            })
+            .collect();
+        for (i, half) in Half::all().enumerate() {
+            let other = Half::all().position(|x| x == half.plus(curve.between))?;
+            for (side, best) in best.iter_mut().enumerate() {
+                let rates: Vec<f64> = few
+                    .iter()
+                    .zip(&turning)
+                    .map(|(witness, turning)| {
+                        witness.rates[side] + 2.0 * (turning[i] + turning[other])
+                    })
+                    .collect();
+                let (least, most) = rates.iter().fold(
+                    (f64::INFINITY, f64::NEG_INFINITY),
+                    |(a, b), &x| (a.min(x), b.max(x)),
+                );
+                let spread = (most - least) / (1.0 + most.abs());
+                if spread < best.0 {
+                    *best = (spread, sign, half);
+                }
+            }
+        }
+    }
+    let factor = |sign: f64, half: Half| Factor {
+        theta: thetas[number(half.m)].clone(),
+        place: place(sign, half),
+        twisted: curve.twisted,
+    };
+    best.iter().all(|x| x.0 < TRUSTED).then(|| {
+        best.map(|(_, sign, half)| [half, half.plus(curve.between)].map(|h| factor(sign, h)))
+    })
+}
+// ANCHOR_END: choice
 
 /// A vector along the body's axes as it is seen from space.
 fn turned(attitude: Quaternion<f64>, [x, y, z]: [f64; 3]) -> Quaternion<f64> {

@@ -1,11 +1,12 @@
 //! Her separation variables s₁, s₂, the two phases that run through them, and the time (8.2).
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
 
 use super::constants::{Constants, Phase, Root};
 use super::series::Quadratures;
+use crate::double_double::DoubleDouble;
 
 /// The phases f₁, f₂: s₁ = A + (B−A) sin²(f₁/2), s₂ = C − m tan²(f₂/2) with m = B − C.
 ///
@@ -52,11 +53,7 @@ impl Separation {
     /// The band that contains s₁; none if the roots leave no room for it.
     pub fn prepare(constants: &Constants, s1: f64) -> Option<Self> {
         let roots = constants.roots();
-        let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
-        real.sort_by(|&i, &j| {
-            let gap = roots[i].real.subtract(roots[j].real).value();
-            gap.total_cmp(&0.0)
-        });
+        let real = in_order(&roots);
         // P > 0 below the smallest root, between the second and third, and between the fourth and fifth.
         let outside = |a: usize, b: usize| {
             let (low, high) = (roots[a].real.value(), roots[b].real.value());
@@ -280,6 +277,81 @@ impl Separation {
         [f1, second(f1)]
     }
 
+    /// The real roots in ascending order.
+    pub fn in_order(&self) -> Vec<usize> {
+        in_order(&self.roots)
+    }
+
+    /// |∫ds/√P| and |∫s ds/√P| in a gap between two roots, where P < 0; s = low + (high−low) sin²(f/2).
+    pub fn gap(&self, [low, high]: [usize; 2]) -> Option<Quadratures<2>> {
+        let [from_low, from_high] =
+            [low, high].map(|end| self.roots.map(|root| root.from(&self.roots[end])));
+        let (start, width) = (self.roots[low].real.value(), from_low[high].re);
+        Quadratures::prepare(|f| {
+            let (sine, cosine) = (0.5 * f).sin_cos();
+            let (up, down) = (width * sine * sine, width * cosine * cosine);
+            // From the end that is nearer, as in the band.
+            let apart = |i: usize| {
+                if up < down {
+                    up - from_low[i]
+                } else {
+                    -down - from_high[i]
+                }
+            };
+            let product: Complex<f64> = (0..5)
+                .filter(|i| ![low, high].contains(i))
+                .map(apart)
+                .product();
+            let value = 0.5 / product.re.abs().sqrt();
+            [value, (start + up) * value]
+        })
+    }
+
+    /// The mean over time of 1/((s₁−c)(s₂−c)), c between s₂ and s₁.
+    ///
+    /// 1/((s₁−c)(s₂−c)) = (1/(s₂−c) − 1/(s₁−c))/(s₁−s₂), and dt/(s₁−s₂) is df₁/√G as well as w df₂.
+    pub fn third_kind(&self, c: DoubleDouble) -> Option<f64> {
+        let [from_a, from_b, from_c] = self
+            .ends
+            .map(|end| c.subtract(self.roots[end].real).value());
+        let [turns1, turns2] = self.frequencies();
+        let means = |n: usize| {
+            let mut sums = [0.0; 2];
+            for j in 0..n {
+                let f = PI * (j as f64 + 0.5) / n as f64;
+                let local = self.local([f, f]);
+                let [[s, k], [sine, cosine]] = local.half;
+                let above = if s * s < 0.5 {
+                    self.width * s * s - from_a
+                } else {
+                    -self.width * k * k - from_b
+                };
+                let square = cosine * cosine;
+                let below = from_c * square + self.depth * sine * sine;
+                sums[0] += 1.0 / (local.root_g * above);
+                sums[1] += square * square / (local.root_h * below);
+            }
+            -TAU * (turns1 * sums[0] + turns2 * sums[1]) / n as f64
+        };
+        let mut n = 32;
+        let mut coarse = means(n);
+        while n < 1 << 12 {
+            n *= 2;
+            let fine = means(n);
+            // The error is squared as the number is doubled.
+            if (fine - coarse).abs() < 1e-9 * fine.abs() {
+                return Some(fine);
+            }
+            coarse = fine;
+        }
+        None
+    }
+
+    /// ∫ds/√P and ∫s ds/√P in turns of the two phases.
+    pub fn normalized(&self, integrals: [f64; 2]) -> Phases {
+        self.uniform(integrals).map(|u| u / TAU)
+    }
+
     /// Turns of the two phases per unit of time: a₁n₁ = a₂n₂, b₁n₁ − b₂n₂ = 1.
     pub fn frequencies(&self) -> [f64; 2] {
         let (turns, _) = self.linear([0.0, 1.0 / TAU]);
@@ -303,6 +375,16 @@ impl Separation {
             2.0 * deep.sqrt().atan2((eight * self.depth).sqrt()),
         ]
     }
+}
+
+/// The real ones of five roots in ascending order.
+fn in_order(roots: &[Root; 5]) -> Vec<usize> {
+    let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
+    real.sort_by(|&i, &j| {
+        let gap = roots[i].real.subtract(roots[j].real).value();
+        gap.total_cmp(&0.0)
+    });
+    real
 }
 
 /// The zero of an increasing function with its slope, in an interval that contains it: Newton's steps, and halves where they leave it.

@@ -176,7 +176,7 @@ fn to_the_complex(separation: &Separation, from: usize) -> Option<[f64; 2]> {
     let to = (0..3).find(|&i| roots[i].imaginary.high() > 0.0)?;
     let other = (0..3).find(|&i| roots[i].imaginary.high() < 0.0)?;
     let half = 0.5 * roots[to].from(&roots[from]);
-    let mean = roots[from].real.value() + half;
+    let mean = separation.over_middle(from) + half;
     let rest: Vec<usize> = (0..5).filter(|i| ![from, to].contains(i)).collect();
     // Distances of the middle from the other three, from differences that are rounded once.
     let apart: Vec<Complex<f64>> = rest

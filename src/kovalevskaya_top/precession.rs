@@ -94,7 +94,7 @@ const DECIDING: usize = 4;
 const TRUSTED: f64 = 1e-9;
 
 impl Precession {
-    pub fn prepare(constants: &Constants, exact: &Exact, start: &Carried) -> Option<Self> {
+    pub fn prepare(constants: &Constants, exact: &Exact) -> Option<Self> {
         let curve = Curve::prepare(constants, &exact.separation)?;
         let advance = exact.separation.frequencies().map(|n| 0.5 * n);
         let witnesses = Witness::some(constants, exact);
@@ -114,12 +114,27 @@ impl Precession {
             .iter()
             .sum::<f64>()
             * 0.5;
-        let &([.., z1, z2, z3], [w, x, y, z]) = start;
-        let third = turned(Quaternion::new(w, x, y, z), [0.0, 0.0, 1.0]);
-        let _ = (z1, z2, z3);
-        let seen = Number::new(third.i, third.j);
-        precession.angle = (seen * precession.product(exact.halved(0.0))).arg();
-        precession.angle.is_finite().then_some(precession)
+        precession.set_out(constants, exact).then_some(precession)
+    }
+
+    /// The angle at time 0, from several states soon after: at one instant the third axis may be nearly upright, or rounding just there the
+    /// worst. Says whether they agree.
+    fn set_out(&mut self, constants: &Constants, exact: &Exact) -> bool {
+        let angles: Vec<Number> = exact
+            .trial
+            .iter()
+            .map(|&(t, (_, [w, x, y, z]))| {
+                let _ = constants;
+                let seen = bearing(Quaternion::new(w, x, y, z));
+                let product = self.product(exact.halved(t));
+                let (sine, cosine) = (self.rate * t).sin_cos();
+                seen * product * Number::new(cosine, -sine) / product.norm()
+            })
+            .collect();
+        let sum: Number = angles.iter().sum();
+        self.angle = sum.arg();
+        let mean = sum.conj() / sum.norm();
+        angles.iter().all(|angle| (angle * mean).im.abs() < TRUSTED)
     }
 
     /// α from one of the two products, each witness trusted as far as its quotient is well-conditioned.
@@ -151,8 +166,7 @@ impl Precession {
         let state = exact.state(constants, t);
         let [.., z1, z2, z3] = state;
         let upright = shortest([z1, z2, z3]);
-        let third = turned(upright, [0.0, 0.0, 1.0]);
-        let seen = Number::new(third.i, third.j);
+        let seen = bearing(upright);
         let angle = self.angle + self.rate * t - (self.product(exact.halved(t)) * seen).arg();
         let Quaternion { coords } = about_third(angle) * upright;
         (state, [coords.w, coords.x, coords.y, coords.z])
@@ -327,7 +341,7 @@ fn products(
 }
 // ANCHOR_END: choice
 
-/// A vector along the body's axes as it is seen from space.
-fn turned(attitude: Quaternion<f64>, [x, y, z]: [f64; 3]) -> Quaternion<f64> {
-    attitude * Quaternion::new(0.0, x, y, z) * attitude.conjugate()
+/// The horizontal part of the body's third axis as it is seen from space.
+fn bearing(q: Quaternion<f64>) -> Number {
+    2.0 * Number::new(q.i * q.k + q.w * q.j, q.j * q.k - q.w * q.i)
 }

@@ -13,7 +13,7 @@
 //!
 //! With z₃ = 1 the same comes out but for a half period added to a. So the azimuth of the third axis, the phase of ξ₃, is αt − arg G₊G₋.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, Quaternion};
 
@@ -31,10 +31,12 @@ type Number = Complex<f64>;
 pub(super) struct Precession {
     /// G₊ and G₋, two factors each.
     products: [[Factor; 2]; 2],
-    /// α.
-    rate: f64,
+    /// α₊ and α₋; their mean is α.
+    rates: [f64; 2],
     /// arg ξ₃G₊G₋ at time 0.
     angle: f64,
+    /// 2 arg η₂²G₊²√K and 2 arg η₁²G₋²/√K at time 0.
+    doubled: [f64; 2],
     /// Turns of the two phases a unit of time, halved.
     advance: [f64; 2],
 }
@@ -101,40 +103,74 @@ impl Precession {
         let products = products(&curve, &witnesses, advance)?;
         let mut precession = Self {
             products,
-            rate: 0.0,
+            rates: [0.0; 2],
             angle: 0.0,
+            doubled: [0.0; 2],
             advance,
         };
         let known = curve.rate(constants, &exact.separation);
-        precession.rate = [0, 1]
-            .map(|side| {
-                let rough = precession.mean_rate(side, &witnesses);
-                known.map_or(rough, |known| settled(known, rough, advance))
-            })
-            .iter()
-            .sum::<f64>()
-            * 0.5;
+        precession.rates = [0, 1].map(|side| {
+            let rough = precession.mean_rate(side, &witnesses);
+            known.map_or(rough, |known| settled(known, rough, advance))
+        });
         precession.set_out(constants, exact).then_some(precession)
     }
 
-    /// The angle at time 0, from several states soon after: at one instant the third axis may be nearly upright, or rounding just there the
+    /// The angles at time 0, from several states soon after: at one instant the third axis may be nearly upright, or rounding just there the
     /// worst. Says whether they agree.
     fn set_out(&mut self, constants: &Constants, exact: &Exact) -> bool {
-        let angles: Vec<Number> = exact
+        let seen: Vec<[Number; 3]> = exact
             .trial
             .iter()
-            .map(|&(t, (_, [w, x, y, z]))| {
-                let _ = constants;
-                let seen = bearing(Quaternion::new(w, x, y, z));
-                let product = self.product(exact.halved(t));
-                let (sine, cosine) = (self.rate * t).sin_cos();
-                seen * product * Number::new(cosine, -sine) / product.norm()
+            .map(|&(t, (state, [w, x, y, z]))| {
+                let sight = self.sight(constants, exact, t, &state, Quaternion::new(w, x, y, z));
+                let [a, b] = self.rates.map(|rate| 2.0 * rate * t);
+                [
+                    sight.third * unit(-0.25 * (a + b)),
+                    sight.doubled[0] * unit(-a),
+                    sight.doubled[1] * unit(-b),
+                ]
             })
             .collect();
-        let sum: Number = angles.iter().sum();
-        self.angle = sum.arg();
-        let mean = sum.conj() / sum.norm();
-        angles.iter().all(|angle| (angle * mean).im.abs() < TRUSTED)
+        let [third, first, second] =
+            [0, 1, 2].map(|i| seen.iter().map(|all| all[i]).sum::<Number>());
+        self.angle = third.arg();
+        self.doubled = [first.arg(), second.arg()];
+        let mean = third.conj() / third.norm();
+        seen.iter()
+            .all(|all| (all[0] * mean).im.abs() < TRUSTED)
+    }
+
+    /// What keeps pace with the time, seen from an attitude.
+    fn sight(
+        &self,
+        constants: &Constants,
+        exact: &Exact,
+        t: f64,
+        &[p, q, _, z1, z2, _]: &Phase,
+        attitude: Quaternion<f64>,
+    ) -> Sight {
+        let v = exact.halved(t);
+        let products = self.products.each_ref().map(|pair| {
+            let product = pair[0].value(v) * pair[1].value(v);
+            product / product.norm()
+        });
+        let c = constants.c;
+        let x = Number::new(p, q);
+        let k = x * x - c * Number::new(z1, z2);
+        let size = p * p + q * q + c;
+        let [third, first, second] = horizontal(attitude);
+        let fourth = |eta: Number, g: Number| {
+            let square = eta * g * g;
+            square * square
+        };
+        Sight {
+            third: third * products[0] * products[1],
+            doubled: [
+                fourth(second, products[0]) * k / size,
+                fourth(first, products[1]) * k.conj() / size,
+            ],
+        }
     }
 
     /// α from one of the two products, each witness trusted as far as its quotient is well-conditioned.
@@ -166,8 +202,17 @@ impl Precession {
         let state = exact.state(constants, t);
         let [.., z1, z2, z3] = state;
         let upright = shortest([z1, z2, z3]);
-        let seen = bearing(upright);
-        let angle = self.angle + self.rate * t - (self.product(exact.halved(t)) * seen).arg();
+        let sight = self.sight(constants, exact, t, &state, upright);
+        let third = self.angle + 0.5 * (self.rates[0] + self.rates[1]) * t - sight.third.arg();
+        // Near the poles the third axis points nowhere; there η₁ or η₂ tells the angle, but for half a turn, unless K is small.
+        let side = usize::from(z3 < 0.0);
+        let other = sight.doubled[side];
+        let angle = if sight.third.norm_sqr() < other.norm() / (1.0 + z3.abs()).powi(2) {
+            let half = 0.5 * (self.doubled[side] - other.arg()) + self.rates[side] * t;
+            half + PI * ((third - half) / PI).round()
+        } else {
+            third
+        };
         let Quaternion { coords } = about_third(angle) * upright;
         (state, [coords.w, coords.x, coords.y, coords.z])
     }
@@ -181,7 +226,7 @@ impl Precession {
     /// The mean rate of the third axis: α less what arg G₊G₋ gains.
     pub fn mean(&self) -> f64 {
         let turns = [0, 1].map(|axis| self.winding(axis));
-        self.rate - TAU * (turns[0] * self.advance[0] + turns[1] * self.advance[1])
+        0.5 * (self.rates[0] + self.rates[1]) - TAU * (turns[0] * self.advance[0] + turns[1] * self.advance[1])
     }
 
     /// How often G₊G₋ goes round 0 as one of v₁, v₂ gains 1: in steps fine enough that none is more than a radian.
@@ -341,7 +386,34 @@ fn products(
 }
 // ANCHOR_END: choice
 
-/// The horizontal part of the body's third axis as it is seen from space.
-fn bearing(q: Quaternion<f64>) -> Number {
-    2.0 * Number::new(q.i * q.k + q.w * q.j, q.j * q.k - q.w * q.i)
+/// ξ₃, η₁² and η₂² as they follow from an attitude: the horizontal parts of the body's axes.
+fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
+    let third = 2.0 * Number::new(q.i * q.k + q.w * q.j, q.j * q.k - q.w * q.i);
+    // The spinor is (k + iw, i + ij) up to a factor; its squares are those of two numbers.
+    let first = Number::new(q.w, q.k);
+    let second = Number::new(q.i, q.j);
+    let _ = (first, second);
+    let axis1 = Number::new(
+        1.0 - 2.0 * (q.j * q.j + q.k * q.k),
+        2.0 * (q.i * q.j + q.w * q.k),
+    );
+    let axis2 = Number::new(
+        2.0 * (q.i * q.j - q.w * q.k),
+        1.0 - 2.0 * (q.i * q.i + q.k * q.k),
+    );
+    let i = Number::new(0.0, 1.0);
+    [third, axis1 + i * axis2, i * axis2 - axis1]
+}
+
+fn unit(angle: f64) -> Number {
+    let (sine, cosine) = angle.sin_cos();
+    Number::new(cosine, sine)
+}
+
+/// What advances evenly, where it is not rounding.
+struct Sight {
+    /// ξ₃G₊G₋, G± of length 1.
+    third: Number,
+    /// η₂⁴G₊⁴K and η₁⁴G₋⁴K̄, as parts of the largest that K may be.
+    doubled: [Number; 2],
 }

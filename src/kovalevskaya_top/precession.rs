@@ -21,7 +21,7 @@ use super::constants::{Constants, Phase};
 use super::exact::Exact;
 use super::periods::{Curve, Half};
 use super::taylor::Carried;
-use super::theta::{Sums, Theta};
+use super::theta::{Sums, Theta, unit};
 use super::walk::{about_third, shortest};
 
 type Number = Complex<f64>;
@@ -53,13 +53,15 @@ struct Factor {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Place {
     sign: f64,
-    shift: [f64; 2],
+    /// e^{−2πi·shift}.
+    turn: [Number; 2],
     half: [u8; 2],
 }
 
 impl Place {
-    fn at(&self, v: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|i| self.sign * v[i] - self.shift[i])
+    /// e^{2πiw} from e^{2πiv}.
+    fn at(&self, z: [Number; 2]) -> [Number; 2] {
+        [0, 1].map(|i| self.turn[i] * if self.sign < 0.0 { z[i].conj() } else { z[i] })
     }
 
     /// The sums put together: signs from the half period, i from the real part ½ of τ.
@@ -79,9 +81,9 @@ impl Place {
     }
 }
 
-/// A state, v there, and what tells a fit.
+/// e^{2πiv} at a state, and what tells a fit.
 struct Witness {
-    v: [f64; 2],
+    z: [Number; 2],
     /// A₊′/2 and A₋′/2.
     rates: [f64; 2],
     /// 1 + z₃ and 1 − z₃.
@@ -126,9 +128,9 @@ impl Precession {
                 let sight = self.sight(constants, exact, t, &state, Quaternion::new(w, x, y, z));
                 let [a, b] = self.rates.map(|rate| 2.0 * rate * t);
                 [
-                    sight.third * unit(-0.25 * (a + b)),
-                    sight.doubled[0] * unit(-a),
-                    sight.doubled[1] * unit(-b),
+                    sight.third * wave(-0.25 * (a + b)),
+                    sight.doubled[0] * wave(-a),
+                    sight.doubled[1] * wave(-b),
                 ]
             })
             .collect();
@@ -150,9 +152,9 @@ impl Precession {
         &[p, q, _, z1, z2, _]: &Phase,
         attitude: Quaternion<f64>,
     ) -> Sight {
-        let v = exact.halved(t);
+        let z = exact.halved(t).map(unit);
         let products = self.products.each_ref().map(|pair| {
-            let product = pair[0].value(v) * pair[1].value(v);
+            let product = pair[0].value(z) * pair[1].value(z);
             product / product.norm()
         });
         let c = constants.c;
@@ -179,7 +181,7 @@ impl Precession {
         for witness in witnesses {
             let turning: f64 = self.products[side]
                 .iter()
-                .map(|factor| factor.turning(witness.v, self.advance))
+                .map(|factor| factor.turning(witness.z, self.advance))
                 .sum();
             let weight = witness.heights[side].powi(2);
             sum += weight * (witness.rates[side] + 2.0 * turning);
@@ -190,10 +192,11 @@ impl Precession {
 
     /// G₊G₋.
     fn product(&self, v: [f64; 2]) -> Number {
+        let z = v.map(unit);
         self.products
             .iter()
             .flatten()
-            .map(|factor| factor.value(v))
+            .map(|factor| factor.value(z))
             .product()
     }
 
@@ -251,17 +254,17 @@ impl Precession {
 }
 
 impl Factor {
-    fn value(&self, v: [f64; 2]) -> Number {
-        let sums = self.theta.at(self.place.at(v));
+    fn value(&self, z: [Number; 2]) -> Number {
+        let sums = self.theta.at(self.place.at(z));
         self.place.join(self.twisted, &sums)
     }
 
     /// d arg/dt.
-    fn turning(&self, v: [f64; 2], advance: [f64; 2]) -> f64 {
+    fn turning(&self, z: [Number; 2], advance: [f64; 2]) -> f64 {
         let rates = advance.map(|x| self.place.sign * x);
         let [value, rate] = self
             .theta
-            .with_rates(self.place.at(v), rates)
+            .with_rates(self.place.at(z), rates)
             .map(|sums| self.place.join(self.twisted, &sums));
         (rate / value).im
     }
@@ -281,7 +284,7 @@ impl Witness {
                 let heights = [1.0 + z3, 1.0 - z3];
                 let rates = [(l + 0.5 * r) / heights[0], (l - 0.5 * r) / heights[1]];
                 rates.iter().all(|x| x.is_finite()).then_some(Self {
-                    v,
+                    z: v.map(unit),
                     rates,
                     heights,
                 })
@@ -327,7 +330,7 @@ fn products(
     let number = |m: [u8; 2]| usize::from(2 * m[0] + m[1]);
     let place = |sign: f64, half: Half| Place {
         sign,
-        shift: shifts[number(half.m)],
+        turn: shifts[number(half.m)].map(|x: f64| unit(-x)),
         half: half.n,
     };
     let mut best = [(f64::INFINITY, 1.0, Half::default()); 2];
@@ -339,7 +342,7 @@ fn products(
             .map(|witness| {
                 let all: Vec<[Sums; 2]> = MEASURES
                     .map(|m| {
-                        let at = place(sign, Half { n: [0, 0], m }).at(witness.v);
+                        let at = place(sign, Half { n: [0, 0], m }).at(witness.z);
                         thetas[number(m)].with_rates(at, advance.map(|x| sign * x))
                     })
                     .into();
@@ -405,7 +408,7 @@ fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
     [third, axis1 + i * axis2, i * axis2 - axis1]
 }
 
-fn unit(angle: f64) -> Number {
+fn wave(angle: f64) -> Number {
     let (sine, cosine) = angle.sin_cos();
     Number::new(cosine, sine)
 }

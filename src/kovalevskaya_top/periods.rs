@@ -6,7 +6,7 @@ use nalgebra::Complex;
 
 use super::constants::Constants;
 use super::separation::Separation;
-use super::series::Quadratures;
+use super::series::{Quadratures, mean};
 
 /// A half period ½(n + τm) of the curve, n and m even or odd.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -67,17 +67,28 @@ impl Curve {
         let twisted = real.len() < 5;
         // The band of s₁ is the second cut or the third.
         let far = real[1] != separation.ends[0];
-        let near_gap = separation.gap([real[0], real[1]])?;
-        let round = |gap: &Quadratures<2>| separation.normalized(gap.means.map(|x| TAU * x));
-        let across_near = upward(round(&near_gap), 1);
-        let far_gap = if twisted {
-            None
+        let s = constants.l.multiply(constants.l).subtract(constants.l1);
+        let over = |root: usize| s.subtract(separation.roots[root].real).value();
+        // In which of the gaps Z lies.
+        let base = if far && over(real[2]) > -over(real[1]) {
+            2
         } else {
-            Some(separation.gap([real[2], real[3]])?)
+            0
         };
-        let first = match &far_gap {
-            Some(gap) => round(gap),
-            None => to_the_complex(separation, real[2])?,
+        let gap = Quadratures::prepare(separation.gap([real[base], real[base + 1]]))?;
+        let round = |place: usize| {
+            let means = if place == base {
+                gap.means
+            } else {
+                mean(separation.gap([real[place], real[place + 1]]))?
+            };
+            Some(separation.normalized(means.map(|x| TAU * x)))
+        };
+        let across_near = upward(round(0)?, 1);
+        let first = if twisted {
+            to_the_complex(separation, real[2])?
+        } else {
+            round(2)?
         };
         let first = upward(first, 0);
         let second = if far {
@@ -101,15 +112,6 @@ impl Curve {
         };
         let place = |root: usize| real.iter().position(|&r| r == root);
         let between = to(place(3)?).plus(to(place(4)?));
-        let s = constants
-            .l
-            .multiply(constants.l)
-            .subtract(constants.l1);
-        let over = |root: usize| s.subtract(separation.roots[root].real).value();
-        let (base, gap) = match &far_gap {
-            Some(gap) if far && over(real[2]) > -over(real[1]) => (2, gap),
-            _ => (0, &near_gap),
-        };
         let [up, down] = [over(real[base]), -over(real[base + 1])].map(|x| x.max(0.0).sqrt());
         let inside = separation.normalized(gap.whole(2.0 * up.atan2(down)));
         let Half { n, m } = to(base).plus(to(place(4)?));
@@ -170,13 +172,13 @@ fn upward(vector: [f64; 2], component: usize) -> [f64; 2] {
 
 /// The imaginary part of twice the normalized integrals from a real root to one of the two complex ones, straight.
 ///
-/// s = mean + half·cos x; the sum over midpoints converges like a geometric series, and the error is squared as their number is doubled.
+/// s = mean + half·cos x.
 fn to_the_complex(separation: &Separation, from: usize) -> Option<[f64; 2]> {
     let roots = &separation.roots;
     let to = (0..3).find(|&i| roots[i].imaginary.high() > 0.0)?;
     let other = (0..3).find(|&i| roots[i].imaginary.high() < 0.0)?;
     let half = 0.5 * roots[to].from(&roots[from]);
-    let mean = separation.over_middle(from) + half;
+    let mean_place = separation.over_middle(from) + half;
     let rest: Vec<usize> = (0..5).filter(|i| ![from, to].contains(i)).collect();
     // Distances of the middle from the other three, from differences that are rounded once.
     let apart: Vec<Complex<f64>> = rest
@@ -190,28 +192,26 @@ fn to_the_complex(separation: &Separation, from: usize) -> Option<[f64; 2]> {
         })
         .collect();
     let outer: Complex<f64> = apart.iter().map(|x| x.sqrt()).product();
-    let sum = |n: usize| {
-        let mut sums = [Complex::<f64>::default(); 2];
-        for j in 0..n {
-            let ahead = half * (PI * (j as f64 + 0.5) / n as f64).cos();
-            // Each quotient stays on a line through 1, away from the cut of the root.
-            let inner: Complex<f64> = apart.iter().map(|x| (1.0 + ahead / x).sqrt()).product();
-            let value = (2.0 * outer * inner).inv() * (PI / n as f64);
-            sums[0] += value;
-            sums[1] += (mean + ahead) * value;
-        }
-        separation.normalized(sums.map(|x| 2.0 * x.im))
+    let integrals = mean(|x| {
+        let ahead = half * x.cos();
+        // Each quotient stays on a line through 1, away from the cut of the root.
+        let inner: Complex<f64> = apart.iter().map(|x| root(1.0 + ahead / x)).product();
+        let value = (outer * inner).inv();
+        let next = (mean_place + ahead) * value;
+        [value.im, next.im]
+    })?;
+    Some(separation.normalized(integrals.map(|x| PI * x)))
+}
+
+/// The root with a positive real part, straight from the parts: twice as fast as by way of the angle.
+fn root(z: Complex<f64>) -> Complex<f64> {
+    let norm = (z.re * z.re + z.im * z.im).sqrt();
+    let large = (0.5 * (norm + z.re.abs())).sqrt();
+    let small = 0.5 * z.im.abs() / large;
+    let (re, im) = if z.re < 0.0 {
+        (small, large)
+    } else {
+        (large, small)
     };
-    let mut n = 16;
-    let mut coarse = sum(n);
-    while n < 1 << 15 {
-        n *= 2;
-        let fine = sum(n);
-        let size = fine[0].abs().max(fine[1].abs());
-        if (fine[0] - coarse[0]).abs().max((fine[1] - coarse[1]).abs()) < 1e-10 * size {
-            return Some(fine);
-        }
-        coarse = fine;
-    }
-    None
+    Complex::new(re, im.copysign(z.im))
 }

@@ -90,8 +90,10 @@ struct Witness {
     heights: [f64; 2],
 }
 
-/// States from which α is taken as a mean, and those that tell which half periods belong to a.
-const WITNESSES: usize = 32;
+/// States from which α is taken as a mean, where its whole turns are all that is in question and where it is not known otherwise; and those that
+/// tell which half periods belong to a.
+const FEW: usize = 6;
+const MANY: usize = 32;
 const DECIDING: usize = 4;
 
 /// The largest disagreement about α between those few.
@@ -101,7 +103,9 @@ impl Precession {
     pub fn prepare(constants: &Constants, exact: &Exact) -> Option<Self> {
         let curve = Curve::prepare(constants, &exact.separation)?;
         let advance = exact.separation.frequencies().map(|n| 0.5 * n);
-        let witnesses = Witness::some(constants, exact);
+        let known = curve.rate(constants, &exact.separation);
+        let count = if known.is_some() { FEW } else { MANY };
+        let witnesses = Witness::some(constants, exact, count);
         let products = products(&curve, &witnesses, advance)?;
         let mut precession = Self {
             products,
@@ -110,7 +114,6 @@ impl Precession {
             doubled: [0.0; 2],
             advance,
         };
-        let known = curve.rate(constants, &exact.separation);
         precession.rates = [0, 1].map(|side| {
             let rough = precession.mean_rate(side, &witnesses);
             known.map_or(rough, |known| settled(known, rough, advance))
@@ -139,8 +142,7 @@ impl Precession {
         self.angle = third.arg();
         self.doubled = [first.arg(), second.arg()];
         let mean = third.conj() / third.norm();
-        seen.iter()
-            .all(|all| (all[0] * mean).im.abs() < TRUSTED)
+        seen.iter().all(|all| (all[0] * mean).im.abs() < TRUSTED)
     }
 
     /// What keeps pace with the time, seen from an attitude.
@@ -229,7 +231,8 @@ impl Precession {
     /// The mean rate of the third axis: α less what arg G₊G₋ gains.
     pub fn mean(&self) -> f64 {
         let turns = [0, 1].map(|axis| self.winding(axis));
-        0.5 * (self.rates[0] + self.rates[1]) - TAU * (turns[0] * self.advance[0] + turns[1] * self.advance[1])
+        0.5 * (self.rates[0] + self.rates[1])
+            - TAU * (turns[0] * self.advance[0] + turns[1] * self.advance[1])
     }
 
     /// How often G₊G₋ goes round 0 as one of v₁, v₂ gains 1: in steps fine enough that none is more than a radian.
@@ -272,9 +275,9 @@ impl Factor {
 
 impl Witness {
     /// States spread over the torus, at phases: no equation has to be solved for these.
-    fn some(constants: &Constants, exact: &Exact) -> Vec<Self> {
+    fn some(constants: &Constants, exact: &Exact, count: usize) -> Vec<Self> {
         let l = constants.l.value();
-        (0..WITNESSES)
+        (0..count)
             .filter_map(|n| {
                 // Multiples of the plastic number's powers spread most evenly.
                 let part = |x: f64| 2.0 * TAU * (0.1 + n as f64 * x).fract();
@@ -309,19 +312,15 @@ const MEASURES: [[u8; 2]; 4] = [[0, 0], [0, 1], [1, 0], [1, 1]];
 /// G₊ and G₋: a is half of the integrals to Z, up to its sign and one of sixteen half periods, of which h makes eight pairs.
 ///
 /// Which it is depends on the signs of the roots with which the start was found; the one that fits is told by A′/2 + 2 d arg G/dt being the same α everywhere.
-fn products(
-    curve: &Curve,
-    witnesses: &[Witness],
-    advance: [f64; 2],
-) -> Option<[[Factor; 2]; 2]> {
+fn products(curve: &Curve, witnesses: &[Witness], advance: [f64; 2]) -> Option<[[Factor; 2]; 2]> {
     let [real, imaginary] = curve.point;
     let mut thetas = Vec::with_capacity(4);
     let mut shifts = Vec::with_capacity(4);
     for m in MEASURES {
         let moved = m.map(|x| 0.5 * f64::from(x));
-        let (imaginary, whole) = curve.reduced([0, 1].map(|i| {
-            imaginary[i] + curve.y[i][0] * moved[0] + curve.y[i][1] * moved[1]
-        }));
+        let (imaginary, whole) = curve.reduced(
+            [0, 1].map(|i| imaginary[i] + curve.y[i][0] * moved[0] + curve.y[i][1] * moved[1]),
+        );
         thetas.push(Theta::prepare(curve.y, imaginary)?);
         // Re τ(m/2 − whole), the same in both components.
         let twist = curve.twist(moved[0] + moved[1] - whole[0] - whole[1]);
@@ -367,10 +366,11 @@ fn products(
                         witness.rates[side] + 2.0 * (turning[i] + turning[other])
                     })
                     .collect();
-                let (least, most) = rates.iter().fold(
-                    (f64::INFINITY, f64::NEG_INFINITY),
-                    |(a, b), &x| (a.min(x), b.max(x)),
-                );
+                let (least, most) = rates
+                    .iter()
+                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| {
+                        (a.min(x), b.max(x))
+                    });
                 let spread = (most - least) / (1.0 + most.abs());
                 if spread < best.0 {
                     *best = (spread, sign, half);

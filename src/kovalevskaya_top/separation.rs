@@ -1,11 +1,11 @@
 //! Her separation variables s₁, s₂, the two phases that run through them, and the time (8.2).
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use nalgebra::Complex;
 
 use super::constants::{Constants, Phase, Root};
-use super::series::Quadratures;
+use super::series::{Quadratures, mean};
 use crate::double_double::DoubleDouble;
 
 /// The phases f₁, f₂: s₁ = A + (B−A) sin²(f₁/2), s₂ = C − m tan²(f₂/2) with m = B − C.
@@ -284,12 +284,12 @@ impl Separation {
         self.from_ends[0][root].re + self.half_way
     }
 
-    /// ∫ds/√|P| and ∫(s−σ)ds/√|P| in a gap between two roots, where P < 0; s = low + (high−low) sin²(f/2).
-    pub fn gap(&self, [low, high]: [usize; 2]) -> Option<Quadratures<2>> {
+    /// ds/√|P| and (s−σ)ds/√|P| over df in a gap between two roots, where P < 0; s = low + (high−low) sin²(f/2).
+    pub fn gap(&self, [low, high]: [usize; 2]) -> impl Fn(f64) -> [f64; 2] + use<> {
         let [from_low, from_high] =
             [low, high].map(|end| self.roots.map(|root| root.from(&self.roots[end])));
         let (start, width) = (self.over_middle(low), from_low[high].re);
-        Quadratures::prepare(|f| {
+        move |f| {
             let (sine, cosine) = (0.5 * f).sin_cos();
             let (up, down) = (width * sine * sine, width * cosine * cosine);
             // From the end that is nearer, as in the band.
@@ -306,7 +306,7 @@ impl Separation {
                 .product();
             let value = 0.5 / product.re.abs().sqrt();
             [value, (start + up) * value]
-        })
+        }
     }
 
     /// The mean over time of 1/((s₁−c)(s₂−c)), c between s₂ and s₁.
@@ -317,36 +317,22 @@ impl Separation {
             .ends
             .map(|end| c.subtract(self.roots[end].real).value());
         let [turns1, turns2] = self.frequencies();
-        let means = |n: usize| {
-            let mut sums = [0.0; 2];
-            for j in 0..n {
-                let f = PI * (j as f64 + 0.5) / n as f64;
-                let local = self.local([f, f]);
-                let [[s, k], [sine, cosine]] = local.half;
-                let above = if s * s < 0.5 {
-                    self.width * s * s - from_a
-                } else {
-                    -self.width * k * k - from_b
-                };
-                let square = cosine * cosine;
-                let below = from_c * square + self.depth * sine * sine;
-                sums[0] += 1.0 / (local.root_g * above);
-                sums[1] += square * square / (local.root_h * below);
-            }
-            -TAU * (turns1 * sums[0] + turns2 * sums[1]) / n as f64
-        };
-        let mut n = 32;
-        let mut coarse = means(n);
-        while n < 1 << 12 {
-            n *= 2;
-            let fine = means(n);
-            // The error is squared as the number is doubled.
-            if (fine - coarse).abs() < 1e-9 * fine.abs() {
-                return Some(fine);
-            }
-            coarse = fine;
-        }
-        None
+        let [first, second] = mean(|f| {
+            let local = self.local([f, f]);
+            let [[s, k], [sine, cosine]] = local.half;
+            let above = if s * s < 0.5 {
+                self.width * s * s - from_a
+            } else {
+                -self.width * k * k - from_b
+            };
+            let square = cosine * cosine;
+            let below = from_c * square + self.depth * sine * sine;
+            [
+                1.0 / (local.root_g * above),
+                square * square / (local.root_h * below),
+            ]
+        })?;
+        Some(-TAU * (turns1 * first + turns2 * second))
     }
 
     /// ∫ds/√P and ∫(s−σ)ds/√P in turns of the two phases.

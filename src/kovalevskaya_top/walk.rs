@@ -1,14 +1,10 @@
-//! The attitude: the angle about the vertical, carried along from stretch to stretch (8.2).
+//! The attitude where it has no closed form: the angle about the vertical, carried along from stretch to stretch (8.2).
 
 use nalgebra::Quaternion;
 
 use super::taylor::{Carried, Series, project};
-use super::top::{KovalevskayaTop, LONGEST, Motion, State};
+use super::top::{KovalevskayaTop, Motion, State};
 use crate::error::Result;
-
-/// Units of time that are walked rather than leapt over by the double series, which costs as much to prepare as this or a few times as
-/// much. The choice depends on the time alone, not on what was asked for before, and so does the result.
-const FAR: f64 = 256.0;
 
 /// Units of time that are walked at most.
 const LONGEST_WALK: f64 = 1e6;
@@ -25,14 +21,10 @@ impl Walk<'_> {
         if let Motion::Free(free) = &self.top.motion {
             return self.top.free(free, t);
         }
-        let target = self.top.inward_time(t, LONGEST)?;
-        if (target - self.time).abs() > FAR {
-            if let Some(series) = self.top.attitude_series() {
-                (self.time, self.here) = (target, series.carried(target));
-            } else {
-                self.top.inward_time(t, LONGEST_WALK)?;
-            }
+        if let Some(series) = self.top.attitude_series() {
+            return series.at(t);
         }
+        let target = self.top.inward_time(t, LONGEST_WALK)?;
         while self.time != target {
             self.stretch(target);
         }

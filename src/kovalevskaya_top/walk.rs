@@ -21,6 +21,9 @@ impl Walk<'_> {
         if let Motion::Free(free) = &self.top.motion {
             return self.top.free(free, t);
         }
+        if t == 0.0 {
+            return Ok(self.top.placed(&self.top.start));
+        }
         if let Some(series) = self.top.attitude_series() {
             return series.at(t);
         }

@@ -31,6 +31,8 @@ mod attitude;
 mod classes;
 mod constants;
 mod exact;
+mod fourier;
+mod grid;
 mod periods;
 mod precession;
 mod separation;
@@ -40,6 +42,7 @@ mod taylor;
 mod theta;
 pub mod toda;
 mod top;
+mod torus;
 mod walk;
 
 pub use attitude::{AttitudeMethod, AttitudeSeries};

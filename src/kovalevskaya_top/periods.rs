@@ -75,7 +75,7 @@ impl Curve {
         } else {
             0
         };
-        let gap = Quadratures::prepare(separation.gap([real[base], real[base + 1]]))?;
+        let gap = Quadratures::prepare(LONGEST_GAP, separation.gap([real[base], real[base + 1]]))?;
         let round = |place: usize| {
             let means = if place == base {
                 gap.means
@@ -163,6 +163,9 @@ impl Curve {
         ([y1 - a * x[0] - b * x[1], y2 - b * x[0] - c * x[1]], x)
     }
 }
+
+/// Longest series for a gap; where it takes more, two roots nearly meet.
+const LONGEST_GAP: usize = 1 << 14;
 
 /// With the sign that makes this component positive.
 fn upward(vector: [f64; 2], component: usize) -> [f64; 2] {

@@ -392,10 +392,6 @@ fn products(curve: &Curve, witnesses: &[Witness], advance: [f64; 2]) -> Option<[
 /// ξ₃, η₁² and η₂² as they follow from an attitude: the horizontal parts of the body's axes.
 fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
     let third = 2.0 * Number::new(q.i * q.k + q.w * q.j, q.j * q.k - q.w * q.i);
-    // The spinor is (k + iw, i + ij) up to a factor; its squares are those of two numbers.
-    let first = Number::new(q.w, q.k);
-    let second = Number::new(q.i, q.j);
-    let _ = (first, second);
     let axis1 = Number::new(
         1.0 - 2.0 * (q.j * q.j + q.k * q.k),
         2.0 * (q.i * q.j + q.w * q.k),

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use nalgebra::Complex;
 
 use super::constants::{Constants, Phase, Root};
-use super::series::{Quadratures, mean};
+use super::series::{LONGEST, Quadratures, mean};
 use crate::double_double::DoubleDouble;
 
 /// The phases f₁, f₂: s₁ = A + (B−A) sin²(f₁/2), s₂ = C − m tan²(f₂/2) with m = B − C.
@@ -77,11 +77,11 @@ impl Separation {
             first: Quadratures::empty(),
             second: Quadratures::empty(),
         };
-        let first = Quadratures::prepare(|f| {
+        let first = Quadratures::prepare(LONGEST, |f| {
             let local = separation.local([f, 0.0]);
             [1.0, separation.above(&local)].map(|x| x / local.root_g)
         })?;
-        let second = Quadratures::prepare(|f| {
+        let second = Quadratures::prepare(LONGEST, |f| {
             let local = separation.local([0.0, f]);
             let [_, cosine] = local.half[1];
             [cosine * cosine, -separation.below(&local)].map(|x| x / local.root_h)

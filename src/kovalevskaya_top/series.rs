@@ -13,19 +13,19 @@ pub(super) struct Quadratures<const N: usize> {
     sines: Vec<[f64; N]>,
 }
 
-/// Longest series that is tried.
-const LONGEST: usize = 1 << 15;
+/// Longest series that is tried for the motion itself.
+pub(super) const LONGEST: usize = 1 << 15;
 
 impl<const N: usize> Quadratures<N> {
-    /// The integrals of functions given together at each argument; none if they need more than 2¹⁵ terms.
+    /// The integrals of functions given together at each argument; none if they need more terms than `longest`.
     ///
     /// Ordinates at f = πj/n, their cosine series by a fast Fourier transform, n doubled until the last eighth of the terms is
     /// at rounding level.
-    pub fn prepare(functions: impl Fn(f64) -> [f64; N]) -> Option<Self> {
+    pub fn prepare(longest: usize, functions: impl Fn(f64) -> [f64; N]) -> Option<Self> {
         let mut n = 32;
         let at = |j: usize, n: usize| functions(PI * j as f64 / n as f64);
         let mut ordinates: Vec<[f64; N]> = (0..=n).map(|j| at(j, n)).collect();
-        while n <= LONGEST {
+        while n <= longest {
             let series = cosine_coefficients(&ordinates);
             let done = series.iter().all(|a| {
                 let largest = a.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -152,10 +152,10 @@ pub(super) fn mean<const N: usize>(functions: impl Fn(f64) -> [f64; N]) -> Optio
 }
 
 /// Most ordinates of a mean.
-const LONGEST_MEAN: usize = 1 << 12;
+const LONGEST_MEAN: usize = 1 << 14;
 
 /// e^{−2πij/n} for the first half of j.
-fn roots_of_unity(n: usize) -> Vec<Complex<f64>> {
+pub(super) fn roots_of_unity(n: usize) -> Vec<Complex<f64>> {
     let turn = -core::f64::consts::TAU / n as f64;
     // Each from its own angle: a recurrence would lose a digit over long series.
     let root = |j: usize| {
@@ -166,7 +166,7 @@ fn roots_of_unity(n: usize) -> Vec<Complex<f64>> {
 }
 
 /// The fast Fourier transform of n = 2ᵐ values in place (Cooley and Tukey), with the roots of unity for n.
-fn transform(values: &mut [Complex<f64>], roots: &[Complex<f64>]) {
+pub(super) fn transform(values: &mut [Complex<f64>], roots: &[Complex<f64>]) {
     let n = values.len();
     let bits = n.trailing_zeros();
     for i in 0..n {

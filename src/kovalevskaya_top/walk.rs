@@ -3,8 +3,12 @@
 use nalgebra::Quaternion;
 
 use super::taylor::{Carried, Series, project};
-use super::top::{KovalevskayaTop, Motion, State};
+use super::top::{KovalevskayaTop, LONGEST, Motion, State};
 use crate::error::Result;
+
+/// Units of time that are walked rather than leapt over by the series on a grid, which costs as much to prepare as this or a few times as
+/// much. The choice depends on the time alone, not on what was asked for before, and so does the result.
+const FAR: f64 = 256.0;
 
 /// Units of time that are walked at most.
 const LONGEST_WALK: f64 = 1e6;
@@ -24,10 +28,17 @@ impl Walk<'_> {
         if t == 0.0 {
             return Ok(self.top.placed(&self.top.start));
         }
-        if let Some(series) = self.top.attitude_series() {
+        if let Some(series) = self.top.theta_series() {
             return series.at(t);
         }
-        let target = self.top.inward_time(t, LONGEST_WALK)?;
+        let target = self.top.inward_time(t, LONGEST)?;
+        if (target - self.time).abs() > FAR {
+            if let Some(series) = self.top.attitude_series() {
+                (self.time, self.here) = (target, series.carried(target));
+            } else {
+                self.top.inward_time(t, LONGEST_WALK)?;
+            }
+        }
         while self.time != target {
             self.stretch(target);
         }

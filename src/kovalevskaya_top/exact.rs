@@ -5,7 +5,7 @@ use nalgebra::{Matrix2, Vector2};
 use super::constants::{Constants, Phase};
 use super::separation::{Phases, Separation, Variables};
 use super::solution::Reconstruction;
-use super::taylor::{Series, project};
+use super::taylor::{Carried, Series, project};
 
 /// Why a motion is integrated and not solved by separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +26,8 @@ pub(super) struct Exact {
     reconstruction: Reconstruction,
     /// a₁−a₂ and b₁−b₂ at time 0.
     origin: [f64; 2],
+    /// States with attitudes by power series soon after time 0.
+    pub trial: Vec<(f64, Carried)>,
 }
 
 /// The largest disagreement with which separation is trusted; of 1000 random starts none had more than 1e-14 at the start.
@@ -36,13 +38,15 @@ const TRIAL: f64 = 3.0;
 
 impl Exact {
     /// Roots, band, quadratures, signs and phases of a start; tried at the start and at a later time against the power series.
-    pub fn find(constants: &Constants, start: &Phase) -> Result<Self, Reason> {
+    pub fn find(constants: &Constants, whole: &Carried) -> Result<Self, Reason> {
+        let (start, _) = whole;
         let variables = Variables::of(constants, start);
         let separation = Separation::prepare(constants, variables.s1).ok_or(Reason::DoubleRoot)?;
         let mut exact = Self {
             reconstruction: Reconstruction::prepare(constants, &separation),
             separation,
             origin: [0.0; 2],
+            trial: Vec::new(),
         };
         let guess = exact
             .separation
@@ -51,14 +55,15 @@ impl Exact {
         let phases = exact.refine(constants, start, phases);
         exact.origin = exact.separation.abel(phases);
         let mut worst = distance(&exact.state(constants, 0.0), start);
-        let (mut carried, mut t) = ((*start, [1.0, 0.0, 0.0, 0.0]), 0.0);
+        let (mut carried, mut t) = (*whole, 0.0);
         while t < TRIAL && worst <= TRUSTED {
             let series = Series::at(constants.c, &carried);
             let step = series.reach.min(TRIAL - t);
             carried = series.after(step);
             t += step;
+            worst = worst.max(distance(&exact.state(constants, t), &carried.0));
+            exact.trial.push((t, carried));
         }
-        worst = worst.max(distance(&exact.state(constants, TRIAL), &carried.0));
         if worst <= TRUSTED {
             Ok(exact)
         } else if exact.separation.narrowest() < 1e-6 {
@@ -147,6 +152,21 @@ impl Exact {
         self.state_of_sums(constants, self.separation.sums(uniform))
     }
 
+    /// Turns of the two phases if they advanced evenly, halved, from 0 to 1: a state returns when one of these gains 1.
+    pub fn halved(&self, t: f64) -> Phases {
+        halved(&self.separation, [self.origin[0], self.origin[1] + t])
+    }
+
+    /// The state at these phases and the halved even turns there; none at an instant where the linear system is singular.
+    pub fn at_phases(&self, constants: &Constants, phases: Phases) -> Option<(Phase, [f64; 2])> {
+        let state = self.raw(constants, phases);
+        let known = state.iter().all(|x| x.is_finite());
+        known.then(|| {
+            let sums = self.separation.abel(phases);
+            (project(constants, &state), halved(&self.separation, sums))
+        })
+    }
+
     fn state_of_sums(&self, constants: &Constants, sums: [f64; 2]) -> Phase {
         let state = self.raw(constants, self.separation.phases(sums));
         if state.iter().all(|x| x.is_finite()) {
@@ -161,6 +181,13 @@ impl Exact {
         let (state, _) = Series::at(constants.c, &(before, [1.0, 0.0, 0.0, 0.0])).after(EARLIER);
         project(constants, &state)
     }
+}
+
+fn halved(separation: &Separation, sums: [f64; 2]) -> [f64; 2] {
+    separation.normalized(sums).map(|turns| {
+        let v = 0.5 * turns;
+        v - v.floor()
+    })
 }
 
 fn distance(a: &Phase, b: &Phase) -> f64 {

@@ -1,178 +1,241 @@
-//! The angle about the vertical, one more quadrature, as a double Fourier series (8.2).
+//! The angle about the vertical by theta functions (8.2).
+//!
+//! ξ = X + iY, the two horizontal axes of space seen from the body, obeys the same equation as z. From η₁² = ξ₁ + iξ₂ and
+//! η₂² = −(ξ₁ − iξ₂), so that η₁η₂ = ξ₃, come two quadratures, for the phases of η₁²  and η₂²:
+//!
+//! ∫(−r/2 + A₋′/2)dt and ∫(r/2 + A₊′/2)dt, A±′ = (2l ± r)/(1 ± z₃).
+//!
+//! A₊′ has poles where z₁ + iz₂ = 0 or z₁ − iz₂ = 0 with z₃ = −1, at complex times only. With m = Ω₁² + Ω₂² these states make the curve
+//! r²(c²+m²−k²) + 4lc²r + 4l²c² + 2(m−3l₁)(m²−k²) = 0, and this is w² = P(s) again: m = l₁ − 2s. On the complex torus of the motion the two curves
+//! are copies of the curve itself, moved apart by the integrals from ∞ to Z (s = l² − l₁), and A₊/2 less something that grows evenly is −2 arg G₊,
+//!
+//! G = θ(v − a) θ(v − a − h), v the turns of the two phases, halved, a half of those integrals, h the half period from e₄ to e₅.
+//!
+//! With z₃ = 1 the same comes out but for a half period added to a. So the azimuth of the third axis, the phase of ξ₃, is αt − arg G₊G₋.
 
-use nalgebra::{Complex, Quaternion, Vector3};
+use core::f64::consts::{PI, TAU};
 
-use super::constants::Constants;
+use nalgebra::{Complex, Quaternion};
+
+use super::constants::{Constants, Phase};
 use super::exact::Exact;
-use super::fourier::{DoubleSeries, Grid};
+use super::factors::{FEW, Factor, MANY, Witness, products};
+use super::periods::Curve;
 use super::taylor::Carried;
-use super::torus::Torus;
+use super::theta::unit;
 use super::walk::{about_third, shortest};
 
-/// The four functions of u₁, u₂ that are needed besides z, and the rates: all that the angle about the vertical depends on.
+type Number = Complex<f64>;
+
+/// What the azimuth takes besides Ω and z.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Precession {
-    pub grid: Grid,
-    /// e₁, e₂, e₃, and the sum S over the terms c_k e^{ik·u}/(ik·u′) that are not slow.
-    pub functions: DoubleSeries<4>,
-    /// k·u′ and 2c_k e^{ik·u(0)} where the quotient would be of a small divisor.
-    pub slow: Vec<(f64, Complex<f64>)>,
-    /// c₀, the mean of χ′.
-    pub mean: f64,
-    /// χ − S at time 0.
+    /// G₊ and G₋, two factors each.
+    products: [[Factor; 2]; 2],
+    /// α₊ and α₋; their mean is α.
+    rates: [f64; 2],
+    /// arg ξ₃G₊G₋ at time 0.
     angle: f64,
+    /// 2 arg η₂²G₊²√K and 2 arg η₁²G₋²/√K at time 0.
+    doubled: [f64; 2],
+    /// Turns of the two phases a unit of time, halved.
+    advance: [f64; 2],
 }
 
-/// Directions are told to this much.
-const TAIL: f64 = 1e-15;
-
-/// The most places of a grid, and the most along one angle.
-const LARGEST: [usize; 2] = [1 << 17, 1 << 10];
+/// The largest disagreement about the angles at time 0, relative to the sine of the tilt.
+const TRUSTED: f64 = 1e-11;
 
 impl Precession {
-    /// The grid is refined along whichever angle the coefficients of e have not died away.
-    pub fn prepare(constants: &Constants, exact: &Exact, start: &Carried) -> Option<Self> {
-        let mut grid = Grid { size: [32, 32] };
-        let mut torus = Torus::sample(constants, exact, grid, None);
-        loop {
-            let mut finer = [true; 2];
-            if let Some(mut directions) = torus.directions() {
-                torus.following_the_third_axis(&mut directions);
-                let list = |f: fn(&Vector3<f64>) -> Complex<f64>| {
-                    grid.coefficients(directions.iter().map(f).collect())
-                };
-                let coefficients = [
-                    list(|e| Complex::new(e.x, e.y)),
-                    list(|e| Complex::new(e.z, 0.0)),
-                ];
-                let tails = coefficients.each_ref().map(|list| grid.tails(list));
-                let tails = [0, 1].map(|axis| tails[0][axis].max(tails[1][axis]));
-                finer = tails.map(|tail| tail > TAIL);
-                // Coefficients die away exponentially: by far too few of them can be told early.
-                let needed = [0, 1].map(|axis| {
-                    let share = TAIL.ln() / tails[axis].min(0.99).ln();
-                    grid.size[axis] as f64 * share.max(1.0)
-                });
-                if needed[0] * needed[1] > 4.0 * LARGEST[0] as f64 {
-                    return None;
-                }
-                if finer == [false; 2] {
-                    let precession = torus.precession(&directions, &coefficients);
-                    let c = grid
-                        .coefficients(precession.iter().map(|x| Complex::new(*x, 0.0)).collect());
-                    let origin = exact.uniform_phases(0.0).map(|f| 0.5 * f);
-                    let mut series = Self::collect(&torus, &coefficients, &c, origin);
-                    series.set_out(origin, start);
-                    return Some(series);
-                }
-            }
-            for axis in [0, 1] {
-                grid.size[axis] <<= usize::from(finer[axis]);
-            }
-            if grid.count() > LARGEST[0] || grid.size.into_iter().any(|n| n > LARGEST[1]) {
-                return None;
-            }
-            torus = Torus::sample(constants, exact, grid, Some(&torus));
-        }
+    pub fn prepare(constants: &Constants, exact: &Exact) -> Option<Self> {
+        let curve = Curve::prepare(constants, &exact.separation)?;
+        let advance = exact.separation.frequencies().map(|n| 0.5 * n);
+        let known = curve.rate(constants, &exact.separation);
+        let count = if known.is_some() { FEW } else { MANY };
+        let witnesses = Witness::some(constants, exact, count);
+        let products = products(&curve, &witnesses, advance)?;
+        let mut precession = Self {
+            products,
+            rates: [0.0; 2],
+            angle: 0.0,
+            doubled: [0.0; 2],
+            advance,
+        };
+        precession.rates = [0, 1].map(|side| {
+            let rough = precession.mean_rate(side, &witnesses);
+            known.map_or(rough, |known| settled(known, rough, advance))
+        });
+        precession.set_out(constants, exact).then_some(precession)
     }
 
-    // ANCHOR: quadrature
-    /// The one more quadrature: χ = c₀t + Σ c_k e^{ik·u}/(ik·u′), from the coefficients c_k of χ′.
-    ///
-    /// A divisor k·u′ may be small, or zero if the two frequencies are commensurable. Such a term is kept apart and integrated over the time
-    /// itself, to c_k e^{ik·u(0)} t sinc; nothing is divided by it.
-    fn collect(
-        torus: &Torus,
-        [across, along]: &[Vec<Complex<f64>>; 2],
-        c: &[Complex<f64>],
-        origin: [f64; 2],
-    ) -> Self {
-        let grid = torus.grid;
-        let fastest = torus.rates[0].abs().max(torus.rates[1].abs());
-        let counts =
-            |place: usize| c[place].norm() > 0.5 * f64::EPSILON * fastest.max(c[0].re.abs());
-        // The rates are rounded: what the quotient loses by it, |c| eps |k| |u′|/(k·u′)², is not to show.
-        let is_slow = |place: usize| {
-            let [k1, k2] = grid.waves(place).map(f64::from);
-            let rate = torus.rate(place);
-            c[place].norm() * k1.hypot(k2) * fastest > rate * rate
-        };
-        let functions = DoubleSeries::collect(
-            grid,
-            [across[0].re, across[0].im, along[0].re, 0.0],
-            |place| {
-                let opposite = grid.opposite(place);
-                let i = Complex::new(0.0, 1.0);
-                // Two real functions were transformed as one complex: e₁ = (f + f̄)/2, e₂ = (f − f̄)/2i.
-                let (f, conjugate) = (across[place], across[opposite].conj());
-                let quotient = if counts(place) && !is_slow(place) {
-                    2.0 * c[place] / (i * torus.rate(place))
-                } else {
-                    Complex::default()
-                };
-                let term = [
-                    f + conjugate,
-                    (f - conjugate) / i,
-                    2.0 * along[place],
-                    quotient,
-                ];
-                term.iter()
-                    .any(|x| x.norm() > 0.25 * f64::EPSILON)
-                    .then_some(term)
-            },
-        );
-        let slow = (1..grid.count())
-            .filter(|&place| grid.waves(place) > [0, 0] && counts(place) && is_slow(place))
-            .map(|place| {
-                let [k1, k2] = grid.waves(place).map(f64::from);
-                let (sine, cosine) = (k1 * origin[0] + k2 * origin[1]).sin_cos();
-                (
-                    torus.rate(place),
-                    2.0 * c[place] * Complex::new(cosine, sine),
-                )
+    /// The angles at time 0, from several states soon after: at one instant the third axis may be nearly upright, or rounding just there the
+    /// worst. Says whether they agree.
+    fn set_out(&mut self, constants: &Constants, exact: &Exact) -> bool {
+        let seen: Vec<[Number; 3]> = exact
+            .trial
+            .iter()
+            .map(|&(t, (state, [w, x, y, z]))| {
+                let sight = self.sight(constants, exact, t, &state, Quaternion::new(w, x, y, z));
+                let [a, b] = self.rates.map(|rate| 2.0 * rate * t);
+                [
+                    sight.third * wave(-0.25 * (a + b)),
+                    sight.doubled[0] * wave(-a),
+                    sight.doubled[1] * wave(-b),
+                ]
             })
             .collect();
-        Self {
-            grid,
-            functions,
-            slow,
-            mean: c[0].re,
-            angle: 0.0,
+        let [third, first, second] =
+            [0, 1, 2].map(|i| seen.iter().map(|all| all[i]).sum::<Number>());
+        self.angle = third.arg();
+        self.doubled = [first.arg(), second.arg()];
+        let mean = third.conj() / third.norm();
+        seen.iter().all(|all| (all[0] * mean).im.abs() < TRUSTED)
+    }
+
+    /// What keeps pace with the time, seen from an attitude.
+    fn sight(
+        &self,
+        constants: &Constants,
+        exact: &Exact,
+        t: f64,
+        &[p, q, _, z1, z2, _]: &Phase,
+        attitude: Quaternion<f64>,
+    ) -> Sight {
+        let z = exact.halved(t).map(unit);
+        let products = self.products.each_ref().map(|pair| {
+            let product = pair[0].value(z) * pair[1].value(z);
+            product / product.norm()
+        });
+        let c = constants.c;
+        let x = Number::new(p, q);
+        let k = x * x - c * Number::new(z1, z2);
+        let size = p * p + q * q + c;
+        let [third, first, second] = horizontal(attitude);
+        let fourth = |eta: Number, g: Number| {
+            let square = eta * g * g;
+            square * square
+        };
+        Sight {
+            third: third * products[0] * products[1],
+            doubled: [
+                fourth(second, products[0]) * k / size,
+                fourth(first, products[1]) * k.conj() / size,
+            ],
         }
     }
-    // ANCHOR_END: quadrature
 
-    /// χ at time 0, at which e is seen in the attitude of the start.
-    fn set_out(&mut self, origin: [f64; 2], &(_, [w, x, y, z]): &Carried) {
-        let [e1, e2, e3, sum] = self.functions.at(origin);
-        let e = turned(Quaternion::new(w, x, y, z), [e1, e2, e3]);
-        self.angle = e.j.atan2(e.i) - sum;
+    /// α from one of the two products, each witness trusted as far as its quotient is well-conditioned.
+    fn mean_rate(&self, side: usize, witnesses: &[Witness]) -> f64 {
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for witness in witnesses {
+            let turning: f64 = self.products[side]
+                .iter()
+                .map(|factor| factor.turning(witness.z, self.advance))
+                .sum();
+            let weight = witness.heights[side].powi(2);
+            sum += weight * (witness.rates[side] + 2.0 * turning);
+            weights += weight;
+        }
+        sum / weights
     }
 
-    /// The state and how it stands, from the exact Ω and z: e must be seen at the angle χ, z upright.
+    /// G₊G₋.
+    fn product(&self, v: [f64; 2]) -> Number {
+        let z = v.map(unit);
+        self.products
+            .iter()
+            .flatten()
+            .map(|factor| factor.value(z))
+            .product()
+    }
+
+    /// The state and how it stands, from the exact Ω and z: z upright, and the third axis at its azimuth.
     pub fn carried(&self, constants: &Constants, exact: &Exact, t: f64) -> Carried {
         let state = exact.state(constants, t);
         let [.., z1, z2, z3] = state;
-        let [e1, e2, e3, sum] = self.functions.at(exact.uniform_phases(t).map(|f| 0.5 * f));
-        let slow: f64 = self
-            .slow
-            .iter()
-            .map(|(rate, c)| {
-                let half = 0.5 * rate * t;
-                let (sine, cosine) = half.sin_cos();
-                let sinc = if half == 0.0 { 1.0 } else { sine / half };
-                t * sinc * (c * Complex::new(cosine, sine)).re
-            })
-            .sum();
-        let angle = self.angle + self.mean * t + sum + slow;
         let upright = shortest([z1, z2, z3]);
-        let e = turned(upright, [e1, e2, e3]);
-        let Quaternion { coords } = about_third(angle - e.j.atan2(e.i)) * upright;
+        let sight = self.sight(constants, exact, t, &state, upright);
+        let third = self.angle + 0.5 * (self.rates[0] + self.rates[1]) * t - sight.third.arg();
+        // Near the poles the third axis points nowhere; there η₁ or η₂ tells the angle, but for half a turn, unless K is small. Which is better is told by sin² of the
+        // tilt and the size of K.
+        let side = usize::from(z3 < 0.0);
+        let other = sight.doubled[side];
+        let angle = if sight.third.norm_sqr() < other.norm() / (1.0 + z3.abs()).powi(2) {
+            let half = 0.5 * (self.doubled[side] - other.arg()) + self.rates[side] * t;
+            half + PI * ((third - half) / PI).round()
+        } else {
+            third
+        };
+        let Quaternion { coords } = about_third(angle) * upright;
         (state, [coords.w, coords.x, coords.y, coords.z])
+    }
+
+    /// How many terms the theta functions have.
+    pub fn terms(&self) -> usize {
+        let factors = self.products.iter().flatten();
+        factors.map(|factor| factor.theta.len()).sum()
+    }
+
+    /// The mean rate of the third axis: α less what arg G₊G₋ gains.
+    pub fn mean(&self) -> f64 {
+        let turns = [0, 1].map(|axis| self.winding(axis));
+        0.5 * (self.rates[0] + self.rates[1])
+            - TAU * (turns[0] * self.advance[0] + turns[1] * self.advance[1])
+    }
+
+    /// How often G₊G₋ goes round 0 as one of v₁, v₂ gains 1: in steps fine enough that none is more than a radian.
+    fn winding(&self, axis: usize) -> f64 {
+        let mut count = 64;
+        loop {
+            let at = |k: usize| {
+                let mut v = [0.0; 2];
+                v[axis] = k as f64 / count as f64;
+                self.product(v)
+            };
+            let steps: Vec<f64> = (0..count)
+                .map(|k| (at(k + 1) * at(k).conj()).arg())
+                .collect();
+            let longest = steps.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            if longest < 1.0 || count >= 1 << 14 {
+                return (steps.iter().sum::<f64>() / TAU).round();
+            }
+            count *= 2;
+        }
     }
 }
 
-/// A vector along the body's axes as it is seen from space.
-fn turned(attitude: Quaternion<f64>, [x, y, z]: [f64; 3]) -> Quaternion<f64> {
-    attitude * Quaternion::new(0.0, x, y, z) * attitude.conjugate()
+/// The rate that is nearest to a rough one among those that whole turns of v set apart.
+fn settled(known: f64, rough: f64, advance: [f64; 2]) -> f64 {
+    const MOST: i32 = 4;
+    let all = (-MOST..=MOST).flat_map(|i| (-MOST..=MOST).map(move |j| (i, j)));
+    all.map(|(i, j)| known + TAU * (f64::from(i) * advance[0] + f64::from(j) * advance[1]))
+        .min_by(|x, y| (x - rough).abs().total_cmp(&(y - rough).abs()))
+        .unwrap_or(rough)
+}
+
+/// ξ₃, η₁² and η₂² as they follow from an attitude: the horizontal parts of the body's axes.
+fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
+    let third = 2.0 * Number::new(q.i * q.k + q.w * q.j, q.j * q.k - q.w * q.i);
+    let axis1 = Number::new(
+        1.0 - 2.0 * (q.j * q.j + q.k * q.k),
+        2.0 * (q.i * q.j + q.w * q.k),
+    );
+    let axis2 = Number::new(
+        2.0 * (q.i * q.j - q.w * q.k),
+        1.0 - 2.0 * (q.i * q.i + q.k * q.k),
+    );
+    let i = Number::new(0.0, 1.0);
+    [third, axis1 + i * axis2, i * axis2 - axis1]
+}
+
+fn wave(angle: f64) -> Number {
+    let (sine, cosine) = angle.sin_cos();
+    Number::new(cosine, sine)
+}
+
+/// What advances evenly, where it is not rounding.
+struct Sight {
+    /// ξ₃G₊G₋, G± of length 1.
+    third: Number,
+    /// η₂⁴G₊⁴K and η₁⁴G₋⁴K̄, as parts of the largest that K may be.
+    doubled: [Number; 2],
 }

@@ -5,7 +5,8 @@ use core::f64::consts::TAU;
 use nalgebra::Complex;
 
 use super::constants::{Constants, Phase, Root};
-use super::series::Quadratures;
+use super::series::{LONGEST, Quadratures, mean};
+use crate::double_double::DoubleDouble;
 
 /// The phases f₁, f₂: s₁ = A + (B−A) sin²(f₁/2), s₂ = C − m tan²(f₂/2) with m = B − C.
 ///
@@ -26,9 +27,11 @@ pub(super) struct Separation {
     pub width: f64,
     /// m = B − C.
     pub depth: f64,
-    /// a₁ = ∫df₁/√G and b₁ = ∫s₁df₁/√G.
+    /// A − σ = σ − C. Integrals of (s − σ)ds/√P grow in s₁ and fall in s₂, so that nothing cancels in the determinant of the four.
+    half_way: f64,
+    /// a₁ = ∫df₁/√G and b₁ = ∫(s₁−σ)df₁/√G.
     first: Quadratures<2>,
-    /// a₂ = ∫w df₂ and b₂ = ∫s₂w df₂.
+    /// a₂ = ∫w df₂ and b₂ = ∫(s₂−σ)w df₂.
     second: Quadratures<2>,
 }
 
@@ -52,11 +55,7 @@ impl Separation {
     /// The band that contains s₁; none if the roots leave no room for it.
     pub fn prepare(constants: &Constants, s1: f64) -> Option<Self> {
         let roots = constants.roots();
-        let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
-        real.sort_by(|&i, &j| {
-            let gap = roots[i].real.subtract(roots[j].real).value();
-            gap.total_cmp(&0.0)
-        });
+        let real = in_order(&roots);
         // P > 0 below the smallest root, between the second and third, and between the fourth and fifth.
         let outside = |a: usize, b: usize| {
             let (low, high) = (roots[a].real.value(), roots[b].real.value());
@@ -74,22 +73,18 @@ impl Separation {
             from_ends,
             width: from_ends[0][b].re,
             depth: from_ends[2][b].re,
+            half_way: 0.5 * from_ends[2][a].re,
             first: Quadratures::empty(),
             second: Quadratures::empty(),
         };
-        let first = Quadratures::prepare(|f| {
+        let first = Quadratures::prepare(LONGEST, |f| {
             let local = separation.local([f, 0.0]);
-            [1.0 / local.root_g, separation.s1(&local) / local.root_g]
+            [1.0, separation.above(&local)].map(|x| x / local.root_g)
         })?;
-        let second = Quadratures::prepare(|f| {
+        let second = Quadratures::prepare(LONGEST, |f| {
             let local = separation.local([0.0, f]);
-            let [sine, cosine] = local.half[1];
-            let c = separation.roots[real[0]].real.value();
-            let w = cosine * cosine / local.root_h;
-            [
-                w,
-                (c * cosine * cosine - separation.depth * sine * sine) / local.root_h,
-            ]
+            let [_, cosine] = local.half[1];
+            [cosine * cosine, -separation.below(&local)].map(|x| x / local.root_h)
         })?;
         (separation.first, separation.second) = (first, second);
         Some(separation)
@@ -121,6 +116,18 @@ impl Separation {
     pub fn s1(&self, local: &Local) -> f64 {
         let [sine, _] = local.half[0];
         self.roots[self.ends[0]].real.value() + self.width * sine * sine
+    }
+
+    /// s₁ − σ.
+    fn above(&self, local: &Local) -> f64 {
+        let [sine, _] = local.half[0];
+        self.half_way + self.width * sine * sine
+    }
+
+    /// (σ − s₂)cos²(f₂/2).
+    fn below(&self, local: &Local) -> f64 {
+        let [sine, cosine] = local.half[1];
+        self.half_way * cosine * cosine + self.depth * sine * sine
     }
 
     pub fn local(&self, phases: Phases) -> Local {
@@ -209,14 +216,12 @@ impl Separation {
         let mut rest = missing(phases);
         for _ in 0..30 {
             let local = self.local(phases);
-            let s1 = self.s1(&local);
             let [_, cosine] = local.half[1];
-            let square = cosine * cosine;
-            // df₁ = √G (b − s₂a)/(s₁ − s₂), df₂ = (b − s₁a)/(w(s₁ − s₂)), both with the cosine² taken out.
-            let s2 = s1 * square - local.d;
+            // df₁ = √G (b − s₂a)/(s₁ − s₂), df₂ = (b − s₁a)/(w(s₁ − s₂)), s less σ and both with the cosine² taken out.
+            let [above, below] = [self.above(&local), self.below(&local)];
             let step = [
-                local.root_g * (rest[1] * square - s2 * rest[0]) / local.d,
-                local.root_h * (rest[1] - s1 * rest[0]) / local.d,
+                local.root_g * (rest[1] * cosine * cosine + below * rest[0]) / local.d,
+                local.root_h * (rest[1] - above * rest[0]) / local.d,
             ];
             let rounding = 64.0 * f64::EPSILON * size(phases);
             if size(step) < 1e-10 + rounding {
@@ -237,33 +242,22 @@ impl Separation {
     /// With σ between C and A, ∫(s₁−σ)ds₁/√P and ∫(σ−s₂)ds₂/√P both increase; so f₂ is a decreasing function of f₁ by the sum of
     /// these two, and the other sum increases with f₁.
     fn nested(&self, target: [f64; 2]) -> Phases {
-        let [a, _, c] = self.ends.map(|end| self.roots[end].real.value());
-        let middle = 0.5 * (a + c);
-        // ∫(s−σ) of a pair of integrals a, b.
-        let above = |[a, b]: [f64; 2]| b - middle * a;
-        let sum = target[1] - middle * target[0];
         let slopes = |f1: f64, f2: f64| {
             let local = self.local([f1, f2]);
-            let [sine, cosine] = local.half[1];
-            let (s1, s2) = (
-                self.s1(&local),
-                c * cosine * cosine - self.depth * sine * sine,
-            );
-            let square = cosine * cosine;
-            let first = [1.0 / local.root_g, (s1 - middle) / local.root_g];
-            let second = [square / local.root_h, (middle * square - s2) / local.root_h];
+            let [_, cosine] = local.half[1];
+            let first = [1.0, self.above(&local)].map(|x| x / local.root_g);
+            let second = [cosine * cosine, self.below(&local)].map(|x| x / local.root_h);
             [first, second]
         };
         let [p1, q1] = self.first.bounds();
         let [p2, q2] = self.second.bounds();
-        let inner_mean = -above(self.second.means);
-        let inner_bound = middle.abs() * p2 + q2;
+        let inner_mean = -self.second.means[1];
         let second = |f1: f64| {
-            let rest = sum - above(self.first.whole(f1));
+            let rest = target[1] - self.first.whole(f1)[1];
             let guess = rest / inner_mean;
-            let bound = inner_bound / inner_mean;
+            let bound = q2 / inner_mean;
             increasing([guess - bound, guess + bound], |f2| {
-                let value = -above(self.second.whole(f2)) - rest;
+                let value = -self.second.whole(f2)[1] - rest;
                 (value, slopes(f1, f2)[1][1])
             })
         };
@@ -280,6 +274,72 @@ impl Separation {
         [f1, second(f1)]
     }
 
+    /// The real roots in ascending order.
+    pub fn in_order(&self) -> Vec<usize> {
+        in_order(&self.roots)
+    }
+
+    /// e − σ of a real root.
+    pub fn over_middle(&self, root: usize) -> f64 {
+        self.from_ends[0][root].re + self.half_way
+    }
+
+    /// ds/√|P| and (s−σ)ds/√|P| over df in a gap between two roots, where P < 0; s = low + (high−low) sin²(f/2).
+    pub fn gap(&self, [low, high]: [usize; 2]) -> impl Fn(f64) -> [f64; 2] + use<> {
+        let [from_low, from_high] =
+            [low, high].map(|end| self.roots.map(|root| root.from(&self.roots[end])));
+        let (start, width) = (self.over_middle(low), from_low[high].re);
+        move |f| {
+            let (sine, cosine) = (0.5 * f).sin_cos();
+            let (up, down) = (width * sine * sine, width * cosine * cosine);
+            // From the end that is nearer, as in the band.
+            let apart = |i: usize| {
+                if up < down {
+                    up - from_low[i]
+                } else {
+                    -down - from_high[i]
+                }
+            };
+            let product: Complex<f64> = (0..5)
+                .filter(|i| ![low, high].contains(i))
+                .map(apart)
+                .product();
+            let value = 0.5 / product.re.abs().sqrt();
+            [value, (start + up) * value]
+        }
+    }
+
+    /// The mean over time of 1/((s₁−c)(s₂−c)), c between s₂ and s₁.
+    ///
+    /// 1/((s₁−c)(s₂−c)) = (1/(s₂−c) − 1/(s₁−c))/(s₁−s₂), and dt/(s₁−s₂) is df₁/√G as well as w df₂.
+    pub fn third_kind(&self, c: DoubleDouble) -> Option<f64> {
+        let [from_a, from_b, from_c] = self
+            .ends
+            .map(|end| c.subtract(self.roots[end].real).value());
+        let [turns1, turns2] = self.frequencies();
+        let [first, second] = mean(|f| {
+            let local = self.local([f, f]);
+            let [[s, k], [sine, cosine]] = local.half;
+            let above = if s * s < 0.5 {
+                self.width * s * s - from_a
+            } else {
+                -self.width * k * k - from_b
+            };
+            let square = cosine * cosine;
+            let below = from_c * square + self.depth * sine * sine;
+            [
+                1.0 / (local.root_g * above),
+                square * square / (local.root_h * below),
+            ]
+        })?;
+        Some(-TAU * (turns1 * first + turns2 * second))
+    }
+
+    /// ∫ds/√P and ∫(s−σ)ds/√P in turns of the two phases.
+    pub fn normalized(&self, integrals: [f64; 2]) -> Phases {
+        self.uniform(integrals).map(|u| u / TAU)
+    }
+
     /// Turns of the two phases per unit of time: a₁n₁ = a₂n₂, b₁n₁ − b₂n₂ = 1.
     pub fn frequencies(&self) -> [f64; 2] {
         let (turns, _) = self.linear([0.0, 1.0 / TAU]);
@@ -289,7 +349,8 @@ impl Separation {
     /// Increase of the four integrals in a whole turn of a phase: real periods of the curve w² = P(s).
     pub fn periods(&self) -> [f64; 4] {
         let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
-        [a1, b1, a2, b2].map(|mean| TAU * mean)
+        let middle = self.roots[self.ends[2]].real.value() + self.half_way;
+        [a1, b1 + middle * a1, a2, b2 + middle * a2].map(|mean| TAU * mean)
     }
 
     /// Phases of a start, their signs still open: f₁ from s₁, f₂ from s₂.
@@ -303,6 +364,16 @@ impl Separation {
             2.0 * deep.sqrt().atan2((eight * self.depth).sqrt()),
         ]
     }
+}
+
+/// The real ones of five roots in ascending order.
+fn in_order(roots: &[Root; 5]) -> Vec<usize> {
+    let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
+    real.sort_by(|&i, &j| {
+        let gap = roots[i].real.subtract(roots[j].real).value();
+        gap.total_cmp(&0.0)
+    });
+    real
 }
 
 /// The zero of an increasing function with its slope, in an interval that contains it: Newton's steps, and halves where they leave it.

@@ -1,5 +1,7 @@
 //! Cosine series of even periodic functions: quadratures prepared once, exact to rounding.
 
+use core::f64::consts::PI;
+
 use nalgebra::Complex;
 
 /// ∫₀^f of `N` even functions of period 2π together: mean·f + Σ bₙ sin nf for each.
@@ -11,24 +13,20 @@ pub(super) struct Quadratures<const N: usize> {
     sines: Vec<[f64; N]>,
 }
 
-/// Longest series that is tried.
-const LONGEST: usize = 1 << 15;
+/// Longest series that is tried for the motion itself.
+pub(super) const LONGEST: usize = 1 << 15;
 
 impl<const N: usize> Quadratures<N> {
-    /// The integrals of functions given together at each argument; none if they need more than 2¹⁵ terms.
+    /// The integrals of functions given together at each argument; none if they need more terms than `longest`.
     ///
     /// Ordinates at f = πj/n, their cosine series by a fast Fourier transform, n doubled until the last eighth of the terms is
     /// at rounding level.
-    pub fn prepare(functions: impl Fn(f64) -> [f64; N]) -> Option<Self> {
+    pub fn prepare(longest: usize, functions: impl Fn(f64) -> [f64; N]) -> Option<Self> {
         let mut n = 32;
-        while n <= LONGEST {
-            let ordinates: Vec<[f64; N]> = (0..=n)
-                .map(|j| functions(core::f64::consts::PI * j as f64 / n as f64))
-                .collect();
-            let series: [Vec<f64>; N] = core::array::from_fn(|i| {
-                let column: Vec<f64> = ordinates.iter().map(|row| row[i]).collect();
-                cosine_coefficients(&column)
-            });
+        let at = |j: usize, n: usize| functions(PI * j as f64 / n as f64);
+        let mut ordinates: Vec<[f64; N]> = (0..=n).map(|j| at(j, n)).collect();
+        while n <= longest {
+            let series = cosine_coefficients(&ordinates);
             let done = series.iter().all(|a| {
                 let largest = a.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
                 let tail = a[n - n / 8..].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -38,6 +36,16 @@ impl<const N: usize> Quadratures<N> {
                 return Some(Self::of_cosines(&series));
             }
             n *= 2;
+            // Every other one is known.
+            ordinates = (0..=n)
+                .map(|j| {
+                    if j % 2 == 0 {
+                        ordinates[j / 2]
+                    } else {
+                        at(j, n)
+                    }
+                })
+                .collect();
         }
         None
     }
@@ -91,17 +99,60 @@ impl<const N: usize> Quadratures<N> {
     }
 }
 
-/// Coefficients a₀ … aₙ₋₁ of Σ aⱼ cos jf through n + 1 ordinates at f = πj/n, n a power of two.
-fn cosine_coefficients(ordinates: &[f64]) -> Vec<f64> {
+/// Coefficients a₀ … aₙ₋₁ of Σ aⱼ cos jf through n + 1 ordinates at f = πj/n of each function, n a power of two.
+///
+/// Two functions go through one transform: those of even functions are real.
+fn cosine_coefficients<const N: usize>(ordinates: &[[f64; N]]) -> [Vec<f64>; N] {
     let n = ordinates.len() - 1;
-    let mut values: Vec<Complex<f64>> = (0..2 * n)
-        .map(|j| Complex::new(ordinates[j.min(2 * n - j)], 0.0))
-        .collect();
-    transform(&mut values, &roots_of_unity(2 * n));
-    (0..n)
-        .map(|j| values[j].re / if j == 0 { 2 * n } else { n } as f64)
-        .collect()
+    let roots = roots_of_unity(2 * n);
+    let mut series = [(); N].map(|()| Vec::new());
+    for pair in 0..N.div_ceil(2) {
+        let (first, second) = (2 * pair, (2 * pair + 1).min(N - 1));
+        let mut values: Vec<Complex<f64>> = (0..2 * n)
+            .map(|j| ordinates[j.min(2 * n - j)])
+            .map(|ordinate| Complex::new(ordinate[first], ordinate[second]))
+            .collect();
+        transform(&mut values, &roots);
+        let share = |j: usize| 1.0 / if j == 0 { 2 * n } else { n } as f64;
+        series[second] = (0..n).map(|j| values[j].im * share(j)).collect();
+        series[first] = (0..n).map(|j| values[j].re * share(j)).collect();
+    }
+    series
 }
+
+/// The mean over 0 ≤ f ≤ π of functions that are even and of period 2π: the trapezoidal rule, doubled until it stays; none if that takes too many ordinates.
+pub(super) fn mean<const N: usize>(functions: impl Fn(f64) -> [f64; N]) -> Option<[f64; N]> {
+    let sum = |terms: &mut dyn Iterator<Item = f64>| {
+        let mut sums = [0.0; N];
+        for f in terms {
+            for (sum, x) in sums.iter_mut().zip(functions(f)) {
+                *sum += x;
+            }
+        }
+        sums
+    };
+    let ends = sum(&mut [0.0, PI].into_iter());
+    let mut n = 16;
+    let inner = sum(&mut (1..n).map(|j| PI * j as f64 / n as f64));
+    let mut sums: [f64; N] = core::array::from_fn(|i| 0.5 * ends[i] + inner[i]);
+    while n <= LONGEST_MEAN {
+        let between = sum(&mut (0..n).map(|j| PI * (j as f64 + 0.5) / n as f64));
+        // The error is squared as the number is doubled.
+        let largest = sums.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let stays = (0..N).all(|i| (between[i] - sums[i]).abs() <= 1e-9 * largest);
+        for (sum, x) in sums.iter_mut().zip(between) {
+            *sum += x;
+        }
+        n *= 2;
+        if stays {
+            return Some(sums.map(|sum| sum / n as f64));
+        }
+    }
+    None
+}
+
+/// Most ordinates of a mean.
+const LONGEST_MEAN: usize = 1 << 14;
 
 /// e^{−2πij/n} for the first half of j.
 pub(super) fn roots_of_unity(n: usize) -> Vec<Complex<f64>> {

@@ -200,13 +200,14 @@ impl KovalevskayaTop {
         }
         let start = top.inward(omega, up);
         let constants = Constants::of(c, &start);
+        let turned = attitude.quaternion().into_inner() * about_third(heading);
+        let start = (start, [turned.w, turned.i, turned.j, turned.k]);
         let motion = match Exact::find(&constants, &start) {
             Ok(exact) => Motion::Separated(Box::new(exact)),
             Err(reason) => Motion::Stepped(reason),
         };
-        let turned = attitude.quaternion().into_inner() * about_third(heading);
         Ok(Self {
-            start: (start, [turned.w, turned.i, turned.j, turned.k]),
+            start,
             constants,
             kind: classify(&constants),
             motion,

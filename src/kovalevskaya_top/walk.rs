@@ -1,4 +1,4 @@
-//! The attitude: the angle about the vertical, carried along from stretch to stretch (8.2).
+//! The attitude where it has no closed form: the angle about the vertical, carried along from stretch to stretch (8.2).
 
 use nalgebra::Quaternion;
 
@@ -6,7 +6,7 @@ use super::taylor::{Carried, Series, project};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
 use crate::error::Result;
 
-/// Units of time that are walked rather than leapt over by the double series, which costs as much to prepare as this or a few times as
+/// Units of time that are walked rather than leapt over by the series on a grid, which costs as much to prepare as this or a few times as
 /// much. The choice depends on the time alone, not on what was asked for before, and so does the result.
 const FAR: f64 = 256.0;
 
@@ -24,6 +24,12 @@ impl Walk<'_> {
     pub fn to(&mut self, t: f64) -> Result<State> {
         if let Motion::Free(free) = &self.top.motion {
             return self.top.free(free, t);
+        }
+        if t == 0.0 {
+            return Ok(self.top.placed(&self.top.start));
+        }
+        if let Some(series) = self.top.theta_series() {
+            return series.at(t);
         }
         let target = self.top.inward_time(t, LONGEST)?;
         if (target - self.time).abs() > FAR {

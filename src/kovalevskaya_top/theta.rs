@@ -1,0 +1,147 @@
+//! Riemann's theta function of two variables on the real torus (8.2).
+
+use core::f64::consts::{PI, TAU};
+
+use nalgebra::Complex;
+
+type Number = Complex<f64>;
+
+/// Σ exp(−π(n−n₀)·Y(n−n₀)) e^{2πi n·w} over whole n₁, n₂, apart by whether n₁ and n₂ are even: θ(w − iy) with n₀ = Y⁻¹y, but for a constant factor.
+///
+/// The terms fall like a Gauss curve, so that some sixty are enough; the series of a quotient of two such sums would take a thousand.
+/// They are summed outward from n = 0, next to which the greatest are, so that rounding of the high powers does not show.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Theta {
+    /// n₁ = 0, 1, … and n₁ = −1, −2, ….
+    rows: [Vec<Row>; 2],
+}
+
+/// Terms of one n₁: of n₂ = 2j, 2j + 1, −2j − 2 and −2j − 1 for j = 0, 1, ….
+type Row = Vec<[f64; 4]>;
+
+/// The four partial sums, of even and odd n₁ by even and odd n₂: (0,0), (0,1), (1,0), (1,1).
+pub(super) type Sums = [Number; 4];
+
+/// Exponents −πx beyond which a term is left out: e^{−πx} is 1e-19.
+const REACH: f64 = 14.0;
+
+/// The most terms.
+const LARGEST: f64 = 4096.0;
+
+impl Theta {
+    /// For |n₀| not above ½ in either component. None if Y is not positive or so small that more than 4096 terms count.
+    pub fn prepare([[a, b], [_, c]]: [[f64; 2]; 2], [y1, y2]: [f64; 2]) -> Option<Self> {
+        let determinant = a * c - b * b;
+        // A Y that is not a number is refused as well.
+        if !(a > 0.0 && determinant > 0.0 && PI * REACH < LARGEST * determinant.sqrt()) {
+            return None;
+        }
+        let center = [
+            (c * y1 - b * y2) / determinant,
+            (a * y2 - b * y1) / determinant,
+        ];
+        // a d₁² + 2b d₁d₂ + c d₂² = (determinant/c) d₁² + c (d₂ + b d₁/c)².
+        let least = determinant / c;
+        let row = |n1: i32| -> Option<Row> {
+            let d1 = f64::from(n1) - center[0];
+            let rest = REACH - least * d1 * d1;
+            if rest < 0.0 {
+                return None;
+            }
+            let middle = center[1] - b * d1 / c;
+            let farthest = (rest / c).sqrt() + middle.abs();
+            let term = |n2: i32| {
+                let d2 = f64::from(n2) - middle;
+                (-PI * (least * d1 * d1 + c * d2 * d2)).exp()
+            };
+            let terms = (0..=(0.5 * farthest) as i32).map(|j| {
+                let n = 2 * j;
+                [n, n + 1, -n - 2, -n - 1].map(term)
+            });
+            Some(terms.collect())
+        };
+        let upward = (0..).map_while(row).collect();
+        let downward = (1..).map_while(|n| row(-n)).collect();
+        Some(Self {
+            rows: [upward, downward],
+        })
+    }
+
+    /// How many terms there are.
+    pub fn len(&self) -> usize {
+        self.rows.iter().flatten().map(|row| 4 * row.len()).sum()
+    }
+
+    /// The sums for e^{2πiw₁} and e^{2πiw₂}.
+    pub fn at(&self, z: [Number; 2]) -> Sums {
+        let mut sums = Sums::default();
+        self.each_row(z[0], |n1, power, row| {
+            let [even, odd] = along(z[1], row, |_, term| term);
+            let place = 2 * (n1 & 1) as usize;
+            sums[place] += power * even;
+            sums[place + 1] += power * odd;
+        });
+        sums
+    }
+
+    /// The sums, and their rates if w changes at these rates.
+    pub fn with_rates(&self, z: [Number; 2], [r1, r2]: [f64; 2]) -> [Sums; 2] {
+        let mut found = [Sums::default(); 2];
+        self.each_row(z[0], |n1, power, row| {
+            let [even, odd] = along(z[1], row, |_, term| term);
+            let [even_rate, odd_rate] = along(z[1], row, |n2, term| {
+                TAU * (f64::from(n1) * r1 + f64::from(n2) * r2) * term
+            });
+            let place = 2 * (n1 & 1) as usize;
+            let i = Number::new(0.0, 1.0);
+            found[0][place] += power * even;
+            found[0][place + 1] += power * odd;
+            found[1][place] += i * power * even_rate;
+            found[1][place + 1] += i * power * odd_rate;
+        });
+        found
+    }
+
+    /// Every row with its n₁ and the power z^{n₁}.
+    fn each_row(&self, z: Number, mut take: impl FnMut(i32, Number, &Row)) {
+        let [upward, downward] = &self.rows;
+        let mut power = Number::new(1.0, 0.0);
+        for (n, row) in (0..).zip(upward) {
+            take(n, power, row);
+            power *= z;
+        }
+        power = z.conj();
+        for (n, row) in (1..).zip(downward) {
+            take(-n, power, row);
+            power *= z.conj();
+        }
+    }
+}
+
+/// The sums over even and over odd n₂ of `weigh`ed terms times z^{n₂}, |z| = 1, by Horner's scheme in z².
+#[inline]
+fn along(z: Number, row: &Row, weigh: impl Fn(i32, f64) -> f64) -> [Number; 2] {
+    let ratio = z * z;
+    let (mut re, mut im) = ([0.0; 4], [0.0; 4]);
+    for (j, terms) in row.iter().enumerate().rev() {
+        let n = 2 * j as i32;
+        let orders = [n, n + 1, -n - 2, -n - 1];
+        for k in 0..4 {
+            // The terms are real: sums over negative n₂ are the conjugates of what is summed here.
+            let (x, y) = (re[k], im[k]);
+            re[k] = x * ratio.re - y * ratio.im + weigh(orders[k], terms[k]);
+            im[k] = x * ratio.im + y * ratio.re;
+        }
+    }
+    let sum = |k: usize| Number::new(re[k], im[k]);
+    [
+        sum(0) + (ratio * sum(2)).conj(),
+        z * sum(1) + (z * sum(3)).conj(),
+    ]
+}
+
+/// e^{2πix}.
+pub(super) fn unit(turns: f64) -> Number {
+    let (sine, cosine) = (TAU * (turns - turns.round())).sin_cos();
+    Number::new(cosine, sine)
+}

@@ -40,9 +40,19 @@ fn the_error_obtained_is_the_error_asked_for() {
     let boldest = outcomes.iter().max_by(|a, b| a.3.total_cmp(&b.3)).unwrap();
     println!("worst {worst:?}, boldest estimate {boldest:?}, {above} above the accuracy");
     println!("refused: {:?}", refused.clone().collect::<Vec<_>>());
+    let bold = |limit: f64| outcomes.iter().filter(|o| o.3 > limit).count();
+    println!(
+        "error above what was told {}, above ten times {}, of {}",
+        bold(1.0),
+        bold(10.0),
+        outcomes.len()
+    );
     for outcome in &outcomes {
         assert!(outcome.2 <= 10.0, "{outcome:?}");
     }
+    // What is told is what mostly comes out, and never far from it.
+    assert!(bold(1.0) <= outcomes.len() / 40);
+    assert_eq!(bold(10.0), 0);
     assert!(refused.count() <= 24);
 }
 

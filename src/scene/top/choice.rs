@@ -166,21 +166,22 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
                 BodyVector::new(a * omega.x(), b * omega.y(), c * omega.z())
             }
         };
+        let fastest = fastest(&self.body, lever, omega).max(f64::MIN_POSITIVE);
         Ok(Heavy {
             moments,
             lever,
             start: Phase::new(l, &self.start.attitude),
-            fastest: fastest(&self.body, lever, omega).max(f64::MIN_POSITIVE),
+            fastest,
             momentum: books.momentum_scale,
             energy: books.energy_scale,
             times,
-            calm: self.calm(books, l),
+            calm: self.calm(books, l, fastest),
         })
     }
 
     /// How far (radians) a motion goes before what is off by little may be off by much: for ever with a fourth integral, long under a weak weight unless
     /// the free body would pass near turning about its middle axis.
-    fn calm(&self, books: &Books, l: BodyVector) -> f64 {
+    fn calm(&self, books: &Books, l: BodyVector, fastest: f64) -> f64 {
         if !matches!(
             books.kind,
             Integrability::None | Integrability::OnLevelZero(_)
@@ -189,19 +190,25 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         }
         let [x, y, z] = self.gravity.lever(self.body.arm());
         let weight = x.hypot(y).hypot(z) / books.energy_scale;
-        let [a, b, c] = self.body.moments;
-        let middle = a.max(b).min(a.min(b).max(c));
+        let moments = self.body.moments;
+        let [a, b] = [f64::min, f64::max].map(|of| moments.into_iter().fold(moments[0], of));
+        let middle = moments[0] + moments[1] + moments[2] - a - b;
         let (l, square) = (l.components(), l.dot(&l));
-        let energy = l[0] * l[0] / a + l[1] * l[1] / b + l[2] * l[2] / c;
+        let energy: f64 = (0..3).map(|k| l[k] * l[k] / moments[k]).sum();
         // 0 on the separatrix of the free body.
         let off = (energy * middle / square - 1.0).abs();
         if weight < WEAK && weight < WEAK_BESIDE * off {
-            10.0 * CALM
-        } else if off > 0.15 {
-            CALM
-        } else {
-            0.5 * CALM
+            return 10.0 * CALM;
         }
+        if off > 0.15 {
+            return CALM;
+        }
+        // The rate at which the free body leaves its middle axis; four times e is harmless.
+        let rate = square.sqrt()
+            * ((1.0 / a - 1.0 / middle) * (1.0 / middle - 1.0 / b))
+                .abs()
+                .sqrt();
+        CALM.min(4.0 * fastest / rate)
     }
 
     pub(super) fn needs_moments(&self) -> Result<()> {

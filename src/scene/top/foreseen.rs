@@ -30,6 +30,9 @@ const ROUNDING: f64 = 4e-16;
 /// The check by energy may be small by chance: an error is told as no less than this share of the formula.
 const FLOOR: f64 = 0.15;
 
+/// Where the accuracy leaves room for it, so much more is told than the energy tells.
+const ROOM: f64 = 2.5;
+
 impl Foreseen {
     /// A free body, L along its axes, by the methods for it; nothing where what is a little off grows like an exponential.
     ///
@@ -135,7 +138,10 @@ impl Foreseen {
             if error <= accuracy * (1.0 + 1e-9) + ROUNDING {
                 return Ok(Steered {
                     states,
-                    error,
+                    error: match self.check {
+                        Check::None => error,
+                        Check::Energy { .. } => accuracy.min(ROOM * error),
+                    },
                     cost,
                 });
             }

@@ -45,15 +45,20 @@ const GREATEST: f64 = 3e-3;
 const FLOOR: f64 = 0.2;
 /// How much looser the run beside a long one is: of order 8 it costs a quarter.
 const LOOSER: f64 = 1e5;
+const LOOSEST: f64 = 1e-2;
 /// A long run is so much tighter than the loose run's drift would have it: the growth is known only when both are done.
 const WARY: f64 = 5.0;
 /// Two runs further apart than this (radians) have nothing to say of each other.
-const TOGETHER: f64 = 0.05;
+const TOGETHER: f64 = 0.2;
 /// Integrable motions from this angle on take a fifth of the tolerance: in one of 360 tops of Kovalevskaya the error grew ten times as fast as usual.
 const FAR: f64 = 60.0;
 /// A loose run's distance from the better one, over its drift, is the error of the better one over its own, but for this.
 const MARGIN: f64 = 1.2;
 const WILD_MARGIN: f64 = 6.0;
+/// An error follows the tolerance no faster than this: the drift may be small by chance.
+const SLOWEST: f64 = 0.7;
+/// Where the accuracy leaves room for it, so much more is told than was estimated: one estimate of eight is below the error.
+const ROOM: f64 = 2.5;
 /// What rounding adds to the tolerance.
 const ROUNDING: f64 = 4e-16;
 /// A drift this small is rounding.
@@ -95,7 +100,7 @@ where
         let every: Vec<f64> = self.times.iter().chain(&checks.added).copied().collect();
         let seldom: Vec<f64> = checks.places.iter().map(|&n| every[n]).collect();
         let tolerance = (self.accuracy / (1.5 * angle)).clamp(LEAST, GREATEST);
-        let mut worse = (LOOSER * tolerance).min(GREATEST).max(30.0 * tolerance);
+        let mut worse = (LOOSER * tolerance).min(LOOSEST).max(10.0 * tolerance);
         let mut before = (self.run)(worse, &seldom)?;
         cost += before.cost;
         let factor = share(angle) * angle * before.drift / worse;
@@ -107,7 +112,8 @@ where
             let apart = greatest(pairs, |(a, &n)| (self.distance)(a, &shown.states[n]));
             let error = if apart <= TOGETHER {
                 let grown = (apart / worse).max(0.1 * angle);
-                let less = ((shown.drift + ROUNDED) / before.drift).max(0.1 * tolerance / worse);
+                let less =
+                    ((shown.drift + ROUNDED) / before.drift).max(SLOWEST * tolerance / worse);
                 let by_drift = 0.1 * angle * shown.drift;
                 // Where errors grow fast, those made early count most, and the drift does not tell which they were.
                 let margin = if apart > angle * before.drift {
@@ -138,7 +144,7 @@ where
         states.truncate(self.times.len());
         Steered {
             states,
-            error,
+            error: self.accuracy.min(ROOM * error),
             cost,
         }
     }

@@ -106,15 +106,18 @@ fn cosine_coefficients<const N: usize>(ordinates: &[[f64; N]]) -> [Vec<f64>; N] 
     let n = ordinates.len() - 1;
     let roots = roots_of_unity(2 * n);
     let mut series = [(); N].map(|()| Vec::new());
+    let largest = |i: usize| ordinates.iter().fold(0.0_f64, |m, row| m.max(row[i].abs()));
     for pair in 0..N.div_ceil(2) {
         let (first, second) = (2 * pair, (2 * pair + 1).min(N - 1));
+        // Of one size, lest the rounding of the greater show in the smaller.
+        let scale = largest(first) / largest(second).max(f64::MIN_POSITIVE);
         let mut values: Vec<Complex<f64>> = (0..2 * n)
             .map(|j| ordinates[j.min(2 * n - j)])
-            .map(|ordinate| Complex::new(ordinate[first], ordinate[second]))
+            .map(|ordinate| Complex::new(ordinate[first], scale * ordinate[second]))
             .collect();
         transform(&mut values, &roots);
         let share = |j: usize| 1.0 / if j == 0 { 2 * n } else { n } as f64;
-        series[second] = (0..n).map(|j| values[j].im * share(j)).collect();
+        series[second] = (0..n).map(|j| values[j].im / scale * share(j)).collect();
         series[first] = (0..n).map(|j| values[j].re * share(j)).collect();
     }
     series

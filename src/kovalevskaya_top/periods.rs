@@ -63,6 +63,10 @@ impl Curve {
     ///
     /// Z is where s = l² − l₁, P(s) = −l²(m²−k²)²/4 with m = 3l₁ − 2l²; it lies in a gap between s₂ and s₁. None if a quadrature needs too many terms.
     pub fn prepare(constants: &Constants, separation: &Separation) -> Option<Self> {
+        // Two roots in one, as when z starts along axis 3: a period is infinite.
+        if separation.narrowest() < DOUBLE {
+            return None;
+        }
         let real = separation.in_order();
         let twisted = real.len() < 5;
         // The band of s₁ is the second cut or the third.
@@ -163,6 +167,9 @@ impl Curve {
         ([y1 - a * x[0] - b * x[1], y2 - b * x[0] - c * x[1]], x)
     }
 }
+
+/// Roots that are as near as this, as a part of the greatest distance, are one.
+const DOUBLE: f64 = 1e-13;
 
 /// Longest series for a gap; where it takes more, two roots nearly meet.
 const LONGEST_GAP: usize = 1 << 14;

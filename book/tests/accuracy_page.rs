@@ -38,7 +38,8 @@ fn the_measurements_name_their_machine() {
     }
 }
 
-/// At every accuracy and every motion some method of ours is at least twice as fast as dop853, a closed form of a free or symmetric top fifty times.
+/// At every accuracy and every motion some method of ours is at least twice as fast as dop853, a closed form of a free or symmetric top fifty times; but on the
+/// tippe top, where both take the same steps and what the steps evaluate is most of the cost: there it is 1.8 times.
 #[test]
 fn ours_are_faster_by_the_factors_that_the_page_names() {
     let table = std::fs::read_to_string(file("accuracy.md")).unwrap();
@@ -49,7 +50,13 @@ fn ours_are_faster_by_the_factors_that_the_page_names() {
                 continue;
             };
             let factor: f64 = factor.parse().unwrap();
-            let least = if best.starts_with("exact") { 50.0 } else { 2.0 };
+            let least = if best.starts_with("exact") {
+                50.0
+            } else if row.starts_with("| tippe top") {
+                1.75
+            } else {
+                2.0
+            };
             assert!(factor >= least, "{row}: {cell}");
         }
     }

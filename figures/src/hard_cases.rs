@@ -84,7 +84,7 @@ pub fn tops() -> Result<Figure> {
     let words = Words {
         claim: "The textbook walks uphill, the library on a floor.".to_owned(),
         details: "Six walks of a top to a place where its formula loses digits: relative error against the distance that is left (for the fast top and the slow \
-                  precession, four over the spin). Upper line the formula as printed, lower line the library. What reaches the top has not one digit left."
+                  precession, 4 over the spin). Upper line the formula as printed, lower line the library. What reaches the top has not one digit left."
             .to_owned(),
         alt: "Six small panels with logarithmic axes. In each the line of the textbook climbs from 1e-16 to 1 as the distance shrinks, steeply for the sleeping and \
               the fast top; the line of the library stays at 1e-16 throughout."

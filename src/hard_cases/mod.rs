@@ -12,7 +12,7 @@
 //!
 //! ```
 //! use spinning_bodies::hard_cases::named;
-//! let family = named("near-separatrix").expect("it is in the list");
+//! let family = named("near-axis").expect("it is in the list");
 //! let closest = family.comparisons()?.last().copied().expect("there are steps");
 //! assert!(closest.textbook > 0.1 && closest.ours < 1e-15);
 //! # Ok::<(), spinning_bodies::Error>(())

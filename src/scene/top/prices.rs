@@ -1,8 +1,7 @@
 //! What each way of computing a top costs, measured, and which is cheapest.
 //!
 //! Least squares over the tops of the suite in `tests/planner` (`cargo bench -p bench --bench planner -- prices` for the closed forms) on an AMD EPYC
-//! (2 cores, KVM), Rust 1.95. Kovalevskaya's states are the dear ones, 75 to 1700 µs: each separates the variables anew; for a few turns a run is
-//! cheaper by far.
+//! (2 cores, KVM), Rust 1.95. Kovalevskaya's top is the dear one to prepare; for a few turns a run is cheaper by far.
 
 use super::foreseen::Foreseen;
 use super::methods::{Heavy, longest};
@@ -29,7 +28,9 @@ const fn price(start: f64, step: f64, sample: f64) -> Price {
 
 const FREE: Price = price(2.7, 0.0, 0.28);
 const LAGRANGE: Price = price(5.0, 0.0, 0.33);
-const KOVALEVSKAYA: Price = price(150.0, 0.0, 380.0);
+const KOVALEVSKAYA: Price = price(270.0, 0.0, 4.0);
+/// Her top from a start exactly upright, where two roots of her polynomial meet: without theta functions.
+const UPRIGHT: Price = price(150.0, 0.0, 380.0);
 const ORDER_EIGHT: Price = price(0.58, 0.45, 0.12);
 
 const fn of_steps(method: Geometric) -> Price {
@@ -47,7 +48,7 @@ const fn of_steps(method: Geometric) -> Price {
 /// Steps of order 8 a radian, times tolerance^(1/8): observed 0.08 to 0.14.
 const STEPS_A_RADIAN: f64 = 0.1;
 /// Up to this multiple of the cheapest run a closed form is taken: its error is rounding.
-const WORTH: f64 = 1.1;
+const WORTH: f64 = 1.6;
 
 /// Which way is cheapest.
 #[derive(Debug, Clone, Copy)]
@@ -65,6 +66,8 @@ pub(super) struct Task {
     /// L along the axes at the start.
     pub l: [f64; 3],
     pub kind: Integrability,
+    /// Whether the third axis is exactly vertical at the start.
+    pub upright: bool,
     /// The weight's share of the energies.
     pub weight: f64,
     /// How fast L and the vertical change along the body's axes, as a share of the fastest rate: 0 in steady motions.
@@ -81,10 +84,12 @@ const LIVELY: f64 = 0.3;
 impl Task {
     pub fn of(heavy: &Heavy<'_>, kind: Integrability, accuracy: f64) -> Self {
         let weight = heavy.lever.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let [x, y, _] = heavy.start.up();
         Self {
             moments: heavy.moments,
             l: heavy.start.l,
             kind,
+            upright: x == 0.0 && y == 0.0,
             weight: weight / heavy.energy,
             liveliness: heavy.liveliness(),
             fastest: heavy.fastest,
@@ -100,6 +105,7 @@ impl Task {
             Integrability::Lagrange(_) | Integrability::SphericalInertia => {
                 (LAGRANGE, self.kicked())
             }
+            Integrability::Kovalevskaya(_) if self.upright => (UPRIGHT, self.kicked()),
             Integrability::Kovalevskaya(_) => (KOVALEVSKAYA, self.kicked()),
             Integrability::OnLevelZero(_) | Integrability::None => {
                 return Cheapest::OnlyOrderEight;

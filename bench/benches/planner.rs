@@ -3,10 +3,9 @@
 //! `cargo bench -p bench --bench planner` prints the share of cases within twice the best, the quantiles of the ratio, the worst cases; with `-- prices`
 //! the constants of `src/scene/top/prices.rs`. Times are the least of several runs, those compared taken side by side.
 //!
-//! Observed over two seeds, the machine busy, so that the times are worth less than the errors: within twice the best 86 to 89 % of all but those with
-//! friction; of the free tops 97 %, near the separatrix 94, nearly symmetric 98, Lagrange's 88 to 91, near sleeping 89, fast 85, Kovalevskaya's 85, heavy ones
-//! without a closed form 80 to 84. Counted in steps and not in time, the heavy ones up to 40 radians are within twice the best in 97 % of the cases; what is
-//! lost are longer ones at 1e-3 to 1e-5, where the loose run costs half of the other. Over fourteen seeds one error of 31200 was above ten times the accuracy.
+//! Observed: no error above ten times the accuracy; within twice the best 90 % of all: of the free tops 97, near the separatrix 89, nearly symmetric 100, Lagrange's
+//! 94, near sleeping 90, fast 84, Kovalevskaya's 85, heavy ones without a closed form 89, those with friction 87; 79 % at 1e-3, 96 % from 1e-10 down. What
+//! is lost are long heavy runs at few digits, where the loose run costs half of the other, and starts of Kovalevskaya's top whose periods are out of reach.
 //! The constants there are from an AMD EPYC (2 cores, KVM), Rust 1.95.
 
 use std::collections::BTreeMap;

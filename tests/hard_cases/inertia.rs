@@ -121,7 +121,7 @@ fn the_smallest_moment_of_a_needle_is_right_to_its_own_digits() {
         let a = Matrix3::new(e[0], e[3], e[4], e[3], e[1], e[5], e[4], e[5], e[2]);
         let exact = [7, 8, 9].map(|k| decimal(fields[k]));
         let part = exact[0].value().abs() / exact[2].value().abs();
-        if fields[0] != "needle" || part > 1.0 / 16.0 || part < 1e-16 {
+        if fields[0] != "needle" || !(1e-16..=1.0 / 16.0).contains(&part) {
             continue;
         }
         let found = principal_axes_of(&a).unwrap().moments()[0];

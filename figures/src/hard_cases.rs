@@ -108,7 +108,7 @@ pub fn tops() -> Result<Figure> {
 pub fn bodies() -> Result<Figure> {
     let words = Words {
         claim: "It is not only tops.".to_owned(),
-        details: "Six more walks: relative error against the distance that is left. For the long time and the bounces that is one over the time or their number, \
+        details: "Six more walks: relative error against the distance that is left. For the long time and the bounces that is 1 over the time or their number, \
                   for the mesh the size of the body over its distance from the origin."
             .to_owned(),
         alt: "Six small panels with logarithmic axes: long time, quarter period, far mesh, needle, small turn, many bounces. The line of the textbook climbs from \

@@ -1,9 +1,13 @@
 // Opens every page of the built book from disk, in a browser without a network, and reports what a reader would mind.
 const fs = require('fs');
+const http = require('http');
 const path = require('path');
 const { chromium } = require('playwright-core');
 
 const folder = path.resolve(process.argv[2] || 'book/build');
+// Characters of code that fit at 1200 px, in the column and under a fold; the test `no_line_of_code_is_wider_than_the_column` holds the lines to it.
+const COLUMN = 97;
+const FOLDED = 87;
 const url = (page) => 'file://' + path.join(folder, page);
 const pages = fs.readdirSync(folder).filter((name) => name.endsWith('.html') && name !== 'toc.html').sort();
 let passed = 0;
@@ -27,7 +31,7 @@ async function inBrowser(browser, theme, width, work) {
     });
     page.on('pageerror', (error) => heard.push(`script: ${error.message}`));
     page.on('request', (request) => {
-        if (!/^(file|data|blob):/.test(request.url())) heard.push(`request to ${request.url()}`);
+        if (!/^(file|data|blob|http:\/\/127\.0\.0\.1):/.test(request.url())) heard.push(`request to ${request.url()}`);
     });
     page.on('requestfailed', (request) => heard.push(`not loaded: ${request.url()}`));
     await work(page, heard);
@@ -37,6 +41,8 @@ async function inBrowser(browser, theme, width, work) {
 // What is wrong with the page as it stands.
 function look(theme) {
     const faults = [];
+    const policy = document.querySelector('meta[http-equiv="Content-Security-Policy"]');
+    if (!policy || /https?:|\*/.test(policy.content)) faults.push('no policy that forbids every other host');
     if (!document.documentElement.classList.contains(theme)) faults.push(`the theme is not ${theme}`);
     for (const figure of document.querySelectorAll('main figure')) {
         const picture = figure.querySelector('svg');
@@ -78,11 +84,80 @@ function clipped() {
         .map((e) => `${e.tagName.toLowerCase()} reaches ${Math.round(e.getBoundingClientRect().right)} px: ${e.textContent.slice(0, 40)}`);
 }
 
+// Room for code, in characters, where it is less than promised.
+function narrow([column, folded]) {
+    return [...document.querySelectorAll('main > pre > code, main details pre > code')].map((code) => {
+        const ruler = code.appendChild(document.createElement('span'));
+        ruler.textContent = '0'.repeat(100);
+        ruler.style.whiteSpace = 'pre';
+        const width = ruler.getBoundingClientRect().width / 100;
+        ruler.remove();
+        const style = getComputedStyle(code);
+        const room = code.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
+        const promised = code.closest('details') ? folded : column;
+        return room / width < promised ? `${(room / width).toFixed(1)} characters fit, ${promised} are promised` : '';
+    }).filter(Boolean);
+}
+
+// What scrolls, and no key reaches it.
+function beyondKeys() {
+    return [...document.querySelectorAll('main pre > code, main .katex-display, main .table-wrapper')]
+        .filter((e) => e.scrollWidth > e.clientWidth && (e.tabIndex < 0 || !e.getAttribute('aria-label')))
+        .map((e) => `no key scrolls: ${e.textContent.slice(0, 40)}`);
+}
+
+// Contrast of the page's own entry in the table of contents.
+function faint() {
+    const light = (color) => {
+        const [r, g, b] = color.match(/[\d.]+/g).slice(0, 3).map((c) => c / 255)
+            .map((c) => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    };
+    const entry = document.querySelector('#mdbook-sidebar a.active');
+    const pair = [getComputedStyle(entry).color, getComputedStyle(document.querySelector('#mdbook-sidebar')).backgroundColor];
+    const [a, b] = pair.map(light).sort((x, y) => y - x);
+    const contrast = (a + 0.05) / (b + 0.05);
+    return contrast < 4.5 ? [`the active entry stands out by ${contrast.toFixed(1)} : 1 only`] : [];
+}
+
+// What the button of the first example with a hidden line copies must be a program, hidden lines included.
+async function copies(page) {
+    return page.evaluate(() => {
+        const code = [...document.querySelectorAll('main pre > code.language-rust')].find((c) => c.querySelector('.boring'));
+        const button = code.closest('pre').querySelector('.clip-button');
+        let copied = '';
+        document.addEventListener('copy', () => { copied = document.activeElement.value; }, { once: true });
+        button.click();
+        const hidden = code.querySelector('.boring').textContent.trim();
+        const program = copied.includes(hidden) && /^fn main\(\)/.test(copied) && copied.trimEnd().endsWith('}');
+        return program && /hidden/.test(button.title) ? [] : [`no program: ${copied.slice(0, 80)}`];
+    });
+}
+
+async function searches(page, address, word) {
+    await page.goto(`${address}?search=${word}`);
+    const hits = '#mdbook-searchresults li';
+    return page.waitForSelector(hits, { timeout: 20000 }).then(() => page.locator(hits).count(), () => 0);
+}
+
+// The built book behind a server of this machine, as a reader on the network has it.
+function served() {
+    const types = { '.html': 'text/html', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml', '.woff2': 'font/woff2' };
+    const server = http.createServer((request, response) => {
+        const file = path.join(folder, path.normalize(decodeURIComponent(new URL(request.url, 'http://x').pathname)));
+        fs.readFile(file, (error, bytes) => {
+            response.writeHead(error ? 404 : 200, { 'content-type': types[path.extname(file)] || 'application/octet-stream' });
+            response.end(bytes);
+        });
+    });
+    return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
+}
+
 (async () => {
     const browser = await chromium.launch({
         executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
         args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking', '--no-first-run',
-            '--disable-component-update', '--disable-sync', '--host-resolver-rules=MAP * ~NOTFOUND'],
+            '--disable-component-update', '--disable-sync', '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1'],
     });
 
     for (const theme of ['light', 'navy']) {
@@ -103,7 +178,7 @@ function clipped() {
             await page.goto(url(name));
             await page.evaluate(() => document.querySelectorAll('details').forEach((d) => { d.open = true; }));
             await page.evaluate(() => document.fonts.ready);
-            check(`${name} at 360 px`, [...await page.evaluate(wide), ...await page.evaluate(clipped)]);
+            check(`${name} at 360 px`, [...await page.evaluate(wide), ...await page.evaluate(clipped), ...await page.evaluate(beyondKeys)]);
         }
     });
 
@@ -116,11 +191,55 @@ function clipped() {
         });
     }
 
+    await inBrowser(browser, 'light', 1200, async (page) => {
+        for (const name of pages) {
+            await page.goto(url(name));
+            await page.evaluate(() => document.querySelectorAll('details').forEach((d) => { d.open = true; }));
+            await page.evaluate(() => document.fonts.ready);
+            check(`${name} at 1200 px`, await page.evaluate(narrow, [COLUMN, FOLDED]));
+        }
+    });
+
+    for (const theme of ['light', 'rust', 'coal', 'navy', 'ayu']) {
+        await inBrowser(browser, theme, 1280, async (page) => {
+            await page.goto(url('inertia.html'));
+            check(`the table of contents in ${theme}`, await page.evaluate(faint));
+        });
+    }
+
+    const server = await served();
+    for (const home of [url(''), `http://127.0.0.1:${server.address().port}`]) {
+        await inBrowser(browser, 'light', 1280, async (page, heard) => {
+            for (const word of ['inertia', 'polhode', 'superball']) {
+                heard.length = 0;
+                const found = await searches(page, `${home}/index.html`, word);
+                check(`search for "${word}" from ${home}`, found > 0 ? heard : ['no hit', ...heard]);
+            }
+            await page.click('#mdbook-theme-toggle');
+            await page.click('#mdbook-theme-coal');
+            const coal = await page.evaluate(() => document.documentElement.classList.contains('coal'));
+            check(`another theme from ${home}`, coal ? heard : ['the theme does not change', ...heard]);
+        });
+    }
+    server.close();
+
     await inBrowser(browser, 'light', 1280, async (page, heard) => {
-        await page.goto(url('index.html') + '?search=inertia');
-        const hits = '#mdbook-searchresults li';
-        const found = await page.waitForSelector(hits, { timeout: 20000 }).then(() => page.locator(hits).count(), () => 0);
-        check('search for "inertia"', found > 0 ? heard : ['no hit', ...heard]);
+        await page.goto(url('superball.html'));
+        check('copy', [...await copies(page), ...heard]);
+        await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+        const folded = await page.locator('details:not([open])').count();
+        check('folds on paper', folded === 0 ? [] : [`${folded} stay shut`]);
+        await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+        check('folds after printing', await page.locator('details[open]').count() === 0 ? [] : ['they stay open']);
+
+        await page.goto(url('lagrange-top.html'));
+        await page.locator('.pause input').first().focus();
+        await page.keyboard.press('Space');
+        const moving = await page.evaluate(() => {
+            const all = document.querySelector('figure:has(.pause) svg').getAnimations({ subtree: true });
+            return all.length > 0 ? all.filter((one) => one.playState === 'running').length : -1;
+        });
+        check('a moving figure is held by a key', moving === 0 ? [] : [`${moving} of its parts move`]);
     });
 
     await browser.close();

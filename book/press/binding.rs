@@ -3,11 +3,11 @@
 use crate::drawings::Drawing;
 use crate::ledger::Ledger;
 use crate::paths::readable_by_all;
-use crate::typesetter::Typesetter;
+use crate::typesetter::{Typesetter, without_code};
 use crate::{Error, Result};
 use mdbook_driver::MDBook;
-use mdbook_driver::book::BookItem;
-use std::collections::HashSet;
+use mdbook_driver::book::{BookItem, Chapter};
+use std::collections::{HashMap, HashSet};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -53,33 +53,46 @@ fn build(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
     book.config.build.build_dir = folder.to_owned();
 
     let source_folder = book.source_dir();
-    let pages: HashSet<String> = book
+    let chapters: Vec<(String, String)> = book
         .iter()
         .filter_map(|item| match item {
-            BookItem::Chapter(chapter) => chapter.source_path.as_ref(),
+            BookItem::Chapter(chapter) => Some((file_of(chapter)?, chapter.content.clone())),
             _ => None,
         })
-        .map(|path| path.to_string_lossy().into_owned())
         .collect();
+    let pages: HashSet<String> = chapters.iter().map(|(file, _)| file.clone()).collect();
     let mut typesetter = Typesetter::new(drawings, &ledger);
-    let mut outcome = Ok(());
+    let mut set = HashMap::new();
+    for (file, source) in chapters {
+        let page = typesetter.set(&file, &source, &source_folder, &pages)?;
+        set.insert(file, page);
+    }
     book.book.for_each_chapter_mut(|chapter| {
-        let Some(file) = chapter.source_path.as_ref() else {
-            return;
-        };
-        let file = file.to_string_lossy();
-        if outcome.is_ok() {
-            match typesetter.set(&file, &chapter.content, &source_folder, &pages) {
-                Ok(set) => chapter.content = set,
-                Err(error) => outcome = Err(error),
-            }
+        if let Some(page) = file_of(chapter).and_then(|file| set.remove(&file)) {
+            chapter.content = page;
         }
     });
-    outcome?;
-
     book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
     readable_by_all(folder).map_err(Error::file(folder))?;
-    typesetter.into_pieces().fill_folder(folder)
+    typesetter.into_pieces().fill_folder(folder)?;
+
+    // Once more without code, for the search index: it would hold every hidden line.
+    book.book
+        .for_each_chapter_mut(|chapter| chapter.content = without_code(&chapter.content));
+    let aside = folder.with_extension("prose");
+    book.config.build.build_dir = aside.clone();
+    book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
+    let (fat, index) = (aside.join("searchindex.js"), folder.join("searchindex.js"));
+    let words = std::fs::read_to_string(&fat).map_err(Error::file(&fat))?;
+    // The tree of letters says at every node that no word ends there; the reader of the index takes silence for that.
+    let words = words.replace(r#""docs":{},"df":0,"#, "");
+    std::fs::write(&index, words).map_err(Error::file(&index))
+}
+
+/// The Markdown file of a chapter.
+fn file_of(chapter: &Chapter) -> Option<String> {
+    let path = chapter.source_path.as_ref()?;
+    Some(path.to_string_lossy().into_owned())
 }
 
 /// Runs `work` and collects what it logs as a warning or an error: mdBook reports a missing include in no other way.

@@ -7,14 +7,45 @@ pub struct Chapter {
     pub name: &'static str,
     /// The Markdown source.
     pub source: &'static str,
+    /// What it is made of, from the root of the workspace: modules, tests, figures, scenes. Folders end in a slash.
+    pub files: &'static [&'static str],
+}
+
+/// What the foot of a page says of its files, by the folder they are in.
+const FOOT: [(&str, &[&str]); 4] = [
+    ("Computed in", &["src/"]),
+    ("tested in", &["tests/", "book/tests/"]),
+    ("drawn in", &["figures/src/"]),
+    ("to play with:", &["book/scenes/"]),
+];
+
+impl Chapter {
+    /// The chapter whose Markdown file is called `file`.
+    pub fn of(file: &str) -> Option<&'static Chapter> {
+        let name = file.strip_suffix(".md")?;
+        CHAPTERS.iter().find(|chapter| chapter.name == name)
+    }
+
+    /// The last line of the page: where its computations live. `None` if it has none of its own.
+    pub fn foot(&self) -> Option<String> {
+        let groups = FOOT.iter().filter_map(|(word, folders)| {
+            let there = |file: &&&str| folders.iter().any(|folder| file.starts_with(folder));
+            let files = self.files.iter().filter(there);
+            let files: Vec<_> = files.map(|file| format!("<code>{file}</code>")).collect();
+            (!files.is_empty()).then(|| format!("{word} {}", files.join(", ")))
+        });
+        let groups: Vec<_> = groups.collect();
+        (!groups.is_empty()).then(|| format!("<p class=\"foot\">{}</p>", groups.join(" · ")))
+    }
 }
 
 macro_rules! chapters {
-    ($($module:ident: $name:literal,)*) => {
+    ($($module:ident: $name:literal $files:expr,)*) => {
         /// All chapters, in reading order.
         pub const CHAPTERS: &[Chapter] = &[$(Chapter {
             name: $name,
             source: include_str!(concat!("../src/", $name, ".md")),
+            files: &$files,
         },)*];
 
         $(
@@ -26,32 +57,160 @@ macro_rules! chapters {
 }
 
 chapters! {
-    index: "index",
-    phenomena: "phenomena",
-    inertia: "inertia",
-    conservation: "conservation",
-    examples: "examples",
-    impacts: "impacts",
-    rolling: "rolling",
-    spool: "spool",
-    sheet: "sheet",
-    superball: "superball",
-    tippe_top: "tippe-top",
-    chiral_top: "chiral-top",
-    rattleback: "rattleback",
-    gyroscope: "gyroscope",
-    yo_yo: "yo-yo",
-    falling_strip: "falling-strip",
-    euler_equations: "euler-equations",
-    euler_top: "euler-top",
-    lagrange_top: "lagrange-top",
-    kovalevskaya_top: "kovalevskaya-top",
-    pythagoras: "pythagoras",
-    further_reading: "further-reading",
-    scenes: "scenes",
-    accuracy: "accuracy",
-    hard_cases: "hard-cases",
-    errata: "errata",
-    claims: "claims",
-    colophon: "colophon",
+    index: "index" [],
+    phenomena: "phenomena" [
+        "src/phenomena/",
+        "src/scene/shape/",
+        "tests/section_01_phenomena/",
+        "tests/scenes/shape.rs",
+        "figures/src/phenomena/",
+        "book/scenes/cat.toml",
+        "book/scenes/crawler.toml",
+        "book/scenes/paper-cat.toml",
+        "book/scenes/skater.toml",
+        "book/scenes/swivel.toml",
+    ],
+    inertia: "inertia" [
+        "src/inertia/",
+        "tests/section_02_inertia/",
+        "figures/src/inertia.rs",
+    ],
+    conservation: "conservation" [
+        "src/conservation/",
+        "tests/section_03_conservation/",
+    ],
+    examples: "examples" [],
+    impacts: "impacts" [
+        "src/impacts.rs",
+        "tests/section_04_impacts/",
+        "figures/src/impacts.rs",
+        "book/scenes/meteorite.toml",
+    ],
+    rolling: "rolling" [
+        "src/rolling/",
+        "tests/section_04_rolling.rs",
+        "tests/section_04_cloth.rs",
+        "figures/src/rolling.rs",
+        "figures/src/rolling/",
+        "book/scenes/billiard-shot.toml",
+    ],
+    spool: "spool" [
+        "src/rolling/spool.rs",
+        "tests/section_04_spool.rs",
+        "figures/src/spool.rs",
+        "book/scenes/spool.toml",
+    ],
+    sheet: "sheet" [
+        "src/rolling/sheet.rs",
+        "tests/section_04_sheet.rs",
+        "figures/src/sheet.rs",
+        "book/scenes/withdrawn-sheet.toml",
+    ],
+    superball: "superball" [
+        "src/superball/",
+        "tests/section_04_superball/",
+        "tests/section_04_superball_losses.rs",
+        "figures/src/superball.rs",
+        "figures/src/superball/",
+        "book/scenes/superball.toml",
+    ],
+    tippe_top: "tippe-top" [
+        "src/tippe_top/",
+        "src/scene/contact/",
+        "tests/section_04_tippe_top/",
+        "figures/src/tippe_top/",
+        "book/scenes/egg.toml",
+        "book/scenes/hoop-with-clay.toml",
+        "book/scenes/sliding-ball.toml",
+        "book/scenes/tippe-top.toml",
+    ],
+    chiral_top: "chiral-top" [
+        "src/tippe_top/chirality.rs",
+        "src/tippe_top/growth.rs",
+        "tests/section_04_tippe_top/chiral.rs",
+        "figures/src/tippe_top/",
+        "book/scenes/chiral-top.toml",
+        "book/scenes/chiral-top-other-way.toml",
+    ],
+    rattleback: "rattleback" [
+        "src/tippe_top/bodies.rs",
+        "src/tippe_top/growth.rs",
+        "tests/section_04_tippe_top/celt.rs",
+        "figures/src/tippe_top/rattleback.rs",
+        "book/scenes/rattleback.toml",
+    ],
+    gyroscope: "gyroscope" [
+        "src/lagrange_top/",
+        "tests/section_04_gyroscope.rs",
+    ],
+    yo_yo: "yo-yo" [
+        "src/yo_yo/",
+        "tests/section_04_yo_yo.rs",
+        "figures/src/yo_yo/",
+        "book/scenes/yo-yo.toml",
+        "book/scenes/yo-yo-asleep.toml",
+    ],
+    falling_strip: "falling-strip" [
+        "src/falling_strip/",
+        "tests/section_04_falling_strip.rs",
+        "figures/src/falling_strip/",
+        "book/scenes/strip.toml",
+    ],
+    euler_equations: "euler-equations" [
+        "src/euler_equations/",
+        "src/ideal_fluid.rs",
+        "src/rotating_fluid.rs",
+        "tests/section_05_euler_equations/",
+        "figures/src/euler_equations.rs",
+        "figures/src/euler_equations/",
+        "book/scenes/heavy-body.toml",
+    ],
+    euler_top: "euler-top" [
+        "src/euler_top/",
+        "src/elliptic/",
+        "tests/section_06_euler_top/",
+        "figures/src/euler_top/",
+        "book/scenes/racket.toml",
+    ],
+    lagrange_top: "lagrange-top" [
+        "src/lagrange_top/",
+        "tests/section_07_lagrange_top/",
+        "figures/src/lagrange_top/",
+        "book/scenes/nutation-dies.toml",
+        "book/scenes/sleeping-top.toml",
+    ],
+    kovalevskaya_top: "kovalevskaya-top" [
+        "src/kovalevskaya_top/",
+        "tests/section_08_kovalevskaya_top/",
+        "figures/src/kovalevskaya_top.rs",
+    ],
+    pythagoras: "pythagoras" [
+        "src/pythagoras.rs",
+        "tests/section_09_pythagoras.rs",
+        "figures/src/pythagoras.rs",
+    ],
+    further_reading: "further-reading" [],
+    scenes: "scenes" [
+        "src/scene/",
+        "tests/scenes/",
+        "book/tests/scenes.rs",
+        "book/tests/scene_prices.rs",
+        "figures/src/scenes.rs",
+    ],
+    accuracy: "accuracy" [
+        "src/accuracy/",
+        "src/integrators/",
+        "tests/accuracy/",
+        "tests/integrators/",
+        "tests/planner/",
+        "figures/src/accuracy/",
+    ],
+    hard_cases: "hard-cases" [
+        "src/hard_cases/",
+        "tests/hard_cases/",
+        "figures/src/hard_cases.rs",
+    ],
+    errata: "errata" [],
+    claims: "claims" [],
+    colophon: "colophon" [],
 }

@@ -5,6 +5,8 @@
 //! The chapter therefore holds a `<span data-piece="17">` with the plain text, and the page gets the piece.
 
 use crate::{Error, Result};
+use base64::prelude::{BASE64_STANDARD, Engine};
+use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -55,7 +57,7 @@ impl Pieces {
                 self.fill_folder(&path)?;
             } else if path.extension().is_some_and(|ending| ending == "html") {
                 let page = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
-                let filled = flush_left(&self.fill(&page)?);
+                let filled = with_hashes(&flush_left(&self.fill(&page)?));
                 if filled != page {
                     std::fs::write(&path, filled).map_err(Error::file(&path))?;
                 }
@@ -89,6 +91,21 @@ fn flush_left(page: &str) -> String {
         out.push_str(after);
     }
     out
+}
+
+/// The page with the hashes of its own scripts in its content-security policy, which allows no others.
+fn with_hashes(page: &str) -> String {
+    let scripts = page.split("<script>").skip(1);
+    let scripts = scripts.filter_map(|rest| rest.split("</script>").next());
+    let hashes: Vec<_> = scripts
+        .map(|script| {
+            format!(
+                "'sha256-{}'",
+                BASE64_STANDARD.encode(Sha256::digest(script))
+            )
+        })
+        .collect();
+    page.replace("'own-scripts'", &hashes.join(" "))
 }
 
 /// Text in which Markdown finds nothing: everything but letters, digits and spaces is written as an entity.
@@ -129,6 +146,19 @@ mod tests {
             "<p> a</p><code class=\"language-rs\">    fn f() {\n\n        1\n    }\n</code> b";
         let expected = "<p> a</p><code class=\"language-rs\">fn f() {\n\n    1\n}\n</code> b";
         assert_eq!(flush_left(page), expected);
+    }
+
+    #[test]
+    fn a_page_allows_its_own_scripts() {
+        let page =
+            "script-src 'own-scripts'; <script src=\"a.js\"></script><script>alert(1)</script>";
+        // printf 'alert(1)' | openssl dgst -sha256 -binary | base64
+        let hash = "'sha256-bhHHL3z2vDgxUt0W3dWQOrprscmda2Y5pLsLg4GF+pI='";
+        assert!(
+            with_hashes(page).starts_with(&format!("script-src {hash}; ")),
+            "{}",
+            with_hashes(page)
+        );
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Sets one chapter: formulas, figures and claim tags become HTML or placeholders for it.
 
 use crate::appendix;
+use crate::chapters::Chapter;
 use crate::drawings::{Drawing, unknown_figure};
 use crate::formulas::{Formulas, Style};
 use crate::ledger::{Ledger, MarkKind, markdown_options, marks};
@@ -23,6 +24,9 @@ pub struct Typesetter<'a> {
 
 /// The cover may show a figure that belongs to a chapter; there it has no number.
 pub const COVER: &str = "index";
+
+/// What stops a figure that moves: for a finger, a mouse or a key.
+const PAUSE: &str = "<label class=\"pause\"><input type=\"checkbox\"> Pause</label>";
 
 /// Replacements in a chapter's source.
 type Edits = Vec<(Range<usize>, String)>;
@@ -53,7 +57,7 @@ impl<'a> Typesetter<'a> {
         folder: &Path,
         pages: &HashSet<String>,
     ) -> Result<String> {
-        let (source, origin) = with_tables(file, source, folder)?;
+        let (source, origin) = self.expanded(file, source, folder)?;
         let place = |offset: usize| {
             let line = source[..offset].matches('\n').count();
             format!(
@@ -120,7 +124,60 @@ impl<'a> Typesetter<'a> {
                 _ => {}
             }
         }
-        Ok(apply(&source, edits))
+        let mut set = apply(&source, edits);
+        if let Some(foot) = Chapter::of(file).and_then(Chapter::foot) {
+            set.push_str(&format!("\n{foot}\n"));
+        }
+        Ok(set)
+    }
+
+    /// Expands lines `{{#include tables/NAME.md}}`, generated tables, so that their formulas are set as well, and `{{value FIGURE.NAME}}`,
+    /// a number that the figure computed; for each line of the result, the line of the chapter it comes from. Includes in code are left
+    /// to mdBook.
+    fn expanded(&self, file: &str, source: &str, folder: &Path) -> Result<(String, Vec<usize>)> {
+        let (mut out, mut origin) = (String::with_capacity(source.len()), Vec::new());
+        for (i, line) in source.lines().enumerate() {
+            let fault = |why: String| Error::Input(format!("book/src/{file}:{}: {why}", i + 1));
+            let table = line
+                .strip_prefix("{{#include tables/")
+                .and_then(|rest| rest.strip_suffix(".md}}"));
+            let text = match table {
+                None => self.with_values(line).map_err(fault)?,
+                Some(name) => {
+                    let path = folder.join("tables").join(format!("{name}.md"));
+                    std::fs::read_to_string(&path)
+                        .map_err(|error| fault(format!("{}: {error}", path.display())))?
+                }
+            };
+            origin.resize(origin.len() + text.lines().count().max(1), i + 1);
+            out.push_str(text.trim_end_matches('\n'));
+            out.push('\n');
+        }
+        Ok((out, origin))
+    }
+
+    fn with_values(&self, line: &str) -> std::result::Result<String, String> {
+        let mut parts = line.split("{{value ");
+        let mut out = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let (name, after) = part.split_once("}}").unwrap_or((part, ""));
+            let (figure, key) = name.trim().split_once('.').unwrap_or((name, ""));
+            let drawing = self.drawings.get(figure);
+            let values = &drawing
+                .ok_or_else(|| unknown_figure(figure).to_string())?
+                .figure
+                .values;
+            let Some((_, text)) = values.iter().find(|(known, _)| *known == key) else {
+                let known: Vec<_> = values.iter().map(|(known, _)| *known).collect();
+                let known = known.join(", ");
+                return Err(format!(
+                    "figure '{figure}' has no value '{key}': expected one of [{known}]"
+                ));
+            };
+            out.push_str(text);
+            out.push_str(after);
+        }
+        Ok(out)
     }
 
     fn formula(&mut self, latex: &str, style: Style) -> std::result::Result<String, String> {
@@ -128,7 +185,13 @@ impl<'a> Typesetter<'a> {
             .formulas
             .set(latex, style)
             .map_err(|error| format!("in the formula ${}$: {error}", latex.trim()))?;
-        Ok(self.pieces.keep(html, latex.trim()))
+        // A letter with its index can be searched for, LaTeX cannot.
+        let plain = if latex.contains('\\') {
+            "…"
+        } else {
+            latex.trim()
+        };
+        Ok(self.pieces.keep(html, plain))
     }
 
     /// The HTML of a paragraph that is a directive; `None` if it is a paragraph.
@@ -152,7 +215,10 @@ impl<'a> Typesetter<'a> {
             .drawings
             .get(name)
             .ok_or_else(|| unknown_figure(name).to_string())?;
-        let svg = inline_svg(&drawing.figure.svg, &drawing.figure.alt);
+        let mut svg = inline_svg(&drawing.figure.svg, &drawing.figure.alt);
+        if svg.contains("@keyframes") {
+            svg.insert_str(0, PAUSE);
+        }
         let claim = self.caption(&drawing.figure.claim)?;
         if chapter == COVER {
             // The chapter shows it again, and the print page shows both: the ids must differ.
@@ -211,7 +277,7 @@ impl<'a> Typesetter<'a> {
                     String::new()
                 };
                 links.push(format!(
-                    "<a class=\"claim-tag\"{anchor} href=\"claims.html#{id}\" title=\"{}\">{id}</a>",
+                    "<a class=\"claim-tag\"{anchor} href=\"claims.html#{id}\" title=\"A claim of the tutorial: {}\">{id}</a>",
                     inert(&claim.title)
                 ));
             }
@@ -230,6 +296,16 @@ impl<'a> Typesetter<'a> {
     }
 }
 
+/// The chapter without its blocks of code.
+pub fn without_code(chapter: &str) -> String {
+    let blocks = Parser::new_ext(chapter, markdown_options()).into_offset_iter();
+    let blocks = blocks.filter(|(event, _)| matches!(event, Event::Start(Tag::CodeBlock(_))));
+    apply(
+        chapter,
+        blocks.map(|(_, span)| (span, "\n".into())).collect(),
+    )
+}
+
 fn apply(source: &str, mut edits: Edits) -> String {
     edits.sort_by_key(|(span, _)| (span.start, span.end));
     let mut out = String::with_capacity(2 * source.len());
@@ -244,34 +320,6 @@ fn apply(source: &str, mut edits: Edits) -> String {
     }
     out.push_str(&source[at..]);
     out
-}
-
-/// Expands lines `{{#include tables/NAME.md}}`, generated tables, so that their formulas are set as well; for each line of the
-/// result, the line of the chapter it comes from. Includes in code are left to mdBook.
-fn with_tables(file: &str, source: &str, folder: &Path) -> Result<(String, Vec<usize>)> {
-    let (mut out, mut origin) = (String::with_capacity(source.len()), Vec::new());
-    for (i, line) in source.lines().enumerate() {
-        let table = line
-            .strip_prefix("{{#include tables/")
-            .and_then(|rest| rest.strip_suffix(".md}}"));
-        let text = match table {
-            None => line.to_owned(),
-            Some(name) => {
-                let path = folder.join("tables").join(format!("{name}.md"));
-                std::fs::read_to_string(&path).map_err(|error| {
-                    Error::Input(format!(
-                        "book/src/{file}:{}: {}: {error}",
-                        i + 1,
-                        path.display()
-                    ))
-                })?
-            }
-        };
-        origin.resize(origin.len() + text.lines().count().max(1), i + 1);
-        out.push_str(text.trim_end_matches('\n'));
-        out.push('\n');
-    }
-    Ok((out, origin))
 }
 
 /// The picture as part of a page: without the XML head, and with its alt text.
@@ -291,7 +339,20 @@ mod tests {
 
     fn set(source: &str) -> Result<String> {
         let ledger = Ledger::read(Path::new("/nowhere"))?;
-        Typesetter::new(&[], &ledger).set("x.md", source, Path::new("/nowhere"), &HashSet::new())
+        let top = Drawing {
+            entry: figures::Entry {
+                name: "top",
+                ..figures::all()[0]
+            },
+            figure: figures::Figure {
+                claim: String::new(),
+                details: String::new(),
+                alt: String::new(),
+                svg: String::new(),
+                values: vec![("tilt", "2.92".into())],
+            },
+        };
+        Typesetter::new(&[top], &ledger).set("x.md", source, Path::new("/nowhere"), &HashSet::new())
     }
 
     #[test]
@@ -308,6 +369,13 @@ mod tests {
     }
 
     #[test]
+    fn a_number_of_a_figure_stands_in_text_and_formula() {
+        let set = set("By {{value top.tilt}}\u{b0}, or $x={{value top.tilt}}$.\n").unwrap();
+        assert!(set.starts_with("By 2.92\u{b0}, or <span"), "{set}");
+        assert!(set.contains("2&#46;92"), "{set}");
+    }
+
+    #[test]
     fn faults_name_chapter_and_line() {
         for (source, place, word) in [
             ("a\n\n$\\frac{1}$\n", "book/src/x.md:3", "formula"),
@@ -316,6 +384,12 @@ mod tests {
             ("a\n\n## b $x$\n", "book/src/x.md:3", "heading"),
             ("[a](b.md)\n", "book/src/x.md:1", "'b.md'"),
             ("a\n{{figure b}}\n", "book/src/x.md:2", "own"),
+            ("a\n{{value b.c}}\n", "book/src/x.md:2", "'b'"),
+            (
+                "a\n{{value top.c}}\n",
+                "book/src/x.md:2",
+                "'c': expected one of [tilt]",
+            ),
             ("<!-- claim: C0.0-0 -->\n", "book/src/x.md:1", "C0.0-0"),
         ] {
             let message = match set(source) {

@@ -3,7 +3,7 @@
 use press::chapters::CHAPTERS;
 use press::ledger::{is_rust, markdown_options};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 /// Lines of a Rust example that the reader sees.
 const MOST_LINES: usize = 15;
@@ -162,4 +162,53 @@ fn every_chapter_has_one_title() {
             .count();
         assert_eq!(titles, 1, "{} has {titles} titles", chapter.name);
     }
+}
+
+#[test]
+fn the_foot_of_a_page_names_files_that_exist() {
+    let root = press::paths::workspace_root().unwrap();
+    let mut named = HashSet::new();
+    let mut faults = Vec::new();
+    for chapter in CHAPTERS {
+        let foot = chapter.foot().unwrap_or_default();
+        for file in chapter.files {
+            let path = root.join(file);
+            let right = if file.ends_with('/') {
+                path.is_dir()
+            } else {
+                path.is_file()
+            };
+            if !right || !foot.contains(&format!("<code>{file}</code>")) {
+                faults.push(format!(
+                    "{}: '{file}' does not exist or is of no known kind",
+                    chapter.name
+                ));
+            }
+            named.insert(path);
+        }
+    }
+    for scene in std::fs::read_dir(root.join("book/scenes")).unwrap() {
+        let scene = scene.unwrap().path();
+        if !named.contains(&scene) {
+            faults.push(format!("no chapter names {}", scene.display()));
+        }
+    }
+    // A figure's source stands in the foot of the chapter that shows it.
+    for entry in figures::all() {
+        let chapter = CHAPTERS
+            .iter()
+            .find(|chapter| chapter.name == entry.chapter)
+            .unwrap();
+        if !chapter
+            .files
+            .iter()
+            .any(|file| file.starts_with("figures/src/"))
+        {
+            faults.push(format!(
+                "{} does not say where '{}' is drawn",
+                chapter.name, entry.name
+            ));
+        }
+    }
+    none(&faults);
 }

@@ -41,6 +41,17 @@ pub struct Figure {
     pub alt: String,
     /// The picture, a complete SVG document.
     pub svg: String,
+    /// Computed numbers by name, as they are to be printed: the prose quotes them, `{{value FIGURE.NAME}}`.
+    pub values: Vec<(&'static str, String)>,
+}
+
+impl Figure {
+    /// The figure with one more number for the prose to quote.
+    #[must_use]
+    pub fn value(mut self, name: &'static str, text: impl Into<String>) -> Self {
+        self.values.push((name, text.into()));
+        self
+    }
 }
 
 /// A figure that can be drawn by name.

@@ -226,6 +226,7 @@ pub fn figure(name: &str, height: f64, words: Words, draw: impl FnOnce(&mut Pen<
         details: words.details,
         alt: words.alt,
         svg,
+        values: Vec::new(),
     }
 }
 

@@ -1,4 +1,4 @@
-// Opens every page of the built book from disk, in a browser without a network, and reports what a reader would mind.
+// Opens every page of the built book (or those named after the folder) from disk, in a browser without a network, and reports what a reader would mind.
 const fs = require('fs');
 const http = require('http');
 const path = require('path');
@@ -9,7 +9,8 @@ const folder = path.resolve(process.argv[2] || 'book/build');
 const COLUMN = 97;
 const FOLDED = 87;
 const url = (page) => 'file://' + path.join(folder, page);
-const pages = fs.readdirSync(folder).filter((name) => name.endsWith('.html') && name !== 'toc.html').sort();
+const pages = fs.readdirSync(folder).filter((name) => name.endsWith('.html') && name !== 'toc.html')
+    .filter((name) => process.argv.length < 4 || process.argv.includes(name)).sort();
 let passed = 0;
 const faults = [];
 
@@ -25,6 +26,7 @@ async function inBrowser(browser, theme, width, work) {
         window.print = () => {};
     }, theme);
     const page = await context.newPage();
+    page.setDefaultTimeout(180000); // the print page holds the whole book
     const heard = [];
     page.on('console', (message) => {
         if (message.type() === 'error') heard.push(`console: ${message.text()}`);

@@ -85,7 +85,7 @@ pub fn write(drawings: &[Drawing], folder: &Path) -> Result<usize> {
     let mut changed = 0;
     for drawing in drawings {
         let path = folder.join(format!("{}.svg", drawing.entry.name));
-        changed += usize::from(write_if_changed(&path, drawing.figure.svg.as_bytes())?);
+        changed += usize::from(write_if_changed(&path, drawing.figure.file().as_bytes())?);
     }
     Ok(changed)
 }
@@ -99,7 +99,7 @@ pub fn check(drawings: &[Drawing], folder: &Path) -> Result<()> {
             Err(error) => differences.push(format!("{}: {error}", path.display())),
             Ok(committed) => {
                 let compared =
-                    figures::compare(drawing.entry.name, &committed, &drawing.figure.svg);
+                    figures::compare(drawing.entry.name, &committed, &drawing.figure.file());
                 differences.extend(compared.err().map(|difference| difference.to_string()));
             }
         }

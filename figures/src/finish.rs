@@ -5,11 +5,10 @@ use std::fmt::Write as _;
 use crate::Figure;
 use crate::style::{LEAST, Role, SCALE};
 
-/// Colours and fonts for a file that is looked at by itself; a page that includes the figure brings its own.
-/// `svg:root` matches only a document whose root is the figure.
-const ALONE: &str = "svg:root{color:#1c1e2a;color-scheme:light dark}\
-@media(prefers-color-scheme:dark){svg:root{color:#bcbdd0;--muted-ink:#8f93a8;--omega:#5aa9ff;\
---angular-momentum:#ff9440;--torque:#c064b4}}";
+/// Ink and paper of a file that is looked at by itself, and the page of a browser behind it, which may be dark.
+const INK: &str = "#1c1e2a";
+const PAPER: &str = "#ffffff";
+const ALONE: &str = "<style>svg:root{background:#ffffff}</style>\n";
 
 /// The finished document.
 ///
@@ -30,7 +29,6 @@ pub fn finish(name: &str, claim: &str, alt: &str, raw: &str, extras: &[String]) 
         escaped(alt)
     );
     let _ = writeln!(svg, "<title>{}</title>", escaped(claim));
-    let _ = writeln!(svg, "<style>{ALONE}</style>");
     if raw.contains(&stand_in(Role::Shade)) {
         let _ = writeln!(
             svg,
@@ -56,6 +54,33 @@ pub fn finish(name: &str, claim: &str, alt: &str, raw: &str, extras: &[String]) 
     }
     svg.push_str("</svg>\n");
     svg
+}
+
+/// The figure as a file for any program: variables of the page replaced by what they fall back on, so that every colour is a plain one.
+pub fn plain(svg: &str) -> String {
+    const VARIABLE: &str = "var(--";
+    let svg = svg
+        .replace("currentColor", INK)
+        .replace("var(--bg, Canvas)", PAPER);
+    let mut parts = svg.split(VARIABLE);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (value, after) = part.split_once(')').unwrap_or((part, ""));
+        let fallback = value.split_once(',').map_or("", |(_, fallback)| fallback);
+        out.push_str(fallback.trim_start());
+        out.push_str(after);
+    }
+    // A stroke of so many pixels on the page is one of so many units in the file.
+    let mut parts = out.split("style=\"stroke-width:calc(");
+    let mut lines = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (pixels, after) = part.split_once("px*1)\"").unwrap_or(("1", part));
+        let units = SCALE * pixels.parse().unwrap_or(1.0);
+        let _ = write!(lines, "stroke-width=\"{units:.0}\"");
+        lines.push_str(after.trim_start_matches(" vector-effect=\"non-scaling-stroke\""));
+    }
+    let (head, body) = lines.split_once("</title>\n").unwrap_or(("", &lines));
+    format!("{head}</title>\n{ALONE}{body}")
 }
 
 /// The figure with more elements on top of what was drawn: for what moves.

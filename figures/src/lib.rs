@@ -39,13 +39,18 @@ pub struct Figure {
     pub details: String,
     /// What is seen and what follows from it, for readers who do not see it. Plain text.
     pub alt: String,
-    /// The picture, a complete SVG document.
+    /// The picture, a complete SVG document whose colours are variables of the page.
     pub svg: String,
     /// Computed numbers by name, as they are to be printed: the prose quotes them, `{{value FIGURE.NAME}}`.
     pub values: Vec<(&'static str, String)>,
 }
 
 impl Figure {
+    /// The picture as a file for any program, in plain colours; [`Figure::svg`] takes those of the page around it.
+    pub fn file(&self) -> String {
+        finish::plain(&self.svg)
+    }
+
     /// The figure with one more number for the prose to quote.
     #[must_use]
     pub fn value(mut self, name: &'static str, text: impl Into<String>) -> Self {

@@ -1,15 +1,21 @@
-//! Every figure draws, twice the same, and as committed.
+//! Every figure draws, twice the same, and as committed, in the colours of the page around it or in plain ones.
 
 use std::collections::HashSet;
 use std::path::PathBuf;
+use std::sync::OnceLock;
 
 use figures::{Entry, Figure, all, compare};
 
-fn drawn() -> impl Iterator<Item = (&'static Entry, Figure)> {
-    all().iter().map(|entry| {
+/// All figures, drawn once for all tests of this file.
+fn drawn() -> impl Iterator<Item = &'static (Entry, Figure)> {
+    static DRAWN: OnceLock<Vec<(Entry, Figure)>> = OnceLock::new();
+    let draw = |entry: &Entry| {
         let figure = (entry.draw)().unwrap_or_else(|error| panic!("{}: {error}", entry.name));
-        (entry, figure)
-    })
+        (*entry, figure)
+    };
+    DRAWN
+        .get_or_init(|| all().iter().map(draw).collect())
+        .iter()
 }
 
 fn committed(name: &str) -> PathBuf {
@@ -42,10 +48,10 @@ fn the_committed_files_are_what_the_code_draws() {
     for (entry, figure) in drawn() {
         let path = committed(entry.name);
         if write {
-            std::fs::write(&path, &figure.svg).expect("figures/svg can be written");
+            std::fs::write(&path, figure.file()).expect("figures/svg can be written");
         }
         let old = std::fs::read_to_string(&path).unwrap_or_default();
-        if let Err(difference) = compare(entry.name, &old, &figure.svg) {
+        if let Err(difference) = compare(entry.name, &old, &figure.file()) {
             panic!("{difference}");
         }
     }
@@ -184,6 +190,55 @@ fn the_page_decides_colours_and_background() {
             !svg.contains("\n\n"),
             "{name}: a blank line ends an HTML block in Markdown"
         );
+    }
+}
+
+#[test]
+fn a_file_has_plain_colours() {
+    for (entry, figure) in drawn() {
+        let (name, svg) = (entry.name, figure.file());
+        for key in ["fill", "stroke", "stop-color"] {
+            for paint in values(&svg, key) {
+                let plain = paint.len() == 7 && paint.starts_with('#');
+                let plain = plain || paint == "none" || paint.starts_with("url(#fig-");
+                assert!(plain, "{name}: {key} is {paint}");
+            }
+        }
+        for word in ["var(", "calc(", "currentColor", "Canvas"] {
+            let at = svg.find(word).map(|at| &svg[at..svg.len().min(at + 60)]);
+            assert_eq!(at, None, "{name} needs a browser");
+        }
+    }
+}
+
+/// librsvg knows no variables: what was drawn in them was left out, or black.
+#[test]
+fn another_renderer_shows_the_colours() {
+    let there = std::process::Command::new("rsvg-convert")
+        .arg("--version")
+        .output();
+    if there.is_err() {
+        return;
+    }
+    for (name, least) in [("polhodes", 5000), ("nutations", 500)] {
+        let picture = std::process::Command::new("rsvg-convert")
+            .args(["--width=600", "--background-color=white"])
+            .arg(committed(name))
+            .output()
+            .expect("it ran a moment ago");
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(picture.stdout));
+        decoder.set_transformations(png::Transformations::STRIP_16);
+        let mut reader = decoder.read_info().expect("a picture");
+        let mut bytes = vec![0; reader.output_buffer_size().expect("a small picture")];
+        let info = reader.next_frame(&mut bytes).expect("a frame");
+        // Ink and its shades are nearly grey.
+        let coloured = bytes[..info.buffer_size()]
+            .chunks(info.color_type.samples())
+            .filter(|dot| {
+                dot[..3].iter().max().expect("three") - dot[..3].iter().min().expect("three") > 60
+            })
+            .count();
+        assert!(coloured >= least, "{name}: {coloured} coloured dots");
     }
 }
 

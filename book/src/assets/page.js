@@ -16,20 +16,20 @@ for (const button of document.querySelectorAll('main pre .clip-button')) {
     }
 }
 
-// What scrolls sideways can be reached with the keyboard.
+// What scrolls sideways can be reached with the keyboard. First all is measured, then all is changed: to alternate would lay the page out
+// each time.
 function reachable() {
-    const boxes = { 'main pre > code': 'Code', 'main .katex-display': 'Formula', 'main .table-wrapper': 'Table' };
-    for (const [boxed, name] of Object.entries(boxes)) {
-        for (const box of document.querySelectorAll(boxed)) {
-            if (box.scrollWidth > box.clientWidth) {
-                box.tabIndex = 0;
-                box.setAttribute('role', 'region');
-                box.setAttribute('aria-label', `${name}, scrolls sideways`);
-            } else if (box.getAttribute('role') === 'region') {
-                for (const key of ['tabindex', 'role', 'aria-label']) box.removeAttribute(key);
-            }
+    const names = { CODE: 'Code', SPAN: 'Formula', DIV: 'Table' };
+    const boxes = [...document.querySelectorAll('main pre > code, main .katex-display, main .table-wrapper')];
+    const scrolls = boxes.map((box) => box.scrollWidth > box.clientWidth);
+    boxes.forEach((box, i) => {
+        if (scrolls[i] === (box.getAttribute('role') === 'region')) return;
+        const marks = { tabindex: '0', role: 'region', 'aria-label': `${names[box.tagName]}, scrolls sideways` };
+        for (const [key, value] of Object.entries(marks)) {
+            if (scrolls[i]) box.setAttribute(key, value);
+            else box.removeAttribute(key);
         }
-    }
+    });
 }
 document.fonts.ready.then(reachable);
 addEventListener('resize', reachable);

@@ -127,7 +127,7 @@ impl KovalevskayaTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn at(&self, t: f64) -> Result<State> {
-        self.walk().to(t)
+        Walk::from_start(self).to(t)
     }
 
     /// The states at these times, one after another; where they have to be walked to, each from the one before: best in ascending order.
@@ -138,7 +138,7 @@ impl KovalevskayaTop {
         &self,
         times: impl IntoIterator<Item = f64>,
     ) -> impl Iterator<Item = Result<State>> {
-        let mut walk = self.walk();
+        let mut walk = Walk::from_start(self);
         times.into_iter().map(move |t| walk.to(t))
     }
 
@@ -178,14 +178,6 @@ impl KovalevskayaTop {
             Motion::Stepped(reason) => AttitudeMethod::Stepped(*reason),
             Motion::Separated(_) if self.attitude_series().is_some() => AttitudeMethod::Series,
             Motion::Separated(_) => AttitudeMethod::ManyTerms,
-        }
-    }
-
-    fn walk(&self) -> Walk<'_> {
-        Walk {
-            top: self,
-            time: 0.0,
-            here: self.start,
         }
     }
 

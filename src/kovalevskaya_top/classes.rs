@@ -34,7 +34,7 @@ pub(super) fn classify(constants: &Constants) -> Kind {
     let Constants { c, l1, l, k, .. } = *constants;
     let energy = l1.times(3.0);
     let doubled = l.multiply(l).scaled(2.0);
-    let size = energy.value().abs() + doubled.value() + k.value() + 2.0 * c;
+    let size = energy.value().abs() + doubled.value() + k.value() + 2.0 * c.value();
     let small = |x: DoubleDouble| x.value().abs() <= ROUNDED * size;
     let [first, second, third, fourth, fifth] = constants.roots();
     // Weak gravity brings both together, whatever L_vert is: the conditions below are these distances over c².
@@ -124,7 +124,7 @@ impl Diagram {
         let k = wide(self.k);
         let d = DoubleDouble::product(self.c, self.c).subtract(k.multiply(k));
         let constants = Constants {
-            c: self.c,
+            c: wide(self.c),
             l1,
             l,
             k,

@@ -9,11 +9,14 @@ type Wide = DoubleDouble;
 /// Angular velocity and vertical, (p, q, r, z₁, z₂, z₃), in units where I = (2, 2, 1) and C = (C₁, 0, 0).
 pub(super) type Phase = [f64; 6];
 
+/// The same in 106 bits.
+pub(super) type WidePhase = [Wide; 6];
+
 /// The constants of a motion in 106 bits: rounding them to doubles would move a narrow pair of roots.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Constants {
     /// c = MgC₁/I₃.
-    pub c: f64,
+    pub c: Wide,
     /// l₁ = E/3: 6l₁ = 2(p² + q²) + r² + 2cz₁.
     pub l1: Wide,
     /// l = L_vert/2: 2l = 2(pz₁ + qz₂) + rz₃.
@@ -29,44 +32,41 @@ fn wide(x: f64) -> Wide {
 }
 
 impl Constants {
-    pub fn of(c: f64, start: &Phase) -> Self {
-        let [p, q, r, z1, z2, z3] = start.map(wide);
+    /// Of a start with |z| = 1.
+    pub fn of(c: Wide, &[p, q, r, z1, z2, z3]: &WidePhase) -> Self {
         let square = |x: Wide| x.multiply(x);
-        // The vertical of a rounded quaternion is a unit vector only to rounding; the theory wants it exact.
-        let length = square(z1).add(square(z2)).add(square(z3)).square_root();
-        let [z1, z2, z3] = [z1, z2, z3].map(|z| z.divide(length));
         let twice_energy = square(p)
             .add(square(q))
             .scaled(2.0)
             .add(square(r))
-            .add(z1.times(c).scaled(2.0));
+            .add(z1.multiply(c).scaled(2.0));
         let vertical = p
             .multiply(z1)
             .add(q.multiply(z2))
             .scaled(2.0)
             .add(r.multiply(z3));
-        let real = square(p).subtract(square(q)).subtract(z1.times(c));
-        let imaginary = p.multiply(q).scaled(2.0).subtract(z2.times(c));
+        let real = square(p).subtract(square(q)).subtract(z1.multiply(c));
+        let imaginary = p.multiply(q).scaled(2.0).subtract(z2.multiply(c));
         let k_squared = square(real).add(square(imaginary));
         Self {
             c,
             l1: twice_energy.divide(wide(6.0)),
             l: vertical.scaled(0.5),
             k: k_squared.square_root(),
-            d: Wide::product(c, c).subtract(k_squared),
+            d: square(c).subtract(k_squared),
         }
     }
 
     /// b = −2lc, the middle coefficient of R(x) = −x⁴ + 6l₁x² + 2bx + d.
-    pub fn b(&self) -> f64 {
-        -2.0 * self.l.value() * self.c
+    pub fn b(&self) -> Wide {
+        self.l.multiply(self.c).scaled(-2.0)
     }
 
     /// Coefficients g₂, g₃ of her cubic 4s³ − g₂s − g₃.
     fn invariants(&self) -> [Wide; 2] {
         let square = self.l1.multiply(self.l1);
         let g2 = square.times(3.0).subtract(self.d);
-        let lc = self.l.times(self.c);
+        let lc = self.l.multiply(self.c);
         let g3 = lc
             .multiply(lc)
             .subtract(self.l1.multiply(self.d.add(square)));

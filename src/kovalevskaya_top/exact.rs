@@ -1,8 +1,6 @@
 //! Which branch a start lies on, and the trial that decides between her road and the power series.
 
-use nalgebra::{Matrix2, Vector2};
-
-use super::constants::{Constants, Phase};
+use super::constants::{Constants, Phase, WidePhase};
 use super::separation::{Phases, Separation, Variables};
 use super::solution::Reconstruction;
 use super::taylor::{Carried, Series, project};
@@ -38,9 +36,13 @@ const TRIAL: f64 = 3.0;
 
 impl Exact {
     /// Roots, band, quadratures, signs and phases of a start; tried at the start and at a later time against the power series.
-    pub fn find(constants: &Constants, whole: &Carried) -> Result<Self, Reason> {
+    pub fn find(
+        constants: &Constants,
+        wide: &WidePhase,
+        whole: &Carried,
+    ) -> Result<Self, Reason> {
         let (start, _) = whole;
-        let variables = Variables::of(constants, start);
+        let variables = Variables::of(constants, wide);
         let separation = Separation::prepare(constants, variables.s1).ok_or(Reason::DoubleRoot)?;
         let mut exact = Self {
             reconstruction: Reconstruction::prepare(constants, &separation),
@@ -50,14 +52,13 @@ impl Exact {
         };
         let guess = exact
             .separation
-            .first_phases(&variables, constants.l1.value());
+            .first_phases(&variables, constants.l1);
         let phases = exact.choose_branch(constants, start, guess);
-        let phases = exact.refine(constants, start, phases);
         exact.origin = exact.separation.abel(phases);
         let mut worst = distance(&exact.state(constants, 0.0), start);
         let (mut carried, mut t) = (*whole, 0.0);
         while t < TRIAL && worst <= TRUSTED {
-            let series = Series::at(constants.c, &carried);
+            let series = Series::at(constants.c.value(), &carried);
             let step = series.reach.min(TRIAL - t);
             carried = series.after(step);
             t += step;
@@ -93,40 +94,6 @@ impl Exact {
         best.1
     }
     // ANCHOR_END: branch
-
-    /// The phases whose state is nearest to the start (Gauss and Newton).
-    ///
-    /// At the ends of their ranges s₁ and s₂ determine the phases to half of the digits only; p, q, r and z do better.
-    fn refine(&self, constants: &Constants, start: &Phase, mut phases: Phases) -> Phases {
-        const STEP: f64 = 1e-4;
-        for _ in 0..3 {
-            let here = self.raw(constants, phases);
-            let slopes: [Phase; 2] = core::array::from_fn(|i| {
-                let moved = |by: f64| {
-                    let mut phases = phases;
-                    phases[i] += by;
-                    self.raw(constants, phases)
-                };
-                let (after, before) = (moved(STEP), moved(-STEP));
-                core::array::from_fn(|k| (after[k] - before[k]) / (2.0 * STEP))
-            });
-            let dot = |a: &Phase, b: &Phase| (0..6).map(|k| a[k] * b[k]).sum::<f64>();
-            let miss = core::array::from_fn(|k| start[k] - here[k]);
-            let [first, second] = &slopes;
-            let mixed = dot(first, second);
-            let normal = Matrix2::new(dot(first, first), mixed, mixed, dot(second, second));
-            let side = Vector2::new(dot(first, &miss), dot(second, &miss));
-            let Some(change) = normal.cholesky().map(|normal| normal.solve(&side)) else {
-                return phases;
-            };
-            // Far from the start this is not the branch; the trial will say so.
-            if change.amax().is_nan() || change.amax() > 0.1 {
-                return phases;
-            }
-            phases = [phases[0] + change[0], phases[1] + change[1]];
-        }
-        phases
-    }
 
     fn raw(&self, constants: &Constants, phases: Phases) -> Phase {
         self.reconstruction
@@ -178,7 +145,7 @@ impl Exact {
             constants,
             self.separation.phases([sums[0], sums[1] - EARLIER]),
         );
-        let (state, _) = Series::at(constants.c, &(before, [1.0, 0.0, 0.0, 0.0])).after(EARLIER);
+        let (state, _) = Series::at(constants.c.value(), &(before, [1.0, 0.0, 0.0, 0.0])).after(EARLIER);
         project(constants, &state)
     }
 }

@@ -105,7 +105,7 @@ impl Precession {
             let product = pair[0].value(z) * pair[1].value(z);
             product / product.norm()
         });
-        let c = constants.c;
+        let c = constants.c.value();
         let x = Number::new(p, q);
         let k = x * x - c * Number::new(z1, z2);
         let size = p * p + q * q + c;

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use nalgebra::Complex;
 
-use super::constants::{Constants, Phase, Root};
+use super::constants::{Constants, Root, WidePhase};
 use super::series::{LONGEST, Quadratures, mean};
 use crate::double_double::DoubleDouble;
 
@@ -53,13 +53,13 @@ pub(super) struct Local {
 
 impl Separation {
     /// The band that contains s₁; none if the roots leave no room for it.
-    pub fn prepare(constants: &Constants, s1: f64) -> Option<Self> {
+    pub fn prepare(constants: &Constants, s1: DoubleDouble) -> Option<Self> {
         let roots = constants.roots();
         let real = in_order(&roots);
         // P > 0 below the smallest root, between the second and third, and between the fourth and fifth.
         let outside = |a: usize, b: usize| {
-            let (low, high) = (roots[a].real.value(), roots[b].real.value());
-            (low - s1).max(s1 - high)
+            let below = roots[a].real.subtract(s1).value();
+            below.max(s1.subtract(roots[b].real).value())
         };
         let (a, b) = real[1..]
             .chunks_exact(2)
@@ -354,14 +354,23 @@ impl Separation {
     }
 
     /// Phases of a start, their signs still open: f₁ from s₁, f₂ from s₂.
-    pub fn first_phases(&self, variables: &Variables, l1: f64) -> Phases {
-        let [a, b, c] = self.ends.map(|end| self.roots[end].real.value());
-        let (up, down) = ((variables.s1 - a).max(0.0), (b - variables.s1).max(0.0));
-        let eight = 8.0 * variables.q_squared;
-        let deep = (variables.numerator + eight * (c - 0.5 * l1)).max(0.0);
+    ///
+    /// At the ends of their ranges s₁ and s₂ tell the phases to half of their digits, 16 of 32.
+    pub fn first_phases(&self, variables: &Variables, l1: DoubleDouble) -> Phases {
+        let [a, b, c] = self.ends.map(|end| self.roots[end].real);
+        let Variables {
+            s1,
+            numerator,
+            q_squared,
+        } = *variables;
+        let eight = q_squared.scaled(8.0);
+        let deep = numerator.add(eight.multiply(c.subtract(l1.scaled(0.5))));
+        let phase = |sine: DoubleDouble, cosine: f64| {
+            2.0 * sine.value().max(0.0).sqrt().atan2(cosine.max(0.0).sqrt())
+        };
         [
-            2.0 * up.sqrt().atan2(down.sqrt()),
-            2.0 * deep.sqrt().atan2((eight * self.depth).sqrt()),
+            phase(s1.subtract(a), b.subtract(s1).value()),
+            phase(deep, eight.value() * self.depth),
         ]
     }
 }
@@ -403,9 +412,9 @@ fn increasing([mut low, mut high]: [f64; 2], function: impl Fn(f64) -> (f64, f64
 /// s₁, and s₂ as the quotient that q = 0 makes infinite: s₂ = l₁/2 − numerator/8q².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Variables {
-    pub s1: f64,
-    pub numerator: f64,
-    pub q_squared: f64,
+    pub s1: DoubleDouble,
+    pub numerator: DoubleDouble,
+    pub q_squared: DoubleDouble,
 }
 
 impl Variables {
@@ -414,27 +423,41 @@ impl Variables {
     ///
     /// They solve (x₁−x₂)²σ² − R(x₁,x₂)σ + S/4 = 0 for σ = s − l₁/2; whichever of R ∓ |R| would cancel is taken from the other by
     /// (R + |R|)(R − |R|) = (x₁−x₂)² S.
-    pub fn of(constants: &Constants, state: &Phase) -> Self {
-        let [p, q, ..] = *state;
-        let (l1, d, b) = (constants.l1.value(), constants.d.value(), constants.b());
-        let product = p * p + q * q;
-        let x = Complex::new(p, q);
-        let square = x * x;
-        let size = (-square * square + 6.0 * l1 * square + 2.0 * b * x + d).norm();
-        let mixed = -product * product + 6.0 * l1 * product + 2.0 * b * p + d;
-        let s = 6.0 * l1 * (product * product - d) + 4.0 * p * (d * p + b * product) + b * b;
-        let (sigma, numerator) = if mixed > 0.0 {
-            (0.5 * s / (mixed + size), mixed + size)
+    pub fn of(constants: &Constants, &[p, q, ..]: &WidePhase) -> Self {
+        let square = |x: DoubleDouble| x.multiply(x);
+        let (d, b, six) = (constants.d, constants.b(), constants.l1.times(6.0));
+        let q_squared = square(q);
+        let product = square(p).add(q_squared);
+        let (re, im) = (
+            square(p).subtract(q_squared),
+            p.multiply(q).scaled(2.0),
+        );
+        let linear = b.multiply(p).scaled(2.0).add(d);
+        let real = square(im).subtract(square(re)).add(six.multiply(re)).add(linear);
+        let imaginary = six.multiply(im)
+            .subtract(re.multiply(im).scaled(2.0))
+            .add(b.multiply(q).scaled(2.0));
+        let size = square(real).add(square(imaginary)).square_root();
+        let mixed = six.multiply(product).subtract(square(product)).add(linear);
+        let s = six
+            .multiply(square(product).subtract(d))
+            .add(p.scaled(4.0).multiply(d.multiply(p).add(b.multiply(product))))
+            .add(square(b));
+        let (sigma, numerator) = if mixed.high() > 0.0 {
+            let sum = mixed.add(size);
+            (s.divide(sum).scaled(0.5), sum)
         } else {
+            let difference = size.subtract(mixed);
+            let four = q_squared.scaled(4.0);
             (
-                (size - mixed) / (8.0 * q * q),
-                4.0 * q * q * s / (size - mixed),
+                difference.divide(four.scaled(2.0)),
+                four.multiply(s).divide(difference),
             )
         };
         Self {
-            s1: 0.5 * l1 + sigma,
+            s1: constants.l1.scaled(0.5).add(sigma),
             numerator,
-            q_squared: q * q,
+            q_squared,
         }
     }
     // ANCHOR_END: variables

@@ -27,7 +27,7 @@ pub(super) struct Reconstruction {
 
 impl Reconstruction {
     pub fn prepare(constants: &Constants, separation: &Separation) -> Self {
-        let b = constants.b();
+        let b = constants.b().value();
         let mut alpha = [Number::default(); 3];
         let mut beta = alpha;
         let mut shifted = alpha;
@@ -93,7 +93,7 @@ impl Reconstruction {
         let r_rate = 2.0 * (y_rate[1] + cosine * q_rate * p_rate);
         let q = q_hat * cosine;
         let dq = q_hat * (q_rate * cosine * cosine - 0.5 * sine * flow.rates[1]);
-        let c = constants.c;
+        let c = constants.c.value();
         let z3 = (2.0 * dq + r * p) / c;
         let z2 = -r_rate / c;
         let z1 = (6.0 * constants.l1.value() - 2.0 * squares - r * r) / (2.0 * c);

@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix4, SMatrix, SVector};
 
-use super::constants::{Constants, Phase};
+use super::constants::{Constants, Phase, WidePhase};
+use crate::double_double::DoubleDouble;
 
 /// Terms of a series.
 const ORDER: usize = 24;
@@ -63,6 +64,56 @@ impl Series {
     }
 }
 
+/// Terms of a series in 106 bits.
+const WIDE_ORDER: usize = 36;
+
+/// Power series of Ω and z in 106 bits.
+pub(super) struct WideSeries {
+    terms: Vec<WidePhase>,
+    /// The longest step that leaves the last terms below rounding.
+    pub reach: f64,
+}
+
+impl WideSeries {
+    pub fn at(c: DoubleDouble, state: &WidePhase) -> Self {
+        let mut terms = vec![*state];
+        for n in 0..WIDE_ORDER {
+            let of = |i: usize, j: usize| {
+                (0..=n).fold(DoubleDouble::from(0.0), |sum, m| {
+                    sum.add(terms[m][i].multiply(terms[n - m][j]))
+                })
+            };
+            let [z2, z3] = [terms[n][4], terms[n][5]].map(|z| z.multiply(c));
+            let next = [
+                of(1, 2).scaled(0.5),
+                z3.subtract(of(0, 2)).scaled(0.5),
+                z2.negated(),
+                of(4, 2).subtract(of(5, 1)),
+                of(5, 0).subtract(of(3, 2)),
+                of(3, 1).subtract(of(4, 0)),
+            ];
+            let place = DoubleDouble::from((n + 1) as f64);
+            terms.push(next.map(|x| x.divide(place)));
+        }
+        let size = |n: usize| terms[n].iter().fold(0.0_f64, |m, x| m.max(x.high().abs()));
+        let reach = [WIDE_ORDER - 1, WIDE_ORDER]
+            .map(|n| (1e-33 * size(0) / size(n)).powf(1.0 / n as f64))
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+        Self { terms, reach }
+    }
+
+    pub fn after(&self, h: DoubleDouble) -> WidePhase {
+        let mut sum = [DoubleDouble::from(0.0); 6];
+        for term in self.terms.iter().rev() {
+            for (s, x) in sum.iter_mut().zip(term) {
+                *s = h.multiply(*s).add(*x);
+            }
+        }
+        sum
+    }
+}
+
 /// The slope below which a condition is not followed.
 const GENTLE: f64 = 3e-3;
 
@@ -74,6 +125,7 @@ const GENTLE: f64 = 3e-3;
 /// blown up; the change is therefore damped where the conditions say little, and is never more than 1/(2·GENTLE) of what is missing.
 pub(super) fn project(constants: &Constants, state: &Phase) -> Phase {
     let Constants { c, l1, l, k, .. } = *constants;
+    let c = c.value();
     let [p, q, r, z1, z2, z3] = *state;
     let (re, im) = (p * p - q * q - c * z1, 2.0 * p * q - c * z2);
     let k = k.value();

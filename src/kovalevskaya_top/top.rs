@@ -4,16 +4,16 @@ use nalgebra::Complex;
 
 use super::attitude::Prepared;
 use super::classes::{Kind, classify};
-use super::constants::{Constants, Phase};
+use super::constants::{Constants, Phase, WidePhase};
 use super::exact::{Exact, Reason};
 use super::separation::Variables;
 use super::taylor::Carried;
 use super::walk::{about_third, shortest};
-use crate::double_double::power_of_two_below;
+use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, positive};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState, finite_vector};
 use crate::euler_top::EulerTop;
-use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::frame::{Attitude, BodyVector};
 
 /// How the motion is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,8 +60,9 @@ pub struct KovalevskayaTop {
     pub(super) unit: f64,
     /// Angle from axis 1 to C about axis 3.
     pub(super) heading: f64,
-    /// The start in the units and along the axes of the theory.
+    /// The start in the units and along the axes of the theory, and what it is of the doubles given, unrounded.
     pub(super) start: Carried,
+    pub(super) wide: WidePhase,
     pub(super) constants: Constants,
     kind: Kind,
     pub(super) motion: Motion,
@@ -102,7 +103,17 @@ impl KovalevskayaTop {
         omega: BodyVector,
         attitude: Attitude,
     ) -> Result<Self> {
-        let up = attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
+        let [w, x, y, z] = {
+            let q = attitude.quaternion();
+            [q.w, q.i, q.j, q.k].map(DoubleDouble::from)
+        };
+        let twice = |a: DoubleDouble, b: DoubleDouble| a.multiply(b).scaled(2.0);
+        let square = |a: DoubleDouble| a.multiply(a);
+        let up = [
+            twice(x, z).subtract(twice(w, y)),
+            twice(y, z).add(twice(w, x)),
+            square(w).add(square(z)).subtract(square(x).add(square(y))),
+        ];
         Self::prepare(moments, lever, omega, up, attitude)
     }
 
@@ -129,8 +140,10 @@ impl KovalevskayaTop {
         omega: BodyVector,
         up: BodyVector,
     ) -> Result<Self> {
-        let up = up.direction("the vertical")?;
-        let attitude = Attitude::from_unit(shortest(up.components().into()));
+        let direction = up.direction("the vertical")?;
+        let attitude = Attitude::from_unit(shortest(direction.components().into()));
+        let size = power_of_two_below(up.components().amax());
+        let up = [up.x(), up.y(), up.z()].map(|z| DoubleDouble::from(z / size));
         Self::prepare(moments, lever, omega, up, attitude)
     }
 
@@ -138,7 +151,7 @@ impl KovalevskayaTop {
         moments: [f64; 3],
         lever: BodyVector,
         omega: BodyVector,
-        up: BodyVector,
+        up: [DoubleDouble; 3],
         attitude: Attitude,
     ) -> Result<Self> {
         for moment in moments {
@@ -174,44 +187,40 @@ impl KovalevskayaTop {
             });
         }
         let unit = power_of_two_below(fastest);
+        // In two quotients: the square of the unit may overflow or underflow where the result does not.
+        let rounded = strength / unit / unit;
+        let (along, c) = leaning(lever, axial, rounded);
+        let wide = start_of(along, omega / unit, up);
+        let start = wide.map(DoubleDouble::value);
+        let constants = Constants::of(c, &wide);
         let heading = lever.y().atan2(lever.x());
-        let top = Self {
+        let turned = attitude.quaternion().into_inner() * about_third(heading);
+        let start = (start, [turned.w, turned.i, turned.j, turned.k]);
+        let motion = if rounded == 0.0 {
+            // Only the ratios count, so no moment or rate can be too small to square.
+            let free = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;
+            Motion::Free(Box::new(free))
+        } else {
+            match Exact::find(&constants, &wide, &start) {
+                Ok(exact) => Motion::Separated(Box::new(exact)),
+                Err(reason) => Motion::Stepped(reason),
+            }
+        };
+        Ok(Self {
             axial,
             lever,
             unit,
             heading,
-            start: ([0.0; 6], [1.0, 0.0, 0.0, 0.0]),
-            constants: Constants::of(0.0, &[0.0; 6]),
-            kind: Kind::EulerSymmetric,
-            motion: Motion::Stepped(Reason::DoubleRoot),
-            prepared: Prepared::default(),
-        };
-        // In two quotients: the square of the unit may overflow or underflow where the result does not.
-        let c = strength / unit / unit;
-        if c == 0.0 {
-            // Only the ratios count, so no moment or rate can be too small to square.
-            let free = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;
-            let start = top.inward(omega, up);
-            return Ok(Self {
-                constants: Constants::of(0.0, &start),
-                motion: Motion::Free(Box::new(free)),
-                ..top
-            });
-        }
-        let start = top.inward(omega, up);
-        let constants = Constants::of(c, &start);
-        let turned = attitude.quaternion().into_inner() * about_third(heading);
-        let start = (start, [turned.w, turned.i, turned.j, turned.k]);
-        let motion = match Exact::find(&constants, &start) {
-            Ok(exact) => Motion::Separated(Box::new(exact)),
-            Err(reason) => Motion::Stepped(reason),
-        };
-        Ok(Self {
             start,
+            wide,
             constants,
-            kind: classify(&constants),
+            kind: if rounded == 0.0 {
+                Kind::EulerSymmetric
+            } else {
+                classify(&constants)
+            },
             motion,
-            ..top
+            prepared: Prepared::default(),
         })
     }
 
@@ -304,10 +313,10 @@ impl KovalevskayaTop {
     /// s = l₁/2 + (R(x₁,x₂) ∓ |R(x₁)|)/(2(x₁−x₂)²) with x₁,₂ = Ω₁ ± iΩ₂ along axes for which C₂ = 0. Error: a few eps of |Ω|². Cost: a few multiplications.
     pub fn separation_variables(&self, state: &TopState) -> [f64; 2] {
         let inward = self.inward(state.omega, state.up);
-        let variables = Variables::of(&self.constants, &inward);
+        let variables = Variables::of(&self.constants, &inward.map(DoubleDouble::from));
         let half = 0.5 * self.constants.l1.value();
-        let s2 = half - variables.numerator / (8.0 * variables.q_squared);
-        [variables.s1, s2].map(|s| s * self.unit * self.unit)
+        let s2 = half - variables.numerator.value() / (8.0 * variables.q_squared.value());
+        [variables.s1.value(), s2].map(|s| s * self.unit * self.unit)
     }
 
     /// The five roots of P(s) = −4(s−e₁)(s−e₂)(s−e₃)(s−e₄)(s−e₅), 1/s²: (s₁−s₂)² (ds_i/dt)² = P(s_i). e₁+e₂+e₃ = 0, e₄,₅ = (E/3I₃ ± |K|)/2.
@@ -370,6 +379,44 @@ impl KovalevskayaTop {
             up: BodyVector::new(u1, u2, z3),
         }
     }
+}
+
+/// Cosine and sine of the angle from axis 1 to C, and c = MgC₁/I₃ in 106 bits, of which `rounded` is the nearest double or nearly.
+fn leaning(lever: BodyVector, axial: f64, rounded: f64) -> ([DoubleDouble; 2], DoubleDouble) {
+    let wide = DoubleDouble::from;
+    if rounded == 0.0 {
+        return ([wide(1.0), wide(0.0)], wide(0.0));
+    }
+    let size = power_of_two_below(lever.components().amax());
+    let [x, y] = [lever.x(), lever.y()].map(|c| wide(c / size));
+    let length = x.multiply(x).add(y.multiply(y)).square_root();
+    let mantissa = length.divide(wide(axial / power_of_two_below(axial)));
+    // What is left is a power of two, found without forming powers that overflow.
+    let power = power_of_two_below(1.5 * (rounded / mantissa.high()));
+    (
+        [x.divide(length), y.divide(length)],
+        mantissa.scaled(power),
+    )
+}
+
+/// Ω and z along the axes for which C₂ = 0 < C₁, z of length 1.
+fn start_of(
+    [cosine, sine]: [DoubleDouble; 2],
+    omega: BodyVector,
+    up: [DoubleDouble; 3],
+) -> WidePhase {
+    let turned = |[x, y]: [DoubleDouble; 2]| {
+        [
+            cosine.multiply(x).add(sine.multiply(y)),
+            cosine.multiply(y).subtract(sine.multiply(x)),
+        ]
+    };
+    let square = up.map(|z| z.multiply(z));
+    let length = square[0].add(square[1]).add(square[2]).square_root();
+    let [x, y, z3] = up.map(|z| z.divide(length));
+    let [p, q] = turned([omega.x(), omega.y()].map(DoubleDouble::from));
+    let [z1, z2] = turned([x, y]);
+    [p, q, DoubleDouble::from(omega.z()), z1, z2, z3]
 }
 
 /// The components of a vector along axes that are turned by an angle.

@@ -2,25 +2,47 @@
 
 use nalgebra::Quaternion;
 
-use super::taylor::{Carried, Series, project};
+use super::constants::{Phase, WidePhase};
+use super::taylor::{Carried, Series, WideSeries};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
-use crate::error::Result;
+use crate::double_double::{DoubleDouble, power_of_two_below};
+use crate::error::{Error, Result};
 
 /// Units of time that are walked rather than leapt over by the series on a grid, which costs as much to prepare as this or a few times as
 /// much. The choice depends on the time alone, not on what was asked for before, and so does the result.
 const FAR: f64 = 256.0;
 
 /// Units of time that are walked at most.
-const LONGEST_WALK: f64 = 1e6;
+const LONGEST_WALK: f64 = 4096.0;
+
+/// How far off a walk in doubles may have come where one in 106 bits is trusted: that one is then off by at most 2⁻⁴⁸ times as much, 1e-13.
+const LOST: f64 = 28.0;
+
+/// What is followed of a difference is as small as this, so that its square does not count.
+const SMALL: f64 = 1e-8;
 
 /// A place on the way, from which the next is reached.
 pub(super) struct Walk<'a> {
     pub top: &'a KovalevskayaTop,
     pub time: f64,
     pub here: Carried,
+    /// The same Ω and z in 106 bits, where the motion is not separated.
+    wide: WidePhase,
+    /// By how much a walk in doubles would be off here: what rounding came to, as the motion has amplified it.
+    off: Phase,
 }
 
-impl Walk<'_> {
+impl<'a> Walk<'a> {
+    pub fn from_start(top: &'a KovalevskayaTop) -> Self {
+        Self {
+            top,
+            time: 0.0,
+            here: top.start,
+            wide: top.wide,
+            off: [0.0; 6],
+        }
+    }
+
     pub fn to(&mut self, t: f64) -> Result<State> {
         if let Motion::Free(free) = &self.top.motion {
             return self.top.free(free, t);
@@ -40,29 +62,34 @@ impl Walk<'_> {
             }
         }
         while self.time != target {
-            self.stretch(target);
+            self.stretch(target)?;
         }
         Ok(self.top.placed(&self.here))
     }
 
-    fn stretch(&mut self, target: f64) {
+    fn stretch(&mut self, target: f64) -> Result<()> {
         let constants = &self.top.constants;
-        let series = Series::at(constants.c, &self.here);
-        let rest = target - self.time;
-        let step = rest.clamp(-series.reach, series.reach);
-        let next = self.time + step;
-        // A stretch too short to move the clock cannot be; if it were, this ends the walk.
-        let next = if step == rest || next == self.time {
-            target
-        } else {
-            next
-        };
-        let (state, [w, i, j, k]) = series.after(next - self.time);
-        self.time = next;
+        let series = Series::at(constants.c.value(), &self.here);
         let state = match &self.top.motion {
-            Motion::Separated(exact) => exact.state(constants, next),
-            _ => project(constants, &state),
+            Motion::Separated(exact) => {
+                self.carry(&series, series.reach, target);
+                exact.state(constants, self.time)
+            }
+            _ => {
+                let wide = WideSeries::at(constants.c, &self.wide);
+                let before = self.time;
+                self.carry(&series, wide.reach, target);
+                self.follow(&wide, DoubleDouble::difference(self.time, before));
+                if !self.off.iter().all(|x| x.abs() < LOST) {
+                    return Err(Error::Integration {
+                        reason: "rounding has been amplified 10^17 times by then, more than 106 bits allow",
+                        time: self.time / self.top.unit,
+                    });
+                }
+                self.wide.map(DoubleDouble::value)
+            }
         };
+        let (_, [w, i, j, k]) = self.here;
         let carried = Quaternion::new(w, i, j, k);
         let carried = carried / carried.norm();
         let [.., z1, z2, z3] = state;
@@ -70,7 +97,42 @@ impl Walk<'_> {
         let vertical = carried * Quaternion::new(0.0, z1, z2, z3) * carried.conjugate();
         let upright = shortest([vertical.i, vertical.j, vertical.k]) * carried;
         self.here = (state, [upright.w, upright.i, upright.j, upright.k]);
+        Ok(())
     }
+
+    /// Time and attitude carried towards a target, as far as the series reach.
+    fn carry(&mut self, series: &Series, reach: f64, target: f64) {
+        let rest = target - self.time;
+        let step = rest.clamp(-reach, reach);
+        let next = self.time + step;
+        // A stretch too short to move the clock cannot be; if it were, this ends the walk.
+        let next = if step == rest || next == self.time {
+            target
+        } else {
+            next
+        };
+        self.here = series.after(next - self.time);
+        self.time = next;
+    }
+
+    // ANCHOR: follow
+    /// Ω and z carried in 106 bits, and beside them a walk in doubles, to see what the motion makes of its rounding.
+    ///
+    /// What is off by more than [`SMALL`] is scaled down to it; the rounding of this stretch, as it is or scaled up, is added to what came of that before.
+    fn follow(&mut self, series: &WideSeries, h: DoubleDouble) {
+        let largest = self.off.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let scale = power_of_two_below((SMALL / largest).min(1.0));
+        let beside = core::array::from_fn(|i| {
+            self.wide[i].add(DoubleDouble::from(scale * self.off[i])).value()
+        });
+        let beside = Series::at(self.top.constants.c.value(), &(beside, [1.0, 0.0, 0.0, 0.0]));
+        let (beside, _) = beside.after(h.value());
+        self.wide = series.after(h);
+        self.off = core::array::from_fn(|i| {
+            DoubleDouble::from(beside[i]).subtract(self.wide[i]).value() / scale
+        });
+    }
+    // ANCHOR_END: follow
 }
 
 pub(super) fn about_third(angle: f64) -> Quaternion<f64> {

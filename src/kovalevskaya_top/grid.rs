@@ -27,12 +27,13 @@ pub(super) struct OnGrid {
 /// Directions are told to this much.
 const TAIL: f64 = 1e-15;
 
-/// The most places of a grid, and the most along one angle.
-const LARGEST: [usize; 2] = [1 << 17, 1 << 10];
+/// The most places of a grid times terms of the series that each state sums, about a second's work, and the most places along one angle.
+const LARGEST: [usize; 2] = [1 << 24, 1 << 10];
 
 impl OnGrid {
     /// The grid is refined along whichever angle the coefficients of e have not died away.
     pub fn prepare(constants: &Constants, exact: &Exact, start: &Carried) -> Option<Self> {
+        let places = LARGEST[0] / exact.separation.terms().max(128);
         let mut grid = Grid { size: [32, 32] };
         let mut torus = Torus::sample(constants, exact, grid, None);
         loop {
@@ -54,7 +55,7 @@ impl OnGrid {
                     let share = TAIL.ln() / tails[axis].min(0.99).ln();
                     grid.size[axis] as f64 * share.max(1.0)
                 });
-                if needed[0] * needed[1] > 4.0 * LARGEST[0] as f64 {
+                if needed[0] * needed[1] > 4.0 * places as f64 {
                     return None;
                 }
                 if finer == [false; 2] {
@@ -70,7 +71,7 @@ impl OnGrid {
             for axis in [0, 1] {
                 grid.size[axis] <<= usize::from(finer[axis]);
             }
-            if grid.count() > LARGEST[0] || grid.size.into_iter().any(|n| n > LARGEST[1]) {
+            if grid.count() > places || grid.size.into_iter().any(|n| n > LARGEST[1]) {
                 return None;
             }
             torus = Torus::sample(constants, exact, grid, Some(&torus));

@@ -90,6 +90,11 @@ impl Separation {
         Some(separation)
     }
 
+    /// Terms of the four series, which is what a state costs.
+    pub fn terms(&self) -> usize {
+        2 * (self.first.len() + self.second.len())
+    }
+
     /// The smallest distance of two roots, as a part of the greatest.
     pub fn narrowest(&self) -> f64 {
         let values = self.roots.map(|root| root.value());

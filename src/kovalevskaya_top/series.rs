@@ -14,7 +14,7 @@ pub(super) struct Quadratures<const N: usize> {
 }
 
 /// Longest series that is tried for the motion itself.
-pub(super) const LONGEST: usize = 1 << 15;
+pub(super) const LONGEST: usize = 1 << 11;
 
 impl<const N: usize> Quadratures<N> {
     /// The integrals of functions given together at each argument; none if they need more terms than `longest`.
@@ -73,6 +73,11 @@ impl<const N: usize> Quadratures<N> {
             means: core::array::from_fn(|i| series[i][0]),
             sines,
         }
+    }
+
+    /// How many terms each has.
+    pub fn len(&self) -> usize {
+        self.sines.len()
     }
 
     /// How far the integrals can be from their growing parts.

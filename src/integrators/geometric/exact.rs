@@ -98,8 +98,9 @@ impl Follow for ClosedForm {
             }
             Kind::Kovalevskaya => {
                 let top = KovalevskayaTop::new(self.moments, self.lever, omega, attitude)?;
-                for &t in times {
-                    let state = top.at(t)?;
+                // Where they have to be walked to, each from the one before.
+                for state in top.states(times.iter().copied()) {
+                    let state = state?;
                     phases.push(self.phase(state.omega, &state.attitude));
                 }
             }

@@ -15,7 +15,7 @@ use crate::integrators::{Effort, Method};
 use crate::scene::{Choice, Geometric, Motion, Plan, Request, Solver};
 
 /// The method for scenes without a closed form.
-const LEAN: Solver = Solver::Geometric(Geometric::DormandPrince8);
+pub(super) const LEAN: Solver = Solver::Geometric(Geometric::DormandPrince8);
 
 /// How a plan is carried out.
 #[allow(

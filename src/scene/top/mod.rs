@@ -39,7 +39,7 @@ use books::Books;
 use choice::Way;
 use equations::{Lossless, Lossy, unpacked};
 use general::{Problem, Spin};
-use methods::Heavy;
+use methods::{Heavy, longest};
 
 /// A top and its effects, one type parameter each: gravity, pivot friction, bearing friction, air drag, tip friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -172,7 +172,19 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
         let (mut plan, mut way) = self.planned(request, &books)?;
         loop {
             let method = match (plan.solver, &way) {
-                (_, Way::Closed(closed)) => return known(plan, closed, request, &books),
+                (_, Way::Closed(closed)) => match known(plan, closed, request, &books) {
+                    // Where the motion amplifies too much, or would be walked too far.
+                    Err(Error::Integration { .. } | Error::OutOfRange { .. })
+                        if request.choice() == Choice::Auto
+                            && matches!(closed, ClosedForm::Kovalevskaya(..)) =>
+                    {
+                        let reason = "near a double root, where the closed form refuses times as long";
+                        let plan = Plan::new(choice::LEAN, reason);
+                        let method = Geometric::DormandPrince8;
+                        return self.turned(&plan, method, &Way::Named, request, &books);
+                    }
+                    done => return done,
+                },
                 (Solver::General(method), _) => {
                     return self.followed(plan, Some(method), request, &books);
                 }
@@ -297,9 +309,9 @@ fn known(
     request: &Request,
     books: &Books,
 ) -> Result<Motion<State>> {
-    let mut rows = Vec::with_capacity(request.times().len());
-    for &t in request.times() {
-        let (attitude, omega) = closed.at(t)?;
+    let times = request.times();
+    let mut rows = Vec::with_capacity(times.len());
+    for (&t, (attitude, omega)) in times.iter().zip(closed.states(times)?) {
         let energy = books.energy(&attitude, omega);
         rows.push((
             t,
@@ -313,7 +325,7 @@ fn known(
     Ok(Motion {
         plan,
         cost: Cost::default(),
-        error_estimate: Some(closed.rounding()),
+        error_estimate: Some(closed.rounding(longest(times))),
         ledger: balanced(books.lossless(&rows)?, request.accuracy())?,
         rows,
     })

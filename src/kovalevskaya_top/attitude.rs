@@ -23,7 +23,7 @@ pub enum AttitudeMethod {
     Series,
     /// Step by step from time 0, Ω and z in 106 bits: the motion is not separated, for this reason.
     Stepped(Reason),
-    /// Step by step from time 0: the motion is separated, but so near to a double root that neither the periods of the curve can be had nor, with about a
+    /// Step by step from time 0: the motion is separated, but so near to a double root that neither the periods of the curve can be had nor, with half a
     /// second's work, a double Fourier series.
     ManyTerms,
     /// C = O: the exact free top of section 6.
@@ -147,7 +147,7 @@ impl KovalevskayaTop {
     /// Ω, z and attitude at any time at the same cost; nothing where [`attitude_method`](Self::attitude_method) is another.
     ///
     /// Prepared when first asked for, and kept. Cost, over 100 random starts: 0.1 ms in the median, 0.35 ms at most in 95 per cent, 0.5 ms in the worst; where it has to be a double
-    /// Fourier series, 0.03 s and more, a second at most.
+    /// Fourier series, 0.03 s and more, about half a second at most.
     pub fn attitude_series(&self) -> Option<AttitudeSeries<'_>> {
         self.theta_series().or_else(|| {
             let exact = self.separated()?;

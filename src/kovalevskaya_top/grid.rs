@@ -27,8 +27,8 @@ pub(super) struct OnGrid {
 /// Directions are told to this much.
 const TAIL: f64 = 1e-15;
 
-/// The most places of a grid times terms of the series that each state sums, about a second's work, and the most places along one angle.
-const LARGEST: [usize; 2] = [1 << 24, 1 << 10];
+/// The most places of a grid times terms of the series that each state sums, half a second's work, and the most places along one angle.
+const LARGEST: [usize; 2] = [1 << 23, 1 << 10];
 
 impl OnGrid {
     /// The grid is refined along whichever angle the coefficients of e have not died away.

@@ -433,20 +433,24 @@ impl Variables {
         let (d, b, six) = (constants.d, constants.b(), constants.l1.times(6.0));
         let q_squared = square(q);
         let product = square(p).add(q_squared);
-        let (re, im) = (
-            square(p).subtract(q_squared),
-            p.multiply(q).scaled(2.0),
-        );
+        let (re, im) = (square(p).subtract(q_squared), p.multiply(q).scaled(2.0));
         let linear = b.multiply(p).scaled(2.0).add(d);
-        let real = square(im).subtract(square(re)).add(six.multiply(re)).add(linear);
-        let imaginary = six.multiply(im)
+        let real = square(im)
+            .subtract(square(re))
+            .add(six.multiply(re))
+            .add(linear);
+        let imaginary = six
+            .multiply(im)
             .subtract(re.multiply(im).scaled(2.0))
             .add(b.multiply(q).scaled(2.0));
         let size = square(real).add(square(imaginary)).square_root();
         let mixed = six.multiply(product).subtract(square(product)).add(linear);
         let s = six
             .multiply(square(product).subtract(d))
-            .add(p.scaled(4.0).multiply(d.multiply(p).add(b.multiply(product))))
+            .add(
+                p.scaled(4.0)
+                    .multiply(d.multiply(p).add(b.multiply(product))),
+            )
             .add(square(b));
         let (sigma, numerator) = if mixed.high() > 0.0 {
             let sum = mixed.add(size);

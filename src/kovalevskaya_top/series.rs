@@ -14,7 +14,7 @@ pub(super) struct Quadratures<const N: usize> {
 }
 
 /// Longest series that is tried for the motion itself.
-pub(super) const LONGEST: usize = 1 << 11;
+pub(super) const LONGEST: usize = 1 << 10;
 
 impl<const N: usize> Quadratures<N> {
     /// The integrals of functions given together at each argument; none if they need more terms than `longest`.

@@ -282,11 +282,14 @@ impl KovalevskayaTop {
     // ANCHOR: stated_error
     /// The error that is stated for time t (s): of Ω in units of u, of z, and of the attitude in radians.
     ///
-    /// (10⁻¹³ + 10⁻¹⁴|t|u)·max(1, u²I₃/Mg|C|), u being the power of two next below the greatest of |Ω_i(0)| and √(Mg|C|/I₃). The doubles given are taken as they are: what the motion makes of their
-    /// own rounding is not in it. Observed over 2000 starts up to time 100, near double roots and far from them: half of it at most.
+    /// 10⁻¹² + 10⁻¹⁴|t|u, by [`Separation`](Method::Separation) times max(1, u²I₃/Mg|C|), u being the power of two next below the greatest of |Ω_i(0)| and √(Mg|C|/I₃).
+    /// The doubles given are taken as they are: what the motion makes of their own rounding is not in it.
     pub fn stated_error(&self, t: f64) -> f64 {
-        let weak = self.constants.c.value().min(1.0);
-        (1e-13 + 1e-14 * (t * self.unit).abs()) / if weak > 0.0 { weak } else { 1.0 }
+        let weak = match self.motion {
+            Motion::Separated(_) => self.constants.c.value().min(1.0),
+            _ => 1.0,
+        };
+        (1e-12 + 1e-14 * (t * self.unit).abs()) / weak
     }
     // ANCHOR_END: stated_error
 
@@ -405,10 +408,7 @@ fn leaning(lever: BodyVector, axial: f64, rounded: f64) -> ([DoubleDouble; 2], D
     let mantissa = length.divide(wide(axial / power_of_two_below(axial)));
     // What is left is a power of two, found without forming powers that overflow.
     let power = power_of_two_below(1.5 * (rounded / mantissa.high()));
-    (
-        [x.divide(length), y.divide(length)],
-        mantissa.scaled(power),
-    )
+    ([x.divide(length), y.divide(length)], mantissa.scaled(power))
 }
 
 /// Ω and z along the axes for which C₂ = 0 < C₁, z of length 1.

@@ -78,7 +78,7 @@ impl<'a> Walk<'a> {
             _ => {
                 let wide = WideSeries::at(constants.c, &self.wide);
                 let before = self.time;
-                self.carry(&series, wide.reach, target);
+                self.carry(&series, wide.reach.min(series.reach), target);
                 self.follow(&wide, DoubleDouble::difference(self.time, before));
                 if !self.off.iter().all(|x| x.abs() < LOST) {
                     return Err(Error::Integration {
@@ -123,9 +123,14 @@ impl<'a> Walk<'a> {
         let largest = self.off.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let scale = power_of_two_below((SMALL / largest).min(1.0));
         let beside = core::array::from_fn(|i| {
-            self.wide[i].add(DoubleDouble::from(scale * self.off[i])).value()
+            self.wide[i]
+                .add(DoubleDouble::from(scale * self.off[i]))
+                .value()
         });
-        let beside = Series::at(self.top.constants.c.value(), &(beside, [1.0, 0.0, 0.0, 0.0]));
+        let beside = Series::at(
+            self.top.constants.c.value(),
+            &(beside, [1.0, 0.0, 0.0, 0.0]),
+        );
         let (beside, _) = beside.after(h.value());
         self.wide = series.after(h);
         self.off = core::array::from_fn(|i| {

@@ -170,9 +170,17 @@ fn close_to_a_double_root() {
         let push = 10_f64.powi(-exponent);
         let top = top([0.3 * push, push, 0.7], [0.6, 0.8, 0.0]);
         methods.push(top.attitude_method());
-        let late = top.at(300.0).expect("a state");
-        let vertical = late.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
-        assert!((vertical - late.up).norm() < 2e-15);
+        match top.at(300.0) {
+            Ok(late) => {
+                let vertical = late.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
+                assert!((vertical - late.up).norm() < 2e-15);
+            }
+            // More than 106 bits can follow.
+            Err(error) => {
+                assert!(matches!(error, Error::Integration { time, .. } if time < 300.0));
+                assert!(matches!(top.attitude_method(), AttitudeMethod::Stepped(_)));
+            }
+        }
     }
     println!("{methods:?}");
     // Theta functions fall like a Gauss curve however near: a series in two angles would need 2¹⁷ ordinates at 1e-4.

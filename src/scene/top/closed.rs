@@ -97,7 +97,9 @@ impl ClosedForm {
             return times.iter().map(|&t| self.at(t)).collect();
         };
         let state = |state: Result<State>| {
-            let State { attitude, omega, .. } = state?;
+            let State {
+                attitude, omega, ..
+            } = state?;
             Ok((axes.attitude(&attitude), axes.outward(omega)))
         };
         top.states(times.iter().copied()).map(state).collect()

@@ -178,7 +178,8 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
                         if request.choice() == Choice::Auto
                             && matches!(closed, ClosedForm::Kovalevskaya(..)) =>
                     {
-                        let reason = "near a double root, where the closed form refuses times as long";
+                        let reason =
+                            "near a double root, where the closed form refuses times as long";
                         let plan = Plan::new(choice::LEAN, reason);
                         let method = Geometric::DormandPrince8;
                         return self.turned(&plan, method, &Way::Named, request, &books);

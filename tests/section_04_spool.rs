@@ -156,7 +156,7 @@ fn s4_4_critical_angle_by_simulation() {
     assert!((thin.critical_angle().unwrap() - FRAC_PI_2).abs() < 1e-10);
     let on_rails = Spool::new(body, 0.06).unwrap();
     assert_eq!(on_rails.critical_angle(), None);
-    assert_eq!(on_rails.way(0.0).unwrap(), Way::AwayFromTheTug);
+    assert_eq!(on_rails.way(0.0).unwrap(), Way::PaysOut);
     let end = run(
         on_rails,
         tug(0.3, 0.0),
@@ -170,7 +170,7 @@ fn s4_4_critical_angle_by_simulation() {
 
 // claim: C4.4-4
 #[test]
-fn s4_4_rolls_away_from_a_steep_tug() {
+fn s4_4_pays_out_and_past_the_vertical_follows() {
     for degrees in [70.0, 85.0, 90.0, 120.0, 180.0] {
         let (spool, hand) = (spool(), tug(0.3, degrees));
         let course = run(spool, hand, 9.81, Coulomb::new(0.5).unwrap(), 1.0);
@@ -180,8 +180,13 @@ fn s4_4_rolls_away_from_a_steep_tug() {
             end.velocity < 0.0 && spool.wound(&end) < 0.0,
             "{degrees}: string is paid out"
         );
-        assert_eq!(spool.way(hand.angle()).unwrap(), Way::AwayFromTheTug);
-        // The hand goes with its tug all the same.
+        assert_eq!(spool.way(hand.angle()).unwrap(), Way::PaysOut);
+        // Away from a hand in front of the vertical, after a hand behind it. The hand goes with its tug all the same, and leaves
+        // the spool behind by the string paid out.
+        let along = end.velocity * hand.angle().cos();
+        assert_eq!(along < 0.0, degrees <= 90.0, "{degrees}");
+        let leaves = spool.hand_speed(hand, &end) - along;
+        assert_relative_eq!(leaves, -0.4 * end.velocity, max_relative = 1e-14);
         assert!(spool.hand_speed(hand, &end) > 0.0);
     }
 }
@@ -280,7 +285,7 @@ fn s4_4_a_hard_steep_tug_drags_it_along() {
     let gentle = spool.largest_gentle_tension(angle, 0.3, g).unwrap();
     let lift = spool.lift_off_tension(angle, g).unwrap();
     assert!(
-        (gentle - 0.889).abs() < 1e-3 && (lift - 2.088).abs() < 1e-3,
+        (gentle - 0.888).abs() < 5e-4 && (lift - 2.088).abs() < 5e-4,
         "{gentle} {lift}"
     );
     assert!(
@@ -314,9 +319,9 @@ fn s4_4_pictures_e_f_g() {
         let angle = PI * f64::from(k) / 60.0;
         let way = spool.way(angle).unwrap();
         let expected = if foot(angle) < 0.0 {
-            Way::TowardsTheTug
+            Way::WindsUp
         } else {
-            Way::AwayFromTheTug
+            Way::PaysOut
         };
         assert_eq!(way, expected);
         // The foot lies on the line: the tug has no moment about it.

@@ -51,12 +51,12 @@ fn tugged(pen: &mut Pen<'_>, spool: &Spool, x: f64, angle: f64, names: [&str; 2]
     let below = GROUND + 26.0;
     match spool.way(angle)? {
         Way::Stays => {}
-        Way::TowardsTheTug => pen.arrow(
+        Way::WindsUp => pen.arrow(
             [x + 30.0, below],
             [x - 30.0, below],
             stroke(Role::Omega, 2.8),
         ),
-        Way::AwayFromTheTug => pen.arrow(
+        Way::PaysOut => pen.arrow(
             [x - 30.0, below],
             [x + 30.0, below],
             stroke(Role::Omega, 2.8),
@@ -131,18 +131,21 @@ pub fn dial() -> Result<Figure> {
     let back = at(PI)?;
     let words = Words {
         claim: format!(
-            "The spool comes for every tug lower than {degrees} degrees and goes for every tug steeper."
+            "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical."
         ),
         details: format!(
-            "Acceleration of a spool with $r/R = 0.4$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently with 0.3 N at every angle from 0 to 180 degrees. \
-             Each ray points along the tug and is as long as the acceleration is large: black towards the tug's side, {} m/s² at most, blue away \
-             from it, up to {} m/s² when the string is pulled back over the axle.",
+            "Acceleration of a spool with $r/R = 0.4$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {TENSION} N, and steeper and steeper \
+             until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Black: the spool rolls to the left and \
+             winds string up, {} m/s² at most. Grey: it rolls to the right and pays string out, up to {} m/s² when the string is pulled back over the axle.",
             number(level, 1),
             number(-back, 1),
         ),
         alt: format!(
-            "A half dial of rays over a spool, one every five degrees. Black rays on the right shrink from 0.6 at 0 degrees to nothing at {degrees} degrees; blue rays grow from \
-             there over 90 degrees to 1.4 at 180 degrees."
+            "A half dial of rays over a spool, one every five degrees, counted from the left. Black rays on the left shrink from {} at 0 degrees to nothing at {degrees} \
+             degrees; grey rays grow from there over {} at 90 degrees, where the spool runs away from the hand, to {} at 180 degrees, where it follows the hand.",
+            number(level, 1),
+            number(-at(PI / 2.0)?, 1),
+            number(-back, 1),
         ),
     };
     const HUB: Point = [300.0, 262.0];
@@ -157,52 +160,55 @@ pub fn dial() -> Result<Figure> {
             stroke(Role::Ink, SECONDARY),
         );
         pen.arc(HUB, INNER, 0.0, PI, stroke(Role::Ink, HAIR));
+        // From the left, where the tug of the first figure points.
+        let place = |radius: f64, angle: f64| polar(HUB, radius, PI - angle);
         for &(angle, a) in &rays {
-            let role = if a > 0.0 { Role::Ink } else { Role::Omega };
-            let tip = polar(HUB, INNER + UNIT * a.abs(), angle);
-            pen.line(&[polar(HUB, INNER, angle), tip], stroke(role, DATA));
+            let ray = [place(INNER, angle), place(INNER + UNIT * a.abs(), angle)];
+            let role = if a > 0.0 { Role::Ink } else { Role::Muted };
+            pen.line(&ray, stroke(role, DATA));
         }
-        let outside = polar(HUB, INNER + 62.0, critical);
+        let outside = place(INNER + 62.0, critical);
         pen.line(
-            &[polar(HUB, 44.0, critical), outside],
-            stroke(Role::Torque, 1.4).dashed(),
+            &[place(44.0, critical), outside],
+            stroke(Role::Torque, 1.4).dotted(),
         );
-        let name = polar(HUB, INNER + 72.0, critical);
+        let name = place(INNER + 72.0, critical);
         pen.text(
-            [name[0] - 4.0, name[1] - 16.0],
-            Anchor::Start,
+            [name[0] + 4.0, name[1] - 16.0],
+            Anchor::End,
             "cos θ = *r*/*R*",
             label(Role::Torque),
         );
         pen.text(
-            [name[0] - 4.0, name[1] + 2.0],
-            Anchor::Start,
+            [name[0] + 4.0, name[1] + 2.0],
+            Anchor::End,
             &format!("θ = {degrees}°"),
             small(Role::Torque),
         );
+        pen.text([145.0, 216.0], Anchor::End, "comes", label(Role::Ink));
         pen.text(
-            [455.0, 216.0],
-            Anchor::Start,
-            "comes to the tug",
-            label(Role::Ink),
-        );
-        pen.text(
-            [118.0, 80.0],
+            [304.0, 96.0],
             Anchor::Middle,
             "runs away",
-            label(Role::Omega),
+            label(Role::Muted),
         );
-        pen.text([456.0, HUB[1] + 6.0], Anchor::Start, "0°", small(Role::Ink));
-        let up = polar(HUB, INNER + UNIT * 0.4, PI / 2.0);
         pen.text(
-            [up[0] - 2.0, up[1] - 8.0],
-            Anchor::Start,
+            [516.0, 104.0],
+            Anchor::Middle,
+            "follows",
+            label(Role::Muted),
+        );
+        pen.text([144.0, HUB[1] + 6.0], Anchor::End, "0°", small(Role::Ink));
+        let up = place(INNER + UNIT * 0.4, PI / 2.0);
+        pen.text(
+            [up[0] + 4.0, up[1] - 8.0],
+            Anchor::End,
             "90°",
             small(Role::Ink),
         );
         pen.text(
-            [20.0, HUB[1] + 24.0],
-            Anchor::Start,
+            [580.0, HUB[1] + 24.0],
+            Anchor::End,
             "180°",
             small(Role::Ink),
         );

@@ -21,15 +21,15 @@ pub struct Tug {
     angle: f64,
 }
 
-/// Which way a spool rolls when it is gently tugged.
+/// Which way a spool rolls when it is gently tugged, told by its string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Way {
-    /// Towards the tug, and the string is wound up.
-    TowardsTheTug,
+    /// Along +x, winding string up: it comes to the hand.
+    WindsUp,
     /// Not at all: the line of force goes through the point of contact.
     Stays,
-    /// Away from the tug, paying out string.
-    AwayFromTheTug,
+    /// Along −x, paying string out: away from a hand that tugs forward or up, after one that tugs back over the axle (past 90°).
+    PaysOut,
 }
 
 impl Tug {
@@ -116,9 +116,9 @@ impl Spool {
     pub fn way(&self, angle: f64) -> Result<Way> {
         let angle = tug_angle(angle)?;
         Ok(match self.critical_angle() {
-            Some(critical) if angle < critical => Way::TowardsTheTug,
+            Some(critical) if angle < critical => Way::WindsUp,
             Some(critical) if angle == critical => Way::Stays,
-            _ => Way::AwayFromTheTug,
+            _ => Way::PaysOut,
         })
     }
 

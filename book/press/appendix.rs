@@ -69,7 +69,7 @@ pub fn count<'a>(ledger: &Ledger, claims: impl Iterator<Item = &'a Claim>) -> [u
     let mut counts = [0; 4];
     for claim in claims {
         counts[0] += 1;
-        counts[match (ledger.is_settled(claim), Ledger::is_computable(claim)) {
+        counts[match (ledger.is_settled(claim), claim.verdict.is_computed()) {
             (true, true) => 1,
             (true, false) => 2,
             (false, _) => 3,
@@ -128,7 +128,7 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
          <p class=\"claim-statement\">{statement}</p><p class=\"claim-places\">{places}</p></div>\n\n",
         id = claim.id,
         title = inert(&claim.title),
-        class = claim.verdict.word().replace(' ', "-"),
+        class = claim.verdict.word().replace(", ", "-").replace(' ', "-"),
         verdict = claim.verdict.word(),
         statement = inert(&claim.statement),
         places = places.join(" · "),
@@ -153,7 +153,7 @@ pub fn table(ledger: &Ledger) -> String {
             claim.verdict.word().into(),
             claim.title.clone(),
             chapter.unwrap_or_else(|| absent(true).into()),
-            test.unwrap_or_else(|| absent(Ledger::is_computable(claim)).into()),
+            test.unwrap_or_else(|| absent(claim.verdict.is_computed()).into()),
         ]);
     }
     let mut widths = [0; 5];

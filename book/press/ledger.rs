@@ -16,13 +16,6 @@ pub const COMPLETE: &[&str] = &[
     "7", "8", "9",
 ];
 
-/// Claims that the register calls verified but that no program can check: a reader of old books did. They are spoken
-/// of in a chapter, like context.
-pub const NOT_COMPUTABLE: &[&str] = &[
-    // What Newton's Principia says of rigid bodies.
-    "C3.6-1",
-];
-
 const REGISTER: &str = include_str!("../claims.toml");
 
 /// A claim of the tutorial, as the register `book/claims.toml` has it.
@@ -52,10 +45,13 @@ pub enum Verdict {
     /// It does not hold as printed.
     #[serde(rename = "erratum")]
     Erratum,
-    /// Nobody knows.
+    /// Asked or announced there without an answer; a test and a chapter have one.
+    #[serde(rename = "posed there, answered here")]
+    Answered,
+    /// Asked there, and not answered here either.
     #[serde(rename = "open question")]
     OpenQuestion,
-    /// Nothing to compute: history, a definition, an outlook.
+    /// Nothing that a test of the library could show: history, a definition, an outlook, a theorem quoted.
     #[serde(rename = "context")]
     Context,
 }
@@ -67,6 +63,7 @@ impl Verdict {
             Verdict::Verified => "verified",
             Verdict::VerifiedWithCondition => "verified with condition",
             Verdict::Erratum => "erratum",
+            Verdict::Answered => "posed there, answered here",
             Verdict::OpenQuestion => "open question",
             Verdict::Context => "context",
         }
@@ -170,11 +167,6 @@ impl Ledger {
         self.tests.iter().filter(move |place| place.claim == id)
     }
 
-    /// Whether code has to prove a claim, or prose only to speak of it.
-    pub fn is_computable(claim: &Claim) -> bool {
-        claim.verdict.is_computed() && !NOT_COMPUTABLE.contains(&claim.id.as_str())
-    }
-
     /// Whether a claim has what its verdict asks for: a test and a block, or a mention.
     pub fn is_settled(&self, claim: &Claim) -> bool {
         self.missing(claim).is_empty()
@@ -183,7 +175,7 @@ impl Ledger {
     /// What a claim still lacks.
     pub fn missing(&self, claim: &Claim) -> Vec<&'static str> {
         let mut missing = Vec::new();
-        if Self::is_computable(claim) {
+        if claim.verdict.is_computed() {
             if self.in_tests(&claim.id).next().is_none() {
                 missing.push("a test");
             }

@@ -180,7 +180,7 @@ fn s7_2_three_constants() {
     }
 }
 
-// claim: C7.2-6, C7.2-7
+// claim: C7.2-6
 #[test]
 fn s7_2_the_equation_for_h_is_exact() {
     let mut numbers = Uniform(726);
@@ -205,6 +205,26 @@ fn s7_2_the_equation_for_h_is_exact() {
             at(3) - three * at(2) + three * at(1) - at(0),
             rational(0, 1)
         );
+    }
+}
+
+// claim: C7.2-7
+#[test]
+fn s7_2_the_top_moves_by_the_cubic_of_its_roots() {
+    for (body, _, _, top) in random_tops(300) {
+        let [h1, h2, h3] = roots(&top);
+        let leading = 2.0 * body.transverse * body.weight_moment;
+        for t in [0.0, 0.7, 3.0] {
+            let state = at(&top, t);
+            let up = spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0);
+            let z = state.attitude.to_body(up);
+            // h' = (z ∧ Ω)₃, from the state; the cubic from the roots.
+            let slope = z.x() * state.omega.y() - z.y() * state.omega.x();
+            let left = (body.transverse * slope).powi(2);
+            let h = state.height;
+            let right = leading * (h - h1) * (h2 - h) * (h3 - h);
+            within((left - right).abs() / (leading * (h3 + 1.0)), 1e-14);
+        }
     }
 }
 

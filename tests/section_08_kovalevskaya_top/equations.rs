@@ -46,7 +46,40 @@ fn s8_1_eulers_equations_with_gravity() -> Result {
     Ok(())
 }
 
-// claim: C8.1-2, C8.1-3
+// claim: C8.1-2
+#[test]
+fn s8_1_the_library_keeps_energy_and_vertical_momentum() -> Result {
+    for [a, b, c, o1, o2, o3, z1, z2, z3, c1, c2, c3] in points() {
+        // Moments that a body has.
+        let [x, y, w] = [a, b, c].map(|x| float(x * x) + 1.0);
+        let moments = AxisMoments::new(y + w, w + x, x + y)?;
+        let top = HeavyTop::new(moments, vector([c1, c2, c3].map(float)))?;
+        let now = TopState {
+            omega: vector([o1, o2, o3].map(float)),
+            up: vector([z1, z2, z3].map(float)),
+        };
+        let rate = top.rate(&now);
+        let sizes = [now.omega, now.up, rate.omega, rate.up].map(|v| v.norm());
+        let size = (x + y + w) * sizes.iter().sum::<f64>().powi(2);
+        // All three are of second degree in the state, so this difference is the derivative along the motion.
+        let slope = |kept: &dyn Fn(&TopState) -> f64| {
+            let [after, before] = [1.0, -1.0].map(|d| TopState {
+                omega: now.omega + d * rate.omega,
+                up: now.up + d * rate.up,
+            });
+            0.5 * (kept(&after) - kept(&before)) / size
+        };
+        let slopes = [
+            slope(&|s| top.energy(s)),
+            slope(&|s| top.vertical_angular_momentum(s)),
+            slope(&|s| s.up.dot(&s.up)),
+        ];
+        assert!(slopes.iter().all(|s| s.abs() < 1e-14), "{slopes:?}");
+    }
+    Ok(())
+}
+
+// claim: C8.1-3
 #[test]
 fn s8_1_energy_and_vertical_momentum_stay_and_l3_does_not() {
     let mut lost = 0;

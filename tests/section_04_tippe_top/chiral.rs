@@ -62,6 +62,25 @@ fn s4_7_chirality_index() {
 }
 
 #[test]
+fn s4_7_how_long_the_other_sense_stands() {
+    // claim: C4.7-14
+    let start = Start::about_vertical(3f64.to_radians(), 0.0, SPIN).unwrap();
+    let top = TableTop::new(bodies::chiral_top().unwrap(), start);
+    let top = top.with_gravity(Gravity::new(G).unwrap());
+    let minute = |slip: f64| {
+        let law = Regularised::new(0.3, slip).unwrap();
+        run(&top.with_friction(law), 60.0, 600, 1e-3)
+    };
+    // Creeping where it should roll, it loses spin until it goes over; with a tenth of the creeping it does not.
+    let creeps = minute(1e-3);
+    assert!(most(&creeps[..400], degrees) < 20.0 && degrees(&creeps[520].1) > 90.0);
+    assert!((creeps[420].1.spin() / SPIN - 0.75).abs() < 0.01);
+    let rolls = minute(1e-4);
+    assert!(most(&rolls, degrees) < 10.0);
+    assert!((last(&rolls).spin() / SPIN - 0.9).abs() < 0.01);
+}
+
+#[test]
 fn s4_7_beads_that_build_it() {
     // claim: C4.7-14
     let body = bodies::chiral_top().unwrap();

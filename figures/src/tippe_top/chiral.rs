@@ -83,5 +83,7 @@ pub fn both_spins() -> Result<Figure> {
             "on its side",
             small(Role::Muted),
         );
-    }))
+    })
+    .value("side", number(over(90.0), 2))
+    .value("most", number(most, 1)))
 }

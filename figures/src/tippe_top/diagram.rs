@@ -35,7 +35,7 @@ pub fn energy_and_momentum() -> Result<Figure> {
     let words = Words {
         claim: "Friction takes energy and leaves Jellett's integral alone, so every top falls down a plumb line.".to_owned(),
         details: format!(
-            "Energy of the steady states of the tippe top against Jellett's integral $\\lambda$, given as the spin $\\lambda/RI_3(1-\\alpha)$ of \
+            "Energy of the steady states of the tippe top against Jellett's integral $J$, given as the spin $J/RI_3(1-\\alpha)$ of \
              the upright top. Solid: stable; dashed: not. The tilted branch leaves the upright one at {} rad/s and reaches the inverted one \
              at {} rad/s. Orange: three runs released at 0.1 rad, spun at 50, 70 and 100 rad/s; after 14 s they are at {}°, {}° and {}°.",
             number(rise, 3),
@@ -72,7 +72,7 @@ pub fn energy_and_momentum() -> Result<Figure> {
                 (20.0, "20 mJ"),
             ],
         );
-        frame.names(pen, "λ, as the spin of the upright top", "");
+        frame.names(pen, "*J*, as the spin of the upright top", "");
         let branch = |tilt: f64, from: f64, to: f64| {
             (0..=120).map(move |k| {
                 let spin = from + (to - from) * f64::from(k) / 120.0;

@@ -103,5 +103,8 @@ pub fn height_and_energy() -> Result<Figure> {
             "in the motion",
             label(Role::Omega),
         );
-    }))
+    })
+    .value("climb", number(1e3 * gain, 2))
+    .value("before", number(1e3 * first.energy, 2))
+    .value("after", number(1e3 * last.energy, 2)))
 }

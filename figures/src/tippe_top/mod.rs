@@ -111,7 +111,7 @@ fn egg_scene(turns: f64) -> Result<TableTop<Gravity, Regularised>> {
         .with_friction(Regularised::new(0.1, 2e-3)?))
 }
 
-/// Kane and Levinson's rattleback, half a degree off about both long axes.
+/// Kane and Levinson's rattleback, half a degree off about its long axis and about the one across.
 fn stone_scene(spin: f64) -> Result<TableTop<Gravity, NoSlip>> {
     let half = 0.25_f64.to_radians().tan();
     let attitude = Attitude::from_quaternion(1.0, half, half, 0.0)?;

@@ -69,5 +69,7 @@ pub fn reversals() -> Result<Figure> {
             "the right way",
             label(Role::AngularMomentum),
         );
-    }))
+    })
+    .value("wrong", number(back[0], 2))
+    .value("right", number(back[1], 2)))
 }

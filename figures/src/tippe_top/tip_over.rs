@@ -102,5 +102,8 @@ pub fn tip_over() -> Result<Figure> {
             "the estimate, *RμMg*/*IΩ*",
             small(Role::Ink),
         );
-    }))
+    })
+    .value("estimate", number(rate.to_degrees(), 2))
+    .value("light", number(mean(0), 1))
+    .value("heavy", number(mean(1), 1)))
 }

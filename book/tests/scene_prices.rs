@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use press::scenes::prices::{NEEDED, PRICED, run};
+use press::scenes::prices::{NEEDED, PRICED, run, times};
 use press::scenes::{kinds, simulate};
 
 const PAGE: &str = include_str!("../src/scenes.md");
@@ -80,8 +80,14 @@ fn the_table_of_prices_is_that_of_the_scenes() {
     assert!(rows.next().is_none());
 }
 
+/// `UPDATE_TABLES=1 cargo test -p book --test scene_prices` writes the page's table.
 #[test]
 fn the_table_of_times_has_every_file() {
+    let page = "src/tables/scene-times.md";
+    if std::env::var_os("UPDATE_TABLES").is_some() {
+        std::fs::write(page, times(TIMES)).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(page).unwrap(), times(TIMES));
     let listed: BTreeSet<String> = rows(TIMES).iter().map(|row| row[0].to_owned()).collect();
     let mut files = BTreeSet::new();
     for entry in std::path::Path::new("scenes").read_dir().unwrap() {
@@ -94,4 +100,24 @@ fn the_table_of_times_has_every_file() {
         files.insert(name);
     }
     assert_eq!(files, listed);
+}
+
+/// No plan is so bad that one effect more would make the scene quicker by more than 20 µs, unless the effect ends the motion.
+#[test]
+fn an_effect_more_does_not_make_a_scene_quicker() {
+    // Resistance stops the body on the table.
+    let ends = [("table-top", "rolling_resistance")];
+    for row in rows(PRICES) {
+        let [kind, effect, .., without, with] = row[..] else {
+            panic!("{row:?}")
+        };
+        if without.is_empty() || ends.contains(&(kind, effect)) {
+            continue;
+        }
+        let (without, with): (f64, f64) = (without.parse().unwrap(), with.parse().unwrap());
+        assert!(
+            without - with <= 0.020,
+            "{kind} {effect}: {without} ms, then {with} ms"
+        );
+    }
 }

@@ -8,44 +8,45 @@ use crate::style::{Anchor, HAIR, Pen, Role, SECONDARY, Words, figure, label, sma
 /// Counted by the benches, checked by the tests of the book.
 const PRICES: &str = include_str!("../../book/src/tables/scene-prices.csv");
 
-/// Where the lanes of closed forms and of events are, and ten and a hundred thousand evaluations.
-const CLOSED: f64 = 262.0;
-const EVENTS: f64 = 318.0;
-const LOG: [f64; 2] = [362.0, 520.0];
+/// Where a hundredth of a millisecond is, and ten.
+const AXIS: [f64; 2] = [250.0, 400.0];
+const DECADES: [(f64, &str); 4] = [(0.01, "0.01"), (0.1, "0.1"), (1.0, "1"), (10.0, "10")];
+/// Where the numbers at the margin end.
+const MILLISECONDS: f64 = 482.0;
+const EVALUATIONS: f64 = 592.0;
 const TOP: f64 = 62.0;
 const ROW: f64 = 21.0;
 const GAP: f64 = 9.0;
 
-/// One cell of the matrix.
+/// One cell of the matrix; times in milliseconds.
 struct Cell {
     kind: &'static str,
     effect: String,
     without: Option<f64>,
     with: f64,
-    evaluations: Option<u32>,
+    solver: &'static str,
+    evaluations: u32,
 }
 
-fn lane(solver: &str, evaluations: &str) -> f64 {
-    match (solver, evaluations.parse::<f64>()) {
-        ("exact", _) => CLOSED,
-        (_, Ok(count)) if count > 0.0 => LOG[0] + (LOG[1] - LOG[0]) * (count.log10() - 1.0) / 4.0,
-        _ => EVENTS,
-    }
+/// Where so many milliseconds are.
+fn across(milliseconds: f64) -> f64 {
+    AXIS[0] + (AXIS[1] - AXIS[0]) * (milliseconds.log10() + 2.0) / 3.0
 }
 
 fn cells() -> Vec<Cell> {
     let lines = PRICES.lines().filter(|line| !line.starts_with('#')).skip(1);
     let cells = lines.filter_map(|line| {
-        let mut fields = line.split(',');
-        let mut next = || fields.next();
-        let (kind, effect, before, after) = (next()?, next()?, next()?, next()?);
-        let (less, more) = (next()?, next()?);
+        let fields: Vec<&'static str> = line.split(',').collect();
+        let [kind, effect, _, solver, _, evaluations, without, with] = fields[..] else {
+            return None;
+        };
         Some(Cell {
             kind,
             effect: effect.replace('_', " "),
-            without: (!before.is_empty()).then(|| lane(before, less)),
-            with: lane(after, more),
-            evaluations: more.parse().ok().filter(|count| *count > 0),
+            without: without.parse().ok(),
+            with: with.parse().ok()?,
+            solver,
+            evaluations: evaluations.parse().ok()?,
         })
     });
     cells.collect()
@@ -55,25 +56,23 @@ fn cells() -> Vec<Cell> {
 pub fn prices() -> Result<Figure> {
     let cells = cells();
     let kinds = cells.chunk_by(|a, b| a.kind == b.kind).count();
-    let stays = cells
-        .iter()
-        .filter(|cell| cell.evaluations.is_none())
-        .count();
+    let stays = cells.iter().filter(|cell| cell.evaluations == 0).count();
     let height = TOP + ROW * cells.len() as f64 + GAP * kinds as f64 + 14.0;
+    let machine = PRICES.lines().next().unwrap_or_default();
     let words = Words {
         claim: "An effect is paid for only where it is called for, and most of them never need an integrator.".to_owned(),
         details: format!(
-            "Every kind of scene with each of its effects: what it takes to follow one second to $10^{{-9}}$ without the effect (ring) and with \
-             it (disc). Left lane: one closed form for all times. Middle: closed forms from event to event. Right: evaluations of the \
-             right-hand side by a general method, on a logarithmic scale, the number at the margin. With {stays} of {} effects the general \
-             method stays in its drawer. No ring: the scene cannot do without the effect.",
-            cells.len()
+            "Every kind of scene with each of its effects: the time to follow one second to $10^{{-9}}$, reading the file included, without the \
+             effect (ring) and with it (disc), on a logarithmic scale. At the margin the time with it, and how it is found: one closed form \
+             for all times, closed forms from event to event, or so many evaluations of the right-hand side. {stays} of {} effects \
+             never call for an evaluation. No ring: the scene cannot do without the effect. Measured once, least of repeated runs: {}.",
+            cells.len(),
+            machine.trim_start_matches(['#', ' ']),
         ),
         alt: format!(
-            "A table in {kinds} blocks, one a kind of scene, with a line for each of its effects. On each line a ring shows the price without \
-             the effect and a disc the price with it, in three lanes: closed form, events, number of evaluations. In {stays} of {} lines the \
-             disc is in one of the first two lanes. For tops gravity keeps the disc in the first lane, and every kind of friction moves it \
-             to thousands of evaluations.",
+            "A table in {kinds} blocks, one a kind of scene, with a line for each of its effects. On each line a ring shows the time without \
+             the effect and a disc the time with it. For {stays} of {} lines the disc stays within some hundredths of a millisecond. For tops \
+             gravity keeps it there, and every kind of friction moves it to the right by a decade and more.",
             cells.len()
         ),
     };
@@ -98,60 +97,55 @@ pub fn prices() -> Result<Figure> {
 }
 
 fn head(pen: &mut Pen<'_>, height: f64) {
-    for (x, text) in [(CLOSED, "closed"), (EVENTS, "events")] {
-        pen.text([x, 40.0], Anchor::Middle, text, small(Role::Ink));
-        pen.line(
-            &[[x, 50.0], [x, height - 12.0]],
-            stroke(Role::Muted, HAIR).alpha(0.5),
-        );
-    }
-    pen.text(
-        [600.0 - 8.0, 18.0],
-        Anchor::End,
-        "evaluations a second",
-        small(Role::Ink),
-    );
-    for (count, text) in [(2, "100"), (4, "10 000")] {
-        let x = LOG[0] + (LOG[1] - LOG[0]) * f64::from(count - 1) / 4.0;
+    for (milliseconds, text) in DECADES {
+        let x = across(milliseconds);
         pen.text([x, 40.0], Anchor::Middle, text, small(Role::Muted));
         pen.line(
             &[[x, 50.0], [x, height - 12.0]],
             stroke(Role::Muted, HAIR).alpha(0.5).dotted(),
         );
     }
+    for (x, anchor, text) in [
+        (0.5 * (AXIS[0] + AXIS[1]), Anchor::Middle, "ms a second"),
+        (MILLISECONDS, Anchor::End, "ms"),
+        (EVALUATIONS, Anchor::End, "evaluations"),
+    ] {
+        pen.text([x, 18.0], anchor, text, small(Role::Ink));
+    }
 }
 
 fn row(pen: &mut Pen<'_>, cell: &Cell, y: f64) {
-    let role = if cell.evaluations.is_some() {
-        Role::AngularMomentum
-    } else {
-        Role::Omega
-    };
     pen.text(
         [108.0, y + 5.0],
         Anchor::Start,
         &cell.effect,
         small(Role::Ink),
     );
-    if let Some(without) = cell.without {
-        let step = if cell.with < without { -6.0 } else { 6.0 };
-        if (cell.with - without).abs() > 8.0 {
+    let with = across(cell.with);
+    if let Some(without) = cell.without.map(across) {
+        let step = if with < without { -6.0 } else { 6.0 };
+        if (with - without).abs() > 8.0 {
             pen.line(
-                &[[without + step, y], [cell.with, y]],
-                stroke(role, SECONDARY),
+                &[[without + step, y], [with, y]],
+                stroke(Role::Ink, SECONDARY),
             );
         }
         pen.ring([without, y], 6.0, stroke(Role::Muted, SECONDARY));
     }
-    pen.disc([cell.with, y], 3.6, role, 1.0);
-    if let Some(count) = cell.evaluations {
-        pen.text(
-            [592.0, y + 5.0],
-            Anchor::End,
-            &thousands(count),
-            small(Role::Ink),
-        );
-    }
+    pen.disc([with, y], 3.6, Role::Ink, 1.0);
+    let how = match (cell.solver, cell.evaluations) {
+        ("exact", _) => "closed form".to_owned(),
+        (solver, 0) => solver.to_owned(),
+        (_, count) => thousands(count),
+    };
+    let time = format!("{:.*}", if cell.with < 1.0 { 2 } else { 1 }, cell.with);
+    pen.text(
+        [MILLISECONDS, y + 5.0],
+        Anchor::End,
+        &time,
+        small(Role::Ink),
+    );
+    pen.text([EVALUATIONS, y + 5.0], Anchor::End, &how, small(Role::Ink));
 }
 
 /// 12 345 with a narrow gap.

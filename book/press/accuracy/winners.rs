@@ -1,10 +1,10 @@
-//! The table of the chapter: who is cheapest, and by how much cheaper than dop853, from the command's CSV file.
+//! The tables of the chapter, from the command's CSV file: who is cheapest and who comes next, and where a closed form begins to pay.
 
 use std::fmt::Write as _;
 
 use super::table::TARGETS;
 
-/// The runs of the table, each as a problem and its length, and their names in it.
+/// The longest runs that steppers take part in, each as a problem and its length, and their names in the table.
 const RUNS: [(&str, &str); 7] = [
     ("free-top/1000", "free body"),
     ("near-separatrix/1000", "beside the separatrix"),
@@ -15,15 +15,22 @@ const RUNS: [(&str, &str); 7] = [
     ("tippe-top/100", "tippe top, 100 turns"),
 ];
 const PEER: &str = "dop853";
+const EXACT: &str = "exact";
+/// The accuracy at which closed forms and steppers are set side by side, and the lengths of the runs in turns.
+const CROSSOVER: f64 = 1e-9;
+const TURNS: [&str; 3] = ["1", "10", "1000"];
 
-struct Row<'a> {
+/// One measurement, as far as the tables need it.
+#[derive(Debug)]
+pub struct Row<'a> {
     problem: &'a str,
     method: &'a str,
     error: f64,
     seconds: f64,
 }
 
-fn rows(csv: &str) -> Vec<Row<'_>> {
+/// The measurements of the command's CSV file that kept to the motion.
+pub fn rows(csv: &str) -> Vec<Row<'_>> {
     let lines = csv.lines().filter(|line| !line.starts_with('#')).skip(1);
     let rows = lines.filter_map(|line| {
         let fields: Vec<&str> = line.split(',').collect();
@@ -42,12 +49,23 @@ fn rows(csv: &str) -> Vec<Row<'_>> {
     rows.collect()
 }
 
-fn quickest<'a>(rows: impl Iterator<Item = &'a Row<'a>>, target: f64) -> Option<&'a Row<'a>> {
-    let good = rows.filter(|row| row.error <= target);
-    good.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
+/// The methods that reach the error on this run, quickest first, each with its least time in seconds.
+pub fn ranking<'a>(rows: &[Row<'a>], problem: &str, target: f64) -> Vec<(&'a str, f64)> {
+    let mut ranked: Vec<(&str, f64)> = Vec::new();
+    let good = rows
+        .iter()
+        .filter(|row| row.problem == problem && row.error <= target);
+    for row in good {
+        match ranked.iter_mut().find(|(method, _)| *method == row.method) {
+            Some((_, least)) => *least = least.min(row.seconds),
+            None => ranked.push((row.method, row.seconds)),
+        }
+    }
+    ranked.sort_by(|a, b| a.1.total_cmp(&b.1));
+    ranked
 }
 
-/// A Markdown table: for each run and each accuracy the cheapest method, its time, and by what factor dop853 takes longer.
+/// A Markdown table: for each run and each accuracy the cheapest method and its time, the next one and dop853 as multiples of that time.
 pub fn markdown(csv: &str) -> String {
     let rows = rows(csv);
     let mut text =
@@ -56,24 +74,66 @@ pub fn markdown(csv: &str) -> String {
     for (run, name) in RUNS {
         let _ = write!(text, "| {name}");
         for target in TARGETS {
-            let of = || rows.iter().filter(|row| row.problem == run);
-            let best = quickest(of(), target);
-            let peer = quickest(of().filter(|row| row.method == PEER), target);
-            let _ = match (best, peer) {
-                (Some(best), Some(peer)) => write!(
-                    text,
-                    " | {}<br>{}, ×{}",
-                    best.method,
-                    time(best.seconds),
-                    short(peer.seconds / best.seconds)
-                ),
-                (Some(best), None) => write!(
-                    text,
-                    " | {}<br>{}; {PEER} never",
-                    best.method,
-                    time(best.seconds)
-                ),
-                (None, _) => write!(text, " | —"),
+            let ranked = ranking(&rows, run, target);
+            let Some(&(best, least)) = ranked.first() else {
+                text.push_str(" | —");
+                continue;
+            };
+            let _ = write!(text, " | **{best}** {}", time(least));
+            let peer = ranked.iter().skip(1).find(|(method, _)| *method == PEER);
+            for (method, seconds) in ranked
+                .get(1)
+                .into_iter()
+                .chain(peer.filter(|_| ranked[1].0 != PEER))
+            {
+                let _ = write!(text, "<br>{method} ×{}", short(seconds / least));
+            }
+            if ranked.len() == 1 {
+                text.push_str("<br>nothing else");
+            } else if peer.is_none() && best != PEER {
+                let _ = write!(text, "<br>not {PEER}");
+            }
+        }
+        text.push_str(" |\n");
+    }
+    text
+}
+
+/// A Markdown table: for each motion that has a closed form and each length, its time beside that of the quickest stepper to nine digits.
+pub fn crossover(csv: &str) -> String {
+    let rows = rows(csv);
+    let mut text = "| motion | 1 turn | 10 turns | 1000 turns |\n|---|---|---|---|\n".to_owned();
+    for (run, name) in RUNS {
+        let (problem, _) = run.split_once('/').unwrap_or((run, ""));
+        if !rows
+            .iter()
+            .any(|row| row.problem == run && row.method == EXACT)
+        {
+            continue;
+        }
+        let _ = write!(text, "| {name}");
+        for turns in TURNS {
+            let ranked = ranking(&rows, &format!("{problem}/{turns}"), CROSSOVER);
+            let told = |exact: bool| {
+                let first = ranked
+                    .iter()
+                    .find(|(method, _)| (*method == EXACT) == exact);
+                first.map_or_else(
+                    || {
+                        if exact {
+                            "no closed form".to_owned()
+                        } else {
+                            "no stepper".to_owned()
+                        }
+                    },
+                    |(method, seconds)| format!("{method} {}", time(*seconds)),
+                )
+            };
+            let cheaper = ranked.first().is_some_and(|(method, _)| *method == EXACT);
+            let _ = if cheaper {
+                write!(text, " | **{}**<br>{}", told(true), told(false))
+            } else {
+                write!(text, " | **{}**<br>{}", told(false), told(true))
             };
         }
         text.push_str(" |\n");

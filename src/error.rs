@@ -141,6 +141,16 @@ pub enum Error {
         /// Estimate of the accuracy reached.
         reached: f64,
     },
+    /// A run has spent the evaluations that it was given.
+    #[error(
+        "after {most} evaluations of its equations the motion has come to t = {time:?} s; a looser accuracy, an earlier end, fewer effects or another solver would need fewer"
+    )]
+    Budget {
+        /// How many it was given.
+        most: u64,
+        /// How far it came, s.
+        time: f64,
+    },
     /// One of many is refused.
     #[error("number {place} of the list, counted from 0: {reason}")]
     AtPlace {

@@ -1,9 +1,10 @@
 //! Builds the book, whole or not at all.
 
 use crate::drawings::Drawing;
+use crate::interrupt::{Unfinished, without_interruption};
 use crate::ledger::Ledger;
-use crate::paths::readable_by_all;
 use crate::typesetter::{Typesetter, without_code};
+use crate::writer::{folder_of, followed};
 use crate::{Error, Result};
 use mdbook_driver::MDBook;
 use mdbook_driver::book::{BookItem, Chapter};
@@ -13,14 +14,12 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Builds the book of the workspace at `root` into `folder` and returns the path of its first page. The book is
-/// built in a temporary folder beside and takes its place by renaming, so that a failure leaves the old one.
+/// built in a temporary folder beside and takes its place by renaming, so that a failure leaves the old one. A link is followed.
 pub fn bind(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
-    let parent = folder.parent().unwrap_or(Path::new("."));
+    let folder = &followed(folder).map_err(Error::file(folder))?;
+    let parent = folder_of(folder);
     std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
-    let beside = tempfile::Builder::new()
-        .prefix(".build-")
-        .tempdir_in(parent)
-        .map_err(Error::file(parent))?;
+    let beside = Unfinished::folder(parent).map_err(Error::file(parent))?;
     let fresh = beside.path().join("new");
 
     let (built, warnings) = listening(|| build(root, &fresh, drawings));
@@ -34,15 +33,19 @@ pub fn bind(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf>
 
     let old = beside.path().join("old");
     let had_old = folder.exists();
-    if had_old {
-        std::fs::rename(folder, &old).map_err(Error::file(folder))?;
-    }
-    if let Err(error) = std::fs::rename(&fresh, folder) {
+    // Between the two there is no book.
+    without_interruption(|| {
         if had_old {
-            std::fs::rename(&old, folder).map_err(Error::file(folder))?;
+            std::fs::rename(folder, &old)?;
         }
-        return Err(Error::file(folder)(error));
-    }
+        std::fs::rename(&fresh, folder).inspect_err(|_| {
+            if had_old {
+                // The error to tell is the first.
+                let _ = std::fs::rename(&old, folder);
+            }
+        })
+    })
+    .map_err(Error::file(folder))?;
     Ok(folder.join("index.html"))
 }
 
@@ -73,7 +76,6 @@ fn build(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
         }
     });
     book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
-    readable_by_all(folder).map_err(Error::file(folder))?;
     typesetter.into_pieces().fill_folder(folder)?;
 
     // Once more without code, for the search index: it would hold every hidden line.

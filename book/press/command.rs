@@ -4,17 +4,21 @@ use crate::drawings::{self, Drawing};
 use crate::error::one_line;
 use crate::ledger::Ledger;
 use crate::paths::workspace_root;
-use crate::scenes::output::{self, Format};
+use crate::progress::watched;
+use crate::scenes::output::Format;
 use crate::scenes::scan::{self, Over};
-use crate::{Error, Result, accuracy, appendix, binding, scenes};
+use crate::writer::{Target, can_be_written_into, say};
+use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes};
 use clap::{Parser, Subcommand};
 use figures::Entry;
 use indicatif::{ProgressBar, ProgressStyle};
+use spinning_bodies::scene::Progress;
+
 use std::ffi::OsString;
-use std::io::{ErrorKind, IsTerminal, Write};
+use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Duration;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Spinning Bodies, the executable edition: draws the figures and builds the book.
 #[derive(Debug, Parser)]
@@ -56,7 +60,8 @@ A scene file, in TOML and SI units; nothing acts that [effects] does not name:
   accuracy = 1e-10                 # relative
   solver = \"auto\"                # or exact, dop853, dopri5, verner98, rk4
 
-A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
+A run gives up after 200 million evaluations of its equations, and has 500000 rows at most; one that takes more than a
+moment tells how far it is. A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
 book/scenes has a file for each scene of the book.
 
 Examples:
@@ -112,11 +117,11 @@ enum Command {
     /// Simulates a scene file: a body, how it starts, and only the effects it names
     #[command(after_help = SCENE)]
     Scene {
-        /// The scene file; `-` reads standard input
+        /// The scene file, or the name of one in book/scenes; `-` reads standard input
         file: PathBuf,
-        /// How the motion is written
-        #[arg(long, value_enum, default_value = "csv")]
-        format: Format,
+        /// How the motion is written [default: as the name of the output ends; csv]
+        #[arg(long, value_enum)]
+        format: Option<Format>,
         /// Where to; without it, standard output
         #[arg(long, value_name = "FILE")]
         output: Option<PathBuf>,
@@ -124,7 +129,7 @@ enum Command {
     /// Simulates a scene file over a grid of its numbers, on all cores; one line of CSV a point
     #[command(after_help = SCAN)]
     Scan {
-        /// The scene file; `-` reads standard input
+        /// The scene file, or the name of one in book/scenes; `-` reads standard input
         file: PathBuf,
         /// A number of the file, its range, and how many values; may be given more than once
         #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
@@ -149,6 +154,7 @@ enum Command {
 
 /// Runs the command line and returns the exit status.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    interrupt::tidy_up_when_interrupted();
     let outcome = match Cli::try_parse_from(arguments) {
         Ok(cli) => obey(cli.command),
         // Help and version are not errors.
@@ -180,6 +186,8 @@ fn obey(command: Option<Command>) -> Result<()> {
     let svg = root.join("figures/svg");
     match command {
         None => {
+            can_be_written_into(&svg)?;
+            can_be_written_into(&root.join("book"))?;
             let drawings = draw(&drawings::chosen(&[])?)?;
             let changed = drawings::write(&drawings, &svg)?;
             say(&report(&drawings, changed, &svg))?;
@@ -199,6 +207,9 @@ fn obey(command: Option<Command>) -> Result<()> {
         }) => {
             let entries = drawings::chosen(&names)?;
             let folder = out.unwrap_or(svg);
+            if !check {
+                can_be_written_into(&folder)?;
+            }
             let drawings = draw(&entries)?;
             if check {
                 drawings::check(&drawings, &folder)?;
@@ -212,6 +223,7 @@ fn obey(command: Option<Command>) -> Result<()> {
             say(&report(&drawings, changed, &folder))
         }
         Some(Command::Book { open }) => {
+            can_be_written_into(&root.join("book"))?;
             let drawings = draw(&drawings::chosen(&[])?)?;
             let page = print_book(&root, &drawings)?;
             if open { open_page(&page) } else { Ok(()) }
@@ -221,24 +233,30 @@ fn obey(command: Option<Command>) -> Result<()> {
             format,
             output,
         }) => {
-            let (table, seconds) = watched(|| scenes::simulate(&file))?;
-            let text = output::text(&table, seconds, format);
-            match output {
-                Some(path) => output::write(&path, &text),
-                None => say(&text),
-            }
+            let file = scene_file(&root, file);
+            let format = Format::of(format, output.as_deref())?;
+            let target = Target::new(output.as_deref(), Some(&file))?;
+            let progress = Progress::default();
+            let how_far = || told(&progress);
+            let (table, seconds) = watched(how_far, || scenes::simulate_watched(&file, &progress))?;
+            target.write(|to| format.write(&table, seconds, to))
         }
         Some(Command::Scan { file, over, output }) => {
-            let bar = ProgressBar::new(scan::points(&file.display().to_string(), &over)? as u64);
-            if let Ok(style) = ProgressStyle::with_template("scenes {bar:32} {pos}/{len} {eta}") {
-                bar.set_style(style);
-            }
-            let text = scan::scan(&file, &over, || bar.inc(1));
-            bar.finish_and_clear();
-            match output {
-                Some(path) => output::write(&path, &text?),
-                None => say(&text?),
-            }
+            let file = scene_file(&root, file);
+            Format::of(Some(Format::Csv), output.as_deref())?;
+            let target = Target::new(output.as_deref(), Some(&file))?;
+            let points = scan::points(&file.display().to_string(), &over)?;
+            let done = AtomicUsize::new(0);
+            let how_far = || {
+                let done = done.load(Ordering::Relaxed);
+                let told = format!("{done} of {points} scenes");
+                (done as f64 / points as f64, told)
+            };
+            let count = || {
+                done.fetch_add(1, Ordering::Relaxed);
+            };
+            let text = watched(how_far, || scan::scan(&file, &over, count))?;
+            target.write(|to| to.write_all(text.as_bytes()))
         }
         Some(Command::Accuracy { scene, csv }) => {
             say(&accuracy::run(&root, scene.as_deref(), csv.as_deref())?)
@@ -281,23 +299,24 @@ fn draw(entries: &[Entry]) -> Result<Vec<Drawing>> {
     drawings
 }
 
-/// Work that may take long, with a spinner on a terminal.
-fn watched<T>(work: impl FnOnce() -> T) -> T {
-    let spinner = ProgressBar::new_spinner().with_message("simulating");
-    spinner.enable_steady_tick(Duration::from_millis(200));
-    let result = work();
-    spinner.finish_and_clear();
-    result
+/// The file that is meant; what is none is refused by whoever reads it.
+fn scene_file(root: &Path, name: PathBuf) -> PathBuf {
+    if name == Path::new("-") {
+        return name;
+    }
+    scenes::file(root, &name).unwrap_or(name)
 }
 
-/// Prints to standard output; a reader that has left is not an error of ours.
-fn say(text: &str) -> Result<()> {
-    let mut out = std::io::stdout().lock();
-    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
-    written.map_err(|error| match error.kind() {
-        ErrorKind::BrokenPipe => Error::OutputClosed,
-        _ => Error::file(Path::new("standard output"))(error),
-    })
+/// How far a motion has come, for a bar and in words.
+fn told(progress: &Progress) -> (f64, String) {
+    let (time, until) = (progress.time(), progress.until());
+    let millions = |evaluations: u64| evaluations as f64 / 1e6;
+    let told = format!(
+        "simulating: t = {time:.4e} of {until:.4e} s, {:.0} of at most {:.0} million evaluations",
+        millions(progress.evaluations()),
+        millions(progress.most())
+    );
+    (time / until, told)
 }
 
 fn open_page(page: &Path) -> Result<()> {

@@ -1,6 +1,6 @@
 //! Draws the figures, writes their files, and compares a fresh drawing with the committed one.
 
-use crate::paths::write_if_changed;
+use crate::writer::write_if_changed;
 use crate::{Error, Result};
 use figures::{Entry, Figure};
 use std::path::Path;

@@ -4,6 +4,9 @@
 //! |---|---|
 //! | [`chapters`] | the list of chapters; includes them as doctests |
 //! | [`paths`] | where the workspace is |
+//! | [`writer`] | how anything is written |
+//! | [`interrupt`] | what is half-written goes when a signal ends it |
+//! | [`progress`] | how far a long run is |
 //! | [`drawings`] | draws the figures, writes and compares their files |
 //! | [`formulas`] | LaTeX to HTML, at build time |
 //! | [`pieces`] | what is put into the pages after mdBook wrote them |
@@ -23,10 +26,13 @@ pub mod command;
 pub mod drawings;
 pub mod error;
 pub mod formulas;
+pub mod interrupt;
 pub mod ledger;
 pub mod paths;
 pub mod pieces;
+pub mod progress;
 pub mod scenes;
 pub mod typesetter;
+pub mod writer;
 
 pub use error::{Error, Result};

@@ -1,6 +1,6 @@
 //! The command line: what it prints, and the exit status it leaves with.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 fn book(arguments: &[&str]) -> Output {
@@ -163,4 +163,411 @@ fn a_reader_that_leaves_is_no_error() {
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty(), "{}", text(&output.stderr));
+}
+
+/// A scene file of this many rows, in a folder of its own.
+fn racket(rows: usize) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let file = folder.path().join("mine.toml");
+    let text = format!(
+        "[body]\nmoments = [1.0, 2.0, 3.0]\n[initial]\nomega = [0.01, 1.0, 0.01]\n[run]\nuntil = 10.0\nsamples = {rows}\n"
+    );
+    std::fs::write(&file, text).unwrap();
+    (folder, file)
+}
+
+fn scene(file: &Path, arguments: &[&str]) -> Output {
+    book(&[&["scene", file.to_str().unwrap()], arguments].concat())
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let files = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = files
+        .map(|file| file.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+/// Exit status 2, and one line that has these words.
+fn refused(output: &Output, words: &[&str]) {
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert_eq!(told.lines().count(), 1, "{told}");
+    for word in words {
+        assert!(told.contains(word), "{word}: {told}");
+    }
+}
+
+#[test]
+fn the_name_of_the_output_tells_its_format() {
+    let (folder, file) = racket(3);
+    let out = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let read = |name: &str| std::fs::read_to_string(out(name)).unwrap();
+    for (name, format) in [
+        ("a.csv", None),
+        ("a.txt", None),
+        ("a", None),
+        ("b.txt", Some("csv")),
+        ("a.json", None),
+        ("b.json", Some("json")),
+        ("c.txt", Some("json")),
+    ] {
+        let path = out(name);
+        let mut arguments = vec!["--output", &path];
+        arguments.extend(format.iter().flat_map(|format| ["--format", format]));
+        let output = scene(&file, &arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(output.stdout.is_empty() && output.stderr.is_empty());
+        let json = name.ends_with("json") || format == Some("json");
+        assert!(
+            read(name).starts_with(if json { "{" } else { "t,qw" }),
+            "{name}"
+        );
+    }
+    let before = names(folder.path());
+    for arguments in [
+        &["--output", &out("x.svg")][..],
+        &["--output", &out("x.svg"), "--format", "csv"],
+        &["--output", &out("x.json"), "--format", "csv"],
+        &["--output", &out("x.csv"), "--format", "json"],
+    ] {
+        refused(&scene(&file, arguments), &["x.", "should end with"]);
+    }
+    let over = [
+        "--over",
+        "initial.omega.0=0..1:2",
+        "--output",
+        &out("x.json"),
+    ];
+    let scan = book(&[&["scan", file.to_str().unwrap()], &over[..]].concat());
+    refused(&scan, &["x.json", ".csv"]);
+    assert_eq!(names(folder.path()), before);
+}
+
+#[test]
+fn what_cannot_be_written_is_refused_before_any_work() {
+    // Half a minute of work, if it were begun.
+    let (folder, file) = racket(500_000);
+    for (name, words) in [
+        ("missing/rows.csv", "no such folder"),
+        (".", "not a folder"),
+        ("mine.toml", "should end with"),
+    ] {
+        let path = folder.path().join(name);
+        refused(
+            &scene(&file, &["--output", path.to_str().unwrap()]),
+            &[words],
+        );
+    }
+    assert_eq!(names(folder.path()), ["mine.toml"]);
+
+    let file = folder.path().join("a-file");
+    std::fs::write(&file, "").unwrap();
+    let output = book(&["figures", "--out", file.join("svg").to_str().unwrap()]);
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert_eq!(told.lines().count(), 1, "{told}");
+    assert!(told.contains("a-file"), "{told}");
+}
+
+#[test]
+fn a_scene_of_the_book_is_found_by_its_name() {
+    for name in ["racket", "racket.toml"] {
+        let output = book(&["scene", name]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(output.stdout.starts_with(b"t,qw"));
+    }
+    refused(
+        &book(&["scene", "racked"]),
+        &["racked", "a scene file is expected"],
+    );
+}
+
+#[test]
+fn numbers_beyond_the_doubles_are_no_rows() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let file = folder.path().join("swivel.toml");
+    let text_of = "kind = \"swivel\"\n[body]\nlower = 0.6\nupper = 2.0\n[initial]\nangular_momentum = 1e308\n[run]\nuntil = 1e3\n";
+    std::fs::write(&file, text_of).unwrap();
+    let output = scene(&file, &[]);
+    let told = text(&output.stderr);
+    assert_ne!(output.status.code(), Some(0), "{told}");
+    assert_eq!(told.lines().count(), 1, "{told}");
+    assert!(output.stdout.is_empty());
+}
+
+/// A run that takes long, and ends.
+const CHIRAL: &str = "kind = \"table-top\"\n[body]\nmass = 0.02\nradius = 0.02\nsurface_center = [0.0, 0.0, 0.006]\n\
+    inertia = [3.0e-6, 3.0e-6, 3.2e-6, 0.0, 0.0, 0.0]\n[initial]\ntilt = 0.1\naxial_spin = 155.0\n\
+    [effects]\ngravity = 9.82\nfriction_law = \"viscous\"\nfriction = 0.3\n[run]\nuntil = 1e5\nsamples = 11\naccuracy = 1e-6\n";
+
+#[cfg(unix)]
+mod unix {
+    use super::*;
+    use std::io::{BufRead, BufReader};
+    use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, symlink};
+    use std::time::{Duration, Instant};
+
+    fn shell(script: &str) -> Output {
+        Command::new("sh").args(["-c", script]).output().unwrap()
+    }
+
+    fn quoted(path: &Path) -> String {
+        format!("'{}'", path.to_str().unwrap())
+    }
+
+    const BOOK: &str = env!("CARGO_BIN_EXE_book");
+
+    #[test]
+    fn a_link_is_followed() {
+        let (folder, file) = racket(3);
+        let (other, link, dangling) = (
+            folder.path().join("other"),
+            folder.path().join("link.csv"),
+            folder.path().join("dangling.csv"),
+        );
+        std::fs::create_dir(&other).unwrap();
+        std::fs::write(other.join("rows.csv"), "old").unwrap();
+        symlink("other/rows.csv", &link).unwrap();
+        symlink("other/new.csv", &dangling).unwrap();
+        for path in [&link, &dangling] {
+            let output = scene(&file, &["--output", path.to_str().unwrap()]);
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            assert!(path.is_symlink());
+            assert!(std::fs::read(path).unwrap().starts_with(b"t,qw"));
+        }
+        assert_eq!(names(&other), ["new.csv", "rows.csv"]);
+        let round = folder.path().join("round.csv");
+        symlink("round.csv", &round).unwrap();
+        let output = scene(&file, &["--output", round.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(round.is_symlink() && text(&output.stderr).contains("round.csv"));
+    }
+
+    #[test]
+    fn pipes_and_devices_stay_what_they_are() {
+        let (folder, file) = racket(3);
+        let plain = scene(&file, &[]).stdout;
+        let (pipe, link) = (folder.path().join("pipe"), folder.path().join("link"));
+        assert!(shell(&format!("mkfifo {}", quoted(&pipe))).status.success());
+        symlink(&pipe, &link).unwrap();
+        for path in [&pipe, &link] {
+            let reader = Command::new("cat")
+                .arg(&pipe)
+                .stdout(Stdio::piped())
+                .spawn()
+                .unwrap();
+            let output = scene(&file, &["--output", path.to_str().unwrap()]);
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            assert_eq!(reader.wait_with_output().unwrap().stdout, plain);
+            let kind = std::fs::metadata(&pipe).unwrap().file_type();
+            assert!(kind.is_fifo() && link.is_symlink());
+        }
+        assert_eq!(names(folder.path()), ["link", "mine.toml", "pipe"]);
+        for device in ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"] {
+            assert_eq!(
+                scene(&file, &["--output", device]).stdout,
+                plain,
+                "{device}"
+            );
+        }
+        // A file that the standard output leads to goes on where it was.
+        let rows = folder.path().join("rows");
+        let command = format!("{BOOK} scene {} --output /dev/stdout", quoted(&file));
+        shell(&format!(
+            "(echo before; {command}; echo after) > {}",
+            quoted(&rows)
+        ));
+        let expected = [b"before\n", plain.as_slice(), b"after\n"].concat();
+        assert_eq!(std::fs::read(&rows).unwrap(), expected);
+        let full = scene(&file, &["--output", "/dev/full"]);
+        assert_eq!(full.status.code(), Some(1));
+        assert!(text(&full.stderr).contains("/dev/full"));
+        let full = shell(&format!("{BOOK} scene {} > /dev/full", quoted(&file)));
+        assert_eq!(full.status.code(), Some(1), "{}", text(&full.stderr));
+    }
+
+    #[test]
+    fn the_input_is_not_overwritten() {
+        let (folder, file) = racket(3);
+        let at = |name: &str| folder.path().join(name);
+        std::fs::rename(&file, at("mine.csv")).unwrap();
+        let before = std::fs::read(at("mine.csv")).unwrap();
+        std::fs::hard_link(at("mine.csv"), at("hard.csv")).unwrap();
+        symlink("mine.csv", at("soft.csv")).unwrap();
+        let output = at("mine.csv");
+        let name = folder.path().file_name().unwrap();
+        for out in ["mine.csv", "hard.csv", "soft.csv", "./mine.csv"] {
+            let out = at(out);
+            refused(
+                &scene(&output, &["--output", out.to_str().unwrap()]),
+                &["that is the input"],
+            );
+        }
+        let other = at("..").join(name).join("mine.csv");
+        refused(
+            &scene(&at("soft.csv"), &["--output", other.to_str().unwrap()]),
+            &["that is the input"],
+        );
+        let from = quoted(&output);
+        refused(
+            &shell(&format!("{BOOK} scene - --output {from} < {from}")),
+            &["that is the input"],
+        );
+        refused(
+            &shell(&format!(
+                "{BOOK} scan {from} --over initial.omega.0=0..1:2 --output {from}"
+            )),
+            &["that is the input"],
+        );
+        refused(
+            &shell(&format!("{BOOK} accuracy --scene {from} --csv {from}")),
+            &["that is the input"],
+        );
+        assert_eq!(std::fs::read(&output).unwrap(), before);
+        assert_eq!(names(folder.path()), ["hard.csv", "mine.csv", "soft.csv"]);
+    }
+
+    #[test]
+    fn files_get_the_rights_that_the_umask_leaves() {
+        let (folder, file) = racket(3);
+        let mode = |path: &Path| std::fs::metadata(path).unwrap().mode() & 0o777;
+        for (umask, rights) in [
+            ("022", 0o644),
+            ("027", 0o640),
+            ("002", 0o664),
+            ("077", 0o600),
+        ] {
+            let out = folder.path().join(format!("{umask}.csv"));
+            let svg = folder.path().join(umask);
+            let figure = figures::all()[0].name;
+            let script = format!(
+                "umask {umask}; {BOOK} scene {} --output {} && {BOOK} figures {figure} --out {}",
+                quoted(&file),
+                quoted(&out),
+                quoted(&svg)
+            );
+            let output = shell(&script);
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            assert_eq!(mode(&out), rights, "{umask}");
+            assert_eq!(mode(&svg.join(format!("{figure}.svg"))), rights, "{umask}");
+        }
+        // What is there keeps its own.
+        let out = folder.path().join("022.csv");
+        std::fs::set_permissions(&out, std::fs::Permissions::from_mode(0o604)).unwrap();
+        assert!(
+            scene(&file, &["--output", out.to_str().unwrap()])
+                .status
+                .success()
+        );
+        assert_eq!(mode(&out), 0o604);
+    }
+
+    /// Starts a long run, waits until it has made something beside its output, and sends the signal.
+    fn interrupted(signal: &str, status: i32) {
+        let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+        let file = folder.path().join("long.toml");
+        std::fs::write(&file, CHIRAL).unwrap();
+        let out = folder.path().join("rows.csv");
+        std::fs::write(&out, "old").unwrap();
+        let mut child = Command::new(BOOK)
+            .args(["scene", file.to_str().unwrap()])
+            .args(["--output", out.to_str().unwrap()])
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let begin = Instant::now();
+        while names(folder.path()).len() < 3 {
+            assert!(
+                begin.elapsed() < Duration::from_secs(20) && child.try_wait().unwrap().is_none()
+            );
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        let kill = format!("kill -{signal} {}", child.id());
+        assert!(shell(&kill).status.success());
+        assert_eq!(child.wait().unwrap().code(), Some(status));
+        assert_eq!(names(folder.path()), ["long.toml", "rows.csv"]);
+        assert_eq!(std::fs::read_to_string(&out).unwrap(), "old");
+    }
+
+    #[test]
+    fn an_interrupted_run_leaves_nothing_behind() {
+        interrupted("INT", 130);
+        interrupted("TERM", 143);
+    }
+
+    #[test]
+    fn an_early_end_of_the_reader_is_quiet() {
+        let (_folder, file) = racket(100_000);
+        let script = format!(
+            "{{ {BOOK} scene {}; echo $? >&2; }} | head -n 2",
+            quoted(&file)
+        );
+        let output = shell(&script);
+        assert_eq!(text(&output.stderr), "0\n");
+        assert_eq!(text(&output.stdout).lines().count(), 2);
+    }
+
+    #[test]
+    fn a_file_without_end_is_refused() {
+        for endless in ["/dev/zero", "-"] {
+            let output = shell(&format!("{BOOK} scene {endless} < /dev/zero"));
+            refused(&output, &["4000000 bytes"]);
+        }
+    }
+
+    /// Peak of resident memory, kB, asked for until the process is gone.
+    #[cfg(target_os = "linux")]
+    fn peak(arguments: &[&str]) -> u64 {
+        let mut child = Command::new(BOOK)
+            .args(arguments)
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        let status = format!("/proc/{}/status", child.id());
+        let mut peak = 0;
+        while child.try_wait().unwrap().is_none() {
+            let told = std::fs::read_to_string(&status).unwrap_or_default();
+            let line = told.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+            let now = line.and_then(|line| line.trim().trim_end_matches("kB").trim().parse().ok());
+            peak = now.unwrap_or(0).max(peak);
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        assert!(child.wait().unwrap().success());
+        peak
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn memory_stays_small_up_to_the_largest_output() {
+        let (_folder, file) = racket(500_000);
+        let peak = peak(&["scene", file.to_str().unwrap(), "--format", "json"]);
+        // Observed: 52 MB; as one JSON value it took 1.5 GB.
+        assert!((20_000..100_000).contains(&peak), "{peak} kB");
+        let (_folder, file) = racket(500_001);
+        refused(&scene(&file, &[]), &["samples", "500000"]);
+    }
+
+    #[test]
+    fn a_long_run_tells_how_far_it_is() {
+        let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+        let file = folder.path().join("long.toml");
+        std::fs::write(&file, CHIRAL).unwrap();
+        let mut child = Command::new(BOOK)
+            .args(["scene", file.to_str().unwrap()])
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut told = String::new();
+        let mut lines = BufReader::new(child.stderr.take().unwrap());
+        // After one second and a half; a run that is over by then says nothing.
+        lines.read_line(&mut told).unwrap();
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert!(
+            told.starts_with("simulating: t = ") && told.contains("of at most 200 million"),
+            "{told}"
+        );
+    }
 }

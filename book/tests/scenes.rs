@@ -3,7 +3,10 @@
 use std::path::Path;
 
 use press::chapters::CHAPTERS;
+use press::scenes::prices::PRICED;
 use press::scenes::{output, parse, scan, simulate};
+use spinning_bodies::integrators::Method;
+use spinning_bodies::scene::{Geometric, Progress, Solver};
 
 const RACKET: &str = "
 title = \"A racket\"
@@ -27,8 +30,7 @@ fn every_scene_of_the_book_runs_and_its_ledger_balances() {
         assert!(!table.ledger.entries().is_empty(), "{}", path.display());
         assert!(
             table
-                .rows
-                .iter()
+                .rows()
                 .all(|(_, row)| row.len() == table.columns.len())
         );
         count += 1;
@@ -63,8 +65,8 @@ fn every_scene_of_the_book_is_run_by_a_chapter() {
 fn the_columns_of_a_table_are_found_by_name() {
     let (table, _) = simulate("scenes/racket.toml").unwrap();
     let rows = table.numbers(["omega2", "t"]).unwrap();
-    for ([omega2, t], (time, row)) in rows.into_iter().zip(&table.rows) {
-        assert_eq!((t, omega2), (*time, row[5]));
+    for ([omega2, t], (time, row)) in rows.into_iter().zip(table.rows()) {
+        assert_eq!((t, omega2), (time, row[5]));
     }
     let error = table.numbers(["omega4"]).unwrap_err().to_string();
     assert!(
@@ -103,16 +105,16 @@ fn numbers_are_read_back_exactly() {
         lines.next(),
         Some("t,qw,qx,qy,qz,omega1,omega2,omega3,energy")
     );
-    for ((t, row), line) in table.rows.iter().zip(lines) {
+    for ((t, row), line) in table.rows().zip(lines) {
         let read: Vec<f64> = line.split(',').map(|n| n.parse().unwrap()).collect();
-        assert_eq!((*t, row.as_slice()), (read[0], &read[1..]));
+        assert_eq!((t, row.as_slice()), (read[0], &read[1..]));
     }
     let json = output::text(&table, seconds, output::Format::Json);
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["plan"]["solver"], "exact");
     assert_eq!(
         json["rows"][10]["omega2"].as_f64(),
-        Some(table.rows[10].1[5])
+        Some(table.row(10).1[5])
     );
     assert!(json["ledger"][0]["drift"].as_f64().unwrap() < 1e-15);
 }
@@ -300,5 +302,83 @@ fn what_is_wrong_is_refused_in_one_line_that_names_it() {
         for name in *named {
             assert!(told.contains(name), "{told} does not name {name}");
         }
+    }
+}
+
+/// Kinds whose motions are known from event to event: no equations to be followed.
+const KNOWN: [&str; 5] = ["meteorite", "roller", "spool", "superball", "crawler"];
+
+#[test]
+fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
+    const FEW: u64 = 200;
+    let ends = |name: &str, text: &str| {
+        let (scene, request) = parse(name, text).unwrap();
+        let progress = Progress::default();
+        let told = match scene.run(name, &request.within(FEW).watched(&progress)) {
+            Ok(table) => panic!("{name}: {table:?}"),
+            Err(error) => {
+                assert_eq!(error.status(), 1, "{error}");
+                error.to_string()
+            }
+        };
+        assert!(told.contains("after 200 evaluations"), "{told}");
+        let time = told
+            .split("t = ")
+            .nth(1)
+            .unwrap()
+            .split(' ')
+            .next()
+            .unwrap();
+        let time: f64 = time.parse().unwrap();
+        assert!((0.0..1.0).contains(&time), "{told}");
+        assert_eq!((progress.time(), progress.until()), (time, 1.0), "{name}");
+        assert_eq!(progress.most(), FEW);
+        assert!(progress.evaluations() > FEW, "{name}");
+    };
+    for priced in PRICED {
+        let text = priced.file(|_| true);
+        if KNOWN.contains(&priced.kind) {
+            let (scene, request) = parse(priced.kind, &text).unwrap();
+            assert!(scene.run(priced.kind, &request.within(FEW)).is_ok());
+        } else {
+            ends(priced.kind, &text);
+        }
+    }
+    // The other engines: closed forms row by row, steps of one length, and of another method's choice.
+    let heavy = PRICED[0].file(|effect| effect == 0);
+    for (lines, solver) in [
+        ("samples = 301", "exact"),
+        ("samples = 11", "kick-drift-2"),
+        ("samples = 11", "rk4"),
+        ("samples = 11", "dopri5"),
+        ("samples = 11", "dormand-prince-8"),
+    ] {
+        let lines = format!("{lines}\nsolver = \"{solver}\"");
+        ends(solver, &heavy.replace("samples = 11", &lines));
+    }
+}
+
+#[test]
+fn every_solver_is_found_by_its_name() {
+    let all: Vec<Solver> = Solver::all().collect();
+    for solver in &all {
+        assert_eq!(solver.name().parse(), Ok(*solver));
+        let text = RACKET.replace(
+            "samples = 11",
+            &format!("samples = 11\nsolver = \"{solver}\""),
+        );
+        assert!(parse("racket.toml", &text).is_ok(), "{solver}");
+    }
+    let names: std::collections::BTreeSet<&str> = all.iter().map(|solver| solver.name()).collect();
+    assert_eq!(names.len(), all.len());
+    for method in Method::ALL {
+        assert!(all.contains(&Solver::General(method)), "{}", method.name());
+    }
+    for method in Geometric::ALL {
+        assert!(
+            all.contains(&Solver::Geometric(method)),
+            "{}",
+            method.name()
+        );
     }
 }

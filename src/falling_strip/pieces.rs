@@ -17,6 +17,10 @@ impl System<7> for Piece<'_> {
     fn rate(&self, _: f64, state: &[f64; 7]) -> [f64; 7] {
         self.plate.rate_in(self.sense, state)
     }
+
+    fn reached(&self, time: f64) -> Result<()> {
+        self.plate.whole().reached(time)
+    }
 }
 
 /// States at all of `times`, in any order, from time 0; as [`solve`], piece by piece if there is a kink.
@@ -55,19 +59,20 @@ pub(crate) fn in_pieces(
         }
         let mut sense = 1.0_f64.copysign(sense);
         let (mut time, mut state) = (0.0, *start);
-        let mut left = places;
+        let ordered: Vec<f64> = places.iter().map(|&i| times[i]).collect();
+        let (mut left, mut ordered) = (places, ordered.as_slice());
         while !left.is_empty() {
             let piece = Piece { plate, sense };
-            let ordered: Vec<f64> = left.iter().map(|&i| times[i]).collect();
             let falls = |_: f64, y: &[f64; 7]| sense * y[5];
             let run = until(
-                &piece, time, &state, scales, &ordered, end, &falls, method, effort,
+                &piece, time, &state, scales, ordered, end, &falls, method, effort,
             )?;
             cost += run.cost;
             for (&place, state) in left.iter().zip(&run.states) {
                 states[place] = *state;
             }
             left = &left[run.states.len()..];
+            ordered = &ordered[run.states.len()..];
             if run.stopped == Stop::AtTheEnd {
                 break;
             }

@@ -2,6 +2,7 @@
 
 use super::general::{Event, Passage, System};
 use crate::double_double::power_of_two_below;
+use crate::error::Result;
 
 /// A system and its event with components in units of their scales, rounded to powers of two so that nothing else is rounded.
 pub(super) struct Scaled<'a, const N: usize> {
@@ -48,6 +49,10 @@ impl<'a, const N: usize> Scaled<'a, N> {
 impl<const N: usize> System<N> for Scaled<'_, N> {
     fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
         self.to_units(&self.system.rate(t, &self.out_of_units(y)))
+    }
+
+    fn reached(&self, time: f64) -> Result<()> {
+        self.system.reached(time)
     }
 }
 

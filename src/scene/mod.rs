@@ -17,6 +17,7 @@
 //! | [`Strip`](strip::Strip) | 4.10 | [`strip`]: a strip of paper in the air, or in a vacuum |
 //! | body on a table | 4.7 | [`contact`]: sliding, rolling, hopping |
 
+mod budget;
 pub mod contact;
 mod effect;
 pub mod meteorite;
@@ -30,10 +31,12 @@ pub mod superball;
 pub mod top;
 pub mod yo_yo;
 
+pub use budget::Progress;
 pub use effect::{Absent, Effect};
 pub use motion::{Motion, Request, balanced};
 pub use plan::{Choice, Geometric, Plan, Solver, UnknownSolver};
 
+pub(crate) use budget::{Budget, Counted};
 pub(crate) use effect::choose;
 pub(crate) use plan::only_for_tops;
 
@@ -54,7 +57,7 @@ pub trait Scene {
     ///
     /// # Errors
     /// As for [`plan`](Self::plan); [`Error::Integration`](crate::Error::Integration), [`Error::Accuracy`](crate::Error::Accuracy),
-    /// [`Error::Ledger`](crate::Error::Ledger).
+    /// [`Error::Budget`](crate::Error::Budget), [`Error::Ledger`](crate::Error::Ledger).
     fn simulate(&self, request: &Request) -> Result<Motion<Self::State>>;
 }
 

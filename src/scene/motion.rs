@@ -1,5 +1,6 @@
 //! What a scene gives back: states at the times asked for, what they have cost, and the ledger.
 
+use super::budget::Progress;
 use super::plan::{Choice, Plan};
 use crate::conservation::Ledger;
 use crate::error::{Error, Result, finite};
@@ -11,6 +12,8 @@ pub struct Request {
     times: Vec<f64>,
     accuracy: f64,
     choice: Choice,
+    most: u64,
+    progress: Option<Progress>,
 }
 
 impl Request {
@@ -32,6 +35,8 @@ impl Request {
             times,
             accuracy: 1e-10,
             choice: Choice::Auto,
+            most: Self::MOST_EVALUATIONS,
+            progress: None,
         })
     }
 
@@ -56,6 +61,29 @@ impl Request {
     pub const fn by(mut self, choice: Choice) -> Self {
         self.choice = choice;
         self
+    }
+
+    /// The evaluations of its equations that a run is given if nothing else is said; observed, 3 to 30 seconds of computing.
+    pub const MOST_EVALUATIONS: u64 = 200_000_000;
+
+    /// The same with another budget of evaluations.
+    pub const fn within(mut self, evaluations: u64) -> Self {
+        self.most = evaluations;
+        self
+    }
+
+    /// The same with someone who watches.
+    pub fn watched(mut self, progress: &Progress) -> Self {
+        self.progress = Some(progress.clone());
+        self
+    }
+
+    pub(super) const fn most(&self) -> u64 {
+        self.most
+    }
+
+    pub(super) const fn progress(&self) -> Option<&Progress> {
+        self.progress.as_ref()
     }
 
     /// The times, s.

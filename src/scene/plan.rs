@@ -74,21 +74,14 @@ impl Geometric {
 
 impl Solver {
     /// All of them.
-    pub const ALL: [Self; 6 + Geometric::ALL.len()] = {
-        let mut all = [Self::Exact; 6 + Geometric::ALL.len()];
-        all[1] = Self::Events;
-        let mut n = 0;
-        while n < Method::ALL.len() {
-            all[2 + n] = Self::General(Method::ALL[n]);
-            n += 1;
-        }
-        let mut n = 0;
-        while n < Geometric::ALL.len() {
-            all[6 + n] = Self::Geometric(Geometric::ALL[n]);
-            n += 1;
-        }
-        all
-    };
+    pub fn all() -> impl Iterator<Item = Self> {
+        let general = Method::ALL.into_iter().map(Self::General);
+        let geometric = Geometric::ALL.into_iter().map(Self::Geometric);
+        [Self::Exact, Self::Events]
+            .into_iter()
+            .chain(general)
+            .chain(geometric)
+    }
 
     /// The name by which it is asked for in a scene file.
     pub const fn name(self) -> &'static str {
@@ -115,7 +108,7 @@ impl FromStr for Solver {
     type Err = UnknownSolver;
 
     fn from_str(name: &str) -> Result<Self, UnknownSolver> {
-        let found = Self::ALL.into_iter().find(|solver| solver.name() == name);
+        let found = Self::all().find(|solver| solver.name() == name);
         found.ok_or(UnknownSolver)
     }
 }

@@ -97,13 +97,19 @@ impl Flight {
     /// When the body is back on the table, if that is within `longest` seconds: to rounding of the time.
     ///
     /// The gap is sampled 60 times a turn; a touch between two samples that leaves the gap open on both sides is missed.
-    pub(crate) fn landing(&self, longest: f64) -> Result<Option<f64>> {
+    /// `looked` hears of every sample; its error ends the search.
+    pub(crate) fn landing(
+        &self,
+        longest: f64,
+        looked: &dyn Fn(f64) -> Result<()>,
+    ) -> Result<Option<f64>> {
         let pose = Pose::of(&self.start);
         let rate = pose.omega.norm() + (self.gravity / self.body.surface.size()).sqrt();
         let stride = 0.1 / rate;
         let mut before = 0.0;
         loop {
             let after = (before + stride).min(longest);
+            looked(after)?;
             if self.gap(after)? <= 0.0 {
                 return self.located(before, after).map(Some);
             }

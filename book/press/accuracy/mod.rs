@@ -15,13 +15,15 @@ pub mod winners;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
-use indicatif::{ProgressBar, ProgressStyle};
 use spinning_bodies::accuracy::{
-    Judged, Measurement, NAMES, Problem, candidates, named, problems, sweep,
+    Candidate, Judged, Measurement, NAMES, Problem, candidates, named, problems, sweep,
 };
 
-use crate::scenes::output;
+use crate::progress::watched;
+use crate::scenes::{self, output::Format};
+use crate::writer::Target;
 use crate::{Error, Result};
 use stopwatch::{Stopwatch, Times};
 
@@ -45,13 +47,10 @@ pub struct Swept {
 /// # Errors
 /// [`Error::Input`] for an unknown name, a scene that cannot be measured, or a file that cannot be there; [`Error::File`].
 pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<String> {
-    if let Some(file) = csv {
-        writable(file)?;
-    }
-    let chosen = match scene {
-        None => problems().map_err(broken)?,
-        Some(name) => chosen(root, name)?,
-    };
+    let file = scene.and_then(|name| scenes::file(root, Path::new(name)));
+    Format::of(Some(Format::Csv), csv)?;
+    let target = csv.map(|path| Target::new(Some(path), file.as_deref()));
+    let target = target.transpose()?;
     let times = if cfg!(debug_assertions) {
         let _ = writeln!(
             std::io::stderr(),
@@ -61,60 +60,76 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Strin
     } else {
         Times::Least
     };
-    let (mut text, mut rows) = (String::new(), format!("{HEADER}\n"));
-    let bar = ProgressBar::new(chosen.len() as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:32} {pos}/{len} {msg}") {
-        bar.set_style(style);
-    }
-    for problem in &chosen {
-        let swept = measured(problem, times, &bar)?;
-        text.push_str(&table::text(problem, &swept));
-        for row in swept.iter().flat_map(|s| &s.rows) {
-            rows.push_str(&line(row));
+    // What is measured, for whoever waits.
+    let now = Mutex::new((0.0, "the reference motion".to_owned()));
+    let lock = || now.lock().unwrap_or_else(PoisonError::into_inner);
+    let how_far = || {
+        let (part, told) = &*lock();
+        (*part, format!("measuring: {told}"))
+    };
+    let (text, rows) = watched(how_far, || -> Result<(String, String)> {
+        let chosen = match scene {
+            None => problems().map_err(broken)?,
+            Some(name) => chosen(name, file.as_deref())?,
+        };
+        let (mut text, mut rows) = (String::new(), format!("{HEADER}\n"));
+        for (place, problem) in chosen.iter().enumerate() {
+            let methods = candidates(problem).map_err(broken)?;
+            let mut swept = Vec::new();
+            for (done, candidate) in methods.iter().enumerate() {
+                let part = done as f64 / methods.len() as f64;
+                let (place, all) = (place as f64, chosen.len());
+                let told = format!(
+                    "{} of {all} problems done, now {} by {}",
+                    place,
+                    problem.name(),
+                    candidate.name()
+                );
+                *lock() = ((place + part) / all as f64, told);
+                swept.push(measured(problem, candidate, times));
+            }
+            text.push_str(&table::text(problem, &swept));
+            for row in swept.iter().flat_map(|s| &s.rows) {
+                rows.push_str(&line(row));
+            }
         }
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-    if let Some(file) = csv {
-        output::write(file, &rows)?;
+        Ok((text, rows))
+    })?;
+    if let Some(target) = target {
+        target.write(|to| to.write_all(rows.as_bytes()))?;
     }
     Ok(text)
 }
 
-/// Every method that can run the problem.
-fn measured(problem: &Problem, times: Times, bar: &ProgressBar) -> Result<Vec<Swept>> {
-    let mut all = Vec::new();
-    for candidate in candidates(problem).map_err(broken)? {
-        bar.set_message(format!("{} {}", problem.name(), candidate.name()));
-        let watch = Stopwatch::new(times);
-        let rows = sweep(
-            problem,
-            &candidate,
-            Judged::AtTheEnd,
-            &mut |run| watch.time(run),
-            &mut |rows, next| watch.affords(problem, &candidate, rows, next),
-        );
-        all.push(Swept {
-            left_out: if watch.gave_up() {
-                candidate.efforts().len() - rows.len()
-            } else {
-                0
-            },
-            rows,
-            method: candidate.name().to_owned(),
-        });
+/// One method on a problem.
+fn measured(problem: &Problem, candidate: &Candidate, times: Times) -> Swept {
+    let watch = Stopwatch::new(times);
+    let rows = sweep(
+        problem,
+        candidate,
+        Judged::AtTheEnd,
+        &mut |run| watch.time(run),
+        &mut |rows, next| watch.affords(problem, candidate, rows, next),
+    );
+    Swept {
+        left_out: if watch.gave_up() {
+            candidate.efforts().len() - rows.len()
+        } else {
+            0
+        },
+        rows,
+        method: candidate.name().to_owned(),
     }
-    Ok(all)
 }
 
 /// The problems that a name stands for: those of the library first, then scene files.
-fn chosen(root: &Path, name: &str) -> Result<Vec<Problem>> {
+fn chosen(name: &str, file: Option<&Path>) -> Result<Vec<Problem>> {
     let found = named(name).map_err(broken)?;
     if !found.is_empty() {
         return Ok(found);
     }
-    match scene::file(root, name) {
-        Some(file) => Ok(vec![scene::problem(&file)?]),
+    match file {
+        Some(file) => Ok(vec![scene::problem(file)?]),
         None => Err(Error::Input(format!(
             "'{name}' is neither a problem nor a scene file; problems are {}, one length of them {}/10",
             NAMES.join(", "),
@@ -125,23 +140,6 @@ fn chosen(root: &Path, name: &str) -> Result<Vec<Problem>> {
 
 fn broken(error: spinning_bodies::Error) -> Error {
     Error::Failed(error.to_string())
-}
-
-/// Whether a file can be there, asked before minutes of measuring.
-fn writable(file: &Path) -> Result<()> {
-    let folder = match file.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    };
-    if !folder.is_dir() {
-        let told = format!("--csv {}: there is no such folder", file.display());
-        return Err(Error::Input(told));
-    }
-    if file.is_dir() || file.file_name().is_none() {
-        let told = format!("--csv {}: a file is expected, not a folder", file.display());
-        return Err(Error::Input(told));
-    }
-    Ok(())
 }
 
 fn line(row: &Measurement) -> String {

@@ -1,6 +1,6 @@
 //! A scene file as a problem: a top without losses, judged by a run in two words, or by its closed form.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use spinning_bodies::accuracy::{Problem, Sample};
 use spinning_bodies::frame::BodyVector;
@@ -20,17 +20,6 @@ const LOSSES: [&str; 4] = [
     "air_drag",
     "tip_friction",
 ];
-
-/// The file that a name stands for: a path, or a file of `book/scenes` with or without its ending.
-pub fn file(root: &Path, name: &str) -> Option<PathBuf> {
-    let scenes = root.join("book/scenes");
-    let places = [
-        PathBuf::from(name),
-        scenes.join(name),
-        scenes.join(format!("{name}.toml")),
-    ];
-    places.into_iter().find(|place| place.is_file())
-}
 
 /// The motion that a scene file describes, from its start to its last time.
 ///

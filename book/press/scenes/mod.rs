@@ -24,12 +24,12 @@ mod top;
 mod yo_yo;
 
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use spinning_bodies::conservation::Ledger;
 use spinning_bodies::integrators::Cost;
-use spinning_bodies::scene::{Plan, Request, Scene, Tabulated};
+use spinning_bodies::scene::{Plan, Progress, Request, Scene, Tabulated};
 
 use crate::{Error, Result};
 use reader::{Asked, Section};
@@ -66,7 +66,6 @@ type Simulation = dyn Fn(&Request) -> spinning_bodies::Result<Table>;
 pub struct Ready(Box<Simulation>);
 
 /// A motion as numbers.
-#[derive(Debug)]
 pub struct Table {
     /// The solver, and why.
     pub plan: Plan,
@@ -78,8 +77,16 @@ pub struct Table {
     pub ledger: Ledger,
     /// Names of the numbers in a row, after the time.
     pub columns: &'static [&'static str],
-    /// Time, and as many numbers as there are columns.
-    pub rows: Vec<(f64, Vec<f64>)>,
+    /// How many rows there are.
+    count: usize,
+    /// A row by its number: time, and as many numbers as there are columns. States become numbers one at a time.
+    row: Box<dyn Fn(usize) -> (f64, Vec<f64>) + Send>,
+}
+
+impl std::fmt::Debug for Table {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {} rows", self.plan, self.count)
+    }
 }
 
 impl std::fmt::Debug for Ready {
@@ -90,16 +97,36 @@ impl std::fmt::Debug for Ready {
 
 impl Table {
     /// The numbers of a motion.
-    fn of<S: Tabulated>(motion: spinning_bodies::scene::Motion<S>) -> Self {
-        let rows = motion.rows.iter().map(|(t, state)| (*t, state.row()));
+    fn of<S: Tabulated + Send + 'static>(motion: spinning_bodies::scene::Motion<S>) -> Self {
+        let rows = motion.rows;
         Self {
-            rows: rows.collect(),
             plan: motion.plan,
             cost: motion.cost,
             error_estimate: motion.error_estimate,
             ledger: motion.ledger,
             columns: S::COLUMNS,
+            count: rows.len(),
+            row: Box::new(move |place| (rows[place].0, rows[place].1.row())),
         }
+    }
+
+    /// The time (s) and the numbers of a row, counted from 0.
+    pub fn row(&self, place: usize) -> (f64, Vec<f64>) {
+        (self.row)(place)
+    }
+
+    /// All rows, in the order asked for.
+    pub fn rows(&self) -> impl Iterator<Item = (f64, Vec<f64>)> {
+        (0..self.count).map(|place| self.row(place))
+    }
+
+    /// A number that is none, with its column and its time.
+    fn not_finite(&self) -> Option<(&'static str, f64, f64)> {
+        self.rows().find_map(|(t, row)| {
+            let mut pairs = self.columns.iter().zip(row);
+            let found = pairs.find(|(_, number)| !number.is_finite());
+            found.map(|(column, number)| (*column, t, number))
+        })
     }
 
     /// The numbers of these names, `t` being the time, in the order of the rows.
@@ -115,19 +142,33 @@ impl Table {
                 Error::Input(format!("no column {name}; there are t, {columns}"))
             })?;
         }
-        let rows = self.rows.iter();
-        Ok(rows
-            .map(|(t, row)| places.map(|place| if place == 0 { *t } else { row[place - 1] }))
+        Ok(self
+            .rows()
+            .map(|(t, row)| places.map(|place| if place == 0 { t } else { row[place - 1] }))
             .collect())
     }
 }
 
 impl Ready {
     /// This scene of the library.
-    pub fn scene<S: Tabulated + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
+    pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
         Self(Box::new(move |request| {
             scene.simulate(request).map(Table::of)
         }))
+    }
+
+    /// Runs it, `name` being that of its file. Every number of what it gives back is finite.
+    ///
+    /// # Errors
+    /// As for [`simulate`].
+    pub fn run(&self, name: &str, request: &Request) -> Result<Table> {
+        let table = (self.0)(request).map_err(|error| told(name, error))?;
+        match table.not_finite() {
+            None => Ok(table),
+            Some((column, t, number)) => Err(Error::Failed(format!(
+                "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units, or an earlier end, may keep it within"
+            ))),
+        }
     }
 }
 
@@ -137,11 +178,30 @@ impl Ready {
 /// [`Error::Input`] for a file that is not a scene, and for a scene that is impossible; [`Error::Failed`] where the motion could not be
 /// followed; [`Error::File`].
 pub fn simulate(path: impl AsRef<Path>) -> Result<(Table, f64)> {
+    simulate_watched(path, &Progress::default())
+}
+
+/// The same while `progress` tells another thread how far the motion has come.
+///
+/// # Errors
+/// As for [`simulate`].
+pub fn simulate_watched(path: impl AsRef<Path>, progress: &Progress) -> Result<(Table, f64)> {
     let (name, text) = source(path.as_ref())?;
     let (scene, request) = parse(&name, &text)?;
     let start = Instant::now();
-    let table = scene.0(&request).map_err(|error| told(&name, error))?;
+    let table = scene.run(&name, &request.watched(progress))?;
     Ok((table, start.elapsed().as_secs_f64()))
+}
+
+/// The file that a name stands for: a path, or a file of `book/scenes` with or without its ending.
+pub fn file(root: &Path, name: &Path) -> Option<PathBuf> {
+    let scenes = root.join("book/scenes");
+    let mut ending = name.as_os_str().to_owned();
+    ending.push(".toml");
+    let places = [name.to_owned(), scenes.join(name), scenes.join(ending)];
+    places
+        .into_iter()
+        .find(|place| place.exists() && !place.is_dir())
 }
 
 /// The scene and the request that a file's text describes.
@@ -173,27 +233,42 @@ fn prepare(name: &str, table: &toml::Table) -> Result<(Ready, Request, Vec<Asked
     Ok((scene, request, asked))
 }
 
+/// Most bytes of a scene file.
+const MOST_BYTES: u64 = 4_000_000;
+
 pub(crate) fn source(path: &Path) -> Result<(String, String)> {
-    if path == Path::new("-") {
-        let mut text = String::new();
-        let read = std::io::stdin().lock().read_to_string(&mut text);
-        return match read {
-            Ok(_) => Ok(("standard input".to_owned(), text)),
-            Err(error) => Err(Error::Input(format!("standard input: {error}"))),
-        };
+    let (name, read) = if path == Path::new("-") {
+        (
+            "standard input".to_owned(),
+            text_of(std::io::stdin().lock()),
+        )
+    } else {
+        let read = std::fs::File::open(path).and_then(text_of);
+        (path.display().to_string(), read)
+    };
+    match read {
+        Ok(text) if text.len() as u64 > MOST_BYTES => Err(Error::Input(format!(
+            "{name}: a scene file has at most {MOST_BYTES} bytes, this one has more"
+        ))),
+        Ok(text) => Ok((name, text)),
+        Err(error) => Err(Error::Input(format!(
+            "{name}: {error}; a scene file is expected"
+        ))),
     }
-    let name = path.display().to_string();
-    let read = std::fs::read_to_string(path);
-    let text =
-        read.map_err(|error| Error::Input(format!("{name}: {error}; a scene file is expected")))?;
-    Ok((name, text))
+}
+
+/// The text, or a little more of it than a scene file may have.
+fn text_of(from: impl Read) -> std::io::Result<String> {
+    let mut text = String::new();
+    from.take(MOST_BYTES + 1).read_to_string(&mut text)?;
+    Ok(text)
 }
 
 /// The file asks for something impossible, or the motion could not be followed: two exit statuses.
 fn told(name: &str, error: spinning_bodies::Error) -> Error {
     use spinning_bodies::Error as Refusal;
     match error {
-        Refusal::Integration { .. } | Refusal::Ledger { .. } => {
+        Refusal::Integration { .. } | Refusal::Budget { .. } | Refusal::Ledger { .. } => {
             Error::Failed(format!("{name}: {error}"))
         }
         Refusal::Accuracy { .. } => Error::Failed(format!(

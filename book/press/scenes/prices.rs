@@ -220,7 +220,7 @@ impl Priced {
 /// [`crate::Error`].
 pub fn run(name: &str, text: &str) -> Result<Table> {
     let (scene, request) = super::parse(name, text)?;
-    (scene.0)(&request).map_err(|error| super::told(name, error))
+    scene.run(name, &request)
 }
 
 /// The Markdown table of the book's files, from the measurements of the bench.

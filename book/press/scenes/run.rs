@@ -5,8 +5,8 @@ use spinning_bodies::scene::{Choice, Request, Solver};
 use super::reader::Section;
 use crate::Result;
 
-/// Most rows of a run: a gigabyte of output.
-const MOST: usize = 5_000_000;
+/// Most rows of a run: a hundred megabytes of output, and twice that of memory, for two runs are compared before one is told.
+const MOST: usize = 500_000;
 
 /// What `[run]` asks for: `times`, or `until` and `samples`; `accuracy`; `solver`.
 ///
@@ -21,7 +21,7 @@ pub fn read(section: &Section<'_>) -> Result<Request> {
             .map_err(section.about("accuracy"))?;
     }
     let mut solvers = vec![("auto", Choice::Auto)];
-    solvers.extend(Solver::ALL.map(|solver| (solver.name(), Choice::Use(solver))));
+    solvers.extend(Solver::all().map(|solver| (solver.name(), Choice::Use(solver))));
     Ok(request.by(section.word("solver", &solvers)?))
 }
 

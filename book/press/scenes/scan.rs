@@ -6,7 +6,7 @@ use std::str::FromStr;
 use rayon::prelude::*;
 use toml::{Table, Value};
 
-use super::{prepare, source, told};
+use super::{prepare, source};
 use crate::{Error, Result};
 
 /// One number of a scene file and the values that it takes: `initial.omega.2=50..200:16`.
@@ -106,9 +106,8 @@ pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<Strin
             varied.push(value);
         }
         varied.reverse();
-        let outcome = prepare(&name, &table).and_then(|(scene, request, _)| {
-            (scene.0)(&request).map_err(|error| told(&name, error))
-        });
+        let outcome =
+            prepare(&name, &table).and_then(|(scene, request, _)| scene.run(&name, &request));
         done();
         Ok((varied, outcome))
     });
@@ -126,7 +125,7 @@ pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<Strin
         }
         match (outcome, latest) {
             (Ok(table), Some(latest)) => {
-                let (t, row) = &table.rows[latest];
+                let (t, row) = table.row(latest);
                 text += &format!("{t:?},");
                 for number in row {
                     text += &format!("{number:?},");

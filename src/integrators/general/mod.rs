@@ -16,6 +16,14 @@ use run::Run;
 pub trait System<const N: usize> {
     /// f(t, y). May be called at states that the motion never reaches; a result that is not finite makes the step fail.
     fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N];
+
+    /// Told of the time after every step.
+    ///
+    /// # Errors
+    /// Those that end the run: where a budget of evaluations is spent, say.
+    fn reached(&self, _time: f64) -> Result<()> {
+        Ok(())
+    }
 }
 
 impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> System<N> for F {

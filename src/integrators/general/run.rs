@@ -124,24 +124,25 @@ impl<const N: usize> Run<'_, N> {
                 cost,
             });
         }
-        let phases: Vec<f64> = times.iter().map(|&t| clock.phase(t)).collect();
         let timed = Timed {
             system: self.system,
             clock,
         };
         let crossing = Falling { event, clock };
-        let mut track = Track::new(&phases, Some(&crossing), (0.0, *start));
+        let mut track = Track::new(&timed, times, Some(&crossing), (0.0, *start));
         track.armed = crossing.is_armed(&timed, start);
         let run = solve_ode(&mut make(1.0), &timed, 0.0, 1.0, start, &mut track);
         cost += spent(&run.map_err(|refusal| refused(&refusal, clock))?);
+        track.went_on.clone()?;
         let mut reach = |from: (f64, [f64; N]), to: f64| -> Result<[f64; N]> {
             let length = to - from.0;
             if length <= NO_TIME {
                 return Ok(carried(&timed, from, to));
             }
-            let mut end = Track::new(&[], None, from);
+            let mut end = Track::new(&timed, &[], None, from);
             let run = solve_ode(&mut make(length), &timed, from.0, to, &from.1, &mut end);
             cost += spent(&run.map_err(|refusal| refused(&refusal, clock))?);
+            end.went_on?;
             Ok(carried(&timed, end.last, to))
         };
         let (stopped, end) = if track.fallen {
@@ -150,13 +151,13 @@ impl<const N: usize> Run<'_, N> {
         } else {
             (Stop::AtTheEnd, (1.0, carried(&timed, track.last, 1.0)))
         };
-        track.places.resize(phases.len(), track.last);
-        let mut states = Vec::with_capacity(phases.len());
-        for (&phase, &place) in phases.iter().zip(&track.places) {
-            if phase > end.0 {
-                break;
-            }
-            states.push(reach(place, phase)?);
+        // Where the steps were the samples take their place: of millions there should not be two lists.
+        let mut states = track.states;
+        let passed = times.partition_point(|&time| clock.phase(time) <= end.0);
+        states.resize(passed, track.last.1);
+        for (n, state) in states.iter_mut().enumerate() {
+            let from = track.phases.get(n).unwrap_or(&track.last.0);
+            *state = reach((*from, *state), clock.phase(times[n]))?;
         }
         for &component in states.iter().chain([&end.1]).flatten() {
             finite("the state after integration", component)?;
@@ -206,13 +207,26 @@ fn spent<const N: usize>(run: &Finished<f64, [f64; N]>) -> Cost {
 
 fn refused<const N: usize>(refusal: &Refusal<f64, [f64; N]>, clock: Clock) -> Error {
     let (reason, phase) = match refusal {
-        Refusal::MaxSteps { t, .. } => ("it takes more than twenty million steps", *t),
+        Refusal::MaxSteps { t, .. } => (
+            "it takes more than twenty million steps; a looser accuracy, an earlier end or another solver would need fewer",
+            *t,
+        ),
         Refusal::StepSize { t, .. } => (
             "the step became too small: the tolerance is below rounding, or the motion is not finite",
             *t,
         ),
-        Refusal::Stiffness { t, .. } => ("the equations are stiff", *t),
-        _ => ("the method gave up", 0.0),
+        Refusal::Stiffness { t, .. } => (
+            "the equations are stiff: some effect is over long before a step is; without it, or to a looser accuracy, they may not be",
+            *t,
+        ),
+        Refusal::LinearAlgebra { t, .. } => (
+            "the implicit steps have no solution: the motion is not finite, or the step too long; a method that chooses its steps may do",
+            *t,
+        ),
+        _ => (
+            "the method cannot run these equations as they are; another solver may do",
+            0.0,
+        ),
     };
     Error::Integration {
         reason,

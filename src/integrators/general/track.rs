@@ -8,6 +8,7 @@ use differential_equations::solution::Solution as Finished;
 
 use super::System;
 use super::falling::Falling;
+use crate::error::Result;
 
 /// The crate compares times with 2e-15 absolute, so every run is made to last from 0 to 1.
 #[derive(Clone, Copy)]
@@ -46,31 +47,41 @@ impl<const N: usize> ODE<f64, [f64; N]> for Timed<'_, N> {
 
 /// What a run leaves behind: for each sample the last step before it, and the last two steps. Ends the run when the event is past.
 pub(super) struct Track<'a, const N: usize> {
-    phases: &'a [f64],
+    timed: &'a Timed<'a, N>,
+    /// Those of the samples: they are looked at one by one, for there may be millions, and an event before the second of them.
+    times: &'a [f64],
     crossing: Option<&'a Falling<'a, N>>,
-    pub places: Vec<(f64, [f64; N])>,
+    /// Of the last steps before the samples: when, and the states.
+    pub phases: Vec<f64>,
+    pub states: Vec<[f64; N]>,
     pub last: (f64, [f64; N]),
     pub before: (f64, [f64; N]),
     /// The quantity has been positive.
     pub armed: bool,
     /// And is no longer.
     pub fallen: bool,
+    /// What the system has said to a step.
+    pub went_on: Result<()>,
 }
 
 impl<'a, const N: usize> Track<'a, N> {
     pub fn new(
-        phases: &'a [f64],
+        timed: &'a Timed<'a, N>,
+        times: &'a [f64],
         crossing: Option<&'a Falling<'a, N>>,
         start: (f64, [f64; N]),
     ) -> Self {
         Self {
-            phases,
+            timed,
+            times,
             crossing,
-            places: Vec::with_capacity(phases.len()),
+            phases: Vec::new(),
+            states: Vec::new(),
             last: start,
             before: start,
             armed: false,
             fallen: false,
+            went_on: Ok(()),
         }
     }
 }
@@ -88,15 +99,17 @@ impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
     where
         I: Interpolation<f64, [f64; N]> + ?Sized,
     {
-        while let Some(&phase) = self.phases.get(self.places.len())
+        while let Some(&time) = self.times.get(self.phases.len())
+            && let phase = self.timed.clock.phase(time)
             && phase <= now
         {
-            let from = if phase < now {
-                (before, *state_before)
+            let (phase, state) = if phase < now {
+                (before, state_before)
             } else {
-                (now, *state)
+                (now, state)
             };
-            self.places.push(from);
+            self.phases.push(phase);
+            self.states.push(*state);
         }
         // The first call comes before the first step.
         let stepped = now > self.last.0;
@@ -109,7 +122,11 @@ impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
             self.fallen = self.armed && here <= 0.0;
             self.armed |= here > 0.0;
         }
-        if self.fallen {
+        if stepped {
+            let time = self.timed.clock.time(now);
+            self.went_on = self.timed.system.reached(time);
+        }
+        if self.fallen || self.went_on.is_err() {
             ControlFlag::Terminate
         } else {
             ControlFlag::Continue

@@ -187,6 +187,7 @@ impl<const N: usize, S: System<N> + ?Sized, W: FnMut(f64, &[f64; N])> Walk<'_, N
                 h,
             );
             self.accept(place, &taken, h);
+            self.system.reached(place.time.values[0])?;
         }
         place.time = Sums::new([end]);
         Ok(())
@@ -227,6 +228,7 @@ impl<const N: usize, S: System<N> + ?Sized, W: FnMut(f64, &[f64; N])> Walk<'_, N
                     // What is left of the time now is rounding, not worth a step.
                     place.time = Sums::new([end]);
                 }
+                self.system.reached(time + cut)?;
                 if self.cost.steps > MOST_STEPS {
                     return Err(too_many(time));
                 }

@@ -31,18 +31,19 @@ pub trait Follow {
 }
 
 /// A method with steps of one length that shows its phase on the way.
-pub trait Watched {
-    /// Phases at `times`, as [`Follow::follow`] gives them with [`Effort::Step`]; every `stride` steps, and at each of the times, `watch` sees the phase.
+pub trait Watched: Follow {
+    /// Phases at `times`, as [`Follow::follow`] gives them with [`Effort::Step`]; every `stride` steps, and at each of the times, `watch` sees the time,
+    /// the phase, and the cost so far.
     ///
     /// # Errors
-    /// As there.
+    /// As there; those of `watch`, which end the run.
     fn watched(
         &self,
         start: &Phase,
         times: &[f64],
         step: f64,
         stride: u64,
-        watch: &mut dyn FnMut(&Phase),
+        watch: &mut dyn FnMut(f64, &Phase, Cost) -> Result<()>,
     ) -> Result<Course>;
 }
 
@@ -53,7 +54,7 @@ impl<I: Integrator<f64>> Watched for I {
         times: &[f64],
         step: f64,
         stride: u64,
-        watch: &mut dyn FnMut(&Phase),
+        watch: &mut dyn FnMut(f64, &Phase, Cost) -> Result<()>,
     ) -> Result<Course> {
         for &t in times {
             finite("the time", t)?;
@@ -82,7 +83,8 @@ impl<I: Integrator<f64>> Watched for I {
                     let next = left.min(stride.max(1));
                     cost += self.advance(&mut phase, leg / count, next)?;
                     left -= next;
-                    watch(&phase);
+                    let now = times[place] - leg * (left as f64 / count);
+                    watch(now, &phase, cost)?;
                 }
                 time = times[place];
                 phases[place] = phase;
@@ -116,7 +118,7 @@ impl<I: Integrator<f64>> Follow for I {
                 longest_step(self, start, longest, tolerance, &mut trials)?
             }
         };
-        let mut course = self.watched(start, times, step, u64::MAX, &mut |_| {})?;
+        let mut course = self.watched(start, times, step, u64::MAX, &mut |_, _, _| Ok(()))?;
         course.cost += trials;
         Ok(course)
     }

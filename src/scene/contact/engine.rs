@@ -8,6 +8,7 @@ use super::{Holding, Phase};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{Cost, Method, System, refined};
+use crate::scene::Budget;
 use crate::scene::motion::{Motion, Request, balanced};
 use crate::scene::plan::{Choice, Plan, Solver};
 use crate::tippe_top::Start;
@@ -82,11 +83,14 @@ impl Setting<'_> {
         }
         let (order, times) = request.forward()?;
         let history = self.history(request, self.method(&plan)?, &times)?;
-        let mut rows: Vec<Option<(f64, State)>> = vec![None; times.len()];
-        for (&i, place) in order.iter().zip(&history.places) {
-            rows[i] = Some((request.times()[i], State::of(self.ground, place)));
+        let mut places = vec![0; times.len()];
+        for (place, &i) in order.iter().enumerate() {
+            places[i] = place;
         }
-        let rows: Vec<(f64, State)> = rows.into_iter().flatten().collect();
+        let rows = request.times().iter().zip(&places);
+        let rows: Vec<(f64, State)> = rows
+            .map(|(&t, &place)| (t, State::of(self.ground, &history.places[place])))
+            .collect();
         let (y, _) = self.opening()?;
         let body = self.ground.body();
         let (numbers, support) = match self.ground.holding() {
@@ -137,8 +141,10 @@ impl Setting<'_> {
 
     fn history(&self, request: &Request, method: Method, times: &[f64]) -> Result<History> {
         let (y, scales) = self.opening()?;
+        let budget = &Budget::asked(request);
         let run = |tolerance: f64| {
             Run {
+                budget,
                 ground: self.ground,
                 scales: &scales,
                 method,
@@ -161,7 +167,8 @@ impl Setting<'_> {
         let places: Vec<Place> = match plan.solver {
             Solver::General(method) => {
                 let rates = |_: f64, y: &Numbers| self.free_rates(y);
-                let rates: &dyn System<NUMBERS> = &rates;
+                let budget = Budget::asked(request);
+                let rates: &dyn System<NUMBERS> = &budget.counted(&rates);
                 let distance = |a: &Numbers, b: &Numbers| apart(a, b, &scales);
                 let accuracy = request.accuracy();
                 let run = refined(rates, &y, &scales, times, method, accuracy, distance)?;

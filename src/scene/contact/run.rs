@@ -4,6 +4,7 @@ use core::cell::Cell;
 
 use crate::error::{Error, Result};
 use crate::integrators::{Cost, Effort, Method, Passage, Stop, System, until};
+use crate::scene::Budget;
 use crate::tippe_top::equations::{Contact, Ground, NUMBERS, Numbers, Pose, Table};
 use crate::tippe_top::flight::{Airborne, Flight};
 use crate::tippe_top::{Holding, Smooth};
@@ -61,6 +62,7 @@ pub(super) struct Run<'a> {
     pub(super) scales: &'a Numbers,
     pub(super) method: Method,
     pub(super) tolerance: f64,
+    pub(super) budget: &'a Budget,
 }
 
 /// A body that changes its support more often than this chatters, and is not followed further.
@@ -142,7 +144,7 @@ impl Run<'_> {
             }
         }
         Err(Error::Integration {
-            reason: "the body changes between sliding, rolling and hopping too often",
+            reason: "the body changes between sliding, rolling and hopping more than a hundred thousand times; end the run earlier, or let it slide by a viscous law",
             time: now,
         })
     }
@@ -158,7 +160,7 @@ impl Run<'_> {
         let body = self.ground.body();
         let (height, climb) = body.height(&Pose::of(y));
         let flight = Flight::from(body, self.ground.gravity(), y, height, climb)?;
-        let landing = flight.landing(end - now)?;
+        let landing = flight.landing(end - now, &|t| self.budget.spend(1, now + t))?;
         let reached = landing.map_or(end, |t| now + t);
         let left = &times[history.places.len()..];
         for &time in left.iter().take_while(|&&time| time <= reached) {
@@ -202,8 +204,17 @@ impl Run<'_> {
         let event = |_: f64, y: &Numbers| self.margin(y, mode);
         let effort = Effort::Tolerance(self.tolerance);
         let (scales, method) = (self.scales, self.method);
-        let passage: Passage<NUMBERS> =
-            until(rates, now, y, scales, left, end, &event, method, effort)?;
+        let passage: Passage<NUMBERS> = until(
+            &self.budget.counted(rates),
+            now,
+            y,
+            scales,
+            left,
+            end,
+            &event,
+            method,
+            effort,
+        )?;
         history.cost += passage.cost;
         for numbers in &passage.states {
             history.places.push(self.place(numbers, mode));
@@ -456,6 +467,8 @@ pub(super) fn tightened(
             (tolerance, coarse) = (tolerance / FACTOR, fine);
         } else {
             tolerance = wanted;
+            // Of no use any more, and they may be long.
+            drop((coarse, fine));
             coarse = counted(tolerance)?;
         }
     }

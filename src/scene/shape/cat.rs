@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::{Pace, Pieced, in_order, planned, with_corners};
+use super::{AN_INTEGRAL, Pace, Pieced, in_order, planned, with_corners};
 use crate::conservation::Ledger;
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
@@ -12,7 +12,9 @@ use crate::integrators::{Cost, Method};
 use crate::phenomena::cat::{self, Bend, EqualHalves};
 use crate::phenomena::holonomy::ShapePlane;
 use crate::phenomena::quadrature::integral;
-use crate::scene::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
+use crate::scene::{
+    Absent, Budget, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced,
+};
 
 /// A path of shapes of a cat.
 pub trait Bending: Effect {
@@ -287,7 +289,7 @@ impl<C: Bending, G: Falling> Cat<C, G> {
     }
 
     /// The frame of the bend turns about the bisector of the spines, and each half turns back in it.
-    fn summed(&self, equal: &EqualHalves, stops: &[f64]) -> Result<Vec<CatState>> {
+    fn summed(&self, equal: &EqualHalves, stops: &[f64], budget: &Budget) -> Result<Vec<CatState>> {
         let frame =
             turn_x(self.change.bend(0.0).direction) * turn_z(0.5 * self.change.bend(0.0).angle);
         let start = self.attitude.quaternion() * frame;
@@ -299,6 +301,7 @@ impl<C: Bending, G: Falling> Cat<C, G> {
                 equal.turn_back(bend.angle) * bend.direction_rate
             };
             turned += integral(back, from, t, 0.0)?;
+            budget.spend(AN_INTEGRAL, t)?;
             from = t;
             let bend = self.change.bend(t);
             let since = bend.direction - self.change.bend(0.0).direction;
@@ -327,7 +330,7 @@ impl<C: Bending, G: Falling> Cat<C, G> {
         stops: &[f64],
         corners: &[f64],
         method: Method,
-        accuracy: f64,
+        request: &Request,
     ) -> Result<(Vec<CatState>, Cost)> {
         let unit =
             |y: &[f64; 4]| Attitude::from_unit(Quaternion::new(y[0], y[1], y[2], y[3]).normalize());
@@ -347,7 +350,7 @@ impl<C: Bending, G: Falling> Cat<C, G> {
             stops,
             corners,
             method,
-            accuracy,
+            request,
         }
         .follow(&system, &distance)?;
         let mut states = Vec::with_capacity(stops.len());
@@ -401,11 +404,12 @@ impl<C: Bending, G: Falling> Scene for Cat<C, G> {
         let corners = self.change.corners();
         let stops = with_corners(request, &order, &corners);
         let (states, cost) = match (plan.solver, self.equal_halves()) {
-            (Solver::General(method), _) => {
-                self.followed(&stops, &corners, method, request.accuracy())?
-            }
-            (_, Some(equal)) => (self.summed(&equal, &stops)?, Cost::default()),
-            (_, None) => self.followed(&stops, &corners, Method::Dop853, request.accuracy())?,
+            (Solver::General(method), _) => self.followed(&stops, &corners, method, request)?,
+            (_, Some(equal)) => (
+                self.summed(&equal, &stops, &Budget::asked(request))?,
+                Cost::default(),
+            ),
+            (_, None) => self.followed(&stops, &corners, Method::Dop853, request)?,
         };
         let ledger = balanced(self.ledger(&states)?, request.accuracy())?;
         Ok(Motion {

@@ -5,7 +5,9 @@ use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, not_negative, positive};
 use crate::integrators::{Cost, Effort, Method, Stop, until};
 use crate::phenomena::crawler::{self, Foot, Leg, Place};
-use crate::scene::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
+use crate::scene::{
+    Absent, Budget, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced,
+};
 
 /// The ground under the feet.
 pub trait Ground: Effect {
@@ -68,7 +70,7 @@ pub struct CrawlerState {
     pub center: f64,
     /// Its velocity, m/s.
     pub velocity: f64,
-    /// Work of the muscle, J.
+    /// Budget of the muscle, J.
     pub work: f64,
     /// Heat, J.
     pub heat: f64,
@@ -213,8 +215,8 @@ impl<F: Ground> Crawler<F> {
         piece: u64,
         walk: &mut Walk,
         to: f64,
-        method: Method,
-        tolerance: f64,
+        (method, tolerance): (Method, f64),
+        budget: &Budget,
     ) -> Result<Option<usize>> {
         let gap = |t: f64| self.body.strokes().at(piece, t);
         let velocities = |t: f64, y: &[f64; 5]| self.body.feet(y[1], gap(t).rate);
@@ -252,7 +254,7 @@ impl<F: Ground> Crawler<F> {
         let energy = mass * speed * speed;
         let scales = [strokes.length, speed, mass * speed, energy, energy];
         let run = until(
-            &system,
+            &budget.counted(&system),
             walk.time,
             &start,
             &scales,
@@ -353,8 +355,9 @@ impl<F: Ground> Scene for Crawler<F> {
                 // Errors of a chain of legs add up.
                 let legs = self.body.pieces_until(last)?.max(1) as f64 * 4.0;
                 let tolerance = (request.accuracy() / legs).max(1e-15);
+                let (effort, budget) = ((method, tolerance), Budget::asked(request));
                 self.walked(grip.unwrap_or(0.0), &stops, |leg, piece, walk, to| {
-                    self.leg_followed(leg, piece, walk, to, method, tolerance)
+                    self.leg_followed(leg, piece, walk, to, effort, &budget)
                 })?
             }
             (_, Some(grip)) => self.walked(grip, &stops, |leg, piece, walk, to| {

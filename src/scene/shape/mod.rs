@@ -23,7 +23,7 @@ pub use paper_cat::{Air, Atmosphere, PaperCat, PaperCatState, Righting};
 pub use skater::{Draw, Drawing, Skater, SkaterState};
 pub use swivel::{FourPhases, RoundTrip, Swivel, SwivelState, Twist, Twisting};
 
-use super::{Absent, Choice, Effect, Plan, Request, Solver};
+use super::{Absent, Budget, Choice, Effect, Plan, Request, Solver};
 use crate::error::{Error, Result, not_negative};
 use crate::integrators::{Cost, Effort, Method, Solution, System, solve};
 
@@ -161,7 +161,7 @@ struct Pieced<'a, const N: usize> {
     stops: &'a [f64],
     corners: &'a [f64],
     method: Method,
-    accuracy: f64,
+    request: &'a Request,
 }
 
 impl<const N: usize> Pieced<'_, N> {
@@ -170,7 +170,9 @@ impl<const N: usize> Pieced<'_, N> {
         system: &dyn System<N>,
         distance: &dyn Fn(&[f64; N], &[f64; N]) -> f64,
     ) -> Result<Solution<N>> {
-        let mut tolerance = (0.01 * self.accuracy).clamp(LEAST_TOLERANCE, 1e-6);
+        let budget = Budget::asked(self.request);
+        let (system, accuracy) = (&budget.counted(system), self.request.accuracy());
+        let mut tolerance = (0.01 * accuracy).clamp(LEAST_TOLERANCE, 1e-6);
         let mut last = self.run(system, tolerance)?;
         let mut cost = last.cost;
         loop {
@@ -179,12 +181,12 @@ impl<const N: usize> Pieced<'_, N> {
             cost += next.cost;
             let pairs = last.states.iter().zip(&next.states);
             let apart = pairs.map(|(a, b)| distance(a, b)).fold(0.0, f64::max);
-            if apart <= 0.5 * self.accuracy {
+            if apart <= 0.5 * accuracy {
                 return Ok(Solution { cost, ..next });
             }
             if tolerance == LEAST_TOLERANCE || !apart.is_finite() {
                 return Err(Error::Accuracy {
-                    asked: self.accuracy,
+                    asked: accuracy,
                     reached: apart,
                 });
             }
@@ -224,6 +226,9 @@ impl<const N: usize> Pieced<'_, N> {
         Ok(solution)
     }
 }
+
+/// Evaluations of a function that is smooth from stop to stop.
+const AN_INTEGRAL: u64 = 60;
 
 /// Below this the error estimate of a step is rounding.
 const LEAST_TOLERANCE: f64 = 1e-15;

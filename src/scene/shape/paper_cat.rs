@@ -5,7 +5,9 @@ use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, positive};
 use crate::integrators::{Cost, Effort, Method, Stop, refined, until};
 use crate::phenomena;
-use crate::scene::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
+use crate::scene::{
+    Absent, Budget, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced,
+};
 
 use super::cat::Gravity;
 
@@ -272,8 +274,9 @@ impl<A: Atmosphere, W: Weight> Scene for PaperCat<A, W> {
                 let distance = |a: &[f64; 5], b: &[f64; 5]| {
                     (0..5).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max)
                 };
+                let budget = Budget::asked(request);
                 let run = refined(
-                    &system,
+                    &budget.counted(&system),
                     &self.start(),
                     &self.scales(),
                     &stops,

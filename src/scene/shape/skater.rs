@@ -1,12 +1,14 @@
 //! The skater who pulls in the arms (tutorial 1.1).
 
-use super::{Bearing, Pace, Pieced, in_order, planned, with_corners};
+use super::{AN_INTEGRAL, Bearing, Pace, Pieced, in_order, planned, with_corners};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, not_negative, positive};
 use crate::integrators::{Cost, Method};
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::skater;
-use crate::scene::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
+use crate::scene::{
+    Absent, Budget, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced,
+};
 
 /// A path of the hands along the arms.
 pub trait Drawing: Effect {
@@ -96,7 +98,7 @@ pub struct SkaterState {
     pub reach: f64,
     /// Kinetic energy, J.
     pub energy: f64,
-    /// Work done by the arms, J.
+    /// Budget done by the arms, J.
     pub work: f64,
     /// Heat, J.
     pub heat: f64,
@@ -176,13 +178,14 @@ impl<C: Drawing, F: Bearing> Skater<C, F> {
         }
     }
 
-    fn known(&self, stops: &[f64]) -> Result<Vec<SkaterState>> {
+    fn known(&self, stops: &[f64], budget: &Budget) -> Result<Vec<SkaterState>> {
         let l = self.angular_momentum();
         let spin = |t: f64| self.body.spin(l, self.change.reach(self.reach, t)[0]);
         let (mut angle, mut from) = (0.0, 0.0);
         let mut states = Vec::with_capacity(stops.len());
         for &t in stops {
             angle += integral(spin, from, t, 0.0)?;
+            budget.spend(AN_INTEGRAL, t)?;
             from = t;
             let [reach, rate, _] = self.change.reach(self.reach, t);
             let work = self.body.work(l, self.reach, reach)? + self.body.hand() * rate * rate;
@@ -196,7 +199,7 @@ impl<C: Drawing, F: Bearing> Skater<C, F> {
         stops: &[f64],
         corners: &[f64],
         method: Method,
-        accuracy: f64,
+        request: &Request,
     ) -> Result<(Vec<SkaterState>, Cost)> {
         let system = |t: f64, y: &[f64; 4]| {
             let [reach, rate, acceleration] = self.change.reach(self.reach, t);
@@ -225,7 +228,7 @@ impl<C: Drawing, F: Bearing> Skater<C, F> {
             stops,
             corners,
             method,
-            accuracy,
+            request,
         }
         .follow(&system, &distance)?;
         let pairs = stops.iter().zip(&run.states);
@@ -283,10 +286,11 @@ impl<C: Drawing, F: Bearing> Scene for Skater<C, F> {
         let corners = self.change.corners();
         let stops = with_corners(request, &order, &corners);
         let (states, cost) = match plan.solver {
-            Solver::General(method) => {
-                self.followed(&stops, &corners, method, request.accuracy())?
-            }
-            _ => (self.known(&stops)?, Cost::default()),
+            Solver::General(method) => self.followed(&stops, &corners, method, request)?,
+            _ => (
+                self.known(&stops, &Budget::asked(request))?,
+                Cost::default(),
+            ),
         };
         let ledger = balanced(self.ledger(&states)?, request.accuracy())?;
         Ok(Motion {

@@ -2,13 +2,15 @@
 
 use core::f64::consts::TAU;
 
-use super::{Bearing, Pace, Pieced, in_order, planned, repeated, with_corners};
+use super::{AN_INTEGRAL, Bearing, Pace, Pieced, in_order, planned, repeated, with_corners};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, positive};
 use crate::integrators::{Cost, Method};
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::{self, Waist};
-use crate::scene::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
+use crate::scene::{
+    Absent, Budget, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced,
+};
 
 /// The shape of a body of two parts on one axis, and how it changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -263,12 +265,13 @@ impl<C: Twisting, F: Bearing> Swivel<C, F> {
     }
 
     /// One integral from stop to stop.
-    fn summed(&self, stops: &[f64]) -> Result<Vec<SwivelState>> {
+    fn summed(&self, stops: &[f64], budget: &Budget) -> Result<Vec<SwivelState>> {
         let l = self.angular_momentum;
         let (mut lower, mut from) = (0.0, 0.0);
         let mut states = Vec::with_capacity(stops.len());
         for &t in stops {
             lower += integral(|t| self.rate(l, t), from, t, 0.0)?;
+            budget.spend(AN_INTEGRAL, t)?;
             from = t;
             states.push(self.state(t, lower, l));
         }
@@ -280,7 +283,7 @@ impl<C: Twisting, F: Bearing> Swivel<C, F> {
         stops: &[f64],
         corners: &[f64],
         method: Method,
-        accuracy: f64,
+        request: &Request,
     ) -> Result<(Vec<SwivelState>, Cost)> {
         let system = |t: f64, y: &[f64; 2]| {
             let rate = self.rate(y[1], t);
@@ -295,7 +298,7 @@ impl<C: Twisting, F: Bearing> Swivel<C, F> {
             stops,
             corners,
             method,
-            accuracy,
+            request,
         }
         .follow(&system, &distance)?;
         let pairs = stops.iter().zip(&run.states);
@@ -354,10 +357,11 @@ impl<C: Twisting, F: Bearing> Scene for Swivel<C, F> {
         let corners = self.change.corners(until)?;
         let stops = with_corners(request, &order, &corners);
         let (states, cost) = match plan.solver {
-            Solver::General(method) => {
-                self.followed(&stops, &corners, method, request.accuracy())?
-            }
-            _ => (self.summed(&stops)?, Cost::default()),
+            Solver::General(method) => self.followed(&stops, &corners, method, request)?,
+            _ => (
+                self.summed(&stops, &Budget::asked(request))?,
+                Cost::default(),
+            ),
         };
         let ledger = self.ledger(&stops, &states)?;
         Ok(Motion {

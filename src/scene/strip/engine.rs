@@ -4,9 +4,10 @@ use super::{StripStart, StripState};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
 use crate::falling_strip::{Pieces, Plate, in_pieces};
-use crate::integrators::{Cost, Effort, Method, tightened};
+use crate::integrators::{Cost, Effort, Method, System, tightened};
 use crate::scene::motion::{Motion, Request, balanced};
 use crate::scene::plan::{Choice, Plan, Solver};
+use crate::scene::{Budget, Counted};
 
 /// Equations of a strip under some list of effects. The state is x, y, θ, u, w, ω and heat.
 pub(super) trait Acting: Pieces {
@@ -78,8 +79,13 @@ impl Setting<'_> {
         let scales = self.scales();
         let (rows, cost) = match plan.solver {
             Solver::General(method) => {
-                let (system, first) = (self.equations as &dyn Pieces, self.first());
-                integrated(system, &first, &scales, times, method, request.accuracy())?
+                let budget = Budget::asked(request);
+                let paid = Paid {
+                    pieces: self.equations as &dyn Pieces,
+                    whole: budget.counted(self.equations.whole()),
+                };
+                let first = self.first();
+                integrated(&paid, &first, &scales, times, method, request.accuracy())?
             }
             _ => {
                 let rows = times.iter().map(|&t| self.in_vacuum(t)).collect();
@@ -206,6 +212,27 @@ impl Setting<'_> {
             }
         }
         balanced(ledger, accuracy)
+    }
+}
+
+/// Equations whose evaluations are counted.
+struct Paid<'a> {
+    pieces: &'a dyn Pieces,
+    whole: Counted<'a, dyn System<7> + 'a>,
+}
+
+impl Pieces for Paid<'_> {
+    fn rate_in(&self, sense: f64, state: &[f64; 7]) -> [f64; 7] {
+        self.whole.budget.count(1);
+        self.pieces.rate_in(sense, state)
+    }
+
+    fn has_kink(&self) -> bool {
+        self.pieces.has_kink()
+    }
+
+    fn whole(&self) -> &dyn System<7> {
+        &self.whole
     }
 }
 

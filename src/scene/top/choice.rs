@@ -12,7 +12,7 @@ use crate::euler_equations::Integrability;
 use crate::frame::BodyVector;
 use crate::integrators::geometric::Phase;
 use crate::integrators::{Effort, Method};
-use crate::scene::{Choice, Geometric, Motion, Plan, Request, Solver};
+use crate::scene::{Budget, Choice, Geometric, Motion, Plan, Request, Solver};
 
 /// The method for scenes without a closed form.
 pub(super) const LEAN: Solver = Solver::Geometric(Geometric::DormandPrince8);
@@ -90,7 +90,8 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
 
     /// A closed form, unless a run is cheaper than preparing it.
     fn cheapest(&self, request: &Request, books: &Books) -> Result<(Plan, Way)> {
-        let heavy = self.heavy(request.times(), books)?;
+        let budget = Budget::unlimited();
+        let heavy = self.heavy(request.times(), books, &budget)?;
         let task = Task::of(&heavy, books.kind, request.accuracy());
         let reason = "a run so short that it costs less than preparing the closed form";
         match task.cheapest() {
@@ -143,7 +144,8 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         }
         let books = Books::of(&self.body, self.gravity.lever(self.body.arm()), &self.start)?;
         self.needs_moments()?;
-        let heavy = self.heavy(times, &books)?;
+        let budget = Budget::unlimited();
+        let heavy = self.heavy(times, &books, &budget)?;
         let (phases, cost) = heavy.once(method, effort)?;
         let rows = heavy.rows(&phases, &books)?;
         Ok(Motion {
@@ -155,7 +157,12 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         })
     }
 
-    pub(super) fn heavy<'a>(&self, times: &'a [f64], books: &Books) -> Result<Heavy<'a>> {
+    pub(super) fn heavy<'a>(
+        &self,
+        times: &'a [f64],
+        books: &Books,
+        budget: &'a Budget,
+    ) -> Result<Heavy<'a>> {
         let lever = self.gravity.lever(self.body.arm());
         let moments = self.body.moments;
         let omega = self.start.omega(moments)?;
@@ -176,6 +183,7 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
             energy: books.energy_scale,
             times,
             calm: self.calm(books, l, fastest),
+            budget,
         })
     }
 

@@ -9,6 +9,7 @@ use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
 use crate::kovalevskaya_top::{KovalevskayaTop, State};
 use crate::lagrange_top::LagrangeTop;
+use crate::scene::Budget;
 
 /// A motion in closed form.
 #[derive(Debug, Clone)]
@@ -92,17 +93,29 @@ impl ClosedForm {
     }
 
     /// Attitude and Ω at these times (s), in ascending order: where they have to be walked to, each from the one before.
-    pub(super) fn states(&self, times: &[f64]) -> Result<Vec<(Attitude, BodyVector)>> {
+    pub(super) fn states(
+        &self,
+        times: &[f64],
+        budget: &Budget,
+    ) -> Result<Vec<(Attitude, BodyVector)>> {
         let Self::Kovalevskaya(top, axes) = self else {
-            return times.iter().map(|&t| self.at(t)).collect();
+            let at = |&t: &f64| {
+                budget.spend(1, t)?;
+                self.at(t)
+            };
+            return times.iter().map(at).collect();
         };
-        let state = |state: Result<State>| {
+        let state = |(state, &t): (Result<State>, &f64)| {
+            budget.spend(1, t)?;
             let State {
                 attitude, omega, ..
             } = state?;
             Ok((axes.attitude(&attitude), axes.outward(omega)))
         };
-        top.states(times.iter().copied()).map(state).collect()
+        top.states(times.iter().copied())
+            .zip(times)
+            .map(state)
+            .collect()
     }
 
     /// Attitude and Ω at time t (s).

@@ -7,10 +7,11 @@ use super::steered::{Shown, Steered, Wheel};
 use crate::error::{Error, Result};
 use crate::frame::BodyVector;
 use crate::integrators::geometric::{
-    DormandPrince8, Follow, FreeSplitting, HeavySplitting, Kept, MoserVeselov, MuntheKaas, Order,
+    Course, DormandPrince8, FreeSplitting, HeavySplitting, Kept, MoserVeselov, MuntheKaas, Order,
     Phase, Rotations, SymmetricDrift, Watched, Weight, order_eight_watched,
 };
 use crate::integrators::{Cost, Effort};
+use crate::scene::Budget;
 use crate::scene::plan::Geometric;
 
 /// A top under its weight, or nothing.
@@ -26,6 +27,7 @@ pub(super) struct Heavy<'a> {
     pub times: &'a [f64],
     /// The angle up to which an error grows no faster than in proportion to the time.
     pub calm: f64,
+    pub budget: &'a Budget,
 }
 
 impl Heavy<'_> {
@@ -69,11 +71,10 @@ impl Heavy<'_> {
                 (longest(self.times) / step / LOOKS).ceil() as u64
             };
             let mut drift = 0.0_f64;
-            let course =
-                method.watched(&self.start, self.times, step, stride.max(1), &mut |phase| {
-                    let (energy, _) = self.invariants(phase);
-                    drift = drift.max((energy - first).abs() / self.energy);
-                })?;
+            let course = self.stepped(method, step, stride, |phase| {
+                let (energy, _) = self.invariants(phase);
+                drift = drift.max((energy - first).abs() / self.energy);
+            })?;
             Ok((course.phases, course.cost, drift))
         };
         let moments = self.moments;
@@ -93,6 +94,25 @@ impl Heavy<'_> {
             }
             _ => self.to_accuracy(foreseen.method, accuracy),
         }
+    }
+
+    /// Steps of one length; `look` sees the phase every `stride` of them at least, and at each of the times.
+    fn stepped(
+        &self,
+        method: &dyn Watched,
+        step: f64,
+        stride: u64,
+        mut look: impl FnMut(&Phase),
+    ) -> Result<Course> {
+        let mut paid = 0;
+        let mut watch = |time: f64, phase: &Phase, cost: Cost| {
+            look(phase);
+            let evaluations = cost.evaluations - paid;
+            paid = cost.evaluations;
+            self.budget.spend(evaluations, time)
+        };
+        let stride = stride.clamp(1, PATIENCE);
+        method.watched(&self.start, self.times, step, stride, &mut watch)
     }
 
     /// How fast L and the vertical change along the body's axes, as a share of the fastest rate: nothing in steady motions.
@@ -163,7 +183,8 @@ impl Heavy<'_> {
         let l = self.momentum;
         let scales = [l, l, l, 1.0, 1.0, 1.0, 1.0];
         let kept = Kept::UnitQuaternion(3);
-        let run = order_eight_watched(system, kept, &start, &scales, times, effort, watch)?;
+        let system = self.budget.counted(system);
+        let run = order_eight_watched(&system, kept, &start, &scales, times, effort, watch)?;
         let phases = run.states.iter().map(|&[a, b, c, w, x, y, z]| Phase {
             l: [a, b, c],
             q: [w, x, y, z],
@@ -176,16 +197,13 @@ impl Heavy<'_> {
         let method = self.method(method)?;
         let order = f64::from(method.order().unwrap_or(2));
         let longest = longest(self.times);
-        let run = |step: f64| method.follow(&self.start, self.times, Effort::Step(step));
+        let run = |step: f64| self.stepped(&*method, step, PATIENCE, |_| {});
         let mut before_step = (0.5 / self.fastest).min(longest).max(f64::MIN_POSITIVE);
         let mut before = run(before_step)?;
         let (mut cost, mut shrink) = (before.cost, 0.5_f64);
         let mut reached = f64::INFINITY;
         loop {
             let step = before_step * shrink;
-            if longest / step > MOST_STEPS {
-                break;
-            }
             let next = run(step)?;
             cost += next.cost;
             let pairs = before.phases.iter().zip(&next.phases);
@@ -216,7 +234,7 @@ impl Heavy<'_> {
     }
 
     /// The method, if it can run this top.
-    fn method(&self, method: Geometric) -> Result<Box<dyn Follow>> {
+    fn method(&self, method: Geometric) -> Result<Box<dyn Watched>> {
         let free = self.lever == [0.0; 3];
         Ok(match method {
             Geometric::Rotations(order) if free => {
@@ -236,12 +254,15 @@ impl Heavy<'_> {
                 Box::new(MuntheKaas::new(self.moments, Weight::new(self.lever)?)?)
             }
             Geometric::DormandPrince8 => {
-                Box::new(DormandPrince8::new(self.moments, Weight::new(self.lever)?)?)
+                return Err(Error::Condition {
+                    condition: "dormand-prince-8 is not a method of steps of one length",
+                    value: self.fastest,
+                });
             }
         })
     }
 
-    fn kick_drift(&self, order: Order) -> Result<Box<dyn Follow>> {
+    fn kick_drift(&self, order: Order) -> Result<Box<dyn Watched>> {
         let weight = Weight::new(self.lever)?;
         Ok(match SymmetricDrift::new(self.moments) {
             Ok(drift) => Box::new(HeavySplitting::new(drift, weight, order)),
@@ -295,8 +316,8 @@ const STEADY: f64 = 0.02;
 /// In a run of many steps the energy is looked at so often.
 const LOOKS: f64 = 16.0;
 
-/// More steps are not tried.
-const MOST_STEPS: f64 = 1e9;
+/// A run of steps of one length tells how far it is after so many.
+const PATIENCE: u64 = 65_536;
 
 pub(super) fn longest(times: &[f64]) -> f64 {
     times.iter().fold(0.0_f64, |a, &b| a.max(b.abs()))

@@ -28,7 +28,8 @@ pub use effects::{
 };
 
 use super::{
-    Absent, Choice, Geometric, Motion, Plan, Request, Scene, Solver, Tabulated, balanced, choose,
+    Absent, Budget, Choice, Geometric, Motion, Plan, Request, Scene, Solver, Tabulated, balanced,
+    choose,
 };
 use crate::error::{Error, Result};
 use crate::euler_top::EulerTop;
@@ -168,11 +169,11 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
-        let books = self.books()?;
+        let (books, budget) = (self.books()?, Budget::asked(request));
         let (mut plan, mut way) = self.planned(request, &books)?;
         loop {
             let method = match (plan.solver, &way) {
-                (_, Way::Closed(closed)) => match known(plan, closed, request, &books) {
+                (_, Way::Closed(closed)) => match known(plan, closed, request, &books, &budget) {
                     // Where the motion amplifies too much, or would be walked too far.
                     Err(Error::Integration { .. } | Error::OutOfRange { .. })
                         if request.choice() == Choice::Auto
@@ -182,14 +183,14 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
                             "near a double root, where the closed form refuses times as long";
                         let plan = Plan::new(choice::LEAN, reason);
                         let method = Geometric::DormandPrince8;
-                        return self.turned(&plan, method, &Way::Named, request, &books);
+                        return self.turned(&plan, method, &Way::Named, request, &books, &budget);
                     }
                     done => return done,
                 },
                 (Solver::General(method), _) => {
-                    return self.followed(plan, Some(method), request, &books);
+                    return self.followed(plan, Some(method), request, &books, &budget);
                 }
-                _ if Self::LOSSY => return self.followed(plan, None, request, &books),
+                _ if Self::LOSSY => return self.followed(plan, None, request, &books, &budget),
                 (Solver::Geometric(method), _) => method,
                 _ => {
                     return Err(Error::Condition {
@@ -198,7 +199,7 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
                     });
                 }
             };
-            match self.turned(&plan, method, &way, request, &books) {
+            match self.turned(&plan, method, &way, request, &books, &budget) {
                 Err(refusal @ Error::Accuracy { .. }) if request.choice() == Choice::Auto => {
                     (plan, way) = self.instead(&plan)?.ok_or(refusal)?;
                 }
@@ -221,9 +222,10 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         way: &Way,
         request: &Request,
         books: &Books,
+        budget: &Budget,
     ) -> Result<Motion<State>> {
         self.needs_moments()?;
-        let heavy = self.heavy(request.times(), books)?;
+        let heavy = self.heavy(request.times(), books, budget)?;
         let run = match way {
             Way::Foreseen(foreseen) => heavy.foreseen(foreseen, request.accuracy())?,
             _ => heavy.to_accuracy(method, request.accuracy())?,
@@ -245,6 +247,7 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         method: Option<Method>,
         request: &Request,
         books: &Books,
+        budget: &Budget,
     ) -> Result<Motion<State>> {
         let Heavy {
             moments,
@@ -252,7 +255,7 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
             start,
             fastest,
             ..
-        } = self.heavy(request.times(), books)?;
+        } = self.heavy(request.times(), books, budget)?;
         let problem = Problem {
             moments,
             lever,
@@ -264,13 +267,15 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         };
         let equations = self.equations().divided();
         let run = match (method, Self::LOSSY, T::PRESENT) {
-            (None, ..) => problem.steered(&Lossy(equations))?,
-            (Some(method), false, _) => problem.lossless(&Lossless(equations), method)?,
+            (None, ..) => problem.steered(&budget.counted(&Lossy(equations)))?,
+            (Some(method), false, _) => {
+                problem.lossless(&budget.counted(&Lossless(equations)), method)?
+            }
             (Some(method), true, false) => {
-                problem.lossy(&Lossy(equations), method, Spin::GoesOn)?
+                problem.lossy(&budget.counted(&Lossy(equations)), method, Spin::GoesOn)?
             }
             (Some(method), true, true) => {
-                problem.lossy(&Lossy(equations), method, Spin::MayStop)?
+                problem.lossy(&budget.counted(&Lossy(equations)), method, Spin::MayStop)?
             }
         };
         let mut rows = Vec::with_capacity(run.states.len());
@@ -309,10 +314,11 @@ fn known(
     closed: &ClosedForm,
     request: &Request,
     books: &Books,
+    budget: &Budget,
 ) -> Result<Motion<State>> {
     let times = request.times();
     let mut rows = Vec::with_capacity(times.len());
-    for (&t, (attitude, omega)) in times.iter().zip(closed.states(times)?) {
+    for (&t, (attitude, omega)) in times.iter().zip(closed.states(times, budget)?) {
         let energy = books.energy(&attitude, omega);
         rows.push((
             t,

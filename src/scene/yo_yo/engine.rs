@@ -6,6 +6,7 @@ use super::{Phase, YoYoState};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result};
 use crate::integrators::{Cost, Method};
+use crate::scene::Budget;
 use crate::scene::motion::{Motion, Request, balanced};
 use crate::scene::plan::{Choice, Plan, Solver};
 use crate::yo_yo::{Unwinding, YoYo, spin_after_waking};
@@ -39,13 +40,14 @@ pub(super) enum Stage {
 /// What the yo-yo does in a phase: samples until it ends, and with what it ends.
 pub(super) struct Leg {
     pub samples: Vec<Sample>,
-    /// Duration, energy and spin at the end; none if the phase outlasts the last sample asked for.
+    /// Time, energy and spin at the end; none if the phase outlasts the last sample asked for.
     pub end: Option<Ending>,
     pub cost: Cost,
 }
 
 pub(super) struct Ending {
-    pub duration: f64,
+    /// When, s.
+    pub time: f64,
     pub energy: f64,
     pub omega: f64,
     /// Lost in this phase by what acts all the time.
@@ -72,8 +74,8 @@ pub(super) struct Bench {
 
 /// What moves a yo-yo through a phase.
 pub(super) trait Engine {
-    /// Samples at these times (s after the phase began, in order).
-    fn leg(&self, departure: &Departure, times: &[f64]) -> Result<Leg>;
+    /// Samples at those of the times (s, in order) that the phase lasts, which began at `begin`.
+    fn leg(&self, departure: &Departure, begin: f64, times: &[f64]) -> Result<Leg>;
 }
 
 /// What a list of effects does, behind a pointer.
@@ -131,8 +133,8 @@ impl Setting<'_> {
         let plan = self.plan(request)?;
         let (order, times) = request.forward()?;
         let (states, cost) = match plan.solver {
-            Solver::General(method) => self.refined(&times, method, request.accuracy())?,
-            _ => self.run(&ClosedForms(self.bench()), &times)?,
+            Solver::General(method) => self.refined(&times, method, request)?,
+            _ => self.run(&ClosedForms(self.bench()), &times, &Budget::asked(request))?,
         };
         let ledger = self.ledger(&states, request.accuracy())?;
         let asked = request.times().iter();
@@ -248,22 +250,26 @@ impl Setting<'_> {
     }
 
     /// The states at `times`, in ascending order.
-    pub fn run(&self, engine: &dyn Engine, times: &[f64]) -> Result<(Vec<YoYoState>, Cost)> {
+    pub fn run(
+        &self,
+        engine: &dyn Engine,
+        times: &[f64],
+        budget: &Budget,
+    ) -> Result<(Vec<YoYoState>, Cost)> {
         let mut states = Vec::with_capacity(times.len());
         let mut departure = self.first()?;
         let (mut clock, mut heat, mut work) = (0.0, 0.0, 0.0);
         let mut cost = Cost::default();
         let mut turns = 0_u32;
         while states.len() < times.len() {
-            let left = &times[states.len()..];
-            let since: Vec<f64> = left.iter().map(|t| (t - clock).max(0.0)).collect();
-            let leg = engine.leg(&departure, &since)?;
+            let leg = engine.leg(&departure, clock, &times[states.len()..])?;
             cost += leg.cost;
+            budget.spend(1 + leg.samples.len() as u64, clock)?;
             for sample in leg.samples {
                 states.push(self.state(departure.stage, &sample, heat, work));
             }
             let Some(end) = leg.end else { break };
-            clock += end.duration;
+            clock = end.time;
             heat += end.heat;
             let (next, lost, done) = self.next(departure.stage, &end);
             heat += lost;

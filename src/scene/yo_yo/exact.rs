@@ -10,17 +10,18 @@ pub(super) struct ClosedForms(pub(super) Bench);
 
 /// Samples at the times within the duration, and the end if a time lies beyond it.
 fn leg(
-    times: &[f64],
+    (begin, times): (f64, &[f64]),
     duration: f64,
     sample: impl Fn(f64) -> Result<Sample>,
-    end: impl FnOnce() -> Result<Ending>,
+    end: impl FnOnce(f64) -> Result<Ending>,
 ) -> Result<Leg> {
-    let within = times.partition_point(|&t| t < duration);
-    let samples = times[..within].iter().map(|&t| sample(t));
+    let since = |t: f64| (t - begin).max(0.0);
+    let within = times.partition_point(|&t| since(t) < duration);
+    let samples = times[..within].iter().map(|&t| sample(since(t)));
     Ok(Leg {
         samples: samples.collect::<Result<_>>()?,
         end: if within < times.len() {
-            Some(end()?)
+            Some(end(begin + duration)?)
         } else {
             None
         },
@@ -29,7 +30,8 @@ fn leg(
 }
 
 impl Engine for ClosedForms {
-    fn leg(&self, departure: &Departure, times: &[f64]) -> Result<Leg> {
+    fn leg(&self, departure: &Departure, begin: f64, times: &[f64]) -> Result<Leg> {
+        let span = (begin, times);
         let Bench {
             toy,
             gravity,
@@ -64,15 +66,15 @@ impl Engine for ClosedForms {
                     Stage::Down => toy.length(),
                     _ => way.top(),
                 };
-                let end = || {
+                let end = |time| {
                     Ok(Ending {
-                        duration,
+                        time,
                         energy,
                         omega: way.omega(depth),
                         heat: 0.0,
                     })
                 };
-                leg(times, duration, sample, end)
+                leg(span, duration, sample, end)
             }
             Stage::Turn | Stage::IntoSleep | Stage::OutOfSleep => {
                 let turn = Turn::new(toy, gravity, omega)?;
@@ -98,15 +100,15 @@ impl Engine for ClosedForms {
                         heat: 0.0,
                     })
                 };
-                let end = || {
+                let end = |time| {
                     Ok(Ending {
-                        duration,
+                        time,
                         energy,
                         omega: last,
                         heat: 0.0,
                     })
                 };
-                leg(times, duration, sample, end)
+                leg(span, duration, sample, end)
             }
             Stage::Asleep => {
                 let duration = asleep;
@@ -123,16 +125,16 @@ impl Engine for ClosedForms {
                         heat: heat(now),
                     })
                 };
-                let end = || {
+                let end = |time| {
                     let last = spin(duration);
                     Ok(Ending {
-                        duration,
+                        time,
                         energy: energy - heat(last),
                         omega: last,
                         heat: heat(last),
                     })
                 };
-                leg(times, duration, sample, end)
+                leg(span, duration, sample, end)
             }
             Stage::Hanging | Stage::Caught => Ok(resting(&self.0, stage, times)),
         }

@@ -7,15 +7,17 @@ use super::engine::{Bench, Departure, Ending, Engine, Leg, Sample, Setting, Stag
 use super::exact::resting;
 use crate::error::{Error, Result};
 use crate::integrators::{Cost, Effort, Method, Passage, Stop, until};
+use crate::scene::{Budget, Request};
 use crate::yo_yo::YoYo;
 
 /// Integration of every phase with one tolerance.
-struct Stepping {
+struct Stepping<'a> {
     bench: Bench,
     /// Resistance of the air, kg m².
     air: f64,
     method: Method,
     tolerance: f64,
+    budget: &'a Budget,
 }
 
 impl Setting<'_> {
@@ -24,16 +26,18 @@ impl Setting<'_> {
         &self,
         times: &[f64],
         method: Method,
-        accuracy: f64,
+        request: &Request,
     ) -> Result<(Vec<YoYoState>, Cost)> {
+        let (accuracy, budget) = (request.accuracy(), &Budget::asked(request));
         let run = |tolerance: f64| {
             let engine = Stepping {
                 bench: self.bench(),
                 air: self.effects.air().unwrap_or(0.0),
                 method,
                 tolerance,
+                budget,
             };
-            self.run(&engine, times)
+            self.run(&engine, times, budget)
         };
         let spin = |states: &[YoYoState]| states.iter().map(|s| s.omega).fold(0.0, f64::max);
         let mut tolerance = (0.1 * accuracy).max(LEAST_TOLERANCE);
@@ -70,20 +74,20 @@ impl Setting<'_> {
 
 const LEAST_TOLERANCE: f64 = 1e-15;
 
-impl Stepping {
+impl Stepping<'_> {
     fn follow<const N: usize>(
         &self,
         rate: impl Fn(f64, &[f64; N]) -> [f64; N],
         start: [f64; N],
         scales: [f64; N],
-        times: &[f64],
+        (begin, times): (f64, &[f64]),
         event: impl Fn(f64, &[f64; N]) -> f64,
     ) -> Result<Passage<N>> {
-        let end = times.last().copied().unwrap_or(0.0);
+        let end = times.last().map_or(begin, |last| last.max(begin));
         let effort = Effort::Tolerance(self.tolerance);
         until(
-            &rate,
-            0.0,
+            &self.budget.counted(&rate),
+            begin,
             &start,
             &scales,
             times,
@@ -105,7 +109,7 @@ impl Stepping {
         Leg {
             samples: passage.states.iter().map(sample).collect(),
             end: (passage.stopped == Stop::AtTheEvent).then(|| Ending {
-                duration: passage.time,
+                time: passage.time,
                 energy: energy(end),
                 omega: end[1].max(0.0),
                 heat: end[2],
@@ -130,8 +134,9 @@ impl Stepping {
     }
 }
 
-impl Engine for Stepping {
-    fn leg(&self, departure: &Departure, times: &[f64]) -> Result<Leg> {
+impl Engine for Stepping<'_> {
+    fn leg(&self, departure: &Departure, begin: f64, times: &[f64]) -> Result<Leg> {
+        let span = (begin, times);
         let toy = self.bench.toy;
         let (g, m, l, r) = (self.bench.gravity, toy.mass(), toy.length(), toy.axle());
         let air = self.air;
@@ -159,7 +164,7 @@ impl Engine for Stepping {
                     _ => y[1] / fastest,
                 };
                 let start = [depth, omega, 0.0];
-                let passage = self.follow(rate, start, [l, fastest, scale], times, event)?;
+                let passage = self.follow(rate, start, [l, fastest, scale], span, event)?;
                 let sample = |y: &[f64; 3]| {
                     let [depth, omega, heat] = *y;
                     let [velocity, spin_up, _] = self.unwinding(&toy, sign, depth, omega);
@@ -200,7 +205,7 @@ impl Engine for Stepping {
                     }
                 };
                 let event = |_: f64, y: &[f64; 3]| end - y[0];
-                let passage = self.follow(rate, start, [1.0, fastest, scale], times, event)?;
+                let passage = self.follow(rate, start, [1.0, fastest, scale], span, event)?;
                 let sample = |y: &[f64; 3]| {
                     let (sine, cosine) = y[0].sin_cos();
                     let [_, spin_up, _] = rate(0.0, y);
@@ -218,7 +223,7 @@ impl Engine for Stepping {
                 Ok(self.leg(passage, sample, energy))
             }
             Stage::Asleep => {
-                let duration = self.bench.asleep;
+                let waking = begin + self.bench.asleep;
                 let torque = self.bench.torque;
                 let sample = |y: &[f64; 3]| Sample {
                     depth: l + r,
@@ -232,16 +237,16 @@ impl Engine for Stepping {
                     let drag = torque + air * y[1] * y[1];
                     [y[1], -drag / toy.inertia(), drag * y[1]]
                 };
-                let within = times.partition_point(|&t| t < duration);
+                let within = times.partition_point(|&t| t < waking);
                 let mut inside = times[..within].to_vec();
                 let beyond = within < times.len();
                 if beyond {
-                    inside.push(duration);
+                    inside.push(waking);
                 }
                 let start = [0.0, omega, 0.0];
                 let stopping = |_: f64, y: &[f64; 3]| y[1];
                 let scales = [1.0, fastest, scale];
-                let passage = self.follow(rate, start, scales, &inside, stopping)?;
+                let passage = self.follow(rate, start, scales, (begin, &inside), stopping)?;
                 // Once stopped it stays so.
                 let mut states = passage.states;
                 let spent = 0.5 * toy.inertia() * omega * omega;
@@ -250,7 +255,7 @@ impl Engine for Stepping {
                 Ok(Leg {
                     samples: states.iter().map(sample).collect(),
                     end: end.map(|y| Ending {
-                        duration,
+                        time: waking,
                         energy: energy - y[2],
                         omega: y[1],
                         heat: y[2],

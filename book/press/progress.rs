@@ -1,0 +1,56 @@
+//! How far a long run is, told on standard error: by a bar on a terminal, elsewhere by a line now and then.
+
+use std::io::{IsTerminal, Write};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// A run that is over by now says nothing.
+const PATIENCE: Duration = Duration::from_millis(1500);
+/// How often a bar moves.
+const TICK: Duration = Duration::from_millis(100);
+
+/// Does the work. If it takes longer than a moment, `how_far` is asked for the part that is done and for words that say so: for a bar
+/// ten times a second, otherwise for a line whenever twice the time is over.
+pub fn watched<T>(how_far: impl Fn() -> (f64, String) + Send, work: impl FnOnce() -> T) -> T {
+    let (running, over) = channel::<()>();
+    std::thread::scope(|scope| {
+        scope.spawn(move || {
+            let begin = Instant::now();
+            let terminal = std::io::stderr().is_terminal();
+            let mut bar = None;
+            let mut wait = PATIENCE;
+            while over.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
+                let (part, told) = how_far();
+                if terminal {
+                    let bar = bar.get_or_insert_with(new_bar);
+                    bar.set_position((part.clamp(0.0, 1.0) * PARTS as f64) as u64);
+                    bar.set_message(told);
+                    wait = TICK;
+                } else {
+                    // Nothing is left to be done if standard error is closed.
+                    let _ = writeln!(std::io::stderr(), "{told}");
+                    wait = begin.elapsed();
+                }
+            }
+            if let Some(bar) = bar {
+                bar.finish_and_clear();
+            }
+        });
+        let result = work();
+        drop(running);
+        result
+    })
+}
+
+/// Steps of a bar.
+const PARTS: u64 = 1000;
+
+fn new_bar() -> ProgressBar {
+    let bar = ProgressBar::new(PARTS);
+    if let Ok(style) = ProgressStyle::with_template("{bar:32} {msg}") {
+        bar.set_style(style);
+    }
+    bar
+}

@@ -1,0 +1,196 @@
+//! The one way in which the press writes: a file whole or not at all, whatever else as it is.
+
+use std::fs::{File, Metadata, OpenOptions};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use crate::interrupt::Unfinished;
+use crate::{Error, Result};
+
+/// Where something will be written; asked before any work is done for it.
+///
+/// A regular file is written beside and renamed, so that it is there whole or not at all; links are followed to it, and it keeps its
+/// rights, or gets those that the process gives to new files. Devices and pipes are opened and written as they are.
+#[derive(Debug)]
+pub struct Target {
+    /// As the user calls it.
+    name: PathBuf,
+    place: Place,
+}
+
+#[derive(Debug)]
+enum Place {
+    StandardOutput,
+    AsItIs,
+    Whole(PathBuf, Unfinished, File),
+}
+
+/// Writes to something.
+type Writing<'a> = &'a mut dyn Write;
+
+impl Target {
+    /// This file, or without one the standard output. `input` is what it must not overwrite; `-` stands for the standard input.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a folder, a file in a folder that is not there, and the input itself; [`Error::File`].
+    pub fn new(path: Option<&Path>, input: Option<&Path>) -> Result<Self> {
+        let Some(path) = path else {
+            return Ok(Self {
+                name: PathBuf::from("standard output"),
+                place: Place::StandardOutput,
+            });
+        };
+        let refused = |told: &str| Error::Input(format!("{}: {told}", path.display()));
+        let there = std::fs::metadata(path).ok();
+        let place = match &there {
+            Some(there) if there.is_dir() => {
+                return Err(refused("a file is expected, not a folder"));
+            }
+            Some(there) if is_standard_output(there) => Place::StandardOutput,
+            Some(there) if !there.is_file() => Place::AsItIs,
+            _ => {
+                if there.is_some_and(|there| is_input(path, &there, input)) {
+                    return Err(refused("that is the input; its output needs another name"));
+                }
+                let file = followed(path).map_err(Error::file(path))?;
+                if file.file_name().is_none() {
+                    return Err(refused("a file is expected, not a folder"));
+                }
+                let folder = folder_of(&file);
+                if !folder.is_dir() {
+                    return Err(refused("there is no such folder"));
+                }
+                let (unfinished, new) = Unfinished::file(folder).map_err(Error::file(path))?;
+                if let Ok(there) = std::fs::metadata(&file) {
+                    // What may not be written may not be replaced either.
+                    let writable = OpenOptions::new().write(true).open(&file);
+                    writable.map_err(Error::file(path))?;
+                    let rights = new.set_permissions(there.permissions());
+                    rights.map_err(Error::file(path))?;
+                }
+                Place::Whole(file, unfinished, new)
+            }
+        };
+        let name = path.to_owned();
+        Ok(Self { name, place })
+    }
+
+    /// Writes it.
+    ///
+    /// # Errors
+    /// [`Error::File`]; [`Error::OutputClosed`] if whoever reads a pipe has left.
+    pub fn write(self, contents: impl FnOnce(Writing<'_>) -> io::Result<()>) -> Result<()> {
+        let written = match self.place {
+            Place::StandardOutput => into(io::stdout().lock(), contents),
+            Place::AsItIs => {
+                let opened = OpenOptions::new().write(true).open(&self.name);
+                opened.and_then(|file| into(file, contents))
+            }
+            Place::Whole(path, unfinished, file) => {
+                into(file, contents).and_then(|()| unfinished.become_file(&path))
+            }
+        };
+        written.map_err(|error| match error.kind() {
+            ErrorKind::BrokenPipe => Error::OutputClosed,
+            _ => Error::file(&self.name)(error),
+        })
+    }
+}
+
+fn into(to: impl Write, contents: impl FnOnce(Writing<'_>) -> io::Result<()>) -> io::Result<()> {
+    let mut to = BufWriter::with_capacity(1 << 16, to);
+    contents(&mut to)?;
+    to.flush()
+}
+
+/// Prints to standard output.
+///
+/// # Errors
+/// As for [`Target::write`].
+pub fn say(text: &str) -> Result<()> {
+    Target::new(None, None)?.write(|to| to.write_all(text.as_bytes()))
+}
+
+/// Writes a file, and the folder it is in, only if its bytes change. Returns whether they did.
+///
+/// # Errors
+/// As for [`Target`].
+pub fn write_if_changed(path: &Path, contents: &[u8]) -> Result<bool> {
+    if path.is_file() && std::fs::read(path).is_ok_and(|old| old == contents) {
+        return Ok(false);
+    }
+    let folder = folder_of(path);
+    std::fs::create_dir_all(folder).map_err(Error::file(folder))?;
+    Target::new(Some(path), None)?.write(|to| to.write_all(contents))?;
+    Ok(true)
+}
+
+/// Whether files can be written into this folder, which need not be there yet; nothing is left of the trial.
+///
+/// # Errors
+/// [`Error::File`].
+pub fn can_be_written_into(folder: &Path) -> Result<()> {
+    let there = folder.ancestors().find(|folder| folder.exists());
+    let there = there.filter(|there| *there != Path::new(""));
+    let tried = Unfinished::file(there.unwrap_or(Path::new(".")));
+    tried.map(drop).map_err(Error::file(folder))
+}
+
+/// The folder that a path is in.
+pub fn folder_of(path: &Path) -> &Path {
+    let folder = path.parent().filter(|folder| *folder != Path::new(""));
+    folder.unwrap_or(Path::new("."))
+}
+
+/// Where the links lead; the last of them may point to what is not there yet.
+///
+/// # Errors
+/// If they go round in a circle, or cannot be read.
+pub fn followed(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_owned();
+    for _ in 0..40 {
+        if !path.is_symlink() {
+            return Ok(path);
+        }
+        path = folder_of(&path).join(std::fs::read_link(&path)?);
+    }
+    Err(io::Error::other("the links go round in a circle"))
+}
+
+fn is_input(path: &Path, there: &Metadata, input: Option<&Path>) -> bool {
+    let Some(input) = input else { return false };
+    if input == Path::new("-") {
+        return standard(io::stdin()).is_some_and(|input| same(&input, there));
+    }
+    let told = std::fs::metadata(input).is_ok_and(|input| same(&input, there));
+    let spelt = |path: &Path| std::fs::canonicalize(path).ok();
+    told || spelt(path).is_some_and(|path| Some(path) == spelt(input))
+}
+
+fn is_standard_output(there: &Metadata) -> bool {
+    standard(io::stdout()).is_some_and(|out| same(&out, there))
+}
+
+/// What a standard stream is connected to.
+#[cfg(unix)]
+fn standard(stream: impl std::os::fd::AsFd) -> Option<Metadata> {
+    let descriptor = stream.as_fd().try_clone_to_owned().ok()?;
+    File::from(descriptor).metadata().ok()
+}
+
+#[cfg(not(unix))]
+fn standard<T>(_: T) -> Option<Metadata> {
+    None
+}
+
+/// Whether these are one file under two names.
+#[cfg(unix)]
+fn same(a: &Metadata, b: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (a.dev(), a.ino()) == (b.dev(), b.ino())
+}
+
+#[cfg(not(unix))]
+fn same(_: &Metadata, _: &Metadata) -> bool {
+    false
+}

@@ -1,0 +1,142 @@
+//! What a run may cost, and how far it has come.
+
+use core::cell::Cell;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use super::Request;
+use crate::error::{Error, Result};
+use crate::integrators::System;
+
+/// How far a run has come: the run writes, others may look, from another thread as well.
+///
+/// The library has no clock. Who wants to know how long a run will take looks twice. Most solvers follow a motion at least twice to know
+/// their error, so the time falls back to 0 whenever they begin again.
+#[derive(Debug, Clone, Default)]
+pub struct Progress(Arc<Numbers>);
+
+#[derive(Debug, Default)]
+struct Numbers {
+    evaluations: AtomicU64,
+    most: AtomicU64,
+    /// Bits of the times, s.
+    time: AtomicU64,
+    until: AtomicU64,
+}
+
+impl Progress {
+    /// Evaluations of the equations so far; a state that a closed form gives counts as one.
+    pub fn evaluations(&self) -> u64 {
+        self.0.evaluations.load(Ordering::Relaxed)
+    }
+
+    /// How many there may be.
+    pub fn most(&self) -> u64 {
+        self.0.most.load(Ordering::Relaxed)
+    }
+
+    /// The time that the motion has reached, s.
+    pub fn time(&self) -> f64 {
+        f64::from_bits(self.0.time.load(Ordering::Relaxed))
+    }
+
+    /// The time furthest from the start that was asked for, s.
+    pub fn until(&self) -> f64 {
+        f64::from_bits(self.0.until.load(Ordering::Relaxed))
+    }
+}
+
+impl PartialEq for Progress {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+/// The evaluations of one run, counted.
+pub(crate) struct Budget {
+    spent: Cell<u64>,
+    most: u64,
+    progress: Option<Progress>,
+}
+
+impl Budget {
+    /// Nothing done yet of what is asked.
+    pub fn asked(request: &Request) -> Self {
+        let progress = request.progress().cloned();
+        if let Some(Progress(numbers)) = &progress {
+            let further = |a: f64, &b: &f64| if b.abs() > a.abs() { b } else { a };
+            let until = request.times().iter().fold(0.0, further);
+            numbers.until.store(until.to_bits(), Ordering::Relaxed);
+            numbers.most.store(request.most(), Ordering::Relaxed);
+        }
+        Self {
+            spent: Cell::new(0),
+            most: request.most(),
+            progress,
+        }
+    }
+
+    /// Nobody asks what it costs.
+    pub fn unlimited() -> Self {
+        Self {
+            spent: Cell::new(0),
+            most: u64::MAX,
+            progress: None,
+        }
+    }
+
+    /// So many evaluations more have brought the motion to this time.
+    ///
+    /// # Errors
+    /// [`Error::Budget`] if they are too many.
+    pub fn spend(&self, evaluations: u64, time: f64) -> Result<()> {
+        self.count(evaluations);
+        self.reached(time)
+    }
+
+    /// The system, its evaluations counted.
+    pub fn counted<'a, S: ?Sized>(&'a self, system: &'a S) -> Counted<'a, S> {
+        Counted {
+            system,
+            budget: self,
+        }
+    }
+
+    pub fn count(&self, evaluations: u64) {
+        self.spent.set(self.spent.get() + evaluations);
+    }
+
+    /// The motion has come to this time.
+    ///
+    /// # Errors
+    /// As for [`spend`](Self::spend).
+    pub fn reached(&self, time: f64) -> Result<()> {
+        let evaluations = self.spent.get();
+        if let Some(Progress(numbers)) = &self.progress {
+            numbers.evaluations.store(evaluations, Ordering::Relaxed);
+            numbers.time.store(time.to_bits(), Ordering::Relaxed);
+        }
+        if evaluations <= self.most {
+            return Ok(());
+        }
+        let most = self.most;
+        Err(Error::Budget { most, time })
+    }
+}
+
+/// A system whose evaluations are counted.
+pub(crate) struct Counted<'a, S: ?Sized> {
+    pub system: &'a S,
+    pub budget: &'a Budget,
+}
+
+impl<const N: usize, S: System<N> + ?Sized> System<N> for Counted<'_, S> {
+    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
+        self.budget.count(1);
+        self.system.rate(t, y)
+    }
+
+    fn reached(&self, time: f64) -> Result<()> {
+        self.budget.reached(time)
+    }
+}

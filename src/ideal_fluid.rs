@@ -142,7 +142,8 @@ impl TruncatedFluid {
                 .map(|(k, omega)| {
                     let wedge = f64::from(k[0] * m[1] - k[1] * m[0]);
                     let partner = self.vorticity([m[0] - k[0], m[1] - k[1]]);
-                    omega * partner * ((TAU * wedge / n).sin() / length_squared(k))
+                    let sine = (TAU * wedge / n).sin();
+                    omega * partner * (sine / length_squared(k))
                 })
                 .sum();
             sum * (n / TAU)

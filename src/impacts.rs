@@ -158,11 +158,12 @@ pub fn strike(planet: &Planet, meteorite: &Meteorite, at: BodyVector) -> Result<
     let at = finite_vector("the point of impact", at)?;
     let (m, big_m) = (meteorite.mass, planet.mass);
     let mu = m / (1.0 + m / big_m); // mM/(M + m), without the product
-    let closing = meteorite.velocity - planet.velocity - planet.omega.cross(&at);
+    let ground = planet.velocity + planet.omega.cross(&at);
+    let closing = meteorite.velocity - ground;
 
     let x = at.components();
-    let together =
-        planet.inertia.matrix() + (Matrix3::identity() * x.norm_squared() - x * x.transpose()) * mu;
+    let arm = Matrix3::identity() * x.norm_squared() - x * x.transpose();
+    let together = planet.inertia.matrix() + arm * mu;
     let change = solve(&together, mu * at.cross(&closing).components())?;
 
     let impulse = mu * (closing - change.cross(&at));
@@ -320,11 +321,12 @@ pub mod uranus {
     pub const ESCAPE_SPEED: f64 = 21.3e3;
     /// Angle between the axis of rotation and the normal to the orbit, radians (97.77°).
     pub const OBLIQUITY: f64 = 97.77 * core::f64::consts::PI / 180.0;
-    /// I/(MR²), dimensionless: the fact sheet has 0.225, models of the interior reach 0.23, which is used here.
-    pub const INERTIA_FACTOR: f64 = 0.23;
+    /// I/(MR²), dimensionless; models of the interior reach 0.23.
+    pub const INERTIA_FACTOR: f64 = 0.225;
 
-    /// m/M of a grazing hit at escape speed that tilts Uranus as it is tilted, about 0.042: see
-    /// [`grazing_mass_ratio`](super::grazing_mass_ratio).
+    /// m/M of a grazing hit at escape speed that tilts Uranus as it is tilted and leaves it its rate of spin, about 0.041: see
+    /// [`grazing_mass_ratio`](super::grazing_mass_ratio). Beyond a right angle less will do: κRΩ/v stops the planet, and whatever
+    /// is then left over may point anywhere.
     ///
     /// # Errors
     /// None in practice: the arguments are the constants of this module.

@@ -129,18 +129,19 @@ impl GasBox {
         [self.ar, self.rb, self.ab()].map(|edge| length(edge) * self.unit)
     }
 
-    // ANCHOR: side-torques
     /// Torques of the gas on the sides about A, from the pressure integrated along each: −(midpoint − A)·(edge) for a box that
     /// runs anticlockwise (9.1). Their sum vanishes: −½AR², −(½RB² − AR·RB cos γ), +½AB².
     ///
     /// Each is one product of exact edges: a unit in the last place, needles included, and RB at its change of sign is right to
     /// 2⁻¹⁰⁰ AR·RB.
+    // ANCHOR: side-torques
     pub fn side_torques(&self) -> SideTorques {
         let sense = match self.orientation {
             Orientation::Anticlockwise => 1.0,
             Orientation::Clockwise => -1.0,
         };
-        let scale = |product: DoubleDouble| sense * product.value() * self.unit * self.unit;
+        let unit = self.unit * self.unit;
+        let scale = |product: DoubleDouble| sense * product.value() * unit;
         SideTorques {
             ar: scale(dot(self.ar, self.ar).scaled(-0.5)),
             rb: scale(self.rb_product().negated()),

@@ -123,7 +123,9 @@ pub fn meteorite() -> Result<Figure> {
         );
 
         glass(pen, tips[1], tips[2]);
-    }))
+    })
+    .value("tilt", tilt)
+    .value("miss", number(miss, 1)))
 }
 
 /// The two tips enlarged.

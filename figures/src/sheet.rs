@@ -151,19 +151,20 @@ pub fn speeds() -> Result<Figure> {
                 slip(stops),
                 slip(0.18),
             ],
-            stroke(Role::Torque, DATA),
+            stroke(Role::Ink, DATA),
         );
         pen.text(
             [x(0.066), lower(-1.4)],
             Anchor::Start,
             "slip",
-            label(Role::Torque),
+            label(Role::Ink),
         );
         pen.line(
             &[[x(0.0), 232.0], [x(0.18), 232.0]],
             stroke(Role::Ink, SECONDARY).alpha(0.15),
         );
-    }))
+    })
+    .value("way", number(1e3 * place, 0)))
 }
 
 const NAME: &str = "sheet-animated";

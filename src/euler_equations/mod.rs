@@ -92,8 +92,8 @@ impl AxisMoments {
 /// assert_eq!(change, BodyVector::new(-1.0, 1.0, -1.0 / 3.0));
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
-// ANCHOR: rate
 pub fn rate(moments: &AxisMoments, omega: BodyVector, torque: BodyVector) -> BodyVector {
+    // ANCHOR: rate
     let [i1, i2, i3] = moments.values();
     let (o1, o2, o3) = (omega.x(), omega.y(), omega.z());
     BodyVector::new(
@@ -101,8 +101,8 @@ pub fn rate(moments: &AxisMoments, omega: BodyVector, torque: BodyVector) -> Bod
         ((i3 - i1) * o3 * o1 + torque.y()) / i2,
         ((i1 - i2) * o1 * o2 + torque.z()) / i3,
     )
+    // ANCHOR_END: rate
 }
-// ANCHOR_END: rate
 
 /// ∂Ω/∂t in rad/s², along any axes of the body: I ∂Ω/∂t = IΩ∧Ω + N (5.1).
 ///

@@ -94,13 +94,13 @@ impl RoundBody {
         1.0 + self.inertia_factor
     }
 
-    // ANCHOR: cue-slip
     /// Slip of the contact point after a level stroke at height H, in units of V': (V' − RΩ')/V' = 1 − (H−R)/(κR) (4.3).
     ///
     /// Formed as ((1+κ) − H/R)/κ: zero exactly at [`Self::pure_rolling_height`], and within two roundings elsewhere.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) if the cue misses, H outside 0…2R.
+    // ANCHOR: cue-slip
     pub fn cue_slip(&self, height_over_radius: f64) -> Result<f64> {
         let height = height_on_body(height_over_radius)?;
         Ok((self.pure_rolling_height() - height) / self.inertia_factor)

@@ -67,7 +67,6 @@ impl<T: Num + Copy> Motion<T> {
     }
 }
 
-// ANCHOR: bounce
 /// The motion after one bounce (4.6): V' − RΩ' = −(V − RΩ) at the floor, with the energy kept.
 ///
 /// Written as increments, V' = V − 2κu/(1+κ) and RΩ' = RΩ ± 2u/(1+κ), with u the speed of the contact point: a ball that
@@ -81,6 +80,7 @@ impl<T: Num + Copy> Motion<T> {
 /// With `f64` nothing panics. Fractions of fixed-width integers panic at κ = −1 and on overflow, as all their arithmetic
 /// does; [`checked_bounce`] does not.
 pub fn bounce<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T) -> Motion<T> {
+    // ANCHOR: bounce
     let one = T::one();
     let slip = before.contact_speed(surface);
     let turned = (slip + slip) / (one + kappa);
@@ -92,8 +92,8 @@ pub fn bounce<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T) -> M
         velocity: before.velocity - kappa * turned,
         rim_speed,
     }
+    // ANCHOR_END: bounce
 }
-// ANCHOR_END: bounce
 
 /// [`bounce`] for fractions of fixed-width integers: `None` where a numerator or denominator would overflow, or κ = −1.
 ///

@@ -133,14 +133,9 @@ pub fn back_bend() -> Result<Figure> {
         let [x, y] = place(90.0, 180.0);
         pen.line(
             &[place(0.0, 180.0), [x, y]],
-            stroke(Role::AngularMomentum, SECONDARY).dashed(),
+            stroke(Role::Ink, SECONDARY).dashed(),
         );
-        pen.text(
-            [x, y - 7.0],
-            Anchor::End,
-            "on its feet",
-            label(Role::AngularMomentum),
-        );
+        pen.text([x, y - 7.0], Anchor::End, "on its feet", label(Role::Ink));
         pen.text(
             [RIGHT, BOTTOM + 46.0],
             Anchor::End,
@@ -180,12 +175,11 @@ pub fn back_bend() -> Result<Figure> {
             }
             if let Some(needed) = needed {
                 let [x, y] = place(*needed, 180.0);
-                pen.disc([x, y], 3.6, Role::AngularMomentum, 1.0);
-                pen.line(
-                    &[[x, y], [x, BOTTOM]],
-                    stroke(Role::AngularMomentum, HAIR).dotted(),
-                );
+                pen.disc([x, y], 3.6, Role::Ink, 1.0);
+                pen.line(&[[x, y], [x, BOTTOM]], stroke(Role::Ink, HAIR).dotted());
             }
         }
-    }))
+    })
+    .value("after-90", needed(2))
+    .value("after-120", needed(4)))
 }

@@ -109,11 +109,10 @@ pub fn ice() -> Result<Figure> {
     let words = Words {
         claim: "However you wriggle, your centre of mass stays on its vertical line.".to_owned(),
         details: format!(
-            "Four postures on frictionless ice, each with the centre of mass on the dotted line; for that the feet move by {} m and {} m, and with the posture they come \
-             back, to {} m. 72 kg in six parts.",
+            "Four postures on frictionless ice, each with the centre of mass on the dotted line; for that the feet slide to {} m and to {} m from where they were. \
+             In the old posture they are back in the old place. 72 kg in six parts.",
             number(placed[1].0 - placed[0].0, 3),
             number(placed[2].0 - placed[0].0, 3),
-            number(placed[3].0 - placed[0].0, 1),
         ),
         alt: "A person on ice in four postures: upright, leaning to the left with one arm out, leaning to the right with the other, upright again. A \
               vertical dotted line runs through the dot of the centre of mass each time; the feet shift to the side and return."
@@ -129,16 +128,11 @@ pub fn ice() -> Result<Figure> {
         for ((pose, x), (foot, height)) in poses.iter().zip(centers).zip(&placed) {
             pen.line(
                 &[[x, 30.0], [x, ground + 9.0]],
-                stroke(Role::AngularMomentum, SECONDARY).dotted(),
+                stroke(Role::Ink, SECONDARY).dotted(),
             );
             pose.draw(pen, [x + scale * foot, ground], scale);
             pen.disc([x, ground - scale * height], 6.0, Role::Paper, 1.0);
-            pen.disc(
-                [x, ground - scale * height],
-                5.0,
-                Role::AngularMomentum,
-                1.0,
-            );
+            pen.disc([x, ground - scale * height], 5.0, Role::Ink, 1.0);
             let y = ground + 24.0;
             let [from, to] = [placed[0].0, *foot].map(|foot| [x + scale * foot, y]);
             pen.arrow(from, to, stroke(Role::Ink, DATA));
@@ -155,12 +149,7 @@ pub fn ice() -> Result<Figure> {
             "after",
             label(Role::Ink),
         );
-        pen.text(
-            [300.0, 22.0],
-            Anchor::Middle,
-            "*C* stays",
-            label(Role::AngularMomentum),
-        );
+        pen.text([300.0, 22.0], Anchor::Middle, "*C* stays", label(Role::Ink));
     }))
 }
 
@@ -237,8 +226,8 @@ pub fn crawler() -> Result<Figure> {
             }
         }
         let track: Vec<Point> = run.states.iter().map(|y| at(wriggler.center(y))).collect();
-        pen.line(&track, stroke(Role::AngularMomentum, DATA));
-        pen.disc(at(center), 6.0, Role::AngularMomentum, 1.0);
+        pen.line(&track, stroke(Role::Ink, DATA));
+        pen.disc(at(center), 6.0, Role::Ink, 1.0);
         pen.text(
             [146.0, 332.0],
             Anchor::Middle,
@@ -282,13 +271,10 @@ pub fn crawler() -> Result<Figure> {
         for which in [|s: &CrawlerState| s.rear, |s: &CrawlerState| s.front] {
             pen.line(&curve(&ground, which), stroke(Role::Ink, SECONDARY));
         }
-        pen.line(
-            &curve(&ground, |s| s.center),
-            stroke(Role::AngularMomentum, DATA),
-        );
+        pen.line(&curve(&ground, |s| s.center), stroke(Role::Ink, DATA));
         pen.line(
             &curve(&ice, |s| s.center),
-            stroke(Role::AngularMomentum, SECONDARY).dashed(),
+            stroke(Role::Ink, SECONDARY).dashed(),
         );
         let peak = place(0.95, 0.39);
         pen.text(
@@ -308,7 +294,7 @@ pub fn crawler() -> Result<Figure> {
             [578.0, place(0.0, 0.0)[1] + 18.0],
             Anchor::End,
             "*C* without friction",
-            small(Role::AngularMomentum),
+            small(Role::Ink),
         );
         pen.text(
             [448.0, 332.0],

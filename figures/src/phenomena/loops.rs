@@ -76,14 +76,14 @@ pub fn shape_loops() -> Result<Figure> {
         for k in 0..BANDS {
             let band = |k: u32| least + (MOST - least) * f64::from(k) / f64::from(BANDS);
             let (low, high) = (band(k), band(k + 1));
-            let tone = 0.75 * plane.curvature(0.5 * (low + high)) / most;
+            let tone = 0.4 * plane.curvature(0.5 * (low + high)) / most;
             let corners = [
                 swivel_at(0.0, low),
                 swivel_at(2.0, low),
                 swivel_at(2.0, high),
                 swivel_at(0.0, high),
             ];
-            pen.fill(&corners, Role::Omega, tone);
+            pen.fill(&corners, Role::Ink, tone);
         }
         let axis = stroke(Role::Ink, AXIS);
         pen.line(
@@ -154,7 +154,7 @@ pub fn shape_loops() -> Result<Figure> {
             let ring = |at: f64| (0..=60).map(move |k| cat_at(at, TAU * f64::from(k) / 60.0));
             let mut outline: Vec<Point> = ring(bend + half).collect();
             outline.extend(ring(bend - half).collect::<Vec<_>>().into_iter().rev());
-            pen.fill(&outline, Role::Omega, 0.75 * density(bend) / greatest);
+            pen.fill(&outline, Role::Ink, 0.4 * density(bend) / greatest);
         }
         pen.ring(CENTER, RADIUS, axis);
         for degrees in [30.0_f64, 60.0, 90.0] {

@@ -60,14 +60,14 @@ fn sheet(pen: &mut Pen<'_>, center: Point, tilt: f64, forces: bool) {
     }
     let push = turned([0.0, -44.0], center, tilt);
     pen.line(&[center, push], stroke(Role::Ink, SECONDARY).dotted());
-    pen.arrow([push[0], push[1] + 54.0], push, stroke(Role::Torque, DATA));
+    pen.arrow([push[0], push[1] + 54.0], push, stroke(Role::Ink, DATA));
     pen.arrow(
         center,
         [center[0], center[1] + 54.0],
         stroke(Role::Ink, DATA),
     );
     pen.disc(center, 4.5, Role::Ink, 1.0);
-    pen.disc(push, 4.5, Role::Torque, 1.0);
+    pen.disc(push, 4.5, Role::Ink, 1.0);
 }
 
 /// Three tilts in the air, and the sheet to fold.
@@ -111,7 +111,7 @@ pub fn paper_cat() -> Result<Figure> {
             [push[0] - 10.0, push[1] + 40.0],
             Anchor::End,
             "drag",
-            small(Role::Torque),
+            small(Role::Ink),
         );
     }))
 }
@@ -201,10 +201,10 @@ pub fn paper_cat_fall() -> Result<Figure> {
             "short of upside down by",
             label(Role::Ink),
         );
-        pen.line(&points, stroke(Role::Omega, DATA));
+        pen.line(&points, stroke(Role::Ink, DATA));
         for (k, (degrees, fall)) in marks.into_iter().zip(falls).enumerate() {
             let at = place(degrees, fall);
-            pen.disc(at, 4.0, Role::Omega, 1.0);
+            pen.disc(at, 4.0, Role::Ink, 1.0);
             // Above and below the curve in turn: the marks are close together.
             let (aside, anchor) = match k % 2 {
                 0 => ([-4.0, -12.0], Anchor::End),
@@ -217,5 +217,8 @@ pub fn paper_cat_fall() -> Result<Figure> {
                 small(Role::Ink),
             );
         }
-    }))
+    })
+    .value("from-10", number(falls[1], 3))
+    .value("from-1", number(falls[3], 3))
+    .value("decade", number(decade, 3)))
 }

@@ -64,13 +64,13 @@ pub fn reflections() -> Result<Figure> {
         );
         for (angle, name) in [(beta, "floor"), (-beta, "ceiling")] {
             let ends = [polar(CENTER, 186.0, angle), polar(CENTER, -186.0, angle)];
-            pen.line(&ends, stroke(Role::Torque, DATA).dashed());
+            pen.line(&ends, stroke(Role::Muted, DATA).dashed());
             let shift = if angle > 0.0 { -4.0 } else { 16.0 };
             pen.text(
                 [ends[0][0] + 6.0, ends[0][1] + shift],
                 Anchor::Start,
                 name,
-                label(Role::Torque),
+                label(Role::Muted),
             );
         }
         let point = |m: &Motion<f64>| {
@@ -100,19 +100,21 @@ pub fn reflections() -> Result<Figure> {
 /// Three balls thrown alike.
 pub fn three_balls() -> Result<Figure> {
     let balls = [
-        (1.0 / 3.0, "1/3", Role::Omega),
-        (0.4, "2/5", Role::Ink),
-        (2.0 / 3.0, "2/3", Role::Torque),
+        (1.0 / 3.0, "1/3", stroke(Role::Ink, DATA).dashed()),
+        (0.4, "2/5", stroke(Role::Ink, DATA)),
+        (2.0 / 3.0, "2/3", stroke(Role::Muted, DATA)),
     ];
     let threshold = number(return_threshold(0.4)?, 3);
+    let hollow = UnderTable::new(THROWN, 2.0 / 3.0)
+        .nth(2)
+        .map_or(f64::NAN, |m| -m.velocity);
     let last: Vec<String> = balls
         .iter()
         .filter_map(|&(kappa, _, _)| UnderTable::new(THROWN, kappa).nth(2))
         .map(|m| number(m.velocity, 3))
         .collect();
     let words = Words {
-        claim: "With a dense core it comes back exactly, with a hollow one it turns too early."
-            .to_owned(),
+        claim: "With a dense core it comes back exactly; a hollow one turns too far.".to_owned(),
         details: format!(
             "Balls with $\\kappa = I/MR^2$ of 1/3 (dense core), 2/5 (solid) and 2/3 (shell), thrown alike without spin, drawn without gravity. After floor, ceiling, floor their velocities are \
              {} of $V$; the first leaves without spin, on the path it came. A solid ball that bounces back less than {threshold} of its contact speed does not return at all.",
@@ -159,7 +161,7 @@ pub fn three_balls() -> Result<Figure> {
             "thrown",
             small(Role::Ink),
         );
-        for (k, &(kappa, name, role)) in balls.iter().enumerate() {
+        for (k, &(kappa, name, line)) in balls.iter().enumerate() {
             let ball = UnderTable::new(THROWN, kappa);
             let xs: Vec<f64> = ball.positions().take(3).collect();
             let leaves = ball.take(3).last().map_or(0.0, |m| m.velocity);
@@ -170,16 +172,18 @@ pub fn three_balls() -> Result<Figure> {
                 place(xs[1], 0.0),
                 place(xs[1] + out * leaves, out),
             ];
-            pen.line(&path[..3], stroke(role, DATA));
-            pen.arrow(path[2], path[3], stroke(role, DATA));
+            pen.line(&path[..3], line);
+            pen.arrow(path[2], path[3], line);
             let [x, y] = path[3];
             let shift = [[44.0, 12.0], [2.0, -12.0], [-20.0, -12.0]][k];
             pen.text(
                 [x + shift[0], y + shift[1]],
                 Anchor::Middle,
                 &format!("κ = {name}"),
-                label(role),
+                label(Role::Ink),
             );
         }
-    }))
+    })
+    .value("threshold", threshold)
+    .value("hollow", number(hollow, 3)))
 }

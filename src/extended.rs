@@ -40,6 +40,11 @@ pub(crate) trait Scalar: Arithmetic {
         if sign < 0.0 { self.negated() } else { self }
     }
 
+    /// The quotient, as a double.
+    fn ratio(self, divisor: Self) -> f64 {
+        self.divide(divisor).narrow().value()
+    }
+
     fn magnitude(self) -> Self {
         self.signed(self.leading())
     }
@@ -75,6 +80,11 @@ impl Scalar for DoubleDouble {
         } else {
             (self.value() / divisor.value()).sqrt()
         }
+    }
+
+    #[inline]
+    fn ratio(self, divisor: Self) -> f64 {
+        self.value() / divisor.value()
     }
 
     #[inline]

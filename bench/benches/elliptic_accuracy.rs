@@ -96,25 +96,21 @@ fn values(function: &str, a: &[&str]) -> Option<[Option<f64>; 3]> {
             let kc = mc.sqrt();
             match function {
                 "K" => [
-                    Some(complete_first(p)),
+                    complete_first(p).ok(),
                     ellip::ellipk(m).ok(),
                     ellip::cel(kc, 1.0, 1.0, 1.0).ok(),
                 ],
                 "E" => [
-                    Some(complete_second(p)),
+                    complete_second(p).ok(),
                     ellip::ellipe(m).ok(),
                     ellip::cel(kc, 1.0, 1.0, mc).ok(),
                 ],
                 "D" => [
-                    Some(complete_d(p)),
+                    complete_d(p).ok(),
                     ellip::ellipd(m).ok(),
                     ellip::cel(kc, 1.0, 0.0, 1.0).ok(),
                 ],
-                "B" => [
-                    Some(complete_b(p)),
-                    None,
-                    ellip::cel(kc, 1.0, 1.0, 0.0).ok(),
-                ],
+                "B" => [complete_b(p).ok(), None, ellip::cel(kc, 1.0, 1.0, 0.0).ok()],
                 _ => {
                     let (n, nc) = pair(a[0]);
                     [

@@ -82,7 +82,7 @@ pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
         if delta2.value() == 0.0 {
             return Ok(f64::INFINITY.copysign(y));
         }
-        Dd::from(s).multiply(carlson::first(c2, delta2, c2.add(s2)))
+        Dd::from(s).multiply(carlson::first([c2, delta2, c2.add(s2)]))
     };
     Ok(reflected(u, x < 0.0, parameter).copysign(y))
 }
@@ -116,5 +116,5 @@ fn from_squares(s: Dd, s2: Dd, c2: Dd, parameter: Parameter) -> Dd {
     if delta2.value() == 0.0 {
         return Dd::from(f64::INFINITY.copysign(s.value()));
     }
-    s.multiply(carlson::first(c2, delta2, Dd::from(1.0)))
+    s.multiply(carlson::first([c2, delta2, Dd::from(1.0)]))
 }

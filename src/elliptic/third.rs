@@ -1,20 +1,19 @@
 //! Integrals of the third kind.
 
-use super::carlson;
-use super::incomplete::Angle;
-use super::modulus::{Modulus, PI};
+use super::incomplete::{Kind, at_angle, complete};
 use super::parameter::Parameter;
 use crate::double_double::DoubleDouble as Dd;
 use crate::error::{Error, Result, finite};
 
-/// The characteristic n of Π together with its complement nc = 1 − n: any finite n.
+/// The factor n of sin² in an integral, together with its complement nc = 1 − n: any finite n.
 ///
-/// Next to n = 1 the integral goes as 1/√nc; there nc is what must be known. The one given is exact, the other is one
-/// minus it to 106 bits.
+/// It is the characteristic of Π, and a parameter m outside 0…1 of F, E and Π. (Within, a [`Parameter`] will do
+/// in its place.) Next to n = 1 an integral goes as 1/√nc or ln nc; there nc is what must be known. The one given is exact, the
+/// other is one minus it to 106 bits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Characteristic {
-    n: Dd,
-    nc: Dd,
+    pub(super) n: Dd,
+    pub(super) nc: Dd,
 }
 
 impl Characteristic {
@@ -77,184 +76,49 @@ impl Characteristic {
     }
 }
 
-/// Π(n) = ∫₀^{π/2} dθ/((1 − n sin²θ)√(1 − m sin²θ)); the principal value for n > 1; infinite at m = 1.
+impl From<Parameter> for Characteristic {
+    fn from(parameter: Parameter) -> Self {
+        Self {
+            n: parameter.m_dd(),
+            nc: parameter.mc_dd(),
+        }
+    }
+}
+
+/// Π(n) = ∫₀^{π/2} dθ/((1 − n sin²θ)√(1 − m sin²θ)) for m ≤ 1; the principal value for n > 1; infinite at m = 1, and
+/// where it exceeds the greatest double.
 ///
-/// n < 0 is carried to a characteristic between m and 1, n > 1 to one between 0 and m, so that no sum cancels; below
-/// n = −10⁴⁰ it is π/(2√nc).
+/// n < 0 and n > 1 are carried to other characteristics, so that no sum cancels.
 ///
-/// Error 0.46 ε at most of 118 rows: n from −10³⁰⁰ to 10³⁰⁰, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 5–15 µs.
+/// Error 0.46 ε at most of 160 rows: any n, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 4–9 µs; and up to 0.1 ms where one of the
+/// numbers is beyond 10^±60.
 /// Source: Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
 ///
 /// # Errors
 ///
-/// At n = 1, where it is infinite.
-pub fn complete_third(characteristic: Characteristic, parameter: Parameter) -> Result<f64> {
-    Ok(complete_third_dd(characteristic, parameter)?.value())
+/// At n = 1, where it is infinite, and for m > 1, where it is not real.
+pub fn complete_third(
+    characteristic: Characteristic,
+    parameter: impl Into<Characteristic>,
+) -> Result<f64> {
+    Ok(complete(Kind::Third(characteristic), parameter.into())?.value())
 }
 
-fn complete_third_dd(characteristic: Characteristic, parameter: Parameter) -> Result<Dd> {
-    incomplete_part(
-        Dd::from(1.0),
-        Dd::from(0.0),
-        parameter.mc_dd(),
-        characteristic,
-        parameter,
-    )
-}
-
-/// Π(φ, n) = ∫₀^φ dθ/((1 − n sin²θ)√(1 − m sin²θ)); the principal value where n sin² passes 1.
+/// Π(φ, n) = ∫₀^φ dθ/((1 − n sin²θ)√(1 − m sin²θ)) for any n and m; the principal value where n sin² passes 1.
 ///
-/// At any angle: odd in φ, and each π adds 2Π(n), the principal value's period included. Infinite at m = 1 beyond π/2.
+/// Odd in φ, and for m ≤ 1 at any angle: each π adds 2Π(n), the principal value's period included. For m > 1 as far as it is real,
+/// m sin²φ ≤ 1. Infinite at m = 1 beyond π/2.
 ///
-/// Error 0.45 ε at most of 435 rows, as for [`complete_third`] and with φ as for [`super::incomplete_first`]. Cost 5–7 µs.
+/// Error 0.47 ε at most of 560 rows, as for [`complete_third`] and with φ as for [`super::incomplete_first`]. Cost 4–9 µs.
 /// Source: Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
 ///
 /// # Errors
 ///
-/// If φ is not finite or beyond 2⁵³, or if n sin²φ = 1.
+/// If φ is not finite or beyond 2⁵³, if n sin²φ = 1, or if m sin² exceeds 1 on the way to φ.
 pub fn incomplete_third(
     phi: f64,
     characteristic: Characteristic,
-    parameter: Parameter,
+    parameter: impl Into<Characteristic>,
 ) -> Result<f64> {
-    let angle = Angle::new(phi)?;
-    let rest = incomplete_part(
-        angle.sine,
-        angle.cosine,
-        angle.delta2(parameter),
-        characteristic,
-        parameter,
-    )?;
-    let half = if angle.halves == 0.0 {
-        Dd::from(0.0)
-    } else {
-        complete_third_dd(characteristic, parameter)?.scaled(2.0)
-    };
-    Ok(angle.assemble(rest, || half))
-}
-
-/// 2⁵⁰⁰: the arguments of R_J are multiplied with it, so that the least of them does not underflow on the way.
-const SCALE: f64 = f64::from_bits((1023 + 500) << 52);
-
-/// weight · R_J(c², Δ², 1, p), which may exceed a double next to n = 1 and m = 1 at once: then infinite.
-fn weighted(weight: Dd, c2: Dd, delta2: Dd, p: Dd) -> Dd {
-    // Only where p is tiny; there the weight is not. The value is the same either way.
-    let scale = if p.value() < 1e-150 { SCALE } else { 1.0 };
-    let third = carlson::third(
-        c2.scaled(scale),
-        delta2.scaled(scale),
-        Dd::from(scale),
-        p.scaled(scale),
-    );
-    let value = weight.scaled(scale).multiply(third);
-    let size = value.high() * scale.sqrt();
-    if size.is_infinite() {
-        return Dd::from(size);
-    }
-    value.scaled(scale.sqrt())
-}
-
-/// Beyond this nc the integral is arctan(√nc tan φ)/√nc. With t = tan θ it is ∫ dt/((1 + nc t²) Δ); what 1/Δ has above 1
-/// adds less than F(φ)/nc, and F < 760: against the whole less than 760/√nc = 8·10⁻¹⁸, so both sides agree.
-const FAR_NEGATIVE: f64 = 1e40;
-
-fn far_negative(s: Dd, c: Dd, nc: Dd) -> Dd {
-    let root = nc.square_root();
-    if c.value() == 0.0 {
-        return PI.scaled(0.5).divide(root);
-    }
-    let slope = s.multiply(root).divide(c).value();
-    Dd::from(slope.atan()).divide(root)
-}
-
-fn incomplete_part(
-    s: Dd,
-    c: Dd,
-    delta2: Dd,
-    characteristic: Characteristic,
-    parameter: Parameter,
-) -> Result<Dd> {
-    if s.value() == 0.0 {
-        return Ok(s);
-    }
-    let Characteristic { n, nc } = characteristic;
-    let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
-    let one = Dd::from(1.0);
-    let three = Dd::from(3.0);
-    let (s2, c2) = (s.multiply(s), c.multiply(c));
-    let first = || {
-        if c.value() == 0.0 {
-            Modulus::new(parameter).quarter_period_dd()
-        } else {
-            s.multiply(carlson::first(c2, delta2, one))
-        }
-    };
-    let p = c2.add(nc.multiply(s2));
-    if p.value() == 0.0 {
-        return Err(Error::Condition {
-            condition: "n sin² phi must not be 1, where the integral of the third kind is infinite",
-            value: n.value(),
-        });
-    }
-    if delta2.value() == 0.0 {
-        return Ok(Dd::from(if p.value() > 0.0 {
-            f64::INFINITY
-        } else {
-            f64::NEG_INFINITY
-        }));
-    }
-    if nc.value() > FAR_NEGATIVE {
-        return Ok(far_negative(s, c, nc));
-    }
-    if n.value() < 0.0 {
-        // To the characteristic (m − n)/(1 − n) between m and 1; mc/nc alone might underflow.
-        let few = mc.scaled(SCALE).multiply(s2).divide(nc);
-        let q = c2.scaled(SCALE).add(few);
-        let weight = n.negated().divide(nc);
-        let scaled = [c2.scaled(SCALE), delta2.scaled(SCALE), one.scaled(SCALE)];
-        let tail = few
-            .multiply(s)
-            .divide(three)
-            .multiply(carlson::third(scaled[0], scaled[1], scaled[2], q))
-            .scaled(SCALE.sqrt());
-        let arc = if c.value() == 0.0 {
-            c
-        } else {
-            let q = q.scaled(1.0 / SCALE);
-            s.multiply(c)
-                .multiply(carlson::elementary(delta2, p.multiply(q)))
-        };
-        return Ok(first().divide(nc).add(weight.multiply(arc.add(tail))));
-    }
-    if p.value() > 0.0 {
-        let weight = n.multiply(s2).multiply(s).divide(three);
-        let tail = weighted(weight, c2, delta2, p);
-        if tail.high().is_infinite() {
-            return Ok(tail);
-        }
-        return Ok(first().add(tail));
-    }
-    // To the characteristic m/n between 0 and m.
-    let ratio = m.divide(n);
-    // 1 − m/n = (mc − nc)/n, which does not cancel: mc is not negative and nc is.
-    let q = c2.add(mc.subtract(nc).divide(n).multiply(s2));
-    let weight = ratio.multiply(s2).multiply(s).divide(three);
-    let tail = weighted(weight, c2, delta2, q);
-    if tail.high().is_infinite() {
-        return Ok(tail.negated());
-    }
-    let arc = if c.value() == 0.0 {
-        Dd::from(0.0)
-    } else {
-        // R_C is of degree −1/2; p may be all of what a double holds.
-        let few = if p.value() < -1e200 {
-            0.5_f64.powi(400)
-        } else {
-            1.0
-        };
-        let x = c2.multiply(delta2).scaled(few);
-        let y = p.scaled(few).multiply(q);
-        s.multiply(carlson::elementary(x, y)).scaled(few.sqrt())
-    };
-    Ok(arc.subtract(tail))
+    at_angle(Kind::Third(characteristic), phi, parameter.into())
 }

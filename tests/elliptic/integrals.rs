@@ -1,5 +1,7 @@
 //! The integrals: against the table, their inverses, their infinities.
 
+use std::collections::BTreeMap;
+
 use crate::decimal::{hexadecimal, relative_error};
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{
@@ -13,8 +15,8 @@ use crate::common::parameter;
 /// `n:0x…` or `nc:0x…`.
 fn characteristic(text: &str) -> Result<Characteristic> {
     match text.split_once(':') {
-        Some(("n", value)) => Characteristic::from_characteristic(hexadecimal(value)),
-        Some(("nc", value)) => Characteristic::from_complement(hexadecimal(value)),
+        Some(("n" | "m", value)) => Characteristic::from_characteristic(hexadecimal(value)),
+        Some(("nc" | "mc", value)) => Characteristic::from_complement(hexadecimal(value)),
         _ => panic!("{text}"),
     }
 }
@@ -25,14 +27,14 @@ fn integral(function: &str, arguments: &[&str]) -> Result<f64> {
     let p = |i: usize| parameter(arguments[i]);
     let c = |i: usize| characteristic(arguments[i]);
     match function {
-        "K" => Ok(complete_first(p(0)?)),
-        "E" => Ok(complete_second(p(0)?)),
-        "D" => Ok(complete_d(p(0)?)),
-        "B" => Ok(complete_b(p(0)?)),
-        "Fi" => incomplete_first(x(0), p(1)?),
-        "Ei" => incomplete_second(x(0), p(1)?),
-        "P" => complete_third(c(0)?, p(1)?),
-        "Pi" => incomplete_third(x(0), c(1)?, p(2)?),
+        "K" => complete_first(c(0)?),
+        "E" => complete_second(c(0)?),
+        "D" => complete_d(c(0)?),
+        "B" => complete_b(c(0)?),
+        "Fi" => incomplete_first(x(0), c(1)?),
+        "Ei" => incomplete_second(x(0), c(1)?),
+        "P" => complete_third(c(0)?, c(1)?),
+        "Pi" => incomplete_third(x(0), c(1)?, c(2)?),
         "RF" => carlson::rf(x(0), x(1), x(2)),
         "RC" => carlson::rc(x(0), x(1)),
         "RD" => carlson::rd(x(0), x(1), x(2)),
@@ -47,17 +49,22 @@ fn integral(function: &str, arguments: &[&str]) -> Result<f64> {
 
 #[test]
 fn integrals_are_right_to_the_last_place_everywhere() -> Result<()> {
-    let mut worst = 0.0_f64;
-    for line in include_str!("../reference/elliptic_integrals.csv").lines() {
+    let tables = [
+        include_str!("../reference/elliptic_integrals.csv"),
+        include_str!("../reference/elliptic_range.csv"),
+    ];
+    let mut worst: BTreeMap<&str, (f64, usize)> = BTreeMap::new();
+    for line in tables.into_iter().flat_map(str::lines) {
         let fields: Vec<&str> = line.split(',').collect();
         let arguments: Vec<&str> = fields[2].split(' ').collect();
         let value = integral(fields[1], &arguments)?;
         let error = relative_error(value, fields[3]).abs() / f64::EPSILON;
-        // Observed: 0.46, for every function and every kind of argument; half an eps is what rounding alone can make.
+        // Observed: 0.47, for every function and every kind of argument; half an eps is what rounding alone can make.
         assert!(error <= 0.6, "{line}: {value:e} is {error} eps off");
-        worst = worst.max(error);
+        let (greatest, rows) = worst.entry(fields[1]).or_default();
+        (*greatest, *rows) = (greatest.max(error), *rows + 1);
     }
-    println!("worst {worst} eps");
+    println!("worst eps and rows: {worst:.2?}");
     Ok(())
 }
 
@@ -101,10 +108,10 @@ fn inverses_undo_the_functions() -> Result<()> {
 #[test]
 fn infinite_integrals_are_infinite() -> Result<()> {
     let separatrix = Parameter::from_complement(0.0)?;
-    assert_eq!(complete_first(separatrix), f64::INFINITY);
-    assert_eq!(complete_d(separatrix), f64::INFINITY);
-    assert_eq!(complete_second(separatrix), 1.0);
-    assert_eq!(complete_b(separatrix), 1.0);
+    assert_eq!(complete_first(separatrix)?, f64::INFINITY);
+    assert_eq!(complete_d(separatrix)?, f64::INFINITY);
+    assert_eq!(complete_second(separatrix)?, 1.0);
+    assert_eq!(complete_b(separatrix)?, 1.0);
     assert_eq!(incomplete_first(2.0, separatrix)?, f64::INFINITY);
     assert_eq!(incomplete_first(-20.0, separatrix)?, f64::NEG_INFINITY);
     assert_eq!(inverse_sn(1.0, separatrix)?, f64::INFINITY);

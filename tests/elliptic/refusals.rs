@@ -1,9 +1,11 @@
 //! Bad input is refused; no finite input gives not-a-number.
 
+use crate::any::any;
+use proptest::prelude::*;
 use spinning_bodies::elliptic::{
     Characteristic, Jacobi, Modulus, Parameter, carlson, complete_b, complete_d, complete_first,
     complete_second, complete_third, incomplete_first, incomplete_second, incomplete_third,
-    inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn,
+    inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn, sn_cn_dn,
 };
 use spinning_bodies::{Error, Result};
 use std::f64::consts::FRAC_PI_2;
@@ -182,7 +184,7 @@ fn no_finite_input_gives_not_a_number() -> Result<()> {
             complete_d(p),
             complete_b(p),
         ] {
-            sound(Ok(value), &[p.m(), p.mc()]);
+            sound(value, &[p.m(), p.mc()]);
         }
         let modulus = Modulus::new(p);
         for &x in &signed {
@@ -213,4 +215,87 @@ fn no_finite_input_gives_not_a_number() -> Result<()> {
         }
     }
     Ok(())
+}
+
+#[test]
+fn values_without_room_and_integrals_that_are_not_real_are_refused() -> Result<()> {
+    let text = |refused: Result<f64>| refused.expect_err("refused").to_string();
+    assert_eq!(
+        text(carlson::rd(1e-300, 1e-300, 1e-300)),
+        "the value of R_D must be finite, got inf"
+    );
+    assert!(text(carlson::rj(0.0, 5e-324, 1.0, 5e-324)).starts_with("the value of R_J"));
+    // x^(−3/2) and x^(−1/2) at the ends of the range.
+    assert_eq!(carlson::rd(1e300, 1e300, 1e300)?, 0.0);
+    assert_eq!(carlson::rj(1e215, 1e215, 1e215, 1e215)?, 10f64.powf(-322.5));
+    assert_eq!(carlson::rf(5e-324, 5e-324, 5e-324)?, 2f64.powi(537));
+    assert_eq!(carlson::rc(5e-324, -f64::MAX)?, 0.0);
+    let two = Characteristic::from_characteristic(2.0)?;
+    for refused in [
+        complete_first(two),
+        complete_second(two),
+        complete_d(two),
+        complete_b(two),
+        complete_third(two, two),
+    ] {
+        assert!(text(refused).contains("not real, got 2"));
+    }
+    // m sin² φ = 1 at π/4, where it ends; beyond, and past the next zero of the sine, there is nothing.
+    assert!(incomplete_first(0.785, two).is_ok());
+    for phi in [0.786, -1.5, 3.0, 1e6] {
+        assert!(text(incomplete_first(phi, two)).contains("not real, got 2"));
+        assert!(incomplete_second(phi, two).is_err() && incomplete_third(phi, two, two).is_err());
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_bits_at_all_give_not_a_number(x in prop::array::uniform4(any()), m in any(), n in any()) {
+        let [a, b, c, d] = x;
+        let e = x.map(f64::abs);
+        for [a, b, c, d] in [[a, b, c, d], e, [e[0], e[1], e[2], d]] {
+            let forms = [carlson::rf(a, b, c), carlson::rc(a, b), carlson::rd(a, b, c), carlson::rg(a, b, c), carlson::rj(a, b, c, d), carlson::rc(a, d)];
+            for value in forms.into_iter().flatten() {
+                prop_assert!(value.is_finite(), "{a:e} {b:e} {c:e} {d:e}");
+            }
+        }
+        let small = |x: f64| f64::from_bits(x.to_bits() % 1f64.to_bits());
+        let wide = [Characteristic::from_characteristic(n), Characteristic::from_complement(n), Characteristic::new(n, 1.0 - n), Characteristic::from_characteristic(small(n))];
+        let mut given = vec![Parameter::from_parameter(m), Parameter::from_complement(m), Parameter::from_modulus(m), Parameter::new(m, n)];
+        given.extend([Parameter::from_parameter(small(m)), Parameter::from_complement(small(m)), Parameter::from_modulus(small(m))]);
+        for p in given.into_iter().flatten() {
+            let modulus = Modulus::new(p);
+            let mut values: Vec<Result<f64>> = x.iter().flat_map(|&x| [inverse_sn(x, p), inverse_cn(x, p), inverse_dn(x, p), inverse_cn_sn(x, a, p)]).collect();
+            for u in x {
+                if let Ok(Jacobi { sn, cn, dn, am }) = modulus.jacobi(u) {
+                    values.extend([Ok(sn), Ok(cn), Ok(dn), Ok(am)]);
+                }
+                if let (Ok((sn, cn, dn)), Ok(other)) = (sn_cn_dn(u, p), modulus.sn_cn_dn(u)) {
+                    prop_assert_eq!((sn, cn, dn), other);
+                }
+            }
+            let mut batch = [[0.0; 4]; 3];
+            let [s, c, d] = &mut batch;
+            if modulus.jacobi_batch(&x, s, c, d).is_ok() {
+                values.extend(batch.as_flattened().iter().map(|x| Ok(*x)));
+            }
+            for value in values.into_iter().flatten() {
+                prop_assert!(!value.is_nan(), "{x:?} {p:?}");
+            }
+        }
+        let every: Vec<Characteristic> = [Characteristic::from_characteristic(m), Characteristic::from_complement(m), Parameter::from_complement(small(m)).map(Into::into)].into_iter().flatten().collect();
+        for p in every {
+            let mut values = vec![complete_first(p), complete_second(p), complete_d(p), complete_b(p)];
+            for phi in [a, small(b)] {
+                values.extend([incomplete_first(phi, p), incomplete_second(phi, p)]);
+                values.extend(wide.iter().flatten().flat_map(|&n| [complete_third(n, p), incomplete_third(phi, n, p)]));
+            }
+            for value in values.into_iter().flatten() {
+                prop_assert!(!value.is_nan(), "{x:?} {p:?} {n:e}");
+            }
+        }
+    }
 }

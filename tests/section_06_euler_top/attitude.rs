@@ -348,7 +348,7 @@ fn s6_8_theta_functions() {
     // L/|L| at sn = 0 stands at the height am η for the complementary modulus, here the same 1/2.
     let half = Parameter::from_parameter(0.5).unwrap();
     let eta = incomplete_first((amplitudes[2] / size).asin(), half).unwrap();
-    let w = PI * eta / (2.0 * complete_first(half));
+    let w = PI * eta / (2.0 * complete_first(half).unwrap());
     let sum: f64 = (1..8)
         .map(|n| {
             let n = f64::from(n);

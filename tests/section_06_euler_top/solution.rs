@@ -285,7 +285,7 @@ fn s6_6_period_and_half_period() {
     let period = 6.422_703_084_225_693_595_902_933;
     assert_relative_eq!(closed, period, max_relative = 4.5e-16, epsilon = 0.0);
     assert_relative_eq!(top.period(), period, max_relative = 4.5e-16, epsilon = 0.0);
-    let half = complete_first(Parameter::from_parameter(0.5).unwrap());
+    let half = complete_first(Parameter::from_parameter(0.5).unwrap()).unwrap();
     assert_relative_eq!(
         4.0 * half * (6.0f64 / 8.0).sqrt(),
         period,

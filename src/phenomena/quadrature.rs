@@ -6,10 +6,11 @@ use crate::error::{Error, Result, finite};
 ///
 /// Gauss and Legendre with 20 points, intervals halved until both halves together agree with the whole to 1e-14 of the integral of |f|, or
 /// to `accuracy` times it if that is more, or to what the rounding of the variable does to f. Observed error for analytic integrands: 3e-16 of that integral.
-/// Cost: 60 evaluations where nothing has to be halved.
+/// Cost: 60 evaluations where nothing has to be halved, a million at most.
 ///
 /// # Errors
-/// [`Error::NotFinite`] for the ends and for values of f; [`Error::Accuracy`] after 40 halvings.
+/// [`Error::NotFinite`] for the ends and for values of f; [`Error::Accuracy`] after 40 halvings; [`Error::OutOfRange`] after a million
+/// evaluations, with the place up to which the integral is settled.
 pub fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64) -> Result<f64> {
     finite("the beginning of an integral", from)?;
     finite("the end of an integral", to)?;
@@ -18,11 +19,13 @@ pub fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64) -> Re
     }
     let (whole, size, greatest) = sums(&f, from, to);
     finite("an integral", whole)?;
-    let rounding = Rounding {
+    let mut halving = Halving {
+        f,
+        ends: [from, to],
         variable: 4.0 * f64::EPSILON * from.abs().max(to.abs()) * greatest,
-        left: 40,
+        panels: MOST_PANELS,
     };
-    halved(&f, [from, to], whole, size * accuracy.max(1e-14), rounding)
+    halving.settled([from, to], whole, size * accuracy.max(1e-14), 40)
 }
 
 /// ∮ f(s) ds over one period from 0, for a smooth function of period `period`.
@@ -68,7 +71,7 @@ pub(crate) fn panel(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 }
 
 /// The sum over one interval, of f and of |f|, and the greatest |f|.
-fn sums(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
+fn sums(f: impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let (mut sum, mut size, mut greatest) = (0.0, 0.0, 0.0_f64);
     for [node, weight] in GAUSS {
@@ -80,43 +83,57 @@ fn sums(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
     (half * sum, half.abs() * size, greatest)
 }
 
-/// Where halving ends.
-#[derive(Clone, Copy)]
-struct Rounding {
+/// Panels of 20 evaluations, a million in all.
+const MOST_PANELS: u32 = 50_000;
+
+/// An integral while its intervals are halved.
+struct Halving<F> {
+    f: F,
+    ends: [f64; 2],
     /// What an error of the variable by its last bits does to the integral.
     variable: f64,
-    /// Halvings left.
-    left: u32,
+    /// Panels left.
+    panels: u32,
 }
 
-fn halved(
-    f: &impl Fn(f64) -> f64,
-    [from, to]: [f64; 2],
-    whole: f64,
-    allowed: f64,
-    rounding: Rounding,
-) -> Result<f64> {
-    let middle = 0.5 * (from + to);
-    let ((first, a, _), (second, b, _)) = (sums(f, from, middle), sums(f, middle, to));
-    let sum = first + second;
-    finite("an integral", sum)?;
-    // Near rounding, of the sum itself or of the variable, nothing can be gained.
-    let noise = rounding.variable.max(4.0 * f64::EPSILON * (a + b));
-    if (sum - whole).abs() <= allowed.max(noise) {
-        return Ok(sum);
+impl<F: Fn(f64) -> f64> Halving<F> {
+    /// The integral over one interval, of which `whole` is the first estimate, by so many halvings at most.
+    fn settled(
+        &mut self,
+        [from, to]: [f64; 2],
+        whole: f64,
+        allowed: f64,
+        left: u32,
+    ) -> Result<f64> {
+        if self.panels < 2 {
+            let [beginning, end] = self.ends;
+            return Err(Error::OutOfRange {
+                quantity: "the end of what a million evaluations integrate",
+                value: end,
+                least: beginning.min(from),
+                greatest: beginning.max(from),
+            });
+        }
+        self.panels -= 2;
+        let middle = 0.5 * (from + to);
+        let (first, a, _) = sums(&self.f, from, middle);
+        let (second, b, _) = sums(&self.f, middle, to);
+        let sum = first + second;
+        finite("an integral", sum)?;
+        // Near rounding, of the sum itself or of the variable, nothing can be gained.
+        let noise = self.variable.max(4.0 * f64::EPSILON * (a + b));
+        if (sum - whole).abs() <= allowed.max(noise) {
+            return Ok(sum);
+        }
+        if left == 0 {
+            return Err(Error::Accuracy {
+                asked: allowed,
+                reached: (sum - whole).abs(),
+            });
+        }
+        let first = self.settled([from, middle], first, 0.5 * allowed, left - 1)?;
+        Ok(first + self.settled([middle, to], second, 0.5 * allowed, left - 1)?)
     }
-    if rounding.left == 0 {
-        return Err(Error::Accuracy {
-            asked: allowed,
-            reached: (sum - whole).abs(),
-        });
-    }
-    let rounding = Rounding {
-        left: rounding.left - 1,
-        ..rounding
-    };
-    Ok(halved(f, [from, middle], first, 0.5 * allowed, rounding)?
-        + halved(f, [middle, to], second, 0.5 * allowed, rounding)?)
 }
 
 /// Nodes and weights on −1…1, the positive half.

@@ -4,8 +4,8 @@
 use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{
-    InertiaMatrix, MassProperties, PlatonicSolid, PrincipalAxes, mesh, mesh_mass_properties,
-    principal_axes_of, shapes,
+    InertiaMatrix, MassProperties, PlatonicSolid, PrincipalAxes, PrincipalMoments, mesh,
+    mesh_mass_properties, principal_axes_of, shapes,
 };
 use spinning_bodies::{Error, Result};
 
@@ -107,7 +107,7 @@ fn principal_axes_against_the_table() {
         assert_promises(fields[0], &a, exact);
         rows += 1;
     }
-    assert_eq!(rows, 296);
+    assert_eq!(rows, 398);
 }
 
 /// Of a needle whose entries are rounded to 1e-16 of the largest moment, the smallest one is found to 4e-16 of itself: down to 1e-15, where that is one digit of the
@@ -130,6 +130,41 @@ fn the_smallest_moment_of_a_needle_is_right_to_its_own_digits() {
         seen += 1;
     }
     assert_eq!(seen, 20);
+}
+
+/// Of a graded matrix, D A D with a diagonal D and a well-conditioned A, each moment is right to its own digits, and each axis is the one of its moment.
+#[test]
+fn every_moment_of_a_graded_matrix_is_right_to_its_own_digits() {
+    let (mut seen, mut worst) = (0, 0.0_f64);
+    for line in include_str!("../reference/principal_axes.csv").lines() {
+        let fields: Vec<&str> = line.split(',').collect();
+        if fields[0] != "graded" {
+            continue;
+        }
+        let e: Vec<f64> = fields[1..7].iter().map(|text| hexadecimal(text)).collect();
+        let a = Matrix3::new(e[0], e[3], e[4], e[3], e[1], e[5], e[4], e[5], e[2]);
+        let found = principal_axes_of(&a).unwrap();
+        for (k, moment) in found.moments().into_iter().enumerate() {
+            let exact = decimal(fields[7 + k]);
+            let off = ((Dd::from(moment) - exact).value() / exact.value()).abs();
+            worst = worst.max(off);
+            assert!(off < 1e-14, "{line}: {moment:e} is off by {off:e}");
+        }
+        // Where all three moments are a million apart, each axis is that of the diagonal entry next to its moment.
+        let mut order = [0, 1, 2];
+        order.sort_by(|&i, &j| e[i].total_cmp(&e[j]));
+        if order.windows(2).all(|pair| e[pair[1]] > 1e6 * e[pair[0]]) {
+            for (k, &coordinate) in order.iter().enumerate() {
+                assert!(
+                    found.axes()[(coordinate, k)].abs() > 0.99,
+                    "{line}: {found:?}"
+                );
+            }
+        }
+        seen += 1;
+    }
+    println!("worst {worst:e}");
+    assert_eq!(seen, 102);
 }
 
 #[test]
@@ -244,6 +279,26 @@ fn tilted_rods_and_laminae_are_admitted() -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// The slack is what is told: 4 eps of the largest moment for moments, 16 eps for a matrix. Half as much again is refused.
+#[test]
+fn the_slack_of_moments_and_matrices_is_no_more_than_told() {
+    let lamina = |excess: f64| PrincipalMoments::new(1.0, 1.0, 2.0 + excess * EPS);
+    assert!(lamina(6.0).is_ok() && lamina(12.0).is_err());
+    let matrix = |entries: [f64; 3]| {
+        InertiaMatrix::from_matrix(Matrix3::from_diagonal(&Vector3::from(entries)))
+    };
+    assert!(matrix([1.0, 1.0, 2.0 + 24.0 * EPS]).is_ok());
+    assert!(matrix([1.0, 1.0, 2.0 + 48.0 * EPS]).is_err());
+    assert!(matrix([-8.0 * EPS, 1.0, 1.0]).is_ok());
+    assert!(matrix([-24.0 * EPS, 1.0, 1.0]).is_err());
+    let skew = |gap: f64| {
+        let mut a = Matrix3::from_diagonal_element(1.0);
+        a[(0, 1)] = gap * EPS;
+        InertiaMatrix::from_matrix(a)
+    };
+    assert!(skew(12.0).is_ok() && skew(24.0).is_err());
 }
 
 /// The icosphere moved by an offset that is not a round number.

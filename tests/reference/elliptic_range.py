@@ -209,7 +209,7 @@ for p in negative:
             put("negative-m", which + "i", [phi, p], incomplete(which, phi, p))
     m = p[1] if p[0] == "m" else 1 - p[1]
     for c in (("n", -random.uniform(0, 3)), ("n", -any_size()), ("n", random.uniform(0, 1)), ("nc", -any_size(1e-300, 1.0)),
-              ("n", m), ("n", m * (1 + 1e-12)), ("n", any_size(1.0, GREATEST))):
+              ("n", m), ("n", max(m * (1 + 1e-12), -GREATEST)), ("n", any_size(1.0, GREATEST))):
         put("negative-m", "P", [c, p], complete("P", p, c))
         for phi in random.sample(angles, 1):
             put("negative-m", "Pi", [phi, c, p], incomplete("P", phi, p, c))

@@ -61,5 +61,34 @@ for _ in range(10):
     rows.append(row("even", [mpf(1), mpf(3) / 2, mpf(2)]))
     rows.append(row("indefinite", [mpf(-1), mpf(10) ** -9, mpf(1)]))
 
+# Graded: D A D with a diagonal D from 1e-75 to 1e75 and A, of ones on the diagonal, of condition 100 at most; every order of the axes.
+# By two routes, the second being the roots of the characteristic polynomial.
+mp.dps = 700
+
+
+def graded(sizes, condition):
+    q = rotation()
+    a = q * mp.diag([1, mpf(condition) ** mpf(-random.random()), 1 / mpf(condition)]) * q.T
+    unit = [mp.sqrt(a[i, i]) for i in range(3)]
+    for order in ((0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)):
+        places = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+        e = [float(a[order[i], order[j]] / unit[order[i]] / unit[order[j]] * sizes[order[i]] * sizes[order[j]]) for i, j in places]
+        xx, yy, zz, xy, xz, yz = map(mpf, e)
+        b = matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        size = max(abs(x) for x in (xx, yy, zz))
+        values = sorted(v * size for v in eigsy(b / size, eigvals_only=True))
+        squares = xx * yy + yy * zz + zz * xx - xy ** 2 - xz ** 2 - yz ** 2
+        scaled = [1, -(xx + yy + zz) / size, squares / size ** 2, -mp.det(b / size)]
+        roots = sorted(mp.re(v) * size for v in mp.polyroots(scaled, maxsteps=3000, extraprec=2000))
+        assert all(abs(v - w) < mpf(10) ** -40 * v for v, w in zip(values, roots)), e
+        rows.append(",".join(["graded"] + [x.hex() for x in e] + [nstr(v, 34) for v in values]))
+
+
+for spread in (1, 2, 4, 8, 16, 20, 40, 75):
+    for _ in range(2):
+        middle = random.choice([-spread, 0, spread, random.uniform(-spread, spread)])
+        graded([mpf(10) ** -spread, mpf(10) ** middle, mpf(10) ** spread], 10 ** random.uniform(0, 2))
+graded([mpf(1), mpf(10) ** 10, mpf(10) ** 20], 1.1)
+
 with open("principal_axes.csv", "w") as out:
     out.write("\n".join(rows) + "\n")

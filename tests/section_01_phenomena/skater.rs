@@ -100,3 +100,23 @@ fn s1_4_a_top_need_not_be_symmetric() {
     }
     assert!(ledger.is_kept_within(1e-14).unwrap(), "{ledger}");
 }
+
+#[test]
+fn a_quadrature_ends() {
+    use spinning_bodies::Error;
+    // Sixteen thousand million waves need ten times as many evaluations: the error tells how far a million came.
+    let refused = quadrature::integral(f64::sin, 0.0, 1e11, 0.0);
+    let Err(Error::OutOfRange {
+        value, greatest, ..
+    }) = refused
+    else {
+        panic!("{refused:?}");
+    };
+    assert!(
+        value == 1e11 && (1e4..1e7).contains(&greatest),
+        "{greatest}"
+    );
+    // A thousand waves are within it.
+    let waves = quadrature::integral(f64::sin, 0.0, 6000.0, 0.0).unwrap();
+    assert!((waves - (1.0 - 6000f64.cos())).abs() < 1e-9, "{waves}");
+}

@@ -1,5 +1,7 @@
 //! One error type: each variant names the violated condition and the value that violated it.
 
+use core::fmt;
+
 /// What a constructor or a function refuses, and why.
 ///
 /// Every variant prints as one line that names the quantity, the condition and the offending value.
@@ -7,7 +9,7 @@
 #[non_exhaustive]
 pub enum Error {
     /// A quantity is infinite or not a number.
-    #[error("{quantity} must be finite, got {value}")]
+    #[error("{quantity} must be finite, got {}", Number(*value))]
     NotFinite {
         /// Name of the quantity.
         quantity: &'static str,
@@ -15,7 +17,7 @@ pub enum Error {
         value: f64,
     },
     /// A quantity that must be greater than zero is not.
-    #[error("{quantity} must be positive, got {value}")]
+    #[error("{quantity} must be positive, got {}", Number(*value))]
     NotPositive {
         /// Name of the quantity.
         quantity: &'static str,
@@ -23,7 +25,7 @@ pub enum Error {
         value: f64,
     },
     /// A quantity that may be zero is negative.
-    #[error("{quantity} must not be negative, got {value}")]
+    #[error("{quantity} must not be negative, got {}", Number(*value))]
     Negative {
         /// Name of the quantity.
         quantity: &'static str,
@@ -31,7 +33,9 @@ pub enum Error {
         value: f64,
     },
     /// A quantity lies outside the interval on which the formula holds.
-    #[error("{quantity} must lie between {least} and {greatest}, got {value}")]
+    #[error(
+        "{quantity} must lie between {} and {}, got {}", Number(*least), Number(*greatest), Number(*value)
+    )]
     OutOfRange {
         /// Name of the quantity.
         quantity: &'static str,
@@ -50,7 +54,8 @@ pub enum Error {
     },
     /// Moments of inertia that no body has (tutorial 2.4: `I1 + I2 >= I3`).
     #[error(
-        "principal moments must satisfy I1 + I2 >= I3, got {smallest} + {middle} < {largest}; no body has these"
+        "principal moments must satisfy I1 + I2 >= I3, got {} + {} < {}; no body has these",
+        Number(*smallest), Number(*middle), Number(*largest)
     )]
     TriangleInequality {
         /// Smallest moment, kg m².
@@ -62,7 +67,8 @@ pub enum Error {
     },
     /// A matrix that should be symmetric is not.
     #[error(
-        "the inertia matrix must be symmetric, got {upper} above and {lower} below the diagonal in row {row}, column {column}"
+        "the inertia matrix must be symmetric, got {} above and {} below the diagonal in row {row}, column {column}",
+        Number(*upper), Number(*lower)
     )]
     NotSymmetric {
         /// Row of the entry above the diagonal, counted from 0.
@@ -98,7 +104,7 @@ pub enum Error {
     )]
     OpenMesh,
     /// A mesh encloses no volume, or a negative one.
-    #[error("the mesh must enclose a positive volume, got {volume} m³{hint}")]
+    #[error("the mesh must enclose a positive volume, got {} m³{hint}", Number(*volume))]
     NoVolume {
         /// Signed volume, m³.
         volume: f64,
@@ -112,7 +118,7 @@ pub enum Error {
         body: &'static str,
     },
     /// A numerical integration did not come to its end.
-    #[error("the integration stopped at t = {time} s: {reason}")]
+    #[error("the integration stopped at t = {} s: {reason}", Number(*time))]
     Integration {
         /// Why.
         reason: &'static str,
@@ -121,7 +127,8 @@ pub enum Error {
     },
     /// A motion lost a quantity that its scene conserves, or let one rise that can only fall.
     #[error(
-        "the ledger is violated: {quantity} drifted by {drift} relative to its scale, allowed are {allowed}"
+        "the ledger is violated: {quantity} drifted by {} relative to its scale, allowed are {}",
+        Number(*drift), Number(*allowed)
     )]
     Ledger {
         /// Name of the quantity.
@@ -133,7 +140,8 @@ pub enum Error {
     },
     /// No method at hand reaches the accuracy asked for.
     #[error(
-        "accuracy {asked} was asked for, {reached} is what the motion allows in double precision"
+        "accuracy {} was asked for, {} is what the motion allows in double precision",
+        Number(*asked), Number(*reached)
     )]
     Accuracy {
         /// Relative accuracy asked for.
@@ -160,13 +168,41 @@ pub enum Error {
         reason: Box<Error>,
     },
     /// A condition that has no variant of its own; the text states it.
-    #[error("{condition}, got {value}")]
+    #[error("{condition}, got {}", Number(*value))]
     Condition {
         /// The condition, as "x must ...".
         condition: &'static str,
         /// The value that violates it.
         value: f64,
     },
+    /// A solver was asked for that cannot run the scene or the top; the text says which can.
+    #[error("{condition}")]
+    Solver {
+        /// The condition, as "the solver must ...".
+        condition: &'static str,
+    },
+}
+
+/// A number as a message shows it: the fewest digits from which it can be read back, with an exponent where there would be a row of
+/// zeros.
+///
+/// ```
+/// use spinning_bodies::error::Number;
+/// let shown = [0.1, 0.0, 1e300, 1.25e-5, -5e-324, f64::NAN].map(|x| Number(x).to_string());
+/// assert_eq!(shown, ["0.1", "0", "1e300", "1.25e-5", "-5e-324", "NaN"]);
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Number(pub f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = self;
+        if *value == 0.0 || (1e-4..1e6).contains(&value.abs()) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
 }
 
 /// The result of everything in this library that can refuse.

@@ -382,3 +382,25 @@ fn every_solver_is_found_by_its_name() {
         );
     }
 }
+
+/// Every scene but the free body's refuses a method for free bodies: it names the key, and no number stands where there is none to tell.
+#[test]
+fn a_solver_that_cannot_run_a_scene_is_refused_by_its_key() {
+    let scratch = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    for entry in Path::new("scenes").read_dir().unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap();
+        if name == "racket.toml" {
+            continue;
+        }
+        let scene = std::fs::read_to_string(&path).unwrap();
+        let asked = scene.replace("[run]", "[run]\nsolver = \"moser-veselov-4\"");
+        let file = scratch.path().join(name);
+        std::fs::write(&file, asked).unwrap();
+        let error = simulate(&file).unwrap_err();
+        let told = error.to_string();
+        assert_eq!(error.status(), 2, "{told}");
+        assert!(told.contains("key `solver` in [run]: "), "{told}");
+        assert!(!told.contains("NaN") && !told.contains("got"), "{told}");
+    }
+}

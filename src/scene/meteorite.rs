@@ -191,9 +191,8 @@ impl<B: Effect + Blow> Scene for StruckPlanet<B> {
             Choice::Auto | Choice::Use(Solver::Exact) => {
                 Ok(Plan::new(Solver::Exact, "no torque: closed form"))
             }
-            Choice::Use(_) => Err(Error::Condition {
+            Choice::Use(_) => Err(Error::Solver {
                 condition: "a struck planet is solved in closed form only; ask for exact",
-                value: f64::NAN,
             }),
         }
     }

@@ -50,7 +50,7 @@ pub trait Scene {
     /// Which solver will run, and why.
     ///
     /// # Errors
-    /// [`Error::Condition`](crate::Error::Condition) if the solver asked for cannot run this scene.
+    /// [`Error::Solver`](crate::Error::Solver) if the solver asked for cannot run this scene.
     fn plan(&self, request: &Request) -> Result<Plan>;
 
     /// The motion at the times asked for, with its cost and its ledger.

@@ -139,9 +139,8 @@ impl fmt::Display for Plan {
 
 /// What a scene that is no top says to a geometric method.
 pub(crate) const fn only_for_tops() -> Error {
-    Error::Condition {
+    Error::Solver {
         condition: "the geometric solvers (rotations, moser-veselov, kick-drift, munthe-kaas, dormand-prince-8) are for tops",
-        value: f64::NAN,
     }
 }
 

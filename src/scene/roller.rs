@@ -309,9 +309,8 @@ pub(super) fn planned(request: &Request, alone: bool, why: &str) -> Result<Plan>
             Solver::Events,
             format!("{why}: closed form from event to event"),
         )),
-        Choice::Use(Solver::Exact) if !alone => Err(Error::Condition {
+        Choice::Use(Solver::Exact) if !alone => Err(Error::Solver {
             condition: "the solver exact needs a scene without friction, resistance, pull or sheet; ask for events",
-            value: f64::NAN,
         }),
         Choice::Use(Solver::General(method)) => Ok(Plan::new(
             Solver::General(method),

@@ -221,9 +221,8 @@ where
                 Solver::Events,
                 "losses in the bounces: closed form from bounce to bounce",
             )),
-            Choice::Use(Solver::Exact) if !elastic => Err(Error::Condition {
+            Choice::Use(Solver::Exact) if !elastic => Err(Error::Solver {
                 condition: "the solver exact needs a superball without restitution and grip; ask for events",
-                value: f64::NAN,
             }),
             Choice::Use(Solver::General(method)) => Ok(Plan::new(
                 Solver::General(method),

@@ -44,3 +44,25 @@ fn lagrange(weight: f64, omega: [f64; 3], attitude: Attitude) -> Result<(Nutatio
     let top = LagrangeTop::new(1.0, 0.5, weight, vector(omega), attitude)?;
     Ok((top.kind(), [top.at(0.0)?, top.at(30.0)?]))
 }
+
+/// The greatest and the smallest numbers, each with an exponent and all of its digits.
+#[test]
+fn numbers_in_refusals_can_be_read() {
+    let told = |moments: [f64; 3]| {
+        EulerTop::new(moments, vector([1.0; 3]), level())
+            .expect_err("no body")
+            .to_string()
+    };
+    assert_eq!(
+        told([5e-324, 1.0, f64::MAX]),
+        "principal moments must satisfy I1 + I2 >= I3, got 5e-324 + 1 < 1.7976931348623157e308; no body has these"
+    );
+    assert_eq!(
+        told([1.0, 1.0, -1e-300]),
+        "a principal moment must not be negative, got -1e-300"
+    );
+    assert_eq!(
+        told([1.0, 1.0, 123456.5]),
+        "principal moments must satisfy I1 + I2 >= I3, got 1 + 1 < 123456.5; no body has these"
+    );
+}

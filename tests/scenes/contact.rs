@@ -373,7 +373,7 @@ fn what_cannot_be_run_is_refused() {
     for solver in [Solver::Exact, Solver::Events, Solver::General(Method::Rk4)] {
         let request = Request::at([1.0]).unwrap().by(Choice::Use(solver));
         assert!(
-            matches!(scene.simulate(&request), Err(Error::Condition { .. })),
+            matches!(scene.simulate(&request), Err(Error::Solver { .. })),
             "{solver}"
         );
     }

@@ -73,5 +73,5 @@ fn free_before_and_after() {
 fn only_the_closed_form_runs_it() {
     let dop853 = times().by(Choice::Use(Solver::General(Method::Dop853)));
     let refused = StruckPlanet::new(planet()).simulate(&dop853);
-    assert!(matches!(refused, Err(Error::Condition { .. })));
+    assert!(matches!(refused, Err(Error::Solver { .. })));
 }

@@ -93,10 +93,7 @@ fn what_a_roller_refuses() {
         Err(Error::OutOfRange { .. })
     ));
     let exact = times().by(Choice::Use(Solver::Exact));
-    assert!(matches!(
-        scene.simulate(&exact),
-        Err(Error::Condition { .. })
-    ));
+    assert!(matches!(scene.simulate(&exact), Err(Error::Solver { .. })));
     assert!(thrown().simulate(&exact).is_ok());
     for method in [Method::Rk4, Method::Dopri5, Method::Verner98] {
         let motion = scene.simulate(&by(method)).unwrap();

@@ -300,9 +300,7 @@ fn a_rigid_cat_does_not_turn_and_one_with_angular_momentum_does() {
     .unwrap();
     let unequal = shape::Cat::new(unequal, start).with_change(OVER).unwrap();
     let refused = unequal.simulate(&asked.clone().by(Choice::Use(Solver::Exact)));
-    assert!(
-        matches!(refused, Err(Error::Condition { condition, .. }) if condition.contains("`exact`"))
-    );
+    assert!(matches!(refused, Err(Error::Solver { condition }) if condition.contains("`exact`")));
     assert!(unequal.simulate(&asked).is_ok());
 }
 
@@ -385,11 +383,11 @@ fn what_cannot_be_simulated_is_refused() {
     ));
     let asked = Request::at([1.0]).unwrap();
     let rk4 = asked.clone().by(Choice::Use(Solver::General(Method::Rk4)));
-    assert!(matches!(cat().simulate(&rk4), Err(Error::Condition { .. })));
+    assert!(matches!(cat().simulate(&rk4), Err(Error::Solver { .. })));
     let events = asked.by(Choice::Use(Solver::Events));
     assert!(matches!(
         swivel().simulate(&events),
-        Err(Error::Condition { .. })
+        Err(Error::Solver { .. })
     ));
     let far = Request::at([1e300]).unwrap();
     assert!(matches!(

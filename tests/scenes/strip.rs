@@ -312,7 +312,7 @@ fn methods_agree_and_refusals_are_named() {
     }
     for solver in [Solver::Exact, Solver::Events] {
         let refused = scene.plan(&request().by(Choice::Use(solver)));
-        assert!(matches!(refused, Err(Error::Condition { .. })));
+        assert!(matches!(refused, Err(Error::Solver { .. })));
     }
     let before = Request::at([-1.0]).unwrap();
     assert!(matches!(scene.plan(&before), Err(Error::OutOfRange { .. })));

@@ -260,21 +260,21 @@ fn refusals_name_what_is_wrong() {
         .with_gravity(Gravity::new(G).unwrap());
     let request = Request::at([1.0]).unwrap();
     let exact = heavy.plan(&request.clone().by(Choice::Use(Solver::Exact)));
-    assert!(matches!(exact, Err(Error::Condition { .. })));
+    assert!(matches!(exact, Err(Error::Solver { .. })));
     let events = heavy.plan(&request.clone().by(Choice::Use(Solver::Events)));
-    assert!(matches!(events, Err(Error::Condition { .. })));
+    assert!(matches!(events, Err(Error::Solver { .. })));
     for method in [
         Geometric::Rotations(Order::Four),
         Geometric::MoserVeselov(VeselovOrder::Ten),
     ] {
         let free_only = request.clone().by(Choice::Use(Solver::Geometric(method)));
         let refused = heavy.simulate(&free_only);
-        assert!(matches!(refused, Err(Error::Condition { .. })));
+        assert!(matches!(refused, Err(Error::Solver { .. })));
     }
     let rubbed = heavy.with_pivot_friction(PivotFriction::new(0.1).unwrap());
     let kicks = Solver::Geometric(Geometric::KickDrift(Order::Two));
     let refused = rubbed.plan(&request.by(Choice::Use(kicks)));
-    assert!(matches!(refused, Err(Error::Condition { .. })));
+    assert!(matches!(refused, Err(Error::Solver { .. })));
     assert!(
         heavy
             .with_tip_friction(TipFriction::new(0.1).unwrap())

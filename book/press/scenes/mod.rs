@@ -274,7 +274,7 @@ fn told(name: &str, error: spinning_bodies::Error) -> Error {
         Refusal::Accuracy { .. } => Error::Failed(format!(
             "{name}: {error}; ask for less by `accuracy` in [run], or for a shorter time"
         )),
-        Refusal::Condition { condition, .. } if condition.starts_with("the solver") => {
+        Refusal::Solver { condition } => {
             Error::Input(format!("{name}: key `solver` in [run]: {condition}"))
         }
         other => Error::Input(format!("{name}: {other}")),

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use spinning_bodies::error::Number;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use toml::{Table, Value};
 
@@ -211,7 +212,10 @@ impl<'a> Section<'a> {
         };
         let length = w.hypot(x).hypot(y.hypot(z));
         if (length - 1.0).abs() > 1e-3 {
-            let told = format!("must be a unit quaternion w x y z, got one of length {length}");
+            let told = format!(
+                "must be a unit quaternion w x y z, got one of length {}",
+                Number(length)
+            );
             return Err(self.refused(KEY, told));
         }
         Attitude::from_quaternion(w, x, y, z).map_err(self.about(KEY))

@@ -11,6 +11,7 @@
 //! | paper-cat | mass, area, lever, gyration, coefficient, damping | tilt | air, gravity |
 //! | crawler | masses, gap, length, push, pull | | ground_friction (coefficient, gravity) |
 
+use spinning_bodies::error::Number;
 use spinning_bodies::phenomena;
 use spinning_bodies::phenomena::cat::Half;
 use spinning_bodies::phenomena::crawler::Strokes;
@@ -29,9 +30,10 @@ const PACES: &[(&str, Pace)] = &[("even", Pace::Even), ("late", Pace::Late)];
 fn bearing(effects: &Section<'_>) -> Result<Option<BearingFriction>> {
     const KEY: &str = "bearing_friction";
     match effects.optional(KEY, "a coefficient in N m s")? {
-        Some(resistance) if resistance < 0.0 => {
-            Err(effects.refused(KEY, format!("must not be negative, got {resistance}")))
-        }
+        Some(resistance) if resistance < 0.0 => Err(effects.refused(
+            KEY,
+            format!("must not be negative, got {}", Number(resistance)),
+        )),
         listed => Ok(listed.map(|resistance| BearingFriction { resistance })),
     }
 }
@@ -196,7 +198,10 @@ pub fn paper_cat(file: &Section<'_>) -> Result<Ready> {
     let weight = gravity(&effects)?;
     let air = match effects.optional("air", "a density in kg/m³")? {
         Some(density) if density < 0.0 => {
-            return Err(effects.refused("air", format!("must not be negative, got {density}")));
+            return Err(effects.refused(
+                "air",
+                format!("must not be negative, got {}", Number(density)),
+            ));
         }
         listed => listed.map(|density| Air { density }),
     };

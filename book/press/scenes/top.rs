@@ -3,6 +3,7 @@
 //! `[body]` mass, moments, center_of_mass; `[initial]` attitude, omega or angular_momentum; `[effects]` gravity, pivot_friction,
 //! bearing_friction, air_drag, tip_friction.
 
+use spinning_bodies::error::Number;
 use spinning_bodies::scene::top::{
     AirDrag, BearingFriction, Body, Gravity, Listed, PivotFriction, Start, TipFriction,
 };
@@ -64,7 +65,10 @@ fn body(section: &Section<'_>, listed: &Listed) -> Result<Body> {
     if let Some(mass) = mass
         && mass <= 0.0
     {
-        return Err(section.refused("mass", format!("must be positive, in kg, got {mass}")));
+        return Err(section.refused(
+            "mass",
+            format!("must be positive, in kg, got {}", Number(mass)),
+        ));
     }
     match (mass, center) {
         (Some(mass), Some(center)) => {

@@ -4,6 +4,7 @@
 //! `[initial]` throw (m/s, absent: let go); `[effects]` gravity, turn_loss (spin left by a turn), hand (J a turn), sleep (s), axle_friction (N m),
 //! air_drag (kg m²).
 
+use spinning_bodies::error::Number;
 use spinning_bodies::scene::yo_yo::{
     AirDrag, AxleFriction, Gravity, Hand, Listed, Sleep, TurnLoss,
 };
@@ -23,7 +24,10 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     let section = file.section("initial")?;
     let throw = section.number_or("throw", "a speed in m/s", 0.0)?;
     if throw < 0.0 {
-        return Err(section.refused("throw", format!("must not be negative, got {throw}")));
+        return Err(section.refused(
+            "throw",
+            format!("must not be negative, got {}", Number(throw)),
+        ));
     }
     section.done()?;
     let scene = listed.on(toy, throw).map_err(file.about("effects"))?;

@@ -48,7 +48,7 @@ impl Setting<'_> {
             Choice::Use(solver @ Solver::General(method)) if method.is_adaptive() => {
                 Ok(Plan::new(solver, "asked for"))
             }
-            Choice::Use(solver) => Err(Error::Condition {
+            Choice::Use(solver) => Err(Error::Solver {
                 condition: match solver {
                     Solver::Exact => "the solver exact must be given a body without gravity",
                     Solver::Events => {
@@ -58,7 +58,6 @@ impl Setting<'_> {
                         "a body on a table must be run by a method that chooses its own steps, not by rk4"
                     }
                 },
-                value: self.ground.gravity(),
             }),
         }
     }
@@ -117,9 +116,8 @@ impl Setting<'_> {
     fn method(&self, plan: &Plan) -> Result<Method> {
         match plan.solver {
             Solver::General(method) => Ok(method),
-            _ => Err(Error::Condition {
+            _ => Err(Error::Solver {
                 condition: "a body on a table must be run by a general method",
-                value: self.ground.gravity(),
             }),
         }
     }

@@ -125,10 +125,7 @@ fn planned(
     closed: core::result::Result<(Solver, &str), &str>,
     refusal: &'static str,
 ) -> Result<Plan> {
-    let refused = || Error::Condition {
-        condition: refusal,
-        value: f64::NAN,
-    };
+    let refused = || Error::Solver { condition: refusal };
     match (request.choice(), closed) {
         (Choice::Auto, Ok((solver, reason))) => Ok(Plan::new(solver, reason)),
         (Choice::Auto, Err(reason)) => Ok(Plan::new(Solver::General(Method::Dop853), reason)),

@@ -59,9 +59,8 @@ impl Setting<'_> {
         let reason = match solver {
             Solver::Exact if vacuum => "a vacuum: closed form",
             Solver::Exact | Solver::Events | Solver::Geometric(_) => {
-                return Err(Error::Condition {
+                return Err(Error::Solver {
                     condition: "the solver must be a general one for a strip in a fluid, which has no closed form",
-                    value: f64::NAN,
                 });
             }
             Solver::General(_) if vacuum => "asked for, though a vacuum has a closed form",

@@ -61,9 +61,8 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
             Choice::Auto => self.cheapest(request, books),
             Choice::Use(Solver::Exact) => match self.closed_form()? {
                 Some(closed) => Ok((Plan::new(Solver::Exact, "asked for"), Way::Closed(closed))),
-                None => Err(Error::Condition {
+                None => Err(Error::Solver {
                     condition: "the solver `exact` is for scenes with a closed form, this one has none",
-                    value: f64::NAN,
                 }),
             },
             Choice::Use(solver @ Solver::General(_)) => {
@@ -71,9 +70,8 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
             }
             Choice::Use(Solver::Geometric(method)) => {
                 if T::PRESENT || Self::LOSSY && method != Geometric::DormandPrince8 {
-                    return Err(Error::Condition {
+                    return Err(Error::Solver {
                         condition: "the geometric solvers are for tops under gravity alone, and dormand-prince-8 for those whose friction is smooth",
-                        value: f64::NAN,
                     });
                 }
                 Ok((
@@ -81,9 +79,8 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
                     Way::Named,
                 ))
             }
-            Choice::Use(Solver::Events) => Err(Error::Condition {
+            Choice::Use(Solver::Events) => Err(Error::Solver {
                 condition: "the solver `events` is for scenes with contacts, a top has none",
-                value: f64::NAN,
             }),
         }
     }
@@ -129,7 +126,7 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
     /// for those who measure methods.
     ///
     /// # Errors
-    /// [`Error::Condition`] where something other than gravity acts, or the method cannot run this top; those of the method.
+    /// [`Error::Solver`] where something other than gravity acts, or the method cannot run this top; those of the method.
     pub fn run_once(
         &self,
         times: &[f64],
@@ -137,9 +134,8 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Top<
         effort: Effort,
     ) -> Result<Motion<State>> {
         if Self::LOSSY {
-            return Err(Error::Condition {
+            return Err(Error::Solver {
                 condition: "a run without a question about its error is for tops under gravity alone",
-                value: f64::NAN,
             });
         }
         let books = Books::of(&self.body, self.gravity.lever(self.body.arm()), &self.start)?;

@@ -34,7 +34,7 @@ impl Heavy<'_> {
     /// Phases at the times asked for, with an error below the accuracy.
     ///
     /// # Errors
-    /// [`Error::Condition`] for a method that cannot run this top; [`Error::Accuracy`]; those of the method.
+    /// [`Error::Solver`] for a method that cannot run this top; [`Error::Accuracy`]; those of the method.
     pub fn to_accuracy(&self, method: Geometric, accuracy: f64) -> Result<Steered<Phase>> {
         if method != Geometric::DormandPrince8 {
             return self.halved(method, accuracy);
@@ -244,9 +244,8 @@ impl Heavy<'_> {
                 Box::new(MoserVeselov::new(self.moments, order)?)
             }
             Geometric::Rotations(_) | Geometric::MoserVeselov(_) => {
-                return Err(Error::Condition {
+                return Err(Error::Solver {
                     condition: "the solvers rotations and moser-veselov are for tops that no torque acts on",
-                    value: f64::NAN,
                 });
             }
             Geometric::KickDrift(order) => self.kick_drift(order)?,

@@ -193,9 +193,8 @@ impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> Scen
                 _ if Self::LOSSY => return self.followed(plan, None, request, &books, &budget),
                 (Solver::Geometric(method), _) => method,
                 _ => {
-                    return Err(Error::Condition {
+                    return Err(Error::Solver {
                         condition: "a plan without a closed form must name a method",
-                        value: f64::NAN,
                     });
                 }
             };

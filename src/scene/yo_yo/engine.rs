@@ -112,17 +112,15 @@ impl Setting<'_> {
         let reason = match solver {
             Solver::Events if !air => "no air: closed forms from event to event",
             Solver::General(method) if !method.is_adaptive() => {
-                return Err(Error::Condition {
+                return Err(Error::Solver {
                     condition: "the solver must choose its steps: a yo-yo falls for seconds and turns in milliseconds",
-                    value: f64::NAN,
                 });
             }
             Solver::General(_) if air => "resistance of the air: general integration with events",
             Solver::General(_) => "asked for, though there are closed forms from event to event",
             Solver::Exact | Solver::Events | Solver::Geometric(_) => {
-                return Err(Error::Condition {
+                return Err(Error::Solver {
                     condition: "the solver must be events for a yo-yo without air, a general one with it",
-                    value: f64::NAN,
                 });
             }
         };

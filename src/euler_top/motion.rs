@@ -3,11 +3,11 @@
 use nalgebra::Quaternion;
 
 use super::evaluation::half_turn;
-use super::preparation::{Constants, decide};
-use super::start::{Digits, Start, ratio};
+use super::preparation::{Constants, decide, decide_from};
+use super::start::{Digits, Start, ascending, ratio};
 use crate::double_double::{DoubleDouble, power_of_two_below};
-use crate::error::{Error, Result, finite, not_negative};
-use crate::extended::{Extended, Scalar};
+use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::extended::{Extended, Scalar, sum_of_products};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 use crate::words::Arithmetic;
@@ -150,6 +150,111 @@ impl EulerTop {
         Self::prepared(moments, start, attitude, Digits::ThirtyTwo)
     }
 
+    /// The body with these principal moments (kg m², in any order), L² (kg² m⁴/s²) and kinetic energy E (J), with this attitude at time 0 (6.6).
+    ///
+    /// At time 0 Ω crosses the plane of the axes of the smallest and the largest moment, its components along both not negative:
+    /// L₁² = I₁(2EI₃ − L²)/(I₃ − I₁), L₂ = 0, L₃² = I₃(L² − 2EI₁)/(I₃ − I₁) for ascending moments; with L² = 2EI₂ that is the middle of the one half turn.
+    /// A symmetric top has Ω among its equal axes along the first of them in that order, a sphere along its third axis.
+    /// All differences are exact for the doubles given, so the separatrix is told exactly; where 2EI₂ is no double,
+    /// [`beside_separatrix`](Self::beside_separatrix) reaches it. Cost: some fifteen evaluations of [`at`](Self::at).
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new), but [`Error::NotPositive`] for a moment that is zero: what a rod does, L alone tells; [`Error::Negative`] for L² or E;
+    /// [`Error::Condition`] unless 2EI₁ ≤ L² ≤ 2EI₃.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::{EulerTop, Regime}, frame::Attitude};
+    /// let flip = EulerTop::from_integrals([1.0, 2.0, 3.0], 4.0, 1.0, Attitude::identity())?;
+    /// assert_eq!(flip.regime(), Regime::Separatrix);
+    /// // L = (1, 0, √3) at the middle of the half turn, and L₁ = sech(t/√3) around it.
+    /// let l = flip.at(1000.0)?.angular_momentum;
+    /// assert!((l.x() * (1000.0 / 3f64.sqrt()).cosh() - 1.0).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn from_integrals(
+        moments: [f64; 3],
+        l_squared: f64,
+        energy: f64,
+        attitude: Attitude,
+    ) -> Result<Self> {
+        not_negative("the square of the angular momentum", l_squared)?;
+        Self::kept(moments, energy, [l_squared, 0.0], attitude)
+    }
+
+    /// The same as [`from_integrals`](Self::from_integrals) from the energy (J) and the distance L² − 2EI₂ from the separatrix (kg² m⁴/s²): zero is the
+    /// separatrix of every body, and next to it no digit is lost.
+    ///
+    /// # Errors
+    /// As for [`from_integrals`](Self::from_integrals).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::{EulerTop, Regime}, frame::Attitude};
+    /// let at = |distance| EulerTop::beside_separatrix([0.3, 0.5, 0.7], 0.1, distance, Attitude::identity());
+    /// assert_eq!(at(0.0)?.regime(), Regime::Separatrix);
+    /// assert_eq!(at(5e-324)?.regime(), Regime::AroundLargest);
+    /// assert_eq!(at(-5e-324)?.regime(), Regime::AroundSmallest);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn beside_separatrix(
+        moments: [f64; 3],
+        energy: f64,
+        distance: f64,
+        attitude: Attitude,
+    ) -> Result<Self> {
+        finite("the distance L² − 2EI₂ from the separatrix", distance)?;
+        Self::kept(moments, energy, [distance, 2.0], attitude)
+    }
+
+    /// From E, and L² as a double and so many times EI₂.
+    fn kept(
+        moments: [f64; 3],
+        energy: f64,
+        [l_squared, share]: [f64; 2],
+        attitude: Attitude,
+    ) -> Result<Self> {
+        for moment in moments {
+            positive("a principal moment", moment)?;
+        }
+        PrincipalMoments::new(moments[0], moments[1], moments[2])?;
+        not_negative("the kinetic energy", energy)?;
+        let order = ascending(moments);
+        let i = order.map(|k| moments[k]);
+        // L² − 2EI_k.
+        let above = |k: usize| {
+            let less = [-energy, i[k]];
+            let more = [energy, if share == 0.0 { 0.0 } else { i[1] }];
+            sum_of_products(&[[l_squared, 1.0], more, more, less, less])
+        };
+        let number = Extended::from_double;
+        let differences = [above(0), above(1), above(2)];
+        let span = Extended::difference(i[2], i[0]);
+        let squares = if span.is_zero() {
+            // All moments equal: L² = 2EI or nothing.
+            let square = number(energy).times(2.0).multiply(number(i[2]));
+            [Extended::zero(), square]
+        } else {
+            let part = |k: usize, above: Extended| above.multiply(number(i[k])).divide(span);
+            [part(0, differences[2].negated()), part(2, differences[0])]
+        };
+        if differences[0].leading() < 0.0 || differences[2].leading() > 0.0 {
+            return Err(Error::Condition {
+                condition: "L² must lie between 2E times the smallest and the largest moment",
+                value: above(1)
+                    .subtract(number(energy).times(-2.0).multiply(number(i[1])))
+                    .value(),
+            });
+        }
+        let mut l = [Extended::zero(); 3];
+        (l[order[0]], l[order[2]]) = (squares[0].square_root(), squares[1].square_root());
+        let rounded = l.map(Extended::value);
+        for component in rounded.into_iter().chain(omega_of(moments, &l)) {
+            finite("a component of angular velocity or momentum", component)?;
+        }
+        let separation = differences[1].multiply(number(i[0])).multiply(number(i[2]));
+        let decided = decide_from(moments, l, |_, _| separation);
+        Self::settled(moments, rounded, &l, attitude, decided)
+    }
+
     fn prepared(
         moments: [f64; 3],
         start: Start,
@@ -177,9 +282,26 @@ impl EulerTop {
         if largest > f64::MAX / 2.0 {
             finite("the size of the angular momentum", vector(l).norm())?;
         }
-        let (regime, constants) = decide(moments, start, digits);
+        let decided = decide(moments, start, digits);
+        Self::settled(
+            moments,
+            l,
+            &start.angular_momentum(moments),
+            attitude,
+            decided,
+        )
+    }
+
+    /// From L, rounded and not.
+    fn settled(
+        moments: [f64; 3],
+        l: [f64; 3],
+        exact: &[Extended; 3],
+        attitude: Attitude,
+        (regime, constants): (Regime, Option<Constants>),
+    ) -> Result<Self> {
         let motion = match constants {
-            None => steady(moments, &start.angular_momentum(moments)),
+            None => steady(moments, exact),
             Some(constants) => {
                 let largest = constants
                     .rate

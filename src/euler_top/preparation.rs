@@ -85,7 +85,17 @@ fn decide_with<N: Scalar>(
     start: Start,
     separation: impl Fn([f64; 3], [usize; 3], Start) -> N,
 ) -> (Regime, Option<Constants>) {
-    let l: [N; 3] = start.angular_momentum(moments);
+    decide_from(moments, start.angular_momentum(moments), |i, order| {
+        separation(i, order, start)
+    })
+}
+
+/// From L along the axes and (L² − 2EI₂) I₁I₃ of the ascending moments in that order.
+pub(super) fn decide_from<N: Scalar>(
+    moments: [f64; 3],
+    l: [N; 3],
+    separation: impl Fn([f64; 3], [usize; 3]) -> N,
+) -> (Regime, Option<Constants>) {
     if l.iter().all(|component| component.is_zero()) {
         return (Regime::AtRest, None);
     }
@@ -103,7 +113,7 @@ fn decide_with<N: Scalar>(
         return (Regime::PermanentRotation, None);
     }
     let c = differences(i);
-    let separation = separation(i, order, start);
+    let separation = separation(i, order);
     let sign = separation.leading();
     let (axis, regime) = if sign < 0.0 {
         ([order[2], order[1], order[0]], Regime::AroundSmallest)
@@ -122,7 +132,7 @@ fn decide_with<N: Scalar>(
     } else {
         (c, separation, 1.0)
     };
-    let axes = Renumbering::new(axis, start.components());
+    let axes = Renumbering::new(axis, l.map(N::leading));
     let l = axes.there(l);
     (
         regime,

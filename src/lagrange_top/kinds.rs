@@ -1,6 +1,6 @@
 //! What the axis does, and between which heights (tutorial 7.2, 7.5).
 
-use super::roots::{Cubic, Distances};
+use super::roots::Distances;
 use crate::extended::Scalar;
 use crate::words::Words;
 
@@ -74,20 +74,15 @@ impl Roots {
     }
 }
 
-/// Decided by exact zeros and signs.
-pub(super) fn kind<N: Scalar>(cubic: &Cubic<N>, d: &Distances<N>) -> Nutation {
-    // φ' has the sign of (L_vert − L₃h)/I₁: here at both turning points.
-    let upper = cubic.drift.subtract(cubic.spin.multiply(d.to_upper));
-    let lower = cubic
-        .drift
-        .subtract(cubic.spin.multiply(d.to_lower).negated());
+/// Decided by exact zeros and signs; φ' has the sign of (L_vert − L₃h)/I₁, given at both turning points.
+pub(super) fn kind<N: Scalar>(spin: N, [lower, upper]: [N; 2], d: &Distances<N>) -> Nutation {
     if d.third[3].is_zero() {
         Nutation::Waking
-    } else if cubic.spin.is_zero() && d.sum.is_zero() {
+    } else if spin.is_zero() && d.sum.is_zero() {
         Nutation::PlanePendulum
     } else if d.band.is_zero() {
         Nutation::PurePrecession
-    } else if cubic.spin.is_zero() {
+    } else if spin.is_zero() {
         Nutation::SphericalPendulum
     } else if upper.is_zero() {
         Nutation::Cusps

@@ -7,10 +7,11 @@
 //! | paragraph | what | where |
 //! |---|---|---|
 //! | 7.1, 7.2 | tilt, azimuth and attitude at any time; period and precession; the kind of nutation | [`LagrangeTop`] |
+//! | 7.2, 7.5 | a top from L₃, L_vert and E; waking exactly | [`LagrangeTop::from_integrals`], [`LagrangeTop::above_upright`] |
 //! | 7.3 | pure precession, slow and fast, and when there is any | [`pure_precession`], [`fast_spin`] |
 //! | 7.4 | how far a released top dips, and its cycloid | [`dip`] |
 //! | 7.5 | the spin with which a top sleeps, and how far a kick tilts it | [`sleeping_threshold`], [`tilt_after_kick`] |
-//! | 7.6 | the spherical pendulum and its turning ellipse | [`pendulum_between`], [`apsides`] |
+//! | 7.6 | the spherical pendulum and its turning ellipse | [`pendulum_between`], [`pendulum_from_integrals`], [`apsides`] |
 
 mod angles;
 mod dip;
@@ -28,6 +29,6 @@ pub use angles::EulerAngles;
 pub use dip::{Cycloid, Dip, dip};
 pub use kinds::{Nutation, Roots};
 pub use motion::{LagrangeTop, State};
-pub use pendulum::{Apsides, apsides, pendulum_between};
+pub use pendulum::{Apsides, apsides, pendulum_between, pendulum_from_integrals};
 pub use precession::{FastSpin, PurePrecession, fast_spin, pure_precession};
 pub use sleeping::{sleeping_threshold, tilt_after_kick};

@@ -4,11 +4,13 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Constants, Pull, turned};
 use super::kinds::{Nutation, Roots};
-use super::preparation::{Body, moderate, prepare};
+use super::preparation::{Body, Kept, Start, moderate, prepare, prepare_kept};
 use crate::double_double::DoubleDouble;
-use crate::error::{Error, Result, finite, not_negative, positive};
-use crate::extended::Extended;
+use crate::error::{Error, Result, finite};
+use crate::extended::{Extended, sum_of_products};
+
 use crate::frame::{Attitude, BodyVector};
+use crate::words::Arithmetic;
 
 /// Beyond this, in rad/s, sums of rates overflow.
 pub(super) const FASTEST: f64 = 1e307;
@@ -58,8 +60,10 @@ impl LagrangeTop {
     ///
     /// Domain: any such body; no gravity (the pivot at the centre of mass), and gravity upwards (Mgl < 0), are tops like others, and
     /// so is a needle (I₃ = 0), whose L₃ is zero whatever its Ω₃. Upright or hanging, at rest or spinning, the axis stays, exactly.
-    /// The attitude counts as the direction of its quaternion. What is exactly pure precession, a cusp, upright, at the threshold or on the separatrix is
-    /// found to be so, up to the rounding of the numbers given. Cost: some twenty evaluations of [`at`](Self::at).
+    /// The attitude counts as the direction of its quaternion. What the numbers given make upright, hanging, a plane pendulum or at the threshold is found
+    /// to be so, and pure precession and cusps up to their rounding. A tilted start on the separatrix is seldom made of doubles: rounded, it lies beside, and so says
+    /// [`kind`](Self::kind); [`from_integrals`](Self::from_integrals) and [`above_upright`](Self::above_upright) reach it. Cost: some twenty evaluations of
+    /// [`at`](Self::at).
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`] for I₁, [`Error::Negative`] for I₃, [`Error::TriangleInequality`] for
@@ -84,16 +88,7 @@ impl LagrangeTop {
         omega: BodyVector,
         attitude: Attitude,
     ) -> Result<Self> {
-        positive("the transverse moment", transverse)?;
-        not_negative("the axial moment", axial)?;
-        if axial * 0.5 > transverse * (1.0 + 4.0 * f64::EPSILON) {
-            return Err(Error::TriangleInequality {
-                smallest: transverse,
-                middle: transverse,
-                largest: axial,
-            });
-        }
-        finite("the weight moment Mgl", weight_moment)?;
+        let body = Body::new(transverse, axial, weight_moment)?;
         for component in omega.components().iter() {
             finite("a component of the angular velocity", *component)?;
         }
@@ -105,11 +100,6 @@ impl LagrangeTop {
                 greatest: FASTEST,
             });
         }
-        let body = Body {
-            transverse,
-            axial,
-            weight_moment,
-        };
         let (kind, roots, motion) = if moderate(body, omega, &attitude) {
             prepare::<DoubleDouble>(body, omega, &attitude)?
         } else {
@@ -119,6 +109,133 @@ impl LagrangeTop {
             transverse,
             axial,
             weight_moment,
+            omega,
+            attitude,
+            kind,
+            roots,
+            motion,
+        })
+    }
+
+    /// The top with these integrals (7.2): L₃ and L_vert, the components of L along the axis and along the vertical (kg m²/s), and the energy
+    /// E = ½⟨Ω, L⟩ + Mgl cos θ (J). It starts where C is lowest, with φ = ψ = 0, so that the axis leans towards −y of space.
+    ///
+    /// The separatrix, L_vert = L₃ and E = L₃²/2I₃ + Mgl for L₃² < 4I₁Mgl, is told from exact products and sums of the doubles given: there it wakes,
+    /// 1 − h = (1 − h₁) sech²(λt) with λ² = Mgl (1 − h₁)/2I₁. Where that sum is no double, [`above_upright`](Self::above_upright) reaches it.
+    /// Domain: bodies as for [`new`](Self::new), every L₃ and L_vert, each energy that a motion has. A tilt that would change by less than 10⁻¹⁴ of the smaller
+    /// of 1 − h and 1 + h stays; the least energy, pure precession, is more easily met with [`pure_precession`](super::pure_precession).
+    /// Where the upright top with these integrals is unstable, the motion is the waking one. Error: that of [`at`](Self::at), for the integrals given.
+    /// Cost: some thirty evaluations of [`at`](Self::at).
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new) for the body; [`Error::NotFinite`]; [`Error::Condition`] for an energy below that of every motion with
+    /// these L₃ and L_vert, for L₃ ≠ 0 of a needle (I₃ = 0), and at rest without gravity, where no integral tells the tilt; [`Error::OutOfRange`] for
+    /// |Ω| or √(Mgl/I₁) above 10³⁰⁷.
+    ///
+    /// ```
+    /// use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
+    /// // L₃ = L_vert = 1 and E = L₃²/2I₃ + Mgl: 1 − h = 1.5 sech²(√0.75 t).
+    /// let waking = LagrangeTop::from_integrals(1.0, 0.5, 1.0, 1.0, 1.0, 2.0)?;
+    /// assert_eq!(waking.kind(), Nutation::Waking);
+    /// let (state, t) = (waking.at(300.0)?, 300.0 * 0.75f64.sqrt());
+    /// assert!((state.one_less / (1.5 / t.cosh().powi(2)) - 1.0).abs() < 1e-12, "10⁻²²⁵");
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn from_integrals(
+        transverse: f64,
+        axial: f64,
+        weight_moment: f64,
+        l3: f64,
+        l_vert: f64,
+        energy: f64,
+    ) -> Result<Self> {
+        let body = Body::new(transverse, axial, weight_moment)?;
+        let energy = finite("the energy", energy)?;
+        // 2I₃ (E − L₃²/2I₃ ∓ |Mgl|).
+        let twice_above = |weight: f64| {
+            if axial == 0.0 {
+                return sum_of_products(&[[2.0, energy], [2.0, weight]]);
+            }
+            let [spin, fall] = [[l3, -l3], [axial, weight]];
+            sum_of_products(&[[axial, energy], [axial, energy], spin, fall, fall])
+                .divide(Extended::from_double(axial))
+        };
+        Self::kept(body, [l3, l_vert], twice_above, |condition| {
+            Error::Condition {
+                condition,
+                value: energy,
+            }
+        })
+    }
+
+    /// The same as [`from_integrals`](Self::from_integrals) from the energy above that of the top that spins with this L₃ and C right above the pivot,
+    /// E − L₃²/2I₃ − |Mgl| (J): zero is the separatrix if L_vert = L₃ (−L₃ for Mgl < 0), whatever the body, and next to it no digit is lost.
+    ///
+    /// # Errors
+    /// As for [`from_integrals`](Self::from_integrals).
+    ///
+    /// ```
+    /// use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
+    /// // No sum L₃²/2I₃ + Mgl of these is a double.
+    /// let at = |excess| LagrangeTop::above_upright(0.3, 0.1, 0.7, 0.2, 0.2, excess);
+    /// assert_eq!(at(0.0)?.kind(), Nutation::Waking);
+    /// // From one passage to the next: longer by ln 10¹⁰⁰/2λ for each hundred zeros.
+    /// let (near, nearer) = (at(1e-100)?, at(1e-200)?);
+    /// let rate = (0.7 * at(0.0)?.roots().one_less[0] / 0.6).sqrt();
+    /// assert!((nearer.period() - near.period() - 50.0 * 10f64.ln() / rate).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn above_upright(
+        transverse: f64,
+        axial: f64,
+        weight_moment: f64,
+        l3: f64,
+        l_vert: f64,
+        excess: f64,
+    ) -> Result<Self> {
+        let body = Body::new(transverse, axial, weight_moment)?;
+        let excess = finite("the energy above the upright position", excess)?;
+        let size = weight_moment.abs();
+        // Less |Mgl| for what is counted from above, more for what is counted from below.
+        let twice_above =
+            |weight: f64| sum_of_products(&[[2.0, excess], [2.0, size], [2.0, weight]]);
+        Self::kept(body, [l3, l_vert], twice_above, |condition| {
+            Error::Condition {
+                condition,
+                value: excess,
+            }
+        })
+    }
+
+    fn kept(
+        body: Body,
+        [l3, l_vert]: [f64; 2],
+        twice_above: impl Fn(f64) -> Extended,
+        refusal: impl Fn(&'static str) -> Error,
+    ) -> Result<Self> {
+        finite("L3", l3)?;
+        finite("the vertical angular momentum", l_vert)?;
+        if body.axial == 0.0 && l3 != 0.0 {
+            return Err(Error::Condition {
+                condition: "the angular momentum of a needle about itself must be zero",
+                value: l3,
+            });
+        }
+        let weight = body.weight_moment.abs();
+        let kept = Kept {
+            l3,
+            l_vert,
+            above_top: twice_above(-weight),
+            above_bottom: twice_above(weight),
+        };
+        let (Start { omega, attitude }, (kind, roots, motion)) = prepare_kept(body, kept)?
+            .ok_or_else(|| {
+                refusal("the energy must be at least that of a motion with these L3 and L_vert")
+            })?;
+        Ok(Self {
+            transverse: body.transverse,
+            axial: body.axial,
+            weight_moment: body.weight_moment,
             omega,
             attitude,
             kind,

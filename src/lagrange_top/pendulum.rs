@@ -40,6 +40,30 @@ pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<Lagrange
     )
 }
 
+/// The spherical pendulum with these integrals (7.6): L_vert/I₁ (rad/s) and the energy over I₁ (s⁻²), zero at rest at the height of the pivot, under
+/// `gravity` Mgl/I₁ (s⁻²), which is g over the length for a bob. It starts where it is lowest.
+///
+/// A Lagrange top with I₁ = 1 and without spin. With L_vert = 0 a plane pendulum, which at energy = gravity, exactly, climbs to the upright position for ever
+/// ([`Nutation::Waking`](super::Nutation::Waking)). Small swings, whose energy is next to −gravity, are better told by their angles
+/// ([`pendulum_between`]). Domain: gravity > 0, each energy that a motion with this L_vert has. Cost: that of [`LagrangeTop::from_integrals`].
+///
+/// # Errors
+/// [`Error::NotFinite`], [`Error::NotPositive`] for gravity, [`Error::Condition`] for an energy below that of the conical pendulum with this L_vert.
+///
+/// ```
+/// use spinning_bodies::lagrange_top::{Nutation, pendulum_from_integrals};
+/// let climbing = pendulum_from_integrals(0.0, 9.81, 9.81)?;
+/// assert_eq!(climbing.kind(), Nutation::Waking);
+/// // 1 − h = 2 sech²(√g t).
+/// let state = climbing.at(50.0)?;
+/// assert!((state.one_less / (2.0 / (9.81f64.sqrt() * 50.0).cosh().powi(2)) - 1.0).abs() < 1e-12);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn pendulum_from_integrals(l_vert: f64, energy: f64, gravity: f64) -> Result<LagrangeTop> {
+    positive("gravity over length", gravity)?;
+    LagrangeTop::from_integrals(1.0, 1.0, gravity, 0.0, l_vert, energy)
+}
+
 /// By how much the ellipse of a spherical pendulum turns from one greatest swing to the next (7.6).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Apsides {

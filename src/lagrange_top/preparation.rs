@@ -5,13 +5,13 @@ use nalgebra::Quaternion;
 use super::evaluation::{Constants, Pull};
 use super::kinds::{Nutation, Roots, kind};
 use super::motion::{FASTEST, Motion};
-use super::roots::{Cubic, Distances};
+use super::roots::{Cubic, Distances, Integrals};
 use super::turning::{Complex, Parameter};
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::descent::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Which};
-use crate::error::{Result, finite, within};
-use crate::extended::{Extended, Scalar, exponent_of, shifted};
+use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::extended::{Extended, Scalar, exponent_of, shifted, sum_of_products};
 use crate::frame::{Attitude, BodyVector};
 use crate::words::{Arithmetic, Words};
 
@@ -21,6 +21,36 @@ pub(super) struct Body {
     pub(super) transverse: f64,
     pub(super) axial: f64,
     pub(super) weight_moment: f64,
+}
+
+impl Body {
+    pub(super) fn new(transverse: f64, axial: f64, weight_moment: f64) -> Result<Self> {
+        positive("the transverse moment", transverse)?;
+        not_negative("the axial moment", axial)?;
+        if axial * 0.5 > transverse * (1.0 + 4.0 * f64::EPSILON) {
+            return Err(Error::TriangleInequality {
+                smallest: transverse,
+                middle: transverse,
+                largest: axial,
+            });
+        }
+        finite("the weight moment Mgl", weight_moment)?;
+        Ok(Self {
+            transverse,
+            axial,
+            weight_moment,
+        })
+    }
+}
+
+/// What is decided once.
+pub(super) type Prepared = (Nutation, Roots, Motion);
+
+/// Ω and attitude at time 0.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Start {
+    pub(super) omega: BodyVector,
+    pub(super) attitude: Attitude,
 }
 
 /// Whether the fourth power of every number that counts is far above underflow.
@@ -44,14 +74,13 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     }: Body,
     omega: BodyVector,
     attitude: &Attitude,
-) -> Result<(Nutation, Roots, Motion)> {
-    // Gravity that pulls up is gravity that pulls down, seen upside down.
-    let q = attitude.quaternion().into_inner();
-    let (pull, q) = if weight_moment < 0.0 {
-        (Pull::Up, Quaternion::new(-q.i, q.w, -q.k, q.j))
+) -> Result<Prepared> {
+    let pull = if weight_moment < 0.0 {
+        Pull::Up
     } else {
-        (Pull::Down, q)
+        Pull::Down
     };
+    let q = seen(pull, attitude.quaternion().into_inner());
     let gravity =
         Extended::from_double(weight_moment.abs()).divide(Extended::from_double(transverse));
     let fastest = omega
@@ -122,106 +151,276 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     if let Some(kind) = still {
         return Ok((kind, roots, Motion::Still));
     }
-    let mut constants = constants(&d, spin, o3, &cubic)?;
-    let scale = |x: &mut DoubleDouble| {
-        *x = DoubleDouble::sum(shifted(x.high(), exponent), shifted(x.low(), exponent));
+    let top = Top {
+        pull,
+        exponent,
+        gravity,
+        spin,
+        axial_rate: o3,
+        rise,
     };
-    scale(&mut constants.rate);
-    constants.rates.iter_mut().for_each(scale);
-    finite("the rate of nutation", constants.rate.value())?;
-    constants.fit(q, omega)?;
-    constants.pull = pull;
-    Ok((kind(&cubic, &d), roots, Motion::Moving(constants)))
+    let constants = top.constants(&d, q, omega / unit)?;
+    let kind = kind(spin, cubic.drifts(&d), &d);
+    Ok((kind, roots, Motion::Moving(constants)))
 }
 
-fn constants<N: Scalar<Narrow = DoubleDouble>>(
-    d: &Distances<N>,
+/// What a top keeps: L₃, L_vert, and twice the energy above that of the same spin with C right above the pivot, and right below.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Kept {
+    pub(super) l3: f64,
+    pub(super) l_vert: f64,
+    pub(super) above_top: Extended,
+    pub(super) above_bottom: Extended,
+}
+
+/// The same from the integrals, with the start at the lower turning point of C and φ = ψ = 0; none if no motion has them.
+pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prepared)>> {
+    let number = Extended::from_double;
+    let transverse = number(body.transverse);
+    let pull = if body.weight_moment < 0.0 {
+        Pull::Up
+    } else {
+        Pull::Down
+    };
+    // Seen upside down, the vertical is the other one.
+    let l_vert = match pull {
+        Pull::Down => kept.l_vert,
+        Pull::Up => -kept.l_vert,
+    };
+    let sum = |l3: f64| sum_of_products(&[[l_vert, 1.0], [l3, 1.0]]).divide(transverse);
+    let axial_rate = if body.axial == 0.0 {
+        Extended::zero()
+    } else {
+        number(kept.l3).divide(number(body.axial))
+    };
+    let integrals = Integrals {
+        gravity: number(body.weight_moment.abs()).divide(transverse),
+        spin: number(kept.l3).divide(transverse),
+        difference: sum(-kept.l3),
+        sum: sum(kept.l3),
+        above_top: kept.above_top.divide(transverse),
+        above_bottom: kept.above_bottom.divide(transverse),
+    };
+    if integrals.above_bottom.leading() < 0.0 {
+        return Ok(None);
+    }
+    let mut fastest = axial_rate.magnitude();
+    for square in [integrals.above_bottom, integrals.gravity] {
+        let rate = square.square_root();
+        if rate.exceeds(fastest) {
+            fastest = rate;
+        }
+    }
+    within(
+        "the greatest of |Ω| and √(Mgl/I1)",
+        fastest.value(),
+        0.0,
+        FASTEST,
+    )?;
+    // Units of time in which rates are moderate.
+    let exponent = fastest.exponent;
+    let unit = |mut x: Extended, powers: i32| {
+        if !x.is_zero() {
+            x.exponent -= powers * exponent;
+        }
+        x
+    };
+    let integrals = Integrals {
+        gravity: unit(integrals.gravity, 2),
+        spin: unit(integrals.spin, 1),
+        difference: unit(integrals.difference, 1),
+        sum: unit(integrals.sum, 1),
+        above_top: unit(integrals.above_top, 2),
+        above_bottom: unit(integrals.above_bottom, 2),
+    };
+    let axial_rate = unit(axial_rate, 1);
+    let (gravity, spin) = (integrals.gravity, integrals.spin);
+    let still_without_gravity = gravity.is_zero() && integrals.above_top.is_zero();
+    if still_without_gravity && spin.is_zero() {
+        return Err(Error::Condition {
+            condition: "the energy must be positive where there is neither gravity nor spin: at rest any tilt will do",
+            value: 0.0,
+        });
+    }
+    let Some(d) = integrals.solve() else {
+        return Ok(None);
+    };
+    let drifts = integrals.drifts(&d);
+    let ([top1, _], [bottom1, _]) = (d.top, d.bottom);
+    // Ω₁² + Ω₂² at the lower turning point: (L_vert − L₃h)²/(I₁ sin θ)².
+    let swing = if top1.is_zero() {
+        integrals.above_top
+    } else if bottom1.is_zero() {
+        integrals.above_bottom
+    } else {
+        drifts[0].square().divide(top1.multiply(bottom1))
+    };
+    // Upside down, the vertical lies on the other side of the axis.
+    let side = match pull {
+        Pull::Down => 1.0,
+        Pull::Up => -1.0,
+    };
+    let across = swing.square_root().signed(drifts[0].leading()).signed(side);
+    let halves = [bottom1, top1].map(|x| x.times(0.5).square_root().narrow().value());
+    let omega = [Extended::zero(), across, axial_rate];
+    let scaled = omega.map(|x| x.narrow().value());
+    let [cosine, sine] = match pull {
+        Pull::Down => halves,
+        Pull::Up => [halves[1], halves[0]],
+    };
+    let start = Start {
+        omega: BodyVector::from_components(scaled.map(|x| shifted(x, exponent)).into()),
+        attitude: Attitude::from_quaternion(cosine, sine, 0.0, 0.0)?,
+    };
+    let roots = Roots::of(&d, gravity);
+    let upright = integrals.difference.is_zero() && integrals.above_top.is_zero();
+    let hanging = integrals.sum.is_zero() && integrals.above_bottom.is_zero();
+    let still = if still_without_gravity {
+        Some(Nutation::Spinning)
+    } else if hanging {
+        Some(Nutation::Hanging)
+    } else if upright && top1.is_zero() {
+        Some(Nutation::Sleeping { stable: true })
+    } else {
+        None
+    };
+    if let Some(kind) = still {
+        return Ok(Some((start, (kind, roots, Motion::Still))));
+    }
+    let top = Top {
+        pull,
+        exponent,
+        gravity,
+        spin,
+        axial_rate,
+        rise: Extended::zero(),
+    };
+    let q = seen(pull, start.attitude.quaternion().into_inner());
+    let scaled = BodyVector::from_components(scaled.into());
+    let constants = top.constants(&d, q, scaled)?;
+    let kind = kind(spin, drifts, &d);
+    Ok(Some((start, (kind, roots, Motion::Moving(constants)))))
+}
+
+/// Gravity that pulls up is gravity that pulls down, seen upside down.
+fn seen(pull: Pull, q: Quaternion<f64>) -> Quaternion<f64> {
+    match pull {
+        Pull::Down => q,
+        Pull::Up => Quaternion::new(-q.i, q.w, -q.k, q.j),
+    }
+}
+
+/// A top whose roots are known, in units of time of 2^−`exponent` s.
+struct Top<N> {
+    pull: Pull,
+    exponent: i32,
+    gravity: N,
     spin: N,
     axial_rate: N,
-    cubic: &Cubic<N>,
-) -> Result<Constants> {
-    let two_g = cubic.gravity.times(2.0);
-    let [beyond, from_bottom, whole, rest] = d.third;
-    // 4λ² = 2g (h₃ − h₁).
-    let m = two_g.multiply(d.band).divide(whole);
-    let mc = rest.divide(whole);
-    let lambda = whole.square_root().times(0.5);
-    let descent = Descent::new(m, mc);
-    let [top1, top2] = d.top;
-    let [bottom1, bottom2] = d.bottom;
-    let lower = Elevation::smaller(
-        [bottom1, d.band],
-        [whole, two_g.multiply(bottom1)],
-        |which| match which {
-            Which::Eta => bottom2,
-            Which::Xi => from_bottom,
-        },
-    );
-    let upper = Elevation::smaller(
-        [top2.multiply(whole), beyond.multiply(d.band)],
-        [beyond, two_g.multiply(top2)],
-        |which| match which {
-            Which::Eta => top1.multiply(rest),
-            Which::Xi => rest,
-        },
-    );
-    let sense = |x: N| if x.leading() > 0.0 { -1.0 } else { 1.0 };
-    let senses = [sense(d.sum), sense(d.difference)];
-    let parameters = [
-        Parameter::new(&descent, &lower, senses[0]),
-        Parameter::new(&descent, &upper, senses[1]),
-    ];
-    // The phases: α at u = K, where 1 + h is greatest, β at u = 0.
-    let over = |x: N, y: N| if x.is_zero() { x } else { x.divide(y) };
-    let excess = axial_rate.subtract(spin);
-    let halves = [
-        excess.subtract(over(d.sum, bottom2).negated()).times(0.5),
-        over(d.difference, top1).subtract(excess).times(0.5),
-    ];
-    let turning = lambda.narrow();
-    let rates = core::array::from_fn(|k| {
-        let own = turning
-            .multiply(parameters[k].slope)
-            .scaled(parameters[k].sense);
-        halves[k].narrow().subtract(own)
-    });
-    let start = start(d, cubic, &descent);
-    let rate = lambda.narrow().two();
-    Ok(Constants {
-        pull: Pull::Down,
-        modulus: descent.modulus,
-        start,
-        rate,
-        parameters,
-        rates,
-        factors: [Complex::new(1.0, 0.0); 2],
-        top2: top2.narrow().value(),
-        bottom1: bottom1.narrow().value(),
-        band: d.band.narrow().value(),
-    })
+    rise: N,
 }
 
-/// u at time 0: sn² = (h − h₁)/(h₂ − h₁), dn² = (h₃ − h)/(h₃ − h₁), rising if h rises.
-fn start<N: Scalar<Narrow = DoubleDouble>>(
-    d: &Distances<N>,
-    cubic: &Cubic<N>,
-    descent: &Descent<N>,
-) -> DoubleDouble {
-    if d.band.is_zero() {
-        return DoubleDouble::from(0.0);
+impl<N: Scalar<Narrow = DoubleDouble>> Top<N> {
+    /// The constants in seconds; the attitude as seen, and Ω, at time 0.
+    fn constants(
+        &self,
+        d: &Distances<N>,
+        q: Quaternion<f64>,
+        omega: BodyVector,
+    ) -> Result<Constants> {
+        let mut constants = self.unfitted(d);
+        constants.fit(q, omega)?;
+        let scale = |x: &mut DoubleDouble| {
+            let [high, low] = [x.high(), x.low()].map(|word| shifted(word, self.exponent));
+            *x = DoubleDouble::sum(high, low);
+        };
+        scale(&mut constants.rate);
+        constants.rates.iter_mut().for_each(scale);
+        finite("the rate of nutation", constants.rate.value())?;
+        constants.pull = self.pull;
+        Ok(constants)
     }
-    let [_, _, whole, rest] = d.third;
-    let two_g = cubic.gravity.times(2.0);
-    let u = descent.argument(&Squares {
-        sn: d.to_lower,
-        cn: d.to_upper,
-        whole: d.band,
-        dn: rest.add(two_g.multiply(d.to_upper)),
-        dn_whole: whole,
-    });
-    if cubic.rise.leading() < 0.0 {
-        u.negated()
-    } else {
-        u
+
+    fn unfitted(&self, d: &Distances<N>) -> Constants {
+        let two_g = self.gravity.times(2.0);
+        let [beyond, from_bottom, whole, rest] = d.third;
+        // 4λ² = 2g (h₃ − h₁).
+        let m = two_g.multiply(d.band).divide(whole);
+        let mc = rest.divide(whole);
+        let lambda = whole.square_root().times(0.5);
+        let descent = Descent::new(m, mc);
+        let [top1, top2] = d.top;
+        let [bottom1, bottom2] = d.bottom;
+        let lower = Elevation::smaller(
+            [bottom1, d.band],
+            [whole, two_g.multiply(bottom1)],
+            |which| match which {
+                Which::Eta => bottom2,
+                Which::Xi => from_bottom,
+            },
+        );
+        let upper = Elevation::smaller(
+            [top2.multiply(whole), beyond.multiply(d.band)],
+            [beyond, two_g.multiply(top2)],
+            |which| match which {
+                Which::Eta => top1.multiply(rest),
+                Which::Xi => rest,
+            },
+        );
+        let sense = |x: N| if x.leading() > 0.0 { -1.0 } else { 1.0 };
+        let senses = [sense(d.sum), sense(d.difference)];
+        let parameters = [
+            Parameter::new(&descent, &lower, senses[0]),
+            Parameter::new(&descent, &upper, senses[1]),
+        ];
+        // The phases: α at u = K, where 1 + h is greatest, β at u = 0.
+        let over = |x: N, y: N| if x.is_zero() { x } else { x.divide(y) };
+        let excess = self.axial_rate.subtract(self.spin);
+        let halves = [
+            excess.subtract(over(d.sum, bottom2).negated()).times(0.5),
+            over(d.difference, top1).subtract(excess).times(0.5),
+        ];
+        let turning = lambda.narrow();
+        let rates = core::array::from_fn(|k| {
+            let own = turning
+                .multiply(parameters[k].slope)
+                .scaled(parameters[k].sense);
+            halves[k].narrow().subtract(own)
+        });
+        let start = self.start(d, &descent);
+        let rate = lambda.narrow().two();
+        Constants {
+            pull: Pull::Down,
+            modulus: descent.modulus,
+            start,
+            rate,
+            parameters,
+            rates,
+            factors: [Complex::new(1.0, 0.0); 2],
+            top2: top2.narrow().value(),
+            bottom1: bottom1.narrow().value(),
+            band: d.band.narrow().value(),
+        }
+    }
+
+    /// u at time 0: sn² = (h − h₁)/(h₂ − h₁), dn² = (h₃ − h)/(h₃ − h₁), rising if h rises.
+    fn start(&self, d: &Distances<N>, descent: &Descent<N>) -> DoubleDouble {
+        if d.band.is_zero() {
+            return DoubleDouble::from(0.0);
+        }
+        let [_, _, whole, rest] = d.third;
+        let two_g = self.gravity.times(2.0);
+        let u = descent.argument(&Squares {
+            sn: d.to_lower,
+            cn: d.to_upper,
+            whole: d.band,
+            dn: rest.add(two_g.multiply(d.to_upper)),
+            dn_whole: whole,
+        });
+        if self.rise.leading() < 0.0 {
+            u.negated()
+        } else {
+            u
+        }
     }
 }

@@ -79,6 +79,14 @@ impl<N: Scalar> Cubic<N> {
         }
     }
 
+    /// (L_vert − L₃h)/I₁ at the lower and at the upper turning point.
+    pub(super) fn drifts(&self, d: &Distances<N>) -> [N; 2] {
+        [
+            plus(self.drift, self.spin.multiply(d.to_lower)),
+            self.drift.subtract(self.spin.multiply(d.to_upper)),
+        ]
+    }
+
     fn difference(&self) -> N {
         self.drift.subtract(self.spin.multiply(self.below_top))
     }
@@ -149,19 +157,109 @@ impl<N: Scalar> Cubic<N> {
         }
     }
 
-    /// h₁ stands alone: 1 − h₂ and h₃ − 1 are the roots of a quadratic about 1.
+    /// h₁ stands alone: known by the integrals, and the start between its roots.
     fn near_the_top(&self, two_g: N) -> Distances<N> {
-        let zero = N::from_double(0.0);
-        let (difference, sum) = (self.difference(), self.sum());
         // Twice the energy above the upright position, over I₁.
         let energy = self.swing.subtract(two_g.multiply(self.below_top));
-        // f(1 − x) = −2g x³ + (4g − e − l²) x² + 2 (e − δ l) x − δ².
-        let linear = energy.subtract(difference.multiply(self.spin)).times(2.0);
-        let quadratic = two_g
-            .times(2.0)
-            .subtract(energy)
-            .subtract(self.spin.square());
-        let constant = difference.square();
+        let integrals = Integrals {
+            gravity: self.gravity,
+            spin: self.spin,
+            difference: self.difference(),
+            sum: self.sum(),
+            above_top: energy,
+            above_bottom: plus(energy, two_g.times(2.0)),
+        };
+        let d = integrals.lowest_alone(two_g, integrals.at_the_top(two_g));
+        let ([top1, top2], third) = (d.top, d.third[0]);
+        // The greater of the two directly; their product with 2g (h₃ − h) is h'².
+        let third = third.add(two_g.multiply(self.below_top));
+        let product = if self.rise.is_zero() {
+            N::from_double(0.0)
+        } else {
+            self.rise.square().divide(third)
+        };
+        let (up, down) = (self.below_top.subtract(top2), top1.subtract(self.below_top));
+        let (to_upper, to_lower) = if up.exceeds(down) {
+            (up, product.divide(up))
+        } else {
+            (product.divide(down), down)
+        };
+        Distances {
+            to_upper,
+            to_lower,
+            ..d
+        }
+    }
+}
+
+/// What is kept, everything divided by I₁.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Integrals<N> {
+    /// g = Mgl/I₁, not negative.
+    pub(super) gravity: N,
+    /// L₃/I₁.
+    pub(super) spin: N,
+    /// (L_vert − L₃)/I₁ and (L_vert + L₃)/I₁.
+    pub(super) difference: N,
+    pub(super) sum: N,
+    /// Twice the energy above that of the top that spins about its axis upright, and hanging: Ω₁² + Ω₂² there.
+    pub(super) above_top: N,
+    pub(super) above_bottom: N,
+}
+
+impl<N: Scalar> Integrals<N> {
+    /// The roots, the start being at the lower turning point; none if the energy is too small for any motion.
+    pub(super) fn solve(&self) -> Option<Distances<N>> {
+        let two_g = self.gravity.times(2.0);
+        let [quadratic, linear, constant] = self.at_the_top(two_g);
+        // y = 2g (h − 1): y³ + a y² + b y + c, and its sign at the inflection.
+        let [a, b, c] = [
+            quadratic,
+            two_g.multiply(linear).negated(),
+            two_g.square().multiply(constant).negated(),
+        ];
+        let cube = a.square().multiply(a).times(2.0 / 27.0);
+        let inflection = plus(cube.subtract(a.multiply(b).times(1.0 / 3.0)), c);
+        let d = if inflection.leading() > 0.0 {
+            self.lowest_alone(two_g, [quadratic, linear, constant])
+        } else {
+            self.third_alone(
+                two_g,
+                [quadratic, linear, constant],
+                greatest_root([a, b, c]),
+            )?
+        };
+        // f(±1) is not positive: both roots lie between, or both outside.
+        let inside = |[a, b]: [N; 2]| plus(a, b).leading() >= 0.0;
+        (inside(d.top) && inside(d.bottom)).then_some(d)
+    }
+
+    /// f(1 − x) = −2g x³ + (4g − e − l²) x² + 2 (e − δ l) x − δ²: the middle two coefficients, and δ².
+    fn at_the_top(&self, two_g: N) -> [N; 3] {
+        [
+            two_g
+                .times(2.0)
+                .subtract(self.above_top)
+                .subtract(self.spin.square()),
+            self.above_top
+                .subtract(self.difference.multiply(self.spin))
+                .times(2.0),
+            self.difference.square(),
+        ]
+    }
+
+    /// 1 + h₁, from the product of all three distances from −1.
+    fn over_the_bottom(&self, bottom2: N, from_bottom: N) -> N {
+        if self.sum.is_zero() {
+            self.sum
+        } else {
+            self.sum.square().divide(bottom2.multiply(from_bottom))
+        }
+    }
+
+    /// h₁ stands alone: 1 − h₂ and h₃ − 1 are the roots of a quadratic about 1.
+    fn lowest_alone(&self, two_g: N, [quadratic, linear, constant]: [N; 3]) -> Distances<N> {
+        let zero = N::from_double(0.0);
         let top1 = greatest_root([
             quadratic.divide(two_g).negated(),
             linear.divide(two_g).negated(),
@@ -195,40 +293,138 @@ impl<N: Scalar> Cubic<N> {
         let two = N::from_double(2.0);
         let bottom2 = two.subtract(top2);
         let from_bottom = two_g.multiply(two.add(beyond));
-        let bottom1 = if sum.is_zero() {
-            zero
-        } else {
-            sum.square().divide(bottom2.multiply(from_bottom))
-        };
-        // The greater of the two directly; their product with 2g (h₃ − h) is h'².
-        let third = two_g.multiply(self.below_top.add(beyond));
-        let product = if self.rise.is_zero() {
-            zero
-        } else {
-            self.rise.square().divide(third)
-        };
-        let (up, down) = (self.below_top.subtract(top2), top1.subtract(self.below_top));
-        let (to_upper, to_lower) = if up.exceeds(down) {
-            (up, product.divide(up))
-        } else {
-            (product.divide(down), down)
-        };
+        let band = top1.subtract(top2);
         Distances {
             top: [top1, top2],
-            bottom: [bottom1, bottom2],
-            band: top1.subtract(top2),
+            bottom: [self.over_the_bottom(bottom2, from_bottom), bottom2],
+            band,
             third: [
                 two_g.multiply(beyond),
                 from_bottom,
                 two_g.multiply(top1.add(beyond)),
                 two_g.multiply(far_apart),
             ],
-            difference,
-            sum,
-            to_upper,
-            to_lower,
+            difference: self.difference,
+            sum: self.sum,
+            to_upper: band,
+            to_lower: zero,
         }
     }
+
+    /// h₃ stands alone, y = 2g (h₃ − 1): 1 − h₁ and 1 − h₂ are the roots of x² − s x + p; below the horizon, 1 + h₁ and 1 + h₂ those of
+    /// their own quadratic.
+    fn third_alone(
+        &self,
+        two_g: N,
+        [quadratic, linear, constant]: [N; 3],
+        y: N,
+    ) -> Option<Distances<N>> {
+        let zero = N::from_double(0.0);
+        let two = N::from_double(2.0);
+        // f(1 − x) = −(2g x + y) (x² − s x + p). From y = 0, p is what remains.
+        let p = if !constant.is_zero() {
+            constant.divide(y)
+        } else if y.is_zero() {
+            linear.divide(two_g).negated()
+        } else {
+            zero
+        };
+        // Each where it is a sum, or a difference of which one term is less than half: p ≤ s²/4 and s ≤ 4.
+        let s = if quadratic.leading() >= 0.0 {
+            quadratic.add(y).divide(two_g)
+        } else {
+            plus(linear, two_g.multiply(p)).divide(y)
+        };
+        let from_bottom = y.add(two_g.times(2.0));
+        let below_horizon = s.exceeds(two);
+        let (sum, product) = if below_horizon {
+            let product = if self.sum.is_zero() {
+                zero
+            } else {
+                self.sum.square().divide(from_bottom)
+            };
+            let slope = plus(self.above_bottom, self.sum.multiply(self.spin))
+                .subtract(self.gravity.multiply(product));
+            (slope.times(2.0).divide(from_bottom), product)
+        } else {
+            (s, p)
+        };
+        let discriminant = sum.square().subtract(product.times(4.0));
+        // Less than rounding leaves of terms that balance: the tilt stays.
+        let rounding = sum.square().times(2f64.powi(-95));
+        let band = if discriminant.exceeds(rounding) {
+            discriminant.square_root()
+        } else if discriminant.negated().exceeds(rounding) {
+            return None;
+        } else {
+            zero
+        };
+        let far = sum.add(band).times(0.5);
+        let over = |product: N, far: N| {
+            if product.is_zero() {
+                product
+            } else {
+                product.divide(far)
+            }
+        };
+        let (top, bottom) = if below_horizon {
+            let bottom1 = over(product, far);
+            let top1 = two.subtract(bottom1);
+            ([top1, over(p, top1)], [bottom1, far])
+        } else {
+            let top2 = over(p, far);
+            let bottom2 = two.subtract(top2);
+            (
+                [far, top2],
+                [self.over_the_bottom(bottom2, from_bottom), bottom2],
+            )
+        };
+        Some(Distances {
+            top,
+            bottom,
+            band,
+            third: [
+                y,
+                from_bottom,
+                y.add(two_g.multiply(top[0])),
+                y.add(two_g.multiply(top[1])),
+            ],
+            difference: self.difference,
+            sum: self.sum,
+            to_upper: band,
+            to_lower: zero,
+        })
+    }
+
+    /// (L_vert − L₃h)/I₁ at the lower and at the upper turning point; nothing at the upper one where the terms of a cusp balance.
+    pub(super) fn drifts(&self, d: &Distances<N>) -> [N; 2] {
+        let drift = |k: usize| {
+            if N::from_double(1.0).exceeds(d.top[k]) {
+                plus(self.difference, self.spin.multiply(d.top[k]))
+            } else {
+                self.sum.subtract(self.spin.multiply(d.bottom[k]))
+            }
+        };
+        // At rest, 1 − h = −e/2g; without drift, −δ/l. Below zero that is the third root.
+        let zero = N::from_double(0.0);
+        let cusp = [
+            self.above_top.multiply(self.spin),
+            self.gravity.multiply(self.difference).times(-2.0),
+            zero,
+        ];
+        let reached = self.difference.leading() * self.spin.leading() <= 0.0;
+        let upper = if reached && balance(cusp).is_zero() {
+            zero
+        } else {
+            drift(1)
+        };
+        [drift(0), upper]
+    }
+}
+
+/// A sum of terms that may cancel.
+fn plus<N: Scalar>(a: N, b: N) -> N {
+    a.subtract(b.negated())
 }
 
 /// The sum of three terms; nothing, if it is no more than what rounding leaves of terms that balance.

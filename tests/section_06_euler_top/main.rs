@@ -11,6 +11,7 @@ mod batch;
 mod common;
 #[path = "../support/free_top.rs"]
 mod free_top;
+mod integrals;
 mod picture;
 mod poinsot;
 mod regimes;

@@ -8,6 +8,7 @@
 
 mod axes;
 mod common;
+mod integrals;
 mod integrator;
 mod nutation;
 mod pendulum;

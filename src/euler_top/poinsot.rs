@@ -8,6 +8,7 @@ mod herpolhode;
 
 use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, positive};
+use crate::extended::{exponent_of, shifted};
 use crate::frame::BodyVector;
 
 /// About which axis the polhode goes.
@@ -49,11 +50,11 @@ pub struct Poinsot {
 /// Thinner bodies are rods: their products of components would overflow.
 const LEAST_RATIO: f64 = 1e-100;
 
-/// The powers of two taken off.
+/// Exponents of the powers of two taken off. The powers themselves may be beyond the doubles where what is made of them is not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Units {
-    moment: f64,
-    l: f64,
+    omega: i32,
+    l: i32,
 }
 
 impl Poinsot {
@@ -89,10 +90,10 @@ impl Poinsot {
         }
         let mut axes = [0, 1, 2];
         axes.sort_by(|&a, &b| moments[a].total_cmp(&moments[b]));
-        let units = Units {
-            moment: power_of_two_below(moments[axes[2]]),
-            l: power_of_two_below(size),
-        };
+        let (unit_of_moments, unit) = (
+            power_of_two_below(moments[axes[2]]),
+            power_of_two_below(size),
+        );
         if moments[axes[0]] / moments[axes[2]] < LEAST_RATIO {
             return Err(Error::Condition {
                 condition: "the smallest moment must be at least 1e-100 of the largest",
@@ -105,11 +106,14 @@ impl Poinsot {
             -1.0
         };
         let mut picture = Self {
-            moments: axes.map(|k| moments[k] / units.moment),
-            l: axes.map(|k| given[k] / units.l),
+            moments: axes.map(|k| moments[k] / unit_of_moments),
+            l: axes.map(|k| given[k] / unit),
             axes,
             hand,
-            units,
+            units: Units {
+                omega: exponent_of(unit) - exponent_of(unit_of_moments),
+                l: exponent_of(unit),
+            },
             sector: Sector::Point,
             roots: [0.0; 3],
         };
@@ -179,7 +183,7 @@ impl Poinsot {
     /// ```
     pub fn semi_axes(&self) -> [f64; 3] {
         let root = self.energy_root();
-        self.unsorted(self.moments.map(|i| root / i.sqrt()), self.omega_unit())
+        self.unsorted(self.moments.map(|i| root / i.sqrt()), self.units.omega)
     }
 
     /// Distance of the plane Π: ⟨L, x⟩ = 2E from the centre, 2E/|L|, rad/s: the component of Ω along L, always (6.2).
@@ -194,7 +198,7 @@ impl Poinsot {
     /// ```
     pub fn plane_distance(&self) -> f64 {
         let root = self.energy_root();
-        root * (root / self.length()) * self.omega_unit()
+        self.in_units(root * (root / self.length()))
     }
 
     /// A point of the polhode, Ω in body axes, at the parameter `s` in radians (6.3).
@@ -219,7 +223,7 @@ impl Poinsot {
     pub fn polhode(&self, s: f64) -> BodyVector {
         let l = self.point(s);
         let omega = [0, 1, 2].map(|k| l[k] / self.moments[k]);
-        BodyVector::from_components(self.unsorted(omega, self.omega_unit()).into())
+        BodyVector::from_components(self.unsorted(omega, self.units.omega).into())
     }
 
     /// The same point of the polhode as L in body axes, J s: on the sphere |L| and the ellipsoid Σ L_i²/(2EI_i) = 1 (6.3).
@@ -282,12 +286,12 @@ impl Poinsot {
             }
             _ => ((i3 - i1) / i1).sqrt() * ((i3 - i2) / i2).sqrt() * (l[2] / i3).abs(),
         };
-        rate * self.omega_unit()
+        self.in_units(rate)
     }
 
     /// √(L² − 2EI₁), √|L² − 2EI₂|, √(2EI₃ − L²), J s.
     pub(super) fn difference_roots(&self) -> [f64; 3] {
-        self.roots.map(|root| root * self.units.l)
+        self.roots.map(|root| shifted(root, self.units.l))
     }
 
     /// |L|, over its unit.
@@ -300,15 +304,16 @@ impl Poinsot {
         norm([0, 1, 2].map(|k| self.l[k] / self.moments[k].sqrt()))
     }
 
-    fn omega_unit(&self) -> f64 {
-        self.units.l / self.units.moment
+    /// In rad/s.
+    fn in_units(&self, rate: f64) -> f64 {
+        shifted(rate, self.units.omega)
     }
 
     /// From ascending moments back to the given axes, with the unit.
-    fn unsorted(&self, sorted: [f64; 3], unit: f64) -> [f64; 3] {
+    fn unsorted(&self, sorted: [f64; 3], exponent: i32) -> [f64; 3] {
         let mut given = [0.0; 3];
         for (value, axis) in sorted.into_iter().zip(self.axes) {
-            given[axis] = value * unit;
+            given[axis] = shifted(value, exponent);
         }
         given
     }

@@ -5,7 +5,7 @@ use nalgebra::Quaternion;
 use super::motion::State;
 use super::turning::{Complex, Parameter};
 use crate::angle::RIGHT_ANGLE;
-use crate::double_double::DoubleDouble;
+use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::local::{GREATEST_ANGLE, Local, sine_cosine};
 use crate::elliptic::{Modulus, Side};
 use crate::error::{Result, too_long};
@@ -42,7 +42,9 @@ impl Constants {
     /// The rates are added first: what the spin does to either, the other takes back, and that may be more than a double holds.
     pub(super) fn precession_per_nutation(&self) -> DoubleDouble {
         let quarter = self.modulus.quarter_period_dd();
-        let period = quarter.scaled(2.0).divide(self.rate);
+        // The period itself may be beyond the doubles.
+        let unit = 1.0 / power_of_two_below(self.rate.high());
+        let period = quarter.scaled(2.0).divide(self.rate.scaled(unit));
         let [alpha, beta] = &self.parameters;
         let lag = |parameter: &Parameter| {
             let lag = match self.modulus.side() {
@@ -51,7 +53,7 @@ impl Constants {
             };
             lag.scaled(2.0 * parameter.sense)
         };
-        let rate = self.rates[0].add(self.rates[1]);
+        let rate = self.rates[0].add(self.rates[1]).scaled(unit);
         rate.multiply(period).subtract(lag(alpha).add(lag(beta)))
     }
 

@@ -11,10 +11,10 @@ use crate::frame::{Attitude, BodyVector};
 /// A Lagrange top with I₁ = 1 and without spin; `gravity` is Mgl/I₁ (s⁻²), which is g over the length for a bob. At the start
 /// φ'² = gravity·sin²b/(sin²a cos((b−a)/2) cos((b+a)/2)). Equal angles make it a conical pendulum.
 ///
-/// Domain: 0 < a ≤ b, a + b < π (the two turning points of a pendulum have their middle below the pivot), gravity > 0.
+/// Domain: 4.5·10⁻³⁰⁸ ≤ a ≤ b, a + b < π (the two turning points of a pendulum have their middle below the pivot), gravity > 0.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::OutOfRange`] for b.
+/// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::OutOfRange`] for a and b.
 pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<LagrangeTop> {
     positive("the smaller angle", inner)?;
     finite("the greater angle", outer)?;
@@ -28,7 +28,17 @@ pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<Lagrange
             greatest: PI - inner,
         });
     }
-    let across = outer.sin() * (gravity / (half_difference.cos() * half_sum.cos())).sqrt();
+    // The start is half the angle, which must have its digits.
+    let least = 2.0 * f64::MIN_POSITIVE;
+    if inner < least {
+        return Err(Error::OutOfRange {
+            quantity: "the smaller angle",
+            value: inner,
+            least,
+            greatest: 0.5 * PI,
+        });
+    }
+    let across = outer.sin() * (gravity.sqrt() / (half_difference.cos() * half_sum.cos()).sqrt());
     let (s, c) = (0.5 * inner).sin_cos();
     let attitude = Attitude::from_quaternion(s, c, 0.0, 0.0)?;
     LagrangeTop::new(

@@ -336,7 +336,7 @@ impl<N: Scalar<Narrow = DoubleDouble>> Top<N> {
         };
         scale(&mut constants.rate);
         constants.rates.iter_mut().for_each(scale);
-        finite("the rate of nutation", constants.rate.value())?;
+        positive("the rate of nutation", constants.rate.value())?;
         constants.pull = self.pull;
         Ok(constants)
     }

@@ -350,6 +350,9 @@ impl<N: Scalar> Integrals<N> {
             (s, p)
         };
         let discriminant = sum.square().subtract(product.times(4.0));
+        if sum.leading() < 0.0 {
+            return None;
+        }
         // Less than rounding leaves of terms that balance: the tilt stays.
         let rounding = sum.square().times(2f64.powi(-95));
         let band = if discriminant.exceeds(rounding) {
@@ -470,12 +473,16 @@ fn greatest_root<N: Scalar>([a, b, c]: [N; 3]) -> N {
             .subtract(a.times(-2.0))
             .multiply(y)
             .subtract(b.negated());
-        if value.leading() <= 0.0 || slope.leading() <= 0.0 {
+        if slope.leading() <= 0.0 {
             break;
         }
+        // Where the root is far smaller than the way to it, rounding may carry a step beyond; the next comes back.
         let step = value.divide(slope);
         let next = y.subtract(step);
-        if !step.exceeds(y.times(2f64.powi(-102))) {
+        if !step
+            .magnitude()
+            .exceeds(y.times(2f64.powi(-102)).magnitude())
+        {
             return next;
         }
         y = next;

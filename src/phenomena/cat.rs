@@ -13,6 +13,7 @@ use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 
 use super::holonomy::ShapePlane;
 use super::quadrature::periodic;
+use crate::double_double::power_of_two_below;
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{Attitude, BodyVector};
 
@@ -104,10 +105,7 @@ impl Cat {
     /// The closed form, if the halves are equal.
     pub fn equal_halves(&self) -> Option<EqualHalves> {
         let [first, second] = self.halves;
-        (first == second).then_some(EqualHalves {
-            axial: first.axial,
-            transverse: first.transverse,
-        })
+        (first == second).then_some(EqualHalves::of(first.axial, first.transverse))
     }
 
     /// Place of the joint and of the two halves' centres from the common centre of mass, m, along the first half's axes.
@@ -200,7 +198,7 @@ impl ShapePlane for EqualHalves {
     fn curvature(&self, angle: f64) -> f64 {
         let (s, c) = (0.5 * angle).sin_cos();
         let d = self.stiffness(angle);
-        0.5 * self.axial * s * (self.excess() * c * c + self.transverse * s * s) / (d * d)
+        0.5 * self.axial * s / d * ((self.excess() * c * c + self.transverse * s * s) / d)
     }
 }
 
@@ -217,7 +215,16 @@ impl EqualHalves {
             to_joint: 1.0,
         };
         Cat::new([half, half])?;
-        Ok(Self { axial, transverse })
+        Ok(Self::of(axial, transverse))
+    }
+
+    /// Only their ratio counts: without the power of two, products of the smallest moments do not vanish.
+    fn of(axial: f64, transverse: f64) -> Self {
+        let unit = power_of_two_below(axial.max(transverse));
+        Self {
+            axial: (axial / unit).max(f64::MIN_POSITIVE),
+            transverse: transverse / unit,
+        }
     }
 
     /// 2I − J: never negative, and zero for flat discs.
@@ -247,11 +254,11 @@ impl EqualHalves {
     }
 
     /// The bend γ, radians, that turns the cat by exactly half a turn: with c = cos(γ/2) and a = I/J,
-    /// c = a/(√(1 + a(a − 1)) + 1).
+    /// c = a/(√(1 + a(a − 1)) + 1), in J/I, which is at most 2.
     pub fn half_turn_bend(&self) -> f64 {
-        let ratio = self.transverse / self.axial;
+        let ratio = self.axial / self.transverse;
         // Written so that a = 1 is no exception: there c = 1/2.
-        2.0 * (ratio / ((1.0 + ratio * (ratio - 1.0)).sqrt() + 1.0)).acos()
+        2.0 * (1.0 / ((1.0 + ratio * (ratio - 1.0)).sqrt() + ratio)).acos()
     }
 
     /// The turn, radians, when the bend is γ_forward at ψ = 0 and γ_back at ψ = π, and swings as (γ_f + γ_b)/2 + (γ_f − γ_b)/2 cos ψ:

@@ -1,7 +1,9 @@
 //! The hoop with clay: the tutorial's estimate of how fast it tips over, and what it leaves out.
 
 use crate::error::{Error, Result, finite, positive};
+use crate::extended::Extended;
 use crate::frame::SpaceVector;
+use crate::words::Arithmetic;
 
 /// The hoop with clay of tutorial 4.7: radius R, inertia I about C in every direction, C a distance ε = α R from the centre of curvature K,
 /// sliding with friction μ M g.
@@ -13,16 +15,19 @@ pub struct HoopWithClay {
     mass: f64,
     radius: f64,
     alpha: f64,
-    inertia: f64,
-    mu: f64,
-    gravity: f64,
+    /// μ M g, N.
+    friction: f64,
+    /// R μ M g/I, s⁻².
+    tipping: f64,
+    /// μ g/R, s⁻².
+    grip: f64,
 }
 
 impl HoopWithClay {
     /// The hoop of this mass (kg), radius (m), α = ε/R, I/(M R²), μ, g (m/s²).
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::OutOfRange`] unless 0 ≤ α < 1.
+    /// [`Error::NotPositive`], [`Error::NotFinite`], also for friction and for R μ M g/I and μ g/R beyond the doubles; [`Error::OutOfRange`] unless 0 ≤ α < 1.
     pub fn new(
         mass: f64,
         radius: f64,
@@ -42,19 +47,27 @@ impl HoopWithClay {
                 greatest: 1.0,
             });
         }
+        let mu = positive("the coefficient of friction", mu)?;
+        let gravity = positive("gravity", gravity)?;
+        // Each may leave the range of doubles on the way to a quotient that does not.
+        let number = Extended::from_double;
+        let deceleration = number(mu).multiply(number(gravity));
+        let grip = deceleration.divide(number(radius));
+        let tipping = grip.divide(number(factor)).value();
+        let friction = deceleration.multiply(number(mass)).value();
         Ok(Self {
             mass,
             radius,
             alpha,
-            inertia: factor * mass * radius * radius,
-            mu: positive("the coefficient of friction", mu)?,
-            gravity: positive("gravity", gravity)?,
+            friction: positive("friction, μ M g", friction)?,
+            tipping: positive("R μ M g/I", tipping)?,
+            grip: positive("μ g/R", grip.value())?,
         })
     }
 
     /// f = μ M g, N.
     pub fn friction(&self) -> f64 {
-        self.mu * self.mass * self.gravity
+        self.friction
     }
 
     /// CO, from C to the point of contact, in the picture's axes, m: r = ε e − R z.
@@ -77,7 +90,7 @@ impl HoopWithClay {
 
     /// The tutorial's estimate dθ/dt ≈ R μ M g/(I Ω), rad/s. Domain: Ω > 0 with ε Ω² ≫ μ g.
     pub fn tip_rate(&self, spin: f64) -> f64 {
-        self.radius * self.friction() / (self.inertia * spin)
+        self.tipping / spin
     }
 
     /// The tutorial's time to tip over, π I Ω/(R μ M g), s.
@@ -88,8 +101,8 @@ impl HoopWithClay {
     /// dθ/dt with L as Jellett's integral J lets it fall, f (R − ε cos θ)²/J, rad/s; J = I Ω (R − ε cos θ₀) for spin Ω about the vertical at
     /// tilt θ₀.
     pub fn refined_rate(&self, spin: f64, start: f64, tilt: f64) -> f64 {
-        let arm = |tilt: f64| self.radius * (1.0 - self.alpha * tilt.cos());
-        self.friction() * arm(tilt) * arm(tilt) / (self.inertia * spin * arm(start))
+        let arm = |tilt: f64| 1.0 - self.alpha * tilt.cos();
+        self.tip_rate(spin) * (arm(tilt) / arm(start)) * arm(tilt)
     }
 
     /// Time from tilt θ₀, where the spin about the vertical is Ω, to tilt θ₁ with [`refined_rate`](Self::refined_rate): s.
@@ -114,7 +127,7 @@ impl HoopWithClay {
 
     /// ε Ω²/(μ g): the estimate needs this large, so that slip keeps its direction.
     pub fn validity(&self, spin: f64) -> f64 {
-        self.alpha * self.radius * spin * spin / (self.mu * self.gravity)
+        self.alpha * spin * (spin / self.grip)
     }
 
     /// −½ M Ω² ε² sin² θ (J): least at the horizontal. Centrifugal force alone would bring C there from both sides, and no higher.

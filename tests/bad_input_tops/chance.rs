@@ -66,7 +66,10 @@ proptest! {
 
     #[test]
     fn any_euler_top(i in moments(), l in any3(), start in attitude(), t in any()) {
-        let tops = [EulerTop::new(i, vector(l), start), EulerTop::from_omega(i, vector(l), start)];
+        let tops = [
+            EulerTop::new(i, vector(l), start), EulerTop::from_omega(i, vector(l), start),
+            EulerTop::from_integrals(i, l[0], l[1], start), EulerTop::beside_separatrix(i, l[1], l[2], start),
+        ];
         for top in tops.into_iter().flatten() {
             prop_assert!(no_nan(&[top.energy(), top.period(), top.mean_precession_rate()]), "{top:?}");
             for time in [t, 0.0] {
@@ -94,6 +97,36 @@ proptest! {
     }
 
     #[test]
+    fn any_top_from_integrals(i1 in any(), ratio in prop_oneof![3 => 0.0..2.0_f64, 1 => any()], weight in any(), kept in any3(), upright in 0..3_usize, t in any()) {
+        let [l3, vertical, energy] = kept;
+        // Half of them with L_vert = L₃.
+        let vertical = if upright == 0 { l3 } else { vertical };
+        let from = [LagrangeTop::from_integrals, LagrangeTop::above_upright];
+        let mut tops = from.map(|from| from(i1, i1 * ratio, weight, l3, vertical, energy)).to_vec();
+        tops.push(pendulum_from_integrals(vertical, energy, weight));
+        for top in tops.into_iter().flatten() {
+            let r = top.roots();
+            prop_assert!(no_nan(&[r.h1, r.h2, r.h3, r.third_less_one, top.period()]), "{top:?}");
+            prop_assert!(-1.0 <= r.h1 && r.h1 <= r.h2 && r.h2 <= 1.0 && r.h3 >= 1.0, "{top:?}");
+            prop_assert!(no_nan(&[top.precession_per_nutation().unwrap_or(0.0), top.mean_precession_rate().unwrap_or(0.0)]), "{top:?}");
+            for time in [t, 0.0] {
+                let Ok(state) = top.at(time) else { continue };
+                prop_assert!(time.is_finite() && state.omega.is_finite() && unit(&state.attitude), "{top:?} {time:e}: {state:?}");
+                prop_assert!((-1.0..=1.0).contains(&state.height) && state.one_less >= 0.0 && state.one_more >= 0.0, "{top:?} {time:e}: {state:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn any_picture(i in moments(), l in any3(), s in -10.0..10.0_f64) {
+        if let Ok(picture) = Poinsot::new(i, vector(l)) {
+            let [p, q] = [picture.polhode(s), picture.polhode_of_l(s)].map(|v| <[f64; 3]>::from(v.components()));
+            prop_assert!(no_nan(&p) && no_nan(&q) && no_nan(&picture.semi_axes()) && no_nan(&picture.herpolhode_radii()), "{picture:?} {s}");
+            prop_assert!(no_nan(&[picture.plane_distance(), picture.start(), picture.pace(s), picture.herpolhode_radius(s)]), "{picture:?} {s}");
+        }
+    }
+
+    #[test]
     fn any_special_motion(a in any(), b in any(), c in any(), d in any(), angle in -1.0..4.0_f64) {
         if let Ok(rates) = pure_precession(a, b, c, d) {
             match rates {
@@ -116,7 +149,10 @@ proptest! {
             prop_assert!(!pendulum.period().is_nan());
         }
         if let Ok(turn) = apsides(a, angle) {
-            prop_assert!(no_nan(&[turn.advance, turn.small_swing]));
+            prop_assert!(no_nan(&[turn.advance, turn.small_swing]), "{a:e} {angle:e}: {turn:?}");
+        }
+        if let Ok(turn) = apsides(a, b) {
+            prop_assert!(no_nan(&[turn.advance, turn.small_swing]), "{a:e} {b:e}: {turn:?}");
         }
     }
 }

@@ -9,12 +9,12 @@ mod eulers_top;
 mod kovalevskayas_top;
 mod lagranges_top;
 
-use spinning_bodies::euler_top::{EulerTop, Regime};
+use spinning_bodies::euler_top::{EulerTop, Poinsot, Regime};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::kovalevskaya_top::{Kind, KovalevskayaTop, Method};
 use spinning_bodies::lagrange_top::{
     LagrangeTop, Nutation, PurePrecession, State, apsides, dip, fast_spin, pendulum_between,
-    pure_precession, sleeping_threshold, tilt_after_kick,
+    pendulum_from_integrals, pure_precession, sleeping_threshold, tilt_after_kick,
 };
 use spinning_bodies::{Error, Result};
 

@@ -532,3 +532,33 @@ fn euler_top_phase_of_thin_and_wide_cones() {
         }
     }
 }
+
+/// Moments r², (r² + q²)/2, q² and L = (p r, L₂, p q) make both sides of I₁(I₃ − I₂)L₃² = I₃(I₂ − I₁)L₁² one whole number of 200 bits, a different
+/// product on each: the separatrix, and not a hair beside it.
+#[test]
+fn s6_6_whole_numbers_on_the_separatrix() {
+    let mut numbers = Uniform(200);
+    let mut odd = |bits: i32| 2.0 * (2f64.powi(bits - 2) * (1.0 + numbers.next())).floor() + 1.0;
+    for _ in 0..200 {
+        let (p, r, q) = (odd(26), odd(25), odd(26));
+        let moments = [r * r, 0.5 * (r * r + q * q), q * q];
+        for (k, regime) in [
+            (0.0, Regime::Separatrix),
+            (1.0, Regime::AroundLargest),
+            (-1.0, Regime::AroundSmallest),
+        ] {
+            let third = p * q;
+            let third = if k > 0.0 {
+                third.next_up()
+            } else if k < 0.0 {
+                third.next_down()
+            } else {
+                third
+            };
+            let top =
+                EulerTop::beyond_bodies(moments, vector([p * r, 1.0, third]), Attitude::identity())
+                    .unwrap();
+            assert_eq!(top.regime(), regime, "{moments:?} {p}");
+        }
+    }
+}

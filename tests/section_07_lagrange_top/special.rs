@@ -43,6 +43,20 @@ fn s7_3_rates_of_exact_numbers() {
     assert_eq!(two(1.0, 1e-200, 1e150, 0.5), [0.0, 2e150]);
 }
 
+/// By how much the limits of fast spin are off, above the horizon and below: x = I₁Mgl cos θ/L₃² with its sign.
+#[test]
+fn s7_3_the_first_order_of_fast_spin() {
+    for (weight, l3, h) in [(2.0, 40.0, 0.5), (2.0, 40.0, -0.5), (-3.0, -50.0, 0.75)] {
+        let limit = fast_spin(1.5, weight, l3, h).unwrap();
+        assert_eq!(limit.x, 1.5 * weight * h / (l3 * l3));
+        let [slow, fast] = two(1.5, weight, l3, h);
+        // Observed: 5x³, 1e-9.
+        let x = limit.x;
+        assert!((slow / limit.slow - (1.0 + x + 2.0 * x * x)).abs() < 6.0 * x.abs().powi(3));
+        assert!((fast / limit.fast - (1.0 - x - x * x)).abs() < 3.0 * x.abs().powi(3));
+    }
+}
+
 #[test]
 fn s7_3_where_there_are_no_two_rates() {
     let kind = |weight, l3, h| pure_precession(1.0, weight, l3, h).unwrap();

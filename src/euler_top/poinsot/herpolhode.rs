@@ -1,6 +1,7 @@
 //! The curve on the plane: its rings and its curvature (tutorial 6.2).
 
 use super::{Poinsot, Sector, norm};
+use crate::extended::shifted;
 
 impl Poinsot {
     /// Least and greatest distance of the herpolhode from the foot of L on the plane, rad/s (6.2).
@@ -20,7 +21,7 @@ impl Poinsot {
         let ([i1, i2, i3], [d1, d2, d3]) = (self.moments, self.roots);
         let length = self.length();
         let radius = |a: f64, b: f64, i: f64, j: f64| {
-            (a / length) * (b / i.sqrt()) / j.sqrt() * self.omega_unit()
+            self.in_units((a / length) * (b / i.sqrt()) / j.sqrt())
         };
         let inner = match self.sector {
             Sector::AroundSmallest => radius(d1, d2, i1, i2),
@@ -45,7 +46,7 @@ impl Poinsot {
         let u = self.rate(s);
         // (L ∧ Ω)_k is I_k times the rate of Ω_k.
         let cross = [0, 1, 2].map(|k| u[k] * self.moments[k]);
-        norm(cross) / self.length() * self.omega_unit()
+        self.in_units(norm(cross) / self.length())
     }
 
     /// Curvature of the herpolhode at the parameter `s`, s/rad; positive where it bends to the left seen from the tip of L (6.2).
@@ -77,6 +78,6 @@ impl Poinsot {
             share * share * (excess * square + l[k] * (l[k] / i[k]))
         };
         let sum = bracket(0) + bracket(1) + bracket(2);
-        sum / self.length() / speed / self.omega_unit()
+        shifted(sum / self.length() / speed, -self.units.omega)
     }
 }

@@ -39,7 +39,8 @@ impl Course {
     /// roundings. Observed against DOP853 with events: 3e-15 of the largest speed. Cost: a few microseconds a course.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the reaction or κ; [`Error::NotFinite`]; [`Error::Integration`] after a million events.
+    /// [`Error::NotPositive`] for the reaction or κ; [`Error::NotFinite`], also where a place, a speed or the heat leaves the range of doubles;
+    /// [`Error::Integration`] after a million events.
     pub fn new<F: Friction, C: Resistance, S: Support>(
         kappa: f64,
         load: Load,
@@ -107,10 +108,11 @@ impl Course {
                 on_sheet,
             };
             self.stretches.push(stretch);
+            moment.within_range()?;
             let ends = leg_ends.min(until);
             let Some((wait, what)) = stretch.next::<S>(ends - now) else {
                 if leg_ends >= until {
-                    return Ok(());
+                    return stretch.at(ends - now).within_range();
                 }
                 (moment, margin) = (stretch.at(ends - now), stretch.margin_at(ends - now));
                 now = ends;

@@ -1,5 +1,7 @@
 //! Where a rolling body is, what acts on it steadily, and what can happen to it.
 
+use crate::error::{Result, finite};
+
 /// A steady load on the body, per mass, m/s².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load {
@@ -65,6 +67,22 @@ impl Moment {
             slip: velocity - rim_speed,
             ..Self::at_rest()
         }
+    }
+
+    /// Nothing, if it is a moment that doubles can tell.
+    pub(super) fn within_range(&self) -> Result<()> {
+        for (quantity, value) in [
+            ("the position", self.position),
+            ("the velocity", self.velocity),
+            ("the rim speed", self.rim_speed),
+            ("the slip", self.slip),
+            ("the turned way of the rim", self.turned),
+            ("the heat of friction", self.heat),
+            ("the work done", self.work),
+        ] {
+            finite(quantity, value)?;
+        }
+        Ok(())
     }
 
     /// Kinetic energy per mass, ½(V² + κ(RΩ)²), J/kg.

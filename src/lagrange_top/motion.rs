@@ -67,7 +67,8 @@ impl LagrangeTop {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`] for I₁, [`Error::Negative`] for I₃, [`Error::TriangleInequality`] for
-    /// I₃ > 2I₁, which no body has (2.4), [`Error::OutOfRange`] for |Ω| or √(Mgl/I₁) above 10³⁰⁷.
+    /// I₃ > 2I₁, which no body has (2.4), [`Error::OutOfRange`] for |Ω| or √(Mgl/I₁) above 10³⁰⁷, [`Error::NotPositive`] if the rate of nutation is below the
+    /// smallest double.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -179,10 +180,10 @@ impl LagrangeTop {
     /// // No sum L₃²/2I₃ + Mgl of these is a double.
     /// let at = |excess| LagrangeTop::above_upright(0.3, 0.1, 0.7, 0.2, 0.2, excess);
     /// assert_eq!(at(0.0)?.kind(), Nutation::Waking);
-    /// // From one passage to the next: longer by ln 10¹⁰⁰/2λ for each hundred zeros.
+    /// // From one passage to the next: longer by ln 10¹⁰⁰/λ for each hundred zeros.
     /// let (near, nearer) = (at(1e-100)?, at(1e-200)?);
     /// let rate = (0.7 * at(0.0)?.roots().one_less[0] / 0.6).sqrt();
-    /// assert!((nearer.period() - near.period() - 50.0 * 10f64.ln() / rate).abs() < 1e-12);
+    /// assert!((nearer.period() - near.period() - 100.0 * 10f64.ln() / rate).abs() < 1e-12);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn above_upright(

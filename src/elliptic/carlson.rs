@@ -225,7 +225,7 @@ fn not_zero(last: f64) -> Result<f64> {
 /// ```
 /// use spinning_bodies::elliptic::carlson::rf;
 /// // R_F(0, y, 1) for y → 0 is ln(4/√y).
-/// assert_eq!(rf(0.0, 1e-300, 1.0)?, 4f64.ln() + 150.0 * 10f64.ln());
+/// assert!((rf(0.0, 1e-300, 1.0)? - (4f64.ln() + 150.0 * 10f64.ln())).abs() < 1e-13);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 ///

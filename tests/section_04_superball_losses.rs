@@ -254,6 +254,118 @@ fn s4_6_bounces_that_pile_up() {
     assert_relative_eq!(rolls.motion.velocity, 15.0 / 7.0, max_relative = 1e-14);
 }
 
+/// The sums over the pile against the bounces one by one, and where there are too many of these.
+#[test]
+fn s4_6_after_the_last_bounce() {
+    let sky = f64::INFINITY;
+    for (normal, along) in [
+        (0.0, 0.6),
+        (0.5, 0.6),
+        (0.9, -0.3),
+        (0.8, -1.0),
+        (0.95, 0.99),
+    ] {
+        let dull = Restitution::new(normal, along).unwrap();
+        let ball = Flight::new(
+            0.4,
+            sky,
+            (weight(), dull, Nothing),
+            thrown(1.0, 0.0, 1.0, 0.3),
+        );
+        let ball = ball.unwrap();
+        let last = ball.last_contact().unwrap().unwrap();
+        let end = ball.followed(&[last, last + 2.0]).unwrap();
+        let mut here = motion(1.0, 0.3);
+        let (mut x, mut climb) = (
+            (2.0_f64 / 9.81).sqrt(),
+            2.0 * 9.81_f64.sqrt() / 2.0_f64.sqrt(),
+        );
+        for _ in 0..4000 {
+            here = bounce_with(here, Surface::Floor, 0.4, along);
+            climb *= normal;
+            x += 2.0 * climb / 9.81 * here.velocity;
+        }
+        assert_relative_eq!(end[0].position, x, max_relative = 3e-15);
+        // (1 + 0.4 · 0.3)/1.4, or what it was where nothing rubs.
+        let rolls = if along == -1.0 { 1.0 } else { 0.8 };
+        assert_relative_eq!(end[0].motion.velocity, rolls, max_relative = 3e-16);
+        assert_relative_eq!(
+            end[1].position,
+            x + 2.0 * here.velocity,
+            max_relative = 3e-15
+        );
+    }
+    // Some sixteen thousand million bounces, which nobody follows; thrown with V = −κRΩ, it is at rest in the end.
+    let dull = Restitution::new(1.0 - 1e-9, 0.6).unwrap();
+    let ball = Flight::new(
+        0.4,
+        sky,
+        (weight(), dull, Nothing),
+        thrown(1.0, 0.0, 1.0, -2.5),
+    );
+    let ball = ball.unwrap();
+    let last = ball.last_contact().unwrap().unwrap();
+    let end = ball.followed(&[last, 10.0 * last]).unwrap();
+    assert_eq!(end[0], end[1]);
+    assert_eq!((end[1].motion, end[1].height), (motion(0.0, 0.0), 0.0));
+    assert!(end[1].bounces > 16_000_000_000);
+    assert!(matches!(
+        ball.followed(&[0.9 * last]),
+        Err(Error::Integration { .. })
+    ));
+}
+
+#[test]
+fn s4_6_a_ball_that_lies_on_the_floor() {
+    let effects = (weight(), Nothing, Nothing);
+    let lies = |v, w| Flight::new(0.4, 1.0, effects, thrown(0.0, 0.0, v, w)).unwrap();
+    let rolls = lies(0.5, 0.5).exact(3.0).unwrap();
+    assert_eq!((rolls.height, rolls.climb, rolls.bounces), (0.0, 0.0, 0));
+    assert_relative_eq!(rolls.position, 1.5, max_relative = 3e-16);
+    assert_eq!(
+        lies(0.0, 0.0).exact(1e20).unwrap(),
+        thrown(0.0, 0.0, 0.0, 0.0)
+    );
+    assert_eq!(lies(0.5, 0.5).followed(&[3.0]).unwrap()[0], rolls);
+    // A contact speed that would be reversed for ever.
+    assert!(matches!(
+        lies(0.5, 0.0).exact(1.0),
+        Err(Error::Condition { .. })
+    ));
+    assert!(matches!(
+        lies(0.5, 0.0).followed(&[1.0]),
+        Err(Error::Condition { .. })
+    ));
+}
+
+/// Numbers at the ends of the doubles, and a count that has none left: an answer of numbers, or a refusal, in any profile.
+#[test]
+fn s4_6_flights_of_any_numbers() {
+    let sizes = [0.0, 5e-324, 1e-200, 1.0, 1e154, 1e200, f64::MAX];
+    for (g, climb) in sizes.iter().flat_map(|&g| sizes.map(|v| (g, v))) {
+        for (height, sign, t) in [(0.0, 1.0, 1.0), (0.3, -1.0, 1e20), (0.3, 1.0, f64::MAX)] {
+            let start = InFlight {
+                bounces: u64::MAX,
+                ..thrown(height, sign * climb, 2.0, 0.7)
+            };
+            let effects = (Weight::new(g).unwrap(), Nothing, Nothing);
+            for room in [0.6, f64::INFINITY] {
+                let Ok(ball) = Flight::new(0.4, room, effects, start) else {
+                    continue;
+                };
+                let Ok(end) = ball.exact(t) else { continue };
+                assert_eq!(end.bounces, u64::MAX);
+                let depth = (-end.height).max(end.height - room);
+                let free = g == 0.0 || depth < 1e-14 * end.height.abs().max(1.0);
+                assert!(
+                    free && !end.height.is_nan() && !end.climb.is_nan(),
+                    "{g} {climb} {t} {room}: {end:?}"
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn s4_6_grazing_incidence_slips() {
     let sky = f64::INFINITY;

@@ -265,8 +265,22 @@ where
         let first = energy(&self.start);
         let scale = if first > 0.0 { first } else { 1.0 };
         let account = ledger.open_scaled("energy", law, first, scale)?;
+        // A flight that goes on through the floor keeps its energy too.
+        let depth = |ball: &InFlight| (-ball.height).max(ball.height - self.room).max(0.0);
+        let highest = balls
+            .iter()
+            .map(|b| b.height.abs())
+            .fold(self.start.height, f64::max);
+        let room = if highest > 0.0 {
+            highest.min(self.room)
+        } else {
+            1.0
+        };
+        let name = "depth in floor or ceiling";
+        let inside = ledger.open_scaled(name, Law::Conserved, depth(&self.start), room)?;
         for ball in &balls {
             ledger.record(account, energy(ball))?;
+            ledger.record(inside, depth(ball))?;
         }
         let states = balls.iter().map(|ball| Bouncing {
             ball: *ball,

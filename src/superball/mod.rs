@@ -19,6 +19,7 @@ pub use losses::{Restitution, bounce_with, gripping_bounce, return_threshold};
 
 use core::f64::consts::PI;
 
+use num_rational::Ratio;
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Num};
 
 use crate::double_double::DoubleDouble;
@@ -75,7 +76,7 @@ impl<T: Num + Copy> Motion<T> {
 /// `kappa` is I/(MR²), 2/5 for the ball, from 0 (all mass at the centre) to 1 (all on the rim). Numbers outside that range
 /// have no body but a result. In floating point each bounce is right to a few roundings, but 1+κ is rounded the same way
 /// every time, so the energy drifts in proportion to the number of bounces. Observed: at most 2e-16 a bounce (κ = 2/5:
-/// 1.6e-9 after ten million). [`BounceRotation`] does not drift. Cost: two multiplications, one division, five additions.
+/// 1.6e-9 after ten million). [`UnderTable`] and [`BounceRotation`] do not drift. Cost: two multiplications, one division, five additions.
 ///
 /// With `f64` nothing panics. Fractions of fixed-width integers panic at κ = −1 and on overflow, as all their arithmetic
 /// does; [`checked_bounce`] does not.
@@ -141,12 +142,17 @@ pub fn friction_impulse<T: Num + Copy>(before: Motion<T>, surface: Surface, kapp
     T::zero() - (slip + slip) * kappa / (T::one() + kappa)
 }
 
-/// The motions after bounces 1, 2, 3, … off floor, ceiling, floor, … (4.6). Endless; each step is one [`bounce`].
+/// The motions after bounces 1, 2, 3, … off floor, ceiling, floor, … (4.6). Endless.
 ///
-/// In fractions of fixed-width integers it is as long as they are: past 43 bounces of the ball `Ratio<i128>` overflows, as [`bounce`] says.
+/// In (V, √κ RΩ) two bounces are a rotation, and with `f64` they stay one: the motion is carried in twice the precision, so that the n-th
+/// is that of the κ and the start given, to half a unit in the last place each and n·2⁻¹⁰⁰ in phase; observed after 2·10⁶ bounces, against
+/// 40 digits: energy 3e-16, motion 2e-16. Cost: some ten times [`bounce`]'s.
+/// In fractions each step is one [`bounce`], and as long as they are: past 43 bounces of the ball `Ratio<i128>` overflows, as [`bounce`] says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnderTable<T> {
     motion: Motion<T>,
+    /// What rounding has left out of the motion; nothing in exact arithmetic.
+    rest: Motion<T>,
     kappa: T,
     next: Surface,
 }
@@ -156,6 +162,10 @@ impl<T: Num + Copy> UnderTable<T> {
     pub fn new(start: Motion<T>, kappa: T) -> Self {
         Self {
             motion: start,
+            rest: Motion {
+                velocity: T::zero(),
+                rim_speed: T::zero(),
+            },
             kappa,
             next: Surface::Floor,
         }
@@ -173,10 +183,42 @@ impl<T: Num + Copy> UnderTable<T> {
     }
 }
 
-impl<T: Num + Copy> Iterator for UnderTable<T> {
-    type Item = Motion<T>;
+impl Iterator for UnderTable<f64> {
+    type Item = Motion<f64>;
 
-    fn next(&mut self) -> Option<Motion<T>> {
+    fn next(&mut self) -> Option<Motion<f64>> {
+        let velocity = DoubleDouble::new(self.motion.velocity, self.rest.velocity);
+        let rim_speed = DoubleDouble::new(self.motion.rim_speed, self.rest.rim_speed);
+        let towards = match self.next {
+            Surface::Floor => rim_speed,
+            Surface::Ceiling => rim_speed.negated(),
+        };
+        // As in [`bounce`], the rim speed counted along the surface.
+        let slip = velocity.subtract(towards);
+        let turned = slip.add(slip).divide(DoubleDouble::sum(1.0, self.kappa));
+        let towards = towards.add(turned);
+        let velocity = velocity.subtract(turned.times(self.kappa));
+        let rim_speed = match self.next {
+            Surface::Floor => towards,
+            Surface::Ceiling => towards.negated(),
+        };
+        let part = |of: fn(DoubleDouble) -> f64| Motion {
+            velocity: of(velocity),
+            rim_speed: of(rim_speed),
+        };
+        (self.motion, self.rest) = (part(DoubleDouble::high), part(DoubleDouble::low));
+        self.next = self.next.opposite();
+        Some(self.motion)
+    }
+}
+
+impl<I> Iterator for UnderTable<Ratio<I>>
+where
+    Ratio<I>: Num + Copy,
+{
+    type Item = Motion<Ratio<I>>;
+
+    fn next(&mut self) -> Option<Motion<Ratio<I>>> {
         self.motion = bounce(self.motion, self.next, self.kappa);
         self.next = self.next.opposite();
         Some(self.motion)
@@ -190,7 +232,10 @@ pub struct Positions<T> {
     x: T,
 }
 
-impl<T: Num + Copy> Iterator for Positions<T> {
+impl<T: Num + Copy> Iterator for Positions<T>
+where
+    UnderTable<T>: Iterator<Item = Motion<T>>,
+{
     type Item = T;
 
     fn next(&mut self) -> Option<T> {

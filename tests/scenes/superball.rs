@@ -88,6 +88,18 @@ fn ten_million_bounces_at_once() {
     println!("{:?} {:e}", motion.rows[1].1, balance(&motion));
     // Observed: 1.3e-16 after 11 584 386 bounces.
     assert!(balance(&motion) < 1e-14);
+    // The ledger asks whether the ball is between floor and ceiling: a parabola through the floor keeps its energy.
+    let entries = motion.ledger.entries();
+    assert!(
+        entries
+            .iter()
+            .any(|e| e.name() == "depth in floor or ceiling")
+    );
+    let farther = Request::at([1e20]).unwrap();
+    assert!(matches!(
+        scene.simulate(&farther),
+        Err(Error::OutOfRange { .. })
+    ));
     assert!(matches!(
         ball().simulate(&Request::at([-1.0]).unwrap()),
         Err(Error::OutOfRange { .. })

@@ -3,6 +3,9 @@
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use spinning_bodies::Error;
+use spinning_bodies::integrators::{Effort, Method};
+use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment, Nothing};
+use spinning_bodies::rolling::integrated::integrated;
 use spinning_bodies::rolling::{Regime, RoundBody, factor, slide_to_roll};
 
 const MASS: f64 = 0.17;
@@ -309,6 +312,99 @@ fn s4_3_near_pure_rolling_nothing_cancels() {
         max_relative = 1e-15,
         epsilon = 0.0
     );
+}
+
+/// V = RΩ to the last place of the product, not to the last of the numbers; the times by exact fractions of the doubles given.
+#[test]
+fn s4_3_next_to_rolling_the_spin_says_how_near() {
+    let known = [
+        (1.0, 0.0286, 34.96503496503497, 9.391176134514211e-18),
+        (1.0, 0.028575, 34.99562554680665, 2.6395336946191e-18),
+        (2.0, 0.03, 66.66666666666667, 9.916073808602921e-18),
+        (0.7, 0.0254, 27.559055118110237, 5.220502240320678e-18),
+        (1.3, 0.11, 11.818181818181818, 2.9248498338616327e-18),
+    ];
+    for (v, radius, omega, time) in known {
+        let ball = RoundBody::new(MASS, radius, factor::BALL).unwrap();
+        let slide = ball.slide_of_spin(v, omega, FRICTION, GRAVITY).unwrap();
+        assert_relative_eq!(slide.time, time, max_relative = 7e-16, epsilon = 0.0);
+        let rounded = ball
+            .slide_to_roll(v, radius * omega, FRICTION, GRAVITY)
+            .unwrap();
+        assert_eq!(rounded.time, 0.0);
+    }
+    assert!(
+        ball()
+            .slide_of_spin(1.0, f64::NAN, FRICTION, GRAVITY)
+            .is_err()
+    );
+    let same = ball()
+        .slide_of_spin(2.0, -4.0 / RADIUS, FRICTION, GRAVITY)
+        .unwrap();
+    let other = ball().slide_to_roll(2.0, -4.0, FRICTION, GRAVITY).unwrap();
+    assert_relative_eq!(same.time, other.time, max_relative = 4e-16);
+    assert_relative_eq!(same.speed, other.speed, max_relative = 1e-15);
+}
+
+/// V + κRΩ = 0, up to the rounding of the product: it stops, and does not creep.
+#[test]
+fn s4_3_what_stops_is_at_rest() {
+    for (rim, kappa) in [
+        (-2.5, 0.4),
+        (-7.1, 0.4),
+        (1.3, 2.0 / 3.0),
+        (-4.4, 0.5),
+        (-1.3, 1.0),
+        (-3.0, 0.3),
+    ] {
+        let v: f64 = -(kappa * rim);
+        let body = RoundBody::new(MASS, RADIUS, kappa).unwrap();
+        assert_eq!(
+            body.slide_to_roll(v, rim, FRICTION, GRAVITY).unwrap().speed,
+            0.0
+        );
+        let effects = (Coulomb::new(FRICTION).unwrap(), Nothing, Nothing);
+        let load = Load::weight(GRAVITY);
+        let start = Moment::moving(v, rim);
+        let course = Course::new(kappa, load, effects, start, 9.0).unwrap();
+        let end = course.at(9.0);
+        assert_eq!((end.velocity, end.rim_speed, end.slip), (0.0, 0.0, 0.0));
+        assert_eq!(course.events().last().unwrap().what, Happening::Rest);
+        let by = (Method::Dop853, Effort::Tolerance(1e-12));
+        let run = integrated(kappa, load, effects, start, &[9.0], by).unwrap();
+        assert_eq!(
+            (run.moments[0].velocity, run.events.last().unwrap().1),
+            (0.0, Happening::Rest)
+        );
+    }
+    // A stroke at the table's level, which no cue makes, gives the ball no angular momentum about the table.
+    let dead = ball()
+        .strike(0.0, 2.0)
+        .unwrap()
+        .slide(FRICTION, GRAVITY)
+        .unwrap();
+    assert_eq!(dead.speed, 0.0);
+}
+
+/// Static friction holds up to its limit and at it; kinetic friction would not.
+#[test]
+fn s4_3_at_its_limit_the_contact_still_holds() {
+    // κ = 1: half of the pull is needed to hold the contact.
+    let course = |push: f64| {
+        let load = Load {
+            push,
+            twist: 0.0,
+            reaction: 1.0,
+        };
+        let effects = (Coulomb::with_grip(0.25, 0.5).unwrap(), Nothing, Nothing);
+        Course::new(1.0, load, effects, Moment::at_rest(), 1.0).unwrap()
+    };
+    let held = course(1.0);
+    assert!(held.events().is_empty());
+    assert_eq!((held.at(1.0).velocity, held.at(1.0).rim_speed), (0.5, 0.5));
+    let torn = course(1.0 + f64::EPSILON);
+    assert_eq!(torn.events()[0].what, Happening::SlippingBegins);
+    assert_relative_eq!(torn.at(1.0).velocity, 0.75, max_relative = 1e-15);
 }
 
 // claim: C4.3-6

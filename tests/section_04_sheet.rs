@@ -46,9 +46,11 @@ fn s4_5_numbers_of_a_quick_pull() {
         assert!((leaves.moment.position - 0.005_634).abs() < 5e-7);
         let end = course.at(1e3);
         println!("{:e} {:e}", end.velocity, end.rim_speed);
-        // Dead: it comes out as 0.0.
-        assert!(end.velocity.abs() < 1e-16 && end.rim_speed.abs() < 1e-16);
-        let stop = course.events().last().unwrap().moment.position;
+        // Dead.
+        assert_eq!((end.velocity, end.rim_speed, end.slip), (0.0, 0.0, 0.0));
+        let stop = course.events().last().unwrap();
+        assert_eq!(stop.what, Happening::Rest);
+        let stop = stop.moment.position;
         assert!((stop - 0.014_086).abs() < 5e-7, "{stop}");
         stops.push(stop);
     }
@@ -183,7 +185,7 @@ fn s4_5_what_resistance_and_ice_do_to_it() {
     // Nearly without: it still stops dead, V²/(2μg) farther on.
     let course = withdrawn(0.4, &speeds, 0.15, [0.3, 1e-3]);
     let stop = course.events().last().unwrap();
-    assert!(stop.moment.velocity.abs() < 1e-15);
+    assert_eq!((stop.moment.velocity, stop.what), (0.0, Happening::Rest));
     assert!((stop.moment.position - (0.005_634 + 0.182_107_f64.powi(2) / (2e-3 * G))).abs() < 2e-5);
 }
 

@@ -43,6 +43,7 @@ pub fn integrated<F: Friction, C: Resistance, S: Support>(
     let (mut now, mut leg, mut on_sheet) = (0.0, 0, S::ACTS);
     let mut moment = start;
     let mut way = 0.0;
+    let mut about = start.about_the_table(kappa);
     loop {
         let (motion, leg_ends) = ground_now(sheet, leg, now);
         let pace = if S::ACTS && on_sheet {
@@ -142,6 +143,7 @@ pub fn integrated<F: Friction, C: Resistance, S: Support>(
             let before = times.partition_point(|&t| t <= now);
             run.moments.truncate(before);
         }
+        about += (now - from) * laws.moment_about_the_table(&pace);
         way = y[6];
         moment = leg_now.moment(now, &y);
         let sheet_speed = motion[0] + (now - from) * motion[1];
@@ -167,6 +169,7 @@ pub fn integrated<F: Friction, C: Resistance, S: Support>(
                 what,
                 pace,
                 if on_sheet { sheet_speed } else { 0.0 },
+                (&mut about, kappa),
             ),
         };
         run.events.push((now, what));

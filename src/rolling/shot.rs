@@ -144,10 +144,12 @@ impl RoundBody {
     /// From sliding to rolling under Coulomb friction (4.3, continued): when, where, how fast, how hot.
     ///
     /// `velocity` and `rim_speed` in m/s, `friction` the coefficient μ, `gravity` in m/s². With u = velocity − rim speed,
-    /// t = κ|u|/((1+κ)μg), which is 2|u|/(7μg) for the ball; V_f = V − κu/(1+κ); heat = ½ M κu²/(1+κ).
+    /// t = κ|u|/((1+κ)μg), which is 2|u|/(7μg) for the ball; V_f = (V + κRΩ)/(1+κ), exactly 0 if the product κRΩ rounds to −V;
+    /// heat = ½ M κu²/(1+κ).
     ///
     /// The one subtraction forms u from the two numbers given and is backward stable. When the rim speed comes from a cue
-    /// stroke near 7R/5, use [`Shot::slide`], where u comes from the height and nothing cancels.
+    /// stroke near 7R/5, use [`Shot::slide`], where u comes from the height and nothing cancels; when it comes from an angular
+    /// velocity, [`Self::slide_of_spin`].
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) for a number that is not, or a result that overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
@@ -160,10 +162,38 @@ impl RoundBody {
     ) -> Result<SlideToRoll> {
         let velocity = finite("the velocity", velocity)?;
         let rim_speed = finite("the rim speed", rim_speed)?;
-        self.slide(velocity, velocity - rim_speed, friction, gravity)
+        let speed = (velocity + self.inertia_factor * rim_speed) / self.pure_rolling_height();
+        self.slide(velocity, velocity - rim_speed, speed, friction, gravity)
     }
 
-    fn slide(&self, velocity: f64, slip: f64, friction: f64, gravity: f64) -> Result<SlideToRoll> {
+    /// [`Self::slide_to_roll`] for a body that turns at Ω (`omega`, rad/s): V − RΩ by one fused multiplication, so that next to rolling the slip is
+    /// that of the three numbers given, where a product RΩ rounded first would say it rolls.
+    ///
+    /// # Errors
+    /// As [`Self::slide_to_roll`].
+    pub fn slide_of_spin(
+        &self,
+        velocity: f64,
+        omega: f64,
+        friction: f64,
+        gravity: f64,
+    ) -> Result<SlideToRoll> {
+        let velocity = finite("the velocity", velocity)?;
+        let omega = finite("the angular velocity", omega)?;
+        let slip = (-self.radius).mul_add(omega, velocity);
+        let spin = self.inertia_factor * self.radius * omega;
+        let speed = (velocity + spin) / self.pure_rolling_height();
+        self.slide(velocity, slip, speed, friction, gravity)
+    }
+
+    fn slide(
+        &self,
+        velocity: f64,
+        slip: f64,
+        speed: f64,
+        friction: f64,
+        gravity: f64,
+    ) -> Result<SlideToRoll> {
         let deceleration = positive("the coefficient of friction", friction)?
             * positive("the acceleration of gravity", gravity)?;
         // κ/(1+κ) of the slip is taken from the velocity, the rest from the rim.
@@ -176,7 +206,7 @@ impl RoundBody {
         Ok(SlideToRoll {
             time: finite("the sliding time", time)?,
             distance: finite("the sliding distance", (velocity - 0.5 * change) * time)?,
-            speed: velocity - change,
+            speed: finite("the speed of rolling", speed)?,
             heat: not_negative("the heat", 0.5 * self.mass * change * slip)?,
         })
     }
@@ -214,7 +244,10 @@ impl Shot {
     /// # Errors
     /// As [`RoundBody::slide_to_roll`].
     pub fn slide(&self, friction: f64, gravity: f64) -> Result<SlideToRoll> {
-        self.body.slide(self.velocity, self.slip, friction, gravity)
+        // The angular momentum about the table is the stroke's: struck at the table's level the body stops dead.
+        let speed = self.velocity * self.height_over_radius / self.body.pure_rolling_height();
+        self.body
+            .slide(self.velocity, self.slip, speed, friction, gravity)
     }
 }
 

@@ -3,10 +3,15 @@
 use core::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use spinning_bodies::scene::contact::{Gravity, TableTop, Viscous, passage};
-use spinning_bodies::tippe_top::{Inversion, Start, TippeTop, bodies};
+use nalgebra::{Matrix3, Vector3};
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::InertiaMatrix;
+use spinning_bodies::scene::contact::{
+    Gravity, NoSlip, Resistance, State, TableTop, Viscous, passage,
+};
+use spinning_bodies::tippe_top::{ConvexBody, Inversion, Start, Surface, TippeTop, bodies};
 
-use crate::common::{degrees, last, most, run};
+use crate::common::{G, degrees, last, most, run};
 
 const MR2: f64 = 0.02 * 0.02 * 0.02;
 
@@ -175,4 +180,81 @@ fn s4_7_classes_of_ueda_sasaki_and_watanabe() {
             }
         }
     }
+}
+
+/// Where the band of tilts at which it rises is narrow, a top that sinks is caught by it all the same.
+#[test]
+fn s4_7_a_narrow_valley_holds_it() {
+    // claim: C4.7-12
+    let top = TippeTop::new(1.0, 1.0, 0.1, 0.4 * 0.6, 0.4, 1.0).unwrap();
+    let steady = |tilt: f64| top.steady_jellett(tilt).unwrap();
+    // The least λ of all steady states, near 2.036 rad, and one above it whose two tilts lie 0.01 rad apart.
+    let tilts = (0..20_000).map(|k| 1.9 + 1.5e-5 * f64::from(k));
+    let least = tilts
+        .min_by(|a, b| steady(*a).total_cmp(&steady(*b)))
+        .unwrap();
+    assert!((least - 2.036).abs() < 1e-2, "{least}");
+    let held = least + 0.005;
+    assert!(steady(least - 0.006) > steady(held));
+    for start in [2.2, 2.45, 2.6, 2.7, 2.8, 2.9, 3.0, 3.1] {
+        let end = top.final_tilt(steady(held), start).unwrap();
+        assert!((end - held).abs() < 1e-12, "from {start}: {end}");
+    }
+}
+
+/// A ball that pivots and rolls without slipping, under resistance: each rate dies by its own coefficient.
+#[test]
+fn s4_7_pivoting_and_rolling_die_apart() {
+    let (mass, radius, moment) = (0.17, 0.03, 6e-5);
+    let inertia = InertiaMatrix::diagonal(moment, moment, moment).unwrap();
+    let surface = Surface::sphere(radius).unwrap();
+    let ball = ConvexBody::new(mass, inertia, surface, BodyVector::zero()).unwrap();
+    let (rolling, pivoting) = (2e-5, 7e-5);
+    let after = |omega: BodyVector, t: f64| -> State {
+        let start = Start::about_vertical(0.0, 0.0, 0.0).unwrap();
+        let start = Start::spinning(start.attitude, omega).unwrap();
+        let table = TableTop::new(ball, start)
+            .with_gravity(Gravity::new(G).unwrap())
+            .with_friction(NoSlip)
+            .with_resistance(Resistance::new(rolling, pivoting).unwrap());
+        last(&run(&table, t, 1, 1e-11))
+    };
+    let weight = mass * G;
+    for t in [0.2, 1.0] {
+        let spins = after(BodyVector::new(0.0, 0.0, 30.0), t);
+        let pivots = 30.0 * (-pivoting * weight * t / moment).exp();
+        assert_relative_eq!(spins.spin(), pivots, max_relative = 1e-9, epsilon = 0.0);
+        let rolls = after(BodyVector::new(0.0, 30.0, 0.0), t);
+        let whole = moment + mass * radius * radius;
+        let rate = 30.0 * (-rolling * weight * t / whole).exp();
+        assert_relative_eq!(rolls.omega.norm(), rate, max_relative = 1e-9, epsilon = 0.0);
+    }
+}
+
+/// M(g + z̈) of C, by differences of its height alone, is the reaction of the table, where resistance lifts or lowers C.
+#[test]
+fn s4_7_the_table_bears_what_the_height_says() {
+    let body = bodies::eccentric_ball(
+        0.02,
+        0.02,
+        0.3,
+        Matrix3::from_diagonal(&Vector3::new(0.37, 0.37, 0.4)),
+    );
+    let start = Start::about_third_axis(1.1, 0.4, 60.0).unwrap();
+    let table = TableTop::new(body.unwrap(), start)
+        .with_gravity(Gravity::new(G).unwrap())
+        .with_friction(NoSlip);
+    let heavy = table.with_resistance(Resistance::new(3e-4, 1e-4).unwrap());
+    let rows = run(&heavy, 0.04, 40, 1e-13);
+    let free = run(&table, 0.04, 40, 1e-13);
+    let (h, mut worst, mut matters) = (1e-3_f64, 0.0_f64, 0.0_f64);
+    for (five, other) in rows.windows(5).zip(&free[2..]) {
+        let z = [0, 1, 2, 3, 4].map(|k| five[k].1.position.z());
+        let bend = (16.0 * (z[1] + z[3]) - (z[0] + z[4]) - 30.0 * z[2]) / (12.0 * h * h);
+        let borne = 0.02 * (G + bend);
+        worst = worst.max((five[2].1.reaction / borne - 1.0).abs());
+        matters = matters.max((five[2].1.reaction / other.1.reaction - 1.0).abs());
+    }
+    println!("reaction off by {worst:e}, without resistance by {matters:e}");
+    assert!(worst < 1e-4 && matters > 1e-2, "{worst:e} {matters:e}");
 }

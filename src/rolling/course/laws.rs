@@ -62,6 +62,11 @@ impl<F: Friction, C: Resistance> Laws<F, C> {
         first.unwrap_or_else(|| self.consequence(friction, Hold::Free, Hold::Free, ground).0)
     }
 
+    /// What changes V + κRΩ: everything but friction.
+    pub(crate) fn moment_about_the_table(&self, pace: &Pace) -> f64 {
+        self.load.push + self.load.twist + pace.couple
+    }
+
     fn consequence(&self, law: F, slipping: Hold, turning: Hold, ground: f64) -> (Pace, bool) {
         let (kappa, load) = (self.kappa, self.load);
         let (push, twist, reaction) = (load.push, load.twist, load.reaction);
@@ -136,19 +141,28 @@ pub(crate) fn on<F: Friction, C: Resistance, S: Support>(
 }
 
 /// Makes zero what has just become zero, and says what that means.
-pub(crate) fn settle(moment: &mut Moment, what: Happening, pace: Pace, ground: f64) -> Happening {
+///
+/// `about` is V + κRΩ. No friction changes it, so the velocity of rolling follows from it without the roundings of the way there, and a body
+/// that has none comes to rest, not to 1e-16 m/s.
+pub(crate) fn settle(
+    moment: &mut Moment,
+    what: Happening,
+    pace: Pace,
+    ground: f64,
+    (about, kappa): (&mut f64, f64),
+) -> Happening {
     if what == Happening::RollingBegins {
         moment.slip = 0.0;
-        // The velocity is the better known of the two, unless the spin is dead.
         if pace.turning == Hold::Held {
-            moment.velocity = ground;
+            (moment.velocity, *about) = (ground, ground);
         } else {
-            moment.rim_speed = moment.velocity - ground;
+            moment.velocity = (*about + kappa * ground) / (1.0 + kappa);
+            moment.rim_speed = (*about - ground) / (1.0 + kappa);
         }
     } else {
         moment.rim_speed = 0.0;
         if pace.slipping == Hold::Held {
-            moment.velocity = ground;
+            (moment.velocity, *about) = (ground, ground);
         }
     }
     if moment.slip == 0.0 && moment.rim_speed == 0.0 {

@@ -81,6 +81,7 @@ impl Course {
     ) -> Result<()> {
         let mut moment = start;
         let (mut now, mut leg, mut on_sheet) = (0.0, 0, S::ACTS);
+        let mut about = start.about_the_table(laws.kappa);
         let mut margin = if S::ACTS { sheet.margin() } else { 0.0 };
         let mut slipped = moment.slip != 0.0;
         while self.stretches.len() < MOST_STRETCHES {
@@ -115,6 +116,7 @@ impl Course {
                     return stretch.at(ends - now).within_range();
                 }
                 (moment, margin) = (stretch.at(ends - now), stretch.margin_at(ends - now));
+                about += (ends - now) * laws.moment_about_the_table(&pace);
                 now = ends;
                 if S::ACTS && on_sheet {
                     moment.slip -= jerk(sheet, leg);
@@ -123,6 +125,7 @@ impl Course {
                 continue;
             };
             now += wait;
+            about += wait * laws.moment_about_the_table(&pace);
             (moment, margin) = (stretch.at(wait), stretch.margin_at(wait));
             let sheet_speed = motion[0] + wait * motion[1];
             match what {
@@ -134,7 +137,7 @@ impl Course {
                 }
                 _ => {
                     let ground = if on_sheet { sheet_speed } else { 0.0 };
-                    let what = settle(&mut moment, what, pace, ground);
+                    let what = settle(&mut moment, what, pace, ground, (&mut about, laws.kappa));
                     self.note(now, what, moment);
                 }
             }

@@ -255,8 +255,9 @@ fn obey(command: Option<Command>) -> Result<()> {
             let count = || {
                 done.fetch_add(1, Ordering::Relaxed);
             };
-            let text = watched(how_far, || scan::scan(&file, &over, count))?;
-            target.write(|to| to.write_all(text.as_bytes()))
+            let (text, ran) = watched(how_far, || scan::scan(&file, &over, count))?;
+            target.write(|to| to.write_all(text.as_bytes()))?;
+            ran
         }
         Some(Command::Accuracy { scene, csv }) => {
             say(&accuracy::run(&root, scene.as_deref(), csv.as_deref())?)

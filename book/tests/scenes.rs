@@ -4,7 +4,7 @@ use std::path::Path;
 
 use press::chapters::CHAPTERS;
 use press::scenes::prices::PRICED;
-use press::scenes::{output, parse, scan, simulate};
+use press::scenes::{output, parse, prices, reader, scan, simulate};
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::{Geometric, Progress, Solver};
 
@@ -128,7 +128,8 @@ fn a_scan_is_its_scenes_one_by_one() {
     let count = || {
         done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
     };
-    let text = scan::scan(path.path(), &overs, count).unwrap();
+    let (text, ran) = scan::scan(path.path(), &overs, count).unwrap();
+    ran.unwrap();
     assert_eq!(done.into_inner(), 9);
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 10);
@@ -153,6 +154,47 @@ fn a_scan_is_its_scenes_one_by_one() {
     );
 }
 
+/// The mass alone, where the moments stay: the rows come, and one line of warning with them.
+#[test]
+fn a_scan_says_what_it_is_about() {
+    let scan = |file: &str, over: &[&str]| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_book"));
+        command.args(["scan", file]);
+        for over in over {
+            command.args(["--over", over]);
+        }
+        let output = command.output().unwrap();
+        let told = String::from_utf8(output.stderr).unwrap();
+        let rows = String::from_utf8(output.stdout).unwrap().lines().count();
+        (output.status.code(), rows, told)
+    };
+    let mass = "body.mass=0.02..0.03:2";
+    let (status, rows, told) = scan("scenes/sliding-ball.toml", &[mass]);
+    assert_eq!(
+        (status, rows, told.lines().count()),
+        (Some(0), 3, 1),
+        "{told}"
+    );
+    assert!(
+        told.starts_with("warning: ") && told.contains("`inertia`"),
+        "{told}"
+    );
+    // A ball's factor is per mass, and an inertia that varies too is somebody's choice.
+    let (status, _, told) = scan("scenes/superball.toml", &[mass]);
+    assert_eq!((status, told.as_str()), (Some(0), ""));
+    let inertia = "body.inertia.0=3.6e-4..3.7e-4:2";
+    let (status, rows, told) = scan("scenes/sliding-ball.toml", &[mass, inertia]);
+    assert_eq!((status, rows, told.as_str()), (Some(0), 5, ""));
+    // Not one point: the rows say why, and so does the status.
+    let (status, rows, told) = scan("scenes/racket.toml", &["body.moments.0=-2..-1:2"]);
+    assert_eq!(
+        (status, rows, told.lines().count()),
+        (Some(1), 3, 1),
+        "{told}"
+    );
+    assert!(told.contains("moments"), "{told}");
+}
+
 #[test]
 fn a_scan_over_what_is_not_there_is_refused() {
     for wrong in [
@@ -163,6 +205,8 @@ fn a_scan_over_what_is_not_there_is_refused() {
         "a=1..2:0",
         "=1..2:3",
         "a=1..inf:2",
+        "a=1...2:3",
+        "a=0...5:3",
     ] {
         assert!(wrong.parse::<scan::Over>().is_err(), "{wrong}");
     }
@@ -178,6 +222,62 @@ fn a_scan_over_what_is_not_there_is_refused() {
         let error = scan::scan(path.path(), &over, || ()).unwrap_err();
         assert_eq!(error.status(), 2);
     }
+}
+
+/// The lines of a scan of the racket, changed, and whether any of its points could be run.
+fn scanned(right: &str, changed: &str, overs: &[&str]) -> (Vec<Vec<String>>, bool) {
+    let path = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(path.path(), RACKET.replace(right, changed)).unwrap();
+    let overs: Vec<_> = overs.iter().map(|over| over.parse().unwrap()).collect();
+    let (text, ran) = scan::scan(path.path(), &overs, || ()).unwrap();
+    let cells = |line: &str| line.split(',').map(str::to_owned).collect();
+    (text.lines().map(cells).collect(), ran.is_ok())
+}
+
+#[test]
+fn every_line_of_a_scan_is_as_wide_as_its_head() {
+    for (over, runs) in [
+        ("body.moments.2=2..4:3", true),
+        ("body.moments.2=9..10:3", false),
+        ("run.samples=2..9:3", true),
+        ("body.moments.0=-2..-1:2", false),
+    ] {
+        let (lines, ran) = scanned("", "", &[over]);
+        assert_eq!(ran, runs, "{over}");
+        for line in &lines {
+            assert_eq!(line.len(), lines[0].len(), "{over}: {line:?}");
+            assert!(!line.last().unwrap().is_empty());
+        }
+    }
+}
+
+#[test]
+fn a_scan_spans_all_doubles_and_whole_numbers() {
+    let (lines, _) = scanned(
+        "0.01, 1.0,",
+        "0.01, 1.0e3,",
+        &["initial.omega.1=-1e308..1e308:3"],
+    );
+    let values: Vec<&str> = lines[1..].iter().map(|line| line[0].as_str()).collect();
+    assert_eq!(values, ["-1e308", "0.0", "1e308"]);
+    // 2 and 4 are whole, 3.5 is none: its line says so.
+    let (lines, _) = scanned("", "", &["run.samples=2..5:3"]);
+    let ok: Vec<bool> = lines[1..]
+        .iter()
+        .map(|line| line.last().unwrap() == "ok")
+        .collect();
+    assert_eq!(ok, [true, false, true]);
+    assert!(
+        lines[2].last().unwrap().contains("whole number"),
+        "{:?}",
+        lines[2]
+    );
+    let path = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(path.path(), RACKET).unwrap();
+    let twice = ["run.until=1..2:3", "run.until=2..3:3"].map(|over| over.parse().unwrap());
+    let error = scan::scan(path.path(), &twice, || ()).unwrap_err();
+    assert_eq!(error.status(), 2);
+    assert!(error.to_string().contains("run.until"), "{error}");
 }
 
 /// What is wrong, and what the one line must name.
@@ -241,7 +341,7 @@ const WRONG: &[(&str, &str, &[&str])] = &[
     (
         "[effects]",
         "[effects]\ntip_friction = 1.0",
-        &["effects", "I1 = I2"],
+        &["tip_friction", "I1 = I2"],
     ),
     ("[effects]", "[efects]", &["efects", "unknown", "effects"]),
     (
@@ -286,7 +386,235 @@ const WRONG: &[(&str, &str, &[&str])] = &[
         &["title", "quotes", "7"],
     ),
     ("[body]", "[body", &["3"]),
+    (
+        "[effects]",
+        "[effects]\ngravity = 9.81",
+        &["mass", "missing", "gravity"],
+    ),
+    (
+        "moments = [1.0, 2.0, 3.0]",
+        "moments = [0, 0, 0]",
+        &["moments", "zero"],
+    ),
+    ("until = 10.0", "until = 0", &["until", "not 0"]),
 ];
+
+/// The same of the other kinds: a file of the book, what is wrong, and the key that the line names first.
+const WRONG_KEY: &[(&str, &str, &str, &str)] = &[
+    ("yo-yo", "axle = 0.005", "axle = 0.03", "axle"),
+    ("spool", "axle = 0.02", "axle = 0.06", "axle"),
+    ("spool", "mass = 0.2", "mass = -1", "mass"),
+    (
+        "spool",
+        "tug_angle = 0.5235987755982988",
+        "tug_angle = 4",
+        "tug_angle",
+    ),
+    ("spool", "tension = 0.3 ", "tension = 30.0 ", "tension"),
+    ("superball", "height = 0.3", "height = -1", "height"),
+    (
+        "superball",
+        "inertia_factor = 0.4",
+        "inertia_factor = 2",
+        "inertia_factor",
+    ),
+    ("billiard-shot", "gravity = 9.81", "gravity = 0", "gravity"),
+    ("billiard-shot", "mass = 0.17", "mass = 0", "mass"),
+    (
+        "billiard-shot",
+        "velocity = 2.0",
+        "velocity = -2.0",
+        "velocity",
+    ),
+    (
+        "billiard-shot",
+        "cue_height = 0.7",
+        "cue_height = 7",
+        "cue_height",
+    ),
+    (
+        "billiard-shot",
+        "friction = 0.2",
+        "friction = 0.2\nstatic_friction = 0.1",
+        "static_friction",
+    ),
+    (
+        "billiard-shot",
+        "friction = 0.2",
+        "friction = 0.2\nstatic_friction = -1",
+        "static_friction",
+    ),
+    (
+        "tippe-top",
+        "inertia = [2.99",
+        "inertia = [-2.99",
+        "inertia",
+    ),
+    ("tippe-top", "mass = 0.02", "mass = 0.0", "mass"),
+    (
+        "tippe-top",
+        "friction = 0.3",
+        "friction = 0.3\npivoting_resistance = -1",
+        "pivoting_resistance",
+    ),
+    ("cat", "forward = 1.0", "forward = 4.0", "forward"),
+    ("skater", "hand = 2.5", "hand = -2.5", "hand"),
+    (
+        "strip",
+        "areal_density = 0.08",
+        "areal_density = 0",
+        "areal_density",
+    ),
+    (
+        "strip",
+        "added_mass = 1.0",
+        "added_mass = -1.0",
+        "added_mass",
+    ),
+    ("superball", "until = 1.0", "until = 1e20", "times`, `until"),
+    ("strip", "until = 1.0", "until = -1.0", "times`, `until"),
+];
+
+#[test]
+fn a_wrong_number_is_refused_at_its_own_key() {
+    for (file, right, wrong, key) in WRONG_KEY {
+        let name = format!("scenes/{file}.toml");
+        let text = std::fs::read_to_string(&name).unwrap();
+        let changed = text.replacen(right, wrong, 1);
+        assert_ne!(text, changed, "{right}");
+        let error = prices::run(&name, &changed).unwrap_err();
+        assert_eq!(error.status(), 2, "{error}");
+        let told = error.to_string();
+        let (_, from) = told.split_once('`').unwrap();
+        assert!(
+            told.starts_with(&name) && from.starts_with(&format!("{key}`")),
+            "{told}"
+        );
+    }
+}
+
+/// Two keys of which a file has one.
+const INSTEAD: [(&str, &str, &str); 7] = [
+    ("roller", "rim_speed", "cue_height"),
+    ("roller", "cue_height", "rim_speed"),
+    ("top", "angular_momentum", "omega"),
+    ("table-top", "semi_axes", "radius"),
+    ("table-top", "vertical_spin", "axial_spin"),
+    ("yo-yo", "inertia", "radius"),
+    ("", "times", "until"),
+];
+
+/// A scene with all effects in which one number of a key is set to this, for each place if the key has a list.
+fn with_number(priced: &prices::Priced, asked: &reader::Asked, number: &str) -> Vec<String> {
+    let mut table: toml::Table = priced.file(|_| true).parse().unwrap();
+    table["run"] = toml::Value::Table("until = 0.1\naccuracy = 1e-6".parse().unwrap());
+    // A table of its own within [effects], such as the draw of a skater's arms.
+    let inner = !["body", "initial", "effects", "run"].contains(&asked.section);
+    let section = if inner {
+        &mut table["effects"][asked.section]
+    } else {
+        let empty = || toml::Value::Table(toml::Table::new());
+        table.entry(asked.section).or_insert_with(empty)
+    };
+    let section = section.as_table_mut().unwrap();
+    for (kind, key, other) in INSTEAD {
+        if [priced.kind, ""].contains(&kind) && key == asked.key && !section.contains_key(key) {
+            section.remove(other);
+        }
+    }
+    let listed = asked.what.split("list of ").nth(1);
+    let length = listed.map(|rest| rest.split(' ').next().and_then(|n| n.parse().ok()));
+    let numbers: Vec<String> = match section.get(asked.key) {
+        Some(toml::Value::Array(list)) => list.iter().map(ToString::to_string).collect(),
+        _ => vec!["0.5".to_owned(); length.flatten().unwrap_or(1)],
+    };
+    let mut texts = Vec::new();
+    for place in 0..numbers.len() {
+        let mut numbers = numbers.clone();
+        number.clone_into(&mut numbers[place]);
+        let text = match length {
+            Some(_) => format!("x = [{}]", numbers.join(", ")),
+            None => format!("x = {number}"),
+        };
+        let value: toml::Table = text.parse().unwrap();
+        let mut whole = table.clone();
+        let section = if inner {
+            &mut whole["effects"][asked.section]
+        } else {
+            &mut whole[asked.section]
+        };
+        section
+            .as_table_mut()
+            .unwrap()
+            .insert(asked.key.to_owned(), value["x"].clone());
+        texts.push(whole.to_string());
+    }
+    texts
+}
+
+/// Every key of every kind set to what a number can be at worst, one after the other: read, and where the motion is in closed form, followed.
+/// Steps through a motion of such sizes may take their time before they are refused.
+#[test]
+fn no_number_of_any_key_panics_or_goes_unnoticed() {
+    const NUMBERS: [&str; 7] = ["-1", "0", "1e308", "1e-308", "nan", "inf", "\"some\""];
+    const CLOSED: [&str; 5] = ["meteorite", "roller", "spool", "superball", "swivel"];
+    // What is told of follows from several numbers, each of them right by itself: moments and an angular velocity; a time and a duration.
+    const TOGETHER: [&str; 2] = [
+        "the angular momentum of a body that turns must not underflow",
+        "a path of shapes must be asked for no more than 100000 rounds",
+    ];
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for priced in PRICED {
+        for asked in priced.keys().unwrap() {
+            // What stands at the top, and words.
+            if asked.section.is_empty() || asked.what.starts_with("one of") {
+                continue;
+            }
+            let cases = NUMBERS
+                .iter()
+                .flat_map(|number| with_number(priced, &asked, number));
+            for text in cases {
+                count += 1;
+                let outcome = std::panic::catch_unwind(|| {
+                    let (_, _) = parse("a.toml", &text)?;
+                    if CLOSED.contains(&priced.kind) {
+                        return prices::run("a.toml", &text).map(|table| table.rows().collect());
+                    }
+                    Ok(Vec::new())
+                });
+                let told = match outcome {
+                    Err(_) => "panics".to_owned(),
+                    Ok(Ok(rows))
+                        if rows
+                            .iter()
+                            .all(|(_, row)| row.iter().all(|x| x.is_finite())) =>
+                    {
+                        continue;
+                    }
+                    Ok(Ok(_)) => "is not finite".to_owned(),
+                    Ok(Err(error)) => {
+                        let (told, key) = (error.to_string(), format!("`{}`", asked.key));
+                        let named = error.status() == 1 || told.contains(&key);
+                        if told.starts_with("a.toml: ")
+                            && (named || TOGETHER.iter().any(|of| told.contains(of)))
+                        {
+                            continue;
+                        }
+                        told
+                    }
+                };
+                wrong.push(format!("{text}{} {told}", asked.key));
+            }
+        }
+    }
+    assert!(count > 1000, "{count}");
+    assert!(
+        wrong.is_empty(),
+        "{} of {count}:\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
+}
 
 #[test]
 fn what_is_wrong_is_refused_in_one_line_that_names_it() {

@@ -29,23 +29,25 @@ use crate::Result;
 
 const BALL: f64 = 0.4;
 const GRAVITY: &str = "an acceleration in m/s²";
+const HEIGHT: &str = "a height in m";
+const MASS: &str = "a mass in kg";
 const SPEED: &str = "a speed in m/s";
 const RATIO: &str = "a ratio without a unit";
 
 fn round(section: &Section<'_>) -> Result<RoundBody> {
-    let mass = section.number("mass", "a mass in kg")?;
-    let radius = section.number("radius", "a radius in m")?;
+    let mass = section.positive("mass", MASS)?;
+    let radius = section.positive("radius", "a radius in m")?;
     let kappa = section.number_or("inertia_factor", RATIO, BALL)?;
     RoundBody::new(mass, radius, kappa).map_err(section.about("inertia_factor"))
 }
 
 fn friction(section: &Section<'_>) -> Result<Option<Coulomb>> {
-    let kinetic = section.optional("friction", RATIO)?;
-    let grip = section.optional("static_friction", RATIO)?;
+    let kinetic = section.optional_not_negative("friction", RATIO)?;
+    let grip = section.optional_not_negative("static_friction", RATIO)?;
     match (kinetic, grip) {
         (Some(kinetic), grip) => Coulomb::with_grip(kinetic, grip.unwrap_or(kinetic))
             .map(Some)
-            .map_err(section.about("friction")),
+            .map_err(section.about("static_friction, friction")),
         (None, None) => Ok(None),
         (None, Some(_)) => Err(section.refused("static_friction", "needs `friction` beside it")),
     }
@@ -72,11 +74,12 @@ fn sheet(section: &Section<'_>) -> Result<Option<Pulled>> {
     if !keys.iter().any(|key| section.has(key)) {
         return Ok(None);
     }
-    let law = section.number(keys[0], RATIO)?;
+    let law = section.optional_not_negative(keys[0], RATIO)?;
+    let law = law.ok_or_else(|| section.missing(keys[0], RATIO))?;
     let law = Coulomb::new(law).map_err(section.about(keys[0]))?;
     let list = |key, what: &str| {
         let numbers = section.optional_numbers(key, what)?;
-        numbers.ok_or_else(|| section.refused(key, format!("is missing: {what} is expected")))
+        numbers.ok_or_else(|| section.missing(key, what))
     };
     let times = list(keys[1], "a list of times in s")?;
     let speeds = list(keys[2], "a list of speeds in m/s")?;
@@ -90,7 +93,7 @@ fn sheet(section: &Section<'_>) -> Result<Option<Pulled>> {
     }
     let points: Vec<(f64, f64)> = times.into_iter().zip(speeds).collect();
     let speeds = SheetSpeeds::through(points).map_err(section.about(keys[1]))?;
-    let margin = section.number(keys[3], "a distance in m")?;
+    let margin = section.positive(keys[3], "a distance in m")?;
     Sheet::new(law, &speeds, margin).map_err(section.about(keys[3]))?;
     Ok(Some((law, speeds, margin)))
 }
@@ -100,22 +103,26 @@ pub fn roller(file: &Section<'_>) -> Result<Ready> {
     let body = round(&section)?;
     section.done()?;
     let effects = file.section("effects")?;
-    let gravity = effects.number("gravity", GRAVITY)?;
+    let gravity = effects.positive("gravity", GRAVITY)?;
     let (law, arm, pulled) = (friction(&effects)?, resistance(&effects)?, sheet(&effects)?);
     effects.done()?;
     let section = file.section("initial")?;
-    let velocity = section.number_or("velocity", SPEED, 0.0)?;
     let rim = section.optional("rim_speed", SPEED)?;
     let scene = match (rim, section.optional("cue_height", RATIO)?) {
         (Some(_), Some(_)) => {
             return Err(section.refused("rim_speed", "and `cue_height` exclude each other"));
         }
-        (None, Some(height)) => body
-            .strike(height, velocity)
-            .and_then(|shot| Roller::after(&shot, gravity))
-            .map_err(section.about("cue_height"))?,
-        (rim, None) => Roller::new(body, gravity, velocity, rim.unwrap_or(0.0))
-            .map_err(section.about("velocity"))?,
+        (None, Some(height)) => {
+            let velocity = section.positive("velocity", SPEED)?;
+            body.strike(height, velocity)
+                .and_then(|shot| Roller::after(&shot, gravity))
+                .map_err(section.about("cue_height, velocity"))?
+        }
+        (rim, None) => {
+            let velocity = section.number_or("velocity", SPEED, 0.0)?;
+            Roller::new(body, gravity, velocity, rim.unwrap_or(0.0))
+                .map_err(section.about("velocity, rim_speed"))?
+        }
     };
     section.done()?;
     Ok(Ready(Box::new(move |request| {
@@ -130,16 +137,26 @@ pub fn roller(file: &Section<'_>) -> Result<Ready> {
 pub fn spool(file: &Section<'_>) -> Result<Ready> {
     let section = file.section("body")?;
     let body = round(&section)?;
-    let axle = section.number("axle", "a radius in m")?;
+    let axle = section.positive("axle", "a radius in m")?;
+    if axle > body.radius() {
+        let told = format!(
+            "must not exceed `radius`, {:?}, got {axle:?}",
+            body.radius()
+        );
+        return Err(section.refused("axle", told));
+    }
     let reel = Spool::new(body, axle).map_err(section.about("axle"))?;
     section.done()?;
     let effects = file.section("effects")?;
-    let gravity = effects.number("gravity", GRAVITY)?;
+    let gravity = effects.positive("gravity", GRAVITY)?;
     let (law, arm) = (friction(&effects)?, resistance(&effects)?);
-    let tension = effects.optional("tension", "a force in N")?;
+    let tension = effects.optional_not_negative("tension", "a force in N")?;
     let tug = match (tension, effects.optional("tug_angle", "an angle in rad")?) {
         (Some(tension), Some(angle)) => {
-            Some(Tug::new(tension, angle).map_err(effects.about("tension"))?)
+            let tug = Tug::new(tension, angle).map_err(effects.about("tug_angle"))?;
+            let keys = "tension, tug_angle, gravity, mass";
+            reel.load(tug, gravity).map_err(file.about(keys))?;
+            Some(tug)
         }
         (None, None) => None,
         _ => return Err(effects.refused("tension", "and `tug_angle` belong together")),
@@ -159,7 +176,9 @@ pub fn superball(file: &Section<'_>) -> Result<Ready> {
     let section = file.section("initial")?;
     let start = InFlight {
         position: 0.0,
-        height: section.number("height", "a height in m")?,
+        height: section
+            .optional_not_negative("height", HEIGHT)?
+            .ok_or_else(|| section.missing("height", HEIGHT))?,
         climb: section.number_or("climb", SPEED, 0.0)?,
         motion: Motion {
             velocity: section.number_or("velocity", SPEED, 0.0)?,
@@ -169,15 +188,22 @@ pub fn superball(file: &Section<'_>) -> Result<Ready> {
     };
     section.done()?;
     let section = file.section("body")?;
-    let mass = section.number("mass", "a mass in kg")?;
+    let mass = section.positive("mass", MASS)?;
     let kappa = section.number_or("inertia_factor", RATIO, BALL)?;
-    let mut ball = Superball::new(mass, kappa, start).map_err(section.about("mass"))?;
+    let ball = Superball::new(mass, kappa, start).map_err(section.about("mass"))?;
+    section.held(
+        "inertia_factor",
+        RATIO,
+        kappa,
+        kappa > 0.0 && kappa <= 1.0,
+        "from 0 to 1",
+    )?;
+    ball.flight().map_err(file.about("height, climb"))?;
     section.done()?;
     let effects = file.section("effects")?;
-    if let Some(room) = effects.optional("ceiling", "a height in m")? {
-        ball = ball.under(room);
-    }
-    ball.flight().map_err(effects.about("ceiling"))?;
+    let room = effects.optional_positive("ceiling", HEIGHT)?;
+    let ball = ball.under(room.unwrap_or(f64::INFINITY));
+    ball.flight().map_err(file.about("ceiling, height"))?;
     let gravity = effects
         .optional("gravity", GRAVITY)?
         .map(Weight::new)
@@ -186,8 +212,10 @@ pub fn superball(file: &Section<'_>) -> Result<Ready> {
     let normal = effects.optional("restitution", RATIO)?;
     let tangential = effects.optional("tangential_restitution", RATIO)?;
     let restitution = if normal.is_some() || tangential.is_some() {
-        let both = Restitution::new(normal.unwrap_or(1.0), tangential.unwrap_or(1.0));
-        Some(both.map_err(effects.about("restitution"))?)
+        let normal = normal.unwrap_or(1.0);
+        Restitution::new(normal, 1.0).map_err(effects.about("restitution"))?;
+        let both = Restitution::new(normal, tangential.unwrap_or(1.0));
+        Some(both.map_err(effects.about("tangential_restitution"))?)
     } else {
         None
     };
@@ -211,25 +239,26 @@ pub fn meteorite(file: &Section<'_>) -> Result<Ready> {
     let omega = section.optional_vector("omega", "an angular velocity in rad/s")?;
     section.done()?;
     let section = file.section("body")?;
-    let mass = section.number("mass", "a mass in kg")?;
+    let mass = section.positive("mass", MASS)?;
     let [a, b, c] = section.list("moments", "principal moments in kg m²")?;
     let inertia = InertiaMatrix::diagonal(a, b, c).map_err(section.about("moments"))?;
     let planet = Planet::new(mass, inertia, velocity, omega.unwrap_or_else(zero))
         .map_err(section.about("moments"))?;
     section.done()?;
     let effects = file.section("effects")?;
-    let impact_mass = effects.optional("impact_mass", "a mass in kg")?;
+    let impact_mass = effects.optional_positive("impact_mass", MASS)?;
     let flight = effects.optional_vector("impact_velocity", "a velocity in m/s")?;
     let at = effects.optional_vector("impact_at", "a place in m")?;
     let impact = match (impact_mass, flight, at) {
         (Some(mass), Some(velocity), Some(at)) => Some(Impact {
-            meteorite: Meteorite::new(mass, velocity).map_err(effects.about("impact_mass"))?,
+            meteorite: Meteorite::new(mass, velocity)
+                .map_err(effects.about("impact_mass, impact_velocity"))?,
             at,
         }),
         (None, None, None) => None,
         _ => {
-            let told = "`impact_velocity` and `impact_at` belong together";
-            return Err(effects.refused("impact_mass", told));
+            let keys = "impact_mass, impact_velocity, impact_at";
+            return Err(effects.refused(keys, "belong together"));
         }
     };
     effects.done()?;

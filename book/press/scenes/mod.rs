@@ -162,7 +162,7 @@ impl Ready {
     /// # Errors
     /// As for [`simulate`].
     pub fn run(&self, name: &str, request: &Request) -> Result<Table> {
-        let table = (self.0)(request).map_err(|error| told(name, error))?;
+        let table = (self.0)(request).map_err(|error| told(name, request.times(), error))?;
         match table.not_finite() {
             None => Ok(table),
             Some((column, t, number)) => Err(Error::Failed(format!(
@@ -265,9 +265,16 @@ fn text_of(from: impl Read) -> std::io::Result<String> {
 }
 
 /// The file asks for something impossible, or the motion could not be followed: two exit statuses.
-fn told(name: &str, error: spinning_bodies::Error) -> Error {
+fn told(name: &str, times: &[f64], error: spinning_bodies::Error) -> Error {
     use spinning_bodies::Error as Refusal;
     match error {
+        // The numbers of a file are finite, so it is one of their products or powers.
+        Refusal::NotFinite { .. } => Error::Failed(format!(
+            "{name}: {error}: with numbers of this size it is beyond what doubles hold"
+        )),
+        Refusal::OutOfRange { value, .. } if times.contains(&value) => {
+            Error::Input(format!("{name}: keys `times`, `until` in [run]: {error}"))
+        }
         Refusal::Integration { .. } | Refusal::Budget { .. } | Refusal::Ledger { .. } => {
             Error::Failed(format!("{name}: {error}"))
         }

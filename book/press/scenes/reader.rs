@@ -99,6 +99,57 @@ impl<'a> Section<'a> {
         Ok(self.optional(key, what)?.unwrap_or(other))
     }
 
+    /// A number greater than zero, if the key is there.
+    ///
+    /// # Errors
+    /// If it is not a finite number, or not positive.
+    pub fn optional_positive(&self, key: &'static str, what: &str) -> Result<Option<f64>> {
+        let held = |number| self.held(key, what, number, number > 0.0, "positive");
+        self.optional(key, what)?.map(held).transpose()
+    }
+
+    /// A number greater than zero.
+    ///
+    /// # Errors
+    /// As for [`optional_positive`](Self::optional_positive), or if it is missing.
+    pub fn positive(&self, key: &'static str, what: &str) -> Result<f64> {
+        let number = self.optional_positive(key, what)?;
+        number.ok_or_else(|| self.missing(key, what))
+    }
+
+    /// A number that may be zero but not less, if the key is there.
+    ///
+    /// # Errors
+    /// If it is not a finite number, or negative.
+    pub fn optional_not_negative(&self, key: &'static str, what: &str) -> Result<Option<f64>> {
+        let held = |number| self.held(key, what, number, number >= 0.0, "not negative");
+        self.optional(key, what)?.map(held).transpose()
+    }
+
+    /// N numbers greater than zero.
+    ///
+    /// # Errors
+    /// As for [`list`](Self::list), or if one of them is not positive.
+    pub fn positives<const N: usize>(&self, key: &'static str, what: &str) -> Result<[f64; N]> {
+        let list = self.list(key, what)?;
+        for number in list {
+            self.held(key, what, number, number > 0.0, "all of them positive")?;
+        }
+        Ok(list)
+    }
+
+    /// The number of a key, if it is `right`; `rule` says what it should be besides `what`.
+    ///
+    /// # Errors
+    /// If it is not.
+    pub fn held(&self, key: &str, what: &str, number: f64, right: bool, rule: &str) -> Result<f64> {
+        if right {
+            Ok(number)
+        } else {
+            Err(self.refused(key, format!("must be {what}, {rule}, got {number:?}")))
+        }
+    }
+
     /// N numbers, if the key is there.
     ///
     /// # Errors
@@ -221,7 +272,7 @@ impl<'a> Section<'a> {
         Attitude::from_quaternion(w, x, y, z).map_err(self.about(KEY))
     }
 
-    /// Turns a refusal of the library into one that names the file and the key.
+    /// Turns a refusal of the library into one that names the file and the key; several keys, with commas between them, where they are to blame together.
     pub fn about(&self, key: &str) -> impl FnOnce(spinning_bodies::Error) -> Error + '_ {
         let place = self.place(key);
         move |error| Error::Input(format!("{place}: {error}"))
@@ -289,7 +340,8 @@ impl<'a> Section<'a> {
         }
     }
 
-    fn missing(&self, key: &str, what: &str) -> Error {
+    /// A refusal of a key that is not there.
+    pub fn missing(&self, key: &str, what: &str) -> Error {
         self.refused(key, format!("is missing: {what} is expected"))
     }
 
@@ -300,6 +352,7 @@ impl<'a> Section<'a> {
     }
 
     fn place(&self, key: &str) -> String {
+        let key = key.replace(", ", "`, `");
         match self.name {
             "" => format!("{}: key `{key}`", self.file),
             name => format!("{}: key `{key}` in [{name}]", self.file),

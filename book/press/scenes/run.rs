@@ -39,6 +39,10 @@ fn times(section: &Section<'_>) -> Result<Vec<f64>> {
             );
             Err(section.refused("times", told))
         }
+        (None, Some(0.0), _) => {
+            let told = "must be the last time in s, not 0: all rows would be the same";
+            Err(section.refused("until", told))
+        }
         (None, Some(until), samples) => {
             let samples = samples.unwrap_or(101);
             let last = (samples - 1) as f64;

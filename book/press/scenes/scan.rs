@@ -1,5 +1,6 @@
 //! Scans: one scene file, some of its numbers varied over a grid, all cores at work.
 
+use std::io::Write;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -33,6 +34,10 @@ impl FromStr for Over {
         let (path, range) = text.split_once('=').ok_or_else(expected)?;
         let (range, count) = range.rsplit_once(':').ok_or_else(expected)?;
         let (from, to) = range.split_once("..").ok_or_else(expected)?;
+        if to.starts_with('.') {
+            // Three dots: one may be a decimal point, and nobody can tell which.
+            return Err(expected());
+        }
         let number = |text: &str| text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
         let over = Self {
             path: path.trim().to_owned(),
@@ -49,9 +54,18 @@ impl FromStr for Over {
 
 impl Over {
     fn value(&self, place: usize) -> f64 {
-        match self.count {
-            1 => self.from,
-            count => self.from + (self.to - self.from) * (place as f64 / (count - 1) as f64),
+        if place == 0 {
+            return self.from;
+        }
+        if place == self.count - 1 {
+            return self.to;
+        }
+        let part = place as f64 / (self.count - 1) as f64;
+        let span = self.to - self.from;
+        if span.is_finite() {
+            self.from + span * part
+        } else {
+            self.from * (1.0 - part) + self.to * part
         }
     }
 
@@ -74,26 +88,48 @@ impl Over {
             }
             .ok_or_else(missing)?;
         }
-        if !matches!(here, Value::Float(_) | Value::Integer(_)) {
-            return Err(missing());
-        }
-        *here = Value::Float(value);
+        *here = match here {
+            // A whole number stays one as long as it can: some keys take no other.
+            Value::Integer(_) if value.fract() == 0.0 && value.abs() < 1e15 => {
+                Value::Integer(value as i64)
+            }
+            Value::Float(_) | Value::Integer(_) => Value::Float(value),
+            _ => return Err(missing()),
+        };
         Ok(())
     }
 }
 
+/// The keys that say how a body resists being turned, whatever its mass.
+const ABSOLUTE: [&str; 3] = ["moments", "inertia", "axial"];
+
+/// What a reader of the rows must know: the mass alone varies, beside an inertia that is not per mass.
+fn warning(name: &str, table: &Table, overs: &[Over]) -> Option<String> {
+    let varies = |key: &str| {
+        let mut heads = overs.iter().map(|over| over.path.split('.').take(2));
+        heads.any(|head| head.eq(["body", key]))
+    };
+    let body = table.get("body")?.as_table()?;
+    let stays = ABSOLUTE.into_iter().find(|key| body.contains_key(*key))?;
+    (varies("mass") && !ABSOLUTE.into_iter().any(varies)).then(|| {
+        format!("{name}: `body.mass` varies and `{stays}` in [body] stays as it is: each row is another body, not the same one made heavier")
+    })
+}
+
 /// Runs the scene at every point of the grid, on all cores, and gives one line of CSV a point: the varied numbers, the last row of the
-/// motion, and `ok` or why there is none. `done` is called after each.
+/// motion, and `ok` or why there is none; beside them, whether any point could be run. `done` is called after each. A warning goes to standard error.
 ///
 /// # Errors
 /// [`Error::Input`] for a file that is not a scene, or a number that it does not have; a point that fails is a line that says so.
-pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<String> {
+pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<(String, Result<()>)> {
     let (name, text) = source(path)?;
     let table = super::table(&name, &text)?;
-    let (_, request, _) = prepare(&name, &table)?;
+    prepare(&name, &table)?;
     let count = points(&name, overs)?;
-    let latest = (0..request.times().len())
-        .max_by(|&i, &j| request.times()[i].total_cmp(&request.times()[j]));
+    if let Some(warning) = warning(&name, &table, overs) {
+        // Nothing is left to be done if standard error is closed.
+        let _ = writeln!(std::io::stderr(), "warning: {warning}");
+    }
     let lines = (0..count).into_par_iter().map(|point| {
         let mut place = point;
         let mut table = table.clone();
@@ -112,41 +148,50 @@ pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<Strin
         Ok((varied, outcome))
     });
     let lines: Vec<(Vec<f64>, Result<super::Table>)> = lines.collect::<Result<_>>()?;
-    let columns = lines.iter().find_map(|(_, outcome)| outcome.as_ref().ok());
-    let columns = columns.map_or(&[][..], |table| table.columns);
-    let mut text = String::new();
-    for over in overs {
-        text += &format!("{},", over.path);
-    }
-    text += &format!("t,{},status\n", columns.join(","));
+    let ran = lines.iter().find_map(|(_, outcome)| outcome.as_ref().ok());
+    let columns = ran.map_or(&[][..], |table| table.columns);
+    let paths = overs.iter().map(|over| over.path.as_str());
+    let head = paths.chain(["t"]).chain(columns.iter().copied());
+    let mut text = head.chain(["status"]).collect::<Vec<_>>().join(",") + "\n";
     for (varied, outcome) in &lines {
         for value in varied {
             text += &format!("{value:?},");
         }
-        match (outcome, latest) {
-            (Ok(table), Some(latest)) => {
-                let (t, row) = table.row(latest);
-                text += &format!("{t:?},");
-                for number in row {
+        let last = |table: &super::Table| table.rows().max_by(|a, b| a.0.total_cmp(&b.0));
+        match outcome.as_ref().map(last) {
+            Ok(Some((t, row))) => {
+                for number in core::iter::once(t).chain(row) {
                     text += &format!("{number:?},");
                 }
                 text += "ok\n";
             }
-            (Err(error), _) => {
+            Ok(None) => {}
+            Err(error) => {
                 text += &",".repeat(columns.len() + 1);
                 text += &format!("{}\n", error.to_string().replace([',', '\n'], ";"));
             }
-            (Ok(_), None) => {}
         }
     }
-    Ok(text)
+    let ran = match (ran, lines.first()) {
+        (None, Some((_, Err(error)))) => Err(Error::Failed(format!(
+            "no point of the scan could be run; the first: {error}"
+        ))),
+        _ => Ok(()),
+    };
+    Ok((text, ran))
 }
 
 /// How many points the grid has.
 ///
 /// # Errors
-/// [`Error::Input`] for more than a million.
+/// [`Error::Input`] for more than a million, and for a number that is to be varied twice.
 pub fn points(name: &str, overs: &[Over]) -> Result<usize> {
+    for (place, over) in overs.iter().enumerate() {
+        if overs[..place].iter().any(|other| other.path == over.path) {
+            let told = format!("{name}: `--over {}` stands twice", over.path);
+            return Err(Error::Input(told));
+        }
+    }
     let count = overs
         .iter()
         .try_fold(1_usize, |n, over| n.checked_mul(over.count));

@@ -11,7 +11,6 @@
 //! | paper-cat | mass, area, lever, gyration, coefficient, damping | tilt | air, gravity |
 //! | crawler | masses, gap, length, push, pull | | ground_friction (coefficient, gravity) |
 
-use spinning_bodies::error::Number;
 use spinning_bodies::phenomena;
 use spinning_bodies::phenomena::cat::Half;
 use spinning_bodies::phenomena::crawler::Strokes;
@@ -29,13 +28,8 @@ const PACES: &[(&str, Pace)] = &[("even", Pace::Even), ("late", Pace::Late)];
 /// The friction of a bearing, if it is listed.
 fn bearing(effects: &Section<'_>) -> Result<Option<BearingFriction>> {
     const KEY: &str = "bearing_friction";
-    match effects.optional(KEY, "a coefficient in N m s")? {
-        Some(resistance) if resistance < 0.0 => Err(effects.refused(
-            KEY,
-            format!("must not be negative, got {}", Number(resistance)),
-        )),
-        listed => Ok(listed.map(|resistance| BearingFriction { resistance })),
-    }
+    let listed = effects.optional_not_negative(KEY, "a coefficient in N m s")?;
+    Ok(listed.map(|resistance| BearingFriction { resistance }))
 }
 
 fn gravity(effects: &Section<'_>) -> Result<Option<Gravity>> {
@@ -43,11 +37,22 @@ fn gravity(effects: &Section<'_>) -> Result<Option<Gravity>> {
     Ok(listed.map(|g| Gravity { g }))
 }
 
+/// An angle by which the spine of a cat bends.
+fn bend(table: &Section<'_>, key: &'static str) -> Result<f64> {
+    let angle = table.number(key, "an angle in radians")?;
+    if (0.0..=core::f64::consts::PI).contains(&angle) {
+        Ok(angle)
+    } else {
+        let told = format!("must be an angle in radians from 0 to pi, got {angle:?}");
+        Err(table.refused(key, told))
+    }
+}
+
 /// `kind = "swivel"`.
 pub fn swivel(file: &Section<'_>) -> Result<Ready> {
     let body = file.section("body")?;
-    let lower = body.number("lower", "a moment in kg m²")?;
-    let upper = body.number("upper", "a moment in kg m²")?;
+    let lower = body.positive("lower", "a moment in kg m²")?;
+    let upper = body.positive("upper", "a moment in kg m²")?;
     let scene = Swivel::new(lower, upper).map_err(body.about("lower"))?;
     body.done()?;
     let initial = file.section("initial")?;
@@ -60,10 +65,10 @@ pub fn swivel(file: &Section<'_>) -> Result<Ready> {
     let change = if effects.has("four_phases") {
         let table = effects.section("four_phases")?;
         let change = FourPhases {
-            arms_out: table.number("arms_out", "a moment in kg m²")?,
-            arms_in: table.number("arms_in", "a moment in kg m²")?,
+            arms_out: table.positive("arms_out", "a moment in kg m²")?,
+            arms_in: table.positive("arms_in", "a moment in kg m²")?,
             twist: table.number("twist", "an angle in radians")?,
-            duration: table.number("duration", "a time in s")?,
+            duration: table.positive("duration", "a time in s")?,
             pace: table.word("pace", PACES)?,
         };
         table.done()?;
@@ -75,10 +80,14 @@ pub fn swivel(file: &Section<'_>) -> Result<Ready> {
         (None, None) => Ready::scene(Box::new(scene)),
         (None, Some(f)) => Ready::scene(Box::new(scene.with_friction(f))),
         (Some(c), None) => Ready::scene(Box::new(
-            scene.with_change(c).map_err(effects.about("four_phases"))?,
+            scene
+                .with_change(c)
+                .map_err(effects.about("four_phases, twist"))?,
         )),
         (Some(c), Some(f)) => {
-            let scene = scene.with_change(c).map_err(effects.about("four_phases"))?;
+            let scene = scene
+                .with_change(c)
+                .map_err(effects.about("four_phases, twist"))?;
             Ready::scene(Box::new(scene.with_friction(f)))
         }
     };
@@ -89,9 +98,9 @@ pub fn swivel(file: &Section<'_>) -> Result<Ready> {
 /// `kind = "skater"`.
 pub fn skater(file: &Section<'_>) -> Result<Ready> {
     let body = file.section("body")?;
-    let core = body.number("core", "a moment in kg m²")?;
+    let core = body.positive("core", "a moment in kg m²")?;
     let hand = body.number("hand", "a mass in kg")?;
-    let person = phenomena::skater::Skater::new(core, hand).map_err(body.about("core"))?;
+    let person = phenomena::skater::Skater::new(core, hand).map_err(body.about("hand"))?;
     body.done()?;
     let initial = file.section("initial")?;
     let reach = initial.number("reach", "a distance in m")?;
@@ -103,9 +112,13 @@ pub fn skater(file: &Section<'_>) -> Result<Ready> {
     let change = if effects.has("draw") {
         let table = effects.section("draw")?;
         let change = Draw {
-            to: table.number("to", "a distance in m")?,
-            begin: table.number_or("begin", "a time in s", 0.0)?,
-            duration: table.number("duration", "a time in s")?,
+            to: table
+                .optional_not_negative("to", "a distance in m")?
+                .ok_or_else(|| table.missing("to", "a distance in m"))?,
+            begin: table
+                .optional_not_negative("begin", "a time in s")?
+                .unwrap_or(0.0),
+            duration: table.positive("duration", "a time in s")?,
             pace: table.word("pace", PACES)?,
         };
         table.done()?;
@@ -131,7 +144,7 @@ pub fn skater(file: &Section<'_>) -> Result<Ready> {
 /// `kind = "cat"`.
 pub fn cat(file: &Section<'_>) -> Result<Ready> {
     let body = file.section("body")?;
-    let pair = |key, what: &str| body.list::<2>(key, what);
+    let pair = |key, what: &str| body.positives::<2>(key, what);
     let mass = pair("mass", "two masses in kg")?;
     let axial = pair("axial", "two moments in kg m²")?;
     let transverse = pair("transverse", "two moments in kg m²")?;
@@ -142,7 +155,7 @@ pub fn cat(file: &Section<'_>) -> Result<Ready> {
         transverse: transverse[k],
         to_joint: to_joint[k],
     });
-    let animal = phenomena::cat::Cat::new(halves).map_err(body.about("axial"))?;
+    let animal = phenomena::cat::Cat::new(halves).map_err(body.about("axial, transverse"))?;
     body.done()?;
     let initial = file.section("initial")?;
     let scene = Cat::new(animal, initial.attitude()?);
@@ -152,9 +165,9 @@ pub fn cat(file: &Section<'_>) -> Result<Ready> {
     let change = if effects.has("turnover") {
         let table = effects.section("turnover")?;
         let change = Turnover {
-            forward: table.number("forward", "an angle in radians")?,
-            back: table.number("back", "an angle in radians")?,
-            duration: table.number("duration", "a time in s")?,
+            forward: bend(&table, "forward")?,
+            back: bend(&table, "back")?,
+            duration: table.positive("duration", "a time in s")?,
             pace: table.word("pace", PACES)?,
         };
         table.done()?;
@@ -181,13 +194,17 @@ pub fn cat(file: &Section<'_>) -> Result<Ready> {
 pub fn paper_cat(file: &Section<'_>) -> Result<Ready> {
     let usual = phenomena::PaperCat::POSTCARD;
     let body = file.section("body")?;
+    let positive = |key, what, usual| {
+        let given = body.optional_positive(key, what)?;
+        Ok::<f64, crate::Error>(given.unwrap_or(usual))
+    };
     let sheet = phenomena::PaperCat {
-        mass: body.number_or("mass", "a mass in kg", usual.mass)?,
-        area: body.number_or("area", "an area in m²", usual.area)?,
+        mass: positive("mass", "a mass in kg", usual.mass)?,
+        area: positive("area", "an area in m²", usual.area)?,
         lever: body.number_or("lever", "a distance in m", usual.lever)?,
-        gyration: body.number_or("gyration", "a distance in m", usual.gyration)?,
-        coefficient: body.number_or("coefficient", "a number", usual.coefficient)?,
-        damping: body.number_or("damping", "an area in m²", usual.damping)?,
+        gyration: positive("gyration", "a distance in m", usual.gyration)?,
+        coefficient: positive("coefficient", "a number", usual.coefficient)?,
+        damping: positive("damping", "an area in m²", usual.damping)?,
     };
     body.done()?;
     let initial = file.section("initial")?;
@@ -196,15 +213,8 @@ pub fn paper_cat(file: &Section<'_>) -> Result<Ready> {
     let scene = PaperCat::new(sheet, tilt).map_err(file.about("body"))?;
     let effects = file.section("effects")?;
     let weight = gravity(&effects)?;
-    let air = match effects.optional("air", "a density in kg/m³")? {
-        Some(density) if density < 0.0 => {
-            return Err(effects.refused(
-                "air",
-                format!("must not be negative, got {}", Number(density)),
-            ));
-        }
-        listed => listed.map(|density| Air { density }),
-    };
+    let air = effects.optional_not_negative("air", "a density in kg/m³")?;
+    let air = air.map(|density| Air { density });
     effects.done()?;
     Ok(match (air, weight) {
         (None, None) => Ready::scene(Box::new(scene)),
@@ -217,21 +227,21 @@ pub fn paper_cat(file: &Section<'_>) -> Result<Ready> {
 /// `kind = "crawler"`.
 pub fn crawler(file: &Section<'_>) -> Result<Ready> {
     let body = file.section("body")?;
-    let [rear, front] = body.list("masses", "two masses in kg")?;
+    let [rear, front] = body.positives("masses", "two masses in kg")?;
     let strokes = Strokes {
-        gap: body.number("gap", "a distance in m")?,
-        length: body.number("length", "a distance in m")?,
-        push: body.number("push", "a time in s")?,
-        pull: body.number("pull", "a time in s")?,
+        gap: body.positive("gap", "a distance in m")?,
+        length: body.positive("length", "a distance in m")?,
+        push: body.positive("push", "a time in s")?,
+        pull: body.positive("pull", "a time in s")?,
     };
     let animal = phenomena::crawler::Crawler::new(rear, front, strokes);
-    let scene = Crawler::new(animal.map_err(file.about("body"))?);
+    let scene = Crawler::new(animal.map_err(body.about("length, push, pull"))?);
     body.done()?;
     let effects = file.section("effects")?;
     let ready = if effects.has("ground_friction") {
         let table = effects.section("ground_friction")?;
         let mu = table.number("coefficient", "a number")?;
-        let g = table.number("gravity", "an acceleration in m/s²")?;
+        let g = table.positive("gravity", "an acceleration in m/s²")?;
         let ground = GroundFriction::new(mu, g).map_err(table.about("coefficient"))?;
         table.done()?;
         Ready::scene(Box::new(scene.with_friction(ground)))

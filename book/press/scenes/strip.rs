@@ -10,10 +10,11 @@ use super::Ready;
 use super::reader::Section;
 use crate::Result;
 
+const DAMPING: &str = "a rate in 1/s and mu_2";
+
 pub fn read(file: &Section<'_>) -> Result<Ready> {
     let effects = file.section("effects")?;
     let listed = listed(&effects)?;
-    effects.done()?;
     let section = file.section("body")?;
     let plate = plate(&section)?;
     section.done()?;
@@ -26,7 +27,9 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
         omega: section.number_or("omega", "an angular velocity in rad/s", 0.0)?,
     };
     section.done()?;
-    let scene = listed.on(plate, start).map_err(file.about("effects"))?;
+    // Each of the others is examined at its own key.
+    let scene = listed.on(plate, start).map_err(effects.about("drag"))?;
+    effects.done()?;
     Ok(Ready::scene(scene))
 }
 
@@ -45,20 +48,32 @@ fn listed(section: &Section<'_>) -> Result<Listed> {
             .optional_list("drag", "A and B")?
             .map(|[mean, contrast]| Drag { mean, contrast }),
         rotational_damping: section
-            .optional_list("rotational_damping", "a rate in 1/s and mu_2")?
-            .map(|[linear, quadratic]| RotationalDamping { linear, quadratic }),
+            .optional_list("rotational_damping", DAMPING)?
+            .map(|[linear, quadratic]| {
+                for number in [linear, quadratic] {
+                    let right = number >= 0.0;
+                    section.held("rotational_damping", DAMPING, number, right, "not negative")?;
+                }
+                Ok(RotationalDamping { linear, quadratic })
+            })
+            .transpose()?,
         added_mass: section
-            .optional("added_mass", "a factor, 1 for an ideal fluid")?
+            .optional_not_negative("added_mass", "a factor, 1 for an ideal fluid")?
             .map(|factor| AddedMass { factor }),
     })
 }
 
 fn plate(section: &Section<'_>) -> Result<Plate> {
-    let width = section.number("width", "a width in m")?;
-    let density = section.number("areal_density", "a mass per area in kg/m²")?;
-    let fluid = section.number_or("fluid_density", "a density in kg/m³", 0.0)?;
+    let width = section.positive("width", "a width in m")?;
+    let density = section.positive("areal_density", "a mass per area in kg/m²")?;
+    let fluid = section.optional_not_negative("fluid_density", "a density in kg/m³")?;
     let thickness = section.number_or("thickness_ratio", "a number from 0 to 1", 0.0)?;
-    let factor = section.number_or("inertia_factor", "a positive number", 1.0 / 3.0)?;
-    let plate = Plate::new(0.5 * width, density * width, fluid, thickness, factor);
-    plate.map_err(section.about("width, areal_density, fluid_density"))
+    let factor = section.optional_positive("inertia_factor", "a positive number")?;
+    let fluid = fluid.unwrap_or(0.0);
+    let plate = |thickness| {
+        let factor = factor.unwrap_or(1.0 / 3.0);
+        Plate::new(0.5 * width, density * width, fluid, thickness, factor)
+    };
+    plate(0.0).map_err(section.about("width, areal_density"))?;
+    plate(thickness).map_err(section.about("thickness_ratio"))
 }

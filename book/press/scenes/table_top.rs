@@ -27,7 +27,7 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     section.done()?;
     let effects = file.section("effects")?;
     let gravity = effects
-        .optional("gravity", "an acceleration in m/s²")?
+        .optional_positive("gravity", "an acceleration in m/s²")?
         .map(Gravity::new)
         .transpose()
         .map_err(effects.about("gravity"))?;
@@ -41,7 +41,7 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
 }
 
 fn body(section: &Section<'_>) -> Result<ConvexBody> {
-    let mass = section.number("mass", "a mass in kg")?;
+    let mass = section.positive("mass", "a mass in kg")?;
     let [a, b, c, ab, ac, bc] =
         section.list("inertia", "I11 I22 I33 I12 I13 I23 about C in kg m²")?;
     let matrix = Matrix3::new(a, ab, ac, ab, b, bc, ac, bc, c);
@@ -54,11 +54,11 @@ fn body(section: &Section<'_>) -> Result<ConvexBody> {
         surface,
         center.unwrap_or_else(BodyVector::zero),
     )
-    .map_err(section.about("mass"))
+    .map_err(section.about("inertia"))
 }
 
 fn surface(section: &Section<'_>) -> Result<Surface> {
-    let radius = section.optional("radius", "a radius in m")?;
+    let radius = section.optional_positive("radius", "a radius in m")?;
     let axes = section.optional_list::<3>("semi_axes", "half axes in m")?;
     let turn = section.number_or("surface_turn", "an angle in rad", 0.0)?;
     let surface = match (radius, axes) {
@@ -118,8 +118,8 @@ fn start(section: &Section<'_>) -> Result<Start> {
 fn law(section: &Section<'_>) -> Result<Option<Friction>> {
     const RATIO: &str = "a coefficient of friction, s/m for the viscous law";
     let named = section.has("friction_law");
-    let friction = section.optional("friction", RATIO)?;
-    let slip = section.optional("friction_slip", "a speed in m/s")?;
+    let friction = section.optional_not_negative("friction", RATIO)?;
+    let slip = section.optional_positive("friction_slip", "a speed in m/s")?;
     if !named {
         return match (friction, slip) {
             (None, None) => Ok(None),
@@ -149,8 +149,8 @@ fn law(section: &Section<'_>) -> Result<Option<Friction>> {
 
 fn resistance(section: &Section<'_>) -> Result<Option<Resistance>> {
     const LENGTH: &str = "a coefficient in m s";
-    let rolling = section.optional("rolling_resistance", LENGTH)?;
-    let pivoting = section.optional("pivoting_resistance", LENGTH)?;
+    let rolling = section.optional_not_negative("rolling_resistance", LENGTH)?;
+    let pivoting = section.optional_not_negative("pivoting_resistance", LENGTH)?;
     if rolling.is_none() && pivoting.is_none() {
         return Ok(None);
     }

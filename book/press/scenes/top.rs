@@ -3,7 +3,6 @@
 //! `[body]` mass, moments, center_of_mass; `[initial]` attitude, omega or angular_momentum; `[effects]` gravity, pivot_friction,
 //! bearing_friction, air_drag, tip_friction.
 
-use spinning_bodies::error::Number;
 use spinning_bodies::scene::top::{
     AirDrag, BearingFriction, Body, Gravity, Listed, PivotFriction, Start, TipFriction,
 };
@@ -15,19 +14,25 @@ use crate::Result;
 pub fn read(file: &Section<'_>) -> Result<Ready> {
     let effects = file.section("effects")?;
     let listed = listed(&effects)?;
-    effects.done()?;
     let section = file.section("body")?;
     let body = body(&section, &listed)?;
     section.done()?;
     let section = file.section("initial")?;
     let start = start(&section)?;
-    section.done()?;
-    let key = if listed.tip_friction.is_some() {
-        "effects"
-    } else {
-        "initial"
+    let free = Listed {
+        tip_friction: None,
+        ..listed
     };
-    let scene = listed.on(body, start).map_err(file.about(key))?;
+    let key = if section.has("omega") {
+        "omega"
+    } else {
+        "angular_momentum"
+    };
+    free.on(body, start).map_err(section.about(key))?;
+    section.done()?;
+    let scene = listed.on(body, start);
+    let scene = scene.map_err(file.about("tip_friction, moments, center_of_mass"))?;
+    effects.done()?;
     Ok(Ready::scene(scene))
 }
 
@@ -60,26 +65,21 @@ fn listed(section: &Section<'_>) -> Result<Listed> {
 fn body(section: &Section<'_>, listed: &Listed) -> Result<Body> {
     let moments = section.list("moments", "principal moments in kg m²")?;
     let body = Body::new(moments).map_err(section.about("moments"))?;
-    let mass = section.optional("mass", "a mass in kg")?;
-    let center = section.optional_vector("center_of_mass", "a place in m")?;
-    if let Some(mass) = mass
-        && mass <= 0.0
-    {
-        return Err(section.refused(
-            "mass",
-            format!("must be positive, in kg, got {}", Number(mass)),
-        ));
+    if moments == [0.0; 3] {
+        let told = "must not all be zero: what has no inertia does not turn";
+        return Err(section.refused("moments", told));
     }
+    let mass = section.optional_positive("mass", "a mass in kg")?;
+    let center = section.optional_vector("center_of_mass", "a place in m")?;
     match (mass, center) {
         (Some(mass), Some(center)) => {
             let body = body.with_center_of_mass(mass, center);
             body.map_err(section.about("center_of_mass"))
         }
-        (None, Some(center)) if listed.gravity.is_some() && center.norm() > 0.0 => Err(section
-            .refused(
-                "mass",
-                "is missing: gravity acts on the centre of mass, a mass in kg is expected",
-            )),
+        (None, _) if listed.gravity.is_some() => Err(section.refused(
+            "mass",
+            "is missing: gravity acts on the centre of mass, a mass in kg is expected",
+        )),
         _ => Ok(body),
     }
 }

@@ -4,7 +4,6 @@
 //! `[initial]` throw (m/s, absent: let go); `[effects]` gravity, turn_loss (spin left by a turn), hand (J a turn), sleep (s), axle_friction (N m),
 //! air_drag (kg m²).
 
-use spinning_bodies::error::Number;
 use spinning_bodies::scene::yo_yo::{
     AirDrag, AxleFriction, Gravity, Hand, Listed, Sleep, TurnLoss,
 };
@@ -17,27 +16,24 @@ use crate::Result;
 pub fn read(file: &Section<'_>) -> Result<Ready> {
     let effects = file.section("effects")?;
     let listed = listed(&effects)?;
-    effects.done()?;
     let section = file.section("body")?;
     let toy = toy(&section)?;
     section.done()?;
     let section = file.section("initial")?;
-    let throw = section.number_or("throw", "a speed in m/s", 0.0)?;
-    if throw < 0.0 {
-        return Err(section.refused(
-            "throw",
-            format!("must not be negative, got {}", Number(throw)),
-        ));
-    }
+    let throw = section.optional_not_negative("throw", "a speed in m/s")?;
     section.done()?;
-    let scene = listed.on(toy, throw).map_err(file.about("effects"))?;
+    // Each of the others is examined at its own key.
+    let scene = listed.on(toy, throw.unwrap_or(0.0));
+    let scene = scene.map_err(effects.about("turn_loss"))?;
+    effects.done()?;
     Ok(Ready::scene(scene))
 }
 
 fn listed(section: &Section<'_>) -> Result<Listed> {
-    let effect = |key: &'static str, what| section.optional(key, what);
+    let effect = |key: &'static str, what| section.optional_not_negative(key, what);
     Ok(Listed {
-        gravity: effect("gravity", "an acceleration in m/s²")?
+        gravity: section
+            .optional_positive("gravity", "an acceleration in m/s²")?
             .map(|acceleration| Gravity { acceleration }),
         turn_loss: effect("turn_loss", "the part of the spin that a turn leaves")?
             .map(|restitution| TurnLoss { restitution }),
@@ -51,11 +47,17 @@ fn listed(section: &Section<'_>) -> Result<Listed> {
 }
 
 fn toy(section: &Section<'_>) -> Result<YoYo> {
-    let mass = section.number("mass", "a mass in kg")?;
-    let inertia = section.optional("inertia", "a moment of inertia in kg m²")?;
-    let radius = section.optional("radius", "the radius of the disc in m")?;
-    let length = section.number("length", "the length of the string in m")?;
-    let axle = section.number("axle", "the radius of the axle in m")?;
+    let mass = section.positive("mass", "a mass in kg")?;
+    let inertia = section.optional_positive("inertia", "a moment of inertia in kg m²")?;
+    let radius = section.optional_positive("radius", "the radius of the disc in m")?;
+    let length = section.positive("length", "the length of the string in m")?;
+    let axle = section.positive("axle", "the radius of the axle in m")?;
+    if let Some(radius) = radius
+        && axle > radius
+    {
+        let told = format!("must not exceed `radius`, {radius:?}, got {axle:?}");
+        return Err(section.refused("axle", told));
+    }
     let toy = match (inertia, radius) {
         (Some(inertia), None) => YoYo::new(mass, inertia, length, axle),
         (None, Some(radius)) => YoYo::disc(mass, radius, length, axle),
@@ -68,8 +70,12 @@ fn toy(section: &Section<'_>) -> Result<YoYo> {
             return Err(section.refused("inertia", told));
         }
     };
-    let toy = toy.map_err(section.about("mass, inertia, radius, length, axle"))?;
-    match section.optional("wound", "the radius of the wound string in m")? {
+    let toy = toy.map_err(section.about(if radius.is_some() {
+        "axle, length, mass, radius"
+    } else {
+        "axle, length"
+    }))?;
+    match section.optional_positive("wound", "the radius of the wound string in m")? {
         Some(wound) => toy.wound_to(wound).map_err(section.about("wound")),
         None => Ok(toy),
     }

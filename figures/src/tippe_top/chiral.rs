@@ -22,7 +22,7 @@ pub fn both_spins() -> Result<Figure> {
         claim: "The same top, released the same way: clockwise it turns over, anticlockwise it does not.".to_owned(),
         details: format!(
             "Tilt of the chiral top, a ball of $R = 2$ cm with a skew inertia matrix, released at 3° with 132.9 rad/s about the vertical, $\\mu = 0.3$. \
-             Clockwise it is on its side after {} s and ends at {}°. Anticlockwise the tilt never exceeds {}°.",
+             Clockwise it is on its side after {} s and ends at {}°. Anticlockwise it stays below {}° for these three seconds.",
             number(over(90.0), 2),
             number(turns[turns.len() - 1].1.tilt().to_degrees(), 0),
             number(most, 1),

@@ -81,8 +81,8 @@ radians, and the relative error of the angular velocity. Times are the least of 
 1e-6, 1e-9 and 1e-12 stand below each table. Efforts that would take much of a second a run are left out, and
 counted. All problems together take about ten minutes, one of them seconds. Times need a release build.
 
-Problems: free-top, near-separatrix, cusped-top, near-sleeping, kovalevskaya, heavy-body, tippe-top; each over 1, 10
-and 1000 turns, the first four over 1000000 (the tippe top: 1, 10, 100): free-top/1000 is one of them. A scene file, by
+Problems: free-top, near-separatrix, cusped-top, near-sleeping, kovalevskaya, kovalevskaya-level, heavy-body,
+tippe-top; each over 1, 10 and 1000 turns, the first four over 1000000 (the tippe top: 1, 10, 100): free-top/1000 is one of them. A scene file, by
 its path or by its name in book/scenes, is judged by a run with 32 digits; by its closed form where that takes too long.
 
 Examples:

@@ -1,4 +1,4 @@
-//! The seven motions, from an ordinary one to those that are hard on a method.
+//! The eight motions, from an ordinary one to those that are hard on a method.
 
 use super::problem::{Problem, Setting};
 use super::sample::Sample;
@@ -15,15 +15,17 @@ use crate::integrators::geometric::Phase;
 /// | `near-separatrix` | the period hangs on the logarithm of 6e-8, and what goes wrong at one flip is there at all that follow |
 /// | `cusped-top` | the axis comes to rest at every cusp |
 /// | `near-sleeping` | upright but for a thousandth, it falls and rises again: near the pole, and near the waking separatrix |
-/// | `kovalevskaya` | no axis of symmetry |
+/// | `kovalevskaya` | no axis of symmetry; axis 3 upright at the start, so that two roots of her polynomial are one, and theta functions out of reach |
+/// | `kovalevskaya-level` | no axis of symmetry; an ordinary start, axis 3 level |
 /// | `heavy-body` | no closed form. Regular: starts 1e-9 apart are 3e-8 apart after 300 turns, in proportion to the time, as on a torus |
 /// | `tippe-top` | friction: nothing is kept; a tilt grows until the top stands on its head |
-pub const NAMES: [&str; 7] = [
+pub const NAMES: [&str; 8] = [
     "free-top",
     "near-separatrix",
     "cusped-top",
     "near-sleeping",
     "kovalevskaya",
+    "kovalevskaya-level",
     "heavy-body",
     "tippe-top",
 ];
@@ -51,7 +53,7 @@ const ROUND: [f64; 4] = [0.5, 0.5, 0.5, 0.5];
 const TIPPE: (f64, [f64; 3], f64, f64, f64, f64) =
     (0.02, [3e-6, 3e-6, 3.2e-6], 0.02, 0.006, 9.81, 0.3);
 
-static FAMILIES: [Family; 7] = [
+static FAMILIES: [Family; 8] = [
     Family {
         name: NAMES[0],
         description: "free, all moments different: the body of Hairer and Vilmart (2006)",
@@ -107,7 +109,7 @@ static FAMILIES: [Family; 7] = [
     },
     Family {
         name: NAMES[4],
-        description: "Kovalevskaya's top",
+        description: "Kovalevskaya's top, axis 3 upright at the start",
         body: Body::Top([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]),
         l: [1.5, 1.0, 1.25],
         q: LEVEL,
@@ -119,6 +121,18 @@ static FAMILIES: [Family; 7] = [
     },
     Family {
         name: NAMES[5],
+        description: "Kovalevskaya's top, axis 3 level at the start",
+        body: Body::Top([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]),
+        l: [1.5, 1.0, 1.25],
+        q: ROUND,
+        runs: &[
+            (1, &truth::KOVALEVSKAYA_LEVEL_1),
+            (10, &truth::KOVALEVSKAYA_LEVEL_10),
+            (1000, &truth::KOVALEVSKAYA_LEVEL_1000),
+        ],
+    },
+    Family {
+        name: NAMES[6],
         description: "three different moments under gravity, spinning fast: no closed form",
         body: Body::Top([1.0, 1.5, 2.0], [0.25, 0.125, 0.5]),
         l: [0.5, 0.375, 6.0],
@@ -130,7 +144,7 @@ static FAMILIES: [Family; 7] = [
         ],
     },
     Family {
-        name: NAMES[6],
+        name: NAMES[7],
         description: "a tippe top, sliding until it stands on its head",
         body: Body::Tippe,
         l: [3e-6 * 8.0, 0.0, 3.2e-6 * 155.0],
@@ -167,7 +181,7 @@ impl Family {
     }
 }
 
-/// All problems, each over all its lengths, 25 runs in all.
+/// All problems, each over all its lengths, 28 runs in all.
 ///
 /// # Errors
 /// None for these bodies.

@@ -2,7 +2,7 @@
 //!
 //! | question | answer |
 //! |---|---|
-//! | which motions? | [`problems`]: seven, each over several lengths, with [`Sample`]s of the truth |
+//! | which motions? | [`problems`]: eight, each over several lengths, with [`Sample`]s of the truth |
 //! | which methods can run one, how hard? | [`candidates`]: closed form, geometric and general methods, each from coarse to the rounding floor |
 //! | how wrong was that, and what did it cost? | [`measure`] one, [`sweep`] a method: [`Measurement`]s |
 //!

@@ -26,12 +26,13 @@ fn slope(points: &[(f64, f64)]) -> f64 {
     cross / logs.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
 }
 
-const SHORT: [&str; 7] = [
+const SHORT: [&str; 8] = [
     "free-top/1",
     "near-separatrix/1",
     "cusped-top/1",
     "near-sleeping/1",
     "kovalevskaya/1",
+    "kovalevskaya-level/1",
     "heavy-body/1",
     "tippe-top/1",
 ];

@@ -57,7 +57,7 @@ fn the_library_has_every_digit_of_the_table() {
         }
         rows += 1;
     }
-    assert_eq!((rows, lines.len()), (25 * 16, 25 * 16));
+    assert_eq!((rows, lines.len()), (28 * 16, 28 * 16));
 }
 
 #[test]

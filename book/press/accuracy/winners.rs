@@ -10,7 +10,8 @@ const RUNS: [(&str, &str); 7] = [
     ("near-separatrix/1000", "beside the separatrix"),
     ("cusped-top/1000", "top with cusps"),
     ("near-sleeping/1000", "top, nearly asleep"),
-    ("kovalevskaya/1000", "Kovalevskaya’s top"),
+    ("kovalevskaya/1000", "Kovalevskaya’s top, upright"),
+    ("kovalevskaya-level/1000", "Kovalevskaya’s top, level"),
     ("heavy-body/1000", "no closed form"),
     ("tippe-top/100", "tippe top, 100 turns"),
 ];

@@ -145,11 +145,11 @@ pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<(Stri
         let outcome =
             prepare(&name, &table).and_then(|(scene, request, _)| scene.run(&name, &request));
         done();
-        Ok((varied, outcome))
+        Ok((varied, outcome.map(last)))
     });
-    let lines: Vec<(Vec<f64>, Result<super::Table>)> = lines.collect::<Result<_>>()?;
+    let lines: Vec<(Vec<f64>, Result<Last>)> = lines.collect::<Result<_>>()?;
     let ran = lines.iter().find_map(|(_, outcome)| outcome.as_ref().ok());
-    let columns = ran.map_or(&[][..], |table| table.columns);
+    let columns = ran.map_or(&[][..], |last| last.0);
     let paths = overs.iter().map(|over| over.path.as_str());
     let head = paths.chain(["t"]).chain(columns.iter().copied());
     let mut text = head.chain(["status"]).collect::<Vec<_>>().join(",") + "\n";
@@ -157,15 +157,13 @@ pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<(Stri
         for value in varied {
             text += &format!("{value:?},");
         }
-        let last = |table: &super::Table| table.rows().max_by(|a, b| a.0.total_cmp(&b.0));
-        match outcome.as_ref().map(last) {
-            Ok(Some((t, row))) => {
-                for number in core::iter::once(t).chain(row) {
+        match outcome {
+            Ok((_, row)) => {
+                for number in row {
                     text += &format!("{number:?},");
                 }
                 text += "ok\n";
             }
-            Ok(None) => {}
             Err(error) => {
                 text += &",".repeat(columns.len() + 1);
                 text += &format!("{}\n", error.to_string().replace([',', '\n'], ";"));
@@ -179,6 +177,15 @@ pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<(Stri
         _ => Ok(()),
     };
     Ok((text, ran))
+}
+
+/// The columns of a motion, and its latest row behind the time: what is left of it in a scan.
+type Last = (&'static [&'static str], Vec<f64>);
+
+fn last(table: super::Table) -> Last {
+    let latest = table.rows().max_by(|a, b| a.0.total_cmp(&b.0));
+    let row = latest.map(|(t, row)| core::iter::once(t).chain(row).collect());
+    (table.columns, row.unwrap_or_default())
 }
 
 /// How many points the grid has.

@@ -302,25 +302,12 @@ fn a_missing_include_fails_the_build() {
 const COLUMN: usize = 97;
 const FOLDED: usize = 87;
 
-/// Chapters whose code is still wider than the column. To be emptied.
-const WIDER: &[&str] = &[
-    "accuracy",
-    "chiral-top",
-    "falling-strip",
-    "hard-cases",
-    "scenes",
-    "tippe-top",
-    "yo-yo",
-];
-
 #[test]
 fn no_line_of_code_is_wider_than_the_column() {
     let code = Selector::parse("main pre > code").unwrap();
     let mut faults = Vec::new();
-    let mut still = HashSet::new();
     for (name, _, tree) in pages() {
-        let chapter = name.trim_end_matches(".html");
-        if chapter == "print" {
+        if name == "print.html" {
             continue;
         }
         for block in tree.select(&code) {
@@ -337,16 +324,10 @@ fn no_line_of_code_is_wider_than_the_column() {
             for line in text.lines() {
                 let wide = line.chars().count();
                 if wide > room {
-                    still.insert(chapter.to_owned());
-                    if !WIDER.contains(&chapter) {
-                        faults.push(format!("{name}: {wide} characters, {room} fit: {line}"));
-                    }
+                    faults.push(format!("{name}: {wide} characters, {room} fit: {line}"));
                 }
             }
         }
-    }
-    for chapter in WIDER.iter().filter(|chapter| !still.contains(**chapter)) {
-        faults.push(format!("{chapter} fits by now: take it off the list"));
     }
     none(&faults);
 }

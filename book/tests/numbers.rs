@@ -30,8 +30,6 @@ const DIFFERENT: &[(&str, &str, &str, &str)] = &[
     ("lagrange-top", "2.35", "2.3787", "a per cent; a ratio"),
     ("lagrange-top", "78.7", "79.20", "spins at different tilts"),
     ("lagrange-top", "78.7", "80.04", "a spin below the threshold; the threshold"),
-    ("scenes", "4.10", "4.0593", "a paragraph of the tutorial; milliseconds"),
-    ("scenes", "4.10", "4.1381", "a paragraph of the tutorial; milliseconds"),
     ("tippe-top", "2.37", "2.35", "seconds of the toy; millijoules of the climb"),
     ("tippe-top", "2.369", "2.35", "seconds of the toy; millijoules of the climb"),
     ("yo-yo", "0.626", "0.627", "a place just above that of the greatest speed"),
@@ -59,18 +57,21 @@ impl Decimal {
     }
 }
 
-/// The decimals of three significant digits or more in a text, with a power of ten that follows.
+/// The decimals of three significant digits or more in a text, with a power of ten that follows; a number alone in parentheses is a
+/// paragraph of the tutorial.
 fn decimals(text: &str) -> Vec<Decimal> {
     let mut found = Vec::new();
     let mut rest = text;
     while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
         let bound =
             rest[..start].ends_with(|c: char| c.is_ascii_alphabetic() || c == '.' || c == '_');
+        let opened = rest[..start].ends_with('(');
         rest = &rest[start..];
         let end = rest
             .find(|c: char| !c.is_ascii_digit() && c != '.')
             .unwrap_or(rest.len());
         let (word, after) = rest.split_at(end);
+        let paragraph = opened && after.starts_with(')');
         rest = after;
         let word = word.trim_end_matches('.');
         let Some((_, fraction)) = word.split_once('.') else {
@@ -78,7 +79,8 @@ fn decimals(text: &str) -> Vec<Decimal> {
         };
         let significant = word.replace('.', "").trim_start_matches('0').len();
         let exponent = power_of_ten(after);
-        if let (Ok(value), false, true) = (word.parse::<f64>(), bound, significant >= 3) {
+        let counts = significant >= 3 && !bound && !paragraph;
+        if let (Ok(value), true) = (word.parse::<f64>(), counts) {
             found.push(Decimal {
                 text: word.to_owned(),
                 value: value * 10f64.powi(exponent),

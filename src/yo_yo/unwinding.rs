@@ -1,7 +1,7 @@
 //! Down the string and up again.
 
 use super::{Winding, YoYo};
-use crate::elliptic::{Parameter, incomplete_second};
+use crate::elliptic::Parameter;
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::phenomena::quadrature;
 
@@ -48,7 +48,7 @@ struct Arc {
 }
 
 impl Arc {
-    fn new(parameter: Parameter, left: f64, above: f64, length: f64) -> Result<Self> {
+    fn new(parameter: Parameter, left: f64, above: f64, length: f64) -> Self {
         let mut arc = Self {
             parameter,
             left,
@@ -59,9 +59,8 @@ impl Arc {
             whole: 0.0,
         };
         arc.turned = arc.turned_at(length);
-        // One end is near the other, or both are too far for a sum.
-        arc.whole = arc.growth(arc.turned)?;
-        Ok(arc)
+        arc.whole = arc.growth(arc.turned);
+        arc
     }
 
     /// By how much φ has grown on this way (m): from its sine and cosine, of which all terms have one sign.
@@ -94,54 +93,37 @@ impl Arc {
         m.mul_add(cosine * cosine, mc).sqrt()
     }
 
-    /// Over what growth of φ a sum with 20 points is exact (its error is 10⁻²⁵): Δ is analytic but for the points where sin²φ = 1/m, which
-    /// lie asinh √(mc/m) off the real axis at a quarter turn.
-    fn reach(&self) -> f64 {
+    /// By how much E has grown when φ has: sums with 20 points over stretches no longer than the distance to the next singularity of Δ, on which
+    /// they are exact (their error is 10⁻²⁵). Singularities are where sin²φ = 1/m, asinh √(mc/m) off the real axis at a quarter turn, so a
+    /// stretch can be the longer the earlier it ends.
+    fn growth(&self, turned: f64) -> f64 {
         let off_axis = (self.parameter.mc() / self.parameter.m()).sqrt().asinh();
-        off_axis.hypot(self.rest - self.turned)
-    }
-
-    /// Where near `turned` the growth of E is known, and what it is: at either end, or else there, from the integral.
-    fn nearest(&self, turned: f64) -> Result<(f64, f64)> {
-        let reach = self.reach();
-        Ok(if turned <= reach {
-            (0.0, 0.0)
-        } else if self.whole > 0.0 && self.turned - turned <= reach {
-            (self.turned, self.whole)
-        } else {
-            let [here, start] = [self.angle + turned, self.angle]
-                .map(|angle| incomplete_second(angle, self.parameter));
-            (turned, here? - start?)
-        })
-    }
-
-    /// By how much E has grown when φ has.
-    fn growth(&self, turned: f64) -> Result<f64> {
-        let (from, known) = self.nearest(turned)?;
-        Ok(known + quadrature::panel(&|turned| self.delta(turned), from, turned))
+        let (mut sum, mut to) = (0.0, turned);
+        while to > 0.0 {
+            let from = (to - off_axis.hypot(self.rest - to)).max(0.0);
+            sum += quadrature::panel(&|turned| self.delta(turned), from, to);
+            if from == to {
+                break;
+            }
+            to = from;
+        }
+        sum
     }
 
     /// By how much φ has grown when E has.
-    fn turned_when(&self, grown: f64) -> Result<f64> {
+    fn turned_when(&self, grown: f64) -> f64 {
         let mut turned = self.turned * (grown / self.whole);
-        for _ in 0..40 {
-            let (from, known) = self.nearest(turned)?;
-            // Δ falls, so Newton's steps come from below after the first and cannot overshoot.
-            for _ in 0..100 {
-                let sum = quadrature::panel(&|turned| self.delta(turned), from, turned);
-                let miss = known + sum - grown;
-                let next = (turned - miss / self.delta(turned)).clamp(0.0, self.turned);
-                let step = (next - turned).abs();
-                turned = next;
-                if step <= 2.0 * f64::EPSILON * turned {
-                    break;
-                }
-            }
-            if (turned - from).abs() <= self.reach() {
+        // Δ falls, so Newton's steps come from below after the first and cannot overshoot.
+        for _ in 0..100 {
+            let miss = self.growth(turned) - grown;
+            let next = (turned - miss / self.delta(turned)).clamp(0.0, self.turned);
+            let step = (next - turned).abs();
+            turned = next;
+            if step <= 2.0 * f64::EPSILON * turned {
                 break;
             }
         }
-        Ok(turned)
+        turned
     }
 }
 
@@ -262,7 +244,7 @@ impl Unwinding {
                     2.0 * way / (speed + (speed * speed + 2.0 * acceleration * way).sqrt())
                 }
             }
-            Law::Elliptic { scale, arc } => scale * arc.growth(arc.turned_at(depth - self.top))?,
+            Law::Elliptic { scale, arc } => scale * arc.growth(arc.turned_at(depth - self.top)),
             Law::Free { speed } => self.free_time(depth) / speed,
         })
     }
@@ -292,7 +274,7 @@ impl Unwinding {
 
     /// Depth (m) so long after the upper end (s, between 0 and the [duration](Self::duration)).
     ///
-    /// Thin string: a formula. Thick: Newton's method on the time, of which only the way from a known one is integrated: some 2 µs.
+    /// Thin string: a formula. Thick: Newton's method on the time, an integral that is one short sum: some microseconds.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside the way.
@@ -311,7 +293,7 @@ impl Unwinding {
                 speed,
                 acceleration,
             } => self.top + time * (speed + 0.5 * acceleration * time),
-            Law::Elliptic { scale, arc } => self.top + arc.way(arc.turned_when(time / scale)?),
+            Law::Elliptic { scale, arc } => self.top + arc.way(arc.turned_when(time / scale)),
             Law::Free { speed } => {
                 let mut depth = self.toy.length * (time / duration);
                 for _ in 0..100 {

@@ -52,10 +52,6 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Strin
     let target = csv.map(|path| Target::new(Some(path), file.as_deref()));
     let target = target.transpose()?;
     let times = if cfg!(debug_assertions) {
-        let _ = writeln!(
-            std::io::stderr(),
-            "this is a debug build: errors and evaluations only; for times, cargo run --release -- accuracy"
-        );
         Times::None
     } else {
         Times::Least
@@ -72,6 +68,12 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Strin
             None => problems().map_err(broken)?,
             Some(name) => chosen(name, file.as_deref())?,
         };
+        if cfg!(debug_assertions) {
+            let _ = writeln!(
+                std::io::stderr(),
+                "this is a debug build: errors and evaluations only; for times, cargo run --release -- accuracy"
+            );
+        }
         let (mut text, mut rows) = (String::new(), format!("{HEADER}\n"));
         for (place, problem) in chosen.iter().enumerate() {
             let methods = candidates(problem).map_err(broken)?;

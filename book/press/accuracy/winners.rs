@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::table::TARGETS;
 
 /// The longest runs that steppers take part in, each as a problem and its length, and their names in the table.
-const RUNS: [(&str, &str); 7] = [
+const RUNS: [(&str, &str); 8] = [
     ("free-top/1000", "free body"),
     ("near-separatrix/1000", "beside the separatrix"),
     ("cusped-top/1000", "top with cusps"),

@@ -186,7 +186,7 @@ impl Unwinding {
                         bare - self.top,
                         above,
                         self.toy.length - self.top,
-                    )?,
+                    ),
                 }
             }
         })

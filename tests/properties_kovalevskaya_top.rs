@@ -260,7 +260,7 @@ fn start_number(n: u64) -> [[f64; 3]; 3] {
         _ => {}
     }
     // Every other one with C not on axis 1; rounding makes it another start nearby.
-    let (sine, cosine) = if n / 20 % 2 == 0 {
+    let (sine, cosine) = if (n / 20).is_multiple_of(2) {
         (0.0, 1.0)
     } else {
         (6.0 * draw.unit()).sin_cos()

@@ -270,7 +270,7 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
             None => return self.flown(&arrived, since.value()),
         };
         let mut whole = since.divide(flight).value().floor();
-        if !(whole < MOST_FLIGHTS) {
+        if whole.is_nan() || whole >= MOST_FLIGHTS {
             return Err(Error::OutOfRange {
                 quantity: "the time",
                 value: t,

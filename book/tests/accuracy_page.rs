@@ -70,6 +70,23 @@ fn the_page_says_what_was_measured() {
             );
         }
     }
+    // Kovalevskaya's from an ordinary start, too, at the same price for one turn and a thousand; from the upright one never.
+    let exact = |problem: &str| {
+        let ranked = ranked(problem, 1e-9);
+        ranked
+            .iter()
+            .find(|(method, _)| *method == "exact")
+            .unwrap()
+            .1
+    };
+    assert_eq!(ranked("kovalevskaya-level/1000", 1e-12)[0].0, "exact");
+    let [once, far] = [1, 1000].map(|turns| exact(&format!("kovalevskaya-level/{turns}")));
+    assert!((far / once - 1.0).abs() < 0.2);
+    assert!((30.0..50.0).contains(&(far / exact("cusped-top/1000"))));
+    for turns in [1, 10, 1000] {
+        let upright = ranked(&format!("kovalevskaya/{turns}"), 1e-9);
+        assert_ne!(upright[0].0, "exact");
+    }
     // Next to the separatrix and next to sleep nothing that steps has nine digits left after a thousand turns.
     for problem in ["near-separatrix/1000", "near-sleeping/1000"] {
         assert_eq!(ranked(problem, 1e-9).len(), 1, "{problem}");

@@ -18,7 +18,11 @@ const PANELS: [(&str, &str, &str); 6] = [
     ),
     ("cusped-top/10", "top with cusps", "kick-drift-6"),
     ("near-sleeping/10", "top, nearly asleep", "kick-drift-6"),
-    ("kovalevskaya/10", "Kovalevskaya’s top", "kick-drift-6"),
+    (
+        "kovalevskaya-level/10",
+        "Kovalevskaya’s top",
+        "kick-drift-6",
+    ),
     ("heavy-body/10", "no closed form", "kick-drift-6"),
 ];
 const GENERAL: &str = "dop853";

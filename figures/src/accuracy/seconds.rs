@@ -16,7 +16,7 @@ const PANELS: [(&str, &str); 6] = [
     ("near-separatrix/1000", "beside the separatrix"),
     ("cusped-top/1000", "top with cusps"),
     ("near-sleeping/1000", "top, nearly asleep"),
-    ("kovalevskaya/1000", "Kovalevskaya’s top"),
+    ("kovalevskaya-level/1000", "Kovalevskaya’s top"),
     ("heavy-body/1000", "no closed form"),
 ];
 const X: [f64; 2] = [3e-7, 1.0];
@@ -82,7 +82,7 @@ pub fn seconds() -> Result<Figure> {
         claim: "A thousand turns on a clock: the closed form is exact before a general method has warmed up.".to_owned(),
         details: format!(
             "Error of the attitude in radians after a thousand turns against time. Purple: the best of the general methods; dotted, rk4. Blue: the best of our own methods \
-             that take steps. Black: the closed form, its preparation included, which for Kovalevskaya’s top takes long. Measured once, least of repeated runs: {machine}."
+             that take steps. Black: the closed form, its preparation included. Kovalevskaya’s top starts with axis 3 level. Measured once, least of repeated runs: {machine}."
         ),
         alt: "Six small diagrams, error against seconds, both logarithmic. The line of our stepping methods lies to the left of that of the general methods; a black disc, the \
               closed form, lies far to the left of both and at the bottom. The sixth problem has no closed form and no disc."

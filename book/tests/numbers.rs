@@ -65,7 +65,7 @@ fn decimals(text: &str) -> Vec<Decimal> {
     while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
         let bound =
             rest[..start].ends_with(|c: char| c.is_ascii_alphabetic() || c == '.' || c == '_');
-        let opened = rest[..start].ends_with('(');
+        let opened = rest[..start].ends_with(" (");
         rest = &rest[start..];
         let end = rest
             .find(|c: char| !c.is_ascii_digit() && c != '.')

@@ -251,7 +251,7 @@ fn start_number(n: u64) -> [[f64; 3]; 3] {
         12 => (omega, up[2]) = ([nudged(), nudged(), r], nudged()),
         // K = 0, nearly.
         13 => {
-            let (p, q) = (0.6 * p, 0.6 * q);
+            let (p, q) = (0.4 * p, 0.4 * q);
             let (re, im) = (p * p - q * q, 2.0 * p * q);
             omega = [p, q, r];
             up = [re + nudged(), im, (1.0 - re * re - im * im).sqrt()];

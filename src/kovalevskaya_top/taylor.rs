@@ -52,6 +52,37 @@ impl Series {
     }
     // ANCHOR_END: series
 
+    /// How far off a motion nearby is after `h` that is off by so much at 0, to first order.
+    pub fn nearby(&self, c: f64, off: &Phase, h: f64) -> Phase {
+        let mut terms = [[0.0; 6]; ORDER + 1];
+        terms[0] = *off;
+        for n in 0..ORDER {
+            let of = |i: usize, j: usize| {
+                let both = (0..=n).map(|m| {
+                    terms[m][i] * self.terms[n - m][j] + self.terms[m][i] * terms[n - m][j]
+                });
+                both.sum::<f64>()
+            };
+            let [z2, z3] = [terms[n][4], terms[n][5]];
+            let next = [
+                0.5 * of(1, 2),
+                0.5 * (c * z3 - of(0, 2)),
+                -c * z2,
+                of(4, 2) - of(5, 1),
+                of(5, 0) - of(3, 2),
+                of(3, 1) - of(4, 0),
+            ];
+            terms[n + 1] = next.map(|x| x / (n + 1) as f64);
+        }
+        let mut sum = [0.0; 6];
+        for term in terms.iter().rev() {
+            for (s, x) in sum.iter_mut().zip(term) {
+                *s = h.mul_add(*s, *x);
+            }
+        }
+        sum
+    }
+
     pub fn after(&self, h: f64) -> Carried {
         let mut sum = [0.0; 10];
         for term in self.terms.iter().rev() {

@@ -5,7 +5,7 @@ use nalgebra::Quaternion;
 use super::constants::{Phase, WidePhase};
 use super::taylor::{Carried, Series, WideSeries};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
-use crate::double_double::{DoubleDouble, power_of_two_below};
+use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result};
 
 /// Units of time that are walked rather than leapt over by the series on a grid, which costs as much to prepare as this or a few times as
@@ -17,9 +17,6 @@ const LONGEST_WALK: f64 = 4096.0;
 
 /// How far off a walk in doubles may have come where one in 106 bits is trusted: that one is then off by at most 2⁻⁴⁸ times as much, 1e-13.
 const LOST: f64 = 28.0;
-
-/// What is followed of a difference is as small as this, so that its square does not count.
-const SMALL: f64 = 1e-8;
 
 /// A place on the way, from which the next is reached.
 pub(super) struct Walk<'a> {
@@ -79,7 +76,7 @@ impl<'a> Walk<'a> {
                 let wide = WideSeries::at(constants.c, &self.wide);
                 let before = self.time;
                 self.carry(&series, wide.reach.min(series.reach), target);
-                self.follow(&wide, DoubleDouble::difference(self.time, before));
+                self.follow(&series, &wide, DoubleDouble::difference(self.time, before));
                 if !self.off.iter().all(|x| x.abs() < LOST) {
                     return Err(Error::Integration {
                         reason: "rounding has been amplified 10^17 times by then, more than 106 bits allow",
@@ -116,25 +113,17 @@ impl<'a> Walk<'a> {
     }
 
     // ANCHOR: follow
-    /// Ω and z carried in 106 bits, and beside them a walk in doubles, to see what the motion makes of its rounding.
-    ///
-    /// What is off by more than [`SMALL`] is scaled down to it; the rounding of this stretch, as it is or scaled up, is added to what came of that before.
-    fn follow(&mut self, series: &WideSeries, h: DoubleDouble) {
-        let largest = self.off.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let scale = power_of_two_below((SMALL / largest).min(1.0));
-        let beside = core::array::from_fn(|i| {
-            self.wide[i]
-                .add(DoubleDouble::from(scale * self.off[i]))
-                .value()
-        });
-        let beside = Series::at(
-            self.top.constants.c.value(),
-            &(beside, [1.0, 0.0, 0.0, 0.0]),
-        );
-        let (beside, _) = beside.after(h.value());
-        self.wide = series.after(h);
+    /// Ω and z carried in 106 bits, and beside them what a walk in doubles would be off by: what came of its rounding before, by the linear
+    /// equations of a motion nearby, and the rounding of this stretch.
+    fn follow(&mut self, series: &Series, wide: &WideSeries, h: DoubleDouble) {
+        let grown = series.nearby(self.top.constants.c.value(), &self.off, h.value());
+        let (rounded, _) = series.after(h.value());
+        self.wide = wide.after(h);
         self.off = core::array::from_fn(|i| {
-            DoubleDouble::from(beside[i]).subtract(self.wide[i]).value() / scale
+            grown[i]
+                + DoubleDouble::from(rounded[i])
+                    .subtract(self.wide[i])
+                    .value()
         });
     }
     // ANCHOR_END: follow

@@ -112,7 +112,6 @@ impl<'a> Walk<'a> {
         self.time = next;
     }
 
-    // ANCHOR: follow
     /// Ω and z carried in 106 bits, and beside them what a walk in doubles would be off by: what came of its rounding before, by the linear
     /// equations of a motion nearby, and the rounding of this stretch.
     fn follow(&mut self, series: &Series, wide: &WideSeries, h: DoubleDouble) {
@@ -126,7 +125,6 @@ impl<'a> Walk<'a> {
                     .value()
         });
     }
-    // ANCHOR_END: follow
 }
 
 pub(super) fn about_third(angle: f64) -> Quaternion<f64> {

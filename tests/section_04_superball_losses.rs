@@ -398,3 +398,60 @@ fn flight_refuses_what_is_no_ball() {
     assert!(matches!(ball.exact(-1.0), Err(Error::Negative { .. })));
     assert_eq!(ball.exact(5.0).unwrap().position, 5.0);
 }
+
+/// A number of any size: every exponent of a double, both ends, zero.
+fn any(draw: &mut u64) -> f64 {
+    *draw = draw
+        .wrapping_mul(0x5851_f42d_4c95_7f2d)
+        .wrapping_add(0x1405_7b7e_f767_814f);
+    let bits = (*draw >> 17) | (*draw << 47);
+    match bits % 8 {
+        0 => 0.0,
+        1 => f64::MAX,
+        2 => 5e-324,
+        3 => (bits >> 60) as f64,
+        _ => f64::from_bits(bits & !(1 << 63)).min(f64::MAX),
+    }
+}
+
+#[test]
+fn no_flight_has_a_speed_that_is_no_number() {
+    let mut draw = 4;
+    let mut answered = 0;
+    for _ in 0..40_000 {
+        let [height, room, gravity, t] = [(); 4].map(|()| any(&mut draw));
+        let sign = |draw: &mut u64| any(draw) * if *draw & 8 == 0 { 1.0 } else { -1.0 };
+        let start = InFlight {
+            position: sign(&mut draw),
+            height,
+            climb: sign(&mut draw),
+            motion: motion(sign(&mut draw), sign(&mut draw)),
+            bounces: 0,
+        };
+        let Ok(weight) = Weight::new(gravity) else {
+            continue;
+        };
+        let tangential = 0.5 * ((draw >> 20) % 4) as f64 - 0.5;
+        let losses = Restitution::new(0.5, tangential).unwrap();
+        let elastic = Flight::new(0.4, room, (weight, Nothing, Nothing), start);
+        let lossy = Flight::new(0.4, f64::INFINITY, (weight, losses, Nothing), start);
+        let states = [
+            elastic.and_then(|flight| flight.exact(t)),
+            lossy.and_then(|flight| Ok(flight.followed(&[t])?[0])),
+        ];
+        for (which, state) in states.into_iter().enumerate() {
+            let Ok(ball) = state else { continue };
+            let Motion {
+                velocity,
+                rim_speed,
+            } = ball.motion;
+            let numbers = [ball.position, ball.height, ball.climb, velocity, rim_speed];
+            answered += 1;
+            assert!(
+                numbers.iter().all(|x| x.is_finite()),
+                "{which}: {start:?} {room:e} {gravity:e} {t:e}: {ball:?}"
+            );
+        }
+    }
+    assert!(answered > 1000, "{answered}");
+}

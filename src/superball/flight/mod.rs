@@ -29,6 +29,15 @@ pub struct InFlight {
 }
 
 impl InFlight {
+    fn checked(self) -> Result<Self> {
+        finite("the place of the ball", self.position)?;
+        finite("the height of the ball", self.height)?;
+        finite("its velocity upward", self.climb)?;
+        finite("its velocity", self.motion.velocity)?;
+        finite("its rim speed", self.motion.rim_speed)?;
+        Ok(self)
+    }
+
     /// Energy per mass, ½(V² + V_z² + κ(RΩ)²) + g·height, J/kg.
     pub fn energy(&self, kappa: f64, gravity: f64) -> f64 {
         0.5 * (self.motion.energy(kappa) + self.climb * self.climb) + gravity * self.height
@@ -239,9 +248,12 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
     ///
     /// # Errors
     /// [`Error::Condition`] if the ball is not elastic, or lies on the floor and would slip; [`Error::NotFinite`], [`Error::Negative`] for the
-    /// time; [`Error::OutOfRange`] beyond 2⁵³ flights, which a double does not count.
+    /// time; [`Error::NotFinite`] for a place that no double can hold; [`Error::OutOfRange`] beyond 2⁵³ flights, which a double does not count.
     pub fn exact(&self, t: f64) -> Result<InFlight> {
-        let t = not_negative("the time", t)?;
+        self.after_flights(not_negative("the time", t)?)?.checked()
+    }
+
+    fn after_flights(&self, t: f64) -> Result<InFlight> {
         if !self.is_elastic() {
             return Err(Error::Condition {
                 condition: "the closed form is for a ball without losses and slipping",
@@ -417,7 +429,7 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
                 None => self.flown(&ball, t - now)?,
             });
         }
-        Ok(states)
+        states.into_iter().map(InFlight::checked).collect()
     }
 
     /// The ball some time after the last bounce, from the first one of the pile and from how long it took.

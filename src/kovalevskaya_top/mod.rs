@@ -22,7 +22,7 @@
 //! division by c, (eps |Ω|²/c).
 //!
 //! Next to a double root the motion itself amplifies what is rounded, on it like e^{λt}. So the constants and both phases follow from the very doubles given in 106 bits; where
-//! her road loses digits all the same, Ω and z are walked in 106 bits, and beside them goes a walk in doubles that shows how much is amplified: beyond 10¹⁷ times the answer is an error
+//! her road loses digits all the same, Ω and z are walked in 106 bits, and beside them goes what a walk in doubles would be off by, which shows how much is amplified: beyond 10¹⁷ times the answer is an error
 //! that says when. [`KovalevskayaTop::stated_error`] is the error stated for every answer.
 //!
 //! What is prepared has bounds: 2¹⁰ terms of four series, half a second for a double Fourier series, 4096 units of time of a walk.

@@ -404,7 +404,7 @@ fn any(draw: &mut u64) -> f64 {
     *draw = draw
         .wrapping_mul(0x5851_f42d_4c95_7f2d)
         .wrapping_add(0x1405_7b7e_f767_814f);
-    let bits = (*draw >> 17) | (*draw << 47);
+    let bits = draw.rotate_right(17);
     match bits % 8 {
         0 => 0.0,
         1 => f64::MAX,

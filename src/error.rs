@@ -175,6 +175,16 @@ pub enum Error {
         /// The value that violates it.
         value: f64,
     },
+    /// An effect that has no meaning for a kind of scene.
+    #[error("`{effect}` has no meaning for {kind}, which takes {takes}")]
+    Effect {
+        /// The effect, as scene files call it.
+        effect: &'static str,
+        /// The kind of scene.
+        kind: &'static str,
+        /// The effects that it takes.
+        takes: &'static str,
+    },
     /// A solver was asked for that cannot run the scene or the top; the text says which can.
     #[error("{condition}")]
     Solver {

@@ -20,6 +20,7 @@
 mod budget;
 pub mod contact;
 mod effect;
+pub mod effects;
 pub mod meteorite;
 mod motion;
 mod plan;

@@ -1,0 +1,147 @@
+//! What can act in a scene: each effect is a value, and [`Effect`] is any of them.
+//!
+//! A kind of scene takes effects one by one, `Top::new(body, start)?.with(Gravity::new(9.81)?)?.with(AirDrag::new(1e-6)?)?`, and refuses by
+//! name those that have no meaning for it. What is not given is not there: no equation multiplies it by zero, and none asks for it.
+
+use crate::error::{Error, Result, finite, not_negative};
+
+pub use crate::falling_strip::{AddedMass, Drag, Lift, RotationalDamping};
+pub use crate::rolling::course::{Coulomb, RollingResistance};
+pub use crate::rolling::spool::Tug;
+pub use crate::superball::Restitution;
+pub use crate::tippe_top::{Regularised, Resistance, Viscous};
+
+/// Any effect.
+macro_rules! effects {
+    ($($(#[$doc:meta])* $effect:ident, $name:literal;)*) => {
+        /// Any of the effects that a scene may call for.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        #[non_exhaustive]
+        pub enum Effect {
+            $($(#[$doc])* $effect($effect),)*
+        }
+
+        impl Effect {
+            /// Its name in a scene file.
+            pub const fn name(&self) -> &'static str {
+                match self {
+                    $(Self::$effect(_) => $name,)*
+                }
+            }
+        }
+
+        $(impl From<$effect> for Effect {
+            fn from(effect: $effect) -> Self {
+                Self::$effect(effect)
+            }
+        })*
+    };
+}
+
+effects! {
+    /// Uniform gravity.
+    Gravity, "gravity";
+    /// A torque −cΩ at the pivot.
+    PivotFriction, "pivot_friction";
+    /// A torque −cΩ of a bearing, which spares the spin of a top.
+    BearingFriction, "bearing_friction";
+    /// A torque −k|Ω|Ω of the air.
+    AirDrag, "air_drag";
+    /// A dry torque against the spin.
+    TipFriction, "tip_friction";
+    /// Dry friction at a contact.
+    Coulomb, "friction";
+    /// Dry friction, smoothed over a small slip.
+    Regularised, "regularised_friction";
+    /// Friction in proportion to the slip.
+    Viscous, "viscous_friction";
+    /// A contact that never slips.
+    NoSlip, "no_slip";
+    /// Couples against rolling and pivoting.
+    Resistance, "resistance";
+    /// A reaction that acts ahead of the centre.
+    RollingResistance, "rolling_resistance";
+    /// A pull at a string.
+    Tug, "tug";
+    /// Losses at every bounce.
+    Restitution, "restitution";
+    /// Lift of a flat body.
+    Lift, "lift";
+    /// Drag of a flat body.
+    Drag, "drag";
+    /// Resistance to the rotation of a flat body.
+    RotationalDamping, "rotational_damping";
+    /// Fluid that is taken along.
+    AddedMass, "added_mass";
+}
+
+impl Effect {
+    /// The refusal of a kind of scene that has no meaning for this effect.
+    pub(crate) const fn refused(&self, kind: &'static str, takes: &'static str) -> Error {
+        Error::Effect {
+            effect: self.name(),
+            kind,
+            takes,
+        }
+    }
+}
+
+/// Effects of one number.
+macro_rules! numbers {
+    ($($(#[$doc:meta])* $effect:ident, $number:ident, $(#[$of:meta])* $check:ident($quantity:literal);)*) => {$(
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct $effect($number);
+
+        impl $effect {
+            $(#[$of])*
+            ///
+            /// # Errors
+            /// [`Error::NotFinite`]; [`Error::Negative`] where less than nothing would drive.
+            pub fn new(value: f64) -> Result<Self> {
+                Ok(Self($check($quantity, value)?))
+            }
+
+            /// That number.
+            pub const fn value(self) -> f64 {
+                self.0
+            }
+        }
+    )*};
+}
+
+numbers! {
+    /// Uniform gravity, down the space z axis.
+    Gravity, f64,
+    /// Gravity of this strength, m/s². A top also takes none at all and one that pulls up; what needs a floor does not.
+    finite("gravity");
+    /// Friction at the pivot in proportion to the turning: torque −cΩ (7.5).
+    PivotFriction, f64,
+    /// The coefficient c, N m s.
+    not_negative("pivot friction");
+    /// Viscous friction of a bearing: torque −cΩ, of a top −c(Ω₁, Ω₂, 0) (7.4).
+    ///
+    /// A sharp tip or a bearing of a top's axle: tilting and precessing cost, spinning about the third axis does not. Under a skater or a swivel it
+    /// has the last word, small as it may be: L falls by exactly c times the angle turned (1.1).
+    BearingFriction, f64,
+    /// The coefficient c, N m s.
+    not_negative("bearing friction");
+    /// Drag of the air in proportion to the square of the turning: torque −k|Ω|Ω (4.9, 7.5).
+    AirDrag, f64,
+    /// The coefficient k, N m s², which is kg m².
+    not_negative("air drag");
+    /// Dry friction at the tip, against the spin alone: torque −N sgn(Ω₃) about the third axis (7.5).
+    ///
+    /// A dry tip of radius r that bears Mg has N = ⅔μMgr. For symmetric tops on that axis only: there the spin, once stopped, stays
+    /// stopped, which no other body's would.
+    TipFriction, f64,
+    /// The torque N, N m.
+    not_negative("tip friction");
+}
+
+/// The rolling constraint: the point in contact never slips, whatever force that takes (4.7).
+///
+/// Where the reaction falls to zero while a level force is still needed, no table can do both, and the body cannot take off either if
+/// that force held it up: the run ends there with [`Error::Integration`]. [`Coulomb`] slides first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct NoSlip;

@@ -175,6 +175,19 @@ pub enum Error {
         /// The value that violates it.
         value: f64,
     },
+    /// A motion that amplifies rounding beyond the accuracy asked for.
+    #[error(
+        "the accuracy {} is out of reach, {} was reached: the motion lets a change of its start grow {} times; a looser accuracy or an earlier end may do",
+        Number(*asked), Number(*reached), Number(*growth)
+    )]
+    Amplified {
+        /// Accuracy asked for.
+        asked: f64,
+        /// Error estimate of the best run.
+        reached: f64,
+        /// By what factor a small change of the start has grown, as measured.
+        growth: f64,
+    },
     /// An effect that has no meaning for a kind of scene.
     #[error("`{effect}` has no meaning for {kind}, which takes {takes}")]
     Effect {

@@ -6,8 +6,11 @@
 
 mod general;
 pub mod geometric;
+mod order_eight;
+mod real;
 mod refined;
 mod scaled;
 
 pub use general::{Cost, Effort, Event, Method, Passage, Solution, Stop, System, solve, until};
+pub use order_eight::{Kept, Leg, order_eight};
 pub use refined::{halved, refined, tightened};

@@ -21,6 +21,7 @@ mod budget;
 pub mod contact;
 mod effect;
 pub mod effects;
+mod engine;
 pub mod meteorite;
 mod motion;
 mod plan;

@@ -4,6 +4,7 @@ mod common;
 mod general;
 mod long;
 mod numbers;
+mod order_eight;
 mod orders;
 mod preservation;
 mod refusals;

@@ -4,9 +4,9 @@
 //! 2 arctan|e| about e. |L| and E are kept by each, exactly but for rounding.
 
 use super::preprocessing::corrections;
-use super::real::{Real, cross, dot};
 use super::{Cost, Drift, Integrator, Phase, Run, checked_moments, checked_run};
 use crate::error::{Error, Result};
+use crate::integrators::real::{Real, cross, dot};
 
 /// Order of [`MoserVeselov`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,61 +1,14 @@
 //! Dormand's and Prince's method of order 8 with nothing around it: arrays on the stack, equations compiled into the step.
 
-mod tableau;
-
-use super::real::Sums;
 use super::{Course, Follow, Phase, Torque, checked_moments, unit};
 use crate::error::{Error, Result, finite, positive};
 use crate::euler_equations::quaternion_rate;
 use crate::frame::BodyVector;
-use crate::integrators::{Cost, Effort, Solution, System};
-use tableau::{Step, step};
+use crate::integrators::order_eight::tableau::{Step, step};
+use crate::integrators::real::Sums;
+use crate::integrators::{Cost, Effort, Kept, Solution, System, order_eight};
 
-/// What every step gives back to the state.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kept {
-    /// Nothing: any system of equations.
-    Nothing,
-    /// Norm 1 of the quaternion that begins with this component.
-    UnitQuaternion(usize),
-}
-
-/// States at all of `times` (s, in any order, before and after 0 alike) of the motion that starts with `start` at time 0, by the explicit
-/// Runge–Kutta method of order 8 of Dormand and Prince.
-///
-/// The error of a step is estimated as in Hairer's DOP853, from formulas of orders 5 and 3 at once, and kept below tolerance ×
-/// (|y| + scale) in the mean square of the components; or the steps have one length. A sample ends a step: there is no dense output to be less
-/// exact. State and time are sums that keep what rounding leaves over (Kahan).
-///
-/// Observed: order 8.0; of a free body after 25 turns the error is 40 times the tolerance, 4e-13 at 1e-14. Cost: twelve evaluations a
-/// step, no allocation; the rest of a step costs about as much as the evaluations do for a body.
-///
-/// # Errors
-/// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort; [`Error::Integration`] where the step would become nothing, or
-/// there are more than 2·10⁸ of them.
-///
-/// Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.5 and II.10.
-///
-/// ```
-/// use spinning_bodies::integrators::Effort;
-/// use spinning_bodies::integrators::geometric::{Kept, order_eight};
-/// let pendulum = |_: f64, y: &[f64; 2]| [y[1], -y[0].sin()];
-/// let run = order_eight(&pendulum, Kept::Nothing, &[0.0, 1.0], &[1.0; 2], &[10.0], Effort::Tolerance(1e-12))?;
-/// let [angle, rate] = run.states[0];
-/// assert!((rate * rate / 2.0 - angle.cos() + 0.5).abs() < 1e-12);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
-    system: &S,
-    kept: Kept,
-    start: &[f64; N],
-    scales: &[f64; N],
-    times: &[f64],
-    effort: Effort,
-) -> Result<Solution<N>> {
-    order_eight_watched(system, kept, start, scales, times, effort, |_, _| {})
-}
-
-/// The same, every state at the end of a step shown to `watch` together with its time.
+/// [`order_eight`], every state at the end of a step shown to `watch` together with its time.
 ///
 /// # Errors
 /// As for [`order_eight`].

@@ -1,10 +1,10 @@
 //! Free motion as one part of a heavy top's step.
 
-use super::real::{Real, dot};
 use super::{FreeSplitting, Order, Run, checked_moments};
 use crate::error::{Error, Result, finite};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
+use crate::integrators::real::{Real, dot};
 
 /// The motion without torque over a part step.
 pub trait Drift<T: Real> {

@@ -1,9 +1,9 @@
 //! Bodies under a torque: kicks between free motions.
 
 use super::coefficients::{NYSTROM_6, NYSTROM_11, S6, S10, STRANG, Splitting};
-use super::real::{Real, cross};
 use super::{Cost, Drift, Integrator, Order, Phase, Run, checked_moments, checked_run};
 use crate::error::{Result, finite, not_negative};
+use crate::integrators::real::{Real, cross};
 
 /// A torque, N m along the body's axes, as a function of the phase.
 pub trait Torque<T: Real> {

@@ -40,24 +40,23 @@ mod follow;
 mod heavy;
 mod munthe_kaas;
 mod preprocessing;
-mod real;
 mod splitting;
 
+pub use super::real::{Real, TwoWords};
 pub use cayley::{GroupMidpoint, MoserVeselov, VeselovOrder};
-pub use dormand_prince::{DormandPrince8, Kept, order_eight, order_eight_watched};
+pub use dormand_prince::{DormandPrince8, order_eight_watched};
 pub use drift::{Drift, Rotations, SymmetricDrift, UnequalDrift};
 pub use exact::ClosedForm;
 pub use follow::{Course, Follow, Unfitted, Watched};
 pub use heavy::{HeavySplitting, Kick, LinearFriction, Nothing, Torque, Weight};
 pub use munthe_kaas::MuntheKaas;
-pub use real::{Real, TwoWords};
 pub use splitting::FreeSplitting;
 
 use super::Cost;
+use super::real::{Sums, product};
 use crate::error::{Error, Result, finite};
 use crate::euler_equations::AxisMoments;
 use crate::frame::{Attitude, BodyVector};
-use real::{Sums, product};
 
 /// A body at one time: all that a geometric method carries.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,8 +1,8 @@
 //! Munthe-Kaas' Runge–Kutta method on the rotations.
 
-use super::real::{Real, cross, dot};
 use super::{Cost, Integrator, Phase, Run, Torque, checked_moments, checked_run, product};
 use crate::error::Result;
+use crate::integrators::real::{Real, cross, dot};
 
 /// The classical Runge–Kutta method for the rotation vector u since the start of the step and for L along the axes of that start, order 4.
 ///

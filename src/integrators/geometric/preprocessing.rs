@@ -5,7 +5,7 @@
 //! functions of 1/I₁, 1/I₂, 1/I₃. s₃ and d₃ agree with that paper; all are derived in `tests/reference/moser_veselov.py` by matching power series in
 //! rationals. H and C are kept by the algorithm, so the moments are changed once a run.
 
-use super::real::Real;
+use crate::integrators::real::Real;
 
 /// Powers of H, C, e₁, e₂, e₃; numerator and denominator.
 type Term = ([u8; 5], f64, f64);

@@ -1,9 +1,9 @@
 //! A free body by rotations about two of its axes in turn.
 
 use super::coefficients::{S6, S10, STRANG, Splitting};
-use super::real::{Real, Sums, TwoWords, dot, product};
 use super::{Cost, Integrator, Order, Phase, Run, checked_moments, checked_run, unit};
 use crate::error::Result;
+use crate::integrators::real::{Real, Sums, TwoWords, dot, product};
 
 /// A free body, its energy split as |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², I₁ ≤ I₂ ≤ I₃.
 ///

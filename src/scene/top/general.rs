@@ -2,9 +2,9 @@
 
 use super::steered::{CALM, Shown, Wheel};
 use crate::error::Result;
-use crate::integrators::geometric::{Kept, Phase, order_eight_watched};
+use crate::integrators::geometric::{Phase, order_eight_watched};
 use crate::integrators::{
-    Cost, Effort, Method, Solution, Stop, System, halved, refined, solve, tightened, until,
+    Cost, Effort, Kept, Method, Solution, Stop, System, halved, refined, solve, tightened, until,
 };
 
 /// The problem as the integrators see it. The equations come as a trait object, so that the methods are compiled once and not for

@@ -7,10 +7,10 @@ use super::steered::{Shown, Steered, Wheel};
 use crate::error::{Error, Result};
 use crate::frame::BodyVector;
 use crate::integrators::geometric::{
-    Course, DormandPrince8, FreeSplitting, HeavySplitting, Kept, MoserVeselov, MuntheKaas, Order,
-    Phase, Rotations, SymmetricDrift, Watched, Weight, order_eight_watched,
+    Course, DormandPrince8, FreeSplitting, HeavySplitting, MoserVeselov, MuntheKaas, Order, Phase,
+    Rotations, SymmetricDrift, Watched, Weight, order_eight_watched,
 };
-use crate::integrators::{Cost, Effort};
+use crate::integrators::{Cost, Effort, Kept};
 use crate::scene::Budget;
 use crate::scene::plan::Geometric;
 

@@ -263,7 +263,7 @@ impl Real for TwoWords {
 ///
 /// The error of n increments is that of one addition, where plain sums lose up to n times as much.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sums<T, const N: usize> {
+pub(in crate::integrators) struct Sums<T, const N: usize> {
     pub values: [T; N],
     pub left: [T; N],
 }
@@ -309,7 +309,7 @@ impl<T: Real, const N: usize> Sums<T, N> {
 }
 
 #[inline(always)]
-pub(super) fn cross<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+pub(in crate::integrators) fn cross<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -318,13 +318,13 @@ pub(super) fn cross<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
 }
 
 #[inline(always)]
-pub(super) fn dot<T: Real>(a: [T; 3], b: [T; 3]) -> T {
+pub(in crate::integrators) fn dot<T: Real>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The product of two quaternions (w, x, y, z).
 #[inline(always)]
-pub(super) fn product<T: Real>(p: [T; 4], q: [T; 4]) -> [T; 4] {
+pub(in crate::integrators) fn product<T: Real>(p: [T; 4], q: [T; 4]) -> [T; 4] {
     let [a, b, c, d] = p;
     let [w, x, y, z] = q;
     [

@@ -1,0 +1,148 @@
+//! Where within a step a quantity falls through zero.
+
+use super::tableau::Between;
+use super::{Taken, Walk};
+use crate::integrators::{Event, System};
+
+/// A quantity that may fall through zero.
+pub(super) struct Watch<'a, const N: usize> {
+    event: &'a dyn Event<N>,
+    /// Its value at the end of the last step; it can fall once it has been positive.
+    value: f64,
+    armed: bool,
+}
+
+/// A very short while, as a part of a step.
+const PROBE: f64 = 1e-8;
+/// Rounds of the search on the polynomial, and of Newton's on true states. Halving alone would need sixty of the first; four of the second are
+/// the most that were seen.
+const MOST_ROUNDS: usize = 100;
+const NEWTON: usize = 8;
+
+impl<'a, const N: usize> Watch<'a, N> {
+    pub fn new<S: System<N> + ?Sized>(event: &'a dyn Event<N>, walk: &Walk<'_, N, S>) -> Self {
+        let (time, state) = walk.leg.start;
+        let value = event.value(time, state);
+        let probe = PROBE * walk.left();
+        let soon = core::array::from_fn(|n| state[n] + probe * walk.rate[n]);
+        let rises = || event.value(time + probe, &soon) > 0.0;
+        Self {
+            event,
+            value,
+            armed: value > 0.0 || value == 0.0 && rises(),
+        }
+    }
+
+    /// A part of the step just taken at which the quantity is no longer positive, if there is one: its end, or where it dips in between.
+    pub fn falls<S: System<N> + ?Sized>(
+        &mut self,
+        walk: &mut Walk<'_, N, S>,
+        taken: &Taken<N>,
+    ) -> Option<f64> {
+        let before = self.value;
+        let now = self.event.value(walk.time.values[0], &walk.state.values);
+        self.value = now;
+        if !self.armed {
+            self.armed = now > 0.0;
+            return None;
+        }
+        if now <= 0.0 {
+            return Some(1.0);
+        }
+        if before <= 0.0 {
+            return None;
+        }
+        // The slopes at both ends, from the rates: a dip falls first and rises again.
+        let h = PROBE * taken.length;
+        let ahead = |time: f64, state: &[f64; N], rate: &[f64; N], h: f64| {
+            let moved = core::array::from_fn(|n| state[n] + h * rate[n]);
+            self.event.value(time + h, &moved)
+        };
+        let falling = (before - ahead(taken.time, &taken.state, &taken.rate, h)) / PROBE;
+        let end = walk.time.values[0];
+        let rising = (now - ahead(end, &walk.state.values, &walk.rate, -h)) / PROBE;
+        // Parabolas from both ends cannot reach zero.
+        if falling <= 0.0 || rising <= 0.0 || falling < before && rising < now {
+            return None;
+        }
+        let between = walk.between(taken);
+        (1..DIPS)
+            .map(|n| f64::from(n) / f64::from(DIPS))
+            .find(|&part| {
+                self.event
+                    .value(taken.time + part * taken.length, &between.at(part))
+                    <= 0.0
+            })
+    }
+
+    /// When and with which state the quantity is zero, between the beginning of a step and this part of it.
+    pub fn located<S: System<N> + ?Sized>(
+        &self,
+        walk: &mut Walk<'_, N, S>,
+        taken: &Taken<N>,
+        until: f64,
+    ) -> (f64, [f64; N]) {
+        let between = walk.between(taken);
+        let time = |part: f64| taken.time + part * taken.length;
+        let mut part = self.on_the_polynomial(&between, taken, until);
+        let mut state = walk.short(taken, part * taken.length);
+        for _ in 0..NEWTON {
+            let here = self.event.value(time(part), &state);
+            let rate = walk.leg.system.rate(time(part), &state);
+            walk.cost.evaluations += 1;
+            // Towards the beginning: there the quantity has not fallen yet.
+            let h = -PROBE * taken.length;
+            let moved = core::array::from_fn(|n| state[n] + h * rate[n]);
+            let slope = (here - self.event.value(time(part) + h, &moved)) / PROBE;
+            let next = (part - here / slope).clamp(0.0, 1.0);
+            let gain = (next - part).abs() * taken.length.abs();
+            if here == 0.0 || !(slope < 0.0) || gain <= f64::EPSILON * time(part).abs() {
+                break;
+            }
+            part = next;
+            state = walk.short(taken, part * taken.length);
+            if gain <= SMALL * taken.length.abs() {
+                break;
+            }
+        }
+        (time(part), state)
+    }
+
+    /// By secants within an enclosure, the value at an end that stays twice halved (the Illinois rule), and halving where that is slow.
+    fn on_the_polynomial(&self, between: &Between<N>, taken: &Taken<N>, until: f64) -> f64 {
+        let value = |part: f64| {
+            let time = taken.time + part * taken.length;
+            self.event.value(time, &between.at(part))
+        };
+        let (mut low, mut high) = (0.0, until);
+        let (mut above, mut below) = (value(low), value(high));
+        let mut last = 0;
+        for round in 0..MOST_ROUNDS {
+            if high - low <= 4.0 * f64::EPSILON * high || below == 0.0 {
+                break;
+            }
+            let secant = low + (high - low) * (above / (above - below));
+            let part = if round % 4 == 3 || above <= 0.0 || !(secant > low && secant < high) {
+                0.5 * (low + high)
+            } else {
+                secant
+            };
+            let here = value(part);
+            if here > 0.0 {
+                (low, above) = (part, here);
+                below *= if last == 1 { 0.5 } else { 1.0 };
+                last = 1;
+            } else {
+                (high, below) = (part, here);
+                above *= if last == -1 { 0.5 } else { 1.0 };
+                last = -1;
+            }
+        }
+        high
+    }
+}
+
+/// Places at which a step that may have dipped is looked at.
+const DIPS: u32 = 16;
+/// Newton's method doubles the digits: after a correction this small, as a part of a step, nothing is left to correct.
+const SMALL: f64 = 1e-9;

@@ -1,0 +1,555 @@
+//! The engine: what every stepped scene runs on.
+//!
+//! A kind of scene describes its [`Flow`]: which equations hold in which phase, what ends a phase, and how the motion goes on. The engine
+//! does the rest, from top to bottom of this file: it follows the motion from phase to phase ([`Run::follow`]), sorts the times, before and
+//! after the start ([`Run::at`]), repeats the run with a smaller tolerance until two runs vouch for the better one ([`to_accuracy`]), and, where none
+//! will do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
+
+use super::{Budget, Choice, Request, Solver};
+use crate::error::{Error, Result, finite};
+use crate::integrators::{Cost, Effort, Event, Kept, Leg, Method, Passage, Stop, System, until};
+
+/// A motion whose equations change from phase to phase. States are N numbers.
+pub(crate) trait Flow<const N: usize> {
+    /// What decides which equations hold.
+    type Phase: Copy + PartialEq + core::fmt::Debug;
+
+    /// The phase and the numbers at time 0.
+    fn start(&self) -> Result<(Self::Phase, [f64; N])>;
+
+    /// Sizes below which each number counts as small.
+    fn scales(&self) -> [f64; N];
+
+    /// What every step gives back to the numbers.
+    fn kept(&self) -> Kept {
+        Kept::Nothing
+    }
+
+    /// The fastest rate of the motion, rad/s or 1/s: time is counted in its inverse.
+    fn pace(&self) -> f64;
+
+    /// The rates of the numbers.
+    fn rate(&self, phase: Self::Phase, t: f64, y: &[f64; N]) -> [f64; N];
+
+    /// Positive while the phase lasts; where it falls through zero, the phase ends.
+    fn margin(&self, _phase: Self::Phase, _t: f64, _y: &[f64; N]) -> f64 {
+        1.0
+    }
+
+    /// Whether [`margin`](Self::margin) can end this phase at all.
+    fn may_end(&self, _phase: Self::Phase) -> bool {
+        false
+    }
+
+    /// When the phase that holds from time t on ends by the clock, at the latest.
+    fn lasts_until(&self, _phase: Self::Phase, _t: f64) -> f64 {
+        f64::INFINITY
+    }
+
+    /// How it goes on after the end of a phase, with the numbers there, which a jump may change.
+    ///
+    /// # Errors
+    /// [`Error::Integration`] where it cannot go on.
+    fn next(
+        &self,
+        phase: Self::Phase,
+        _ended: Ended,
+        _t: f64,
+        _y: &mut [f64; N],
+    ) -> Result<Self::Phase> {
+        Ok(phase)
+    }
+
+    /// The motion of a phase in closed form, if there is one: numbers at the times, up to the end of the phase or of the run.
+    fn known(
+        &self,
+        _phase: Self::Phase,
+        _from: (f64, &[f64; N]),
+        _times: &[f64],
+        _until: f64,
+    ) -> Option<Result<Passage<N>>> {
+        None
+    }
+
+    /// Distance of two states that should be the same: radians, or relative to the scale of a rate, whichever is more.
+    fn distance(&self, a: &(Self::Phase, [f64; N]), b: &(Self::Phase, [f64; N])) -> f64;
+}
+
+/// What has ended a phase.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Ended {
+    /// Its margin.
+    ByEvent,
+    /// The clock.
+    ByTheClock,
+}
+
+/// One motion through all its phases.
+#[derive(Debug, Clone)]
+pub(crate) struct Trace<P, const N: usize> {
+    /// Phase and numbers at the times, in their order.
+    pub samples: Vec<(P, [f64; N])>,
+    /// When each phase began, s, those after the start in order.
+    pub phases: Vec<(f64, P)>,
+    pub cost: Cost,
+}
+
+/// The same with what is known of its error.
+#[derive(Debug, Clone)]
+pub(crate) struct Answer<P, const N: usize> {
+    pub trace: Trace<P, N>,
+    /// The most by which any sample may be off, as [`Flow::distance`] counts.
+    pub error: f64,
+}
+
+/// A motion that changes its phase more often than this is not followed further.
+const MOST_PHASES: usize = 10_000_000;
+/// So many phases in a row may have no duration.
+const MOST_AT_ONCE: usize = 1000;
+
+/// One run: a flow, a stepper, and how hard it works.
+pub(crate) struct Run<'a, F> {
+    pub flow: &'a F,
+    pub stepper: Stepper,
+    pub effort: Effort,
+    pub budget: &'a Budget,
+}
+
+/// What steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Stepper {
+    /// The library's own order 8.
+    OrderEight,
+    /// A general method by its name.
+    General(Method),
+    /// Closed forms from event to event: every phase must be known.
+    Events,
+}
+
+/// The equations of one phase, each evaluation counted.
+struct InPhase<'a, F, P> {
+    flow: &'a F,
+    phase: P,
+    budget: &'a Budget,
+}
+
+impl<const N: usize, F: Flow<N>> System<N> for InPhase<'_, F, F::Phase> {
+    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
+        self.budget.count(1);
+        self.flow.rate(self.phase, t, y)
+    }
+
+    fn reached(&self, time: f64) -> Result<()> {
+        self.budget.reached(time)
+    }
+}
+
+impl<const N: usize, F: Flow<N>> Event<N> for InPhase<'_, F, F::Phase> {
+    fn value(&self, t: f64, y: &[f64; N]) -> f64 {
+        self.flow.margin(self.phase, t, y)
+    }
+}
+
+impl<F> Run<'_, F> {
+    /// From the start through all phases to the last of the times, which ascend, or descend into the past.
+    fn follow<const N: usize>(
+        &self,
+        start: (F::Phase, [f64; N]),
+        times: &[f64],
+    ) -> Result<Trace<F::Phase, N>>
+    where
+        F: Flow<N>,
+    {
+        let (mut phase, mut y) = start;
+        let end = times.last().copied().unwrap_or(0.0);
+        let mut trace = Trace {
+            samples: Vec::with_capacity(times.len()),
+            phases: vec![(0.0, phase)],
+            cost: Cost::default(),
+        };
+        let (mut now, mut at_once) = (0.0, 0);
+        loop {
+            let left = &times[trace.samples.len()..];
+            let clock = if end < 0.0 {
+                f64::INFINITY
+            } else {
+                self.flow.lasts_until(phase, now)
+            };
+            let until = if clock < end { clock } else { end };
+            let within = left.partition_point(|&t| (t - until) * end.signum() <= 0.0);
+            let passage = self.leg(phase, (now, &y), &left[..within], until)?;
+            trace.cost += passage.cost;
+            self.budget
+                .spend(passage.states.len() as u64 / 16, passage.time)?;
+            let states = passage.states.into_iter();
+            trace.samples.extend(states.map(|state| (phase, state)));
+            at_once = if passage.time == now { at_once + 1 } else { 0 };
+            (now, y) = (passage.time, passage.end);
+            let ended = match passage.stopped {
+                Stop::AtTheEvent => Ended::ByEvent,
+                Stop::AtTheEnd if until == end => break,
+                Stop::AtTheEnd => Ended::ByTheClock,
+            };
+            phase = self.flow.next(phase, ended, now, &mut y)?;
+            for &number in &y {
+                finite("the state after an event", number)?;
+            }
+            trace.phases.push((now, phase));
+            self.budget.spend(1, now)?;
+            if trace.phases.len() > MOST_PHASES || at_once > MOST_AT_ONCE {
+                return Err(Error::Integration {
+                    reason: "the events come too close to each other; end the run earlier, or let what changes so often be smooth",
+                    time: now,
+                });
+            }
+        }
+        // Samples at the very end that an event has taken the time of.
+        trace.samples.resize(times.len(), (phase, y));
+        Ok(trace)
+    }
+
+    /// One phase, to its end or to this time.
+    fn leg<const N: usize>(
+        &self,
+        phase: F::Phase,
+        (now, y): (f64, &[f64; N]),
+        times: &[f64],
+        end: f64,
+    ) -> Result<Passage<N>>
+    where
+        F: Flow<N>,
+    {
+        if let Some(known) = self.flow.known(phase, (now, y), times, end) {
+            return known;
+        }
+        let scales = self.flow.scales();
+        let equations = InPhase {
+            flow: self.flow,
+            phase,
+            budget: self.budget,
+        };
+        let event = self
+            .flow
+            .may_end(phase)
+            .then_some(&equations as &dyn Event<N>);
+        match self.stepper {
+            Stepper::OrderEight => Leg {
+                system: &equations as &dyn System<N>,
+                kept: self.flow.kept(),
+                start: (now, y),
+                scales: &scales,
+                times,
+                end,
+            }
+            .follow(event, self.effort),
+            Stepper::General(method) => {
+                let never = |_: f64, _: &[f64; N]| 1.0;
+                let event = event.unwrap_or(&never);
+                until(
+                    &equations,
+                    now,
+                    y,
+                    &scales,
+                    times,
+                    end,
+                    event,
+                    method,
+                    self.effort,
+                )
+            }
+            Stepper::Events => Err(Error::Solver {
+                condition: "the solver events must be given a scene with closed forms between events",
+            }),
+        }
+    }
+
+    /// The samples at times in any order, before and after the start alike.
+    pub fn at<const N: usize>(&self, times: &[f64]) -> Result<Trace<F::Phase, N>>
+    where
+        F: Flow<N>,
+    {
+        let start = self.flow.start()?;
+        let order = ascending(times);
+        let (past, future) = order.split_at(order.partition_point(|&i| times[i] < 0.0));
+        let past: Vec<usize> = past.iter().rev().copied().collect();
+        let mut whole = Trace {
+            samples: vec![start; times.len()],
+            phases: Vec::new(),
+            cost: Cost::default(),
+        };
+        for places in [past.as_slice(), future] {
+            let sorted: Vec<f64> = places.iter().map(|&i| times[i]).collect();
+            if sorted.is_empty() {
+                continue;
+            }
+            let trace = self.follow(start, &sorted)?;
+            whole.cost += trace.cost;
+            whole.phases = trace.phases;
+            for (&place, sample) in places.iter().zip(trace.samples) {
+                whole.samples[place] = sample;
+            }
+        }
+        Ok(whole)
+    }
+}
+
+/// The places of the times in ascending order.
+pub(crate) fn ascending(times: &[f64]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
+    order
+}
+
+/// The time furthest from the start.
+pub(crate) fn furthest(times: &[f64]) -> f64 {
+    let further = |a: f64, &b: &f64| if b.abs() > a.abs() { b } else { a };
+    times.iter().fold(0.0, further)
+}
+
+/// Tolerances of two runs that are compared: of order 8 the tighter run takes half as long again as the looser.
+const APART: f64 = 30.0;
+/// Of the distance of two runs, the error of the better one is taken for this share times [`APART`] over the ratio of their tolerances.
+/// Errors in proportion to the tolerance would make it a thirtieth.
+const SHARE: f64 = 0.25;
+/// Below this the error estimate of a step is rounding; above that it means nothing.
+const LEAST_TOLERANCE: f64 = 1e-15;
+const GREATEST_TOLERANCE: f64 = 1e-3;
+/// Two runs are compared at so many times at least: at a single one they may agree by chance.
+const CHECKS: usize = 8;
+/// What rounding does to a motion that amplifies nothing, for every radian.
+const ROUNDING: f64 = 4e-16;
+
+/// The motion at the times of the request, with an error below its accuracy.
+///
+/// Two runs are compared, whose tolerances lie a factor thirty apart, or whose steps lie a factor two apart. Their distance is the error of the looser one;
+/// the better one, which is returned, is told to be off by a quarter of that. Where that is more than the accuracy a third run takes the place of the
+/// first. A flow may depend on the tolerance of its run, which `flow` makes for it.
+///
+/// # Errors
+/// [`Error::Amplified`] where rounding, amplified by the motion, is more than the accuracy asked for: it tells by how much a change of the start
+/// has grown. Those of the run.
+pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
+    request: &Request,
+    stepper: Stepper,
+    flow: impl Fn(f64) -> Result<F>,
+) -> Result<Answer<F::Phase, N>> {
+    let budget = &Budget::asked(request);
+    let (accuracy, count) = (request.accuracy(), request.times().len());
+    let times = with_checks(request.times());
+    let mut cost = Cost::default();
+    let mut run = |effort: Effort| -> Result<(F, Trace<F::Phase, N>)> {
+        let flow = flow(tolerance_of(effort, accuracy))?;
+        let run = Run {
+            flow: &flow,
+            stepper,
+            effort,
+            budget,
+        };
+        let trace = run.at(&times)?;
+        cost += trace.cost;
+        Ok((flow, trace))
+    };
+    let angle = {
+        let flow = flow(accuracy)?;
+        flow.pace() * furthest(&times).abs()
+    };
+    let rounding = ROUNDING * (1.0 + angle);
+    let mut efforts = Efforts::new(stepper, accuracy, angle, furthest(&times));
+    let mut worse = run(efforts.first())?.1;
+    loop {
+        let (flow, better) = run(efforts.better)?;
+        let pairs = worse.samples.iter().zip(&better.samples);
+        let apart = pairs.map(|(a, b)| flow.distance(a, b)).fold(0.0, |m, d| {
+            // What is not a number must not pass for small.
+            if d <= m { m } else { d }
+        });
+        let error = efforts.share() * apart + rounding;
+        if error <= accuracy {
+            let mut samples = better.samples;
+            samples.truncate(count);
+            return Ok(Answer {
+                trace: Trace {
+                    samples,
+                    cost,
+                    ..better
+                },
+                error,
+            });
+        }
+        if !efforts.tighten(accuracy, error) {
+            let growth = growth(&flow, stepper, efforts.better, &times, budget)?;
+            return Err(Error::Amplified {
+                asked: accuracy,
+                reached: error,
+                growth,
+            });
+        }
+        worse = better;
+    }
+}
+
+/// The tolerance of a run; a run of even steps has that of its aim.
+fn tolerance_of(effort: Effort, accuracy: f64) -> f64 {
+    match effort {
+        Effort::Tolerance(tolerance) => tolerance,
+        Effort::Step(_) => accuracy,
+    }
+}
+
+/// The efforts of the two runs that are compared.
+struct Efforts {
+    worse: Effort,
+    better: Effort,
+}
+
+/// Times a step of even length may be halved.
+const LEAST_STEP: f64 = 1e-7;
+
+impl Efforts {
+    fn new(stepper: Stepper, accuracy: f64, angle: f64, last: f64) -> Self {
+        if let Stepper::General(method) = stepper
+            && !method.is_adaptive()
+        {
+            let step = last.abs().max(f64::MIN_POSITIVE) / 64.0_f64.max(4.0 * angle);
+            return Self {
+                worse: Effort::Step(step),
+                better: Effort::Step(0.5 * step),
+            };
+        }
+        let tolerance = (accuracy / angle.max(2.0)).clamp(LEAST_TOLERANCE, GREATEST_TOLERANCE);
+        Self {
+            worse: Effort::Tolerance(tolerance),
+            better: Effort::Tolerance((tolerance / APART).max(LEAST_TOLERANCE)),
+        }
+    }
+
+    fn first(&self) -> Effort {
+        self.worse
+    }
+
+    /// The share of the distance of both that is taken for the error of the better.
+    fn share(&self) -> f64 {
+        match (self.worse, self.better) {
+            (Effort::Tolerance(worse), Effort::Tolerance(better)) => {
+                (SHARE * APART * better / worse).min(1.0)
+            }
+            // A fifteenth for order 4.
+            _ => 0.125,
+        }
+    }
+
+    /// The next pair, the better of today being its worse; false if there is none.
+    fn tighten(&mut self, accuracy: f64, error: f64) -> bool {
+        let next = match self.better {
+            Effort::Tolerance(tolerance) => {
+                if tolerance <= LEAST_TOLERANCE || !error.is_finite() {
+                    return false;
+                }
+                // At least one more digit, at most four at once: an estimate that large is none.
+                let less = (0.3 * accuracy / error).clamp(1e-4, 0.1);
+                Effort::Tolerance((tolerance * less).max(LEAST_TOLERANCE))
+            }
+            Effort::Step(step) => {
+                let (Effort::Step(worse), true) = (self.worse, error.is_finite()) else {
+                    return false;
+                };
+                if step < LEAST_STEP * worse {
+                    return false;
+                }
+                Effort::Step(0.5 * step)
+            }
+        };
+        (self.worse, self.better) = (self.better, next);
+        true
+    }
+}
+
+/// The times asked for, and so many more that two runs have something to compare.
+fn with_checks(times: &[f64]) -> Vec<f64> {
+    let missing = CHECKS.saturating_sub(times.len());
+    let last = furthest(times);
+    let more = (1..=missing).map(|n| last * n as f64 / (missing + 1) as f64);
+    times.iter().copied().chain(more).collect()
+}
+
+/// By what factor a change of the start has grown: a run from a start that is moved by a ten-millionth of the scales, against one from the start itself.
+fn growth<const N: usize, F: Flow<N>>(
+    flow: &F,
+    stepper: Stepper,
+    effort: Effort,
+    times: &[f64],
+    budget: &Budget,
+) -> Result<f64> {
+    let (phase, start) = flow.start()?;
+    let scales = flow.scales();
+    let mut moved = start;
+    for (n, number) in moved.iter_mut().enumerate() {
+        let sense = if n % 2 == 0 { MOVED } else { -MOVED };
+        *number += sense * scales[n];
+    }
+    let order = ascending(times);
+    let sorted: Vec<f64> = order
+        .iter()
+        .map(|&i| times[i])
+        .filter(|&t| t >= 0.0)
+        .collect();
+    let run = Run {
+        flow,
+        stepper,
+        effort,
+        budget,
+    };
+    let [a, b] = [
+        run.follow((phase, start), &sorted)?,
+        run.follow((phase, moved), &sorted)?,
+    ];
+    let first = flow.distance(&(phase, start), &(phase, moved));
+    let pairs = a.samples.iter().zip(&b.samples);
+    let apart = pairs.map(|(a, b)| flow.distance(a, b)).fold(0.0, f64::max);
+    Ok(apart / first)
+}
+
+/// A small displacement of the start, in units of the scales.
+const MOVED: f64 = 1e-7;
+
+/// The stepper of a plan.
+///
+/// # Errors
+/// [`Error::Solver`] for a solver that steps no flow.
+pub(crate) fn stepper(solver: Solver) -> Result<Stepper> {
+    match solver {
+        Solver::General(method) => Ok(Stepper::General(method)),
+        Solver::Geometric(super::Geometric::DormandPrince8) => Ok(Stepper::OrderEight),
+        Solver::Events | Solver::Exact => Ok(Stepper::Events),
+        Solver::Geometric(_) => Err(super::only_for_tops()),
+    }
+}
+
+/// What a kind of scene can do in closed form, for its plan.
+pub(crate) struct Closed {
+    /// `exact` or `events`.
+    pub solver: Solver,
+    /// Why that will do.
+    pub reason: &'static str,
+}
+
+/// The plan in one sentence: the closed form wherever there is one, otherwise order 8; or what was asked for by name.
+///
+/// # Errors
+/// [`Error::Solver`] says which solvers the kind has.
+pub(crate) fn planned(
+    request: &Request,
+    closed: core::result::Result<Closed, &'static str>,
+    has: &'static str,
+) -> Result<super::Plan> {
+    const OURS: Solver = Solver::Geometric(super::Geometric::DormandPrince8);
+    let plan = |solver, reason: &str| Ok(super::Plan::new(solver, reason.to_owned()));
+    match (request.choice(), closed) {
+        (Choice::Auto, Ok(closed)) => plan(closed.solver, closed.reason),
+        (Choice::Auto, Err(reason)) => plan(OURS, reason),
+        (Choice::Use(solver), Ok(closed)) if solver == closed.solver => plan(solver, closed.reason),
+        (Choice::Use(solver @ Solver::General(_)), _) => plan(solver, "asked for"),
+        (Choice::Use(solver), _) if solver == OURS => plan(solver, "asked for"),
+        (Choice::Use(_), _) => Err(Error::Solver { condition: has }),
+    }
+}

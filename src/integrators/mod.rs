@@ -7,10 +7,14 @@
 mod general;
 pub mod geometric;
 mod order_eight;
+mod problem;
 mod real;
 mod refined;
 mod scaled;
 
-pub use general::{Cost, Effort, Event, Method, Passage, Solution, Stop, System, solve, until};
+pub use general::{DifferentialEquations, solve, until};
 pub use order_eight::{Kept, Leg, order_eight};
+pub use problem::{
+    AnyLeg, Cost, Effort, Event, GeneralMethods, Method, Passage, Solution, Stop, System,
+};
 pub use refined::{halved, refined, tightened};

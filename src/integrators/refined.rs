@@ -1,6 +1,7 @@
 //! A run that knows its own error.
 
-use super::general::{Effort, Method, Solution, System, solve};
+use super::general::solve;
+use super::problem::{Effort, Method, Solution, System};
 use crate::error::{Error, Result};
 
 /// The solution with a global error, by `distance` at every sample, below `accuracy`: solved with tolerances a factor 30 apart, tightened

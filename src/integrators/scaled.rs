@@ -1,6 +1,6 @@
 //! The same equations with every component near 1.
 
-use super::general::{Event, Passage, System};
+use super::problem::{Event, Passage, System};
 use crate::double_double::power_of_two_below;
 use crate::error::Result;
 
@@ -33,7 +33,7 @@ impl<'a, const N: usize> Scaled<'a, N> {
         core::array::from_fn(|n| y[n] * self.units[n])
     }
 
-    pub(super) fn passage(&self, passage: Passage<N>) -> Passage<N> {
+    pub(super) fn passage(&self, passage: Passage<[f64; N]>) -> Passage<[f64; N]> {
         Passage {
             states: passage
                 .states

@@ -5,9 +5,11 @@
 //! after the start ([`Run::at`]), repeats the run with a smaller tolerance until two runs vouch for the better one ([`to_accuracy`]), and, where none
 //! will do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
 
-use super::{Budget, Choice, Request, Solver};
+use super::{Budget, Choice, Geometric, Plan, Request, Solver, only_for_tops};
 use crate::error::{Error, Result, finite};
-use crate::integrators::{Cost, Effort, Event, Kept, Leg, Method, Passage, Stop, System, until};
+use crate::integrators::{
+    AnyLeg, Cost, Effort, Event, GeneralMethods, Kept, Leg, Method, Passage, Stop, System,
+};
 
 /// A motion whose equations change from phase to phase. States are N numbers.
 pub(crate) trait Flow<const N: usize> {
@@ -67,7 +69,7 @@ pub(crate) trait Flow<const N: usize> {
         _from: (f64, &[f64; N]),
         _times: &[f64],
         _until: f64,
-    ) -> Option<Result<Passage<N>>> {
+    ) -> Option<Result<Passage<[f64; N]>>> {
         None
     }
 
@@ -110,18 +112,18 @@ const MOST_AT_ONCE: usize = 1000;
 /// One run: a flow, a stepper, and how hard it works.
 pub(crate) struct Run<'a, F> {
     pub flow: &'a F,
-    pub stepper: Stepper,
+    pub stepper: Stepper<'a>,
     pub effort: Effort,
     pub budget: &'a Budget,
 }
 
 /// What steps.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Stepper {
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Stepper<'a> {
     /// The library's own order 8.
     OrderEight,
     /// A general method by its name.
-    General(Method),
+    General(&'a dyn GeneralMethods, Method),
     /// Closed forms from event to event: every phase must be known.
     Events,
 }
@@ -215,7 +217,7 @@ impl<F> Run<'_, F> {
         (now, y): (f64, &[f64; N]),
         times: &[f64],
         end: f64,
-    ) -> Result<Passage<N>>
+    ) -> Result<Passage<[f64; N]>>
     where
         F: Flow<N>,
     {
@@ -242,20 +244,28 @@ impl<F> Run<'_, F> {
                 end,
             }
             .follow(event, self.effort),
-            Stepper::General(method) => {
-                let never = |_: f64, _: &[f64; N]| 1.0;
-                let event = event.unwrap_or(&never);
-                until(
-                    &equations,
-                    now,
-                    y,
-                    &scales,
+            Stepper::General(methods, method) => {
+                let rate = |t: f64, y: &[f64], rates: &mut [f64]| {
+                    rates.copy_from_slice(&equations.rate(t, &sized(y)));
+                };
+                let margin = |t: f64, y: &[f64]| equations.value(t, &sized(y));
+                let leg = AnyLeg {
+                    rate: &rate,
+                    reached: &|time| self.budget.reached(time),
+                    event: event.is_some().then_some(&margin),
+                    start: (now, y),
+                    scales: &scales,
                     times,
                     end,
-                    event,
-                    method,
-                    self.effort,
-                )
+                };
+                let passage = methods.follow(method, &leg, self.effort)?;
+                Ok(Passage {
+                    states: passage.states.iter().map(|y| sized(y)).collect(),
+                    time: passage.time,
+                    end: sized(&passage.end),
+                    stopped: passage.stopped,
+                    cost: passage.cost,
+                })
             }
             Stepper::Events => Err(Error::Solver {
                 condition: "the solver events must be given a scene with closed forms between events",
@@ -291,6 +301,11 @@ impl<F> Run<'_, F> {
         }
         Ok(whole)
     }
+}
+
+/// So many numbers of a slice; it has as many.
+fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
+    core::array::from_fn(|n| slice[n])
 }
 
 /// The places of the times in ascending order.
@@ -330,10 +345,10 @@ const ROUNDING: f64 = 4e-16;
 /// has grown. Those of the run.
 pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     request: &Request,
-    stepper: Stepper,
+    solver: Solver,
     flow: impl Fn(f64) -> Result<F>,
 ) -> Result<Answer<F::Phase, N>> {
-    let budget = &Budget::asked(request);
+    let (stepper, budget) = (stepper(solver, request)?, &Budget::asked(request));
     let (accuracy, count) = (request.accuracy(), request.times().len());
     let times = with_checks(request.times());
     let mut cost = Cost::default();
@@ -406,8 +421,8 @@ struct Efforts {
 const LEAST_STEP: f64 = 1e-7;
 
 impl Efforts {
-    fn new(stepper: Stepper, accuracy: f64, angle: f64, last: f64) -> Self {
-        if let Stepper::General(method) = stepper
+    fn new(stepper: Stepper<'_>, accuracy: f64, angle: f64, last: f64) -> Self {
+        if let Stepper::General(_, method) = stepper
             && !method.is_adaptive()
         {
             let step = last.abs().max(f64::MIN_POSITIVE) / 64.0_f64.max(4.0 * angle);
@@ -475,7 +490,7 @@ fn with_checks(times: &[f64]) -> Vec<f64> {
 /// By what factor a change of the start has grown: a run from a start that is moved by a ten-millionth of the scales, against one from the start itself.
 fn growth<const N: usize, F: Flow<N>>(
     flow: &F,
-    stepper: Stepper,
+    stepper: Stepper<'_>,
     effort: Effort,
     times: &[f64],
     budget: &Budget,
@@ -512,16 +527,18 @@ fn growth<const N: usize, F: Flow<N>>(
 /// A small displacement of the start, in units of the scales.
 const MOVED: f64 = 1e-7;
 
-/// The stepper of a plan.
-///
-/// # Errors
-/// [`Error::Solver`] for a solver that steps no flow.
-pub(crate) fn stepper(solver: Solver) -> Result<Stepper> {
+/// What steps for a solver.
+fn stepper(solver: Solver, request: &Request) -> Result<Stepper<'static>> {
     match solver {
-        Solver::General(method) => Ok(Stepper::General(method)),
-        Solver::Geometric(super::Geometric::DormandPrince8) => Ok(Stepper::OrderEight),
+        Solver::General(method) => match request.methods() {
+            Some(methods) => Ok(Stepper::General(methods, method)),
+            None => Err(Error::Solver {
+                condition: "this solver is not the library's own, which has exact, events, dormand-prince-8 and, for tops, the geometric ones; a request may bring general methods with it",
+            }),
+        },
+        Solver::Geometric(Geometric::DormandPrince8) => Ok(Stepper::OrderEight),
         Solver::Events | Solver::Exact => Ok(Stepper::Events),
-        Solver::Geometric(_) => Err(super::only_for_tops()),
+        Solver::Geometric(_) => Err(only_for_tops()),
     }
 }
 
@@ -541,9 +558,9 @@ pub(crate) fn planned(
     request: &Request,
     closed: core::result::Result<Closed, &'static str>,
     has: &'static str,
-) -> Result<super::Plan> {
-    const OURS: Solver = Solver::Geometric(super::Geometric::DormandPrince8);
-    let plan = |solver, reason: &str| Ok(super::Plan::new(solver, reason.to_owned()));
+) -> Result<Plan> {
+    const OURS: Solver = Solver::Geometric(Geometric::DormandPrince8);
+    let plan = |solver, reason: &str| Ok(Plan::new(solver, reason.to_owned()));
     match (request.choice(), closed) {
         (Choice::Auto, Ok(closed)) => plan(closed.solver, closed.reason),
         (Choice::Auto, Err(reason)) => plan(OURS, reason),

@@ -4,16 +4,17 @@ use super::budget::Progress;
 use super::plan::{Choice, Plan};
 use crate::conservation::Ledger;
 use crate::error::{Error, Result, finite};
-use crate::integrators::Cost;
+use crate::integrators::{Cost, DifferentialEquations, GeneralMethods};
 
 /// What is asked of a scene: when, how well, and by which solver.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Request {
     times: Vec<f64>,
     accuracy: f64,
     choice: Choice,
     most: u64,
     progress: Option<Progress>,
+    methods: Option<&'static dyn GeneralMethods>,
 }
 
 impl Request {
@@ -37,6 +38,7 @@ impl Request {
             choice: Choice::Auto,
             most: Self::MOST_EVALUATIONS,
             progress: None,
+            methods: Some(&DifferentialEquations),
         })
     }
 
@@ -76,6 +78,16 @@ impl Request {
     pub fn watched(mut self, progress: &Progress) -> Self {
         self.progress = Some(progress.clone());
         self
+    }
+
+    /// The same with general methods at hand, for those who ask for one of them by its name.
+    pub fn with_methods(mut self, methods: &'static dyn GeneralMethods) -> Self {
+        self.methods = Some(methods);
+        self
+    }
+
+    pub(super) const fn methods(&self) -> Option<&'static dyn GeneralMethods> {
+        self.methods
     }
 
     pub(super) const fn most(&self) -> u64 {

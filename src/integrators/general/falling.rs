@@ -1,8 +1,8 @@
 //! Where between two steps a quantity falls through zero.
 
-use super::Event;
 use super::track::{Clock, Timed, carried};
 use crate::error::Result;
+use crate::integrators::Event;
 
 /// A quantity that may fall through zero, asked in phase.
 pub(super) struct Falling<'a, const N: usize> {

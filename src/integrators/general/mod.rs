@@ -9,146 +9,11 @@ mod falling;
 mod run;
 mod track;
 
-use crate::error::{Result, finite};
+use super::problem::{
+    AnyLeg, Cost, Effort, Event, GeneralMethods, Method, Passage, Solution, System,
+};
+use crate::error::{Error, Result, finite};
 use run::Run;
-
-/// Equations y' = f(t, y) for N numbers.
-pub trait System<const N: usize> {
-    /// f(t, y). May be called at states that the motion never reaches; a result that is not finite makes the step fail.
-    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N];
-
-    /// Told of the time after every step.
-    ///
-    /// # Errors
-    /// Those that end the run: where a budget of evaluations is spent, say.
-    fn reached(&self, _time: f64) -> Result<()> {
-        Ok(())
-    }
-}
-
-impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> System<N> for F {
-    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
-        self(t, y)
-    }
-}
-
-/// A method of the crate `differential-equations`, by its usual name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Method {
-    /// The classical Runge–Kutta method, order 4, fixed steps.
-    Rk4,
-    /// Dormand and Prince, order 5(4).
-    Dopri5,
-    /// Dormand and Prince as programmed by Hairer, order 8(5,3).
-    Dop853,
-    /// Verner's most efficient pair, order 9(8).
-    Verner98,
-    /// Gauss and Legendre's implicit method with three stages, order 6, fixed steps: symplectic and symmetric in time. A step costs ten times
-    /// the evaluations of one of RK4 and several hundred times its time, for Newton's method differentiates by differences and solves 3N
-    /// equations with matrices from the heap.
-    ///
-    /// The crate offers it with error control alone, by an estimate of order 2 that shrinks steps as if it were of order 6; and it counts
-    /// rejected steps from the start of the run and calls the equations stiff at the hundredth. Here the step is held and nothing is rejected.
-    Gauss,
-}
-
-impl Method {
-    /// All of them.
-    pub const ALL: [Self; 5] = [
-        Self::Rk4,
-        Self::Dopri5,
-        Self::Dop853,
-        Self::Verner98,
-        Self::Gauss,
-    ];
-
-    /// The name by which it is asked for.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rk4 => "rk4",
-            Self::Dopri5 => "dopri5",
-            Self::Dop853 => "dop853",
-            Self::Verner98 => "verner98",
-            Self::Gauss => "gauss",
-        }
-    }
-
-    /// Whether the step is chosen by an error estimate, and [`Effort::Tolerance`] asked for; if not, [`Effort::Step`].
-    pub const fn is_adaptive(self) -> bool {
-        !matches!(self, Self::Rk4 | Self::Gauss)
-    }
-}
-
-/// How hard a method works.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Effort {
-    /// Steps of this length at most, s.
-    Step(f64),
-    /// Error of one step: this times |y| + scale, component by component.
-    Tolerance(f64),
-}
-
-/// What a run has cost. The same on every machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Cost {
-    /// Evaluations of the right-hand side.
-    pub evaluations: u64,
-    /// Steps taken, accepted ones.
-    pub steps: u64,
-}
-
-impl core::ops::AddAssign for Cost {
-    fn add_assign(&mut self, other: Self) {
-        self.evaluations += other.evaluations;
-        self.steps += other.steps;
-    }
-}
-
-/// States at the times asked for, in their order.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Solution<const N: usize> {
-    /// One state a time.
-    pub states: Vec<[f64; N]>,
-    /// What it has cost.
-    pub cost: Cost,
-}
-
-/// A quantity whose zero ends a run.
-pub trait Event<const N: usize> {
-    /// g(t, y); the run ends where it falls through zero.
-    fn value(&self, t: f64, y: &[f64; N]) -> f64;
-}
-
-impl<const N: usize, F: Fn(f64, &[f64; N]) -> f64> Event<N> for F {
-    fn value(&self, t: f64, y: &[f64; N]) -> f64 {
-        self(t, y)
-    }
-}
-
-/// A run that ended by an event, or at its end.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Passage<const N: usize> {
-    /// States at those of the times asked for that were reached.
-    pub states: Vec<[f64; N]>,
-    /// Time at which the run ended.
-    pub time: f64,
-    /// State there.
-    pub end: [f64; N],
-    /// Whether an event ended it.
-    pub stopped: Stop,
-    /// What it has cost.
-    pub cost: Cost,
-}
-
-/// What ended a [`Passage`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stop {
-    /// The time was up.
-    AtTheEnd,
-    /// The event's quantity fell through zero.
-    AtTheEvent,
-}
 
 /// States at all of `times` (s, in any order, before and after `start_time` alike).
 ///
@@ -226,7 +91,7 @@ pub fn until<const N: usize>(
     event: &dyn Event<N>,
     method: Method,
     effort: Effort,
-) -> Result<Passage<N>> {
+) -> Result<Passage<[f64; N]>> {
     Run {
         system,
         scales,
@@ -234,4 +99,70 @@ pub fn until<const N: usize>(
         effort,
     }
     .until(start_time, start, times, end_time, event)
+}
+
+/// The methods of the crate `differential-equations`, for scenes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DifferentialEquations;
+
+impl GeneralMethods for DifferentialEquations {
+    fn follow(
+        &self,
+        method: Method,
+        leg: &AnyLeg<'_>,
+        effort: Effort,
+    ) -> Result<Passage<Vec<f64>>> {
+        match leg.start.1.len() {
+            1 => sized::<1>(method, leg, effort),
+            2 => sized::<2>(method, leg, effort),
+            3 => sized::<3>(method, leg, effort),
+            4 => sized::<4>(method, leg, effort),
+            5 => sized::<5>(method, leg, effort),
+            6 => sized::<6>(method, leg, effort),
+            7 => sized::<7>(method, leg, effort),
+            8 => sized::<8>(method, leg, effort),
+            12 => sized::<12>(method, leg, effort),
+            count => Err(Error::Condition {
+                condition: "the general methods are compiled for 1 to 8 and for 12 numbers",
+                value: count as f64,
+            }),
+        }
+    }
+}
+
+/// The same for a number of numbers that the compiler knows.
+fn sized<const N: usize>(
+    method: Method,
+    leg: &AnyLeg<'_>,
+    effort: Effort,
+) -> Result<Passage<Vec<f64>>> {
+    struct Slices<'a, 'b, const N: usize>(&'a AnyLeg<'b>);
+    impl<const N: usize> System<N> for Slices<'_, '_, N> {
+        fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
+            let mut rate = [0.0; N];
+            (self.0.rate)(t, y, &mut rate);
+            rate
+        }
+
+        fn reached(&self, time: f64) -> Result<()> {
+            (self.0.reached)(time)
+        }
+    }
+    let of = |slice: &[f64]| -> [f64; N] { core::array::from_fn(|n| slice[n]) };
+    let (time, start) = (leg.start.0, of(leg.start.1));
+    let margin = |t: f64, y: &[f64; N]| leg.event.map_or(1.0, |event| event(t, y));
+    let run = Run {
+        system: &Slices::<N>(leg),
+        scales: &of(leg.scales),
+        method,
+        effort,
+    };
+    let passage = run.until(time, &start, leg.times, leg.end, &margin)?;
+    Ok(Passage {
+        states: passage.states.iter().map(|y| y.to_vec()).collect(),
+        time: passage.time,
+        end: passage.end.to_vec(),
+        stopped: passage.stopped,
+        cost: passage.cost,
+    })
 }

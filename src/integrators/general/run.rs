@@ -8,9 +8,9 @@ use differential_equations::solution::Solution as Finished;
 
 use super::falling::{Falling, falling};
 use super::track::{Clock, Timed, Track, carried};
-use super::{Cost, Effort, Event, Method, Passage, Stop, System};
 use crate::error::{Error, Result, finite, positive};
 use crate::integrators::scaled::Scaled;
+use crate::integrators::{Cost, Effort, Event, Method, Passage, Stop, System};
 
 /// Most steps of one run; more than a minute of computing.
 const MOST_STEPS: usize = 20_000_000;
@@ -30,7 +30,7 @@ impl<const N: usize> Run<'_, N> {
         times: &[f64],
         end_time: f64,
         event: &dyn Event<N>,
-    ) -> Result<Passage<N>> {
+    ) -> Result<Passage<[f64; N]>> {
         finite("the time", end_time)?;
         for &component in start {
             finite("the state at the start", component)?;
@@ -110,7 +110,7 @@ impl<const N: usize> Run<'_, N> {
         start: &[f64; N],
         times: &[f64],
         event: &dyn Event<N>,
-    ) -> Result<Passage<N>>
+    ) -> Result<Passage<[f64; N]>>
     where
         M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,
     {

@@ -79,7 +79,11 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
     /// nothing, or there are more than 2·10⁸ of them; those of [`System::reached`].
     ///
     /// Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.5, II.6 and II.10.
-    pub fn follow(&self, event: Option<&dyn Event<N>>, effort: Effort) -> Result<Passage<N>> {
+    pub fn follow(
+        &self,
+        event: Option<&dyn Event<N>>,
+        effort: Effort,
+    ) -> Result<Passage<[f64; N]>> {
         for &t in self.times.iter().chain([&self.start.0, &self.end]) {
             finite("the time", t)?;
         }
@@ -195,7 +199,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         }
     }
 
-    fn to_the_end(mut self, event: Option<&dyn Event<N>>, pace: Pace) -> Result<Passage<N>> {
+    fn to_the_end(mut self, event: Option<&dyn Event<N>>, pace: Pace) -> Result<Passage<[f64; N]>> {
         let leg = self.leg;
         let first = leg.start.1;
         while leg.times.get(self.states.len()) == Some(&leg.start.0) {
@@ -239,7 +243,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         Ok(self.passage(leg.end, end, Stop::AtTheEnd))
     }
 
-    fn passage(self, time: f64, end: [f64; N], stopped: Stop) -> Passage<N> {
+    fn passage(self, time: f64, end: [f64; N], stopped: Stop) -> Passage<[f64; N]> {
         Passage {
             states: self.states,
             time,

@@ -204,7 +204,7 @@ impl Run<'_> {
         let event = |_: f64, y: &Numbers| self.margin(y, mode);
         let effort = Effort::Tolerance(self.tolerance);
         let (scales, method) = (self.scales, self.method);
-        let passage: Passage<NUMBERS> = until(
+        let passage: Passage<[f64; NUMBERS]> = until(
             &self.budget.counted(rates),
             now,
             y,

@@ -82,7 +82,7 @@ impl Stepping<'_> {
         scales: [f64; N],
         (begin, times): (f64, &[f64]),
         event: impl Fn(f64, &[f64; N]) -> f64,
-    ) -> Result<Passage<N>> {
+    ) -> Result<Passage<[f64; N]>> {
         let end = times.last().map_or(begin, |last| last.max(begin));
         let effort = Effort::Tolerance(self.tolerance);
         until(
@@ -101,7 +101,7 @@ impl Stepping<'_> {
     /// A passage as a leg. The state is a coordinate, the spin and the heat.
     fn leg(
         &self,
-        passage: Passage<3>,
+        passage: Passage<[f64; 3]>,
         sample: impl Fn(&[f64; 3]) -> Sample,
         energy: impl Fn(&[f64; 3]) -> f64,
     ) -> Leg {

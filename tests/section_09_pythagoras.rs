@@ -8,6 +8,7 @@ use spinning_bodies::frame::SpaceVector;
 use spinning_bodies::pythagoras::{
     GasBox, Orientation, opposite_side, polygon_torques, reversal_angle, tetrahedron_areas,
 };
+use support::{observed, relative};
 
 fn box_345() -> GasBox {
     GasBox::new([0.0, 0.0], [4.0, 0.0], [4.0, 3.0]).unwrap()
@@ -78,7 +79,7 @@ fn s9_1_arms() {
     let arms = gas.arms();
     // Half of each side. Corners rounded once; observed 3e-16.
     for (arm, half) in [(arms.ar, 2.0), (arms.rb, 1.5), (arms.ab, 2.5)] {
-        assert_relative_eq!(arm, half, max_relative = 1e-15, epsilon = 0.0);
+        observed!(relative(arm, half), 0.0..=1e-15);
     }
     // Torque over force, the torque by the pressure integrated along the side.
     for (from, to, arm, side) in [
@@ -87,12 +88,7 @@ fn s9_1_arms() {
         (b, a, arms.ab, 5.0),
     ] {
         let torque = by_quadrature(from, to, a, 7);
-        assert_relative_eq!(
-            torque.abs() / side,
-            arm,
-            max_relative = 2e-15,
-            epsilon = 0.0
-        );
+        observed!(relative(torque.abs() / side, arm), 1e-16..=2e-15);
     }
 }
 
@@ -110,18 +106,11 @@ fn s9_1_pythagoras_from_the_balance() {
         let torques = gas.side_torques();
         let [_, _, ab] = gas.sides();
         // What turns one way is what turns the other, and it is ½(AR² + RB²) against ½AB².
-        assert_relative_eq!(
-            -(torques.ar + torques.rb),
-            torques.ab,
-            max_relative = 4.5e-16,
-            epsilon = 0.0
+        observed!(
+            relative(-(torques.ar + torques.rb), torques.ab),
+            0.0..=4.5e-16
         );
-        assert_relative_eq!(
-            ar * ar + rb * rb,
-            ab * ab,
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
+        observed!(relative(ar * ar + rb * rb, ab * ab), 0.0..=1e-15);
         assert_eq!(gas.right_angle_defect(), 0.0);
     }
 }
@@ -164,11 +153,9 @@ fn s9_1_pythagoras_for_a_tetrahedron() {
     let corner = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 6.0]];
     let areas = tetrahedron_areas(corner).unwrap();
     let size = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
-    assert_relative_eq!(
-        size(areas[0]),
-        11.224_972_160_321_824,
-        max_relative = 4.5e-16,
-        epsilon = 0.0
+    observed!(
+        relative(size(areas[0]), 11.224_972_160_321_824),
+        0.0..=4.5e-16
     );
     // Opposite the vertex on the x-axis lies the face in the yz-plane, and so on.
     assert_eq!(
@@ -176,11 +163,9 @@ fn s9_1_pythagoras_for_a_tetrahedron() {
         [9.0, 6.0, 3.0]
     );
     assert_eq!(areas[1], [-9.0, 0.0, 0.0]);
-    assert_relative_eq!(
-        size(areas[0]).powi(2),
-        81.0 + 36.0 + 9.0,
-        max_relative = 4.5e-16,
-        epsilon = 0.0
+    observed!(
+        relative(size(areas[0]).powi(2), 81.0 + 36.0 + 9.0),
+        0.0..=4.5e-16
     );
     // The forces balance for this and for any tetrahedron, whichever way its corners are numbered.
     let skew = [
@@ -192,7 +177,7 @@ fn s9_1_pythagoras_for_a_tetrahedron() {
     for vertices in [corner, skew, [skew[1], skew[0], skew[2], skew[3]]] {
         let areas = tetrahedron_areas(vertices).unwrap();
         for k in 0..3 {
-            assert!(areas.iter().map(|a| a[k]).sum::<f64>().abs() < 2e-15);
+            observed!(areas.iter().map(|a| a[k]).sum::<f64>().abs(), 4e-16..=2e-15);
         }
         // Outward: each points away from the vertex opposite.
         for (j, area) in areas.iter().enumerate() {
@@ -210,12 +195,7 @@ fn s9_1_pythagoras_for_a_tetrahedron() {
 fn s9_2_cosine_law() {
     let gamma: f64 = 2.0;
     let ab = opposite_side(4.0, 3.0, gamma).unwrap();
-    assert_relative_eq!(
-        ab * ab,
-        34.987_524_077_131_42,
-        max_relative = 4.5e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(ab * ab, 34.987_524_077_131_42), 0.0..=4.5e-16);
     for gamma in [0.3, 1.0, 1.5, 2.0, 3.0] {
         let gas = GasBox::from_sides(4.0, 3.0, gamma).unwrap();
         let torques = gas.side_torques();
@@ -230,28 +210,22 @@ fn s9_2_cosine_law() {
             epsilon = 4e-15
         );
         let law = 16.0 + 9.0 - 24.0 * gamma.cos();
-        assert_relative_eq!(2.0 * torques.ab, law, max_relative = 2e-15, epsilon = 0.0);
-        assert_relative_eq!(
-            gas.right_angle_defect(),
-            24.0 * gamma.cos(),
-            max_relative = 1e-14,
-            epsilon = 0.0
+        observed!(relative(2.0 * torques.ab, law), 0.0..=2e-15);
+        observed!(
+            relative(gas.right_angle_defect(), 24.0 * gamma.cos()),
+            3e-16..=1e-14
         );
-        assert_relative_eq!(gas.angle_at_r(), gamma, max_relative = 1e-15, epsilon = 0.0);
+        observed!(relative(gas.angle_at_r(), gamma), 0.0..=1e-15);
         let [_, _, side] = gas.sides();
-        assert_relative_eq!(
-            opposite_side(4.0, 3.0, gamma).unwrap(),
-            side,
-            max_relative = 1e-15,
-            epsilon = 0.0
+        observed!(
+            relative(opposite_side(4.0, 3.0, gamma).unwrap(), side),
+            0.0..=1e-15
         );
     }
     // Flat triangles: the sum and the difference of the sides.
-    assert_relative_eq!(
-        opposite_side(4.0, 3.0, std::f64::consts::PI).unwrap(),
-        7.0,
-        max_relative = 2.3e-16,
-        epsilon = 0.0
+    observed!(
+        relative(opposite_side(4.0, 3.0, std::f64::consts::PI).unwrap(), 7.0),
+        0.0..=2.3e-16
     );
     assert_eq!(opposite_side(4.0, 3.0, 0.0), Ok(1.0));
 }
@@ -265,20 +239,13 @@ fn s9_2_change_of_sense() {
             .side_torques()
             .rb
     };
-    assert_relative_eq!(
-        torque(0.5),
-        12.0 * 0.5_f64.cos() - 4.5,
-        max_relative = 2e-15,
-        epsilon = 0.0
+    observed!(
+        relative(torque(0.5), 12.0 * 0.5_f64.cos() - 4.5),
+        0.0..=2e-15
     );
     assert!((torque(0.5) - 6.03).abs() < 1e-2 && torque(std::f64::consts::FRAC_PI_2) < 0.0);
     let flip = reversal_angle(4.0, 3.0).unwrap().unwrap();
-    assert_relative_eq!(
-        flip,
-        1.186_399_552_299_257_5,
-        max_relative = 2.3e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(flip, 1.186_399_552_299_257_5), 0.0..=2.3e-16);
     assert!(torque(flip - 1e-9) > 0.0 && torque(flip + 1e-9) < 0.0);
     // A long RB never changes its sense.
     assert_eq!(reversal_angle(1.0, 2.1), Ok(None));
@@ -307,12 +274,7 @@ fn s9_2_needles() {
     let defect = square(a, r) + square(r, b) - square(a, b);
     let expected = *defect.numer() as f64 / *defect.denom() as f64;
     let gas = GasBox::new(a, r, b).unwrap();
-    assert_relative_eq!(
-        gas.right_angle_defect(),
-        expected,
-        max_relative = 2.3e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(gas.right_angle_defect(), expected), 0.0..=2.3e-16);
     let [ar, rb, ab] = gas.sides();
     let naive = ar * ar + rb * rb - ab * ab;
     println!("exact {expected}, difference of squares {naive}");
@@ -324,11 +286,9 @@ fn s9_2_needles() {
     let (side, gamma) = (1.0, 1e-9_f64);
     let textbook = (2.0 * side * side - 2.0 * side * side * gamma.cos()).sqrt();
     assert_eq!(textbook, 0.0);
-    assert_relative_eq!(
-        opposite_side(side, side, gamma).unwrap(),
-        1e-9,
-        max_relative = 2.3e-16,
-        epsilon = 0.0
+    observed!(
+        relative(opposite_side(side, side, gamma).unwrap(), 1e-9),
+        0.0..=2.3e-16
     );
 }
 

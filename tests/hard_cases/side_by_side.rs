@@ -1,6 +1,7 @@
 //! The formula of the textbook beside ours, on the cases of the chapter "Hard cases".
 
 use spinning_bodies::hard_cases::{Way, families, named};
+use support::observed;
 
 /// Observed: 2.9e-16 at most; 1.0e-15 for the longest time, where a phase of 106 bits begins to show.
 #[test]
@@ -24,7 +25,12 @@ fn the_textbook_is_right_on_paper_and_runs_out_of_digits() {
         let steps = family.comparisons().unwrap();
         assert_eq!(steps.len(), family.steps());
         let (first, last) = (steps[0], steps[steps.len() - 1]);
-        assert!(first.textbook < 1e-14, "{}: {first:?}", family.name());
+        observed!(
+            first.textbook,
+            2e-15..=1e-14,
+            "{}: {first:?}",
+            family.name()
+        );
         // Not a number is no answer.
         let lost = last.textbook.is_nan() || last.textbook > 5e-8;
         assert!(lost, "{}: {last:?}", family.name());

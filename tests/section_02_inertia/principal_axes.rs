@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PrincipalMoments, ellipsoid_of_inertia, shapes};
 use spinning_bodies::{Error, Result};
+use support::observed;
 
 use crate::common::{EPS, four_masses};
 
@@ -47,10 +48,13 @@ fn s2_4_principal_axes_exist() -> Result<()> {
         // A root of the characteristic polynomial: its coefficients are rational.
         let (x, p) = (moment, inertia.matrix());
         let characteristic = (p - Matrix3::from_diagonal_element(x)).determinant();
-        assert!(characteristic.abs() < 1e-14, "{characteristic:e}");
+        observed!(characteristic.abs(), 6e-16..=1e-14, "{characteristic:e}");
     }
     let v = principal.axes();
-    assert!((v.transpose() * v - Matrix3::identity()).amax() <= 1e-15);
+    observed!(
+        (v.transpose() * v - Matrix3::identity()).amax(),
+        1e-16..=1e-15
+    );
     assert!(v.determinant() > 0.0);
     let again = v * Matrix3::from_diagonal(&principal.moments().into()) * v.transpose();
     assert!((again - inertia.matrix()).amax() <= 1e-15 * 5.82);

@@ -1,8 +1,8 @@
 //! 3.5: a body that changes its shape turns without angular momentum.
 
-use approx::assert_relative_eq;
 use spinning_bodies::conservation::{CompensatedSum, Law, Ledger};
 use spinning_bodies::phenomena::Waist;
+use support::{observed, relative};
 
 // claim: C3.5-3, C1.1-3
 #[test]
@@ -14,12 +14,7 @@ fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
     };
     let quarter = std::f64::consts::FRAC_PI_2;
     let turn = body.swivel_angle(quarter).unwrap();
-    assert_relative_eq!(
-        turn,
-        -std::f64::consts::FRAC_PI_8,
-        max_relative = 4e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(turn, -std::f64::consts::FRAC_PI_8), 0.0..=4e-16);
 
     // At zero angular momentum, A(β' + ψ') + Bβ' = 0: integrate the four phases at an uneven pace, arms moving in
     // phases two and four, when nothing turns. Midpoint rule in a pace s(u) = u³; the turn is linear in ψ: exact.
@@ -38,15 +33,13 @@ fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
             l.record(none, upper * (lower + twist) + lower).unwrap();
         }
         if upper == 3.0 {
-            assert_relative_eq!(
-                beta.value(),
-                -3.0 * std::f64::consts::FRAC_PI_8,
-                max_relative = 1e-15,
-                epsilon = 0.0
+            observed!(
+                relative(beta.value(), -3.0 * std::f64::consts::FRAC_PI_8),
+                0.0..=1e-15
             );
         }
     }
-    assert_relative_eq!(beta.value(), turn, max_relative = 2e-15, epsilon = 0.0);
+    observed!(relative(beta.value(), turn), 0.0..=2e-15);
     assert!(l.is_kept_within(1e-17).unwrap(), "{l}");
     for (still, twist) in [
         (
@@ -61,14 +54,14 @@ fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
     ] {
         assert_eq!(still.swivel_angle(twist).unwrap(), 0.0);
     }
-    assert!(
+    observed!(
         Waist {
             lower: 1e300,
             ..body
         }
         .swivel_angle(quarter)
         .unwrap()
-        .abs()
-            < 1e-299
+        .abs(),
+        0.0..=1e-299
     );
 }

@@ -1,7 +1,7 @@
 //! 3.5: spheroids and ellipsoids that turn.
 
-use approx::assert_relative_eq;
 use spinning_bodies::rotating_fluid::{JacobiEllipsoid, MaclaurinSpheroid};
+use support::{observed, relative};
 
 /// Potential coefficient A_i of a spheroid by Simpson's rule, straight from its definition
 /// a²c ∫ du/(Δ (a_i²+u)) with u = c² s²/(1−s)².
@@ -45,26 +45,17 @@ fn s3_5_maclaurin_spheroids() {
     assert!(worst_ratio <= 4.5, "{worst_ratio} ulp");
 
     let rotation = |e| MaclaurinSpheroid::from_eccentricity(e).unwrap().rotation();
-    assert_relative_eq!(
-        rotation(0.6),
-        0.201_352_059_619_914_088_2,
-        max_relative = 4e-16,
-        epsilon = 0.0
+    observed!(
+        relative(rotation(0.6), 0.201_352_059_619_914_088_2),
+        0.0..=4e-16
     );
     assert_eq!(rotation(0.0), 0.0);
-    assert_relative_eq!(
-        rotation(1e-8),
-        8.0 / 15.0 * 1e-16,
-        max_relative = 4e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(rotation(1e-8), 8.0 / 15.0 * 1e-16), 0.0..=4e-16);
     // The disc: πq.
     let disc = MaclaurinSpheroid::from_axis_ratio(1e-12).unwrap();
-    assert_relative_eq!(
-        disc.rotation(),
-        std::f64::consts::PI * 1e-12,
-        max_relative = 3e-12,
-        epsilon = 0.0
+    observed!(
+        relative(disc.rotation(), std::f64::consts::PI * 1e-12),
+        8e-13..=3e-12
     );
 
     // Ω²/(πGρ) = 2(A₁ − A₃c²/a²) with the coefficients integrated. Simpson's error here: observed 2e-13.
@@ -74,28 +65,22 @@ fn s3_5_maclaurin_spheroids() {
             coefficient_by_quadrature(q, 1.0),
             coefficient_by_quadrature(q, q),
         );
-        assert_relative_eq!(2.0 * a1 + a3, 2.0, max_relative = 1e-12, epsilon = 0.0);
-        assert_relative_eq!(
-            star.rotation(),
-            2.0 * (a1 - a3 * q * q),
-            max_relative = 1e-11,
-            epsilon = 0.0
+        observed!(relative(2.0 * a1 + a3, 2.0), 6e-15..=2e-13);
+        observed!(
+            relative(star.rotation(), 2.0 * (a1 - a3 * q * q)),
+            1e-14..=5e-13
         );
     }
 
     // Expected values of the register, 20 digits. Observed: 2 ulp at most.
     let fastest = MaclaurinSpheroid::fastest();
-    assert_relative_eq!(
-        fastest.eccentricity(),
-        0.929_955_685_456_232_994_18,
-        max_relative = 5e-16,
-        epsilon = 0.0
+    observed!(
+        relative(fastest.eccentricity(), 0.929_955_685_456_232_994_18),
+        0.0..=5e-16
     );
-    assert_relative_eq!(
-        fastest.rotation(),
-        0.449_331_412_123_913_854_36,
-        max_relative = 9e-16,
-        epsilon = 0.0
+    observed!(
+        relative(fastest.rotation(), 0.449_331_412_123_913_854_36),
+        2e-16..=9e-16
     );
     for e in [0.5, 0.9, 0.929, 0.931, 0.95] {
         assert!(rotation(e) < fastest.rotation());
@@ -106,48 +91,27 @@ fn s3_5_maclaurin_spheroids() {
 #[test]
 fn s3_5_jacobi_ellipsoids_branch_off() {
     let branch = MaclaurinSpheroid::at_jacobi_bifurcation();
-    assert_relative_eq!(
-        branch.eccentricity(),
-        0.812_670_010_611_742_949_48,
-        max_relative = 2e-15,
-        epsilon = 0.0
+    observed!(
+        relative(branch.eccentricity(), 0.812_670_010_611_742_949_48),
+        0.0..=2e-15
     );
-    assert_relative_eq!(
-        branch.rotation(),
-        0.374_229_674_786_195_634_35,
-        max_relative = 2e-15,
-        epsilon = 0.0
+    observed!(
+        relative(branch.rotation(), 0.374_229_674_786_195_634_35),
+        0.0..=2e-15
     );
     // An independent closed form of the same condition: arcsin e = e√(1−e²)(3+10e²)/(3+8e²−8e⁴) (Chandrasekhar 1969).
     let e2 = branch.eccentricity().powi(2);
     let closed = branch.eccentricity() * (1.0 - e2).sqrt() * (3.0 + 10.0 * e2)
         / (3.0 + 8.0 * e2 - 8.0 * e2 * e2);
-    assert_relative_eq!(
-        branch.eccentricity().asin(),
-        closed,
-        max_relative = 3e-15,
-        epsilon = 0.0
-    );
-    assert_relative_eq!(
-        branch.energy_ratio(),
-        0.137_528,
-        max_relative = 3e-6,
-        epsilon = 0.0
-    );
+    observed!(relative(branch.eccentricity().asin(), closed), 0.0..=3e-15);
+    observed!(relative(branch.energy_ratio(), 0.137_528), 4e-7..=3e-6);
 
     // Jacobi's own sequence: starts where it branches, turns slower as it lengthens (models of the field: six digits).
     let start = JacobiEllipsoid::from_axis_ratio(1.0).unwrap();
-    assert_relative_eq!(
-        start.rotation(),
-        branch.rotation(),
-        max_relative = 2e-15,
-        epsilon = 0.0
-    );
-    assert_relative_eq!(
-        start.angular_momentum(),
-        branch.angular_momentum(),
-        max_relative = 2e-15,
-        epsilon = 0.0
+    observed!(relative(start.rotation(), branch.rotation()), 2e-16..=2e-15);
+    observed!(
+        relative(start.angular_momentum(), branch.angular_momentum()),
+        1e-16..=2e-15
     );
     for (b, c, rotation) in [
         (0.9, 0.551_873, 0.372_567),
@@ -156,13 +120,8 @@ fn s3_5_jacobi_ellipsoids_branch_off() {
         (0.432_232, 0.345_069, 0.284_030),
     ] {
         let star = JacobiEllipsoid::from_axis_ratio(b).unwrap();
-        assert_relative_eq!(star.axes()[2], c, max_relative = 2e-6, epsilon = 0.0);
-        assert_relative_eq!(
-            star.rotation(),
-            rotation,
-            max_relative = 2e-6,
-            epsilon = 0.0
-        );
+        observed!(relative(star.axes()[2], c), 4e-7..=2e-6);
+        observed!(relative(star.rotation(), rotation), 4e-7..=2e-6);
         assert!(star.angular_momentum() > branch.angular_momentum());
     }
     // Twenty digits from quadrature in multiple precision. Observed 7e-16.
@@ -179,20 +138,10 @@ fn s3_5_jacobi_ellipsoids_branch_off() {
         ),
     ] {
         let star = JacobiEllipsoid::from_axis_ratio(b).unwrap();
-        assert_relative_eq!(star.axes()[2], c, max_relative = 1.2e-15, epsilon = 0.0);
-        assert_relative_eq!(
-            star.rotation(),
-            rotation,
-            max_relative = 1.2e-15,
-            epsilon = 0.0
-        );
+        observed!(relative(star.axes()[2], c), 0.0..=1.2e-15);
+        observed!(relative(star.rotation(), rotation), 2e-16..=1.2e-15);
     }
     // As near to 1 as one likes, without a jump from the limit a²−b² → 0.
     let near = JacobiEllipsoid::from_axis_ratio(1.0 - 1e-9).unwrap();
-    assert_relative_eq!(
-        near.axes()[2],
-        branch.axis_ratio(),
-        max_relative = 2e-9,
-        epsilon = 0.0
-    );
+    observed!(relative(near.axes()[2], branch.axis_ratio()), 2e-10..=2e-9);
 }

@@ -1,11 +1,11 @@
 //! 5.1: the flow on the momentum sphere.
 
-use approx::assert_relative_eq;
 use spinning_bodies::euler_equations::{
     Nature, equilibria, fastest_flow, flow, separatrix_slope, streamline,
 };
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::PrincipalMoments;
+use support::{observed, relative};
 
 use crate::common::moments;
 
@@ -14,7 +14,7 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
     let body = moments([1.0, 2.0, 3.0]);
     let l = BodyVector::new(0.3, -0.5, 0.8);
     let by_omega = l.cross(&body.angular_velocity(l));
-    assert!((flow(&body, l) - by_omega).norm() < 2e-16);
+    observed!((flow(&body, l) - by_omega).norm(), 0.0..=2e-16);
     let natures = equilibria(&body).map(|e| {
         assert_eq!(flow(&body, e.direction), BodyVector::zero());
         e.nature
@@ -22,11 +22,9 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
     let (c, s) = (Nature::Center, Nature::Saddle);
     assert_eq!(natures, [c, c, s, s, c, c]);
     // 6.7: (I₃−I₂)(I₂−I₁)/(I₂²I₁I₃) = 1/12 at the saddle, for |L| = 1.
-    assert_relative_eq!(
-        equilibria(&body)[2].growth_squared,
-        1.0 / 12.0,
-        max_relative = 3e-16,
-        epsilon = 0.0
+    observed!(
+        relative(equilibria(&body)[2].growth_squared, 1.0 / 12.0),
+        0.0..=3e-16
     );
     assert!(
         equilibria(&moments([2.0, 2.0, 2.0]))
@@ -36,13 +34,14 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
     // The separatrix is a great circle that the flow keeps, and it ends in the saddle.
     let sorted = PrincipalMoments::new(1.0, 2.0, 3.0).unwrap();
     let slope = separatrix_slope(&sorted);
-    assert_relative_eq!(slope, 3.0_f64.sqrt(), max_relative = 3e-16, epsilon = 0.0);
+    observed!(relative(slope, 3.0_f64.sqrt()), 0.0..=3e-16);
     let start = BodyVector::new(1.0, 0.0, slope) / 2.0;
     let path = streamline(&body, start, 0.01, 4000).unwrap();
     for p in &path[..1500] {
         // Observed 2e-11: a disturbance of the first step's error grows by e^(t/√12).
-        assert!(
-            (p.z() - slope * p.x()).abs() < 1e-10,
+        observed!(
+            (p.z() - slope * p.x()).abs(),
+            2e-14..=6e-13,
             "{:e}",
             (p.z() - slope * p.x()).abs()
         );
@@ -58,6 +57,6 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
         }
     }
     let bound = fastest_flow(&sorted);
-    assert_relative_eq!(bound, 1.0 / 3.0, max_relative = 3e-16, epsilon = 0.0);
+    observed!(relative(bound, 1.0 / 3.0), 0.0..=3e-16);
     assert!(fastest <= bound && fastest > 0.9999 * bound);
 }

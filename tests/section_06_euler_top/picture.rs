@@ -4,10 +4,10 @@ use crate::common::{
     at, integrals, omega, random_start, ration, rational_moments, thrown, tilted, vector, within,
 };
 use crate::support::{R, Uniform, rational};
-use approx::assert_relative_eq;
 use spinning_bodies::euler_top::{Poinsot, Regime, Sector, separatrix_slope};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{MassProperties, shapes};
+use support::{observed, relative};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
@@ -74,28 +74,29 @@ fn s6_3_ellipsoid_meets_sphere() {
                 let on_ellipsoid: f64 = (0..3)
                     .map(|k| c[k] * c[k] / (twice_energy * moments[k]))
                     .sum();
-                within((on_ellipsoid - 1.0).abs(), 4e-15); // observed 1.1e-15
-                within((l.norm() / start.norm() - 1.0).abs(), 2e-15); // observed 4.4e-16
+                observed!((on_ellipsoid - 1.0).abs(), 4e-16..=4e-15); // observed 1.1e-15
+                observed!((l.norm() / start.norm() - 1.0).abs(), 1e-16..=2e-15); // observed 4.4e-16
             }
         }
     }
     // The separatrix lies in two planes through x₂.
-    assert_relative_eq!(
-        separatrix_slope(MOMENTS).unwrap(),
-        0.577_350_269_189_625_764_5,
-        max_relative = 2.3e-16,
-        epsilon = 0.0
+    observed!(
+        relative(
+            separatrix_slope(MOMENTS).unwrap(),
+            0.577_350_269_189_625_764_5
+        ),
+        0.0..=2.3e-16
     );
     // Slope 3/4 for I = (3/2, 3, 4), a number the machine has: the motion is on it, and stays.
     let slope = separatrix_slope([1.5, 3.0, 4.0]).unwrap();
-    assert_relative_eq!(slope, 0.75, max_relative = 2.3e-16, epsilon = 0.0);
+    observed!(relative(slope, 0.75), 0.0..=2.3e-16);
     for (l3, slope) in [(2.0, 0.75), (-2.0, -0.75)] {
         let top = thrown([1.5, 3.0, 4.0], [1.0, 0.5, l3]);
         assert_eq!(top.regime(), Regime::Separatrix);
         for k in -40..40 {
             let [o1, _, o3] = omega(&top, 5.0 * f64::from(k));
             // Two roundings, far out where both are nearly gone as well.
-            within((o3 / o1 / slope - 1.0).abs(), 4.5e-16); // observed none
+            observed!((o3 / o1 / slope - 1.0).abs(), 0.0..=4.5e-16); // observed none
         }
     }
     // On these planes, L² = 2EI₂ exactly: 7.5 = 3 · 2.5 and so on.
@@ -146,9 +147,9 @@ fn s6_3_four_eyes() {
             if turning == axis {
                 // dΩ₁ = −(I₃−I₂)Ω₂Ω₃/I₁: with the spin about the largest moment, against it about the smallest.
                 let sense = if about_largest { 1.0 } else { -1.0 } * o[axis].signum();
-                within((turns - sense).abs(), 6e-15); // observed 1.9e-15
+                observed!((turns - sense).abs(), 6e-16..=6e-15); // observed 1.9e-15
             } else {
-                within(turns.abs(), 2e-15); // observed 6.3e-16
+                observed!(turns.abs(), 2e-16..=2e-15); // observed 6.3e-16
             }
         }
         seen[axis + usize::from(o[axis] < 0.0)] += 1;
@@ -159,7 +160,7 @@ fn s6_3_four_eyes() {
     assert_eq!(rim.sector(), Sector::Separatrix);
     let corner = rim.polhode(std::f64::consts::FRAC_PI_2);
     let [x, y, z] = corner.components().into();
-    within(x.hypot(z) / y.abs(), 2.3e-16); // observed 6.8e-17
+    observed!(x.hypot(z) / y.abs(), 0.0..=2.3e-16); // observed 6.8e-17
     // It dawdles there: equal times are crowded next to x₂, as the pace tells.
     let near = Poinsot::new(MOMENTS, vector([0.01, 2.0, 0.02])).unwrap();
     let top = thrown(MOMENTS, [0.01, 2.0, 0.02]);
@@ -188,7 +189,7 @@ fn s6_3_the_racket_and_its_axes() {
     let [i1, i2, i3] = axes.moments();
     assert!(i1 < i2 && i2 < i3);
     // A lamina: the moment about its normal is the sum of the two others.
-    assert_relative_eq!(i3, i1 + i2, max_relative = 4.5e-16, epsilon = 0.0);
+    observed!(relative(i3, i1 + i2), 0.0..=4.5e-16);
     // Least about the handle, middle across it in the plane, greatest about the normal.
     for (column, axis) in [
         (0, [1.0, 0.0, 0.0]),
@@ -200,7 +201,7 @@ fn s6_3_the_racket_and_its_axes() {
             .column(column)
             .dot(&vector(axis).components())
             .abs();
-        within((along - 1.0).abs(), 4.5e-16); // observed none
+        observed!((along - 1.0).abs(), 0.0..=4.5e-16); // observed none
     }
 }
 
@@ -214,7 +215,10 @@ fn s6_3_the_picture_does_not_tell_the_pace() {
         for (s, tolerance) in [(8.0, 0.0), (0.125, 0.0), (3.0, 2e-14)] {
             let fast = tilted(moments, omega0.map(|o| s * o));
             assert_eq!(fast.regime(), slow.regime());
-            within((fast.period() * s / slow.period() - 1.0).abs(), 2e-15); // observed 4.4e-16
+            observed!(
+                (fast.period() * s / slow.period() - 1.0).abs(),
+                1e-16..=2e-15
+            ); // observed 4.4e-16
             for t in [0.4, 9.0, -3.0] {
                 // The same point of the curve, s times as large, at time t/s.
                 let expected = omega(&slow, t).map(|o| s * o);
@@ -229,10 +233,10 @@ fn s6_3_the_picture_does_not_tell_the_pace() {
             for k in 0..6 {
                 let parameter = f64::from(k);
                 let error = (wide.polhode(parameter) - curve.polhode(parameter) * s).norm();
-                within(error / wide.polhode(parameter).norm(), 2e-15); // observed 5.3e-16
-                within(
+                observed!(error / wide.polhode(parameter).norm(), 2e-16..=2e-15); // observed 5.3e-16
+                observed!(
                     (wide.pace(parameter) / (s * curve.pace(parameter)) - 1.0).abs(),
-                    3e-15,
+                    3e-16..=3e-15
                 ); // observed 8.9e-16
             }
         }

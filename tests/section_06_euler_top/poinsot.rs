@@ -2,14 +2,14 @@
 
 use crate::common::{
     at, derivative, difference, distance, euler, fastest, in_space, integrals, norm, omega,
-    omega_in_space, random_start, ration, rational_moments, step, thrown, tilted, vector, within,
+    omega_in_space, random_start, ration, rational_moments, step, thrown, tilted, vector,
 };
 use crate::free_top::Flight;
 use crate::support::{R, Uniform, exact, rational};
-use approx::assert_relative_eq;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::euler_top::{EulerTop, Poinsot, Regime};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+use support::{observed, relative};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
@@ -67,9 +67,9 @@ fn s6_1_constants_of_the_motion() {
         for _ in 0..4 {
             flight.fly(2.5);
             for (now, then) in flight.l_in_space().into_iter().zip(before) {
-                within((now - then).value().abs(), 2e-30); // observed 3.5e-31
+                observed!((now - then).value().abs(), 0.0..=2e-30); // observed 3.5e-31
             }
-            within((flight.twice_energy() - energy).value().abs(), 2e-30); // observed 5.4e-31
+            observed!((flight.twice_energy() - energy).value().abs(), 0.0..=2e-30); // observed 5.4e-31
         }
     }
     // The exact motion keeps them at any time, to rounding.
@@ -78,9 +78,9 @@ fn s6_1_constants_of_the_motion() {
         for t in [-1e9, -40.0, -0.3, 0.7, 13.0, 1e4, 1e12] {
             let state = at(&top, t);
             let now = state.attitude.to_space(state.angular_momentum);
-            within((now - l).norm() / l.norm(), 3e-15); // observed 9.3e-16
+            observed!((now - l).norm() / l.norm(), 3e-16..=3e-15); // observed 9.3e-16
             let energy = 0.5 * state.omega.dot(&state.angular_momentum);
-            within((energy / e - 1.0).abs(), 2e-15); // observed 4.4e-16
+            observed!((energy / e - 1.0).abs(), 1e-16..=2e-15); // observed 4.4e-16
         }
     }
     // The same body as particles, thrown across the room: P is constant, and zero for who flies along.
@@ -89,28 +89,18 @@ fn s6_1_constants_of_the_motion() {
     for t in [0.0, 1.3, 7.0] {
         let state = at(&top, t);
         let thrown = jack(state.attitude, state.omega, t * v, v);
-        within((thrown.momentum() - 7.0 * v).norm(), 4e-15); // observed none, an ulp is 4e-15
+        observed!((thrown.momentum() - 7.0 * v).norm(), 0.0..=4e-15); // observed none, an ulp is 4e-15
         let along = jack(
             state.attitude,
             state.omega,
             SpaceVector::zero(),
             thrown.center_velocity() - v,
         );
-        within(along.momentum().norm(), 4.5e-16); // observed none
+        observed!(along.momentum().norm(), 0.0..=4.5e-16); // observed none
         let l = along.angular_momentum_about(SpaceVector::zero());
-        within((l - top.angular_momentum_in_space()).norm(), 6e-15); // observed 1.8e-15
-        assert_relative_eq!(
-            along.energy_split().total(),
-            1.67,
-            max_relative = 1e-14,
-            epsilon = 0.0
-        );
-        assert_relative_eq!(
-            thrown.energy_split().relative,
-            1.67,
-            max_relative = 1e-14,
-            epsilon = 0.0
-        );
+        observed!((l - top.angular_momentum_in_space()).norm(), 6e-16..=6e-15); // observed 1.8e-15
+        observed!(relative(along.energy_split().total(), 1.67), 2e-16..=1e-14);
+        observed!(relative(thrown.energy_split().relative, 1.67), 0.0..=1e-14);
     }
 }
 
@@ -129,7 +119,7 @@ fn s6_1_free_though_heavy() {
         );
         let uniform = |p: &Particle| SpaceVector::new(0.0, 0.0, -9.81 * p.mass);
         let about_center = body.force_and_torque(center, uniform).unwrap();
-        within(about_center.torque.norm(), 1e-14); // observed 3.1e-15
+        observed!(about_center.torque.norm(), 1e-15..=1e-14); // observed 3.1e-15
         // Hung elsewhere it is no free top.
         let elsewhere = body.force_and_torque(SpaceVector::zero(), uniform).unwrap();
         assert!(elsewhere.torque.norm() > 100.0);
@@ -148,7 +138,7 @@ fn s6_1_free_though_heavy() {
     let up = attitude.to_body(SpaceVector::new(1.0, 0.0, 0.0));
     let tidal = up.cross(&vector([up.x(), 2.0 * up.y(), 3.0 * up.z()])) * (3.0 * mu / r.powi(3));
     let error = (attitude.to_body(about.torque) - tidal).norm() / tidal.norm();
-    within(error, 4e-6); // observed 1.2e-6
+    observed!(error, 4e-7..=4e-6); // observed 1.2e-6
     assert!(tidal.norm() > 1e-9, "the precession of the equinoxes");
 }
 
@@ -162,10 +152,10 @@ fn s6_2_l_stays_and_omega_moves() {
         let state = at(&top, t);
         let truth = flight.fly(0.5);
         let l = state.attitude.to_space(state.angular_momentum);
-        within((l - SpaceVector::new(1.0, 2.0, 3.0)).norm(), 6e-15); // observed 1.8e-15
+        observed!((l - SpaceVector::new(1.0, 2.0, 3.0)).norm(), 5e-16..=6e-15); // observed 1.8e-15
         let moved = omega_in_space(&top, t);
         let expected = truth.attitude().to_space(truth.omega());
-        within((moved - expected).norm(), 7e-15); // observed 2e-15
+        observed!((moved - expected).norm(), 6e-16..=7e-15); // observed 2e-15
         assert!(
             (moved - SpaceVector::new(1.0, 1.0, 1.0)).norm() > 0.05,
             "t = {t}"
@@ -195,11 +185,9 @@ fn s6_2_omega_on_ellipsoid_and_plane() {
     let distance_of = Poinsot::new(MOMENTS, vector([1.0, 2.0, 3.0]))
         .unwrap()
         .plane_distance();
-    assert_relative_eq!(
-        distance_of,
-        1.603_567_451_474_546_308,
-        max_relative = 3e-16,
-        epsilon = 0.0
+    observed!(
+        relative(distance_of, 1.603_567_451_474_546_308),
+        0.0..=3e-16
     );
     assert_eq!(unit.energy(), 3.0);
     for top in tops().into_iter().chain([unit]) {
@@ -215,17 +203,20 @@ fn s6_2_omega_on_ellipsoid_and_plane() {
             let body = truth.omega();
             let space = truth.attitude().to_space(body);
             let of_body = momentum(&top, body.components().into()).dot(&body);
-            within((of_body / twice_energy - 1.0).abs(), 2e-15); // observed 3.3e-16
-            within((space.dot(&l) / twice_energy - 1.0).abs(), 2e-15); // observed 4.4e-16
+            observed!((of_body / twice_energy - 1.0).abs(), 1e-16..=2e-15); // observed 3.3e-16
+            observed!((space.dot(&l) / twice_energy - 1.0).abs(), 1e-16..=2e-15); // observed 4.4e-16
         }
         for step in -20..20 {
             let t = 0.37 * f64::from(step);
             let on_theta: f64 = (0..3)
                 .map(|k| (omega(&top, t)[k] / semi_axes[k]).powi(2))
                 .sum();
-            within((on_theta - 1.0).abs(), 3e-15); // observed 8.9e-16
+            observed!((on_theta - 1.0).abs(), 3e-16..=3e-15); // observed 8.9e-16
             let height = omega_in_space(&top, t).dot(&l) / l.norm();
-            within((height / picture.plane_distance() - 1.0).abs(), 3e-15); // observed 7.8e-16
+            observed!(
+                (height / picture.plane_distance() - 1.0).abs(),
+                3e-16..=3e-15
+            ); // observed 7.8e-16
         }
     }
 }
@@ -283,26 +274,24 @@ fn s6_2_rolling_without_slipping() {
             // The point of the body that is now in contact: at rest.
             let contact = at(&top, t).omega;
             let carried = |t: f64| in_space(at(&top, t).attitude.to_space(contact));
-            within(
+            observed!(
                 norm(derivative(carried, n, h)) / size / fastest(&top),
-                1e-14,
+                2e-15..=1e-14
             ); // observed 5.2e-15
             // Herpolhode and polhode are run through at equal speed, in the same direction: dΩ/dt = ∂Ω/∂t.
             let in_plane = derivative(|t| in_space(omega_in_space(&top, t)), n, h);
             let on_body = euler(top.moments(), omega(&top, t));
             let seen = in_space(at(&top, t).attitude.to_space(vector(on_body)));
-            within(
+            observed!(
                 norm(difference(in_plane, seen)) / size / fastest(&top),
-                1e-14,
+                2e-15..=1e-14
             ); // observed 5.5e-15
             // It pivots as well: the component of Ω along L.
             let l = top.angular_momentum_in_space();
             let pivot = omega_in_space(&top, t).dot(&l) / l.norm();
-            assert_relative_eq!(
-                pivot,
-                2.0 * top.energy() / l.norm(),
-                max_relative = 3e-15,
-                epsilon = 0.0
+            observed!(
+                relative(pivot, 2.0 * top.energy() / l.norm()),
+                2e-16..=3e-15
             );
         }
     }
@@ -337,7 +326,10 @@ fn s6_2_the_herpolhode_does_not_wind_back() {
                 let claimed = picture.herpolhode_curvature(s);
                 let computed = curvature(moments, picture.polhode(s).components().into());
                 // In units of the plane's height, as the curvature of a small polhode is large.
-                within((claimed - computed).abs() / (1.0 + claimed.abs()), 2e-14); // observed 4.8e-15
+                observed!(
+                    (claimed - computed).abs() / (1.0 + claimed.abs()),
+                    2e-15..=2e-14
+                ); // observed 4.8e-15
                 least = least.min(claimed);
             }
         }
@@ -377,21 +369,11 @@ fn s6_2_the_herpolhode_does_not_wind_back() {
 fn s6_2_ellipsoid_on_its_plane() {
     let top = tilted(MOMENTS, [0.4, 0.3, 1.0]);
     let l = top.angular_momentum_in_space();
-    assert_relative_eq!(top.energy(), 1.67, max_relative = 3e-16, epsilon = 0.0);
-    assert_relative_eq!(
-        l.norm(),
-        9.52f64.sqrt(),
-        max_relative = 3e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(top.energy(), 1.67), 0.0..=3e-16);
+    observed!(relative(l.norm(), 9.52f64.sqrt()), 0.0..=3e-16);
     let picture = Poinsot::new(MOMENTS, vector([0.4, 0.6, 3.0])).unwrap();
     let height = 3.34 / 9.52f64.sqrt();
-    assert_relative_eq!(
-        picture.plane_distance(),
-        height,
-        max_relative = 5e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(picture.plane_distance(), height), 0.0..=5e-16);
     // Extremes of the herpolhode where Ω₂ = 0 and where Ω₁ = 0: solve the two integrals there.
     let radius = |o: [f64; 3]| (o.iter().map(|x| x * x).sum::<f64>() - height * height).sqrt();
     let outer = radius([
@@ -405,9 +387,10 @@ fn s6_2_ellipsoid_on_its_plane() {
         ((9.52f64 - 2.0 * 3.34) / 3.0).sqrt(),
     ]);
     let [least, greatest] = picture.herpolhode_radii();
-    within((least - inner).abs(), 9e-16); // observed 2.8e-16
-    within((greatest - outer).abs(), 9e-16); // observed 2.8e-16
-    assert!((least - 0.157_670).abs() < 5e-7 && (greatest - 0.328_927).abs() < 5e-7);
+    observed!((least - inner).abs(), 0.0..=9e-16); // observed 2.8e-16
+    observed!((greatest - outer).abs(), 0.0..=9e-16); // observed 2.8e-16
+    observed!((least - 0.157_670).abs(), 1e-7..=5e-7);
+    observed!((greatest - 0.328_927).abs(), 2e-7..=5e-7);
     let (mut low, mut high) = (f64::INFINITY, 0.0f64);
     for k in 0..720 {
         let t = top.period() * f64::from(k) / 720.0;
@@ -434,9 +417,12 @@ fn s6_2_ellipsoid_on_its_plane() {
         let parameter = Poinsot::new(MOMENTS, state.angular_momentum)
             .unwrap()
             .start();
-        within((picture.polhode(parameter) - state.omega).norm(), 2e-15); // observed 4.8e-16
+        observed!(
+            (picture.polhode(parameter) - state.omega).norm(),
+            2e-16..=2e-15
+        ); // observed 4.8e-16
     }
-    within((low - least).abs(), 1e-5); // observed 3.3e-6
+    observed!((low - least).abs(), 1e-6..=1e-5); // observed 3.3e-6
     assert!(low >= least - 1e-15 && high <= greatest + 1e-15 && greatest - high < 1e-4);
 }
 
@@ -459,11 +445,14 @@ fn s6_2_radii_of_the_herpolhode() {
             let here = momentum(&top, o);
             here.cross(&vector(o)).norm() / here.norm()
         });
-        within(norm(difference(radii, expected)) / size, 8e-16); // observed 2.5e-16
+        observed!(norm(difference(radii, expected)) / size, 0.0..=8e-16); // observed 2.5e-16
         let start = radius(omega0);
         assert!(radii[0] - 1e-14 * size <= start && start <= radii[1] + 1e-14 * size);
         let s = picture.start();
-        within((picture.herpolhode_radius(s) - start).abs() / size, 8e-16); // observed 2.4e-16
-        within(distance(picture.polhode(s), omega0) / size, 2e-15); // observed 4.1e-16
+        observed!(
+            (picture.herpolhode_radius(s) - start).abs() / size,
+            0.0..=8e-16
+        ); // observed 2.4e-16
+        observed!(distance(picture.polhode(s), omega0) / size, 1e-16..=2e-15); // observed 4.1e-16
     }
 }

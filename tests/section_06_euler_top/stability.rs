@@ -5,13 +5,13 @@ use crate::common::{
 };
 use crate::free_top::Flight;
 use crate::support::{Uniform, rational};
-use approx::assert_relative_eq;
 use spinning_bodies::euler_top::stability::{
     flip_time_asymptote, indefinite_about_middle, lambda, lyapunov_about_largest,
     lyapunov_about_smallest, oscillation_about_largest, oscillation_about_smallest, saddle,
 };
 use spinning_bodies::euler_top::{EulerTop, Regime, separatrix_slope};
 use spinning_bodies::inertia::PrincipalMoments;
+use support::{observed, relative};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
@@ -51,8 +51,8 @@ fn s6_3_largest_and_smallest_axes_are_stable() {
     // The condition: with I₁ = I₂ the axis x₁ is one of many, and Ω drifts round the equator.
     let round = tilted([1.0, 1.0, 1.5], [1.0, 0.0, 0.01]);
     let (least, greatest) = extremes(&round, 0);
-    within(least + 1.0, 4.5e-16); // observed none
-    within(1.0 - greatest, 4.5e-16); // observed none
+    observed!(least + 1.0, 0.0..=4.5e-16); // observed none
+    observed!(1.0 - greatest, 0.0..=4.5e-16); // observed none
 }
 
 // claim: C6.3-3
@@ -66,7 +66,7 @@ fn s6_3_middle_axis_is_unstable() {
         let half = Flight::from_omega(MOMENTS, start)
             .fly(top.period() / 2.0)
             .omega();
-        within((half.y() + 1.0).abs(), 4.5e-16); // observed none
+        observed!((half.y() + 1.0).abs(), 0.0..=4.5e-16); // observed none
     }
     // On the separatrix: from −x₂ to +x₂, and no return.
     let top = thrown([1.5, 3.0, 4.0], [-1e-3, -3.0, -2e-3]);
@@ -77,7 +77,7 @@ fn s6_3_middle_axis_is_unstable() {
         assert!(o2 >= last, "it never turns back");
         last = o2;
     }
-    within((last - 1.0).abs(), 9e-7); // observed 2.8e-7
+    observed!((last - 1.0).abs(), 9e-8..=9e-7); // observed 2.8e-7
     assert!(omega(&top, -100.0)[1] < -0.99);
 }
 
@@ -99,24 +99,24 @@ fn s6_3_lyapunov_bounds_hold_for_all_times() {
         let scale = a * a + 3.0 * b * b;
         for t in [0.4, 3.0, -77.0, 1e4, 1e8] {
             let now = at(&small, t).omega;
-            within(
+            observed!(
                 (lyapunov_about_smallest(&body, now) / small0 - 1.0).abs(),
-                2e-15,
+                2e-16..=2e-15
             ); // observed 5.6e-16
             // V = 2Ω₂² + 6Ω₃², so the tilt is at most √(V/2).
             assert!(now.y().hypot(now.z()) <= (small0 / 2.0).sqrt() * (1.0 + 4e-15));
             let now = at(&large, t).omega;
-            within(
+            observed!(
                 (lyapunov_about_largest(&body, now) / large0 - 1.0).abs(),
-                2e-15,
+                2e-16..=2e-15
             ); // observed 6.7e-16
             assert!(now.x().hypot(now.y()) <= (large0 / 2.0).sqrt() * (1.0 + 4e-15));
             // Indefinite: constant as well, but it bounds nothing.
             let now = at(&middle, t).omega;
             let size = now.x() * now.x() + 3.0 * now.z() * now.z();
-            within(
+            observed!(
                 (indefinite_about_middle(&body, now) - middle0).abs() / size.max(scale),
-                2e-15,
+                2e-16..=2e-15
             ); // observed 5.5e-16
         }
     }
@@ -142,16 +142,11 @@ fn s6_3_flip_time_over_sixteen_decades() {
         (0.000_1, 34.804_966_957_093_756_835),
     ] {
         let top = tilted(MOMENTS, [0.0, 1.0, offset]);
-        assert_relative_eq!(
-            top.period() / 2.0,
-            expected,
-            max_relative = 4.5e-16,
-            epsilon = 0.0
-        );
+        observed!(relative(top.period() / 2.0, expected), 0.0..=4.5e-16);
         // From +x₂ to −x₂: by the exact motion and by the integrator.
-        within((at(&top, expected).omega.y() + 1.0).abs(), 4.5e-16); // observed none
+        observed!((at(&top, expected).omega.y() + 1.0).abs(), 0.0..=4.5e-16); // observed none
         let flight = Flight::from_omega(MOMENTS, [0.0, 1.0, offset]).fly(expected);
-        within(distance(flight.omega(), [0.0, -1.0, offset]), 2.3e-16); // observed 7.2e-18
+        observed!(distance(flight.omega(), [0.0, -1.0, offset]), 0.0..=2.3e-16); // observed 7.2e-18
     }
     // Sixteen decades, and on to the smallest numbers: a straight line on the logarithmic axis. √λ = 1/√3.
     let decade = 2.0 * 10f64.ln() * 3f64.sqrt();
@@ -173,7 +168,7 @@ fn s6_3_flip_time_over_sixteen_decades() {
             let more = 1.0 + factor * d * d;
             let expected =
                 2.0 * quarter_period(factor.sqrt() * d / more.sqrt()) * (3.0 / more).sqrt();
-            within((flip / expected - 1.0).abs(), 2e-15); // observed 4.4e-16
+            observed!((flip / expected - 1.0).abs(), 1e-16..=2e-15); // observed 4.4e-16
             // (1/rate)·ln(16/mc), and the fraction mc/4 more at most.
             let asymptote = (16.0 * more / factor).ln() - 2.0 * d.ln();
             let asymptote = asymptote * (3.0 / more).sqrt();
@@ -183,7 +178,7 @@ fn s6_3_flip_time_over_sixteen_decades() {
                 "{d}: {beyond:e}"
             );
             let claimed = flip_time_asymptote(&body, vector(start)).unwrap();
-            within((claimed / asymptote - 1.0).abs(), 2e-15); // observed 4.4e-16
+            observed!((claimed / asymptote - 1.0).abs(), 1e-16..=2e-15); // observed 4.4e-16
             // √3 from the separatrix on either side: the same line, shifted by ln 3/√λ.
             if about_largest {
                 if let Some((before, flip_before)) = last {
@@ -208,12 +203,7 @@ fn s6_3_flip_time_over_sixteen_decades() {
         (0.0001, 35.507_253_039_658_5),
     ] {
         let top = tilted(MOMENTS, [offset, 1.0, offset]);
-        assert_relative_eq!(
-            top.period() / 2.0,
-            flip,
-            max_relative = 4e-15,
-            epsilon = 0.0
-        );
+        observed!(relative(top.period() / 2.0, flip), 7e-16..=4e-15);
     }
     assert_eq!(tilted(MOMENTS, [0.0, 1.0, 0.0]).period(), f64::INFINITY);
 }
@@ -228,18 +218,11 @@ fn printed([i1, i2, i3]: [f64; 3]) -> f64 {
 fn s6_7_growth_rate() {
     let right: f64 = 25.0 / 3.0;
     let body = moments(MOMENTS);
-    assert_relative_eq!(
-        lambda(&body, 5.0).unwrap(),
-        right,
-        max_relative = 4.5e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(lambda(&body, 5.0).unwrap(), right), 0.0..=4.5e-16);
     let root = 2.886_751_345_948_128_822_5;
-    assert_relative_eq!(
-        saddle(&body, 5.0).unwrap().rate,
-        root,
-        max_relative = 4.5e-16,
-        epsilon = 0.0
+    observed!(
+        relative(saddle(&body, 5.0).unwrap().rate, root),
+        0.0..=4.5e-16
     );
     // A disturbance of 1e-12 along the growing direction: its logarithm rises at √λ.
     let growing = saddle(&body, 5.0).unwrap().outgoing;
@@ -248,21 +231,20 @@ fn s6_7_growth_rate() {
     let (early, late) = (omega(&top, 0.5)[0], omega(&top, 5.0)[0]);
     let measured = (late / early).ln() / 4.5;
     // (e^{rt}·1e-12)² is the first thing neglected: 3e-12 at t = 5.
-    within((measured / root - 1.0).abs(), 6e-15); // observed 2e-15
+    observed!((measured / root - 1.0).abs(), 7e-16..=6e-15); // observed 2e-15
     // The integrator agrees.
     let mut flight = Flight::from_omega(MOMENTS, [tiny.x(), 5.0, tiny.z()]);
     let (early, late) = (flight.fly(0.5).omega().x(), flight.fly(4.5).omega().x());
-    within(((late / early).ln() / 4.5 / root - 1.0).abs(), 6e-15); // observed 2e-15
+    observed!(
+        ((late / early).ln() / 4.5 / root - 1.0).abs(),
+        7e-16..=6e-15
+    ); // observed 2e-15
     // What is printed says 1/√3 a second: wrong by the factor Ω₂ = 5, and here by ten powers of e in five seconds.
     let wrong = printed(MOMENTS).sqrt();
-    assert_relative_eq!(
-        wrong,
-        1.0 / 3f64.sqrt(),
-        max_relative = 4.5e-16,
-        epsilon = 0.0
-    );
-    assert!(
-        (measured / wrong - 5.0).abs() < 1e-10,
+    observed!(relative(wrong, 1.0 / 3f64.sqrt()), 0.0..=4.5e-16);
+    observed!(
+        (measured / wrong - 5.0).abs(),
+        3e-15..=1e-13,
         "{measured} against {wrong}"
     );
     // Any disturbance obeys ∂²ΔΩ = λΔΩ: a disturbance that starts along x₁ is a hyperbolic cosine. Not with the printed λ.
@@ -272,7 +254,7 @@ fn s6_7_growth_rate() {
         for t in [0.3, 1.0, 2.0] {
             let grown = omega(&top, t)[0] / 1e-9;
             let error = |rate: f64| (grown / (rate * t).cosh() - 1.0).abs();
-            within(error(rate), 7e-16); // observed 2.2e-16
+            observed!(error(rate), 0.0..=7e-16); // observed 2.2e-16
             let printed_error = error(wrong);
             assert_eq!(
                 printed_error < 1e-6,
@@ -340,16 +322,14 @@ fn s6_7_same_rate_as_the_separatrix() {
     let q = |n: i128| rational(n, 1);
     assert_eq!((q(3) - q(2)) * (q(16) - q(8)) / q(6), rational(4, 3));
     let rate = saddle(&moments(MOMENTS), 2.0).unwrap().rate;
-    assert_relative_eq!(
-        rate,
-        2.0 / 3f64.sqrt(),
-        max_relative = 4.5e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(rate, 2.0 / 3f64.sqrt()), 0.0..=4.5e-16);
     // In the motion of C6.6-12: Ω₂ = 2 tanh rt. With 1/√3 it would not be.
     let top = tilted(MOMENTS, [2.0, 0.0, 2.0 / 3f64.sqrt()]);
     for t in [0.3, 1.0, 4.0] {
-        within((omega(&top, t)[1] - 2.0 * (rate * t).tanh()).abs(), 2e-15); // observed 6.7e-16
+        observed!(
+            (omega(&top, t)[1] - 2.0 * (rate * t).tanh()).abs(),
+            2e-16..=2e-15
+        ); // observed 6.7e-16
         assert!((omega(&top, t)[1] - 2.0 * (printed(MOMENTS).sqrt() * t).tanh()).abs() > 0.01);
     }
 }
@@ -360,13 +340,8 @@ fn s6_7_small_oscillations() {
     let body = moments(MOMENTS);
     let about_1 = oscillation_about_smallest(&body, 1.0).unwrap();
     let about_3 = oscillation_about_largest(&body, 1.0).unwrap();
-    assert_relative_eq!(
-        about_1,
-        0.577_350_269_189_625_764_5,
-        max_relative = 3e-16,
-        epsilon = 0.0
-    );
-    assert_relative_eq!(about_3, 1.0, max_relative = 3e-16, epsilon = 0.0);
+    observed!(relative(about_1, 0.577_350_269_189_625_764_5), 0.0..=3e-16);
+    observed!(relative(about_3, 1.0), 0.0..=3e-16);
     let mut numbers = Uniform(674);
     for _ in 0..40 {
         let [a, b, c] = [0; 3].map(|_| 0.05 + numbers.next());
@@ -404,24 +379,22 @@ fn s6_7_the_incoming_separatrix() {
     // I = (3/2, 3, 4): slope 3/4, so that the incoming direction is (4, 0, 3)/5.
     let i = [1.5, 3.0, 4.0];
     let fate = saddle(&moments(i), 2.0).unwrap();
-    within(
+    observed!(
         norm([
             fate.incoming.x() - 0.8,
             fate.incoming.y(),
             fate.incoming.z() - 0.6,
         ]),
-        4e-16,
+        0.0..=4e-16
     ); // observed 1.1e-16
     // It is the tangent of the separatrix in Poinsot's picture.
-    assert_relative_eq!(
-        separatrix_slope(i).unwrap(),
-        0.75,
-        max_relative = 2.3e-16,
-        epsilon = 0.0
-    );
-    within((fate.incoming.z() / fate.incoming.x() - 0.75).abs(), 7e-16); // observed 2.2e-16
+    observed!(relative(separatrix_slope(i).unwrap(), 0.75), 0.0..=2.3e-16);
+    observed!(
+        (fate.incoming.z() / fate.incoming.x() - 0.75).abs(),
+        0.0..=7e-16
+    ); // observed 2.2e-16
     // √λ = √(1.5·1/(4·1.5))·2 = 1.
-    assert_relative_eq!(fate.rate, 1.0, max_relative = 3e-16, epsilon = 0.0);
+    observed!(relative(fate.rate, 1.0), 0.0..=3e-16);
     let wrong = printed(i).sqrt();
     assert_eq!(wrong, 0.5, "what is printed, without Ω₂ = 2");
     for size in [2f64.powi(-10), 2f64.powi(-30)] {
@@ -433,7 +406,7 @@ fn s6_7_the_incoming_separatrix() {
             let decay = (far[axis] / near[axis]).ln() / 290.0;
             // √λ belongs to the rotation it ends in, Ω₂ = |L|/I₂: 2.5 size² more than 2.
             let end = saddle(&moments(i), at(&into, 0.0).angular_momentum.norm() / 3.0).unwrap();
-            within((decay / end.rate + 1.0).abs(), 4.5e-16); // observed none
+            observed!((decay / end.rate + 1.0).abs(), 0.0..=4.5e-16); // observed none
             assert!((end.rate - 1.0).abs() < 3.0 * size * size);
             assert!((decay + wrong).abs() > 0.49);
         }

@@ -1,8 +1,8 @@
 //! 8.2: the separation of variables, roots and periods.
 
-use approx::assert_relative_eq;
 use spinning_bodies::euler_equations::TopState;
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
+use support::{observed, relative};
 
 use crate::common::{MOMENTS, Result, register, vector};
 use crate::power_series;
@@ -42,7 +42,7 @@ fn s8_2_the_separation_variables_obey_her_equations() -> Result {
         let by_phases = top.separation_variables_at(t)?.expect("separated");
         for i in 0..2 {
             // Observed: 2e-15 and 2e-14.
-            assert_relative_eq!(by_phases[i], here[i], max_relative = 1e-13, epsilon = 0.0);
+            observed!(relative(by_phases[i], here[i]), 1e-16..=5e-15);
             let h = 0.02;
             let slope = weights
                 .iter()
@@ -57,12 +57,7 @@ fn s8_2_the_separation_variables_obey_her_equations() -> Result {
                 .map(|e| here[i] - e)
                 .product::<nalgebra::Complex<f64>>();
             let left = ((here[0] - here[1]) * slope).powi(2);
-            assert_relative_eq!(
-                left / (4.0 * product.re),
-                -1.0,
-                max_relative = 2e-9,
-                epsilon = 0.0
-            );
+            observed!(relative(left / (4.0 * product.re), -1.0), 4e-13..=2e-11);
         }
     }
     Ok(())
@@ -74,12 +69,13 @@ fn s8_2_roots_periods_and_frequencies() -> Result {
     let lever = vector([1.0, 0.0, 0.0]);
     let omega = vector([1.0, 0.5, 0.3]);
     let top = KovalevskayaTop::with_up(MOMENTS, lever, omega, vector([0.6, 0.0, 0.8]))?;
-    let near =
-        |found: f64, expected: f64| assert!((found - expected).abs() < 6e-9, "{found} {expected}");
+    let near = |found: f64, expected: f64| {
+        observed!((found - expected).abs(), 2e-9..=6e-9, "{found} {expected}")
+    };
     let roots = top.roots();
     let expected = [0.643_355, -0.321_677, -0.321_677, 0.821_427, -0.189_760];
     for (root, real) in roots.iter().zip(expected) {
-        assert!((root.re - real).abs() < 6e-7, "{root}");
+        observed!((root.re - real).abs(), 1e-7..=6e-7, "{root}");
     }
     assert!((roots[1].im.abs() - 0.074_512).abs() < 3e-6 && roots[1] == roots[2].conj());
     let periods = top.periods().expect("separated");
@@ -95,6 +91,7 @@ fn s8_2_roots_periods_and_frequencies() -> Result {
     near(n2, 0.070_009_36);
     // a₁n₁ = a₂n₂ and b₁n₁ − b₂n₂ = 1.
     let [a1, b1, a2, b2] = periods;
-    assert!((a1 * n1 - a2 * n2).abs() < 1e-15 && (b1 * n1 - b2 * n2 - 1.0).abs() < 1e-15);
+    observed!((a1 * n1 - a2 * n2).abs(), 0.0..=1e-15);
+    observed!((b1 * n1 - b2 * n2 - 1.0).abs(), 0.0..=1e-15);
     Ok(())
 }

@@ -23,14 +23,11 @@
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
 //! | | [`scene`] | a body, how it is held, its effects; the plan that follows, the motion and its ledger |
 //! | | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn |
-//! | | [`accuracy`] | every method on every kind of top: error against cost |
-//! | | [`hard_cases`] | textbook formulas beside ours, where digits go |
 //! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
 //! | | [`error`] | the one error type |
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
-pub mod accuracy;
 mod angle;
 pub mod conservation;
 mod double_double;
@@ -41,7 +38,6 @@ pub mod euler_top;
 mod extended;
 pub mod falling_strip;
 pub mod frame;
-pub mod hard_cases;
 pub mod ideal_fluid;
 pub mod impacts;
 pub mod inertia;

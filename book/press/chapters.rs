@@ -13,8 +13,8 @@ pub struct Chapter {
 
 /// What the foot of a page says of its files, by the folder they are in.
 const FOOT: [(&str, &[&str]); 4] = [
-    ("Computed in", &["src/"]),
-    ("tested in", &["tests/", "book/tests/"]),
+    ("Computed in", &["src/", "lab/src/"]),
+    ("tested in", &["tests/", "lab/tests/", "book/tests/"]),
     ("drawn in", &["figures/src/"]),
     ("to play with:", &["book/scenes/"]),
 ];
@@ -198,15 +198,16 @@ chapters! {
         "figures/src/scenes.rs",
     ],
     accuracy: "accuracy" [
-        "src/accuracy/",
         "src/integrators/",
-        "tests/accuracy/",
+        "lab/src/accuracy/",
+        "lab/tests/accuracy/",
         "tests/integrators/",
         "tests/planner/",
         "figures/src/accuracy/",
     ],
     hard_cases: "hard-cases" [
-        "src/hard_cases/",
+        "lab/src/hard_cases/",
+        "lab/tests/hard_cases.rs",
         "tests/hard_cases/",
         "figures/src/hard_cases.rs",
     ],

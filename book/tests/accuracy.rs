@@ -178,7 +178,7 @@ fn help_teaches_with_a_release_build() {
     assert_eq!(output.status.code(), Some(0));
     let told = text(&output.stdout);
     assert!(told.contains("cargo run --release -- accuracy --scene"));
-    for name in spinning_bodies::accuracy::NAMES {
+    for name in lab::accuracy::NAMES {
         assert!(told.contains(name), "{name}");
     }
 }

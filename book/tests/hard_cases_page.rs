@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use spinning_bodies::hard_cases::{Comparison, families};
+use lab::hard_cases::{Comparison, families};
 
 /// How close, and the heading.
 const COLUMNS: [(f64, &str); 4] = [
@@ -37,8 +37,8 @@ fn table() -> String {
             .fold(0.0_f64, |worst, step| worst.max(step.ours));
         text += &format!(
             "| {} | {} | {} | {} |\n",
-            family.name().replace('-', " "),
-            family.paragraph(),
+            family.name.replace('-', " "),
+            family.paragraph,
             cells.join(" | "),
             digits(worst)
         );

@@ -1,7 +1,7 @@
 //! Hard cases (chapter "Hard cases"): the error of the textbook's formula beside the error of ours.
 
+use lab::hard_cases::{Comparison, Family, families};
 use spinning_bodies::Result;
-use spinning_bodies::hard_cases::{Comparison, Family, families};
 
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded};
@@ -133,7 +133,7 @@ pub fn bodies() -> Result<Figure> {
 fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> {
     let mut walks = Vec::new();
     for family in families() {
-        if let Some(place) = names.iter().position(|&name| name == family.name()) {
+        if let Some(place) = names.iter().position(|&name| name == family.name) {
             walks.push((place, title(&family), family.comparisons()?));
         }
     }
@@ -200,7 +200,7 @@ fn shown(error: f64) -> f64 {
 }
 
 fn title(family: &Family) -> String {
-    family.name().replace('-', " ")
+    family.name.replace('-', " ")
 }
 
 /// A small number as a formula: 2.9·10⁻¹⁶.

@@ -30,7 +30,7 @@ pub(crate) enum Side {
 /// Below m = 1/2 the functions are sine and cosine with corrections in the nome of m, above it hyperbolic functions
 /// with corrections in the nome of mc; either nome is at most e^{−π}, so that three or four terms are the whole.
 ///
-/// Cost on one core of a server, beside GSL's `gsl_sf_elljac_e` in the same run (`cargo bench -p bench --bench
+/// Cost on one core of a server, beside GSL's `gsl_sf_elljac_e` in the same run (`cargo bench -p lab --bench
 /// elliptic`): `new` 80–280 ns; then 27–37 ns for sn, cn, dn of one argument (0.27–0.33 of GSL's time), 37–66 ns with the
 /// amplitude, 8–18 ns in a batch (0.10–0.14). From scratch, [`sn_cn_dn`](super::sn_cn_dn), 107–250 ns (1.5–1.9). For tiny
 /// m GSL has little to do, 53 ns; there the four are 0.51, 0.70, 0.16 and 2.0 of it.

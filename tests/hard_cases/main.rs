@@ -10,6 +10,5 @@ mod kovalevskaya_attitude;
 mod lagrange_top;
 #[path = "../support/power_series.rs"]
 mod power_series;
-mod side_by_side;
 #[path = "../support/table.rs"]
 mod table;

@@ -1,10 +1,11 @@
 //! Bodies, methods, distances.
 
+use lab::general::GeneralMethod;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::geometric::{
     Follow, FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Nothing, Order,
-    Phase, Rotations, SymmetricDrift, UnequalDrift, Unfitted, VeselovOrder, Weight,
+    Phase, Rotations, SymmetricDrift, UnequalDrift, VeselovOrder, Weight,
 };
 use spinning_bodies::integrators::{Effort, Method};
 
@@ -44,7 +45,7 @@ pub fn free_methods_of(moments: [f64; 3]) -> Vec<Box<dyn Follow>> {
     all.push(Box::new(GroupMidpoint::new(moments).unwrap()));
     all.push(Box::new(MuntheKaas::new(moments, Nothing).unwrap()));
     all.push(Box::new(
-        Unfitted::new(moments, Nothing, Method::Rk4).unwrap(),
+        GeneralMethod::new(moments, Nothing, Method::Rk4).unwrap(),
     ));
     all
 }
@@ -72,7 +73,7 @@ pub fn general_heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<d
     let others: [Box<dyn Follow>; 3] = [
         Box::new(HeavySplitting::new(midpoint, weight, Order::Two)),
         Box::new(MuntheKaas::new(moments, weight).unwrap()),
-        Box::new(Unfitted::new(moments, weight, Method::Rk4).unwrap()),
+        Box::new(GeneralMethod::new(moments, weight, Method::Rk4).unwrap()),
     ];
     rotations.into_iter().chain(others).collect()
 }

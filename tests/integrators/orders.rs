@@ -1,10 +1,11 @@
 //! The order of each method, measured as the slope of its error on nonlinear motions with a closed form.
 
+use lab::general::GeneralMethod;
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::integrators::geometric::{
     DormandPrince8, Follow, HeavySplitting, Nothing, Order, Phase, SymmetricDrift,
 };
-use spinning_bodies::integrators::geometric::{LinearFriction, Unfitted, Weight};
+use spinning_bodies::integrators::geometric::{LinearFriction, Weight};
 use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
 use spinning_bodies::lagrange_top::LagrangeTop;
@@ -65,7 +66,7 @@ fn order_eight() {
     let lever = [0.4, -0.3, 0.6];
     let weight = Weight::new(lever).unwrap();
     let heavy = DormandPrince8::new(MOMENTS, weight).unwrap();
-    let judge = Unfitted::new(MOMENTS, weight, Method::Verner98).unwrap();
+    let judge = GeneralMethod::new(MOMENTS, weight, Method::Verner98).unwrap();
     let judged = judge
         .follow(&start(), &[5.0], Effort::Tolerance(1e-15))
         .unwrap()
@@ -98,7 +99,7 @@ fn order_eight_by_tolerance() {
         let course = method.follow(&start(), &times, Effort::Tolerance(tolerance));
         for (&t, phase) in times.iter().zip(&course.unwrap().phases) {
             let [angle, momentum] = distance(phase, &free(MOMENTS, &start(), t));
-            // It grows with the time: 40 times the tolerance after 50 s in `bench/benches/integrators.rs`.
+            // It grows with the time: 40 times the tolerance after 50 s in `lab/benches/integrators.rs`.
             let allowed = 25.0 * tolerance + 1e-14;
             assert!(
                 angle < allowed && momentum < allowed,
@@ -158,7 +159,7 @@ fn kovalevskaya_top() {
 fn heavy_asymmetric_body() {
     let t = 3.0;
     let lever = [0.4, -0.3, 0.6];
-    let judge = Unfitted::new(MOMENTS, Weight::new(lever).unwrap(), Method::Verner98).unwrap();
+    let judge = GeneralMethod::new(MOMENTS, Weight::new(lever).unwrap(), Method::Verner98).unwrap();
     let exact = judge
         .follow(&start(), &[t], Effort::Tolerance(1e-14))
         .unwrap()
@@ -173,7 +174,7 @@ fn friction_keeps_the_order() {
     let t = 4.0;
     let friction =
         LinearFriction::new(Weight::new(LEVER).unwrap(), [0.05, 0.05, 0.02], TOP).unwrap();
-    let judge = Unfitted::new(TOP, friction, Method::Verner98).unwrap();
+    let judge = GeneralMethod::new(TOP, friction, Method::Verner98).unwrap();
     let exact = judge
         .follow(&start(), &[t], Effort::Tolerance(1e-14))
         .unwrap()

@@ -118,7 +118,8 @@ fn a_tolerance_is_met_by_every_method() {
 /// The closed forms are asked like the methods, and a body without one is refused.
 #[test]
 fn closed_forms_follow() {
-    use spinning_bodies::integrators::geometric::{ClosedForm, Follow, HeavySplitting};
+    use lab::accuracy::ClosedForm;
+    use spinning_bodies::integrators::geometric::{Follow, HeavySplitting};
     for (moments, lever) in [
         (MOMENTS, [0.0; 3]),
         (TOP, LEVER),

@@ -1,11 +1,11 @@
-"""Writes accuracy.csv and the library's copy of it, src/accuracy/truth.rs: the motions by which `spinning_bodies::accuracy` judges.
+"""Writes accuracy.csv: the motions by which `lab::accuracy` judges.
 
     pip install mpmath gmpy2 && python3 accuracy.py
 
 One row a sample. Columns: problem (name/turns), t as a hexadecimal float, the attitude qw qx qy qz (body axes into space axes; a
 quaternion and its negative are one attitude) and the angular velocity omega1 omega2 omega3 along the body's axes (rad/s), 36 digits.
 The problems below are given in exact doubles, and so are the times: sixteenths of N turns, a turn being 2 pi/|Omega(0)| rounded to a few
-bits, three times a short fraction: halves, quarters … and thirds of a run are doubles, too. The Rust file has every number as the sum of two doubles, good to 1e-32.
+bits, three times a short fraction: halves, quarters … and thirds of a run are doubles, too.
 
 Routes, none of which shares a line with the library:
   closed form  of free_top.py (Jacobi's functions, Carlson's integrals, 110 digits) for the free bodies and of lagrange_top.py for the
@@ -328,34 +328,23 @@ def run(name):
     return [(name, n, t, *found[t]) for n, ts in lengths.items() for t in ts]
 
 
-def two_words(x):
-    high = float(x)
-    return high, float(x - mpf(high))
-
-
 def main():
     names = sys.argv[1:] or list(PROBLEMS)
     with Pool(2) as pool:
         runs = pool.map(run, names, chunksize=1)
     mp.dps = 60
     table = ["problem,t,qw,qx,qy,qz,omega1,omega2,omega3"]
-    rust = ["//! The motions of the problems, to 32 digits; written by `tests/reference/accuracy.py`, which says how.", "", "/// Time, the angular velocity and the attitude, each number as the sum of two.", "pub(super) type Row = [f64; 15];", ""]
     for rows in runs:
         for n in sorted({row[1] for row in rows}):
             chosen = [row for row in rows if row[1] == n]
             label = f"{chosen[0][0]}/{n}"
-            rust.append(f"pub(super) static {label.upper().replace('-', '_').replace('/', '_')}: [Row; {len(chosen)}] = [")
             for _, _, t, w, q in chosen:
                 numbers = [mp.nstr(x, 36, min_fixed=0, max_fixed=0) for x in [*q, *w]]
                 table.append(",".join([label, t.hex(), *numbers]))
-                pairs = [repr(x) for value in [*w, *q] for x in two_words(value)]
-                rust.append(f"    [{', '.join([repr(t), *pairs])}],")
-            rust.append("];")
     if sys.argv[1:]:
         print("\n".join(table))
         return
     (HERE / "accuracy.csv").write_text("\n".join(table) + "\n")
-    (HERE / "../../src/accuracy/truth.rs").write_text("\n".join(rust) + "\n")
 
 
 if __name__ == "__main__":

@@ -1,9 +1,9 @@
-"""Writes hard_cases.csv and the library's copy of it, src/hard_cases/truth.rs: by this textbook formulas and ours are judged.
+"""Writes hard_cases.csv: by this `lab::hard_cases` judges textbook formulas and ours.
 
     pip install mpmath gmpy2 && python3 hard_cases.py
 
 One row a case: family, nearness (how close to where digits go, 0 being there), the inputs and the results, each separated by spaces.
-Inputs are exact doubles, written as hexadecimal floats; results have 36 digits, in Rust two doubles. The formulas are those of the textbook: they are right, and
+Inputs are exact doubles, written as hexadecimal floats; results have 36 digits. The formulas are those of the textbook: they are right, and
 with DIGITS digits nothing that cancels is missed. Each family is computed once more by a second route, named beside it,
 and nothing is written if the two differ by more than 1e-30 of the result. As last run: 1.3e-55 at most.
 """
@@ -19,10 +19,6 @@ DIGITS = 420
 AGREEMENT = mpf(10) ** -30
 mp.dps = DIGITS
 HERE = Path(__file__).parent
-HEAD = """//! What is right, to 32 digits; written by `tests/reference/hard_cases.py`, which says how.
-
-use super::Row;
-"""
 
 
 def short(x, bits=12):
@@ -233,29 +229,20 @@ def many_bounces():
 FAMILIES = [near_separatrix, near_axis, nearly_sphere, long_time, quarter_period, sleeping_top, fast_top, slow_precession, far_mesh, needle, small_turn, many_bounces]
 
 
-def words(x):
-    """The two doubles whose sum is x."""
-    high = float(x)
-    return f"[{high!r}, {float(x - high)!r}]"
-
-
 def main():
-    table, rust, apart = ["family,nearness,inputs,results"], [HEAD], mpf(0)
+    table, apart = ["family,nearness,inputs,results"], mpf(0)
     for family in FAMILIES:
-        name, rows, worst = family.__name__, [], mpf(0)
+        name, worst = family.__name__, mpf(0)
         for nearness, inputs, results, again in family():
             size = sqrt(sum(x * x for x in results))
             worst = max(worst, sqrt(sum((x - y) ** 2 for x, y in zip(results, again))) / size)
             inputs = [float(x) for x in inputs]
             cells = [" ".join(x.hex() for x in inputs), " ".join(nstr(x, 36) for x in results)]
             table.append(f"{name.replace('_', '-')},{float(nearness).hex()},{cells[0]},{cells[1]}")
-            rows.append(f"    Row {{ nearness: {float(nearness)!r}, inputs: &{inputs!r}, results: &[{', '.join(map(words, results))}] }},")
         print(name, nstr(worst, 2), flush=True)
         assert worst < AGREEMENT, name
         apart = max(apart, worst)
-        rust += [f"pub(super) static {name.upper()}: &[Row] = &[", *rows, "];"]
     (HERE / "hard_cases.csv").write_text("\n".join(table) + "\n")
-    (HERE / "../../src/hard_cases/truth.rs").write_text("\n".join(rust) + "\n")
     print(len(table) - 1, "rows, routes apart by", nstr(apart, 2))
 
 

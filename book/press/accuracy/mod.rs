@@ -1,14 +1,14 @@
-//! The command `accuracy`: every method on the motions of [`spinning_bodies::accuracy`], timed here and now.
+//! The command `accuracy`: every method on the motions of [`lab::accuracy`], timed here and now.
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`stopwatch`] | the least of repeated runs; what would take too long |
+//! | [`patience`] | the sweep of a method; what would take too long |
 //! | [`table`] | the table that a person reads, with the winners |
 //! | [`scene`] | a scene file as a problem |
 //! | [`winners`] | the table of the chapter |
 
+pub mod patience;
 pub mod scene;
-pub mod stopwatch;
 pub mod table;
 pub mod winners;
 
@@ -17,15 +17,12 @@ use std::io::Write as _;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
-use spinning_bodies::accuracy::{
-    Candidate, Judged, Measurement, NAMES, Problem, candidates, named, problems, sweep,
-};
+use lab::accuracy::{Measurement, NAMES, Problem, candidates, named, problems};
 
 use crate::progress::watched;
 use crate::scenes::{self, output::Format};
 use crate::writer::Target;
 use crate::{Error, Result};
-use stopwatch::{Stopwatch, Times};
 
 /// The header of the CSV file.
 pub const HEADER: &str =
@@ -51,11 +48,6 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Strin
     Format::of(Some(Format::Csv), csv)?;
     let target = csv.map(|path| Target::new(Some(path), file.as_deref()));
     let target = target.transpose()?;
-    let times = if cfg!(debug_assertions) {
-        Times::None
-    } else {
-        Times::Least
-    };
     // What is measured, for whoever waits.
     let now = Mutex::new((0.0, "the reference motion".to_owned()));
     let lock = || now.lock().unwrap_or_else(PoisonError::into_inner);
@@ -88,7 +80,7 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Strin
                     candidate.name()
                 );
                 *lock() = ((place + part) / all as f64, told);
-                swept.push(measured(problem, candidate, times));
+                swept.push(patience::swept(problem, candidate));
             }
             text.push_str(&table::text(problem, &swept));
             for row in swept.iter().flat_map(|s| &s.rows) {
@@ -101,27 +93,6 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Strin
         target.write(|to| to.write_all(rows.as_bytes()))?;
     }
     Ok(text)
-}
-
-/// One method on a problem.
-fn measured(problem: &Problem, candidate: &Candidate, times: Times) -> Swept {
-    let watch = Stopwatch::new(times);
-    let rows = sweep(
-        problem,
-        candidate,
-        Judged::AtTheEnd,
-        &mut |run| watch.time(run),
-        &mut |rows, next| watch.affords(problem, candidate, rows, next),
-    );
-    Swept {
-        left_out: if watch.gave_up() {
-            candidate.efforts().len() - rows.len()
-        } else {
-            0
-        },
-        rows,
-        method: candidate.name().to_owned(),
-    }
 }
 
 /// The problems that a name stands for: those of the library first, then scene files.

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use spinning_bodies::accuracy::{Problem, Sample};
+use lab::accuracy::{ClosedForm, Problem, Sample, Setting};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::integrators::Effort;
 use spinning_bodies::integrators::geometric::{
-    ClosedForm, Follow, HeavySplitting, Integrator, Order, Phase, Real, Rotations, TwoWords, Weight,
+    Follow, HeavySplitting, Integrator, Order, Phase, Real, Rotations, TwoWords, Weight,
 };
 
 use crate::scenes;
@@ -49,11 +49,12 @@ pub fn problem(file: &Path) -> Result<Problem> {
         .map(|k| start.l[k] / moments[k])
         .fold(0.0, f64::hypot);
     let turns = (omega * end / std::f64::consts::TAU).max(1.0);
-    let truth = truth((moments, lever), &start, end, turns).map_err(told)?;
+    let samples = truth((moments, lever), &start, end, turns).map_err(told)?;
     let stem = file
         .file_stem()
         .map_or(name.clone(), |s| s.to_string_lossy().into_owned());
-    Problem::top(stem, (moments, lever), start, turns.round(), truth).map_err(told)
+    let top = Setting::Top { moments, lever };
+    Problem::new(stem, top, start, turns.round(), samples).map_err(told)
 }
 
 type Body = ([f64; 3], [f64; 3]);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use spinning_bodies::accuracy::{Measurement, Problem, Status};
+use lab::accuracy::{Measurement, Problem, Status};
 
 use super::Swept;
 

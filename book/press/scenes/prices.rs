@@ -1,6 +1,6 @@
 //! What each effect costs: every kind of scene with an effect and without it.
 //!
-//! The solver and the evaluations of the right-hand side are the same on every machine; `cargo bench -p bench --bench scenes -- --csv`
+//! The solver and the evaluations of the right-hand side are the same on every machine; `cargo bench -p lab --bench scenes -- --csv`
 //! measures the time beside them, and the table it writes is the source of the figure and of the book's tables.
 
 use super::{Table, reader::Asked};

@@ -1,9 +1,10 @@
 //! The energy over ten million steps.
 
+use lab::general::GeneralMethod;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::integrators::geometric::{
-    Follow, FreeSplitting, Integrator, MoserVeselov, Nothing, Order, Phase, Unfitted, VeselovOrder,
+    Follow, FreeSplitting, Integrator, MoserVeselov, Nothing, Order, Phase, VeselovOrder,
 };
 use spinning_bodies::integrators::{Effort, Method};
 
@@ -43,7 +44,7 @@ pub fn energy_drift() -> Result<Figure> {
     let start = problem.start();
     let rotations = FreeSplitting::new(moments, Order::Two)?;
     let discrete = MoserVeselov::new(moments, VeselovOrder::Two)?;
-    let general = Unfitted::new(moments, Nothing, Method::Rk4)?;
+    let general = GeneralMethod::new(moments, Nothing, Method::Rk4)?;
     let span = STEP * f64::from(STEPS);
     let by_steps = |method: &dyn Integrator| {
         followed(start, moments, |phase| {

@@ -1,7 +1,7 @@
 //! Error against evaluations, problem by problem.
 
+use lab::accuracy::Problem;
 use spinning_bodies::Result;
-use spinning_bodies::accuracy::Problem;
 
 use super::{Y, panel_axes, points, problem, swept};
 use crate::Figure;

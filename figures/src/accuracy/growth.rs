@@ -1,7 +1,7 @@
 //! How an error grows with the number of turns.
 
+use lab::accuracy::{Candidate, candidates, measure, named};
 use spinning_bodies::Result;
-use spinning_bodies::accuracy::{Candidate, candidates};
 use spinning_bodies::integrators::Effort;
 use spinning_bodies::integrators::geometric::Phase;
 
@@ -162,19 +162,12 @@ pub fn growth() -> Result<Figure> {
 
 /// Of the closed form after 1, 10, 1000 and 10⁶ turns.
 fn exact_errors() -> Result<Vec<[f64; 2]>> {
-    use spinning_bodies::accuracy::{Judged, measure, named};
     let runs = named("free-top")?;
     let mut errors = Vec::new();
     for run in &runs {
         let all = candidates(run)?;
         if let Some(exact) = all.iter().find(|candidate| candidate.name() == "exact") {
-            let found = measure(
-                run,
-                exact,
-                Effort::Tolerance(0.0),
-                Judged::AtTheEnd,
-                &mut |_| None,
-            );
+            let found = measure(run, exact, Effort::Tolerance(0.0));
             errors.push([run.turns(), found.error_attitude.max(2e-17)]);
         }
     }

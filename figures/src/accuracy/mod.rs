@@ -16,8 +16,8 @@ pub use numbers::three_numbers;
 pub use orders::orders;
 pub use seconds::seconds;
 
+use lab::accuracy::{Measurement, Problem, Status, candidates, measure, named, sweep};
 use spinning_bodies::Result;
-use spinning_bodies::accuracy::{Judged, Measurement, Problem, Status, candidates, named, sweep};
 
 use crate::plot::Frame;
 use crate::style::{Anchor, Pen, Point, Role, label};
@@ -38,17 +38,11 @@ fn swept(problem: &Problem, method: &str, most: u64) -> Result<Vec<Measurement>>
     let Some(candidate) = all.iter().find(|candidate| candidate.name() == method) else {
         return Ok(Vec::new());
     };
-    let mut more = |rows: &[Measurement], _| {
+    Ok(sweep(candidate, |rows, effort| {
         // Efforts are at most a decade or a factor 1.5 apart.
-        rows.last().is_none_or(|row| 3 * row.evaluations < 2 * most)
-    };
-    Ok(sweep(
-        problem,
-        candidate,
-        Judged::AtTheEnd,
-        &mut |_| None,
-        &mut more,
-    ))
+        let more = rows.last().is_none_or(|row| 3 * row.evaluations < 2 * most);
+        more.then(|| measure(problem, candidate, effort))
+    }))
 }
 
 /// Errors against what is chosen, without the runs that failed or lost their way, and with one point of the floor.

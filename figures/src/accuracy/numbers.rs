@@ -1,7 +1,7 @@
 //! The same method in three kinds of numbers.
 
+use lab::accuracy::Problem;
 use spinning_bodies::Result;
-use spinning_bodies::accuracy::Problem;
 use spinning_bodies::integrators::geometric::{
     Integrator, MoserVeselov, Phase, Real, TwoWords, VeselovOrder,
 };

@@ -1,7 +1,7 @@
 //! Orders, measured.
 
+use lab::accuracy::measured_order;
 use spinning_bodies::Result;
-use spinning_bodies::accuracy::measured_order;
 
 use super::{named_line, points, problem, swept};
 use crate::Figure;

@@ -31,7 +31,7 @@ pub(super) fn prepared_at(releases: &[Release], place: usize) -> Result<EulerTop
 /// unit in the last place. Against the references of 32 digits: attitude 1e-15 rad.
 ///
 /// Cost: 0.21 of [`EulerTop::new`] and one [`EulerTop::at`] for each of a hundred bodies or a thousand, 0.23 for spheres, 0.23 to 0.25 for rackets
-/// next to the separatrix, in one run with those (`cargo bench -p bench --bench ensembles`), with the instructions every processor of the kind has. Parts of the slices may be filled by different threads.
+/// next to the separatrix, in one run with those (`cargo bench -p lab --bench ensembles`), with the instructions every processor of the kind has. Parts of the slices may be filled by different threads.
 ///
 /// # Errors
 /// [`Error::Condition`] if there is not one place for each body; [`Error::AtPlace`] with the place of a body that is refused; that of

@@ -109,7 +109,7 @@ impl EulerTop {
     /// Error: the states are those of [`at`](Self::at) up to rounding; against the same 998 references of 32 digits the attitude is off by
     /// at most 7e-16 rad (1.5e-15, as [`at`](Self::at) is, for bodies one unit in the last place from a sphere), Ω and L by 5e-16.
     ///
-    /// Cost: beside [`at`](Self::at) in the same run (`cargo bench -p bench --bench ensembles`), with the instructions every processor of the kind
+    /// Cost: beside [`at`](Self::at) in the same run (`cargo bench -p lab --bench ensembles`), with the instructions every processor of the kind
     /// has: 0.19 of the time a state where m ≤ 1/2, 0.24 where m > 1/2, 0.27 where Ω stays and [`at`](Self::at) has little to do. The constants
     /// of a batch cost as much as one state. States are independent of each other: parts of the slices may be filled by different threads.
     ///

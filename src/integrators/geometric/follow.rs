@@ -1,10 +1,8 @@
 //! One way to ask every method, geometric or general, for a motion.
 
-use super::{Integrator, Phase, Torque, checked_moments, unit};
+use super::{Integrator, Phase};
 use crate::error::{Error, Result, finite, positive};
-use crate::euler_equations::quaternion_rate;
-use crate::frame::BodyVector;
-use crate::integrators::{Cost, Effort, Method, System, solve};
+use crate::integrators::{Cost, Effort};
 
 /// Phases at the times asked for, in their order, and what they have cost.
 #[derive(Debug, Clone, PartialEq)]
@@ -179,81 +177,4 @@ fn trial(
         worst = l.chain(q).fold(worst, f64::max);
     }
     Ok(worst)
-}
-
-/// A method of the crate `differential-equations` for the same phase: seven numbers, of which it knows nothing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unfitted<N> {
-    moments: [f64; 3],
-    torque: N,
-    method: Method,
-}
-
-impl<N> Unfitted<N> {
-    /// For the body with these moments under this torque.
-    ///
-    /// # Errors
-    /// Those of the moments.
-    pub fn new(moments: [f64; 3], torque: N, method: Method) -> Result<Self> {
-        Ok(Self {
-            moments: checked_moments(moments)?,
-            torque,
-            method,
-        })
-    }
-}
-
-impl<N: Torque<f64>> System<7> for Unfitted<N> {
-    /// L′ = L∧Ω + N and q′ = ½qΩ.
-    fn rate(&self, _: f64, y: &[f64; 7]) -> [f64; 7] {
-        let [a, b, c, w, x, y, z] = *y;
-        let phase = Phase {
-            l: [a, b, c],
-            q: [w, x, y, z],
-        };
-        let [i1, i2, i3] = self.moments;
-        let [o1, o2, o3] = [a / i1, b / i2, c / i3];
-        let [n1, n2, n3] = self.torque.torque(&phase);
-        let [qw, qx, qy, qz] = quaternion_rate(phase.q, BodyVector::new(o1, o2, o3));
-        [
-            (i2 - i3) * o2 * o3 + n1,
-            (i3 - i1) * o3 * o1 + n2,
-            (i1 - i2) * o1 * o2 + n3,
-            qw,
-            qx,
-            qy,
-            qz,
-        ]
-    }
-}
-
-impl<N: Torque<f64>> Follow for Unfitted<N> {
-    fn name(&self) -> String {
-        self.method.name().to_owned()
-    }
-
-    fn order(&self) -> Option<u32> {
-        match self.method {
-            Method::Rk4 => Some(4),
-            Method::Gauss => Some(6),
-            _ => None,
-        }
-    }
-
-    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
-        start.check()?;
-        let ([a, b, c], [w, x, y, z]) = (start.l, unit(start.q));
-        let packed = [a, b, c, w, x, y, z];
-        let size = a.hypot(b).hypot(c).max(f64::MIN_POSITIVE);
-        let scales = [size, size, size, 1.0, 1.0, 1.0, 1.0];
-        let run = solve(self, 0.0, &packed, &scales, times, self.method, effort)?;
-        let phases = run.states.iter().map(|y| Phase {
-            l: [y[0], y[1], y[2]],
-            q: [y[3], y[4], y[5], y[6]],
-        });
-        Ok(Course {
-            phases: phases.collect(),
-            cost: run.cost,
-        })
-    }
 }

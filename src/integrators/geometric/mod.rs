@@ -12,9 +12,8 @@
 //! All share [`Integrator`]: a phase, a step, a number of steps. Long runs keep what rounding leaves over (Kahan): over 10⁷ steps |L| is off by
 //! 4e-15, the energy by no more than its oscillation (symplectic methods) or 9e-14 (implicit ones, a random walk).
 //!
-//! [`Follow`] is the wider trait: samples at given times, asked by a step or a tolerance; the general methods ([`Unfitted`]) and the closed forms
-//! ([`ClosedForm`]) have it, too. What each method keeps is measured by `tests/integrators/preservation.rs`; what a step costs, by
-//! `cargo bench -p bench --bench integrators`.
+//! [`Follow`] is the wider trait: samples at given times, asked by a step or a tolerance. What each method keeps is measured by
+//! `tests/integrators/preservation.rs`; what a step costs, by `cargo bench -p lab --bench integrators`.
 //!
 //! ```
 //! use spinning_bodies::frame::{Attitude, BodyVector};
@@ -35,7 +34,6 @@ mod cayley;
 mod coefficients;
 mod dormand_prince;
 mod drift;
-mod exact;
 mod follow;
 mod heavy;
 mod munthe_kaas;
@@ -46,8 +44,7 @@ pub use super::real::{Real, TwoWords};
 pub use cayley::{GroupMidpoint, MoserVeselov, VeselovOrder};
 pub use dormand_prince::{DormandPrince8, order_eight_watched};
 pub use drift::{Drift, Rotations, SymmetricDrift, UnequalDrift};
-pub use exact::ClosedForm;
-pub use follow::{Course, Follow, Unfitted, Watched};
+pub use follow::{Course, Follow, Watched};
 pub use heavy::{HeavySplitting, Kick, LinearFriction, Nothing, Torque, Weight};
 pub use munthe_kaas::MuntheKaas;
 pub use splitting::FreeSplitting;

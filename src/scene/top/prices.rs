@@ -1,6 +1,6 @@
 //! What each way of computing a top costs, measured, and which is cheapest.
 //!
-//! Least squares over the tops of the suite in `tests/planner` (`cargo bench -p bench --bench planner -- prices` for the closed forms) on an AMD EPYC
+//! Least squares over the tops of the suite in `tests/planner` (`cargo bench -p lab --bench planner -- prices` for the closed forms) on an AMD EPYC
 //! (2 cores, KVM), Rust 1.95. Kovalevskaya's top is the dear one to prepare; for a few turns a run is cheaper by far.
 
 use super::foreseen::Foreseen;

@@ -1,0 +1,236 @@
+//! What an effect costs: the same motion with it and without it, in one run.
+//!
+//! `cargo bench -p lab --bench scenes`. Times are the least of several runs; evaluations of the right-hand side are the same on
+//! every machine. With `-- --csv`, every kind with and without each of its effects, and every file of `book/scenes`, into
+//! `book/src/tables`, from where the page "Scenes" and its figure take them.
+
+use std::fmt::Write as _;
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use press::scenes::prices::{NEEDED, PRICED, run};
+
+use spinning_bodies::euler_top::EulerTop;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::integrators::Method;
+use spinning_bodies::scene::top::{
+    AirDrag, BearingFriction, Body, Gravity, Listed, PivotFriction, Start, TipFriction, Top,
+};
+use spinning_bodies::scene::{Choice, Request, Solver};
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+fn main() -> Outcome {
+    // `cargo test --benches` passes this flag; there is nothing to measure then.
+    if std::env::args().any(|argument| argument == "--test") {
+        return Ok(());
+    }
+    if std::env::args().any(|argument| argument == "--csv") {
+        let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("../book");
+        let folder = book.join("src/tables");
+        std::fs::create_dir_all(&folder)?;
+        std::fs::write(folder.join("scene-prices.csv"), matrix()?)?;
+        std::fs::write(folder.join("scene-times.csv"), files(&book)?)?;
+        return Ok(());
+    }
+    nothing()?;
+    Ok(prices()?)
+}
+
+/// The machine and the compiler, as a comment.
+fn here() -> String {
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = info.lines().find(|line| line.starts_with("model name"));
+    let model = model.and_then(|line| line.split(": ").nth(1));
+    let compiler = std::process::Command::new("rustc")
+        .arg("--version")
+        .output();
+    let compiler = compiler.map(|out| String::from_utf8_lossy(&out.stdout).trim().to_owned());
+    format!(
+        "# {}, one core, {}, release\n",
+        model.unwrap_or(std::env::consts::ARCH),
+        compiler.unwrap_or_default()
+    )
+}
+
+/// Solver, evaluations, least milliseconds of a scene.
+fn spent(text: &str) -> Result<(String, u64, f64), Box<dyn std::error::Error>> {
+    let table = run("scene", text)?;
+    let once = least(1, || drop(black_box(run("scene", text))));
+    // A fifth of a second each, twenty runs at most.
+    let runs = ((0.2 / once) as usize).clamp(2, 20);
+    let time = once.min(least(runs, || drop(black_box(run("scene", text)))));
+    let solver = table.plan.solver.name().to_owned();
+    Ok((solver, table.cost.evaluations, time * 1e3))
+}
+
+/// Every kind of scene, with and without each of its effects.
+fn matrix() -> Result<String, Box<dyn std::error::Error>> {
+    let mut text = here();
+    text += "kind,effect,solver_without,solver,evaluations_without,evaluations,ms_without,ms\n";
+    for kind in PRICED {
+        for (place, (effect, _)) in kind.effects.iter().enumerate() {
+            let (without, with) = kind.pair(place);
+            let with = spent(&with)?;
+            let without = without.map(|text| spent(&text)).transpose()?;
+            assert_eq!(without.is_none(), NEEDED.contains(&(kind.kind, effect)));
+            let (solver, evaluations, ms) = without.map_or_else(Default::default, |w| {
+                (w.0, w.1.to_string(), format!("{:.4}", w.2))
+            });
+            writeln!(
+                text,
+                "{},{effect},{solver},{},{evaluations},{},{ms},{:.4}",
+                kind.kind, with.0, with.1, with.2
+            )?;
+        }
+    }
+    Ok(text)
+}
+
+/// Every scene of the book at its own accuracy, and at 1e-9.
+fn files(book: &Path) -> Result<String, Box<dyn std::error::Error>> {
+    let mut text = here();
+    text += "file,solver,evaluations,ms,evaluations_at_1e-9,ms_at_1e-9\n";
+    let entries = std::fs::read_dir(book.join("scenes"))?;
+    let mut paths = entries
+        .map(|entry| entry.map(|entry| entry.path()))
+        .collect::<Result<Vec<PathBuf>, _>>()?;
+    paths.sort();
+    for path in paths {
+        let file = std::fs::read_to_string(&path)?;
+        let bare: Vec<&str> = file
+            .lines()
+            .filter(|line| !line.starts_with("accuracy"))
+            .collect();
+        let (solver, evaluations, ms) = spent(&file)?;
+        // [run] stands last in every file.
+        let (_, finer, longer) = spent(&format!("{}\naccuracy = 1e-9\n", bare.join("\n")))?;
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        writeln!(
+            text,
+            "{name},{solver},{evaluations},{ms:.4},{finer},{longer:.4}"
+        )?;
+    }
+    Ok(text)
+}
+
+/// Least time of `runs` calls, seconds.
+fn least(runs: usize, mut work: impl FnMut()) -> f64 {
+    let mut best = f64::INFINITY;
+    for _ in 0..runs {
+        let start = Instant::now();
+        work();
+        best = best.min(start.elapsed().as_secs_f64());
+    }
+    best
+}
+
+/// A scene without effects beside the free top called directly: set-up and ten thousand states each.
+fn nothing() -> spinning_bodies::Result<()> {
+    let (moments, omega) = ([1.0, 2.0, 3.0], BodyVector::new(0.4, 0.3, 1.0));
+    let times: Vec<f64> = (0..10_000).map(|i| 0.01 * f64::from(i)).collect();
+    let start = Start::with_omega(omega, Attitude::identity());
+    let scene = Top::new(Body::new(moments)?, start)?;
+    let request = Request::at(times.clone())?;
+    let (mut direct, mut form, mut whole) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
+    // Alternately, so that all see the same machine.
+    for _ in 0..40 {
+        direct = direct.min(least(1, || {
+            if let Ok(top) = EulerTop::from_omega(moments, omega, Attitude::identity()) {
+                for &t in &times {
+                    let _ = black_box(top.at(t));
+                }
+            }
+        }));
+        form = form.min(least(1, || {
+            if let Ok(top) = scene.free_top() {
+                for &t in &times {
+                    let _ = black_box(top.at(t));
+                }
+            }
+        }));
+        whole = whole.min(least(1, || {
+            let _ = black_box(spinning_bodies::scene::Scene::simulate(&scene, &request));
+        }));
+    }
+    println!("a scene without effects, ns a state over 10000 states");
+    let count = times.len() as f64;
+    for (name, time) in [
+        ("EulerTop called directly", direct),
+        ("the scene's free top", form),
+        ("simulate: rows and ledger", whole),
+    ] {
+        println!(
+            "{name:>28} {:>8.1} ratio {:.3}",
+            time / count * 1e9,
+            time / direct
+        );
+    }
+    Ok(())
+}
+
+/// One effect more at a time, for a general method: ns an evaluation, evaluations, ms a run.
+fn prices() -> spinning_bodies::Result<()> {
+    let center = BodyVector::new(0.0, 0.0, 0.04);
+    let body = Body::new([2.0e-4, 2.0e-4, 7.0e-5])?.with_center_of_mass(0.1, center)?;
+    let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    let start = Start::with_omega(BodyVector::new(0.0, 0.0, 188.5), tilted);
+    let none = Listed::default();
+    let gravity = Listed {
+        gravity: Some(Gravity::new(9.81)?),
+        ..none
+    };
+    let lists = [
+        ("nothing", none),
+        ("gravity", gravity),
+        (
+            "and pivot friction",
+            Listed {
+                pivot_friction: Some(PivotFriction::new(1e-6)?),
+                ..gravity
+            },
+        ),
+        (
+            "and bearing friction",
+            Listed {
+                bearing_friction: Some(BearingFriction::new(1e-6)?),
+                ..gravity
+            },
+        ),
+        (
+            "and air drag",
+            Listed {
+                air_drag: Some(AirDrag::new(1e-8)?),
+                ..gravity
+            },
+        ),
+        (
+            "and tip friction",
+            Listed {
+                tip_friction: Some(TipFriction::new(1e-6)?),
+                ..gravity
+            },
+        ),
+    ];
+    let request = Request::at([1.0])?.to_accuracy(1e-9)?;
+    let request = request.by(Choice::Use(Solver::General(Method::Dop853)));
+    println!("\none second of a top at 30 turns a second, DOP853 to 1e-9");
+    println!(
+        "{:>22} {:>12} {:>8} {:>14}",
+        "effects", "evaluations", "ms", "ns/evaluation"
+    );
+    for (name, list) in lists {
+        let scene = list.on(body, start)?;
+        let evaluations = scene.simulate(&request)?.cost.evaluations;
+        let time = least(7, || {
+            let _ = black_box(scene.simulate(&request));
+        });
+        let each = time / evaluations as f64 * 1e9;
+        println!(
+            "{name:>22} {evaluations:>12} {:>8.2} {each:>14.1}",
+            time * 1e3
+        );
+    }
+    Ok(())
+}

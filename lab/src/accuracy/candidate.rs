@@ -1,0 +1,203 @@
+//! Which methods can run a problem, and how hard each is asked to work.
+
+use spinning_bodies::Result;
+use spinning_bodies::integrators::geometric::{
+    DormandPrince8, Drift, Follow, FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov,
+    MuntheKaas, Nothing, Order, Rotations, SymmetricDrift, Torque, UnequalDrift, VeselovOrder,
+    Weight,
+};
+use spinning_bodies::integrators::{Effort, Method};
+
+use super::ClosedForm;
+use super::problem::{Problem, Setting};
+use super::table_top::Sliding;
+use crate::general::GeneralMethod;
+
+/// A method for a problem, and the efforts from coarse to more than rounding allows.
+pub struct Candidate {
+    name: String,
+    method: Box<dyn Follow>,
+    efforts: Vec<Effort>,
+}
+
+impl core::fmt::Debug for Candidate {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Candidate")
+            .field("name", &self.name)
+            .field("efforts", &self.efforts)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Candidate {
+    /// The name in the tables: `exact`, `rk4`, `kick-drift-6`, …
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The method.
+    pub fn method(&self) -> &dyn Follow {
+        &*self.method
+    }
+
+    /// How hard it is asked to work, from coarse to fine.
+    pub fn efforts(&self) -> &[Effort] {
+        &self.efforts
+    }
+}
+
+/// The methods that can run a problem: closed form where there is one, geometric ones, those of the crate `differential-equations`.
+///
+/// # Errors
+/// Those of moments and levers that no body has.
+pub fn candidates(problem: &Problem) -> Result<Vec<Candidate>> {
+    let mut found = Found {
+        problem,
+        candidates: Vec::new(),
+    };
+    match *problem.setting() {
+        Setting::Top { moments, lever } => {
+            if let Ok(exact) = ClosedForm::new(moments, lever) {
+                found.add("exact", exact, vec![Effort::Tolerance(0.0)]);
+            }
+            if lever == [0.0; 3] {
+                found.free(moments)?;
+            } else {
+                found.heavy(moments, lever)?;
+            }
+        }
+        Setting::Table(ball) => {
+            for method in Method::ALL {
+                let general = Some(method);
+                found.general(method, Sliding { ball, general });
+            }
+            let ours = Sliding {
+                ball,
+                general: None,
+            };
+            found.add("dormand-prince-8", ours, tolerances());
+        }
+    }
+    Ok(found.candidates)
+}
+
+struct Found<'a> {
+    problem: &'a Problem,
+    candidates: Vec<Candidate>,
+}
+
+impl Found<'_> {
+    fn add(
+        &mut self,
+        name: impl Into<String>,
+        method: impl Follow + 'static,
+        efforts: Vec<Effort>,
+    ) {
+        self.candidates.push(Candidate {
+            name: name.into(),
+            method: Box::new(method),
+            efforts,
+        });
+    }
+
+    fn stepped(&mut self, name: impl Into<String>, method: impl Follow + 'static) {
+        self.add(name, method, steps(self.problem, &[1.0, 1.5]));
+    }
+
+    fn general(&mut self, method: Method, follow: impl Follow + 'static) {
+        let efforts = if method.is_adaptive() {
+            tolerances()
+        } else {
+            // The crate counts time from 0 to 1, where a third is no double.
+            steps(self.problem, &[1.0])
+        };
+        self.add(method.name(), follow, efforts);
+    }
+
+    fn free(&mut self, moments: [f64; 3]) -> Result<()> {
+        for order in Order::ALL {
+            let method = FreeSplitting::new(moments, order)?;
+            self.stepped(format!("rotations-{}", order.number()), method);
+        }
+        for order in VeselovOrder::ALL {
+            let method = MoserVeselov::new(moments, order)?;
+            self.stepped(format!("moser-veselov-{}", order.number()), method);
+        }
+        self.stepped("midpoint-2", GroupMidpoint::new(moments)?);
+        self.any_torque(moments, Nothing)
+    }
+
+    fn heavy(&mut self, moments: [f64; 3], lever: [f64; 3]) -> Result<()> {
+        let weight = Weight::new(lever)?;
+        if let Ok(drift) = SymmetricDrift::new(moments) {
+            self.kicked("kick-drift", weight, |_| Ok(drift))?;
+        } else {
+            let drift = UnequalDrift::new(moments)?;
+            self.kicked("kick-drift", weight, |_| Ok(drift))?;
+            self.kicked("kick-rotations", weight, |order| {
+                Rotations::new(moments, order)
+            })?;
+        }
+        let midpoint = HeavySplitting::new(GroupMidpoint::new(moments)?, weight, Order::Two);
+        self.stepped("midpoint-2", midpoint);
+        self.any_torque(moments, weight)
+    }
+
+    fn kicked<D: Drift<f64> + 'static>(
+        &mut self,
+        name: &str,
+        weight: Weight,
+        drift: impl Fn(Order) -> Result<D>,
+    ) -> Result<()> {
+        for order in Order::ALL {
+            let method = HeavySplitting::new(drift(order)?, weight, order);
+            self.stepped(format!("{name}-{}", order.number()), method);
+        }
+        Ok(())
+    }
+
+    fn any_torque<N: Torque<f64> + Copy + 'static>(
+        &mut self,
+        moments: [f64; 3],
+        torque: N,
+    ) -> Result<()> {
+        self.stepped("munthe-kaas-4", MuntheKaas::new(moments, torque)?);
+        for method in Method::ALL {
+            self.general(method, GeneralMethod::new(moments, torque, method)?);
+        }
+        let ours = DormandPrince8::new(moments, torque)?;
+        self.add("dormand-prince-8", ours, tolerances());
+        Ok(())
+    }
+}
+
+/// Three to a decade, down to where the error of a step is rounding: finer than the differences between methods. Below 1e-15 a method may look
+/// for a step that rounding does not let it find.
+fn tolerances() -> Vec<Effort> {
+    const DECADES: [f64; 14] = [
+        1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,
+    ];
+    let within = |decade: f64| [decade, 0.5 * decade, 0.2 * decade].map(Effort::Tolerance);
+    DECADES
+        .into_iter()
+        .flat_map(within)
+        .take(3 * DECADES.len() - 2)
+        .collect()
+}
+
+/// From about two steps a turn up: the run in 2ᵏ parts, and in as many times the `multiples`. With 1.5 these are 3·2ᵏ, which for the listed
+/// problems are exact doubles, too: steps add up to the run without a rounding of time.
+fn steps(problem: &Problem, multiples: &[f64]) -> Vec<Effort> {
+    const MOST: f64 = 1e9;
+    const MOST_A_TURN: f64 = 131_072.0;
+    let least = (2.0 * problem.turns()).max(4.0).log2().floor();
+    let most = (MOST_A_TURN * problem.turns().max(1.0)).min(MOST);
+    let mut count = least.exp2();
+    let mut efforts = Vec::new();
+    while count <= most {
+        let parts = multiples.iter().map(|multiple| multiple * count);
+        efforts.extend(parts.map(|parts| Effort::Step(problem.end() / parts)));
+        count *= 2.0;
+    }
+    efforts
+}

@@ -1,0 +1,142 @@
+//! A motion to be computed, and what is known of it.
+
+use spinning_bodies::integrators::geometric::Phase;
+use spinning_bodies::{Error, Result};
+
+use super::sample::Sample;
+use super::table_top::SlidingBall;
+
+/// What moves.
+#[derive(Debug, Clone, Copy)]
+pub enum Setting {
+    /// A body with a fixed point, under its weight or none.
+    Top {
+        /// Moments along the body's axes, kg m².
+        moments: [f64; 3],
+        /// The lever MgC along the body's axes, N m.
+        lever: [f64; 3],
+    },
+    /// A ball on a table, C off its centre.
+    Table(SlidingBall),
+}
+
+/// A motion: a body, its start, the time it lasts, and samples of the truth.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    name: String,
+    description: &'static str,
+    setting: Setting,
+    start: Phase,
+    turns: f64,
+    truth: Vec<Sample>,
+}
+
+impl Problem {
+    /// The motion from `start` at time 0 through the samples of `truth`, in their order, at the last of which it ends; `turns` is
+    /// about the number of turns until then, for the steps that methods begin with.
+    ///
+    /// # Errors
+    /// [`Error::Empty`] without samples; [`Error::OutOfRange`] for sample times that do not ascend from 0; [`Error::NotFinite`].
+    pub fn new(
+        name: impl Into<String>,
+        setting: Setting,
+        start: Phase,
+        turns: f64,
+        truth: Vec<Sample>,
+    ) -> Result<Self> {
+        finite("the number of turns", turns)?;
+        if truth.is_empty() {
+            return Err(Error::Empty {
+                quantity: "the truth",
+            });
+        }
+        let mut before = 0.0;
+        for sample in &truth {
+            let time = finite("the time of a sample", sample.time())?;
+            if time <= before {
+                return Err(Error::OutOfRange {
+                    quantity: "the time of a sample",
+                    value: time,
+                    least: before,
+                    greatest: f64::INFINITY,
+                });
+            }
+            before = time;
+        }
+        Ok(Self {
+            name: name.into(),
+            description: "",
+            setting,
+            start,
+            turns,
+            truth,
+        })
+    }
+
+    /// The same with a line on what it is.
+    pub(super) const fn described(mut self, description: &'static str) -> Self {
+        self.description = description;
+        self
+    }
+
+    /// Its name, as in the tables: `free-top/1000`, the number of turns last.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What it is, in a line; nothing for one of one's own.
+    pub const fn description(&self) -> &'static str {
+        self.description
+    }
+
+    /// What moves.
+    pub const fn setting(&self) -> &Setting {
+        &self.setting
+    }
+
+    /// Moments along the body's axes, kg m².
+    pub const fn moments(&self) -> [f64; 3] {
+        match &self.setting {
+            Setting::Top { moments, .. } => *moments,
+            Setting::Table(ball) => ball.moments(),
+        }
+    }
+
+    /// L and attitude at time 0.
+    pub const fn start(&self) -> &Phase {
+        &self.start
+    }
+
+    /// About the number of turns.
+    pub const fn turns(&self) -> f64 {
+        self.turns
+    }
+
+    /// What is true, at ascending times.
+    pub fn truth(&self) -> &[Sample] {
+        &self.truth
+    }
+
+    /// The times of the samples, s.
+    pub fn times(&self) -> Vec<f64> {
+        self.truth.iter().map(Sample::time).collect()
+    }
+
+    /// The last sample.
+    pub fn last(&self) -> &Sample {
+        &self.truth[self.truth.len() - 1]
+    }
+
+    /// How long it lasts, s.
+    pub fn end(&self) -> f64 {
+        self.last().time()
+    }
+}
+
+fn finite(quantity: &'static str, value: f64) -> Result<f64> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity, value })
+    }
+}

@@ -1,0 +1,116 @@
+//! A state known to 32 digits, and how far a computed one is from it.
+
+use spinning_bodies::integrators::geometric::{Phase, Real, TwoWords};
+
+/// The true attitude and angular velocity at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    time: f64,
+    omega: [TwoWords; 3],
+    attitude: [TwoWords; 4],
+}
+
+/// How far a computed state is from the true one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Apart {
+    /// Angle of the rotation between the two attitudes, rad; infinite for one that is not finite.
+    pub attitude: f64,
+    /// |ΔΩ|/|Ω|; infinite likewise.
+    pub omega: f64,
+}
+
+impl Sample {
+    /// At this time (s): Ω along the body's axes (rad/s) and the attitude's quaternion (w, x, y, z), each number the sum of two doubles.
+    pub fn new(time: f64, omega: [[f64; 2]; 3], attitude: [[f64; 2]; 4]) -> Self {
+        let sum = |[high, low]: [f64; 2]| TwoWords::from_double(high) + TwoWords::from_double(low);
+        Self {
+            time,
+            omega: omega.map(sum),
+            attitude: attitude.map(sum),
+        }
+    }
+
+    /// From a motion computed in two words, of a body with these moments.
+    pub fn of_phase(time: f64, phase: &Phase<TwoWords>, moments: [f64; 3]) -> Self {
+        let rate = |k: usize| phase.l[k] * TwoWords::from_double(moments[k]).reciprocal();
+        Self {
+            time,
+            omega: core::array::from_fn(rate),
+            attitude: phase.q,
+        }
+    }
+
+    /// The time, s.
+    pub const fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Ω along the body's axes (rad/s) and the attitude's quaternion (w, x, y, z).
+    pub const fn numbers(&self) -> ([TwoWords; 3], [TwoWords; 4]) {
+        (self.omega, self.attitude)
+    }
+
+    /// How far `phase`, of a body with these moments, is from the truth.
+    ///
+    /// Differences are formed in two words: errors are right to rounding themselves, down to 1e-30, in whatever numbers the state is given.
+    /// The quaternion may have any length.
+    pub fn apart<T: Real>(&self, phase: &Phase<T>, moments: [f64; 3]) -> Apart {
+        let [a, b, c, d] = self.attitude;
+        let [w, x, y, z] = phase.q.map(T::two_words);
+        // The vector part of truth⁻¹q, which for small angles is all of it.
+        let across = [
+            (a * x - b * w) + (d * y - c * z),
+            (a * y + b * z) - (c * w + d * x),
+            (a * z - b * y) + (c * x - d * w),
+        ];
+        let along = (a * w + b * x) + (c * y + d * z);
+        let size = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
+        let gap = |k: usize| {
+            let l = self.omega[k] * TwoWords::from_double(moments[k]);
+            (phase.l[k].two_words() - l).to_double() / moments[k]
+        };
+        let turn = size(across.map(TwoWords::to_double)).atan2(along.to_double().abs());
+        let omega = size(self.omega.map(TwoWords::to_double));
+        Apart {
+            attitude: known(2.0 * turn),
+            omega: known(size(core::array::from_fn(gap)) / omega),
+        }
+    }
+}
+
+/// An error that is not a number is no small one.
+const fn known(error: f64) -> f64 {
+    if error.is_nan() { f64::INFINITY } else { error }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sample;
+    use spinning_bodies::integrators::geometric::Phase;
+
+    #[test]
+    fn errors_far_below_rounding_are_seen() {
+        let third = [1.0 / 3.0, 1.0 / 3.0 * 2.0_f64.powi(-54)];
+        let truth = Sample::new(
+            1.0,
+            [third, [0.0; 2], [0.0; 2]],
+            [[1.0, 0.0], [1e-25, 0.0], [0.0; 2], [0.0; 2]],
+        );
+        let phase = Phase {
+            l: [1.0 / 3.0, 0.0, 0.0],
+            q: [-3.0, 0.0, 0.0, 0.0],
+        };
+        let apart = truth.apart(&phase, [1.0; 3]);
+        assert!((apart.attitude / 2e-25 - 1.0).abs() < 1e-15, "{apart:?}");
+        assert!(
+            (apart.omega / 2.0_f64.powi(-54) - 1.0).abs() < 1e-15,
+            "{apart:?}"
+        );
+        let lost = Phase {
+            l: [f64::NAN; 3],
+            q: [f64::NAN; 4],
+        };
+        let apart = truth.apart(&lost, [1.0; 3]);
+        assert!(apart.attitude == f64::INFINITY && apart.omega == f64::INFINITY);
+    }
+}

@@ -1,0 +1,166 @@
+//! Hard cases: what textbook formulas lose, and what is left when the cancellation is taken out by algebra.
+//!
+//! Twelve families of cases, each walking towards a place where a formula that is right on paper loses its digits in doubles: the separatrix, an axis,
+//! the sphere, a long time, a top almost upright. At each step both are computed from the same doubles and held against a
+//! committed table of 36 digits, made by two routes (`tests/reference/hard_cases.csv` and `.py`): the formula as the tutorial prints it, and the library's way.
+//!
+//! | family | the textbook | the library |
+//! |---|---|---|
+//! | 2, 6, 7 | differences of rounded numbers | the same differences formed by algebra before anything is rounded |
+//! | 6.6 | 1 − k² | k² and 1 − k² side by side, both from the mechanics |
+//! | 6.6, 4.6 | a rate times a long time | the rate in two words, reduced before it is rounded |
+//!
+//! ```
+//! use lab::hard_cases::named;
+//! let family = named("near-axis").expect("it is in the list");
+//! let closest = family.comparisons()?.last().copied().expect("there are steps");
+//! assert!(closest.textbook > 0.1 && closest.ours < 1e-15);
+//! # Ok::<(), spinning_bodies::Error>(())
+//! ```
+
+mod attitude;
+mod elliptic;
+mod free_top;
+mod inertia;
+mod lagrange_top;
+mod superball;
+
+use spinning_bodies::{Error, Result};
+
+use crate::table;
+
+/// Family, nearness, inputs and results of each step.
+const TRUTH: &str = include_str!("../../../tests/reference/hard_cases.csv");
+
+/// One step of a family: exact inputs, and what is right.
+#[derive(Debug, Clone)]
+struct Step {
+    nearness: f64,
+    inputs: Vec<f64>,
+    /// Each number as the sum of two.
+    results: Vec<[f64; 2]>,
+}
+
+/// A way of computing the results of a step from its inputs.
+pub type Formula = fn(&[f64]) -> Result<Vec<f64>>;
+
+/// Cases that come closer and closer to where a formula loses its digits.
+#[derive(Debug, Clone, Copy)]
+pub struct Family {
+    /// The name by which [`named`] finds it.
+    pub name: &'static str,
+    /// The paragraph of the tutorial whose formula it is.
+    pub paragraph: &'static str,
+    /// What is computed.
+    pub quantity: &'static str,
+    /// Where the textbook's digits go.
+    pub lost: &'static str,
+    /// As printed, each operation rounded.
+    pub textbook: Formula,
+    /// The library's way.
+    pub ours: Formula,
+}
+
+/// Both ways at one step. An error is |found − true|/|true| of the vector of results.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Comparison {
+    /// How close to the hard place, 0 being there; what it measures is the family's: see the [list](families).
+    pub nearness: f64,
+    /// The relative error of the textbook's formula; not a number where it has no answer.
+    pub textbook: f64,
+    /// That of the library.
+    pub ours: f64,
+}
+
+impl Family {
+    fn steps(&self) -> Result<Vec<Step>> {
+        table::rows(
+            TRUTH,
+            |name| name == self.name,
+            |cells: [&'static str; 4]| {
+                let [_, nearness, inputs, results] = cells;
+                Ok(Step {
+                    nearness: table::exact(nearness)?,
+                    inputs: inputs.split(' ').map(table::exact).collect::<Result<_>>()?,
+                    results: results
+                        .split(' ')
+                        .map(table::decimal)
+                        .collect::<Result<_>>()?,
+                })
+            },
+        )
+    }
+
+    /// Both ways at every step, the easiest first.
+    ///
+    /// # Errors
+    /// Those of the library's way, which has none on these cases; of the table of the truth, if a line of it were broken.
+    pub fn comparisons(&self) -> Result<Vec<Comparison>> {
+        let compared = |step: &Step| {
+            Ok(Comparison {
+                nearness: step.nearness,
+                textbook: (self.textbook)(&step.inputs)
+                    .map_or(f64::NAN, |found| step.error(&found)),
+                ours: step.error(&(self.ours)(&step.inputs)?),
+            })
+        };
+        self.steps()?.iter().map(compared).collect()
+    }
+
+    /// What goes into both ways at each step.
+    ///
+    /// # Errors
+    /// Those of the table.
+    pub fn inputs(&self) -> Result<Vec<Vec<f64>>> {
+        Ok(self.steps()?.into_iter().map(|step| step.inputs).collect())
+    }
+}
+
+impl Step {
+    /// |found − true|/|true|, the differences exact to 32 digits; not a number for another count of numbers.
+    fn error(&self, found: &[f64]) -> f64 {
+        if found.len() != self.results.len() {
+            return f64::NAN;
+        }
+        let square = |x: f64| x * x;
+        let pairs = || found.iter().zip(&self.results);
+        // Scaled: the numbers may be as small as their squares are nothing.
+        let greatest = self.results.iter().fold(0.0_f64, |m, r| m.max(r[0].abs()));
+        let off: f64 = pairs()
+            .map(|(x, [high, low])| square(((x - high) - low) / greatest))
+            .sum();
+        let size: f64 = pairs().map(|(_, [high, _])| square(high / greatest)).sum();
+        (off / size).sqrt()
+    }
+}
+
+/// The inputs of a case, as many as its formula takes.
+fn numbers<const N: usize>(inputs: &[f64]) -> Result<[f64; N]> {
+    inputs.try_into().map_err(|_| Error::Condition {
+        condition: "a case must have as many inputs as its formula takes",
+        value: inputs.len() as f64,
+    })
+}
+
+/// All families, in the order of the book.
+pub fn families() -> [Family; 12] {
+    [
+        free_top::NEAR_SEPARATRIX,
+        free_top::NEAR_AXIS,
+        free_top::NEARLY_SPHERE,
+        free_top::LONG_TIME,
+        elliptic::QUARTER_PERIOD,
+        lagrange_top::SLEEPING_TOP,
+        lagrange_top::FAST_TOP,
+        lagrange_top::SLOW_PRECESSION,
+        inertia::FAR_MESH,
+        inertia::NEEDLE,
+        attitude::SMALL_TURN,
+        superball::MANY_BOUNCES,
+    ]
+}
+
+/// The family of this name, if there is one.
+pub fn named(name: &str) -> Option<Family> {
+    families().into_iter().find(|family| family.name == name)
+}

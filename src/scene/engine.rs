@@ -274,11 +274,14 @@ impl<F> Run<'_, F> {
     }
 
     /// The samples at times in any order, before and after the start alike.
-    pub fn at<const N: usize>(&self, times: &[f64]) -> Result<Trace<F::Phase, N>>
+    pub fn at<const N: usize>(
+        &self,
+        start: (F::Phase, [f64; N]),
+        times: &[f64],
+    ) -> Result<Trace<F::Phase, N>>
     where
         F: Flow<N>,
     {
-        let start = self.flow.start()?;
         let order = ascending(times);
         let (past, future) = order.split_at(order.partition_point(|&i| times[i] < 0.0));
         let past: Vec<usize> = past.iter().rev().copied().collect();
@@ -360,7 +363,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
             effort,
             budget,
         };
-        let trace = run.at(&times)?;
+        let trace = run.at(flow.start()?, &times)?;
         cost += trace.cost;
         Ok((flow, trace))
     };
@@ -497,17 +500,8 @@ fn growth<const N: usize, F: Flow<N>>(
 ) -> Result<f64> {
     let (phase, start) = flow.start()?;
     let scales = flow.scales();
-    let mut moved = start;
-    for (n, number) in moved.iter_mut().enumerate() {
-        let sense = if n % 2 == 0 { MOVED } else { -MOVED };
-        *number += sense * scales[n];
-    }
-    let order = ascending(times);
-    let sorted: Vec<f64> = order
-        .iter()
-        .map(|&i| times[i])
-        .filter(|&t| t >= 0.0)
-        .collect();
+    // In a direction of no particular meaning.
+    let moved = core::array::from_fn(|n| start[n] + MOVED * scales[n] * (2.0 + n as f64).sin());
     let run = Run {
         flow,
         stepper,
@@ -515,8 +509,8 @@ fn growth<const N: usize, F: Flow<N>>(
         budget,
     };
     let [a, b] = [
-        run.follow((phase, start), &sorted)?,
-        run.follow((phase, moved), &sorted)?,
+        run.at((phase, start), times)?,
+        run.at((phase, moved), times)?,
     ];
     let first = flow.distance(&(phase, start), &(phase, moved));
     let pairs = a.samples.iter().zip(&b.samples);
@@ -568,5 +562,162 @@ pub(crate) fn planned(
         (Choice::Use(solver @ Solver::General(_)), _) => plan(solver, "asked for"),
         (Choice::Use(solver), _) if solver == OURS => plan(solver, "asked for"),
         (Choice::Use(_), _) => Err(Error::Solver { condition: has }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ball on a floor: height and climb; every bounce leaves nine tenths of the speed.
+    #[derive(Clone, Copy)]
+    struct Ball;
+
+    impl Flow<2> for Ball {
+        type Phase = u32;
+
+        fn start(&self) -> Result<(u32, [f64; 2])> {
+            Ok((0, [0.5, 0.0]))
+        }
+
+        fn scales(&self) -> [f64; 2] {
+            [1.0; 2]
+        }
+
+        fn pace(&self) -> f64 {
+            1.0
+        }
+
+        fn rate(&self, _: u32, _: f64, y: &[f64; 2]) -> [f64; 2] {
+            [y[1], -1.0]
+        }
+
+        fn margin(&self, _: u32, _: f64, y: &[f64; 2]) -> f64 {
+            y[0]
+        }
+
+        fn may_end(&self, _: u32) -> bool {
+            true
+        }
+
+        fn next(&self, bounces: u32, ended: Ended, _: f64, y: &mut [f64; 2]) -> Result<u32> {
+            assert_eq!(ended, Ended::ByEvent);
+            *y = [0.0, -0.9 * y[1]];
+            Ok(bounces + 1)
+        }
+
+        fn distance(&self, a: &(u32, [f64; 2]), b: &(u32, [f64; 2])) -> f64 {
+            (a.1[0] - b.1[0]).abs()
+        }
+    }
+
+    const OURS: Solver = Solver::Geometric(Geometric::DormandPrince8);
+
+    #[test]
+    fn a_ball_bounces_as_the_sum_of_its_flights_has_it() {
+        // Flights of 2·0.9ⁿ after a fall of 1: seventeen of them end before 15.9.
+        let times = [15.9, 0.0, 0.5, 7.7];
+        let request = Request::at(times).unwrap().to_accuracy(1e-12).unwrap();
+        let answer = to_accuracy(&request, OURS, |_| Ok(Ball)).unwrap();
+        for (&t, (bounces, y)) in times.iter().zip(&answer.trace.samples) {
+            let (mut begun, mut speed, mut count) = (1.0, 0.9, 1);
+            while begun + 2.0 * speed <= t {
+                (begun, speed, count) = (begun + 2.0 * speed, 0.9 * speed, count + 1);
+            }
+            let (height, expected) = if t < 1.0 {
+                (0.5 - 0.5 * t * t, 0)
+            } else {
+                (speed * (t - begun) - 0.5 * (t - begun) * (t - begun), count)
+            };
+            let error = (y[0] - height).abs();
+            assert!(
+                error <= answer.error && answer.error <= 1e-12,
+                "{t}: {error:e}"
+            );
+            assert_eq!(*bounces, expected);
+        }
+    }
+
+    #[test]
+    fn bounces_that_pile_up_are_refused() {
+        let request = Request::at([20.0]).unwrap();
+        let refused = to_accuracy(&request, OURS, |_| Ok(Ball));
+        assert!(
+            matches!(refused, Err(Error::Integration { .. })),
+            "{refused:?}"
+        );
+    }
+
+    /// y″ = y: a pencil on its tip. A clock turns it off after a given time.
+    #[derive(Clone, Copy)]
+    struct Pencil {
+        start: [f64; 2],
+        until: f64,
+    }
+
+    impl Flow<2> for Pencil {
+        type Phase = bool;
+
+        fn start(&self) -> Result<(bool, [f64; 2])> {
+            Ok((true, self.start))
+        }
+
+        fn scales(&self) -> [f64; 2] {
+            [1.0; 2]
+        }
+
+        fn pace(&self) -> f64 {
+            1.0
+        }
+
+        fn rate(&self, stands: bool, _: f64, y: &[f64; 2]) -> [f64; 2] {
+            if stands { [y[1], y[0]] } else { [y[1], 0.0] }
+        }
+
+        fn lasts_until(&self, stands: bool, _: f64) -> f64 {
+            if stands { self.until } else { f64::INFINITY }
+        }
+
+        fn next(&self, _: bool, _: Ended, _: f64, _: &mut [f64; 2]) -> Result<bool> {
+            Ok(false)
+        }
+
+        fn distance(&self, a: &(bool, [f64; 2]), b: &(bool, [f64; 2])) -> f64 {
+            (a.1[0] - b.1[0]).hypot(a.1[1] - b.1[1])
+        }
+    }
+
+    #[test]
+    fn a_corner_ends_a_step() {
+        let falling = Pencil {
+            start: [1.0, -1.0],
+            until: 2.0,
+        };
+        let request = Request::at([3.0, -1.0])
+            .unwrap()
+            .to_accuracy(1e-11)
+            .unwrap();
+        let answer = to_accuracy(&request, OURS, |_| Ok(falling)).unwrap();
+        // From 2 on with the velocity of then; before the start nothing turns it off.
+        for ((_, y), expected) in answer.trace.samples.iter().zip([0.0, 1.0_f64.exp()]) {
+            let error = (y[0] - expected).abs();
+            assert!(error <= answer.error, "{error:e}");
+        }
+        assert_eq!(answer.trace.phases, [(0.0, true), (2.0, false)]);
+    }
+
+    #[test]
+    fn what_amplifies_too_much_is_refused_with_the_growth() {
+        let leaving = Pencil {
+            start: [1.0, -0.7],
+            until: 50.0,
+        };
+        let request = Request::at([40.0]).unwrap();
+        let refused = to_accuracy(&request, OURS, |_| Ok(leaving));
+        let Err(Error::Amplified { growth, .. }) = refused else {
+            panic!("{refused:?}");
+        };
+        // e⁴⁰ = 2.4e17 for a displacement along (1, 1).
+        assert!((5e16..2.4e17).contains(&growth), "{growth:e}");
     }
 }

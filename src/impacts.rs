@@ -126,6 +126,15 @@ impl Meteorite {
     }
 }
 
+/// Where a meteorite strikes: the effect of a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Impact {
+    /// The meteorite, velocity along the planet's axes.
+    pub meteorite: Meteorite,
+    /// The point of impact from the planet's centre, along the same axes, m.
+    pub at: BodyVector,
+}
+
 /// An impact, before and after.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Strike {

@@ -1,6 +1,6 @@
 //! Two feet on a line, with a muscle between them: friction is what makes crawling possible (tutorial 1.1).
 
-use crate::error::{Error, Result, positive};
+use crate::error::{Result, positive};
 
 /// Two feet, rear and front.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,30 +42,44 @@ impl Strokes {
         self.push + self.pull
     }
 
-    /// Piece of the motion with this number, four a cycle: its beginning and end, s, and the acceleration of the gap.
-    pub fn piece(&self, number: u64) -> (f64, f64, f64) {
-        let from_start = |number: u64| {
-            let within = match number % 4 {
-                0 => 0.0,
-                1 => 0.5 * self.push,
-                2 => self.push,
-                _ => self.push + 0.5 * self.pull,
-            };
-            (number / 4) as f64 * self.cycle() + within
+    /// When the piece of the motion with this number begins, s; there are four a cycle.
+    pub fn beginning(&self, number: u64) -> f64 {
+        let within = match number % 4 {
+            0 => 0.0,
+            1 => 0.5 * self.push,
+            2 => self.push,
+            _ => self.push + 0.5 * self.pull,
         };
-        let acceleration = match number % 4 {
+        (number / 4) as f64 * self.cycle() + within
+    }
+
+    /// The piece in which a time (s) lies.
+    pub fn piece_at(&self, time: f64) -> u64 {
+        // One less than the whole cycles make: they are rounded.
+        let mut number = (4 * (time / self.cycle()) as u64).saturating_sub(1);
+        while self.beginning(number + 1) < time {
+            number += 1;
+        }
+        number
+    }
+
+    /// The acceleration of the gap in a piece, m/s².
+    fn acceleration(&self, number: u64) -> f64 {
+        match number % 4 {
             0 => 4.0 * self.length / (self.push * self.push),
             1 => -4.0 * self.length / (self.push * self.push),
             2 => -4.0 * self.length / (self.pull * self.pull),
             _ => 4.0 * self.length / (self.pull * self.pull),
-        };
-        (from_start(number), from_start(number + 1), acceleration)
+        }
     }
 
     /// The gap at a time within the piece of this number.
     pub fn at(&self, number: u64, time: f64) -> Gap {
-        let (from, to, acceleration) = self.piece(number);
-        let (since, left) = (time - from, time - to);
+        let acceleration = self.acceleration(number);
+        let (since, left) = (
+            time - self.beginning(number),
+            time - self.beginning(number + 1),
+        );
         // From the end of the piece at which the rate is zero.
         let (base, elapsed) = match number % 4 {
             0 => (self.gap, since),
@@ -111,21 +125,6 @@ impl Foot {
     }
 }
 
-/// The crawler at one time.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Place {
-    /// Centre of mass, m.
-    pub center: f64,
-    /// Its velocity, m/s.
-    pub velocity: f64,
-    /// What friction has given to the momentum, N s.
-    pub impulse: f64,
-    /// What friction has turned into heat, J.
-    pub heat: f64,
-    /// What the muscle has done, J.
-    pub work: f64,
-}
-
 /// A stretch of time in which neither the muscle's acceleration nor the state of a foot changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
@@ -153,8 +152,8 @@ impl Crawler {
             positive("the mass of the rear foot", rear)?,
             positive("the mass of the front foot", front)?,
         ];
-        positive("the acceleration of the push", strokes.piece(0).2)?;
-        positive("the acceleration of the pull", strokes.piece(3).2)?;
+        positive("the acceleration of the push", strokes.acceleration(0))?;
+        positive("the acceleration of the pull", strokes.acceleration(3))?;
         Ok(Self { masses, strokes })
     }
 
@@ -189,34 +188,34 @@ impl Crawler {
 
     /// What follows for the stretch that begins: which feet hold, and how the centre accelerates.
     ///
-    /// `feet` says which feet were slipping so far; `grip` is μg (m/s²). A foot at rest holds if the force that this takes is no more than μ
-    /// times its weight, and otherwise sets off against it.
-    pub fn leg(&self, feet: [Foot; 2], gap: &Gap, grip: f64) -> Leg {
+    /// `feet` says which feet were slipping so far; `sliding` is μg (m/s²) of a foot that slips, `holding` the same of one at rest: it holds if
+    /// the force that this takes is no more than that times its mass, and otherwise sets off against it.
+    pub fn leg(&self, feet: [Foot; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
         let [rear, front] = self.masses;
         let alpha = gap.acceleration;
         let feet = match feet {
             [Foot::Holds, Foot::Holds] => {
                 // The other foot sets off: outward when the gap opens.
                 let outward = [Foot::toward(-alpha), Foot::toward(alpha)];
-                if front * (alpha.abs() + grip) <= rear * grip {
+                if front * (alpha.abs() + sliding) <= rear * holding {
                     [Foot::Holds, outward[1]]
-                } else if rear * (alpha.abs() + grip) <= front * grip {
+                } else if rear * (alpha.abs() + sliding) <= front * holding {
                     [outward[0], Foot::Holds]
                 } else {
                     outward
                 }
             }
             [Foot::Holds, moving] => {
-                let needed = front * (alpha + grip * moving.sign());
-                if needed.abs() <= rear * grip {
+                let needed = front * (alpha + sliding * moving.sign());
+                if needed.abs() <= rear * holding {
                     feet
                 } else {
                     [Foot::toward(-needed), moving]
                 }
             }
             [moving, Foot::Holds] => {
-                let needed = rear * (-alpha + grip * moving.sign());
-                if needed.abs() <= front * grip {
+                let needed = rear * (-alpha + sliding * moving.sign());
+                if needed.abs() <= front * holding {
                     feet
                 } else {
                     [moving, Foot::toward(-needed)]
@@ -225,8 +224,8 @@ impl Crawler {
             both => both,
         };
         let slides = [
-            -grip * rear * feet[0].sign(),
-            -grip * front * feet[1].sign(),
+            -sliding * rear * feet[0].sign(),
+            -sliding * front * feet[1].sign(),
         ];
         let (center, ground) = match feet {
             [Foot::Holds, _] => {
@@ -265,42 +264,33 @@ impl Crawler {
         foot(0) + foot(1)
     }
 
-    /// The place after `time` in a leg that begins at `place` with this gap, and the gap's change in that time.
-    pub fn after(&self, leg: &Leg, place: &Place, gap: &Gap, time: f64) -> Place {
-        let advance = (place.velocity + 0.5 * leg.center * time) * time;
-        let opened = (gap.rate + 0.5 * leg.acceleration * time) * time;
-        let moved = self.feet(advance, opened);
-        Place {
-            center: place.center + advance,
-            velocity: place.velocity + leg.center * time,
-            impulse: place.impulse + (leg.ground[0] + leg.ground[1]) * time,
-            heat: place.heat + self.heating(leg, moved),
-            work: place.work + self.muscle(leg) * opened,
-        }
+    /// How fast a foot slips on, m/s and m/s², if it slows down: only such a foot can come to rest, and none while the other one holds. Then it
+    /// goes with the stroke and rests where the stroke turns, not before.
+    pub fn slowing(
+        &self,
+        leg: &Leg,
+        foot: usize,
+        velocity: f64,
+        gap_rate: f64,
+    ) -> Option<[f64; 2]> {
+        let along = |of: [f64; 2]| of[foot] * leg.feet[foot].sign();
+        let acceleration = along(self.feet(leg.center, leg.acceleration));
+        let slows = acceleration < 0.0 && !leg.feet.contains(&Foot::Holds);
+        slows.then(|| [along(self.feet(velocity, gap_rate)), acceleration])
     }
 
-    /// When a slipping foot comes to rest in this leg, s from its beginning, and which one; nothing if within `time` none does.
-    /// While one foot holds, the other goes with the stroke and rests where the stroke turns, not before.
-    pub fn rest(&self, leg: &Leg, place: &Place, gap: &Gap, time: f64) -> Option<(f64, usize)> {
-        if leg.feet.contains(&Foot::Holds) {
-            return None;
-        }
-
-        let velocities = self.feet(place.velocity, gap.rate);
-        let accelerations = self.feet(leg.center, leg.acceleration);
-        let stop = |k: usize| {
-            let (v, a) = (
-                velocities[k] * leg.feet[k].sign(),
-                accelerations[k] * leg.feet[k].sign(),
-            );
-            // A foot that should have come to rest at the very end of the last leg does so now.
-            let after = (-v / a).max(0.0);
-            (a < 0.0 && after < time).then_some((after, k))
-        };
-        match (stop(0), stop(1)) {
-            (Some(a), Some(b)) => Some(if a.0 <= b.0 { a } else { b }),
-            (a, b) => a.or(b),
-        }
+    /// Centre, velocity, impulse, heat and work after `time` in a leg that begins with these and with this gap.
+    pub fn after(&self, leg: &Leg, from: &[f64; 5], gap: &Gap, time: f64) -> [f64; 5] {
+        let [center, velocity, impulse, heat, work] = *from;
+        let advance = (velocity + 0.5 * leg.center * time) * time;
+        let opened = (gap.rate + 0.5 * leg.acceleration * time) * time;
+        [
+            center + advance,
+            velocity + leg.center * time,
+            impulse + (leg.ground[0] + leg.ground[1]) * time,
+            heat + self.heating(leg, self.feet(advance, opened)),
+            work + self.muscle(leg) * opened,
+        ]
     }
 
     /// The velocity of the centre that leaves this foot at rest, m/s.
@@ -310,22 +300,6 @@ impl Crawler {
             front / self.mass() * gap_rate
         } else {
             -rear / self.mass() * gap_rate
-        }
-    }
-
-    /// Most events to be looked for: more than an hour of crawling.
-    ///
-    /// # Errors
-    /// [`Error::Condition`] if the times ask for more pieces than a million.
-    pub(crate) fn pieces_until(&self, time: f64) -> Result<u64> {
-        let cycles = (time / self.strokes.cycle()).ceil();
-        if cycles <= 250_000.0 {
-            Ok(4 * cycles as u64)
-        } else {
-            Err(Error::Condition {
-                condition: "a crawler must be asked for no more than 250000 cycles",
-                value: cycles,
-            })
         }
     }
 }

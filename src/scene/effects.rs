@@ -3,9 +3,11 @@
 //! A kind of scene takes effects one by one, `Top::new(body, start)?.with(Gravity::new(9.81)?)?.with(AirDrag::new(1e-6)?)?`, and refuses by
 //! name those that have no meaning for it. What is not given is not there: no equation multiplies it by zero, and none asks for it.
 
-use crate::error::{Error, Result, finite, not_negative};
+use crate::error::{Error, Result, finite, not_negative, within};
 
+pub use super::shape::path::{Draw, FourPhases, Pace, RoundTrip, Turnover};
 pub use crate::falling_strip::{AddedMass, Drag, Lift, RotationalDamping};
+pub use crate::impacts::Impact;
 pub use crate::rolling::course::{Coulomb, RollingResistance};
 pub use crate::rolling::spool::Tug;
 pub use crate::superball::Restitution;
@@ -73,6 +75,26 @@ effects! {
     RotationalDamping, "rotational_damping";
     /// Fluid that is taken along.
     AddedMass, "added_mass";
+    /// Air at rest.
+    Air, "air";
+    /// A meteorite that sticks.
+    Impact, "impact";
+    /// A cat that turns over.
+    Turnover, "turnover";
+    /// A swivel's cycle.
+    FourPhases, "four_phases";
+    /// Another, without corners.
+    RoundTrip, "round_trip";
+    /// Hands that are drawn in.
+    Draw, "draw";
+    /// Loss of spin at every turn of a yo-yo.
+    TurnLoss, "turn_loss";
+    /// Work of the hand at every turn.
+    Hand, "hand";
+    /// A loop in which a yo-yo sleeps.
+    Sleep, "sleep";
+    /// Friction in that loop.
+    AxleFriction, "axle_friction";
 }
 
 impl Effect {
@@ -97,7 +119,7 @@ macro_rules! numbers {
             $(#[$of])*
             ///
             /// # Errors
-            /// [`Error::NotFinite`]; [`Error::Negative`] where less than nothing would drive.
+            /// [`Error::NotFinite`]; [`Error::Negative`] where less than nothing would drive; [`Error::OutOfRange`] for a part of a whole.
             pub fn new(value: f64) -> Result<Self> {
                 Ok(Self($check($quantity, value)?))
             }
@@ -137,6 +159,32 @@ numbers! {
     TipFriction, f64,
     /// The torque N, N m.
     not_negative("tip friction");
+    /// Air at rest, in which a cat of paper falls (1.1).
+    Air, f64,
+    /// Its density, kg/m³.
+    not_negative("the density of the air");
+    /// Every turn of a yo-yo leaves this part of the spin (4.9).
+    TurnLoss, f64,
+    /// Spin after over spin before, 0…1.
+    part("the restitution of the turn");
+    /// The hand does this much work at every turn of a yo-yo, by being raised a little while the string pulls hardest (4.9): see
+    /// [`Turn::work_of_lift`](crate::yo_yo::Turn::work_of_lift).
+    Hand, f64,
+    /// The work, J.
+    not_negative("the work of the hand");
+    /// The string of a yo-yo ends in a loop: it falls asleep at the lowest point, and a jerk wakes it (4.9).
+    Sleep, f64,
+    /// How long it is left asleep, s.
+    not_negative("the duration of the sleep");
+    /// Friction of that loop on the axle (4.9).
+    AxleFriction, f64,
+    /// A constant torque, N m.
+    not_negative("the friction of the axle");
+}
+
+/// A part of a whole.
+fn part(quantity: &'static str, value: f64) -> Result<f64> {
+    within(quantity, value, 0.0, 1.0)
 }
 
 /// The rolling constraint: the point in contact never slips, whatever force that takes (4.7).

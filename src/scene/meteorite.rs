@@ -1,64 +1,26 @@
 //! The scene `meteorite` (tutorial 4.2): a planet flies and turns freely, a meteorite strikes at time 0 and sticks, and the two fly on as one body.
 //!
-//! | effect | type | what it does |
-//! |---|---|---|
-//! | impact | [`Impact`] | the meteorite, with recoil and its own share of the inertia |
-//!
-//! The two are one rigid body that turns about an axis which is no principal axis of it: after the blow the planet wobbles, as
-//! Euler's top does, and its centre circles the common centre of mass.
+//! It takes one effect, an [`Impact`], with recoil and the meteorite's own share of the inertia. The two are one rigid body that turns about an
+//! axis which is no principal axis of it: after the blow the planet wobbles, as Euler's top does, and its centre circles the common centre of mass.
 
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
+use nalgebra::{Rotation3, UnitQuaternion};
 
-use super::choose;
-use super::{Absent, Choice, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
+use super::effects::{Effect, Impact};
+use super::motion::ascending;
+use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::impacts::{Meteorite, Planet, Strike, strike};
-use crate::inertia::InertiaMatrix;
+use crate::impacts::{Planet, Strike, strike};
+use crate::inertia::MassProperties;
 use crate::integrators::Cost;
-
-/// A meteorite that strikes at time 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Impact {
-    /// The meteorite, velocity along the planet's axes at time 0.
-    pub meteorite: Meteorite,
-    /// The point of impact from the planet's centre, along the same axes, m.
-    pub at: BodyVector,
-}
-
-/// A blow, or none.
-pub trait Blow: Copy {
-    /// What it does to the planet.
-    ///
-    /// # Errors
-    /// As [`strike`].
-    fn strike(&self, planet: &Planet) -> Result<Option<Strike>>;
-}
-
-impl Blow for Impact {
-    fn strike(&self, planet: &Planet) -> Result<Option<Strike>> {
-        strike(planet, &self.meteorite, self.at).map(Some)
-    }
-}
-
-impl Blow for Absent {
-    fn strike(&self, _: &Planet) -> Result<Option<Strike>> {
-        Ok(None)
-    }
-}
-
-impl Effect for Impact {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "impact";
-}
 
 /// A planet in free flight whose axes point along those of space at time 0, when its centre is at the origin.
 #[derive(Debug, Clone, Copy)]
-pub struct StruckPlanet<B = Absent> {
+pub struct StruckPlanet {
     planet: Planet,
-    blow: B,
+    impact: Option<Impact>,
 }
 
 impl StruckPlanet {
@@ -66,18 +28,20 @@ impl StruckPlanet {
     pub const fn new(planet: Planet) -> Self {
         Self {
             planet,
-            blow: Absent,
+            impact: None,
         }
     }
-}
 
-impl<B> StruckPlanet<B> {
-    /// The same with a meteorite.
-    pub fn with_impact<A>(self, impact: A) -> StruckPlanet<A> {
-        StruckPlanet {
-            planet: self.planet,
-            blow: impact,
+    /// The same with an [`Impact`], at time 0.
+    ///
+    /// # Errors
+    /// [`Error::Effect`] for any other effect.
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        match effect.into() {
+            Effect::Impact(impact) => self.impact = Some(impact),
+            other => return Err(other.refused("a struck planet", "impact")),
         }
+        Ok(self)
     }
 }
 
@@ -102,95 +66,143 @@ impl Tabulated for Flying {
 
     fn row(&self) -> Vec<f64> {
         let q = self.attitude.quaternion();
-        let (o, c) = (self.omega, self.center);
-        vec![
-            q.w,
-            q.i,
-            q.j,
-            q.k,
-            o.x(),
-            o.y(),
-            o.z(),
-            c.x(),
-            c.y(),
-            c.z(),
-            self.energy,
-        ]
+        let [omega, center] = [self.omega.components(), self.center.components()];
+        let mut row = vec![q.w, q.i, q.j, q.k];
+        row.extend(omega.iter().chain(&center));
+        row.push(self.energy);
+        row
     }
+}
+
+/// Momentum, angular momentum about the origin, and energy.
+#[derive(Clone, Copy)]
+struct Kept {
+    momentum: SpaceVector,
+    angular: SpaceVector,
+    energy: f64,
 }
 
 /// A rigid body in free flight: its centre of mass and Euler's top about it.
 struct Free {
     mass: f64,
     top: EulerTop,
+    /// The same top, all of it off by [`MOVED`].
+    twin: EulerTop,
     /// From the planet's axes to the principal ones.
     turn: UnitQuaternion<f64>,
-    /// The common centre of mass at time 0 and its velocity.
-    from: SpaceVector,
+    /// The common centre of mass at time 0, from the planet's centre, along the planet's axes.
+    common: BodyVector,
+    /// Its velocity, m/s.
     velocity: SpaceVector,
-    /// The planet's centre from there, along the planet's axes.
-    offset: BodyVector,
+    omega: BodyVector,
 }
+
+/// By how much the twin of a top differs, relatively.
+const MOVED: f64 = 1e-13;
+/// Rounding of moments, axes and rates, as it was seen, by a factor of four.
+const ROUNDING: f64 = 1.2e-15;
+/// Times up to the last at which both are compared.
+const CHECKS: u32 = 4;
 
 fn space(v: BodyVector) -> SpaceVector {
     SpaceVector::from_components(v.components())
 }
 
 impl Free {
-    fn new(
-        mass: f64,
-        inertia: InertiaMatrix,
-        omega: BodyVector,
-        velocity: SpaceVector,
-        offset: BodyVector,
-    ) -> Result<Self> {
-        let principal = inertia.principal_axes();
-        let axes: Matrix3<f64> = principal.axes();
+    /// This body, its centre of mass given from the centre of the planet, which has this velocity.
+    fn new(body: &MassProperties, omega: BodyVector, velocity: BodyVector) -> Result<Self> {
+        let principal = body.inertia().principal_axes();
+        let [a, b, c] = principal.moments();
+        let axes = principal.axes();
         let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
         let along = BodyVector::from_components(axes.transpose() * omega.components());
-        let q = turn.into_inner();
-        let attitude = Attitude::from_quaternion(q.w, q.i, q.j, q.k)?;
+        let attitude = Attitude::from_unit(turn.into_inner());
+        // The sum of the lesser moments stays the greater one.
+        let moved = [
+            a * (1.0 + MOVED),
+            b * (1.0 + 0.7 * MOVED),
+            c * (1.0 - 0.6 * MOVED),
+        ];
+        let aside = MOVED * omega.norm() * BodyVector::new(0.6, -0.5, 0.6);
         Ok(Self {
-            mass,
-            top: EulerTop::from_omega(principal.moments(), along, attitude)?,
+            mass: body.mass(),
+            top: EulerTop::from_omega([a, b, c], along, attitude)?,
+            twin: EulerTop::from_omega(moved, along + aside, attitude)?,
             turn,
-            from: space(-offset),
-            velocity,
-            offset,
+            common: body.center(),
+            velocity: space(velocity + omega.cross(&body.center())),
+            omega,
         })
     }
 
-    fn at(&self, t: f64) -> Result<(Flying, SpaceVector)> {
+    fn at(&self, t: f64) -> Result<(Flying, Kept)> {
         let state = self.top.at(t)?;
-        let q = (state.attitude.quaternion() * self.turn.inverse()).into_inner();
-        let attitude = Attitude::from_quaternion(q.w, q.i, q.j, q.k)?;
-        let omega = BodyVector::from_components(self.turn * state.omega.components());
-        let common = self.from + t * self.velocity;
+        let q = state.attitude.quaternion() * self.turn.inverse();
+        let attitude = Attitude::from_unit(q.into_inner());
+        let common = space(self.common) + t * self.velocity;
         let spin = state.attitude.to_space(state.angular_momentum);
-        let v = self.velocity;
-        let energy = 0.5 * self.mass * v.dot(&v) + 0.5 * state.angular_momentum.dot(&state.omega);
+        let momentum = self.mass * self.velocity;
+        let rotation = 0.5 * state.angular_momentum.dot(&state.omega);
+        let energy = 0.5 * momentum.dot(&self.velocity) + rotation;
         let flying = Flying {
             attitude,
-            omega,
-            center: common + attitude.to_space(self.offset),
+            omega: BodyVector::from_components(self.turn * state.omega.components()),
+            center: common - attitude.to_space(self.common),
             energy,
         };
-        Ok((flying, spin + common.cross(&(self.mass * v))))
+        let kept = Kept {
+            momentum,
+            angular: spin + common.cross(&momentum),
+            energy,
+        };
+        Ok((flying, kept))
+    }
+
+    /// By how much rounding may have turned it up to a time: as much as it turns its twin, who is off by more.
+    fn error(&self, until: f64) -> Result<f64> {
+        let fastest = self.omega.norm().max(f64::MIN_POSITIVE);
+        let mut apart: f64 = MOVED;
+        for n in 1..=CHECKS {
+            let t = until * f64::from(n) / f64::from(CHECKS);
+            let (a, b) = (self.top.at(t)?, self.twin.at(t)?);
+            let rates = (a.omega - b.omega).norm() / fastest;
+            apart = apart.max(a.attitude.angle_to(&b.attitude)).max(rates);
+        }
+        Ok(ROUNDING * (1.0 + apart / MOVED))
     }
 }
 
-impl<B: Effect + Blow> Scene for StruckPlanet<B> {
+impl StruckPlanet {
+    /// What flies on after the blow, and what the meteorite brought.
+    fn struck(&self, hit: &Strike) -> Result<(Free, Kept)> {
+        let (planet, meteorite) = (&self.planet, hit.meteorite());
+        let ball = MassProperties::new(planet.mass(), BodyVector::zero(), planet.inertia())?;
+        let stone = MassProperties::particle(meteorite.mass(), hit.at())?;
+        let body = MassProperties::compose(&[ball, stone])?;
+        let after = Free::new(&body, hit.omega_after(), hit.velocity_after())?;
+        let velocity = space(meteorite.velocity());
+        let momentum = meteorite.mass() * velocity;
+        let brought = Kept {
+            momentum,
+            angular: space(hit.at()).cross(&momentum),
+            energy: 0.5 * momentum.dot(&velocity),
+        };
+        Ok((after, brought))
+    }
+}
+
+impl Scene for StruckPlanet {
     type State = Flying;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        match request.choice() {
-            Choice::Auto | Choice::Use(Solver::Exact) if B::PRESENT => Ok(Plan::new(
-                Solver::Exact,
-                "an impact that sticks: six linear equations between two free motions in closed form",
-            )),
-            Choice::Auto | Choice::Use(Solver::Exact) => {
-                Ok(Plan::new(Solver::Exact, "no torque: closed form"))
+        let reason = match self.impact {
+            Some(_) => {
+                "an impact that sticks: six linear equations between two free motions in closed form"
             }
+            None => "no torque: closed form",
+        };
+        match request.choice() {
+            Choice::Auto | Choice::Use(Solver::Exact) => Ok(Plan::new(Solver::Exact, reason)),
             Choice::Use(_) => Err(Error::Solver {
                 condition: "a struck planet is solved in closed form only; ask for exact",
             }),
@@ -199,118 +211,63 @@ impl<B: Effect + Blow> Scene for StruckPlanet<B> {
 
     fn simulate(&self, request: &Request) -> Result<Motion<Flying>> {
         let plan = self.plan(request)?;
-        let planet = &self.planet;
-        let free = |planet: &Planet| {
-            Free::new(
-                planet.mass(),
-                planet.inertia(),
-                planet.omega(),
-                space(planet.velocity()),
-                BodyVector::zero(),
-            )
-        };
-        let before = free(planet)?;
-        let hit = self.blow.strike(planet)?;
-        let after = match &hit {
-            None => None,
-            Some(hit) => {
-                let (small, mass) = (hit.meteorite().mass(), planet.mass());
-                let whole = mass + small;
-                let center = (small / whole) * hit.at();
-                let ball = planet.inertia().shifted_from_center(mass, center)?.matrix();
-                let point = InertiaMatrix::of_particle(small, hit.at() - center)?.matrix();
-                let inertia = InertiaMatrix::from_matrix(ball + point)?;
-                let velocity = hit.velocity_after() + hit.omega_after().cross(&center);
-                let omega = hit.omega_after();
-                Some(Free::new(whole, inertia, omega, space(velocity), -center)?)
+        let (planet, times) = (&self.planet, request.times());
+        let ball = MassProperties::new(planet.mass(), BodyVector::zero(), planet.inertia())?;
+        let before = Free::new(&ball, planet.omega(), planet.velocity())?;
+        let hit = self.impact.map(|it| strike(planet, &it.meteorite, it.at));
+        let struck = hit.transpose()?.map(|hit| self.struck(&hit)).transpose()?;
+        let at = |t: f64| match &struck {
+            Some((after, _)) if t >= 0.0 => after.at(t),
+            None => before.at(t),
+            Some((_, brought)) => {
+                let (mut state, kept) = before.at(t)?;
+                state.energy += brought.energy;
+                let whole = Kept {
+                    momentum: kept.momentum + brought.momentum,
+                    angular: kept.angular + brought.angular,
+                    energy: state.energy,
+                };
+                Ok((state, whole))
             }
         };
-        // The meteorite on its way brings its own.
-        let incoming = hit.as_ref().map(|hit| {
-            let (m, v) = (hit.meteorite().mass(), space(hit.meteorite().velocity()));
-            (m * v, space(hit.at()).cross(&(m * v)), 0.5 * m * v.dot(&v))
-        });
-        let mut times: Vec<f64> = request.times().to_vec();
-        times.sort_by(f64::total_cmp);
-        let look = |t: f64| -> Result<(Flying, SpaceVector, SpaceVector)> {
-            match (&after, t >= 0.0, &incoming) {
-                (Some(after), true, _) => {
-                    let (state, momentum) = after.at(t)?;
-                    Ok((state, after.mass * after.velocity, momentum))
-                }
-                (_, _, Some((p, l, e))) => {
-                    let (mut state, momentum) = before.at(t)?;
-                    state.energy += e;
-                    Ok((state, before.mass * before.velocity + *p, momentum + *l))
-                }
-                _ => {
-                    let (state, momentum) = before.at(t)?;
-                    Ok((state, before.mass * before.velocity, momentum))
-                }
-            }
-        };
-        let ledger = books(&times, look, B::PRESENT)?;
-        let rows = request
-            .times()
+        let rows: Vec<(Flying, Kept)> = times.iter().map(|&t| at(t)).collect::<Result<_>>()?;
+        let (first, last) = times
             .iter()
-            .map(|&t| Ok((t, look(t)?.0)))
-            .collect::<Result<Vec<_>>>()?;
-        Ok(Motion {
-            error_estimate: None,
-            plan,
-            cost: Cost::default(),
-            ledger: balanced(ledger, request.accuracy())?,
-            rows,
-        })
+            .fold((0.0, 0.0), |(a, b): (f64, f64), &t| (a.min(t), b.max(t)));
+        let after = struck.as_ref().map_or(&before, |(after, _)| after);
+        let error = before.error(first)?.max(after.error(last)?);
+        // From just before the blow.
+        let opening = at(first.min(-f64::MIN_POSITIVE))?.1;
+        let ledger = ledger(request, opening, &rows, self.impact.is_some())?;
+        let states = rows.iter().map(|(state, _)| *state).collect();
+        Motion::of(request, plan, Cost::default(), error, ledger, states)
     }
 }
 
-/// Momentum, angular momentum about the origin, energy; from just before time 0 if that is where the blow falls.
-fn books(
-    times: &[f64],
-    look: impl Fn(f64) -> Result<(Flying, SpaceVector, SpaceVector)>,
+fn ledger(
+    request: &Request,
+    opening: Kept,
+    rows: &[(Flying, Kept)],
     struck: bool,
 ) -> Result<Ledger> {
-    let first = times.first().copied().unwrap_or(0.0);
-    let opening = if struck {
-        first.min(-f64::MIN_POSITIVE)
-    } else {
-        first
-    };
-    let (state, p, l) = look(opening)?;
+    let or_one = |size: f64| if size > 0.0 { size } else { 1.0 };
     let mut ledger = Ledger::new();
-    let size = |v: SpaceVector| if v.norm() > 0.0 { v.norm() } else { 1.0 };
-    let momentum = ledger.open_vector_scaled("momentum", p, size(p))?;
+    let (p, l) = (opening.momentum, opening.angular);
+    let momentum = ledger.open_vector_scaled("momentum", p, or_one(p.norm()))?;
     let name = "angular momentum about the origin";
-    let angular = ledger.open_vector_scaled(name, l, size(l))?;
+    let angular = ledger.open_vector_scaled(name, l, or_one(l.norm()))?;
     let law = if struck {
         Law::NonIncreasing
     } else {
         Law::Conserved
     };
-    let scale = if state.energy > 0.0 {
-        state.energy
-    } else {
-        1.0
-    };
-    let energy = ledger.open_scaled("kinetic energy", law, state.energy, scale)?;
-    for &t in times {
-        let (state, p, l) = look(t)?;
-        ledger.record_vector(momentum, p)?;
-        ledger.record_vector(angular, l)?;
-        ledger.record(energy, state.energy)?;
+    let (name, e) = ("kinetic energy", opening.energy);
+    let energy = ledger.open_scaled(name, law, e, or_one(e))?;
+    for place in ascending(request.times()) {
+        let kept = &rows[place].1;
+        ledger.record_vector(momentum, kept.momentum)?;
+        ledger.record_vector(angular, kept.angular)?;
+        ledger.record(energy, kept.energy)?;
     }
     Ok(ledger)
-}
-
-/// Simulates `planet` with the impact if it is listed.
-///
-/// # Errors
-/// As for [`Scene::simulate`].
-pub fn listed(
-    planet: StruckPlanet,
-    impact: Option<Impact>,
-    request: &Request,
-) -> Result<Motion<Flying>> {
-    choose!((impact = impact) => planet.with_impact(impact).simulate(request))
 }

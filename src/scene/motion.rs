@@ -2,7 +2,7 @@
 
 use super::budget::Progress;
 use super::plan::{Choice, Plan};
-use crate::conservation::Ledger;
+use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{Cost, DifferentialEquations, GeneralMethods};
 
@@ -108,8 +108,7 @@ impl Request {
     /// # Errors
     /// [`Error::OutOfRange`] for a time before the start.
     pub(super) fn forward(&self) -> Result<(Vec<usize>, Vec<f64>)> {
-        let mut order: Vec<usize> = (0..self.times.len()).collect();
-        order.sort_by(|&i, &j| self.times[i].total_cmp(&self.times[j]));
+        let order = ascending(&self.times);
         let sorted: Vec<f64> = order.iter().map(|&i| self.times[i]).collect();
         match sorted.first() {
             Some(&first) if first < 0.0 => Err(Error::OutOfRange {
@@ -146,6 +145,65 @@ pub struct Motion<S> {
     pub ledger: Ledger,
     /// Time (s) and state, in the order asked for.
     pub rows: Vec<(f64, S)>,
+}
+
+impl<S> Motion<S> {
+    /// The states at the times of the request, if their error is within its accuracy and the ledger balances.
+    ///
+    /// # Errors
+    /// [`Error::Amplified`], [`Error::Ledger`].
+    pub(crate) fn of(
+        request: &Request,
+        plan: Plan,
+        cost: Cost,
+        error: f64,
+        ledger: Ledger,
+        states: Vec<S>,
+    ) -> Result<Self> {
+        // An error that is not a number must not pass for a small one.
+        if error <= request.accuracy() {
+            Ok(Self {
+                plan,
+                cost,
+                error_estimate: Some(error),
+                ledger: balanced(ledger, request.accuracy())?,
+                rows: request.times().iter().copied().zip(states).collect(),
+            })
+        } else {
+            Err(Error::Amplified {
+                asked: request.accuracy(),
+                reached: error,
+                growth: error / f64::EPSILON,
+            })
+        }
+    }
+}
+
+/// What a scene conserves, or may only lose or gain: name, law, scale (0: any will do), value at the start, and value in a row.
+pub(crate) type Account<'a> = (&'static str, Law, f64, f64, &'a dyn Fn(usize) -> f64);
+
+/// The ledger of these over all rows of a request, in the order of time.
+///
+/// # Errors
+/// [`Error::NotFinite`].
+pub(crate) fn ledger(request: &Request, accounts: &[Account<'_>]) -> Result<Ledger> {
+    let mut ledger = Ledger::new();
+    let order = ascending(request.times());
+    for &(name, law, scale, start, row) in accounts {
+        let scale = if scale > 0.0 { scale } else { 1.0 };
+        let account = ledger.open_scaled(name, law, start, scale)?;
+        for &place in &order {
+            ledger.record(account, row(place))?;
+        }
+    }
+    Ok(ledger)
+}
+
+/// The places of the times in ascending order.
+pub(crate) fn ascending(times: &[f64]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
+    order
 }
 
 /// The ledger, if every drift in it is within what the accuracy asked for allows: 100 times the accuracy, and never less than 1e-11.

@@ -3,10 +3,10 @@
 use spinning_bodies::Error;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector as V};
-use spinning_bodies::impacts::{Meteorite, Planet, strike};
+use spinning_bodies::impacts::{Impact, Meteorite, Planet, strike};
 use spinning_bodies::inertia::shapes;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::scene::meteorite::{Impact, StruckPlanet};
+use spinning_bodies::scene::meteorite::StruckPlanet;
 use spinning_bodies::scene::{Choice, Request, Scene, Solver};
 
 use super::roller::{balance, same};
@@ -31,7 +31,8 @@ fn times() -> Request {
 fn free_before_and_after() {
     let alone = StruckPlanet::new(planet()).simulate(&times()).unwrap();
     let hit = StruckPlanet::new(planet())
-        .with_impact(impact(0.7))
+        .with(impact(0.7))
+        .unwrap()
         .simulate(&times())
         .unwrap();
     assert!(same(&alone, &hit) > 0.1);
@@ -57,7 +58,8 @@ fn free_before_and_after() {
     assert!(after.center.norm() < 1e-15);
     // A pebble changes as little as it weighs.
     let pebble = StruckPlanet::new(planet())
-        .with_impact(impact(1e-12))
+        .with(impact(1e-12))
+        .unwrap()
         .simulate(&times())
         .unwrap();
     let little: f64 = alone

@@ -9,6 +9,7 @@ use spinning_bodies::integrators::{Effort, Method, solve};
 use spinning_bodies::phenomena::cat::{Bend, Cat, EqualHalves, Half};
 use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_along, turn_within};
 use spinning_bodies::phenomena::quadrature;
+use spinning_bodies::scene::effects::{Pace, Turnover};
 use spinning_bodies::scene::{Request, Scene, shape};
 
 /// Two cylinders: I/J = 4.
@@ -89,14 +90,14 @@ fn s1_1_the_curvature_of_the_cat_is_the_slope_of_its_turn() {
 
 /// The turn of a cat after a turnover: attitudes against each other, and its axis in the body.
 fn turned(cat: Cat, forward: f64, back: f64, duration: f64) -> (f64, BodyVector) {
-    let turnover = shape::Turnover {
+    let turnover = Turnover {
         forward,
         back,
         duration,
-        pace: shape::Pace::Even,
+        pace: Pace::Even,
     };
     let scene = shape::Cat::new(cat, Attitude::identity())
-        .with_change(turnover)
+        .with(turnover)
         .unwrap();
     let request = Request::at([duration]).unwrap().to_accuracy(1e-11).unwrap();
     let general = request.clone().by(spinning_bodies::scene::Choice::Use(

@@ -4,14 +4,15 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use spinning_bodies::phenomena::PaperCat;
+use spinning_bodies::scene::effects::{Air, Gravity};
 use spinning_bodies::scene::{Request, Scene, shape};
 
 // claim: C1.1-9, C1.1-13
 #[test]
 fn s1_1_the_paper_cat_needs_air() {
     let cat = PaperCat::POSTCARD;
-    let g = shape::Gravity { g: 9.81 };
-    let air = shape::Air { density: 1.2 };
+    let g = Gravity::new(9.81).unwrap();
+    let air = Air::new(1.2).unwrap();
     assert!((cat.terminal_speed(1.2, 9.81) - 2.022).abs() < 5e-4);
     // The torque of the air points to upright from every tilt, and is zero at the two ends.
     for k in 1..180 {
@@ -28,8 +29,9 @@ fn s1_1_the_paper_cat_needs_air() {
         (179.0, 1.291_469),
     ] {
         let tilt = f64::to_radians(degrees);
-        let scene = shape::PaperCat::new(cat, tilt).unwrap().with_gravity(g);
-        let righted = scene.with_air(air).rights_itself(10.0).unwrap().unwrap();
+        let scene = shape::PaperCat::new(cat, tilt).unwrap().with(g).unwrap();
+        let airy = scene.with(air).unwrap();
+        let righted = airy.rights_itself(10.0).unwrap().unwrap();
         assert!(
             (righted.fall - fall).abs() < 1e-6,
             "{degrees}: {}",
@@ -49,8 +51,10 @@ fn s1_1_the_paper_cat_needs_air() {
     // Upright is the only rest that lasts: it gets there and stays.
     let scene = shape::PaperCat::new(cat, 3.0)
         .unwrap()
-        .with_air(air)
-        .with_gravity(g);
+        .with(air)
+        .unwrap()
+        .with(g)
+        .unwrap();
     let motion = scene.simulate(&Request::at([30.0]).unwrap()).unwrap();
     assert!(motion.rows[0].1.tilt.abs() < 1e-8, "{:?}", motion.rows[0].1);
     // Speed and fall have a closed form, the tilt has no say in them.
@@ -76,8 +80,10 @@ fn s1_1_upside_down_is_an_equilibrium_and_costs_a_logarithm() {
     let fall = |error: f64| {
         let scene = shape::PaperCat::new(cat, PI - error).unwrap();
         let scene = scene
-            .with_air(shape::Air { density: 1.2 })
-            .with_gravity(shape::Gravity { g: 9.81 });
+            .with(Air::new(1.2).unwrap())
+            .unwrap()
+            .with(Gravity::new(9.81).unwrap())
+            .unwrap();
         scene.rights_itself(30.0).unwrap().unwrap().fall
     };
     let decade = cat.fall_per_decade(1.2, 9.81);

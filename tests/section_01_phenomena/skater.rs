@@ -9,20 +9,19 @@ use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::phenomena::quadrature;
 use spinning_bodies::phenomena::skater::Skater;
+use spinning_bodies::scene::effects::{Draw, Pace};
 use spinning_bodies::scene::{Request, Scene, shape};
 
 // claim: C1.1-10
 #[test]
 fn s1_1_the_skater_and_the_work_of_the_arms() {
     let body = Skater::new(1.0, 0.25).unwrap();
-    let scene = shape::Skater::new(body, 1.0, 6.0)
-        .unwrap()
-        .with_change(shape::Draw {
-            to: 0.4,
-            begin: 0.5,
-            duration: 1.0,
-            pace: shape::Pace::Late,
-        });
+    let scene = shape::Skater::new(body, 1.0, 6.0).unwrap().with(Draw {
+        to: 0.4,
+        begin: 0.5,
+        duration: 1.0,
+        pace: Pace::Late,
+    });
     let scene = scene.unwrap();
     let request = Request::at([0.9, 1.2, 2.0])
         .unwrap()

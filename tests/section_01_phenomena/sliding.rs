@@ -6,6 +6,7 @@ use approx::assert_relative_eq;
 use spinning_bodies::integrators::{Effort, Method, solve};
 use spinning_bodies::phenomena::crawler::{self, Strokes};
 use spinning_bodies::phenomena::ice::{PARTS, Part, Wriggler, feet};
+use spinning_bodies::scene::effects::{Coulomb, Gravity};
 use spinning_bodies::scene::{Request, Scene, shape};
 
 // claim: C1.1-1
@@ -139,8 +140,9 @@ fn s1_1_friction_makes_the_crawler_move() {
     let ice = still.simulate(&request).unwrap();
     assert!(ice.rows.iter().all(|(_, s)| s.center == 0.0));
     let drift = |mu: f64| {
-        let ground = shape::GroundFriction::new(mu, 9.81).unwrap();
-        let motion = still.with_friction(ground).simulate(&request).unwrap();
+        let heavy = still.with(Gravity::new(9.81).unwrap()).unwrap();
+        let rough = heavy.with(Coulomb::new(mu).unwrap()).unwrap();
+        let motion = rough.simulate(&request).unwrap();
         let [a, b] = [20, 40].map(|k| motion.rows[k].1.center);
         (b - a) / 20.0
     };

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, FRAC_PI_8};
 use approx::assert_relative_eq;
 use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_along, turn_within};
 use spinning_bodies::phenomena::{Swivel, Waist};
+use spinning_bodies::scene::effects::{FourPhases, Pace, RoundTrip};
 use spinning_bodies::scene::{Request, Scene, shape};
 
 const DEFAULT: Waist = Waist {
@@ -146,18 +147,15 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
         epsilon = 0.0
     );
     for duration in [0.3, 60.0] {
-        for pace in [shape::Pace::Even, shape::Pace::Late] {
-            let round = shape::RoundTrip {
+        for pace in [Pace::Even, Pace::Late] {
+            let round = RoundTrip {
                 mean: 2.0,
                 swing: 1.0,
                 twist: 1.0,
                 duration,
                 pace,
             };
-            let scene = shape::Swivel::new(1.0, 3.0)
-                .unwrap()
-                .with_change(round)
-                .unwrap();
+            let scene = shape::Swivel::new(1.0, 3.0).unwrap().with(round).unwrap();
             let motion = scene.simulate(&Request::at([duration]).unwrap()).unwrap();
             let turn = motion.rows[0].1.lower;
             // Observed: 3e-15.
@@ -188,17 +186,14 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
 // claim: C1.1-12
 #[test]
 fn s1_1_picture_b_the_four_frames() {
-    let phases = shape::FourPhases {
+    let phases = FourPhases {
         arms_out: 2.0,
         arms_in: 0.7,
         twist: FRAC_PI_2,
         duration: 4.0,
-        pace: shape::Pace::Even,
+        pace: Pace::Even,
     };
-    let scene = shape::Swivel::new(0.6, 2.0)
-        .unwrap()
-        .with_change(phases)
-        .unwrap();
+    let scene = shape::Swivel::new(0.6, 2.0).unwrap().with(phases).unwrap();
     let motion = scene
         .simulate(&Request::at([1.0, 2.0, 3.0, 4.0]).unwrap())
         .unwrap();

@@ -10,13 +10,13 @@
 //! All but the first take `gravity`; what lies on a table must have it.
 
 use spinning_bodies::frame::BodyVector;
-use spinning_bodies::impacts::{Meteorite, Planet};
+use spinning_bodies::impacts::{Impact, Meteorite, Planet};
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::rolling::RoundBody;
 use spinning_bodies::rolling::course::{Coulomb, RollingResistance};
 use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
 use spinning_bodies::rolling::spool::{Spool, Tug};
-use spinning_bodies::scene::meteorite::{self, Impact, StruckPlanet};
+use spinning_bodies::scene::meteorite::StruckPlanet;
 use spinning_bodies::scene::roller::{self, Roller};
 use spinning_bodies::scene::spool::{self, TuggedSpool};
 use spinning_bodies::scene::superball::{self, Superball};
@@ -249,20 +249,20 @@ pub fn meteorite(file: &Section<'_>) -> Result<Ready> {
     let impact_mass = effects.optional_positive("impact_mass", MASS)?;
     let flight = effects.optional_vector("impact_velocity", "a velocity in m/s")?;
     let at = effects.optional_vector("impact_at", "a place in m")?;
-    let impact = match (impact_mass, flight, at) {
-        (Some(mass), Some(velocity), Some(at)) => Some(Impact {
-            meteorite: Meteorite::new(mass, velocity)
-                .map_err(effects.about("impact_mass, impact_velocity"))?,
-            at,
-        }),
-        (None, None, None) => None,
+    let planet = StruckPlanet::new(planet);
+    let scene = match (impact_mass, flight, at) {
+        (Some(mass), Some(velocity), Some(at)) => {
+            let meteorite = Meteorite::new(mass, velocity)
+                .map_err(effects.about("impact_mass, impact_velocity"))?;
+            let impact = Impact { meteorite, at };
+            planet.with(impact).map_err(effects.about("impact_at"))?
+        }
+        (None, None, None) => planet,
         _ => {
             let keys = "impact_mass, impact_velocity, impact_at";
             return Err(effects.refused(keys, "belong together"));
         }
     };
     effects.done()?;
-    Ok(Ready(Box::new(move |request| {
-        meteorite::listed(StruckPlanet::new(planet), impact, request).map(Table::of)
-    })))
+    Ok(Ready::scene(Box::new(scene)))
 }

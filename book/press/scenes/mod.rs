@@ -275,9 +275,10 @@ fn told(name: &str, times: &[f64], error: spinning_bodies::Error) -> Error {
         Refusal::OutOfRange { value, .. } if times.contains(&value) => {
             Error::Input(format!("{name}: keys `times`, `until` in [run]: {error}"))
         }
-        Refusal::Integration { .. } | Refusal::Budget { .. } | Refusal::Ledger { .. } => {
-            Error::Failed(format!("{name}: {error}"))
-        }
+        Refusal::Integration { .. }
+        | Refusal::Budget { .. }
+        | Refusal::Ledger { .. }
+        | Refusal::Amplified { .. } => Error::Failed(format!("{name}: {error}")),
         Refusal::Accuracy { .. } => Error::Failed(format!(
             "{name}: {error}; ask for less by `accuracy` in [run], or for a shorter time"
         )),

@@ -14,10 +14,10 @@
 use spinning_bodies::phenomena;
 use spinning_bodies::phenomena::cat::Half;
 use spinning_bodies::phenomena::crawler::Strokes;
-use spinning_bodies::scene::shape::{
-    Air, BearingFriction, Cat, Crawler, Draw, FourPhases, Gravity, GroundFriction, Pace, PaperCat,
-    Skater, Swivel, Turnover,
+use spinning_bodies::scene::effects::{
+    Air, BearingFriction, Coulomb, Draw, Effect, FourPhases, Gravity, Pace, Turnover,
 };
+use spinning_bodies::scene::shape::{Cat, Crawler, PaperCat, Skater, Swivel};
 
 use super::Ready;
 use super::reader::Section;
@@ -27,14 +27,28 @@ const PACES: &[(&str, Pace)] = &[("even", Pace::Even), ("late", Pace::Late)];
 
 /// The friction of a bearing, if it is listed.
 fn bearing(effects: &Section<'_>) -> Result<Option<BearingFriction>> {
-    const KEY: &str = "bearing_friction";
-    let listed = effects.optional_not_negative(KEY, "a coefficient in N m s")?;
-    Ok(listed.map(|resistance| BearingFriction { resistance }))
+    let listed = effects.optional_not_negative("bearing_friction", "a coefficient in N m s")?;
+    let friction = listed.map(BearingFriction::new).transpose();
+    friction.map_err(effects.about("bearing_friction"))
 }
 
 fn gravity(effects: &Section<'_>) -> Result<Option<Gravity>> {
     let listed = effects.optional("gravity", "an acceleration in m/s²")?;
-    Ok(listed.map(|g| Gravity { g }))
+    let gravity = listed.map(Gravity::new).transpose();
+    gravity.map_err(effects.about("gravity"))
+}
+
+/// The scene with those of these effects that are listed.
+pub fn with<S>(
+    mut scene: S,
+    effects: &Section<'_>,
+    listed: impl IntoIterator<Item = Option<Effect>>,
+    add: impl Fn(S, Effect) -> spinning_bodies::Result<S>,
+) -> Result<S> {
+    for effect in listed.into_iter().flatten() {
+        scene = add(scene, effect).map_err(effects.about(effect.name()))?;
+    }
+    Ok(scene)
 }
 
 /// An angle by which the spine of a cat bends.
@@ -76,23 +90,10 @@ pub fn swivel(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let ready = match (change, friction) {
-        (None, None) => Ready::scene(Box::new(scene)),
-        (None, Some(f)) => Ready::scene(Box::new(scene.with_friction(f))),
-        (Some(c), None) => Ready::scene(Box::new(
-            scene
-                .with_change(c)
-                .map_err(effects.about("four_phases, twist"))?,
-        )),
-        (Some(c), Some(f)) => {
-            let scene = scene
-                .with_change(c)
-                .map_err(effects.about("four_phases, twist"))?;
-            Ready::scene(Box::new(scene.with_friction(f)))
-        }
-    };
+    let listed = [change.map(Effect::from), friction.map(Effect::from)];
+    let scene = with(scene, &effects, listed, Swivel::with)?;
     effects.done()?;
-    Ok(ready)
+    Ok(Ready::scene(Box::new(scene)))
 }
 
 /// `kind = "skater"`.
@@ -126,19 +127,10 @@ pub fn skater(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let ready = match (change, friction) {
-        (None, None) => Ready::scene(Box::new(scene)),
-        (None, Some(f)) => Ready::scene(Box::new(scene.with_friction(f))),
-        (Some(c), None) => Ready::scene(Box::new(
-            scene.with_change(c).map_err(effects.about("draw"))?,
-        )),
-        (Some(c), Some(f)) => {
-            let scene = scene.with_change(c).map_err(effects.about("draw"))?;
-            Ready::scene(Box::new(scene.with_friction(f)))
-        }
-    };
+    let listed = [change.map(Effect::from), friction.map(Effect::from)];
+    let scene = with(scene, &effects, listed, Skater::with)?;
     effects.done()?;
-    Ok(ready)
+    Ok(Ready::scene(Box::new(scene)))
 }
 
 /// `kind = "cat"`.
@@ -175,19 +167,10 @@ pub fn cat(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let ready = match (change, weight) {
-        (None, None) => Ready::scene(Box::new(scene)),
-        (None, Some(g)) => Ready::scene(Box::new(scene.with_gravity(g))),
-        (Some(c), None) => Ready::scene(Box::new(
-            scene.with_change(c).map_err(effects.about("turnover"))?,
-        )),
-        (Some(c), Some(g)) => {
-            let scene = scene.with_change(c).map_err(effects.about("turnover"))?;
-            Ready::scene(Box::new(scene.with_gravity(g)))
-        }
-    };
+    let listed = [change.map(Effect::from), weight.map(Effect::from)];
+    let scene = with(scene, &effects, listed, Cat::with)?;
     effects.done()?;
-    Ok(ready)
+    Ok(Ready::scene(Box::new(scene)))
 }
 
 /// `kind = "paper-cat"`; what `[body]` does not say is as for a cat cut from a postcard.
@@ -214,14 +197,14 @@ pub fn paper_cat(file: &Section<'_>) -> Result<Ready> {
     let effects = file.section("effects")?;
     let weight = gravity(&effects)?;
     let air = effects.optional_not_negative("air", "a density in kg/m³")?;
-    let air = air.map(|density| Air { density });
+    let air = air
+        .map(Air::new)
+        .transpose()
+        .map_err(effects.about("air"))?;
+    let listed = [air.map(Effect::from), weight.map(Effect::from)];
+    let scene = with(scene, &effects, listed, PaperCat::with)?;
     effects.done()?;
-    Ok(match (air, weight) {
-        (None, None) => Ready::scene(Box::new(scene)),
-        (None, Some(g)) => Ready::scene(Box::new(scene.with_gravity(g))),
-        (Some(a), None) => Ready::scene(Box::new(scene.with_air(a))),
-        (Some(a), Some(g)) => Ready::scene(Box::new(scene.with_air(a).with_gravity(g))),
-    })
+    Ok(Ready::scene(Box::new(scene)))
 }
 
 /// `kind = "crawler"`.
@@ -238,16 +221,19 @@ pub fn crawler(file: &Section<'_>) -> Result<Ready> {
     let scene = Crawler::new(animal.map_err(body.about("length, push, pull"))?);
     body.done()?;
     let effects = file.section("effects")?;
-    let ready = if effects.has("ground_friction") {
+    let scene = if effects.has("ground_friction") {
         let table = effects.section("ground_friction")?;
         let mu = table.number("coefficient", "a number")?;
         let g = table.positive("gravity", "an acceleration in m/s²")?;
-        let ground = GroundFriction::new(mu, g).map_err(table.about("coefficient"))?;
+        let friction = Coulomb::new(mu).map_err(table.about("coefficient"))?;
+        let scene = scene.with(friction).map_err(table.about("coefficient"))?;
+        let weight = Gravity::new(g).and_then(|gravity| scene.with(gravity));
+        let scene = weight.map_err(table.about("gravity"))?;
         table.done()?;
-        Ready::scene(Box::new(scene.with_friction(ground)))
+        scene
     } else {
-        Ready::scene(Box::new(scene))
+        scene
     };
     effects.done()?;
-    Ok(ready)
+    Ok(Ready::scene(Box::new(scene)))
 }

@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::phenomena::cat::{Cat, EqualHalves, Half};
-use spinning_bodies::scene::shape::{self, CatState, Pace, Turnover};
+use spinning_bodies::scene::effects::{Pace, Turnover};
+use spinning_bodies::scene::shape::{self, CatState};
 use spinning_bodies::scene::{Request, Scene};
 
 use crate::solid::{View, hull};
@@ -44,7 +45,7 @@ pub fn turnover(fractions: &[f64]) -> Result<Vec<CatState>> {
         duration: DURATION,
         pace: Pace::Even,
     };
-    let scene = shape::Cat::new(cat()?, shape::Cat::on_its_back()).with_change(change)?;
+    let scene = shape::Cat::new(cat()?, shape::Cat::on_its_back()).with(change)?;
     let times: Vec<f64> = fractions.iter().map(|u| u * DURATION).collect();
     let motion = scene.simulate(&Request::at(times)?)?;
     Ok(motion.rows.into_iter().map(|(_, state)| state).collect())

@@ -4,6 +4,7 @@ use spinning_bodies::Result;
 use spinning_bodies::integrators::{Effort, Method, solve};
 use spinning_bodies::phenomena::crawler::{self, Strokes};
 use spinning_bodies::phenomena::ice::{PARTS, Part, Wriggler, feet};
+use spinning_bodies::scene::effects::{Coulomb, Gravity};
 use spinning_bodies::scene::shape::{self, CrawlerState};
 use spinning_bodies::scene::{Request, Scene};
 
@@ -171,8 +172,9 @@ fn crawled(mu: Option<f64>) -> Result<Vec<(f64, CrawlerState)>> {
     Ok(match mu {
         None => scene.simulate(&request)?.rows,
         Some(mu) => {
-            let ground = shape::GroundFriction::new(mu, 9.81)?;
-            scene.with_friction(ground).simulate(&request)?.rows
+            let heavy = scene.with(Gravity::new(9.81)?)?;
+            let rough = heavy.with(Coulomb::new(mu)?)?;
+            rough.simulate(&request)?.rows
         }
     })
 }

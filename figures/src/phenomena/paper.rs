@@ -4,6 +4,7 @@ use core::f64::consts::{LN_10, PI};
 
 use spinning_bodies::Result;
 use spinning_bodies::phenomena::PaperCat;
+use spinning_bodies::scene::effects::{Air, Gravity};
 use spinning_bodies::scene::shape;
 use spinning_bodies::scene::{Request, Scene};
 
@@ -13,12 +14,12 @@ use crate::style::{
 };
 
 const CAT: PaperCat = PaperCat::POSTCARD;
-const AIR: shape::Air = shape::Air { density: 1.2 };
-const GRAVITY: shape::Gravity = shape::Gravity { g: 9.81 };
+const AIR: f64 = 1.2;
+const GRAVITY: f64 = 9.81;
 
-fn released(error: f64) -> Result<shape::PaperCat<shape::Air, shape::Gravity>> {
+fn released(error: f64) -> Result<shape::PaperCat> {
     let scene = shape::PaperCat::new(CAT, PI - error)?;
-    Ok(scene.with_air(AIR).with_gravity(GRAVITY))
+    scene.with(Air::new(AIR)?)?.with(Gravity::new(GRAVITY)?)
 }
 
 /// A folded sheet seen from the side: back up at tilt 0, legs at the two ends.
@@ -89,7 +90,7 @@ pub fn paper_cat() -> Result<Figure> {
             number(tilts[1].to_degrees(), 0),
             number(tilts[2].to_degrees(), 0),
             number(fall, 3),
-            number(CAT.terminal_speed(AIR.density, GRAVITY.g), 3),
+            number(CAT.terminal_speed(AIR, GRAVITY), 3),
         ),
         alt: "A cat cut from stiff paper in three positions: nearly upside down, on its side, nearly upright. In each an arrow of drag points up from the \
               middle of its back and an arrow of weight points down from a dot nearer its feet."
@@ -149,7 +150,7 @@ pub fn paper_cat_fall() -> Result<Figure> {
         fall(marks[2])?,
         fall(marks[3])?,
     ];
-    let decade = CAT.fall_per_decade(AIR.density, GRAVITY.g);
+    let decade = CAT.fall_per_decade(AIR, GRAVITY);
     let words = Words {
         claim: "Ten times nearer to upside down costs the paper cat the same fall again.".to_owned(),
         details: format!(

@@ -3,7 +3,8 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use spinning_bodies::Result;
-use spinning_bodies::scene::shape::{self, FourPhases, Pace, SwivelState};
+use spinning_bodies::scene::effects::{FourPhases, Pace};
+use spinning_bodies::scene::shape::{self, SwivelState};
 use spinning_bodies::scene::{Request, Scene};
 
 use crate::Figure;
@@ -77,7 +78,7 @@ fn person(pen: &mut Pen<'_>, center: Point, state: &SwivelState) {
 
 /// Twist, arms in, untwist, arms out.
 pub fn swivel() -> Result<Figure> {
-    let scene = shape::Swivel::new(LOWER, CHANGE.arms_out)?.with_change(CHANGE)?;
+    let scene = shape::Swivel::new(LOWER, CHANGE.arms_out)?.with(CHANGE)?;
     let motion = scene.simulate(&Request::at([0.0, 1.0, 2.0, 3.0, 4.0])?)?;
     let states: Vec<SwivelState> = motion.rows.into_iter().map(|(_, s)| s).collect();
     let degrees = |angle: f64| number(angle.to_degrees(), 1);

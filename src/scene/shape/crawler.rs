@@ -1,62 +1,23 @@
 //! The crawler (tutorial 1.1): what friction makes possible on ice that is not perfect.
 
-use super::{in_order, planned};
-use crate::conservation::{Law, Ledger};
-use crate::error::{Result, finite, not_negative, positive};
-use crate::integrators::{Cost, Effort, Method, Stop, until};
-use crate::phenomena::crawler::{self, Foot, Leg, Place};
-use crate::scene::{
-    Absent, Budget, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced,
-};
+use core::f64::consts::TAU;
 
-/// The ground under the feet.
-pub trait Ground: Effect {
-    /// μg, m/s², or nothing: then the feet slide without a question being asked.
-    fn grip(&self) -> Option<f64>;
-}
-
-impl Ground for Absent {
-    fn grip(&self) -> Option<f64> {
-        None
-    }
-}
-
-/// Coulomb's friction between feet and ground, the same at rest and in motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GroundFriction {
-    mu: f64,
-    g: f64,
-}
-
-impl GroundFriction {
-    /// Coefficient μ under gravity g (m/s²).
-    ///
-    /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative), [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite).
-    pub fn new(mu: f64, g: f64) -> Result<Self> {
-        Ok(Self {
-            mu: not_negative("the coefficient of friction", mu)?,
-            g: positive("the acceleration of gravity", g)?,
-        })
-    }
-}
-
-impl Effect for GroundFriction {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "ground_friction";
-}
-
-impl Ground for GroundFriction {
-    fn grip(&self) -> Option<f64> {
-        Some(self.mu * self.g)
-    }
-}
+use crate::conservation::Law;
+use crate::error::{Error, Result, not_negative};
+use crate::integrators::{Cost, Passage, Stop};
+use crate::phenomena::crawler::{self, Foot, Gap, Leg};
+use crate::rolling::course::{Coulomb, Friction as _};
+use crate::scene::effects::Effect;
+use crate::scene::engine::{Answer, Closed, Ended, Flow, planned, solved};
+use crate::scene::motion::{Account, ledger};
+use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
 /// Two feet and a muscle on the ground, at rest at first.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Crawler<Friction = Absent> {
+pub struct Crawler {
     body: crawler::Crawler,
-    friction: Friction,
+    friction: Option<Coulomb>,
+    gravity: Option<f64>,
 }
 
 /// A crawler at one time.
@@ -70,7 +31,7 @@ pub struct CrawlerState {
     pub center: f64,
     /// Its velocity, m/s.
     pub velocity: f64,
-    /// Budget of the muscle, J.
+    /// Work of the muscle, J.
     pub work: f64,
     /// Heat, J.
     pub heat: f64,
@@ -81,9 +42,10 @@ impl Tabulated for CrawlerState {
         &["rear", "front", "center", "velocity", "work", "heat"];
 
     fn row(&self) -> Vec<f64> {
+        let Self { rear, front, .. } = *self;
         vec![
-            self.rear,
-            self.front,
+            rear,
+            front,
             self.center,
             self.velocity,
             self.work,
@@ -97,285 +59,263 @@ impl Crawler {
     pub const fn new(body: crawler::Crawler) -> Self {
         Self {
             body,
-            friction: Absent,
+            friction: None,
+            gravity: None,
+        }
+    }
+
+    /// The same with an effect: [`Coulomb`], the friction of the ground; [`Gravity`](crate::scene::effects::Gravity), which presses the feet to it.
+    /// One without the other does nothing.
+    ///
+    /// # Errors
+    /// [`Error::Effect`] for any other; [`Error::Negative`] for a gravity that lifts.
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        match effect.into() {
+            Effect::Coulomb(friction) => self.friction = Some(friction),
+            Effect::Gravity(gravity) => {
+                self.gravity = Some(not_negative("the gravity of a crawler", gravity.value())?);
+            }
+            other => return Err(other.refused("a crawler", "friction, gravity")),
+        }
+        Ok(self)
+    }
+
+    /// μg of a foot that slips and of one that holds, m/s²; nothing on perfect ice.
+    fn grip(&self) -> Option<[f64; 2]> {
+        let (friction, g) = (self.friction?, self.gravity?);
+        Some([friction.kinetic() * g, friction.grip() * g])
+    }
+}
+
+/// Most cycles of a run: more than a day of crawling.
+const MOST_CYCLES: f64 = 250_000.0;
+
+/// A crawler on its way from event to event, where a stroke turns or a foot comes to rest: centre, velocity, impulse of the friction, heat
+/// and work of the muscle.
+#[derive(Clone, Copy)]
+struct Crawling {
+    body: crawler::Crawler,
+    sliding: f64,
+    holding: f64,
+    /// Whether closed forms do it.
+    closed: bool,
+}
+
+/// A piece of the strokes, and how the feet move in it.
+type Phase = (u64, Leg);
+
+impl Crawling {
+    fn gap(&self, piece: u64, t: f64) -> Gap {
+        self.body.strokes().at(piece, t)
+    }
+
+    /// The leg that begins, once feet that have lost their way have come to rest; the centre then goes with them.
+    fn leg(&self, piece: u64, t: f64, feet: [Foot; 2], y: &mut [f64; 5]) -> Leg {
+        let gap = self.gap(piece, t);
+        let mut leg = self.body.leg(feet, &gap, self.sliding, self.holding);
+        for foot in 0..2 {
+            let slowing = self.body.slowing(&leg, foot, y[1], gap.rate);
+            if slowing.is_some_and(|[velocity, _]| velocity <= 0.0) {
+                let mut feet = leg.feet;
+                feet[foot] = Foot::Holds;
+                y[1] = self.body.holding(foot, gap.rate);
+                leg = self.body.leg(feet, &gap, self.sliding, self.holding);
+            }
+        }
+        leg
+    }
+
+    /// After how long which foot comes to rest, if the muscle goes on like this.
+    fn rest(&self, leg: &Leg, velocity: f64, rate: f64) -> Option<(f64, usize)> {
+        let stop = |foot: usize| {
+            let [along, acceleration] = self.body.slowing(leg, foot, velocity, rate)?;
+            Some(((-along / acceleration).max(0.0), foot))
+        };
+        match (stop(0), stop(1)) {
+            (Some(a), Some(b)) => Some(if a.0 <= b.0 { a } else { b }),
+            (a, b) => a.or(b),
         }
     }
 }
 
-/// Everything that changes on the way.
-#[derive(Debug, Clone, Copy)]
-struct Walk {
-    time: f64,
-    place: Place,
-    feet: [Foot; 2],
-    cost: Cost,
-}
+impl Flow<5> for Crawling {
+    type Phase = Phase;
 
-impl<F: Ground> Crawler<F> {
-    /// The same on this ground.
-    pub fn with_friction<G: Ground>(self, friction: G) -> Crawler<G> {
-        Crawler {
-            body: self.body,
-            friction,
-        }
+    fn start(&self) -> Result<(Phase, [f64; 5])> {
+        let mut y = [0.0; 5];
+        let leg = self.leg(0, 0.0, [Foot::Holds; 2], &mut y);
+        Ok(((0, leg), y))
     }
 
-    fn state(&self, piece: u64, t: f64, place: &Place) -> CrawlerState {
-        let gap = self.body.strokes().at(piece, t);
-        let [rear, front] = self.body.feet(place.center, gap.gap);
-        CrawlerState {
-            rear,
-            front,
-            center: place.center,
-            velocity: place.velocity,
-            work: place.work,
-            heat: place.heat,
-        }
-    }
-
-    /// On perfect ice the centre stays, and only the muscle's work is to be told: the kinetic energy.
-    fn slid(&self, stops: &[f64]) -> Result<(Vec<(u64, Place)>, Cost)> {
-        let mut piece = 0;
-        let mut places = Vec::with_capacity(stops.len());
-        for &t in stops {
-            while self.body.strokes().piece(piece).1 < t {
-                piece += 1;
-            }
-            let gap = self.body.strokes().at(piece, t);
-            let place = Place {
-                work: self.body.energy(0.0, gap.rate),
-                ..Place::default()
-            };
-            places.push((piece, place));
-        }
-        Ok((places, Cost::default()))
-    }
-
-    /// From event to event: a stroke turns or a foot comes to rest.
-    fn walked(
-        &self,
-        grip: f64,
-        stops: &[f64],
-        advance: impl Fn(&Leg, u64, &mut Walk, f64) -> Result<Option<usize>>,
-    ) -> Result<(Vec<(u64, Place)>, Cost)> {
-        let mut walk = Walk {
-            time: 0.0,
-            place: Place::default(),
-            feet: [Foot::Holds; 2],
-            cost: Cost::default(),
-        };
-        let mut places = Vec::with_capacity(stops.len());
-        let mut left = stops.iter().copied().peekable();
-        let mut piece = 0;
-        while left.peek().is_some() {
-            let (from, to, _) = self.body.strokes().piece(piece);
-            walk.time = from;
-            // Where the stroke turns, a foot that was dragged by one at rest is at rest as well.
-            if piece % 2 == 0 && walk.feet.contains(&Foot::Holds) {
-                walk.feet = [Foot::Holds; 2];
-                walk.place.velocity = 0.0;
-            }
-            loop {
-                let gap = self.body.strokes().at(piece, walk.time);
-                let leg = self.body.leg(walk.feet, &gap, grip);
-                walk.feet = leg.feet;
-                let rested = loop {
-                    let stop = left.peek().copied().filter(|&stop| stop <= to);
-                    let rested = advance(&leg, piece, &mut walk, stop.unwrap_or(to))?;
-                    if rested.is_some() || stop.is_none() {
-                        break rested;
-                    }
-                    places.push((piece, walk.place));
-                    left.next();
-                };
-                let Some(foot) = rested else { break };
-                let rate = self.body.strokes().at(piece, walk.time).rate;
-                walk.feet[foot] = Foot::Holds;
-                walk.place.velocity = self.body.holding(foot, rate);
-            }
-            piece += 1;
-        }
-        Ok((places, walk.cost))
-    }
-
-    /// A leg in closed form, until `to` or until a foot rests.
-    fn leg_known(&self, leg: &Leg, piece: u64, walk: &mut Walk, to: f64) -> Option<usize> {
-        let gap = self.body.strokes().at(piece, walk.time);
-        let rest = self.body.rest(leg, &walk.place, &gap, to - walk.time);
-        let time = rest.map_or(to - walk.time, |(after, _)| after);
-        walk.place = self.body.after(leg, &walk.place, &gap, time);
-        walk.time = rest.map_or(to, |(after, _)| walk.time + after);
-        rest.map(|(_, foot)| foot)
-    }
-
-    /// The same leg followed by a general method.
-    fn leg_followed(
-        &self,
-        leg: &Leg,
-        piece: u64,
-        walk: &mut Walk,
-        to: f64,
-        (method, tolerance): (Method, f64),
-        budget: &Budget,
-    ) -> Result<Option<usize>> {
-        let gap = |t: f64| self.body.strokes().at(piece, t);
-        let velocities = |t: f64, y: &[f64; 5]| self.body.feet(y[1], gap(t).rate);
-        let system = |t: f64, y: &[f64; 5]| {
-            [
-                y[1],
-                leg.center,
-                leg.ground[0] + leg.ground[1],
-                self.body.heating(leg, velocities(t, y)),
-                self.body.muscle(leg) * gap(t).rate,
-            ]
-        };
+    fn scales(&self) -> [f64; 5] {
         let strokes = self.body.strokes();
-        let along = |t: f64, y: &[f64; 5], k: usize| velocities(t, y)[k] * leg.feet[k].sign();
-        // Only a foot that slows down can come to rest, and none while the other one holds; a foot that has just set off from rest must not
-        // hide it by its zero.
-        let accelerations = self.body.feet(leg.center, leg.acceleration);
-        let held = leg.feet.contains(&Foot::Holds);
-        let slows = |k: usize| !held && accelerations[k] * leg.feet[k].sign() < 0.0;
-        // Linear in time wherever it can be, for the sake of the secants that locate its zero.
-        let falling = |t: f64, y: &[f64; 5]| match [slows(0), slows(1)] {
-            [true, true] => along(t, y, 0).min(along(t, y, 1)),
-            [true, false] => along(t, y, 0),
-            [false, true] => along(t, y, 1),
-            [false, false] => 1.0,
-        };
-        let p = walk.place;
-        let start = [p.center, p.velocity, p.impulse, p.heat, p.work];
-        let speed = strokes.length / strokes.push.min(strokes.pull);
-        // A foot that should have come to rest at the very end of the last leg does so now.
-        if let Some(late) = (0..2).find(|&k| slows(k) && along(walk.time, &start, k) <= 0.0) {
-            return Ok(Some(late));
-        }
         let mass: f64 = self.body.masses().iter().sum();
+        let speed = 2.0 * strokes.length / strokes.push.min(strokes.pull);
         let energy = mass * speed * speed;
-        let scales = [strokes.length, speed, mass * speed, energy, energy];
-        let run = until(
-            &budget.counted(&system),
-            walk.time,
-            &start,
-            &scales,
-            &[],
-            to,
-            &falling,
-            method,
-            Effort::Tolerance(tolerance),
-        )?;
-        let [center, velocity, impulse, heat, work] = run.end;
-        walk.place = Place {
-            center,
-            velocity,
-            impulse,
-            heat,
-            work,
-        };
-        walk.cost += run.cost;
-        walk.time = run.time;
-        let rested = run.stopped == Stop::AtTheEvent;
-        Ok(rested.then(|| {
-            let [rear, front] = [0, 1].map(|k| {
-                if slows(k) {
-                    along(run.time, &run.end, k).abs()
-                } else {
-                    f64::INFINITY
-                }
-            });
-            usize::from(front < rear)
-        }))
+        [strokes.length, speed, mass * speed, energy, energy]
     }
 
-    fn ledger(&self, stops: &[f64], places: &[(u64, Place)]) -> Result<Ledger> {
-        let [rear, front] = self.body.masses();
-        let energy = |t: f64, (piece, place): &(u64, Place)| {
-            let rate = self.body.strokes().at(*piece, t).rate;
-            self.body.energy(place.velocity, rate)
-        };
+    fn pace(&self) -> f64 {
         let strokes = self.body.strokes();
-        let speed = strokes.length / strokes.push.min(strokes.pull);
-        let spent = places.iter().map(|(_, p)| p.heat).fold(0.0, f64::max);
-        let mut ledger = Ledger::new();
-        let momentum = ledger.open_scaled(
-            "momentum less the impulse of friction",
-            Law::Conserved,
-            0.0,
-            (rear + front) * speed,
-        )?;
-        let balance = ledger.open_scaled(
-            "energy and heat less the work of the muscle",
-            Law::Conserved,
-            0.0,
-            (rear + front) * speed * speed + spent,
-        )?;
-        let heat = ledger.open_scaled("heat", Law::NonDecreasing, 0.0, spent.max(1.0))?;
-        for (&t, entry) in stops.iter().zip(places) {
-            let place = &entry.1;
-            ledger.record(momentum, (rear + front) * place.velocity - place.impulse)?;
-            ledger.record(balance, energy(t, entry) + place.heat - place.work)?;
-            ledger.record(heat, place.heat)?;
-        }
-        Ok(ledger)
+        TAU / (2.0 * strokes.push.min(strokes.pull))
+    }
+
+    fn rate(&self, (piece, leg): Phase, t: f64, y: &[f64; 5]) -> [f64; 5] {
+        let rate = self.gap(piece, t).rate;
+        [
+            y[1],
+            leg.center,
+            leg.ground[0] + leg.ground[1],
+            self.body.heating(&leg, self.body.feet(y[1], rate)),
+            self.body.muscle(&leg) * rate,
+        ]
+    }
+
+    fn margin(&self, (piece, leg): Phase, t: f64, y: &[f64; 5]) -> f64 {
+        let rate = self.gap(piece, t).rate;
+        let along = |foot| self.body.slowing(&leg, foot, y[1], rate);
+        let margins = (0..2).filter_map(along).map(|[velocity, _]| velocity);
+        margins.fold(f64::INFINITY, f64::min)
+    }
+
+    fn may_end(&self, (_, leg): Phase) -> bool {
+        (0..2).any(|foot| self.body.slowing(&leg, foot, 0.0, 0.0).is_some())
+    }
+
+    fn lasts_until(&self, (piece, _): Phase, _: f64) -> f64 {
+        self.body.strokes().beginning(piece + 1)
+    }
+
+    fn next(&self, (piece, leg): Phase, ended: Ended, t: f64, y: &mut [f64; 5]) -> Result<Phase> {
+        let mut feet = leg.feet;
+        let rate = self.gap(piece, t).rate;
+        let piece = match ended {
+            Ended::ByEvent => {
+                if let Some((_, foot)) = self.rest(&leg, y[1], rate) {
+                    feet[foot] = Foot::Holds;
+                    y[1] = self.body.holding(foot, rate);
+                }
+                piece
+            }
+            Ended::ByTheClock => {
+                // Where the stroke turns, a foot that was dragged by one at rest is at rest as well.
+                if piece % 2 == 1 && feet.contains(&Foot::Holds) {
+                    feet = [Foot::Holds; 2];
+                    y[1] = 0.0;
+                }
+                piece + 1
+            }
+        };
+        Ok((piece, self.leg(piece, t, feet, y)))
+    }
+
+    fn known(
+        &self,
+        (piece, leg): Phase,
+        (from, y): (f64, &[f64; 5]),
+        times: &[f64],
+        until: f64,
+    ) -> Option<Result<Passage<[f64; 5]>>> {
+        let gap = self.gap(piece, from);
+        let after = |t: f64| self.body.after(&leg, y, &gap, t - from);
+        let rest = self
+            .rest(&leg, y[1], gap.rate)
+            .map(|(after, _)| from + after);
+        let rest = rest.filter(|&rest| rest < until);
+        let time = rest.unwrap_or(until);
+        let within = times.partition_point(|&t| t <= time);
+        self.closed.then(|| {
+            Ok(Passage {
+                states: times[..within].iter().map(|&t| after(t)).collect(),
+                time,
+                end: after(time),
+                stopped: rest.map_or(Stop::AtTheEnd, |_| Stop::AtTheEvent),
+                cost: Cost::default(),
+            })
+        })
+    }
+
+    fn distance(&self, (_, a): &(Phase, [f64; 5]), (_, b): &(Phase, [f64; 5])) -> f64 {
+        let scales = self.scales();
+        let parts = (0..5).map(|k| (a[k] - b[k]).abs() / scales[k].max(b[k].abs()));
+        parts.fold(0.0, f64::max)
     }
 }
 
-impl<F: Ground> Scene for Crawler<F> {
+impl Scene for Crawler {
     type State = CrawlerState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let closed = if F::PRESENT {
-            Ok((
-                Solver::Events,
-                "sliding friction: closed forms from event to event",
-            ))
-        } else {
-            Ok((Solver::Exact, "no outside force: the centre of mass stays"))
+        request.forward()?;
+        let closed = match self.grip() {
+            Some(_) => Closed {
+                solver: Solver::Events,
+                reason: "sliding friction: closed forms from event to event",
+            },
+            None => Closed {
+                solver: Solver::Exact,
+                reason: "no outside force: the centre of mass stays",
+            },
         };
         planned(
             request,
-            closed,
-            "the solver of a crawler is `events` on a rough ground and by `exact` on perfect ice, or by a method with error control",
+            Ok(closed),
+            "the solver of a crawler is `events` on a rough ground, `exact` on perfect ice, or one that steps",
         )
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<CrawlerState>> {
         let plan = self.plan(request)?;
-        let (order, _) = request.forward()?;
-        let mut stops: Vec<f64> = order.iter().map(|&i| request.times()[i]).collect();
-        stops.dedup();
-        let last = stops.last().copied().unwrap_or(0.0);
-        finite(
-            "the number of strokes",
-            self.body.pieces_until(last)? as f64,
-        )?;
-        let grip = self.friction.grip();
-        let (places, cost) = match (plan.solver, grip) {
-            (Solver::General(method), grip) => {
-                // Errors of a chain of legs add up.
-                let legs = self.body.pieces_until(last)?.max(1) as f64 * 4.0;
-                let tolerance = (request.accuracy() / legs).max(1e-15);
-                let (effort, budget) = ((method, tolerance), Budget::asked(request));
-                self.walked(grip.unwrap_or(0.0), &stops, |leg, piece, walk, to| {
-                    self.leg_followed(leg, piece, walk, to, effort, &budget)
-                })?
-            }
-            (_, Some(grip)) => self.walked(grip, &stops, |leg, piece, walk, to| {
-                Ok(self.leg_known(leg, piece, walk, to))
-            })?,
-            (_, None) => self.slid(&stops)?,
+        let (body, strokes) = (&self.body, self.body.strokes());
+        let cycles = request.times().iter().copied().fold(0.0, f64::max) / strokes.cycle();
+        if !(cycles <= MOST_CYCLES) {
+            return Err(Error::Condition {
+                condition: "a crawler must be asked for no more than 250000 cycles",
+                value: cycles,
+            });
+        }
+        let gap = |t: f64| strokes.at(strokes.piece_at(t), t);
+        let [sliding, holding] = self.grip().unwrap_or_default();
+        let crawling = Crawling {
+            body: *body,
+            sliding,
+            holding,
+            closed: plan.solver == Solver::Events,
         };
-        let ledger = balanced(self.ledger(&stops, &places)?, request.accuracy())?;
-        let pairs = stops.iter().zip(&places);
-        let states: Vec<CrawlerState> = pairs
-            .map(|(&t, (piece, place))| self.state(*piece, t, place))
-            .collect();
-        Ok(Motion {
-            error_estimate: None,
-            plan,
-            cost,
-            ledger,
-            rows: in_order(request, &stops, &states),
-        })
+        // On perfect ice only the muscle's work is to be told: the kinetic energy.
+        let Answer { trace, error } = solved((&crawling, &plan, request), 1, |t| {
+            Ok([0.0, 0.0, 0.0, 0.0, body.energy(0.0, gap(t).rate)])
+        })?;
+        let rows = request.times().iter().zip(trace.samples);
+        let rows: Vec<(f64, [f64; 5])> = rows.map(|(&t, (_, y))| (t, y)).collect();
+        let [.., mass_speed, _, energy] = crawling.scales();
+        let spent = rows.iter().map(|(_, y)| y[3]).fold(0.0, f64::max);
+        let mass: f64 = body.masses().iter().sum();
+        let momentum = |place: usize| mass * rows[place].1[1] - rows[place].1[2];
+        let balance = |place: usize| {
+            let (t, [_, velocity, _, heat, work]) = rows[place];
+            body.energy(velocity, gap(t).rate) + heat - work
+        };
+        let heat = |place: usize| rows[place].1[3];
+        let given = "momentum less the impulse of friction";
+        let left = "energy and heat less the work of the muscle";
+        let accounts: [Account<'_>; 3] = [
+            (given, Law::Conserved, mass_speed, 0.0, &momentum),
+            (left, Law::Conserved, energy + spent, 0.0, &balance),
+            ("heat", Law::NonDecreasing, spent.max(1.0), 0.0, &heat),
+        ];
+        let ledger = ledger(request, &accounts)?;
+        let states = rows.iter().map(|&(t, [center, velocity, _, heat, work])| {
+            let [rear, front] = body.feet(center, gap(t).gap);
+            CrawlerState {
+                rear,
+                front,
+                center,
+                velocity,
+                work,
+                heat,
+            }
+        });
+        Motion::of(request, plan, trace.cost, error, ledger, states.collect())
     }
 }

@@ -1,169 +1,23 @@
 //! The swivel on ice (tutorial 1.1, picture b).
 
-use core::f64::consts::TAU;
-
-use super::{AN_INTEGRAL, Bearing, Pace, Pieced, in_order, planned, repeated, with_corners};
-use crate::conservation::{Law, Ledger};
+use super::path::{Round, Twist};
+use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
-use crate::integrators::{Cost, Method};
+use crate::phenomena;
 use crate::phenomena::quadrature::integral;
-use crate::phenomena::{self, Waist};
-use crate::scene::{
-    Absent, Budget, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced,
-};
-
-/// The shape of a body of two parts on one axis, and how it changes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Twist {
-    /// Moment of the upper part, kg m².
-    pub upper: f64,
-    /// Angle of the upper part against the lower, radians.
-    pub angle: f64,
-    /// Its rate, rad/s.
-    pub rate: f64,
-}
-
-/// A path of shapes: the effect that makes a swivel.
-pub trait Twisting: Effect {
-    /// The shape at a time; `still` is the upper moment of a body that does nothing.
-    fn shape(&self, still: f64, t: f64) -> Twist;
-
-    /// Times up to `until` at which the path is not smooth.
-    ///
-    /// # Errors
-    /// [`Error::Condition`](crate::Error::Condition) if there are too many.
-    fn corners(&self, until: f64) -> Result<Vec<f64>>;
-
-    /// # Errors
-    /// What is wrong with the path.
-    fn checked(&self) -> Result<()>;
-}
-
-impl Twisting for Absent {
-    fn shape(&self, still: f64, _: f64) -> Twist {
-        Twist {
-            upper: still,
-            angle: 0.0,
-            rate: 0.0,
-        }
-    }
-
-    fn corners(&self, _: f64) -> Result<Vec<f64>> {
-        Ok(Vec::new())
-    }
-
-    fn checked(&self) -> Result<()> {
-        Ok(())
-    }
-}
-
-/// Twist with the arms out, arms in, untwist, arms out: over and over again, each phase a quarter of the time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FourPhases {
-    /// Upper moment with the arms out, kg m².
-    pub arms_out: f64,
-    /// Upper moment with the arms in, kg m².
-    pub arms_in: f64,
-    /// How far the upper part twists, radians.
-    pub twist: f64,
-    /// Duration of a cycle, s.
-    pub duration: f64,
-    /// How each phase is spread over its time.
-    pub pace: Pace,
-}
-
-impl FourPhases {
-    /// The same body for the closed form.
-    pub fn waist(&self, lower: f64) -> Waist {
-        Waist {
-            upper_arms_out: self.arms_out,
-            upper_arms_in: self.arms_in,
-            lower,
-        }
-    }
-}
-
-impl Effect for FourPhases {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "four_phases";
-}
-
-impl Twisting for FourPhases {
-    fn shape(&self, _: f64, t: f64) -> Twist {
-        let phase = 4.0 * (t / self.duration).rem_euclid(1.0);
-        let [part, rate, _] = self.pace.at(phase.fract());
-        let rate = rate * self.twist * 4.0 / self.duration;
-        let between = |from: f64, to: f64| from + (to - from) * part;
-        let (upper, angle, rate) = match phase as u8 {
-            0 => (self.arms_out, self.twist * part, rate),
-            1 => (between(self.arms_out, self.arms_in), self.twist, 0.0),
-            2 => (self.arms_in, self.twist * (1.0 - part), -rate),
-            _ => (between(self.arms_in, self.arms_out), 0.0, 0.0),
-        };
-        Twist { upper, angle, rate }
-    }
-
-    fn corners(&self, until: f64) -> Result<Vec<f64>> {
-        repeated(self.duration, &[0.25, 0.5, 0.75, 1.0], until)
-    }
-
-    fn checked(&self) -> Result<()> {
-        positive("the duration of a cycle", self.duration)?;
-        self.waist(0.0).swivel_angle(self.twist).map(|_| ())
-    }
-}
-
-/// Once round an ellipse of the shape plane, over and over again: A = mean + swing cos s, ψ = twist sin s.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RoundTrip {
-    /// Mean upper moment, kg m².
-    pub mean: f64,
-    /// By how much it goes up and down, kg m².
-    pub swing: f64,
-    /// Largest twist, radians.
-    pub twist: f64,
-    /// Duration, s.
-    pub duration: f64,
-    /// How s = 0…2π is spread over it.
-    pub pace: Pace,
-}
-
-impl Effect for RoundTrip {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "round_trip";
-}
-
-impl Twisting for RoundTrip {
-    fn shape(&self, _: f64, t: f64) -> Twist {
-        let [part, rate, _] = self.pace.at((t / self.duration).rem_euclid(1.0));
-        let (sin, cos) = (TAU * part).sin_cos();
-        Twist {
-            upper: self.mean + self.swing * cos,
-            angle: self.twist * sin,
-            rate: self.twist * cos * TAU * rate / self.duration,
-        }
-    }
-
-    fn corners(&self, until: f64) -> Result<Vec<f64>> {
-        repeated(self.duration, &[1.0], until)
-    }
-
-    fn checked(&self) -> Result<()> {
-        positive("the duration of a cycle", self.duration)?;
-        finite("the twist", self.twist)?;
-        finite("the swing of the upper moment", self.swing)?;
-        positive("the least upper moment", self.mean - self.swing.abs()).map(|_| ())
-    }
-}
+use crate::scene::effects::Effect;
+use crate::scene::engine::{AN_INTEGRAL, Answer, Closed, Flow, planned, solved};
+use crate::scene::motion::ledger;
+use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
 /// Two parts on one vertical axis, the lower one free to turn on the ice: angular momentum L, a path of shapes, and what the bearing does.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Swivel<Change = Absent, Friction = Absent> {
+pub struct Swivel {
     lower: f64,
     upper: f64,
     angular_momentum: f64,
-    change: Change,
-    friction: Friction,
+    path: Option<Round>,
+    bearing_friction: Option<f64>,
 }
 
 /// A swivel at one time.
@@ -186,9 +40,10 @@ impl Tabulated for SwivelState {
         &["lower", "upper", "upper_moment", "rate", "angular_momentum"];
 
     fn row(&self) -> Vec<f64> {
+        let Self { lower, upper, .. } = *self;
         vec![
-            self.lower,
-            self.upper,
+            lower,
+            upper,
             self.upper_moment,
             self.rate,
             self.angular_momentum,
@@ -206,37 +61,27 @@ impl Swivel {
             lower: positive("the lower moment", lower)?,
             upper: positive("the upper moment", upper)?,
             angular_momentum: 0.0,
-            change: Absent,
-            friction: Absent,
+            path: None,
+            bearing_friction: None,
         })
     }
-}
 
-impl<C: Twisting, F: Bearing> Swivel<C, F> {
-    /// The same with this path of shapes.
+    /// The same with an effect: a path of shapes, [`FourPhases`](crate::scene::effects::FourPhases) or
+    /// [`RoundTrip`](crate::scene::effects::RoundTrip); [`BearingFriction`](crate::scene::effects::BearingFriction).
     ///
     /// # Errors
-    /// What is wrong with the path.
-    pub fn with_change<D: Twisting>(self, change: D) -> Result<Swivel<D, F>> {
-        change.checked()?;
-        Ok(Swivel {
-            lower: self.lower,
-            upper: self.upper,
-            angular_momentum: self.angular_momentum,
-            change,
-            friction: self.friction,
-        })
-    }
-
-    /// The same with friction of the bearing.
-    pub fn with_friction<G: Bearing>(self, friction: G) -> Swivel<C, G> {
-        Swivel {
-            lower: self.lower,
-            upper: self.upper,
-            angular_momentum: self.angular_momentum,
-            change: self.change,
-            friction,
+    /// [`Error::Effect`](crate::Error::Effect) for any other; what is wrong with a path.
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        match effect.into() {
+            Effect::FourPhases(path) => self.path = Some(Round::FourPhases(path).checked()?),
+            Effect::RoundTrip(path) => self.path = Some(Round::RoundTrip(path).checked()?),
+            Effect::BearingFriction(friction) => self.bearing_friction = Some(friction.value()),
+            other => {
+                let takes = "four_phases, round_trip, bearing_friction";
+                return Err(other.refused("a swivel", takes));
+            }
         }
+        Ok(self)
     }
 
     /// The same with this angular momentum at the start, kg m²/s.
@@ -248,128 +93,151 @@ impl<C: Twisting, F: Bearing> Swivel<C, F> {
         Ok(self)
     }
 
-    fn rate(&self, l: f64, t: f64) -> f64 {
-        let shape = self.change.shape(self.upper, t);
+    fn shape(&self, t: f64) -> Twist {
+        self.path.map_or(self.still(), |path| path.at(t))
+    }
+
+    fn still(&self) -> Twist {
+        Twist {
+            upper: self.upper,
+            angle: 0.0,
+            rate: 0.0,
+        }
+    }
+
+    fn lower_rate(&self, l: f64, shape: &Twist) -> f64 {
         phenomena::Swivel { lower: self.lower }.rate(l, shape.upper, shape.rate)
     }
 
-    fn state(&self, t: f64, lower: f64, l: f64) -> SwivelState {
-        let shape = self.change.shape(self.upper, t);
+    fn state(&self, t: f64, [lower, l]: [f64; 2]) -> SwivelState {
+        let shape = self.shape(t);
         SwivelState {
             lower,
             upper: lower + shape.angle,
             upper_moment: shape.upper,
-            rate: self.rate(l, t),
+            rate: self.lower_rate(l, &shape),
             angular_momentum: l,
         }
     }
 
-    /// One integral from stop to stop.
-    fn summed(&self, stops: &[f64], budget: &Budget) -> Result<Vec<SwivelState>> {
-        let l = self.angular_momentum;
-        let (mut lower, mut from) = (0.0, 0.0);
-        let mut states = Vec::with_capacity(stops.len());
-        for &t in stops {
-            lower += integral(|t| self.rate(l, t), from, t, 0.0)?;
-            budget.spend(AN_INTEGRAL, t)?;
-            from = t;
-            states.push(self.state(t, lower, l));
-        }
-        Ok(states)
+    /// The least moment that turns, and no greater rate of the lower part.
+    fn extremes(&self) -> (f64, f64) {
+        let (upper, twist) = self.path.map_or((self.upper, 0.0), |path| path.extremes());
+        let moment = upper + self.lower;
+        let turning = self.angular_momentum.abs() / moment;
+        (moment, (turning + twist).max(f64::MIN_POSITIVE))
     }
 
-    fn followed(
-        &self,
-        stops: &[f64],
-        corners: &[f64],
-        method: Method,
-        request: &Request,
-    ) -> Result<(Vec<SwivelState>, Cost)> {
-        let system = |t: f64, y: &[f64; 2]| {
-            let rate = self.rate(y[1], t);
-            [rate, self.friction.resisted(0.0, rate)]
-        };
-        let start = [0.0, self.angular_momentum];
-        let pace = self.angular_momentum.abs().max(self.lower);
-        let distance = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).abs();
-        let run = Pieced {
-            start,
-            scales: [1.0, pace],
-            stops,
-            corners,
-            method,
-            request,
-        }
-        .follow(&system, &distance)?;
-        let pairs = stops.iter().zip(&run.states);
-        let states = pairs.map(|(&t, y)| self.state(t, y[0], y[1])).collect();
-        Ok((states, run.cost))
+    /// The angle at a time: whole rounds, whole parts of the last one, and one integral.
+    fn turned(&self, path: &Round, parts: &[f64], t: f64) -> Result<f64> {
+        let (since, part) = (t.rem_euclid(path.duration()), path.part());
+        let rounds = ((t - since) / path.duration()).round();
+        let passed = ((since / part) as usize).min(parts.len() - 2);
+        let rate = |t: f64| self.lower_rate(self.angular_momentum, &path.at(t));
+        let rest = integral(rate, passed as f64 * part, since, 0.0)?;
+        Ok(rounds * parts[parts.len() - 1] + (parts[passed] + rest))
     }
 
-    /// L with what the bearing took of it, summed over the two parts from their rates.
-    fn ledger(&self, stops: &[f64], states: &[SwivelState]) -> Result<Ledger> {
-        let rate = |t: f64| self.change.shape(self.upper, t).rate;
-        let whole = |t: f64, state: &SwivelState| {
-            let upper_rate = state.rate + rate(t);
-            let l = state.upper_moment * upper_rate + self.lower * state.rate;
-            self.friction.restored(l, state.lower)
-        };
-        let pairs = || stops.iter().zip(states);
-        let largest = pairs().map(|(&t, s)| s.upper_moment * (s.rate + rate(t)).abs());
-        let scale = largest.fold(self.angular_momentum.abs(), f64::max);
-        let mut ledger = Ledger::new();
-        let account = ledger.open_scaled(
-            "angular momentum",
-            Law::Conserved,
-            self.angular_momentum,
-            if scale > 0.0 { scale } else { 1.0 },
-        )?;
-        for (&t, state) in pairs() {
-            ledger.record(account, whole(t, state))?;
+    /// What the lower part turns in the parts of a round, one after the other.
+    fn parts(&self, path: &Round) -> Result<Vec<f64>> {
+        let rate = |t: f64| self.lower_rate(self.angular_momentum, &path.at(t));
+        let mut parts = vec![0.0];
+        for n in 0..path.parts() {
+            let [from, to] = [n, n + 1].map(|n| f64::from(n) * path.part());
+            parts.push(parts[usize::from(n)] + integral(rate, from, to, 0.0)?);
         }
-        Ok(ledger)
+        Ok(parts)
     }
 }
 
-impl<C: Twisting, F: Bearing> Scene for Swivel<C, F> {
+/// With friction: the angle of the lower part, and L.
+impl Flow<2> for Swivel {
+    type Phase = ();
+
+    fn start(&self) -> Result<((), [f64; 2])> {
+        Ok(((), [0.0, self.angular_momentum]))
+    }
+
+    fn scales(&self) -> [f64; 2] {
+        let (moment, fastest) = self.extremes();
+        [1.0, moment * fastest]
+    }
+
+    fn pace(&self) -> f64 {
+        self.extremes().1
+    }
+
+    fn rate(&self, (): (), t: f64, y: &[f64; 2]) -> [f64; 2] {
+        let rate = self.lower_rate(y[1], &self.shape(t));
+        let torque = self.bearing_friction.map_or(0.0, |c| -c * rate);
+        [rate, torque]
+    }
+
+    fn lasts_until(&self, (): (), t: f64) -> f64 {
+        self.path.map_or(f64::INFINITY, |path| path.corner_after(t))
+    }
+
+    fn distance(&self, ((), a): &((), [f64; 2]), ((), b): &((), [f64; 2])) -> f64 {
+        let [angle, l] = self.scales();
+        ((a[0] - b[0]).abs() / angle).max((a[1] - b[1]).abs() / l)
+    }
+}
+
+impl Scene for Swivel {
     type State = SwivelState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let closed = if F::PRESENT {
-            Err("bearing friction: no closed form")
-        } else {
-            Ok((
-                Solver::Exact,
-                "no torque: one integral along the path of shapes",
-            ))
+        request.forward()?;
+        let closed = match self.bearing_friction {
+            Some(_) => Err("bearing friction: no closed form"),
+            None => Ok(Closed {
+                solver: Solver::Exact,
+                reason: "no torque: one integral along the path of shapes",
+            }),
         };
         planned(
             request,
             closed,
-            "the solver of a swivel is `exact`, if nothing resists, or by a method with error control",
+            "the solver of a swivel is `exact`, if nothing resists, or one that steps",
         )
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<SwivelState>> {
         let plan = self.plan(request)?;
-        let (order, _) = request.forward()?;
-        let until = order.last().map_or(0.0, |&i| request.times()[i]);
-        let corners = self.change.corners(until)?;
-        let stops = with_corners(request, &order, &corners);
-        let (states, cost) = match plan.solver {
-            Solver::General(method) => self.followed(&stops, &corners, method, request)?,
-            _ => (
-                self.summed(&stops, &Budget::asked(request))?,
-                Cost::default(),
-            ),
+        let l = self.angular_momentum;
+        let run = (self, &plan, request);
+        let Answer { trace, error } = match &self.path {
+            None => {
+                let rate = self.lower_rate(l, &self.still());
+                solved(run, 1, |t| Ok([rate * t, l]))?
+            }
+            Some(path) => {
+                let parts = match plan.solver {
+                    Solver::Exact => self.parts(path)?,
+                    _ => path.passed_through(request.times()).map(|()| Vec::new())?,
+                };
+                solved(run, AN_INTEGRAL, |t| Ok([self.turned(path, &parts, t)?, l]))?
+            }
         };
-        let ledger = self.ledger(&stops, &states)?;
-        Ok(Motion {
-            error_estimate: None,
-            plan,
-            cost,
-            ledger: balanced(ledger, request.accuracy())?,
-            rows: in_order(request, &stops, &states),
-        })
+        let rows = request.times().iter().zip(trace.samples);
+        let states: Vec<SwivelState> = rows.map(|(&t, ((), y))| self.state(t, y)).collect();
+        // L with what the bearing took of it, summed over the two parts from their rates.
+        let parts = |place: usize| {
+            let state = &states[place];
+            let upper_rate = state.rate + self.shape(request.times()[place]).rate;
+            [state.upper_moment * upper_rate, self.lower * state.rate]
+        };
+        let whole = |place: usize| {
+            let [upper, lower] = parts(place);
+            match self.bearing_friction {
+                Some(c) => upper + lower + c * states[place].lower,
+                None => upper + lower,
+            }
+        };
+        let largest = (0..states.len()).map(|place| parts(place)[0].abs());
+        let scale = largest.fold(self.angular_momentum.abs(), f64::max);
+        let name = "angular momentum";
+        let ledger = ledger(request, &[(name, Law::Conserved, scale, l, &whole)])?;
+        Motion::of(request, plan, trace.cost, error, ledger, states)
     }
 }

@@ -202,7 +202,6 @@ chapters! {
         "lab/src/accuracy/",
         "lab/tests/accuracy/",
         "tests/integrators/",
-        "tests/planner/",
         "figures/src/accuracy/",
     ],
     hard_cases: "hard-cases" [

@@ -15,9 +15,9 @@ use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::top::{
-    AirDrag, BearingFriction, Body, Gravity, Listed, PivotFriction, Start, TipFriction, Top,
+    AirDrag, BearingFriction, Body, Gravity, PivotFriction, Start, TipFriction, Top,
 };
-use spinning_bodies::scene::{Choice, Request, Solver};
+use spinning_bodies::scene::{Choice, Request, Scene, Solver};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -144,21 +144,21 @@ fn nothing() -> spinning_bodies::Result<()> {
             }
         }));
         form = form.min(least(1, || {
-            if let Ok(top) = scene.free_top() {
+            if let Ok(Some(top)) = scene.closed_form() {
                 for &t in &times {
                     let _ = black_box(top.at(t));
                 }
             }
         }));
         whole = whole.min(least(1, || {
-            let _ = black_box(spinning_bodies::scene::Scene::simulate(&scene, &request));
+            let _ = black_box(scene.simulate(&request));
         }));
     }
     println!("a scene without effects, ns a state over 10000 states");
     let count = times.len() as f64;
     for (name, time) in [
         ("EulerTop called directly", direct),
-        ("the scene's free top", form),
+        ("the scene's closed form", form),
         ("simulate: rows and ledger", whole),
     ] {
         println!(
@@ -176,42 +176,21 @@ fn prices() -> spinning_bodies::Result<()> {
     let body = Body::new([2.0e-4, 2.0e-4, 7.0e-5])?.with_center_of_mass(0.1, center)?;
     let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
     let start = Start::with_omega(BodyVector::new(0.0, 0.0, 188.5), tilted);
-    let none = Listed::default();
-    let gravity = Listed {
-        gravity: Some(Gravity::new(9.81)?),
-        ..none
-    };
-    let lists = [
+    let none = Top::new(body, start)?;
+    let gravity = none.with(Gravity::new(9.81)?)?;
+    let tops = [
         ("nothing", none),
         ("gravity", gravity),
         (
             "and pivot friction",
-            Listed {
-                pivot_friction: Some(PivotFriction::new(1e-6)?),
-                ..gravity
-            },
+            gravity.with(PivotFriction::new(1e-6)?)?,
         ),
         (
             "and bearing friction",
-            Listed {
-                bearing_friction: Some(BearingFriction::new(1e-6)?),
-                ..gravity
-            },
+            gravity.with(BearingFriction::new(1e-6)?)?,
         ),
-        (
-            "and air drag",
-            Listed {
-                air_drag: Some(AirDrag::new(1e-8)?),
-                ..gravity
-            },
-        ),
-        (
-            "and tip friction",
-            Listed {
-                tip_friction: Some(TipFriction::new(1e-6)?),
-                ..gravity
-            },
-        ),
+        ("and air drag", gravity.with(AirDrag::new(1e-8)?)?),
+        ("and tip friction", gravity.with(TipFriction::new(1e-6)?)?),
     ];
     let request = Request::at([1.0])?.to_accuracy(1e-9)?;
     let request = request.by(Choice::Use(Solver::General(Method::Dop853)));
@@ -220,8 +199,7 @@ fn prices() -> spinning_bodies::Result<()> {
         "{:>22} {:>12} {:>8} {:>14}",
         "effects", "evaluations", "ms", "ns/evaluation"
     );
-    for (name, list) in lists {
-        let scene = list.on(body, start)?;
+    for (name, scene) in tops {
         let evaluations = scene.simulate(&request)?.cost.evaluations;
         let time = least(7, || {
             let _ = black_box(scene.simulate(&request));

@@ -21,7 +21,6 @@
 //! | `integrators` | one step of each geometric method, and 10⁷ of them | Runge–Kutta, DOP853 |
 //! | `kovalevskaya_top` | one state of Kovalevskaya's top | Runge–Kutta, DOP853 |
 //! | `lagrange_top` | one state of Lagrange's top | Runge–Kutta, DOP853, rapier3d (`peers`) |
-//! | `planner` | the plan of a top | the best method at the best effort |
 //! | `scenes` | a scene with an effect | the same without |
 
 pub mod accuracy;

@@ -31,4 +31,5 @@ pub use kinds::{Nutation, Roots};
 pub use motion::{LagrangeTop, State};
 pub use pendulum::{Apsides, apsides, pendulum_between, pendulum_from_integrals};
 pub use precession::{FastSpin, PurePrecession, fast_spin, pure_precession};
+pub(crate) use preparation::Exact;
 pub use sleeping::{sleeping_threshold, tilt_after_kick};

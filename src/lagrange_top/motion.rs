@@ -4,7 +4,7 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Constants, Pull, turned};
 use super::kinds::{Nutation, Roots};
-use super::preparation::{Body, Kept, Start, moderate, prepare, prepare_kept};
+use super::preparation::{Body, Exact, Kept, Start, moderate, prepare, prepare_kept};
 use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite};
 use crate::extended::{Extended, sum_of_products};
@@ -90,6 +90,24 @@ impl LagrangeTop {
         attitude: Attitude,
     ) -> Result<Self> {
         let body = Body::new(transverse, axial, weight_moment)?;
+        let exact = Exact::of(body, omega, &attitude);
+        Self::prepared(body, omega, attitude, &exact)
+    }
+
+    /// The same from numbers that are not rounded to doubles.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    pub(crate) fn exactly(transverse: f64, axial: f64, exact: &Exact) -> Result<Self> {
+        let body = Body::new(transverse, axial, exact.weight_moment.value())?;
+        let [x, y, z] = exact.omega.map(Extended::value);
+        let [qw, qx, qy, qz] = exact.quaternion.map(Extended::value);
+        let quaternion = nalgebra::Quaternion::new(qw, qx, qy, qz);
+        let (omega, attitude) = (BodyVector::new(x, y, z), Attitude::from_unit(quaternion));
+        Self::prepared(body, omega, attitude, exact)
+    }
+
+    fn prepared(body: Body, omega: BodyVector, attitude: Attitude, exact: &Exact) -> Result<Self> {
         for component in omega.components().iter() {
             finite("a component of the angular velocity", *component)?;
         }
@@ -102,14 +120,14 @@ impl LagrangeTop {
             });
         }
         let (kind, roots, motion) = if moderate(body, omega, &attitude) {
-            prepare::<DoubleDouble>(body, omega, &attitude)?
+            prepare::<DoubleDouble>(body, omega, &attitude, exact)?
         } else {
-            prepare::<Extended>(body, omega, &attitude)?
+            prepare::<Extended>(body, omega, &attitude, exact)?
         };
         Ok(Self {
-            transverse,
-            axial,
-            weight_moment,
+            transverse: body.transverse,
+            axial: body.axial,
+            weight_moment: body.weight_moment,
             omega,
             attitude,
             kind,

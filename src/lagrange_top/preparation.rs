@@ -53,6 +53,28 @@ pub(super) struct Start {
     pub(super) attitude: Attitude,
 }
 
+/// A start and a weight as they are before they are rounded to doubles: next to a separatrix the motion would amplify that.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Exact {
+    /// Mgl, N m.
+    pub weight_moment: Extended,
+    /// Ω along the body's axes, rad/s.
+    pub omega: [Extended; 3],
+    /// The quaternion w, x, y, z, of any norm.
+    pub quaternion: [Extended; 4],
+}
+
+impl Exact {
+    pub(super) fn of(body: Body, omega: BodyVector, attitude: &Attitude) -> Self {
+        let q = attitude.quaternion();
+        Self {
+            weight_moment: Extended::from_double(body.weight_moment),
+            omega: [omega.x(), omega.y(), omega.z()].map(Extended::from_double),
+            quaternion: [q.w, q.i, q.j, q.k].map(Extended::from_double),
+        }
+    }
+}
+
 /// Whether the fourth power of every number that counts is far above underflow.
 pub(super) fn moderate(body: Body, omega: BodyVector, attitude: &Attitude) -> bool {
     let q = attitude.quaternion();
@@ -74,6 +96,7 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     }: Body,
     omega: BodyVector,
     attitude: &Attitude,
+    exact: &Exact,
 ) -> Result<Prepared> {
     let pull = if weight_moment < 0.0 {
         Pull::Up
@@ -81,8 +104,11 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
         Pull::Down
     };
     let q = seen(pull, attitude.quaternion().into_inner());
-    let gravity =
-        Extended::from_double(weight_moment.abs()).divide(Extended::from_double(transverse));
+    let weight = match pull {
+        Pull::Down => exact.weight_moment,
+        Pull::Up => exact.weight_moment.negated(),
+    };
+    let gravity = weight.divide(Extended::from_double(transverse));
     let fastest = omega
         .components()
         .amax()
@@ -100,8 +126,15 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let mut scaled_gravity = gravity;
     scaled_gravity.exponent -= 2 * exponent;
     let gravity = N::from_extended(scaled_gravity);
-    let [o1, o2, o3] = [omega.x() / unit, omega.y() / unit, omega.z() / unit].map(N::from_double);
-    let [w, x, y, z] = [q.w, q.i, q.j, q.k].map(N::from_double);
+    let [o1, o2, o3] = exact.omega.map(|mut rate| {
+        rate.exponent -= exponent;
+        N::from_extended(rate)
+    });
+    let [w, x, y, z] = match (pull, exact.quaternion) {
+        (Pull::Down, q) => q,
+        (Pull::Up, [w, x, y, z]) => [x.negated(), w, z.negated(), y],
+    }
+    .map(N::from_extended);
     let (upper, lower) = (w.square().add(z.square()), x.square().add(y.square()));
     let norm = upper.add(lower);
     let above_bottom = upper.divide(norm).times(2.0);

@@ -23,6 +23,11 @@ pub(crate) trait Flow<const N: usize> {
     /// Sizes below which each number counts as small.
     fn scales(&self) -> [f64; N];
 
+    /// By how much rounding leaves the numbers at the start in doubt, for a motion that may amplify it: runs that are compared start so far apart.
+    fn doubt(&self) -> [f64; N] {
+        [0.0; N]
+    }
+
     /// What every step gives back to the numbers.
     fn kept(&self) -> Kept {
         Kept::Nothing
@@ -323,24 +328,40 @@ pub(crate) fn furthest(times: &[f64]) -> f64 {
     times.iter().fold(0.0, further)
 }
 
-/// Tolerances of two runs that are compared: of order 8 the tighter run takes half as long again as the looser.
-const APART: f64 = 30.0;
+/// Tolerances of two runs that are compared: of order 8 the looser run costs half as much as the tighter.
+const APART: f64 = 100.0;
 /// Of the distance of two runs, the error of the better one is taken for this share times [`APART`] over the ratio of their tolerances.
-/// Errors in proportion to the tolerance would make it a thirtieth.
-const SHARE: f64 = 0.25;
+/// Errors in proportion to the tolerance would make it a hundredth.
+const SHARE: f64 = 0.12;
+/// Two runs further apart than this have nothing to say of each other: then the distance itself is told.
+const TOGETHER: f64 = 0.05;
+/// The error of a run of a few steps, in units of its tolerance.
+const OF_A_STEP: f64 = 8.0;
+/// The looser run of the first pair has this times the accuracy a radian: of a steady motion it is then off by the accuracy, of a fast top by four
+/// times that.
+const FIRST: f64 = 4.0;
 /// Below this the error estimate of a step is rounding; above that it means nothing.
-const LEAST_TOLERANCE: f64 = 1e-15;
-const GREATEST_TOLERANCE: f64 = 1e-3;
+const LEAST_TOLERANCE: f64 = 4e-16;
+const GREATEST_TOLERANCE: f64 = 1e-2;
 /// Two runs are compared at so many times at least: at a single one they may agree by chance.
-const CHECKS: usize = 8;
+const CHECKS: usize = 4;
+/// Shorter runs (radians) are compared where they are asked for: nothing has come back to where it was.
+const SHORT: f64 = 3.0;
+/// What the runs differ by at a time that was not asked for counts so much.
+const CHECKED: f64 = 0.25;
+/// A run of at most so many steps is compared with one of twice as many: two tolerances might give both the same.
+const FEW_STEPS: u64 = 3;
 /// What rounding does to a motion that amplifies nothing, for every radian.
-const ROUNDING: f64 = 4e-16;
+pub(crate) const ROUNDING: f64 = 4e-16;
 
 /// The motion at the times of the request, with an error below its accuracy.
 ///
-/// Two runs are compared, whose tolerances lie a factor thirty apart, or whose steps lie a factor two apart. Their distance is the error of the looser one;
-/// the better one, which is returned, is told to be off by a quarter of that. Where that is more than the accuracy a third run takes the place of the
-/// first. A flow may depend on the tolerance of its run, which `flow` makes for it.
+/// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart. Their distance is the error of the looser one;
+/// the better one, which is returned, is told to be off by an eighth of that. Where that is more than the accuracy, a further run or two take their
+/// place. A flow may depend on the tolerance of its run, which `flow` makes for it.
+///
+/// Runs that begin with the same rounded numbers agree on what becomes of the rounding. A flow that states the [`doubt`](Flow::doubt) about its
+/// start has the looser run begin that far off, so that what the motion makes of it is part of the distance.
 ///
 /// # Errors
 /// [`Error::Amplified`] where rounding, amplified by the motion, is more than the accuracy asked for: it tells by how much a change of the start
@@ -352,9 +373,14 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
 ) -> Result<Answer<F::Phase, N>> {
     let (stepper, budget) = (stepper(solver, request)?, &Budget::asked(request));
     let (accuracy, count) = (request.accuracy(), request.times().len());
-    let times = with_checks(request.times());
+    let (angle, sure) = {
+        let flow = flow(accuracy)?;
+        let angle = flow.pace() * furthest(request.times()).abs();
+        (angle, flow.doubt() == [0.0; N])
+    };
+    let times = with_checks(request.times(), angle);
     let mut cost = Cost::default();
-    let mut run = |effort: Effort| -> Result<(F, Trace<F::Phase, N>)> {
+    let mut run = |effort: Effort, off: f64| -> Result<(F, Trace<F::Phase, N>)> {
         let flow = flow(tolerance_of(effort, accuracy))?;
         let run = Run {
             flow: &flow,
@@ -362,25 +388,25 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
             effort,
             budget,
         };
-        let trace = run.at(flow.start()?, &times)?;
+        let trace = run.at(beside(&flow, off)?, &times)?;
         cost += trace.cost;
         Ok((flow, trace))
     };
-    let angle = {
-        let flow = flow(accuracy)?;
-        flow.pace() * furthest(&times).abs()
-    };
     let rounding = ROUNDING * (1.0 + angle);
     let mut efforts = Efforts::new(stepper, accuracy, angle, furthest(&times));
-    let mut worse = run(efforts.first())?.1;
+    let mut worse = run(efforts.worse, 1.0)?.1;
     loop {
-        let (flow, better) = run(efforts.better)?;
-        let pairs = worse.samples.iter().zip(&better.samples);
-        let apart = pairs.map(|(a, b)| flow.distance(a, b)).fold(0.0, |m, d| {
-            // What is not a number must not pass for small.
-            if d > m || d.is_nan() { d } else { m }
-        });
-        let error = efforts.share() * apart + rounding;
+        efforts.halve_few(stepper, worse.cost.steps, furthest(&times));
+        let (flow, better) = run(efforts.better, 0.0)?;
+        let asked = furthest_apart(&flow, &worse.samples[..count], &better.samples[..count]);
+        let checked = furthest_apart(&flow, &worse.samples[count..], &better.samples[count..]);
+        let apart = greater(asked, CHECKED * checked);
+        let share = if apart < TOGETHER {
+            efforts.share()
+        } else {
+            1.0
+        };
+        let error = greater(share * apart, efforts.floor()) + rounding;
         if error <= accuracy {
             let mut samples = better.samples;
             samples.truncate(count);
@@ -401,7 +427,12 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
                 growth,
             });
         }
-        worse = better;
+        worse = if sure {
+            better
+        } else {
+            efforts.spread();
+            run(efforts.worse, 1.0)?.1
+        };
     }
 }
 
@@ -454,6 +485,34 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
     Ok(Answer { trace, error })
 }
 
+/// The start, or one that is off by so many times the doubt about it.
+fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<(F::Phase, [f64; N])> {
+    let (phase, mut start) = flow.start()?;
+    if times != 0.0 {
+        for (number, doubt) in start.iter_mut().zip(flow.doubt()) {
+            *number += times * doubt;
+        }
+    }
+    Ok((phase, start))
+}
+
+/// The greater of two; what is not a number must not pass for small.
+pub(crate) fn greater(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
+/// The most by which the samples of two runs differ.
+fn furthest_apart<const N: usize, F: Flow<N>>(
+    flow: &F,
+    a: &[(F::Phase, [f64; N])],
+    b: &[(F::Phase, [f64; N])],
+) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| flow.distance(a, b))
+        .fold(0.0, greater)
+}
+
 /// The tolerance of a run; a run of even steps has that of its aim.
 fn tolerance_of(effort: Effort, accuracy: f64) -> f64 {
     match effort {
@@ -482,15 +541,12 @@ impl Efforts {
                 better: Effort::Step(0.5 * step),
             };
         }
-        let tolerance = (accuracy / angle.max(2.0)).clamp(LEAST_TOLERANCE, GREATEST_TOLERANCE);
+        let first = FIRST * accuracy / angle.max(2.0);
+        let tolerance = first.clamp(LEAST_TOLERANCE * APART, GREATEST_TOLERANCE);
         Self {
             worse: Effort::Tolerance(tolerance),
-            better: Effort::Tolerance((tolerance / APART).max(LEAST_TOLERANCE)),
+            better: Effort::Tolerance(tolerance / APART),
         }
-    }
-
-    fn first(&self) -> Effort {
-        self.worse
     }
 
     /// The share of the distance of both that is taken for the error of the better.
@@ -500,19 +556,38 @@ impl Efforts {
                 (SHARE * APART * better / worse).min(1.0)
             }
             // A fifteenth for order 4.
-            _ => 0.125,
+            _ => 0.25,
+        }
+    }
+
+    /// Where the worse run has taken few steps, the better one takes twice as many.
+    fn halve_few(&mut self, stepper: Stepper<'_>, steps: u64, last: f64) {
+        if matches!(stepper, Stepper::OrderEight) && (1..=FEW_STEPS).contains(&steps) {
+            self.better = Effort::Step(last.abs() / (2 * steps) as f64);
+        }
+    }
+
+    /// Less is never told: two runs of the same few steps agree, and each step may be off by about the tolerance in every number.
+    fn floor(&self) -> f64 {
+        match self.better {
+            Effort::Tolerance(tolerance) => OF_A_STEP * tolerance,
+            Effort::Step(_) => 0.0,
         }
     }
 
     /// The next pair, the better of today being its worse; false if there is none.
     fn tighten(&mut self, accuracy: f64, error: f64) -> bool {
-        let next = match self.better {
+        let better = match (self.better, self.worse) {
+            (Effort::Step(_), Effort::Tolerance(worse)) => Effort::Tolerance(worse / APART),
+            (better, _) => better,
+        };
+        let next = match better {
             Effort::Tolerance(tolerance) => {
                 if tolerance <= LEAST_TOLERANCE || !error.is_finite() {
                     return false;
                 }
-                // At least one more digit, at most four at once: an estimate that large is none.
-                let less = (0.3 * accuracy / error).clamp(1e-4, 0.1);
+                // At least half a digit more, at most four at once: an estimate that large is none.
+                let less = (0.3 * accuracy / error).clamp(1e-4, 0.3);
                 Effort::Tolerance((tolerance * less).max(LEAST_TOLERANCE))
             }
             Effort::Step(step) => {
@@ -528,17 +603,29 @@ impl Efforts {
         (self.worse, self.better) = (self.better, next);
         true
     }
+
+    /// The worse of a pair of tolerances as far from the better as in the first.
+    fn spread(&mut self) {
+        if let Effort::Tolerance(better) = self.better {
+            self.worse = Effort::Tolerance(APART * better);
+        }
+    }
 }
 
-/// The times asked for, and so many more that two runs have something to compare.
-fn with_checks(times: &[f64]) -> Vec<f64> {
-    let missing = CHECKS.saturating_sub(times.len());
+/// The times asked for, and so many more that two runs over this angle have something to compare.
+pub(crate) fn with_checks(times: &[f64], angle: f64) -> Vec<f64> {
+    let missing = if angle < SHORT {
+        0
+    } else {
+        CHECKS.saturating_sub(times.len())
+    };
     let last = furthest(times);
     let more = (1..=missing).map(|n| last * n as f64 / (missing + 1) as f64);
     times.iter().copied().chain(more).collect()
 }
 
-/// By what factor a change of the start has grown: a run from a start that is moved by a ten-millionth of the scales, against one from the start itself.
+/// By what factor a change of the start has grown: a run from a start that is moved by a ten-thousand-millionth of the scales, against one from the
+/// start itself.
 fn growth<const N: usize, F: Flow<N>>(
     flow: &F,
     stepper: Stepper<'_>,
@@ -548,26 +635,28 @@ fn growth<const N: usize, F: Flow<N>>(
 ) -> Result<f64> {
     let (phase, start) = flow.start()?;
     let scales = flow.scales();
-    // In a direction of no particular meaning.
-    let moved = core::array::from_fn(|n| start[n] + MOVED * scales[n] * (2.0 + n as f64).sin());
+    let moved = if flow.doubt() == [0.0; N] {
+        // In a direction of no particular meaning.
+        core::array::from_fn(|n| start[n] + MOVED * scales[n] * (2.0 + n as f64).sin())
+    } else {
+        beside(flow, DOUBTS)?.1
+    };
     let run = Run {
         flow,
         stepper,
         effort,
         budget,
     };
-    let [a, b] = [
-        run.at((phase, start), times)?,
-        run.at((phase, moved), times)?,
-    ];
+    let here = run.at((phase, start), times)?;
+    let there = run.at((phase, moved), times)?;
     let first = flow.distance(&(phase, start), &(phase, moved));
-    let pairs = a.samples.iter().zip(&b.samples);
-    let apart = pairs.map(|(a, b)| flow.distance(a, b)).fold(0.0, f64::max);
-    Ok(apart / first)
+    Ok(furthest_apart(flow, &here.samples, &there.samples) / first)
 }
 
 /// A small displacement of the start, in units of the scales.
-const MOVED: f64 = 1e-7;
+const MOVED: f64 = 1e-10;
+/// The same in units of the doubt about the start.
+const DOUBTS: f64 = 1e4;
 
 /// What steps for a solver.
 fn stepper(solver: Solver, request: &Request) -> Result<Stepper<'static>> {

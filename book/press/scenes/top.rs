@@ -3,8 +3,9 @@
 //! `[body]` mass, moments, center_of_mass; `[initial]` attitude, omega or angular_momentum; `[effects]` gravity, pivot_friction,
 //! bearing_friction, air_drag, tip_friction.
 
+use spinning_bodies::scene::effects::Effect;
 use spinning_bodies::scene::top::{
-    AirDrag, BearingFriction, Body, Gravity, Listed, PivotFriction, Start, TipFriction,
+    AirDrag, BearingFriction, Body, Gravity, PivotFriction, Start, TipFriction, Top,
 };
 
 use super::Ready;
@@ -15,54 +16,54 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     let effects = file.section("effects")?;
     let listed = listed(&effects)?;
     let section = file.section("body")?;
-    let body = body(&section, &listed)?;
+    let heavy = listed.iter().any(|e| matches!(e, Effect::Gravity(_)));
+    let body = body(&section, heavy)?;
     section.done()?;
     let section = file.section("initial")?;
     let start = start(&section)?;
-    let free = Listed {
-        tip_friction: None,
-        ..listed
-    };
     let key = if section.has("omega") {
         "omega"
     } else {
         "angular_momentum"
     };
-    free.on(body, start).map_err(section.about(key))?;
+    let mut top = Top::new(body, start).map_err(section.about(key))?;
     section.done()?;
-    let scene = listed.on(body, start);
-    let scene = scene.map_err(file.about("tip_friction, moments, center_of_mass"))?;
+    for effect in listed {
+        let with = top.with(effect);
+        top = with.map_err(file.about("tip_friction, moments, center_of_mass"))?;
+    }
     effects.done()?;
-    Ok(Ready::scene(scene))
+    Ok(Ready::scene(Box::new(top)))
 }
 
-fn listed(section: &Section<'_>) -> Result<Listed> {
-    let effect = |key: &'static str, what| section.optional(key, what);
-    Ok(Listed {
-        gravity: effect("gravity", "an acceleration in m/s²")?
-            .map(Gravity::new)
-            .transpose()
-            .map_err(section.about("gravity"))?,
-        pivot_friction: effect("pivot_friction", "a coefficient in N m s")?
-            .map(PivotFriction::new)
-            .transpose()
-            .map_err(section.about("pivot_friction"))?,
-        bearing_friction: effect("bearing_friction", "a coefficient in N m s")?
-            .map(BearingFriction::new)
-            .transpose()
-            .map_err(section.about("bearing_friction"))?,
-        air_drag: effect("air_drag", "a coefficient in N m s²")?
-            .map(AirDrag::new)
-            .transpose()
-            .map_err(section.about("air_drag"))?,
-        tip_friction: effect("tip_friction", "a torque in N m")?
-            .map(TipFriction::new)
-            .transpose()
-            .map_err(section.about("tip_friction"))?,
-    })
+/// The effects that are there.
+fn listed(section: &Section<'_>) -> Result<Vec<Effect>> {
+    let mut listed = Vec::new();
+    let mut take = |key: &'static str, what, made: fn(f64) -> spinning_bodies::Result<Effect>| {
+        if let Some(value) = section.optional(key, what)? {
+            listed.push(made(value).map_err(section.about(key))?);
+        }
+        Result::Ok(())
+    };
+    take("gravity", "an acceleration in m/s²", |g| {
+        Gravity::new(g).map(Effect::from)
+    })?;
+    take("pivot_friction", "a coefficient in N m s", |c| {
+        PivotFriction::new(c).map(Effect::from)
+    })?;
+    take("bearing_friction", "a coefficient in N m s", |c| {
+        BearingFriction::new(c).map(Effect::from)
+    })?;
+    take("air_drag", "a coefficient in N m s²", |k| {
+        AirDrag::new(k).map(Effect::from)
+    })?;
+    take("tip_friction", "a torque in N m", |n| {
+        TipFriction::new(n).map(Effect::from)
+    })?;
+    Ok(listed)
 }
 
-fn body(section: &Section<'_>, listed: &Listed) -> Result<Body> {
+fn body(section: &Section<'_>, heavy: bool) -> Result<Body> {
     let moments = section.list("moments", "principal moments in kg m²")?;
     let body = Body::new(moments).map_err(section.about("moments"))?;
     if moments == [0.0; 3] {
@@ -76,7 +77,7 @@ fn body(section: &Section<'_>, listed: &Listed) -> Result<Body> {
             let body = body.with_center_of_mass(mass, center);
             body.map_err(section.about("center_of_mass"))
         }
-        (None, _) if listed.gravity.is_some() => Err(section.refused(
+        (None, _) if heavy => Err(section.refused(
             "mass",
             "is missing: gravity acts on the centre of mass, a mass in kg is expected",
         )),

@@ -25,8 +25,8 @@ pub fn waking() -> Result<Figure> {
     let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), TILT)?;
     let start = Start::with_omega(BodyVector::new(0.0, 0.0, SPIN), tilted);
     let top = Top::new(body, start)?
-        .with_gravity(Gravity::new(9.81)?)
-        .with_tip_friction(TipFriction::new(TORQUE)?)?;
+        .with(Gravity::new(9.81)?)?
+        .with(TipFriction::new(TORQUE)?)?;
     let last = f64::from(SAMPLES - 1);
     let times: Vec<f64> = (0..SAMPLES)
         .map(|k| SECONDS * f64::from(k) / last)

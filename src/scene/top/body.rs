@@ -2,8 +2,11 @@
 
 use crate::error::{Error, Result, finite, not_negative};
 use crate::euler_equations::finite_vector;
+use crate::extended::Extended;
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::PrincipalMoments;
+use crate::integrators::geometric::Phase;
+use crate::words::Arithmetic;
 
 /// A rigid body as a top sees it: mass, principal moments about the pivot in the order of the axes, centre of mass from the pivot.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,6 +64,12 @@ impl Body {
     }
 }
 
+/// What rounding may have done to a start, several times over: to Ω or L along each axis as parts of the whole, and to the quaternion. Each number
+/// has another part, lest the displacement have the symmetry of the motion.
+pub(super) const DOUBT: [f64; 7] = [8e-15, -6e-15, 7e-15, -4e-15, 5e-15, 3e-15, -4e-15];
+/// Of what a motion makes of such a displacement, this much is told.
+pub(super) const DOUBTED: f64 = 0.2;
+
 /// How a top starts: its attitude, and Ω or L along the principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
@@ -89,6 +98,46 @@ impl Start {
             attitude,
             spin: Spin::AngularMomentum(l),
         }
+    }
+
+    /// L along the body's axes and the attitude.
+    pub(super) fn phase(&self, moments: [f64; 3]) -> Result<Phase> {
+        let l = match self.spin {
+            Spin::AngularMomentum(l) => l,
+            Spin::Omega(omega) => {
+                let [a, b, c] = moments;
+                BodyVector::new(a * omega.x(), b * omega.y(), c * omega.z())
+            }
+        };
+        Ok(Phase::new(
+            finite_vector("the angular momentum", l)?,
+            &self.attitude,
+        ))
+    }
+
+    /// Ω before it is rounded, rad/s.
+    pub(super) fn exact_omega(&self, moments: [f64; 3]) -> [Extended; 3] {
+        let number = Extended::from_double;
+        match self.spin {
+            Spin::Omega(omega) => <[f64; 3]>::from(omega.components()).map(number),
+            Spin::AngularMomentum(l) => {
+                let l: [f64; 3] = l.components().into();
+                core::array::from_fn(|k| match l[k] {
+                    0.0 => Extended::zero(),
+                    part => number(part).divide(number(moments[k])),
+                })
+            }
+        }
+    }
+
+    /// Another start, as near as rounding can tell.
+    pub(super) fn beside(&self, moments: [f64; 3]) -> Result<Self> {
+        let [a, b, c, d, e, f, g] = DOUBT;
+        let omega = self.omega(moments)?;
+        let q = self.attitude.quaternion();
+        let attitude = Attitude::from_quaternion(q.w + d, q.i + e, q.j + f, q.k + g)?;
+        let moved = omega + BodyVector::new(a, b, c) * omega.norm();
+        Ok(Self::with_omega(moved, attitude))
     }
 
     /// Ω, rad/s.

@@ -6,10 +6,12 @@ use super::body::{Body, Spin, Start};
 use crate::error::Result;
 use crate::euler_equations::{Integrability, classify};
 use crate::euler_top::EulerTop;
+use crate::extended::{Extended, sum_of_products};
 use crate::frame::{Attitude, BodyVector};
 use crate::kovalevskaya_top::{KovalevskayaTop, State};
-use crate::lagrange_top::LagrangeTop;
+use crate::lagrange_top::{Exact, LagrangeTop};
 use crate::scene::Budget;
+use crate::words::Arithmetic;
 
 /// A motion in closed form.
 #[derive(Debug, Clone)]
@@ -38,10 +40,10 @@ pub struct Axes {
 pub(super) const NONE: &str = "gravity on a body without a fourth integral: no closed form exists";
 
 impl ClosedForm {
-    /// The closed form of a top under this lever MgC alone, if it has one.
-    pub(super) fn find(body: &Body, lever: [f64; 3], start: &Start) -> Result<Option<Self>> {
+    /// The closed form of a top under this gravity alone, if it has one.
+    pub(super) fn find(body: &Body, gravity: f64, start: &Start) -> Result<Option<Self>> {
         let moments = body.moments;
-        let [x, y, z] = lever;
+        let [x, y, z] = body.arm().map(|component| component * gravity);
         let lever_vector = BodyVector::new(x, y, z);
         let axes = match classify(moments, lever_vector) {
             Integrability::Euler => {
@@ -64,13 +66,25 @@ impl ClosedForm {
             Integrability::OnLevelZero(_) | Integrability::None => return Ok(None),
         };
         let [transverse, _, axial] = axes.exchanged(moments);
-        let (omega, attitude) = axes.start(moments, start)?;
-        // The lever lies on the third axis: its length is its component, but for the sign that a sorted axis may have.
-        let weight_moment = match axes.shift {
-            Some(_) => axes.inward(lever_vector).z(),
-            None => lever_vector.norm(),
+        let top = match axes.shift {
+            // What is rounded here a motion next to its separatrix would amplify.
+            Some(_) => {
+                let [_, _, center] = axes.exchanged(body.center);
+                let number = Extended::from_double;
+                let exact = Exact {
+                    weight_moment: number(body.mass)
+                        .multiply(number(center))
+                        .multiply(number(gravity)),
+                    omega: axes.exchanged(start.exact_omega(moments)),
+                    quaternion: axes.exact_attitude(&start.attitude),
+                };
+                LagrangeTop::exactly(transverse, axial, &exact)?
+            }
+            None => {
+                let (omega, attitude) = axes.start(moments, start)?;
+                LagrangeTop::new(transverse, axial, lever_vector.norm(), omega, attitude)?
+            }
         };
-        let top = LagrangeTop::new(transverse, axial, weight_moment, omega, attitude)?;
         Ok(Some(Self::Lagrange(top, axes)))
     }
 
@@ -83,11 +97,20 @@ impl ClosedForm {
         }
     }
 
-    /// The error that rounding makes by time t (s): attitude in radians, Ω relative. Observed over 260 and 280 random tops and up to 25 turns: 7e-16, 9e-15.
-    pub(super) fn rounding(&self, t: f64) -> f64 {
+    /// Whether the solution has what is given as it is, and not rounded on the way.
+    pub(super) fn is_exact(&self) -> bool {
         match self {
-            Self::Free(_) => 2e-15,
-            Self::Lagrange(..) => 2e-14,
+            Self::Free(_) => true,
+            Self::Lagrange(_, axes) => axes.shift.is_some(),
+            Self::Kovalevskaya(..) => false,
+        }
+    }
+
+    /// The error that rounding makes by time t (s), `angle` radians of the pace: attitude in radians, Ω relative.
+    pub(super) fn rounding(&self, t: f64, angle: f64) -> f64 {
+        match self {
+            Self::Free(_) => 2e-15 + 1e-15 * angle,
+            Self::Lagrange(..) => 6e-14 + 1e-15 * angle,
             Self::Kovalevskaya(top, _) => top.stated_error(t),
         }
     }
@@ -162,9 +185,23 @@ impl Axes {
         Self { onto, shift: None }
     }
 
-    fn exchanged(&self, moments: [f64; 3]) -> [f64; 3] {
+    fn exchanged<T: Copy>(&self, components: [T; 3]) -> [T; 3] {
         let shift = self.shift.unwrap_or(0);
-        core::array::from_fn(|k| moments[(k + shift) % 3])
+        core::array::from_fn(|k| components[(k + shift) % 3])
+    }
+
+    /// The attitude as the solution's axes have it: its quaternion times the inverse of the turn onto them, whose numbers are halves.
+    fn exact_attitude(&self, attitude: &Attitude) -> [Extended; 4] {
+        let (q, onto) = (attitude.quaternion(), self.onto);
+        let sum = |products: [[f64; 2]; 4]| sum_of_products(&products);
+        let (a, b, c, d) = (q.w, q.i, q.j, q.k);
+        let (w, x, y, z) = (onto.w, -onto.i, -onto.j, -onto.k);
+        [
+            sum([[a, w], [-b, x], [-c, y], [-d, z]]),
+            sum([[a, x], [b, w], [c, z], [-d, y]]),
+            sum([[a, y], [-b, z], [c, w], [d, x]]),
+            sum([[a, z], [b, y], [-c, x], [d, w]]),
+        ]
     }
 
     fn inward(&self, vector: BodyVector) -> BodyVector {

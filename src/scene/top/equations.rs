@@ -1,132 +1,271 @@
-//! The equations of a top for any method: L along the body's axes, the attitude's quaternion and, where something resists, the work it takes.
+//! The equations of a stepped top: L along the body's axes, the attitude's quaternion and, where something resists, the work it takes.
 
-use super::body::Body;
-use super::effects::{Resistance, Turning, Weight};
+use super::Top;
+use super::body::DOUBT;
+use crate::error::{Error, Result};
 use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};
-use crate::integrators::System;
+use crate::integrators::Kept;
+use crate::integrators::geometric::Phase;
+use crate::scene::engine::{Ended, Flow, furthest};
 
-/// A body and the torques on it, each effect a type.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Equations<G, F, B, D, T> {
-    pub moments: [f64; 3],
-    pub arm: [f64; 3],
-    pub gravity: G,
-    pub pivot_friction: F,
-    pub bearing_friction: B,
-    pub air_drag: D,
-    pub tip_friction: T,
-}
-
-/// The same with all divisions done: an evaluation waits for each of its operations, and for a division three times as long as for a sum.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Divided<E> {
-    effects: E,
+/// A top as a flow: seven numbers, L and the quaternion, and an eighth, the energy lost, where something resists.
+///
+/// An effect that is absent is `None`: no number stands for it, and no evaluation asks for it. Divisions are done beforehand, for an evaluation
+/// waits for each of its operations.
+pub(super) struct Turning {
+    moments: [f64; 3],
     inverse: [f64; 3],
     /// (I₂ − I₃)/(I₂I₃) and so on: L₁′ is this times L₂L₃, nearly equal moments lose nothing.
     difference: [f64; 3],
-    lever: [f64; 3],
+    lever: Option<[f64; 3]>,
+    pivot_friction: Option<f64>,
+    bearing_friction: Option<f64>,
+    air_drag: Option<f64>,
+    /// The torque of the dry tip, against the spin that it started with.
+    tip_friction: Option<f64>,
+    start: Phase,
+    pace: f64,
+    energy: f64,
 }
 
-impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance>
-    Equations<G, F, B, D, T>
-{
-    /// For moments that are not zero.
-    pub fn divided(self) -> Divided<Self> {
-        Divided {
-            inverse: self.moments.map(|moment| 1.0 / moment),
+/// Whether the dry tip brakes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Spin {
+    /// It does, if there is one.
+    Spinning,
+    /// It has brought L₃ to zero and holds it there.
+    Stopped,
+}
+
+impl Turning {
+    /// The top with `energy` (J) as the scale of what may be lost.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a body with an axis without moment.
+    pub fn new(top: &Top, energy: f64) -> Result<Self> {
+        let moments = top.body.moments;
+        if let Some(&moment) = moments.iter().find(|&&moment| moment == 0.0) {
+            return Err(Error::NotPositive {
+                quantity: "a principal moment of a body without a closed form",
+                value: moment,
+            });
+        }
+        let start = top.start.phase(moments)?;
+        let spin = start.l[2];
+        Ok(Self {
+            moments,
+            inverse: moments.map(|moment| 1.0 / moment),
             difference: core::array::from_fn(|k| {
-                let (a, b) = (self.moments[(k + 1) % 3], self.moments[(k + 2) % 3]);
+                let (a, b) = (moments[(k + 1) % 3], moments[(k + 2) % 3]);
                 (a - b) / a / b
             }),
-            lever: self.gravity.lever(self.arm),
-            effects: self,
-        }
+            lever: top.gravity.is_some().then(|| top.lever()),
+            pivot_friction: top.pivot_friction.map(|friction| friction.value()),
+            bearing_friction: top.bearing_friction.map(|friction| friction.value()),
+            air_drag: top.air_drag.map(|drag| drag.value()),
+            tip_friction: top
+                .tip_friction
+                .map(|friction| friction.value().copysign(spin)),
+            start,
+            pace: top.pace()?,
+            energy,
+        })
     }
 
-    /// What resists.
-    #[inline(always)]
-    fn resistance(&self, turning: &Turning) -> [f64; 3] {
+    // ANCHOR: resistance
+    /// The torque of what resists, N m.
+    fn resistance(&self, spin: Spin, omega: [f64; 3]) -> [f64; 3] {
         let mut torque = [0.0; 3];
-        self.pivot_friction.add_torque(turning, &mut torque);
-        self.bearing_friction.add_torque(turning, &mut torque);
-        self.air_drag.add_torque(turning, &mut torque);
-        self.tip_friction.add_torque(turning, &mut torque);
+        if let Some(c) = self.pivot_friction {
+            for k in 0..3 {
+                torque[k] -= c * omega[k];
+            }
+        }
+        if let Some(c) = self.bearing_friction {
+            torque[0] -= c * omega[0];
+            torque[1] -= c * omega[1];
+        }
+        if let Some(k) = self.air_drag {
+            let [x, y, z] = omega;
+            // Not `hypot`, which takes longer than all the rest: the square of Ω would have to overflow for it to matter.
+            let strength = k * (x * x + y * y + z * z).sqrt();
+            for k in 0..3 {
+                torque[k] -= strength * omega[k];
+            }
+        }
+        if let Some(dry) = self.tip_friction
+            && spin == Spin::Spinning
+        {
+            torque[2] -= dry;
+        }
         torque
     }
+    // ANCHOR_END: resistance
+
+    /// Attitude and Ω of a state.
+    pub fn unpacked<const N: usize>(&self, y: &[f64; N]) -> (Attitude, BodyVector) {
+        self.state(&phase(y))
+    }
+
+    /// The same of a phase.
+    pub fn state(&self, phase: &Phase) -> (Attitude, BodyVector) {
+        let [w, x, y, z] = phase.q;
+        let quaternion = nalgebra::Quaternion::new(w, x, y, z);
+        let [o1, o2, o3] = core::array::from_fn(|k| phase.l[k] / self.moments[k]);
+        (
+            Attitude::from_unit(quaternion / quaternion.norm()),
+            BodyVector::new(o1, o2, o3),
+        )
+    }
+
+    /// The angle (radians) to the time furthest from the start, if it all went at the pace.
+    pub fn angle(&self, times: &[f64]) -> f64 {
+        self.pace * furthest(times).abs()
+    }
+
+    /// The start, moved by so many times the doubt about it.
+    pub fn moved(&self, times: f64) -> Phase {
+        let doubt: [f64; 7] = self.doubt();
+        let Phase { l, q } = self.start;
+        Phase {
+            l: core::array::from_fn(|k| l[k] + times * doubt[k]),
+            q: core::array::from_fn(|k| q[k] + times * doubt[3 + k]),
+        }
+    }
+
+    /// L and the quaternion at the start.
+    fn numbers<const N: usize>(&self) -> [f64; N] {
+        let Phase { l, q } = self.start;
+        core::array::from_fn(|n| match n {
+            0..3 => l[n],
+            3..7 => q[n - 3],
+            _ => 0.0,
+        })
+    }
 }
 
-impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance>
-    Divided<Equations<G, F, B, D, T>>
-{
+impl<const N: usize> Flow<N> for Turning {
+    type Phase = Spin;
+
+    fn start(&self) -> Result<(Spin, [f64; N])> {
+        let spin = if self.tip_friction.is_some() && self.start.l[2] == 0.0 {
+            Spin::Stopped
+        } else {
+            Spin::Spinning
+        };
+        Ok((spin, self.numbers()))
+    }
+
+    fn scales(&self) -> [f64; N] {
+        core::array::from_fn(|n| match n {
+            0..3 => self.moments[n] * self.pace,
+            3..7 => 1.0,
+            _ => self.energy,
+        })
+    }
+
+    fn doubt(&self) -> [f64; N] {
+        let rate = speed(self.start.l, self.inverse);
+        core::array::from_fn(|n| match n {
+            // A spin that dry friction has stopped is exactly 0.
+            2 if self.tip_friction.is_some() && self.start.l[2] == 0.0 => 0.0,
+            0..3 => DOUBT[n] * self.moments[n] * rate,
+            3..7 => DOUBT[n],
+            _ => 0.0,
+        })
+    }
+
+    fn kept(&self) -> Kept {
+        Kept::UnitQuaternion(3)
+    }
+
+    fn pace(&self) -> f64 {
+        self.pace
+    }
+
     /// L′ = L∧Ω + N and q′ = ½qΩ, and the power that the resistance takes.
-    #[inline(always)]
-    fn rates(&self, y: &[f64; 7]) -> ([f64; 7], f64) {
-        let [a, b, c, w, x, y, z] = *y;
+    fn rate(&self, spin: Spin, _: f64, numbers: &[f64; N]) -> [f64; N] {
+        let [a, b, c, w, x, y, z]: [f64; 7] = core::array::from_fn(|n| numbers[n]);
         let [j1, j2, j3] = self.inverse;
         let omega = [j1 * a, j2 * b, j3 * c];
-        // The third row of the rotation matrix, for |q| = 1: off it the equations go on smoothly, and q stays on it as well as it is computed.
-        let up = [
-            2.0 * (x * z - w * y),
-            2.0 * (y * z + w * x),
-            (w * w + z * z) - (x * x + y * y),
-        ];
-        let resistance = self.effects.resistance(&Turning { omega, up });
         let [d1, d2, d3] = self.difference;
-        let mut n = [d1 * (b * c), d2 * (c * a), d3 * (a * b)];
-        if G::PRESENT {
-            let [x, y, z] = self.lever;
-            n[0] += up[1] * z - up[2] * y;
-            n[1] += up[2] * x - up[0] * z;
-            n[2] += up[0] * y - up[1] * x;
+        let mut torque = [d1 * (b * c), d2 * (c * a), d3 * (a * b)];
+        if let Some([l1, l2, l3]) = self.lever {
+            // The third row of the rotation matrix, for |q| = 1: off it the equations go on smoothly, and q stays on it as well as it is computed.
+            let up = [
+                2.0 * (x * z - w * y),
+                2.0 * (y * z + w * x),
+                (w * w + z * z) - (x * x + y * y),
+            ];
+            torque[0] += up[1] * l3 - up[2] * l2;
+            torque[1] += up[2] * l1 - up[0] * l3;
+            torque[2] += up[0] * l2 - up[1] * l1;
         }
-        let [n1, n2, n3] = core::array::from_fn(|k| n[k] + resistance[k]);
         let [o1, o2, o3] = omega;
-        let power = -(resistance[0] * o1 + resistance[1] * o2 + resistance[2] * o3);
-        let [qw, qx, qy, qz] = quaternion_rate([w, x, y, z], BodyVector::new(o1, o2, o3));
-        ([n1, n2, n3, qw, qx, qy, qz], power)
+        let turned = quaternion_rate([w, x, y, z], BodyVector::new(o1, o2, o3));
+        let mut power = 0.0;
+        // Seven numbers: nothing resists.
+        if N > 7 {
+            let resistance = self.resistance(spin, omega);
+            for k in 0..3 {
+                torque[k] += resistance[k];
+                power -= resistance[k] * omega[k];
+            }
+        }
+        core::array::from_fn(|n| match n {
+            0..3 => torque[n],
+            3..7 => turned[n - 3],
+            _ => power,
+        })
+    }
+
+    fn margin(&self, _: Spin, _: f64, y: &[f64; N]) -> f64 {
+        y[2] * self.start.l[2].signum()
+    }
+
+    fn may_end(&self, spin: Spin) -> bool {
+        self.tip_friction.is_some() && spin == Spin::Spinning
+    }
+
+    fn next(&self, _: Spin, _: Ended, _: f64, y: &mut [f64; N]) -> Result<Spin> {
+        y[2] = 0.0;
+        Ok(Spin::Stopped)
+    }
+
+    fn distance(&self, (_, a): &(Spin, [f64; N]), (_, b): &(Spin, [f64; N])) -> f64 {
+        let lost = if N > 7 {
+            (a[N - 1] - b[N - 1]).abs() / self.energy
+        } else {
+            0.0
+        };
+        self.apart(&phase(a), &phase(b)).max(lost)
     }
 }
 
-/// Nothing resists: seven numbers.
-pub(super) struct Lossless<E>(pub Divided<E>);
-
-impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> System<7>
-    for Lossless<Equations<G, F, B, D, T>>
-{
-    fn rate(&self, _: f64, y: &[f64; 7]) -> [f64; 7] {
-        self.0.rates(y).0
+impl Turning {
+    /// Angle between two attitudes (radians), or the difference of the angular velocities over the faster of the second and that of the start, whichever
+    /// is more: the fastest rate of a motion is at least that.
+    pub fn apart(&self, a: &Phase, b: &Phase) -> f64 {
+        let turned: f64 = (0..4).map(|k| (a.q[k] - b.q[k]).powi(2)).sum();
+        let between: [f64; 3] = core::array::from_fn(|k| a.l[k] - b.l[k]);
+        let faster = speed(between, self.inverse);
+        let unit = speed(self.start.l, self.inverse).max(speed(b.l, self.inverse));
+        let unit = if unit > 0.0 { unit } else { self.pace };
+        (2.0 * turned.sqrt()).max(faster / unit)
     }
 }
 
-/// Something resists: the eighth number is the energy that it has taken.
-pub(super) struct Lossy<E>(pub Divided<E>);
-
-impl<G: Weight, F: Resistance, B: Resistance, D: Resistance, T: Resistance> System<8>
-    for Lossy<Equations<G, F, B, D, T>>
-{
-    fn rate(&self, _: f64, y: &[f64; 8]) -> [f64; 8] {
-        let [a, b, c, w, x, y, z, _] = *y;
-        let ([n1, n2, n3, qw, qx, qy, qz], power) = self.0.rates(&[a, b, c, w, x, y, z]);
-        [n1, n2, n3, qw, qx, qy, qz, power]
+/// L and the quaternion.
+fn phase<const N: usize>(y: &[f64; N]) -> Phase {
+    Phase {
+        l: [y[0], y[1], y[2]],
+        q: [y[3], y[4], y[5], y[6]],
     }
 }
 
-/// Attitude and Ω of a state.
-pub(super) fn unpacked(moments: [f64; 3], y: &[f64]) -> (Attitude, BodyVector) {
-    let quaternion = nalgebra::Quaternion::new(y[3], y[4], y[5], y[6]);
-    let [o1, o2, o3] = core::array::from_fn(|k| y[k] / moments[k]);
-    (
-        Attitude::from_unit(quaternion / quaternion.norm()),
-        BodyVector::new(o1, o2, o3),
-    )
-}
-
-/// The rate that this top turns at, or would if it fell from upright, rad/s: the scale of Ω.
-pub(super) fn fastest(body: &Body, lever: [f64; 3], omega: BodyVector) -> f64 {
-    let least = body.moments.iter().fold(f64::INFINITY, |a, &b| a.min(b));
-    let [x, y, z] = lever;
-    omega
-        .norm()
-        .hypot((2.0 * x.hypot(y).hypot(z) / least).sqrt())
+/// |Ω|, rad/s.
+fn speed(l: [f64; 3], inverse: [f64; 3]) -> f64 {
+    let [x, y, z] = core::array::from_fn(|k| l[k] * inverse[k]);
+    x.hypot(y).hypot(z)
 }

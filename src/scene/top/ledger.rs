@@ -8,7 +8,7 @@ use crate::euler_equations::{Integrability, classify};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 
 /// The body and its start, as the ledger needs them.
-pub(super) struct Books {
+pub(super) struct Conserved {
     moments: [f64; 3],
     lever: BodyVector,
     /// What is conserved besides.
@@ -23,11 +23,11 @@ pub(super) struct Books {
 /// A closed form keeps its constants by construction; reading that many of its rows shows whether it did.
 const MOST_READ: usize = 256;
 
-impl Books {
+impl Conserved {
     pub fn of(body: &Body, lever: [f64; 3], start: &Start) -> Result<Self> {
         let omega = start.omega(body.moments)?;
         let [x, y, z] = lever;
-        let mut books = Self {
+        let mut conserved = Self {
             moments: body.moments,
             lever: BodyVector::new(x, y, z),
             kind: classify(body.moments, BodyVector::new(x, y, z)),
@@ -39,17 +39,17 @@ impl Books {
             energy_scale: 0.0,
             momentum_scale: 0.0,
         };
-        let weight = books.lever.norm();
+        let weight = conserved.lever.norm();
         let greatest = body.moments.iter().fold(0.0_f64, |a, &b| a.max(b));
-        books.start.energy = finite("the energy", books.energy(&start.attitude, omega))?;
-        books.energy_scale = (books.kinetic(omega) + weight).max(f64::MIN_POSITIVE);
-        books.momentum_scale = books
+        conserved.start.energy = finite("the energy", conserved.energy(&start.attitude, omega))?;
+        conserved.energy_scale = (conserved.kinetic(omega) + weight).max(f64::MIN_POSITIVE);
+        conserved.momentum_scale = conserved
             .angular_momentum(omega)
             .norm()
             .hypot((greatest * weight).sqrt())
             .max(f64::MIN_POSITIVE);
-        finite("the angular momentum", books.momentum_scale)?;
-        Ok(books)
+        finite("the angular momentum", conserved.momentum_scale)?;
+        Ok(conserved)
     }
 
     fn angular_momentum(&self, omega: BodyVector) -> BodyVector {
@@ -61,8 +61,26 @@ impl Books {
         0.5 * self.angular_momentum(omega).dot(&omega)
     }
 
+    /// Times and states with their energies.
+    pub fn rows(
+        &self,
+        times: &[f64],
+        states: impl IntoIterator<Item = (Attitude, BodyVector)>,
+    ) -> Vec<(f64, State)> {
+        let row = |(&t, (attitude, omega)): (&f64, (Attitude, BodyVector))| {
+            let energy = self.energy(&attitude, omega);
+            let state = State {
+                attitude,
+                omega,
+                energy,
+            };
+            (t, state)
+        };
+        times.iter().zip(states).map(row).collect()
+    }
+
     /// ½⟨IΩ, Ω⟩ + ⟨MgC, z⟩, J.
-    pub fn energy(&self, attitude: &Attitude, omega: BodyVector) -> f64 {
+    fn energy(&self, attitude: &Attitude, omega: BodyVector) -> f64 {
         match self.kind {
             // Without a lever there is no height to ask for.
             Integrability::Euler => self.kinetic(omega),

@@ -26,7 +26,9 @@ const LONGEST_STEP: f64 = 0.5;
 /// An order that has not shown itself in the last halving vouches for nothing.
 const SHOWN: f64 = 1.5;
 /// The factor between what two runs tell of the error and what is told of it.
-const CAUTION: f64 = 2.5;
+const CAUTION: f64 = 4.0;
+/// Where halving takes nothing off any more, so many times the greater of the last two distances is told.
+const TWICE_THE_SAME: f64 = 10.0;
 
 /// Steps halved until two runs vouch for each other, at the times asked for and a few more.
 ///
@@ -71,14 +73,18 @@ pub(super) fn halved(
     loop {
         let better = run(&start, 0.5 * step)?;
         let apart = distance(&worse, &better);
+        // Between two samples both may have taken the one step.
+        let halved = 10 * better.cost.steps >= 19 * worse.cost.steps;
         let taken_off = (before / apart).min(order.exp2());
-        let error = if before == f64::INFINITY || !(taken_off > SHOWN) {
+        let error = if !halved || before == f64::INFINITY {
             f64::INFINITY
+        } else if taken_off > SHOWN {
+            CAUTION * apart / (taken_off - 1.0)
         } else {
-            CAUTION * apart / (taken_off - 1.0) + ROUNDING * (1.0 + angle)
+            // Rounding, or not yet of any order.
+            TWICE_THE_SAME * greater(before, apart)
         };
-        // The same to the last bit: nothing moves.
-        let error = if apart == 0.0 { ROUNDING } else { error };
+        let error = error + ROUNDING * (1.0 + angle);
         if error <= accuracy {
             let moved = turning.moved(1.0);
             let grown = DOUBTED * distance(&run(&moved, step)?, &worse);
@@ -98,7 +104,7 @@ pub(super) fn halved(
             });
         }
         // Rounding: shorter steps no longer help.
-        if apart >= before && apart < 1e-6 || step < f64::EPSILON * longest {
+        if halved && apart >= before && apart < 1e-6 || step < f64::EPSILON * longest {
             let moved = turning.moved(MOVED);
             let grown = distance(&run(&moved, step)?, &worse);
             return Err(Error::Amplified {
@@ -108,7 +114,8 @@ pub(super) fn halved(
             });
         }
         reached = reached.min(error);
-        (worse, before, step) = (better, apart, 0.5 * step);
+        before = if halved { apart } else { f64::INFINITY };
+        (worse, step) = (better, 0.5 * step);
     }
 }
 

@@ -1,0 +1,584 @@
+//! Roller, sheet and spool: under dry friction every velocity is linear in time from one event to the next.
+
+use super::super::double_double::Dd;
+use super::super::number::Angle;
+use super::super::random::Random;
+use super::{Scene, Sort};
+
+/// Forces per mass: a steady push and its moment, the table's reaction, friction when it slides and at most when it holds, and the arm of the
+/// resistance to rolling; friction and resistance are there or not.
+#[derive(Clone)]
+struct Table {
+    kappa: Dd,
+    push: Dd,
+    twist: Dd,
+    reaction: Dd,
+    friction: Option<[Dd; 2]>,
+    resistance: Option<Dd>,
+    sheet: Option<Sheet>,
+}
+
+#[derive(Clone)]
+struct Sheet {
+    friction: Dd,
+    /// Times and speeds.
+    speeds: Vec<[Dd; 2]>,
+    margin: Dd,
+}
+
+#[derive(Clone, Copy)]
+struct State {
+    x: Dd,
+    v: Dd,
+    rim: Dd,
+    slip: Dd,
+    turned: Dd,
+    heat: Dd,
+    work: Dd,
+}
+
+/// Friction f and couple m, and whether each of slip and turning is held at zero.
+struct Forces {
+    f: Dd,
+    m: Dd,
+    holds: bool,
+    stands: bool,
+}
+
+impl Table {
+    /// What dry friction and resistance do: where slip or turning is nil they do what keeps it so, if they can.
+    fn forces(&self, state: &State, ground: Dd, friction: Option<[Dd; 2]>) -> Forces {
+        let zero = Dd::ZERO;
+        let one = Dd::from(1.0);
+        let (p, q, n) = (self.push, self.twist, self.reaction);
+        let sign = |x: Dd| Dd::from(x.hi.signum());
+        let small = |x: Dd, most: Dd| (x.abs() - most).value() <= 0.0;
+        let free = |f: Dd, m: Dd| Forces {
+            f,
+            m,
+            holds: false,
+            stands: false,
+        };
+        let rest = self.resistance.map_or(zero, |arm| arm * n);
+        let [kinetic, grip] = friction.map_or([zero; 2], |pair| pair.map(|mu| mu * n));
+        // What friction must be so that the contact does not begin to slip, under this couple.
+        let rolls = |m: Dd| (self.kappa * (ground - p) + q + m) / (one + self.kappa);
+        let slides = state.slip != zero;
+        let turns = state.rim != zero;
+        let couple = if turns { -sign(state.rim) * rest } else { zero };
+        match (
+            slides || friction.is_none(),
+            turns || self.resistance.is_none(),
+        ) {
+            (true, true) => free(
+                if slides {
+                    -sign(state.slip) * kinetic
+                } else {
+                    zero
+                },
+                couple,
+            ),
+            (true, false) => {
+                let f = if slides {
+                    -sign(state.slip) * kinetic
+                } else {
+                    zero
+                };
+                if small(f - q, rest) {
+                    Forces {
+                        f,
+                        m: f - q,
+                        holds: false,
+                        stands: true,
+                    }
+                } else {
+                    free(f, sign(f - q) * rest)
+                }
+            }
+            (false, true) => {
+                let f = rolls(couple);
+                if small(f, grip) {
+                    Forces {
+                        f,
+                        m: couple,
+                        holds: true,
+                        stands: false,
+                    }
+                } else {
+                    free(sign(f) * kinetic, couple)
+                }
+            }
+            (false, false) => {
+                let f = ground - p;
+                if small(f, grip) && small(f - q, rest) {
+                    return Forces {
+                        f,
+                        m: f - q,
+                        holds: true,
+                        stands: true,
+                    };
+                }
+                for way in [1.0, -1.0] {
+                    let m = Dd::from(-way) * rest;
+                    let f = rolls(m);
+                    let begins = (q + m - f).hi * way;
+                    if small(f, grip) && begins > 0.0 {
+                        return Forces {
+                            f,
+                            m,
+                            holds: true,
+                            stands: false,
+                        };
+                    }
+                }
+                for way in [1.0, -1.0] {
+                    let f = Dd::from(way) * kinetic;
+                    if small(f - q, rest) && (p + f - ground).hi * way < 0.0 {
+                        return Forces {
+                            f,
+                            m: f - q,
+                            holds: false,
+                            stands: true,
+                        };
+                    }
+                    for other in [1.0, -1.0] {
+                        let m = Dd::from(-other) * rest;
+                        let spun = (q + m - f) / self.kappa;
+                        if spun.hi * other > 0.0 && (p + f - spun - ground).hi * way < 0.0 {
+                            return free(f, m);
+                        }
+                    }
+                }
+                unreachable!("friction and resistance do something");
+            }
+        }
+    }
+
+    fn rows(&self, mut state: State, times: &[f64]) -> Vec<State> {
+        let half = Dd::from(0.5);
+        let mut rows = Vec::new();
+        let mut now = Dd::ZERO;
+        let (mut on_sheet, mut margin) = (self.sheet.is_some(), Dd::ZERO);
+        if let Some(sheet) = &self.sheet {
+            margin = sheet.margin;
+            state.slip = state.slip - sheet.speeds[0][1];
+        }
+        let mut leg = 0;
+        while rows.len() < times.len() {
+            // Speed and acceleration of the sheet, and until when.
+            let (mut speed, mut ground, mut ends) = (Dd::ZERO, Dd::ZERO, None);
+            if let Some(sheet) = &self.sheet {
+                let from = sheet.speeds[leg];
+                speed = from[1];
+                if let Some(to) = sheet.speeds.get(leg + 1) {
+                    ground = (to[1] - from[1]) / (to[0] - from[0]);
+                    speed = speed + ground * (now - from[0]);
+                    ends = Some(to[0] - now);
+                }
+            }
+            let (cloth, pull) = (speed, ground);
+            if !on_sheet {
+                (speed, ground) = (Dd::ZERO, Dd::ZERO);
+            }
+            let law = match &self.sheet {
+                Some(sheet) if on_sheet => Some([sheet.friction; 2]),
+                _ => self.friction,
+            };
+            let Forces {
+                f,
+                m,
+                holds,
+                stands,
+            } = self.forces(&state, ground, law);
+            let v_rate = self.push + f;
+            let rim_rate = if stands {
+                Dd::ZERO
+            } else if holds {
+                v_rate - ground
+            } else {
+                (self.twist + m - f) / self.kappa
+            };
+            let slip_rate = if holds {
+                Dd::ZERO
+            } else {
+                v_rate - rim_rate - ground
+            };
+            // What comes next.
+            let mut wait: Option<(Dd, u8)> = ends.map(|t| (t, 0));
+            let mut sooner = |t: Dd, what: u8| {
+                if t.value() >= 0.0 && wait.is_none_or(|(w, _)| (t - w).value() < 0.0) {
+                    wait = Some((t, what));
+                }
+            };
+            if law.is_some() && state.slip.hi * slip_rate.hi < 0.0 {
+                sooner(-state.slip / slip_rate, 1);
+            }
+            if self.resistance.is_some() && state.rim.hi * rim_rate.hi < 0.0 {
+                sooner(-state.rim / rim_rate, 2);
+            }
+            if self.sheet.is_some() {
+                let (drift, bend) = (state.v - cloth, v_rate - pull);
+                let sense = if on_sheet { 1.0 } else { -1.0 };
+                if let Some(t) = falls(
+                    margin * Dd::from(sense),
+                    drift * Dd::from(sense),
+                    bend * Dd::from(sense),
+                ) {
+                    sooner(t, 3);
+                }
+            }
+            let at = |t: Dd| {
+                let way = t * (state.v + half * t * v_rate);
+                let turn = t * (state.rim + half * t * rim_rate);
+                let slid = t * (state.slip + half * t * slip_rate);
+                State {
+                    x: state.x + way,
+                    v: state.v + t * v_rate,
+                    rim: state.rim + t * rim_rate,
+                    slip: state.slip + t * slip_rate,
+                    turned: state.turned + turn,
+                    heat: state.heat - f * slid - m * turn,
+                    work: state.work + self.push * way + self.twist * turn,
+                }
+            };
+            while let Some(&t) = times.get(rows.len()) {
+                let t = Dd::from(t) - now;
+                if wait.is_some_and(|(w, _)| (t - w).value() > 0.0) {
+                    break;
+                }
+                rows.push(at(t));
+            }
+            let Some((t, what)) = wait else { continue };
+            let way = t * (state.v + half * t * v_rate) - t * (cloth + half * t * pull);
+            margin = margin + way;
+            let speed = speed + t * ground;
+            let cloth = cloth + t * pull;
+            state = at(t);
+            now = now + t;
+            if stands {
+                state.rim = Dd::ZERO;
+            }
+            if holds {
+                state.slip = Dd::ZERO;
+            }
+            match what {
+                0 => leg += 1,
+                1 => {
+                    state.slip = Dd::ZERO;
+                    state.rim = if stands { Dd::ZERO } else { state.v - speed };
+                }
+                2 => {
+                    state.rim = Dd::ZERO;
+                    if holds {
+                        state.v = speed;
+                    }
+                }
+                _ => {
+                    (on_sheet, margin) = (!on_sheet, Dd::ZERO);
+                    let ground = if on_sheet { cloth } else { Dd::ZERO };
+                    state.slip = state.v - state.rim - ground;
+                }
+            }
+        }
+        rows
+    }
+}
+
+/// The first time at which a + bt + ct²/2, positive or falling through zero, is below zero.
+fn falls(a: Dd, b: Dd, c: Dd) -> Option<Dd> {
+    let (two, zero) = (Dd::from(2.0), Dd::ZERO);
+    if a == zero {
+        if b.hi < 0.0 || b == zero && c.hi < 0.0 {
+            return Some(zero);
+        }
+        return (b.hi > 0.0 && c.hi < 0.0).then(|| -two * b / c);
+    }
+    let square = b * b - two * c * a;
+    if square.hi < 0.0 {
+        return None;
+    }
+    let root = square.sqrt();
+    if b.hi < 0.0 {
+        Some(two * a / (root - b))
+    } else if c.hi < 0.0 {
+        Some((b + root) / -c)
+    } else {
+        None
+    }
+}
+
+struct Body {
+    mass: f64,
+    radius: f64,
+    kappa: f64,
+    gravity: f64,
+}
+
+fn body(r: &mut Random) -> Body {
+    Body {
+        mass: r.scaled(1e-2, 10.0),
+        radius: r.scaled(1e-2, 1.0),
+        kappa: if r.percent(40) {
+            0.4
+        } else {
+            r.within(0.05, 1.0)
+        },
+        gravity: r.scaled(1.0, 20.0),
+    }
+}
+
+/// The radius, the speed, and the energy that goes with it.
+fn sizes(body: &Body, fast: f64) -> Vec<(Sort, f64)> {
+    vec![
+        (Sort::Length, body.radius),
+        (Sort::Speed, fast),
+        (Sort::Energy, body.mass * fast * fast),
+    ]
+}
+
+fn head(kind: &str, body: &Body) -> String {
+    let Body {
+        mass,
+        radius,
+        kappa,
+        ..
+    } = body;
+    format!(
+        "kind = \"{kind}\"\n[body]\nmass = {mass:?}\nradius = {radius:?}\ninertia_factor = {kappa:?}\n"
+    )
+}
+
+/// Friction, perhaps with more of it at rest, and resistance: lines of the file, and numbers.
+fn rubbing(r: &mut Random, text: &mut String, always: bool) -> (Option<[Dd; 2]>, Option<Dd>) {
+    let friction = (always || r.percent(85)).then(|| {
+        let kinetic = r.scaled(0.02, 0.8);
+        *text += &format!("friction = {kinetic:?}\n");
+        if r.percent(40) {
+            let grip = kinetic * r.within(1.0, 1.6);
+            *text += &format!("static_friction = {grip:?}\n");
+            [kinetic, grip].map(Dd::from)
+        } else {
+            [Dd::from(kinetic); 2]
+        }
+    });
+    let resistance = r.percent(50).then(|| {
+        let arm = r.scaled(1e-3, 5e-2);
+        *text += &format!("rolling_resistance = {arm:?}\n");
+        Dd::from(arm)
+    });
+    (friction, resistance)
+}
+
+fn columns(more: &[(&'static str, Sort)]) -> Vec<(&'static str, Sort)> {
+    let mut all = vec![
+        ("x", Sort::Length),
+        ("velocity", Sort::Speed),
+        ("rim_speed", Sort::Speed),
+        ("slip", Sort::Speed),
+        ("energy", Sort::Energy),
+        ("heat", Sort::Energy),
+    ];
+    all.extend(more);
+    all
+}
+
+fn row(state: &State, mass: f64, kappa: Dd) -> Vec<Dd> {
+    let mass = Dd::from(mass);
+    let energy = (state.v * state.v + kappa * state.rim * state.rim) * mass * Dd::from(0.5);
+    vec![
+        state.x,
+        state.v,
+        state.rim,
+        state.slip,
+        energy,
+        mass * state.heat,
+    ]
+}
+
+fn starting(v: Dd, rim: Dd) -> State {
+    let zero = Dd::ZERO;
+    State {
+        x: zero,
+        v,
+        rim,
+        slip: v - rim,
+        turned: zero,
+        heat: zero,
+        work: zero,
+    }
+}
+
+pub fn roller(r: &mut Random) -> Scene {
+    let body = body(r);
+    let mut text = head("roller", &body);
+    let gravity = body.gravity;
+    let speed = r.scaled(0.1, 10.0);
+    let cue = r.percent(40);
+    let other = if cue {
+        r.within(0.0, 2.0)
+    } else {
+        speed * r.within(-2.0, 2.0)
+    };
+    text += "[initial]\n";
+    text += &format!(
+        "velocity = {speed:?}\n{} = {other:?}\n",
+        if cue { "cue_height" } else { "rim_speed" }
+    );
+    text += &format!("[effects]\ngravity = {gravity:?}\n");
+    let (friction, resistance) = rubbing(r, &mut text, false);
+    let kappa = Dd::from(body.kappa);
+    let table = Table {
+        kappa,
+        push: Dd::ZERO,
+        twist: Dd::ZERO,
+        reaction: Dd::from(gravity),
+        friction,
+        resistance,
+        sheet: None,
+    };
+    let (mass, fast) = (body.mass, speed);
+    Scene {
+        text,
+        span: speed / gravity * r.scaled(0.1, 100.0),
+        start: vec![(speed, speed), (other, if cue { 1.0 } else { speed })],
+        sizes: sizes(&body, fast),
+        columns: columns(&[]),
+        truth: Box::new(move |start, times| {
+            let (v, rim) = (start[0], start[1]);
+            let rim = if cue {
+                (rim - Dd::from(1.0)) / kappa * v
+            } else {
+                rim
+            };
+            let rows = table.rows(starting(v, rim), times);
+            rows.iter().map(|state| row(state, mass, kappa)).collect()
+        }),
+    }
+}
+
+pub fn sheet(r: &mut Random) -> Scene {
+    let body = body(r);
+    let mut text = head("roller", &body);
+    let gravity = body.gravity;
+    let moves = r.percent(30);
+    let fast = r.scaled(0.3, 5.0);
+    let [v, rim] = if moves {
+        [fast * r.within(-0.5, 0.5), fast * r.within(-0.5, 0.5)]
+    } else {
+        [0.0; 2]
+    };
+    text += &format!(
+        "[initial]\nvelocity = {v:?}\nrim_speed = {rim:?}\n[effects]\ngravity = {gravity:?}\n"
+    );
+    let (friction, resistance) = rubbing(r, &mut text, true);
+    let mu = r.scaled(0.05, 0.8);
+    let count = 2 + r.whole(3);
+    let (mut times, mut speeds) = (
+        vec![0.0],
+        vec![if moves {
+            fast * r.within(-1.0, 1.0)
+        } else {
+            0.0
+        }],
+    );
+    for _ in 1..count {
+        let last = times[times.len() - 1];
+        times.push(last + fast / gravity * r.scaled(0.05, 3.0));
+        speeds.push(fast * r.within(-1.0, 2.0));
+    }
+    let margin = fast * fast / gravity * r.scaled(0.01, 10.0);
+    text += &format!(
+        "sheet_friction = {mu:?}\nsheet_times = {times:?}\nsheet_speeds = {speeds:?}\nsheet_margin = {margin:?}\n"
+    );
+    let kappa = Dd::from(body.kappa);
+    let table = Table {
+        kappa,
+        push: Dd::ZERO,
+        twist: Dd::ZERO,
+        reaction: Dd::from(gravity),
+        friction,
+        resistance,
+        sheet: Some(Sheet {
+            friction: Dd::from(mu),
+            speeds: times
+                .iter()
+                .zip(&speeds)
+                .map(|(&t, &v)| [t, v].map(Dd::from))
+                .collect(),
+            margin: Dd::from(margin),
+        }),
+    };
+    let mass = body.mass;
+    Scene {
+        text,
+        span: fast / gravity * r.scaled(0.1, 30.0),
+        start: vec![(v, fast), (rim, fast)],
+        sizes: sizes(&body, fast),
+        columns: columns(&[]),
+        truth: Box::new(move |start, times| {
+            let rows = table.rows(starting(start[0], start[1]), times);
+            rows.iter().map(|state| row(state, mass, kappa)).collect()
+        }),
+    }
+}
+
+pub fn spool(r: &mut Random) -> Scene {
+    let body = body(r);
+    let mut text = head("spool", &body);
+    let gravity = body.gravity;
+    let ratio = r.within(0.05, 1.0);
+    let axle = body.radius * ratio;
+    text += &format!("axle = {axle:?}\n");
+    let moves = r.percent(50);
+    let fast = r.scaled(0.1, 5.0);
+    let [v, rim] = if moves {
+        [fast * r.within(-1.0, 1.0), fast * r.within(-1.0, 1.0)]
+    } else {
+        [0.0; 2]
+    };
+    text += &format!(
+        "[initial]\nvelocity = {v:?}\nrim_speed = {rim:?}\n[effects]\ngravity = {gravity:?}\n"
+    );
+    let (friction, resistance) = rubbing(r, &mut text, false);
+    let tug = r.percent(85).then(|| {
+        let angle = r.within(0.0, core::f64::consts::PI);
+        let tension = body.mass * gravity * r.scaled(1e-2, 0.9);
+        text += &format!("tension = {tension:?}\ntug_angle = {angle:?}\n");
+        (tension, angle)
+    });
+    let (kappa, mass) = (Dd::from(body.kappa), Dd::from(body.mass));
+    let ratio = Dd::from(axle) / Dd::from(body.radius);
+    let (mut push, mut twist, mut reaction) = (Dd::ZERO, Dd::ZERO, Dd::from(gravity));
+    if let Some((tension, angle)) = tug {
+        let (sine, cosine) = Dd::from(angle).sine_cosine();
+        let pull = Dd::from(tension) / mass;
+        (push, twist) = (pull * cosine, -(pull * ratio));
+        reaction = reaction - pull * sine;
+    }
+    let table = Table {
+        kappa,
+        push,
+        twist,
+        reaction,
+        friction,
+        resistance,
+        sheet: None,
+    };
+    let whole = body.mass;
+    Scene {
+        text,
+        span: fast / gravity * r.scaled(0.1, 100.0),
+        start: vec![(v, fast), (rim, fast)],
+        sizes: sizes(&body, fast),
+        columns: columns(&[("wound", Sort::Length), ("work", Sort::Energy)]),
+        truth: Box::new(move |start, times| {
+            let rows = table.rows(starting(start[0], start[1]), times);
+            let full = |state: &State| {
+                let mut row = row(state, whole, kappa);
+                row.extend([ratio * state.turned, mass * state.work]);
+                row
+            };
+            rows.iter().map(full).collect()
+        }),
+    }
+}

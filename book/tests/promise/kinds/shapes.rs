@@ -1,0 +1,758 @@
+//! Swivel, skater, cat, paper cat and crawler.
+
+use super::super::double_double::Dd;
+use super::super::extrapolation::{Place, followed};
+use super::super::number::{Angle, cross, plus, solved, times as scaled, transposed, turned};
+use super::super::random::Random;
+use super::{Scene, Sort};
+
+/// A stroke from 0 to 1, at rest at both ends: u³(10 − 15u + 6u²), or the same of u²; and its rate.
+fn pace(late: bool, u: Dd) -> [Dd; 2] {
+    let of = |n: f64| Dd::from(n);
+    let smooth = |u: Dd| {
+        let left = of(1.0) - u;
+        [
+            u * u * u * (of(10.0) + u * (of(6.0) * u - of(15.0))),
+            of(30.0) * u * u * left * left,
+        ]
+    };
+    if u.hi <= 0.0 {
+        return [Dd::ZERO; 2];
+    }
+    if (u - of(1.0)).value() >= 0.0 {
+        return [of(1.0), Dd::ZERO];
+    }
+    if late {
+        let [value, rate] = smooth(u * u);
+        [value, of(2.0) * u * rate]
+    } else {
+        smooth(u)
+    }
+}
+
+/// Rows from corner to corner.
+fn pieced<const N: usize>(
+    rate: impl Fn(usize, Dd, &[Dd; N]) -> [Dd; N],
+    start: [Dd; N],
+    scales: &[f64; N],
+    corners: &[Dd],
+    times: &[f64],
+    longest: f64,
+) -> Vec<[Dd; N]> {
+    let mut rows = Vec::new();
+    let mut here = Place {
+        time: Dd::ZERO,
+        state: start,
+    };
+    let forever = Dd::from(2.0 * times.last().copied().unwrap_or(0.0) + 1.0);
+    for (piece, &end) in corners.iter().chain([&forever]).enumerate() {
+        if rows.len() == times.len() {
+            break;
+        }
+        // No further than asked for.
+        let last = Dd::from(times[times.len() - 1]);
+        let end = if (end - last).value() > 0.0 {
+            last
+        } else {
+            end
+        };
+        let leg = followed(
+            |t, y| rate(piece, t, y),
+            here,
+            scales,
+            &times[rows.len()..],
+            end,
+            longest,
+            |_| Dd::from(1.0),
+        );
+        rows.extend(leg.samples);
+        here = leg.end;
+    }
+    rows
+}
+
+fn swivelling(r: &mut Random, braked: bool) -> Scene {
+    let [lower, out] = [0; 2].map(|_| r.scaled(0.1, 3.0));
+    let inside = out * r.within(0.1, 1.0);
+    let twist = r.within(-3.0, 3.0);
+    let duration = r.scaled(0.3, 5.0);
+    let late = r.percent(50);
+    let moves = r.percent(85) || braked && r.percent(50);
+    let l = if r.percent(50) && !(braked && !moves) {
+        0.0
+    } else {
+        r.within(-2.0, 2.0)
+    };
+    let mut text = format!(
+        "kind = \"swivel\"\n[body]\nlower = {lower:?}\nupper = {out:?}\n[initial]\nangular_momentum = {l:?}\n[effects]\n"
+    );
+    let brake = braked.then(|| lower / duration * r.scaled(1e-3, 1.0));
+    if let Some(c) = brake {
+        text += &format!("bearing_friction = {c:?}\n");
+    }
+    if moves {
+        let pace = if late { "late" } else { "even" };
+        text += &format!(
+            "[effects.four_phases]\narms_out = {out:?}\narms_in = {inside:?}\ntwist = {twist:?}\nduration = {duration:?}\npace = \"{pace}\"\n"
+        );
+    }
+    let [b, out, inside, twist] = [lower, out, inside, twist].map(Dd::from);
+    let whole = Dd::from(duration);
+    let c = Dd::from(brake.unwrap_or(0.0));
+    // Upper moment, angle and rate of the waist.
+    let shape = move |piece: usize, t: Dd| {
+        if !moves {
+            return [out, Dd::ZERO, Dd::ZERO];
+        }
+        let quarter = whole * Dd::from(0.25);
+        let [part, rate] = pace(late, (t - quarter * Dd::from(piece as f64)) / quarter);
+        let rate = rate * twist / quarter;
+        let between = |from: Dd, to: Dd| from + (to - from) * part;
+        match piece % 4 {
+            0 => [out, twist * part, rate],
+            1 => [between(out, inside), twist, Dd::ZERO],
+            2 => [inside, twist * (Dd::from(1.0) - part), -rate],
+            _ => [between(inside, out), Dd::ZERO, Dd::ZERO],
+        }
+    };
+    let spin = move |[a, _, rate]: [Dd; 3], l: Dd| (l - a * rate) / (a + b);
+    Scene {
+        text,
+        span: duration * r.scaled(0.05, 20.0),
+        start: vec![(l, 1.0)],
+        sizes: vec![
+            (Sort::Rate, 1.0 / duration),
+            (Sort::Momentum, lower / duration),
+        ],
+        columns: vec![
+            ("lower", Sort::Angle),
+            ("upper", Sort::Angle),
+            ("rate", Sort::Rate),
+            ("angular_momentum", Sort::Momentum),
+        ],
+        truth: Box::new(move |start, times| {
+            let last = times[times.len() - 1];
+            let quarter = duration / 4.0;
+            let corners: Vec<Dd> = (1..=(last / quarter) as usize + 1)
+                .map(|k| whole * Dd::from(0.25 * k as f64))
+                .collect();
+            let rate = |piece: usize, t: Dd, y: &[Dd; 2]| {
+                let spin = spin(shape(piece, t), y[1]);
+                [spin, -(c * spin)]
+            };
+            let rows = pieced(
+                rate,
+                [Dd::ZERO, start[0]],
+                &[1.0, 1.0],
+                &corners,
+                times,
+                quarter,
+            );
+            let row = |(&t, y): (&f64, &[Dd; 2])| {
+                let shape = shape((t / quarter) as usize, Dd::from(t));
+                vec![y[0], y[0] + shape[1], spin(shape, y[1]), y[1]]
+            };
+            times.iter().zip(&rows).map(row).collect()
+        }),
+    }
+}
+
+pub fn swivel(r: &mut Random) -> Scene {
+    swivelling(r, false)
+}
+
+pub fn swivel_braked(r: &mut Random) -> Scene {
+    swivelling(r, true)
+}
+
+fn skating(r: &mut Random, braked: bool) -> Scene {
+    let core = r.scaled(0.1, 3.0);
+    let hand = r.scaled(0.3, 5.0);
+    let [reach, to] = [0; 2].map(|_| r.within(0.05, 1.0));
+    let spin = r.sign() * r.scaled(0.3, 20.0);
+    let (begin, duration) = (
+        if r.percent(30) {
+            0.0
+        } else {
+            r.scaled(0.05, 2.0)
+        },
+        r.scaled(0.1, 3.0),
+    );
+    let late = r.percent(50);
+    let moves = r.percent(85);
+    let mut text = format!(
+        "kind = \"skater\"\n[body]\ncore = {core:?}\nhand = {hand:?}\n[initial]\nreach = {reach:?}\nspin = {spin:?}\n[effects]\n"
+    );
+    let brake = braked.then(|| core / (begin + duration) * r.scaled(1e-3, 1.0));
+    if let Some(c) = brake {
+        text += &format!("bearing_friction = {c:?}\n");
+    }
+    if moves {
+        let pace = if late { "late" } else { "even" };
+        text += &format!(
+            "[effects.draw]\nto = {to:?}\nbegin = {begin:?}\nduration = {duration:?}\npace = \"{pace}\"\n"
+        );
+    }
+    let [core, hand, to] = [core, hand, to].map(Dd::from);
+    let c = Dd::from(brake.unwrap_or(0.0));
+    let (two, half) = (Dd::from(2.0), Dd::from(0.5));
+    let drawn = move |from: Dd, t: Dd| {
+        if !moves {
+            return [from, Dd::ZERO];
+        }
+        let [part, rate] = pace(late, (t - Dd::from(begin)) / Dd::from(duration));
+        [
+            from + (to - from) * part,
+            (to - from) * rate / Dd::from(duration),
+        ]
+    };
+    let moment = move |reach: Dd| core + two * hand * reach * reach;
+    Scene {
+        text,
+        span: (begin + duration) * r.scaled(0.05, 10.0),
+        start: vec![(reach, 1.0), (spin, spin.abs())],
+        sizes: Vec::new(),
+        columns: vec![
+            ("angle", Sort::Angle),
+            ("spin", Sort::Rate),
+            ("reach", Sort::Length),
+            ("energy", Sort::Energy),
+            ("work", Sort::Energy),
+            ("heat", Sort::Energy),
+        ],
+        truth: Box::new(move |start, times| {
+            let (reach, spin) = (start[0], start[1]);
+            let rate = |_: usize, t: Dd, y: &[Dd; 3]| {
+                let spin = y[1] / moment(drawn(reach, t)[0]);
+                [spin, -(c * spin), c * spin * spin]
+            };
+            let first = half * moment(reach) * spin * spin;
+            let scales = [1.0, (moment(reach) * spin).value().abs(), first.value()];
+            let corners = [Dd::from(begin), Dd::from(begin) + Dd::from(duration)];
+            let longest = (begin + duration).min(1.0 / spin.value().abs());
+            let rows = pieced(
+                rate,
+                [Dd::ZERO, moment(reach) * spin, Dd::ZERO],
+                &scales,
+                &corners,
+                times,
+                longest,
+            );
+            let row = |(&t, y): (&f64, &[Dd; 3])| {
+                let [reach, rate] = drawn(reach, Dd::from(t));
+                let spin = y[1] / moment(reach);
+                let energy = half * y[1] * spin + hand * rate * rate;
+                vec![y[0], spin, reach, energy, energy + y[2] - first, y[2]]
+            };
+            times.iter().zip(&rows).map(row).collect()
+        }),
+    }
+}
+
+pub fn skater(r: &mut Random) -> Scene {
+    skating(r, false)
+}
+
+pub fn skater_braked(r: &mut Random) -> Scene {
+    skating(r, true)
+}
+
+/// Mass, moments about the spine and across it, distance to the joint.
+#[derive(Clone, Copy)]
+struct Half {
+    mass: Dd,
+    axial: Dd,
+    transverse: Dd,
+    joint: Dd,
+}
+
+/// Bend and direction, and their rates.
+#[derive(Clone, Copy)]
+struct Bend {
+    angle: Dd,
+    direction: Dd,
+    angle_rate: Dd,
+    direction_rate: Dd,
+}
+
+impl Bend {
+    /// The second spine, and how the second half turns against the first: about the axis of the bend at γ', and as the bend is carried round
+    /// neither twists.
+    fn second(&self) -> [[Dd; 3]; 2] {
+        let (zero, one) = (Dd::ZERO, Dd::from(1.0));
+        let (s, c) = self.angle.sine_cosine();
+        let (sp, cp) = self.direction.sine_cosine();
+        let spine = [c, s * cp, s * sp];
+        let rolled = plus(
+            scaled([one, zero, zero], self.direction_rate),
+            scaled(spine, -self.direction_rate),
+        );
+        [
+            spine,
+            plus(scaled([zero, -sp, cp], self.angle_rate), rolled),
+        ]
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Turnover {
+    forward: Dd,
+    back: Dd,
+    duration: Dd,
+    late: bool,
+}
+
+impl Turnover {
+    fn bend(&self, piece: usize, t: Dd) -> Bend {
+        let of = |n: f64| Dd::from(n);
+        let u = t / self.duration;
+        let still = |angle: Dd, direction: Dd| Bend {
+            angle,
+            direction,
+            angle_rate: Dd::ZERO,
+            direction_rate: Dd::ZERO,
+        };
+        let round = super::super::number::PI * of(2.0);
+        match piece {
+            0 => {
+                let [part, rate] = pace(self.late, of(4.0) * u);
+                Bend {
+                    angle_rate: self.forward * rate * of(4.0) / self.duration,
+                    ..still(self.forward * part, Dd::ZERO)
+                }
+            }
+            1 => {
+                let [part, rate] = pace(self.late, of(2.0) * u - of(0.5));
+                let (mean, swing) = (
+                    (self.forward + self.back) * of(0.5),
+                    (self.forward - self.back) * of(0.5),
+                );
+                let (sine, cosine) = (round * part).sine_cosine();
+                let direction_rate = round * rate * of(2.0) / self.duration;
+                Bend {
+                    angle: mean + swing * cosine,
+                    direction: round * part,
+                    angle_rate: -(swing * sine * direction_rate),
+                    direction_rate,
+                }
+            }
+            2 => {
+                let [part, rate] = pace(self.late, of(4.0) * u - of(3.0));
+                Bend {
+                    angle_rate: -(self.forward * rate * of(4.0) / self.duration),
+                    ..still(self.forward * (of(1.0) - part), round)
+                }
+            }
+            _ => still(Dd::ZERO, round),
+        }
+    }
+}
+
+/// L about the common centre, along the first half's axes, when that half turns at Ω: the halves' own, and that of their centres.
+fn momentum(halves: &[Half; 2], [second, against]: [[Dd; 3]; 2], omega: [Dd; 3]) -> [Dd; 3] {
+    let (zero, one) = (Dd::ZERO, Dd::from(1.0));
+    let first = [one, zero, zero];
+    let rates = [omega, plus(omega, against)];
+    let mass = halves[0].mass + halves[1].mass;
+    // From the centre of the first half to that of the second, and how fast that changes in space.
+    let arm = plus(
+        scaled(first, halves[0].joint),
+        scaled(second, halves[1].joint),
+    );
+    let speed = plus(
+        scaled(cross(rates[0], first), halves[0].joint),
+        scaled(cross(rates[1], second), halves[1].joint),
+    );
+    let reduced = halves[0].mass * halves[1].mass / mass;
+    let mut sum = scaled(cross(arm, speed), reduced);
+    for (half, (spine, rate)) in halves.iter().zip([(first, rates[0]), (second, rates[1])]) {
+        let along = (0..3).fold(zero, |s, k| s + spine[k] * rate[k]);
+        let own = plus(
+            scaled(rate, half.transverse),
+            scaled(spine, (half.axial - half.transverse) * along),
+        );
+        sum = plus(sum, own);
+    }
+    sum
+}
+
+fn cat(r: &mut Random, even: bool) -> Scene {
+    let half = |r: &mut Random| {
+        let mass = r.scaled(0.3, 3.0);
+        let transverse = mass * r.scaled(1e-3, 3e-2);
+        [
+            mass,
+            transverse * r.within(0.1, 1.9),
+            transverse,
+            r.within(0.03, 0.3),
+        ]
+    };
+    let first = half(r);
+    let second = if even { first } else { half(r) };
+    let attitude = super::super::door::held(r.attitude());
+    let gravity = r.percent(50).then(|| r.scaled(1.0, 20.0));
+    let [forward, back] = [0; 2].map(|_| r.within(0.1, 2.5));
+    let duration = r.scaled(0.1, 3.0);
+    let late = r.percent(50);
+    let both = |k: usize| [first[k], second[k]];
+    let mut text = format!(
+        "kind = \"cat\"\n[body]\nmass = {:?}\naxial = {:?}\ntransverse = {:?}\nto_joint = {:?}\n[initial]\nattitude = {attitude:?}\n[effects]\n",
+        both(0),
+        both(1),
+        both(2),
+        both(3)
+    );
+    if let Some(g) = gravity {
+        text += &format!("gravity = {g:?}\n");
+    }
+    let word = if late { "late" } else { "even" };
+    text += &format!(
+        "[effects.turnover]\nforward = {forward:?}\nback = {back:?}\nduration = {duration:?}\npace = \"{word}\"\n"
+    );
+    let halves = [first, second].map(|h| {
+        let [mass, axial, transverse, joint] = h.map(Dd::from);
+        Half {
+            mass,
+            axial,
+            transverse,
+            joint,
+        }
+    });
+    let path = Turnover {
+        forward: Dd::from(forward),
+        back: Dd::from(back),
+        duration: Dd::from(duration),
+        late,
+    };
+    let g = Dd::from(gravity.unwrap_or(0.0));
+    Scene {
+        text,
+        span: duration * r.within(0.1, 1.3),
+        start: attitude.iter().map(|&q| (q, 1.0)).collect(),
+        sizes: vec![(Sort::Length, first[3])],
+        columns: vec![
+            ("qw", Sort::Attitude),
+            ("qx", Sort::Attitude),
+            ("qy", Sort::Attitude),
+            ("qz", Sort::Attitude),
+            ("bend", Sort::Angle),
+            ("direction", Sort::Angle),
+            ("z", Sort::Length),
+        ],
+        truth: Box::new(move |start, times| {
+            let rate = |piece: usize, t: Dd, q: &[Dd; 4]| {
+                let bend = path.bend(piece, t).second();
+                let zero = [Dd::ZERO; 3];
+                let shape = momentum(&halves, bend, zero);
+                // Linear in Ω: column by column.
+                let columns: [[Dd; 3]; 3] = core::array::from_fn(|k| {
+                    let mut unit = zero;
+                    unit[k] = Dd::from(1.0);
+                    plus(momentum(&halves, bend, unit), shape.map(|x| -x))
+                });
+                turned(*q, solved(transposed(columns), shape.map(|x| -x)))
+            };
+            let quarter = path.duration * Dd::from(0.25);
+            let corners = [quarter, quarter * Dd::from(3.0), path.duration];
+            let start = [start[0], start[1], start[2], start[3]];
+            let rows = pieced(rate, start, &[1.0; 4], &corners, times, duration);
+            let row = |(&t, q): (&f64, &[Dd; 4])| {
+                let t = Dd::from(t);
+                let piece = corners.iter().filter(|c| (t - **c).value() > 0.0).count();
+                let bend = path.bend(piece, t);
+                let mut row = q.to_vec();
+                row.extend([bend.angle, bend.direction, -(Dd::from(0.5) * g * t * t)]);
+                row
+            };
+            times.iter().zip(&rows).map(row).collect()
+        }),
+    }
+}
+
+pub fn even_cat(r: &mut Random) -> Scene {
+    cat(r, true)
+}
+
+pub fn uneven_cat(r: &mut Random) -> Scene {
+    cat(r, false)
+}
+
+pub fn paper_cat(r: &mut Random) -> Scene {
+    let mass = r.scaled(3e-4, 3e-2);
+    let area = r.scaled(1e-3, 1e-1);
+    let lever = r.sign() * r.scaled(1e-3, 3e-2);
+    let gyration = r.scaled(5e-3, 1e-1);
+    let coefficient = r.within(0.5, 2.0);
+    let damping = gyration * gyration * r.scaled(0.1, 5.0);
+    let air = r.percent(80).then(|| r.scaled(0.1, 2.0));
+    let gravity = if r.percent(95) {
+        r.scaled(1.0, 20.0)
+    } else {
+        0.0
+    };
+    let tilt = if r.percent(50) {
+        r.within(-3.1, 3.1)
+    } else {
+        core::f64::consts::PI - r.scaled(1e-9, 1e-1)
+    };
+    let mut text = format!(
+        "kind = \"paper-cat\"\n[body]\nmass = {mass:?}\narea = {area:?}\nlever = {lever:?}\ngyration = {gyration:?}\ncoefficient = {coefficient:?}\ndamping = {damping:?}\n[initial]\ntilt = {tilt:?}\n[effects]\n"
+    );
+    if gravity > 0.0 {
+        text += &format!("gravity = {gravity:?}\n");
+    }
+    if let Some(air) = air {
+        text += &format!("air = {air:?}\n");
+    }
+    let g = gravity.max(0.1);
+    let terminal = (2.0 * mass * g / (air.unwrap_or(1.0) * area * coefficient)).sqrt();
+    let swing = gyration / (g * lever.abs()).sqrt();
+    let [m, s, d, k, c, b] = [mass, area, lever, gyration, coefficient, damping].map(Dd::from);
+    let grip = Dd::from(0.5) * Dd::from(air.unwrap_or(0.0)) * s * c;
+    let weight = Dd::from(gravity);
+    let fast = terminal / g;
+    Scene {
+        text,
+        span: (fast + swing) * r.scaled(0.05, 20.0),
+        start: vec![(tilt, 1.0)],
+        sizes: vec![
+            (Sort::Length, gyration),
+            (Sort::Speed, gyration / swing),
+            (Sort::Rate, 1.0 / swing),
+            (Sort::Energy, (gyration / swing).powi(2)),
+        ],
+        columns: vec![
+            ("fall", Sort::Length),
+            ("velocity", Sort::Speed),
+            ("tilt", Sort::Angle),
+            ("tilt_rate", Sort::Rate),
+            ("lost", Sort::Energy),
+        ],
+        truth: Box::new(move |start, times| {
+            // It falls and never rises: |v| is v.
+            let rate = |_: usize, _: Dd, y: &[Dd; 5]| {
+                let [_, v, tilt, rate, _] = *y;
+                let drag = grip * v * v / m;
+                let sine = tilt.sine_cosine().0;
+                let turn = -(grip * v * (d * v * sine + b * rate)) / (m * k * k);
+                [v, weight - drag, rate, turn, drag * v]
+            };
+            let scales = [
+                fast * terminal,
+                terminal,
+                1.0,
+                1.0 / swing,
+                terminal * terminal,
+            ];
+            let rows = pieced(
+                rate,
+                [Dd::ZERO, Dd::ZERO, start[0], Dd::ZERO, Dd::ZERO],
+                &scales,
+                &[],
+                times,
+                fast + swing,
+            );
+            rows.iter().map(|y| y.to_vec()).collect()
+        }),
+    }
+}
+
+/// Two feet that a muscle pushes apart and pulls together, evenly sped up and slowed down.
+pub fn crawler(r: &mut Random) -> Scene {
+    let [rear, front] = [0; 2].map(|_| r.scaled(0.3, 5.0));
+    let [gap, length] = [0; 2].map(|_| r.within(0.05, 0.5));
+    let [push, pull] = [0; 2].map(|_| r.scaled(0.1, 2.0));
+    let mut text = format!(
+        "kind = \"crawler\"\n[body]\nmasses = [{rear:?}, {front:?}]\ngap = {gap:?}\nlength = {length:?}\npush = {push:?}\npull = {pull:?}\n"
+    );
+    let fastest = 4.0 * length / (push.min(pull) * push.min(pull));
+    let ground = r.percent(90).then(|| {
+        let g = r.scaled(1.0, 20.0);
+        (fastest / g * r.scaled(1e-2, 3.0), g)
+    });
+    text += "[effects]\n";
+    if let Some((mu, g)) = ground {
+        text += &format!("[effects.ground_friction]\ncoefficient = {mu:?}\ngravity = {g:?}\n");
+    }
+    let grip = ground.map_or(Dd::ZERO, |(mu, g)| Dd::from(mu) * Dd::from(g));
+    let walk = Walk {
+        masses: [rear, front].map(Dd::from),
+        gap: Dd::from(gap),
+        length: Dd::from(length),
+        strokes: [push, pull].map(Dd::from),
+        grip,
+    };
+    Scene {
+        text,
+        span: (push + pull) * r.scaled(0.05, 10.0),
+        start: vec![(length, length), (gap, gap)],
+        sizes: vec![
+            (Sort::Length, gap),
+            (Sort::Speed, length / push.min(pull)),
+            (Sort::Energy, (rear + front) * fastest * length),
+        ],
+        columns: vec![
+            ("rear", Sort::Length),
+            ("front", Sort::Length),
+            ("center", Sort::Length),
+            ("velocity", Sort::Speed),
+            ("work", Sort::Energy),
+            ("heat", Sort::Energy),
+        ],
+        truth: Box::new(move |start, times| {
+            Walk {
+                length: start[0],
+                gap: start[1],
+                ..walk
+            }
+            .rows(times)
+        }),
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Walk {
+    masses: [Dd; 2],
+    gap: Dd,
+    length: Dd,
+    strokes: [Dd; 2],
+    /// μg.
+    grip: Dd,
+}
+
+impl Walk {
+    /// Velocities of the feet: 0 where a foot holds. Forces on the feet: the muscle's, and the ground's.
+    fn rows(&self, times: &[f64]) -> Vec<Vec<Dd>> {
+        let (zero, half) = (Dd::ZERO, Dd::from(0.5));
+        let whole = self.masses[0] + self.masses[1];
+        let mut rows: Vec<Vec<Dd>> = Vec::new();
+        let mut v = [zero; 2];
+        let mut x = [
+            -(self.masses[1] * self.gap / whole),
+            self.masses[0] * self.gap / whole,
+        ];
+        let (mut work, mut heat, mut now) = (zero, zero, zero);
+        // Which way each foot slips, 0 for one that holds.
+        let mut slips = [0.0_f64; 2];
+        let mut begin = zero;
+        for piece in 0.. {
+            if rows.len() == times.len() {
+                break;
+            }
+            let duration = self.strokes[piece % 4 / 2];
+            let size = Dd::from(4.0) * self.length / (duration * duration);
+            let alpha = if piece % 4 == 0 || piece % 4 == 3 {
+                size
+            } else {
+                -size
+            };
+            let end = begin + duration * half;
+            if piece % 2 == 0 {
+                // The gap is at rest: feet that one of them holds are both at rest.
+                if slips.contains(&0.0) || self.grip == zero && piece == 0 {
+                    (slips, v) = ([0.0; 2], [zero; 2]);
+                }
+            }
+            while (end - now).value() > 0.0 {
+                let most = [self.masses[0] * self.grip, self.masses[1] * self.grip];
+                let toward = |force: Dd| if force.hi > 0.0 { 1.0 } else { -1.0 };
+                let outward = [-toward(alpha), toward(alpha)];
+                let sliding = |k: usize, way: f64| -(Dd::from(way) * most[k]);
+                // What the ground must do to a foot so that it holds while the other slips.
+                let needed = |k: usize, way: f64| {
+                    let other = 1 - k;
+                    let pushed = if other == 1 { alpha } else { -alpha };
+                    self.masses[other] * pushed - sliding(other, way)
+                };
+                let can = |k: usize, way: f64| (needed(k, way).abs() - most[k]).value() <= 0.0;
+                match slips {
+                    [0.0, 0.0] => {
+                        slips = outward;
+                        for k in [1, 0] {
+                            if can(k, outward[1 - k]) {
+                                slips = outward;
+                                slips[k] = 0.0;
+                            }
+                        }
+                    }
+                    [0.0, way] if !can(0, way) => slips[0] = -toward(needed(0, way)),
+                    [way, 0.0] if !can(1, way) => slips[1] = -toward(needed(1, way)),
+                    _ => {}
+                }
+                if self.grip == zero {
+                    slips = outward;
+                }
+                let ground = match slips {
+                    [0.0, way] => [needed(0, way), sliding(1, way)],
+                    [way, 0.0] => [sliding(0, way), needed(1, way)],
+                    [a, b] => [sliding(0, a), sliding(1, b)],
+                };
+                // Centre and gap accelerate; so do the feet.
+                let centre = (ground[0] + ground[1]) / whole;
+                let rates = [
+                    centre - self.masses[1] / whole * alpha,
+                    centre + self.masses[0] / whole * alpha,
+                ];
+                let rates: [Dd; 2] =
+                    core::array::from_fn(|k| if slips[k] == 0.0 { zero } else { rates[k] });
+                let muscle = self.masses[1] * rates[1] - ground[1];
+                let mut wait = end - now;
+                let mut stops = None;
+                if !slips.contains(&0.0) && self.grip != zero {
+                    for k in 0..2 {
+                        if rates[k].hi * slips[k] < 0.0 {
+                            let t = -v[k] / rates[k];
+                            let t = if t.hi < 0.0 { zero } else { t };
+                            if (t - wait).value() < 0.0 {
+                                (wait, stops) = (t, Some(k));
+                            }
+                        }
+                    }
+                }
+                let at = |t: Dd| {
+                    let moved: [Dd; 2] = core::array::from_fn(|k| t * (v[k] + half * t * rates[k]));
+                    let lost = (0..2).fold(zero, |s, k| {
+                        if slips[k] == 0.0 {
+                            s
+                        } else {
+                            s - ground[k] * moved[k]
+                        }
+                    });
+                    let fast: [Dd; 2] = core::array::from_fn(|k| v[k] + t * rates[k]);
+                    let place = [x[0] + moved[0], x[1] + moved[1]];
+                    (
+                        place,
+                        fast,
+                        work + muscle * (moved[1] - moved[0]),
+                        heat + lost,
+                    )
+                };
+                while let Some(&t) = times.get(rows.len()) {
+                    let t = Dd::from(t) - now;
+                    if (t - wait).value() > 0.0 {
+                        break;
+                    }
+                    let (place, fast, work, heat) = at(t);
+                    let mean =
+                        |of: [Dd; 2]| (self.masses[0] * of[0] + self.masses[1] * of[1]) / whole;
+                    rows.push(vec![
+                        place[0],
+                        place[1],
+                        mean(place),
+                        mean(fast),
+                        work,
+                        heat,
+                    ]);
+                }
+                (x, v, work, heat) = at(wait);
+                now = now + wait;
+                if let Some(k) = stops {
+                    (v[k], slips[k]) = (zero, 0.0);
+                }
+            }
+            now = end;
+            begin = end;
+        }
+        rows
+    }
+}

@@ -1,0 +1,76 @@
+//! Numbers that look random and are the same on every machine.
+
+/// Splitmix64.
+pub struct Random(u64);
+
+impl Random {
+    /// For one case of one stratum: the cases do not depend on how many there are.
+    pub fn of(stratum: usize, number: usize) -> Self {
+        let mut random = Self((stratum as u64) << 32 | number as u64);
+        random.0 = random.bits();
+        random
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// In 0..1.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub fn within(&mut self, least: f64, greatest: f64) -> f64 {
+        least + (greatest - least) * self.unit()
+    }
+
+    /// Evenly in the logarithm.
+    pub fn scaled(&mut self, least: f64, greatest: f64) -> f64 {
+        self.within(least.ln(), greatest.ln()).exp()
+    }
+
+    pub fn whole(&mut self, below: usize) -> usize {
+        (self.bits() % below as u64) as usize
+    }
+
+    /// So often out of a hundred.
+    pub fn percent(&mut self, often: u64) -> bool {
+        self.bits() % 100 < often
+    }
+
+    pub fn sign(&mut self) -> f64 {
+        if self.percent(50) { 1.0 } else { -1.0 }
+    }
+
+    pub fn direction(&mut self) -> [f64; 3] {
+        loop {
+            let v: [f64; 3] = core::array::from_fn(|_| self.within(-1.0, 1.0));
+            let square: f64 = v.iter().map(|x| x * x).sum();
+            if (0.01..1.0).contains(&square) {
+                return v.map(|x| x / square.sqrt());
+            }
+        }
+    }
+
+    /// A quaternion of any attitude.
+    pub fn attitude(&mut self) -> [f64; 4] {
+        let axis = self.direction();
+        let half = self.within(0.0, core::f64::consts::PI);
+        let [x, y, z] = axis.map(|a| a * half.sin());
+        [half.cos(), x, y, z]
+    }
+
+    /// 1e-3 … 1e-12: whole decades, or anything between.
+    pub fn accuracy(&mut self) -> f64 {
+        let decades = self.within(3.0, 12.0);
+        if self.percent(50) {
+            10.0_f64.powf(-decades)
+        } else {
+            10.0_f64.powi(-(decades.round() as i32))
+        }
+    }
+}

@@ -15,6 +15,7 @@ mod scaled;
 pub use general::{DifferentialEquations, solve, until};
 pub use order_eight::{Kept, Leg, order_eight};
 pub use problem::{
-    AnyLeg, Cost, Effort, Event, GeneralMethods, Method, Passage, Solution, Stop, System,
+    AnyEvent, AnyLeg, AnyRate, Cost, Effort, Event, GeneralMethods, Method, Passage, Solution,
+    Stop, System,
 };
 pub use refined::{halved, refined, tightened};

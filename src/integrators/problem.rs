@@ -140,15 +140,21 @@ pub enum Stop {
     AtTheEvent,
 }
 
+/// Rates of numbers, into the second slice.
+pub type AnyRate<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
+
+/// A quantity that depends on the time and on numbers.
+pub type AnyEvent<'a> = dyn Fn(f64, &[f64]) -> f64 + 'a;
+
 /// Equations, where they start and what is asked of them, for methods that learn the number of numbers when they run.
 #[derive(Clone, Copy)]
 pub struct AnyLeg<'a> {
     /// The rates of the numbers, into the second slice.
-    pub rate: &'a dyn Fn(f64, &[f64], &mut [f64]),
+    pub rate: &'a AnyRate<'a>,
     /// Told of the time after every step; its error ends the run.
     pub reached: &'a dyn Fn(f64) -> Result<()>,
     /// The quantity that ends the run where it falls through zero.
-    pub event: Option<&'a dyn Fn(f64, &[f64]) -> f64>,
+    pub event: Option<&'a AnyEvent<'a>>,
     /// When it starts, s, and with what.
     pub start: (f64, &'a [f64]),
     /// Sizes below which a number counts as small.

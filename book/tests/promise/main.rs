@@ -61,33 +61,15 @@ fn scenes(only: &str, of: usize) -> Vec<Judged> {
         .collect()
 }
 
-/// Strata that are not kept yet: the kinds that do not run on the engine so far and have no estimate, tops without a closed form, and those of
-/// Lagrange's whose weight is rounded before the closed form sees it.
+/// Strata in which the promise is not kept yet by every case: tops whose balance is unstable or nearly so, kinds that have an estimate but not
+/// always one above their error, and kinds that have none so far.
 const NOT_YET: &[&str] = &[
-    "free, symmetric",
-    "free, nearly symmetric",
-    "free, rod",
-    "free, moments far apart",
-    "Lagrange",
-    "Lagrange, fast",
-    "Lagrange, waking",
-    "Lagrange, without spin",
-    "Lagrange, pendulum near its separatrix",
-    "Lagrange, spherical inertia",
-    "Kovalevskaya",
     "Kovalevskaya, nearly upright",
     "Goryachev",
     "heavy",
-    "heavy, fast",
-    "heavy, slow",
     "heavy, nearly a known top",
     "heavy, upright or hanging",
-    "pivot friction",
-    "bearing friction",
-    "air drag",
     "tip friction",
-    "frictions mixed",
-    "frictions mixed with a dry tip",
     "roller",
     "roller on a sheet",
     "spool",
@@ -115,7 +97,7 @@ fn keep(all: &[Judged]) {
     assert!(!broken, "{}", verdict::report(all, 3));
     let cost = verdict::cost(all);
     assert!(
-        !(cost > 3.0),
+        cost.is_nan() || cost <= 3.0,
         "the median run costs {cost} times the cheapest"
     );
 }

@@ -96,7 +96,8 @@ impl<'a, const N: usize> Watch<'a, N> {
             let slope = (here - self.event.value(time(part) + h, &moved)) / PROBE;
             let next = (part - here / slope).clamp(0.0, 1.0);
             let gain = (next - part).abs() * taken.length.abs();
-            if here == 0.0 || !(slope < 0.0) || gain <= f64::EPSILON * time(part).abs() {
+            let falls = slope < 0.0;
+            if here == 0.0 || !falls || gain <= f64::EPSILON * time(part).abs() {
                 break;
             }
             part = next;

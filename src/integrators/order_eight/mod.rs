@@ -94,7 +94,7 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
             Effort::Step(step) => Pace::Even(positive("the step", step)?),
             Effort::Tolerance(tolerance) => Pace::Free(positive("the tolerance", tolerance)?),
         };
-        Walk::new(self).to_the_end(event, pace)
+        Walk::new(self).follow(event, pace)
     }
 }
 
@@ -199,7 +199,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         }
     }
 
-    fn to_the_end(mut self, event: Option<&dyn Event<N>>, pace: Pace) -> Result<Passage<[f64; N]>> {
+    fn follow(mut self, event: Option<&dyn Event<N>>, pace: Pace) -> Result<Passage<[f64; N]>> {
         let leg = self.leg;
         let first = leg.start.1;
         while leg.times.get(self.states.len()) == Some(&leg.start.0) {

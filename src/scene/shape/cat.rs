@@ -173,7 +173,7 @@ impl Cat {
         };
         let mut center = self.center + self.velocity * t;
         if let Some(g) = self.gravity {
-            center = center - SpaceVector::new(0.0, 0.0, 0.5 * g * t * t);
+            center -= SpaceVector::new(0.0, 0.0, 0.5 * g * t * t);
         }
         let l = self.body.angular_momentum(&bend, omega);
         Ok(CatState {

@@ -268,7 +268,7 @@ impl Scene for Crawler {
         let plan = self.plan(request)?;
         let (body, strokes) = (&self.body, self.body.strokes());
         let cycles = request.times().iter().copied().fold(0.0, f64::max) / strokes.cycle();
-        if !(cycles <= MOST_CYCLES) {
+        if cycles.is_nan() || cycles > MOST_CYCLES {
             return Err(Error::Condition {
                 condition: "a crawler must be asked for no more than 250000 cycles",
                 value: cycles,

@@ -78,7 +78,8 @@ fn swivelling(r: &mut Random, braked: bool) -> Scene {
     let duration = r.scaled(0.3, 5.0);
     let late = r.percent(50);
     let moves = r.percent(85) || braked && r.percent(50);
-    let l = if r.percent(50) && !(braked && !moves) {
+    let pushed = braked && !moves;
+    let l = if r.percent(50) && !pushed {
         0.0
     } else {
         r.within(-2.0, 2.0)

@@ -142,7 +142,7 @@ impl Crawler {
     /// Feet of these masses (kg), rear and front, moved like this.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`].
+    /// [`NotPositive`](crate::Error::NotPositive), [`NotFinite`](crate::Error::NotFinite).
     pub fn new(rear: f64, front: f64, strokes: Strokes) -> Result<Self> {
         positive("the least gap", strokes.gap)?;
         positive("the length of a stroke", strokes.length)?;

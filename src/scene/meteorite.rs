@@ -117,12 +117,10 @@ impl Free {
         let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
         let along = BodyVector::from_components(axes.transpose() * omega.components());
         let attitude = Attitude::from_unit(turn.into_inner());
-        // The sum of the lesser moments stays the greater one.
-        let moved = [
-            a * (1.0 + MOVED),
-            b * (1.0 + 0.7 * MOVED),
-            c * (1.0 - 0.6 * MOVED),
-        ];
+        // No moment may become more than the sum of the others: not the greatest, nor the middle one of a needle.
+        let (a_moved, c_moved) = (a * (1.0 + MOVED), c * (1.0 - 0.6 * MOVED));
+        let b_moved = (b * (1.0 + 0.7 * MOVED)).min(a_moved + c_moved);
+        let moved = [a_moved, b_moved, c_moved];
         let aside = MOVED * omega.norm() * BodyVector::new(0.6, -0.5, 0.6);
         Ok(Self {
             mass: body.mass(),

@@ -88,7 +88,7 @@ impl Turning {
         }
         if let Some(k) = self.air_drag {
             let [x, y, z] = omega;
-            // Not `hypot`, which takes longer than all the rest: the square of Ω would have to overflow for it to matter.
+            // Not `hypot`, which takes longer than all the rest.
             let strength = k * (x * x + y * y + z * z).sqrt();
             for k in 0..3 {
                 torque[k] -= strength * omega[k];

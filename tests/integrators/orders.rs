@@ -17,7 +17,11 @@ use super::common::{
 
 /// Errors below this are rounding: sums without their leftovers have more of it.
 fn floor(method: &dyn Follow) -> f64 {
-    if method.name() == "rk4" { 2e-11 } else { 1e-13 }
+    match method.name() {
+        name if name == "rk4" => 2e-11,
+        name if name.contains("exact drift") => 5e-13,
+        _ => 1e-13,
+    }
 }
 
 /// The slopes of both errors; the steps are refined so that the error falls by about four each time, and the finest six above rounding count.

@@ -47,8 +47,13 @@ fn here() -> String {
         .arg("--version")
         .output();
     let compiler = compiler.map(|out| String::from_utf8_lossy(&out.stdout).trim().to_owned());
+    let profile = if cfg!(debug_assertions) {
+        "development profile"
+    } else {
+        "release"
+    };
     format!(
-        "# {}, one core, {}, release\n",
+        "# {}, one core, {}, {profile}\n",
         model.unwrap_or(std::env::consts::ARCH),
         compiler.unwrap_or_default()
     )

@@ -109,8 +109,9 @@ impl ClosedForm {
     /// The error that rounding makes by time t (s), `angle` radians of the pace: attitude in radians, Ω relative.
     pub(super) fn rounding(&self, t: f64, angle: f64) -> f64 {
         match self {
-            Self::Free(_) => 2e-15 + 1e-15 * angle,
-            Self::Lagrange(..) => 6e-14 + 1e-15 * angle,
+            // The phases are carried in 106 bits: [`EulerTop::at`] states what is lost of the angle.
+            Self::Free(_) => 4e-15 + 1e-25 * angle,
+            Self::Lagrange(..) => 6e-14 + 1e-22 * angle,
             Self::Kovalevskaya(top, _) => top.stated_error(t),
         }
     }

@@ -4,7 +4,7 @@
 //! Its equations are those of Andersen, Pesavento and Wang (Journal of Fluid Mechanics 541, 2005): weight, added mass, lift by
 //! a circulation with a translational and a rotational part, drag that depends on the angle of attack, and a torque that resists rotation.
 //!
-//! [`Equations`] has one slot for each of these [`Term`]s; [`Fall`] fills them all, in the units of the theory, and tells what becomes of
+//! [`Equations`] has a place for each of these effects; [`Fall`] fills them all, in the units of the theory, and tells what becomes of
 //! a fall in the [long run](Fall::long_run). [`Sheet`] is a real strip, in SI units.
 //!
 //! | | published | paper |
@@ -14,15 +14,9 @@
 //! | Froude number there | 0.979 | 0.636; Belmonte, Eisenberg and Moses measured 0.67 ± 0.05 |
 
 mod fall;
-mod pieces;
 mod plate;
 mod sheet;
 
 pub use fall::{Coefficients, Fall, LongRun, Regime, Start};
-pub(crate) use pieces::in_pieces;
-pub(crate) use plate::Pieces;
-pub use plate::{
-    AddedMass, Drag, Equations, Gravity, Inertia, Lift, Load, Masses, Moving, Plate,
-    RotationalDamping, Term,
-};
+pub use plate::{AddedMass, Drag, Equations, Lift, Plate, RotationalDamping};
 pub use sheet::{MEASURED_FROUDE, Sheet, transition};

@@ -1,8 +1,8 @@
 //! The equations of a falling plate, term by term. SI units, per metre of its length.
 
-use core::fmt::Debug;
+use core::f64::consts::PI;
 
-use crate::error::{Error, Result, not_negative, positive};
+use crate::error::{Result, finite, not_negative, positive, within};
 use crate::integrators::System;
 
 /// A long plate, per metre of its length.
@@ -22,7 +22,8 @@ impl Plate {
     /// the long axis is j m a²(1 + β²), so 1/3 is a flat strip, 1/4 an elliptical cylinder.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::Negative`]; [`Error::OutOfRange`] for β outside 0…1.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive),
+    /// [`Error::Negative`](crate::Error::Negative); [`Error::OutOfRange`](crate::Error::OutOfRange) for β outside 0…1.
     pub fn new(
         half_chord: f64,
         mass: f64,
@@ -30,20 +31,11 @@ impl Plate {
         thickness_ratio: f64,
         inertia_factor: f64,
     ) -> Result<Self> {
-        not_negative("the thickness ratio", thickness_ratio)?;
-        if thickness_ratio > 1.0 {
-            return Err(Error::OutOfRange {
-                quantity: "the thickness ratio",
-                value: thickness_ratio,
-                least: 0.0,
-                greatest: 1.0,
-            });
-        }
         Ok(Self {
             half_chord: positive("half the width of the plate", half_chord)?,
             mass: positive("the mass of the plate", mass)?,
             fluid_density: not_negative("the density of the fluid", fluid_density)?,
-            thickness_ratio,
+            thickness_ratio: within("the thickness ratio", thickness_ratio, 0.0, 1.0)?,
             inertia_factor: positive("the inertia factor of the plate", inertia_factor)?,
         })
     }
@@ -60,107 +52,11 @@ impl Plate {
 
     /// The mass π ρ a² of the fluid cylinder that just holds it, kg/m: what it must push aside when it moves broadside.
     pub fn displaced_mass(&self) -> f64 {
-        core::f64::consts::PI * self.fluid_density * self.half_chord * self.half_chord
-    }
-
-    /// Its mass over the [displaced mass](Self::displaced_mass), I*; infinite in a vacuum.
-    pub fn mass_ratio(&self) -> f64 {
-        self.mass / self.displaced_mass()
-    }
-
-    /// The plate's own masses and moment: what it resists acceleration with in a vacuum.
-    pub(crate) fn own(&self) -> Masses {
-        let beta = self.thickness_ratio;
-        let a = self.half_chord;
-        Masses {
-            along: self.mass,
-            across: self.mass,
-            moment: self.inertia_factor * self.mass * a * a * (1.0 + beta * beta),
-        }
+        PI * self.fluid_density * self.half_chord * self.half_chord
     }
 }
 
-/// What the plate resists acceleration with: along the chord and across it (kg/m), and in rotation (kg m).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Masses {
-    /// Along the chord.
-    pub along: f64,
-    /// Across it.
-    pub across: f64,
-    /// About the long axis.
-    pub moment: f64,
-}
-
-/// How the plate moves: u along its chord, w across it (m/s), both in axes that turn with it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Moving {
-    /// Sine and cosine of the angle θ from the horizontal to the chord.
-    pub slope: (f64, f64),
-    /// Velocity along the chord.
-    pub u: f64,
-    /// Velocity across it.
-    pub w: f64,
-    /// Angular velocity θ', rad/s, about the long axis.
-    pub omega: f64,
-    /// 1 if it turns anticlockwise, −1 if clockwise: |ω| is `sense` · ω. Within a step of an integrator that ends where the plate turns
-    /// back, it is the sense before that.
-    pub sense: f64,
-}
-
-impl Moving {
-    /// √(u² + w²), m/s.
-    pub fn speed(&self) -> f64 {
-        self.u.hypot(self.w)
-    }
-}
-
-/// Force along the chord and across it (N/m), torque about the long axis (N), and the power turned into heat (W/m).
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Load {
-    /// Along the chord.
-    pub along: f64,
-    /// Across it.
-    pub across: f64,
-    /// Anticlockwise.
-    pub torque: f64,
-    /// What friction takes from the motion.
-    pub heating: f64,
-}
-
-/// One of the things that act on the plate.
-pub trait Term: Copy + Debug {
-    /// Adds its force, torque and heating to the load.
-    fn add(&self, plate: &Plate, moving: &Moving, load: &mut Load);
-
-    /// Whether it has a kink where the plate turns back.
-    fn has_kink(&self) -> bool {
-        false
-    }
-}
-
-/// What the plate resists acceleration with.
-pub trait Inertia: Term {
-    /// With the fluid that it takes along, if any.
-    fn masses(&self, plate: &Plate) -> Masses;
-}
-
-/// Weight m g, downward.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gravity {
-    /// g, m/s².
-    pub acceleration: f64,
-}
-
-impl Term for Gravity {
-    fn add(&self, plate: &Plate, moving: &Moving, load: &mut Load) {
-        let weight = plate.mass * self.acceleration;
-        let (sine, cosine) = moving.slope;
-        load.along -= weight * sine;
-        load.across -= weight * cosine;
-    }
-}
-
-/// Lift ρΓ at right angles to the velocity, with Γ = 2a(−C_T u w/V + C_R a ω).
+/// Lift ρΓ at right angles to the velocity, with Γ = 2a(−C_T u w/V + C_R a ω), m²/s. At rest the first part is zero, its limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lift {
     /// C_T, of the angle of attack.
@@ -170,23 +66,12 @@ pub struct Lift {
 }
 
 impl Lift {
-    /// Γ, m²/s. At rest the first part is zero, its limit.
-    pub fn circulation(&self, plate: &Plate, moving: &Moving) -> f64 {
-        let a = plate.half_chord;
-        let speed = moving.speed();
-        let mut circulation = self.rotational * a * moving.omega;
-        if speed > 0.0 {
-            circulation -= self.translational * moving.u * (moving.w / speed);
-        }
-        2.0 * a * circulation
-    }
-}
-
-impl Term for Lift {
-    fn add(&self, plate: &Plate, moving: &Moving, load: &mut Load) {
-        let per_speed = plate.fluid_density * self.circulation(plate, moving);
-        load.along -= per_speed * moving.w;
-        load.across += per_speed * moving.u;
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
+    pub(crate) fn checked(self) -> Result<Self> {
+        finite("the lift of the angle of attack", self.translational)?;
+        finite("the lift of the rotation", self.rotational)?;
+        Ok(self)
     }
 }
 
@@ -199,17 +84,12 @@ pub struct Drag {
     pub contrast: f64,
 }
 
-impl Term for Drag {
-    fn add(&self, plate: &Plate, moving: &Moving, load: &mut Load) {
-        let speed = moving.speed();
-        if speed > 0.0 {
-            let (u, w) = (moving.u / speed, moving.w / speed);
-            let aspect = self.mean - self.contrast * (u * u - w * w);
-            let per_speed = plate.fluid_density * plate.half_chord * speed * aspect;
-            load.along -= per_speed * moving.u;
-            load.across -= per_speed * moving.w;
-            load.heating += per_speed * speed * speed;
-        }
+impl Drag {
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) where it would drive.
+    pub(crate) fn checked(self) -> Result<Self> {
+        not_negative("the least drag", self.mean - self.contrast.abs())?;
+        Ok(self)
     }
 }
 
@@ -222,17 +102,13 @@ pub struct RotationalDamping {
     pub quadratic: f64,
 }
 
-impl Term for RotationalDamping {
-    fn add(&self, plate: &Plate, moving: &Moving, load: &mut Load) {
-        let moment = plate.displaced_mass() * plate.half_chord * plate.half_chord;
-        let size = moving.sense * moving.omega;
-        let torque = moment * (self.linear + self.quadratic * size) * moving.omega;
-        load.torque -= torque;
-        load.heating += torque * moving.omega;
-    }
-
-    fn has_kink(&self) -> bool {
-        self.quadratic != 0.0
+impl RotationalDamping {
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) where it would drive.
+    pub(crate) fn checked(self) -> Result<Self> {
+        not_negative("the linear resistance to rotation", self.linear)?;
+        not_negative("the quadratic resistance to rotation", self.quadratic)?;
+        Ok(self)
     }
 }
 
@@ -243,114 +119,134 @@ pub struct AddedMass {
     pub factor: f64,
 }
 
-impl AddedMass {
-    /// Broadside added mass less the edgewise one, kg/m.
-    fn difference(&self, plate: &Plate) -> f64 {
-        let beta = plate.thickness_ratio;
-        self.factor * plate.displaced_mass() * (1.0 - beta) * (1.0 + beta)
-    }
+/// What the plate resists acceleration with: along the chord and across it (kg/m), and in rotation (kg m).
+struct Masses {
+    along: f64,
+    across: f64,
+    moment: f64,
+    /// Broadside added mass less the edgewise one, if any fluid is taken along.
+    difference: Option<f64>,
 }
 
-impl Term for AddedMass {
-    /// The torque that turns a plate broadside to its way: it is what the two added masses differ by that does it.
-    fn add(&self, plate: &Plate, moving: &Moving, load: &mut Load) {
-        load.torque -= self.difference(plate) * moving.u * moving.w;
-    }
+/// Force along the chord and across it (N/m), torque about the long axis (N), and the power turned into heat (W/m).
+#[derive(Default)]
+struct Load {
+    along: f64,
+    across: f64,
+    torque: f64,
+    heating: f64,
 }
 
-impl Inertia for AddedMass {
-    fn masses(&self, plate: &Plate) -> Masses {
-        let own = plate.own();
-        let fluid = self.factor * plate.displaced_mass();
-        let (a, beta) = (plate.half_chord, plate.thickness_ratio);
-        let flat = (1.0 - beta) * (1.0 + beta);
-        Masses {
-            along: own.along + beta * beta * fluid,
-            across: own.across + fluid,
-            moment: own.moment + fluid * a * a * flat * flat / 8.0,
-        }
-    }
-}
-
-/// The equations of motion, one slot a term; what a slot holds is part of the type.
+/// The equations of motion of a plate under those of the effects that are there.
 ///
-/// State: x, y (m), θ (rad), u, w (m/s), ω (rad/s), heat (J/m). With the masses of [`Inertia`] and the [`Load`] of the terms,
-/// m_u u' = m_w ω w + F_u, m_w w' = −m_u ω u + F_w, J ω' = N.
+/// State: x, y (m), θ (rad), u, w (m/s), ω (rad/s), heat (J/m); u is the velocity along the chord, w across it, in axes that turn with it. With
+/// the masses of the plate and of the fluid that it takes along, m_u u' = m_w ω w + F_u, m_w w' = −m_u ω u + F_w, J ω' = N.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Equations<G, L, D, R, A> {
+pub struct Equations {
     /// The plate.
     pub plate: Plate,
-    /// Weight.
-    pub gravity: G,
+    /// Weight: g, m/s².
+    pub gravity: Option<f64>,
     /// Lift.
-    pub lift: L,
+    pub lift: Option<Lift>,
     /// Drag.
-    pub drag: D,
+    pub drag: Option<Drag>,
     /// Resistance to rotation.
-    pub damping: R,
+    pub damping: Option<RotationalDamping>,
     /// The fluid it takes along.
-    pub added_mass: A,
+    pub added_mass: Option<AddedMass>,
 }
 
-/// How a state moves.
-pub(crate) fn moving(state: &[f64; 7]) -> Moving {
-    Moving {
-        slope: state[2].sin_cos(),
-        u: state[3],
-        w: state[4],
-        omega: state[5],
-        sense: 1.0_f64.copysign(state[5]),
+impl Equations {
+    /// Those of a plate on which nothing acts.
+    pub const fn new(plate: Plate) -> Self {
+        Self {
+            plate,
+            gravity: None,
+            lift: None,
+            drag: None,
+            damping: None,
+            added_mass: None,
+        }
     }
-}
 
-/// Equations that are smooth as long as the plate does not turn back.
-pub(crate) trait Pieces {
-    /// The rates with |ω| read as `sense` · ω.
-    fn rate_in(&self, sense: f64, state: &[f64; 7]) -> [f64; 7];
-    /// Whether turning back is a kink.
-    fn has_kink(&self) -> bool;
-    /// The same equations with |ω| itself.
-    fn whole(&self) -> &dyn System<7>;
-}
+    fn masses(&self) -> Masses {
+        let Plate {
+            half_chord: a,
+            mass,
+            thickness_ratio: beta,
+            inertia_factor,
+            ..
+        } = self.plate;
+        let moment = inertia_factor * mass * a * a * (1.0 + beta * beta);
+        let Some(AddedMass { factor }) = self.added_mass else {
+            return Masses {
+                along: mass,
+                across: mass,
+                moment,
+                difference: None,
+            };
+        };
+        let fluid = factor * self.plate.displaced_mass();
+        let flat = (1.0 - beta) * (1.0 + beta);
+        Masses {
+            along: mass + beta * beta * fluid,
+            across: mass + fluid,
+            moment: moment + fluid * a * a * flat * flat / 8.0,
+            difference: Some(fluid * flat),
+        }
+    }
 
-impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> Equations<G, L, D, R, A> {
-    /// Force, torque and heating at one moment.
-    pub fn load(&self, moving: &Moving) -> Load {
+    /// What acts on the plate, given sine and cosine of its angle and the sign of its spin.
+    fn load(&self, slope: (f64, f64), sense: f64, state: &[f64; 7], masses: &Masses) -> Load {
+        let [.., u, w, omega, _] = *state;
+        let (plate, a, density) = (&self.plate, self.plate.half_chord, self.plate.fluid_density);
+        let speed = u.hypot(w);
         let mut load = Load::default();
-        self.gravity.add(&self.plate, moving, &mut load);
-        self.lift.add(&self.plate, moving, &mut load);
-        self.drag.add(&self.plate, moving, &mut load);
-        self.damping.add(&self.plate, moving, &mut load);
-        self.added_mass.add(&self.plate, moving, &mut load);
+        if let Some(g) = self.gravity {
+            let weight = plate.mass * g;
+            load.along -= weight * slope.0;
+            load.across -= weight * slope.1;
+        }
+        if let Some(lift) = self.lift {
+            let mut circulation = lift.rotational * a * omega;
+            if speed > 0.0 {
+                circulation -= lift.translational * u * (w / speed);
+            }
+            let per_speed = density * (2.0 * a * circulation);
+            load.along -= per_speed * w;
+            load.across += per_speed * u;
+        }
+        if let Some(drag) = self.drag
+            && speed > 0.0
+        {
+            let (edgewise, broadside) = (u / speed, w / speed);
+            let aspect = drag.mean - drag.contrast * (edgewise * edgewise - broadside * broadside);
+            let per_speed = density * a * speed * aspect;
+            load.along -= per_speed * u;
+            load.across -= per_speed * w;
+            load.heating += per_speed * speed * speed;
+        }
+        if let Some(damping) = self.damping {
+            let moment = plate.displaced_mass() * a * a;
+            let torque = moment * (damping.linear + damping.quadratic * (sense * omega)) * omega;
+            load.torque -= torque;
+            load.heating += torque * omega;
+        }
+        // It is what the two added masses differ by that turns a plate broadside to its way.
+        if let Some(difference) = masses.difference {
+            load.torque -= difference * u * w;
+        }
         load
     }
 
-    /// Kinetic energy, the fluid's included, J/m.
-    pub fn kinetic_energy(&self, state: &[f64; 7]) -> f64 {
-        let masses = self.added_mass.masses(&self.plate);
-        let [.., u, w, omega, _] = *state;
-        0.5 * (masses.along * u * u + masses.across * w * w + masses.moment * omega * omega)
-    }
-
-    /// Momentum of plate and fluid in the axes of space (right, up), kg/s.
-    pub fn impulse(&self, state: &[f64; 7]) -> [f64; 2] {
-        let masses = self.added_mass.masses(&self.plate);
-        let (sine, cosine) = state[2].sin_cos();
-        let (along, across) = (masses.along * state[3], masses.across * state[4]);
-        [
-            along * cosine - across * sine,
-            along * sine + across * cosine,
-        ]
-    }
-}
-
-impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> Equations<G, L, D, R, A> {
+    /// The rates of the state, with |ω| read as `sense` · ω: smooth as long as the plate does not turn back.
     // ANCHOR: rate
-    fn rates(&self, moving: &Moving) -> [f64; 7] {
-        let (sine, cosine) = moving.slope;
-        let Moving { u, w, omega, .. } = *moving;
-        let load = self.load(moving);
-        let masses = self.added_mass.masses(&self.plate);
+    pub(crate) fn rate_in(&self, sense: f64, state: &[f64; 7]) -> [f64; 7] {
+        let [_, _, theta, u, w, omega, _] = *state;
+        let (sine, cosine) = theta.sin_cos();
+        let masses = self.masses();
+        let load = self.load((sine, cosine), sense, state, &masses);
         [
             u * cosine - w * sine,
             u * sine + w * cosine,
@@ -362,25 +258,28 @@ impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> Equations<G, L, D, R, A> {
         ]
     }
     // ANCHOR_END: rate
+
+    /// Kinetic energy, the fluid's included, J/m.
+    pub fn kinetic_energy(&self, state: &[f64; 7]) -> f64 {
+        let masses = self.masses();
+        let [.., u, w, omega, _] = *state;
+        0.5 * (masses.along * u * u + masses.across * w * w + masses.moment * omega * omega)
+    }
+
+    /// Momentum of plate and fluid in the axes of space (right, up), kg/s.
+    pub fn impulse(&self, state: &[f64; 7]) -> [f64; 2] {
+        let masses = self.masses();
+        let (sine, cosine) = state[2].sin_cos();
+        let (along, across) = (masses.along * state[3], masses.across * state[4]);
+        [
+            along * cosine - across * sine,
+            along * sine + across * cosine,
+        ]
+    }
 }
 
-impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> System<7> for Equations<G, L, D, R, A> {
+impl System<7> for Equations {
     fn rate(&self, _: f64, state: &[f64; 7]) -> [f64; 7] {
-        self.rates(&moving(state))
-    }
-}
-
-impl<G: Term, L: Term, D: Term, R: Term, A: Inertia> Pieces for Equations<G, L, D, R, A> {
-    fn rate_in(&self, sense: f64, state: &[f64; 7]) -> [f64; 7] {
-        let moving = moving(state);
-        self.rates(&Moving { sense, ..moving })
-    }
-
-    fn has_kink(&self) -> bool {
-        self.damping.has_kink()
-    }
-
-    fn whole(&self) -> &dyn System<7> {
-        self
+        self.rate_in(1.0_f64.copysign(state[5]), state)
     }
 }

@@ -38,7 +38,7 @@ pub use effect::{Absent, Effect};
 pub use motion::{Motion, Request, balanced};
 pub use plan::{Choice, Geometric, Plan, Solver, UnknownSolver};
 
-pub(crate) use budget::{Budget, Counted};
+pub(crate) use budget::Budget;
 pub(crate) use effect::choose;
 pub(crate) use plan::only_for_tops;
 

@@ -16,7 +16,7 @@ pub use sleep::{sleeping_spin, spin_after_waking};
 pub use turn::{Turn, TurnState};
 pub use unwinding::Unwinding;
 
-use crate::error::{Error, Result, positive};
+use crate::error::{Result, positive, within};
 
 /// A yo-yo: two discs on an axle, a string wound round it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,18 +41,12 @@ impl YoYo {
     /// A yo-yo of this mass (kg) and moment of inertia about its axle (kg m²), on a thin string of this length (m) round an axle of this radius (m).
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::OutOfRange`] for an axle thicker than half the length of the string.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive);
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for an axle thicker than half the length of the string.
     pub fn new(mass: f64, inertia: f64, length: f64, axle: f64) -> Result<Self> {
         let length = positive("the length of the string", length)?;
         let axle = positive("the radius of the axle", axle)?;
-        if axle > 0.5 * length {
-            return Err(Error::OutOfRange {
-                quantity: "the radius of the axle",
-                value: axle,
-                least: 0.0,
-                greatest: 0.5 * length,
-            });
-        }
+        within("the radius of the axle", axle, 0.0, 0.5 * length)?;
         Ok(Self {
             mass: positive("the mass of the yo-yo", mass)?,
             inertia: positive("the moment of inertia of the yo-yo", inertia)?,
@@ -76,17 +70,10 @@ impl YoYo {
     /// The area of the wound string, seen along the axle, shrinks in proportion to what has come off.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] below the radius of the axle or beyond half the length.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) below the radius of the axle or beyond half the length.
     pub fn wound_to(mut self, radius: f64) -> Result<Self> {
-        positive("the radius of the wound string", radius)?;
-        if !(self.axle..=0.5 * self.length).contains(&radius) {
-            return Err(Error::OutOfRange {
-                quantity: "the radius of the wound string",
-                value: radius,
-                least: self.axle,
-                greatest: 0.5 * self.length,
-            });
-        }
+        let most = 0.5 * self.length;
+        within("the radius of the wound string", radius, self.axle, most)?;
         let slope = (radius - self.axle) * (radius + self.axle) / self.length;
         self.winding = if slope > 0.0 {
             Winding::Thick {

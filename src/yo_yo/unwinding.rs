@@ -2,7 +2,7 @@
 
 use super::{Winding, YoYo};
 use crate::elliptic::Parameter;
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Error, Result, finite, not_negative, positive, within};
 use crate::phenomena::quadrature;
 
 /// A way down the string, or, run backwards, a way up: from its upper end to the end of the string.
@@ -112,19 +112,25 @@ impl Arc {
 
     /// By how much φ has grown when E has.
     fn turned_when(&self, grown: f64) -> f64 {
-        let mut turned = self.turned * (grown / self.whole);
         // Δ falls, so Newton's steps come from below after the first and cannot overshoot.
-        for _ in 0..100 {
-            let miss = self.growth(turned) - grown;
-            let next = (turned - miss / self.delta(turned)).clamp(0.0, self.turned);
-            let step = (next - turned).abs();
-            turned = next;
-            if step <= 2.0 * f64::EPSILON * turned {
-                break;
-            }
-        }
-        turned
+        newton(self.turned * (grown / self.whole), self.turned, |turned| {
+            (self.growth(turned) - grown) / self.delta(turned)
+        })
     }
+}
+
+/// Newton's method between 0 and `most`, to rounding.
+fn newton(first: f64, most: f64, correction: impl Fn(f64) -> f64) -> f64 {
+    let mut root = first;
+    for _ in 0..100 {
+        let next = (root - correction(root)).clamp(0.0, most);
+        let step = (next - root).abs();
+        root = next;
+        if step <= 2.0 * f64::EPSILON * root {
+            break;
+        }
+    }
+    root
 }
 
 impl Unwinding {
@@ -144,51 +150,13 @@ impl Unwinding {
                 value: energy,
             });
         }
-        let mut way = Self {
+        let law = law(&toy, gravity, e, top)?;
+        Ok(Self {
             toy,
             gravity,
             energy,
             top,
-            law: Law::Uniform {
-                speed: 0.0,
-                acceleration: 0.0,
-            },
-        };
-        way.law = way.law()?;
-        Ok(way)
-    }
-
-    fn law(&self) -> Result<Law> {
-        let (k2, e) = (self.toy.gyration_squared(), self.energy / self.toy.mass);
-        Ok(match self.toy.winding() {
-            Winding::Thin => Law::Uniform {
-                speed: self.speed(self.top),
-                acceleration: self.gravity / (1.0 + self.toy.inertia_factor()),
-            },
-            Winding::Thick { .. } if self.gravity == 0.0 => Law::Free {
-                speed: (2.0 * e).sqrt(),
-            },
-            Winding::Thick {
-                wound_squared,
-                slope,
-            } => {
-                let height = e / self.gravity;
-                // P + ε times q, of three parts that do not cancel: ε is not below −l, and q l < r_w².
-                let whole = wound_squared + k2 + slope * height;
-                let parameter = Parameter::from_complement(k2 / whole)?;
-                let bare = wound_squared / slope;
-                // Zero, not nearly zero, where the yo-yo starts from rest.
-                let above = if e <= 0.0 { 0.0 } else { height };
-                Law::Elliptic {
-                    scale: (2.0 * whole / (slope * self.gravity)).sqrt(),
-                    arc: Arc::new(
-                        parameter,
-                        bare - self.top,
-                        above,
-                        self.toy.length - self.top,
-                    ),
-                }
-            }
+            law,
         })
     }
 
@@ -224,14 +192,7 @@ impl Unwinding {
     /// # Errors
     /// [`Error::OutOfRange`] outside the way.
     pub fn time_at(&self, depth: f64) -> Result<f64> {
-        if !(self.top..=self.toy.length).contains(&depth) {
-            return Err(Error::OutOfRange {
-                quantity: "the depth of the yo-yo",
-                value: depth,
-                least: self.top,
-                greatest: self.toy.length,
-            });
-        }
+        within("the depth of the yo-yo", depth, self.top, self.toy.length)?;
         Ok(match self.law {
             Law::Uniform {
                 speed,
@@ -280,13 +241,8 @@ impl Unwinding {
     /// [`Error::OutOfRange`] outside the way.
     pub fn depth_at(&self, time: f64) -> Result<f64> {
         let duration = self.duration()?;
-        if !(0.0..=duration).contains(&time) {
-            return Err(Error::OutOfRange {
-                quantity: "the time on the way down",
-                value: time,
-                least: 0.0,
-                greatest: duration,
-            });
+        if within("the time on the way down", time, 0.0, duration)? == duration {
+            return Ok(self.toy.length);
         }
         let depth = match self.law {
             Law::Uniform {
@@ -295,17 +251,10 @@ impl Unwinding {
             } => self.top + time * (speed + 0.5 * acceleration * time),
             Law::Elliptic { scale, arc } => self.top + arc.way(arc.turned_when(time / scale)),
             Law::Free { speed } => {
-                let mut depth = self.toy.length * (time / duration);
-                for _ in 0..100 {
-                    let miss = self.free_time(depth) / speed - time;
-                    let next = (depth - miss * self.speed(depth)).clamp(0.0, self.toy.length);
-                    let step = (next - depth).abs();
-                    depth = next;
-                    if step <= 2.0 * f64::EPSILON * depth {
-                        break;
-                    }
-                }
-                depth
+                let length = self.toy.length;
+                newton(length * (time / duration), length, |depth| {
+                    (self.free_time(depth) / speed - time) * self.speed(depth)
+                })
             }
         };
         Ok(depth.clamp(self.top, self.toy.length))
@@ -314,20 +263,46 @@ impl Unwinding {
     /// The energy, J, with which a yo-yo leaves this depth (m) at this speed (m/s, either way) under `gravity`.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::OutOfRange`] for a depth beyond the string.
+    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth that is not on the string.
     pub fn energy_at(toy: &YoYo, gravity: f64, depth: f64, speed: f64) -> Result<f64> {
-        not_negative("the depth of the yo-yo", depth)?;
+        within("the depth of the yo-yo", depth, 0.0, toy.length)?;
         finite("the speed of the yo-yo", speed)?;
-        if depth > toy.length {
-            return Err(Error::OutOfRange {
-                quantity: "the depth of the yo-yo",
-                value: depth,
-                least: 0.0,
-                greatest: toy.length,
-            });
-        }
         let omega = speed / positive("the winding radius", toy.radius(depth))?;
         let fallen = toy.mass * not_negative("gravity", gravity)? * depth;
         finite("the energy", toy.kinetic_energy(depth, omega) - fallen)
     }
+}
+
+/// The law of the way from `top` on, for this energy over the mass.
+fn law(toy: &YoYo, gravity: f64, e: f64, top: f64) -> Result<Law> {
+    let k2 = toy.gyration_squared();
+    Ok(match toy.winding() {
+        Winding::Thin => {
+            let acceleration = gravity / (1.0 + toy.inertia_factor());
+            Law::Uniform {
+                // From rest below the hand.
+                speed: (2.0 * e.max(0.0) / (1.0 + toy.inertia_factor())).sqrt(),
+                acceleration,
+            }
+        }
+        Winding::Thick { .. } if gravity == 0.0 => Law::Free {
+            speed: (2.0 * e).sqrt(),
+        },
+        Winding::Thick {
+            wound_squared,
+            slope,
+        } => {
+            let height = e / gravity;
+            // P + ε times q, of three parts that do not cancel: ε is not below −l, and q l < r_w².
+            let whole = wound_squared + k2 + slope * height;
+            let parameter = Parameter::from_complement(k2 / whole)?;
+            let bare = wound_squared / slope;
+            // Zero, not nearly zero, where the yo-yo starts from rest.
+            let above = if e <= 0.0 { 0.0 } else { height };
+            Law::Elliptic {
+                scale: (2.0 * whole / (slope * gravity)).sqrt(),
+                arc: Arc::new(parameter, bare - top, above, toy.length - top),
+            }
+        }
+    })
 }

@@ -25,17 +25,27 @@ use crate::Result;
 
 const PACES: &[(&str, Pace)] = &[("even", Pace::Even), ("late", Pace::Late)];
 
-/// The friction of a bearing, if it is listed.
-fn bearing(effects: &Section<'_>) -> Result<Option<BearingFriction>> {
-    let listed = effects.optional_not_negative("bearing_friction", "a coefficient in N m s")?;
-    let friction = listed.map(BearingFriction::new).transpose();
-    friction.map_err(effects.about("bearing_friction"))
+/// An effect of one number, if that is listed.
+pub fn made<E: Into<Effect>>(
+    effects: &Section<'_>,
+    key: &'static str,
+    listed: Option<f64>,
+    new: fn(f64) -> spinning_bodies::Result<E>,
+) -> Result<Option<Effect>> {
+    let made = listed.map(new).transpose().map_err(effects.about(key))?;
+    Ok(made.map(Into::into))
 }
 
-fn gravity(effects: &Section<'_>) -> Result<Option<Gravity>> {
+/// The friction of a bearing, if it is listed.
+fn bearing(effects: &Section<'_>) -> Result<Option<Effect>> {
+    const KEY: &str = "bearing_friction";
+    let listed = effects.optional_not_negative(KEY, "a coefficient in N m s")?;
+    made(effects, KEY, listed, BearingFriction::new)
+}
+
+fn gravity(effects: &Section<'_>) -> Result<Option<Effect>> {
     let listed = effects.optional("gravity", "an acceleration in m/s²")?;
-    let gravity = listed.map(Gravity::new).transpose();
-    gravity.map_err(effects.about("gravity"))
+    made(effects, "gravity", listed, Gravity::new)
 }
 
 /// The scene with those of these effects that are listed.
@@ -90,7 +100,7 @@ pub fn swivel(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let listed = [change.map(Effect::from), friction.map(Effect::from)];
+    let listed = [change.map(Effect::from), friction];
     let scene = with(scene, &effects, listed, Swivel::with)?;
     effects.done()?;
     Ok(Ready::scene(Box::new(scene)))
@@ -127,7 +137,7 @@ pub fn skater(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let listed = [change.map(Effect::from), friction.map(Effect::from)];
+    let listed = [change.map(Effect::from), friction];
     let scene = with(scene, &effects, listed, Skater::with)?;
     effects.done()?;
     Ok(Ready::scene(Box::new(scene)))
@@ -167,7 +177,7 @@ pub fn cat(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let listed = [change.map(Effect::from), weight.map(Effect::from)];
+    let listed = [change.map(Effect::from), weight];
     let scene = with(scene, &effects, listed, Cat::with)?;
     effects.done()?;
     Ok(Ready::scene(Box::new(scene)))
@@ -197,11 +207,7 @@ pub fn paper_cat(file: &Section<'_>) -> Result<Ready> {
     let effects = file.section("effects")?;
     let weight = gravity(&effects)?;
     let air = effects.optional_not_negative("air", "a density in kg/m³")?;
-    let air = air
-        .map(Air::new)
-        .transpose()
-        .map_err(effects.about("air"))?;
-    let listed = [air.map(Effect::from), weight.map(Effect::from)];
+    let listed = [made(&effects, "air", air, Air::new)?, weight];
     let scene = with(scene, &effects, listed, PaperCat::with)?;
     effects.done()?;
     Ok(Ready::scene(Box::new(scene)))

@@ -3,11 +3,13 @@
 //! `[body]` width (m), areal_density (kg/m²), fluid_density (kg/m³, absent: 0), thickness_ratio, inertia_factor (absent: 1/3);
 //! `[initial]` angle, velocity (right, up), omega; `[effects]` gravity, lift = [C_T, C_R], drag = [A, B], rotational_damping = [1/s, μ₂], added_mass (1).
 
-use spinning_bodies::falling_strip::{AddedMass, Drag, Gravity, Lift, Plate, RotationalDamping};
-use spinning_bodies::scene::strip::{Listed, StripStart};
+use spinning_bodies::falling_strip::Plate;
+use spinning_bodies::scene::effects::{AddedMass, Drag, Effect, Gravity, Lift, RotationalDamping};
+use spinning_bodies::scene::strip::{Strip, StripStart};
 
 use super::Ready;
 use super::reader::Section;
+use super::shape::{made, with};
 use crate::Result;
 
 const DAMPING: &str = "a rate in 1/s and mu_2";
@@ -27,40 +29,34 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
         omega: section.number_or("omega", "an angular velocity in rad/s", 0.0)?,
     };
     section.done()?;
-    // Each of the others is examined at its own key.
-    let scene = listed.on(plate, start).map_err(effects.about("drag"))?;
+    let scene = Strip::new(plate, start).map_err(file.about("initial"))?;
+    let scene = with(scene, &effects, listed, Strip::with)?;
     effects.done()?;
-    Ok(Ready::scene(scene))
+    Ok(Ready::scene(Box::new(scene)))
 }
 
-fn listed(section: &Section<'_>) -> Result<Listed> {
-    Ok(Listed {
-        gravity: section
-            .optional("gravity", "an acceleration in m/s²")?
-            .map(|acceleration| Gravity { acceleration }),
-        lift: section
-            .optional_list("lift", "C_T and C_R")?
-            .map(|[translational, rotational]| Lift {
+fn listed(section: &Section<'_>) -> Result<[Option<Effect>; 5]> {
+    let gravity = section.optional("gravity", "an acceleration in m/s²")?;
+    let lift = section.optional_list("lift", "C_T and C_R")?;
+    let drag = section.optional_list("drag", "A and B")?;
+    let damping = section.optional_list("rotational_damping", DAMPING)?;
+    for number in damping.into_iter().flatten() {
+        let right = number >= 0.0;
+        section.held("rotational_damping", DAMPING, number, right, "not negative")?;
+    }
+    let added = section.optional_not_negative("added_mass", "a factor, 1 for an ideal fluid")?;
+    Ok([
+        made(section, "gravity", gravity, Gravity::new)?,
+        lift.map(|[translational, rotational]| {
+            Effect::from(Lift {
                 translational,
                 rotational,
-            }),
-        drag: section
-            .optional_list("drag", "A and B")?
-            .map(|[mean, contrast]| Drag { mean, contrast }),
-        rotational_damping: section
-            .optional_list("rotational_damping", DAMPING)?
-            .map(|[linear, quadratic]| {
-                for number in [linear, quadratic] {
-                    let right = number >= 0.0;
-                    section.held("rotational_damping", DAMPING, number, right, "not negative")?;
-                }
-                Ok(RotationalDamping { linear, quadratic })
             })
-            .transpose()?,
-        added_mass: section
-            .optional_not_negative("added_mass", "a factor, 1 for an ideal fluid")?
-            .map(|factor| AddedMass { factor }),
-    })
+        }),
+        drag.map(|[mean, contrast]| Effect::from(Drag { mean, contrast })),
+        damping.map(|[linear, quadratic]| Effect::from(RotationalDamping { linear, quadratic })),
+        added.map(|factor| Effect::from(AddedMass { factor })),
+    ])
 }
 
 fn plate(section: &Section<'_>) -> Result<Plate> {

@@ -4,13 +4,15 @@
 //! `[initial]` throw (m/s, absent: let go); `[effects]` gravity, turn_loss (spin left by a turn), hand (J a turn), sleep (s), axle_friction (N m),
 //! air_drag (kg m²).
 
-use spinning_bodies::scene::yo_yo::{
-    AirDrag, AxleFriction, Gravity, Hand, Listed, Sleep, TurnLoss,
+use spinning_bodies::scene::effects::{
+    AirDrag, AxleFriction, Effect, Gravity, Hand, Sleep, TurnLoss,
 };
+use spinning_bodies::scene::yo_yo::Play;
 use spinning_bodies::yo_yo::YoYo;
 
 use super::Ready;
 use super::reader::Section;
+use super::shape::{made, with};
 use crate::Result;
 
 pub fn read(file: &Section<'_>) -> Result<Ready> {
@@ -21,29 +23,48 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     section.done()?;
     let section = file.section("initial")?;
     let throw = section.optional_not_negative("throw", "a speed in m/s")?;
+    let scene = Play::new(toy, throw.unwrap_or(0.0)).map_err(section.about("throw"))?;
     section.done()?;
-    // Each of the others is examined at its own key.
-    let scene = listed.on(toy, throw.unwrap_or(0.0));
-    let scene = scene.map_err(effects.about("turn_loss"))?;
+    let scene = with(scene, &effects, listed, Play::with)?;
     effects.done()?;
-    Ok(Ready::scene(scene))
+    Ok(Ready::scene(Box::new(scene)))
 }
 
-fn listed(section: &Section<'_>) -> Result<Listed> {
-    let effect = |key: &'static str, what| section.optional_not_negative(key, what);
-    Ok(Listed {
-        gravity: section
-            .optional_positive("gravity", "an acceleration in m/s²")?
-            .map(|acceleration| Gravity { acceleration }),
-        turn_loss: effect("turn_loss", "the part of the spin that a turn leaves")?
-            .map(|restitution| TurnLoss { restitution }),
-        hand: effect("hand", "the work of the hand at a turn in J")?.map(|work| Hand { work }),
-        sleep: effect("sleep", "a time in s")?.map(|duration| Sleep { duration }),
-        axle_friction: effect("axle_friction", "a torque in N m")?
-            .map(|torque| AxleFriction { torque }),
-        air_drag: effect("air_drag", "a coefficient in kg m²")?
-            .map(|coefficient| AirDrag { coefficient }),
-    })
+fn listed(section: &Section<'_>) -> Result<[Option<Effect>; 6]> {
+    let gravity = section.optional_positive("gravity", "an acceleration in m/s²")?;
+    Ok([
+        made(section, "gravity", gravity, Gravity::new)?,
+        effect(
+            section,
+            "turn_loss",
+            "the part of the spin that a turn leaves",
+            TurnLoss::new,
+        )?,
+        effect(
+            section,
+            "hand",
+            "the work of the hand at a turn in J",
+            Hand::new,
+        )?,
+        effect(section, "sleep", "a time in s", Sleep::new)?,
+        effect(
+            section,
+            "axle_friction",
+            "a torque in N m",
+            AxleFriction::new,
+        )?,
+        effect(section, "air_drag", "a coefficient in kg m²", AirDrag::new)?,
+    ])
+}
+
+/// An effect of one number that is not negative, if it is listed.
+fn effect<E: Into<Effect>>(
+    section: &Section<'_>,
+    key: &'static str,
+    what: &str,
+    new: fn(f64) -> spinning_bodies::Result<E>,
+) -> Result<Option<Effect>> {
+    made(section, key, section.optional_not_negative(key, what)?, new)
 }
 
 fn toy(section: &Section<'_>) -> Result<YoYo> {

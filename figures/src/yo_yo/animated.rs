@@ -3,7 +3,8 @@
 use core::fmt::Write as _;
 
 use spinning_bodies::Result;
-use spinning_bodies::scene::yo_yo::{AxleFriction, Gravity, Phase, Play, Sleep, YoYoState};
+use spinning_bodies::scene::effects::{AxleFriction, Gravity, Sleep};
+use spinning_bodies::scene::yo_yo::{Phase, Play, YoYoState};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::yo_yo::YoYo;
 
@@ -39,11 +40,9 @@ type Picture = (f64, YoYoState, f64);
 fn film() -> Result<(f64, Vec<Picture>)> {
     let toy = YoYo::disc(0.055, RADIUS, LENGTH, AXLE)?;
     let play = Play::new(toy, THROW)?
-        .with_gravity(Gravity {
-            acceleration: GRAVITY,
-        })?
-        .with_sleep(Sleep { duration: ASLEEP })?
-        .with_axle_friction(AxleFriction { torque: FRICTION })?;
+        .with(Gravity::new(GRAVITY)?)?
+        .with(Sleep::new(ASLEEP)?)?
+        .with(AxleFriction::new(FRICTION)?)?;
     // When it is caught: by bisection on the phase.
     let (mut low, mut high) = (0.0, 4.0);
     for _ in 0..50 {

@@ -3,7 +3,8 @@
 mod animated;
 
 use spinning_bodies::Result;
-use spinning_bodies::scene::yo_yo::{Gravity, Play, TurnLoss};
+use spinning_bodies::scene::effects::{Gravity, TurnLoss};
+use spinning_bodies::scene::yo_yo::Play;
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
@@ -31,12 +32,8 @@ pub fn string() -> Result<Figure> {
     let toy = toy()?;
     let weight = toy.mass() * GRAVITY;
     let play = Play::new(toy, 0.0)?
-        .with_gravity(Gravity {
-            acceleration: GRAVITY,
-        })?
-        .with_turn_loss(TurnLoss {
-            restitution: RESTITUTION,
-        })?;
+        .with(Gravity::new(GRAVITY)?)?
+        .with(TurnLoss::new(RESTITUTION)?)?;
     let times: Vec<f64> = (0..=12_000)
         .map(|k| SHOWN * f64::from(k) / 12_000.0)
         .collect();

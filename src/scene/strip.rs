@@ -1,0 +1,328 @@
+//! A strip that falls through a fluid, broadside length into the picture (tutorial 4.10).
+//!
+//! | effect | absent |
+//! |---|---|
+//! | [`Gravity`] | floats |
+//! | [`Lift`](super::effects::Lift) by circulation | no force across the velocity |
+//! | [`Drag`](super::effects::Drag) | no force against it |
+//! | [`RotationalDamping`] | spins on |
+//! | [`AddedMass`] | no fluid is taken along, and none turns it broadside |
+//!
+//! Without the last four the strip is in a vacuum, and its parabola and its uniform rotation are a closed form. What brakes it cannot be run
+//! backward.
+
+use super::effects::{Effect, Gravity};
+use super::engine::{
+    Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved,
+};
+use super::motion::{Account, ledger};
+use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::conservation::Law;
+use crate::error::{Result, finite, not_negative};
+use crate::falling_strip::{AddedMass, Coefficients, Equations, Plate, RotationalDamping, Sheet};
+
+/// The state of a strip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StripState {
+    /// Place of the axis: to the right and up, m.
+    pub position: [f64; 2],
+    /// Angle of the chord above the horizontal, rad.
+    pub angle: f64,
+    /// Velocity: to the right and up, m/s.
+    pub velocity: [f64; 2],
+    /// Angular velocity, rad/s.
+    pub omega: f64,
+    /// Kinetic energy (the fluid's that is taken along included) and potential energy, J per metre of length.
+    pub energy: f64,
+    /// What drag and the resistance to rotation have turned into heat, J per metre of length.
+    pub heat: f64,
+}
+
+impl Tabulated for StripState {
+    const COLUMNS: &'static [&'static str] =
+        &["x", "y", "angle", "vx", "vy", "omega", "energy", "heat"];
+
+    fn row(&self) -> Vec<f64> {
+        let [x, y] = self.position;
+        let [vx, vy] = self.velocity;
+        vec![x, y, self.angle, vx, vy, self.omega, self.energy, self.heat]
+    }
+}
+
+/// How a strip starts.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StripStart {
+    /// Angle of the chord above the horizontal, rad.
+    pub angle: f64,
+    /// Velocity: to the right and up, m/s.
+    pub velocity: [f64; 2],
+    /// Angular velocity, rad/s.
+    pub omega: f64,
+}
+
+/// A strip, how it starts, and what acts on it.
+///
+/// ```
+/// use spinning_bodies::falling_strip::{Coefficients, Sheet};
+/// use spinning_bodies::scene::{Request, Scene, strip::{Strip, StripStart}};
+///
+/// let sheet = Sheet::of_paper(0.02)?;
+/// let start = StripStart { angle: 0.2, ..StripStart::default() };
+/// let strip = Strip::in_air(&sheet, start, Coefficients::PAPER)?;
+/// let motion = strip.simulate(&Request::at([1.0])?.to_accuracy(1e-9)?)?;
+/// assert!(motion.rows[0].1.omega.abs() > 30.0, "it tumbles");
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strip {
+    equations: Equations,
+    start: StripStart,
+}
+
+impl Strip {
+    /// A strip on which nothing acts.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
+    pub fn new(plate: Plate, start: StripStart) -> Result<Self> {
+        for component in start.velocity {
+            finite("the velocity at the start", component)?;
+        }
+        finite("the angle at the start", start.angle)?;
+        finite("the angular velocity at the start", start.omega)?;
+        let equations = Equations::new(plate);
+        Ok(Self { equations, start })
+    }
+
+    /// A sheet in its fluid with all the effects and these coefficients; μ₁ is taken per unit a/U of the sheet's own time.
+    ///
+    /// # Errors
+    /// As [`Strip::new`], [`Strip::with`] and [`Plate::new`].
+    pub fn in_air(sheet: &Sheet, start: StripStart, coefficients: Coefficients) -> Result<Self> {
+        let a = sheet.half_chord();
+        let displaced = sheet.plate()?.displaced_mass();
+        let mass = sheet.mass_ratio() * displaced;
+        let density = displaced / (core::f64::consts::PI * a * a);
+        let plate = Plate::new(a, mass, density, 0.0, coefficients.inertia_factor)?;
+        let damping = RotationalDamping {
+            linear: coefficients.damping.linear / sheet.time(),
+            quadratic: coefficients.damping.quadratic,
+        };
+        Self::new(plate, start)?
+            .with(Gravity::new(sheet.gravity())?)?
+            .with(coefficients.lift)?
+            .with(coefficients.drag)?
+            .with(damping)?
+            .with(AddedMass { factor: 1.0 })
+    }
+
+    /// The same with an effect: [`Gravity`], [`Lift`](super::effects::Lift), [`Drag`](super::effects::Drag), [`RotationalDamping`], [`AddedMass`].
+    ///
+    /// # Errors
+    /// [`Error::Effect`](crate::Error::Effect) for any other; [`Error::NotFinite`](crate::Error::NotFinite);
+    /// [`Error::Negative`](crate::Error::Negative) for what should brake and would drive.
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        let equations = &mut self.equations;
+        match effect.into() {
+            Effect::Gravity(gravity) => equations.gravity = Some(gravity.value()),
+            Effect::Lift(lift) => equations.lift = Some(lift.checked()?),
+            Effect::Drag(drag) => equations.drag = Some(drag.checked()?),
+            Effect::RotationalDamping(damping) => equations.damping = Some(damping.checked()?),
+            Effect::AddedMass(added) => {
+                not_negative("the added mass", added.factor)?;
+                equations.added_mass = Some(added);
+            }
+            other => {
+                let takes = "gravity, lift, drag, rotational_damping, added_mass";
+                return Err(other.refused("a strip", takes));
+            }
+        }
+        Ok(self)
+    }
+
+    /// The equations.
+    pub const fn equations(&self) -> &Equations {
+        &self.equations
+    }
+
+    fn brakes(&self) -> bool {
+        self.equations.drag.is_some() || self.equations.damping.is_some()
+    }
+
+    fn in_a_vacuum(&self) -> bool {
+        !self.brakes() && self.equations.lift.is_none() && self.equations.added_mass.is_none()
+    }
+
+    /// The numbers of the equations of a strip with this angle, velocity and spin at this place.
+    fn numbers(&self, place: [f64; 2], angle: f64, velocity: [f64; 2]) -> [f64; 7] {
+        let ([x, y], [vx, vy]) = (place, velocity);
+        let (sine, cosine) = angle.sin_cos();
+        let (along, across) = (vx * cosine + vy * sine, vy * cosine - vx * sine);
+        [x, y, angle, along, across, self.start.omega, 0.0]
+    }
+
+    /// The parabola.
+    fn in_free_fall(&self, t: f64) -> [f64; 7] {
+        let StripStart {
+            angle,
+            velocity: [vx, vy],
+            omega,
+        } = self.start;
+        let g = self.equations.gravity.unwrap_or(0.0);
+        let place = [vx * t, t * (vy - 0.5 * g * t)];
+        self.numbers(place, angle + omega * t, [vx, vy - g * t])
+    }
+
+    fn state(&self, y: &[f64; 7]) -> StripState {
+        let (sine, cosine) = y[2].sin_cos();
+        let kinetic = self.equations.kinetic_energy(y);
+        let weight = self
+            .equations
+            .gravity
+            .map(|g| self.equations.plate.mass() * g);
+        StripState {
+            position: [y[0], y[1]],
+            angle: y[2],
+            velocity: [y[3] * cosine - y[4] * sine, y[3] * sine + y[4] * cosine],
+            omega: y[5],
+            energy: weight.map_or(kinetic, |weight| kinetic + weight * y[1]),
+            heat: y[6],
+        }
+    }
+}
+
+/// |ω|ω has a kink where the strip turns back. A step across it is in error by its jump times the cube of the step, whatever the order of the
+/// method; so the phases are those of one sense of turning, 1 or −1, in which |ω| is smooth.
+impl Flow<7> for Strip {
+    type Phase = f64;
+
+    fn start(&self) -> Result<(f64, [f64; 7])> {
+        let StripStart {
+            angle,
+            velocity,
+            omega,
+        } = self.start;
+        let y = self.numbers([0.0; 2], angle, velocity);
+        // A strip that does not turn yet is turned by −u w, the only torque on it, or by what that becomes: its rate, or the rate of its rate.
+        let [.., u, w, _, _] = y;
+        let [.., du, dw, _, _] = self.equations.rate_in(1.0, &y);
+        let turning = [omega, -u * w, -(du * w + u * dw), -du * dw];
+        let first = turning.into_iter().find(|&x| x != 0.0);
+        Ok((1.0_f64.copysign(first.unwrap_or(1.0)), y))
+    }
+
+    /// a, 1, a speed, a rate, an energy.
+    fn scales(&self) -> [f64; 7] {
+        let a = self.equations.plate.half_chord();
+        let g = self.equations.gravity.unwrap_or(0.0).abs();
+        let [vx, vy] = self.start.velocity;
+        let speed = (g * a).sqrt() + vx.hypot(vy) + a * self.start.omega.abs();
+        // A strip that nothing moves has no speed; any will do.
+        let speed = if speed > 0.0 { speed } else { 1.0 };
+        let energy = self.equations.plate.mass() * speed * speed;
+        [a, a, 1.0, speed, speed, speed / a, energy]
+    }
+
+    fn pace(&self) -> f64 {
+        self.scales()[5]
+    }
+
+    fn rate(&self, sense: f64, _: f64, y: &[f64; 7]) -> [f64; 7] {
+        self.equations.rate_in(sense, y)
+    }
+
+    fn margin(&self, sense: f64, _: f64, y: &[f64; 7]) -> f64 {
+        sense * y[5]
+    }
+
+    fn may_end(&self, _: f64) -> bool {
+        (self.equations.damping).is_some_and(|damping| damping.quadratic != 0.0)
+    }
+
+    fn next(&self, sense: f64, _: Ended, _: f64, y: &mut [f64; 7]) -> Result<f64> {
+        y[5] = 0.0;
+        Ok(-sense)
+    }
+
+    /// With what falls in the square of the time, and with no more energy than at the start: two energies that cancel.
+    fn rounding(&self, angle: f64, _: &[(f64, f64)]) -> f64 {
+        OF_CLOSED_FORMS * (1.0 + angle) + ROUNDING * angle * angle
+    }
+
+    fn distance(&self, (_, a): &(f64, [f64; 7]), (_, b): &(f64, [f64; 7])) -> f64 {
+        let [length, _, _, speed, _, rate, energy] = self.scales();
+        let [a, b] = [a, b].map(|y| self.state(y));
+        let apart = |a: [f64; 2], b: [f64; 2], scale: f64| {
+            (a[0] - b[0]).hypot(a[1] - b[1]) / scale.max(b[0].hypot(b[1]))
+        };
+        let alone = |a: f64, b: f64, scale: f64| (a - b).abs() / scale.max(b.abs());
+        let parts = [
+            apart(a.position, b.position, length),
+            (a.angle - b.angle).abs(),
+            apart(a.velocity, b.velocity, speed),
+            alone(a.omega, b.omega, rate),
+            alone(a.energy, b.energy, energy),
+            alone(a.heat, b.heat, energy),
+        ];
+        parts.into_iter().fold(0.0, greater)
+    }
+}
+
+impl Scene for Strip {
+    type State = StripState;
+
+    fn plan(&self, request: &Request) -> Result<Plan> {
+        if self.brakes() {
+            request.forward()?;
+        }
+        let closed = if self.in_a_vacuum() {
+            Ok(Closed {
+                solver: Solver::Exact,
+                reason: "a vacuum: closed form",
+            })
+        } else {
+            Err("forces of a fluid: order 8")
+        };
+        planned(
+            request,
+            closed,
+            "the solver of a strip is `exact` in a vacuum, or one that steps",
+        )
+    }
+
+    fn simulate(&self, request: &Request) -> Result<Motion<StripState>> {
+        let plan = self.plan(request)?;
+        let known = |t| Ok(self.in_free_fall(t));
+        let Answer { trace, error } = solved((self, &plan, request), 1, known)?;
+        let rows: Vec<[f64; 7]> = trace.samples.iter().map(|(_, y)| *y).collect();
+        let states: Vec<StripState> = rows.iter().map(|y| self.state(y)).collect();
+        let (equations, times) = (&self.equations, request.times());
+        let [.., speed, _, _, scale] = self.scales();
+        let first = self.start()?.1;
+        let [px, py] = equations.impulse(&first);
+        let weight = equations.plate.mass() * equations.gravity.unwrap_or(0.0);
+        let kinetic = rows.iter().map(|y| equations.kinetic_energy(y) + y[6]);
+        let energy = kinetic.fold(scale, f64::max);
+        let pulls = times.iter().map(|t| (weight * t).abs());
+        let impulse = pulls.fold(scale / speed, f64::max);
+        let opening = self.state(&first).energy;
+        let balance = |k: usize| states[k].energy + states[k].heat;
+        let heat = |k: usize| states[k].heat;
+        let across = |k: usize| equations.impulse(&rows[k])[0];
+        let up = |k: usize| equations.impulse(&rows[k])[1] + weight * times[k];
+        let both = "energy and heat";
+        let mut accounts: Vec<Account<'_>> =
+            vec![(both, Law::Conserved, energy, opening, &balance)];
+        if self.brakes() {
+            accounts.push(("heat", Law::NonDecreasing, energy, 0.0, &heat));
+        }
+        // Without lift and drag only the weight changes the impulse of plate and fluid.
+        if equations.lift.is_none() && equations.drag.is_none() {
+            let vertical = "vertical impulse and that of the weight";
+            accounts.push(("horizontal impulse", Law::Conserved, impulse, px, &across));
+            accounts.push((vertical, Law::Conserved, impulse, py, &up));
+        }
+        let ledger = ledger(request, &accounts)?;
+        Motion::of(request, plan, trace.cost, error, ledger, states)
+    }
+}

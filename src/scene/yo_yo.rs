@@ -1,0 +1,584 @@
+//! A yo-yo let go or thrown from the hand (tutorial 4.9): down, turn, up, and down again; or down, asleep, awake, and up.
+//!
+//! | effect | absent |
+//! |---|---|
+//! | [`Gravity`](super::effects::Gravity) | it unwinds by its throw alone |
+//! | [`TurnLoss`](super::effects::TurnLoss) | every turn gives the spin back |
+//! | [`Hand`](super::effects::Hand), its work at every turn | the hand holds still |
+//! | [`Sleep`](super::effects::Sleep), in a loop at the end of the string | a knot: it comes up at once |
+//! | [`AxleFriction`](super::effects::AxleFriction) in the loop | it sleeps without loss |
+//! | [`AirDrag`](super::effects::AirDrag) | none; with it the closed forms end |
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use super::effects::Effect;
+use super::engine::{
+    Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, furthest, greater, planned, solved,
+};
+use super::motion::{Account, ledger};
+use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::conservation::Law;
+use crate::error::{Error, Result, not_negative, positive};
+use crate::integrators::{Cost, Passage, Stop};
+use crate::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
+
+/// What the yo-yo is at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// On its way down.
+    Down,
+    /// In the turn at the end of the string.
+    Turn,
+    /// On its way up.
+    Up,
+    /// Spinning in the loop.
+    Asleep,
+    /// At the end of the string, without spin enough to leave it.
+    Hanging,
+    /// Back in the hand with speed to spare, and caught.
+    Caught,
+}
+
+/// The state of a yo-yo.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct YoYoState {
+    /// What it is at.
+    pub phase: Phase,
+    /// Depth below the hand, m.
+    pub depth: f64,
+    /// Velocity downward, m/s.
+    pub velocity: f64,
+    /// Spin, rad/s; its sense never changes.
+    pub omega: f64,
+    /// Pull of the string, N; the blows on falling asleep and on waking are not in it.
+    pub tension: f64,
+    /// Kinetic and potential energy, J; zero at rest at the hand.
+    pub energy: f64,
+    /// Energy lost so far, J.
+    pub heat: f64,
+    /// Work that the hand has done so far, J; catching counts against it.
+    pub work: f64,
+}
+
+impl Tabulated for YoYoState {
+    const COLUMNS: &'static [&'static str] = &[
+        "depth", "velocity", "omega", "tension", "energy", "heat", "work",
+    ];
+
+    fn row(&self) -> Vec<f64> {
+        vec![
+            self.depth,
+            self.velocity,
+            self.omega,
+            self.tension,
+            self.energy,
+            self.heat,
+            self.work,
+        ]
+    }
+}
+
+/// A yo-yo, how fast it is thrown, and what acts on it.
+///
+/// ```
+/// use spinning_bodies::scene::{Request, Scene, effects::Gravity, yo_yo::Play};
+/// use spinning_bodies::yo_yo::YoYo;
+///
+/// let toy = YoYo::disc(0.055, 0.029, 1.0, 0.005)?;
+/// let play = Play::new(toy, 0.0)?.with(Gravity::new(9.81)?)?;
+/// let motion = play.simulate(&Request::at([1.9])?)?;
+/// assert!((motion.rows[0].1.depth - 0.9936).abs() < 1e-4);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Play {
+    toy: YoYo,
+    throw: f64,
+    gravity: Option<f64>,
+    turn_loss: Option<f64>,
+    hand: Option<f64>,
+    sleep: Option<f64>,
+    axle_friction: Option<f64>,
+    air_drag: Option<f64>,
+}
+
+impl Play {
+    /// This yo-yo, thrown from the hand with this speed (m/s; 0: let go).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::Negative`].
+    pub fn new(toy: YoYo, throw: f64) -> Result<Self> {
+        Ok(Self {
+            toy,
+            throw: not_negative("the speed of the throw", throw)?,
+            gravity: None,
+            turn_loss: None,
+            hand: None,
+            sleep: None,
+            axle_friction: None,
+            air_drag: None,
+        })
+    }
+
+    /// The same with an effect: those at the head of [this page](self).
+    ///
+    /// # Errors
+    /// [`Error::Effect`] for any other; [`Error::NotPositive`] for a gravity that does not pull down.
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        match effect.into() {
+            Effect::Gravity(gravity) => self.gravity = Some(positive("gravity", gravity.value())?),
+            Effect::TurnLoss(loss) => self.turn_loss = Some(loss.value()),
+            Effect::Hand(hand) => self.hand = Some(hand.value()),
+            Effect::Sleep(sleep) => self.sleep = Some(sleep.value()),
+            Effect::AxleFriction(friction) => self.axle_friction = Some(friction.value()),
+            Effect::AirDrag(drag) => self.air_drag = Some(drag.value()),
+            other => {
+                let takes = "gravity, turn_loss, hand, sleep, axle_friction, air_drag";
+                return Err(other.refused("a yo-yo", takes));
+            }
+        }
+        Ok(self)
+    }
+}
+
+/// A yo-yo on its way from phase to phase.
+#[derive(Clone, Copy)]
+struct Playing {
+    play: Play,
+    gravity: f64,
+    /// Energy at the start, J.
+    energy: f64,
+    /// Whether closed forms do it.
+    closed: bool,
+}
+
+/// What it is at, and how far round the turn goes, rad: half way to where it falls asleep, else all the way.
+type Stage = (Phase, f64);
+
+/// Depth as a part of the string, or the angle of the turn; spin; energy, heat, work of the hand; and how much later than the clock of the run says
+/// the phase began.
+type Numbers = [f64; 6];
+
+/// The first two numbers so long after the beginning of a phase.
+type Course = dyn Fn(f64) -> Result<[f64; 2]>;
+
+const ENERGY: usize = 2;
+const HEAT: usize = 3;
+const WORK: usize = 4;
+const LATER: usize = 5;
+
+/// By what part of itself the time of an event is off.
+const OF_A_TIME: f64 = 4e-16;
+
+/// At rest from here on.
+const fn rests(phase: Phase) -> bool {
+    matches!(phase, Phase::Hanging | Phase::Caught)
+}
+
+/// What of the energy becomes heat.
+fn lose(y: &mut Numbers, lost: f64) {
+    y[ENERGY] -= lost;
+    y[HEAT] += lost;
+}
+
+impl Playing {
+    fn new(play: Play, closed: bool) -> Result<Self> {
+        let gravity = play.gravity.unwrap_or(0.0);
+        Ok(Self {
+            play,
+            gravity,
+            energy: Unwinding::energy_at(&play.toy, gravity, 0.0, play.throw)?,
+            closed,
+        })
+    }
+
+    /// I + m r² about the end of the string, kg m².
+    fn inertia(&self) -> f64 {
+        let toy = &self.play.toy;
+        toy.inertia() + toy.mass() * toy.axle() * toy.axle()
+    }
+
+    /// n = m g r/(I + m r²): half of what a fall by the axle's radius gives to ω².
+    fn pull(&self) -> f64 {
+        let toy = &self.play.toy;
+        let r = toy.axle();
+        self.gravity * r / (r * r + toy.gyration_squared())
+    }
+
+    /// Greatest energy of the motion above rest at the end of the string, J, and the spin there that has it.
+    fn greatest(&self) -> (f64, f64) {
+        let toy = &self.play.toy;
+        let fall = toy.mass() * self.gravity * toy.length();
+        let energy = fall + self.energy + self.play.hand.unwrap_or(0.0);
+        let energy = energy.max(f64::MIN_POSITIVE);
+        (energy, (2.0 * energy / self.inertia()).sqrt())
+    }
+
+    /// Where the yo-yo hangs in the end: all of m g (l + r) lost.
+    fn hangs(&self, y: &mut Numbers) -> Stage {
+        let toy = &self.play.toy;
+        let bottom = -toy.mass() * self.gravity * (toy.length() + toy.axle());
+        lose(y, y[ENERGY] - bottom);
+        y[1] = 0.0;
+        (Phase::Hanging, 0.0)
+    }
+
+    fn turns(&self, y: &mut Numbers, from: f64, to: f64) -> Stage {
+        y[0] = from;
+        (Phase::Turn, to)
+    }
+
+    /// The end of the turn: what it takes, and what the hand gives.
+    fn turned(&self, y: &mut Numbers) -> Stage {
+        let toy = &self.play.toy;
+        if let Some(left) = self.play.turn_loss {
+            let kinetic = toy.kinetic_energy(toy.length(), y[1]);
+            lose(y, (1.0 - left) * (1.0 + left) * kinetic);
+            y[1] *= left;
+        }
+        if let Some(work) = self.play.hand {
+            y[ENERGY] += work;
+            y[WORK] += work;
+            y[1] = (y[1] * y[1] + 2.0 * work / self.inertia()).sqrt();
+        }
+        // Unwinding::new asks the same: energy enough to leave the end of the string.
+        if y[1] > 0.0 && y[ENERGY] > -toy.mass() * self.gravity * toy.length() {
+            y[0] = 1.0;
+            (Phase::Up, 0.0)
+        } else {
+            self.hangs(y)
+        }
+    }
+
+    /// A phase in closed form: how long it lasts, s, and the first two numbers so long after its beginning.
+    fn course(&self, (phase, end): Stage, y: &Numbers) -> Result<(f64, Box<Course>)> {
+        let toy = self.play.toy;
+        let (g, length, omega) = (self.gravity, toy.length(), y[1]);
+        Ok(match phase {
+            Phase::Down | Phase::Up => {
+                let way = Unwinding::new(toy, g, y[ENERGY])?;
+                let duration = way.duration()?;
+                let course = move |t: f64| {
+                    let t = if phase == Phase::Up { duration - t } else { t };
+                    let depth = way.depth_at(t)?;
+                    Ok([depth / length, way.omega(depth)])
+                };
+                (duration, Box::new(course))
+            }
+            Phase::Turn => {
+                // The second half begins at the lowest point.
+                let begins = y[0] > 0.0;
+                let level = if begins {
+                    (omega * omega - 2.0 * self.pull()).sqrt()
+                } else {
+                    omega
+                };
+                let turn = Turn::new(toy, g, level)?;
+                let half = 0.5 * turn.duration();
+                let from = if begins { half } else { 0.0 };
+                let to = if end < PI { half } else { 2.0 * half };
+                let course = move |t: f64| {
+                    let state = turn.at(from + t)?;
+                    Ok([state.angle, state.omega])
+                };
+                (to - from, Box::new(course))
+            }
+            Phase::Asleep => {
+                let torque = self.play.axle_friction;
+                let stops = torque.map_or(f64::INFINITY, |torque| toy.inertia() * omega / torque);
+                let spin = move |t| {
+                    torque.map_or(omega, |torque| sleeping_spin(&toy, omega, t, torque, 0.0))
+                };
+                let duration = self.play.sleep.unwrap_or(0.0).min(stops);
+                (duration, Box::new(move |t| Ok([0.0, spin(t)])))
+            }
+            Phase::Hanging | Phase::Caught => (f64::INFINITY, Box::new(|_| Ok([0.0; 2]))),
+        })
+    }
+
+    fn passage(
+        &self,
+        stage: Stage,
+        (from, y): (f64, &Numbers),
+        times: &[f64],
+        until: f64,
+    ) -> Result<Passage<Numbers>> {
+        let (duration, course) = self.course(stage, y)?;
+        let at = |t: f64| {
+            let [place, omega] = course(t)?;
+            let mut now = *y;
+            (now[0], now[1]) = (place, omega);
+            if stage.0 == Phase::Asleep {
+                let lost = (y[1] - omega) * (y[1] + omega);
+                lose(&mut now, 0.5 * self.play.toy.inertia() * lost);
+            }
+            Ok(now)
+        };
+        let since = |t: f64| ((t - from) - y[LATER]).clamp(0.0, duration);
+        let rest = y[LATER] + duration;
+        let ends = from + rest < until;
+        let time = if ends { from + rest } else { until };
+        let within = &times[..times.partition_point(|&t| t <= time)];
+        let mut end = at(if ends { duration } else { since(until) })?;
+        // What is lost where the duration is added to the time.
+        end[LATER] = if ends { (from - time) + rest } else { y[LATER] };
+        Ok(Passage {
+            states: within
+                .iter()
+                .map(|&t| at(since(t)))
+                .collect::<Result<_>>()?,
+            time,
+            end,
+            stopped: if ends {
+                Stop::AtTheEvent
+            } else {
+                Stop::AtTheEnd
+            },
+            cost: Cost::default(),
+        })
+    }
+
+    fn state(&self, stage: Stage, y: &Numbers) -> YoYoState {
+        let toy = &self.play.toy;
+        let (m, g, l, r) = (toy.mass(), self.gravity, toy.length(), toy.axle());
+        let ([place, omega, _, heat, work, _], [_, spin_up, ..]) = (*y, self.rate(stage, 0.0, y));
+        let (depth, velocity, tension) = match stage.0 {
+            Phase::Down | Phase::Up => {
+                let depth = place * l;
+                let radius = toy.radius(depth);
+                let sense = if stage.0 == Phase::Up { -1.0 } else { 1.0 };
+                let mut tension = toy.tension(depth, omega, g);
+                if let Some(air) = self.play.air_drag {
+                    // The string keeps up the part of the spin that the air would take from the centre's motion.
+                    let share = m * radius / (toy.inertia() + m * radius * radius);
+                    tension += sense * air * omega * omega * share;
+                }
+                (depth, sense * radius * omega, tension)
+            }
+            Phase::Turn => {
+                let (sine, cosine) = place.sin_cos();
+                let up = r * (omega * omega * sine - spin_up * cosine);
+                (l + r * sine, r * omega * cosine, m * (g + up))
+            }
+            Phase::Asleep | Phase::Hanging => (l + r, 0.0, m * g),
+            Phase::Caught => (0.0, 0.0, 0.0),
+        };
+        let kinetic = match stage.0 {
+            Phase::Asleep => 0.5 * toy.inertia() * omega * omega,
+            _ => toy.kinetic_energy(depth, omega),
+        };
+        YoYoState {
+            phase: stage.0,
+            depth,
+            velocity,
+            omega,
+            tension,
+            energy: kinetic - m * g * depth,
+            heat,
+            work,
+        }
+    }
+}
+
+impl Flow<6> for Playing {
+    type Phase = Stage;
+
+    fn start(&self) -> Result<(Stage, Numbers)> {
+        let spin = self.play.throw / self.play.toy.radius(0.0);
+        let moves = self.energy > 0.0 || self.gravity > 0.0;
+        // What nothing moves stays in the hand.
+        let phase = if moves { Phase::Down } else { Phase::Caught };
+        Ok(((phase, 0.0), [0.0, spin, self.energy, 0.0, 0.0, 0.0]))
+    }
+
+    fn scales(&self) -> Numbers {
+        let (energy, fastest) = self.greatest();
+        [1.0, fastest, energy, energy, energy, 1.0]
+    }
+
+    /// Ways down a second: the turn is faster, but short.
+    fn pace(&self) -> f64 {
+        let toy = &self.play.toy;
+        self.greatest().1 * toy.radius(0.0) / toy.length()
+    }
+
+    fn rate(&self, (phase, _): Stage, _: f64, y: &Numbers) -> Numbers {
+        let toy = &self.play.toy;
+        let ([place, omega, ..], m, r) = (*y, toy.mass(), toy.axle());
+        let (along, torque, inertia) = match phase {
+            Phase::Down | Phase::Up => {
+                let sense = if phase == Phase::Up { -1.0 } else { 1.0 };
+                let square = toy.radius_squared(place * toy.length());
+                let radius = square.sqrt();
+                let pull = self.gravity + 0.5 * toy.thinning() * omega * omega;
+                let along = sense * radius * omega / toy.length();
+                let inertia = toy.inertia() + m * square;
+                (along, sense * m * radius * pull, inertia)
+            }
+            Phase::Turn => (omega, m * self.gravity * r * place.cos(), self.inertia()),
+            Phase::Asleep => (0.0, 0.0, toy.inertia()),
+            Phase::Hanging | Phase::Caught => return [0.0; 6],
+        };
+        // No signs of ω: every phase ends where it is zero, and a kink there would spoil steps that try beyond.
+        let mut brake = 0.0;
+        if let Some(air) = self.play.air_drag {
+            brake += air * omega * omega;
+        }
+        if let (Phase::Asleep, Some(friction)) = (phase, self.play.axle_friction) {
+            brake += friction;
+        }
+        let heating = brake * omega;
+        let spin_up = (torque - brake) / inertia;
+        [along, spin_up, -heating, heating, 0.0, 0.0]
+    }
+
+    fn margin(&self, (phase, end): Stage, _: f64, y: &Numbers) -> f64 {
+        let spin = y[1] / self.greatest().1;
+        match phase {
+            Phase::Down => 1.0 - y[0],
+            // Without energy to spare it is the spin that ends the way up: the depth would graze the hand.
+            Phase::Up if y[ENERGY] > 0.0 => y[0].min(spin),
+            Phase::Up | Phase::Asleep => spin,
+            Phase::Turn => end - y[0],
+            Phase::Hanging | Phase::Caught => 1.0,
+        }
+    }
+
+    fn may_end(&self, (phase, _): Stage) -> bool {
+        !rests(phase)
+    }
+
+    fn lasts_until(&self, (phase, _): Stage, t: f64) -> f64 {
+        match (phase, self.play.sleep) {
+            // Closed forms keep time more exactly than the clock.
+            (Phase::Asleep, Some(sleep)) if !self.closed => t + sleep,
+            _ => f64::INFINITY,
+        }
+    }
+
+    fn next(&self, (phase, end): Stage, _: Ended, _: f64, y: &mut Numbers) -> Result<Stage> {
+        let toy = &self.play.toy;
+        let twice = 2.0 * self.pull();
+        y[1] = y[1].max(0.0);
+        Ok(match phase {
+            // Too slow to carry the axle round the end of the string.
+            Phase::Down if y[1] * y[1] <= twice => self.hangs(y),
+            Phase::Down if self.play.sleep.is_some() => self.turns(y, 0.0, FRAC_PI_2),
+            Phase::Down => self.turns(y, 0.0, PI),
+            Phase::Turn if end < PI => {
+                // The loop slips, and the string takes up what the centre had.
+                let velocity = toy.axle() * y[1];
+                lose(y, 0.5 * toy.mass() * velocity * velocity);
+                y[0] = 0.0;
+                (Phase::Asleep, 0.0)
+            }
+            Phase::Turn => self.turned(y),
+            Phase::Asleep => {
+                let awake = spin_after_waking(toy, y[1]);
+                if awake * awake - twice > twice {
+                    let before = 0.5 * toy.inertia() * y[1] * y[1];
+                    lose(y, before - 0.5 * self.inertia() * awake * awake);
+                    y[1] = awake;
+                    self.turns(y, FRAC_PI_2, PI)
+                } else {
+                    self.hangs(y)
+                }
+            }
+            Phase::Up if y[ENERGY] > 0.0 => {
+                y[WORK] -= y[ENERGY];
+                (y[ENERGY], y[1]) = (0.0, 0.0);
+                (Phase::Caught, 0.0)
+            }
+            Phase::Up => {
+                // At rest where its energy lets it be.
+                let depth = -y[ENERGY] / (toy.mass() * self.gravity);
+                (y[0], y[1]) = (depth / toy.length(), 0.0);
+                (Phase::Down, 0.0)
+            }
+            Phase::Hanging | Phase::Caught => (phase, 0.0),
+        })
+    }
+
+    fn known(
+        &self,
+        stage: Stage,
+        from: (f64, &Numbers),
+        times: &[f64],
+        until: f64,
+    ) -> Option<Result<Passage<Numbers>>> {
+        (self.closed || rests(stage.0)).then(|| self.passage(stage, from, times, until))
+    }
+
+    /// Every phase is off by so much of its own duration.
+    fn rounding(&self, _: f64, phases: &[(f64, Stage)]) -> f64 {
+        OF_CLOSED_FORMS * (1.0 + phases.len() as f64)
+    }
+
+    fn distance(&self, a: &(Stage, Numbers), b: &(Stage, Numbers)) -> f64 {
+        let (energy, fastest) = self.greatest();
+        let toy = &self.play.toy;
+        let speed = toy.axle() * fastest;
+        let force = toy.mass() * (self.gravity + speed * fastest);
+        let scales = [toy.length(), speed, fastest, force, energy, energy, energy];
+        let [a, b] = [a, b].map(|(stage, y)| self.state(*stage, y).row());
+        let apart = a.iter().zip(&b).zip(scales);
+        apart
+            .map(|((a, b), scale)| (a - b).abs() / scale)
+            .fold(0.0, greater)
+    }
+}
+
+impl Scene for Play {
+    type State = YoYoState;
+
+    fn plan(&self, request: &Request) -> Result<Plan> {
+        request.forward()?;
+        if let Choice::Use(Solver::General(method)) = request.choice()
+            && !method.is_adaptive()
+        {
+            return Err(Error::Solver {
+                condition: "the solver must choose its steps: a yo-yo falls for seconds and turns in milliseconds",
+            });
+        }
+        let closed = match self.air_drag {
+            None => Ok(Closed {
+                solver: Solver::Events,
+                reason: "no air: closed forms from event to event",
+            }),
+            Some(_) => Err("resistance of the air: order 8 with events"),
+        };
+        planned(
+            request,
+            closed,
+            "the solver of a yo-yo is `events` without air, or one that chooses its steps",
+        )
+    }
+
+    fn simulate(&self, request: &Request) -> Result<Motion<YoYoState>> {
+        let plan = self.plan(request)?;
+        let playing = Playing::new(*self, plan.solver == Solver::Events)?;
+        let start = playing.start()?.1;
+        let Answer { trace, mut error } = solved((&playing, &plan, request), 1, |_| Ok(start))?;
+        let (scale, fastest) = playing.greatest();
+        if playing.closed
+            && trace
+                .samples
+                .iter()
+                .any(|((phase, _), _)| *phase == Phase::Turn)
+        {
+            // In the turn the yo-yo is as fast as its spin, and the time itself is rounded.
+            error += fastest * OF_A_TIME * furthest(request.times());
+        }
+        let states = trace.samples.iter();
+        let states: Vec<YoYoState> = states.map(|(stage, y)| playing.state(*stage, y)).collect();
+        let balance = |k: usize| states[k].energy + states[k].heat - states[k].work;
+        let heat = |k: usize| states[k].heat;
+        let name = "energy and heat less the work of the hand";
+        let accounts: [Account<'_>; 2] = [
+            (name, Law::Conserved, scale, playing.energy, &balance),
+            ("heat", Law::NonDecreasing, scale, 0.0, &heat),
+        ];
+        let ledger = ledger(request, &accounts)?;
+        Motion::of(request, plan, trace.cost, error, ledger, states)
+    }
+}

@@ -14,7 +14,7 @@ use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 use super::holonomy::ShapePlane;
 use super::quadrature::periodic;
 use crate::double_double::power_of_two_below;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, positive, within};
 use crate::frame::{Attitude, BodyVector};
 
 /// One half of a cat: a body of revolution, its spine its axis.
@@ -302,14 +302,5 @@ impl EqualHalves {
 
 /// A bend that a cat can have.
 fn bendable(angle: f64) -> Result<f64> {
-    if (0.0..=core::f64::consts::PI).contains(&angle) {
-        Ok(angle)
-    } else {
-        Err(Error::OutOfRange {
-            quantity: "the bend",
-            value: angle,
-            least: 0.0,
-            greatest: core::f64::consts::PI,
-        })
-    }
+    within("the bend", angle, 0.0, core::f64::consts::PI)
 }

@@ -1,7 +1,6 @@
-//! The integrators: the adapter to the general ones, and the geometric ones with what each keeps.
+//! The integrators: order 8, and the geometric ones with what each keeps.
 
 mod common;
-mod general;
 mod long;
 mod numbers;
 mod order_eight;

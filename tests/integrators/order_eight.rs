@@ -2,9 +2,8 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use spinning_bodies::integrators::{
-    Effort, Event, Kept, Leg, Method, Stop, System, order_eight, solve, until,
-};
+use lab::general::{solve, until};
+use spinning_bodies::integrators::{Effort, Event, Kept, Leg, Method, Stop, System, order_eight};
 
 /// A comet of eccentricity ½ with its own year, 2π: after whole years it is back.
 fn comet(_: f64, y: &[f64; 4]) -> [f64; 4] {

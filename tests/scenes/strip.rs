@@ -2,11 +2,12 @@
 
 use std::time::Instant;
 
+use lab::general::solve;
 use spinning_bodies::Error;
 use spinning_bodies::falling_strip::{
     AddedMass, Coefficients, Drag, Lift, Plate, RotationalDamping, Sheet,
 };
-use spinning_bodies::integrators::{Effort, Method, solve};
+use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::scene::effects::{Gravity, TurnLoss};
 use spinning_bodies::scene::strip::{Strip, StripStart, StripState};
 use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver, Tabulated};

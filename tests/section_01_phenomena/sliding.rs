@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;
-use spinning_bodies::integrators::{Effort, Method, solve};
+use spinning_bodies::integrators::{Effort, Kept, order_eight};
 use spinning_bodies::phenomena::crawler::{self, Strokes};
 use spinning_bodies::phenomena::ice::{PARTS, Part, Wriggler, feet};
 use spinning_bodies::scene::effects::{Coulomb, Gravity};
@@ -16,16 +16,8 @@ fn s1_1_no_wriggling_moves_the_centre() {
         let body = Wriggler::random(seed);
         let times: Vec<f64> = (0..=60).map(|k| f64::from(k) * 0.1).collect();
         let start = body.start();
-        let run = solve(
-            &body,
-            0.0,
-            start,
-            &[1.0; 4 * PARTS],
-            &times,
-            Method::Dop853,
-            Effort::Tolerance(1e-10),
-        )
-        .unwrap();
+        let (scales, effort) = ([1.0; 4 * PARTS], Effort::Tolerance(1e-10));
+        let run = order_eight(&body, Kept::Nothing, start, &scales, &times, effort).unwrap();
         let center = body.center(start);
         let mut travelled = 0.0_f64;
         for state in &run.states {

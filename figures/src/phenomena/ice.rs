@@ -1,7 +1,7 @@
 //! On the ice (tutorial 1.1, picture a), and on rougher ground.
 
 use spinning_bodies::Result;
-use spinning_bodies::integrators::{Effort, Method, solve};
+use spinning_bodies::integrators::{Effort, Kept, order_eight};
 use spinning_bodies::phenomena::crawler::{self, Strokes};
 use spinning_bodies::phenomena::ice::{PARTS, Part, Wriggler, feet};
 use spinning_bodies::scene::effects::{Coulomb, Gravity};
@@ -183,15 +183,9 @@ fn crawled(mu: Option<f64>) -> Result<Vec<(f64, CrawlerState)>> {
 pub fn crawler() -> Result<Figure> {
     let wriggler = Wriggler::random(4);
     let times: Vec<f64> = (0..=500).map(|k| 0.01 * f64::from(k)).collect();
-    let run = solve(
-        &wriggler,
-        0.0,
-        wriggler.start(),
-        &[1.0; 4 * PARTS],
-        &times,
-        Method::Dop853,
-        Effort::Tolerance(1e-9),
-    )?;
+    let (start, scales) = (wriggler.start(), [1.0; 4 * PARTS]);
+    let effort = Effort::Tolerance(1e-9);
+    let run = order_eight(&wriggler, Kept::Nothing, start, &scales, &times, effort)?;
     let center = wriggler.center(wriggler.start());
     let (ice, ground) = (crawled(None)?, crawled(Some(0.1))?);
     let way = |rows: &[(f64, CrawlerState)]| rows.last().map_or(f64::NAN, |(_, s)| s.center);

@@ -2,7 +2,9 @@
 
 use spinning_bodies::Result;
 use spinning_bodies::integrators::geometric::{Course, Follow, Phase};
-use spinning_bodies::integrators::{Effort, Kept, Method, System, order_eight, solve};
+use spinning_bodies::integrators::{Effort, Kept, Method, System, order_eight};
+
+use crate::general::solve;
 
 /// The quaternion, Ω along the body's axes, level velocity of C, its level place, work done against friction.
 type Numbers = [f64; 12];

@@ -1,7 +1,8 @@
 //! The adapter to the general integrators: samples in any order, events, orders of convergence, refusals.
 
+use lab::general::{refined, solve, until};
 use spinning_bodies::Error;
-use spinning_bodies::integrators::{Effort, Method, Stop, refined, solve, until};
+use spinning_bodies::integrators::{Effort, Method, Stop};
 
 /// A pendulum of length g: not linear, and its quarter period from 90 degrees is K(1/2) exactly.
 fn pendulum(_: f64, y: &[f64; 2]) -> [f64; 2] {

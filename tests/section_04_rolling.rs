@@ -3,10 +3,11 @@
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use spinning_bodies::Error;
-use spinning_bodies::integrators::{Effort, Method};
-use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment, Nothing};
-use spinning_bodies::rolling::integrated::integrated;
+use spinning_bodies::integrators::Method;
+use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
 use spinning_bodies::rolling::{Regime, RoundBody, factor, slide_to_roll};
+use spinning_bodies::scene::roller::Roller;
+use spinning_bodies::scene::{Choice, Request, Scene, Solver};
 
 const MASS: f64 = 0.17;
 const RADIUS: f64 = 0.028_575;
@@ -363,19 +364,24 @@ fn s4_3_what_stops_is_at_rest() {
             body.slide_to_roll(v, rim, FRICTION, GRAVITY).unwrap().speed,
             0.0
         );
-        let effects = (Coulomb::new(FRICTION).unwrap(), Nothing, Nothing);
+        let law = Coulomb::new(FRICTION).unwrap();
+        let effects = (Some(law), None, None);
         let load = Load::weight(GRAVITY);
         let start = Moment::moving(v, rim);
         let course = Course::new(kappa, load, effects, start, 9.0).unwrap();
         let end = course.at(9.0);
         assert_eq!((end.velocity, end.rim_speed, end.slip), (0.0, 0.0, 0.0));
         assert_eq!(course.events().last().unwrap().what, Happening::Rest);
-        let by = (Method::Dop853, Effort::Tolerance(1e-12));
-        let run = integrated(kappa, load, effects, start, &[9.0], by).unwrap();
-        assert_eq!(
-            (run.moments[0].velocity, run.events.last().unwrap().1),
-            (0.0, Happening::Rest)
-        );
+        let roller = Roller::new(body, GRAVITY, v, rim)
+            .unwrap()
+            .with(law)
+            .unwrap();
+        let by = Choice::Use(Solver::General(Method::Dop853));
+        let run = roller
+            .simulate(&Request::at([9.0]).unwrap().by(by))
+            .unwrap();
+        let end = run.rows[0].1.moment;
+        assert_eq!((end.velocity, end.rim_speed, end.slip), (0.0, 0.0, 0.0));
     }
     // A stroke at the table's level, which no cue makes, gives the ball no angular momentum about the table.
     let dead = ball()
@@ -396,7 +402,7 @@ fn s4_3_at_its_limit_the_contact_still_holds() {
             twist: 0.0,
             reaction: 1.0,
         };
-        let effects = (Coulomb::with_grip(0.25, 0.5).unwrap(), Nothing, Nothing);
+        let effects = (Some(Coulomb::with_grip(0.25, 0.5).unwrap()), None, None);
         Course::new(1.0, load, effects, Moment::at_rest(), 1.0).unwrap()
     };
     let held = course(1.0);
@@ -405,6 +411,24 @@ fn s4_3_at_its_limit_the_contact_still_holds() {
     let torn = course(1.0 + f64::EPSILON);
     assert_eq!(torn.events()[0].what, Happening::SlippingBegins);
     assert_relative_eq!(torn.at(1.0).velocity, 0.75, max_relative = 1e-15);
+}
+
+/// Here the friction that holds the contact is above its limit by one rounding, and yet with that limit nothing would start to slip: it holds.
+#[test]
+fn s4_3_what_does_not_start_to_slip_is_held() {
+    let load = Load {
+        push: 2.725,
+        twist: -0.1,
+        reaction: 1.0,
+    };
+    let effects = (Some(Coulomb::new(0.85).unwrap()), None, None);
+    let course = Course::new(0.4, load, effects, Moment::at_rest(), 1.0).unwrap();
+    assert!(course.events().is_empty(), "{:?}", course.events());
+    let end = course.at(1.0);
+    assert_eq!(
+        (end.slip, end.heat, end.rim_speed),
+        (0.0, 0.0, end.velocity)
+    );
 }
 
 // claim: C4.3-6

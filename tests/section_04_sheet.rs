@@ -6,12 +6,13 @@ use spinning_bodies::Error;
 use spinning_bodies::frame::SpaceVector as V;
 use spinning_bodies::integrators::{Effort, Method, solve};
 use spinning_bodies::rolling::course::{
-    Coulomb, Course, Happening, Load, Moment, Nothing, RollingResistance,
+    Coulomb, Course, Happening, Load, Moment, RollingResistance,
 };
-use spinning_bodies::rolling::integrated::integrated;
 use spinning_bodies::rolling::plane::InPlane;
 use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
 use spinning_bodies::rolling::{RoundBody, factor};
+use spinning_bodies::scene::roller::Roller;
+use spinning_bodies::scene::{Choice, Request, Scene, Solver};
 
 const G: f64 = 9.81;
 
@@ -21,8 +22,8 @@ fn friction(mu: f64) -> Coulomb {
 
 /// From rest on a sheet with its edge `margin` behind.
 fn withdrawn(kappa: f64, speeds: &SheetSpeeds, margin: f64, [sheet, table]: [f64; 2]) -> Course {
-    let sheet = Sheet::new(friction(sheet), speeds, margin).unwrap();
-    let effects = (friction(table), Nothing, sheet);
+    let sheet = Sheet::new(friction(sheet), speeds.clone(), margin).unwrap();
+    let effects = (Some(friction(table)), None, Some(&sheet));
     let mut start = Moment::at_rest();
     start.slip = -speeds.points()[0].1;
     Course::new(kappa, Load::weight(G), effects, start, 1e3).unwrap()
@@ -68,8 +69,8 @@ fn s4_5_numbers_of_a_gentle_pull() {
         let body = RoundBody::new(1.0, 1.0, kappa).unwrap();
         // 1 m/s reached in two seconds: no slip. Then a metre and more of sheet, then the table.
         let speeds = SheetSpeeds::ramp(1.0, 2.0).unwrap();
-        let sheet = Sheet::new(friction(0.3), &speeds, 1.5).unwrap();
-        let effects = (friction(0.2), Nothing, sheet);
+        let sheet = Sheet::new(friction(0.3), speeds, 1.5).unwrap();
+        let effects = (Some(friction(0.2)), None, Some(&sheet));
         let course =
             Course::new(kappa, Load::weight(9.8), effects, Moment::at_rest(), 1e3).unwrap();
         let on = course.at(2.5);
@@ -141,15 +142,19 @@ proptest! {
     fn s4_5_closed_forms_against_dop853(
         speeds in speeds(), margin in 0.1..0.5, sheet in 0.1..0.8, table in 0.05..0.8,
     ) {
-        let cloth = Sheet::new(friction(sheet), &speeds, margin).unwrap();
-        let effects = (friction(table), RollingResistance::new(0.01).unwrap(), cloth);
+        let cloth = Sheet::new(friction(sheet), speeds, margin).unwrap();
+        let resistance = RollingResistance::new(0.01).unwrap();
+        let effects = (Some(friction(table)), Some(resistance), Some(&cloth));
         let start = Moment::at_rest();
         let times: Vec<f64> = (0..=40).map(|k| 0.1 * f64::from(k)).collect();
         let course = Course::new(0.4, Load::weight(G), effects, start, 4.0).unwrap();
-        let effort = (Method::Dop853, Effort::Tolerance(1e-14));
-        let run = integrated(0.4, Load::weight(G), effects, start, &times, effort).unwrap();
-        for (&t, m) in times.iter().zip(&run.moments) {
-            let c = course.at(t);
+        let body = RoundBody::new(1.0, 1.0, 0.4).unwrap();
+        let roller = Roller::new(body, G, 0.0, 0.0).unwrap().with(friction(table)).unwrap();
+        let roller = roller.with(resistance).unwrap().with(cloth).unwrap();
+        let dop853 = Choice::Use(Solver::General(Method::Dop853));
+        let run = roller.simulate(&Request::at(times).unwrap().by(dop853)).unwrap();
+        for (t, row) in run.rows {
+            let (c, m) = (course.at(t), row.moment);
             // Speeds up to 5 m/s.
             prop_assert!((c.velocity - m.velocity).abs() < 1e-12, "{t}: {c:?} {m:?}");
             prop_assert!((c.rim_speed - m.rim_speed).abs() < 1e-12);
@@ -163,9 +168,9 @@ fn s4_5_what_resistance_and_ice_do_to_it() {
     let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
     // A couple against the turning is no force along the table: while the ball spins backward it adds forward momentum, so the ball
     // rolls on a little, and then the couple stops it.
-    let sheet = Sheet::new(friction(0.3), &speeds, 0.15).unwrap();
+    let sheet = Sheet::new(friction(0.3), speeds.clone(), 0.15).unwrap();
     let resistance = RollingResistance::new(0.01).unwrap();
-    let effects = (friction(0.2), resistance, sheet);
+    let effects = (Some(friction(0.2)), Some(resistance), Some(&sheet));
     let course = Course::new(0.4, Load::weight(G), effects, Moment::at_rest(), 1e3).unwrap();
     let dies = course.first(Happening::TurningStops).unwrap();
     // V = arm g t/… : all momentum about the table comes from the couple, arm g a second.
@@ -303,8 +308,8 @@ fn s4_5_in_space_with_any_friction() {
 fn s4_5_a_ball_already_rolling_keeps_its_velocity() {
     let speeds = SheetSpeeds::through([(0.0, 0.0), (0.2, 3.0), (0.3, -1.0), (0.5, 4.0)]).unwrap();
     for v in [0.5, -0.3] {
-        let sheet = Sheet::new(friction(0.3), &speeds, 0.6).unwrap();
-        let effects = (friction(0.2), Nothing, sheet);
+        let sheet = Sheet::new(friction(0.3), speeds.clone(), 0.6).unwrap();
+        let effects = (Some(friction(0.2)), None, Some(&sheet));
         let start = Moment::moving(v, v);
         let course = Course::new(0.4, Load::weight(G), effects, start, 50.0).unwrap();
         assert!(course.first(Happening::LeavesSheet).is_some());
@@ -338,7 +343,7 @@ fn sheet_refuses_what_is_no_history() {
     assert!(matches!(back, Err(Error::Condition { .. })));
     assert!(SheetSpeeds::through([(0.0, f64::NAN)]).is_err());
     let speeds = SheetSpeeds::ramp(1.0, 1.0).unwrap();
-    assert!(Sheet::new(friction(0.1), &speeds, 0.0).is_err());
+    assert!(Sheet::new(friction(0.1), speeds.clone(), 0.0).is_err());
     assert_eq!(
         (speeds.at(0.5), speeds.at(7.0), speeds.at(-1.0)),
         (0.5, 1.0, 0.0)

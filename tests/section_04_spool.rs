@@ -6,11 +6,12 @@ use approx::assert_relative_eq;
 use spinning_bodies::Error;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::frame::SpaceVector as V;
-use spinning_bodies::integrators::{Effort, Method};
+use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::RoundBody;
-use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Moment, Nothing};
-use spinning_bodies::rolling::integrated::integrated;
+use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Moment};
 use spinning_bodies::rolling::spool::{Spool, Tug, Way};
+use spinning_bodies::scene::spool::TuggedSpool;
+use spinning_bodies::scene::{Choice, Request, Scene, Solver};
 
 /// M = 0.2 kg, r = 2 cm, R = 5 cm, κ = 1/2.
 fn spool() -> Spool {
@@ -27,7 +28,7 @@ fn tug(tension: f64, degrees: f64) -> Tug {
 }
 
 fn run(spool: Spool, tug: Tug, g: f64, law: Coulomb, until: f64) -> Course {
-    spool.course(tug, g, law, Nothing, until).unwrap()
+    spool.course(tug, g, Some(law), None, until).unwrap()
 }
 
 /// The tug as a force at the point where the string touches the axle, C = (0, 0, R), x towards the tug.
@@ -90,6 +91,14 @@ fn s4_4_rolls_with_a_low_tug_and_winds_up() {
     }
 }
 
+/// The moments at these times by DOP853 with events.
+fn by_dop853(scene: TuggedSpool, times: &[f64]) -> Vec<Moment> {
+    let request = Request::at(times).unwrap().to_accuracy(1e-11).unwrap();
+    let dop853 = Choice::Use(Solver::General(Method::Dop853));
+    let motion = scene.simulate(&request.by(dop853)).unwrap();
+    motion.rows.iter().map(|row| row.1.moment).collect()
+}
+
 /// The angle at which a spool simulated for a second has not moved, by bisection to the last bit.
 fn found_by_trying(place: impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = (0.0, FRAC_PI_2);
@@ -121,14 +130,9 @@ fn s4_4_critical_angle_by_simulation() {
                 run(spool, hand, 9.81, law, 1.0).at(1.0).position
             });
             let by_dop853 = found_by_trying(|angle| {
-                let load = spool.load(Tug::new(0.3, angle).unwrap(), 9.81).unwrap();
-                let effects = (law, Nothing, Nothing);
-                let effort = (Method::Dop853, Effort::Tolerance(1e-13));
-                let start = Moment::at_rest();
-                integrated(kappa, load, effects, start, &[1.0], effort)
-                    .unwrap()
-                    .moments[0]
-                    .position
+                let tugged = TuggedSpool::new(spool, 9.81).unwrap();
+                let tugged = tugged.with(Tug::new(0.3, angle).unwrap()).unwrap();
+                by_dop853(tugged.with(law).unwrap(), &[1.0])[0].position
             });
             let exact = ratio.acos();
             assert_relative_eq!(spool.critical_angle().unwrap(), exact, max_relative = 1e-14);
@@ -302,7 +306,7 @@ fn s4_4_a_hard_steep_tug_drags_it_along() {
     );
     let lifted = Tug::new(2.1, angle).unwrap();
     assert!(spool.reaction(lifted, g) < 0.0);
-    let refused = spool.course(lifted, g, law, Nothing, 1.0);
+    let refused = spool.course(lifted, g, Some(law), None, 1.0);
     assert!(matches!(refused, Err(Error::NotPositive { .. })));
 }
 
@@ -338,15 +342,15 @@ fn s4_4_closed_forms_against_dop853() {
         for tension in [0.1, 0.3, 0.9, 1.5, 1.9] {
             let (spool, hand) = (spool(), tug(tension, f64::from(degrees)));
             let law = Coulomb::with_grip(0.3, 0.4).unwrap();
-            let effects = (law, Nothing, Nothing);
+            let effects = (Some(law), None, None);
             let times = [0.1, 0.5, 1.0];
             let load = spool.load(hand, 9.81).unwrap();
             // Thrown, so that there are events on the way.
             let start = Moment::moving(-1.0, 2.0);
             let course = Course::new(0.5, load, effects, start, 1.0).unwrap();
-            let effort = (Method::Dop853, Effort::Tolerance(1e-14));
-            let run = integrated(0.5, load, effects, start, &times, effort).unwrap();
-            for (&t, m) in times.iter().zip(&run.moments) {
+            let tugged = TuggedSpool::new(spool, 9.81).unwrap().moving(-1.0, 2.0);
+            let tugged = tugged.with(hand).unwrap().with(law).unwrap();
+            for (&t, m) in times.iter().zip(by_dop853(tugged, &times)) {
                 let c = course.at(t);
                 let size = c.velocity.abs().max(c.rim_speed.abs()).max(1.0);
                 for (a, b) in [

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use spinning_bodies::Result;
-use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment, Nothing};
+use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
 use spinning_bodies::rolling::factor;
 use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
 
@@ -17,8 +17,8 @@ const MARGIN: f64 = 0.15;
 
 /// μ = 0.3 on the sheet and 0.2 on the table, 3 m/s within 0.02 s, edge 15 cm behind.
 fn withdrawn(speeds: &SheetSpeeds) -> Result<Course> {
-    let sheet = Sheet::new(Coulomb::new(0.3)?, speeds, MARGIN)?;
-    let effects = (Coulomb::new(0.2)?, Nothing, sheet);
+    let sheet = Sheet::new(Coulomb::new(0.3)?, speeds.clone(), MARGIN)?;
+    let effects = (Some(Coulomb::new(0.2)?), None, Some(&sheet));
     Course::new(
         factor::BALL,
         Load::weight(9.81),

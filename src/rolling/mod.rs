@@ -8,7 +8,6 @@
 //! | 4.3 | [`shot`] | the blow of a cue, and the sliding that ends in rolling |
 //! | 4.3 | [`plane`] | the same on the whole cloth: the massé shot |
 //! | 4.3–4.5 | [`course`] | friction, rolling resistance, a pull, a moving sheet: closed forms from event to event |
-//! | 4.3–4.5 | [`integrated`] | the same motions by a general method |
 //! | 4.4 | [`spool`] | which way a spool rolls, what "gently" means, where it lifts off |
 //! | 4.5 | [`sheet`] | a sheet withdrawn in any manner |
 //!
@@ -21,10 +20,10 @@
 //! ```
 
 pub mod course;
-pub mod integrated;
 pub mod plane;
 pub mod sheet;
 pub mod shot;
 pub mod spool;
+pub(crate) mod stretch;
 
 pub use shot::{Regime, RoundBody, Shot, SlideToRoll, factor, slide_to_roll};

@@ -3,34 +3,9 @@
 //! All friction acts along lines in the table, so about a point of the table it has no moment: V + κRΩ stays zero whatever the hand does.
 //! A ball that rolls has V = RΩ, and both are zero.
 
-use super::course::{Coulomb, Nothing};
+use super::course::Coulomb;
 use super::shot::RoundBody;
-use crate::error::{Error, Result, finite};
-
-/// A sheet under the body, which moves.
-pub trait Support: Copy {
-    /// Whether there is one.
-    const ACTS: bool;
-    /// Leg number `index` of the sheet's motion: times (s) and speeds (m/s) of its two ends, the last one open.
-    fn leg(&self, index: usize) -> ((f64, f64), (f64, f64));
-    /// Friction on it.
-    fn law(&self) -> Coulomb;
-    /// From its edge to the point of contact at time 0, m.
-    fn margin(&self) -> f64;
-}
-
-impl Support for Nothing {
-    const ACTS: bool = false;
-    fn leg(&self, _: usize) -> ((f64, f64), (f64, f64)) {
-        ((0.0, 0.0), (f64::INFINITY, 0.0))
-    }
-    fn law(&self) -> Coulomb {
-        Coulomb::NONE
-    }
-    fn margin(&self) -> f64 {
-        0.0
-    }
-}
+use crate::error::{Error, Result, finite, positive};
 
 /// How fast the sheet goes, from time 0 on: straight from point to point, at its last speed after the last one.
 ///
@@ -99,45 +74,47 @@ impl SheetSpeeds {
 }
 
 /// A sheet under the ball, its edge behind the ball.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sheet<'a> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sheet {
     friction: Coulomb,
-    speeds: &'a SheetSpeeds,
+    speeds: SheetSpeeds,
     margin: f64,
 }
 
-impl<'a> Sheet<'a> {
+impl Sheet {
     /// A sheet of this friction, withdrawn at these speeds (positive: forward), whose edge is `margin` (m) behind the point of contact.
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`] for the margin.
-    pub fn new(friction: Coulomb, speeds: &'a SheetSpeeds, margin: f64) -> Result<Self> {
+    pub fn new(friction: Coulomb, speeds: SheetSpeeds, margin: f64) -> Result<Self> {
         Ok(Self {
             friction,
             speeds,
-            margin: crate::error::positive("the distance of the sheet's edge", margin)?,
+            margin: positive("the distance of the sheet's edge", margin)?,
         })
     }
 
     /// How fast it goes.
-    pub fn speeds(&self) -> &'a SheetSpeeds {
-        self.speeds
+    pub fn speeds(&self) -> &SheetSpeeds {
+        &self.speeds
     }
-}
 
-impl Support for Sheet<'_> {
-    const ACTS: bool = true;
-    fn leg(&self, index: usize) -> ((f64, f64), (f64, f64)) {
+    /// Friction on it.
+    pub(crate) fn friction(&self) -> Coulomb {
+        self.friction
+    }
+
+    /// From its edge to the point of contact at time 0, m.
+    pub(crate) fn margin(&self) -> f64 {
+        self.margin
+    }
+
+    /// Leg number `index` of its motion: times (s) and speeds (m/s) of its two ends, the last one open.
+    pub(crate) fn leg(&self, index: usize) -> ((f64, f64), (f64, f64)) {
         let points = &self.speeds.points;
         let from = points[index.min(points.len() - 1)];
         let to = points.get(index + 1).copied();
         (from, to.unwrap_or((f64::INFINITY, from.1)))
-    }
-    fn law(&self) -> Coulomb {
-        self.friction
-    }
-    fn margin(&self) -> f64 {
-        self.margin
     }
 }
 

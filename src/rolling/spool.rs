@@ -3,9 +3,9 @@
 //! The string leaves the axle from below; the tug has tension T at the angle θ above the horizontal, 0 towards +x. Its moment about
 //! the centre is −rT at every angle, about the point of contact T(R cos θ − r), and the sign of that is the way the spool rolls.
 
-use super::course::{Course, Friction, Load, Moment, Nothing, Resistance};
+use super::course::{Coulomb, Course, Load, Moment, RollingResistance};
 use super::shot::RoundBody;
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Result, not_negative, positive, within};
 
 /// A spool on a table: discs of the radius of a [`RoundBody`] and a thinner axle between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +36,7 @@ impl Tug {
     /// A tension (N) at an angle (rad) above the horizontal, 0…π.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`]; [`Error::OutOfRange`] for the angle.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative); [`Error::OutOfRange`](crate::Error::OutOfRange) for the angle.
     pub fn new(tension: f64, angle: f64) -> Result<Self> {
         Ok(Self {
             tension: not_negative("the tension", tension)?,
@@ -56,18 +56,7 @@ impl Tug {
 }
 
 fn tug_angle(angle: f64) -> Result<f64> {
-    let quantity = "the angle of the tug";
-    let value = finite(quantity, angle)?;
-    if (0.0..=core::f64::consts::PI).contains(&value) {
-        Ok(value)
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            least: 0.0,
-            greatest: core::f64::consts::PI,
-        })
-    }
+    within("the angle of the tug", angle, 0.0, core::f64::consts::PI)
 }
 
 impl Spool {
@@ -75,7 +64,7 @@ impl Spool {
     /// spool whose axle rolls on rails.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`] for the axle.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the axle.
     pub fn new(body: RoundBody, axle: f64) -> Result<Self> {
         let axle = positive("the radius of the axle", axle)?;
         Ok(Self {
@@ -112,7 +101,7 @@ impl Spool {
     /// Which way it rolls, tugged gently at this angle (rad): decided by [`Self::critical_angle`], to the last bit (4.4).
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] outside 0…π.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) outside 0…π.
     pub fn way(&self, angle: f64) -> Result<Way> {
         let angle = tug_angle(angle)?;
         Ok(match self.critical_angle() {
@@ -149,7 +138,7 @@ impl Spool {
     /// means (4.4). |f| ≤ μ(Mg − T sin θ), solved for T. Never more than [`Self::lift_off_tension`].
     ///
     /// # Errors
-    /// As [`Self::way`]; [`Error::Negative`] for μ; [`Error::NotPositive`] for g.
+    /// As [`Self::way`]; [`Error::Negative`](crate::Error::Negative) for μ; [`Error::NotPositive`](crate::Error::NotPositive) for g.
     pub fn largest_gentle_tension(&self, angle: f64, friction: f64, gravity: f64) -> Result<f64> {
         let angle = tug_angle(angle)?;
         let friction = not_negative("the coefficient of friction", friction)?;
@@ -161,7 +150,7 @@ impl Spool {
     /// The tension (N) that lifts the spool off the table, Mg/sin θ; infinite for a level tug (4.4).
     ///
     /// # Errors
-    /// As [`Self::way`]; [`Error::NotPositive`] for g.
+    /// As [`Self::way`]; [`Error::NotPositive`](crate::Error::NotPositive) for g.
     pub fn lift_off_tension(&self, angle: f64, gravity: f64) -> Result<f64> {
         let weight = self.body.mass() * positive("the acceleration of gravity", gravity)?;
         Ok(weight / tug_angle(angle)?.sin())
@@ -181,7 +170,7 @@ impl Spool {
     /// The load of a tug, per mass.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the reaction: the tug lifts the spool.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction: the tug lifts the spool.
     pub fn load(&self, tug: Tug, gravity: f64) -> Result<Load> {
         let gravity = positive("the acceleration of gravity", gravity)?;
         let pull = tug.tension / self.body.mass();
@@ -204,12 +193,12 @@ impl Spool {
         &self,
         tug: Tug,
         gravity: f64,
-        friction: impl Friction,
-        resistance: impl Resistance,
+        friction: Option<Coulomb>,
+        resistance: Option<RollingResistance>,
         until: f64,
     ) -> Result<Course> {
         let load = self.load(tug, gravity)?;
-        let effects = (friction, resistance, Nothing);
+        let effects = (friction, resistance, None);
         let kappa = self.body.inertia_factor();
         Course::new(kappa, load, effects, Moment::at_rest(), until)
     }

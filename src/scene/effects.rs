@@ -9,6 +9,7 @@ pub use super::shape::path::{Draw, FourPhases, Pace, RoundTrip, Turnover};
 pub use crate::falling_strip::{AddedMass, Drag, Lift, RotationalDamping};
 pub use crate::impacts::Impact;
 pub use crate::rolling::course::{Coulomb, RollingResistance};
+pub use crate::rolling::sheet::Sheet;
 pub use crate::rolling::spool::Tug;
 pub use crate::superball::Restitution;
 pub use crate::tippe_top::{Regularised, Resistance, Viscous};
@@ -17,7 +18,7 @@ pub use crate::tippe_top::{Regularised, Resistance, Viscous};
 macro_rules! effects {
     ($($(#[$doc:meta])* $effect:ident, $name:literal;)*) => {
         /// Any of the effects that a scene may call for.
-        #[derive(Debug, Clone, Copy, PartialEq)]
+        #[derive(Debug, Clone, PartialEq)]
         #[non_exhaustive]
         pub enum Effect {
             $($(#[$doc])* $effect($effect),)*
@@ -63,6 +64,8 @@ effects! {
     Resistance, "resistance";
     /// A reaction that acts ahead of the centre.
     RollingResistance, "rolling_resistance";
+    /// A moving ground.
+    Sheet, "sheet";
     /// A pull at a string.
     Tug, "tug";
     /// Losses at every bounce.

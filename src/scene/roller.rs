@@ -1,88 +1,68 @@
 //! The scene `roller` (tutorial 4.3 and 4.5): a round body on a table, after the cue or on a sheet that is withdrawn.
 //!
-//! | effect | type | what it does |
-//! |---|---|---|
-//! | friction | [`Coulomb`] | against the slip on the table, until it rolls |
-//! | resistance | [`RollingResistance`] | a couple against the turning, until it rests |
-//! | sheet | [`Sheet`] | a moving ground under the body, until its edge has passed |
+//! | effect | what it does |
+//! |---|---|
+//! | [`Coulomb`] | rubs against the slip on the table, until the body rolls |
+//! | [`RollingResistance`] | a couple against the turning, until it rests |
+//! | [`Sheet`] | a moving ground under the body, until its edge has passed |
 //!
-//! Without any of them it glides and turns as it started.
+//! Without any of them it glides and turns as it started. Between events every velocity is linear in time, so the plan is the
+//! [`Course`]: closed forms from event to event. The equations are here for those who ask for a solver that steps.
+//!
+//! ```
+//! use spinning_bodies::rolling::{RoundBody, factor};
+//! use spinning_bodies::scene::effects::Coulomb;
+//! use spinning_bodies::scene::{Request, Scene, roller::Roller};
+//!
+//! let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+//! let drawn = Roller::new(ball, 9.81, 1.0, -4.0)?.with(Coulomb::new(0.2)?)?;
+//! let motion = drawn.simulate(&Request::at([5.0])?)?;
+//! let rolls = &motion.rows[0].1.moment;
+//! assert!((rolls.velocity - (1.0 - 0.4 * 4.0) / 1.4).abs() < 1e-15); // it comes back
+//! # Ok::<(), spinning_bodies::Error>(())
+//! ```
 
-use super::choose;
-use super::{Absent, Choice, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
+use super::effects::Effect;
+use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, furthest, greater};
+use super::engine::{planned, to_accuracy};
+use super::motion::{Account, ledger};
+use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::{Law, Ledger};
-use crate::error::{Error, Result, positive};
-use crate::integrators::{Cost, Effort, Method};
-use crate::rolling::course::{
-    Coulomb, Course, Friction, Load, Moment, Nothing, Resistance, RollingResistance,
-};
-use crate::rolling::integrated::integrated;
-use crate::rolling::sheet::{Sheet, Support};
+use crate::error::{Result, finite, positive};
+use crate::integrators::Cost;
+use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
+use crate::rolling::sheet::Sheet;
+use crate::rolling::stretch::{Laws, Stretch};
 use crate::rolling::{RoundBody, Shot};
 
-impl Effect for Coulomb {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "friction";
-}
-
-impl Effect for RollingResistance {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "resistance";
-}
-
-impl Effect for Sheet<'_> {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "sheet";
-}
-
-impl Friction for Absent {
-    const ACTS: bool = false;
-    fn kinetic(&self) -> f64 {
-        Nothing.kinetic()
-    }
-    fn grip(&self) -> f64 {
-        Nothing.grip()
-    }
-}
-
-impl Resistance for Absent {
-    const ACTS: bool = false;
-    fn arm(&self) -> f64 {
-        Nothing.arm()
-    }
-}
-
-impl Support for Absent {
-    const ACTS: bool = false;
-    fn leg(&self, index: usize) -> ((f64, f64), (f64, f64)) {
-        Nothing.leg(index)
-    }
-    fn law(&self) -> Coulomb {
-        Nothing.law()
-    }
-    fn margin(&self) -> f64 {
-        Nothing.margin()
-    }
-}
-
 /// A round body on a level table.
-#[derive(Debug, Clone, Copy)]
-pub struct Roller<F = Absent, C = Absent, S = Absent> {
+#[derive(Debug, Clone)]
+pub struct Roller {
     body: RoundBody,
     gravity: f64,
     start: Moment,
-    friction: F,
-    resistance: C,
-    sheet: S,
+    friction: Option<Coulomb>,
+    resistance: Option<RollingResistance>,
+    sheet: Option<Sheet>,
 }
 
 impl Roller {
     /// A body pressed on the table by gravity (m/s²), with this velocity and rim speed (m/s).
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for gravity; [`Error::NotFinite`].
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for gravity; [`Error::NotFinite`](crate::Error::NotFinite).
     pub fn new(body: RoundBody, gravity: f64, velocity: f64, rim_speed: f64) -> Result<Self> {
-        Self::starting(body, gravity, Moment::moving(velocity, rim_speed))
+        Ok(Self {
+            body,
+            gravity: positive("the acceleration of gravity", gravity)?,
+            start: Moment::moving(
+                finite("the velocity", velocity)?,
+                finite("the rim speed", rim_speed)?,
+            ),
+            friction: None,
+            resistance: None,
+            sheet: None,
+        })
     }
 
     /// The body of a [`Shot`] just after the stroke, its slip taken from the height of the stroke.
@@ -90,113 +70,51 @@ impl Roller {
     /// # Errors
     /// As [`Self::new`].
     pub fn after(shot: &Shot, gravity: f64) -> Result<Self> {
-        let start = Moment {
-            slip: shot.slip(),
-            ..Moment::moving(shot.velocity(), shot.rim_speed())
-        };
-        Self::starting(shot.body(), gravity, start)
+        let mut roller = Self::new(shot.body(), gravity, shot.velocity(), shot.rim_speed())?;
+        roller.start.slip = shot.slip();
+        Ok(roller)
     }
 
-    fn starting(body: RoundBody, gravity: f64, start: Moment) -> Result<Self> {
-        crate::error::finite("the velocity", start.velocity)?;
-        crate::error::finite("the rim speed", start.rim_speed)?;
-        Ok(Self {
-            body,
-            gravity: positive("the acceleration of gravity", gravity)?,
-            start,
-            friction: Absent,
-            resistance: Absent,
-            sheet: Absent,
-        })
-    }
-}
-
-impl<F, C, S> Roller<F, C, S> {
-    /// The same with friction on the table.
-    pub fn with_friction<G>(self, friction: G) -> Roller<G, C, S> {
-        let Self {
-            body,
-            gravity,
-            start,
-            resistance,
-            sheet,
-            ..
-        } = self;
-        Roller {
-            body,
-            gravity,
-            start,
-            friction,
-            resistance,
-            sheet,
+    /// The same with [`Coulomb`]'s friction on the table, [`RollingResistance`], or a [`Sheet`] between the two.
+    ///
+    /// # Errors
+    /// [`Error::Effect`](crate::Error::Effect) for any other effect.
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        match effect.into() {
+            Effect::Coulomb(law) => self.friction = Some(law),
+            Effect::RollingResistance(law) => self.resistance = Some(law),
+            Effect::Sheet(sheet) => self.sheet = Some(sheet),
+            other => return Err(other.refused("a roller", "friction, rolling_resistance, sheet")),
         }
+        Ok(self)
     }
 
-    /// The same with rolling resistance.
-    pub fn with_resistance<D>(self, resistance: D) -> Roller<F, D, S> {
-        let Self {
-            body,
-            gravity,
-            start,
-            friction,
-            sheet,
-            ..
-        } = self;
-        Roller {
-            body,
-            gravity,
-            start,
-            friction,
-            resistance,
-            sheet,
-        }
-    }
-
-    /// The same on a sheet.
-    pub fn with_sheet<T>(self, sheet: T) -> Roller<F, C, T> {
-        let Self {
-            body,
-            gravity,
-            start,
-            friction,
-            resistance,
-            ..
-        } = self;
-        Roller {
-            body,
-            gravity,
-            start,
-            friction,
-            resistance,
-            sheet,
-        }
-    }
-}
-
-impl<F: Friction, C: Resistance, S: Support> Roller<F, C, S> {
     /// Everything that happens up to a time (s), as closed forms from event to event.
     ///
     /// # Errors
     /// As [`Course::new`].
     pub fn course(&self, until: f64) -> Result<Course> {
-        let effects = (self.friction, self.resistance, self.sheet);
-        Course::new(self.kappa(), self.load(), effects, self.begin(), until)
+        let table = self.table()?;
+        Course::under(&table.laws, table.start, until)
     }
 
-    fn kappa(&self) -> f64 {
-        self.body.inertia_factor()
-    }
-
-    fn load(&self) -> Load {
-        Load::weight(self.gravity)
-    }
-
-    fn begin(&self) -> Moment {
+    fn table(&self) -> Result<OnTable<'_>> {
+        let effects = (self.friction, self.resistance, self.sheet.as_ref());
+        let laws = Laws::new(
+            self.body.inertia_factor(),
+            Load::weight(self.gravity),
+            effects,
+        )?;
         let mut start = self.start;
-        if S::ACTS {
-            start.slip -= self.sheet.leg(0).0.1;
+        if let Some(sheet) = &self.sheet {
+            start.slip -= sheet.speeds().points()[0].1;
         }
-        start
+        Ok(OnTable {
+            body: self.body,
+            laws,
+            start,
+            span: 1.0,
+        })
     }
 }
 
@@ -217,246 +135,253 @@ impl Tabulated for Rolling {
         &["x", "velocity", "rim_speed", "slip", "energy", "heat"];
 
     fn row(&self) -> Vec<f64> {
-        let m = &self.moment;
-        vec![
-            m.position,
-            m.velocity,
-            m.rim_speed,
-            m.slip,
-            self.energy,
-            self.heat,
-        ]
+        let [x, velocity, rim_speed, slip, ..] = self.moment.numbers();
+        vec![x, velocity, rim_speed, slip, self.energy, self.heat]
     }
 }
 
-impl<F, C, S> Scene for Roller<F, C, S>
-where
-    F: Effect + Friction,
-    C: Effect + Resistance,
-    S: Effect + Support,
-{
+impl Scene for Roller {
     type State = Rolling;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let alone = !F::PRESENT && !C::PRESENT && !S::PRESENT;
-        let why = match (F::PRESENT || S::PRESENT, C::PRESENT) {
-            (true, _) => "sliding friction",
-            (false, true) => "rolling resistance",
-            (false, false) => "no force along the table",
+        let slides = self.friction.is_some() || self.sheet.is_some();
+        let reason = match (slides, self.resistance) {
+            (true, _) => "sliding friction: closed form from event to event",
+            (false, Some(_)) => "rolling resistance: closed form from event to event",
+            (false, None) => FREE,
         };
-        planned(request, alone, why)
+        rolling_plan(request, reason)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Rolling>> {
         let plan = self.plan(request)?;
-        let (order, times) = request.forward()?;
-        let effects = (self.friction, self.resistance, self.sheet);
-        let (moments, cost) = match plan.solver {
-            Solver::General(method) => {
-                let effort = effort(method, request, &times);
-                let run = integrated(
-                    self.kappa(),
-                    self.load(),
-                    effects,
-                    self.begin(),
-                    &times,
-                    (method, effort),
-                )?;
-                (run.moments, run.cost)
-            }
-            _ => closed(&self.course(last(&times))?, &times),
-        };
-        let mass = self.body.mass();
-        let ledger = accounts(
-            mass,
-            self.kappa(),
-            &self.begin(),
-            &moments,
-            |books| {
-                if !C::PRESENT {
-                    books.momentum("angular momentum about the table", |_, m| {
-                        m.about_the_table(self.kappa())
-                    })?;
-                }
-                books.energy(Law::Conserved)?;
-                if !S::PRESENT {
-                    books.loss()?;
-                }
-                Ok(())
-            },
-            &times,
-        )?;
+        let table = self.table()?;
+        let (moments, cost, error) = table.moments(&plan, request)?;
+        let ledger = table.ledger(request, &moments)?;
+        let (mass, kappa) = (self.body.mass(), self.body.inertia_factor());
         let states = moments.iter().map(|moment| Rolling {
             moment: *moment,
-            energy: mass * moment.energy(self.kappa()),
+            energy: mass * moment.energy(kappa),
             heat: mass * moment.heat,
         });
-        Ok(Motion {
-            error_estimate: None,
-            plan,
-            cost,
-            ledger: balanced(ledger, request.accuracy())?,
-            rows: in_order(request, &order, states),
-        })
+        Motion::of(request, plan, cost, error, ledger, states.collect())
     }
 }
 
-/// The plan of a body under dry friction.
-pub(super) fn planned(request: &Request, alone: bool, why: &str) -> Result<Plan> {
-    match request.choice() {
-        Choice::Auto if alone => Ok(Plan::new(Solver::Exact, format!("{why}: closed form"))),
-        Choice::Auto => Ok(Plan::new(
-            Solver::Events,
-            format!("{why}: closed form from event to event"),
-        )),
-        Choice::Use(Solver::Exact) if !alone => Err(Error::Solver {
-            condition: "the solver exact needs a scene without friction, resistance, pull or sheet; ask for events",
-        }),
-        Choice::Use(Solver::General(method)) => Ok(Plan::new(
-            Solver::General(method),
-            format!("{why}: {} with events, as asked for", method.name()),
-        )),
-        Choice::Use(Solver::Geometric(_)) => Err(super::only_for_tops()),
-        Choice::Use(solver) => Ok(Plan::new(solver, "as asked for")),
-    }
-}
+/// Why a body on which nothing acts along the table needs no events.
+pub(super) const FREE: &str = "no force along the table: closed form";
 
-pub(super) fn last(times: &[f64]) -> f64 {
-    times.last().copied().unwrap_or(0.0)
-}
-
-pub(super) fn closed(course: &Course, times: &[f64]) -> (Vec<Moment>, Cost) {
-    let cost = Cost {
-        evaluations: 0,
-        steps: course.stretches() as u64,
+/// The plan of what rolls: closed forms, for this reason.
+pub(super) fn rolling_plan(request: &Request, reason: &'static str) -> Result<Plan> {
+    request.forward()?;
+    let solver = match request.choice() {
+        Choice::Auto | Choice::Use(Solver::Exact) if reason == FREE => Solver::Exact,
+        _ => Solver::Events,
     };
-    (times.iter().map(|&t| course.at(t)).collect(), cost)
+    planned(
+        request,
+        Ok(Closed { solver, reason }),
+        "the solver of what rolls is `events`, `exact` where no force acts along the table, or one that steps",
+    )
 }
 
-/// How hard a general method must work. Between events these motions are polynomials, so no more is needed than a margin.
-pub(super) fn effort(method: Method, request: &Request, times: &[f64]) -> Effort {
-    if method.is_adaptive() {
-        Effort::Tolerance((0.01 * request.accuracy()).max(1e-15))
-    } else {
-        Effort::Step((last(times) / 64.0).max(f64::MIN_POSITIVE))
-    }
+/// A round body on its table, whatever acts on it: the rolling of [`Roller`] and of the [spool](super::spool).
+#[derive(Clone, Copy)]
+pub(super) struct OnTable<'a> {
+    pub body: RoundBody,
+    pub laws: Laws<'a>,
+    pub start: Moment,
+    /// The longest time asked for, s.
+    pub span: f64,
 }
 
-pub(super) fn in_order<T>(
-    request: &Request,
-    order: &[usize],
-    states: impl Iterator<Item = T>,
-) -> Vec<(f64, T)> {
-    let mut rows: Vec<(usize, T)> = order.iter().copied().zip(states).collect();
-    rows.sort_by_key(|row| row.0);
-    let times = request.times();
-    rows.into_iter()
-        .map(|(i, state)| (times[i], state))
-        .collect()
-}
+/// By how much the twin differs that tells what becomes of rounding.
+const MOVED: f64 = 1e-13;
+/// Rounding of each stretch, and what becomes of the first in units of what becomes of a difference: four times what was seen.
+const ROUNDING: f64 = 1e-15;
+/// Between events a body that rolls has no time of its own: runs with steps are compared as if it turned by so many radians.
+const RADIANS: f64 = 16.0;
 
-/// The books of a body under dry friction, per scene.
-pub(super) struct Books<'a> {
-    ledger: Ledger,
-    mass: f64,
-    kappa: f64,
-    start: &'a Moment,
-    moments: &'a [Moment],
-    times: &'a [f64],
-}
-
-pub(super) fn accounts(
-    mass: f64,
-    kappa: f64,
-    start: &Moment,
-    moments: &[Moment],
-    fill: impl FnOnce(&mut Books<'_>) -> Result<()>,
-    times: &[f64],
-) -> Result<Ledger> {
-    let mut books = Books {
-        ledger: Ledger::new(),
-        mass,
-        kappa,
-        start,
-        moments,
-        times,
-    };
-    fill(&mut books)?;
-    Ok(books.ledger)
-}
-
-impl Books<'_> {
-    /// The largest of a quantity; of a motion without any of it, one.
-    fn scale(&self, size: impl Fn(&Moment) -> f64) -> f64 {
-        let all = self.moments.iter().chain([self.start]);
-        let largest = all.map(size).fold(0.0, f64::max);
-        if largest > 0.0 { largest } else { 1.0 }
-    }
-
-    /// A conserved quantity with the dimension of a velocity, given the time.
-    pub(super) fn momentum(
-        &mut self,
-        name: &'static str,
-        value: impl Fn(f64, &Moment) -> f64,
-    ) -> Result<()> {
-        let kappa = self.kappa;
-        let scale = self.scale(|m| m.velocity.abs() + kappa * m.rim_speed.abs());
-        let first = self.mass * value(0.0, self.start);
-        let scale = self.mass * scale;
-        let account = self
-            .ledger
-            .open_scaled(name, Law::Conserved, first, scale)?;
-        for (&t, moment) in self.times.iter().zip(self.moments) {
-            self.ledger.record(account, self.mass * value(t, moment))?;
+impl OnTable<'_> {
+    /// Moments at the times of a request by the solver of a plan, what they have cost, and by how much they may be off: lengths in radii, speeds
+    /// and energies in the greatest of the motion.
+    pub fn moments(mut self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, Cost, f64)> {
+        let times = request.times();
+        self.span = furthest(times);
+        if !matches!(plan.solver, Solver::Exact | Solver::Events) {
+            let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(self))?;
+            let moments = trace.samples.iter().map(|(_, y)| apart(y).0);
+            return Ok((moments.collect(), trace.cost, error));
         }
-        Ok(())
+        let course = Course::under(&self.laws, self.start, self.span)?;
+        let moments: Vec<Moment> = times.iter().map(|&t| course.at(t)).collect();
+        let cost = Cost {
+            evaluations: 0,
+            steps: course.stretches() as u64,
+        };
+        if plan.solver == Solver::Exact {
+            return Ok((moments, cost, OF_CLOSED_FORMS));
+        }
+        let twin = self.twin();
+        let twin = Course::under(&twin.laws, twin.start, self.span)?;
+        let sizes = self.sizes(&moments);
+        let off = times.iter().zip(&moments).map(|(&t, moment)| {
+            let pairs = moment.numbers().into_iter().zip(twin.at(t).numbers());
+            let parts = pairs.zip(sizes).map(|((a, b), size)| (a - b).abs() / size);
+            parts.fold(0.0, greater)
+        });
+        let growth = off.fold(0.0, greater) / MOVED;
+        let error = ROUNDING * (course.stretches() as f64 + growth);
+        Ok((moments, cost, error))
     }
 
-    /// Energy plus heat less work.
-    pub(super) fn energy(&mut self, law: Law) -> Result<()> {
-        let (mass, kappa) = (self.mass, self.kappa);
-        let total = |m: &Moment| mass * (m.energy(kappa) + m.heat - m.work);
-        let scale = mass * self.scale(|m| m.energy(kappa) + m.heat + m.work.abs());
+    /// Another that starts a little faster, turns a little slower and is pressed and pulled a little harder.
+    fn twin(&self) -> Self {
+        let mut twin = *self;
+        let (load, start) = (&mut twin.laws.load, &mut twin.start);
+        load.reaction *= 1.0 + MOVED;
+        load.push *= 1.0 - 0.7 * MOVED;
+        load.twist *= 1.0 + 0.6 * MOVED;
+        let (faster, slower) = (0.8 * MOVED * start.velocity, -0.9 * MOVED * start.rim_speed);
+        start.velocity += faster;
+        start.rim_speed += slower;
+        start.slip += faster - slower;
+        twin
+    }
+
+    /// The greatest that each number of a moment has been, and no less than is natural.
+    fn sizes(&self, moments: &[Moment]) -> [f64; 7] {
+        let greatest = |kind: fn(&Moment) -> f64, least: f64| {
+            let all = moments.iter().chain([&self.start]).map(kind);
+            all.fold(least.max(f64::MIN_POSITIVE), greater)
+        };
+        let length = greatest(|m| m.position.abs().max(m.turned.abs()), self.body.radius());
+        let speed = greatest(
+            |m| m.velocity.abs().max(m.rim_speed.abs()).max(m.slip.abs()),
+            0.0,
+        );
+        let energy = greatest(|m| m.heat.max(m.work.abs()), 0.5 * speed * speed);
+        [length, speed, speed, speed, length, energy, energy]
+    }
+
+    /// What is kept, or may only be lost.
+    pub fn ledger(&self, request: &Request, moments: &[Moment]) -> Result<Ledger> {
+        let Laws { kappa, load, .. } = self.laws;
+        let (mass, drive) = (self.body.mass(), load.push + load.twist);
+        let scale = |size: &dyn Fn(&Moment) -> f64| {
+            let all = moments.iter().chain([&self.start]).map(size);
+            mass * all.fold(0.0, f64::max)
+        };
+        let kinetic = |m: &Moment| mass * m.energy(kappa);
+        let balance = |m: &Moment| mass * (m.energy(kappa) + m.heat - m.work);
+        let energies = |row: usize| kinetic(&moments[row]);
+        let balances = |row: usize| balance(&moments[row]);
+        // About the contact only a tug has a moment, and it is steady.
+        let about = |row: usize| {
+            mass * (moments[row].about_the_table(kappa) - request.times()[row] * drive)
+        };
+        let mut accounts: Vec<Account<'_>> = Vec::new();
+        if self.laws.resistance.is_none() {
+            let name = match self.driven() {
+                true => "angular momentum about the table less the tug's",
+                false => "angular momentum about the table",
+            };
+            let first = mass * self.start.about_the_table(kappa);
+            let tug = furthest(request.times()) * (load.push.abs() + load.twist.abs());
+            let size = scale(&|m| m.velocity.abs() + kappa * m.rim_speed.abs() + tug);
+            accounts.push((name, Law::Conserved, size, first, &about));
+        }
+        let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
+        let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
         let name = "energy plus heat less work";
-        let account = self
-            .ledger
-            .open_scaled(name, law, total(self.start), scale)?;
-        for moment in self.moments {
-            self.ledger.record(account, total(moment))?;
+        accounts.push((name, Law::Conserved, size, balance(&self.start), &balances));
+        if !self.driven() && self.laws.sheet.is_none() {
+            let (size, first) = (scale(&|m| m.energy(kappa)), kinetic(&self.start));
+            accounts.push(("kinetic energy", Law::NonIncreasing, size, first, &energies));
         }
-        Ok(())
+        ledger(request, &accounts)
     }
 
-    /// Kinetic energy, which friction can only lower.
-    pub(super) fn loss(&mut self) -> Result<()> {
-        let (mass, kappa) = (self.mass, self.kappa);
-        let first = mass * self.start.energy(kappa);
-        let scale = mass * self.scale(|m| m.energy(kappa));
-        let law = Law::NonIncreasing;
-        let account = self
-            .ledger
-            .open_scaled("kinetic energy", law, first, scale)?;
-        for moment in self.moments {
-            self.ledger.record(account, mass * moment.energy(kappa))?;
-        }
-        Ok(())
+    /// Whether something pulls at the body.
+    pub fn driven(&self) -> bool {
+        self.laws.load != Load::weight(self.laws.load.reaction)
     }
 }
 
-/// Simulates `roller` with those of the effects that are listed: one compiled scene a combination.
-///
-/// # Errors
-/// As for [`Scene::simulate`].
-pub fn listed(
-    roller: Roller,
-    friction: Option<Coulomb>,
-    resistance: Option<RollingResistance>,
-    sheet: Option<Sheet<'_>>,
-    request: &Request,
-) -> Result<Motion<Rolling>> {
-    choose!((friction = friction) (resistance = resistance) (sheet = sheet) => roller
-        .with_friction(friction)
-        .with_resistance(resistance)
-        .with_sheet(sheet)
-        .simulate(request))
+/// A moment, and the distance from the sheet's edge to the point of contact.
+fn apart(numbers: &[f64; 8]) -> (Moment, f64) {
+    let [x, v, w, slip, turned, heat, work, margin] = *numbers;
+    (Moment::of([x, v, w, slip, turned, heat, work]), margin)
+}
+
+/// The numbers of a stretch's beginning.
+fn together(stretch: &Stretch) -> [f64; 8] {
+    let [x, v, w, slip, turned, heat, work] = stretch.moment.numbers();
+    [x, v, w, slip, turned, heat, work, stretch.margin_at(0.0)]
+}
+
+impl Flow<8> for OnTable<'_> {
+    type Phase = Stretch;
+
+    fn start(&self) -> Result<(Stretch, [f64; 8])> {
+        let first = self.laws.first(self.start);
+        Ok((first, together(&first)))
+    }
+
+    fn scales(&self) -> [f64; 8] {
+        let (radius, reaction) = (self.body.radius(), self.laws.load.reaction);
+        let points = self
+            .laws
+            .sheet
+            .map_or(&[][..], |sheet| sheet.speeds().points());
+        let fastest = points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+        let own = self.start.velocity.abs().max(self.start.rim_speed.abs());
+        let speed = own.max(fastest).max((reaction * radius).sqrt());
+        let energy = speed * speed;
+        [radius, speed, speed, speed, radius, energy, energy, radius]
+    }
+
+    fn pace(&self) -> f64 {
+        RADIANS / self.span.max(f64::MIN_POSITIVE)
+    }
+
+    fn rate(&self, stretch: Stretch, t: f64, y: &[f64; 8]) -> [f64; 8] {
+        stretch.rates(t - stretch.start, y)
+    }
+
+    fn margin(&self, stretch: Stretch, _: f64, y: &[f64; 8]) -> f64 {
+        stretch
+            .ends(y)
+            .map(|(margin, _)| margin)
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    fn may_end(&self, stretch: Stretch) -> bool {
+        stretch.ends(&[0.0; 8]).next().is_some()
+    }
+
+    /// At once where the body stands on the edge of the sheet and goes over it.
+    fn lasts_until(&self, stretch: Stretch, _: f64) -> f64 {
+        match stretch.next(f64::INFINITY) {
+            Some((0.0, _)) => stretch.start,
+            _ => stretch.leg_ends,
+        }
+    }
+
+    fn next(&self, stretch: Stretch, ended: Ended, t: f64, y: &mut [f64; 8]) -> Result<Stretch> {
+        let what = match ended {
+            Ended::ByEvent => stretch.ends(y).min_by(|a, b| a.0.total_cmp(&b.0)),
+            Ended::ByTheClock => stretch.next(f64::INFINITY).filter(|next| next.0 == 0.0),
+        };
+        let what = what.map(|(_, what)| what);
+        let (next, _) = self.laws.after(&stretch, t - stretch.start, apart(y), what);
+        *y = together(&next);
+        Ok(next)
+    }
+
+    fn distance(&self, (_, a): &(Stretch, [f64; 8]), (_, b): &(Stretch, [f64; 8])) -> f64 {
+        let scales = self.scales();
+        let parts = (0..7).map(|n| (a[n] - b[n]).abs() / scales[n].max(b[n].abs()));
+        parts.fold(0.0, greater)
+    }
 }

@@ -1,57 +1,41 @@
 //! The scene `spool` (tutorial 4.4): a spool on a table, tugged at its string.
 //!
-//! | effect | type | what it does |
-//! |---|---|---|
-//! | tug | [`Tug`] | a steady pull at the string, which winds or unwinds |
-//! | friction | [`Coulomb`] | holds the contact, or rubs if the tug is too hard |
-//! | resistance | [`RollingResistance`] | a couple against the turning |
+//! | effect | what it does |
+//! |---|---|
+//! | [`Tug`](super::effects::Tug) | a steady pull at the string, which winds or unwinds |
+//! | [`Coulomb`] | holds the contact, or rubs if the tug is too hard |
+//! | [`RollingResistance`] | a couple against the turning |
+//!
+//! ```
+//! use spinning_bodies::rolling::{RoundBody, spool::Spool};
+//! use spinning_bodies::scene::effects::{Coulomb, Tug};
+//! use spinning_bodies::scene::{Request, Scene, spool::TuggedSpool};
+//!
+//! let spool = Spool::new(RoundBody::new(0.2, 0.05, 0.5)?, 0.02)?;
+//! let tugged = TuggedSpool::new(spool, 9.81)?.with(Coulomb::new(0.5)?)?.with(Tug::new(0.3, 0.5)?)?;
+//! let motion = tugged.simulate(&Request::at([1.0])?)?;
+//! assert!(motion.rows[0].1.wound > 0.0); // a low tug winds up
+//! # Ok::<(), spinning_bodies::Error>(())
+//! ```
 
-use super::choose;
-use super::roller::{accounts, closed, effort, in_order, last, planned};
-use super::{Absent, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
-use crate::conservation::Law;
+use super::effects::Effect;
+use super::roller::{FREE, OnTable, rolling_plan};
+use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};
-use crate::rolling::course::{
-    Coulomb, Course, Friction, Load, Moment, Resistance, RollingResistance,
-};
-use crate::rolling::integrated::integrated;
-use crate::rolling::spool::{Spool, Tug};
-
-/// A pull at the string, or none.
-pub trait Pull: Copy {
-    /// What it loads the spool with.
-    ///
-    /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) where the spool is lifted.
-    fn load(&self, spool: &Spool, gravity: f64) -> Result<Load>;
-}
-
-impl Pull for Tug {
-    fn load(&self, spool: &Spool, gravity: f64) -> Result<Load> {
-        spool.load(*self, gravity)
-    }
-}
-
-impl Pull for Absent {
-    fn load(&self, _: &Spool, gravity: f64) -> Result<Load> {
-        Ok(Load::weight(gravity))
-    }
-}
-
-impl Effect for Tug {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "tug";
-}
+use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
+use crate::rolling::spool::Spool;
+use crate::rolling::stretch::Laws;
 
 /// A spool on a level table, from rest or already moving.
 #[derive(Debug, Clone, Copy)]
-pub struct TuggedSpool<T = Absent, F = Absent, C = Absent> {
+pub struct TuggedSpool {
     spool: Spool,
     gravity: f64,
     start: Moment,
-    tug: T,
-    friction: F,
-    resistance: C,
+    /// Weight and tug.
+    load: Load,
+    friction: Option<Coulomb>,
+    resistance: Option<RollingResistance>,
 }
 
 impl TuggedSpool {
@@ -60,100 +44,55 @@ impl TuggedSpool {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for gravity.
     pub fn new(spool: Spool, gravity: f64) -> Result<Self> {
+        let gravity = positive("the acceleration of gravity", gravity)?;
         Ok(Self {
             spool,
-            gravity: positive("the acceleration of gravity", gravity)?,
+            gravity,
             start: Moment::at_rest(),
-            tug: Absent,
-            friction: Absent,
-            resistance: Absent,
+            load: Load::weight(gravity),
+            friction: None,
+            resistance: None,
         })
     }
-}
 
-impl<T, F, C> TuggedSpool<T, F, C> {
     /// The same with a velocity and a rim speed (m/s) to begin with.
     pub fn moving(mut self, velocity: f64, rim_speed: f64) -> Self {
         self.start = Moment::moving(velocity, rim_speed);
         self
     }
 
-    /// The same with a tug.
-    pub fn with_tug<U>(self, tug: U) -> TuggedSpool<U, F, C> {
-        let Self {
-            spool,
-            gravity,
-            start,
-            friction,
-            resistance,
-            ..
-        } = self;
-        TuggedSpool {
-            spool,
-            gravity,
-            start,
-            tug,
-            friction,
-            resistance,
+    /// The same with a [`Tug`](super::effects::Tug), [`Coulomb`]'s friction on the table, or [`RollingResistance`].
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction if the tug lifts the spool; [`Error::Effect`](crate::Error::Effect) for any
+    /// other effect.
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        match effect.into() {
+            Effect::Tug(tug) => self.load = self.spool.load(tug, self.gravity)?,
+            Effect::Coulomb(law) => self.friction = Some(law),
+            Effect::RollingResistance(law) => self.resistance = Some(law),
+            other => return Err(other.refused("a spool", "tug, friction, rolling_resistance")),
         }
+        Ok(self)
     }
 
-    /// The same with friction on the table.
-    pub fn with_friction<G>(self, friction: G) -> TuggedSpool<T, G, C> {
-        let Self {
-            spool,
-            gravity,
-            start,
-            tug,
-            resistance,
-            ..
-        } = self;
-        TuggedSpool {
-            spool,
-            gravity,
-            start,
-            tug,
-            friction,
-            resistance,
-        }
-    }
-
-    /// The same with rolling resistance.
-    pub fn with_resistance<D>(self, resistance: D) -> TuggedSpool<T, F, D> {
-        let Self {
-            spool,
-            gravity,
-            start,
-            tug,
-            friction,
-            ..
-        } = self;
-        TuggedSpool {
-            spool,
-            gravity,
-            start,
-            tug,
-            friction,
-            resistance,
-        }
-    }
-}
-
-impl<T: Pull, F: Friction, C: Resistance> TuggedSpool<T, F, C> {
     /// Everything that happens up to a time (s), as closed forms from event to event.
     ///
     /// # Errors
-    /// As [`Course::new`]; [`Error::NotPositive`](crate::Error::NotPositive) for the reaction if the tug lifts the spool.
+    /// As [`Course::new`].
     pub fn course(&self, until: f64) -> Result<Course> {
-        let load = self.tug.load(&self.spool, self.gravity)?;
-        let effects = (self.friction, self.resistance, Absent);
-        Course::new(
-            self.spool.body().inertia_factor(),
-            load,
-            effects,
-            self.start,
-            until,
-        )
+        Course::under(&self.table()?.laws, self.start, until)
+    }
+
+    fn table(&self) -> Result<OnTable<'static>> {
+        let body = self.spool.body();
+        let effects = (self.friction, self.resistance, None);
+        Ok(OnTable {
+            body,
+            laws: Laws::new(body.inertia_factor(), self.load, effects)?,
+            start: self.start,
+            span: 1.0,
+        })
     }
 }
 
@@ -186,61 +125,33 @@ impl Tabulated for Spooling {
     ];
 
     fn row(&self) -> Vec<f64> {
-        let m = &self.moment;
-        let tail = [self.wound, self.energy, self.heat, self.work];
-        let mut row = vec![m.position, m.velocity, m.rim_speed, m.slip];
-        row.extend(tail);
-        row
+        let [x, velocity, rim_speed, slip, ..] = self.moment.numbers();
+        let Self { wound, energy, .. } = *self;
+        vec![
+            x, velocity, rim_speed, slip, wound, energy, self.heat, self.work,
+        ]
     }
 }
 
-impl<T, F, C> Scene for TuggedSpool<T, F, C>
-where
-    T: Effect + Pull,
-    F: Effect + Friction,
-    C: Effect + Resistance,
-{
+impl Scene for TuggedSpool {
     type State = Spooling;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let alone = !T::PRESENT && !F::PRESENT && !C::PRESENT;
-        let why = match (F::PRESENT, T::PRESENT || C::PRESENT) {
-            (true, _) => "dry friction",
-            (false, true) => "steady forces",
-            (false, false) => "no force along the table",
+        let free = self.load == Load::weight(self.gravity) && self.resistance.is_none();
+        let reason = match (self.friction, free) {
+            (Some(_), _) => "dry friction: closed form from event to event",
+            (None, false) => "steady forces: closed form from event to event",
+            (None, true) => FREE,
         };
-        planned(request, alone, why)
+        rolling_plan(request, reason)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
         let plan = self.plan(request)?;
-        let (order, times) = request.forward()?;
-        let kappa = self.spool.body().inertia_factor();
-        let load = self.tug.load(&self.spool, self.gravity)?;
-        let (moments, cost) = match plan.solver {
-            Solver::General(method) => {
-                let effort = effort(method, request, &times);
-                let effects = (self.friction, self.resistance, Absent);
-                let run = integrated(kappa, load, effects, self.start, &times, (method, effort))?;
-                (run.moments, run.cost)
-            }
-            _ => closed(&self.course(last(&times))?, &times),
-        };
-        let mass = self.spool.body().mass();
-        let fill = |books: &mut super::roller::Books<'_>| {
-            if !C::PRESENT {
-                // About the contact only the tug has a moment, and it is steady.
-                books.momentum("angular momentum about the table less the tug's", |t, m| {
-                    m.about_the_table(kappa) - t * (load.push + load.twist)
-                })?;
-            }
-            books.energy(Law::Conserved)?;
-            if !T::PRESENT {
-                books.loss()?;
-            }
-            Ok(())
-        };
-        let ledger = accounts(mass, kappa, &self.start, &moments, fill, &times)?;
+        let table = self.table()?;
+        let (moments, cost, error) = table.moments(&plan, request)?;
+        let ledger = table.ledger(request, &moments)?;
+        let (mass, kappa) = (table.body.mass(), table.body.inertia_factor());
         let states = moments.iter().map(|moment| Spooling {
             moment: *moment,
             wound: self.spool.wound(moment),
@@ -248,30 +159,6 @@ where
             heat: mass * moment.heat,
             work: mass * moment.work,
         });
-        Ok(Motion {
-            error_estimate: None,
-            plan,
-            cost,
-            ledger: balanced(ledger, request.accuracy())?,
-            rows: in_order(request, &order, states),
-        })
+        Motion::of(request, plan, cost, error, ledger, states.collect())
     }
-}
-
-/// Simulates `spool` with those of the effects that are listed: one compiled scene a combination.
-///
-/// # Errors
-/// As for [`Scene::simulate`].
-pub fn listed(
-    spool: TuggedSpool,
-    tug: Option<Tug>,
-    friction: Option<Coulomb>,
-    resistance: Option<RollingResistance>,
-    request: &Request,
-) -> Result<Motion<Spooling>> {
-    choose!((tug = tug) (friction = friction) (resistance = resistance) => spool
-        .with_tug(tug)
-        .with_friction(friction)
-        .with_resistance(resistance)
-        .simulate(request))
 }

@@ -1,167 +1,84 @@
 //! The scene `superball` (tutorial 4.6): a bouncing ball, under the open sky or under a table.
 //!
-//! | effect | type | what it does |
-//! |---|---|---|
-//! | gravity | [`Weight`] | bends the flights; without it they are straight |
-//! | restitution | [`Restitution`] | loses a part of both contact speeds; without it nothing is lost |
-//! | grip | [`Slipping`] | limits the tangential impulse; without it the contact never slips |
+//! | effect | what it does |
+//! |---|---|
+//! | [`Gravity`](super::effects::Gravity) | bends the flights; without it they are straight |
+//! | [`Restitution`] | loses a part of both contact speeds; without it nothing is lost |
+//! | [`Coulomb`] | limits the tangential impulse; without it the contact never slips |
+//!
+//! The plan is the [`Flight`]: closed forms, from bounce to bounce where something is lost. The equations are here for those who ask for a solver
+//! that steps.
 
-use super::choose;
-use super::roller::{effort, in_order};
-use super::{Absent, Choice, Effect, Motion, Plan, Request, Scene, Solver, Tabulated, balanced};
-use crate::conservation::{Law, Ledger};
-use crate::error::{Error, Result};
+use super::effects::Effect;
+use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, greater};
+use super::engine::{planned, to_accuracy};
+use super::motion::{Account, ledger};
+use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::conservation::Law;
+use crate::error::{Result, not_negative, positive};
 use crate::integrators::Cost;
-use crate::superball::Restitution;
-use crate::superball::flight::{Flight, Gravity, Grip, InFlight, Losses, Slipping, Weight};
-
-impl Effect for Weight {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "gravity";
-}
-
-impl Effect for Restitution {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "restitution";
-}
-
-impl Effect for Slipping {
-    const PRESENT: bool = true;
-    const NAME: &'static str = "grip";
-}
-
-impl Gravity for Absent {
-    const ACTS: bool = false;
-    fn strength(&self) -> f64 {
-        0.0
-    }
-}
-
-impl Losses for Absent {
-    const ACTS: bool = false;
-    fn restitution(&self) -> [f64; 2] {
-        [1.0; 2]
-    }
-}
-
-impl Grip for Absent {
-    const ACTS: bool = false;
-    fn friction(&self) -> f64 {
-        f64::INFINITY
-    }
-}
+use crate::rolling::course::Coulomb;
+use crate::superball::flight::{Flight, InFlight};
+use crate::superball::{Restitution, Surface};
 
 /// A ball that bounces between a floor and, perhaps, a ceiling.
 #[derive(Debug, Clone, Copy)]
-pub struct Superball<G = Absent, L = Absent, P = Absent> {
+pub struct Superball {
     mass: f64,
     kappa: f64,
     room: f64,
     start: InFlight,
-    gravity: G,
-    restitution: L,
-    grip: P,
+    gravity: Option<f64>,
+    restitution: Option<Restitution>,
+    friction: Option<Coulomb>,
 }
 
 impl Superball {
     /// A ball of this mass (kg) and inertia factor under the open sky.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`] for the mass; the rest is examined when it runs.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the mass; the rest is examined when it runs.
     pub fn new(mass: f64, kappa: f64, start: InFlight) -> Result<Self> {
         Ok(Self {
-            mass: crate::error::positive("the mass", mass)?,
+            mass: positive("the mass", mass)?,
             kappa,
             room: f64::INFINITY,
             start,
-            gravity: Absent,
-            restitution: Absent,
-            grip: Absent,
+            gravity: None,
+            restitution: None,
+            friction: None,
         })
     }
-}
 
-impl<G, L, P> Superball<G, L, P> {
     /// The same under a ceiling: `room` (m) from floor to ceiling less the ball's diameter.
     pub fn under(mut self, room: f64) -> Self {
         self.room = room;
         self
     }
 
-    /// The same with gravity.
-    pub fn with_gravity<H>(self, gravity: H) -> Superball<H, L, P> {
-        let Self {
-            mass,
-            kappa,
-            room,
-            start,
-            restitution,
-            grip,
-            ..
-        } = self;
-        Superball {
-            mass,
-            kappa,
-            room,
-            start,
-            gravity,
-            restitution,
-            grip,
+    /// The same with [`Gravity`](super::effects::Gravity), which here must not pull up, [`Restitution`], or [`Coulomb`]'s friction at the contacts.
+    ///
+    /// # Errors
+    /// [`Error::Negative`](crate::Error::Negative) for gravity; [`Error::Effect`](crate::Error::Effect) for any other effect.
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        match effect.into() {
+            Effect::Gravity(gravity) => {
+                let strength = not_negative("the acceleration of gravity", gravity.value())?;
+                self.gravity = Some(strength);
+            }
+            Effect::Restitution(losses) => self.restitution = Some(losses),
+            Effect::Coulomb(law) => self.friction = Some(law),
+            other => return Err(other.refused("a superball", "gravity, restitution, friction")),
         }
+        Ok(self)
     }
 
-    /// The same with restitution.
-    pub fn with_restitution<M>(self, restitution: M) -> Superball<G, M, P> {
-        let Self {
-            mass,
-            kappa,
-            room,
-            start,
-            gravity,
-            grip,
-            ..
-        } = self;
-        Superball {
-            mass,
-            kappa,
-            room,
-            start,
-            gravity,
-            restitution,
-            grip,
-        }
-    }
-
-    /// The same with a limit to its grip.
-    pub fn with_grip<Q>(self, grip: Q) -> Superball<G, L, Q> {
-        let Self {
-            mass,
-            kappa,
-            room,
-            start,
-            gravity,
-            restitution,
-            ..
-        } = self;
-        Superball {
-            mass,
-            kappa,
-            room,
-            start,
-            gravity,
-            restitution,
-            grip,
-        }
-    }
-}
-
-impl<G: Gravity, L: Losses, P: Grip> Superball<G, L, P> {
     /// The flight itself.
     ///
     /// # Errors
     /// As [`Flight::new`].
-    pub fn flight(&self) -> Result<Flight<G, L, P>> {
-        let effects = (self.gravity, self.restitution, self.grip);
+    pub fn flight(&self) -> Result<Flight> {
+        let effects = (self.gravity, self.restitution, self.friction);
         Flight::new(self.kappa, self.room, effects, self.start)
     }
 }
@@ -188,128 +105,234 @@ impl Tabulated for Bouncing {
     ];
 
     fn row(&self) -> Vec<f64> {
-        let b = &self.ball;
-        let motion = b.motion;
-        vec![
-            b.position,
-            b.height,
-            motion.velocity,
-            b.climb,
-            motion.rim_speed,
-            b.bounces as f64,
-            self.energy,
-        ]
+        let [x, height, climb, velocity, rim_speed] = numbers(&self.ball);
+        let bounces = self.ball.bounces as f64;
+        vec![x, height, velocity, climb, rim_speed, bounces, self.energy]
     }
 }
 
-impl<G, L, P> Scene for Superball<G, L, P>
-where
-    G: Effect + Gravity,
-    L: Effect + Losses,
-    P: Effect + Grip,
-{
+/// Place, height, velocity upward and along the floor, rim speed.
+fn numbers(ball: &InFlight) -> [f64; 5] {
+    let motion = ball.motion;
+    let along = [motion.velocity, motion.rim_speed];
+    [ball.position, ball.height, ball.climb, along[0], along[1]]
+}
+
+impl Scene for Superball {
     type State = Bouncing;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let elastic = !L::PRESENT && !P::PRESENT;
-        match request.choice() {
-            Choice::Auto if elastic => Ok(Plan::new(
+        request.forward()?;
+        let elastic = self.restitution.is_none() && self.friction.is_none();
+        let (solver, reason) = match request.choice() {
+            Choice::Auto | Choice::Use(Solver::Exact) if elastic => (
                 Solver::Exact,
                 "elastic and non-slipping: a rotation a bounce, closed form",
-            )),
-            Choice::Auto => Ok(Plan::new(
-                Solver::Events,
-                "losses in the bounces: closed form from bounce to bounce",
-            )),
-            Choice::Use(Solver::Exact) if !elastic => Err(Error::Solver {
-                condition: "the solver exact needs a superball without restitution and grip; ask for events",
-            }),
-            Choice::Use(Solver::General(method)) => Ok(Plan::new(
-                Solver::General(method),
-                format!("flights: {} with events, as asked for", method.name()),
-            )),
-            Choice::Use(Solver::Geometric(_)) => Err(super::only_for_tops()),
-            Choice::Use(solver) => Ok(Plan::new(solver, "as asked for")),
-        }
+            ),
+            _ => (Solver::Events, "bounces: closed form from one to the next"),
+        };
+        planned(
+            request,
+            Ok(Closed { solver, reason }),
+            "the solver of a superball is `exact` without restitution and grip, `events`, or one that steps",
+        )
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Bouncing>> {
         let plan = self.plan(request)?;
-        let (order, times) = request.forward()?;
         let flight = self.flight()?;
-        let bounces = |balls: &[InFlight]| Cost {
-            evaluations: 0,
-            steps: balls.last().map_or(0, |b| b.bounces - self.start.bounces),
-        };
-        let (balls, cost) = match plan.solver {
+        let (balls, cost, error) = match plan.solver {
             Solver::Exact => {
-                let balls = times.iter().map(|&t| flight.exact(t));
-                (balls.collect::<Result<Vec<_>>>()?, Cost::default())
+                let balls = request.times().iter().map(|&t| flight.exact(t));
+                let balls: Vec<_> = balls.collect::<Result<_>>()?;
+                (balls, Cost::default(), 2.0 * OF_CLOSED_FORMS)
             }
-            Solver::General(method) => {
-                flight.integrated(&times, (method, effort(method, request, &times)))?
-            }
-            Solver::Events | Solver::Geometric(_) => {
-                let balls = flight.followed(&times)?;
-                let cost = bounces(&balls);
-                (balls, cost)
+            Solver::Events => self.followed(&flight, request)?,
+            _ => {
+                let Answer { trace, error } =
+                    to_accuracy(request, plan.solver, |_| Ok(Thrown { flight }))?;
+                let balls = trace.samples.iter().map(|(ball, y)| flying(ball, y));
+                (balls.collect(), trace.cost, error)
             }
         };
         let energy = |ball: &InFlight| self.mass * ball.energy(self.kappa, flight.gravity());
-        let mut ledger = Ledger::new();
-        let law = if L::PRESENT || P::PRESENT {
-            Law::NonIncreasing
-        } else {
-            Law::Conserved
-        };
-        let first = energy(&self.start);
-        let scale = if first > 0.0 { first } else { 1.0 };
-        let account = ledger.open_scaled("energy", law, first, scale)?;
         // A flight that goes on through the floor keeps its energy too.
         let depth = |ball: &InFlight| (-ball.height).max(ball.height - self.room).max(0.0);
-        let highest = balls
-            .iter()
-            .map(|b| b.height.abs())
-            .fold(self.start.height, f64::max);
-        let room = if highest > 0.0 {
-            highest.min(self.room)
-        } else {
-            1.0
+        let heights = balls.iter().map(|ball| ball.height.abs());
+        let highest = heights.fold(self.start.height, f64::max).min(self.room);
+        let (first, inside) = (energy(&self.start), depth(&self.start));
+        let law = match flight.is_elastic() {
+            true => Law::Conserved,
+            false => Law::NonIncreasing,
         };
+        let energies = |row: usize| energy(&balls[row]);
+        let depths = |row: usize| depth(&balls[row]);
         let name = "depth in floor or ceiling";
-        let inside = ledger.open_scaled(name, Law::Conserved, depth(&self.start), room)?;
-        for ball in &balls {
-            ledger.record(account, energy(ball))?;
-            ledger.record(inside, depth(ball))?;
-        }
+        let accounts: [Account<'_>; 2] = [
+            ("energy", law, first, first, &energies),
+            (name, Law::Conserved, highest, inside, &depths),
+        ];
+        let ledger = ledger(request, &accounts)?;
         let states = balls.iter().map(|ball| Bouncing {
             ball: *ball,
             energy: energy(ball),
         });
-        Ok(Motion {
-            error_estimate: None,
-            plan,
-            cost,
-            ledger: balanced(ledger, request.accuracy())?,
-            rows: in_order(request, &order, states),
-        })
+        Motion::of(request, plan, cost, error, ledger, states.collect())
     }
 }
 
-/// Simulates `ball` with those of the effects that are listed: one compiled scene a combination.
-///
-/// # Errors
-/// As for [`Scene::simulate`].
-pub fn listed(
-    ball: Superball,
-    gravity: Option<Weight>,
-    restitution: Option<Restitution>,
-    grip: Option<Slipping>,
-    request: &Request,
-) -> Result<Motion<Bouncing>> {
-    choose!((gravity = gravity) (restitution = restitution) (grip = grip) => ball
-        .with_gravity(gravity)
-        .with_restitution(restitution)
-        .with_grip(grip)
-        .simulate(request))
+/// By how much the twin differs that tells what becomes of rounding.
+const MOVED: f64 = 1e-13;
+/// Rounding of each bounce, and what becomes of the first in units of what becomes of a difference: four times what was seen.
+const ROUNDING: f64 = 1e-15;
+
+impl Superball {
+    /// Balls bounce by bounce, what they have cost, and by how much they may be off, in the greatest lengths and speeds of the motion.
+    ///
+    /// A twin that differs by [`MOVED`] tells what becomes of rounding, after as many bounces: at a bounce speeds jump, a moment earlier or later.
+    fn followed(&self, flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, Cost, f64)> {
+        let (order, times) = request.forward()?;
+        let ordered = flight.followed(&times)?;
+        let mut twin = *self;
+        let start = &mut twin.start;
+        start.climb *= 1.0 + MOVED;
+        start.height *= 1.0 - 0.7 * MOVED;
+        start.motion.velocity *= 1.0 + 0.8 * MOVED;
+        start.motion.rim_speed *= 1.0 - 0.9 * MOVED;
+        twin.gravity = self.gravity.map(|g| g * (1.0 - 0.6 * MOVED));
+        let counted = times.iter().zip(&ordered);
+        let counted: Vec<_> = counted.map(|(&t, ball)| (t, Some(ball.bounces))).collect();
+        let twins = twin.flight()?.sampled(&counted)?;
+        let all = ordered.iter().chain([&self.start]).map(numbers);
+        let greatest = all.fold([f64::MIN_POSITIVE; 5], |most, ball| {
+            core::array::from_fn(|n| greater(most[n], ball[n].abs()))
+        });
+        let [x, height, speeds @ ..] = greatest;
+        let speed = speeds.into_iter().fold(0.0, f64::max);
+        let sizes = [x.max(height), x.max(height), speed, speed, speed];
+        let apart = ordered.iter().zip(&twins).map(|(a, b)| {
+            let pairs = numbers(a).into_iter().zip(numbers(b)).zip(sizes);
+            pairs
+                .map(|((a, b), size)| (a - b).abs() / size)
+                .fold(0.0, greater)
+        });
+        let growth = apart.fold(0.0, greater) / MOVED;
+        let last = ordered.last().map_or(0, |ball| ball.bounces);
+        let steps = last - self.start.bounces;
+        let cost = Cost {
+            evaluations: 0,
+            steps,
+        };
+        let error = ROUNDING * (1.0 + steps as f64 + growth);
+        let mut balls = vec![self.start; ordered.len()];
+        for (place, ball) in order.into_iter().zip(ordered) {
+            balls[place] = ball;
+        }
+        Ok((balls, cost, error))
+    }
+}
+
+/// A ball on its way from bounce to bounce: place, height, velocity upward. A phase is a flight, or its half that falls, by how it begins.
+#[derive(Clone, Copy)]
+struct Thrown {
+    flight: Flight,
+}
+
+/// The ball of these numbers in a flight.
+fn flying(flight: &InFlight, &[position, height, climb]: &[f64; 3]) -> InFlight {
+    InFlight {
+        position,
+        height,
+        climb,
+        ..*flight
+    }
+}
+
+impl Thrown {
+    /// After the bounce at the surface that the ball flies to.
+    fn bounced(&self, ball: &InFlight) -> InFlight {
+        let surface = match ball.climb > 0.0 {
+            true => Surface::Ceiling,
+            false => Surface::Floor,
+        };
+        self.flight.bounced(ball, 0.0, surface, ball.climb.abs())
+    }
+
+    /// The speed at the floor, and the height that a ball of that speed has to rise.
+    fn sizes(&self) -> [f64; 2] {
+        let (g, ball) = (self.flight.gravity(), self.flight.start());
+        let speed = ball.climb.hypot((2.0 * g * ball.height).sqrt());
+        [speed, self.flight.room().min(0.5 * speed * speed / g)]
+    }
+}
+
+impl Flow<3> for Thrown {
+    type Phase = InFlight;
+
+    fn start(&self) -> Result<(InFlight, [f64; 3])> {
+        let ball = *self.flight.start();
+        Ok((ball, [ball.position, ball.height, ball.climb]))
+    }
+
+    fn scales(&self) -> [f64; 3] {
+        let [speed, height] = self.sizes();
+        let length = if height.is_finite() { height } else { 0.0 };
+        let (length, ball) = (length.max(f64::MIN_POSITIVE), self.flight.start());
+        let motion = ball.motion;
+        let speed = speed.max(motion.velocity.abs()).max(motion.rim_speed.abs());
+        [length, length, speed.max(f64::MIN_POSITIVE)]
+    }
+
+    fn pace(&self) -> f64 {
+        let [speed, height] = self.sizes();
+        if height > 0.0 { speed / height } else { 0.0 }
+    }
+
+    fn rate(&self, flight: InFlight, _: f64, y: &[f64; 3]) -> [f64; 3] {
+        [flight.motion.velocity, y[2], -self.flight.gravity()]
+    }
+
+    fn margin(&self, flight: InFlight, _: f64, y: &[f64; 3]) -> f64 {
+        match flight.climb > 0.0 {
+            true => self.flight.room() - y[1],
+            false => y[1],
+        }
+    }
+
+    fn may_end(&self, flight: InFlight) -> bool {
+        flight.climb <= 0.0 || self.flight.room().is_finite()
+    }
+
+    /// Up and down again in one step would hide a contact, so a flight is cut at its summit.
+    fn lasts_until(&self, flight: InFlight, t: f64) -> f64 {
+        match flight.climb > 0.0 && self.flight.gravity() > 0.0 {
+            true => t + flight.climb / self.flight.gravity(),
+            false => f64::INFINITY,
+        }
+    }
+
+    fn next(&self, flight: InFlight, ended: Ended, _: f64, y: &mut [f64; 3]) -> Result<InFlight> {
+        if ended == Ended::ByTheClock {
+            y[2] = 0.0;
+            return Ok(flying(&flight, y));
+        }
+        let ball = self.bounced(&flying(&flight, y));
+        *y = [ball.position, ball.height, ball.climb];
+        Ok(ball)
+    }
+
+    /// Where one of the two has just bounced, the other is about to.
+    fn distance(&self, (p, a): &(InFlight, [f64; 3]), (q, b): &(InFlight, [f64; 3])) -> f64 {
+        let (mut a, mut b) = (flying(p, a), flying(q, b));
+        if a.bounces + 1 == b.bounces {
+            a = self.bounced(&a);
+        } else if b.bounces + 1 == a.bounces {
+            b = self.bounced(&b);
+        }
+        let [length, _, speed] = self.scales();
+        let sizes = [length, length, speed, speed, speed];
+        let pairs = numbers(&a).into_iter().zip(numbers(&b)).zip(sizes);
+        let parts = pairs.map(|((a, b), size)| (a - b).abs() / size.max(b.abs()));
+        parts.fold(0.0, greater)
+    }
 }

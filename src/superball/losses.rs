@@ -3,7 +3,8 @@
 use num_traits::Num;
 
 use super::{Motion, Surface};
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, positive, within};
+use crate::rolling::course::Coulomb;
 
 /// What is left of the two speeds of the contact point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,23 +19,11 @@ impl Restitution {
     /// Along the surface 1 is the superball, 0 a ball that leaves the surface rolling, −1 a frictionless one.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], also for what is not finite.
+    /// [`Error::OutOfRange`], [`Error::NotFinite`].
     pub fn new(normal: f64, tangential: f64) -> Result<Self> {
-        let within = |quantity, value: f64, least| {
-            if (least..=1.0).contains(&value) {
-                Ok(value)
-            } else {
-                Err(Error::OutOfRange {
-                    quantity,
-                    value,
-                    least,
-                    greatest: 1.0,
-                })
-            }
-        };
         Ok(Self {
-            normal: within("the coefficient of restitution", normal, 0.0)?,
-            tangential: within("the tangential restitution", tangential, -1.0)?,
+            normal: within("the coefficient of restitution", normal, 0.0, 1.0)?,
+            tangential: within("the tangential restitution", tangential, -1.0, 1.0)?,
         })
     }
 
@@ -68,20 +57,22 @@ pub fn bounce_with<T: Num + Copy>(
     )
 }
 
-/// The same, if the contact can pass on an impulse of at most `most` per mass (m/s): beyond it slips and takes that much.
+/// The same by Coulomb's law for impulses: the contact passes on at most its grip times the normal impulse `pressed` per mass (m/s); where that is
+/// not enough it slips, and takes the kinetic coefficient times it.
 ///
-/// `most` is μ(1+e_n)|V_z|. At grazing incidence V_z is small and every ball slips.
+/// `pressed` is (1+e_n)|V_z|. At grazing incidence V_z is small and every ball slips.
 pub fn gripping_bounce(
     before: Motion<f64>,
     surface: Surface,
     kappa: f64,
     restitution: f64,
-    most: f64,
+    law: Coulomb,
+    pressed: f64,
 ) -> Motion<f64> {
     let slip = before.contact_speed(surface);
     let turned = (slip + restitution * slip) / (1.0 + kappa);
-    let turned = if kappa * turned.abs() > most {
-        (most / kappa).copysign(slip)
+    let turned = if kappa * turned.abs() > law.grip() * pressed {
+        (law.kinetic() * pressed / kappa).copysign(slip)
     } else {
         turned
     };
@@ -106,15 +97,8 @@ fn kicked<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T, turned: 
 /// [`Error::NotPositive`], [`Error::NotFinite`] for κ; [`Error::OutOfRange`] above 2/3, the thin shell's, where V₃ is no longer monotone;
 /// [`Error::Condition`] below 0.0718, where the superball itself does not come back.
 pub fn return_threshold(kappa: f64) -> Result<f64> {
-    let kappa = positive("the inertia factor", kappa)?;
-    if kappa > 2.0 / 3.0 {
-        return Err(Error::OutOfRange {
-            quantity: "the inertia factor",
-            value: kappa,
-            least: 0.0,
-            greatest: 2.0 / 3.0,
-        });
-    }
+    positive("the inertia factor", kappa)?;
+    within("the inertia factor", kappa, 0.0, 2.0 / 3.0)?;
     let (b, c) = (1.0 - 3.0 * kappa, (1.0 - kappa) * (1.0 - kappa));
     let (mut low, mut high) = (0.0, 2.0 / (1.0 + kappa));
     // The slope 3 + 2ba + 3ca² has the discriminant 4b² − 36c, which is negative for κ < 2/3.

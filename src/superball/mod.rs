@@ -23,7 +23,7 @@ use num_rational::Ratio;
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Num};
 
 use crate::double_double::DoubleDouble;
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Result, finite, not_negative, positive, within};
 
 /// What a bounce leaves and takes: both in the same unit of speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -250,7 +250,7 @@ where
 /// κ → 0 gives an infinite reach: it passes straight through. Correct to two units in the last place.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`] for κ.
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for κ.
 pub fn reach(kappa: f64) -> Result<[f64; 2]> {
     let kappa = positive("the inertia factor", kappa)?;
     let half_width = 0.5 * (1.0 + kappa.recip()).sqrt();
@@ -277,30 +277,22 @@ impl BounceRotation {
     /// [`Self::of_fraction`].
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] outside 0…1.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) outside 0…1.
     pub fn new(kappa: f64) -> Result<Self> {
-        let value = finite("the inertia factor", kappa)?;
-        Self::of(DoubleDouble::from(value))
+        Self::of(DoubleDouble::from(kappa))
     }
 
     /// For the inertia factor `numerator`/`denominator`, such as 2/5, to 31 digits.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] if the denominator is zero; [`Error::OutOfRange`] outside 0…1.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) if the denominator is zero; [`Error::OutOfRange`](crate::Error::OutOfRange) outside 0…1.
     pub fn of_fraction(numerator: u32, denominator: u32) -> Result<Self> {
         let denominator = positive("the denominator", f64::from(denominator))?;
         Self::of(DoubleDouble::from(f64::from(numerator)).divide(DoubleDouble::from(denominator)))
     }
 
     fn of(kappa: DoubleDouble) -> Result<Self> {
-        if !(0.0..=1.0).contains(&kappa.value()) {
-            return Err(Error::OutOfRange {
-                quantity: "the inertia factor",
-                value: kappa.value(),
-                least: 0.0,
-                greatest: 1.0,
-            });
-        }
+        within("the inertia factor", kappa.value(), 0.0, 1.0)?;
         let one = DoubleDouble::from(1.0);
         let whole = one.add(kappa);
         let unit = [
@@ -390,7 +382,7 @@ pub struct SpringBounce {
 /// Error: a few units in the last place times (1 + √tuning).
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NotPositive`] for κ; [`Error::Negative`] for the tuning.
+/// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for κ; [`Error::Negative`](crate::Error::Negative) for the tuning.
 pub fn spring_bounce(
     before: Motion<f64>,
     surface: Surface,

@@ -1,12 +1,12 @@
-//! Friction, rolling resistance and the sheet, each absent and at zero. Slots are filled by name, so there is no order to change.
+//! Friction, rolling resistance and the sheet, each absent and at zero, and in another order.
 
 use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::course::{Coulomb, RollingResistance};
-use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
+use spinning_bodies::rolling::sheet::SheetSpeeds;
 use spinning_bodies::rolling::{RoundBody, factor};
+use spinning_bodies::scene::effects::{BearingFriction, Coulomb, Effect, RollingResistance, Sheet};
 use spinning_bodies::scene::roller::{Roller, Rolling};
-use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver, Tabulated};
+use spinning_bodies::scene::{Choice, Geometric, Motion, Request, Scene, Solver, Tabulated};
 
 pub fn times() -> Request {
     Request::at([2.0, 0.0, 0.1, 0.3, 0.7, 1.5]).unwrap()
@@ -31,6 +31,11 @@ fn thrown() -> Roller {
     Roller::new(ball, 9.81, 1.0, -4.0).unwrap()
 }
 
+fn with<const N: usize>(effects: [Effect; N]) -> Roller {
+    let add = |roller: Roller, effect| roller.with(effect).unwrap();
+    effects.into_iter().fold(thrown(), add)
+}
+
 fn mu(value: f64) -> Coulomb {
     Coulomb::new(value).unwrap()
 }
@@ -52,41 +57,36 @@ fn run(scene: &impl Scene<State = Rolling>) -> Motion<Rolling> {
 fn each_effect_matters_and_fades() {
     let none = run(&thrown());
     assert_eq!(none.plan.solver, Solver::Exact);
-    let rubbed = run(&thrown().with_friction(mu(0.2)));
+    let rubbed = run(&with([mu(0.2).into()]));
     assert_eq!(rubbed.plan.solver, Solver::Events);
     assert!(same(&none, &rubbed) > 0.1);
     // μ = 0 to the bit; a small μ by as much as it is small.
-    assert_eq!(same(&none, &run(&thrown().with_friction(mu(0.0)))), 0.0);
-    let little = same(&none, &run(&thrown().with_friction(mu(1e-9))));
+    assert_eq!(same(&none, &run(&with([mu(0.0).into()]))), 0.0);
+    let little = same(&none, &run(&with([mu(1e-9).into()])));
     assert!(little > 0.0 && little < 1e-7);
 
-    let felt = |c| RollingResistance::new(c).unwrap();
-    let both = thrown().with_friction(mu(0.2)).with_resistance(felt(0.01));
+    let felt = |c| Effect::from(RollingResistance::new(c).unwrap());
+    let both = with([mu(0.2).into(), felt(0.01)]);
     assert!(same(&rubbed, &run(&both)) > 1e-3);
-    let zero = thrown().with_friction(mu(0.2)).with_resistance(felt(0.0));
+    let zero = with([mu(0.2).into(), felt(0.0)]);
     // The spin's passage through zero is an event more: rounding.
     assert!(same(&rubbed, &run(&zero)) < 1e-15);
-    // Which slot is filled first cannot matter.
-    let other = thrown().with_resistance(felt(0.01)).with_friction(mu(0.2));
+    let other = with([felt(0.01), mu(0.2).into()]);
     assert_eq!(same(&run(&both), &run(&other)), 0.0);
 
     let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
     let still = SheetSpeeds::through([(0.0, 0.0)]).unwrap();
-    let sheet = |law, speeds| Sheet::new(law, speeds, 0.5).unwrap();
-    let pulled = thrown()
-        .with_friction(mu(0.2))
-        .with_sheet(sheet(mu(0.3), &speeds));
+    let sheet = |law, speeds| Effect::from(Sheet::new(law, speeds, 0.5).unwrap());
+    let pulled = with([mu(0.2).into(), sheet(mu(0.3), speeds)]);
     assert!(same(&rubbed, &run(&pulled)) > 0.1);
     // A sheet of the table's friction that stays where it is, is table.
-    let resting = thrown()
-        .with_friction(mu(0.2))
-        .with_sheet(sheet(mu(0.2), &still));
+    let resting = with([mu(0.2).into(), sheet(mu(0.2), still)]);
     assert!(same(&rubbed, &run(&resting)) < 1e-15);
 }
 
 #[test]
 fn what_a_roller_refuses() {
-    let scene = thrown().with_friction(mu(0.2));
+    let scene = with([mu(0.2).into()]);
     let early = Request::at([-1.0]).unwrap();
     assert!(matches!(
         scene.simulate(&early),
@@ -99,16 +99,22 @@ fn what_a_roller_refuses() {
         let motion = scene.simulate(&by(method)).unwrap();
         assert!(same(&motion, &run(&scene)) < 1e-11, "{method:?}");
     }
+    let ours = times().by(Choice::Use(Solver::Geometric(Geometric::DormandPrince8)));
+    assert!(same(&scene.simulate(&ours).unwrap(), &run(&scene)) < 1e-12);
+    let friction = thrown().with(BearingFriction::new(0.1).unwrap());
+    let told = friction.unwrap_err().to_string();
+    assert!(
+        told.contains("bearing_friction") && told.contains("sheet"),
+        "{told}"
+    );
 }
 
 #[test]
 fn it_is_quick() {
     let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
-    let sheet = Sheet::new(mu(0.3), &speeds, 0.5).unwrap();
-    let scene = thrown()
-        .with_friction(mu(0.2))
-        .with_resistance(RollingResistance::new(0.01).unwrap())
-        .with_sheet(sheet);
+    let sheet = Sheet::new(mu(0.3), speeds, 0.5).unwrap();
+    let resistance = RollingResistance::new(0.01).unwrap();
+    let scene = with([mu(0.2).into(), resistance.into(), sheet.into()]);
     let request = times().to_accuracy(1e-9).unwrap();
     let clock = std::time::Instant::now();
     for _ in 0..100 {

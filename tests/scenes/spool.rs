@@ -3,8 +3,8 @@
 use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::RoundBody;
-use spinning_bodies::rolling::course::{Coulomb, RollingResistance};
-use spinning_bodies::rolling::spool::{Spool, Tug};
+use spinning_bodies::rolling::spool::Spool;
+use spinning_bodies::scene::effects::{Coulomb, Effect, RollingResistance, Tug};
 use spinning_bodies::scene::spool::{Spooling, TuggedSpool};
 use spinning_bodies::scene::{Choice, Motion, Scene, Solver};
 
@@ -26,33 +26,33 @@ fn run(scene: &impl Scene<State = Spooling>) -> Motion<Spooling> {
 
 #[test]
 fn each_effect_matters_and_fades() {
-    let tug = |tension| Tug::new(tension, 1.0).unwrap();
-    let mu = |value| Coulomb::new(value).unwrap();
+    let tug = |tension| Effect::from(Tug::new(tension, 1.0).unwrap());
+    let mu = |value| Effect::from(Coulomb::new(value).unwrap());
+    let felt = |c| Effect::from(RollingResistance::new(c).unwrap());
+    let with = |effects: &[Effect]| {
+        let add = |spool: TuggedSpool, effect: &Effect| spool.with(effect.clone()).unwrap();
+        effects.iter().fold(reel(), add)
+    };
     let alone = run(&reel());
     assert_eq!(alone.plan.solver, Solver::Exact);
-    let pulled = run(&reel().with_tug(tug(0.3)));
+    let pulled = run(&with(&[tug(0.3)]));
     assert!(same(&alone, &pulled) > 0.1);
-    assert_eq!(same(&alone, &run(&reel().with_tug(tug(0.0)))), 0.0);
-    let held = run(&reel().with_tug(tug(0.3)).with_friction(mu(0.4)));
+    assert_eq!(same(&alone, &run(&with(&[tug(0.0)]))), 0.0);
+    let held = run(&with(&[tug(0.3), mu(0.4)]));
     assert!(same(&pulled, &held) > 0.1);
     // The slip passes through zero on the way, an event more: rounding. Observed: 4e-16.
-    let slippery = run(&reel().with_tug(tug(0.3)).with_friction(mu(0.0)));
+    let slippery = run(&with(&[tug(0.3), mu(0.0)]));
     assert!(same(&pulled, &slippery) < 2e-15);
-    let felt = |c| RollingResistance::new(c).unwrap();
-    let scene = reel().with_tug(tug(0.3)).with_friction(mu(0.4));
-    let slowed = run(&scene.with_resistance(felt(0.01)));
+    let slowed = run(&with(&[tug(0.3), mu(0.4), felt(0.01)]));
     assert!(same(&held, &slowed) > 1e-3);
     // Events more than without: rounding.
-    assert!(same(&held, &run(&scene.with_resistance(felt(0.0)))) < 2e-15);
-    let other = reel().with_friction(mu(0.4)).with_tug(tug(0.3));
+    assert!(same(&held, &run(&with(&[tug(0.3), mu(0.4), felt(0.0)]))) < 2e-15);
+    let other = with(&[mu(0.4), tug(0.3)]);
     assert_eq!(same(&held, &run(&other)), 0.0);
 }
 
 #[test]
 fn a_lifted_spool_is_refused() {
-    let scene = reel().with_tug(Tug::new(2.1, 1.4).unwrap());
-    assert!(matches!(
-        scene.simulate(&times()),
-        Err(Error::NotPositive { .. })
-    ));
+    let lifted = reel().with(Tug::new(2.1, 1.4).unwrap());
+    assert!(matches!(lifted, Err(Error::NotPositive { .. })));
 }

@@ -2,10 +2,11 @@
 
 use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
+use spinning_bodies::scene::effects::{Coulomb, Effect, Gravity, Restitution};
 use spinning_bodies::scene::superball::{Bouncing, Superball};
 use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver};
-use spinning_bodies::superball::flight::{InFlight, Slipping, Weight};
-use spinning_bodies::superball::{Motion as Throw, Restitution};
+use spinning_bodies::superball::Motion as Throw;
+use spinning_bodies::superball::flight::InFlight;
 
 use super::roller::{balance, same};
 
@@ -28,6 +29,11 @@ fn ball() -> Superball {
     Superball::new(0.05, 0.4, start).unwrap().under(0.6)
 }
 
+fn with<const N: usize>(effects: [Effect; N]) -> Superball {
+    let add = |ball: Superball, effect| ball.with(effect).unwrap();
+    effects.into_iter().fold(ball(), add)
+}
+
 fn run(scene: &impl Scene<State = Bouncing>) -> Motion<Bouncing> {
     let exact = scene.simulate(&times()).unwrap();
     let followed = scene
@@ -47,41 +53,41 @@ fn run(scene: &impl Scene<State = Bouncing>) -> Motion<Bouncing> {
 
 #[test]
 fn each_effect_matters_and_fades() {
-    let weight = |g| Weight::new(g).unwrap();
+    let weight = |g| Effect::from(Gravity::new(g).unwrap());
     let free = run(&ball());
     assert_eq!(free.plan.solver, Solver::Exact);
-    let heavy = run(&ball().with_gravity(weight(9.81)));
+    let heavy = run(&with([weight(9.81)]));
     assert!(same(&free, &heavy) > 0.1);
-    assert_eq!(same(&free, &run(&ball().with_gravity(weight(0.0)))), 0.0);
-    let losses = |n, t| Restitution::new(n, t).unwrap();
-    let scene = ball().with_gravity(weight(9.81));
-    let dull = run(&scene.with_restitution(losses(0.95, 0.7)));
+    assert_eq!(same(&free, &run(&with([weight(0.0)]))), 0.0);
+    let losses = |n, t| Effect::from(Restitution::new(n, t).unwrap());
+    let scene = with([weight(9.81)]);
+    let dull = run(&scene.with(losses(0.95, 0.7)).unwrap());
     assert_eq!(dull.plan.solver, Solver::Events);
     assert!(same(&heavy, &dull) > 0.1);
     // Without losses, followed bounce by bounce: to the bit what the same solver gives without the effect.
     let events = times().by(Choice::Use(Solver::Events));
     let plain = scene.simulate(&events).unwrap();
     let neutral = scene
-        .with_restitution(losses(1.0, 1.0))
+        .with(losses(1.0, 1.0))
+        .unwrap()
         .simulate(&events)
         .unwrap();
     assert_eq!(same(&plain, &neutral), 0.0);
-    let slippery = run(&scene.with_grip(Slipping::new(0.05).unwrap()));
+    let slippery = run(&scene.with(Coulomb::new(0.05).unwrap()).unwrap());
     assert!(same(&heavy, &slippery) > 0.1);
     let firm = scene
-        .with_grip(Slipping::new(1e3).unwrap())
+        .with(Coulomb::new(1e3).unwrap())
+        .unwrap()
         .simulate(&events)
         .unwrap();
     assert_eq!(same(&plain, &firm), 0.0);
-    let other = ball()
-        .with_restitution(losses(0.95, 0.7))
-        .with_gravity(weight(9.81));
+    let other = with([losses(0.95, 0.7), weight(9.81)]);
     assert_eq!(same(&dull, &run(&other)), 0.0);
 }
 
 #[test]
 fn ten_million_bounces_at_once() {
-    let scene = ball().with_gravity(Weight::new(9.81).unwrap());
+    let scene = with([Gravity::new(9.81).unwrap().into()]);
     let far = Request::at([1.0, 1.4e6]).unwrap();
     let motion = scene.simulate(&far).unwrap();
     assert!(motion.rows[1].1.ball.bounces > 10_000_000);

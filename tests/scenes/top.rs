@@ -126,7 +126,11 @@ fn effects(part: f64) -> [Effect; 5] {
 fn leaving_an_effect_out_changes_the_answer_and_its_zero_does_not() {
     let free = Top::new(body([0.02, 0.02, 0.01], [0.0, 0.0, 0.1]), start()).unwrap();
     let run = |top: Top| top.simulate(&Request::at(times()).unwrap()).unwrap();
-    let with = |effects: &[Effect]| effects.iter().fold(free, |top, &e| top.with(e).unwrap());
+    let with = |effects: &[Effect]| {
+        effects
+            .iter()
+            .fold(free, |top, e| top.with(e.clone()).unwrap())
+    };
     let with_all = run(with(&effects(1.0)));
     for (left_out, zero) in effects(0.0).into_iter().enumerate() {
         let mut others = effects(1.0).to_vec();

@@ -2,8 +2,7 @@
 
 use approx::assert_relative_eq;
 use spinning_bodies::Error;
-use spinning_bodies::rolling::course::Nothing;
-use spinning_bodies::superball::flight::{Flight, InFlight, Weight};
+use spinning_bodies::superball::flight::{Flight, InFlight};
 use spinning_bodies::superball::{BounceRotation, Motion, Surface, UnderTable, bounce};
 
 use crate::common::BALL;
@@ -140,7 +139,7 @@ fn s4_6_flights_at_distant_times() {
             motion: thrown(v, w),
             bounces: 0,
         };
-        let effects = (Weight::new(g).unwrap(), Nothing, Nothing);
+        let effects = (Some(g), None, None);
         let ball = Flight::new(kappa, room, effects, start).unwrap();
         let after = ball.exact(t).unwrap();
         assert_eq!(after.bounces as f64, bounces, "{row:?}");

@@ -13,18 +13,21 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::impacts::{Impact, Meteorite, Planet};
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::rolling::RoundBody;
-use spinning_bodies::rolling::course::{Coulomb, RollingResistance};
-use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
-use spinning_bodies::rolling::spool::{Spool, Tug};
+use spinning_bodies::rolling::sheet::SheetSpeeds;
+use spinning_bodies::rolling::spool::Spool;
+use spinning_bodies::scene::effects::{
+    Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug,
+};
 use spinning_bodies::scene::meteorite::StruckPlanet;
-use spinning_bodies::scene::roller::{self, Roller};
-use spinning_bodies::scene::spool::{self, TuggedSpool};
-use spinning_bodies::scene::superball::{self, Superball};
-use spinning_bodies::superball::flight::{InFlight, Slipping, Weight};
-use spinning_bodies::superball::{Motion, Restitution};
+use spinning_bodies::scene::roller::Roller;
+use spinning_bodies::scene::spool::TuggedSpool;
+use spinning_bodies::scene::superball::Superball;
+use spinning_bodies::superball::Motion;
+use spinning_bodies::superball::flight::InFlight;
 
+use super::Ready;
 use super::reader::Section;
-use super::{Ready, Table};
+use super::shape::with;
 use crate::Result;
 
 const BALL: f64 = 0.4;
@@ -61,10 +64,7 @@ fn resistance(section: &Section<'_>) -> Result<Option<RollingResistance>> {
         .map_err(section.about(KEY))
 }
 
-/// A sheet that is not yet under anything.
-type Pulled = (Coulomb, SheetSpeeds, f64);
-
-fn sheet(section: &Section<'_>) -> Result<Option<Pulled>> {
+fn sheet(section: &Section<'_>) -> Result<Option<Sheet>> {
     let keys = [
         "sheet_friction",
         "sheet_times",
@@ -94,8 +94,8 @@ fn sheet(section: &Section<'_>) -> Result<Option<Pulled>> {
     let points: Vec<(f64, f64)> = times.into_iter().zip(speeds).collect();
     let speeds = SheetSpeeds::through(points).map_err(section.about(keys[1]))?;
     let margin = section.positive(keys[3], "a distance in m")?;
-    Sheet::new(law, &speeds, margin).map_err(section.about(keys[3]))?;
-    Ok(Some((law, speeds, margin)))
+    let sheet = Sheet::new(law, speeds, margin).map_err(section.about(keys[3]))?;
+    Ok(Some(sheet))
 }
 
 pub fn roller(file: &Section<'_>) -> Result<Ready> {
@@ -104,8 +104,11 @@ pub fn roller(file: &Section<'_>) -> Result<Ready> {
     section.done()?;
     let effects = file.section("effects")?;
     let gravity = effects.positive("gravity", GRAVITY)?;
-    let (law, arm, pulled) = (friction(&effects)?, resistance(&effects)?, sheet(&effects)?);
-    effects.done()?;
+    let listed = [
+        friction(&effects)?.map(Effect::from),
+        resistance(&effects)?.map(Effect::from),
+        sheet(&effects)?.map(Effect::from),
+    ];
     let section = file.section("initial")?;
     let rim = section.optional("rim_speed", SPEED)?;
     let scene = match (rim, section.optional("cue_height", RATIO)?) {
@@ -125,13 +128,9 @@ pub fn roller(file: &Section<'_>) -> Result<Ready> {
         }
     };
     section.done()?;
-    Ok(Ready(Box::new(move |request| {
-        let sheet = match &pulled {
-            Some((law, speeds, margin)) => Some(Sheet::new(*law, speeds, *margin)?),
-            None => None,
-        };
-        roller::listed(scene, law, arm, sheet, request).map(Table::of)
-    })))
+    let scene = with(scene, &effects, listed, Roller::with)?;
+    effects.done()?;
+    Ok(Ready::scene(Box::new(scene)))
 }
 
 pub fn spool(file: &Section<'_>) -> Result<Ready> {
@@ -154,22 +153,24 @@ pub fn spool(file: &Section<'_>) -> Result<Ready> {
     let tug = match (tension, effects.optional("tug_angle", "an angle in rad")?) {
         (Some(tension), Some(angle)) => {
             let tug = Tug::new(tension, angle).map_err(effects.about("tug_angle"))?;
-            let keys = "tension, tug_angle, gravity, mass";
-            reel.load(tug, gravity).map_err(file.about(keys))?;
             Some(tug)
         }
         (None, None) => None,
         _ => return Err(effects.refused("tension", "and `tug_angle` belong together")),
     };
-    let scene = TuggedSpool::new(reel, gravity).map_err(effects.about("gravity"))?;
+    let mut scene = TuggedSpool::new(reel, gravity).map_err(effects.about("gravity"))?;
+    if let Some(tug) = tug {
+        let keys = "tension, tug_angle, gravity, mass";
+        scene = scene.with(tug).map_err(file.about(keys))?;
+    }
+    let listed = [law.map(Effect::from), arm.map(Effect::from)];
+    let scene = with(scene, &effects, listed, TuggedSpool::with)?;
     effects.done()?;
     let section = file.section("initial")?;
     let velocity = section.number_or("velocity", SPEED, 0.0)?;
     let scene = scene.moving(velocity, section.number_or("rim_speed", SPEED, 0.0)?);
     section.done()?;
-    Ok(Ready(Box::new(move |request| {
-        spool::listed(scene, tug, law, arm, request).map(Table::of)
-    })))
+    Ok(Ready::scene(Box::new(scene)))
 }
 
 pub fn superball(file: &Section<'_>) -> Result<Ready> {
@@ -204,10 +205,8 @@ pub fn superball(file: &Section<'_>) -> Result<Ready> {
     let room = effects.optional_positive("ceiling", HEIGHT)?;
     let ball = ball.under(room.unwrap_or(f64::INFINITY));
     ball.flight().map_err(file.about("ceiling, height"))?;
-    let gravity = effects
-        .optional("gravity", GRAVITY)?
-        .map(Weight::new)
-        .transpose();
+    let gravity = effects.optional("gravity", GRAVITY)?;
+    let gravity = gravity.map(Gravity::new).transpose();
     let gravity = gravity.map_err(effects.about("gravity"))?;
     let normal = effects.optional("restitution", RATIO)?;
     let tangential = effects.optional("tangential_restitution", RATIO)?;
@@ -219,15 +218,16 @@ pub fn superball(file: &Section<'_>) -> Result<Ready> {
     } else {
         None
     };
-    let grip = effects
-        .optional("grip", RATIO)?
-        .map(Slipping::new)
-        .transpose();
-    let grip = grip.map_err(effects.about("grip"))?;
+    let grip = effects.optional("grip", RATIO)?.map(Coulomb::new);
+    let grip = grip.transpose().map_err(effects.about("grip"))?;
+    let listed = [
+        gravity.map(Effect::from),
+        restitution.map(Effect::from),
+        grip.map(Effect::from),
+    ];
+    let scene = with(ball, &effects, listed, Superball::with)?;
     effects.done()?;
-    Ok(Ready(Box::new(move |request| {
-        superball::listed(ball, gravity, restitution, grip, request).map(Table::of)
-    })))
+    Ok(Ready::scene(Box::new(scene)))
 }
 
 pub fn meteorite(file: &Section<'_>) -> Result<Ready> {

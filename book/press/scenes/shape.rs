@@ -56,7 +56,8 @@ pub fn with<S>(
     add: impl Fn(S, Effect) -> spinning_bodies::Result<S>,
 ) -> Result<S> {
     for effect in listed.into_iter().flatten() {
-        scene = add(scene, effect).map_err(effects.about(effect.name()))?;
+        let name = effect.name();
+        scene = add(scene, effect).map_err(effects.about(name))?;
     }
     Ok(scene)
 }

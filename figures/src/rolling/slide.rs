@@ -1,7 +1,7 @@
 //! From sliding to rolling (tutorial 4.3): velocity and rim speed against time.
 
 use spinning_bodies::Result;
-use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment, Nothing};
+use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
 use spinning_bodies::rolling::{RoundBody, factor};
 
 use crate::Figure;
@@ -34,7 +34,7 @@ pub fn lines() -> Result<Figure> {
                 slip: shot.slip(),
                 ..Moment::moving(shot.velocity(), shot.rim_speed())
             };
-            let effects = (friction, Nothing, Nothing);
+            let effects = (Some(friction), None, None);
             let course = Course::new(factor::BALL, Load::weight(9.81), effects, start, UNTIL)?;
             Ok((name, course))
         })

@@ -6,7 +6,7 @@ use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative};
 use crate::integrators::{Cost, Passage, Stop};
 use crate::phenomena::crawler::{self, Foot, Gap, Leg};
-use crate::rolling::course::{Coulomb, Friction as _};
+use crate::rolling::course::Coulomb;
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Closed, Ended, Flow, planned, solved};
 use crate::scene::motion::{Account, ledger};

@@ -1,17 +1,12 @@
 //! A superball in flight (tutorial 4.6): from the hand to the floor, to the underside of a table, and so on, with exact times.
 //!
 //! Horizontal velocity and spin change only in bounces, height only as gravity says; so every flight is a quadratic and its time a root
-//! taken without cancellation. What may be absent is a type parameter, as in [`course`](crate::rolling::course).
+//! taken without cancellation.
 
-mod effects;
-
-pub use effects::{Gravity, Grip, Losses, Slipping, Weight};
-
-use super::{BounceRotation, Motion, Surface, bounce, gripping_bounce};
+use super::{BounceRotation, Motion, Restitution, Surface, bounce, gripping_bounce};
 use crate::double_double::DoubleDouble;
-use crate::error::{Error, Result, finite, not_negative, positive};
-use crate::integrators::{Cost, Effort, Method, Stop, solve, until};
-use crate::rolling::course::{Coulomb, Course, Load, Moment, Nothing};
+use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::rolling::course::{Coulomb, Course, Load, Moment};
 
 /// A ball in the air, or just after a bounce.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,13 +41,14 @@ impl InFlight {
 
 /// A ball, the room it has and what acts on it.
 #[derive(Debug, Clone, Copy)]
-pub struct Flight<G = Nothing, L = Nothing, P = Nothing> {
+pub struct Flight {
     kappa: f64,
     /// From floor to ceiling less the ball's diameter; infinite without a ceiling.
     room: f64,
-    gravity: G,
-    losses: L,
-    grip: P,
+    /// More than nothing, if there is any.
+    gravity: Option<f64>,
+    losses: Option<Restitution>,
+    grip: Option<Coulomb>,
     start: InFlight,
 }
 
@@ -65,56 +61,39 @@ const MOST_FLIGHTS: f64 = 9_007_199_254_740_992.0;
 /// Times whose ratio differs from 1 by less are one time.
 const SAME: f64 = 1e-16;
 
-impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
+impl Flight {
     /// A ball of inertia factor κ (0…1, without the 0) that starts as `start`, in a room of height `room` (m; floor to ceiling less the ball's
-    /// diameter, infinite for the open sky).
+    /// diameter, infinite for the open sky), under gravity (m/s²), with losses in its bounces and a contact that may slip, each if it is there.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for κ or a start outside the room; [`Error::NotPositive`] for the room; [`Error::NotFinite`].
+    /// [`Error::OutOfRange`] for κ or a start outside the room; [`Error::NotPositive`] for the room; [`Error::Negative`] for gravity;
+    /// [`Error::NotFinite`].
     pub fn new(
         kappa: f64,
         room: f64,
-        (gravity, losses, grip): (G, L, P),
+        (gravity, losses, grip): (Option<f64>, Option<Restitution>, Option<Coulomb>),
         start: InFlight,
     ) -> Result<Self> {
-        let kappa = positive("the inertia factor", kappa)?;
-        if kappa > 1.0 {
-            return Err(Error::OutOfRange {
-                quantity: "the inertia factor",
-                value: kappa,
-                least: 0.0,
-                greatest: 1.0,
-            });
-        }
+        positive("the inertia factor", kappa)?;
+        let gravity = not_negative("the acceleration of gravity", gravity.unwrap_or(0.0))?;
         if room != f64::INFINITY {
             positive("the height of the room", room)?;
         }
-        finite("the position", start.position)?;
-        finite("the velocity upward", start.climb)?;
-        finite("the velocity", start.motion.velocity)?;
-        finite("the rim speed", start.motion.rim_speed)?;
+        start.checked()?;
         // What the speeds at the contacts are made of.
-        let doubled = finite(
-            "twice the acceleration of gravity",
-            2.0 * gravity.strength(),
-        )?;
+        let doubled = finite("twice the acceleration of gravity", 2.0 * gravity)?;
         let energy = start.climb * start.climb + doubled * start.height;
         finite("twice the energy of the ball per mass", energy)?;
-        if !(0.0..=room).contains(&finite("the height", start.height)?) {
-            return Err(Error::OutOfRange {
-                quantity: "the height",
-                value: start.height,
-                least: 0.0,
-                greatest: room,
-            });
-        }
         Ok(Self {
-            kappa,
+            kappa: within("the inertia factor", kappa, 0.0, 1.0)?,
             room,
-            gravity,
+            gravity: (gravity > 0.0).then_some(gravity),
             losses,
             grip,
-            start,
+            start: InFlight {
+                height: within("the height", start.height, 0.0, room)?,
+                ..start
+            },
         })
     }
 
@@ -125,30 +104,40 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
 
     /// Acceleration of gravity, m/s², 0 if there is none.
     pub fn gravity(&self) -> f64 {
-        if G::ACTS {
-            self.gravity.strength()
-        } else {
-            0.0
-        }
+        self.gravity.unwrap_or(0.0)
+    }
+
+    /// From floor to ceiling less the ball's diameter, m; infinite without a ceiling.
+    pub(crate) fn room(&self) -> f64 {
+        self.room
+    }
+
+    /// How it starts.
+    pub(crate) fn start(&self) -> &InFlight {
+        &self.start
     }
 
     /// Whether the energy is kept and the bounces are reflections, so that [`Self::exact`] speaks of it.
     pub fn is_elastic(&self) -> bool {
-        !L::ACTS && !P::ACTS
+        self.losses.is_none() && self.grip.is_none()
     }
 
     /// The speeds at which a ball in flight passes the floor, and the ceiling if it gets so high, in twice the precision.
     fn speeds(&self, ball: &InFlight) -> (DoubleDouble, Option<DoubleDouble>) {
-        let (v, doubled) = (ball.climb.abs(), 2.0 * self.gravity());
+        let v = ball.climb.abs();
+        let Some(g) = self.gravity else {
+            let v = DoubleDouble::from(v);
+            return (v, self.room.is_finite().then_some(v));
+        };
         let square = DoubleDouble::product(v, v);
         // Without a fall the speed is the ball's own, even where its square underflows.
         let after = |fall: DoubleDouble, sum: DoubleDouble| match fall.value() {
             0.0 => DoubleDouble::from(v),
             _ => sum.square_root(),
         };
-        let fall = DoubleDouble::product(doubled, ball.height);
+        let fall = DoubleDouble::product(2.0 * g, ball.height);
         let floor = after(fall, square.add(fall));
-        let rise = DoubleDouble::difference(self.room, ball.height).times(doubled);
+        let rise = DoubleDouble::difference(self.room, ball.height).times(2.0 * g);
         let ceiling = square.subtract(rise);
         let reached = self.room.is_finite() && (rise.value() == 0.0 || ceiling.value() > 0.0);
         (floor, reached.then(|| after(rise, ceiling)))
@@ -160,8 +149,8 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
         let v = DoubleDouble::from(ball.climb);
         let (floor, ceiling) = self.speeds(ball);
         // Of the two roots the one that does not cancel, for either sign of v.
-        let contact = match ceiling {
-            Some(speed) if ball.climb > 0.0 => {
+        let contact = match (ceiling, self.gravity) {
+            (Some(speed), _) if ball.climb > 0.0 => {
                 let left = DoubleDouble::difference(self.room, ball.height);
                 let time = left.scaled(2.0).divide(v.add(speed));
                 Some((time, Surface::Ceiling, speed))
@@ -170,8 +159,8 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
                 let time = DoubleDouble::from(2.0 * ball.height).divide(floor.subtract(v));
                 Some((time, Surface::Floor, floor))
             }
-            _ if self.gravity() > 0.0 && floor.value() > 0.0 => {
-                let time = v.add(floor).divide(DoubleDouble::from(self.gravity()));
+            (_, Some(g)) if floor.value() > 0.0 => {
+                let time = v.add(floor).divide(DoubleDouble::from(g));
                 Some((time, Surface::Floor, floor))
             }
             _ => None,
@@ -182,15 +171,14 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
 
     /// Whether a ball lies on the floor.
     fn lies(&self, ball: &InFlight) -> bool {
-        self.gravity() > 0.0 && self.speeds(ball).0.value() == 0.0
+        self.gravity.is_some() && self.speeds(ball).0.value() == 0.0
     }
 
     /// The ball after a time without contact.
     fn flown(&self, ball: &InFlight, t: f64) -> Result<InFlight> {
         let mut height = ball.height + t * ball.climb;
         let mut climb = ball.climb;
-        if G::ACTS {
-            let g = self.gravity.strength();
+        if let Some(g) = self.gravity {
             height -= 0.5 * g * t * t;
             climb -= g * t;
         }
@@ -217,19 +205,22 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
     }
 
     /// A ball at a surface, after the bounce; `speed` is how fast it arrives, upright.
-    fn bounced(&self, ball: &InFlight, t: f64, surface: Surface, speed: f64) -> InFlight {
-        let [normal, tangential] = if L::ACTS {
-            self.losses.restitution()
-        } else {
-            [1.0; 2]
-        };
-        let motion = if P::ACTS {
-            let most = self.grip.friction() * (1.0 + normal) * speed;
-            gripping_bounce(ball.motion, surface, self.kappa, tangential, most)
-        } else if L::ACTS {
-            super::bounce_with(ball.motion, surface, self.kappa, tangential)
-        } else {
-            bounce(ball.motion, surface, self.kappa)
+    pub(crate) fn bounced(
+        &self,
+        ball: &InFlight,
+        t: f64,
+        surface: Surface,
+        speed: f64,
+    ) -> InFlight {
+        let [normal, tangential] = self.restitution();
+        let (motion, kappa) = (ball.motion, self.kappa);
+        let motion = match (self.grip, self.losses) {
+            (Some(grip), _) => {
+                let impulse = (1.0 + normal) * speed;
+                gripping_bounce(motion, surface, kappa, tangential, grip, impulse)
+            }
+            (None, Some(_)) => super::bounce_with(motion, surface, kappa, tangential),
+            (None, None) => bounce(motion, surface, kappa),
         };
         InFlight {
             position: ball.position + t * ball.motion.velocity,
@@ -274,12 +265,10 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
         }
         let arrived = self.bounced(start, first_time.value(), first, speed.value());
         let (floor, ceiling) = self.speeds(start);
-        let flight = match ceiling {
-            Some(speed) => DoubleDouble::from(2.0 * self.room).divide(floor.add(speed)),
-            None if self.gravity() > 0.0 => {
-                floor.scaled(2.0).divide(DoubleDouble::from(self.gravity()))
-            }
-            None => return self.flown(&arrived, since.value()),
+        let flight = match (ceiling, self.gravity) {
+            (Some(speed), _) => DoubleDouble::from(2.0 * self.room).divide(floor.add(speed)),
+            (None, Some(g)) => floor.scaled(2.0).divide(DoubleDouble::from(g)),
+            (None, None) => return self.flown(&arrived, since.value()),
         };
         let mut whole = since.divide(flight).value().floor();
         if whole.is_nan() || whole >= MOST_FLIGHTS {
@@ -358,9 +347,9 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
     fn pile(&self) -> Result<Option<(f64, InFlight, f64)>> {
         let (mut time, mut ball) = (0.0, self.start);
         let [normal, _] = self.restitution();
-        if self.gravity() == 0.0 || (normal >= 1.0 && !self.lies(&ball)) {
+        let Some(g) = self.gravity.filter(|_| normal < 1.0 || self.lies(&ball)) else {
             return Ok(None);
-        }
+        };
         for _ in 0..MOST_BOUNCES {
             let Some((wait, surface, speed)) = self.contact(&ball) else {
                 return Ok(self.lies(&ball).then_some((time, ball, time)));
@@ -368,8 +357,8 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
             time += wait.value();
             ball = self.bounced(&ball, wait.value(), surface, speed.value());
             let climb = ball.climb;
-            if surface == Surface::Floor && climb * climb <= 2.0 * self.gravity() * self.room {
-                let last = time + 2.0 * climb / (self.gravity() * (1.0 - normal));
+            if surface == Surface::Floor && climb * climb <= 2.0 * g * self.room {
+                let last = time + 2.0 * climb / (g * (1.0 - normal));
                 return Ok(Some((time, ball, last)));
             }
         }
@@ -377,11 +366,8 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
     }
 
     fn restitution(&self) -> [f64; 2] {
-        if L::ACTS {
-            self.losses.restitution()
-        } else {
-            [1.0; 2]
-        }
+        let kept = |losses: Restitution| [losses.normal(), losses.tangential()];
+        self.losses.map_or([1.0; 2], kept)
     }
 
     /// The ball at `times` (s, ascending from 0), bounce by bounce; after the last bounce it rolls, or slides until it rolls.
@@ -392,22 +378,29 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
     /// [`Error::Integration`] after ten million bounces; [`Error::Condition`] for times after the last bounce of a ball with e_t = 1 that cannot
     /// slip, whose contact speed is reversed infinitely often and has no last value.
     pub fn followed(&self, times: &[f64]) -> Result<Vec<InFlight>> {
+        let samples: Vec<(f64, Option<u64>)> = times.iter().map(|&t| (t, None)).collect();
+        self.sampled(&samples)
+    }
+
+    /// The same at times that come with a count: after so many bounces, whether or not the next one is over by then.
+    pub(crate) fn sampled(&self, samples: &[(f64, Option<u64>)]) -> Result<Vec<InFlight>> {
         let pile = self.pile()?;
-        let mut states = Vec::with_capacity(times.len());
+        let mut states = Vec::with_capacity(samples.len());
         let (mut now, mut ball) = (0.0, self.start);
         let mut next = self.contact(&ball);
-        for &t in times {
+        for &(t, count) in samples {
             let t = not_negative("the time", t)?;
             let over = pile.filter(|&(.., last)| t >= last);
             if let Some((begun, first, last)) = over
-                && !P::ACTS
+                && self.grip.is_none()
             {
                 states.push(self.piled(&first, last - begun, t - last)?);
                 continue;
             }
             while let Some((wait, surface, speed)) = next {
                 let wait = wait.value();
-                if over.is_none() && now + wait > t {
+                let later = count.map_or(now + wait > t, |count| ball.bounces >= count);
+                if over.is_none() && later {
                     break;
                 }
                 // The last bounces of the pile cannot be told apart from its end.
@@ -463,11 +456,10 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
     fn on_the_floor(&self, ball: &InFlight, landed: f64, t: f64) -> Result<InFlight> {
         let [_, tangential] = self.restitution();
         let motion = ball.motion;
-        let (position, motion) = if P::ACTS {
+        let (position, motion) = if self.grip.is_some() {
             let start = Moment::moving(motion.velocity, motion.rim_speed);
-            let effects = (Coulomb::new(self.grip.friction())?, Nothing, Nothing);
             let load = Load::weight(self.gravity());
-            let course = Course::new(self.kappa, load, effects, start, t)?;
+            let course = Course::new(self.kappa, load, (self.grip, None, None), start, t)?;
             let end = course.at(t);
             let motion = Motion {
                 velocity: end.velocity,
@@ -496,94 +488,6 @@ impl<G: Gravity, L: Losses, P: Grip> Flight<G, L, P> {
             motion,
             bounces: ball.bounces,
         })
-    }
-
-    /// The ball at `times` (s, ascending from 0): flights by a general method, contacts located as events, bounces by the law.
-    ///
-    /// # Errors
-    /// As for [`until`]; [`Error::Integration`] after a hundred thousand bounces.
-    pub fn integrated(
-        &self,
-        times: &[f64],
-        (method, effort): (Method, Effort),
-    ) -> Result<(Vec<InFlight>, Cost)> {
-        let (mut now, mut ball) = (0.0, self.start);
-        let (mut states, mut cost) = (Vec::with_capacity(times.len()), Cost::default());
-        let end = times.last().copied().unwrap_or(0.0);
-        let g = self.gravity();
-        while ball.bounces - self.start.bounces < 100_000 {
-            let velocity = ball.motion.velocity;
-            let rate = |_: f64, y: &[f64; 3]| [velocity, y[2], -g];
-            let room = self.room;
-            let rising = ball.climb > 0.0;
-            // Up and down again in one step would hide a contact, so a flight is cut at its summit.
-            let to = if rising && g > 0.0 {
-                end.min(now + ball.climb / g)
-            } else {
-                end
-            };
-            let guard = |_: f64, y: &[f64; 3]| if rising { room - y[1] } else { y[1] };
-            let y = [ball.position, ball.height, ball.climb];
-            let size = ball.climb.abs().max(velocity.abs()).max(1e-3);
-            let samples: Vec<f64> = times[states.len()..]
-                .iter()
-                .copied()
-                .take_while(|&t| t <= to)
-                .collect();
-            let scales = [size; 3];
-            let passage = until(
-                &rate, now, &y, &scales, &samples, to, &guard, method, effort,
-            )?;
-            cost += passage.cost;
-            let flying = |y: &[f64; 3]| InFlight {
-                position: y[0],
-                height: y[1],
-                climb: y[2],
-                ..ball
-            };
-            states.extend(passage.states.iter().map(flying));
-            let mut y = passage.end;
-            now = passage.time;
-            if passage.stopped == Stop::AtTheEnd {
-                if to >= end {
-                    return Ok((states, cost));
-                }
-                ball = InFlight {
-                    climb: 0.0,
-                    ..flying(&y)
-                };
-                continue;
-            }
-            // Newton's method along the true flight takes the located root to rounding.
-            for _ in 0..8 {
-                let speed = if rising { -y[2] } else { y[2] };
-                let step = -guard(now, &y) / speed;
-                if !step.is_finite() || step.abs() <= 4e-16 * now {
-                    break;
-                }
-                let tight = Effort::Tolerance(1e-14);
-                let short = solve(
-                    &rate,
-                    now,
-                    &y,
-                    &scales,
-                    &[now + step],
-                    Method::Dop853,
-                    tight,
-                )?;
-                cost += short.cost;
-                (now, y) = (now + step, short.states[0]);
-            }
-            states.truncate(times.partition_point(|&t| t <= now));
-            let surface = if rising {
-                Surface::Ceiling
-            } else {
-                Surface::Floor
-            };
-            let arrived = flying(&y);
-            ball = self.bounced(&arrived, 0.0, surface, arrived.climb.abs());
-        }
-        Err(TOO_MANY)
     }
 }
 

@@ -1,9 +1,10 @@
 //! Paragraph 4.3 after the cue: from sliding to rolling to rest, in closed forms from event to event, against a general integrator.
 
 use approx::assert_relative_eq;
+use lab::general::DifferentialEquations;
 use proptest::prelude::*;
 use spinning_bodies::Error;
-use spinning_bodies::integrators::{Effort, Method, until};
+use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
 use spinning_bodies::rolling::course::{
     Coulomb, Course, Happening, Load, Moment, RollingResistance,
 };
@@ -115,7 +116,10 @@ fn apart(start: Moment, (mu, arm): (f64, f64), kappa: f64, solver: Solver) -> (f
     let body = RoundBody::new(1.0, 1.0, kappa).unwrap();
     let roller = Roller::new(body, G, start.velocity, start.rim_speed).unwrap();
     let roller = roller.with(law).unwrap().with(resistance).unwrap();
-    let request = Request::at(times).unwrap().by(Choice::Use(solver));
+    let request = Request::at(times)
+        .unwrap()
+        .by(Choice::Use(solver))
+        .with_methods(&DifferentialEquations);
     let run = roller.simulate(&request).unwrap();
     let size = start.velocity.abs().max(start.rim_speed.abs());
     let mut worst = 0.0_f64;
@@ -189,22 +193,9 @@ fn brute(start: InPlane, mu: f64, kappa: f64, times: &[f64]) -> Vec<[f64; 6]> {
     };
     let ([vx, vy], [wx, wy]) = (start.velocity, start.rim_velocity);
     let y = [0.0, 0.0, vx, vy, wx, wy];
-    let never = |_: f64, _: &[f64; 6]| 1.0;
-    let end = *times.last().unwrap();
     let effort = Effort::Tolerance(1e-14);
-    until(
-        &rate,
-        0.0,
-        &y,
-        &[1.0; 6],
-        times,
-        end,
-        &never,
-        Method::Dop853,
-        effort,
-    )
-    .unwrap()
-    .states
+    let run = order_eight(&rate, Kept::Nothing, &y, &[1.0; 6], times, effort);
+    run.unwrap().states
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Paragraph 4.3: the billiard shot. The independent method is Coulomb friction, integrated step by step.
 
 use approx::assert_relative_eq;
+use lab::general::DifferentialEquations;
 use proptest::prelude::*;
 use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
@@ -378,7 +379,12 @@ fn s4_3_what_stops_is_at_rest() {
             .unwrap();
         let by = Choice::Use(Solver::General(Method::Dop853));
         let run = roller
-            .simulate(&Request::at([9.0]).unwrap().by(by))
+            .simulate(
+                &Request::at([9.0])
+                    .unwrap()
+                    .by(by)
+                    .with_methods(&DifferentialEquations),
+            )
             .unwrap();
         let end = run.rows[0].1.moment;
         assert_eq!((end.velocity, end.rim_speed, end.slip), (0.0, 0.0, 0.0));

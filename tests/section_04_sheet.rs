@@ -1,10 +1,11 @@
 //! Paragraph 4.5: a ball on a sheet that is withdrawn, in any manner.
 
 use approx::assert_relative_eq;
+use lab::general::DifferentialEquations;
 use proptest::prelude::*;
 use spinning_bodies::Error;
 use spinning_bodies::frame::SpaceVector as V;
-use spinning_bodies::integrators::{Effort, Method, solve};
+use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
 use spinning_bodies::rolling::course::{
     Coulomb, Course, Happening, Load, Moment, RollingResistance,
 };
@@ -152,7 +153,7 @@ proptest! {
         let roller = Roller::new(body, G, 0.0, 0.0).unwrap().with(friction(table)).unwrap();
         let roller = roller.with(resistance).unwrap().with(cloth).unwrap();
         let dop853 = Choice::Use(Solver::General(Method::Dop853));
-        let run = roller.simulate(&Request::at(times).unwrap().by(dop853)).unwrap();
+        let run = roller.simulate(&Request::at(times).unwrap().by(dop853).with_methods(&DifferentialEquations)).unwrap();
         for (t, row) in run.rows {
             let (c, m) = (course.at(t), row.moment);
             // Speeds up to 5 m/s.
@@ -242,16 +243,15 @@ fn in_space(
         let effort = Effort::Tolerance(1e-11);
         // Times shift so that the run starts at `from`, and its first stage sees the right ground.
         let shifted = |t: f64, y: &[f64; 5]| {
-            let inside = t.clamp(
+            let inside = (from + t).clamp(
                 from * (1.0 + 1e-15),
                 if to == leaves { to * (1.0 - 1e-15) } else { to },
             );
             rate(inside, y)
         };
         let scales = [1.0, 1.0, 50.0, 50.0, 50.0];
-        y = solve(&shifted, from, &y, &scales, &[to], Method::Dop853, effort)
-            .unwrap()
-            .states[0];
+        let run = order_eight(&shifted, Kept::Nothing, &y, &scales, &[to - from], effort);
+        y = run.unwrap().states[0];
     }
     y
 }

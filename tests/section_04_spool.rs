@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 
 use approx::assert_relative_eq;
+use lab::general::DifferentialEquations;
 use spinning_bodies::Error;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::frame::SpaceVector as V;
@@ -95,7 +96,9 @@ fn s4_4_rolls_with_a_low_tug_and_winds_up() {
 fn by_dop853(scene: TuggedSpool, times: &[f64]) -> Vec<Moment> {
     let request = Request::at(times).unwrap().to_accuracy(1e-11).unwrap();
     let dop853 = Choice::Use(Solver::General(Method::Dop853));
-    let motion = scene.simulate(&request.by(dop853)).unwrap();
+    let motion = scene
+        .simulate(&request.by(dop853).with_methods(&DifferentialEquations))
+        .unwrap();
     motion.rows.iter().map(|row| row.1.moment).collect()
 }
 

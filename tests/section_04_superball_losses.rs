@@ -1,10 +1,11 @@
 //! Paragraph 4.6, continued: stiff contacts, restitution along the surface, slipping, bounces that pile up, and flights in closed form.
 
 use approx::assert_relative_eq;
+use lab::general::DifferentialEquations;
 use num_rational::Ratio;
 use proptest::prelude::*;
 use spinning_bodies::Error;
-use spinning_bodies::integrators::{Effort, Method, Stop, until};
+use spinning_bodies::integrators::{Effort, Kept, Leg, Method, Stop};
 use spinning_bodies::rolling::course::Coulomb;
 use spinning_bodies::scene::effects::Gravity;
 use spinning_bodies::scene::superball::Superball;
@@ -31,19 +32,15 @@ fn stiff(omega: f64, kappa: f64, before: Motion<f64>) -> ([f64; 2], f64) {
     let lifted = |t: f64, y: &[f64; 5]| if t * omega > 1.0 { -y[0] } else { 1.0 };
     let start = [0.0, -2.0, before.velocity, before.rim_speed, 0.0];
     let scales = [1.0 / omega, 1.0, 1.0, 1.0, 1.0 / omega];
-    let (method, effort) = (Method::Dop853, Effort::Tolerance(1e-14));
-    let end = until(
-        &rate,
-        0.0,
-        &start,
-        &scales,
-        &[],
-        4.0 / omega,
-        &lifted,
-        method,
-        effort,
-    )
-    .unwrap();
+    let leg = Leg {
+        system: &rate,
+        kept: Kept::Nothing,
+        start: (0.0, &start),
+        scales: &scales,
+        times: &[],
+        end: 4.0 / omega,
+    };
+    let end = leg.follow(Some(&lifted), Effort::Tolerance(1e-14)).unwrap();
     assert_eq!(end.stopped, Stop::AtTheEvent);
     ([end.end[2], end.end[3]], end.time)
 }
@@ -192,7 +189,10 @@ fn s4_6_flights_three_ways() {
         let ball = Superball::new(1.0, 0.4, start).unwrap().under(room);
         let ball = ball.with(Gravity::new(9.81).unwrap()).unwrap();
         let dop853 = Choice::Use(Solver::General(Method::Dop853));
-        let request = Request::at(times.clone()).unwrap().by(dop853);
+        let request = Request::at(times.clone())
+            .unwrap()
+            .by(dop853)
+            .with_methods(&DifferentialEquations);
         let found: Vec<InFlight> = ball
             .simulate(&request)
             .unwrap()

@@ -5,7 +5,7 @@
 //! are quadratics in time, and the times at which something changes are roots of linear and quadratic equations.
 
 use super::sheet::Sheet;
-use super::stretch::{Hold, Laws, Stretch};
+use super::stretch::{Hold, Laws, State, Stretch};
 use crate::error::{Error, Result, finite, not_negative};
 
 /// Coulomb's law: μ times the reaction against the slip; up to `grip` times the reaction while the contact sticks.
@@ -76,6 +76,13 @@ impl RollingResistance {
     }
 }
 
+/// What rubs: friction of the table, rolling resistance, and a sheet between the two, each if it is there.
+pub type Contact<'a> = (
+    Option<Coulomb>,
+    Option<RollingResistance>,
+    Option<&'a Sheet>,
+);
+
 /// A steady load on the body, per mass, m/s².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load {
@@ -127,33 +134,27 @@ impl Moment {
     /// At the origin with this velocity and rim speed (m/s), over ground at rest. Where the slip is known better than as the difference of
     /// the two, set it.
     pub const fn moving(velocity: f64, rim_speed: f64) -> Self {
-        Self::of([
-            0.0,
-            velocity,
-            rim_speed,
-            velocity - rim_speed,
-            0.0,
-            0.0,
-            0.0,
-        ])
+        let slip = velocity - rim_speed;
+        Self::of(&[0.0, velocity, rim_speed, slip, 0.0, 0.0, 0.0, 0.0])
     }
 
-    /// The numbers in the order of the fields.
-    pub(crate) const fn numbers(&self) -> [f64; 7] {
-        [
-            self.position,
-            self.velocity,
-            self.rim_speed,
-            self.slip,
-            self.turned,
-            self.heat,
-            self.work,
-        ]
+    /// The numbers in the order of the fields, and a place for the distance from a sheet's edge.
+    pub(crate) const fn state(&self) -> State {
+        let Self {
+            position: x,
+            velocity,
+            rim_speed,
+            slip,
+            turned,
+            heat,
+            work,
+        } = *self;
+        [x, velocity, rim_speed, slip, turned, heat, work, 0.0]
     }
 
     /// The moment of these numbers.
     pub(crate) const fn of(
-        [position, velocity, rim_speed, slip, turned, heat, work]: [f64; 7],
+        &[position, velocity, rim_speed, slip, turned, heat, work, _]: &State,
     ) -> Self {
         Self {
             position,
@@ -164,23 +165,6 @@ impl Moment {
             heat,
             work,
         }
-    }
-
-    /// Nothing, if it is a moment that doubles can tell.
-    fn within_range(&self) -> Result<()> {
-        const QUANTITIES: [&str; 7] = [
-            "the position",
-            "the velocity",
-            "the rim speed",
-            "the slip",
-            "the turned way of the rim",
-            "the heat of friction",
-            "the work done",
-        ];
-        for (quantity, value) in QUANTITIES.into_iter().zip(self.numbers()) {
-            finite(quantity, value)?;
-        }
-        Ok(())
     }
 
     /// Kinetic energy per mass, ½(V² + κ(RΩ)²), J/kg.
@@ -226,7 +210,6 @@ pub struct Event {
 /// A motion from event to event, whole.
 #[derive(Debug, Clone)]
 pub struct Course {
-    kappa: f64,
     stretches: Vec<Stretch>,
     events: Vec<Event>,
     has_sheet: bool,
@@ -248,12 +231,12 @@ impl Course {
     pub fn new(
         kappa: f64,
         load: Load,
-        effects: (Option<Coulomb>, Option<RollingResistance>, Option<&Sheet>),
+        contact: Contact<'_>,
         start: Moment,
         until: f64,
     ) -> Result<Self> {
         let until = finite("the time", until)?.max(0.0);
-        Self::under(&Laws::new(kappa, load, effects)?, start, until)
+        Self::under(&Laws::new(kappa, load, contact)?, start, until)
     }
 
     /// The same under these laws.
@@ -262,7 +245,6 @@ impl Course {
             finite("the start", value)?;
         }
         let mut course = Self {
-            kappa: laws.kappa,
             stretches: Vec::new(),
             events: Vec::new(),
             has_sheet: laws.sheet.is_some(),
@@ -270,25 +252,24 @@ impl Course {
         let mut stretch = laws.first(start);
         let mut sticks = start.slip == 0.0;
         while course.stretches.len() < MOST_STRETCHES {
-            let (now, moment) = (stretch.start, stretch.moment);
             if sticks && matches!(stretch.pace.slipping, Hold::Goes(_)) {
-                course.note(now, Happening::SlippingBegins, moment);
+                course.note(&stretch, Happening::SlippingBegins);
             }
             sticks = stretch.pace.slipping == Hold::Held;
             course.stretches.push(stretch);
-            moment.within_range()?;
-            let ends = stretch.leg_ends.min(until);
-            let next = stretch.next(ends - now);
+            within_range(&stretch.state)?;
+            let longest = stretch.leg_ends.min(until) - stretch.start;
+            let next = stretch.next(longest);
+            let wait = next.map_or(longest, |(wait, _)| wait);
+            let end = stretch.at(wait);
             if next.is_none() && stretch.leg_ends >= until {
-                stretch.at(ends - now).within_range()?;
+                within_range(&end)?;
                 return Ok(course);
             }
-            let wait = next.map_or(ends - now, |(wait, _)| wait);
-            let end = (stretch.at(wait), stretch.margin_at(wait));
             let happened;
-            (stretch, happened) = laws.after(&stretch, wait, end, next.map(|(_, what)| what));
+            (stretch, happened) = laws.after(&stretch, wait, &end, next.map(|(_, what)| what));
             if let Some(what) = happened {
-                course.note(stretch.start, what, stretch.moment);
+                course.note(&stretch, what);
             }
         }
         Err(Error::Integration {
@@ -297,25 +278,26 @@ impl Course {
         })
     }
 
-    fn note(&mut self, time: f64, what: Happening, moment: Moment) {
+    fn note(&mut self, stretch: &Stretch, what: Happening) {
+        let (time, moment) = (stretch.start, Moment::of(&stretch.state));
         self.events.push(Event { time, what, moment });
     }
 
     /// The body at the time `t` (s), 0 up to the end of the course; outside, the nearest of the two stretches is continued.
     pub fn at(&self, t: f64) -> Moment {
-        let stretch = self.stretch(t);
-        stretch.at(t - stretch.start)
+        Moment::of(&self.state(t))
     }
 
     /// From the sheet's edge to the point of contact at the time `t` (s), m; negative: the body is off the sheet. None without a sheet.
     pub fn margin(&self, t: f64) -> Option<f64> {
-        let stretch = self.stretch(t);
-        self.has_sheet.then(|| stretch.margin_at(t - stretch.start))
+        self.has_sheet.then(|| self.state(t)[7])
     }
 
-    fn stretch(&self, t: f64) -> &Stretch {
+    /// The body and its distance from the sheet's edge.
+    pub(crate) fn state(&self, t: f64) -> State {
         let place = self.stretches.partition_point(|s| s.start <= t);
-        &self.stretches[place.saturating_sub(1)]
+        let stretch = &self.stretches[place.saturating_sub(1)];
+        stretch.at(t - stretch.start)
     }
 
     /// What happens, in order.
@@ -328,13 +310,25 @@ impl Course {
         self.events.iter().find(|event| event.what == what)
     }
 
-    /// Inertia factor κ.
-    pub fn kappa(&self) -> f64 {
-        self.kappa
-    }
-
     /// How many closed forms it is made of.
     pub fn stretches(&self) -> usize {
         self.stretches.len()
     }
+}
+
+/// Nothing, if these are numbers that doubles can tell.
+fn within_range(state: &State) -> Result<()> {
+    const QUANTITIES: [&str; 7] = [
+        "the position",
+        "the velocity",
+        "the rim speed",
+        "the slip",
+        "the turned way of the rim",
+        "the heat of friction",
+        "the work done",
+    ];
+    for (quantity, &value) in QUANTITIES.into_iter().zip(state) {
+        finite(quantity, value)?;
+    }
+    Ok(())
 }

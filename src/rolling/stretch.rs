@@ -1,7 +1,7 @@
 //! One stretch of a [`Course`](super::course::Course): which way the contact slips and the body turns, the constant accelerations that follow,
 //! and the roots at which it ends.
 
-use super::course::{Coulomb, Happening, Load, Moment, RollingResistance};
+use super::course::{Contact, Coulomb, Happening, Load, Moment, RollingResistance};
 use super::sheet::Sheet;
 use crate::error::{Result, finite, positive};
 
@@ -22,13 +22,14 @@ pub(crate) struct Pace {
     pub slipping: Hold,
     pub turning: Hold,
     /// Friction f and couple m per mass.
-    pub friction: f64,
-    pub couple: f64,
+    friction: f64,
+    couple: f64,
     /// V', (RΩ)', and that of the slip.
-    pub velocity: f64,
-    pub rim_speed: f64,
-    pub slip: f64,
+    rates: [f64; 3],
 }
+
+/// The numbers of a [`Moment`], and the distance from the sheet's edge to the point of contact.
+pub(crate) type State = [f64; 8];
 
 /// Everything about the motion that does not change.
 #[derive(Debug, Clone, Copy)]
@@ -44,29 +45,21 @@ pub(crate) struct Laws<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stretch {
     pub start: f64,
-    pub moment: Moment,
+    pub state: State,
     pub pace: Pace,
     /// When the sheet begins to move otherwise.
     pub leg_ends: f64,
     load: Load,
     leg: usize,
-    /// Speed and acceleration of the sheet, and from its edge to the point of contact; none without a sheet.
-    sheet: Option<[f64; 3]>,
-    on_sheet: bool,
+    /// Speed and acceleration of the sheet, and whether the body is on it, if there is one.
+    sheet: [f64; 2],
+    on_sheet: Option<bool>,
     /// V + κRΩ at the start.
     about: f64,
 }
 
 impl<'a> Laws<'a> {
-    pub fn new(
-        kappa: f64,
-        load: Load,
-        (friction, resistance, sheet): (
-            Option<Coulomb>,
-            Option<RollingResistance>,
-            Option<&'a Sheet>,
-        ),
-    ) -> Result<Self> {
+    pub fn new(kappa: f64, load: Load, (friction, resistance, sheet): Contact<'a>) -> Result<Self> {
         positive("the reaction of the ground", load.reaction)?;
         finite("the pull", load.push)?;
         finite("the twist", load.twist)?;
@@ -81,14 +74,14 @@ impl<'a> Laws<'a> {
 
     /// Friction and couple for this slip and rim speed, on ground that accelerates: the one assignment of "goes one way" and "is held" that
     /// agrees with its own consequences. Held comes first, so a contact that can stick does.
-    fn pace(&self, law: Option<Coulomb>, moment: &Moment, ground: f64) -> Pace {
-        let (slip, rim_speed) = (moment.slip, moment.rim_speed);
+    fn pace(&self, law: Option<Coulomb>, state: &State, ground: f64) -> Pace {
+        let [_, _, rim_speed, slip, ..] = *state;
         let mut first = None;
         for &slipping in candidates(law.is_some(), slip) {
             for &turning in candidates(self.resistance.is_some(), rim_speed) {
                 let (pace, agrees) = self.consequence(law, slipping, turning, ground);
-                let starts = (slip != 0.0 || starts(slipping, pace.slip))
-                    && (rim_speed != 0.0 || starts(turning, pace.rim_speed));
+                let starts = (slip != 0.0 || starts(slipping, pace.rates[2]))
+                    && (rim_speed != 0.0 || starts(turning, pace.rates[1]));
                 if agrees && starts {
                     return pace;
                 }
@@ -106,73 +99,71 @@ impl<'a> Laws<'a> {
         turning: Hold,
         ground: f64,
     ) -> (Pace, bool) {
-        let Load {
-            push,
-            twist,
-            reaction,
-        } = self.load;
-        let [kinetic, grip] = law.map_or([0.0; 2], |law| [law.kinetic(), law.grip()]);
-        let most = self.resistance.map_or(0.0, |law| law.arm()) * reaction;
-        let mut couple = match turning {
-            Hold::Goes(sign) => Some(-sign * most),
+        let (kappa, load) = (self.kappa, self.load);
+        let (push, twist) = (load.push, load.twist);
+        let slides = law.map_or(0.0, |law| law.kinetic()) * load.reaction;
+        let grips = law.map_or(0.0, |law| law.grip()) * load.reaction;
+        let resists = self.resistance.map_or(0.0, |law| law.arm()) * load.reaction;
+        let couple = match turning {
+            Hold::Goes(sign) => Some(-sign * resists),
             Hold::Free => Some(0.0),
             Hold::Held => None,
         };
         let friction = match (slipping, couple) {
             (Hold::Free, _) => 0.0,
-            (Hold::Goes(sign), _) => -sign * kinetic * reaction,
-            (Hold::Held, Some(m)) => {
-                (self.kappa * (ground - push) + twist + m) / (1.0 + self.kappa)
-            }
+            (Hold::Goes(sign), _) => -sign * slides,
+            (Hold::Held, Some(m)) => (kappa * (ground - push) + twist + m) / (1.0 + kappa),
             (Hold::Held, None) => ground - push,
         };
-        let couple = *couple.get_or_insert(friction - twist);
+        let couple = couple.unwrap_or(friction - twist);
         let velocity = push + friction;
-        let rim_speed = match turning {
-            Hold::Held => 0.0,
+        let rim_speed = match (turning, slipping) {
+            (Hold::Held, _) => 0.0,
             // On the same footing as the velocity, so that rolling stays rolling.
-            _ if slipping == Hold::Held => velocity - ground,
-            _ => (twist + couple - friction) / self.kappa,
+            (_, Hold::Held) => velocity - ground,
+            _ => (twist + couple - friction) / kappa,
+        };
+        let slip = match slipping {
+            Hold::Held => 0.0,
+            _ => velocity - rim_speed - ground,
         };
         let pace = Pace {
             slipping,
             turning,
             friction,
             couple,
-            velocity,
-            rim_speed,
-            slip: match slipping {
-                Hold::Held => 0.0,
-                _ => velocity - rim_speed - ground,
-            },
+            rates: [velocity, rim_speed, slip],
         };
-        let sticks = slipping != Hold::Held || friction.abs() <= grip * reaction;
-        let stays = turning != Hold::Held || couple.abs() <= most;
+        let sticks = slipping != Hold::Held || friction.abs() <= grips;
+        let stays = turning != Hold::Held || couple.abs() <= resists;
         (pace, sticks && stays)
     }
 
     /// The stretch at the start, whose slip is that over the ground as it moves then.
     pub fn first(&self, start: Moment) -> Stretch {
-        let about = start.about_the_table(self.kappa);
-        let sheet = self.sheet.map(Sheet::margin);
-        self.begins(0.0, start, about, (0, sheet, sheet.is_some()))
+        let mut state = start.state();
+        state[7] = self.sheet.map_or(0.0, Sheet::margin);
+        let on_sheet = self.sheet.map(|_| true);
+        self.begins((0.0, state), start.about_the_table(self.kappa), 0, on_sheet)
     }
 
-    /// A stretch that begins in this leg of the sheet's motion, so far from its edge, on it or not.
+    /// A stretch that begins in this leg of the sheet's motion.
     fn begins(
         &self,
-        start: f64,
-        mut moment: Moment,
+        (start, mut state): (f64, State),
         about: f64,
-        (mut leg, margin, on_sheet): (usize, Option<f64>, bool),
+        mut leg: usize,
+        on_sheet: Option<bool>,
     ) -> Stretch {
-        let (mut leg_ends, mut speed) = (f64::INFINITY, [0.0; 2]);
+        let (mut leg_ends, mut moves) = (f64::INFINITY, [0.0; 2]);
+        let (mut law, mut ground) = (self.friction, 0.0);
         if let Some(sheet) = self.sheet {
+            let on_sheet = on_sheet == Some(true);
             let (mut from, mut to) = sheet.leg(leg);
             while to.0 <= start {
                 if on_sheet && to.0 <= from.0 {
                     // A jerk.
-                    moment.slip -= to.1 - from.1;
+                    state[3] -= to.1 - from.1;
                 }
                 leg += 1;
                 (from, to) = sheet.leg(leg);
@@ -182,63 +173,81 @@ impl<'a> Laws<'a> {
             } else {
                 0.0
             };
-            (leg_ends, speed) = (to.0, [from.1 + (start - from.0) * slope, slope]);
+            (leg_ends, moves) = (to.0, [from.1 + (start - from.0) * slope, slope]);
+            if on_sheet {
+                (law, ground) = (Some(sheet.friction()), slope);
+            }
         }
-        let pace = match self.sheet {
-            Some(sheet) if on_sheet => self.pace(Some(sheet.friction()), &moment, speed[1]),
-            _ => self.pace(self.friction, &moment, 0.0),
-        };
         Stretch {
             start,
-            moment,
-            pace,
+            state,
+            pace: self.pace(law, &state, ground),
             leg_ends,
             load: self.load,
             leg,
-            sheet: margin.map(|margin| [speed[0], speed[1], margin]),
+            sheet: moves,
             on_sheet,
             about,
         }
     }
 
-    /// The stretch after one that so long after its start has ended with this moment and distance from the sheet's edge, because something has
-    /// happened or by the clock; and what that means.
+    /// The stretch after one that so long after its start has ended in this state, because something has happened or by the clock; and what
+    /// that means.
+    ///
+    /// What has become zero is made zero. No friction changes V + κRΩ, so the velocity of rolling follows from it without the roundings of the way
+    /// there, and a body that has none comes to rest, not to 1e-16 m/s.
     pub fn after(
         &self,
         before: &Stretch,
         after: f64,
-        (mut moment, mut margin): (Moment, f64),
+        state: &State,
         what: Option<Happening>,
     ) -> (Stretch, Option<Happening>) {
+        let (kappa, pace) = (self.kappa, &before.pace);
         let time = what.map_or(before.leg_ends, |_| before.start + after);
         // Everything but friction changes it.
-        let moments = self.load.push + self.load.twist + before.pace.couple;
+        let moments = self.load.push + self.load.twist + pace.couple;
         let mut about = before.about + after * moments;
         let mut on_sheet = before.on_sheet;
-        let happened = what.map(|what| match what {
-            Happening::LeavesSheet | Happening::MountsSheet => {
-                (on_sheet, margin) = (!on_sheet, 0.0);
-                let ground = if on_sheet {
-                    before.sheet_speed(after)
-                } else {
-                    0.0
-                };
-                moment.slip = moment.velocity - moment.rim_speed - ground;
-                what
+        let sheet = before.sheet_speed(after);
+        let ground = |on: Option<bool>| if on == Some(true) { sheet } else { 0.0 };
+        let [
+            x,
+            mut velocity,
+            mut rim_speed,
+            mut slip,
+            turned,
+            heat,
+            work,
+            mut margin,
+        ] = *state;
+        let mut rests = false;
+        match what {
+            None => {}
+            Some(Happening::LeavesSheet | Happening::MountsSheet) => {
+                (on_sheet, margin) = (on_sheet.map(|on| !on), 0.0);
+                slip = velocity - rim_speed - ground(on_sheet);
             }
-            _ => {
-                let ground = before.ground_speed(after);
-                settle(
-                    &mut moment,
-                    what,
-                    before.pace,
-                    ground,
-                    (&mut about, self.kappa),
-                )
+            Some(Happening::RollingBegins) if pace.turning != Hold::Held => {
+                slip = 0.0;
+                velocity = (about + kappa * ground(on_sheet)) / (1.0 + kappa);
+                rim_speed = (about - ground(on_sheet)) / (1.0 + kappa);
+                rests = rim_speed == 0.0;
             }
-        });
-        let place = (before.leg, before.sheet.map(|_| margin), on_sheet);
-        (self.begins(time, moment, about, place), happened)
+            Some(_) if pace.slipping != Hold::Held && pace.turning != Hold::Held => {
+                rim_speed = 0.0;
+                rests = slip == 0.0;
+            }
+            // It neither slips nor turns any more.
+            Some(_) => {
+                (slip, rim_speed, rests) = (0.0, 0.0, true);
+                (velocity, about) = (ground(on_sheet), ground(on_sheet));
+            }
+        }
+        let state = [x, velocity, rim_speed, slip, turned, heat, work, margin];
+        let next = self.begins((time, state), about, before.leg, on_sheet);
+        let happened = if rests { Some(Happening::Rest) } else { what };
+        (next, happened)
     }
 }
 
@@ -260,96 +269,44 @@ fn starts(hold: Hold, rate: f64) -> bool {
     }
 }
 
-/// Makes zero what has just become zero, and says what that means.
-///
-/// `about` is V + κRΩ. No friction changes it, so the velocity of rolling follows from it without the roundings of the way there, and a body
-/// that has none comes to rest, not to 1e-16 m/s.
-fn settle(
-    moment: &mut Moment,
-    what: Happening,
-    pace: Pace,
-    ground: f64,
-    (about, kappa): (&mut f64, f64),
-) -> Happening {
-    if what == Happening::RollingBegins {
-        moment.slip = 0.0;
-        if pace.turning == Hold::Held {
-            (moment.velocity, *about) = (ground, ground);
-        } else {
-            moment.velocity = (*about + kappa * ground) / (1.0 + kappa);
-            moment.rim_speed = (*about - ground) / (1.0 + kappa);
-        }
-    } else {
-        moment.rim_speed = 0.0;
-        if pace.slipping == Hold::Held {
-            (moment.velocity, *about) = (ground, ground);
-        }
-    }
-    if moment.slip == 0.0 && moment.rim_speed == 0.0 {
-        Happening::Rest
-    } else {
-        what
-    }
-}
-
 impl Stretch {
-    /// The body so long after the start.
-    pub fn at(&self, t: f64) -> Moment {
-        let (from, pace, load) = (&self.moment, &self.pace, &self.load);
-        let advance = t * (from.velocity + 0.5 * t * pace.velocity);
-        let turn = t * (from.rim_speed + 0.5 * t * pace.rim_speed);
-        // What friction takes from the slip, and the couple from the turning, is heat.
-        let slid = t * (from.slip + 0.5 * t * pace.slip);
-        let ground = match self.sheet {
-            Some([speed, slope, _]) if self.on_sheet => t * (speed + 0.5 * t * slope),
-            _ => 0.0,
+    /// The state so long after the start: quadratics.
+    pub fn at(&self, t: f64) -> State {
+        let rates = self.rates(0.0, &self.state);
+        let bends = self.flow(self.pace.rates, [0.0; 3], self.sheet[1]);
+        core::array::from_fn(|n| self.state[n] + t * (rates[n] + 0.5 * t * bends[n]))
+    }
+
+    /// The rates of the state so long after the start.
+    pub fn rates(&self, t: f64, state: &State) -> State {
+        let [_, velocity, rim_speed, slip, ..] = *state;
+        let speeds = [velocity, rim_speed, slip];
+        self.flow(speeds, self.pace.rates, self.sheet_speed(t))
+    }
+
+    /// What becomes of the state at these speeds and accelerations of V, RΩ and slip, on a sheet of this speed. What friction takes from
+    /// the slip, and the couple from the turning, is heat.
+    fn flow(&self, [velocity, rim_speed, slip]: [f64; 3], rates: [f64; 3], sheet: f64) -> State {
+        let (load, pace) = (&self.load, &self.pace);
+        let ground = if self.on_sheet == Some(true) {
+            sheet
+        } else {
+            0.0
         };
-        Moment {
-            position: from.position + advance,
-            velocity: from.velocity + t * pace.velocity,
-            rim_speed: from.rim_speed + t * pace.rim_speed,
-            slip: from.slip + t * pace.slip,
-            turned: from.turned + turn,
-            heat: from.heat - pace.friction * slid - pace.couple * turn,
-            work: from.work + load.push * advance + load.twist * turn + pace.friction * ground,
-        }
-    }
-
-    /// From the sheet's edge to the point of contact so long after the start; zero without a sheet.
-    pub fn margin_at(&self, t: f64) -> f64 {
-        self.sheet.map_or(0.0, |[speed, slope, margin]| {
-            let advance = t * (self.moment.velocity + 0.5 * t * self.pace.velocity);
-            margin + (advance - t * (speed + 0.5 * t * slope))
-        })
-    }
-
-    /// The rates of the moment's numbers and of that distance, for the numbers so long after the start: what [`at`](Self::at) integrates.
-    pub fn rates(&self, t: f64, numbers: &[f64; 8]) -> [f64; 8] {
-        let [_, velocity, rim_speed, slip, ..] = *numbers;
-        let (pace, load) = (&self.pace, &self.load);
-        let heating = -pace.friction * slip - pace.couple * rim_speed;
-        let working =
-            load.push * velocity + load.twist * rim_speed + pace.friction * self.ground_speed(t);
-        [
-            velocity,
-            pace.velocity,
-            pace.rim_speed,
-            pace.slip,
-            rim_speed,
-            heating,
-            working,
-            velocity - self.sheet_speed(t),
-        ]
+        let heat = -pace.friction * slip - pace.couple * rim_speed;
+        let work = load.push * velocity + load.twist * rim_speed + pace.friction * ground;
+        let [v, w, u] = rates;
+        [velocity, v, w, u, rim_speed, heat, work, velocity - sheet]
     }
 
     /// What can end the stretch, each with a number that is positive until it does.
-    pub fn ends(&self, numbers: &[f64; 8]) -> impl Iterator<Item = (f64, Happening)> {
-        let [_, _, rim_speed, slip, _, _, _, margin] = *numbers;
+    pub fn ends(&self, state: &State) -> impl Iterator<Item = (f64, Happening)> {
+        let [_, _, rim_speed, slip, _, _, _, margin] = *state;
         let toward = |hold, value, what| match hold {
             Hold::Goes(sign) => Some((sign * value, what)),
             _ => None,
         };
-        let edge = self.sheet.map(|_| match self.on_sheet {
+        let edge = self.on_sheet.map(|on| match on {
             true => (margin, Happening::LeavesSheet),
             false => (-margin, Happening::MountsSheet),
         });
@@ -360,28 +317,15 @@ impl Stretch {
 
     /// What ends the stretch before `longest` is over, and after how long.
     pub fn next(&self, longest: f64) -> Option<(f64, Happening)> {
-        let (pace, from) = (&self.pace, &self.moment);
-        let fall = |hold, value: f64, rate: f64| match hold {
-            Hold::Goes(sign) => falls(sign * value, sign * rate),
-            _ => None,
-        };
-        let edge = self.sheet.and_then(|[speed, slope, margin]| {
-            let (drift, bend) = (from.velocity - speed, pace.velocity - slope);
-            match self.on_sheet {
-                true => crosses(margin, drift, bend).map(|t| (t, Happening::LeavesSheet)),
-                false => crosses(-margin, -drift, -bend).map(|t| (t, Happening::MountsSheet)),
-            }
-        });
-        let slips = fall(pace.slipping, from.slip, pace.slip);
-        let turns = fall(pace.turning, from.rim_speed, pace.rim_speed);
-        let all = [
-            slips.map(|t| (t, Happening::RollingBegins)),
-            turns.map(|t| (t, Happening::TurningStops)),
-            edge,
-        ];
+        let (rates, mut bends) = (self.rates(0.0, &self.state), [0.0; 8]);
+        bends[7] = self.pace.rates[0] - self.sheet[1];
+        let motions = self.ends(&self.state).zip(self.ends(&rates));
+        let motions = motions.zip(self.ends(&bends));
         let mut soonest = None;
-        for (t, what) in all.into_iter().flatten() {
-            if t < soonest.map_or(longest, |(sooner, _)| sooner) {
+        for (((value, what), (rate, _)), (bend, _)) in motions {
+            if let Some(t) = falls(value, rate, bend)
+                && t < soonest.map_or(longest, |(sooner, _)| sooner)
+            {
                 soonest = Some((t, what));
             }
         }
@@ -389,43 +333,28 @@ impl Stretch {
     }
 
     fn sheet_speed(&self, t: f64) -> f64 {
-        self.sheet
-            .map_or(0.0, |[speed, slope, _]| speed + t * slope)
+        self.sheet[0] + t * self.sheet[1]
     }
-
-    fn ground_speed(&self, t: f64) -> f64 {
-        if self.on_sheet {
-            self.sheet_speed(t)
-        } else {
-            0.0
-        }
-    }
-}
-
-/// When a positive quantity falls through zero at this rate.
-fn falls(value: f64, rate: f64) -> Option<f64> {
-    (value > 0.0 && rate < 0.0).then(|| -value / rate)
 }
 
 /// When value + rate t + ½ bend t², positive or just about to be, falls through zero.
-fn crosses(value: f64, rate: f64, bend: f64) -> Option<f64> {
+fn falls(value: f64, rate: f64, bend: f64) -> Option<f64> {
     if value <= 0.0 {
-        // On the edge itself: it crosses at once, or it moves off first and may come back.
+        // At zero itself: it falls at once, or it rises first and may come back.
         if rate < 0.0 || (rate == 0.0 && bend < 0.0) {
             return Some(0.0);
         }
         return (rate > 0.0 && bend < 0.0).then(|| -2.0 * rate / bend);
     }
+    if bend == 0.0 {
+        return (rate < 0.0).then(|| -value / rate);
+    }
     let square = rate * rate - 2.0 * bend * value;
-    if square < 0.0 {
-        return None;
-    }
     // The stable root of the two, whichever sign the rate has.
-    if rate < 0.0 {
-        Some(2.0 * value / (square.sqrt() - rate))
-    } else if bend < 0.0 {
-        Some((-rate - square.sqrt()) / bend)
+    let root = if rate < 0.0 {
+        2.0 * value / (square.sqrt() - rate)
     } else {
-        None
-    }
+        (-rate - square.sqrt()) / bend
+    };
+    (square >= 0.0 && (rate < 0.0 || bend < 0.0)).then_some(root)
 }

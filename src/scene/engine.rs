@@ -84,8 +84,13 @@ pub(crate) trait Flow<const N: usize> {
         OF_CLOSED_FORMS * (1.0 + angle + phases.len() as f64)
     }
 
-    /// Distance of two states that should be the same: radians, or relative to the scale of a rate, whichever is more.
-    fn distance(&self, a: &(Self::Phase, [f64; N]), b: &(Self::Phase, [f64; N])) -> f64;
+    /// Distance of two states that should be the same: radians, or relative to the scale of a rate, whichever is more. If nothing else is
+    /// said, each number counts in its scale, or in itself where it is more.
+    fn distance(&self, a: &(Self::Phase, [f64; N]), b: &(Self::Phase, [f64; N])) -> f64 {
+        let scales = self.scales();
+        let sizes = core::array::from_fn(|n| greater(scales[n], b.1[n].abs()));
+        apart(&a.1, &b.1, &sizes)
+    }
 }
 
 /// What has ended a phase.
@@ -499,6 +504,12 @@ fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<(F::Phase,
 /// The greater of two; what is not a number must not pass for small.
 pub(crate) fn greater(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
+}
+
+/// The most by which numbers differ, each in its own size.
+pub(crate) fn apart<const N: usize>(a: &[f64; N], b: &[f64; N], sizes: &[f64; N]) -> f64 {
+    let parts = (0..N).map(|n| (a[n] - b[n]).abs() / sizes[n]);
+    parts.fold(0.0, greater)
 }
 
 /// The most by which the samples of two runs differ.

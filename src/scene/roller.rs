@@ -23,7 +23,7 @@
 //! ```
 
 use super::effects::Effect;
-use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, furthest, greater};
+use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, furthest, greater};
 use super::engine::{planned, to_accuracy};
 use super::motion::{Account, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
@@ -32,7 +32,7 @@ use crate::error::{Result, finite, positive};
 use crate::integrators::Cost;
 use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
 use crate::rolling::sheet::Sheet;
-use crate::rolling::stretch::{Laws, Stretch};
+use crate::rolling::stretch::{Laws, State, Stretch};
 use crate::rolling::{RoundBody, Shot};
 
 /// A round body on a level table.
@@ -135,7 +135,7 @@ impl Tabulated for Rolling {
         &["x", "velocity", "rim_speed", "slip", "energy", "heat"];
 
     fn row(&self) -> Vec<f64> {
-        let [x, velocity, rim_speed, slip, ..] = self.moment.numbers();
+        let [x, velocity, rim_speed, slip, ..] = self.moment.state();
         vec![x, velocity, rim_speed, slip, self.energy, self.heat]
     }
 }
@@ -210,7 +210,7 @@ impl OnTable<'_> {
         self.span = furthest(times);
         if !matches!(plan.solver, Solver::Exact | Solver::Events) {
             let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(self))?;
-            let moments = trace.samples.iter().map(|(_, y)| apart(y).0);
+            let moments = trace.samples.iter().map(|(_, y)| Moment::of(y));
             return Ok((moments.collect(), trace.cost, error));
         }
         let course = Course::under(&self.laws, self.start, self.span)?;
@@ -225,11 +225,9 @@ impl OnTable<'_> {
         let twin = self.twin();
         let twin = Course::under(&twin.laws, twin.start, self.span)?;
         let sizes = self.sizes(&moments);
-        let off = times.iter().zip(&moments).map(|(&t, moment)| {
-            let pairs = moment.numbers().into_iter().zip(twin.at(t).numbers());
-            let parts = pairs.zip(sizes).map(|((a, b), size)| (a - b).abs() / size);
-            parts.fold(0.0, greater)
-        });
+        let off = times
+            .iter()
+            .map(|&t| apart(&course.state(t), &twin.state(t), &sizes));
         let growth = off.fold(0.0, greater) / MOVED;
         let error = ROUNDING * (course.stretches() as f64 + growth);
         Ok((moments, cost, error))
@@ -250,7 +248,7 @@ impl OnTable<'_> {
     }
 
     /// The greatest that each number of a moment has been, and no less than is natural.
-    fn sizes(&self, moments: &[Moment]) -> [f64; 7] {
+    fn sizes(&self, moments: &[Moment]) -> State {
         let greatest = |kind: fn(&Moment) -> f64, least: f64| {
             let all = moments.iter().chain([&self.start]).map(kind);
             all.fold(least.max(f64::MIN_POSITIVE), greater)
@@ -261,7 +259,7 @@ impl OnTable<'_> {
             0.0,
         );
         let energy = greatest(|m| m.heat.max(m.work.abs()), 0.5 * speed * speed);
-        [length, speed, speed, speed, length, energy, energy]
+        [length, speed, speed, speed, length, energy, energy, length]
     }
 
     /// What is kept, or may only be lost.
@@ -308,27 +306,15 @@ impl OnTable<'_> {
     }
 }
 
-/// A moment, and the distance from the sheet's edge to the point of contact.
-fn apart(numbers: &[f64; 8]) -> (Moment, f64) {
-    let [x, v, w, slip, turned, heat, work, margin] = *numbers;
-    (Moment::of([x, v, w, slip, turned, heat, work]), margin)
-}
-
-/// The numbers of a stretch's beginning.
-fn together(stretch: &Stretch) -> [f64; 8] {
-    let [x, v, w, slip, turned, heat, work] = stretch.moment.numbers();
-    [x, v, w, slip, turned, heat, work, stretch.margin_at(0.0)]
-}
-
 impl Flow<8> for OnTable<'_> {
     type Phase = Stretch;
 
-    fn start(&self) -> Result<(Stretch, [f64; 8])> {
+    fn start(&self) -> Result<(Stretch, State)> {
         let first = self.laws.first(self.start);
-        Ok((first, together(&first)))
+        Ok((first, first.state))
     }
 
-    fn scales(&self) -> [f64; 8] {
+    fn scales(&self) -> State {
         let (radius, reaction) = (self.body.radius(), self.laws.load.reaction);
         let points = self
             .laws
@@ -345,11 +331,11 @@ impl Flow<8> for OnTable<'_> {
         RADIANS / self.span.max(f64::MIN_POSITIVE)
     }
 
-    fn rate(&self, stretch: Stretch, t: f64, y: &[f64; 8]) -> [f64; 8] {
+    fn rate(&self, stretch: Stretch, t: f64, y: &State) -> [f64; 8] {
         stretch.rates(t - stretch.start, y)
     }
 
-    fn margin(&self, stretch: Stretch, _: f64, y: &[f64; 8]) -> f64 {
+    fn margin(&self, stretch: Stretch, _: f64, y: &State) -> f64 {
         stretch
             .ends(y)
             .map(|(margin, _)| margin)
@@ -368,20 +354,14 @@ impl Flow<8> for OnTable<'_> {
         }
     }
 
-    fn next(&self, stretch: Stretch, ended: Ended, t: f64, y: &mut [f64; 8]) -> Result<Stretch> {
+    fn next(&self, stretch: Stretch, ended: Ended, t: f64, y: &mut State) -> Result<Stretch> {
         let what = match ended {
             Ended::ByEvent => stretch.ends(y).min_by(|a, b| a.0.total_cmp(&b.0)),
             Ended::ByTheClock => stretch.next(f64::INFINITY).filter(|next| next.0 == 0.0),
         };
         let what = what.map(|(_, what)| what);
-        let (next, _) = self.laws.after(&stretch, t - stretch.start, apart(y), what);
-        *y = together(&next);
+        let (next, _) = self.laws.after(&stretch, t - stretch.start, y, what);
+        *y = next.state;
         Ok(next)
-    }
-
-    fn distance(&self, (_, a): &(Stretch, [f64; 8]), (_, b): &(Stretch, [f64; 8])) -> f64 {
-        let scales = self.scales();
-        let parts = (0..7).map(|n| (a[n] - b[n]).abs() / scales[n].max(b[n].abs()));
-        parts.fold(0.0, greater)
     }
 }

@@ -125,7 +125,7 @@ impl Tabulated for Spooling {
     ];
 
     fn row(&self) -> Vec<f64> {
-        let [x, velocity, rim_speed, slip, ..] = self.moment.numbers();
+        let [x, velocity, rim_speed, slip, ..] = self.moment.state();
         let Self { wound, energy, .. } = *self;
         vec![
             x, velocity, rim_speed, slip, wound, energy, self.heat, self.work,

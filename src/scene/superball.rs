@@ -10,7 +10,7 @@
 //! that steps.
 
 use super::effects::Effect;
-use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, greater};
+use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
 use super::motion::{Account, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
@@ -210,13 +210,9 @@ impl Superball {
         let [x, height, speeds @ ..] = greatest;
         let speed = speeds.into_iter().fold(0.0, f64::max);
         let sizes = [x.max(height), x.max(height), speed, speed, speed];
-        let apart = ordered.iter().zip(&twins).map(|(a, b)| {
-            let pairs = numbers(a).into_iter().zip(numbers(b)).zip(sizes);
-            pairs
-                .map(|((a, b), size)| (a - b).abs() / size)
-                .fold(0.0, greater)
-        });
-        let growth = apart.fold(0.0, greater) / MOVED;
+        let pairs = ordered.iter().zip(&twins);
+        let off = pairs.map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes));
+        let growth = off.fold(0.0, greater) / MOVED;
         let last = ordered.last().map_or(0, |ball| ball.bounces);
         let steps = last - self.start.bounces;
         let cost = Cost {
@@ -330,9 +326,9 @@ impl Flow<3> for Thrown {
             b = self.bounced(&b);
         }
         let [length, _, speed] = self.scales();
-        let sizes = [length, length, speed, speed, speed];
-        let pairs = numbers(&a).into_iter().zip(numbers(&b)).zip(sizes);
-        let parts = pairs.map(|((a, b), size)| (a - b).abs() / size.max(b.abs()));
-        parts.fold(0.0, greater)
+        let (a, b) = (numbers(&a), numbers(&b));
+        let scales = [length, length, speed, speed, speed];
+        let sizes = core::array::from_fn(|n| greater(scales[n], b[n].abs()));
+        apart(&a, &b, &sizes)
     }
 }

@@ -3,7 +3,7 @@
 //! Horizontal velocity and spin change only in bounces, height only as gravity says; so every flight is a quadratic and its time a root
 //! taken without cancellation.
 
-use super::{BounceRotation, Motion, Restitution, Surface, bounce, gripping_bounce};
+use super::{BounceRotation, Motion, Restitution, Surface, bounce_with, gripping_bounce};
 use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite, not_negative, positive, within};
 use crate::rolling::course::{Coulomb, Course, Load, Moment};
@@ -95,11 +95,6 @@ impl Flight {
                 ..start
             },
         })
-    }
-
-    /// κ.
-    pub fn kappa(&self) -> f64 {
-        self.kappa
     }
 
     /// Acceleration of gravity, m/s², 0 if there is none.
@@ -214,13 +209,12 @@ impl Flight {
     ) -> InFlight {
         let [normal, tangential] = self.restitution();
         let (motion, kappa) = (ball.motion, self.kappa);
-        let motion = match (self.grip, self.losses) {
-            (Some(grip), _) => {
+        let motion = match self.grip {
+            Some(grip) => {
                 let impulse = (1.0 + normal) * speed;
                 gripping_bounce(motion, surface, kappa, tangential, grip, impulse)
             }
-            (None, Some(_)) => super::bounce_with(motion, surface, kappa, tangential),
-            (None, None) => bounce(motion, surface, kappa),
+            None => bounce_with(motion, surface, kappa, tangential),
         };
         InFlight {
             position: ball.position + t * ball.motion.velocity,

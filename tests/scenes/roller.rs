@@ -1,5 +1,6 @@
 //! Friction, rolling resistance and the sheet, each absent and at zero, and in another order.
 
+use lab::general::DifferentialEquations;
 use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::sheet::SheetSpeeds;
@@ -41,7 +42,9 @@ fn mu(value: f64) -> Coulomb {
 }
 
 fn by(method: Method) -> Request {
-    times().by(Choice::Use(Solver::General(method)))
+    times()
+        .by(Choice::Use(Solver::General(method)))
+        .with_methods(&DifferentialEquations)
 }
 
 fn run(scene: &impl Scene<State = Rolling>) -> Motion<Rolling> {
@@ -122,8 +125,6 @@ fn it_is_quick() {
     }
     let events = clock.elapsed() / 100;
     let clock = std::time::Instant::now();
-    scene
-        .simulate(&request.by(Choice::Use(Solver::General(Method::Dop853))))
-        .unwrap();
+    scene.simulate(&by(Method::Dop853)).unwrap();
     println!("events {events:?}, dop853 {:?}", clock.elapsed());
 }

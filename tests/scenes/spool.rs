@@ -1,5 +1,6 @@
 //! The tug, friction and rolling resistance, each absent and at zero.
 
+use lab::general::DifferentialEquations;
 use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::RoundBody;
@@ -18,7 +19,9 @@ fn reel() -> TuggedSpool {
 fn run(scene: &impl Scene<State = Spooling>) -> Motion<Spooling> {
     let exact = scene.simulate(&times()).unwrap();
     let dop853 = Choice::Use(Solver::General(Method::Dop853));
-    let found = scene.simulate(&times().by(dop853)).unwrap();
+    let found = scene
+        .simulate(&times().by(dop853).with_methods(&DifferentialEquations))
+        .unwrap();
     assert!(same(&exact, &found) < 1e-12, "{:e}", same(&exact, &found));
     assert!(balance(&exact) < 1e-13 && balance(&found) < 1e-12);
     exact

@@ -1,5 +1,6 @@
 //! Gravity, restitution and grip, each absent and at its neutral value.
 
+use lab::general::DifferentialEquations;
 use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::effects::{Coulomb, Effect, Gravity, Restitution};
@@ -40,7 +41,9 @@ fn run(scene: &impl Scene<State = Bouncing>) -> Motion<Bouncing> {
         .simulate(&times().by(Choice::Use(Solver::Events)))
         .unwrap();
     let dop853 = Choice::Use(Solver::General(Method::Dop853));
-    let found = scene.simulate(&times().by(dop853)).unwrap();
+    let found = scene
+        .simulate(&times().by(dop853).with_methods(&DifferentialEquations))
+        .unwrap();
     assert!(
         same(&exact, &followed) < 1e-12,
         "{:e}",

@@ -234,12 +234,6 @@ impl Flow<5> for Crawling {
             })
         })
     }
-
-    fn distance(&self, (_, a): &(Phase, [f64; 5]), (_, b): &(Phase, [f64; 5])) -> f64 {
-        let scales = self.scales();
-        let parts = (0..5).map(|k| (a[k] - b[k]).abs() / scales[k].max(b[k].abs()));
-        parts.fold(0.0, f64::max)
-    }
 }
 
 impl Scene for Crawler {

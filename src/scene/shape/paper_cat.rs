@@ -7,7 +7,7 @@ use crate::error::{Result, finite, positive};
 use crate::integrators::{Effort, Kept, Leg, Stop};
 use crate::phenomena;
 use crate::scene::effects::Effect;
-use crate::scene::engine::{Answer, Closed, Flow, planned, solved};
+use crate::scene::engine::{Answer, Closed, Flow, apart, planned, solved};
 use crate::scene::motion::{Account, ledger};
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
@@ -168,8 +168,7 @@ impl Flow<5> for Falling {
         let energy = (self.speed * self.speed).max(f64::MIN_POSITIVE);
         let turning = self.pace.max(f64::MIN_POSITIVE);
         let scales = [self.height, self.speed, 1.0, turning, energy];
-        let parts = (0..5).map(|k| (a[k] - b[k]).abs() / scales[k]);
-        parts.fold(0.0, f64::max)
+        apart(a, b, &scales)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::error::{Result, finite, not_negative};
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::skater;
 use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Answer, Closed, Flow, planned, solved};
+use crate::scene::engine::{AN_INTEGRAL, Answer, Closed, Flow, apart, planned, solved};
 use crate::scene::motion::{Account, ledger};
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
@@ -159,8 +159,7 @@ impl Flow<4> for Skater {
 
     fn distance(&self, ((), a): &((), [f64; 4]), ((), b): &((), [f64; 4])) -> f64 {
         let scales = self.scales();
-        let parts = (0..4).map(|k| (a[k] - b[k]).abs() / scales[k]);
-        parts.fold(0.0, f64::max)
+        apart(a, b, &scales)
     }
 }
 

@@ -213,13 +213,17 @@ impl Superball {
         let pairs = ordered.iter().zip(&twins);
         let off = pairs.map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes));
         let growth = off.fold(0.0, greater) / MOVED;
-        let last = ordered.last().map_or(0, |ball| ball.bounces);
-        let steps = last - self.start.bounces;
+        // Of a ball on the floor all bounces are in a sum.
+        let bounced = |lies: bool| {
+            let balls = ordered.iter().filter(|ball| lies || ball.height > 0.0);
+            let most = balls.map(|ball| ball.bounces).max();
+            most.map_or(0, |most| most - self.start.bounces)
+        };
         let cost = Cost {
             evaluations: 0,
-            steps,
+            steps: bounced(true),
         };
-        let error = ROUNDING * (1.0 + steps as f64 + growth);
+        let error = ROUNDING * (1.0 + bounced(false) as f64 + growth);
         let mut balls = vec![self.start; ordered.len()];
         for (place, ball) in order.into_iter().zip(ordered) {
             balls[place] = ball;

@@ -339,19 +339,21 @@ impl Flight {
 
     /// When the bounces begin to pile up, the ball as it leaves the floor then, and when they have ended.
     fn pile(&self) -> Result<Option<(f64, InFlight, f64)>> {
-        let (mut time, mut ball) = (0.0, self.start);
+        let (mut time, mut ball) = (DoubleDouble::from(0.0), self.start);
         let [normal, _] = self.restitution();
         let Some(g) = self.gravity.filter(|_| normal < 1.0 || self.lies(&ball)) else {
             return Ok(None);
         };
         for _ in 0..MOST_BOUNCES {
             let Some((wait, surface, speed)) = self.contact(&ball) else {
+                let time = time.value();
                 return Ok(self.lies(&ball).then_some((time, ball, time)));
             };
-            time += wait.value();
+            time = time.add(wait);
             ball = self.bounced(&ball, wait.value(), surface, speed.value());
             let climb = ball.climb;
             if surface == Surface::Floor && climb * climb <= 2.0 * g * self.room {
+                let time = time.value();
                 let last = time + 2.0 * climb / (g * (1.0 - normal));
                 return Ok(Some((time, ball, last)));
             }
@@ -380,7 +382,8 @@ impl Flight {
     pub(crate) fn sampled(&self, samples: &[(f64, Option<u64>)]) -> Result<Vec<InFlight>> {
         let pile = self.pile()?;
         let mut states = Vec::with_capacity(samples.len());
-        let (mut now, mut ball) = (0.0, self.start);
+        // As many sums as bounces, rounded alike in each of them: in twice the precision.
+        let (mut now, mut ball) = (DoubleDouble::from(0.0), self.start);
         let mut next = self.contact(&ball);
         for &(t, count) in samples {
             let t = not_negative("the time", t)?;
@@ -392,28 +395,29 @@ impl Flight {
                 continue;
             }
             while let Some((wait, surface, speed)) = next {
-                let wait = wait.value();
-                let later = count.map_or(now + wait > t, |count| ball.bounces >= count);
+                let (then, wait) = (now.add(wait), wait.value());
+                let later = count.map_or(then.value() > t, |count| ball.bounces >= count);
                 if over.is_none() && later {
                     break;
                 }
                 // The last bounces of the pile cannot be told apart from its end.
-                if pile.is_some_and(|(.., last)| now + wait >= last || wait <= SAME * last) {
+                if pile.is_some_and(|(.., last)| then.value() >= last || wait <= SAME * last) {
                     break;
                 }
                 if ball.bounces - self.start.bounces >= MOST_BOUNCES {
                     return Err(TOO_MANY);
                 }
-                now += wait;
+                now = then;
                 ball = self.bounced(&ball, wait, surface, speed.value());
                 next = self.contact(&ball);
             }
             states.push(match over {
                 Some((.., last)) => {
-                    let landed = ball.position + (last - now) * ball.motion.velocity;
+                    let left = DoubleDouble::from(last).subtract(now).value();
+                    let landed = ball.position + left * ball.motion.velocity;
                     self.on_the_floor(&ball, landed, t - last)?
                 }
-                None => self.flown(&ball, t - now)?,
+                None => self.flown(&ball, DoubleDouble::from(t).subtract(now).value())?,
             });
         }
         states.into_iter().map(InFlight::checked).collect()

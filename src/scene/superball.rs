@@ -10,7 +10,7 @@
 //! that steps.
 
 use super::effects::Effect;
-use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
+use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, furthest, greater};
 use super::engine::{planned, to_accuracy};
 use super::motion::{Account, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
@@ -149,8 +149,9 @@ impl Scene for Superball {
             }
             Solver::Events => self.followed(&flight, request)?,
             _ => {
-                let Answer { trace, error } =
-                    to_accuracy(request, plan.solver, |_| Ok(Thrown { flight }))?;
+                let span = furthest(request.times());
+                let thrown = Thrown { flight, span };
+                let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(thrown))?;
                 let balls = trace.samples.iter().map(|(ball, y)| flying(ball, y));
                 (balls.collect(), trace.cost, error)
             }
@@ -236,6 +237,8 @@ impl Superball {
 #[derive(Clone, Copy)]
 struct Thrown {
     flight: Flight,
+    /// The longest time asked for, s.
+    span: f64,
 }
 
 /// The ball of these numbers in a flight.
@@ -281,6 +284,12 @@ impl Flow<3> for Thrown {
         let motion = ball.motion;
         let speed = speed.max(motion.velocity.abs()).max(motion.rim_speed.abs());
         [length, length, speed.max(f64::MIN_POSITIVE)]
+    }
+
+    /// The time of every bounce is rounded, of one as of another: as if the ball had started with another speed.
+    fn doubt(&self) -> [f64; 3] {
+        let bounces = self.pace() * self.span;
+        [0.0, 0.0, OF_CLOSED_FORMS * bounces * self.scales()[2]]
     }
 
     fn pace(&self) -> f64 {

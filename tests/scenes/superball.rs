@@ -5,7 +5,7 @@ use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::effects::{Coulomb, Effect, Gravity, Restitution};
 use spinning_bodies::scene::superball::{Bouncing, Superball};
-use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver};
+use spinning_bodies::scene::{Choice, Geometric, Motion, Request, Scene, Solver, Tabulated};
 use spinning_bodies::superball::Motion as Throw;
 use spinning_bodies::superball::flight::InFlight;
 
@@ -141,4 +141,34 @@ fn ten_million_bounces_at_once() {
         ball().simulate(&Request::at([-1.0]).unwrap()),
         Err(Error::OutOfRange { .. })
     ));
+}
+
+/// By steps the time of each bounce is rounded, and what that does grows with the square of their number.
+#[test]
+fn what_is_told_of_many_bounces_by_steps() {
+    let general = [Method::Dop853, Method::Dopri5, Method::Rk4].map(Solver::General);
+    let ours = Solver::Geometric(Geometric::DormandPrince8);
+    for (gravity, t) in [
+        (1e-3, 30.01),
+        (1e-3, 300.01),
+        (9.81, 5.01),
+        (9.81, 30.01),
+        (9.81, 300.01),
+    ] {
+        let scene = with([Gravity::new(gravity).unwrap().into()]);
+        let request = Request::at([t]).unwrap().to_accuracy(1e-8).unwrap();
+        let exact = scene.simulate(&request).unwrap().rows[0].1.row();
+        for solver in general.into_iter().chain([ours]) {
+            let by = request.clone().by(Choice::Use(solver));
+            let motion = scene
+                .simulate(&by.with_methods(&DifferentialEquations))
+                .unwrap();
+            let (row, told) = (motion.rows[0].1.row(), motion.error_estimate.unwrap());
+            let sizes = [0.6, 0.6, 5.0, 5.0, 5.0, 1.0, 1.0];
+            let off = (0..7).map(|n| (row[n] - exact[n]).abs() / sizes[n]);
+            let off = off.fold(0.0, f64::max);
+            println!("{gravity} {t} {solver}: {off:e} of {told:e}");
+            assert!(off < told, "{gravity} {t} {solver}: {off:e} of {told:e}");
+        }
+    }
 }

@@ -254,12 +254,20 @@ impl OnTable<'_> {
             all.fold(least.max(f64::MIN_POSITIVE), greater)
         };
         let length = greatest(|m| m.position.abs().max(m.turned.abs()), self.body.radius());
-        let speed = greatest(
-            |m| m.velocity.abs().max(m.rim_speed.abs()).max(m.slip.abs()),
-            0.0,
-        );
+        let all = |m: &Moment| m.velocity.abs().max(m.rim_speed.abs()).max(m.slip.abs());
+        let speed = greatest(all, self.speed());
         let energy = greatest(|m| m.heat.max(m.work.abs()), 0.5 * speed * speed);
         [length, speed, speed, speed, length, energy, energy, length]
+    }
+
+    /// The speed that it begins with, that a sheet has, or that pull and twist would give it: where these balance, what is left is rounding.
+    fn speed(&self) -> f64 {
+        let Laws { load, sheet, .. } = &self.laws;
+        let points = sheet.map_or(&[][..], |sheet| sheet.speeds().points());
+        let speeds = points.iter().map(|point| point.1.abs());
+        let own = self.start.velocity.abs().max(self.start.rim_speed.abs());
+        let pulled = (load.push.abs() + load.twist.abs()) * self.span;
+        speeds.fold(own.max(pulled), f64::max)
     }
 
     /// What is kept, or may only be lost.
@@ -285,8 +293,8 @@ impl OnTable<'_> {
                 false => "angular momentum about the table",
             };
             let first = mass * self.start.about_the_table(kappa);
-            let tug = furthest(request.times()) * (load.push.abs() + load.twist.abs());
-            let size = scale(&|m| m.velocity.abs() + kappa * m.rim_speed.abs() + tug);
+            let own = |m: &Moment| m.velocity.abs() + kappa * m.rim_speed.abs();
+            let size = scale(&own).max(mass * self.speed());
             accounts.push((name, Law::Conserved, size, first, &about));
         }
         let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
@@ -316,13 +324,7 @@ impl Flow<8> for OnTable<'_> {
 
     fn scales(&self) -> State {
         let (radius, reaction) = (self.body.radius(), self.laws.load.reaction);
-        let points = self
-            .laws
-            .sheet
-            .map_or(&[][..], |sheet| sheet.speeds().points());
-        let fastest = points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
-        let own = self.start.velocity.abs().max(self.start.rim_speed.abs());
-        let speed = own.max(fastest).max((reaction * radius).sqrt());
+        let speed = self.speed().max((reaction * radius).sqrt());
         let energy = speed * speed;
         [radius, speed, speed, speed, radius, energy, energy, radius]
     }

@@ -117,6 +117,22 @@ fn what_a_roller_refuses() {
     );
 }
 
+/// The numbers of a ball at rest are rounding, and asked for alone they are answered all the same.
+#[test]
+fn a_ball_that_a_gentle_pull_has_left_behind() {
+    let ball = RoundBody::new(0.17, 0.028_575, factor::BALL).unwrap();
+    let speeds = SheetSpeeds::ramp(1.0, 2.0).unwrap();
+    let sheet = Sheet::new(mu(0.3), speeds, 1.5).unwrap();
+    let scene = Roller::new(ball, 9.8, 0.0, 0.0)
+        .unwrap()
+        .with(mu(0.2))
+        .unwrap();
+    let request = Request::at([9.0]).unwrap();
+    let motion = scene.with(sheet).unwrap().simulate(&request).unwrap();
+    assert!(motion.rows[0].1.moment.velocity.abs() < 1e-15);
+    assert!(motion.error_estimate.unwrap() < 1e-12);
+}
+
 #[test]
 fn it_is_quick() {
     let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();

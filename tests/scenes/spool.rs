@@ -59,3 +59,20 @@ fn a_lifted_spool_is_refused() {
     let lifted = reel().with(Tug::new(2.1, 1.4).unwrap());
     assert!(matches!(lifted, Err(Error::NotPositive { .. })));
 }
+
+/// At the critical angle pull and twist balance, and what is left is rounding: that is no reason to refuse an answer.
+#[test]
+fn a_spool_at_the_critical_angle_stays() {
+    let spool = Spool::new(RoundBody::new(0.2, 0.05, 0.5).unwrap(), 0.02).unwrap();
+    let tug = Tug::new(0.3, spool.critical_angle().unwrap()).unwrap();
+    let tugged = TuggedSpool::new(spool, 9.81).unwrap().with(tug).unwrap();
+    let scene = tugged.with(Coulomb::new(0.5).unwrap()).unwrap();
+    let motion = run(&scene);
+    assert!(
+        motion
+            .rows
+            .iter()
+            .all(|row| row.1.moment.position.abs() < 1e-15)
+    );
+    assert!(motion.error_estimate.unwrap() < 1e-13);
+}

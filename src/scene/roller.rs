@@ -94,11 +94,11 @@ impl Roller {
     /// # Errors
     /// As [`Course::new`].
     pub fn course(&self, until: f64) -> Result<Course> {
-        let table = self.table()?;
+        let table = self.table(until)?;
         Course::under(&table.laws, table.start, until)
     }
 
-    fn table(&self) -> Result<OnTable<'_>> {
+    fn table(&self, span: f64) -> Result<OnTable<'_>> {
         let effects = (self.friction, self.resistance, self.sheet.as_ref());
         let laws = Laws::new(
             self.body.inertia_factor(),
@@ -113,7 +113,7 @@ impl Roller {
             body: self.body,
             laws,
             start,
-            span: 1.0,
+            span,
         })
     }
 }
@@ -146,16 +146,16 @@ impl Scene for Roller {
     fn plan(&self, request: &Request) -> Result<Plan> {
         let slides = self.friction.is_some() || self.sheet.is_some();
         let reason = match (slides, self.resistance) {
-            (true, _) => "sliding friction: closed form from event to event",
-            (false, Some(_)) => "rolling resistance: closed form from event to event",
-            (false, None) => FREE,
+            (true, _) => Some("sliding friction: closed form from event to event"),
+            (false, Some(_)) => Some("rolling resistance: closed form from event to event"),
+            (false, None) => None,
         };
         rolling_plan(request, reason)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Rolling>> {
         let plan = self.plan(request)?;
-        let table = self.table()?;
+        let table = self.table(furthest(request.times()))?;
         let (moments, cost, error) = table.moments(&plan, request)?;
         let ledger = table.ledger(request, &moments)?;
         let (mass, kappa) = (self.body.mass(), self.body.inertia_factor());
@@ -168,16 +168,14 @@ impl Scene for Roller {
     }
 }
 
-/// Why a body on which nothing acts along the table needs no events.
-pub(super) const FREE: &str = "no force along the table: closed form";
-
-/// The plan of what rolls: closed forms, for this reason.
-pub(super) fn rolling_plan(request: &Request, reason: &'static str) -> Result<Plan> {
+/// The plan of what rolls: closed forms from event to event for this reason, or without events.
+pub(super) fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
     request.forward()?;
-    let solver = match request.choice() {
-        Choice::Auto | Choice::Use(Solver::Exact) if reason == FREE => Solver::Exact,
+    let solver = match (request.choice(), events) {
+        (Choice::Auto | Choice::Use(Solver::Exact), None) => Solver::Exact,
         _ => Solver::Events,
     };
+    let reason = events.unwrap_or("no force along the table: closed form");
     planned(
         request,
         Ok(Closed { solver, reason }),
@@ -205,11 +203,10 @@ const RADIANS: f64 = 16.0;
 impl OnTable<'_> {
     /// Moments at the times of a request by the solver of a plan, what they have cost, and by how much they may be off: lengths in radii, speeds
     /// and energies in the greatest of the motion.
-    pub fn moments(mut self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, Cost, f64)> {
+    pub fn moments(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, Cost, f64)> {
         let times = request.times();
-        self.span = furthest(times);
         if !matches!(plan.solver, Solver::Exact | Solver::Events) {
-            let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(self))?;
+            let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(*self))?;
             let moments = trace.samples.iter().map(|(_, y)| Moment::of(y));
             return Ok((moments.collect(), trace.cost, error));
         }
@@ -309,7 +306,7 @@ impl OnTable<'_> {
     }
 
     /// Whether something pulls at the body.
-    pub fn driven(&self) -> bool {
+    fn driven(&self) -> bool {
         self.laws.load != Load::weight(self.laws.load.reaction)
     }
 }
@@ -333,7 +330,7 @@ impl Flow<8> for OnTable<'_> {
         RADIANS / self.span.max(f64::MIN_POSITIVE)
     }
 
-    fn rate(&self, stretch: Stretch, t: f64, y: &State) -> [f64; 8] {
+    fn rate(&self, stretch: Stretch, t: f64, y: &State) -> State {
         stretch.rates(t - stretch.start, y)
     }
 

@@ -19,7 +19,8 @@
 //! ```
 
 use super::effects::Effect;
-use super::roller::{FREE, OnTable, rolling_plan};
+use super::engine::furthest;
+use super::roller::{OnTable, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};
 use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
@@ -81,17 +82,17 @@ impl TuggedSpool {
     /// # Errors
     /// As [`Course::new`].
     pub fn course(&self, until: f64) -> Result<Course> {
-        Course::under(&self.table()?.laws, self.start, until)
+        Course::under(&self.table(until)?.laws, self.start, until)
     }
 
-    fn table(&self) -> Result<OnTable<'static>> {
+    fn table(&self, span: f64) -> Result<OnTable<'static>> {
         let body = self.spool.body();
         let effects = (self.friction, self.resistance, None);
         Ok(OnTable {
             body,
             laws: Laws::new(body.inertia_factor(), self.load, effects)?,
             start: self.start,
-            span: 1.0,
+            span,
         })
     }
 }
@@ -139,16 +140,16 @@ impl Scene for TuggedSpool {
     fn plan(&self, request: &Request) -> Result<Plan> {
         let free = self.load == Load::weight(self.gravity) && self.resistance.is_none();
         let reason = match (self.friction, free) {
-            (Some(_), _) => "dry friction: closed form from event to event",
-            (None, false) => "steady forces: closed form from event to event",
-            (None, true) => FREE,
+            (Some(_), _) => Some("dry friction: closed form from event to event"),
+            (None, false) => Some("steady forces: closed form from event to event"),
+            (None, true) => None,
         };
         rolling_plan(request, reason)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
         let plan = self.plan(request)?;
-        let table = self.table()?;
+        let table = self.table(furthest(request.times()))?;
         let (moments, cost, error) = table.moments(&plan, request)?;
         let ledger = table.ledger(request, &moments)?;
         let (mass, kappa) = (table.body.mass(), table.body.inertia_factor());

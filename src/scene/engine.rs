@@ -401,7 +401,10 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     let mut efforts = Efforts::new(stepper, accuracy, angle, furthest(&times));
     let mut worse = run(efforts.worse, 1.0)?.1;
     loop {
-        efforts.halve_few(stepper, worse.cost.steps, furthest(&times));
+        // A phase that ends within a step would see no more of them.
+        if worse.phases.len() == 1 {
+            efforts.halve_few(stepper, worse.cost.steps, furthest(&times));
+        }
         let (flow, better) = run(efforts.better, 0.0)?;
         let asked = furthest_apart(&flow, &worse.samples[..count], &better.samples[..count]);
         let checked = furthest_apart(&flow, &worse.samples[count..], &better.samples[count..]);

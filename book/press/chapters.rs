@@ -116,7 +116,7 @@ chapters! {
     ],
     tippe_top: "tippe-top" [
         "src/tippe_top/",
-        "src/scene/contact/",
+        "src/scene/contact.rs",
         "tests/section_04_tippe_top/",
         "figures/src/tippe_top/",
         "book/scenes/egg.toml",

@@ -6,7 +6,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::Request;
 use crate::error::{Error, Result};
-use crate::integrators::System;
 
 /// How far a run has come: the run writes, others may look, from another thread as well.
 ///
@@ -94,14 +93,6 @@ impl Budget {
         self.reached(time)
     }
 
-    /// The system, its evaluations counted.
-    pub fn counted<'a, S: ?Sized>(&'a self, system: &'a S) -> Counted<'a, S> {
-        Counted {
-            system,
-            budget: self,
-        }
-    }
-
     pub fn count(&self, evaluations: u64) {
         self.spent.set(self.spent.get() + evaluations);
     }
@@ -121,22 +112,5 @@ impl Budget {
         }
         let most = self.most;
         Err(Error::Budget { most, time })
-    }
-}
-
-/// A system whose evaluations are counted.
-pub(crate) struct Counted<'a, S: ?Sized> {
-    pub system: &'a S,
-    pub budget: &'a Budget,
-}
-
-impl<const N: usize, S: System<N> + ?Sized> System<N> for Counted<'_, S> {
-    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
-        self.budget.count(1);
-        self.system.rate(t, y)
-    }
-
-    fn reached(&self, time: f64) -> Result<()> {
-        self.budget.reached(time)
     }
 }

@@ -12,7 +12,7 @@ pub use crate::rolling::course::{Coulomb, RollingResistance};
 pub use crate::rolling::sheet::Sheet;
 pub use crate::rolling::spool::Tug;
 pub use crate::superball::Restitution;
-pub use crate::tippe_top::{Regularised, Resistance, Viscous};
+pub use crate::tippe_top::{NoSlip, Regularised, Resistance, Viscous};
 
 /// Any effect.
 macro_rules! effects {
@@ -189,10 +189,3 @@ numbers! {
 fn part(quantity: &'static str, value: f64) -> Result<f64> {
     within(quantity, value, 0.0, 1.0)
 }
-
-/// The rolling constraint: the point in contact never slips, whatever force that takes (4.7).
-///
-/// Where the reaction falls to zero while a level force is still needed, no table can do both, and the body cannot take off either if
-/// that force held it up: the run ends there with [`Error::Integration`]. [`Coulomb`] slides first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct NoSlip;

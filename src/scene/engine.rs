@@ -91,6 +91,17 @@ pub(crate) trait Flow<const N: usize> {
         let sizes = core::array::from_fn(|n| greater(scales[n], b.1[n].abs()));
         apart(&a.1, &b.1, &sizes)
     }
+
+    /// The most by which states of two runs that should be the same differ; `seen` is all that is known of the motion.
+    fn furthest_apart(
+        &self,
+        a: &[(Self::Phase, [f64; N])],
+        b: &[(Self::Phase, [f64; N])],
+        _seen: &[(Self::Phase, [f64; N])],
+    ) -> f64 {
+        let distances = a.iter().zip(b).map(|(a, b)| self.distance(a, b));
+        distances.fold(0.0, greater)
+    }
 }
 
 /// What has ended a phase.
@@ -238,7 +249,9 @@ impl<F> Run<'_, F> {
         F: Flow<N>,
     {
         if let Some(known) = self.flow.known(phase, (now, y), times, end) {
-            return known;
+            let passage = known?;
+            self.budget.spend(passage.cost.evaluations, passage.time)?;
+            return Ok(passage);
         }
         let scales = self.flow.scales();
         let equations = InPhase {
@@ -397,7 +410,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
         cost += trace.cost;
         Ok((flow, trace))
     };
-    let rounding = ROUNDING * (1.0 + angle);
+    let rounding = ROUNDING * (10.0 + angle);
     let mut efforts = Efforts::new(stepper, accuracy, angle, furthest(&times));
     let mut worse = run(efforts.worse, 1.0)?.1;
     loop {
@@ -406,8 +419,10 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
             efforts.halve_few(stepper, worse.cost.steps, furthest(&times));
         }
         let (flow, better) = run(efforts.better, 0.0)?;
-        let asked = furthest_apart(&flow, &worse.samples[..count], &better.samples[..count]);
-        let checked = furthest_apart(&flow, &worse.samples[count..], &better.samples[count..]);
+        let seen = &better.samples;
+        let (asked, more) = worse.samples.split_at(count);
+        let asked = flow.furthest_apart(asked, &seen[..count], seen);
+        let checked = flow.furthest_apart(more, &seen[count..], seen);
         let apart = greater(asked, CHECKED * checked);
         let share = if apart < TOGETHER {
             efforts.share()
@@ -513,18 +528,6 @@ pub(crate) fn greater(a: f64, b: f64) -> f64 {
 pub(crate) fn apart<const N: usize>(a: &[f64; N], b: &[f64; N], sizes: &[f64; N]) -> f64 {
     let parts = (0..N).map(|n| (a[n] - b[n]).abs() / sizes[n]);
     parts.fold(0.0, greater)
-}
-
-/// The most by which the samples of two runs differ.
-fn furthest_apart<const N: usize, F: Flow<N>>(
-    flow: &F,
-    a: &[(F::Phase, [f64; N])],
-    b: &[(F::Phase, [f64; N])],
-) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| flow.distance(a, b))
-        .fold(0.0, greater)
 }
 
 /// The tolerance of a run; a run of even steps has that of its aim.
@@ -663,8 +666,9 @@ fn growth<const N: usize, F: Flow<N>>(
     };
     let here = run.at((phase, start), times)?;
     let there = run.at((phase, moved), times)?;
-    let first = flow.distance(&(phase, start), &(phase, moved));
-    Ok(furthest_apart(flow, &here.samples, &there.samples) / first)
+    let seen = &here.samples;
+    let first = flow.furthest_apart(&[(phase, start)], &[(phase, moved)], seen);
+    Ok(flow.furthest_apart(seen, &there.samples, seen) / first)
 }
 
 /// A small displacement of the start, in units of the scales.

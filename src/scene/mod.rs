@@ -1,8 +1,8 @@
 //! A scene: a body, how it is held, how it starts, and the effects at work on it. Nothing else is computed.
 //!
-//! Each kind of scene is a type with one slot an effect; what fills the slots is part of the type, so an effect that is
-//! [`Absent`] costs nothing and cannot change a bit of the answer. From what is left a [`Plan`] follows: a closed form where there is
-//! one, otherwise the cheapest method that reaches the accuracy. The [`Motion`] comes with its [`Ledger`](crate::conservation::Ledger):
+//! Each kind of scene is a type that takes its [`effects`] as values, one by one, and refuses by name those that have no meaning for it. What
+//! is not given is not there: nothing multiplies it by zero, nothing asks for it. A [`Plan`] follows in one sentence: the closed form where there
+//! is one, otherwise the method of order 8. The [`Motion`] tells its error and comes with its [`Ledger`](crate::conservation::Ledger):
 //! what the scene conserves, or may only lose, and by how much it failed to. A ledger that does not balance is an error.
 //!
 //! | kind | tutorial | module |
@@ -15,11 +15,10 @@
 //! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
 //! | [`Play`](yo_yo::Play) | 4.9 | [`yo_yo`]: down, turn or sleep, and up again |
 //! | [`Strip`](strip::Strip) | 4.10 | [`strip`]: a strip of paper in the air, or in a vacuum |
-//! | body on a table | 4.7 | [`contact`]: sliding, rolling, hopping |
+//! | [`TableTop`](contact::TableTop) | 4.7 | [`contact`]: sliding, rolling, hopping |
 
 mod budget;
 pub mod contact;
-mod effect;
 pub mod effects;
 mod engine;
 pub mod meteorite;
@@ -34,12 +33,10 @@ pub mod top;
 pub mod yo_yo;
 
 pub use budget::Progress;
-pub use effect::{Absent, Effect};
 pub use motion::{Motion, Request, balanced};
 pub use plan::{Choice, Geometric, Plan, Solver, UnknownSolver};
 
 pub(crate) use budget::Budget;
-pub(crate) use effect::choose;
 pub(crate) use plan::only_for_tops;
 
 use crate::error::Result;

@@ -135,11 +135,6 @@ impl ConvexBody {
         (gravity * self.surface.size()).sqrt()
     }
 
-    /// Euler's equations without torque.
-    pub(crate) fn unforced(&self, omega: &Vector3<f64>) -> Vector3<f64> {
-        self.inverse * -omega.cross(&(self.inertia * omega))
-    }
-
     /// Kinetic energy (J) at this angular velocity and velocity of C.
     pub(crate) fn kinetic_energy(&self, omega: &Vector3<f64>, velocity: &Vector3<f64>) -> f64 {
         0.5 * (omega.dot(&(self.inertia * omega)) + self.mass * velocity.norm_squared())

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use super::body::{ConvexBody, Start};
-use super::friction::{Couple, Holding, Traction};
+use super::friction::{Friction, Resistance};
 use crate::frame::Attitude;
 
 /// Numbers of a state: quaternion 4, Ω 3 (body), level velocity of C 2, level position of C 2, work done against friction 1.
@@ -13,13 +13,13 @@ pub(crate) const NUMBERS: usize = 12;
 /// A state as numbers.
 pub(crate) type Numbers = [f64; NUMBERS];
 
-/// A body and the laws at its contact.
+/// A body and what acts at its contact.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Table<F, R> {
+pub(crate) struct Table {
     pub(crate) body: ConvexBody,
     pub(crate) gravity: f64,
-    pub(crate) friction: F,
-    pub(crate) resistance: R,
+    pub(crate) friction: Option<Friction>,
+    pub(crate) resistance: Option<Resistance>,
 }
 
 /// What is known of the contact at a state, in body axes.
@@ -34,6 +34,19 @@ pub(crate) struct Contact {
     pub(crate) omega_rate: Vector3<f64>,
     /// Power of friction and couple, over the normal force; not positive.
     pub(crate) power: f64,
+}
+
+impl Contact {
+    /// A body in the air.
+    pub(crate) fn none(body: &ConvexBody, omega: &Vector3<f64>) -> Self {
+        Self {
+            slip: Vector3::zeros(),
+            reaction: 0.0,
+            traction: Vector3::zeros(),
+            omega_rate: body.inverse * -omega.cross(&(body.inertia * omega)),
+            power: 0.0,
+        }
+    }
 }
 
 /// A state, unpacked into the body's axes.
@@ -57,70 +70,95 @@ impl Pose {
             level: rotation.tr_mul(&Vector3::new(y[7], y[8], 0.0)),
         }
     }
+
+    /// The attitude.
+    pub(crate) fn attitude(&self) -> Attitude {
+        Attitude::from_unit(self.turn.into_inner())
+    }
 }
 
-/// The state at a start, in units in which nothing has been done yet.
+/// The numbers at a start: nothing has been done yet.
 pub(crate) fn numbers(start: &Start) -> Numbers {
     let q = start.attitude.quaternion();
-    let (omega, v) = (start.omega, start.velocity);
-    [
-        q.w,
-        q.i,
-        q.j,
-        q.k,
-        omega.x(),
-        omega.y(),
-        omega.z(),
-        v.x(),
-        v.y(),
-        0.0,
-        0.0,
-        0.0,
-    ]
+    let [p, r, s] = start.omega.components().into();
+    let v = start.velocity;
+    [q.w, q.i, q.j, q.k, p, r, s, v.x(), v.y(), 0.0, 0.0, 0.0]
 }
 
-impl<F: Traction, R: Couple> Table<F, R> {
+/// The point in contact: its arm from C, its velocity, and what its acceleration is without any force.
+struct Touch {
+    arm: Vector3<f64>,
+    slip: Vector3<f64>,
+    /// Ω∧ρ̇, ρ̇ in space.
+    whirl: Vector3<f64>,
+    /// −Ω̇ of a free body.
+    free: Vector3<f64>,
+    couple: Option<Vector3<f64>>,
+}
+
+impl Table {
+    #[inline]
+    fn touch(&self, up: &Vector3<f64>, omega: &Vector3<f64>, level: &Vector3<f64>) -> Touch {
+        let body = &self.body;
+        let (support, rate) = body.surface.support_and_rate(up, &up.cross(omega));
+        let arm = body.center - support;
+        let swing = omega.cross(&arm);
+        Touch {
+            arm,
+            // C moves up or down as the contact asks, which cancels the vertical part of the swing.
+            slip: level + swing - up * up.dot(&swing),
+            whirl: omega.cross(&(swing - rate)),
+            free: body.inverse * omega.cross(&(body.inertia * omega)),
+            couple: self.resistance.map(|law| law.couple(omega, up)),
+        }
+    }
+
     /// Sliding: accelerations, reaction and slip.
-    ///
-    /// The reaction N is linear in the accelerations it causes, since friction and couple are N times functions of the velocities:
-    /// the vertical acceleration of the point in contact is zero, one linear equation for N.
+    #[inline]
     pub(crate) fn sliding(
         &self,
         up: &Vector3<f64>,
         omega: &Vector3<f64>,
         level: &Vector3<f64>,
     ) -> Contact {
-        let body = &self.body;
-        let (support, rate) = body.surface.support_and_rate(up, &up.cross(omega));
-        let arm = body.center - support;
-        let swing = omega.cross(&arm);
-        // C moves up or down as the contact asks, which cancels the vertical part of the swing.
-        let slip = level + swing - up * up.dot(&swing);
+        let touch = self.touch(up, omega, level);
+        let traction = self.friction.map(|law| law.traction(&touch.slip));
+        self.pushed(up, omega, &touch, traction)
+    }
+
+    /// Under this level force per normal one.
+    ///
+    /// The reaction N is linear in the accelerations it causes, since friction and couple are N times functions of the velocities:
+    /// the vertical acceleration of the point in contact is zero, one linear equation for N.
+    #[inline]
+    fn pushed(
+        &self,
+        up: &Vector3<f64>,
+        omega: &Vector3<f64>,
+        touch: &Touch,
+        traction: Option<Vector3<f64>>,
+    ) -> Contact {
+        let (arm, body) = (&touch.arm, &self.body);
         let mut push = *up;
         let mut power = 0.0;
-        let mut traction = Vector3::zeros();
-        if F::ACTS {
-            traction = self.friction.traction(&slip);
+        if let Some(traction) = &traction {
             push += traction;
-            power += traction.dot(&slip);
+            power += traction.dot(&touch.slip);
         }
         let mut torque = arm.cross(&push);
-        if R::ACTS {
-            let couple = self.resistance.couple(omega, up);
+        if let Some(couple) = &touch.couple {
             torque += couple;
             power += couple.dot(omega);
         }
         let lever = arm.cross(up);
-        let free = body.inverse * omega.cross(&(body.inertia * omega));
         let pushed = body.inverse * torque;
-        let whirl = omega.cross(&(swing - rate));
-        let reaction = (self.gravity + lever.dot(&free) - up.dot(&whirl))
+        let reaction = (self.gravity + lever.dot(&touch.free) - up.dot(&touch.whirl))
             / (1.0 / body.mass + lever.dot(&pushed));
         Contact {
-            slip,
+            slip: touch.slip,
             reaction,
-            traction,
-            omega_rate: pushed * reaction - free,
+            traction: traction.unwrap_or_else(Vector3::zeros),
+            omega_rate: pushed * reaction - touch.free,
             power,
         }
     }
@@ -128,128 +166,151 @@ impl<F: Traction, R: Couple> Table<F, R> {
     /// Pure rolling: V = −Ω∧ρ at all times, and the force that this takes.
     pub(crate) fn rolling(&self, up: &Vector3<f64>, omega: &Vector3<f64>) -> Contact {
         let body = &self.body;
-        let mass = body.mass;
-        let (support, rate) = body.surface.support_and_rate(up, &up.cross(omega));
-        let arm = body.center - support;
-        let swing = omega.cross(&arm);
-        let whirl = omega.cross(&(swing - rate));
-        let about_contact = body.inertia
-            + (Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()) * mass;
-        // Positive definite; what is not finite makes the step fail.
-        let inverse = about_contact
-            .try_inverse()
-            .unwrap_or_else(|| Matrix3::repeat(f64::NAN));
-        let pull = arm.cross(&(up * self.gravity - whirl)) * mass;
-        let mut omega_rate = inverse * (pull - omega.cross(&(body.inertia * omega)));
-        let force =
-            |omega_rate: &Vector3<f64>| (up * self.gravity - omega_rate.cross(&arm) - whirl) * mass;
-        let mut push = force(&omega_rate);
-        let mut reaction = up.dot(&push);
+        let touch = self.touch(up, omega, &Vector3::zeros());
+        let push = self.yielding(up, &touch).holding();
+        let reaction = up.dot(&push);
+        let mut torque = touch.arm.cross(&push);
         let mut power = 0.0;
-        if R::ACTS {
-            let couple = self.resistance.couple(omega, up);
-            let turned = inverse * couple;
-            let change = up.dot(&turned.cross(&arm)) * mass;
-            reaction /= 1.0 + change;
-            omega_rate += turned * reaction;
-            push = force(&omega_rate);
+        if let Some(couple) = &touch.couple {
+            torque += couple * reaction;
             power = couple.dot(omega);
         }
         Contact {
             slip: Vector3::zeros(),
             reaction,
             traction: push / reaction - up,
-            omega_rate,
+            omega_rate: body.inverse * torque - touch.free,
             power,
         }
     }
-}
 
-/// A body on a table as what follows its motion sees it: compiled once, with gravity, friction and resistance behind a call that costs
-/// a hundredth of an evaluation.
-pub(crate) trait Ground {
-    fn body(&self) -> &ConvexBody;
-    fn gravity(&self) -> f64;
-    /// What is known of a contact that slides.
-    fn slides(&self, pose: &Pose) -> Contact;
-    /// What is known of a contact that rolls.
-    fn rolls(&self, pose: &Pose) -> Contact;
-    /// The rates of a state that slides.
-    fn sliding_rates(&self, y: &Numbers) -> Numbers;
-    /// The rates of a state that rolls; its velocity of C is what Ω makes it.
-    fn rolling_rates(&self, y: &Numbers) -> Numbers;
-    /// f(v), the level force over the normal one; and the slip over which it bends.
-    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64>;
-    /// As [`Traction::sharpness`].
-    fn sharpness(&self) -> f64;
-    /// As [`Traction::holding`].
-    fn holding(&self) -> Holding;
-}
-
-impl<F: Traction, R: Couple> Ground for Table<F, R> {
-    fn body(&self) -> &ConvexBody {
-        &self.body
+    /// A body that starts from rolling to slide by Coulomb's law, with coefficient `mu` while it slides.
+    ///
+    /// While the slip s is so small, friction turns it into its own direction within s/μg, much less than anything else takes: no
+    /// method of explicit steps follows that. To first order in s the direction e is the one in which the slip turns as e itself does,
+    /// ẇ⊥(e) = s φ̇, where ẇ is the acceleration of the point in contact and φ̇ the rate at which the direction for s = 0 turns.
+    pub(crate) fn leaving(
+        &self,
+        up: &Vector3<f64>,
+        omega: &Vector3<f64>,
+        level: &Vector3<f64>,
+        mu: f64,
+    ) -> Contact {
+        let body = &self.body;
+        let touch = self.touch(up, omega, level);
+        let yielding = self.yielding(up, &touch);
+        let along = yielding.gives_way(mu);
+        let contact = self.pushed(up, omega, &touch, Some(along * -mu));
+        // The same a moment later.
+        let moment = MOMENT / (omega.norm() + body.speed_scale(self.gravity) / body.surface.size());
+        let push = contact.traction * (contact.reaction / body.mass);
+        let later = |now: &Vector3<f64>, rate: Vector3<f64>| now + rate * moment;
+        let up_later = later(up, up.cross(omega)).normalize();
+        let omega_later = later(omega, contact.omega_rate);
+        let level_later = later(level, push - omega.cross(level));
+        let touch_later = self.touch(&up_later, &omega_later, &level_later);
+        let along_later = self.yielding(&up_later, &touch_later).gives_way(mu);
+        let turned = (along_later - along) / moment + omega.cross(&along);
+        let turning = turned.dot(&up.cross(&along));
+        let slip = touch.slip.dot(&along);
+        let along = yielding.direction(mu, &along, slip * turning);
+        self.pushed(up, omega, &touch, Some(along * -mu))
     }
 
-    fn gravity(&self) -> f64 {
-        self.gravity
+    /// How the point in contact answers a force.
+    fn yielding(&self, up: &Vector3<f64>, touch: &Touch) -> Yielding {
+        let (body, arm) = (&self.body, &touch.arm);
+        let mut matrix = body.yielding(arm);
+        if let Some(couple) = &touch.couple {
+            matrix += (body.inverse * couple).cross(arm) * up.transpose();
+        }
+        Yielding {
+            matrix,
+            free: touch.whirl - touch.free.cross(arm) - up * self.gravity,
+            up: *up,
+        }
     }
 
-    fn slides(&self, pose: &Pose) -> Contact {
+    /// What is known of the contact of a body that slides.
+    pub(crate) fn slides(&self, pose: &Pose) -> Contact {
         self.sliding(&pose.up, &pose.omega, &pose.level)
     }
 
-    fn rolls(&self, pose: &Pose) -> Contact {
+    /// What is known of the contact of a body that rolls.
+    pub(crate) fn rolls(&self, pose: &Pose) -> Contact {
         self.rolling(&pose.up, &pose.omega)
     }
 
-    fn sliding_rates(&self, y: &Numbers) -> Numbers {
-        let pose = Pose::of(y);
-        rates(&self.body, y, &pose, &self.slides(&pose))
-    }
-
-    fn rolling_rates(&self, y: &Numbers) -> Numbers {
-        let y = self.body.rolled(y);
-        let pose = Pose::of(&y);
-        rates(&self.body, &y, &pose, &self.rolls(&pose))
-    }
-
-    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
-        self.friction.traction(slip)
-    }
-
-    fn sharpness(&self) -> f64 {
-        self.friction.sharpness()
-    }
-
-    fn holding(&self) -> Holding {
-        self.friction.holding()
+    /// The rates of a state with this contact.
+    pub(crate) fn rates(&self, y: &Numbers, pose: &Pose, contact: &Contact) -> Numbers {
+        let q = Quaternion::new(y[0], y[1], y[2], y[3]) * Quaternion::from_imag(pose.omega) * 0.5;
+        let push = pose.turn * contact.traction * (contact.reaction / self.body.mass);
+        let r = contact.omega_rate;
+        let power = -contact.reaction * contact.power;
+        [
+            q.w, q.i, q.j, q.k, r.x, r.y, r.z, push.x, push.y, y[7], y[8], power,
+        ]
     }
 }
 
-/// Rates of the numbers of a state, from those of the contact.
-fn rates(body: &ConvexBody, y: &Numbers, pose: &Pose, contact: &Contact) -> Numbers {
-    let omega = &pose.omega;
-    let q = Quaternion::new(y[0], y[1], y[2], y[3]) * Quaternion::from_imag(*omega) * 0.5;
-    let acceleration = pose.turn * contact.traction * (contact.reaction / body.mass);
-    let r = contact.omega_rate;
-    [
-        q.w,
-        q.i,
-        q.j,
-        q.k,
-        r.x,
-        r.y,
-        r.z,
-        acceleration.x,
-        acceleration.y,
-        y[7],
-        y[8],
-        -contact.reaction * contact.power,
-    ]
+/// A short while, in units of the motion's own.
+const MOMENT: f64 = 1e-5;
+
+/// How the point in contact answers a force: its acceleration under the force p is `matrix` p + `free`. In a blow the same holds of
+/// impulses and velocities.
+pub(crate) struct Yielding {
+    pub(crate) matrix: Matrix3<f64>,
+    pub(crate) free: Vector3<f64>,
+    pub(crate) up: Vector3<f64>,
 }
+
+impl Yielding {
+    /// The force that holds the point.
+    pub(crate) fn holding(&self) -> Vector3<f64> {
+        // Positive definite but for the couple; what is not finite makes the step fail.
+        let inverse = self.matrix.try_inverse();
+        inverse.map_or_else(|| Vector3::repeat(f64::NAN), |inverse| inverse * -self.free)
+    }
+
+    /// The direction in which a point at rest begins to slip where friction `mu` does not hold it.
+    pub(crate) fn gives_way(&self, mu: f64) -> Vector3<f64> {
+        let push = self.holding();
+        let level = push - self.up * self.up.dot(&push);
+        self.direction(mu, &(level / -level.norm()), 0.0)
+    }
+
+    /// The direction e near `guess` for which friction −μe lets the velocity turn at the rate that makes its acceleration across e `across`.
+    fn direction(&self, mu: f64, guess: &Vector3<f64>, across: f64) -> Vector3<f64> {
+        let mut along = *guess;
+        for _ in 0..NEWTON {
+            let side = self.up.cross(&along);
+            let pushed = self.matrix * (self.up - along * mu);
+            let pushed_aside = self.matrix * side * -mu;
+            let gain = self.up.dot(&pushed);
+            let reaction = -self.up.dot(&self.free) / gain;
+            let acceleration = self.free + pushed * reaction;
+            let change = (pushed_aside - pushed * (self.up.dot(&pushed_aside) / gain)) * reaction;
+            let slope = change.dot(&side) - acceleration.dot(&along);
+            let angle = (across - acceleration.dot(&side)) / slope;
+            along = (along + side * angle.clamp(-0.5, 0.5)).normalize();
+            if angle.abs() <= 4.0 * f64::EPSILON {
+                break;
+            }
+        }
+        along
+    }
+}
+
+/// Rounds of Newton's method; four are the most that were seen.
+const NEWTON: usize = 20;
 
 impl ConvexBody {
+    /// The inverse effective mass of a point at this arm from C.
+    pub(crate) fn yielding(&self, arm: &Vector3<f64>) -> Matrix3<f64> {
+        let cross = arm.cross_matrix();
+        Matrix3::identity() / self.mass - cross * self.inverse * cross
+    }
+
     /// The state with the velocity of C that pure rolling gives it.
     pub(crate) fn rolled(&self, y: &Numbers) -> Numbers {
         let pose = Pose::of(y);
@@ -264,9 +325,4 @@ impl ConvexBody {
         let arm = self.arm(&pose.up);
         (-pose.up.dot(&arm), -pose.up.dot(&pose.omega.cross(&arm)))
     }
-}
-
-/// The attitude in a state.
-pub(crate) fn attitude(pose: &Pose) -> Attitude {
-    Attitude::from_unit(pose.turn.into_inner())
 }

@@ -3,12 +3,12 @@
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use super::body::ConvexBody;
-use super::equations::{Ground, Numbers, Pose};
-use super::friction::Holding;
+use super::equations::{Numbers, Pose, Table, Yielding};
+use super::friction::Friction;
 use crate::error::{Error, Result};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
-use crate::integrators::{Cost, Effort, Method, System, solve};
+use crate::integrators::{Effort, Kept, Leg, Stop, System, order_eight};
 
 /// A free body with its centre of mass on a parabola.
 #[derive(Debug, Clone)]
@@ -18,28 +18,40 @@ pub(crate) struct Flight {
     top: Option<EulerTop>,
     principal: UnitQuaternion<f64>,
     start: Numbers,
-    height: f64,
-    climb: f64,
+    takeoff: TakeOff,
     gravity: f64,
 }
 
-/// A place on a flight.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Airborne {
-    pub(crate) pose: Pose,
-    pub(crate) numbers: Numbers,
+/// What a body in the air has from its start, beside its numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct TakeOff {
+    /// When, s.
+    pub(crate) time: f64,
+    /// Height of C, m.
     pub(crate) height: f64,
+    /// Its vertical velocity, m/s.
     pub(crate) climb: f64,
 }
 
+impl TakeOff {
+    /// Height and vertical velocity of C at a time.
+    pub(crate) fn at(&self, time: f64, gravity: f64) -> (f64, f64) {
+        let t = time - self.time;
+        let height = self.height + t * (self.climb - 0.5 * gravity * t);
+        (height, self.climb - gravity * t)
+    }
+}
+
+/// Samples of the gap in the search for a landing; seconds of computing.
+const MOST_SAMPLES: u32 = 10_000_000;
+
 impl Flight {
-    /// From a state of contact, C at `height` and climbing at `climb`.
+    /// From a state that leaves the table.
     pub(crate) fn from(
         body: &ConvexBody,
         gravity: f64,
         start: &Numbers,
-        height: f64,
-        climb: f64,
+        takeoff: TakeOff,
     ) -> Result<Self> {
         let pose = Pose::of(start);
         let axes = body.principal();
@@ -49,11 +61,11 @@ impl Flight {
         let top = if l.amax() == 0.0 {
             None
         } else {
-            let attitude = Attitude::from_unit((pose.turn * principal).into_inner());
+            let attitude = (pose.turn * principal).into_inner();
             Some(EulerTop::new(
                 axes.moments(),
                 BodyVector::from_components(l),
-                attitude,
+                Attitude::from_unit(attitude),
             )?)
         };
         Ok(Self {
@@ -61,14 +73,14 @@ impl Flight {
             top,
             principal,
             start: *start,
-            height,
-            climb,
+            takeoff,
             gravity,
         })
     }
 
-    /// `t` seconds after the start of the flight.
-    pub(crate) fn at(&self, t: f64) -> Result<Airborne> {
+    /// The numbers at a time.
+    pub(crate) fn at(&self, time: f64) -> Result<Numbers> {
+        let t = time - self.takeoff.time;
         let mut y = self.start;
         if let Some(top) = &self.top {
             let state = top.at(t)?;
@@ -80,44 +92,54 @@ impl Flight {
         }
         y[9] += y[7] * t;
         y[10] += y[8] * t;
-        Ok(Airborne {
-            pose: Pose::of(&y),
-            numbers: y,
-            height: self.height + t * (self.climb - 0.5 * self.gravity * t),
-            climb: self.climb - self.gravity * t,
-        })
+        Ok(y)
     }
 
     /// Height of the lowest point.
-    fn gap(&self, t: f64) -> Result<f64> {
-        let place = self.at(t)?;
-        Ok(place.height + place.pose.up.dot(&self.body.arm(&place.pose.up)))
+    fn gap(&self, time: f64) -> Result<f64> {
+        let pose = Pose::of(&self.at(time)?);
+        let (height, _) = self.takeoff.at(time, self.gravity);
+        Ok(height + pose.up.dot(&self.body.arm(&pose.up)))
     }
 
-    /// When the body is back on the table, if that is within `longest` seconds: to rounding of the time.
+    /// When the body is back on the table, if that is before the time `until`: to rounding of the time.
     ///
-    /// The gap is sampled 60 times a turn; a touch between two samples that leaves the gap open on both sides is missed.
-    /// `looked` hears of every sample; its error ends the search.
-    pub(crate) fn landing(
-        &self,
-        longest: f64,
-        looked: &dyn Fn(f64) -> Result<()>,
-    ) -> Result<Option<f64>> {
-        let pose = Pose::of(&self.start);
-        let rate = pose.omega.norm() + (self.gravity / self.body.surface.size()).sqrt();
-        let stride = 0.1 / rate;
-        let mut before = 0.0;
-        loop {
-            let after = (before + stride).min(longest);
-            looked(after)?;
-            if self.gap(after)? <= 0.0 {
+    /// No point of the body moves faster than C and its rotation allow, so nothing can touch before the gap is closed at that speed. Below a
+    /// thousandth of a turn a touch that leaves the gap open again is missed.
+    ///
+    /// # Errors
+    /// [`Error::Integration`] for a body that turns a hundred thousand times before it lands.
+    pub(crate) fn landing(&self, until: f64) -> Result<Option<f64>> {
+        let turning = Pose::of(&self.start).omega.norm() * self.body.slenderness();
+        let reach = self.body.reach();
+        let natural = (self.gravity / reach).sqrt();
+        let stride = 0.1 / (turning + natural);
+        let start = self.takeoff.time;
+        let (mut before, mut after) = (start, (start + stride).min(until));
+        for _ in 0..MOST_SAMPLES {
+            let gap = self.gap(after)?;
+            if gap <= 0.0 {
                 return self.located(before, after).map(Some);
             }
-            if after >= longest {
+            if after >= until {
                 return Ok(None);
             }
             before = after;
+            let (height, climb) = self.takeoff.at(before, self.gravity);
+            let squared = |drop: f64| 2.0 * self.gravity * drop.max(0.0) + climb * climb;
+            // Not before the parabola has brought C down to where a point could touch.
+            let aloft = if height > reach {
+                (climb + squared(height - reach).sqrt()) / self.gravity
+            } else {
+                0.0
+            };
+            let nearing = gap / (squared(height).sqrt() + turning * reach);
+            after = (before + nearing.max(aloft).max(0.01 * stride)).min(until);
         }
+        Err(Error::Integration {
+            reason: "the body turns too often before it lands; end the run earlier",
+            time: before,
+        })
     }
 
     /// Bisection: 50 halvings of a stride are below a unit in the last place of any time that matters.
@@ -134,100 +156,197 @@ impl Flight {
     }
 }
 
-impl dyn Ground + '_ {
-    /// The inelastic blow of a landing: the normal velocity of the point in contact is lost, the level one as far as friction goes.
+impl ConvexBody {
+    /// No point of the surface is further from C, m.
+    fn reach(&self) -> f64 {
+        self.center.norm() + self.surface.greatest()
+    }
+
+    /// No angular velocity of the free body exceeds the one at the start by more than this factor: energy is conserved.
+    fn slenderness(&self) -> f64 {
+        let moments = self.principal().moments();
+        (moments[2] / moments[0]).sqrt()
+    }
+}
+
+impl Table {
+    /// The state after the inelastic blow of a landing with this vertical velocity of C: the normal velocity of the point in contact is
+    /// lost, the level one as far as friction goes.
     ///
-    /// During the blow the level force is N f(v) as at any time, with v changing as the impulse p grows (Routh 1905):
-    /// dv/dp = A (n + f(v)) until v·n = 0, where A is the inverse effective mass of the point in contact. So a blow only takes energy.
+    /// During the blow the level force is N f(v) as at any time, with v changing as the impulse p grows (Routh 1905): dv/dp = K (n + f(v)) until
+    /// v·n = 0, where K is the inverse effective mass of the point in contact. So a blow only takes energy.
     ///
     /// # Errors
     /// [`Error::Condition`] where friction presses the body into the table harder than it comes (Painlevé's paradox).
-    pub(crate) fn land(&self, place: &Airborne, hold: Holding) -> Result<(Numbers, Cost)> {
-        let body = self.body();
-        let Pose {
-            turn,
-            up,
-            omega,
-            level,
-        } = place.pose;
-        let velocity = level + up * place.climb;
-        let arm = body.arm(&up);
-        let before = body.kinetic_energy(&omega, &velocity);
-        let contact = velocity + omega.cross(&arm);
-        let cross = arm.cross_matrix();
-        let yielding: Matrix3<f64> = Matrix3::identity() / body.mass - cross * body.inverse * cross;
-        let gripping = yielding
-            .try_inverse()
-            .map(|resistance| resistance * -contact)
-            .unwrap_or_else(Vector3::zeros);
-        let normal = up.dot(&gripping);
-        let sideways = (gripping - up * normal).norm();
-        let held = match hold {
-            Holding::Grips => true,
-            Holding::Cone { mu } => sideways <= mu * normal,
-            Holding::Slides => false,
-        };
-        let (impulse, cost) = if held {
-            (gripping, Cost::default())
-        } else {
-            self.blow(&up, &contact, &yielding)?
-        };
-        let after_omega = omega + body.inverse * arm.cross(&impulse);
-        let after = velocity + impulse / body.mass;
-        let mut y = place.numbers;
-        (y[4], y[5], y[6]) = (after_omega.x, after_omega.y, after_omega.z);
-        let level = turn * after;
-        (y[7], y[8]) = (level.x, level.y);
-        y[11] += before - body.kinetic_energy(&after_omega, &after);
-        Ok((y, cost))
+    pub(crate) fn landed(&self, y: &Numbers, climb: f64) -> Result<Numbers> {
+        let body = &self.body;
+        let pose = Pose::of(y);
+        let velocity = pose.level + pose.up * climb;
+        let arm = body.arm(&pose.up);
+        let contact = velocity + pose.omega.cross(&arm);
+        let matrix = body.yielding(&arm);
+        let after = self.blow(&pose.up, &contact, matrix)?;
+        let inverse = matrix.try_inverse().unwrap_or_else(Matrix3::zeros);
+        Ok(body.struck(y, &pose, &velocity, &arm, &(inverse * (after - contact))))
     }
 
-    /// The impulse of a blow under the friction law, with the lost normal velocity as the clock.
+    /// The state with all velocity of the point in contact taken away by a blow.
+    pub(crate) fn held(&self, y: &Numbers) -> Numbers {
+        let body = &self.body;
+        let pose = Pose::of(y);
+        let arm = body.arm(&pose.up);
+        let (_, climb) = body.height(&pose);
+        let velocity = pose.level + pose.up * climb;
+        let contact = velocity + pose.omega.cross(&arm);
+        let inverse = body.yielding(&arm).try_inverse();
+        let impulse = inverse.map_or_else(Vector3::zeros, |inverse| inverse * -contact);
+        body.struck(y, &pose, &velocity, &arm, &impulse)
+    }
+
+    /// The velocity of the point in contact after a blow.
     fn blow(
         &self,
         up: &Vector3<f64>,
         contact: &Vector3<f64>,
-        yielding: &Matrix3<f64>,
-    ) -> Result<(Vector3<f64>, Cost)> {
+        matrix: Matrix3<f64>,
+    ) -> Result<Vector3<f64>> {
         let fall = -up.dot(contact);
-        let size = contact.norm();
         if fall <= 0.0 {
-            return Ok((Vector3::zeros(), Cost::default()));
+            return Ok(contact - up * up.dot(contact));
         }
-        // Coulomb's sign function bends over a millionth of the blow's speed: what slips less is at rest for the length of a blow.
-        let bend = 1e-6 * size;
-        let rate = |_: f64, p: &[f64; 3]| {
-            let moving = contact + yielding * Vector3::from(*p);
-            let slip = moving - up * up.dot(&moving);
-            let mut push = *up;
-            let soft = if self.sharpness() == 0.0 {
-                let length = slip.norm();
-                length / length.hypot(bend)
-            } else {
-                1.0
-            };
-            push += self.traction(&slip) * soft;
-            let gain = up.dot(&(yielding * push));
-            (push / gain).into()
+        let yielding = Yielding {
+            matrix,
+            free: -up,
+            up: *up,
         };
-        let start: [f64; 3] = rate(0.0, &[0.0; 3]);
-        if Vector3::from(start).dot(up) <= 0.0 {
-            return Err(Error::Condition {
-                condition: "friction at a landing must not press the body into the table faster than it falls",
-                value: fall,
-            });
+        let slip = contact + up * fall;
+        // The impulse per velocity of approach lost, at least as long as the blow is not over: friction must not take all of it.
+        let painleve = |push: &Vector3<f64>| {
+            let gain = up.dot(&(matrix * push));
+            if gain > 0.0 {
+                Ok(gain)
+            } else {
+                Err(Error::Condition {
+                    condition: "friction at a landing must not press the body into the table faster than it falls",
+                    value: fall,
+                })
+            }
+        };
+        match self.friction {
+            None => {
+                let rate = matrix * up / painleve(up)?;
+                Ok(slip + (rate - up) * fall)
+            }
+            Some(Friction::NoSlip) => Ok(Vector3::zeros()),
+            Some(Friction::Coulomb(law)) => {
+                let push = yielding.holding();
+                let normal = up.dot(&push);
+                let holds = |grip: f64| (push - up * normal).norm() <= grip * normal;
+                if slip.norm() > 0.0 {
+                    painleve(&(up + self.traction(&slip)))?;
+                }
+                let (slip, left) = self.slowed(&yielding, &slip, fall)?;
+                if left <= 0.0 {
+                    return Ok(slip);
+                }
+                if holds(law.grip()) {
+                    return Ok(Vector3::zeros());
+                }
+                let along = yielding.gives_way(law.kinetic());
+                let push = up - along * law.kinetic();
+                let rate = matrix * push / painleve(&push)?;
+                Ok(along * (rate.dot(&along) * left))
+            }
+            Some(law) => {
+                painleve(&(up + law.traction(&slip)))?;
+                let rate = |_: f64, v: &[f64; 3]| {
+                    let slip = Vector3::from(*v);
+                    let pushed = matrix * (up + law.traction(&slip));
+                    (pushed / up.dot(&pushed) - up).into()
+                };
+                let scales = [contact.norm(); 3];
+                let run = order_eight(
+                    &rate,
+                    Kept::Nothing,
+                    &slip.into(),
+                    &scales,
+                    &[fall],
+                    Effort::Tolerance(IN_A_BLOW),
+                )?;
+                Ok(Vector3::from(run.states[0]))
+            }
         }
-        let scale = self.body().mass * size;
-        let rate: &dyn System<3> = &rate;
-        let run = solve(
-            rate,
-            0.0,
-            &[0.0; 3],
-            &[scale; 3],
-            &[fall],
-            Method::Dop853,
-            Effort::Tolerance(1e-13),
-        )?;
-        Ok((Vector3::from(run.states[0]), run.cost))
+    }
+
+    /// The level slip under Coulomb's law at the end of a blow, or where it comes to nothing, and what velocity of approach is left then.
+    ///
+    /// Counted is not the velocity u lost but ∫du/|v|: the direction of a slip that goes to nothing then turns at a finite rate.
+    fn slowed(
+        &self,
+        yielding: &Yielding,
+        slip: &Vector3<f64>,
+        fall: f64,
+    ) -> Result<(Vector3<f64>, f64)> {
+        let size = slip.norm();
+        if size <= NO_SLIP * fall {
+            return Ok((Vector3::zeros(), fall));
+        }
+        let up = yielding.up;
+        let rate = |_: f64, y: &[f64; 4]| {
+            let slip = Vector3::new(y[0], y[1], y[2]);
+            let size = slip.norm();
+            let pushed = yielding.matrix * (up + self.traction(&slip));
+            let change = (pushed / up.dot(&pushed) - up) * size;
+            [change.x, change.y, change.z, size]
+        };
+        let margin = |_: f64, y: &[f64; 4]| {
+            let slip = Vector3::new(y[0], y[1], y[2]).norm() / size;
+            (1.0 - y[3] / fall).min(slip - NO_SLIP)
+        };
+        let leg = Leg {
+            system: &rate as &dyn System<4>,
+            kept: Kept::Nothing,
+            start: (0.0, &[slip.x, slip.y, slip.z, 0.0]),
+            scales: &[NO_SLIP * size, NO_SLIP * size, NO_SLIP * size, fall],
+            times: &[],
+            end: f64::MAX.sqrt(),
+        };
+        let passage = leg.follow(Some(&margin), Effort::Tolerance(IN_A_BLOW))?;
+        let [x, y, z, lost] = passage.end;
+        let slip = Vector3::new(x, y, z);
+        let over = slip.norm() > 2.0 * NO_SLIP * size || passage.stopped == Stop::AtTheEnd;
+        Ok((slip, if over { 0.0 } else { fall - lost }))
+    }
+
+    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
+        self.friction
+            .map_or_else(Vector3::zeros, |law| law.traction(slip))
+    }
+}
+
+/// Error of a step within a blow.
+const IN_A_BLOW: f64 = 1e-13;
+/// What slips less than this part of the velocity at the beginning of a blow has come to rest.
+const NO_SLIP: f64 = 1e-15;
+
+impl ConvexBody {
+    /// The state after this impulse at the contact.
+    fn struck(
+        &self,
+        y: &Numbers,
+        pose: &Pose,
+        velocity: &Vector3<f64>,
+        arm: &Vector3<f64>,
+        impulse: &Vector3<f64>,
+    ) -> Numbers {
+        let omega = pose.omega + self.inverse * arm.cross(impulse);
+        let after = velocity + impulse / self.mass;
+        let level = pose.turn * after;
+        let lost = self.kinetic_energy(&pose.omega, velocity) - self.kinetic_energy(&omega, &after);
+        let mut y = *y;
+        (y[4], y[5], y[6]) = (omega.x, omega.y, omega.z);
+        (y[7], y[8]) = (level.x, level.y);
+        y[11] += lost;
+        y
     }
 }

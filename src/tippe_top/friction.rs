@@ -3,83 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::error::{Result, not_negative, positive};
-
-/// A law of sliding friction: force per normal force, f(v), for every velocity v of the point in contact.
-pub trait Traction: Copy {
-    /// Whether there is any.
-    const ACTS: bool = true;
-
-    /// f(v), opposite to the level slip v (m/s).
-    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64>;
-
-    /// The slip over which the law bends, m/s; infinite for a linear law.
-    fn sharpness(&self) -> f64;
-
-    /// How a contact can hold.
-    fn holding(&self) -> Holding {
-        Holding::Slides
-    }
-}
-
-/// How a contact can hold.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Holding {
-    /// Force follows slip; the contact always slides.
-    Slides,
-    /// Coulomb's law: it sticks while the force needed is at most μ times the normal one.
-    Cone {
-        /// Coefficient of friction.
-        mu: f64,
-    },
-    /// It never slips.
-    Grips,
-}
-
-/// Coulomb's law, f = −μ v/|v| while the body slides; at rest any force up to μ times the normal one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Coulomb {
-    mu: f64,
-}
-
-impl Coulomb {
-    /// The law with this coefficient of friction μ.
-    ///
-    /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative), [`Error::NotFinite`](crate::Error::NotFinite).
-    pub fn new(mu: f64) -> Result<Self> {
-        let mu = not_negative("the coefficient of friction", mu)?;
-        Ok(Self { mu })
-    }
-
-    /// μ.
-    pub const fn mu(&self) -> f64 {
-        self.mu
-    }
-}
-
-impl Traction for Coulomb {
-    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
-        let size = slip.norm();
-        if size == 0.0 {
-            Vector3::zeros()
-        } else {
-            slip * (-self.mu / size)
-        }
-    }
-
-    fn sharpness(&self) -> f64 {
-        0.0
-    }
-
-    fn holding(&self) -> Holding {
-        // Without friction nothing ever sticks, not even where the slip is nil.
-        if self.mu == 0.0 {
-            Holding::Slides
-        } else {
-            Holding::Cone { mu: self.mu }
-        }
-    }
-}
+use crate::rolling::course::Coulomb;
 
 /// Coulomb's law smoothed over slips of size ε: f = −μ v/√(v² + ε²). A body that "rolls" creeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,16 +25,6 @@ impl Regularised {
     }
 }
 
-impl Traction for Regularised {
-    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
-        slip * (-self.mu / (slip.norm_squared() + self.epsilon * self.epsilon).sqrt())
-    }
-
-    fn sharpness(&self) -> f64 {
-        self.epsilon
-    }
-}
-
 /// Viscous friction, f = −c v.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Viscous {
@@ -128,26 +42,92 @@ impl Viscous {
     }
 }
 
-impl Traction for Viscous {
-    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
-        slip * -self.coefficient
+/// The rolling constraint: the point in contact never slips, whatever force that takes (4.7).
+///
+/// Where the reaction falls to zero while a level force is still needed, no table can do both, and the body cannot take off either if
+/// that force held it up: the run ends there with [`Error::Integration`](crate::Error::Integration). [`Coulomb`] slides first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct NoSlip;
+
+/// A law of sliding friction: level force per normal force, f(v), for every velocity v of the point in contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Friction {
+    /// f = −μ v/|v| while the body slides; at rest any force up to the grip times the normal one.
+    Coulomb(Coulomb),
+    /// The same, smoothed over a small slip.
+    Regularised(Regularised),
+    /// In proportion to the slip.
+    Viscous(Viscous),
+    /// Pure rolling.
+    NoSlip,
+}
+
+impl Friction {
+    /// Whether it can do anything.
+    pub(crate) fn acts(&self) -> bool {
+        match self {
+            Self::Coulomb(law) => law.grip() > 0.0,
+            Self::Regularised(law) => law.mu > 0.0,
+            Self::Viscous(law) => law.coefficient > 0.0,
+            Self::NoSlip => true,
+        }
     }
 
-    fn sharpness(&self) -> f64 {
-        f64::INFINITY
+    /// f(v), opposite to the level slip v (m/s). Pure rolling has no slip, and so no such force.
+    #[inline]
+    pub(crate) fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
+        match *self {
+            Self::Coulomb(law) => match slip.norm() {
+                0.0 => Vector3::zeros(),
+                size => slip * (-law.kinetic() / size),
+            },
+            Self::Regularised(Regularised { mu, epsilon }) => {
+                slip * (-mu / (slip.norm_squared() + epsilon * epsilon).sqrt())
+            }
+            Self::Viscous(law) => slip * -law.coefficient,
+            Self::NoSlip => Vector3::zeros(),
+        }
+    }
+
+    /// A part of it.
+    pub(crate) fn weakened(self, part: f64) -> Result<Self> {
+        Ok(match self {
+            Self::Coulomb(law) => {
+                Self::Coulomb(Coulomb::with_grip(part * law.kinetic(), part * law.grip())?)
+            }
+            Self::Regularised(law) => Self::Regularised(Regularised {
+                mu: part * law.mu,
+                ..law
+            }),
+            Self::Viscous(law) => Self::Viscous(Viscous {
+                coefficient: part * law.coefficient,
+            }),
+            Self::NoSlip => Self::NoSlip,
+        })
+    }
+
+    /// The slip over which the law bends, m/s; infinite for a linear law.
+    pub(crate) const fn sharpness(&self) -> f64 {
+        match self {
+            Self::Coulomb(_) | Self::NoSlip => 0.0,
+            Self::Regularised(law) => law.epsilon,
+            Self::Viscous(_) => f64::INFINITY,
+        }
     }
 }
 
-/// A couple at the contact, per normal force, that resists turning: τ(Ω), in metres.
-pub trait Couple: Copy {
-    /// Whether there is any.
-    const ACTS: bool = true;
-
-    /// τ for the angular velocity Ω (rad/s) and the unit vertical, in body axes.
-    fn couple(&self, omega: &Vector3<f64>, up: &Vector3<f64>) -> Vector3<f64>;
+macro_rules! from {
+    ($($law:ident)*) => {$(
+        impl From<$law> for Friction {
+            fn from(law: $law) -> Self {
+                Self::$law(law)
+            }
+        }
+    )*};
 }
+from!(Coulomb Regularised Viscous);
 
-/// Resistance to rolling and to pivoting in proportion to the rate: τ = −a Ω_level − b Ω_vertical.
+/// A couple at the contact that resists rolling and pivoting in proportion to the rate: per normal force τ = −a Ω_level − b Ω_vertical.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resistance {
     rolling: f64,
@@ -165,35 +145,15 @@ impl Resistance {
             pivoting: not_negative("the resistance to pivoting", pivoting)?,
         })
     }
-}
 
-impl Couple for Resistance {
-    fn couple(&self, omega: &Vector3<f64>, up: &Vector3<f64>) -> Vector3<f64> {
+    pub(crate) fn acts(&self) -> bool {
+        self.rolling > 0.0 || self.pivoting > 0.0
+    }
+
+    /// τ (m) for the angular velocity Ω (rad/s) and the unit vertical, in body axes.
+    #[inline]
+    pub(crate) fn couple(&self, omega: &Vector3<f64>, up: &Vector3<f64>) -> Vector3<f64> {
         let vertical = up * up.dot(omega);
         (omega - vertical) * -self.rolling - vertical * self.pivoting
-    }
-}
-
-/// No force along the table, no couple.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Smooth;
-
-impl Traction for Smooth {
-    const ACTS: bool = false;
-
-    fn traction(&self, _: &Vector3<f64>) -> Vector3<f64> {
-        Vector3::zeros()
-    }
-
-    fn sharpness(&self) -> f64 {
-        f64::INFINITY
-    }
-}
-
-impl Couple for Smooth {
-    const ACTS: bool = false;
-
-    fn couple(&self, _: &Vector3<f64>, _: &Vector3<f64>) -> Vector3<f64> {
-        Vector3::zeros()
     }
 }

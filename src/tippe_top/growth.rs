@@ -4,7 +4,7 @@ use nalgebra::{Complex, SMatrix, SVector, Vector3, Vector4};
 
 use super::body::ConvexBody;
 use super::equations::Table;
-use super::friction::{Smooth, Traction};
+use super::friction::Friction;
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::BodyVector;
 
@@ -19,8 +19,8 @@ pub struct Rate {
 
 /// A state that is at rest in the body's axes but for a slow loss of spin: the body spins about the vertical, and C circles.
 #[derive(Debug, Clone, Copy)]
-pub struct QuasiSteady<F> {
-    table: Table<F, Smooth>,
+pub struct QuasiSteady {
+    table: Table,
     up: Vector3<f64>,
     level: [f64; 2],
     spin: f64,
@@ -34,23 +34,25 @@ pub struct QuasiSteady<F> {
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Condition`] where Newton's method finds no such state.
-pub fn quasi_steady<F: Traction>(
+pub fn quasi_steady(
     body: &ConvexBody,
     gravity: f64,
-    friction: F,
+    friction: impl Into<Friction>,
     spin: f64,
-) -> Result<QuasiSteady<F>> {
-    let gravity = positive("gravity", gravity)?;
+) -> Result<QuasiSteady> {
+    let friction = friction.into();
+    let mut table = Table {
+        body: *body,
+        gravity: positive("gravity", gravity)?,
+        friction: None,
+        resistance: None,
+    };
     let spin = finite("the spin", spin)?;
     let mut x = Vector4::zeros();
     for part in 0..=8 {
-        let law = Part {
-            law: friction,
-            part: f64::from(part) / 8.0,
-        };
-        x = newton(&table(body, gravity, law), spin, x)?;
+        table.friction = Some(friction.weakened(f64::from(part) / 8.0)?);
+        x = newton(&table, spin, x)?;
     }
-    let table = table(body, gravity, friction);
     let (up, level) = steady(&table, &x);
     Ok(QuasiSteady {
         table,
@@ -60,45 +62,20 @@ pub fn quasi_steady<F: Traction>(
     })
 }
 
-const fn table<F>(body: &ConvexBody, gravity: f64, friction: F) -> Table<F, Smooth> {
-    Table {
-        body: *body,
-        gravity,
-        friction,
-        resistance: Smooth,
-    }
-}
-
-/// A part of a law of friction.
-#[derive(Debug, Clone, Copy)]
-struct Part<F> {
-    law: F,
-    part: f64,
-}
-
-impl<F: Traction> Traction for Part<F> {
-    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
-        self.law.traction(slip) * self.part
-    }
-
-    fn sharpness(&self) -> f64 {
-        self.law.sharpness()
-    }
-}
-
 /// Vertical and level velocity from the unknowns: two components of the one, two of the other over √(gR).
-fn steady<F>(table: &Table<F, Smooth>, x: &Vector4<f64>) -> (Vector3<f64>, Vector3<f64>) {
+fn steady(table: &Table, x: &Vector4<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let speed = table.body.speed_scale(table.gravity);
     let height = (1.0 - x[0] * x[0] - x[1] * x[1]).max(0.0).sqrt();
     let up = Vector3::new(x[0], x[1], height);
     (up, tangent(&up, [x[2] * speed, x[3] * speed]))
 }
 
-fn newton<F: Traction>(
-    table: &Table<F, Smooth>,
-    spin: f64,
-    start: Vector4<f64>,
-) -> Result<Vector4<f64>> {
+/// The slip over which friction bends, m/s.
+fn sharpness(table: &Table) -> f64 {
+    table.friction.map_or(f64::INFINITY, |law| law.sharpness())
+}
+
+fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>> {
     let size = table.body.surface.size();
     let speed = table.body.speed_scale(table.gravity);
     let rate = speed / size;
@@ -111,7 +88,7 @@ fn newton<F: Traction>(
         let turn = contact.omega_rate - up * up.dot(&contact.omega_rate);
         Vector4::new(turn.x, turn.y, drift.x, drift.y) / (rate * rate)
     };
-    let sharp = (table.friction.sharpness() / speed).min(1.0);
+    let sharp = (sharpness(table) / speed).min(1.0);
     let stride = 1e-4 * sharp * (rate / spin.abs()).min(1.0);
     let mut x = start;
     let mut value = residual(&x);
@@ -150,7 +127,7 @@ fn tangent(up: &Vector3<f64>, [a, b]: [f64; 2]) -> Vector3<f64> {
     Vector3::new(a, b, -(up.x * a + up.y * b) / up.z)
 }
 
-impl<F: Traction> QuasiSteady<F> {
+impl QuasiSteady {
     /// The vertical in the body's axes.
     pub const fn up(&self) -> BodyVector {
         BodyVector::from_components(self.up)
@@ -201,7 +178,7 @@ impl<F: Traction> QuasiSteady<F> {
             let r = contact.omega_rate;
             SVector::from([turn.x, turn.y, r.x, r.y, r.z, drift.x, drift.y])
         };
-        let sharp = self.table.friction.sharpness().min(speed);
+        let sharp = sharpness(&self.table).min(speed);
         let swing = self.spin.abs() * size;
         let [v, w] = [0.02 * sharp, 0.02 * sharp / size];
         let n = (0.02 * sharp / swing).min(1e-3);
@@ -220,7 +197,7 @@ impl<F: Traction> QuasiSteady<F> {
     }
 }
 
-impl<F: Traction> QuasiSteady<F> {
+impl QuasiSteady {
     /// The slow swing, the pair of eigenvalues with the least frequency: whether a tippe top begins to turn over.
     ///
     /// # Errors
@@ -294,8 +271,8 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     let table = Table {
         body: *body,
         gravity: positive("gravity", gravity)?,
-        friction: Smooth,
-        resistance: Smooth,
+        friction: None,
+        resistance: None,
     };
     let spin = finite("the spin", spin)?;
     let rate = |x: &Vector4<f64>| {

@@ -30,7 +30,7 @@ mod surface;
 pub use body::{ConvexBody, Start};
 pub use chirality::{beads, chirality_index, swings_of_both_senses};
 pub use estimate::HoopWithClay;
-pub use friction::{Coulomb, Couple, Holding, Regularised, Resistance, Smooth, Traction, Viscous};
+pub use friction::{Friction, NoSlip, Regularised, Resistance, Viscous};
 pub use growth::{QuasiSteady, Rate, quasi_steady, rolling_growth_rates};
 pub use steady::{Inversion, TippeTop};
 pub use surface::Surface;

@@ -79,6 +79,14 @@ impl Surface {
         }
     }
 
+    /// No point of the surface is further from its centre, m.
+    pub(crate) fn greatest(&self) -> f64 {
+        match self.0 {
+            Shape::Sphere { radius } => radius,
+            Shape::Ellipsoid { squares } => squares.trace().sqrt(),
+        }
+    }
+
     /// The support map S(n): from the centre to the point whose outward normal is the unit vector n (models of tutorial 4.7).
     pub(crate) fn support(&self, n: &Vector3<f64>) -> Vector3<f64> {
         match self.0 {

@@ -3,7 +3,8 @@
 use nalgebra::Matrix3;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::scene::contact::{Gravity, NoSlip, TableTop, Viscous, passage};
+use spinning_bodies::scene::contact::{TableTop, passage};
+use spinning_bodies::scene::effects::{Gravity, NoSlip, Viscous};
 use spinning_bodies::tippe_top::{
     ConvexBody, Start, Surface, Viscous as Law, bodies, quasi_steady, rolling_growth_rates,
 };
@@ -33,8 +34,10 @@ fn s4_7_celt_ended_tops() {
         let scene = |sense: f64| {
             let start = Start::about_vertical(3f64.to_radians(), 20f64.to_radians(), sense * spin);
             TableTop::new(body, start.unwrap())
-                .with_gravity(Gravity::new(G).unwrap())
-                .with_friction(regularised(0.5))
+                .with(Gravity::new(G).unwrap())
+                .unwrap()
+                .with(regularised(0.5))
+                .unwrap()
         };
         let over = run(&scene(1.0), 2.0, 1000, 1e-3);
         let under = run(&scene(-1.0), 3.0, 600, 1e-3);
@@ -86,8 +89,10 @@ fn s4_7_an_ellipsoid_with_skew_inertia_is_chiral() {
     let scene = |spin: f64| {
         let start = Start::about_vertical(0.02, 0.0, spin).unwrap();
         TableTop::new(body, start)
-            .with_gravity(Gravity::new(981.0).unwrap())
-            .with_friction(Viscous::new(0.009).unwrap())
+            .with(Gravity::new(981.0).unwrap())
+            .unwrap()
+            .with(Viscous::new(0.009).unwrap())
+            .unwrap()
     };
     let over = run(&scene(55.0), 3.0, 1500, 1e-6);
     let under = run(&scene(-55.0), 3.0, 600, 1e-6);
@@ -117,8 +122,10 @@ fn s4_7_rattleback() {
         let attitude = Attitude::from_quaternion(1.0, half, half, 0.0).unwrap();
         let start = Start::spinning(attitude, BodyVector::new(0.0, 0.0, spin)).unwrap();
         let scene = TableTop::new(stone, start)
-            .with_gravity(Gravity::new(G).unwrap())
-            .with_friction(NoSlip);
+            .with(Gravity::new(G).unwrap())
+            .unwrap()
+            .with(NoSlip)
+            .unwrap();
         let rows = run(&scene, 1.3 * reversal, 1500, 1e-6);
         let at = passage(&rows, |s| -s.spin() * spin.signum(), 0.0);
         println!("reversal {at:?}, most {}", most(&rows, degrees));

@@ -4,18 +4,21 @@ use approx::assert_relative_eq;
 use nalgebra::Matrix3;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::MassProperties;
-use spinning_bodies::scene::contact::{Gravity, Regularised, TableTop, passage};
+use spinning_bodies::scene::contact::{TableTop, passage};
+use spinning_bodies::scene::effects::{Gravity, Regularised};
 use spinning_bodies::tippe_top::{ConvexBody, Start, beads, bodies, chirality_index, quasi_steady};
 
 use crate::common::{G, degrees, last, most, regularised, run};
 
 const SPIN: f64 = 132.9;
 
-fn scene(body: ConvexBody, mu: f64, spin: f64) -> TableTop<Gravity, Regularised> {
+fn scene(body: ConvexBody, mu: f64, spin: f64) -> TableTop {
     let start = Start::about_vertical(3f64.to_radians(), 0.0, spin).unwrap();
     TableTop::new(body, start)
-        .with_gravity(Gravity::new(G).unwrap())
-        .with_friction(regularised(mu))
+        .with(Gravity::new(G).unwrap())
+        .unwrap()
+        .with(regularised(mu))
+        .unwrap()
 }
 
 fn index(inertia: Matrix3<f64>) -> f64 {
@@ -66,10 +69,10 @@ fn s4_7_how_long_the_other_sense_stands() {
     // claim: C4.7-14
     let start = Start::about_vertical(3f64.to_radians(), 0.0, SPIN).unwrap();
     let top = TableTop::new(bodies::chiral_top().unwrap(), start);
-    let top = top.with_gravity(Gravity::new(G).unwrap());
+    let top = top.with(Gravity::new(G).unwrap()).unwrap();
     let minute = |slip: f64| {
         let law = Regularised::new(0.3, slip).unwrap();
-        run(&top.with_friction(law), 60.0, 600, 1e-3)
+        run(&top.with(law).unwrap(), 60.0, 600, 1e-3)
     };
     // Creeping where it should roll, it loses spin until it goes over; with a tenth of the creeping it does not.
     let creeps = minute(1e-3);
@@ -170,16 +173,20 @@ fn s4_7_controls_tip_alike_both_ways() {
             Start::about_vertical(3f64.to_radians(), azimuth, spin).unwrap()
         };
         let scene = TableTop::new(body, start(SPIN))
-            .with_gravity(Gravity::new(G).unwrap())
-            .with_friction(regularised(0.3));
+            .with(Gravity::new(G).unwrap())
+            .unwrap()
+            .with(regularised(0.3))
+            .unwrap();
         let other = if b == 0.0 && a != 0.0 {
             // Only the plane across CK is one of symmetry: half a turn about CK maps the body to itself, no mirror through CK does.
             None
         } else {
             Some(
                 TableTop::new(body, start(SPIN).mirrored())
-                    .with_gravity(Gravity::new(G).unwrap())
-                    .with_friction(regularised(0.3)),
+                    .with(Gravity::new(G).unwrap())
+                    .unwrap()
+                    .with(regularised(0.3))
+                    .unwrap(),
             )
         };
         let rows = run(&scene, 4.0, 800, 1e-6);

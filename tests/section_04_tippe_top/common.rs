@@ -1,18 +1,14 @@
 //! Runs and readings.
 
-use spinning_bodies::scene::contact::{Grip, Pull, Regularised, Resist, State, TableTop};
+use spinning_bodies::scene::contact::{State, TableTop};
+use spinning_bodies::scene::effects::Regularised;
 use spinning_bodies::scene::{Request, Scene};
 
 /// Gravity of the models, m/s².
 pub const G: f64 = 9.81;
 
 /// The rows of a run of `end` seconds with `samples` equal steps.
-pub fn run<A: Pull, B: Grip, C: Resist>(
-    scene: &TableTop<A, B, C>,
-    end: f64,
-    samples: u32,
-    accuracy: f64,
-) -> Vec<(f64, State)> {
+pub fn run(scene: &TableTop, end: f64, samples: u32, accuracy: f64) -> Vec<(f64, State)> {
     let step = end / f64::from(samples);
     let times: Vec<f64> = (0..=samples).map(|i| step * f64::from(i)).collect();
     let request = Request::at(times).unwrap().to_accuracy(accuracy).unwrap();

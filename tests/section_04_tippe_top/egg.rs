@@ -2,7 +2,8 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use spinning_bodies::scene::contact::{Gravity, Regularised, TableTop, Viscous, passage};
+use spinning_bodies::scene::contact::{TableTop, passage};
+use spinning_bodies::scene::effects::{Gravity, Regularised, Viscous};
 use spinning_bodies::tippe_top::{Start, bodies};
 
 use crate::common::{G, degrees, last, run};
@@ -14,8 +15,10 @@ fn s4_7_a_spun_egg_stands_up() {
     for (spin, stands) in [(120.0, true), (15.0, false)] {
         let start = Start::about_vertical(1.551, 0.0, spin).unwrap();
         let scene = TableTop::new(bodies::egg(1.0, 3.0, 2.0).unwrap(), start)
-            .with_gravity(Gravity::new(1000.0).unwrap())
-            .with_friction(Viscous::new(0.02).unwrap());
+            .with(Gravity::new(1000.0).unwrap())
+            .unwrap()
+            .with(Viscous::new(0.02).unwrap())
+            .unwrap();
         let rows = run(&scene, 4.0, 400, 1e-6);
         let end = last(&rows);
         println!("{spin} rad/s: {}", end.tilt());
@@ -35,8 +38,10 @@ fn s4_7_most_convex_bodies_raise_their_centre() {
     // An oblate spheroid 2:2:1, spun about its axis, ends on its edge.
     let start = Start::about_third_axis(0.02, 0.0, 80.0).unwrap();
     let scene = TableTop::new(bodies::egg(1.0, 1.0, 2.0).unwrap(), start)
-        .with_gravity(Gravity::new(1000.0).unwrap())
-        .with_friction(Viscous::new(0.02).unwrap());
+        .with(Gravity::new(1000.0).unwrap())
+        .unwrap()
+        .with(Viscous::new(0.02).unwrap())
+        .unwrap();
     let end = last(&run(&scene, 8.0, 400, 1e-6));
     println!("oblate: {} height {}", end.tilt(), end.position.z());
     assert!((end.tilt() - FRAC_PI_2).abs() < 0.05 && end.position.z() > 1.99);
@@ -56,8 +61,10 @@ fn s4_7_how_far_an_egg_rises() {
     ] {
         let start = Start::about_vertical(88f64.to_radians(), 0.0, turns * TAU).unwrap();
         let scene = TableTop::new(bodies::egg(0.06, 0.03, 0.02).unwrap(), start)
-            .with_gravity(Gravity::new(G).unwrap())
-            .with_friction(Regularised::new(mu, 2e-3).unwrap());
+            .with(Gravity::new(G).unwrap())
+            .unwrap()
+            .with(Regularised::new(mu, 2e-3).unwrap())
+            .unwrap();
         let rows = run(&scene, 8.0, 800, 1e-5);
         let end = degrees(&last(&rows));
         // Off the axis of symmetry both ends are alike.

@@ -6,7 +6,8 @@ use approx::assert_relative_eq;
 use spinning_bodies::frame::SpaceVector;
 use spinning_bodies::inertia::shapes;
 use spinning_bodies::scene::Request;
-use spinning_bodies::scene::contact::{Gravity, Support, TableTop, Viscous, passage};
+use spinning_bodies::scene::contact::{Support, TableTop, passage};
+use spinning_bodies::scene::effects::{Gravity, Viscous};
 use spinning_bodies::tippe_top::{HoopWithClay, Start, TippeTop, bodies};
 
 use crate::common::{G, degrees, last, most, regularised, run};
@@ -35,8 +36,10 @@ fn s4_7_hoop_with_clay() {
     let bare = bodies::hoop_with_clay(0.02, 0.02, 0.0).unwrap();
     let start = Start::about_vertical(0.3, 0.0, SPIN).unwrap();
     let scene = TableTop::new(bare, start)
-        .with_gravity(Gravity::new(G).unwrap())
-        .with_friction(Viscous::new(0.3).unwrap());
+        .with(Gravity::new(G).unwrap())
+        .unwrap()
+        .with(Viscous::new(0.3).unwrap())
+        .unwrap();
     let end = last(&run(&scene, 1.0, 10, 1e-9));
     assert!((end.tilt() - 0.3).abs() < 1e-10 && (end.spin() - SPIN).abs() < 1e-8);
 }
@@ -151,8 +154,10 @@ fn s4_7_tilt_grows_at_about_the_estimated_rate() {
             bodies::hoop_with_clay(0.02, 0.02, alpha).unwrap(),
             Start::about_vertical(0.3, 0.0, spin).unwrap(),
         )
-        .with_gravity(Gravity::new(10.0).unwrap())
-        .with_friction(regularised(1.0 / 3.0));
+        .with(Gravity::new(10.0).unwrap())
+        .unwrap()
+        .with(regularised(1.0 / 3.0))
+        .unwrap();
         let rows = run(&scene, 4.0, 2000, 1e-6);
         let t = |level| passage(&rows, |s| s.tilt(), level).unwrap_or(0.0);
         // The start counts as the first passage, unless the transient dips below it.
@@ -174,8 +179,10 @@ fn s4_7_the_tutorials_estimate_against_the_full_motion() {
             bodies::hoop_with_clay(0.02, 0.02, alpha).unwrap(),
             Start::about_vertical(0.1, 0.0, SPIN).unwrap(),
         )
-        .with_gravity(Gravity::new(G).unwrap())
-        .with_friction(regularised(1.0 / 3.0));
+        .with(Gravity::new(G).unwrap())
+        .unwrap()
+        .with(regularised(1.0 / 3.0))
+        .unwrap();
         let rows = run(&scene, 2.4, 2400, 1e-6);
         let t = |level| passage(&rows, degrees, level).unwrap();
         let rate = 120.0 / (t(150.0) - t(30.0));
@@ -202,8 +209,10 @@ fn s4_7_jellett_and_the_angular_momentum() {
         bodies::hoop_with_clay(0.02, 0.02, 0.1).unwrap(),
         Start::about_vertical(0.3, 0.0, SPIN).unwrap(),
     )
-    .with_gravity(Gravity::new(10.0).unwrap())
-    .with_friction(regularised(1.0 / 3.0));
+    .with(Gravity::new(10.0).unwrap())
+    .unwrap()
+    .with(regularised(1.0 / 3.0))
+    .unwrap();
     let rows = run(&scene, 1.8, 900, 1e-9);
     let first = rows[0].1.jellett;
     let drift = rows
@@ -245,16 +254,20 @@ fn s4_7_window_of_validity() {
         bodies::hoop_with_clay(0.02, 0.02, 0.05).unwrap(),
         Start::about_vertical(0.1, 0.0, 100.0).unwrap(),
     )
-    .with_gravity(gravity)
-    .with_friction(regularised(1.0 / 3.0));
+    .with(gravity)
+    .unwrap()
+    .with(regularised(1.0 / 3.0))
+    .unwrap();
     assert!(most(&run(&slow, 3.0, 600, 1e-6), |s| s.tilt()) < 2.5);
     // ε Ω² is 39 g: the table would have to pull, so the body hops.
     let fast = TableTop::new(
         bodies::hoop_with_clay(0.02, 0.02, 0.2).unwrap(),
         Start::about_vertical(0.1, 0.0, SPIN).unwrap(),
     )
-    .with_gravity(gravity)
-    .with_friction(regularised(1.0 / 3.0));
+    .with(gravity)
+    .unwrap()
+    .with(regularised(1.0 / 3.0))
+    .unwrap();
     let request = |end: f64| Request::at([end]).unwrap().to_accuracy(1e-3).unwrap();
     let phases = (1..=30).find_map(|i| {
         let phases = fast.phases(&request(0.05 * f64::from(i))).unwrap();
@@ -297,8 +310,10 @@ fn s4_7_sluggish_spin_rises_part_of_the_way() {
         top.body().unwrap(),
         Start::about_vertical(0.02, 0.0, 40.0).unwrap(),
     )
-    .with_gravity(Gravity::new(g).unwrap())
-    .with_friction(Viscous::new(0.02).unwrap());
+    .with(Gravity::new(g).unwrap())
+    .unwrap()
+    .with(Viscous::new(0.02).unwrap())
+    .unwrap();
     for (spin, end) in [
         (28.0, 0.0),
         (36.0, 1.084),
@@ -310,8 +325,10 @@ fn s4_7_sluggish_spin_rises_part_of_the_way() {
         assert!((tilt - end).abs() < 1e-2, "{spin}: {tilt}");
         let start = Start::about_vertical(0.02, 0.0, spin).unwrap();
         let scene = TableTop::new(*scene.body(), start)
-            .with_gravity(Gravity::new(g).unwrap())
-            .with_friction(Viscous::new(0.02).unwrap());
+            .with(Gravity::new(g).unwrap())
+            .unwrap()
+            .with(Viscous::new(0.02).unwrap())
+            .unwrap();
         let rows = run(&scene, 30.0, 300, 1e-6);
         println!("{spin}: {} against {tilt}", last(&rows).tilt());
         assert!((last(&rows).tilt() - tilt).abs() < 0.03);

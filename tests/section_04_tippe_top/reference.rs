@@ -2,9 +2,8 @@
 
 use nalgebra::Vector3;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use spinning_bodies::scene::contact::{
-    Gravity, Grip, NoSlip, Regularised, Resist, State, TableTop, Viscous,
-};
+use spinning_bodies::scene::contact::{State, TableTop};
+use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, Start, bodies};
 
@@ -17,14 +16,16 @@ fn spun(tangent: f64, spin: f64) -> Start {
     Start::spinning(attitude, up * spin).unwrap()
 }
 
-fn states<F: Grip, R: Resist>(scene: TableTop<Gravity, F, R>, times: &[f64]) -> Vec<(f64, State)> {
+fn states(scene: TableTop, times: &[f64]) -> Vec<(f64, State)> {
     let request = Request::at(times).unwrap().to_accuracy(1e-9).unwrap();
     scene.simulate(&request).unwrap().rows
 }
 
 fn of(name: &str, times: &[f64]) -> Vec<(f64, State)> {
     let on = |body: ConvexBody, start: Start| {
-        TableTop::new(body, start).with_gravity(Gravity::new(G).unwrap())
+        TableTop::new(body, start)
+            .with(Gravity::new(G).unwrap())
+            .unwrap()
     };
     let coulomb = |mu: f64, epsilon: f64| Regularised::new(mu, epsilon).unwrap();
     let half = (1.0 - 0.16) / 1.16;
@@ -33,34 +34,36 @@ fn of(name: &str, times: &[f64]) -> Vec<(f64, State)> {
         "tippe top viscous" => {
             let start = Start::spinning(spun(0.05, 0.0).attitude, BodyVector::new(0.0, 0.0, 155.0));
             let scene = on(bodies::tippe_top().unwrap(), start.unwrap());
-            states(scene.with_friction(Viscous::new(0.3).unwrap()), times)
+            states(scene.with(Viscous::new(0.3).unwrap()).unwrap(), times)
         }
         "hoop with clay coulomb" => {
             let scene = on(
                 bodies::hoop_with_clay(0.02, 0.02, 0.1).unwrap(),
                 spun(0.1, 314.0),
             );
-            states(scene.with_friction(coulomb(1.0 / 3.0, 1e-3)), times)
+            states(scene.with(coulomb(1.0 / 3.0, 1e-3)).unwrap(), times)
         }
         "egg coulomb" => {
             let scene = on(bodies::egg(0.06, 0.03, 0.02).unwrap(), spun(0.9, 94.0));
-            states(scene.with_friction(coulomb(0.1, 2e-3)), times)
+            states(scene.with(coulomb(0.1, 2e-3)).unwrap(), times)
         }
         "chiral top +" | "chiral top -" => {
             let spin = if name.ends_with('+') { 132.9 } else { -132.9 };
             let scene = on(bodies::chiral_top().unwrap(), spun(0.025, spin));
-            states(scene.with_friction(coulomb(0.3, 1e-3)), times)
+            states(scene.with(coulomb(0.3, 1e-3)).unwrap(), times)
         }
         "celt-ended top" => {
             let scene = on(c1, spun(0.025, 102.4));
-            states(scene.with_friction(coulomb(0.5, 1e-3)), times)
+            states(scene.with(coulomb(0.5, 1e-3)).unwrap(), times)
         }
         "frictionless ellipsoid" => states(on(c1, spun(0.25, 20.0)), times),
         "rattleback rolling" => {
             let attitude = Attitude::from_quaternion(1.0, 0.004, 0.004, 0.0).unwrap();
             let start = Start::spinning(attitude, BodyVector::new(0.0, 0.0, -5.0)).unwrap();
             states(
-                on(bodies::rattleback().unwrap(), start).with_friction(NoSlip),
+                on(bodies::rattleback().unwrap(), start)
+                    .with(NoSlip)
+                    .unwrap(),
                 times,
             )
         }

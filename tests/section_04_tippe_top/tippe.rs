@@ -6,9 +6,8 @@ use approx::assert_relative_eq;
 use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::scene::contact::{
-    Gravity, NoSlip, Resistance, State, TableTop, Viscous, passage,
-};
+use spinning_bodies::scene::contact::{State, TableTop, passage};
+use spinning_bodies::scene::effects::{Gravity, NoSlip, Resistance, Viscous};
 use spinning_bodies::tippe_top::{ConvexBody, Inversion, Start, Surface, TippeTop, bodies};
 
 use crate::common::{G, degrees, last, most, run};
@@ -20,11 +19,13 @@ fn top() -> TippeTop {
     TippeTop::new(0.02, 0.02, 0.3, MR2 * 131.0 / 350.0, MR2 * 0.4, 9.82).unwrap()
 }
 
-fn scene(spin: f64) -> TableTop<Gravity, Viscous> {
+fn scene(spin: f64) -> TableTop {
     let start = Start::about_third_axis(0.1, 0.0, spin).unwrap();
     TableTop::new(bodies::tippe_top().unwrap(), start)
-        .with_gravity(Gravity::new(9.82).unwrap())
-        .with_friction(Viscous::new(0.3).unwrap())
+        .with(Gravity::new(9.82).unwrap())
+        .unwrap()
+        .with(Viscous::new(0.3).unwrap())
+        .unwrap()
 }
 
 #[test]
@@ -140,8 +141,10 @@ fn s4_7_steady_states_do_not_slip() {
         let start = Start::about_vertical(tilt, 0.0, 1.0).unwrap();
         let start = Start::spinning(start.attitude, omega).unwrap();
         let scene = TableTop::new(body, start)
-            .with_gravity(Gravity::new(9.82).unwrap())
-            .with_friction(Viscous::new(0.3).unwrap());
+            .with(Gravity::new(9.82).unwrap())
+            .unwrap()
+            .with(Viscous::new(0.3).unwrap())
+            .unwrap();
         let end = last(&run(&scene, 0.05, 1, 1e-10));
         assert!(
             (end.tilt() - tilt).abs() < 1e-9 && end.slip.norm() < 1e-9,
@@ -214,9 +217,12 @@ fn s4_7_pivoting_and_rolling_die_apart() {
         let start = Start::about_vertical(0.0, 0.0, 0.0).unwrap();
         let start = Start::spinning(start.attitude, omega).unwrap();
         let table = TableTop::new(ball, start)
-            .with_gravity(Gravity::new(G).unwrap())
-            .with_friction(NoSlip)
-            .with_resistance(Resistance::new(rolling, pivoting).unwrap());
+            .with(Gravity::new(G).unwrap())
+            .unwrap()
+            .with(NoSlip)
+            .unwrap()
+            .with(Resistance::new(rolling, pivoting).unwrap())
+            .unwrap();
         last(&run(&table, t, 1, 1e-11))
     };
     let weight = mass * G;
@@ -242,9 +248,11 @@ fn s4_7_the_table_bears_what_the_height_says() {
     );
     let start = Start::about_third_axis(1.1, 0.4, 60.0).unwrap();
     let table = TableTop::new(body.unwrap(), start)
-        .with_gravity(Gravity::new(G).unwrap())
-        .with_friction(NoSlip);
-    let heavy = table.with_resistance(Resistance::new(3e-4, 1e-4).unwrap());
+        .with(Gravity::new(G).unwrap())
+        .unwrap()
+        .with(NoSlip)
+        .unwrap();
+    let heavy = table.with(Resistance::new(3e-4, 1e-4).unwrap()).unwrap();
     let rows = run(&heavy, 0.04, 40, 1e-13);
     let free = run(&table, 0.04, 40, 1e-13);
     let (h, mut worst, mut matters) = (1e-3_f64, 0.0_f64, 0.0_f64);

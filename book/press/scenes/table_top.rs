@@ -9,13 +9,14 @@
 use nalgebra::Matrix3;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::scene::contact::{
-    self, Coulomb, Friction, Gravity, Regularised, Resistance, TableTop, Viscous,
+use spinning_bodies::scene::contact::TableTop;
+use spinning_bodies::scene::effects::{
+    Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous,
 };
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
 
+use super::Ready;
 use super::reader::Section;
-use super::{Ready, Table};
 use crate::Result;
 
 pub fn read(file: &Section<'_>) -> Result<Ready> {
@@ -34,10 +35,12 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     let law = law(&effects)?;
     let resistance = resistance(&effects)?;
     effects.done()?;
-    let scene = TableTop::new(body, start);
-    Ok(Ready(Box::new(move |request| {
-        contact::listed(scene, gravity, law, resistance, request).map(Table::of)
-    })))
+    let mut scene = TableTop::new(body, start);
+    let listed: [Option<Effect>; 3] = [gravity.map(Effect::from), law, resistance];
+    for effect in listed.into_iter().flatten() {
+        scene = scene.with(effect).map_err(file.about("effects"))?;
+    }
+    Ok(Ready::scene(Box::new(scene)))
 }
 
 fn body(section: &Section<'_>) -> Result<ConvexBody> {
@@ -115,7 +118,7 @@ fn start(section: &Section<'_>) -> Result<Start> {
     Ok(start)
 }
 
-fn law(section: &Section<'_>) -> Result<Option<Friction>> {
+fn law(section: &Section<'_>) -> Result<Option<Effect>> {
     const RATIO: &str = "a coefficient of friction, s/m for the viscous law";
     let named = section.has("friction_law");
     let friction = section.optional_not_negative("friction", RATIO)?;
@@ -134,12 +137,12 @@ fn law(section: &Section<'_>) -> Result<Option<Friction>> {
     ];
     let about = || section.about("friction");
     match (section.word("friction_law", &laws)?, friction, slip) {
-        (0, Some(mu), None) => Coulomb::new(mu).map(|law| Some(Friction::Coulomb(law))).map_err(about()),
+        (0, Some(mu), None) => Coulomb::new(mu).map(|law| Some(law.into())).map_err(about()),
         (1, Some(mu), Some(slip)) => Regularised::new(mu, slip)
-            .map(|law| Some(Friction::Regularised(law)))
+            .map(|law| Some(law.into()))
             .map_err(about()),
-        (2, Some(c), None) => Viscous::new(c).map(|law| Some(Friction::Viscous(law))).map_err(about()),
-        (3, None, None) => Ok(Some(Friction::NoSlip)),
+        (2, Some(c), None) => Viscous::new(c).map(|law| Some(law.into())).map_err(about()),
+        (3, None, None) => Ok(Some(NoSlip.into())),
         _ => Err(section.refused(
             "friction_law",
             "\"coulomb\" and \"viscous\" need `friction`, \"smoothed\" `friction_slip` as well, \"no-slip\" neither",
@@ -147,7 +150,7 @@ fn law(section: &Section<'_>) -> Result<Option<Friction>> {
     }
 }
 
-fn resistance(section: &Section<'_>) -> Result<Option<Resistance>> {
+fn resistance(section: &Section<'_>) -> Result<Option<Effect>> {
     const LENGTH: &str = "a coefficient in m s";
     let rolling = section.optional_not_negative("rolling_resistance", LENGTH)?;
     let pivoting = section.optional_not_negative("pivoting_resistance", LENGTH)?;
@@ -155,6 +158,6 @@ fn resistance(section: &Section<'_>) -> Result<Option<Resistance>> {
         return Ok(None);
     }
     Resistance::new(rolling.unwrap_or(0.0), pivoting.unwrap_or(0.0))
-        .map(Some)
+        .map(|law| Some(law.into()))
         .map_err(section.about("rolling_resistance"))
 }

@@ -74,11 +74,6 @@ const NOT_YET: &[&str] = &[
     "skater with friction",
     "cat of unequal halves",
     "paper cat",
-    "table top without friction",
-    "table top, viscous or smoothed",
-    "table top, rolling",
-    "table top, a ball by Coulomb's law",
-    "table top without gravity",
 ];
 
 /// All of them are kept; those that ran have cost no more than three times the cheapest, in the median.

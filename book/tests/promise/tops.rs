@@ -716,8 +716,7 @@ impl Case {
     pub fn judged(&self) -> Outcome {
         let start = self.start();
         let truth = self.top.motion(&start, &self.times);
-        // The fastest rate: that of the turning, or that at which the weight would swing or topple the body, whichever is more.
-        let unit = truth.fastest.hypot(self.top.fall()).max(f64::MIN_POSITIVE);
+        let unit = truth.fastest.max(f64::MIN_POSITIVE);
         let answer = door::simulate(&self.text());
         let given = match answer {
             Answer::Refused(why) => Given::Refused {
@@ -732,7 +731,9 @@ impl Case {
                 for (row, state) in rows.iter().zip(&truth.states) {
                     error = larger(error, apart(row, state, unit));
                 }
-                let cheapest = (self.times.len() == 1 && motion.evaluations > 0)
+                // A dry tip's jump has no order.
+                let smooth = self.top.tip.is_none();
+                let cheapest = (smooth && self.times.len() == 1 && motion.evaluations > 0)
                     .then(|| self.cheapest(&truth.states[0], unit))
                     .flatten();
                 Given::Answer {

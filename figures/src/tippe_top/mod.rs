@@ -6,9 +6,8 @@ use core::f64::consts::{PI, TAU};
 
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::scene::contact::{
-    Gravity, Grip, NoSlip, Regularised, State, TableTop, Viscous,
-};
+use spinning_bodies::scene::contact::{State, TableTop};
+use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{HoopWithClay, Start, TippeTop, bodies};
 
@@ -55,12 +54,7 @@ const CHIRAL_SPIN: f64 = 132.9;
 type Rows = Vec<(f64, State)>;
 
 /// States at `samples` + 1 equal steps up to `end`.
-fn run<F: Grip>(
-    scene: &TableTop<Gravity, F>,
-    end: f64,
-    samples: u32,
-    accuracy: f64,
-) -> Result<Rows> {
+fn run(scene: &TableTop, end: f64, samples: u32, accuracy: f64) -> Result<Rows> {
     let times: Vec<f64> = (0..=samples)
         .map(|k| end * f64::from(k) / f64::from(samples))
         .collect();
@@ -74,11 +68,11 @@ fn toy(alpha: f64) -> Result<HoopWithClay> {
 }
 
 /// The tutorial's toy in full, spun about the vertical, 0.1 rad off its rest.
-fn toy_scene(alpha: f64, spin: f64) -> Result<TableTop<Gravity, Regularised>> {
+fn toy_scene(alpha: f64, spin: f64) -> Result<TableTop> {
     let body = bodies::hoop_with_clay(0.02, 0.02, alpha)?;
-    Ok(TableTop::new(body, Start::about_vertical(0.1, 0.0, spin)?)
-        .with_gravity(Gravity::new(G)?)
-        .with_friction(Regularised::new(1.0 / 3.0, 1e-3)?))
+    TableTop::new(body, Start::about_vertical(0.1, 0.0, spin)?)
+        .with(Gravity::new(G)?)?
+        .with(Regularised::new(1.0 / 3.0, 1e-3)?)
 }
 
 /// The tippe top of Rauch-Wojciechowski and Rutstam in closed form.
@@ -88,35 +82,35 @@ fn tippe() -> Result<TippeTop> {
 }
 
 /// The same in full, spun about its own axis at a tilt of 0.1 rad.
-fn tippe_scene(spin: f64) -> Result<TableTop<Gravity, Viscous>> {
+fn tippe_scene(spin: f64) -> Result<TableTop> {
     let start = Start::about_third_axis(0.1, 0.0, spin)?;
-    Ok(TableTop::new(bodies::tippe_top()?, start)
-        .with_gravity(Gravity::new(G_TIPPE)?)
-        .with_friction(Viscous::new(0.3)?))
+    TableTop::new(bodies::tippe_top()?, start)
+        .with(Gravity::new(G_TIPPE)?)?
+        .with(Viscous::new(0.3)?)
 }
 
 /// The chiral top, released about the vertical at this tilt and azimuth (rad), μ = 0.3.
-fn chiral_scene(spin: f64, tilt: f64, azimuth: f64) -> Result<TableTop<Gravity, Regularised>> {
+fn chiral_scene(spin: f64, tilt: f64, azimuth: f64) -> Result<TableTop> {
     let start = Start::about_vertical(tilt, azimuth, spin)?;
-    Ok(TableTop::new(bodies::chiral_top()?, start)
-        .with_gravity(Gravity::new(G)?)
-        .with_friction(Regularised::new(0.3, 1e-3)?))
+    TableTop::new(bodies::chiral_top()?, start)
+        .with(Gravity::new(G)?)?
+        .with(Regularised::new(0.3, 1e-3)?)
 }
 
 /// A boiled egg of 60 g, 6 cm long and 4 cm thick, lying but for 2°, spun at so many turns a second, μ = 0.1.
-fn egg_scene(turns: f64) -> Result<TableTop<Gravity, Regularised>> {
+fn egg_scene(turns: f64) -> Result<TableTop> {
     let start = Start::about_vertical(88_f64.to_radians(), 0.0, turns * TAU)?;
-    Ok(TableTop::new(bodies::egg(0.06, 0.03, 0.02)?, start)
-        .with_gravity(Gravity::new(G)?)
-        .with_friction(Regularised::new(0.1, 2e-3)?))
+    TableTop::new(bodies::egg(0.06, 0.03, 0.02)?, start)
+        .with(Gravity::new(G)?)?
+        .with(Regularised::new(0.1, 2e-3)?)
 }
 
 /// Kane and Levinson's rattleback, half a degree off about its long axis and about the one across.
-fn stone_scene(spin: f64) -> Result<TableTop<Gravity, NoSlip>> {
+fn stone_scene(spin: f64) -> Result<TableTop> {
     let half = 0.25_f64.to_radians().tan();
     let attitude = Attitude::from_quaternion(1.0, half, half, 0.0)?;
     let start = Start::spinning(attitude, BodyVector::new(0.0, 0.0, spin))?;
-    Ok(TableTop::new(bodies::rattleback()?, start)
-        .with_gravity(Gravity::new(G)?)
-        .with_friction(NoSlip))
+    TableTop::new(bodies::rattleback()?, start)
+        .with(Gravity::new(G)?)?
+        .with(NoSlip)
 }

@@ -7,7 +7,7 @@ use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::Kept;
 use crate::integrators::geometric::Phase;
-use crate::scene::engine::{Ended, Flow, furthest};
+use crate::scene::engine::{Ended, Flow, furthest, greater};
 
 /// A top as a flow: seven numbers, L and the quaternion, and an eighth, the energy lost, where something resists.
 ///
@@ -233,26 +233,47 @@ impl<const N: usize> Flow<N> for Turning {
         Ok(Spin::Stopped)
     }
 
-    fn distance(&self, (_, a): &(Spin, [f64; N]), (_, b): &(Spin, [f64; N])) -> f64 {
-        let lost = if N > 7 {
-            (a[N - 1] - b[N - 1]).abs() / self.energy
-        } else {
-            0.0
+    fn distance(&self, a: &(Spin, [f64; N]), b: &(Spin, [f64; N])) -> f64 {
+        self.furthest_apart(&[*a], &[*b], &[*b])
+    }
+
+    fn furthest_apart(
+        &self,
+        a: &[(Spin, [f64; N])],
+        b: &[(Spin, [f64; N])],
+        seen: &[(Spin, [f64; N])],
+    ) -> f64 {
+        let fastest = self.fastest(seen.iter().map(|(_, y)| phase(y)));
+        let lost = |a: &[f64; N], b: &[f64; N]| match N {
+            0..8 => 0.0,
+            _ => (a[7] - b[7]).abs() / self.energy,
         };
-        self.apart(&phase(a), &phase(b)).max(lost)
+        let apart = a
+            .iter()
+            .zip(b)
+            .map(|((_, a), (_, b))| greater(self.apart(&phase(a), &phase(b), fastest), lost(a, b)));
+        apart.fold(0.0, greater)
     }
 }
 
 impl Turning {
-    /// Angle between two attitudes (radians), or the difference of the angular velocities over the faster of the second and that of the start, whichever
-    /// is more: the fastest rate of a motion is at least that.
-    pub fn apart(&self, a: &Phase, b: &Phase) -> f64 {
+    /// The fastest |Ω| of these and of the start, rad/s: the fastest rate of the motion is at least that.
+    pub fn fastest(&self, seen: impl Iterator<Item = Phase>) -> f64 {
+        let start = speed(self.start.l, self.inverse);
+        match seen
+            .map(|phase| speed(phase.l, self.inverse))
+            .fold(start, f64::max)
+        {
+            0.0 => self.pace,
+            fastest => fastest,
+        }
+    }
+
+    /// Angle between two attitudes (radians), or the difference of the angular velocities over the fastest, whichever is more.
+    pub fn apart(&self, a: &Phase, b: &Phase, fastest: f64) -> f64 {
         let turned: f64 = (0..4).map(|k| (a.q[k] - b.q[k]).powi(2)).sum();
         let between: [f64; 3] = core::array::from_fn(|k| a.l[k] - b.l[k]);
-        let faster = speed(between, self.inverse);
-        let unit = speed(self.start.l, self.inverse).max(speed(b.l, self.inverse));
-        let unit = if unit > 0.0 { unit } else { self.pace };
-        (2.0 * turned.sqrt()).max(faster / unit)
+        (2.0 * turned.sqrt()).max(speed(between, self.inverse) / fastest)
     }
 }
 

@@ -63,9 +63,13 @@ pub(super) fn halved(
         Ok(course)
     };
     let distance = |a: &Course, b: &Course| {
+        let fastest = turning.fastest(b.phases.iter().copied());
         let pairs = a.phases.iter().zip(&b.phases);
-        pairs.map(|(a, b)| turning.apart(a, b)).fold(0.0, greater)
+        let apart = pairs.map(|(a, b)| turning.apart(a, b, fastest));
+        apart.fold(0.0, greater)
     };
+    let slowest = turning.fastest(core::iter::empty());
+    let beside = |moved: &Phase| turning.apart(moved, &start, slowest);
     let longest = furthest(&times).abs() * (LONGEST_STEP / angle.max(LONGEST_STEP));
     let mut step = longest.max(f64::MIN_POSITIVE);
     let mut worse = run(&start, step)?;
@@ -92,7 +96,7 @@ pub(super) fn halved(
                 return Err(Error::Amplified {
                     asked: accuracy,
                     reached: error + grown,
-                    growth: grown / (DOUBTED * turning.apart(&moved, &start)),
+                    growth: grown / (DOUBTED * beside(&moved)),
                 });
             }
             let mut phases = better.phases;
@@ -110,7 +114,7 @@ pub(super) fn halved(
             return Err(Error::Amplified {
                 asked: accuracy,
                 reached: reached.min(apart),
-                growth: grown / turning.apart(&moved, &start),
+                growth: grown / beside(&moved),
             });
         }
         reached = reached.min(error);

@@ -1,0 +1,773 @@
+//! A body on a table (tutorial 4.7): tippe top, egg, hoop with clay, chiral top, rattleback.
+//!
+//! | effect | values | absent |
+//! |---|---|---|
+//! | gravity | [`Gravity`](super::effects::Gravity), downwards | a free body, in closed form |
+//! | friction | [`Viscous`](super::effects::Viscous), [`Regularised`](super::effects::Regularised), [`Coulomb`], [`NoSlip`](super::effects::NoSlip) | a table without friction |
+//! | resistance | [`Resistance`] to rolling and pivoting | |
+//!
+//! The table only pushes. Where the reaction falls to zero the body takes off, flies in closed form, and lands with an inelastic blow.
+//! Coulomb's law is the true one: a body whose slip comes to rest rolls while the force that takes lies within the cone of friction, and
+//! slides again when it does not; each change is located.
+//!
+//! ```
+//! use spinning_bodies::scene::contact::TableTop;
+//! use spinning_bodies::scene::effects::{Gravity, Viscous};
+//! use spinning_bodies::scene::{Request, Scene};
+//! use spinning_bodies::tippe_top::{Start, bodies};
+//!
+//! let start = Start::about_third_axis(0.1, 0.0, 155.0)?;
+//! let scene = TableTop::new(bodies::tippe_top()?, start)
+//!     .with(Gravity::new(9.82)?)?
+//!     .with(Viscous::new(0.3)?)?;
+//! let motion = scene.simulate(&Request::at([8.0])?.to_accuracy(1e-8)?)?;
+//! let (_, state) = motion.rows[0];
+//! assert!(state.tilt() > 3.1, "it stands on its head");
+//! # Ok::<(), spinning_bodies::Error>(())
+//! ```
+
+use nalgebra::Vector3;
+
+use super::effects::Effect;
+use super::engine::{self, Answer, Closed, Ended, Flow, planned, solved, to_accuracy};
+use super::motion::{Account, ledger};
+use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::conservation::{Law, Ledger};
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System};
+use crate::rolling::course::Coulomb;
+use crate::tippe_top::equations::{Contact, NUMBERS, Numbers, Pose, Table, numbers};
+use crate::tippe_top::flight::{Flight, TakeOff};
+use crate::tippe_top::{ConvexBody, Friction, Resistance, Start};
+
+/// A body on a table, and what acts on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TableTop {
+    body: ConvexBody,
+    start: Start,
+    gravity: Option<f64>,
+    friction: Option<Friction>,
+    resistance: Option<Resistance>,
+}
+
+impl TableTop {
+    /// The body, touching the table, without any effect: a free body.
+    pub const fn new(body: ConvexBody, start: Start) -> Self {
+        Self {
+            body,
+            start,
+            gravity: None,
+            friction: None,
+            resistance: None,
+        }
+    }
+
+    /// The same with an effect; one without strength is absent.
+    ///
+    /// # Errors
+    /// [`Error::Effect`] for one that means nothing here; [`Error::NotPositive`] for gravity that does not press the body to the table.
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        let some = |law: Friction| law.acts().then_some(law);
+        match effect.into() {
+            Effect::Gravity(gravity) => self.gravity = Some(positive("gravity", gravity.value())?),
+            Effect::Coulomb(law) => self.friction = some(Friction::Coulomb(law)),
+            Effect::Regularised(law) => self.friction = some(Friction::Regularised(law)),
+            Effect::Viscous(law) => self.friction = some(Friction::Viscous(law)),
+            Effect::NoSlip(_) => self.friction = Some(Friction::NoSlip),
+            Effect::Resistance(law) => self.resistance = law.acts().then_some(law),
+            other => {
+                let takes = "gravity, friction, regularised_friction, viscous_friction, no_slip, resistance";
+                return Err(other.refused("a body on a table", takes));
+            }
+        }
+        Ok(self)
+    }
+
+    /// The mirror image of body and start, with the same effects.
+    #[must_use]
+    pub fn mirrored(mut self) -> Self {
+        self.body = self.body.mirrored();
+        self.start = self.start.mirrored();
+        self
+    }
+
+    /// The body.
+    pub const fn body(&self) -> &ConvexBody {
+        &self.body
+    }
+
+    /// The start.
+    pub const fn start(&self) -> &Start {
+        &self.start
+    }
+
+    /// When the body slides, rolls and hops, up to the last of the times asked for.
+    ///
+    /// # Errors
+    /// As for [`simulate`](Scene::simulate).
+    pub fn phases(&self, request: &Request) -> Result<Vec<Phase>> {
+        let answer = self.answer(request, &self.plan(request)?)?;
+        let mut phases: Vec<Phase> = Vec::new();
+        for (start, mode) in answer.trace.phases {
+            let support = mode.support();
+            if phases.last().map(|phase| phase.support) != Some(support) {
+                phases.push(Phase { start, support });
+            }
+        }
+        Ok(phases)
+    }
+
+    fn answer(&self, request: &Request, plan: &Plan) -> Result<Answer<Mode, NUMBERS>> {
+        let flow = |tolerance: f64| self.on_the_table(plan.solver, tolerance);
+        if plan.solver != Solver::Exact {
+            return to_accuracy(request, plan.solver, flow);
+        }
+        let flow = flow(request.accuracy())?;
+        let (_, start) = flow.start()?;
+        let flight = Flight::from(&self.body, 0.0, &start, flow.takeoff(0.0, &start))?;
+        solved((&flow, plan, request), 1, |t| flight.at(t))
+    }
+
+    fn on_the_table(&self, solver: Solver, tolerance: f64) -> Result<OnTheTable> {
+        let start = numbers(&self.start);
+        for number in start {
+            finite("the start of a body on a table", number)?;
+        }
+        let table = Table {
+            body: self.body,
+            gravity: self.gravity.unwrap_or(0.0),
+            friction: self.friction,
+            resistance: self.resistance,
+        };
+        let size = self.body.surface().size();
+        let turning = self.start.omega.norm() + (table.gravity / size).sqrt();
+        Ok(OnTheTable {
+            table,
+            start,
+            size,
+            turning: turning.max(f64::MIN_POSITIVE),
+            tolerance,
+            free: self.gravity.is_none(),
+            stepped: solver != Solver::Exact,
+        })
+    }
+
+    fn ledger(&self, request: &Request, start: &State, rows: &[State]) -> Result<Ledger> {
+        let spin = self.body.inertia().matrix().amax() * start.omega.norm();
+        let energy = |row: usize| rows[row].energy;
+        let balance = |row: usize| rows[row].energy + rows[row].dissipated;
+        let jellett = |row: usize| rows[row].jellett;
+        let vertical = |row: usize| rows[row].vertical_angular_momentum;
+        let first = start.energy;
+        let mut accounts: Vec<Account<'_>> = vec![
+            ("energy", Law::NonIncreasing, first, first, &energy),
+            (
+                "energy and what contact has taken",
+                Law::Conserved,
+                first,
+                first,
+                &balance,
+            ),
+        ];
+        let no_couple = self.resistance.is_none() && spin > 0.0;
+        if self.gravity.is_some() && no_couple && self.body.has_jellett_integral() {
+            let scale = spin * self.body.surface().size();
+            accounts.push((
+                "Jellett's integral",
+                Law::Conserved,
+                scale,
+                start.jellett,
+                &jellett,
+            ));
+        }
+        if self.friction.is_none() && no_couple {
+            let first = start.vertical_angular_momentum;
+            accounts.push((
+                "vertical angular momentum",
+                Law::Conserved,
+                spin,
+                first,
+                &vertical,
+            ));
+        }
+        ledger(request, &accounts)
+    }
+}
+
+/// How the body is supported.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Support {
+    /// On the table, slipping.
+    Sliding,
+    /// On the table, without slip.
+    Rolling,
+    /// Off the table.
+    Airborne,
+}
+
+/// A stretch of a motion on one kind of support.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Phase {
+    /// When it begins, s.
+    pub start: f64,
+    /// The support.
+    pub support: Support,
+}
+
+/// A body on a table at one time. The third axis of space points up, the table is the plane z = 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// From the body's axes to those of space.
+    pub attitude: Attitude,
+    /// Angular velocity, rad/s.
+    pub omega: BodyVector,
+    /// Position of the centre of mass, m; at the start above the origin.
+    pub position: SpaceVector,
+    /// Velocity of the centre of mass, m/s.
+    pub velocity: SpaceVector,
+    /// Sliding, rolling or in the air.
+    pub support: Support,
+    /// Velocity of the point in contact, m/s; zero in the air.
+    pub slip: SpaceVector,
+    /// Normal reaction of the table, N; never negative.
+    pub reaction: f64,
+    /// Kinetic energy and M g times the height of C, J.
+    pub energy: f64,
+    /// What friction, resistance and landings have taken since the start, J.
+    pub dissipated: f64,
+    /// −⟨L, CO⟩ with O the lowest point, J s m: Jellett's integral where there is one.
+    pub jellett: f64,
+    /// Vertical component of the angular momentum about C, J s.
+    pub vertical_angular_momentum: f64,
+}
+
+impl State {
+    /// The upward vertical in the body's axes.
+    pub fn up(&self) -> BodyVector {
+        self.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
+    }
+
+    /// Angle between the body's third axis and the vertical, rad, 0…π; accurate at both ends.
+    pub fn tilt(&self) -> f64 {
+        let up = self.up();
+        up.x().hypot(up.y()).atan2(up.z())
+    }
+
+    /// Angular velocity about the vertical, rad/s.
+    pub fn spin(&self) -> f64 {
+        self.omega.dot(&self.up())
+    }
+}
+
+/// When `quantity` first rises through `level` (s), by linear interpolation between rows in ascending order of time, if it does.
+pub fn passage(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64, level: f64) -> Option<f64> {
+    rows.windows(2).find_map(|pair| {
+        let [(t0, a), (t1, b)] = pair else {
+            return None;
+        };
+        let (low, high) = (quantity(a), quantity(b));
+        (low < level && high >= level).then(|| t0 + (t1 - t0) * (level - low) / (high - low))
+    })
+}
+
+impl Tabulated for State {
+    /// Unit quaternion; rad/s; m; m/s; m/s; N; J; J.
+    const COLUMNS: &'static [&'static str] = &[
+        "qw",
+        "qx",
+        "qy",
+        "qz",
+        "omega1",
+        "omega2",
+        "omega3",
+        "x",
+        "y",
+        "z",
+        "vx",
+        "vy",
+        "vz",
+        "slip",
+        "reaction",
+        "energy",
+        "dissipated",
+    ];
+
+    fn row(&self) -> Vec<f64> {
+        let q = self.attitude.quaternion();
+        let mut row = vec![q.w, q.i, q.j, q.k];
+        row.extend(&self.omega.components());
+        row.extend(&self.position.components());
+        row.extend(&self.velocity.components());
+        row.extend([
+            self.slip.norm(),
+            self.reaction,
+            self.energy,
+            self.dissipated,
+        ]);
+        row
+    }
+}
+
+/// Which equations hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Mode {
+    Sliding,
+    /// Sliding by Coulomb's law, near rest: slower than [`NEAR`].
+    Stopping,
+    /// Sliding by Coulomb's law, just after rest.
+    Leaving,
+    Rolling,
+    Airborne(TakeOff),
+}
+
+impl Mode {
+    const fn support(&self) -> Support {
+        match self {
+            Self::Sliding | Self::Stopping | Self::Leaving => Support::Sliding,
+            Self::Rolling => Support::Rolling,
+            Self::Airborne(_) => Support::Airborne,
+        }
+    }
+}
+
+/// Slip over μg/ω, with ω the rate of the motion, below which a body is near rest: it would stop in this part of a radian.
+const NEAR: f64 = 0.05;
+/// The same below which a body that leaves its rest turns its slip as friction wants it, at a tolerance of 1; the error goes with the slip to the power 5/2.
+const LEFT: f64 = 0.4;
+const POWER: f64 = 0.4;
+/// Slip in units of the tolerance times the velocity of the motion that is taken for none, and the least tolerance that counts.
+const STILL: f64 = 0.1;
+const FINEST: f64 = 2e-14;
+/// In units of slip over μg: by then the slip goes where friction wants it, unless it has come to nothing before.
+const SETTLED: f64 = 60.0;
+/// Reaction over weight below which a body that has met an event takes off. Take-off is located to rounding; rest, which also is an
+/// event, says nothing of the reaction.
+const LIFTED: f64 = 1e-6;
+/// By how much, in units of its greatest, a slip that begins may be less than nothing.
+const ROUNDING: f64 = 1e-6;
+
+/// A table, what starts on it, and how finely it is followed.
+#[derive(Debug, Clone, Copy)]
+struct OnTheTable {
+    table: Table,
+    start: Numbers,
+    /// Of the surface, m.
+    size: f64,
+    /// Fastest rate, rad/s.
+    turning: f64,
+    tolerance: f64,
+    /// Nothing presses it to the table.
+    free: bool,
+    /// The free body too.
+    stepped: bool,
+}
+
+impl OnTheTable {
+    fn body(&self) -> &ConvexBody {
+        &self.table.body
+    }
+
+    fn coulomb(&self) -> Option<Coulomb> {
+        match self.table.friction {
+            Some(Friction::Coulomb(law)) => Some(law),
+            _ => None,
+        }
+    }
+
+    fn weight(&self) -> f64 {
+        self.body().mass() * self.table.gravity
+    }
+
+    fn velocity_scale(&self) -> f64 {
+        self.size * self.turning
+    }
+
+    /// μg/ω: what slips at this speed stops within a radian.
+    fn stopping_speed(&self, law: Coulomb) -> f64 {
+        law.grip() * self.table.gravity / self.turning
+    }
+
+    /// The slip at which a body has left its rest.
+    fn left(&self, law: Coulomb) -> f64 {
+        self.stopping_speed(law) * (LEFT * self.tolerance.powf(POWER)).min(0.5 * NEAR)
+    }
+
+    /// What slips no faster rests.
+    fn still(&self) -> f64 {
+        STILL * self.tolerance.clamp(FINEST, 1e-6) * self.velocity_scale()
+    }
+
+    fn contact(&self, mode: &Mode, pose: &Pose) -> Contact {
+        let table = &self.table;
+        match (mode, self.coulomb()) {
+            (Mode::Rolling, _) => table.rolls(pose),
+            (Mode::Leaving, Some(law)) => {
+                table.leaving(&pose.up, &pose.omega, &pose.level, law.kinetic())
+            }
+            _ => table.slides(pose),
+        }
+    }
+
+    fn slip(&self, y: &Numbers) -> f64 {
+        self.table.slides(&Pose::of(y)).slip.norm()
+    }
+
+    fn takeoff(&self, time: f64, y: &Numbers) -> TakeOff {
+        let (height, climb) = self.body().height(&Pose::of(y));
+        TakeOff {
+            time,
+            height,
+            climb,
+        }
+    }
+
+    /// How a body that touches the table goes on.
+    fn settled(&self, t: f64, y: &mut Numbers) -> Result<Mode> {
+        let mode = match self.table.friction {
+            Some(Friction::NoSlip) => {
+                *y = self.body().rolled(y);
+                Mode::Rolling
+            }
+            Some(Friction::Coulomb(law)) => {
+                let slip = self.slip(y);
+                if slip <= 2.0 * self.still() {
+                    self.stopped(law, y)
+                } else if slip <= NEAR * self.stopping_speed(law) {
+                    Mode::Stopping
+                } else {
+                    Mode::Sliding
+                }
+            }
+            _ => Mode::Sliding,
+        };
+        if self.contact(&mode, &Pose::of(y)).reaction > 0.0 {
+            return Ok(mode);
+        }
+        self.released(t, y)
+    }
+
+    /// The slip taken away; rolling if the cone then allows it, else sliding.
+    fn stopped(&self, law: Coulomb, y: &mut Numbers) -> Mode {
+        *y = self.body().rolled(&self.table.held(y));
+        // At the rim a run that rolls would see no event: the margin has to fall through zero.
+        if self.held_by(law, &Pose::of(y)) > 0.0 {
+            Mode::Rolling
+        } else {
+            Mode::Leaving
+        }
+    }
+
+    /// How far rolling is from the rim of the cone, in weights.
+    fn held_by(&self, law: Coulomb, pose: &Pose) -> f64 {
+        let contact = self.table.rolls(pose);
+        contact.reaction * (law.grip() - contact.traction.norm()) / self.weight()
+    }
+
+    /// The body takes off, if it can: with the constraint of rolling it may be the level force that keeps it up.
+    fn released(&self, time: f64, y: &Numbers) -> Result<Mode> {
+        let smooth = Table {
+            friction: None,
+            resistance: None,
+            ..self.table
+        };
+        if self.table.friction == Some(Friction::NoSlip)
+            && smooth.slides(&Pose::of(y)).reaction >= 0.0
+        {
+            return Err(Error::Integration {
+                reason: "pure rolling takes a level force where nothing presses the body to the table; let it slide by Coulomb's law",
+                time,
+            });
+        }
+        Ok(Mode::Airborne(self.takeoff(time, y)))
+    }
+
+    fn state(&self, t: f64, mode: &Mode, y: &Numbers) -> State {
+        let body = self.body();
+        let y = &match mode {
+            Mode::Rolling => body.rolled(y),
+            _ => *y,
+        };
+        let pose = Pose::of(y);
+        let (height, climb) = match mode {
+            Mode::Airborne(takeoff) => takeoff.at(t, self.table.gravity),
+            _ => body.height(&pose),
+        };
+        let (slip, reaction) = match mode {
+            Mode::Airborne(_) => (Vector3::zeros(), 0.0),
+            _ => {
+                let contact = self.contact(mode, &pose);
+                (contact.slip, contact.reaction)
+            }
+        };
+        let omega = BodyVector::from_components(pose.omega);
+        let up = BodyVector::from_components(pose.up);
+        let velocity = Vector3::new(y[7], y[8], climb);
+        let potential = self.weight() * height;
+        State {
+            attitude: pose.attitude(),
+            omega,
+            position: SpaceVector::new(y[9], y[10], height),
+            velocity: SpaceVector::from_components(velocity),
+            support: mode.support(),
+            slip: SpaceVector::from_components(pose.turn * slip),
+            reaction: reaction.max(0.0),
+            energy: body.kinetic_energy(&pose.omega, &velocity) + potential,
+            dissipated: y[11],
+            jellett: body.jellett(up, omega),
+            vertical_angular_momentum: body.inertia().angular_momentum(omega).dot(&up),
+        }
+    }
+}
+
+impl Flow<NUMBERS> for OnTheTable {
+    type Phase = Mode;
+
+    fn start(&self) -> Result<(Mode, Numbers)> {
+        let mut y = self.start;
+        let mode = if self.free {
+            Mode::Airborne(self.takeoff(0.0, &y))
+        } else {
+            self.settled(0.0, &mut y)?
+        };
+        Ok((mode, y))
+    }
+
+    fn scales(&self) -> Numbers {
+        let (size, v, w) = (self.size, self.velocity_scale(), self.turning);
+        let energy = self.body().mass() * v * v;
+        [1.0, 1.0, 1.0, 1.0, w, w, w, v, v, size, size, energy]
+    }
+
+    fn kept(&self) -> Kept {
+        Kept::UnitQuaternion(0)
+    }
+
+    fn pace(&self) -> f64 {
+        self.turning
+    }
+
+    fn rate(&self, mode: Mode, _: f64, y: &Numbers) -> Numbers {
+        let table = &self.table;
+        let y = &match mode {
+            Mode::Rolling => self.body().rolled(y),
+            _ => *y,
+        };
+        let pose = Pose::of(y);
+        let contact = match mode {
+            Mode::Airborne(_) => Contact::none(&table.body, &pose.omega),
+            _ => self.contact(&mode, &pose),
+        };
+        table.rates(y, &pose, &contact)
+    }
+
+    fn may_end(&self, _: Mode) -> bool {
+        !self.free
+    }
+
+    /// The reaction over the weight; how far the slip is from rest, or from being no longer near it; how far rolling is from the rim of the cone.
+    fn margin(&self, mode: Mode, _: f64, y: &Numbers) -> f64 {
+        let pose = Pose::of(y);
+        let contact = match mode {
+            Mode::Rolling => self.table.rolls(&pose),
+            _ => self.table.slides(&pose),
+        };
+        let pressed = contact.reaction / self.weight();
+        let Some(law) = self.coulomb() else {
+            return pressed;
+        };
+        let near = NEAR * self.stopping_speed(law);
+        let slip = contact.slip.norm();
+        match mode {
+            Mode::Rolling => pressed.min(pressed * (law.grip() - contact.traction.norm())),
+            Mode::Stopping => pressed
+                .min((slip / self.still()).ln())
+                .min(2.0 - slip / near),
+            Mode::Leaving => {
+                let left = self.left(law);
+                let contact = self.contact(&mode, &pose);
+                let forward = contact.slip.dot(&contact.traction) <= 0.0;
+                let along = if forward { slip } else { -slip };
+                pressed.min(1.0 - along / left).min(along / left + ROUNDING)
+            }
+            _ => pressed.min(slip / near - 1.0),
+        }
+    }
+
+    fn next(&self, mode: Mode, _: Ended, t: f64, y: &mut Numbers) -> Result<Mode> {
+        if let Mode::Airborne(takeoff) = mode {
+            let (_, climb) = takeoff.at(t, self.table.gravity);
+            *y = self.table.landed(y, climb)?;
+            return self.settled(t, y);
+        }
+        let pose = Pose::of(y);
+        let pressed = self.contact(&mode, &pose).reaction > LIFTED * self.weight();
+        let (Some(law), true) = (self.coulomb(), pressed) else {
+            return self.released(t, y);
+        };
+        let slip = self.slip(y);
+        Ok(match mode {
+            Mode::Rolling => {
+                *y = self.body().rolled(y);
+                Mode::Leaving
+            }
+            Mode::Leaving if slip < 0.5 * self.left(law) => self.stopped(law, y),
+            Mode::Stopping if slip <= 2.0 * self.still() => self.stopped(law, y),
+            Mode::Stopping if slip < 0.5 * self.left(law) => Mode::Leaving,
+            Mode::Stopping if slip > NEAR * self.stopping_speed(law) => Mode::Sliding,
+            _ => Mode::Stopping,
+        })
+    }
+
+    fn known(
+        &self,
+        mode: Mode,
+        (now, y): (f64, &Numbers),
+        times: &[f64],
+        until: f64,
+    ) -> Option<Result<Passage<Numbers>>> {
+        match (mode, self.coulomb()) {
+            (Mode::Airborne(takeoff), _) if !(self.free && self.stepped) => {
+                Some(self.flown(takeoff, y, times, until))
+            }
+            (Mode::Stopping, Some(law)) => Some(self.slowed(law, (now, y), times, until)),
+            _ => None,
+        }
+    }
+
+    fn distance(&self, (_, a): &(Mode, Numbers), (_, b): &(Mode, Numbers)) -> f64 {
+        let angle = Pose::of(a).attitude().angle_to(&Pose::of(b).attitude());
+        let scales = self.scales();
+        let relative = |n: usize| (a[n] - b[n]).abs() / scales[n];
+        (4..9).map(relative).fold(angle, engine::greater)
+    }
+}
+
+impl OnTheTable {
+    fn flown(
+        &self,
+        takeoff: TakeOff,
+        y: &Numbers,
+        times: &[f64],
+        until: f64,
+    ) -> Result<Passage<Numbers>> {
+        let flight = Flight::from(self.body(), self.table.gravity, y, takeoff)?;
+        let landing = if self.free {
+            None
+        } else {
+            flight.landing(until)?
+        };
+        let time = landing.unwrap_or(until);
+        let times = times.iter().take_while(|&&t| t <= time);
+        Ok(Passage {
+            states: times.map(|&t| flight.at(t)).collect::<Result<_>>()?,
+            time,
+            end: flight.at(time)?,
+            stopped: landing.map_or(Stop::AtTheEnd, |_| Stop::AtTheEvent),
+            cost: Cost::default(),
+        })
+    }
+}
+
+impl OnTheTable {
+    /// Near rest, where friction turns with the slip, faster and faster. Counted is not the time but ∫μg dt/|slip|: the slip then goes to nothing
+    /// like an exponential function, and its direction turns at a finite rate.
+    fn slowed(
+        &self,
+        law: Coulomb,
+        (now, y): (f64, &Numbers),
+        times: &[f64],
+        until: f64,
+    ) -> Result<Passage<Numbers>> {
+        let scale = law.grip() * self.table.gravity;
+        let parted = |z: &[f64; NUMBERS + 1]| (core::array::from_fn(|n| z[n]), z[NUMBERS]);
+        let rate = |_: f64, z: &[f64; NUMBERS + 1]| {
+            let y: Numbers = parted(z).0;
+            let pose = Pose::of(&y);
+            let contact = self.table.slides(&pose);
+            let pace = contact.slip.norm() / scale;
+            let rates = self.table.rates(&y, &pose, &contact);
+            core::array::from_fn(|n| pace * rates.get(n).unwrap_or(&1.0))
+        };
+        let [mut scales, mut z] = [[1.0 / self.turning; NUMBERS + 1], [0.0; NUMBERS + 1]];
+        scales[..NUMBERS].copy_from_slice(&self.scales());
+        z[..NUMBERS].copy_from_slice(y);
+        let mut passage = Passage {
+            states: Vec::new(),
+            time: now,
+            end: *y,
+            stopped: Stop::AtTheEnd,
+            cost: Cost::default(),
+        };
+        for &time in times.iter().chain([&until]) {
+            let left = |z: &[f64; NUMBERS + 1]| self.turning * (time - now - z[NUMBERS]);
+            let lasts = |z: &[f64; NUMBERS + 1]| self.margin(Mode::Stopping, now, &parted(z).0);
+            let whole = left(&z);
+            if whole > 0.0 && lasts(&z) > 0.0 {
+                let leg = Leg {
+                    system: &rate as &dyn System<{ NUMBERS + 1 }>,
+                    kept: self.kept(),
+                    start: (0.0, &z),
+                    scales: &scales,
+                    times: &[],
+                    end: SETTLED,
+                };
+                let event = |_: f64, z: &[f64; NUMBERS + 1]| left(z).min(lasts(z));
+                let part = leg.follow(Some(&event), Effort::Tolerance(self.tolerance))?;
+                passage.cost += part.cost;
+                z = part.end;
+            }
+            passage.end = parted(&z).0;
+            // Located to rounding.
+            if left(&z) > 1e-9 * whole {
+                passage.time = now + z[NUMBERS];
+                passage.stopped = Stop::AtTheEvent;
+                return Ok(passage);
+            }
+            passage.time = time;
+            if passage.states.len() < times.len() {
+                passage.states.push(passage.end);
+            }
+        }
+        Ok(passage)
+    }
+}
+
+impl Scene for TableTop {
+    type State = State;
+
+    fn plan(&self, request: &Request) -> Result<Plan> {
+        let closed = match (self.gravity, self.friction) {
+            (None, _) => Ok(Closed {
+                solver: Solver::Exact,
+                reason: "no gravity, so no contact: closed form",
+            }),
+            (_, Some(Friction::NoSlip)) => Err("pure rolling: take-off is an event"),
+            (_, Some(Friction::Coulomb(_))) => {
+                Err("Coulomb friction: slip, roll and take-off are events")
+            }
+            (_, Some(_)) => Err("sliding friction: take-off is an event"),
+            (_, None) => Err("a table without friction: take-off is an event"),
+        };
+        if closed.is_err() {
+            request.forward()?;
+        }
+        planned(
+            request,
+            closed,
+            "the solver of a body on a table is `exact`, without gravity, or one that steps",
+        )
+    }
+
+    fn simulate(&self, request: &Request) -> Result<Motion<State>> {
+        let plan = self.plan(request)?;
+        let Answer { trace, error } = self.answer(request, &plan)?;
+        let flow = self.on_the_table(plan.solver, request.accuracy())?;
+        let (mode, y) = flow.start()?;
+        let start = flow.state(0.0, &mode, &y);
+        let rows = request.times().iter().zip(&trace.samples);
+        let states: Vec<State> = rows.map(|(&t, (mode, y))| flow.state(t, mode, y)).collect();
+        let ledger = self.ledger(request, &start, &states)?;
+        Motion::of(request, plan, trace.cost, error, ledger, states)
+    }
+}

@@ -198,7 +198,9 @@ fn prices() -> spinning_bodies::Result<()> {
         ("and tip friction", gravity.with(TipFriction::new(1e-6)?)?),
     ];
     let request = Request::at([1.0])?.to_accuracy(1e-9)?;
-    let request = request.by(Choice::Use(Solver::General(Method::Dop853)));
+    let request = request
+        .with_methods(&lab::general::DifferentialEquations)
+        .by(Choice::Use(Solver::General(Method::Dop853)));
     println!("\none second of a top at 30 turns a second, DOP853 to 1e-9");
     println!(
         "{:>22} {:>12} {:>8} {:>14}",

@@ -3,7 +3,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`accuracy`] | every method on every kind of top: error against cost |
-//! | [`general`] | methods for any equations, asked for the motion of a body |
+//! | [`general`] | methods for any equations, and the same asked for the motion of a body; with `accuracy` behind the feature `general`, a default |
 //! | [`hard_cases`] | textbook formulas beside the library's, where digits go |
 //! | [`stopwatch`] | the least time of repeated calls |
 //!
@@ -23,7 +23,9 @@
 //! | `lagrange_top` | one state of Lagrange's top | Runge–Kutta, DOP853, rapier3d (`peers`) |
 //! | `scenes` | a scene with an effect | the same without |
 
+#[cfg(feature = "general")]
 pub mod accuracy;
+#[cfg(feature = "general")]
 pub mod general;
 pub mod hard_cases;
 pub mod stopwatch;

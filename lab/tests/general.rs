@@ -1,6 +1,6 @@
 //! The adapter to the general integrators: samples in any order, events, orders of convergence, refusals.
 
-use lab::general::{refined, solve, until};
+use lab::general::{solve, until};
 use spinning_bodies::Error;
 use spinning_bodies::integrators::{Effort, Method, Stop};
 
@@ -133,26 +133,6 @@ fn what_cannot_be_followed_is_refused() {
         Effort::Tolerance(0.1),
     );
     assert!(matches!(run, Err(Error::Integration { .. })));
-}
-
-#[test]
-fn a_refined_run_keeps_its_promise() {
-    let distance = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-    for digits in 3..=12 {
-        let accuracy = 10f64.powi(-digits);
-        let times = [25.0 * 4.0 * QUARTER];
-        let run = refined(
-            &pendulum,
-            &START,
-            &[1.0; 2],
-            &times,
-            Method::Dop853,
-            accuracy,
-            distance,
-        );
-        let error = distance(&run.unwrap().states[0], &START);
-        assert!(error < accuracy, "{digits}: {error:e}");
-    }
 }
 
 #[test]

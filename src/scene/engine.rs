@@ -679,12 +679,7 @@ const DOUBTS: f64 = 1e4;
 /// What steps for a solver.
 fn stepper(solver: Solver, request: &Request) -> Result<Stepper<'static>> {
     match solver {
-        Solver::General(method) => match request.methods() {
-            Some(methods) => Ok(Stepper::General(methods, method)),
-            None => Err(Error::Solver {
-                condition: "this solver is not the library's own, which has exact, events, dormand-prince-8 and, for tops, the geometric ones; a request may bring general methods with it",
-            }),
-        },
+        Solver::General(method) => Ok(Stepper::General(request.methods()?, method)),
         Solver::Geometric(Geometric::DormandPrince8) => Ok(Stepper::OrderEight),
         Solver::Events | Solver::Exact => Ok(Stepper::Events),
         Solver::Geometric(_) => Err(only_for_tops()),
@@ -714,7 +709,10 @@ pub(crate) fn planned(
         (Choice::Auto, Ok(closed)) => plan(closed.solver, closed.reason),
         (Choice::Auto, Err(reason)) => plan(OURS, reason),
         (Choice::Use(solver), Ok(closed)) if solver == closed.solver => plan(solver, closed.reason),
-        (Choice::Use(solver @ Solver::General(_)), _) => plan(solver, "asked for"),
+        (Choice::Use(solver @ Solver::General(_)), _) => {
+            request.methods()?;
+            plan(solver, "asked for")
+        }
         (Choice::Use(solver), _) if solver == OURS => plan(solver, "asked for"),
         (Choice::Use(_), _) => Err(Error::Solver { condition: has }),
     }
@@ -859,6 +857,19 @@ mod tests {
             assert!(error <= answer.error, "{error:e}");
         }
         assert_eq!(answer.trace.phases, [(0.0, true), (2.0, false)]);
+    }
+
+    #[test]
+    fn general_methods_come_with_the_request() {
+        let general = Solver::General(crate::integrators::Method::Dop853);
+        let request = Request::at([1.0]).unwrap().by(Choice::Use(general));
+        let refused = planned(&request, Err("no closed form"), "");
+        let told = refused.unwrap_err().to_string();
+        assert!(
+            told.contains("dop853") && told.contains("dormand-prince-8"),
+            "{told}"
+        );
+        assert!(to_accuracy(&request, general, |_| Ok(Ball)).is_err());
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::budget::Progress;
 use super::plan::{Choice, Plan};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
-use crate::integrators::{Cost, DifferentialEquations, GeneralMethods};
+use crate::integrators::{Cost, GeneralMethods};
 
 /// What is asked of a scene: when, how well, and by which solver.
 #[derive(Debug, Clone)]
@@ -38,7 +38,7 @@ impl Request {
             choice: Choice::Auto,
             most: Self::MOST_EVALUATIONS,
             progress: None,
-            methods: Some(&DifferentialEquations),
+            methods: None,
         })
     }
 
@@ -80,14 +80,18 @@ impl Request {
         self
     }
 
-    /// The same with general methods at hand, for those who ask for one of them by its name.
+    /// The same with general methods at hand, for those who ask for one of them by its name: the library has none.
     pub fn with_methods(mut self, methods: &'static dyn GeneralMethods) -> Self {
         self.methods = Some(methods);
         self
     }
 
-    pub(super) const fn methods(&self) -> Option<&'static dyn GeneralMethods> {
-        self.methods
+    /// # Errors
+    /// [`Error::Solver`] if the request brings none.
+    pub(super) fn methods(&self) -> Result<&'static dyn GeneralMethods> {
+        self.methods.ok_or(Error::Solver {
+            condition: "the solver must be of the library, that is exact, events, dormand-prince-8 or, for tops, a geometric one: rk4, dopri5, dop853, verner98 and gauss come with a request that brings them",
+        })
     }
 
     pub(super) const fn most(&self) -> u64 {

@@ -125,6 +125,7 @@ fn the_free_body_in_closed_form_and_by_integration() {
     let exact = skew().simulate(&request).unwrap();
     assert_eq!(exact.plan.solver, Solver::Exact);
     let by = Choice::Use(Solver::General(Method::Dop853));
+    let request = request.with_methods(&lab::general::DifferentialEquations);
     let general = skew().simulate(&request.by(by)).unwrap();
     for (a, b) in exact.rows.iter().zip(&general.rows) {
         assert!(angle(&a.1, &b.1) < 1e-9 && (a.1.position - b.1.position).norm() < 1e-9);
@@ -385,6 +386,7 @@ fn other_methods_agree() {
             .unwrap()
             .to_accuracy(1e-8)
             .unwrap()
+            .with_methods(&lab::general::DifferentialEquations)
             .by(by);
         let other = scene.simulate(&request).unwrap();
         assert_eq!(other.plan.solver, Solver::General(method));

@@ -18,7 +18,8 @@ const GENERAL: Choice = Choice::Use(Solver::General(Method::Dop853));
 
 fn request(until: f64, accuracy: f64) -> Request {
     let times: Vec<f64> = (0..=50).map(|k| until * f64::from(k) / 50.0).collect();
-    Request::at(times).unwrap().to_accuracy(accuracy).unwrap()
+    let request = Request::at(times).unwrap().to_accuracy(accuracy).unwrap();
+    request.with_methods(&lab::general::DifferentialEquations)
 }
 
 /// Largest difference of any column at any time.

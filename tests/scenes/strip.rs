@@ -36,6 +36,7 @@ fn plate() -> Plate {
 /// A second, in which a tumbling start amplifies what it is given a hundredfold.
 fn request() -> Request {
     let request = Request::at([0.1, 0.2, 0.3, 0.5, 0.8, 1.0]).unwrap();
+    let request = request.with_methods(&lab::general::DifferentialEquations);
     request.to_accuracy(1e-9).unwrap()
 }
 

@@ -42,6 +42,7 @@ fn apart(a: &Motion<State>, b: &Motion<State>) -> f64 {
 
 fn by(method: Method, accuracy: f64) -> Request {
     let request = Request::at(times()).unwrap().to_accuracy(accuracy).unwrap();
+    let request = request.with_methods(&lab::general::DifferentialEquations);
     request.by(Choice::Use(Solver::General(method)))
 }
 

@@ -118,6 +118,7 @@ fn the_closed_forms_and_the_general_integration_agree() {
         .unwrap()
         .to_accuracy(1e-11)
         .unwrap();
+    let request = request.with_methods(&lab::general::DifferentialEquations);
     let mut worst = 0.0_f64;
     for toy in [toy(), thick()] {
         for throw in [0.0, 0.5] {

@@ -100,6 +100,7 @@ fn turned(cat: Cat, forward: f64, back: f64, duration: f64) -> (f64, BodyVector)
         .with(turnover)
         .unwrap();
     let request = Request::at([duration]).unwrap().to_accuracy(1e-11).unwrap();
+    let request = request.with_methods(&lab::general::DifferentialEquations);
     let general = request.clone().by(spinning_bodies::scene::Choice::Use(
         spinning_bodies::scene::Solver::General(Method::Dop853),
     ));

@@ -35,6 +35,7 @@ fn s1_1_the_skater_and_the_work_of_the_arms() {
     let method = spinning_bodies::scene::Choice::Use(spinning_bodies::scene::Solver::General(
         Method::Dop853,
     ));
+    let request = request.with_methods(&lab::general::DifferentialEquations);
     let followed = scene.simulate(&request.by(method)).unwrap();
     for ((_, a), (_, b)) in exact.rows.iter().zip(&followed.rows) {
         // Observed: 2e-14.

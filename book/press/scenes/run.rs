@@ -1,5 +1,6 @@
 //! The section `[run]`: when, how well, and by which solver.
 
+use lab::general::DifferentialEquations;
 use spinning_bodies::scene::{Choice, Request, Solver};
 
 use super::reader::Section;
@@ -22,7 +23,8 @@ pub fn read(section: &Section<'_>) -> Result<Request> {
     }
     let mut solvers = vec![("auto", Choice::Auto)];
     solvers.extend(Solver::all().map(|solver| (solver.name(), Choice::Use(solver))));
-    Ok(request.by(section.word("solver", &solvers)?))
+    let request = request.by(section.word("solver", &solvers)?);
+    Ok(request.with_methods(&DifferentialEquations))
 }
 
 fn times(section: &Section<'_>) -> Result<Vec<f64>> {

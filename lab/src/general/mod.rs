@@ -1,19 +1,28 @@
-//! The adapter to the crate `differential-equations`: systems of N numbers, samples at given times, events.
+//! Methods for any equations, those of the crate `differential-equations`: systems of N numbers, samples at given times, events.
+//!
+//! The library itself has order 8 and the methods for bodies; these judge it, and come to a scene with its request as
+//! [`DifferentialEquations`].
 //!
 //! * this file: what is asked and what is answered;
 //! * `run`: the crate's loop with one of its methods, and the short steps to samples and events;
 //! * `track`: what a run leaves behind, in times from 0 to 1;
-//! * `falling`: where between two steps a quantity falls through zero.
+//! * `falling`: where between two steps a quantity falls through zero;
+//! * `scaled`: the same equations with every number near 1;
+//! * `body`: the motion of a body by such a method.
 
+mod body;
 mod falling;
 mod run;
+mod scaled;
 mod track;
 
-use super::problem::{
+use spinning_bodies::integrators::{
     AnyLeg, Cost, Effort, Event, GeneralMethods, Method, Passage, Solution, System,
 };
-use crate::error::{Error, Result, finite};
-use run::Run;
+use spinning_bodies::{Error, Result};
+
+pub use body::{GeneralMethod, order};
+use run::{Run, finite};
 
 /// States at all of `times` (s, in any order, before and after `start_time` alike).
 ///
@@ -22,8 +31,8 @@ use run::Run;
 /// four digits; it costs the evaluations of one step.
 ///
 /// # Errors
-/// [`NotFinite`](crate::Error::NotFinite) for times and start; [`NotPositive`](crate::Error::NotPositive) for the effort;
-/// [`Integration`](crate::Error::Integration) where the method gives up.
+/// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort;
+/// [`Error::Integration`] where the method gives up.
 pub fn solve<const N: usize>(
     system: &dyn System<N>,
     start_time: f64,

@@ -6,11 +6,12 @@ use differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
 use differential_equations::ode::{OrdinaryNumericalMethod, solve_ode};
 use differential_equations::solution::Solution as Finished;
 
+use spinning_bodies::integrators::{Cost, Effort, Event, Method, Passage, Stop, System};
+use spinning_bodies::{Error, Result};
+
 use super::falling::{Falling, falling};
+use super::scaled::Scaled;
 use super::track::{Clock, Timed, Track, carried};
-use crate::error::{Error, Result, finite, positive};
-use crate::integrators::scaled::Scaled;
-use crate::integrators::{Cost, Effort, Event, Method, Passage, Stop, System};
 
 /// Most steps of one run; more than a minute of computing.
 const MOST_STEPS: usize = 20_000_000;
@@ -231,5 +232,21 @@ fn refused<const N: usize>(refusal: &Refusal<f64, [f64; N]>, clock: Clock) -> Er
     Error::Integration {
         reason,
         time: clock.time(phase),
+    }
+}
+
+pub(super) const fn finite(quantity: &'static str, value: f64) -> Result<f64> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity, value })
+    }
+}
+
+fn positive(quantity: &'static str, value: f64) -> Result<f64> {
+    if finite(quantity, value)? > 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { quantity, value })
     }
 }

@@ -1,8 +1,7 @@
 //! The same equations with every component near 1.
 
-use super::problem::{Event, Passage, System};
-use crate::double_double::power_of_two_below;
-use crate::error::Result;
+use spinning_bodies::Result;
+use spinning_bodies::integrators::{Event, Passage, System};
 
 /// A system and its event with components in units of their scales, rounded to powers of two so that nothing else is rounded.
 pub(super) struct Scaled<'a, const N: usize> {
@@ -60,4 +59,10 @@ impl<const N: usize> Event<N> for Scaled<'_, N> {
     fn value(&self, t: f64, y: &[f64; N]) -> f64 {
         self.event.value(t, &self.out_of_units(y))
     }
+}
+
+/// The power of two next below a size.
+fn power_of_two_below(size: f64) -> f64 {
+    const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
+    f64::from_bits(size.to_bits() & EXPONENT_BITS).max(f64::MIN_POSITIVE)
 }

@@ -1,8 +1,9 @@
 //! Where between two steps a quantity falls through zero.
 
+use spinning_bodies::Result;
+use spinning_bodies::integrators::Event;
+
 use super::track::{Clock, Timed, carried};
-use crate::error::Result;
-use crate::integrators::Event;
 
 /// A quantity that may fall through zero, asked in phase.
 pub(super) struct Falling<'a, const N: usize> {

@@ -1,4 +1,4 @@
-//! Methods for any equations, asked for the motion of a body: those of the crate `differential-equations`.
+//! Methods for any equations, asked for the motion of a body.
 
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{AxisMoments, quaternion_rate};
@@ -6,7 +6,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::integrators::geometric::{Course, Follow, Phase, Torque};
 use spinning_bodies::integrators::{Effort, Method, System};
 
-pub use spinning_bodies::integrators::{DifferentialEquations, refined, solve, until};
+use super::solve;
 
 /// A body under a torque by a method that knows nothing of bodies: seven numbers like any others.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,9 +6,10 @@ use differential_equations::prelude::ControlFlag;
 use differential_equations::solout::Solout;
 use differential_equations::solution::Solution as Finished;
 
+use spinning_bodies::Result;
+use spinning_bodies::integrators::System;
+
 use super::falling::Falling;
-use crate::error::Result;
-use crate::integrators::System;
 
 /// The crate compares times with 2e-15 absolute, so every run is made to last from 0 to 1.
 #[derive(Clone, Copy)]

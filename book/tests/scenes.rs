@@ -505,7 +505,7 @@ const INSTEAD: [(&str, &str, &str); 7] = [
 ];
 
 /// A scene with all effects in which one number of a key is set to this, for each place if the key has a list.
-fn with_number(priced: &prices::Priced, asked: &reader::Asked, number: &str) -> Vec<String> {
+fn with_number(priced: &prices::Priced, asked: &reader::Key, number: &str) -> Vec<String> {
     let mut table: toml::Table = priced.file(|_| true).parse().unwrap();
     table["run"] = toml::Value::Table("until = 0.1\naccuracy = 1e-6".parse().unwrap());
     // A table of its own within [effects], such as the draw of a skater's arms.

@@ -350,23 +350,23 @@ pub(crate) fn furthest(times: &[f64]) -> f64 {
 const APART: f64 = 100.0;
 /// Of the distance of two runs, the error of the better one is taken for this share times [`APART`] over the ratio of their tolerances.
 /// Errors in proportion to the tolerance would make it a hundredth.
-const SHARE: f64 = 0.12;
+const SHARE: f64 = 0.2;
 /// Two runs further apart than this have nothing to say of each other: then the distance itself is told.
 const TOGETHER: f64 = 0.05;
 /// The error of a run of a few steps, in units of its tolerance.
 const OF_A_STEP: f64 = 8.0;
 /// The looser run of the first pair has this times the accuracy a radian: of a steady motion it is then off by the accuracy, of a fast top by four
 /// times that.
-const FIRST: f64 = 4.0;
+const FIRST: f64 = 2.5;
 /// Below this the error estimate of a step is rounding; above that it means nothing.
 const LEAST_TOLERANCE: f64 = 4e-16;
 const GREATEST_TOLERANCE: f64 = 1e-2;
 /// Two runs are compared at so many times at least: at a single one they may agree by chance.
-const CHECKS: usize = 4;
+const CHECKS: usize = 8;
 /// Shorter runs (radians) are compared where they are asked for: nothing has come back to where it was.
 const SHORT: f64 = 3.0;
 /// What the runs differ by at a time that was not asked for counts so much.
-const CHECKED: f64 = 0.25;
+const CHECKED: f64 = 0.5;
 /// A run of at most so many steps is compared with one of twice as many: two tolerances might give both the same.
 const FEW_STEPS: u64 = 3;
 /// What rounding does to a motion that amplifies nothing, for every radian.

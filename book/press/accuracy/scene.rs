@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use lab::accuracy::{ClosedForm, Problem, Sample, Setting};
+use lab::accuracy::{ClosedForm, Model, Problem, Sample};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::integrators::Effort;
 use spinning_bodies::integrators::geometric::{
@@ -53,7 +53,7 @@ pub fn problem(file: &Path) -> Result<Problem> {
     let stem = file
         .file_stem()
         .map_or(name.clone(), |s| s.to_string_lossy().into_owned());
-    let top = Setting::Top { moments, lever };
+    let top = Model::Top { moments, lever };
     Problem::new(stem, top, start, turns.round(), samples).map_err(told)
 }
 

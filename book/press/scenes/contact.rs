@@ -25,7 +25,7 @@ use spinning_bodies::scene::superball::Superball;
 use spinning_bodies::superball::Motion;
 use spinning_bodies::superball::flight::InFlight;
 
-use super::Ready;
+use super::AnyScene;
 use super::reader::Section;
 use super::shape::with;
 use crate::Result;
@@ -98,7 +98,7 @@ fn sheet(section: &Section<'_>) -> Result<Option<Sheet>> {
     Ok(Some(sheet))
 }
 
-pub fn roller(file: &Section<'_>) -> Result<Ready> {
+pub fn roller(file: &Section<'_>) -> Result<AnyScene> {
     let section = file.section("body")?;
     let body = round(&section)?;
     section.done()?;
@@ -130,10 +130,10 @@ pub fn roller(file: &Section<'_>) -> Result<Ready> {
     section.done()?;
     let scene = with(scene, &effects, listed, Roller::with)?;
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
-pub fn spool(file: &Section<'_>) -> Result<Ready> {
+pub fn spool(file: &Section<'_>) -> Result<AnyScene> {
     let section = file.section("body")?;
     let body = round(&section)?;
     let axle = section.positive("axle", "a radius in m")?;
@@ -170,10 +170,10 @@ pub fn spool(file: &Section<'_>) -> Result<Ready> {
     let velocity = section.number_or("velocity", SPEED, 0.0)?;
     let scene = scene.moving(velocity, section.number_or("rim_speed", SPEED, 0.0)?);
     section.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
-pub fn superball(file: &Section<'_>) -> Result<Ready> {
+pub fn superball(file: &Section<'_>) -> Result<AnyScene> {
     let section = file.section("initial")?;
     let start = InFlight {
         position: 0.0,
@@ -227,10 +227,10 @@ pub fn superball(file: &Section<'_>) -> Result<Ready> {
     ];
     let scene = with(ball, &effects, listed, Superball::with)?;
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
-pub fn meteorite(file: &Section<'_>) -> Result<Ready> {
+pub fn meteorite(file: &Section<'_>) -> Result<AnyScene> {
     let section = file.section("initial")?;
     let zero = BodyVector::zero;
     let velocity = section
@@ -264,5 +264,5 @@ pub fn meteorite(file: &Section<'_>) -> Result<Ready> {
         }
     };
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }

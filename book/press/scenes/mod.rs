@@ -9,7 +9,7 @@
 //! | [`scan`] | one file, some of its numbers varied, on all cores |
 //! | one a kind | the scene that the file describes: `top` (no `kind` given), … |
 //!
-//! A new kind brings a module with a function `read(&Section) -> Result<Ready>` and a line in `KINDS`.
+//! A new kind brings a module with a function `read(&Section) -> Result<AnyScene>` and a line in `KINDS`.
 
 mod contact;
 pub mod output;
@@ -32,10 +32,10 @@ use spinning_bodies::integrators::Cost;
 use spinning_bodies::scene::{Plan, Progress, Request, Scene, Tabulated};
 
 use crate::{Error, Result};
-use reader::{Asked, Section};
+use reader::{Key, Section};
 
 /// Reads a scene of one kind: all sections but `[run]`.
-type Reader = fn(&Section<'_>) -> Result<Ready>;
+type Reader = fn(&Section<'_>) -> Result<AnyScene>;
 
 /// The kinds of scene, the first being the one without `kind`.
 const KINDS: &[(&str, Reader)] = &[
@@ -63,7 +63,7 @@ pub fn kinds() -> Vec<&'static str> {
 type Simulation = dyn Fn(&Request) -> spinning_bodies::Result<Table>;
 
 /// A scene that is ready to run.
-pub struct Ready(Box<Simulation>);
+pub struct AnyScene(Box<Simulation>);
 
 /// A motion as numbers.
 pub struct Table {
@@ -89,9 +89,9 @@ impl std::fmt::Debug for Table {
     }
 }
 
-impl std::fmt::Debug for Ready {
+impl std::fmt::Debug for AnyScene {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("Ready")
+        f.write_str("AnyScene")
     }
 }
 
@@ -149,7 +149,7 @@ impl Table {
     }
 }
 
-impl Ready {
+impl AnyScene {
     /// This scene of the library.
     pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
         Self(Box::new(move |request| {
@@ -208,7 +208,7 @@ pub fn file(root: &Path, name: &Path) -> Option<PathBuf> {
 ///
 /// # Errors
 /// [`Error::Input`].
-pub fn parse(name: &str, text: &str) -> Result<(Ready, Request)> {
+pub fn parse(name: &str, text: &str) -> Result<(AnyScene, Request)> {
     let (scene, request, _) = prepare(name, &table(name, text)?)?;
     Ok((scene, request))
 }
@@ -220,7 +220,7 @@ pub(crate) fn table(name: &str, text: &str) -> Result<toml::Table> {
     })
 }
 
-fn prepare(name: &str, table: &toml::Table) -> Result<(Ready, Request, Vec<Asked>)> {
+fn prepare(name: &str, table: &toml::Table) -> Result<(AnyScene, Request, Vec<Key>)> {
     let file = Section::whole(name, table);
     file.optional_text("title", "a title in quotes")?;
     let read = file.word("kind", KINDS)?;

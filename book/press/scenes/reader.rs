@@ -19,12 +19,12 @@ pub struct Section<'a> {
     /// The keys that someone has asked for: those that the section may have.
     known: RefCell<Vec<&'static str>>,
     /// The same with what was expected, of the whole file.
-    asked: Rc<RefCell<Vec<Asked>>>,
+    asked: Rc<RefCell<Vec<Key>>>,
 }
 
 /// A key that a reader has asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Asked {
+pub struct Key {
     /// The table it stands in; nothing for the file itself.
     pub section: &'static str,
     /// The key.
@@ -46,7 +46,7 @@ impl<'a> Section<'a> {
     }
 
     /// The keys that have been asked for so far, in the whole file, in this order.
-    pub fn asked(&self) -> Vec<Asked> {
+    pub fn asked(&self) -> Vec<Key> {
         self.asked.borrow().clone()
     }
 
@@ -311,7 +311,7 @@ impl<'a> Section<'a> {
     fn note(&self, key: &'static str, what: &str) {
         let mut asked = self.asked.borrow_mut();
         if !asked.iter().any(|a| a.section == self.name && a.key == key) {
-            asked.push(Asked {
+            asked.push(Key {
                 section: self.name,
                 key,
                 what: what.to_owned(),

@@ -19,7 +19,7 @@ use spinning_bodies::scene::effects::{
 };
 use spinning_bodies::scene::shape::{Cat, Crawler, PaperCat, Skater, Swivel};
 
-use super::Ready;
+use super::AnyScene;
 use super::reader::Section;
 use crate::Result;
 
@@ -74,7 +74,7 @@ fn bend(table: &Section<'_>, key: &'static str) -> Result<f64> {
 }
 
 /// `kind = "swivel"`.
-pub fn swivel(file: &Section<'_>) -> Result<Ready> {
+pub fn swivel(file: &Section<'_>) -> Result<AnyScene> {
     let body = file.section("body")?;
     let lower = body.positive("lower", "a moment in kg m²")?;
     let upper = body.positive("upper", "a moment in kg m²")?;
@@ -104,11 +104,11 @@ pub fn swivel(file: &Section<'_>) -> Result<Ready> {
     let listed = [change.map(Effect::from), friction];
     let scene = with(scene, &effects, listed, Swivel::with)?;
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
 /// `kind = "skater"`.
-pub fn skater(file: &Section<'_>) -> Result<Ready> {
+pub fn skater(file: &Section<'_>) -> Result<AnyScene> {
     let body = file.section("body")?;
     let core = body.positive("core", "a moment in kg m²")?;
     let hand = body.number("hand", "a mass in kg")?;
@@ -141,11 +141,11 @@ pub fn skater(file: &Section<'_>) -> Result<Ready> {
     let listed = [change.map(Effect::from), friction];
     let scene = with(scene, &effects, listed, Skater::with)?;
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
 /// `kind = "cat"`.
-pub fn cat(file: &Section<'_>) -> Result<Ready> {
+pub fn cat(file: &Section<'_>) -> Result<AnyScene> {
     let body = file.section("body")?;
     let pair = |key, what: &str| body.positives::<2>(key, what);
     let mass = pair("mass", "two masses in kg")?;
@@ -181,11 +181,11 @@ pub fn cat(file: &Section<'_>) -> Result<Ready> {
     let listed = [change.map(Effect::from), weight];
     let scene = with(scene, &effects, listed, Cat::with)?;
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
 /// `kind = "paper-cat"`; what `[body]` does not say is as for a cat cut from a postcard.
-pub fn paper_cat(file: &Section<'_>) -> Result<Ready> {
+pub fn paper_cat(file: &Section<'_>) -> Result<AnyScene> {
     let usual = phenomena::PaperCat::POSTCARD;
     let body = file.section("body")?;
     let positive = |key, what, usual| {
@@ -211,11 +211,11 @@ pub fn paper_cat(file: &Section<'_>) -> Result<Ready> {
     let listed = [made(&effects, "air", air, Air::new)?, weight];
     let scene = with(scene, &effects, listed, PaperCat::with)?;
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
 /// `kind = "crawler"`.
-pub fn crawler(file: &Section<'_>) -> Result<Ready> {
+pub fn crawler(file: &Section<'_>) -> Result<AnyScene> {
     let body = file.section("body")?;
     let [rear, front] = body.positives("masses", "two masses in kg")?;
     let strokes = Strokes {
@@ -242,5 +242,5 @@ pub fn crawler(file: &Section<'_>) -> Result<Ready> {
         scene
     };
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }

@@ -7,14 +7,14 @@ use spinning_bodies::falling_strip::Plate;
 use spinning_bodies::scene::effects::{AddedMass, Drag, Effect, Gravity, Lift, RotationalDamping};
 use spinning_bodies::scene::strip::{Strip, StripStart};
 
-use super::Ready;
+use super::AnyScene;
 use super::reader::Section;
 use super::shape::{made, with};
 use crate::Result;
 
 const DAMPING: &str = "a rate in 1/s and mu_2";
 
-pub fn read(file: &Section<'_>) -> Result<Ready> {
+pub fn read(file: &Section<'_>) -> Result<AnyScene> {
     let effects = file.section("effects")?;
     let listed = listed(&effects)?;
     let section = file.section("body")?;
@@ -32,7 +32,7 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     let scene = Strip::new(plate, start).map_err(file.about("initial"))?;
     let scene = with(scene, &effects, listed, Strip::with)?;
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
 fn listed(section: &Section<'_>) -> Result<[Option<Effect>; 5]> {

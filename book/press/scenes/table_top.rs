@@ -15,11 +15,11 @@ use spinning_bodies::scene::effects::{
 };
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
 
-use super::Ready;
+use super::AnyScene;
 use super::reader::Section;
 use crate::Result;
 
-pub fn read(file: &Section<'_>) -> Result<Ready> {
+pub fn read(file: &Section<'_>) -> Result<AnyScene> {
     let section = file.section("body")?;
     let body = body(&section)?;
     section.done()?;
@@ -40,7 +40,7 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     for effect in listed.into_iter().flatten() {
         scene = scene.with(effect).map_err(file.about("effects"))?;
     }
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
 fn body(section: &Section<'_>) -> Result<ConvexBody> {

@@ -8,11 +8,11 @@ use spinning_bodies::scene::top::{
     AirDrag, BearingFriction, Body, Gravity, PivotFriction, Start, TipFriction, Top,
 };
 
-use super::Ready;
+use super::AnyScene;
 use super::reader::Section;
 use crate::Result;
 
-pub fn read(file: &Section<'_>) -> Result<Ready> {
+pub fn read(file: &Section<'_>) -> Result<AnyScene> {
     let effects = file.section("effects")?;
     let listed = listed(&effects)?;
     let section = file.section("body")?;
@@ -33,7 +33,7 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
         top = with.map_err(file.about("tip_friction, moments, center_of_mass"))?;
     }
     effects.done()?;
-    Ok(Ready::scene(Box::new(top)))
+    Ok(AnyScene::scene(Box::new(top)))
 }
 
 /// The effects that are there.

@@ -10,12 +10,12 @@ use spinning_bodies::scene::effects::{
 use spinning_bodies::scene::yo_yo::Play;
 use spinning_bodies::yo_yo::YoYo;
 
-use super::Ready;
+use super::AnyScene;
 use super::reader::Section;
 use super::shape::{made, with};
 use crate::Result;
 
-pub fn read(file: &Section<'_>) -> Result<Ready> {
+pub fn read(file: &Section<'_>) -> Result<AnyScene> {
     let effects = file.section("effects")?;
     let listed = listed(&effects)?;
     let section = file.section("body")?;
@@ -27,7 +27,7 @@ pub fn read(file: &Section<'_>) -> Result<Ready> {
     section.done()?;
     let scene = with(scene, &effects, listed, Play::with)?;
     effects.done()?;
-    Ok(Ready::scene(Box::new(scene)))
+    Ok(AnyScene::scene(Box::new(scene)))
 }
 
 fn listed(section: &Section<'_>) -> Result<[Option<Effect>; 6]> {

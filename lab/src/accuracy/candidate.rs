@@ -9,7 +9,7 @@ use spinning_bodies::integrators::geometric::{
 use spinning_bodies::integrators::{Effort, Method};
 
 use super::ClosedForm;
-use super::problem::{Problem, Setting};
+use super::problem::{Model, Problem};
 use super::table_top::Sliding;
 use crate::general::GeneralMethod;
 
@@ -56,7 +56,7 @@ pub fn candidates(problem: &Problem) -> Result<Vec<Candidate>> {
         candidates: Vec::new(),
     };
     match *problem.setting() {
-        Setting::Top { moments, lever } => {
+        Model::Top { moments, lever } => {
             if let Ok(exact) = ClosedForm::new(moments, lever) {
                 found.add("exact", exact, vec![Effort::Tolerance(0.0)]);
             }
@@ -66,7 +66,7 @@ pub fn candidates(problem: &Problem) -> Result<Vec<Candidate>> {
                 found.heavy(moments, lever)?;
             }
         }
-        Setting::Table(ball) => {
+        Model::Table(ball) => {
             for method in Method::ALL {
                 let general = Some(method);
                 found.general(method, Sliding { ball, general });

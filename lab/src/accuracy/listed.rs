@@ -3,7 +3,7 @@
 use spinning_bodies::integrators::geometric::Phase;
 use spinning_bodies::{Error, Result};
 
-use super::problem::{Problem, Setting};
+use super::problem::{Model, Problem};
 use super::sample::Sample;
 use super::table_top::SlidingBall;
 use crate::table;
@@ -37,7 +37,7 @@ pub const NAMES: [&str; 8] = [
 /// One problem over all its lengths. L, moments and lever are exact doubles, the quaternions exactly of length 1.
 struct Family {
     description: &'static str,
-    setting: Setting,
+    setting: Model,
     l: [f64; 3],
     q: [f64; 4],
 }
@@ -46,8 +46,8 @@ const LEVEL: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 /// Turns axis 3 into the space axis 1: level.
 const ROUND: [f64; 4] = [0.5, 0.5, 0.5, 0.5];
 
-const fn top(moments: [f64; 3], lever: [f64; 3]) -> Setting {
-    Setting::Top { moments, lever }
+const fn top(moments: [f64; 3], lever: [f64; 3]) -> Model {
+    Model::Top { moments, lever }
 }
 
 /// In the order of the names.
@@ -97,7 +97,7 @@ const FAMILIES: [Family; 8] = [
     },
     Family {
         description: "a tippe top, sliding until it stands on its head",
-        setting: Setting::Table(SlidingBall::TIPPE_TOP),
+        setting: Model::Table(SlidingBall::TIPPE_TOP),
         l: [3e-6 * 8.0, 0.0, 3.2e-6 * 155.0],
         q: LEVEL,
     },

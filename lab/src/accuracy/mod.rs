@@ -34,6 +34,6 @@ pub use closed_form::ClosedForm;
 pub use listed::{NAMES, named, problems};
 pub use measure::{Measurement, Status, along_the_run, measure, sweep, timed};
 pub use order::measured_order;
-pub use problem::{Problem, Setting};
+pub use problem::{Model, Problem};
 pub use sample::{Apart, Sample};
 pub use table_top::SlidingBall;

@@ -8,7 +8,7 @@ use super::table_top::SlidingBall;
 
 /// What moves.
 #[derive(Debug, Clone, Copy)]
-pub enum Setting {
+pub enum Model {
     /// A body with a fixed point, under its weight or none.
     Top {
         /// Moments along the body's axes, kg m².
@@ -25,7 +25,7 @@ pub enum Setting {
 pub struct Problem {
     name: String,
     description: &'static str,
-    setting: Setting,
+    setting: Model,
     start: Phase,
     turns: f64,
     truth: Vec<Sample>,
@@ -39,7 +39,7 @@ impl Problem {
     /// [`Error::Empty`] without samples; [`Error::OutOfRange`] for sample times that do not ascend from 0; [`Error::NotFinite`].
     pub fn new(
         name: impl Into<String>,
-        setting: Setting,
+        setting: Model,
         start: Phase,
         turns: f64,
         truth: Vec<Sample>,
@@ -90,15 +90,15 @@ impl Problem {
     }
 
     /// What moves.
-    pub const fn setting(&self) -> &Setting {
+    pub const fn setting(&self) -> &Model {
         &self.setting
     }
 
     /// Moments along the body's axes, kg m².
     pub const fn moments(&self) -> [f64; 3] {
         match &self.setting {
-            Setting::Top { moments, .. } => *moments,
-            Setting::Table(ball) => ball.moments(),
+            Model::Top { moments, .. } => *moments,
+            Model::Table(ball) => ball.moments(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Problems that are none.
 
-use lab::accuracy::{Problem, Sample, Setting, candidates};
+use lab::accuracy::{Model, Problem, Sample, candidates};
 use spinning_bodies::Error;
 use spinning_bodies::integrators::geometric::Phase;
 
@@ -18,8 +18,8 @@ fn with(times: &[f64], turns: f64) -> Result<Problem, Error> {
     Problem::new("mine", top([1.0, 2.0, 2.5], [0.0; 3]), START, turns, truth)
 }
 
-fn top(moments: [f64; 3], lever: [f64; 3]) -> Setting {
-    Setting::Top { moments, lever }
+fn top(moments: [f64; 3], lever: [f64; 3]) -> Model {
+    Model::Top { moments, lever }
 }
 
 #[test]

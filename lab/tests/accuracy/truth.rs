@@ -1,6 +1,6 @@
 //! The committed table: against itself, against what each motion keeps, and against the closed forms.
 
-use lab::accuracy::{NAMES, Problem, Sample, Setting, along_the_run, candidates, named, problems};
+use lab::accuracy::{Model, NAMES, Problem, Sample, along_the_run, candidates, named, problems};
 use spinning_bodies::integrators::geometric::{Real, TwoWords};
 
 use crate::double_double::Dd;
@@ -136,7 +136,7 @@ fn kept(moments: [f64; 3], lever: [f64; 3], sample: &Sample) -> Vec<Dd> {
 fn every_sample_keeps_what_the_motion_keeps() {
     let mut worst = 0.0_f64;
     for problem in problems().unwrap() {
-        let Setting::Top { moments, lever } = *problem.setting() else {
+        let Model::Top { moments, lever } = *problem.setting() else {
             continue;
         };
         let l = problem.start().l;

@@ -5,6 +5,7 @@ use spinning_bodies::Error;
 use spinning_bodies::falling_strip::{
     Coefficients, Fall, LongRun, MEASURED_FROUDE, Regime, Sheet, Start, transition,
 };
+use support::observed;
 
 fn long_run(ratio: f64, coefficients: Coefficients) -> LongRun {
     let fall = Fall::new(ratio, coefficients).unwrap();
@@ -227,7 +228,7 @@ fn chaos_has_averages() {
         .collect();
     for run in &runs {
         assert_eq!((run.regime, run.period), (Regime::Mixed, None));
-        assert!((run.descent - 0.57).abs() < 0.03, "{}", run.descent);
+        observed!((run.descent - 0.57).abs(), 6e-3..=0.03, "{}", run.descent);
         assert!(run.drift.abs() < 0.15, "{}", run.drift);
     }
 }

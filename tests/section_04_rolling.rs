@@ -9,6 +9,7 @@ use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment}
 use spinning_bodies::rolling::{Regime, RoundBody, factor, slide_to_roll};
 use spinning_bodies::scene::roller::Roller;
 use spinning_bodies::scene::{Choice, Request, Scene, Solver};
+use support::{observed, relative};
 
 const MASS: f64 = 0.17;
 const RADIUS: f64 = 0.028_575;
@@ -97,25 +98,18 @@ fn s4_3_impulse_of_a_finite_pulse() {
         }
         // 5/2 (H−R)/R V' with V' = 2 m/s, up to the friction impulse, which is μMg times the duration.
         let shot = ball().strike(height, 2.0).unwrap();
-        assert_relative_eq!(
-            shot.rim_speed(),
-            2.5 * 0.2 * 2.0,
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
+        observed!(relative(shot.rim_speed(), 2.5 * 0.2 * 2.0), 0.0..=1e-15);
         let bound = FRICTION * GRAVITY * duration;
-        assert_relative_eq!(
-            state.friction_impulse.abs() / MASS,
-            bound,
-            max_relative = 1e-12,
-            epsilon = 0.0
+        observed!(
+            relative(state.friction_impulse.abs() / MASS, bound),
+            1e-15..=1e-12
         );
         errors.push((RADIUS * state.omega - shot.rim_speed()).abs());
         assert!((state.velocity - shot.velocity()).abs() <= bound * (1.0 + 1e-9));
     }
     // Ten times shorter, ten times nearer to the tutorial's impulse equations.
     for pair in errors.windows(2) {
-        assert_relative_eq!(pair[0] / pair[1], 10.0, max_relative = 1e-8, epsilon = 0.0);
+        observed!(relative(pair[0] / pair[1], 10.0), 7e-13..=1e-8);
     }
 }
 
@@ -124,11 +118,9 @@ fn s4_3_impulse_of_a_finite_pulse() {
 fn s4_3_speed_of_the_contact_point() {
     for (height, slip) in HEIGHTS.into_iter().zip([2.25, 1.0, 0.5, 0.0, -1.0]) {
         // Observed: at most one unit in the last place.
-        assert_relative_eq!(
-            ball().cue_slip(height).unwrap(),
-            slip,
-            max_relative = 4.5e-16,
-            epsilon = 0.0
+        observed!(
+            relative(ball().cue_slip(height).unwrap(), slip),
+            0.0..=4.5e-16
         );
         let printed = (7.0 - 5.0 * height) / 2.0;
         assert_relative_eq!(printed, slip, max_relative = 0.0, epsilon = 4.5e-16);
@@ -192,17 +184,12 @@ fn s4_3_general_inertia() {
     for (kappa, expected) in cases {
         let body = RoundBody::new(MASS, RADIUS, kappa).unwrap();
         let height = body.pure_rolling_height();
-        assert_relative_eq!(height, expected, max_relative = 2.3e-16, epsilon = 0.0);
+        observed!(relative(height, expected), 0.0..=2.3e-16);
         assert_eq!(body.cue_slip(height), Ok(0.0));
         // By forces: a short pulse at that height and no friction leaves the contact point at rest.
         let (impulse, arm) = (MASS * 2.0, (height - 1.0) * RADIUS);
         let rim_speed = RADIUS * impulse * arm / (kappa * MASS * RADIUS * RADIUS);
-        assert_relative_eq!(
-            rim_speed,
-            impulse / MASS,
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
+        observed!(relative(rim_speed, impulse / MASS), 0.0..=1e-15);
     }
     // The hoop has to be struck at its very top, and nothing with κ ≤ 1 higher.
     let hoop = RoundBody::new(1.0, 1.0, factor::HOOP).unwrap();
@@ -213,17 +200,13 @@ fn s4_3_general_inertia() {
 // claim: C4.3-5
 #[test]
 fn s4_3_eventual_rolling_speed() {
-    assert_relative_eq!(
-        ball().eventual_speed(1.0).unwrap(),
-        5.0 / 7.0,
-        max_relative = 2.3e-16,
-        epsilon = 0.0
+    observed!(
+        relative(ball().eventual_speed(1.0).unwrap(), 5.0 / 7.0),
+        0.0..=2.3e-16
     );
-    assert_relative_eq!(
-        ball().eventual_speed(1.2).unwrap(),
-        6.0 / 7.0,
-        max_relative = 2.3e-16,
-        epsilon = 0.0
+    observed!(
+        relative(ball().eventual_speed(1.2).unwrap(), 6.0 / 7.0),
+        0.0..=2.3e-16
     );
     for kappa in [factor::BALL, factor::SHELL, factor::HOOP] {
         let body = RoundBody::new(MASS, RADIUS, kappa).unwrap();
@@ -242,7 +225,7 @@ fn s4_3_eventual_rolling_speed() {
                 max_relative = 1e-11,
                 epsilon = 1e-12
             );
-            assert_relative_eq!(slide.speed, expected, max_relative = 1e-15, epsilon = 0.0);
+            observed!(relative(slide.speed, expected), 0.0..=1e-15);
             assert_relative_eq!(slide.time, time, max_relative = 1e-11, epsilon = 1e-12);
             assert_relative_eq!(slide.distance, end.x, max_relative = 1e-11, epsilon = 1e-12);
             assert_relative_eq!(slide.heat, end.heat, max_relative = 1e-11, epsilon = 1e-12);
@@ -275,22 +258,15 @@ fn s4_3_where_and_when_rolling_sets_in() {
     // 2|V − RΩ|/(7μg) for the ball; the final speed keeps V + κRΩ, and the heat is the energy that is missing.
     let (v, w) = (2.0, -5.5);
     let slide = slide_to_roll(v, w, FRICTION, GRAVITY).unwrap();
-    assert_relative_eq!(
-        slide.time,
-        2.0 * 7.5 / (7.0 * FRICTION * GRAVITY),
-        max_relative = 4.5e-16,
-        epsilon = 0.0
+    observed!(
+        relative(slide.time, 2.0 * 7.5 / (7.0 * FRICTION * GRAVITY)),
+        0.0..=4.5e-16
     );
-    assert_relative_eq!(
-        1.4 * slide.speed,
-        v + 0.4 * w,
-        max_relative = 4e-15,
-        epsilon = 0.0
-    );
+    observed!(relative(1.4 * slide.speed, v + 0.4 * w), 0.0..=4e-15);
     assert!(slide.speed < 0.0, "enough backspin turns the ball round");
     let energy = |v: f64, w: f64| 0.5 * (v * v + 0.4 * w * w);
     let lost = energy(v, w) - energy(slide.speed, slide.speed);
-    assert_relative_eq!(slide.heat, lost, max_relative = 4.5e-16, epsilon = 0.0);
+    observed!(relative(slide.heat, lost), 0.0..=4.5e-16);
 }
 
 // claim: C4.3-3
@@ -299,7 +275,7 @@ fn s4_3_near_pure_rolling_nothing_cancels() {
     let height = ball().pure_rolling_height() - 2f64.powi(-40);
     let shot = ball().strike(height, 1.0 / 3.0).unwrap();
     let exact = 2f64.powi(-40) / factor::BALL / 3.0;
-    assert_relative_eq!(shot.slip(), exact, max_relative = 2.3e-16, epsilon = 0.0);
+    observed!(relative(shot.slip(), exact), 0.0..=2.3e-16);
     // The difference of the two speeds has lost a dozen digits; it is what `slide` must not use.
     let naive = shot.velocity() - shot.rim_speed();
     assert!(
@@ -308,11 +284,9 @@ fn s4_3_near_pure_rolling_nothing_cancels() {
         naive / exact - 1.0
     );
     let time = shot.slide(FRICTION, GRAVITY).unwrap().time;
-    assert_relative_eq!(
-        time,
-        2.0 / 7.0 * exact / (FRICTION * GRAVITY),
-        max_relative = 1e-15,
-        epsilon = 0.0
+    observed!(
+        relative(time, 2.0 / 7.0 * exact / (FRICTION * GRAVITY)),
+        0.0..=1e-15
     );
 }
 
@@ -329,7 +303,7 @@ fn s4_3_next_to_rolling_the_spin_says_how_near() {
     for (v, radius, omega, time) in known {
         let ball = RoundBody::new(MASS, radius, factor::BALL).unwrap();
         let slide = ball.slide_of_spin(v, omega, FRICTION, GRAVITY).unwrap();
-        assert_relative_eq!(slide.time, time, max_relative = 7e-16, epsilon = 0.0);
+        observed!(relative(slide.time, time), 0.0..=7e-16);
         let rounded = ball
             .slide_to_roll(v, radius * omega, FRICTION, GRAVITY)
             .unwrap();

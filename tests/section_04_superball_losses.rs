@@ -14,6 +14,7 @@ use spinning_bodies::superball::flight::{Flight, InFlight};
 use spinning_bodies::superball::{
     Motion, Restitution, Surface, bounce, bounce_with, gripping_bounce, return_threshold,
 };
+use support::observed;
 
 fn motion(velocity: f64, rim_speed: f64) -> Motion<f64> {
     Motion {
@@ -88,12 +89,15 @@ fn s4_6_tangential_restitution() {
         (0.6, -0.4819),
         (0.4, -0.2640),
     ] {
-        assert!((third(0.4, e) - v).abs() < 5e-5);
+        observed!((third(0.4, e) - v).abs(), 1e-5..=5e-5);
     }
-    assert!((return_threshold(0.4).unwrap() - 0.13809).abs() < 5e-6);
+    observed!(
+        (return_threshold(0.4).unwrap() - 0.13809).abs(),
+        1e-6..=5e-6
+    );
     for kappa in [0.08, 0.2, 0.25, 1.0 / 3.0, 0.4, 0.5, 0.6, 2.0 / 3.0] {
         let e = return_threshold(kappa).unwrap();
-        assert!(third(kappa, e).abs() < 2e-15, "{kappa}: {e}");
+        observed!(third(kappa, e).abs(), 0.0..=2e-15, "{kappa}: {e}");
         assert!(third(kappa, e + 1e-6) < 0.0 && third(kappa, e - 1e-6) > 0.0);
     }
     assert!(matches!(
@@ -216,7 +220,8 @@ fn s4_6_flights_three_ways() {
         }
     }
     println!("followed {:e}, dop853 {:e}", worst[0], worst[1]);
-    assert!(worst[0] < 1e-12 && worst[1] < 1e-12, "{worst:?}");
+    observed!(worst[0], 4e-16..=1e-12, "{worst:?}");
+    observed!(worst[1], 5e-15..=1e-12, "{worst:?}");
 }
 
 #[test]

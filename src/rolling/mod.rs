@@ -20,6 +20,8 @@
 //! ```
 
 pub mod course;
+mod friction;
+pub(crate) mod moment;
 pub mod plane;
 pub mod sheet;
 pub mod shot;

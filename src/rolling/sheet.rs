@@ -3,7 +3,7 @@
 //! All friction acts along lines in the table, so about a point of the table it has no moment: V + κRΩ stays zero whatever the hand does.
 //! A ball that rolls has V = RΩ, and both are zero.
 
-use super::course::Coulomb;
+use super::friction::Coulomb;
 use super::shot::RoundBody;
 use crate::error::{Error, Result, finite, positive};
 

@@ -1,7 +1,8 @@
 //! One stretch of a [`Course`](super::course::Course): which way the contact slips and the body turns, the constant accelerations that follow,
 //! and the roots at which it ends.
 
-use super::course::{Contact, Coulomb, Happening, Load, Moment, RollingResistance};
+use super::friction::{Coulomb, RollingResistance};
+use super::moment::{Contact, Happening, Load, Moment, State};
 use super::sheet::Sheet;
 use crate::error::{Result, finite, positive};
 
@@ -27,9 +28,6 @@ pub(crate) struct Pace {
     /// V', (RΩ)', and that of the slip.
     rates: [f64; 3],
 }
-
-/// The numbers of a [`Moment`], and the distance from the sheet's edge to the point of contact.
-pub(crate) type State = [f64; 8];
 
 /// Everything about the motion that does not change.
 #[derive(Debug, Clone, Copy)]

@@ -4,7 +4,6 @@ use core::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use super::Request;
 use crate::error::{Error, Result};
 
 /// How far a run has come: the run writes, others may look, from another thread as well.
@@ -59,19 +58,16 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// Nothing done yet of what is asked.
-    pub fn asked(request: &Request) -> Self {
-        let progress = request.progress().cloned();
-        if let Some(Progress(numbers)) = &progress {
-            let further = |a: f64, &b: &f64| if b.abs() > a.abs() { b } else { a };
-            let until = request.times().iter().fold(0.0, further);
+    /// Nothing done yet of a run up to this time, which may do so much.
+    pub fn new(most: u64, until: f64, progress: Option<&Progress>) -> Self {
+        if let Some(Progress(numbers)) = progress {
             numbers.until.store(until.to_bits(), Ordering::Relaxed);
-            numbers.most.store(request.most(), Ordering::Relaxed);
+            numbers.most.store(most, Ordering::Relaxed);
         }
         Self {
             spent: Cell::new(0),
-            most: request.most(),
-            progress,
+            most,
+            progress: progress.cloned(),
         }
     }
 

@@ -5,7 +5,7 @@
 //! after the start ([`Run::at`]), repeats the run with a smaller tolerance until two runs vouch for the better one ([`to_accuracy`]), and, where none
 //! will do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
 
-use super::motion::ascending;
+use super::motion::{ascending, furthest};
 use super::{Budget, Choice, Geometric, Plan, Request, Solver, only_for_tops};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{
@@ -340,12 +340,6 @@ fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
     core::array::from_fn(|n| slice[n])
 }
 
-/// The time furthest from the start.
-pub(crate) fn furthest(times: &[f64]) -> f64 {
-    let further = |a: f64, &b: &f64| if b.abs() > a.abs() { b } else { a };
-    times.iter().fold(0.0, further)
-}
-
 /// Tolerances of two runs that are compared: of order 8 the looser run costs half as much as the tighter.
 const APART: f64 = 100.0;
 /// Of the distance of two runs, the error of the better one is taken for this share times [`APART`] over the ratio of their tolerances.
@@ -375,7 +369,7 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 /// The motion at the times of the request, with an error below its accuracy.
 ///
 /// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart. Their distance is the error of the looser one;
-/// the better one, which is returned, is told to be off by an eighth of that. Where that is more than the accuracy, a further run or two take their
+/// the better one, which is returned, is told to be off by a fifth of that. Where that is more than the accuracy, a further run or two take their
 /// place. A flow may depend on the tolerance of its run, which `flow` makes for it.
 ///
 /// Runs that begin with the same rounded numbers agree on what becomes of the rounding. A flow that states the [`doubt`](Flow::doubt) about its
@@ -389,7 +383,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     solver: Solver,
     flow: impl Fn(f64) -> Result<F>,
 ) -> Result<Answer<F::Phase, N>> {
-    let (stepper, budget) = (stepper(solver, request)?, &Budget::asked(request));
+    let (stepper, budget) = (stepper(solver, request)?, &request.budget());
     let (accuracy, count) = (request.accuracy(), request.times().len());
     let (angle, sure) = {
         let flow = flow(accuracy)?;
@@ -475,7 +469,7 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
     evaluations: u64,
     known: impl Fn(f64) -> Result<[f64; N]>,
 ) -> Result<Answer<F::Phase, N>> {
-    let (times, budget) = (request.times(), &Budget::asked(request));
+    let (times, budget) = (request.times(), &request.budget());
     let trace = match plan.solver {
         Solver::Exact => {
             let phase = flow.start()?.0;

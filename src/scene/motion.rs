@@ -1,6 +1,6 @@
 //! What a scene gives back: states at the times asked for, what they have cost, and the ledger.
 
-use super::budget::Progress;
+use super::budget::{Budget, Progress};
 use super::plan::{Choice, Plan};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
@@ -94,12 +94,9 @@ impl Request {
         })
     }
 
-    pub(super) const fn most(&self) -> u64 {
-        self.most
-    }
-
-    pub(super) const fn progress(&self) -> Option<&Progress> {
-        self.progress.as_ref()
+    /// What a run of it may cost, and who watches.
+    pub(crate) fn budget(&self) -> Budget {
+        Budget::new(self.most, furthest(&self.times), self.progress.as_ref())
     }
 
     /// The times, s.
@@ -201,6 +198,12 @@ pub(crate) fn ledger(request: &Request, accounts: &[Account<'_>]) -> Result<Ledg
         }
     }
     Ok(ledger)
+}
+
+/// The time furthest from the start.
+pub(crate) fn furthest(times: &[f64]) -> f64 {
+    let further = |a: f64, &b: &f64| if b.abs() > a.abs() { b } else { a };
+    times.iter().fold(0.0, further)
 }
 
 /// The places of the times in ascending order.

@@ -23,16 +23,17 @@
 //! ```
 
 use super::effects::Effect;
-use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, furthest, greater};
+use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
-use super::motion::{Account, ledger};
+use super::motion::{Account, furthest, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, positive};
 use crate::integrators::Cost;
 use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
+use crate::rolling::moment::State;
 use crate::rolling::sheet::Sheet;
-use crate::rolling::stretch::{Laws, State, Stretch};
+use crate::rolling::stretch::{Laws, Stretch};
 use crate::rolling::{RoundBody, Shot};
 
 /// A round body on a level table.

@@ -19,7 +19,7 @@
 //! ```
 
 use super::effects::Effect;
-use super::engine::furthest;
+use super::motion::furthest;
 use super::roller::{OnTable, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};

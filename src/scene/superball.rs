@@ -10,9 +10,9 @@
 //! that steps.
 
 use super::effects::Effect;
-use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, furthest, greater};
+use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
-use super::motion::{Account, ledger};
+use super::motion::{Account, furthest, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, not_negative, positive};

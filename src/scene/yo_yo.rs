@@ -12,10 +12,8 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::effects::Effect;
-use super::engine::{
-    Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, furthest, greater, planned, solved,
-};
-use super::motion::{Account, ledger};
+use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, greater, planned, solved};
+use super::motion::{Account, furthest, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative, positive};

@@ -1,8 +1,8 @@
 //! The cat of paper, which the air turns.
 
 use std::f64::consts::PI;
+use support::{observed, relative};
 
-use approx::assert_relative_eq;
 use spinning_bodies::phenomena::PaperCat;
 use spinning_bodies::scene::effects::{Air, Gravity};
 use spinning_bodies::scene::{Request, Scene, shape};
@@ -13,7 +13,7 @@ fn s1_1_the_paper_cat_needs_air() {
     let cat = PaperCat::POSTCARD;
     let g = Gravity::new(9.81).unwrap();
     let air = Air::new(1.2).unwrap();
-    assert!((cat.terminal_speed(1.2, 9.81) - 2.022).abs() < 5e-4);
+    observed!((cat.terminal_speed(1.2, 9.81) - 2.022).abs(), 8e-5..=5e-4);
     // The torque of the air points to upright from every tilt, and is zero at the two ends.
     for k in 1..180 {
         let tilt = f64::from(k).to_radians();
@@ -32,8 +32,9 @@ fn s1_1_the_paper_cat_needs_air() {
         let scene = shape::PaperCat::new(cat, tilt).unwrap().with(g).unwrap();
         let airy = scene.with(air).unwrap();
         let righted = airy.rights_itself(10.0).unwrap().unwrap();
-        assert!(
-            (righted.fall - fall).abs() < 1e-6,
+        observed!(
+            (righted.fall - fall).abs(),
+            1e-7..=1e-6,
             "{degrees}: {}",
             righted.fall
         );
@@ -41,11 +42,9 @@ fn s1_1_the_paper_cat_needs_air() {
         assert_eq!(scene.rights_itself(10.0).unwrap(), None);
         let motion = scene.simulate(&Request::at([0.5]).unwrap()).unwrap();
         assert_eq!(motion.rows[0].1.tilt, tilt);
-        assert_relative_eq!(
-            motion.rows[0].1.fall,
-            0.5 * 9.81 * 0.25,
-            max_relative = 1e-15,
-            epsilon = 0.0
+        observed!(
+            relative(motion.rows[0].1.fall, 0.5 * 9.81 * 0.25),
+            0.0..=1e-15
         );
     }
     // Upright is the only rest that lasts: it gets there and stays.
@@ -56,21 +55,16 @@ fn s1_1_the_paper_cat_needs_air() {
         .with(g)
         .unwrap();
     let motion = scene.simulate(&Request::at([30.0]).unwrap()).unwrap();
-    assert!(motion.rows[0].1.tilt.abs() < 1e-8, "{:?}", motion.rows[0].1);
+    observed!(
+        motion.rows[0].1.tilt.abs(),
+        0.0..=1e-8,
+        "{:?}",
+        motion.rows[0].1
+    );
     // Speed and fall have a closed form, the tilt has no say in them.
     let [velocity, fall] = cat.fall(1.2, 9.81, 30.0);
-    assert_relative_eq!(
-        motion.rows[0].1.velocity,
-        velocity,
-        max_relative = 1e-10,
-        epsilon = 0.0
-    );
-    assert_relative_eq!(
-        motion.rows[0].1.fall,
-        fall,
-        max_relative = 1e-10,
-        epsilon = 0.0
-    );
+    observed!(relative(motion.rows[0].1.velocity, velocity), 0.0..=1e-10);
+    observed!(relative(motion.rows[0].1.fall, fall), 0.0..=1e-10);
 }
 
 // claim: C1.1-9
@@ -91,6 +85,6 @@ fn s1_1_upside_down_is_an_equilibrium_and_costs_a_logarithm() {
         let grown = fall(10f64.powi(-exponent - 1)) - fall(10f64.powi(-exponent));
         // The errors are small enough to be linear and the speed is terminal: the closed rate. Observed: 2e-5, 2e-7, 2e-9 and less, the
         // last by the rounding of π − error.
-        assert_relative_eq!(grown, decade, max_relative = 1e-3, epsilon = 0.0);
+        observed!(relative(grown, decade), 5e-6..=1e-3);
     }
 }

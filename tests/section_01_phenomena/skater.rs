@@ -1,8 +1,8 @@
 //! The skater, and a top of three different moments.
 
 use std::f64::consts::TAU;
+use support::{observed, relative};
 
-use approx::assert_relative_eq;
 use spinning_bodies::conservation::{Law, Ledger};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::InertiaMatrix;
@@ -29,8 +29,8 @@ fn s1_1_the_skater_and_the_work_of_the_arms() {
         .unwrap();
     let exact = scene.simulate(&request).unwrap();
     let end = exact.rows[2].1;
-    assert_relative_eq!(end.spin, 25.0 / 3.0, max_relative = 3e-16, epsilon = 0.0);
-    assert_relative_eq!(end.work, 10.5, max_relative = 5e-16, epsilon = 0.0);
+    observed!(relative(end.spin, 25.0 / 3.0), 0.0..=3e-16);
+    observed!(relative(end.work, 10.5), 0.0..=5e-16);
     // Coriolis' force and the pull against the centrifugal force, integrated.
     let method = spinning_bodies::scene::Choice::Use(spinning_bodies::scene::Solver::General(
         Method::Dop853,
@@ -39,39 +39,30 @@ fn s1_1_the_skater_and_the_work_of_the_arms() {
     let followed = scene.simulate(&request.by(method)).unwrap();
     for ((_, a), (_, b)) in exact.rows.iter().zip(&followed.rows) {
         // Observed: 2e-14.
-        assert_relative_eq!(a.spin, b.spin, max_relative = 1e-12, epsilon = 0.0);
-        assert_relative_eq!(a.work, b.work, max_relative = 1e-12, epsilon = 0.0);
-        assert_relative_eq!(b.work, b.energy - 27.0, max_relative = 1e-12, epsilon = 0.0);
+        observed!(relative(a.spin, b.spin), 0.0..=1e-12);
+        observed!(relative(a.work, b.work), 3e-15..=1e-12);
+        observed!(relative(b.work, b.energy - 27.0), 9e-15..=1e-12);
     }
     // The arms alone: ∫ 2mΩ²r dr.
     let l = 9.0;
     let pull = |r: f64| -2.0 * 0.25 * body.spin(l, r).powi(2) * r;
     let work = quadrature::integral(pull, 1.0, 0.4, 0.0).unwrap();
-    assert_relative_eq!(work, 10.5, max_relative = 1e-14, epsilon = 0.0);
+    observed!(relative(work, 10.5), 0.0..=1e-14);
 
     // A grown skater: 3.5 to 1 kg m², from two turns a second.
     let body = Skater::new(0.8, 2.5).unwrap();
     let [out, close] = [3.5, 1.0].map(|moment| body.reach(moment).unwrap());
     let l = 3.5 * 2.0 * TAU;
-    assert_relative_eq!(
-        body.spin(l, close) / TAU,
-        7.0,
-        max_relative = 5e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(body.spin(l, close) / TAU, 7.0), 0.0..=5e-16);
     let before = body.energy(body.spin(l, out), out, 0.0);
     let after = body.energy(body.spin(l, close), close, 0.0);
-    assert!(
-        (before - 276.3).abs() < 0.05 && (after - 967.2).abs() < 0.05,
-        "{before} {after}"
+    observed!((before - 276.3).abs(), 1e-2..=0.05, "{before} {after}");
+    observed!((after - 967.2).abs(), 7e-3..=0.05, "{before} {after}");
+    observed!(
+        relative(after - before, body.work(l, out, close).unwrap()),
+        0.0..=1e-15
     );
-    assert_relative_eq!(
-        after - before,
-        body.work(l, out, close).unwrap(),
-        max_relative = 1e-15,
-        epsilon = 0.0
-    );
-    assert_relative_eq!(after / before, 3.5, max_relative = 1e-15, epsilon = 0.0);
+    observed!(relative(after / before, 3.5), 0.0..=1e-15);
 }
 
 // claim: C1.4-1
@@ -118,5 +109,9 @@ fn a_quadrature_ends() {
     );
     // A thousand waves are within it.
     let waves = quadrature::integral(f64::sin, 0.0, 6000.0, 0.0).unwrap();
-    assert!((waves - (1.0 - 6000f64.cos())).abs() < 1e-9, "{waves}");
+    observed!(
+        (waves - (1.0 - 6000f64.cos())).abs(),
+        3e-14..=1e-9,
+        "{waves}"
+    );
 }

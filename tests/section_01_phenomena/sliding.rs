@@ -1,6 +1,7 @@
 //! Sliding: on ice nobody gets anywhere, with a little friction anybody does.
 
 use std::f64::consts::TAU;
+use support::observed;
 
 use approx::assert_relative_eq;
 use spinning_bodies::integrators::{Effort, Kept, order_eight};
@@ -24,7 +25,7 @@ fn s1_1_no_wriggling_moves_the_centre() {
             let now = body.center(state);
             let drift = (now[0] - center[0]).hypot(now[1] - center[1]);
             // Rounding of some thousand steps, not the tolerance of the method. Observed: 9e-15 m.
-            assert!(drift < 3e-14, "seed {seed}: {drift:e}");
+            observed!(drift, 1e-15..=3e-14, "seed {seed}: {drift:e}");
             for part in 0..PARTS {
                 let way = (state[2 * part] - start[2 * part])
                     .hypot(state[2 * part + 1] - start[2 * part + 1]);
@@ -108,7 +109,7 @@ fn s1_1_picture_a_a_closed_cycle_of_shapes_brings_the_feet_back() {
             assert_relative_eq!(x / 80.0, center[0], max_relative = 0.0, epsilon = 2e-10);
         }
         assert!(furthest > 0.2, "the feet moved on the way: {furthest}");
-        assert!((place - home).abs() < 1e-12, "{:e}", place - home);
+        observed!((place - home).abs(), 0.0..=1e-12, "{:e}", place - home);
         assert!(
             turned.abs() > 1e-2,
             "the same loop turns a swivel: {turned}"

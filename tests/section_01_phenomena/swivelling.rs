@@ -1,8 +1,8 @@
 //! Swivelling: a net turn without angular momentum, and the area that it is.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, FRAC_PI_8};
+use support::{observed, relative};
 
-use approx::assert_relative_eq;
 use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_along, turn_within};
 use spinning_bodies::phenomena::{Swivel, Waist};
 use spinning_bodies::scene::effects::{FourPhases, Pace, RoundTrip};
@@ -28,12 +28,12 @@ fn s1_1_the_swivel_turns_further_than_it_turns_back() {
         (body.phases(FRAC_PI_2).unwrap()[1], FRAC_PI_4),
     ];
     for (value, truth) in exact {
-        assert_relative_eq!(value, truth, max_relative = 4e-16, epsilon = 0.0);
+        observed!(relative(value, truth), 0.0..=4e-16);
     }
     let turn = DEFAULT.swivel_angle(FRAC_PI_2).unwrap().to_degrees();
-    assert!((turn + 20.769).abs() < 5e-4, "{turn}");
+    observed!((turn + 20.769).abs(), 7e-5..=5e-4, "{turn}");
     // Exactly −90 · 0.6 · 1.3 / (2.6 · 1.3) = −270/13 degrees.
-    assert_relative_eq!(turn, -270.0 / 13.0, max_relative = 5e-16, epsilon = 0.0);
+    observed!(relative(turn, -270.0 / 13.0), 0.0..=5e-16);
     // A/(A + B) grows with A.
     let plane = Swivel { lower: 0.6 };
     let shares = (1..100).map(|k| plane.turn_back(0.1 * f64::from(k)));
@@ -53,7 +53,7 @@ fn s1_1_the_swivel_turns_further_than_it_turns_back() {
     }
     for lower in [1e9, 1e-9] {
         let waist = Waist { lower, ..DEFAULT };
-        assert!(waist.swivel_angle(1.0).unwrap().abs() < 2e-9);
+        observed!(waist.swivel_angle(1.0).unwrap().abs(), 4e-10..=2e-9);
     }
 }
 
@@ -67,11 +67,12 @@ fn s1_1_the_sense_of_the_swivel() {
         upper_arms_in: DEFAULT.upper_arms_out,
         ..DEFAULT
     };
-    assert_relative_eq!(
-        swapped.swivel_angle(1.0).unwrap(),
-        -DEFAULT.swivel_angle(1.0).unwrap(),
-        max_relative = 3e-16,
-        epsilon = 0.0
+    observed!(
+        relative(
+            swapped.swivel_angle(1.0).unwrap(),
+            -DEFAULT.swivel_angle(1.0).unwrap()
+        ),
+        0.0..=3e-16
     );
     assert_eq!(
         DEFAULT.swivel_angle(-1.0).unwrap(),
@@ -88,20 +89,13 @@ fn s1_1_the_best_lower_moment() {
         lower: 1.0,
     };
     let best = body.best_lower().unwrap();
-    assert_relative_eq!(best, 3.0_f64.sqrt(), max_relative = 3e-16, epsilon = 0.0);
+    observed!(relative(best, 3.0_f64.sqrt()), 0.0..=3e-16);
     let turn = |lower: f64| Waist { lower, ..body }.swivel_angle(FRAC_PI_2).unwrap();
-    assert_relative_eq!(
-        turn(best),
-        -FRAC_PI_2 * (2.0 - 3.0_f64.sqrt()),
-        max_relative = 5e-16,
-        epsilon = 0.0
+    observed!(
+        relative(turn(best), -FRAC_PI_2 * (2.0 - 3.0_f64.sqrt())),
+        0.0..=5e-16
     );
-    assert_relative_eq!(
-        turn(best),
-        -0.420_893_607_238_466_46,
-        max_relative = 3e-16,
-        epsilon = 0.0
-    );
+    observed!(relative(turn(best), -0.420_893_607_238_466_46), 0.0..=3e-16);
     for k in -40..=40 {
         let other = best * 1.1_f64.powi(k);
         assert!(k == 0 || turn(other) > turn(best));
@@ -129,7 +123,7 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
     let aside = turn_within(&plane, ellipse, Hub::Point([1.4, 0.3])).unwrap();
     // Observed: 1.5e-16, 3e-16, 6e-16.
     for value in [along, within, aside] {
-        assert_relative_eq!(value, truth, max_relative = 2e-15, epsilon = 0.0);
+        observed!(relative(value, truth), 0.0..=2e-15);
     }
     // Two other ways of going round it in time.
     let late = |s: f64| {
@@ -140,11 +134,9 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
             ..step
         }
     };
-    assert_relative_eq!(
-        turn_along(&plane, late).unwrap(),
-        truth,
-        max_relative = 2e-15,
-        epsilon = 0.0
+    observed!(
+        relative(turn_along(&plane, late).unwrap(), truth),
+        0.0..=2e-15
     );
     for duration in [0.3, 60.0] {
         for pace in [Pace::Even, Pace::Late] {
@@ -159,7 +151,7 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
             let motion = scene.simulate(&Request::at([duration]).unwrap()).unwrap();
             let turn = motion.rows[0].1.lower;
             // Observed: 3e-15.
-            assert_relative_eq!(turn, truth, max_relative = 1e-14, epsilon = 0.0);
+            observed!(relative(turn, truth), 3e-16..=1e-14);
         }
     }
     // Round the other way: back again. A loop without area: nothing.
@@ -170,17 +162,15 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
             ..step
         }
     };
-    assert_relative_eq!(
-        turn_along(&plane, back).unwrap(),
-        -truth,
-        max_relative = 2e-15,
-        epsilon = 0.0
+    observed!(
+        relative(turn_along(&plane, back).unwrap(), -truth),
+        0.0..=2e-15
     );
     let line = |s: f64| Step {
         shape: [2.0 + s.sin(), s.sin()],
         rate: [s.cos(), s.cos()],
     };
-    assert!(turn_along(&plane, line).unwrap().abs() < 1e-15);
+    observed!(turn_along(&plane, line).unwrap().abs(), 0.0..=1e-15);
 }
 
 // claim: C1.1-12
@@ -209,7 +199,7 @@ fn s1_1_picture_b_the_four_frames() {
     ];
     for ((_, state), [lower, upper]) in motion.rows.iter().zip(expected) {
         // Observed: 4e-16.
-        assert!((state.lower - lower).abs() < 2e-15, "{state:?}");
-        assert!((state.upper - upper).abs() < 2e-15, "{state:?}");
+        observed!((state.lower - lower).abs(), 0.0..=2e-15, "{state:?}");
+        observed!((state.upper - upper).abs(), 0.0..=2e-15, "{state:?}");
     }
 }

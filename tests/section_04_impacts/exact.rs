@@ -1,8 +1,8 @@
 //! The exact solution, its balances, and a capture by springs.
 
-use approx::assert_relative_eq;
 use spinning_bodies::impacts::{Meteorite, Planet, strike};
 use spinning_bodies::inertia::{InertiaMatrix, MassProperties};
+use support::{observed, relative};
 
 use crate::common::{
     M, MOMENT, Q, Q3, SMALL, V, balances, close, defects, example, lopsided, q, v, x,
@@ -57,7 +57,7 @@ fn s4_2_exact_solution() {
 
     // With scalar I the component of Ω along x does not change.
     let along = x().dot(&(hit.omega_after() - hit.planet().omega()));
-    assert!(along.abs() < 1.2e-16, "{along:e}");
+    observed!(along.abs(), 0.0..=1.2e-16, "{along:e}");
 
     // Twenty more with a moving planet, all fractions: the float answer follows the rational one.
     for k in 1..=20_i128 {
@@ -86,15 +86,15 @@ fn s4_2_exact_solution() {
 fn s4_2_both_balances_hold() {
     let (momentum, spin) = defects(&example());
     // m v is 0.23, x∧mv 0.19. Observed 1.5e-17 and 3e-17.
-    assert!(momentum.norm() < 4e-17, "{momentum:?}");
-    assert!(spin.norm() < 8e-17, "{spin:?}");
+    observed!(momentum.norm(), 0.0..=4e-17, "{momentum:?}");
+    observed!(spin.norm(), 0.0..=8e-17, "{spin:?}");
 
     let meteorite = Meteorite::new(0.7, V::new(3.0, 8.0, -20.0)).unwrap();
     let hit = strike(&lopsided(), &meteorite, V::new(0.4, -1.0, 1.2)).unwrap();
     let (momentum, spin) = defects(&hit);
     // m v is 15, x∧mv 15. Observed 2e-15 and 4e-15.
-    assert!(momentum.norm() < 4e-15, "{momentum:?}");
-    assert!(spin.norm() < 8e-15, "{spin:?}");
+    observed!(momentum.norm(), 0.0..=4e-15, "{momentum:?}");
+    observed!(spin.norm(), 0.0..=8e-15, "{spin:?}");
 }
 
 /// A meteorite caught by a spring of `stiffness` N/m and a damper instead of at once: Ω of the planet, and
@@ -145,18 +145,14 @@ fn s4_2_brute_force_capture() {
     // 4e6 N/m, over in 1.5 ms.
     let (omega, l) = capture(4e6);
     // Observed 8.25e-6, the trace of half a millimetre of stretch.
-    assert!(
-        (omega - exact).norm() < 1e-5,
+    observed!(
+        (omega - exact).norm(),
+        2e-6..=1e-5,
         "{:e}",
         (omega - exact).norm()
     );
     let before = MOMENT * V::new(0.0, 0.0, 1.0) + SMALL * x().cross(&v());
     assert!((l - before).norm() < 1e-12 * before.norm());
     // Sticking at once is the limit: a hundred times the stiffness, a tenth of the difference.
-    assert_relative_eq!(
-        error(4e6) / error(4e8),
-        10.0,
-        max_relative = 1e-3,
-        epsilon = 0.0
-    );
+    observed!(relative(error(4e6) / error(4e8), 10.0), 5e-6..=1e-3);
 }

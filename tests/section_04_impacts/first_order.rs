@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use spinning_bodies::impacts::{Meteorite, Planet, strike};
+use support::{observed, relative};
 
 use crate::common::{M, MOMENT, SMALL, V, balances, close, example, lopsided, q, v, x};
 
@@ -33,11 +34,9 @@ fn s4_2_first_order_formula_and_the_frame() {
     assert_eq!(seen.first_order_at_rest().unwrap(), rough);
     assert_eq!(seen.energy_lost(), hit.energy_lost());
     let off = (seen.first_order().unwrap() - rough).norm();
-    assert_relative_eq!(
-        off,
-        SMALL / MOMENT * x().cross(&ship).norm(),
-        max_relative = 4e-16,
-        epsilon = 0.0
+    observed!(
+        relative(off, SMALL / MOMENT * x().cross(&ship).norm()),
+        0.0..=4e-16
     );
     assert!(off > 0.05);
 
@@ -86,20 +85,10 @@ fn s4_2_size_of_the_error() {
         assert_eq!(rough / omega[2] - q(1, 1), q(7, 2) * small);
     }
     for mass in [0.01, 0.5, 7.0] {
-        assert_relative_eq!(
-            tangential_excess(mass),
-            3.5 * mass,
-            max_relative = 1e-13,
-            epsilon = 0.0
-        );
+        observed!(relative(tangential_excess(mass), 3.5 * mass), 3e-16..=1e-13);
     }
     // At m/M = 1e-6 the quotient has 3.5e-6 in front of 2e-16: ten digits.
-    assert_relative_eq!(
-        tangential_excess(1e-6) * 1e6,
-        3.5,
-        max_relative = 1e-10,
-        epsilon = 0.0
-    );
+    observed!(relative(tangential_excess(1e-6) * 1e6, 3.5), 1e-11..=1e-10);
 
     // The parts: recoil gives μ for m, the stuck mass I + μR² for I. On the change of Ω (1+m/M)(I+μR²)/I; a spin Ω⟂
     // that was there is reduced by I/(I+μR²) alone.
@@ -108,10 +97,8 @@ fn s4_2_size_of_the_error() {
     let dead_weight = Meteorite::new(mass, V::zero()).unwrap();
     let hit = strike(&spinning, &dead_weight, V::new(1.0, 0.0, 0.0)).unwrap();
     let mu = mass / 1.01;
-    assert_relative_eq!(
-        1.0 / hit.omega_after().z() - 1.0,
-        mu / MOMENT,
-        max_relative = 1e-14,
-        epsilon = 0.0
+    observed!(
+        relative(1.0 / hit.omega_after().z() - 1.0, mu / MOMENT),
+        0.0..=1e-14
     );
 }

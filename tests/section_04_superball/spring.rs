@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use spinning_bodies::superball::{Motion, Surface, bounce, spring_bounce};
+use support::observed;
 
 use crate::common::BALL;
 
@@ -28,7 +29,7 @@ fn contact_by_integration(
         let k4 = rate(shifted(y, k3, h));
         y = [0, 1, 2, 3, 4].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
     }
-    assert!(y[0].abs() < 1e-9, "the contact has ended");
+    observed!(y[0].abs(), 5e-16..=1e-9, "the contact has ended");
     (
         Motion {
             velocity: y[3],
@@ -49,7 +50,7 @@ fn s4_6_spring_contact() {
         let law = bounce(before, Surface::Floor, kappa);
         let tuned = spring_bounce(before, Surface::Floor, kappa, 1.0).unwrap();
         assert_eq!(tuned.motion, law);
-        assert!(tuned.kept_by_spring < 1e-31);
+        observed!(tuned.kept_by_spring, 0.0..=1e-31);
         for tuning in [1.0, 0.7, 1.3, 0.0] {
             let (integrated, stretch) = contact_by_integration(before, kappa, tuning, 4000);
             let closed = spring_bounce(before, Surface::Floor, kappa, tuning).unwrap();

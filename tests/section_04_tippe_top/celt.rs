@@ -8,6 +8,7 @@ use spinning_bodies::scene::effects::{Gravity, NoSlip, Viscous};
 use spinning_bodies::tippe_top::{
     ConvexBody, Start, Surface, Viscous as Law, bodies, quasi_steady, rolling_growth_rates,
 };
+use support::observed;
 
 use crate::common::{G, degrees, last, most, regularised, run};
 
@@ -25,7 +26,7 @@ fn s4_7_celt_ended_tops() {
         } else {
             -rates[3].growth
         };
-        assert!((extreme / unit - growth).abs() < 1e-4, "{rates:?}");
+        observed!((extreme / unit - growth).abs(), 1e-5..=1e-4, "{rates:?}");
     }
     for (body, spin, time, up, down, rest) in [
         (first, 102.4, 0.20, 144.0, 7.8, 0.3),
@@ -48,7 +49,7 @@ fn s4_7_celt_ended_tops() {
             most(&under, degrees),
             degrees(&last(&under))
         );
-        assert!((at / time - 1.0).abs() < 0.015);
+        observed!((at / time - 1.0).abs(), 4e-3..=0.015);
         assert!(most(&over, degrees) > up);
         assert!((most(&under, degrees) - down).abs() < 0.2);
         assert!(degrees(&last(&under)) < 2.0 * rest);
@@ -81,11 +82,17 @@ fn s4_7_an_ellipsoid_with_skew_inertia_is_chiral() {
     };
     let body = skew(-0.39);
     println!("growth {} {}", growth(&body, 55.0), growth(&body, -55.0));
-    assert!((growth(&body, 55.0) - 4.0672).abs() < 2e-4);
-    assert!((growth(&body, -55.0) + 0.0958).abs() < 2e-4);
+    observed!((growth(&body, 55.0) - 4.0672).abs(), 6e-6..=2e-4);
+    observed!((growth(&body, -55.0) + 0.0958).abs(), 1e-5..=2e-4);
     // The mirror image the other way round; without skew no difference.
-    assert!((growth(&body.mirrored(), -55.0) - growth(&body, 55.0)).abs() < 1e-6);
-    assert!((growth(&skew(0.0), -55.0) - growth(&skew(0.0), 55.0)).abs() < 1e-6);
+    observed!(
+        (growth(&body.mirrored(), -55.0) - growth(&body, 55.0)).abs(),
+        0.0..=1e-6
+    );
+    observed!(
+        (growth(&skew(0.0), -55.0) - growth(&skew(0.0), 55.0)).abs(),
+        0.0..=1e-6
+    );
     let scene = |spin: f64| {
         let start = Start::about_vertical(0.02, 0.0, spin).unwrap();
         TableTop::new(body, start)
@@ -101,7 +108,7 @@ fn s4_7_an_ellipsoid_with_skew_inertia_is_chiral() {
         "z3 < -0.9 at {at:?}; - at most {}",
         most(&under, |s| s.tilt())
     );
-    assert!((at.unwrap() - 1.52).abs() < 0.02);
+    observed!((at.unwrap() - 1.52).abs(), 4e-3..=0.02);
     assert!(most(&under, |s| s.tilt()) < 0.1);
     assert!(-most(&over, |s| -s.reaction) > 0.97 * 981.0);
 }
@@ -115,8 +122,8 @@ fn s4_7_rattleback() {
     {
         let rates = rolling_growth_rates(&stone, G, spin).unwrap();
         println!("{spin}: {rates:?}");
-        assert!((rates[0].growth - growth).abs() < 6e-4);
-        assert!((rates[0].frequency.abs() - frequency).abs() < 0.06);
+        observed!((rates[0].growth - growth).abs(), 1e-4..=6e-4);
+        observed!((rates[0].frequency.abs() - frequency).abs(), 1e-2..=0.06);
         // Half a degree about each of the long axes, as Kane and Levinson.
         let half = 0.25_f64.to_radians().tan();
         let attitude = Attitude::from_quaternion(1.0, half, half, 0.0).unwrap();
@@ -129,12 +136,12 @@ fn s4_7_rattleback() {
         let rows = run(&scene, 1.3 * reversal, 1500, 1e-6);
         let at = passage(&rows, |s| -s.spin() * spin.signum(), 0.0);
         println!("reversal {at:?}, most {}", most(&rows, degrees));
-        assert!((at.unwrap() / reversal - 1.0).abs() < 0.05);
+        observed!((at.unwrap() / reversal - 1.0).abs(), 1e-3..=0.05);
         let drift = rows
             .iter()
             .map(|r| (r.1.energy / rows[0].1.energy - 1.0).abs())
             .fold(0.0, f64::max);
-        assert!(drift < 1e-6, "{drift:e}");
+        observed!(drift, 7e-11..=1e-6, "{drift:e}");
         assert!(most(&rows, degrees) < 30.0);
     }
 }

@@ -1,6 +1,7 @@
 //! The boiled egg, and other bodies that raise their centre.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
+use support::observed;
 
 use spinning_bodies::scene::contact::{TableTop, passage};
 use spinning_bodies::scene::effects::{Gravity, Regularised, Viscous};
@@ -27,7 +28,7 @@ fn s4_7_a_spun_egg_stands_up() {
             assert!(end.position.z() > 2.99, "C has risen from 2 to 3 cm");
             assert!(end.energy < rows[0].1.energy);
         } else {
-            assert!((end.tilt() - FRAC_PI_2).abs() < 0.05);
+            observed!((end.tilt() - FRAC_PI_2).abs(), 5e-8..=0.05);
         }
     }
 }
@@ -78,7 +79,7 @@ fn s4_7_how_far_an_egg_rises() {
         if (mu, turns) == (0.1, 20.0) {
             let upright = passage(&rows, |s| -degrees(s).min(180.0 - degrees(s)), -10.0).unwrap();
             println!("within 10 deg at {upright} s");
-            assert!((upright - 1.63).abs() < 0.1);
+            observed!((upright - 1.63).abs(), 2e-3..=0.1);
         }
     }
 }

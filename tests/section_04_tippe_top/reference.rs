@@ -6,6 +6,7 @@ use spinning_bodies::scene::contact::{State, TableTop};
 use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, Start, bodies};
+use support::observed;
 
 const G: f64 = 9.81;
 
@@ -105,6 +106,6 @@ fn s4_7_trajectories_to_eight_digits() {
         }
         println!("{name}: {worst:e}");
         // Observed: 9e-11 at most; asked for is 1e-9.
-        assert!(worst < 1e-8, "{name}: {worst:e}");
+        observed!(worst, 1e-11..=1e-8, "{name}: {worst:e}");
     }
 }

@@ -55,7 +55,7 @@ pub fn candidates(problem: &Problem) -> Result<Vec<Candidate>> {
         problem,
         candidates: Vec::new(),
     };
-    match *problem.setting() {
+    match *problem.model() {
         Model::Top { moments, lever } => {
             if let Ok(exact) = ClosedForm::new(moments, lever) {
                 found.add("exact", exact, vec![Effort::Tolerance(0.0)]);

@@ -37,7 +37,7 @@ pub const NAMES: [&str; 8] = [
 /// One problem over all its lengths. L, moments and lever are exact doubles, the quaternions exactly of length 1.
 struct Family {
     description: &'static str,
-    setting: Model,
+    model: Model,
     l: [f64; 3],
     q: [f64; 4],
 }
@@ -54,50 +54,50 @@ const fn top(moments: [f64; 3], lever: [f64; 3]) -> Model {
 const FAMILIES: [Family; 8] = [
     Family {
         description: "free, all moments different: the body of Hairer and Vilmart (2006)",
-        setting: top([0.6, 0.8, 1.0], [0.0; 3]),
+        model: top([0.6, 0.8, 1.0], [0.0; 3]),
         l: [1.8, 0.4, -0.9],
         q: LEVEL,
     },
     Family {
         description: "free, 6e-8 beside the separatrix: a racket that flips",
-        setting: top([1.5, 3.0, 4.0], [0.0; 3]),
+        model: top([1.5, 3.0, 4.0], [0.0; 3]),
         // 1 + 2⁻²⁴; with 1 it is the separatrix itself.
         l: [1.000_000_059_604_644_8, 1.0, 2.0],
         q: LEVEL,
     },
     Family {
         description: "Lagrange's top, let go with its axis level and at rest: cusps",
-        setting: top([1.0, 1.0, 0.5], [0.0, 0.0, 1.0]),
+        model: top([1.0, 1.0, 0.5], [0.0, 0.0, 1.0]),
         l: [0.0, 0.0, 3.0],
         q: ROUND,
     },
     Family {
         description: "Lagrange's top, upright and a little too slow to sleep: it wakes again and again",
-        setting: top([1.0, 1.0, 0.5], [0.0, 0.0, 1.0]),
+        model: top([1.0, 1.0, 0.5], [0.0, 0.0, 1.0]),
         l: [0.000_976_562_5, 0.0, 1.75],
         q: LEVEL,
     },
     Family {
         description: "Kovalevskaya's top, axis 3 upright at the start",
-        setting: top([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]),
+        model: top([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]),
         l: [1.5, 1.0, 1.25],
         q: LEVEL,
     },
     Family {
         description: "Kovalevskaya's top, axis 3 level at the start",
-        setting: top([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]),
+        model: top([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]),
         l: [1.5, 1.0, 1.25],
         q: ROUND,
     },
     Family {
         description: "three different moments under gravity, spinning fast: no closed form",
-        setting: top([1.0, 1.5, 2.0], [0.25, 0.125, 0.5]),
+        model: top([1.0, 1.5, 2.0], [0.25, 0.125, 0.5]),
         l: [0.5, 0.375, 6.0],
         q: ROUND,
     },
     Family {
         description: "a tippe top, sliding until it stands on its head",
-        setting: Model::Table(SlidingBall::TIPPE_TOP),
+        model: Model::Table(SlidingBall::TIPPE_TOP),
         l: [3e-6 * 8.0, 0.0, 3.2e-6 * 155.0],
         q: LEVEL,
     },
@@ -152,5 +152,5 @@ fn problem(run: &str, truth: Vec<Sample>) -> Result<Problem> {
         l: family.l,
         q: family.q,
     };
-    Ok(Problem::new(run, family.setting, start, turns, truth)?.described(family.description))
+    Ok(Problem::new(run, family.model, start, turns, truth)?.described(family.description))
 }

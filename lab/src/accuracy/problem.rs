@@ -25,7 +25,7 @@ pub enum Model {
 pub struct Problem {
     name: String,
     description: &'static str,
-    setting: Model,
+    model: Model,
     start: Phase,
     turns: f64,
     truth: Vec<Sample>,
@@ -39,7 +39,7 @@ impl Problem {
     /// [`Error::Empty`] without samples; [`Error::OutOfRange`] for sample times that do not ascend from 0; [`Error::NotFinite`].
     pub fn new(
         name: impl Into<String>,
-        setting: Model,
+        model: Model,
         start: Phase,
         turns: f64,
         truth: Vec<Sample>,
@@ -66,7 +66,7 @@ impl Problem {
         Ok(Self {
             name: name.into(),
             description: "",
-            setting,
+            model,
             start,
             turns,
             truth,
@@ -90,13 +90,13 @@ impl Problem {
     }
 
     /// What moves.
-    pub const fn setting(&self) -> &Model {
-        &self.setting
+    pub const fn model(&self) -> &Model {
+        &self.model
     }
 
     /// Moments along the body's axes, kg m².
     pub const fn moments(&self) -> [f64; 3] {
-        match &self.setting {
+        match &self.model {
             Model::Top { moments, .. } => *moments,
             Model::Table(ball) => ball.moments(),
         }

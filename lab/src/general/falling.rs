@@ -3,7 +3,7 @@
 use spinning_bodies::Result;
 use spinning_bodies::integrators::Event;
 
-use super::track::{Clock, Timed, carried};
+use super::clock::{Clock, Timed, carried};
 
 /// A quantity that may fall through zero, asked in phase.
 pub(super) struct Falling<'a, const N: usize> {

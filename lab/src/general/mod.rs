@@ -5,12 +5,14 @@
 //!
 //! * this file: what is asked and what is answered;
 //! * `run`: the crate's loop with one of its methods, and the short steps to samples and events;
-//! * `track`: what a run leaves behind, in times from 0 to 1;
+//! * `clock`: the equations in times from 0 to 1;
+//! * `track`: what a run leaves behind;
 //! * `falling`: where between two steps a quantity falls through zero;
 //! * `scaled`: the same equations with every number near 1;
 //! * `body`: the motion of a body by such a method.
 
 mod body;
+mod clock;
 mod falling;
 mod run;
 mod scaled;

@@ -9,9 +9,10 @@ use differential_equations::solution::Solution as Finished;
 use spinning_bodies::integrators::{Cost, Effort, Event, Method, Passage, Stop, System};
 use spinning_bodies::{Error, Result};
 
+use super::clock::{Clock, Timed, carried};
 use super::falling::{Falling, falling};
 use super::scaled::Scaled;
-use super::track::{Clock, Timed, Track, carried};
+use super::track::Track;
 
 /// Most steps of one run; more than a minute of computing.
 const MOST_STEPS: usize = 20_000_000;

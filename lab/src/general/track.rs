@@ -1,50 +1,14 @@
 //! What a run leaves behind, in times from 0 to 1.
 
 use differential_equations::interpolate::Interpolation;
-use differential_equations::ode::ODE;
 use differential_equations::prelude::ControlFlag;
 use differential_equations::solout::Solout;
 use differential_equations::solution::Solution as Finished;
 
 use spinning_bodies::Result;
-use spinning_bodies::integrators::System;
 
+use super::clock::Timed;
 use super::falling::Falling;
-
-/// The crate compares times with 2e-15 absolute, so every run is made to last from 0 to 1.
-#[derive(Clone, Copy)]
-pub(super) struct Clock {
-    pub start: f64,
-    pub span: f64,
-}
-
-impl Clock {
-    pub fn time(self, phase: f64) -> f64 {
-        self.start + phase * self.span
-    }
-
-    pub fn phase(self, time: f64) -> f64 {
-        if self.span == 0.0 {
-            return 0.0;
-        }
-        ((time - self.start) / self.span).clamp(0.0, 1.0)
-    }
-}
-
-/// The equations in phase.
-pub(super) struct Timed<'a, const N: usize> {
-    pub system: &'a dyn System<N>,
-    pub clock: Clock,
-}
-
-impl<const N: usize> ODE<f64, [f64; N]> for Timed<'_, N> {
-    fn diff(&self, phase: f64, y: &[f64; N], rate: &mut [f64; N]) {
-        *rate = self.system.rate(self.clock.time(phase), y);
-        for component in rate {
-            *component *= self.clock.span;
-        }
-    }
-}
 
 /// What a run leaves behind: for each sample the last step before it, and the last two steps. Ends the run when the event is past.
 pub(super) struct Track<'a, const N: usize> {
@@ -133,15 +97,4 @@ impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
             ControlFlag::Continue
         }
     }
-}
-
-/// The state a very short while later, by one Euler step.
-pub(super) fn carried<const N: usize>(
-    timed: &Timed<'_, N>,
-    (phase, state): (f64, [f64; N]),
-    to: f64,
-) -> [f64; N] {
-    let mut rate = [0.0; N];
-    timed.diff(phase, &state, &mut rate);
-    core::array::from_fn(|i| state[i] + rate[i] * (to - phase))
 }

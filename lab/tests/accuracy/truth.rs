@@ -136,7 +136,7 @@ fn kept(moments: [f64; 3], lever: [f64; 3], sample: &Sample) -> Vec<Dd> {
 fn every_sample_keeps_what_the_motion_keeps() {
     let mut worst = 0.0_f64;
     for problem in problems().unwrap() {
-        let Model::Top { moments, lever } = *problem.setting() else {
+        let Model::Top { moments, lever } = *problem.model() else {
             continue;
         };
         let l = problem.start().l;
@@ -187,7 +187,7 @@ fn problems_of_ones_own() {
     let known = &named("cusped-top/1").unwrap()[0];
     let own = Problem::new(
         "mine",
-        *known.setting(),
+        *known.model(),
         *known.start(),
         1.0,
         known.truth().to_vec(),

@@ -42,7 +42,7 @@ mod splitting;
 
 pub use super::real::{Real, TwoWords};
 pub use cayley::{GroupMidpoint, MoserVeselov, VeselovOrder};
-pub use dormand_prince::{DormandPrince8, order_eight_watched};
+pub use dormand_prince::DormandPrince8;
 pub use drift::{Drift, Rotations, SymmetricDrift, UnequalDrift};
 pub use follow::{Course, Follow, Watched};
 pub use heavy::{HeavySplitting, Kick, LinearFriction, Nothing, Torque, Weight};

@@ -1,7 +1,7 @@
 //! Where within a step a quantity falls through zero.
 
 use super::tableau::Between;
-use super::{Taken, Walk};
+use super::walk::{Taken, Walk};
 use crate::integrators::{Event, System};
 
 /// A quantity that may fall through zero.

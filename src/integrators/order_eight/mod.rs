@@ -2,62 +2,22 @@
 //! compiled into the step.
 //!
 //! * `tableau`: the coefficients, one step, and the polynomial between its ends;
+//! * `leg`: what is asked;
+//! * `walk`: one step after the other;
 //! * `event`: where within a step a quantity falls through zero;
-//! * this file: the run.
+//! * this file: the run, its samples and its end.
 
 mod event;
-pub(in crate::integrators) mod tableau;
+mod leg;
+mod tableau;
+mod walk;
 
-use super::real::Sums;
 use super::{Cost, Effort, Event, Passage, Solution, Stop, System};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Result, finite, positive};
 use event::Watch;
-use tableau::{Between, Step, step};
+use walk::{MOST_STEPS, Pace, Taken, Walk, too_many};
 
-/// What every step gives back to the state.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kept {
-    /// Nothing: any system of equations.
-    Nothing,
-    /// Norm 1 of the quaternion that begins with this component.
-    UnitQuaternion(usize),
-}
-
-impl Kept {
-    /// What the state lacks of what is kept.
-    #[inline(always)]
-    pub(in crate::integrators) fn excess<const N: usize>(self, state: &[f64; N]) -> [f64; N] {
-        let mut excess = [0.0; N];
-        if let Self::UnitQuaternion(first) = self
-            && let Some(&[w, x, y, z]) = state[first.min(N)..].first_chunk()
-        {
-            // 1/|q| - 1, from 1 - |q|².
-            let square = w * w + x * x + y * y + z * z;
-            let share = (1.0 - square) / (square + square.sqrt());
-            for (n, component) in [w, x, y, z].into_iter().enumerate() {
-                excess[first + n] = component * share;
-            }
-        }
-        excess
-    }
-}
-
-/// Equations, where they start, and what is asked of them.
-#[derive(Debug, Clone, Copy)]
-pub struct Leg<'a, const N: usize, S: ?Sized> {
-    /// The equations.
-    pub system: &'a S,
-    /// What every step gives back to the state.
-    pub kept: Kept,
-    /// When it starts, s, and with what.
-    pub start: (f64, &'a [f64; N]),
-    /// Sizes below which a component counts as small: the error of a step is judged relative to |y| + scale.
-    pub scales: &'a [f64; N],
-    /// Samples, ordered from the start to the end, s.
-    pub times: &'a [f64],
-    /// When it ends, before or after the start, s.
-    pub end: f64,
-}
+pub use leg::{Kept, Leg};
 
 impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
     /// The states at the samples, up to the end or to the event.
@@ -145,60 +105,10 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
     Ok(Solution { states, cost })
 }
 
-#[derive(Clone, Copy)]
-enum Pace {
-    Even(f64),
-    Free(f64),
-}
-
-/// Most steps of one run; about a minute of computing.
-const MOST_STEPS: u64 = 200_000_000;
-
 /// Samples in a step that are worth a step of their own each.
 const FEW: usize = 2;
 
-struct Walk<'a, const N: usize, S: ?Sized> {
-    leg: &'a Leg<'a, N, S>,
-    /// Backward or forward in time.
-    sense: f64,
-    state: Sums<f64, N>,
-    time: Sums<f64, 1>,
-    /// The rate here.
-    rate: [f64; N],
-    /// Length of the next step.
-    length: f64,
-    states: Vec<[f64; N]>,
-    cost: Cost,
-}
-
-/// A step that was taken.
-struct Taken<const N: usize> {
-    step: Step<N>,
-    /// Where it began.
-    time: f64,
-    state: [f64; N],
-    rate: [f64; N],
-    length: f64,
-}
-
-impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
-    fn new(leg: &'a Leg<'a, N, S>) -> Self {
-        let (time, state) = leg.start;
-        Self {
-            leg,
-            sense: if leg.end < time { -1.0 } else { 1.0 },
-            state: Sums::new(*state),
-            time: Sums::new([time]),
-            rate: leg.system.rate(time, state),
-            length: 0.0,
-            states: Vec::with_capacity(leg.times.len()),
-            cost: Cost {
-                evaluations: 1,
-                steps: 0,
-            },
-        }
-    }
-
+impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
     fn follow(mut self, event: Option<&dyn Event<N>>, pace: Pace) -> Result<Passage<[f64; N]>> {
         let leg = self.leg;
         let first = leg.start.1;
@@ -253,113 +163,6 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         }
     }
 
-    /// From here to the end; with what rounding has left of the time so far.
-    fn left(&self) -> f64 {
-        (self.leg.end - self.time.values[0]) - self.time.left[0]
-    }
-
-    /// A step of the one length, or the last of them.
-    fn even(&mut self) -> Taken<N> {
-        let left = self.left();
-        // The count of steps is whole, but for rounding.
-        let last = left.abs() < 1.5 * self.length;
-        let h = if last { left } else { self.length * self.sense };
-        let step = self.step(h);
-        self.accept(step, h, last)
-    }
-
-    /// A step as long as the tolerance allows.
-    fn free(&mut self, tolerance: f64) -> Result<Taken<N>> {
-        let mut most_growth = MOST_GROWTH;
-        loop {
-            let left = self.left();
-            // The last two steps share what is left: no crumb at the end.
-            let cut = if left.abs() <= self.length {
-                left
-            } else if left.abs() < 2.0 * self.length {
-                0.5 * left
-            } else {
-                self.length * self.sense
-            };
-            let step = self.step(cut);
-            let error = step.error(&self.state.values, self.leg.scales, tolerance, cut);
-            // error^(1/8), as DOP853 has it.
-            let growth = SAFETY / error.sqrt().sqrt().sqrt();
-            if error <= 1.0 {
-                self.length = cut.abs() * growth.clamp(LEAST_GROWTH, most_growth);
-                return Ok(self.accept(step, cut, cut == left));
-            }
-            self.cost.evaluations += STAGES - 1;
-            // Not a number: as far off as can be.
-            let shrink = if growth > LEAST_GROWTH {
-                growth
-            } else {
-                LEAST_GROWTH
-            };
-            self.length = cut.abs() * shrink;
-            most_growth = 1.0;
-            let time = self.time.values[0];
-            if self.length <= f64::EPSILON * time.abs() || self.length == 0.0 {
-                return Err(Error::Integration {
-                    reason: "the step became too small: the tolerance is below rounding, or the motion is not finite",
-                    time,
-                });
-            }
-            self.leg.system.reached(time)?;
-        }
-    }
-
-    fn step(&self, h: f64) -> Step<N> {
-        let time = self.time.values[0];
-        step(self.leg.system, time, &self.state.values, &self.rate, h)
-    }
-
-    fn accept(&mut self, step: Step<N>, h: f64, last: bool) -> Taken<N> {
-        let taken = Taken {
-            time: self.time.values[0],
-            state: self.state.values,
-            rate: self.rate,
-            length: h,
-            step,
-        };
-        self.state.add_all(taken.step.change);
-        let excess = self.leg.kept.excess(&self.state.values);
-        self.state.add_all(excess);
-        if last {
-            self.time = Sums::new([self.leg.end]);
-        } else {
-            self.time.add(0, h);
-        }
-        self.rate = (self.leg.system).rate(self.time.values[0], &self.state.values);
-        self.cost.evaluations += STAGES;
-        self.cost.steps += 1;
-        taken
-    }
-
-    /// The state a part of a step after its beginning, by a step of its own.
-    fn short(&mut self, taken: &Taken<N>, h: f64) -> [f64; N] {
-        self.cost.evaluations += STAGES - 1;
-        let short = step(self.leg.system, taken.time, &taken.state, &taken.rate, h);
-        self.restored(core::array::from_fn(|n| taken.state[n] + short.change[n]))
-    }
-
-    fn between(&mut self, taken: &Taken<N>) -> Between<N> {
-        self.cost.evaluations += 3;
-        let whole = (&taken.step, &self.rate);
-        Between::of(
-            self.leg.system,
-            taken.time,
-            &taken.state,
-            whole,
-            taken.length,
-        )
-    }
-
-    fn restored(&self, state: [f64; N]) -> [f64; N] {
-        let excess = self.leg.kept.excess(&state);
-        core::array::from_fn(|n| state[n] + excess[n])
-    }
-
     /// The samples of a step up to this time within it.
     fn sample(&mut self, taken: &Taken<N>, until: f64) {
         let times = &self.leg.times[self.states.len()..];
@@ -382,45 +185,5 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         for _ in inner..count {
             self.states.push(state(self));
         }
-    }
-
-    /// A first guess at the length of a step: rates and their change over a short Euler step (Hairer, Nørsett, Wanner, II.4).
-    fn first_length(&mut self, tolerance: f64) -> f64 {
-        let (span, state) = (self.left(), &self.state.values);
-        let size = |v: &[f64; N]| {
-            let weighted = |n: usize| v[n] / (state[n].abs() + self.leg.scales[n]);
-            let squares: f64 = (0..N).map(|n| weighted(n) * weighted(n)).sum();
-            (squares / N as f64).sqrt()
-        };
-        let rate = size(&self.rate);
-        let short = (0.01 / rate).min(span.abs());
-        let h = short.copysign(span);
-        let moved = core::array::from_fn(|n| state[n] + h * self.rate[n]);
-        let there = self.leg.system.rate(self.time.values[0] + h, &moved);
-        let bend = size(&core::array::from_fn(|n| there[n] - self.rate[n])) / short;
-        // From the first derivative's size; for the part of a body at rest, the second's square root is a rate as well.
-        let pace = rate.max(bend.sqrt());
-        let length = tolerance.min(1.0).sqrt().sqrt().sqrt() * FIRST / pace;
-        self.cost.evaluations += 1;
-        if length.is_finite() && length > 0.0 {
-            length.min(span.abs())
-        } else {
-            span.abs()
-        }
-    }
-}
-
-/// Length of the first step as a multiple of tolerance^(1/8) over the rate.
-const FIRST: f64 = 4.0;
-/// Those of DOP853.
-const SAFETY: f64 = 0.9;
-const LEAST_GROWTH: f64 = 1.0 / 3.0;
-const MOST_GROWTH: f64 = 6.0;
-const STAGES: u64 = 12;
-
-fn too_many(time: f64) -> Error {
-    Error::Integration {
-        reason: "it takes more than two hundred million steps",
-        time,
     }
 }

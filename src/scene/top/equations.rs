@@ -1,13 +1,14 @@
 //! The equations of a stepped top: L along the body's axes, the attitude's quaternion and, where something resists, the work it takes.
 
-use super::Top;
 use super::body::DOUBT;
+use super::held::Top;
 use crate::error::{Error, Result};
 use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::Kept;
 use crate::integrators::geometric::Phase;
-use crate::scene::engine::{Ended, Flow, furthest, greater};
+use crate::scene::engine::{Ended, Flow, greater};
+use crate::scene::motion::furthest;
 
 /// A top as a flow: seven numbers, L and the quaternion, and an eighth, the energy lost, where something resists.
 ///

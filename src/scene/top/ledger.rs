@@ -1,7 +1,7 @@
 //! What a top conserves, or may only lose.
 
-use super::State;
 use super::body::{Body, Start};
+use super::held::State;
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite};
 use crate::euler_equations::{Integrability, classify};

@@ -1,16 +1,17 @@
 //! Tops under gravity alone by the methods for turning bodies, for those who ask for one by its name: steps of one length.
 
-use super::Top;
 use super::body::DOUBTED;
 use super::equations::Turning;
+use super::held::Top;
 use crate::error::{Error, Result};
 use crate::integrators::Cost;
 use crate::integrators::geometric::{
     Course, FreeSplitting, HeavySplitting, MoserVeselov, MuntheKaas, Phase, Rotations,
     SymmetricDrift, Watched, Weight,
 };
-use crate::scene::engine::{ROUNDING, furthest, greater, with_checks};
-use crate::scene::{Budget, Geometric, Request};
+use crate::scene::engine::{ROUNDING, greater, with_checks};
+use crate::scene::motion::furthest;
+use crate::scene::{Geometric, Request};
 
 /// Phases at the times of a request.
 pub(super) struct Halved {
@@ -46,7 +47,7 @@ pub(super) fn halved(
 ) -> Result<Halved> {
     let method = &*method_for(top, method)?;
     let order = f64::from(method.order().unwrap_or(2));
-    let budget = &Budget::asked(request);
+    let budget = &request.budget();
     let (accuracy, angle) = (request.accuracy(), turning.angle(request.times()));
     let times = with_checks(request.times(), angle);
     let start = top.start.phase(top.body.moments)?;

@@ -1,0 +1,71 @@
+//! Dry friction and rolling resistance.
+
+use crate::error::{Error, Result, not_negative};
+
+/// Coulomb's law: μ times the reaction against the slip; up to `grip` times the reaction while the contact sticks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coulomb {
+    kinetic: f64,
+    grip: f64,
+}
+
+impl Coulomb {
+    /// One coefficient μ (dimensionless) for slipping and sticking.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::Negative`].
+    pub fn new(coefficient: f64) -> Result<Self> {
+        Self::with_grip(coefficient, coefficient)
+    }
+
+    /// A coefficient for slipping, and a greater one that has to be overcome first.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::Condition`] if the grip is less than the sliding friction.
+    pub fn with_grip(kinetic: f64, grip: f64) -> Result<Self> {
+        let kinetic = not_negative("the coefficient of friction", kinetic)?;
+        let grip = not_negative("the coefficient of static friction", grip)?;
+        if grip < kinetic {
+            return Err(Error::Condition {
+                condition: "static friction must not be less than sliding friction",
+                value: grip,
+            });
+        }
+        Ok(Self { kinetic, grip })
+    }
+
+    /// Coefficient while the contact slips.
+    pub const fn kinetic(&self) -> f64 {
+        self.kinetic
+    }
+
+    /// Greatest ratio of friction to reaction while it sticks.
+    pub const fn grip(&self) -> f64 {
+        self.grip
+    }
+}
+
+/// Rolling resistance: the reaction acts ahead of the centre by `arm` radii, a couple against the turning.
+///
+/// A body that rolls freely then slows down by arm·g/(1+κ), and one that is towed at constant speed takes a force of arm times
+/// its weight. Billiard cloth: 0.005 to 0.015.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollingResistance {
+    arm: f64,
+}
+
+impl RollingResistance {
+    /// The coefficient, dimensionless.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::Negative`].
+    pub fn new(arm: f64) -> Result<Self> {
+        let arm = not_negative("the coefficient of rolling resistance", arm)?;
+        Ok(Self { arm })
+    }
+
+    /// Lever arm of the reaction over the radius.
+    pub const fn arm(&self) -> f64 {
+        self.arm
+    }
+}

@@ -1,0 +1,127 @@
+//! A round body at one moment, what rubs and pulls, and what can happen to it.
+
+use super::friction::{Coulomb, RollingResistance};
+use super::sheet::Sheet;
+
+/// What rubs: friction of the table, rolling resistance, and a sheet between the two, each if it is there.
+pub type Contact<'a> = (
+    Option<Coulomb>,
+    Option<RollingResistance>,
+    Option<&'a Sheet>,
+);
+
+/// The numbers of a [`Moment`], and the distance from the sheet's edge to the point of contact.
+pub(crate) type State = [f64; 8];
+
+/// A steady load on the body, per mass, m/s².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Load {
+    /// Pull along the table.
+    pub push: f64,
+    /// Moment about the centre over MR, positive the way the body rolls.
+    pub twist: f64,
+    /// Reaction of the ground; positive.
+    pub reaction: f64,
+}
+
+impl Load {
+    /// Weight alone, for gravity g (m/s²).
+    pub const fn weight(gravity: f64) -> Self {
+        Self {
+            push: 0.0,
+            twist: 0.0,
+            reaction: gravity,
+        }
+    }
+}
+
+/// Where the body is and how it moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moment {
+    /// Position of the centre along the table, m.
+    pub position: f64,
+    /// Velocity V of the centre, m/s.
+    pub velocity: f64,
+    /// Rim speed RΩ, m/s.
+    pub rim_speed: f64,
+    /// Velocity of the contact point over the ground under it, m/s. While the ground rests it is V − RΩ, kept apart from the two
+    /// so that nothing cancels when it is small.
+    pub slip: f64,
+    /// What the rim has turned, R times the angle, m.
+    pub turned: f64,
+    /// Heat of friction and rolling resistance so far, J/kg.
+    pub heat: f64,
+    /// Work that the pull and a moving sheet have done on the body so far, J/kg.
+    pub work: f64,
+}
+
+impl Moment {
+    /// At rest at the origin.
+    pub const fn at_rest() -> Self {
+        Self::moving(0.0, 0.0)
+    }
+
+    /// At the origin with this velocity and rim speed (m/s), over ground at rest. Where the slip is known better than as the difference of
+    /// the two, set it.
+    pub const fn moving(velocity: f64, rim_speed: f64) -> Self {
+        let slip = velocity - rim_speed;
+        Self::of(&[0.0, velocity, rim_speed, slip, 0.0, 0.0, 0.0, 0.0])
+    }
+
+    /// The numbers in the order of the fields, and a place for the distance from a sheet's edge.
+    pub(crate) const fn state(&self) -> State {
+        let Self {
+            position: x,
+            velocity,
+            rim_speed,
+            slip,
+            turned,
+            heat,
+            work,
+        } = *self;
+        [x, velocity, rim_speed, slip, turned, heat, work, 0.0]
+    }
+
+    /// The moment of these numbers.
+    pub(crate) const fn of(
+        &[position, velocity, rim_speed, slip, turned, heat, work, _]: &State,
+    ) -> Self {
+        Self {
+            position,
+            velocity,
+            rim_speed,
+            slip,
+            turned,
+            heat,
+            work,
+        }
+    }
+
+    /// Kinetic energy per mass, ½(V² + κ(RΩ)²), J/kg.
+    pub fn energy(&self, kappa: f64) -> f64 {
+        0.5 * (self.velocity * self.velocity + kappa * self.rim_speed * self.rim_speed)
+    }
+
+    /// Angular momentum about the line of contact over MR: V + κRΩ, m/s. No friction changes it.
+    pub fn about_the_table(&self, kappa: f64) -> f64 {
+        self.velocity + kappa * self.rim_speed
+    }
+}
+
+/// What happens between two stretches of a course.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Happening {
+    /// The contact stops slipping: rolling begins.
+    RollingBegins,
+    /// The contact begins to slip.
+    SlippingBegins,
+    /// The turning stops for an instant or for good.
+    TurningStops,
+    /// The body has come to rest on the ground.
+    Rest,
+    /// The sheet's edge has passed under the body: now it is on the table.
+    LeavesSheet,
+    /// The sheet has come back under the body.
+    MountsSheet,
+}

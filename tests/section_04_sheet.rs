@@ -286,7 +286,7 @@ fn s4_5_in_space_with_any_friction() {
             ] {
                 println!("{end:?}");
                 let speed = end[0].hypot(end[1]);
-                observed!(speed, 8e-15..=1e-8, "{speed:e}");
+                observed!(speed, 8e-15..=9e-13, "{speed:e}");
                 // Spin about the vertical is not touched by a point of contact.
                 assert_eq!(end[4], start[4]);
             }
@@ -295,7 +295,7 @@ fn s4_5_in_space_with_any_friction() {
         let rolling = [0.5, -0.3, 0.3 / 0.02, 0.5 / 0.02, 20.0];
         let end = in_space(jerks, 0.4, kappa, coulomb(0.3), rolling, 2.0);
         for (a, b) in end.iter().zip(&rolling) {
-            observed!((a - b).abs(), 2e-10..=1e-6, "{end:?}");
+            observed!((a - b).abs(), 2e-10..=7e-9, "{end:?}");
         }
         let body = RoundBody::new(1.0, 0.02, kappa).unwrap();
         let motion = InPlane {

@@ -29,7 +29,7 @@ fn contact_by_integration(
         let k4 = rate(shifted(y, k3, h));
         y = [0, 1, 2, 3, 4].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
     }
-    observed!(y[0].abs(), 5e-16..=1e-9, "the contact has ended");
+    observed!(y[0].abs(), 5e-16..=6e-14, "the contact has ended");
     (
         Motion {
             velocity: y[3],

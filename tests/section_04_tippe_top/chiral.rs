@@ -162,7 +162,7 @@ fn s4_7_chiral_top_turns_over_one_way_only() {
             let image = run(&scene(body, mu, -SPIN).mirrored(), 2.0, 500, 1e-5);
             assert!(image[0].1.spin() > 0.0);
             for (a, b) in turns.iter().zip(&image) {
-                observed!((a.1.tilt() - b.1.tilt()).abs(), 2e-9..=1e-3);
+                observed!((a.1.tilt() - b.1.tilt()).abs(), 2e-9..=8e-8);
             }
         }
     }

@@ -35,7 +35,7 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
     /// step, eleven a sample or three a step with more than two, some thirty an event; no allocation but for the samples.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort; [`Error::Integration`] where the step would become
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for times and start; [`Error::NotPositive`](crate::Error::NotPositive) for the effort; [`Error::Integration`](crate::Error::Integration) where the step would become
     /// nothing, or there are more than 2·10⁸ of them; those of [`System::reached`].
     ///
     /// Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.5, II.6 and II.10.

@@ -140,8 +140,8 @@ pub struct Motion<S> {
     pub plan: Plan,
     /// What it has cost.
     pub cost: Cost,
-    /// By how much the states may be off, where the solver tells: the most over attitude (radians) and angular velocity (relative).
-    pub error_estimate: Option<f64>,
+    /// By how much the states may be off: the most over attitude (radians) and angular velocity (relative to the fastest).
+    pub error_estimate: f64,
     /// What the scene conserves, or may only lose or gain, and by how much it failed to.
     pub ledger: Ledger,
     /// Time (s) and state, in the order asked for.
@@ -166,7 +166,7 @@ impl<S> Motion<S> {
             Ok(Self {
                 plan,
                 cost,
-                error_estimate: Some(error),
+                error_estimate: error,
                 ledger: balanced(ledger, request.accuracy())?,
                 rows: request.times().iter().copied().zip(states).collect(),
             })

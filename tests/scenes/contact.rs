@@ -416,7 +416,7 @@ fn a_rattleback_slips_and_rolls_hundreds_of_times_on_a_small_budget() {
     assert!(phases.len() > 200);
     let finer = end(&scene, 8.0, 1e-10);
     let apart = angle(&motion.rows[0].1, &finer);
-    assert!(apart <= motion.error_estimate.unwrap(), "{apart:e}");
+    assert!(apart <= motion.error_estimate, "{apart:e}");
 }
 
 #[test]

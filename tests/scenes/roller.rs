@@ -100,7 +100,7 @@ fn what_a_roller_refuses() {
     assert!(thrown().simulate(&exact).is_ok());
     for method in [Method::Rk4, Method::Dopri5, Method::Verner98] {
         let motion = scene.simulate(&by(method)).unwrap();
-        let (off, told) = (same(&motion, &run(&scene)), motion.error_estimate.unwrap());
+        let (off, told) = (same(&motion, &run(&scene)), motion.error_estimate);
         // The fastest of its speeds is 4 m/s.
         assert!(
             off < 1e-11 && off <= 4.0 * told,
@@ -130,7 +130,7 @@ fn a_ball_that_a_gentle_pull_has_left_behind() {
     let request = Request::at([9.0]).unwrap();
     let motion = scene.with(sheet).unwrap().simulate(&request).unwrap();
     assert!(motion.rows[0].1.moment.velocity.abs() < 1e-15);
-    assert!(motion.error_estimate.unwrap() < 1e-12);
+    assert!(motion.error_estimate < 1e-12);
 }
 
 #[test]

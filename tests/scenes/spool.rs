@@ -74,5 +74,5 @@ fn a_spool_at_the_critical_angle_stays() {
             .iter()
             .all(|row| row.1.moment.position.abs() < 1e-15)
     );
-    assert!(motion.error_estimate.unwrap() < 1e-13);
+    assert!(motion.error_estimate < 1e-13);
 }

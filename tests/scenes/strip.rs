@@ -264,7 +264,7 @@ fn turning_back_costs_no_digit() {
             let request = request().to_accuracy(asked).unwrap();
             let motion = scene.simulate(&request).unwrap();
             let state = motion.rows[motion.rows.len() - 1].1;
-            let told = motion.error_estimate.unwrap();
+            let told = motion.error_estimate;
             let [a, b] = state.position;
             // Observed: half of what is told.
             assert!((a - x).hypot(b - y) < told * 0.01, "{a}, {b}: {x}, {y}");

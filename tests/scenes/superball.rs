@@ -98,7 +98,7 @@ fn what_is_told_of_many_bounces() {
         let exact = scene.simulate(&request).unwrap();
         let events = request.by(Choice::Use(Solver::Events));
         let followed = scene.simulate(&events).unwrap();
-        let told = followed.error_estimate.unwrap();
+        let told = followed.error_estimate;
         println!("{:e} of {told:e}", same(&exact, &followed));
         assert!(same(&exact, &followed) < told && told < 1e-9);
         assert!(followed.rows[2].1.ball.bounces > 70_000);
@@ -163,7 +163,7 @@ fn what_is_told_of_many_bounces_by_steps() {
             let motion = scene
                 .simulate(&by.with_methods(&DifferentialEquations))
                 .unwrap();
-            let (row, told) = (motion.rows[0].1.row(), motion.error_estimate.unwrap());
+            let (row, told) = (motion.rows[0].1.row(), motion.error_estimate);
             let sizes = [0.6, 0.6, 5.0, 5.0, 5.0, 1.0, 1.0];
             let off = (0..7).map(|n| (row[n] - exact[n]).abs() / sizes[n]);
             let off = off.fold(0.0, f64::max);

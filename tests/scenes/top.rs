@@ -104,7 +104,7 @@ fn geometric_methods_reach_their_accuracy() {
         };
         let [found, exact] = both.map(|motion| motion.unwrap());
         let error = apart(&found, &exact);
-        let told = found.error_estimate.unwrap();
+        let told = found.error_estimate;
         assert!(
             error <= told && told <= accuracy,
             "{method:?}: {error:e} {told:e}"

@@ -71,8 +71,8 @@ pub struct Table {
     pub plan: Plan,
     /// What the solver spent.
     pub cost: Cost,
-    /// By how much the numbers may be off, where the solver tells.
-    pub error_estimate: Option<f64>,
+    /// By how much the numbers may be off.
+    pub error_estimate: f64,
     /// What was kept.
     pub ledger: Ledger,
     /// Names of the numbers in a row, after the time.

@@ -16,7 +16,7 @@ pub enum Answer {
 #[derive(Debug, Clone)]
 pub struct Motion {
     pub solver: String,
-    pub estimate: Option<f64>,
+    pub estimate: f64,
     pub evaluations: u64,
     columns: &'static [&'static str],
     rows: Vec<Vec<f64>>,

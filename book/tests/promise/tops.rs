@@ -749,7 +749,7 @@ impl Case {
             // A fault is one only where the truth is beyond doubt.
             Given::Answer {
                 error, estimate, ..
-            } if error > self.accuracy.min(estimate.unwrap_or(1.0))
+            } if error > self.accuracy.min(estimate)
                 && self.top.doubt(&start, &self.times, unit) > 0.1 * error =>
             {
                 Given::BeyondTheTruth

@@ -9,7 +9,7 @@ pub enum Given {
     Answer {
         /// The most over all rows.
         error: f64,
-        estimate: Option<f64>,
+        estimate: f64,
         evaluations: u64,
         /// Those of the cheapest run of order 8 that would have done.
         cheapest: Option<u64>,
@@ -39,8 +39,6 @@ pub enum Fault {
     Inexact,
     /// The error is above the estimate.
     Bold,
-    /// There is no estimate.
-    Silent,
     /// Refused, though the motion does not amplify so much.
     Refused,
     /// The refusal does not name the growth.
@@ -48,13 +46,7 @@ pub enum Fault {
 }
 
 impl Fault {
-    const ALL: [Self; 5] = [
-        Self::Inexact,
-        Self::Bold,
-        Self::Silent,
-        Self::Refused,
-        Self::Unnamed,
-    ];
+    const ALL: [Self; 4] = [Self::Inexact, Self::Bold, Self::Refused, Self::Unnamed];
 }
 
 /// A change of the start that no one can help.
@@ -73,10 +65,12 @@ impl Outcome {
                 if *error > self.accuracy {
                     faults.push(Fault::Inexact);
                 }
-                match estimate {
-                    None => faults.push(Fault::Silent),
-                    Some(estimate) if *error <= *estimate => {}
-                    Some(_) => faults.push(Fault::Bold),
+                // Nor an estimate that is none.
+                if error
+                    .partial_cmp(estimate)
+                    .is_none_or(|order| order.is_gt())
+                {
+                    faults.push(Fault::Bold);
                 }
             }
             Given::Refused { growth, why } => {
@@ -107,9 +101,7 @@ impl Outcome {
     fn of_estimate(&self) -> Option<f64> {
         match self.given {
             Given::Answer {
-                error,
-                estimate: Some(estimate),
-                ..
+                error, estimate, ..
             } => Some(error / estimate),
             _ => None,
         }
@@ -118,7 +110,7 @@ impl Outcome {
     /// How bad a fault is.
     fn size(&self, fault: Fault) -> f64 {
         let size = match fault {
-            Fault::Inexact | Fault::Silent => self.of_accuracy(),
+            Fault::Inexact => self.of_accuracy(),
             Fault::Bold => self.of_estimate(),
             Fault::Refused | Fault::Unnamed => match self.given {
                 Given::Refused { growth, .. } => Some(self.accuracy / growth),
@@ -155,7 +147,7 @@ impl fmt::Display for Outcome {
                 f,
                 "{solver}: error {error:.2e}, {:.3} of the accuracy {asked:.2e}, {} of the estimate; {evaluations} evaluations, cheapest {cheapest:?}",
                 error / asked,
-                estimate.map_or("none".to_owned(), |e| format!("{:.3} ({e:.2e})", error / e)),
+                format_args!("{:.3} ({estimate:.2e})", error / estimate),
             ),
             Given::Refused { growth, why } => write!(
                 f,
@@ -191,12 +183,11 @@ pub fn table(all: &[Judged]) -> String {
         strata.entry("~ all").or_default().push(outcome);
     }
     let mut text = format!(
-        "{:46} {:>5} {:>7} {:>5} {:>6} {:>7} {:>7} {:>7} {:>9} {:>9} {:>6}\n",
+        "{:46} {:>5} {:>7} {:>5} {:>7} {:>7} {:>7} {:>9} {:>9} {:>6}\n",
         "",
         "cases",
         "inexact",
         "bold",
-        "silent",
         "refused",
         "wrongly",
         "unnamed",
@@ -213,11 +204,10 @@ pub fn table(all: &[Judged]) -> String {
             |of: fn(&Outcome) -> Option<f64>| all.iter().filter_map(|o| of(o)).fold(0.0, f64::max);
         let ratio = median(all.iter().filter_map(|o| o.ratio()).collect());
         text += &format!(
-            "{name:46} {:>5} {:>7} {:>5} {:>6} {:>7} {:>7} {:>7} {:>9.2e} {:>9.2e} {ratio:>6.2}\n",
+            "{name:46} {:>5} {:>7} {:>5} {:>7} {:>7} {:>7} {:>9.2e} {:>9.2e} {ratio:>6.2}\n",
             all.len(),
             count(Fault::Inexact),
             count(Fault::Bold),
-            count(Fault::Silent),
             refused.count(),
             count(Fault::Refused),
             count(Fault::Unnamed),

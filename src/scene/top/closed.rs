@@ -116,30 +116,28 @@ impl ClosedForm {
         }
     }
 
-    /// Attitude and Ω at these times (s), in ascending order: where they have to be walked to, each from the one before.
-    pub(super) fn states(
+    /// Attitude and Ω at each of these times (s), shown in their order: where they have to be walked to, each from the one before.
+    #[inline]
+    pub(super) fn each(
         &self,
         times: &[f64],
         budget: &Budget,
-    ) -> Result<Vec<(Attitude, BodyVector)>> {
-        let Self::Kovalevskaya(top, axes) = self else {
-            let at = |&t: &f64| {
+        mut show: impl FnMut(f64, Attitude, BodyVector),
+    ) -> Result<()> {
+        if let Self::Kovalevskaya(top, axes) = self {
+            for (state, &t) in top.states(times.iter().copied()).zip(times) {
                 budget.spend(1, t)?;
-                self.at(t)
-            };
-            return times.iter().map(at).collect();
-        };
-        let state = |(state, &t): (Result<State>, &f64)| {
+                let state = state?;
+                show(t, axes.attitude(&state.attitude), axes.outward(state.omega));
+            }
+            return Ok(());
+        }
+        for &t in times {
             budget.spend(1, t)?;
-            let State {
-                attitude, omega, ..
-            } = state?;
-            Ok((axes.attitude(&attitude), axes.outward(omega)))
-        };
-        top.states(times.iter().copied())
-            .zip(times)
-            .map(state)
-            .collect()
+            let (attitude, omega) = self.at(t)?;
+            show(t, attitude, omega);
+        }
+        Ok(())
     }
 
     /// Attitude and Ω at time t (s).

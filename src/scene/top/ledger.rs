@@ -61,24 +61,29 @@ impl Conserved {
         0.5 * self.angular_momentum(omega).dot(&omega)
     }
 
+    /// The state with this attitude and Ω.
+    #[inline]
+    pub fn state(&self, attitude: Attitude, omega: BodyVector) -> State {
+        State {
+            attitude,
+            omega,
+            energy: self.energy(&attitude, omega),
+        }
+    }
+
     /// Times and states with their energies.
     pub fn rows(
         &self,
         times: &[f64],
         states: impl IntoIterator<Item = (Attitude, BodyVector)>,
     ) -> Vec<(f64, State)> {
-        let row = |(&t, (attitude, omega)): (&f64, (Attitude, BodyVector))| {
-            let energy = self.energy(&attitude, omega);
-            let state = State {
-                attitude,
-                omega,
-                energy,
-            };
-            (t, state)
-        };
-        times.iter().zip(states).map(row).collect()
+        let states = states
+            .into_iter()
+            .map(|(attitude, omega)| self.state(attitude, omega));
+        times.iter().copied().zip(states).collect()
     }
 
+    #[inline]
     /// ½⟨IΩ, Ω⟩ + ⟨MgC, z⟩, J.
     fn energy(&self, attitude: &Attitude, omega: BodyVector) -> f64 {
         match self.kind {

@@ -138,12 +138,14 @@ impl Top {
                 growth: doubted / body::DOUBT[0],
             });
         }
-        let states = closed.states(times, &request.budget())?;
-        let rows = conserved.rows(times, states);
+        let mut rows = Vec::with_capacity(times.len());
+        closed.each(times, &request.budget(), |t, attitude, omega| {
+            rows.push((t, conserved.state(attitude, omega)));
+        })?;
         Ok(Motion {
             plan,
             cost: Cost::default(),
-            error_estimate: Some(error),
+            error_estimate: error,
             ledger: balanced(conserved.lossless(&rows)?, request.accuracy())?,
             rows,
         })
@@ -163,16 +165,18 @@ impl Top {
         let last = furthest(times);
         let some = [0.25, 0.55, 0.8, 1.0].map(|part| part * last);
         let budget = Budget::unlimited();
-        let (here, there) = (
-            closed.states(&some, &budget)?,
-            beside.states(&some, &budget)?,
-        );
-        let mut most = 0.0_f64;
-        for ((attitude, omega), (other, moved)) in here.iter().zip(&there) {
-            let unit = fastest.max(omega.norm()).max(f64::MIN_POSITIVE);
-            let faster = (*omega - *moved).norm() / unit;
-            most = greater(greater(most, attitude.angle_to(other)), faster);
-        }
+        let mut here = Vec::with_capacity(some.len());
+        closed.each(&some, &budget, |_, attitude, omega| {
+            here.push((attitude, omega))
+        })?;
+        let (mut most, mut here) = (0.0_f64, here.into_iter());
+        beside.each(&some, &budget, |_, other, moved| {
+            if let Some((attitude, omega)) = here.next() {
+                let unit = fastest.max(omega.norm()).max(f64::MIN_POSITIVE);
+                let faster = (omega - moved).norm() / unit;
+                most = greater(greater(most, attitude.angle_to(&other)), faster);
+            }
+        })?;
         Ok(most)
     }
 
@@ -194,7 +198,7 @@ impl Top {
             return Ok(Motion {
                 plan,
                 cost: answer.trace.cost,
-                error_estimate: Some(answer.error),
+                error_estimate: answer.error,
                 ledger: balanced(conserved.lossy(&rows, &losses)?, request.accuracy())?,
                 rows,
             });
@@ -215,7 +219,7 @@ impl Top {
         Ok(Motion {
             plan,
             cost,
-            error_estimate: Some(error),
+            error_estimate: error,
             ledger: balanced(conserved.lossless(&rows)?, request.accuracy())?,
             rows,
         })

@@ -123,13 +123,13 @@ fn spread(sorted: &[f64]) -> [f64; 3] {
 }
 
 #[test]
-fn a_thousand_random_starts() {
-    let ([motion, attitude], separated) = several(1000, 1889, 1.5);
+fn four_hundred_random_starts() {
+    let ([motion, attitude], separated) = several(400, 1889, 1.5);
     let (motion, attitude) = (spread(&motion), spread(&attitude));
     println!("separated {separated}; motion {motion:?}; attitude {attitude:?}");
     // The others are too near a double root.
-    assert_eq!(separated, 992);
-    // Observed: 1.6e-15, 4.5e-15, 1.4e-14 for Ω and z, 2.5e-15, 6.4e-15, 7.0e-14 rad for the attitude.
+    assert_eq!(separated, 397);
+    // Observed: 1.3e-15, 4.2e-15, 1.4e-14 for Ω and z, 2.3e-15, 6.0e-15, 1.7e-14 rad for the attitude.
     assert!(motion[0] < 3e-15 && motion[1] < 1e-14 && motion[2] < 8e-14);
     assert!(attitude[0] < 4e-15 && attitude[1] < 1e-14 && attitude[2] < 8e-14);
 }
@@ -352,7 +352,7 @@ fn judged(starts: impl IntoParallelIterator<Item = u64>) -> (usize, usize, f64, 
 
 #[test]
 fn every_answer_keeps_what_is_stated_or_is_refused() {
-    let (kept, refused, worst, amiss) = judged((0..2000).step_by(13).collect::<Vec<_>>());
+    let (kept, refused, worst, amiss) = judged((0..2000).step_by(41).collect::<Vec<_>>());
     println!("{kept} kept, {refused} refused, the worst at {worst} of what is stated");
     assert!(amiss.is_empty(), "{}", amiss.join("\n"));
     assert!(refused < kept / 20, "{refused} of {kept} refused");

@@ -8,7 +8,7 @@ use crate::euler_equations::{Integrability, classify};
 use crate::euler_top::EulerTop;
 use crate::extended::{Extended, sum_of_products};
 use crate::frame::{Attitude, BodyVector};
-use crate::kovalevskaya_top::{KovalevskayaTop, State};
+use crate::kovalevskaya_top::KovalevskayaTop;
 use crate::lagrange_top::{Exact, LagrangeTop};
 use crate::scene::Budget;
 use crate::words::Arithmetic;

@@ -732,3 +732,21 @@ fn a_solver_that_cannot_run_a_scene_is_refused_by_its_key() {
         assert!(!told.contains("NaN") && !told.contains("got"), "{told}");
     }
 }
+
+#[test]
+fn a_slip_of_the_pen_is_answered_with_what_was_meant() {
+    let told = |text: &str| parse("mine.toml", text).unwrap_err().to_string();
+    let line = told(&RACKET.replace("moments", "momnts"));
+    assert!(
+        line.contains("key `moments` in [body] is missing"),
+        "{line}"
+    );
+    assert!(line.ends_with("is `momnts` a slip for it?"), "{line}");
+    let line = told(&RACKET.replace("[effects]", "[effects]\ngravitty = 9.81"));
+    assert!(line.ends_with("did you mean `gravity`?"), "{line}");
+    let line = told(&format!("kind = \"tippetop\"{RACKET}"));
+    assert!(line.ends_with("did you mean `table-top`?"), "{line}");
+    // What resembles nothing is not guessed at.
+    let line = told(&RACKET.replace("[effects]", "[effects]\nzzz = 1"));
+    assert!(!line.contains("did you mean"), "{line}");
+}

@@ -239,7 +239,10 @@ impl<'a> Section<'a> {
         let text = self.optional_text(key, &what)?.unwrap_or(names[0]);
         match words.iter().find(|(name, _)| *name == text) {
             Some((_, word)) => Ok(*word),
-            None => Err(self.refused(key, format!("must be {what}, got \"{text}\""))),
+            None => {
+                let meant = meant(text, names.into_iter());
+                Err(self.refused(key, format!("must be {what}, got \"{text}\"{meant}")))
+            }
         }
     }
 
@@ -303,7 +306,8 @@ impl<'a> Section<'a> {
                 Err(self.refused(key, "is unknown: no key is allowed here"))
             }
             Some(key) => {
-                Err(self.refused(key, format!("is unknown; allowed are {}", known.join(", "))))
+                let (allowed, meant) = (known.join(", "), meant(key, known.iter().copied()));
+                Err(self.refused(key, format!("is unknown; allowed are {allowed}{meant}")))
             }
         }
     }
@@ -342,7 +346,16 @@ impl<'a> Section<'a> {
 
     /// A refusal of a key that is not there.
     pub fn missing(&self, key: &str, what: &str) -> Error {
-        self.refused(key, format!("is missing: {what} is expected"))
+        let known = self.known.borrow();
+        let strange = self.table.into_iter().flat_map(Table::keys);
+        let strange = strange
+            .map(String::as_str)
+            .filter(|key| !known.contains(key));
+        let meant = match nearest(key, strange) {
+            Some(slip) => format!("; is `{slip}` a slip for it?"),
+            None => String::new(),
+        };
+        self.refused(key, format!("is missing: {what} is expected{meant}"))
     }
 
     fn expected(&self, key: &str, what: &str, got: &Value) -> Error {
@@ -358,4 +371,20 @@ impl<'a> Section<'a> {
             name => format!("{}: key `{key}` in [{name}]", self.file),
         }
     }
+}
+
+/// A question whether one of these was meant, where one is near.
+fn meant<'a>(word: &str, among: impl Iterator<Item = &'a str>) -> String {
+    nearest(word, among).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+}
+
+/// The word that shares at least half of its letters, in their order, with another; hyphens do not count.
+fn nearest<'a>(word: &str, among: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let bare = |word: &str| word.to_lowercase().replace(['-', '_'], "");
+    let word = bare(word);
+    let alike = |other| strsim::normalized_damerau_levenshtein(&word, &bare(other));
+    let all = among.map(|other| (alike(other), other));
+    let near = all.filter(|(likeness, _)| *likeness >= 0.5);
+    near.max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, other)| other)
 }

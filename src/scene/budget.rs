@@ -84,11 +84,13 @@ impl Budget {
     ///
     /// # Errors
     /// [`Error::Budget`] if they are too many.
+    #[inline]
     pub fn spend(&self, evaluations: u64, time: f64) -> Result<()> {
         self.count(evaluations);
         self.reached(time)
     }
 
+    #[inline]
     pub fn count(&self, evaluations: u64) {
         self.spent.set(self.spent.get() + evaluations);
     }
@@ -97,6 +99,7 @@ impl Budget {
     ///
     /// # Errors
     /// As for [`spend`](Self::spend).
+    #[inline]
     pub fn reached(&self, time: f64) -> Result<()> {
         let evaluations = self.spent.get();
         if let Some(Progress(numbers)) = &self.progress {

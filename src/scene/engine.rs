@@ -387,7 +387,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     let (accuracy, count) = (request.accuracy(), request.times().len());
     let (angle, sure) = {
         let flow = flow(accuracy)?;
-        let angle = flow.pace() * furthest(request.times()).abs();
+        let angle = flow.pace() * request.furthest().abs();
         (angle, flow.doubt() == [0.0; N])
     };
     let times = with_checks(request.times(), angle);
@@ -497,7 +497,7 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
         }
         _ => return to_accuracy(request, plan.solver, |_| Ok(*flow)),
     };
-    let angle = flow.pace() * furthest(times).abs();
+    let angle = flow.pace() * request.furthest().abs();
     let error = flow.rounding(angle, &trace.phases);
     Ok(Answer { trace, error })
 }

@@ -10,6 +10,8 @@ use crate::integrators::{Cost, GeneralMethods};
 #[derive(Debug, Clone)]
 pub struct Request {
     times: Vec<f64>,
+    /// The one furthest from the start.
+    furthest: f64,
     accuracy: f64,
     choice: Choice,
     most: u64,
@@ -33,6 +35,7 @@ impl Request {
             finite("the time", t)?;
         }
         Ok(Self {
+            furthest: furthest(&times),
             times,
             accuracy: 1e-10,
             choice: Choice::Auto,
@@ -96,7 +99,12 @@ impl Request {
 
     /// What a run of it may cost, and who watches.
     pub(crate) fn budget(&self) -> Budget {
-        Budget::new(self.most, furthest(&self.times), self.progress.as_ref())
+        Budget::new(self.most, self.furthest, self.progress.as_ref())
+    }
+
+    /// The time furthest from the start, s.
+    pub(crate) const fn furthest(&self) -> f64 {
+        self.furthest
     }
 
     /// The times, s.

@@ -25,7 +25,7 @@
 use super::effects::Effect;
 use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
-use super::motion::{Account, furthest, ledger};
+use super::motion::{Account, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, positive};
@@ -156,7 +156,7 @@ impl Scene for Roller {
 
     fn simulate(&self, request: &Request) -> Result<Motion<Rolling>> {
         let plan = self.plan(request)?;
-        let table = self.table(furthest(request.times()))?;
+        let table = self.table(request.furthest())?;
         let (moments, cost, error) = table.moments(&plan, request)?;
         let ledger = table.ledger(request, &moments)?;
         let (mass, kappa) = (self.body.mass(), self.body.inertia_factor());

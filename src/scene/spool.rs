@@ -19,7 +19,6 @@
 //! ```
 
 use super::effects::Effect;
-use super::motion::furthest;
 use super::roller::{OnTable, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};
@@ -149,7 +148,7 @@ impl Scene for TuggedSpool {
 
     fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
         let plan = self.plan(request)?;
-        let table = self.table(furthest(request.times()))?;
+        let table = self.table(request.furthest())?;
         let (moments, cost, error) = table.moments(&plan, request)?;
         let ledger = table.ledger(request, &moments)?;
         let (mass, kappa) = (table.body.mass(), table.body.inertia_factor());

@@ -12,7 +12,7 @@
 use super::effects::Effect;
 use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
-use super::motion::{Account, furthest, ledger};
+use super::motion::{Account, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, not_negative, positive};
@@ -149,7 +149,7 @@ impl Scene for Superball {
             }
             Solver::Events => self.followed(&flight, request)?,
             _ => {
-                let span = furthest(request.times());
+                let span = request.furthest();
                 let thrown = Thrown { flight, span };
                 let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(thrown))?;
                 let balls = trace.samples.iter().map(|(ball, y)| flying(ball, y));

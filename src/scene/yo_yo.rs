@@ -13,7 +13,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::effects::Effect;
 use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, greater, planned, solved};
-use super::motion::{Account, furthest, ledger};
+use super::motion::{Account, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative, positive};
@@ -567,7 +567,7 @@ impl Scene for Play {
                 .any(|((phase, _), _)| *phase == Phase::Turn)
         {
             // In the turn the yo-yo is as fast as its spin, and the time itself is rounded.
-            error += fastest * OF_A_TIME * furthest(request.times());
+            error += fastest * OF_A_TIME * request.furthest();
         }
         let states = trace.samples.iter();
         let states: Vec<YoYoState> = states.map(|(stage, y)| playing.state(*stage, y)).collect();

@@ -124,18 +124,29 @@ impl ClosedForm {
         budget: &Budget,
         mut show: impl FnMut(f64, Attitude, BodyVector),
     ) -> Result<()> {
-        if let Self::Kovalevskaya(top, axes) = self {
-            for (state, &t) in top.states(times.iter().copied()).zip(times) {
-                budget.spend(1, t)?;
-                let state = state?;
-                show(t, axes.attitude(&state.attitude), axes.outward(state.omega));
+        // One loop a form: a state is not copied on its way.
+        match self {
+            Self::Free(top) => {
+                for &t in times {
+                    budget.spend(1, t)?;
+                    let state = top.at(t)?;
+                    show(t, state.attitude, state.omega);
+                }
             }
-            return Ok(());
-        }
-        for &t in times {
-            budget.spend(1, t)?;
-            let (attitude, omega) = self.at(t)?;
-            show(t, attitude, omega);
+            Self::Lagrange(top, axes) => {
+                for &t in times {
+                    budget.spend(1, t)?;
+                    let state = top.at(t)?;
+                    show(t, axes.attitude(&state.attitude), axes.outward(state.omega));
+                }
+            }
+            Self::Kovalevskaya(top, axes) => {
+                for (state, &t) in top.states(times.iter().copied()).zip(times) {
+                    budget.spend(1, t)?;
+                    let state = state?;
+                    show(t, axes.attitude(&state.attitude), axes.outward(state.omega));
+                }
+            }
         }
         Ok(())
     }

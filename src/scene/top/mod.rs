@@ -22,7 +22,6 @@ pub use held::{State, Top};
 pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 
 use super::engine::{greater, to_accuracy};
-use super::motion::furthest;
 use super::{Budget, Choice, Geometric, Motion, Plan, Request, Scene, Solver, balanced};
 use crate::error::{Error, Result};
 use crate::euler_equations::Integrability;
@@ -52,7 +51,7 @@ impl Top {
                 stepped(format!("{}: no closed form", resisting.join(" and ")))
             }
             Choice::Auto if matches!(kind, Integrability::Kovalevskaya(_)) => {
-                if self.pace()? * furthest(request.times()).abs() < KOVALEVSKAYA_FROM {
+                if self.pace()? * request.furthest().abs() < KOVALEVSKAYA_FROM {
                     let reason = "a run so short that it costs less than preparing the closed form";
                     return stepped(reason.to_owned());
                 }
@@ -128,9 +127,9 @@ impl Top {
         conserved: &Conserved,
     ) -> Result<Motion<State>> {
         let times = request.times();
-        let angle = self.pace()? * furthest(times).abs();
-        let doubted = self.doubted(closed, times)?;
-        let error = closed.rounding(furthest(times), angle) + body::DOUBTED * doubted;
+        let angle = self.pace()? * request.furthest().abs();
+        let doubted = self.doubted(closed, request.furthest())?;
+        let error = closed.rounding(request.furthest(), angle) + body::DOUBTED * doubted;
         if error > request.accuracy() {
             return Err(Error::Amplified {
                 asked: request.accuracy(),
@@ -153,7 +152,7 @@ impl Top {
 
     /// How far a start that rounding cannot tell from this one gets from it by the last of the times, or one of those before. Closed forms that take what is
     /// given before anything is rounded have no such doubt.
-    fn doubted(&self, closed: &ClosedForm, times: &[f64]) -> Result<f64> {
+    fn doubted(&self, closed: &ClosedForm, last: f64) -> Result<f64> {
         if closed.is_exact() {
             return Ok(0.0);
         }
@@ -162,7 +161,6 @@ impl Top {
             return Ok(0.0);
         };
         let fastest = self.start.omega(self.body.moments)?.norm();
-        let last = furthest(times);
         let some = [0.25, 0.55, 0.8, 1.0].map(|part| part * last);
         let budget = Budget::unlimited();
         let mut here = Vec::with_capacity(some.len());

@@ -26,6 +26,8 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
+use core::cell::Cell;
+
 use nalgebra::Vector3;
 
 use super::effects::Effect;
@@ -153,8 +155,15 @@ impl TableTop {
         })
     }
 
-    fn ledger(&self, request: &Request, start: &State, rows: &[State]) -> Result<Ledger> {
-        let spin = self.body.inertia().matrix().amax() * start.omega.norm();
+    /// What is conserved, or may only be lost, angular momenta against those at this rate (rad/s).
+    fn ledger(
+        &self,
+        request: &Request,
+        turning: f64,
+        start: &State,
+        rows: &[State],
+    ) -> Result<Ledger> {
+        let spin = self.body.inertia().matrix().amax() * turning;
         let energy = |row: usize| rows[row].energy;
         let balance = |row: usize| rows[row].energy + rows[row].dissipated;
         let jellett = |row: usize| rows[row].jellett;
@@ -170,7 +179,7 @@ impl TableTop {
                 &balance,
             ),
         ];
-        let no_couple = self.resistance.is_none() && spin > 0.0;
+        let no_couple = self.resistance.is_none();
         if self.gravity.is_some() && no_couple && self.body.has_jellett_integral() {
             let scale = spin * self.body.surface().size();
             accounts.push((
@@ -341,6 +350,8 @@ const STILL: f64 = 0.1;
 const FINEST: f64 = 2e-14;
 /// In units of slip over μg: by then the slip goes where friction wants it, unless it has come to nothing before.
 const SETTLED: f64 = 60.0;
+/// Evaluations on the way to a rest, or to a sample before it; hundreds were seen.
+const MOST_ASKED: u32 = 1_000_000;
 /// Reaction over weight below which a body that has met an event takes off. Take-off is located to rounding; rest, which also is an
 /// event, says nothing of the reaction.
 const LIFTED: f64 = 1e-6;
@@ -681,7 +692,13 @@ impl OnTheTable {
     ) -> Result<Passage<Numbers>> {
         let scale = law.grip() * self.table.gravity;
         let parted = |z: &[f64; NUMBERS + 1]| (core::array::from_fn(|n| z[n]), z[NUMBERS]);
+        let asked = Cell::new(0_u32);
         let rate = |_: f64, z: &[f64; NUMBERS + 1]| {
+            // What is not a number makes the run fail.
+            asked.set(asked.get() + 1);
+            if asked.get() > MOST_ASKED {
+                return [f64::NAN; NUMBERS + 1];
+            }
             let y: Numbers = parted(z).0;
             let pose = Pose::of(&y);
             let contact = self.table.slides(&pose);
@@ -702,6 +719,7 @@ impl OnTheTable {
         for &time in times.iter().chain([&until]) {
             let left = |z: &[f64; NUMBERS + 1]| self.turning * (time - now - z[NUMBERS]);
             let lasts = |z: &[f64; NUMBERS + 1]| self.margin(Mode::Stopping, now, &parted(z).0);
+            asked.set(0);
             let whole = left(&z);
             if whole > 0.0 && lasts(&z) > 0.0 {
                 let leg = Leg {
@@ -767,7 +785,7 @@ impl Scene for TableTop {
         let start = flow.state(0.0, &mode, &y);
         let rows = request.times().iter().zip(&trace.samples);
         let states: Vec<State> = rows.map(|(&t, (mode, y))| flow.state(t, mode, y)).collect();
-        let ledger = self.ledger(request, &start, &states)?;
+        let ledger = self.ledger(request, flow.turning, &start, &states)?;
         Motion::of(request, plan, trace.cost, error, ledger, states)
     }
 }

@@ -20,6 +20,7 @@
 //! let nonsense = BodyVector::new(1.0, 0.0, 0.0) + SpaceVector::new(1.0, 0.0, 0.0);
 //! ```
 
+use core::f64::consts::{PI, TAU};
 use core::fmt;
 use core::marker::PhantomData;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -206,6 +207,28 @@ impl<Axes> core::iter::Sum for FrameVector<Axes> {
     }
 }
 
+/// Euler's angles: the attitude is a turn by ψ about the third axis, by θ about the horizontal, by φ about the vertical.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EulerAngles {
+    /// θ, the tilt of the third axis from the vertical, 0 … π.
+    pub theta: f64,
+    /// φ, how far the line of nodes has gone round the vertical, −π … π.
+    pub phi: f64,
+    /// ψ, the spin about the third axis from the line of nodes, −π … π.
+    pub psi: f64,
+}
+
+/// The same angle in −π … π, for one between −2π and 2π.
+fn wrapped(angle: f64) -> f64 {
+    if angle > PI {
+        angle - TAU
+    } else if angle < -PI {
+        angle + TAU
+    } else {
+        angle
+    }
+}
+
 /// How the body stands in space: the rotation that turns body axes into space axes, as a unit quaternion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attitude(UnitQuaternion<f64>);
@@ -265,6 +288,21 @@ impl Attitude {
     /// The same vector, by its components along the axes of the body.
     pub fn to_body(&self, vector: SpaceVector) -> BodyVector {
         BodyVector::from_components(self.0.inverse_transform_vector(&vector.components()))
+    }
+
+    /// θ, φ, ψ in radians (7.1).
+    ///
+    /// Next to θ = 0 only φ + ψ means anything, next to π only φ − ψ: it is exact to rounding, while their difference, or sum, loses what the
+    /// attitude has lost of it; with θ = 0 or π exactly it counts as zero. Cost: three arctangents.
+    pub fn euler_angles(&self) -> EulerAngles {
+        let q = self.0.quaternion();
+        let half_sum = q.k.atan2(q.w);
+        let half_difference = q.j.atan2(q.i);
+        EulerAngles {
+            theta: 2.0 * q.i.hypot(q.j).atan2(q.w.hypot(q.k)),
+            phi: wrapped(half_sum + half_difference),
+            psi: wrapped(half_sum - half_difference),
+        }
     }
 
     /// Angle of the rotation between two attitudes, radians, in 0…π; accurate for small angles.

@@ -54,6 +54,12 @@ impl std::fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+impl From<spinning_bodies::scene::UnknownColumn> for Error {
+    fn from(unknown: spinning_bodies::scene::UnknownColumn) -> Self {
+        Error::Input(unknown.to_string())
+    }
+}
+
 /// The words of a message on a single line.
 pub fn one_line(message: &str) -> String {
     message.split_whitespace().collect::<Vec<_>>().join(" ")

@@ -642,7 +642,7 @@ fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
     let ends = |name: &str, text: &str| {
         let (scene, request) = parse(name, text).unwrap();
         let progress = Progress::default();
-        let told = match scene.run(name, &request.within(FEW).watched(&progress)) {
+        let told = match press::scenes::run(name, &scene, &request.within(FEW).watched(&progress)) {
             Ok(table) => panic!("{name}: {table:?}"),
             Err(error) => {
                 assert_eq!(error.status(), 1, "{error}");
@@ -667,7 +667,7 @@ fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
         let text = priced.file(|_| true);
         if KNOWN.contains(&priced.kind) {
             let (scene, request) = parse(priced.kind, &text).unwrap();
-            assert!(scene.run(priced.kind, &request.within(FEW)).is_ok());
+            assert!(press::scenes::run(priced.kind, &scene, &request.within(FEW)).is_ok());
         } else {
             ends(priced.kind, &text);
         }

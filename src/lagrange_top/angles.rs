@@ -1,20 +1,8 @@
 //! Tilt, precession and spin as angles (7.1): for drawing and for reading, not for computing.
 
-use core::f64::consts::{PI, TAU};
-
 use super::kinds::Roots;
 use super::motion::{LagrangeTop, State};
-
-/// Euler's angles: the attitude is a turn by ψ about the axis, by θ about the horizontal, by φ about the vertical.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EulerAngles {
-    /// θ, the tilt of the axis from the vertical, 0 … π.
-    pub theta: f64,
-    /// φ, how far the line of nodes has gone round the vertical, −π … π.
-    pub phi: f64,
-    /// ψ, the spin about the axis from the line of nodes, −π … π.
-    pub psi: f64,
-}
+use crate::frame::EulerAngles;
 
 impl State {
     /// θ, φ, ψ in radians (7.1).
@@ -31,13 +19,9 @@ impl State {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn angles(&self) -> EulerAngles {
-        let q = self.attitude.quaternion();
-        let half_sum = q.k.atan2(q.w);
-        let half_difference = q.j.atan2(q.i);
         EulerAngles {
             theta: tilt(self.one_less, self.one_more),
-            phi: wrapped(half_sum + half_difference),
-            psi: wrapped(half_sum - half_difference),
+            ..self.attitude.euler_angles()
         }
     }
 }
@@ -66,15 +50,4 @@ impl LagrangeTop {
 /// The angle whose cosine is h, from 1 − h and 1 + h.
 fn tilt(one_less: f64, one_more: f64) -> f64 {
     2.0 * one_less.sqrt().atan2(one_more.sqrt())
-}
-
-/// The same angle in −π … π, for one between −2π and 2π.
-fn wrapped(angle: f64) -> f64 {
-    if angle > PI {
-        angle - TAU
-    } else if angle < -PI {
-        angle + TAU
-    } else {
-        angle
-    }
 }

@@ -25,7 +25,7 @@ mod roots;
 mod sleeping;
 mod turning;
 
-pub use angles::EulerAngles;
+pub use crate::frame::EulerAngles;
 pub use dip::{Cycloid, Dip, dip};
 pub use kinds::{Nutation, Roots};
 pub use motion::{LagrangeTop, State};

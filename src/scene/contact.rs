@@ -30,6 +30,7 @@ use core::cell::Cell;
 
 use nalgebra::Vector3;
 
+use super::columns::Columns;
 use super::effects::Effect;
 use super::engine::{self, Answer, Closed, Ended, Flow, planned, solved, to_accuracy};
 use super::motion::{Account, ledger};
@@ -281,40 +282,37 @@ pub fn passage(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64, level: f
 }
 
 impl Tabulated for State {
-    /// Unit quaternion; rad/s; m; m/s; m/s; N; J; J.
-    const COLUMNS: &'static [&'static str] = &[
-        "qw",
-        "qx",
-        "qy",
-        "qz",
-        "omega1",
-        "omega2",
-        "omega3",
-        "x",
-        "y",
-        "z",
-        "vx",
-        "vy",
-        "vz",
-        "slip",
-        "reaction",
-        "energy",
-        "dissipated",
-    ];
-
-    fn row(&self) -> Vec<f64> {
-        let q = self.attitude.quaternion();
-        let mut row = vec![q.w, q.i, q.j, q.k];
-        row.extend(&self.omega.components());
-        row.extend(&self.position.components());
-        row.extend(&self.velocity.components());
-        row.extend([
-            self.slip.norm(),
-            self.reaction,
-            self.energy,
-            self.dissipated,
-        ]);
-        row
+    fn columns() -> Columns<Self> {
+        let omega = ["rad/s", "angular velocity, along the body's axes"];
+        Columns::default()
+            .attitude(|state: &Self| state.attitude)
+            .vector(["omega1", "omega2", "omega3"], omega, |state| {
+                state.omega.components()
+            })
+            .vector(["x", "y", "z"], ["m", "centre of mass"], |state| {
+                state.position.components()
+            })
+            .vector(["vx", "vy", "vz"], ["m/s", "its velocity"], |state| {
+                state.velocity.components()
+            })
+            .with(["slip", "m/s", "speed of the point in contact"], |state| {
+                state.slip.norm()
+            })
+            .with(["reaction", "N", "push of the table, upwards"], |state| {
+                state.reaction
+            })
+            .with(
+                [
+                    "energy",
+                    "J",
+                    "kinetic energy, and of the weight above the table",
+                ],
+                |state| state.energy,
+            )
+            .with(
+                ["dissipated", "J", "what contact has taken so far"],
+                |state| state.dissipated,
+            )
     }
 }
 

@@ -5,6 +5,7 @@
 
 use nalgebra::{Rotation3, UnitQuaternion};
 
+use super::columns::Columns;
 use super::effects::{Effect, Impact};
 use super::motion::ascending;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
@@ -59,18 +60,24 @@ pub struct Flying {
 }
 
 impl Tabulated for Flying {
-    /// Unit quaternion; rad/s; m; J.
-    const COLUMNS: &'static [&'static str] = &[
-        "qw", "qx", "qy", "qz", "omega1", "omega2", "omega3", "x", "y", "z", "energy",
-    ];
-
-    fn row(&self) -> Vec<f64> {
-        let q = self.attitude.quaternion();
-        let [omega, center] = [self.omega.components(), self.center.components()];
-        let mut row = vec![q.w, q.i, q.j, q.k];
-        row.extend(omega.iter().chain(&center));
-        row.push(self.energy);
-        row
+    fn columns() -> Columns<Self> {
+        let omega = ["rad/s", "angular velocity, along the body's axes"];
+        Columns::default()
+            .attitude(|state: &Self| state.attitude)
+            .vector(["omega1", "omega2", "omega3"], omega, |state| {
+                state.omega.components()
+            })
+            .vector(["x", "y", "z"], ["m", "centre of the planet"], |state| {
+                state.center.components()
+            })
+            .with(
+                [
+                    "energy",
+                    "J",
+                    "kinetic energy, before the blow of both bodies",
+                ],
+                |state| state.energy,
+            )
     }
 }
 

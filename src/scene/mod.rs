@@ -17,7 +17,9 @@
 //! | [`Strip`](strip::Strip) | 4.10 | [`strip`]: a strip of paper in the air, or in a vacuum |
 //! | [`TableTop`](contact::TableTop) | 4.7 | [`contact`]: sliding, rolling, hopping |
 
+mod any;
 mod budget;
+mod columns;
 pub mod contact;
 pub mod effects;
 mod engine;
@@ -32,7 +34,9 @@ pub mod superball;
 pub mod top;
 pub mod yo_yo;
 
+pub use any::{AnyScene, Table, UnknownColumn};
 pub use budget::Progress;
+pub use columns::{Column, Columns};
 pub use motion::{Motion, Request, balanced};
 pub use plan::{Choice, Geometric, Plan, Solver, UnknownSolver};
 
@@ -58,13 +62,20 @@ pub trait Scene {
     /// As for [`plan`](Self::plan); [`Error::Integration`](crate::Error::Integration), [`Error::Accuracy`](crate::Error::Accuracy),
     /// [`Error::Budget`](crate::Error::Budget), [`Error::Ledger`](crate::Error::Ledger).
     fn simulate(&self, request: &Request) -> Result<Motion<Self::State>>;
+
+    /// What else can be told of a state.
+    fn further(&self) -> Columns<Self::State> {
+        Columns::default()
+    }
 }
 
 /// A state as a row of numbers.
-pub trait Tabulated {
-    /// The names of the numbers.
-    const COLUMNS: &'static [&'static str];
+pub trait Tabulated: Sized + 'static {
+    /// The numbers that are told if nobody says which.
+    fn columns() -> Columns<Self>;
 
-    /// The numbers, as many as there are names.
-    fn row(&self) -> Vec<f64>;
+    /// Those numbers.
+    fn row(&self) -> Vec<f64> {
+        Self::columns().row(self)
+    }
 }

@@ -22,6 +22,7 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
+use super::columns::Columns;
 use super::effects::Effect;
 use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
@@ -131,13 +132,40 @@ pub struct Rolling {
 }
 
 impl Tabulated for Rolling {
-    /// m; m/s (rim_speed is RΩ, slip that of the contact over the ground under it); J.
-    const COLUMNS: &'static [&'static str] =
-        &["x", "velocity", "rim_speed", "slip", "energy", "heat"];
-
-    fn row(&self) -> Vec<f64> {
-        let [x, velocity, rim_speed, slip, ..] = self.moment.state();
-        vec![x, velocity, rim_speed, slip, self.energy, self.heat]
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .with(
+                ["x", "m", "place of the centre along the table"],
+                |state: &Self| state.moment.position,
+            )
+            .with(["velocity", "m/s", "velocity of the centre"], |state| {
+                state.moment.velocity
+            })
+            .with(
+                [
+                    "rim_speed",
+                    "m/s",
+                    "radius times angular velocity, positive as in rolling",
+                ],
+                |state| state.moment.rim_speed,
+            )
+            .with(
+                [
+                    "slip",
+                    "m/s",
+                    "velocity of the point in contact over the ground under it",
+                ],
+                |state| state.moment.slip,
+            )
+            .with(["energy", "J", "kinetic energy"], |state| state.energy)
+            .with(
+                [
+                    "heat",
+                    "J",
+                    "heat of friction and rolling resistance so far",
+                ],
+                |state| state.heat,
+            )
     }
 }
 
@@ -167,6 +195,42 @@ impl Scene for Roller {
         });
         Motion::of(request, plan, cost, error, ledger, states.collect())
     }
+
+    fn further(&self) -> Columns<Rolling> {
+        moments(self.body, |state: &Rolling| state.moment)
+    }
+}
+
+/// What can be told of the moments of a round body.
+pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Columns<S> {
+    let (mass, kappa, radius) = (body.mass(), body.inertia_factor(), body.radius());
+    Columns::default()
+        .with(["turned", "rad", "angle turned"], move |state| {
+            of(state).turned / radius
+        })
+        .with(["omega", "rad/s", "angular velocity"], move |state| {
+            of(state).rim_speed / radius
+        })
+        .with(
+            ["translation", "J", "kinetic energy of the centre"],
+            move |state| 0.5 * mass * of(state).velocity.powi(2),
+        )
+        .with(
+            ["rotation", "J", "kinetic energy about the centre"],
+            move |state| 0.5 * mass * kappa * of(state).rim_speed.powi(2),
+        )
+        .with(
+            ["driven", "J", "work of tug and moving sheet so far"],
+            move |state| mass * of(state).work,
+        )
+        .with(
+            [
+                "l_about_table",
+                "kg m²/s",
+                "angular momentum about the line of contact",
+            ],
+            move |state| mass * radius * of(state).about_the_table(kappa),
+        )
 }
 
 /// The plan of what rolls: closed forms from event to event for this reason, or without events.

@@ -18,8 +18,9 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
+use super::columns::Columns;
 use super::effects::Effect;
-use super::roller::{OnTable, rolling_plan};
+use super::roller::{OnTable, moments, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};
 use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
@@ -112,24 +113,44 @@ pub struct Spooling {
 }
 
 impl Tabulated for Spooling {
-    /// m; m/s; m of string; J.
-    const COLUMNS: &'static [&'static str] = &[
-        "x",
-        "velocity",
-        "rim_speed",
-        "slip",
-        "wound",
-        "energy",
-        "heat",
-        "work",
-    ];
-
-    fn row(&self) -> Vec<f64> {
-        let [x, velocity, rim_speed, slip, ..] = self.moment.state();
-        let Self { wound, energy, .. } = *self;
-        vec![
-            x, velocity, rim_speed, slip, wound, energy, self.heat, self.work,
-        ]
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .with(
+                ["x", "m", "place of the centre along the table"],
+                |state: &Self| state.moment.position,
+            )
+            .with(["velocity", "m/s", "velocity of the centre"], |state| {
+                state.moment.velocity
+            })
+            .with(
+                [
+                    "rim_speed",
+                    "m/s",
+                    "radius times angular velocity, positive as in rolling",
+                ],
+                |state| state.moment.rim_speed,
+            )
+            .with(
+                [
+                    "slip",
+                    "m/s",
+                    "velocity of the point in contact over the ground under it",
+                ],
+                |state| state.moment.slip,
+            )
+            .with(["wound", "m", "string wound up so far"], |state| {
+                state.wound
+            })
+            .with(["energy", "J", "kinetic energy"], |state| state.energy)
+            .with(
+                [
+                    "heat",
+                    "J",
+                    "heat of friction and rolling resistance so far",
+                ],
+                |state| state.heat,
+            )
+            .with(["work", "J", "work of the tug so far"], |state| state.work)
     }
 }
 
@@ -160,5 +181,9 @@ impl Scene for TuggedSpool {
             work: mass * moment.work,
         });
         Motion::of(request, plan, cost, error, ledger, states.collect())
+    }
+
+    fn further(&self) -> Columns<Spooling> {
+        moments(self.spool.body(), |state: &Spooling| state.moment)
     }
 }

@@ -11,6 +11,7 @@
 //! Without the last four the strip is in a vacuum, and its parabola and its uniform rotation are a closed form. What brakes it cannot be run
 //! backward.
 
+use super::columns::Columns;
 use super::effects::{Effect, Gravity};
 use super::engine::{
     Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved,
@@ -39,13 +40,33 @@ pub struct StripState {
 }
 
 impl Tabulated for StripState {
-    const COLUMNS: &'static [&'static str] =
-        &["x", "y", "angle", "vx", "vy", "omega", "energy", "heat"];
-
-    fn row(&self) -> Vec<f64> {
-        let [x, y] = self.position;
-        let [vx, vy] = self.velocity;
-        vec![x, y, self.angle, vx, vy, self.omega, self.energy, self.heat]
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .with(["x", "m", "place, to the right"], |state: &Self| {
+                state.position[0]
+            })
+            .with(["y", "m", "place, up"], |state| state.position[1])
+            .with(
+                ["angle", "rad", "angle of the chord above the horizontal"],
+                |state| state.angle,
+            )
+            .with(["vx", "m/s", "velocity, to the right"], |state| {
+                state.velocity[0]
+            })
+            .with(["vy", "m/s", "velocity, up"], |state| state.velocity[1])
+            .with(["omega", "rad/s", "angular velocity"], |state| state.omega)
+            .with(
+                [
+                    "energy",
+                    "J/m",
+                    "kinetic energy, of the fluid taken along too, and potential energy",
+                ],
+                |state| state.energy,
+            )
+            .with(
+                ["heat", "J/m", "what drag and damping have taken so far"],
+                |state| state.heat,
+            )
     }
 }
 

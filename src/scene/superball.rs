@@ -9,6 +9,7 @@
 //! The plan is the [`Flight`]: closed forms, from bounce to bounce where something is lost. The equations are here for those who ask for a solver
 //! that steps.
 
+use super::columns::Columns;
 use super::effects::Effect;
 use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
@@ -93,21 +94,40 @@ pub struct Bouncing {
 }
 
 impl Tabulated for Bouncing {
-    /// m (the ball's lowest point above the floor); m/s; bounces so far; J.
-    const COLUMNS: &'static [&'static str] = &[
-        "x",
-        "height",
-        "velocity",
-        "climb",
-        "rim_speed",
-        "bounces",
-        "energy",
-    ];
-
-    fn row(&self) -> Vec<f64> {
-        let [x, height, climb, velocity, rim_speed] = numbers(&self.ball);
-        let bounces = self.ball.bounces as f64;
-        vec![x, height, velocity, climb, rim_speed, bounces, self.energy]
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .with(["x", "m", "place along the floor"], |state: &Self| {
+                state.ball.position
+            })
+            .with(
+                ["height", "m", "lowest point of the ball above the floor"],
+                |state| state.ball.height,
+            )
+            .with(["velocity", "m/s", "velocity along the floor"], |state| {
+                state.ball.motion.velocity
+            })
+            .with(["climb", "m/s", "velocity upward"], |state| {
+                state.ball.climb
+            })
+            .with(
+                [
+                    "rim_speed",
+                    "m/s",
+                    "radius times angular velocity, positive as in rolling",
+                ],
+                |state| state.ball.motion.rim_speed,
+            )
+            .with(["bounces", "1", "bounces so far"], |state| {
+                state.ball.bounces as f64
+            })
+            .with(
+                [
+                    "energy",
+                    "J",
+                    "kinetic energy, and of the weight above the floor",
+                ],
+                |state| state.energy,
+            )
     }
 }
 

@@ -11,6 +11,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
+use super::columns::Columns;
 use super::effects::Effect;
 use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, greater, planned, solved};
 use super::motion::{Account, ledger};
@@ -59,20 +60,28 @@ pub struct YoYoState {
 }
 
 impl Tabulated for YoYoState {
-    const COLUMNS: &'static [&'static str] = &[
-        "depth", "velocity", "omega", "tension", "energy", "heat", "work",
-    ];
-
-    fn row(&self) -> Vec<f64> {
-        vec![
-            self.depth,
-            self.velocity,
-            self.omega,
-            self.tension,
-            self.energy,
-            self.heat,
-            self.work,
-        ]
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .with(["depth", "m", "depth below the hand"], |state: &Self| {
+                state.depth
+            })
+            .with(["velocity", "m/s", "velocity downward"], |state| {
+                state.velocity
+            })
+            .with(["omega", "rad/s", "spin"], |state| state.omega)
+            .with(["tension", "N", "pull of the string"], |state| {
+                state.tension
+            })
+            .with(
+                [
+                    "energy",
+                    "J",
+                    "kinetic and potential energy, zero at rest at the hand",
+                ],
+                |state| state.energy,
+            )
+            .with(["heat", "J", "energy lost so far"], |state| state.heat)
+            .with(["work", "J", "work of the hand so far"], |state| state.work)
     }
 }
 

@@ -27,9 +27,8 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use spinning_bodies::conservation::Ledger;
-use spinning_bodies::integrators::Cost;
-use spinning_bodies::scene::{Plan, Progress, Request, Scene, Tabulated};
+pub use spinning_bodies::scene::{AnyScene, Table};
+use spinning_bodies::scene::{Progress, Request};
 
 use crate::{Error, Result};
 use reader::{Key, Section};
@@ -59,116 +58,19 @@ pub fn kinds() -> Vec<&'static str> {
     KINDS.iter().map(|(kind, _)| *kind).collect()
 }
 
-/// Runs a scene.
-type Simulation = dyn Fn(&Request) -> spinning_bodies::Result<Table>;
-
-/// A scene that is ready to run.
-pub struct AnyScene(Box<Simulation>);
-
-/// A motion as numbers.
-pub struct Table {
-    /// The solver, and why.
-    pub plan: Plan,
-    /// What the solver spent.
-    pub cost: Cost,
-    /// By how much the numbers may be off.
-    pub error_estimate: f64,
-    /// What was kept.
-    pub ledger: Ledger,
-    /// Names of the numbers in a row, after the time.
-    pub columns: &'static [&'static str],
-    /// How many rows there are.
-    count: usize,
-    /// A row by its number: time, and as many numbers as there are columns. States become numbers one at a time.
-    row: Box<dyn Fn(usize) -> (f64, Vec<f64>) + Send>,
-}
-
-impl std::fmt::Debug for Table {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {} rows", self.plan, self.count)
-    }
-}
-
-impl std::fmt::Debug for AnyScene {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("AnyScene")
-    }
-}
-
-impl Table {
-    /// The numbers of a motion.
-    fn of<S: Tabulated + Send + 'static>(motion: spinning_bodies::scene::Motion<S>) -> Self {
-        let rows = motion.rows;
-        Self {
-            plan: motion.plan,
-            cost: motion.cost,
-            error_estimate: motion.error_estimate,
-            ledger: motion.ledger,
-            columns: S::COLUMNS,
-            count: rows.len(),
-            row: Box::new(move |place| (rows[place].0, rows[place].1.row())),
-        }
-    }
-
-    /// The time (s) and the numbers of a row, counted from 0.
-    pub fn row(&self, place: usize) -> (f64, Vec<f64>) {
-        (self.row)(place)
-    }
-
-    /// All rows, in the order asked for.
-    pub fn rows(&self) -> impl Iterator<Item = (f64, Vec<f64>)> {
-        (0..self.count).map(|place| self.row(place))
-    }
-
-    /// A number that is none, with its column and its time.
-    fn not_finite(&self) -> Option<(&'static str, f64, f64)> {
-        self.rows().find_map(|(t, row)| {
-            let mut pairs = self.columns.iter().zip(row);
-            let found = pairs.find(|(_, number)| !number.is_finite());
-            found.map(|(column, number)| (*column, t, number))
-        })
-    }
-
-    /// The numbers of these names, `t` being the time, in the order of the rows.
-    ///
-    /// # Errors
-    /// [`Error::Input`] for a name that is no column.
-    pub fn numbers<const N: usize>(&self, names: [&str; N]) -> Result<Vec<[f64; N]>> {
-        let mut places = [0; N];
-        for (place, name) in places.iter_mut().zip(names) {
-            let mut columns = core::iter::once("t").chain(self.columns.iter().copied());
-            *place = columns.position(|column| column == name).ok_or_else(|| {
-                let columns = self.columns.join(", ");
-                Error::Input(format!("no column {name}; there are t, {columns}"))
-            })?;
-        }
-        Ok(self
-            .rows()
-            .map(|(t, row)| places.map(|place| if place == 0 { t } else { row[place - 1] }))
-            .collect())
-    }
-}
-
-impl AnyScene {
-    /// This scene of the library.
-    pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
-        Self(Box::new(move |request| {
-            scene.simulate(request).map(Table::of)
-        }))
-    }
-
-    /// Runs it, `name` being that of its file. Every number of what it gives back is finite.
-    ///
-    /// # Errors
-    /// As for [`simulate`].
-    pub fn run(&self, name: &str, request: &Request) -> Result<Table> {
-        let table = (self.0)(request).map_err(|error| told(name, request.times(), error))?;
-        match table.not_finite() {
-            None => Ok(table),
-            Some((column, t, number)) => Err(Error::Failed(format!(
-                "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units, or an earlier end, may keep it within"
-            ))),
-        }
+/// Runs a scene, `name` being that of its file. Every number of what it gives back is finite.
+///
+/// # Errors
+/// As for [`simulate`].
+pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
+    let table = scene
+        .simulate(request)
+        .map_err(|error| told(name, request.times(), error))?;
+    match table.not_finite() {
+        None => Ok(table),
+        Some((column, t, number)) => Err(Error::Failed(format!(
+            "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units, or an earlier end, may keep it within"
+        ))),
     }
 }
 
@@ -189,7 +91,7 @@ pub fn simulate_watched(path: impl AsRef<Path>, progress: &Progress) -> Result<(
     let (name, text) = source(path.as_ref())?;
     let (scene, request) = parse(&name, &text)?;
     let start = Instant::now();
-    let table = scene.run(&name, &request.watched(progress))?;
+    let table = run(&name, &scene, &request.watched(progress))?;
     Ok((table, start.elapsed().as_secs_f64()))
 }
 

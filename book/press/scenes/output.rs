@@ -6,6 +6,7 @@ use std::path::Path;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 use spinning_bodies::conservation::Law;
+use spinning_bodies::scene::Column;
 
 use super::Table;
 use crate::{Error, Result};
@@ -71,7 +72,11 @@ pub fn text(table: &Table, seconds: f64, format: Format) -> String {
 }
 
 fn csv(table: &Table, to: &mut dyn Write) -> io::Result<()> {
-    writeln!(to, "t,{}", table.columns.join(","))?;
+    to.write_all(b"t")?;
+    for column in &table.columns {
+        write!(to, ",{}", column.name)?;
+    }
+    to.write_all(b"\n")?;
     for (t, numbers) in table.rows() {
         // `{:?}` is the shortest text that is read back as the same number.
         write!(to, "{t:?}")?;
@@ -132,16 +137,16 @@ struct Rows<'a>(&'a Table);
 
 impl Serialize for Rows<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let columns = self.0.columns;
+        let columns = &self.0.columns;
         serializer.collect_seq(self.0.rows().map(|(t, numbers)| Row(columns, t, numbers)))
     }
 }
 
-struct Row(&'static [&'static str], f64, Vec<f64>);
+struct Row<'a>(&'a [Column], f64, Vec<f64>);
 
-impl Serialize for Row {
+impl Serialize for Row<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let numbers = self.0.iter().zip(&self.2);
-        serializer.collect_map(core::iter::once((&"t", &self.1)).chain(numbers))
+        let numbers = self.0.iter().map(|column| column.name).zip(&self.2);
+        serializer.collect_map(core::iter::once(("t", &self.1)).chain(numbers))
     }
 }

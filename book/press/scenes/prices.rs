@@ -220,7 +220,7 @@ impl Priced {
 /// [`crate::Error`].
 pub fn run(name: &str, text: &str) -> Result<Table> {
     let (scene, request) = super::parse(name, text)?;
-    scene.run(name, &request)
+    super::run(name, &scene, &request)
 }
 
 /// The Markdown table of the book's files, from the measurements of the bench.

@@ -142,14 +142,14 @@ pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<(Stri
             varied.push(value);
         }
         varied.reverse();
-        let outcome =
-            prepare(&name, &table).and_then(|(scene, request, _)| scene.run(&name, &request));
+        let outcome = prepare(&name, &table)
+            .and_then(|(scene, request, _)| super::run(&name, &scene, &request));
         done();
         Ok((varied, outcome.map(last)))
     });
     let lines: Vec<(Vec<f64>, Result<Last>)> = lines.collect::<Result<_>>()?;
     let ran = lines.iter().find_map(|(_, outcome)| outcome.as_ref().ok());
-    let columns = ran.map_or(&[][..], |last| last.0);
+    let columns = ran.map_or(&[][..], |last| &last.0);
     let paths = overs.iter().map(|over| over.path.as_str());
     let head = paths.chain(["t"]).chain(columns.iter().copied());
     let mut text = head.chain(["status"]).collect::<Vec<_>>().join(",") + "\n";
@@ -180,12 +180,13 @@ pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<(Stri
 }
 
 /// The columns of a motion, and its latest row behind the time: what is left of it in a scan.
-type Last = (&'static [&'static str], Vec<f64>);
+type Last = (Vec<&'static str>, Vec<f64>);
 
 fn last(table: super::Table) -> Last {
     let latest = table.rows().max_by(|a, b| a.0.total_cmp(&b.0));
     let row = latest.map(|(t, row)| core::iter::once(t).chain(row).collect());
-    (table.columns, row.unwrap_or_default())
+    let names = table.columns.iter().map(|column| column.name);
+    (names.collect(), row.unwrap_or_default())
 }
 
 /// How many points the grid has.

@@ -1,7 +1,7 @@
 //! All that the suite asks of the library: a scene file goes in, rows and an estimate come out; and what a run of order 8 would cost.
 
 use super::double_double::Dd;
-use press::scenes::parse;
+use press::scenes::{parse, run};
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::integrators::{Effort, Kept, order_eight};
 
@@ -18,7 +18,7 @@ pub struct Motion {
     pub solver: String,
     pub estimate: f64,
     pub evaluations: u64,
-    columns: &'static [&'static str],
+    columns: Vec<&'static str>,
     rows: Vec<Vec<f64>>,
 }
 
@@ -40,14 +40,14 @@ const MOST_EVALUATIONS: u64 = 3_000_000;
 
 /// Runs a scene file.
 pub fn simulate(text: &str) -> Answer {
-    let run = parse("scene", text)
-        .and_then(|(scene, request)| scene.run("scene", &request.within(MOST_EVALUATIONS)));
-    match run {
+    let motion = parse("scene", text)
+        .and_then(|(scene, request)| run("scene", &scene, &request.within(MOST_EVALUATIONS)));
+    match motion {
         Ok(table) => Answer::Motion(Motion {
             solver: table.plan.solver.name().to_owned(),
             estimate: table.error_estimate,
             evaluations: table.cost.evaluations,
-            columns: table.columns,
+            columns: table.columns.iter().map(|column| column.name).collect(),
             rows: table.rows().map(|(_, row)| row).collect(),
         }),
         Err(error) => Answer::Refused(error.to_string()),

@@ -12,6 +12,7 @@ use crate::integrators::Kept;
 use crate::phenomena::cat::{self, Bend, EqualHalves};
 use crate::phenomena::holonomy::ShapePlane;
 use crate::phenomena::quadrature::integral;
+use crate::scene::columns::Columns;
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Closed, Flow, planned, solved};
 use crate::scene::motion::ascending;
@@ -45,25 +46,28 @@ pub struct CatState {
 }
 
 impl Tabulated for CatState {
-    const COLUMNS: &'static [&'static str] = &[
-        "qw",
-        "qx",
-        "qy",
-        "qz",
-        "bend",
-        "direction",
-        "x",
-        "y",
-        "z",
-        "angular_momentum",
-    ];
-
-    fn row(&self) -> Vec<f64> {
-        let q = self.attitude.quaternion();
-        let mut row = vec![q.w, q.i, q.j, q.k, self.bend.angle, self.bend.direction];
-        row.extend(&self.center.components());
-        row.push(self.angular_momentum.norm());
-        row
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .attitude(|state: &Self| state.attitude)
+            .with(
+                ["bend", "rad", "angle between the spines of the halves"],
+                |state| state.bend.angle,
+            )
+            .with(
+                ["direction", "rad", "direction of the bend about the spine"],
+                |state| state.bend.direction,
+            )
+            .vector(["x", "y", "z"], ["m", "centre of mass"], |state| {
+                state.center.components()
+            })
+            .with(
+                [
+                    "angular_momentum",
+                    "kg m²/s",
+                    "size of the angular momentum",
+                ],
+                |state| state.angular_momentum.norm(),
+            )
     }
 }
 

@@ -7,6 +7,7 @@ use crate::error::{Error, Result, not_negative};
 use crate::integrators::{Cost, Passage, Stop};
 use crate::phenomena::crawler::{self, Foot, Gap, Leg};
 use crate::rolling::course::Coulomb;
+use crate::scene::columns::Columns;
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Closed, Ended, Flow, planned, solved};
 use crate::scene::motion::{Account, ledger};
@@ -38,19 +39,22 @@ pub struct CrawlerState {
 }
 
 impl Tabulated for CrawlerState {
-    const COLUMNS: &'static [&'static str] =
-        &["rear", "front", "center", "velocity", "work", "heat"];
-
-    fn row(&self) -> Vec<f64> {
-        let Self { rear, front, .. } = *self;
-        vec![
-            rear,
-            front,
-            self.center,
-            self.velocity,
-            self.work,
-            self.heat,
-        ]
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .with(["rear", "m", "place of the rear foot"], |state: &Self| {
+                state.rear
+            })
+            .with(["front", "m", "place of the front foot"], |state| {
+                state.front
+            })
+            .with(["center", "m", "centre of mass"], |state| state.center)
+            .with(["velocity", "m/s", "its velocity"], |state| state.velocity)
+            .with(["work", "J", "work of the muscle so far"], |state| {
+                state.work
+            })
+            .with(["heat", "J", "heat of the ground so far"], |state| {
+                state.heat
+            })
     }
 }
 

@@ -6,6 +6,7 @@ use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::integrators::{Effort, Kept, Leg, Stop};
 use crate::phenomena;
+use crate::scene::columns::Columns;
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Closed, Flow, apart, planned, solved};
 use crate::scene::motion::{Account, ledger};
@@ -36,11 +37,20 @@ pub struct PaperCatState {
 }
 
 impl Tabulated for PaperCatState {
-    const COLUMNS: &'static [&'static str] = &["fall", "velocity", "tilt", "tilt_rate", "lost"];
-
-    fn row(&self) -> Vec<f64> {
-        let Self { fall, velocity, .. } = *self;
-        vec![fall, velocity, self.tilt, self.tilt_rate, self.lost]
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .with(["fall", "m", "how far it has fallen"], |state: &Self| {
+                state.fall
+            })
+            .with(["velocity", "m/s", "velocity of the fall"], |state| {
+                state.velocity
+            })
+            .with(["tilt", "rad", "tilt from feet-down"], |state| state.tilt)
+            .with(["tilt_rate", "rad/s", "its rate"], |state| state.tilt_rate)
+            .with(
+                ["lost", "J/kg", "energy that the air has taken so far"],
+                |state| state.lost,
+            )
     }
 }
 

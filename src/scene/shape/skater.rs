@@ -5,6 +5,7 @@ use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::skater;
+use crate::scene::columns::Columns;
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Closed, Flow, apart, planned, solved};
 use crate::scene::motion::{Account, ledger};
@@ -38,11 +39,19 @@ pub struct SkaterState {
 }
 
 impl Tabulated for SkaterState {
-    const COLUMNS: &'static [&'static str] = &["angle", "spin", "reach", "energy", "work", "heat"];
-
-    fn row(&self) -> Vec<f64> {
-        let Self { angle, spin, .. } = *self;
-        vec![angle, spin, self.reach, self.energy, self.work, self.heat]
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .with(["angle", "rad", "angle turned"], |state: &Self| state.angle)
+            .with(["spin", "rad/s", "angular velocity"], |state| state.spin)
+            .with(
+                ["reach", "m", "distance of the hands from the axis"],
+                |state| state.reach,
+            )
+            .with(["energy", "J", "kinetic energy"], |state| state.energy)
+            .with(["work", "J", "work of the arms so far"], |state| state.work)
+            .with(["heat", "J", "heat of the bearing so far"], |state| {
+                state.heat
+            })
     }
 }
 

@@ -5,6 +5,7 @@ use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::phenomena;
 use crate::phenomena::quadrature::integral;
+use crate::scene::columns::Columns;
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Closed, Flow, planned, solved};
 use crate::scene::motion::ledger;
@@ -36,18 +37,27 @@ pub struct SwivelState {
 }
 
 impl Tabulated for SwivelState {
-    const COLUMNS: &'static [&'static str] =
-        &["lower", "upper", "upper_moment", "rate", "angular_momentum"];
-
-    fn row(&self) -> Vec<f64> {
-        let Self { lower, upper, .. } = *self;
-        vec![
-            lower,
-            upper,
-            self.upper_moment,
-            self.rate,
-            self.angular_momentum,
-        ]
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .with(
+                ["lower", "rad", "how far the lower part has turned"],
+                |state: &Self| state.lower,
+            )
+            .with(
+                ["upper", "rad", "how far the upper part has turned"],
+                |state| state.upper,
+            )
+            .with(
+                ["upper_moment", "kg m²", "moment of the upper part"],
+                |state| state.upper_moment,
+            )
+            .with(["rate", "rad/s", "rate of the lower part"], |state| {
+                state.rate
+            })
+            .with(
+                ["angular_momentum", "kg m²/s", "angular momentum"],
+                |state| state.angular_momentum,
+            )
     }
 }
 

@@ -5,6 +5,7 @@ use super::closed::ClosedForm;
 use crate::error::{Error, Result};
 use crate::frame::{Attitude, BodyVector};
 use crate::scene::Tabulated;
+use crate::scene::columns::Columns;
 use crate::scene::effects::{
     AirDrag, BearingFriction, Effect, Gravity, PivotFriction, TipFriction,
 };
@@ -33,14 +34,21 @@ pub struct State {
 }
 
 impl Tabulated for State {
-    const COLUMNS: &'static [&'static str] = &[
-        "qw", "qx", "qy", "qz", "omega1", "omega2", "omega3", "energy",
-    ];
-
-    fn row(&self) -> Vec<f64> {
-        let q = self.attitude.quaternion();
-        let [o1, o2, o3]: [f64; 3] = self.omega.components().into();
-        vec![q.w, q.i, q.j, q.k, o1, o2, o3, self.energy]
+    fn columns() -> Columns<Self> {
+        let omega = ["rad/s", "angular velocity, along the body's axes"];
+        Columns::default()
+            .attitude(|state: &Self| state.attitude)
+            .vector(["omega1", "omega2", "omega3"], omega, |state| {
+                state.omega.components()
+            })
+            .with(
+                [
+                    "energy",
+                    "J",
+                    "kinetic energy, and of the weight above the pivot",
+                ],
+                |state| state.energy,
+            )
     }
 }
 

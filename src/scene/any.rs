@@ -1,0 +1,194 @@
+//! A scene whose kind is known only when the program runs, and its motion as numbers.
+
+use std::sync::Arc;
+
+use super::columns::{Column, Columns};
+use super::{Motion, Plan, Request, Scene, Tabulated};
+use crate::conservation::Ledger;
+use crate::error::Result;
+use crate::integrators::Cost;
+
+/// Runs a scene and tells the numbers at these places.
+type Simulation = dyn Fn(&Request, &[usize]) -> Result<Table>;
+
+/// A scene of any kind, and the numbers that are told of it.
+///
+/// ```
+/// use spinning_bodies::rolling::{RoundBody, factor};
+/// use spinning_bodies::scene::{AnyScene, Request, effects::Coulomb, roller::Roller};
+///
+/// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.4, 0.0)?;
+/// let scene = AnyScene::scene(Box::new(ball.with(Coulomb::new(0.2)?)?));
+/// let scene = scene.telling(&["rim_speed", "rotation"]).map_err(|unknown| unknown.to_string());
+/// let table = scene.expect("two of its columns").simulate(&Request::at([5.0])?)?;
+/// let (_, row) = table.row(0);
+/// assert!((row[0] - 1.0).abs() < 1e-14); // it rolls at five sevenths of its speed
+/// assert!((row[1] - 0.5 * 0.4 * 0.17).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub struct AnyScene {
+    columns: Vec<Column>,
+    told: Vec<usize>,
+    simulation: Box<Simulation>,
+}
+
+impl core::fmt::Debug for AnyScene {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("AnyScene")
+            .field("columns", &self.columns)
+            .finish_non_exhaustive()
+    }
+}
+
+/// A name that is no column of a scene.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("no column {name}; there are {}", names.join(", "))]
+pub struct UnknownColumn {
+    /// The name.
+    pub name: String,
+    /// Those that there are.
+    pub names: Vec<&'static str>,
+}
+
+impl UnknownColumn {
+    fn among(columns: &[Column], name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            names: columns.iter().map(|column| column.name).collect(),
+        }
+    }
+}
+
+impl AnyScene {
+    /// This scene, telling its usual numbers.
+    pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
+        let tellers = Arc::new(S::columns().usual().and(scene.further()));
+        let columns: Vec<Column> = tellers.columns().collect();
+        let usual = (0..columns.len()).filter(|&place| columns[place].usual);
+        Self {
+            told: usual.collect(),
+            columns,
+            simulation: Box::new(move |request, told| {
+                let motion = scene.simulate(request)?;
+                Ok(Table::of(motion, Arc::clone(&tellers), told))
+            }),
+        }
+    }
+
+    /// What it can tell: the usual numbers first.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The same telling the numbers of these names.
+    ///
+    /// # Errors
+    /// The first name that is none.
+    pub fn telling<N: AsRef<str>>(
+        mut self,
+        names: &[N],
+    ) -> core::result::Result<Self, UnknownColumn> {
+        let place = |name: &N| {
+            let found = self.columns.iter().position(|c| c.name == name.as_ref());
+            found.ok_or_else(|| UnknownColumn::among(&self.columns, name.as_ref()))
+        };
+        self.told = names
+            .iter()
+            .map(place)
+            .collect::<core::result::Result<_, _>>()?;
+        Ok(self)
+    }
+
+    /// Runs it.
+    ///
+    /// # Errors
+    /// As for [`Scene::simulate`].
+    pub fn simulate(&self, request: &Request) -> Result<Table> {
+        (self.simulation)(request, &self.told)
+    }
+}
+
+/// A motion as numbers.
+pub struct Table {
+    /// The solver, and why.
+    pub plan: Plan,
+    /// What the solver spent.
+    pub cost: Cost,
+    /// By how much the numbers may be off.
+    pub error_estimate: f64,
+    /// What was kept.
+    pub ledger: Ledger,
+    /// What the numbers in a row are, after the time.
+    pub columns: Vec<Column>,
+    count: usize,
+    /// A row by its number. States become numbers one at a time.
+    row: Box<dyn Fn(usize) -> (f64, Vec<f64>) + Send>,
+}
+
+impl core::fmt::Debug for Table {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{}: {} rows", self.plan, self.count)
+    }
+}
+
+impl Table {
+    fn of<S: Send + 'static>(motion: Motion<S>, tellers: Arc<Columns<S>>, told: &[usize]) -> Self {
+        let (rows, told) = (motion.rows, told.to_vec());
+        let all: Vec<Column> = tellers.columns().collect();
+        Self {
+            plan: motion.plan,
+            cost: motion.cost,
+            error_estimate: motion.error_estimate,
+            ledger: motion.ledger,
+            columns: told.iter().map(|&place| all[place]).collect(),
+            count: rows.len(),
+            row: Box::new(move |place| {
+                let (t, state) = &rows[place];
+                let numbers = told.iter().map(|&place| tellers.number(place, state));
+                (*t, numbers.collect())
+            }),
+        }
+    }
+
+    /// The time (s) and the numbers of a row, counted from 0.
+    ///
+    /// # Panics
+    /// If there are not so many rows.
+    pub fn row(&self, place: usize) -> (f64, Vec<f64>) {
+        (self.row)(place)
+    }
+
+    /// All rows, in the order asked for.
+    pub fn rows(&self) -> impl Iterator<Item = (f64, Vec<f64>)> {
+        (0..self.count).map(|place| self.row(place))
+    }
+
+    /// A number that is none, with its column and its time (s).
+    pub fn not_finite(&self) -> Option<(&'static str, f64, f64)> {
+        self.rows().find_map(|(t, row)| {
+            let mut pairs = self.columns.iter().zip(row);
+            let found = pairs.find(|(_, number)| !number.is_finite());
+            found.map(|(column, number)| (column.name, t, number))
+        })
+    }
+
+    /// The numbers of these names, `t` being the time, in the order of the rows.
+    ///
+    /// # Errors
+    /// The first name that is no column of the table.
+    pub fn numbers<const N: usize>(
+        &self,
+        names: [&str; N],
+    ) -> core::result::Result<Vec<[f64; N]>, UnknownColumn> {
+        let mut places = [0; N];
+        for (place, name) in places.iter_mut().zip(names) {
+            let mut columns = core::iter::once("t").chain(self.columns.iter().map(|c| c.name));
+            let found = columns.position(|column| column == name);
+            *place = found.ok_or_else(|| UnknownColumn::among(&self.columns, name))?;
+        }
+        let chosen = |(t, row): (f64, Vec<f64>)| {
+            places.map(|place| if place == 0 { t } else { row[place - 1] })
+        };
+        Ok(self.rows().map(chosen).collect())
+    }
+}

@@ -5,7 +5,7 @@ use crate::error::one_line;
 use crate::ledger::Ledger;
 use crate::paths::workspace_root;
 use crate::progress::watched;
-use crate::scenes::output::Format;
+use crate::scenes::output::{Format, Motion};
 use crate::scenes::scan::{self, Over};
 use crate::writer::{Target, can_be_written_into, say};
 use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes};
@@ -59,14 +59,15 @@ A scene file, in TOML and SI units; nothing acts that [effects] does not name:
   samples = 101
   accuracy = 1e-10                 # relative
   solver = \"auto\"                # or exact, dop853, dopri5, verner98, rk4
+  columns = [\"tilt\", \"energy\"]  # what a row tells after the time; the usual numbers of the kind if it is not there
 
-A run gives up after 200 million evaluations of its equations, and has 500000 rows at most; one that takes more than a
+A run gives up after 200 million evaluations of its equations, and has ten million rows at most; one that takes more than a
 moment tells how far it is. A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
 book/scenes has a file for each scene of the book.
 
 Examples:
   cargo run -- scene book/scenes/racket.toml
-  cargo run -- scene book/scenes/sleeping-top.toml --format json --output motion.json";
+  cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json";
 
 const SCAN: &str = "\
 The last row of each motion, with the varied numbers before it and `ok`, or why there is none, behind.
@@ -119,6 +120,9 @@ enum Command {
     Scene {
         /// The scene file, or the name of one in book/scenes; `-` reads standard input
         file: PathBuf,
+        /// The numbers of a row after the time; a name that is none has them all listed [default: the usual ones of the kind]
+        #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+        columns: Vec<String>,
         /// How the motion is written [default: as the name of the output ends; csv]
         #[arg(long, value_enum)]
         format: Option<Format>,
@@ -230,16 +234,26 @@ fn obey(command: Option<Command>) -> Result<()> {
         }
         Some(Command::Scene {
             file,
+            columns,
             format,
             output,
         }) => {
             let file = scene_file(&root, file);
             let format = Format::of(format, output.as_deref())?;
             let target = Target::new(output.as_deref(), Some(&file))?;
-            let progress = Progress::default();
-            let how_far = || told(&progress);
-            let (table, seconds) = watched(how_far, || scenes::simulate_watched(&file, &progress))?;
-            target.write(|to| format.write(&table, seconds, to))
+            let (name, text) = scenes::source(&file)?;
+            let (mut scene, request) = scenes::parse(&name, &text)?;
+            if !columns.is_empty() {
+                let told = scenes::telling(scene, &columns);
+                scene = told.map_err(|told| Error::Input(format!("--columns: {name} {told}")))?;
+            }
+            let motion = Motion {
+                name: &name,
+                scene: &scene,
+                request: &request,
+                progress: &Progress::default(),
+            };
+            target.write(|to| format.write(&motion, to))
         }
         Some(Command::Scan { file, over, output }) => {
             let file = scene_file(&root, file);
@@ -306,18 +320,6 @@ fn scene_file(root: &Path, name: PathBuf) -> PathBuf {
         return name;
     }
     scenes::file(root, &name).unwrap_or(name)
-}
-
-/// How far a motion has come, for a bar and in words.
-fn told(progress: &Progress) -> (f64, String) {
-    let (time, until) = (progress.time(), progress.until());
-    let millions = |evaluations: u64| evaluations as f64 / 1e6;
-    let told = format!(
-        "simulating: t = {time:.4e} of {until:.4e} s, {:.0} of at most {:.0} million evaluations",
-        millions(progress.evaluations()),
-        millions(progress.most())
-    );
-    (time / until, told)
 }
 
 fn open_page(page: &Path) -> Result<()> {

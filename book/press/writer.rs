@@ -90,9 +90,11 @@ impl Target {
                 into(file, contents).and_then(|()| unfinished.become_file(&path))
             }
         };
-        written.map_err(|error| match error.kind() {
-            ErrorKind::BrokenPipe => Error::OutputClosed,
-            _ => Error::file(&self.name)(error),
+        written.map_err(|error| match error.downcast::<Error>() {
+            // What was to be written could not be had.
+            Ok(refused) => refused,
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Error::OutputClosed,
+            Err(error) => Error::file(&self.name)(error),
         })
     }
 }

@@ -541,12 +541,12 @@ mod unix {
     #[test]
     #[cfg(target_os = "linux")]
     fn memory_stays_small_up_to_the_largest_output() {
-        let (_folder, file) = racket(500_000);
+        // Observed: 42 MB; of five million rows 63 MB, where a motion is stepped 102 MB. As one JSON value half a million took 1.5 GB.
+        let (_folder, file) = racket(600_000);
         let peak = peak(&["scene", file.to_str().unwrap(), "--format", "json"]);
-        // Observed: 52 MB; as one JSON value it took 1.5 GB.
-        assert!((20_000..100_000).contains(&peak), "{peak} kB");
-        let (_folder, file) = racket(500_001);
-        refused(&scene(&file, &[]), &["samples", "500000"]);
+        assert!((20_000..80_000).contains(&peak), "{peak} kB");
+        let (_folder, file) = racket(10_000_001);
+        refused(&scene(&file, &[]), &["samples", "10000000"]);
     }
 
     #[test]

@@ -75,6 +75,20 @@ fn the_columns_of_a_table_are_found_by_name() {
     );
 }
 
+/// What is written of the scene that a text describes.
+fn written(text: &str, format: output::Format) -> String {
+    let (scene, request) = parse("scene", text).unwrap();
+    let motion = output::Motion {
+        name: "scene",
+        scene: &scene,
+        request: &request,
+        progress: &Progress::default(),
+    };
+    let mut written = Vec::new();
+    format.write(&motion, &mut written).unwrap();
+    String::from_utf8(written).unwrap()
+}
+
 #[test]
 fn the_order_in_which_keys_and_effects_are_listed_changes_nothing() {
     let head = "[body]\nmass = 1.0\nmoments = [1.0, 1.5, 2.0]\ncenter_of_mass = [0.1, 0.0, 0.1]\n";
@@ -83,10 +97,7 @@ fn the_order_in_which_keys_and_effects_are_listed_changes_nothing() {
     let run = |order: [usize; 3]| {
         let listed: Vec<&str> = order.iter().map(|&i| effects[i]).collect();
         let text = format!("{tail}{head}[effects]\n{}\n", listed.join("\n"));
-        let path = tempfile::NamedTempFile::new().unwrap();
-        std::fs::write(path.path(), text).unwrap();
-        let (table, seconds) = simulate(path.path()).unwrap();
-        output::text(&table, seconds, output::Format::Csv)
+        written(&text, output::Format::Csv)
     };
     let first = run([0, 1, 2]);
     for order in [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
@@ -98,8 +109,8 @@ fn the_order_in_which_keys_and_effects_are_listed_changes_nothing() {
 fn numbers_are_read_back_exactly() {
     let path = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(path.path(), RACKET).unwrap();
-    let (table, seconds) = simulate(path.path()).unwrap();
-    let text = output::text(&table, seconds, output::Format::Csv);
+    let (table, _) = simulate(path.path()).unwrap();
+    let text = written(RACKET, output::Format::Csv);
     let mut lines = text.lines();
     assert_eq!(
         lines.next(),
@@ -109,7 +120,7 @@ fn numbers_are_read_back_exactly() {
         let read: Vec<f64> = line.split(',').map(|n| n.parse().unwrap()).collect();
         assert_eq!((t, row.as_slice()), (read[0], &read[1..]));
     }
-    let json = output::text(&table, seconds, output::Format::Json);
+    let json = written(RACKET, output::Format::Json);
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["plan"]["solver"], "exact");
     assert_eq!(
@@ -139,9 +150,7 @@ fn a_scan_is_its_scenes_one_by_one() {
     );
     // Ω₁ = 0.25, I₃ = 3: the fifth point.
     let one = RACKET.replace("[0.01, 1.0", "[0.25, 1.0");
-    std::fs::write(path.path(), one).unwrap();
-    let (table, seconds) = simulate(path.path()).unwrap();
-    let alone = output::text(&table, seconds, output::Format::Csv);
+    let alone = written(&one, output::Format::Csv);
     assert_eq!(
         lines[5],
         format!("0.25,3.0,{},ok", alone.lines().last().unwrap())

@@ -242,6 +242,8 @@ pub struct State {
     pub slip: SpaceVector,
     /// Normal reaction of the table, N; never negative.
     pub reaction: f64,
+    /// Size of the level force of the table, N.
+    pub friction: f64,
     /// Kinetic energy and M g times the height of C, J.
     pub energy: f64,
     /// What friction, resistance and landings have taken since the start, J.
@@ -502,11 +504,12 @@ impl OnTheTable {
             Mode::Airborne(takeoff) => takeoff.at(t, self.table.gravity),
             _ => body.height(&pose),
         };
-        let (slip, reaction) = match mode {
-            Mode::Airborne(_) => (Vector3::zeros(), 0.0),
+        let (slip, reaction, friction) = match mode {
+            Mode::Airborne(_) => (Vector3::zeros(), 0.0, 0.0),
             _ => {
                 let contact = self.contact(mode, &pose);
-                (contact.slip, contact.reaction)
+                let reaction = contact.reaction.max(0.0);
+                (contact.slip, reaction, reaction * contact.traction.norm())
             }
         };
         let omega = BodyVector::from_components(pose.omega);
@@ -520,7 +523,8 @@ impl OnTheTable {
             velocity: SpaceVector::from_components(velocity),
             support: mode.support(),
             slip: SpaceVector::from_components(pose.turn * slip),
-            reaction: reaction.max(0.0),
+            reaction,
+            friction,
             energy: body.kinetic_energy(&pose.omega, &velocity) + potential,
             dissipated: y[11],
             jellett: body.jellett(up, omega),
@@ -785,5 +789,55 @@ impl Scene for TableTop {
         let states: Vec<State> = rows.map(|(&t, (mode, y))| flow.state(t, mode, y)).collect();
         let ledger = self.ledger(request, flow.turning, &start, &states)?;
         Motion::of(request, plan, trace.cost, error, ledger, states)
+    }
+
+    fn further(&self) -> Columns<State> {
+        let (body, gravity) = (self.body, self.gravity);
+        let momentum = move |state: &State| {
+            let l = body.inertia().angular_momentum(state.omega);
+            state.attitude.to_space(l)
+        };
+        let weight = body.mass() * gravity.unwrap_or(0.0);
+        Columns::default()
+            .angles(|state: &State| state.attitude)
+            .with(
+                ["omega", "rad/s", "size of the angular velocity"],
+                |state| state.omega.norm(),
+            )
+            .with(
+                [
+                    "vertical_spin",
+                    "rad/s",
+                    "angular velocity about the vertical",
+                ],
+                State::spin,
+            )
+            .angular_momentum(|state| state.attitude, momentum)
+            .with(
+                ["friction", "N", "size of the level force of the table"],
+                |state| state.friction,
+            )
+            .with(
+                ["translation", "J", "kinetic energy of the centre of mass"],
+                move |state| 0.5 * body.mass() * state.velocity.dot(&state.velocity),
+            )
+            .with(
+                ["rotation", "J", "kinetic energy about the centre of mass"],
+                move |state| {
+                    let l = body.inertia().angular_momentum(state.omega);
+                    0.5 * l.dot(&state.omega)
+                },
+            )
+            .with(
+                ["potential", "J", "energy of the weight above the table"],
+                move |state| weight * state.position.z(),
+            )
+            .with(["jellett", "kg m³/s", "Jellett's integral"], |state| {
+                state.jellett
+            })
+            .with(
+                ["support", "1", "0 sliding, 1 rolling, 2 in the air"],
+                |state| state.support as u8 as f64,
+            )
     }
 }

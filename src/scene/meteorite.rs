@@ -247,6 +247,15 @@ impl Scene for StruckPlanet {
         let states = rows.iter().map(|(state, _)| *state).collect();
         Motion::of(request, plan, Cost::default(), error, ledger, states)
     }
+
+    fn further(&self) -> Columns<Flying> {
+        Columns::default()
+            .angles(|state: &Flying| state.attitude)
+            .with(
+                ["omega", "rad/s", "size of the angular velocity"],
+                |state| state.omega.norm(),
+            )
+    }
 }
 
 fn ledger(

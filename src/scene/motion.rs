@@ -20,6 +20,29 @@ pub struct Request {
 }
 
 impl Request {
+    /// The same at some of its times.
+    ///
+    /// `times` are some of its own, one at least.
+    pub fn of_times(&self, times: &[f64]) -> Self {
+        let Self {
+            accuracy,
+            choice,
+            most,
+            progress,
+            methods,
+            ..
+        } = self;
+        Self {
+            times: times.to_vec(),
+            furthest: furthest(times),
+            accuracy: *accuracy,
+            choice: *choice,
+            most: *most,
+            progress: progress.clone(),
+            methods: *methods,
+        }
+    }
+
     /// States at these times (s, any order), to a relative accuracy of 1e-10, by the solver that the scene's plan picks.
     ///
     /// # Errors
@@ -103,7 +126,7 @@ impl Request {
     }
 
     /// The time furthest from the start, s.
-    pub(crate) const fn furthest(&self) -> f64 {
+    pub const fn furthest(&self) -> f64 {
         self.furthest
     }
 

@@ -348,4 +348,26 @@ impl Scene for Strip {
         let ledger = ledger(request, &accounts)?;
         Motion::of(request, plan, trace.cost, error, ledger, states)
     }
+
+    fn further(&self) -> Columns<StripState> {
+        let equations = &self.equations;
+        let weight = equations.plate.mass() * equations.gravity.unwrap_or(0.0);
+        Columns::default()
+            .with(
+                ["speed", "m/s", "size of the velocity"],
+                |state: &StripState| state.velocity[0].hypot(state.velocity[1]),
+            )
+            .with(
+                [
+                    "descent",
+                    "rad",
+                    "angle of the velocity below the horizontal",
+                ],
+                |state| (-state.velocity[1]).atan2(state.velocity[0]),
+            )
+            .with(
+                ["potential", "J/m", "energy of the weight above the start"],
+                move |state| weight * state.position[1],
+            )
+    }
 }

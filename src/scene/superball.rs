@@ -200,6 +200,26 @@ impl Scene for Superball {
         });
         Motion::of(request, plan, cost, error, ledger, states.collect())
     }
+
+    fn further(&self) -> Columns<Bouncing> {
+        let (mass, kappa) = (self.mass, self.kappa);
+        let weight = mass * self.gravity.unwrap_or(0.0);
+        Columns::default()
+            .with(
+                ["translation", "J", "kinetic energy of the centre"],
+                move |state: &Bouncing| {
+                    0.5 * mass * (state.ball.motion.velocity.powi(2) + state.ball.climb.powi(2))
+                },
+            )
+            .with(
+                ["rotation", "J", "kinetic energy about the centre"],
+                move |state| 0.5 * mass * kappa * state.ball.motion.rim_speed.powi(2),
+            )
+            .with(
+                ["potential", "J", "energy of the weight above the floor"],
+                move |state| weight * state.ball.height,
+            )
+    }
 }
 
 /// By how much the twin differs that tells what becomes of rounding.

@@ -590,4 +590,26 @@ impl Scene for Play {
         let ledger = ledger(request, &accounts)?;
         Motion::of(request, plan, trace.cost, error, ledger, states)
     }
+
+    fn further(&self) -> Columns<YoYoState> {
+        let (toy, weight) = (self.toy, self.toy.mass() * self.gravity.unwrap_or(0.0));
+        let inertia = toy.inertia();
+        Columns::default()
+            .with(
+                ["potential", "J", "energy of the weight below the hand"],
+                move |state: &YoYoState| -weight * state.depth,
+            )
+            .with(
+                ["rotation", "J", "kinetic energy about the axle"],
+                move |state| 0.5 * inertia * state.omega.powi(2),
+            )
+            .with(
+                [
+                    "phase",
+                    "1",
+                    "0 down, 1 turning, 2 up, 3 asleep, 4 hanging, 5 caught",
+                ],
+                |state| f64::from(state.phase as u8),
+            )
+    }
 }

@@ -27,8 +27,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use spinning_bodies::scene::Request;
+use spinning_bodies::scene::UnknownColumn;
 pub use spinning_bodies::scene::{AnyScene, Table};
-use spinning_bodies::scene::{Progress, Request};
 
 use crate::{Error, Result};
 use reader::{Key, Section};
@@ -80,18 +81,10 @@ pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
 /// [`Error::Input`] for a file that is not a scene, and for a scene that is impossible; [`Error::Failed`] where the motion could not be
 /// followed; [`Error::File`].
 pub fn simulate(path: impl AsRef<Path>) -> Result<(Table, f64)> {
-    simulate_watched(path, &Progress::default())
-}
-
-/// The same while `progress` tells another thread how far the motion has come.
-///
-/// # Errors
-/// As for [`simulate`].
-pub fn simulate_watched(path: impl AsRef<Path>, progress: &Progress) -> Result<(Table, f64)> {
     let (name, text) = source(path.as_ref())?;
     let (scene, request) = parse(&name, &text)?;
     let start = Instant::now();
-    let table = run(&name, &scene, &request.watched(progress))?;
+    let table = run(&name, &scene, &request)?;
     Ok((table, start.elapsed().as_secs_f64()))
 }
 
@@ -129,10 +122,34 @@ fn prepare(name: &str, table: &toml::Table) -> Result<(AnyScene, Request, Vec<Ke
     let scene = read(&file)?;
     let section = file.section("run")?;
     let request = run::read(&section)?;
+    let columns = section.optional_words("columns", "a list of names of numbers to be told")?;
+    let scene = match columns {
+        None => scene,
+        Some(names) => telling(scene, &names).map_err(|told| section.refused("columns", told))?,
+    };
     section.done()?;
     let asked = file.asked();
     file.done()?;
     Ok((scene, request, asked))
+}
+
+/// The scene telling these numbers.
+///
+/// # Errors
+/// A name that is none, and what was probably meant.
+pub fn telling<N: AsRef<str>>(
+    scene: AnyScene,
+    names: &[N],
+) -> std::result::Result<AnyScene, String> {
+    let told = |unknown: UnknownColumn| {
+        let UnknownColumn { name, names } = unknown;
+        let meant = reader::meant(&name, names.iter().copied());
+        format!(
+            "has no column `{name}` to tell; there are {}{meant}",
+            names.join(", ")
+        )
+    };
+    scene.telling(names).map_err(told)
 }
 
 /// Most bytes of a scene file.

@@ -2,13 +2,14 @@
 
 use std::io::{self, Write};
 use std::path::Path;
+use std::time::Instant;
 
-use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 use spinning_bodies::conservation::Law;
-use spinning_bodies::scene::Column;
+use spinning_bodies::integrators::Cost;
+use spinning_bodies::scene::{AnyScene, Plan, Progress, Request, Table};
 
-use super::Table;
+use crate::progress::watched;
 use crate::{Error, Result};
 
 /// How a motion is written.
@@ -16,7 +17,7 @@ use crate::{Error, Result};
 pub enum Format {
     /// A header line, and one row a time.
     Csv,
-    /// One object: plan, cost, ledger, rows.
+    /// One object: plan, cost, ledger, units, rows.
     Json,
 }
 
@@ -48,105 +49,190 @@ impl Format {
         }
     }
 
-    /// Writes a motion.
+    /// Runs a scene and writes its rows as they come, however many there are. Nothing is written before the first of them can be.
     ///
     /// # Errors
-    /// What the writer says.
-    pub fn write(self, table: &Table, seconds: f64, to: &mut dyn Write) -> io::Result<()> {
+    /// What the writer says; what [`run`](super::run) says, inside.
+    pub fn write(self, motion: &Motion<'_>, to: &mut dyn Write) -> io::Result<()> {
         match self {
-            Self::Csv => csv(table, to),
-            Self::Json => {
-                serde_json::to_writer_pretty(&mut *to, &Whole { table, seconds })?;
-                to.write_all(b"\n")
+            Self::Csv => csv(motion, to),
+            Self::Json => json(motion, to),
+        }
+    }
+}
+
+/// A scene that will be run, and who waits for it.
+#[derive(Debug, Clone, Copy)]
+pub struct Motion<'a> {
+    /// The file's name.
+    pub name: &'a str,
+    /// The scene.
+    pub scene: &'a AnyScene,
+    /// What is asked of it.
+    pub request: &'a Request,
+    /// How far it is.
+    pub progress: &'a Progress,
+}
+
+/// A long motion is run again and again to so many rows further: what has been written is not kept. The steps to the beginning of each part are taken anew,
+/// which costs little where rows are many.
+const PART: usize = 200_000;
+
+/// What is told of all parts.
+struct Told {
+    plan: Plan,
+    cost: Cost,
+    error: f64,
+    /// Quantity, law, value at the start, relative drift.
+    ledger: Vec<(&'static str, &'static str, f64, f64)>,
+}
+
+impl Told {
+    fn with(before: Option<Self>, table: &Table) -> Self {
+        let entries = table.ledger.entries().iter().map(|entry| {
+            let law = match entry.law() {
+                Law::Conserved => "conserved",
+                Law::NonIncreasing => "non-increasing",
+                Law::NonDecreasing => "non-decreasing",
+            };
+            (entry.name(), law, entry.first(), entry.relative_drift())
+        });
+        let ledger: Vec<_> = entries.collect();
+        let Some(mut told) = before else {
+            return Self {
+                plan: table.plan.clone(),
+                cost: table.cost,
+                error: table.error_estimate,
+                ledger,
+            };
+        };
+        told.cost += table.cost;
+        told.error = told.error.max(table.error_estimate);
+        for (entry, new) in told.ledger.iter_mut().zip(ledger) {
+            entry.3 = entry.3.max(new.3);
+        }
+        told
+    }
+}
+
+impl Motion<'_> {
+    fn is_long(&self) -> bool {
+        self.request.times().len() > PART
+    }
+
+    /// Hands on the motion in parts, with what is told so far.
+    fn each(
+        &self,
+        mut hand_on: impl FnMut(&Table, &Told) -> io::Result<()>,
+    ) -> io::Result<Option<Told>> {
+        let run = |times: &[f64]| {
+            let request = self.request.of_times(times).watched(self.progress);
+            let how_far = || how_far(self.progress);
+            watched(how_far, || super::run(self.name, self.scene, &request))
+                .map_err(io::Error::other)
+        };
+        if self.is_long() {
+            // What cannot be followed to its end is refused before anything is written.
+            run(&[self.request.furthest()])?;
+        }
+        let mut told = None;
+        for times in self.request.times().chunks(PART) {
+            let table = run(times)?;
+            let now = Told::with(told, &table);
+            hand_on(&table, &now)?;
+            told = Some(now);
+        }
+        Ok(told)
+    }
+}
+
+/// How far a motion has come, for a bar and in words.
+fn how_far(progress: &Progress) -> (f64, String) {
+    let (time, until) = (progress.time(), progress.until());
+    let millions = |evaluations: u64| evaluations as f64 / 1e6;
+    let told = format!(
+        "simulating: t = {time:.4e} of {until:.4e} s, {:.0} of at most {:.0} million evaluations",
+        millions(progress.evaluations()),
+        millions(progress.most())
+    );
+    (time / until, told)
+}
+
+fn csv(motion: &Motion<'_>, to: &mut dyn Write) -> io::Result<()> {
+    let mut begun = false;
+    let told = motion.each(|table, _| {
+        if !std::mem::replace(&mut begun, true) {
+            to.write_all(b"t")?;
+            for column in &table.columns {
+                write!(to, ",{}", column.name)?;
             }
+            to.write_all(b"\n")?;
         }
-    }
-}
-
-/// The text of a motion.
-pub fn text(table: &Table, seconds: f64, format: Format) -> String {
-    let mut text = Vec::new();
-    // Writing to memory cannot fail.
-    let _ = format.write(table, seconds, &mut text);
-    String::from_utf8_lossy(&text).into_owned()
-}
-
-fn csv(table: &Table, to: &mut dyn Write) -> io::Result<()> {
-    to.write_all(b"t")?;
-    for column in &table.columns {
-        write!(to, ",{}", column.name)?;
-    }
-    to.write_all(b"\n")?;
-    for (t, numbers) in table.rows() {
-        // `{:?}` is the shortest text that is read back as the same number.
-        write!(to, "{t:?}")?;
-        for number in numbers {
-            write!(to, ",{number:?}")?;
+        for (t, numbers) in table.rows() {
+            // `{:?}` is the shortest text that is read back as the same number.
+            write!(to, "{t:?}")?;
+            for number in numbers {
+                write!(to, ",{number:?}")?;
+            }
+            to.write_all(b"\n")?;
         }
-        to.write_all(b"\n")?;
-    }
-    Ok(())
+        Ok(())
+    });
+    told.map(drop)
 }
 
-struct Whole<'a> {
-    table: &'a Table,
-    seconds: f64,
-}
-
-impl Serialize for Whole<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let Table {
-            plan,
-            cost,
-            error_estimate,
-            ledger,
-            ..
-        } = self.table;
-        let plan = json!({
-            "solver": plan.solver.name(),
-            "reason": plan.reason,
-            "error_estimate": error_estimate,
+/// One object: plan, cost, ledger, units, rows; of a long motion the rows come first, for the rest is not known before they are.
+fn json(motion: &Motion<'_>, to: &mut dyn Write) -> io::Result<()> {
+    let begin = Instant::now();
+    let about = |told: &Told, to: &mut dyn Write| -> io::Result<()> {
+        let ledger = told.ledger.iter().map(|(name, law, first, drift)| {
+            json!({"quantity": name, "law": law, "value": first, "drift": drift})
         });
-        let cost = json!({
-            "evaluations": cost.evaluations,
-            "steps": cost.steps,
-            "seconds": self.seconds,
-        });
-        let ledger = ledger.entries().iter().map(|entry| {
-            json!({
-                "quantity": entry.name(),
-                "law": match entry.law() {
-                    Law::Conserved => "conserved",
-                    Law::NonIncreasing => "non-increasing",
-                    Law::NonDecreasing => "non-decreasing",
-                },
-                "value": entry.first(),
-                "drift": entry.relative_drift(),
-            })
-        });
-        let mut whole = serializer.serialize_map(Some(4))?;
-        whole.serialize_entry("plan", &plan)?;
-        whole.serialize_entry("cost", &cost)?;
-        whole.serialize_entry("ledger", &ledger.collect::<Value>())?;
-        whole.serialize_entry("rows", &Rows(self.table))?;
-        whole.end()
+        let about = [
+            (
+                "plan",
+                json!({"solver": told.plan.solver.name(), "reason": told.plan.reason, "error_estimate": told.error}),
+            ),
+            (
+                "cost",
+                json!({"evaluations": told.cost.evaluations, "steps": told.cost.steps, "seconds": begin.elapsed().as_secs_f64()}),
+            ),
+            ("ledger", ledger.collect()),
+        ];
+        let lines = about.map(|(name, value)| format!("  \"{name}\": {value}"));
+        to.write_all(lines.join(",\n").as_bytes())
+    };
+    let (long, mut begun) = (motion.is_long(), false);
+    let told = motion.each(|table, told| {
+        for (t, numbers) in table.rows() {
+            if !std::mem::replace(&mut begun, true) {
+                to.write_all(b"{\n")?;
+                if !long {
+                    about(told, to)?;
+                    to.write_all(b",\n")?;
+                }
+                let units = table
+                    .columns
+                    .iter()
+                    .map(|column| (column.name.to_owned(), column.unit.into()));
+                let units = std::iter::once(("t".to_owned(), "s".into())).chain(units);
+                let units = Value::Object(units.collect());
+                write!(to, "  \"units\": {units},\n  \"rows\": [\n    ")?;
+            } else {
+                to.write_all(b",\n    ")?;
+            }
+            write!(to, "{{\"t\":{t:?}")?;
+            for (column, number) in table.columns.iter().zip(numbers) {
+                write!(to, ",\"{}\":{number:?}", column.name)?;
+            }
+            to.write_all(b"}")?;
+        }
+        Ok(())
+    })?;
+    to.write_all(b"\n  ]")?;
+    if let Some(told) = told.filter(|_| long) {
+        to.write_all(b",\n")?;
+        about(&told, to)?;
     }
-}
-
-struct Rows<'a>(&'a Table);
-
-impl Serialize for Rows<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let columns = &self.0.columns;
-        serializer.collect_seq(self.0.rows().map(|(t, numbers)| Row(columns, t, numbers)))
-    }
-}
-
-struct Row<'a>(&'a [Column], f64, Vec<f64>);
-
-impl Serialize for Row<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let numbers = self.0.iter().map(|column| column.name).zip(&self.2);
-        serializer.collect_map(core::iter::once(("t", &self.1)).chain(numbers))
-    }
+    to.write_all(b"\n}\n")
 }

@@ -229,6 +229,23 @@ impl<'a> Section<'a> {
         }
     }
 
+    /// A list of texts, if the key is there.
+    ///
+    /// # Errors
+    /// If it is not a list of strings, or an empty one.
+    pub fn optional_words(&self, key: &'static str, what: &str) -> Result<Option<Vec<&'a str>>> {
+        self.note(key, what);
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
+        let words = value.as_array().filter(|words| !words.is_empty());
+        let words = words.and_then(|words| words.iter().map(Value::as_str).collect());
+        words.map_or_else(
+            || Err(self.expected(key, what, value)),
+            |words| Ok(Some(words)),
+        )
+    }
+
     /// One of several words; the first of them if the key is not there.
     ///
     /// # Errors
@@ -374,7 +391,7 @@ impl<'a> Section<'a> {
 }
 
 /// A question whether one of these was meant, where one is near.
-fn meant<'a>(word: &str, among: impl Iterator<Item = &'a str>) -> String {
+pub fn meant<'a>(word: &str, among: impl Iterator<Item = &'a str>) -> String {
     nearest(word, among).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
 }
 

@@ -6,8 +6,8 @@ use spinning_bodies::scene::{Choice, Request, Solver};
 use super::reader::Section;
 use crate::Result;
 
-/// Most rows of a run: a hundred megabytes of output, and twice that of memory, for two runs are compared before one is told.
-const MOST: usize = 500_000;
+/// Most rows of a run: some gigabytes of output.
+const MOST: usize = 10_000_000;
 
 /// What `[run]` asks for: `times`, or `until` and `samples`; `accuracy`; `solver`.
 ///

@@ -278,6 +278,22 @@ impl Scene for Cat {
         let ledger = self.ledger(request, &states)?;
         Motion::of(request, plan, trace.cost, error, ledger, states)
     }
+
+    fn further(&self) -> Columns<CatState> {
+        let omega = [
+            "rad/s",
+            "angular velocity of the first half, along its axes",
+        ];
+        let l = ["kg m²/s", "angular momentum, along the axes of space"];
+        Columns::default()
+            .vector(["omega1", "omega2", "omega3"], omega, |state: &CatState| {
+                state.omega.components()
+            })
+            .vector(["lx", "ly", "lz"], l, |state| {
+                state.angular_momentum.components()
+            })
+            .angles(|state| state.attitude)
+    }
 }
 
 fn numbers(q: Quaternion<f64>) -> [f64; 4] {

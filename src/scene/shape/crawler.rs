@@ -316,4 +316,11 @@ impl Scene for Crawler {
         });
         Motion::of(request, plan, trace.cost, error, ledger, states.collect())
     }
+
+    fn further(&self) -> Columns<CrawlerState> {
+        Columns::default().with(
+            ["gap", "m", "distance of the feet"],
+            |state: &CrawlerState| state.front - state.rear,
+        )
+    }
 }

@@ -217,4 +217,16 @@ impl Scene for Skater {
         let ledger = ledger(request, &accounts)?;
         Motion::of(request, plan, trace.cost, error, ledger, states)
     }
+
+    fn further(&self) -> Columns<SkaterState> {
+        let body = self.body;
+        Columns::default()
+            .with(
+                ["moment", "kg m²", "moment of inertia"],
+                move |state: &SkaterState| body.moment(state.reach),
+            )
+            .with(["l", "kg m²/s", "angular momentum"], move |state| {
+                body.moment(state.reach) * state.spin
+            })
+    }
 }

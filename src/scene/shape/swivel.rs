@@ -250,4 +250,11 @@ impl Scene for Swivel {
         let ledger = ledger(request, &[(name, Law::Conserved, scale, l, &whole)])?;
         Motion::of(request, plan, trace.cost, error, ledger, states)
     }
+
+    fn further(&self) -> Columns<SwivelState> {
+        Columns::default().with(
+            ["twist", "rad", "angle of the upper part on the lower"],
+            |state: &SwivelState| state.upper - state.lower,
+        )
+    }
 }

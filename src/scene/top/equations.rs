@@ -14,6 +14,7 @@ use crate::scene::motion::furthest;
 ///
 /// An effect that is absent is `None`: no number stands for it, and no evaluation asks for it. Divisions are done beforehand, for an evaluation
 /// waits for each of its operations.
+#[derive(Clone)]
 pub(super) struct Turning {
     moments: [f64; 3],
     inverse: [f64; 3],
@@ -107,6 +108,25 @@ impl Turning {
     /// Attitude and Ω of a state.
     pub fn unpacked<const N: usize>(&self, y: &[f64; N]) -> (Attitude, BodyVector) {
         self.state(&phase(y))
+    }
+
+    /// Ω̇ along the body's axes, rad/s², at this attitude and Ω. A spin that dry friction has stopped is exactly 0.
+    pub fn acceleration(&self, attitude: &Attitude, omega: BodyVector) -> BodyVector {
+        let (q, omega) = (attitude.quaternion(), omega.components());
+        let y: [f64; 8] = core::array::from_fn(|n| match n {
+            0..3 => self.moments[n] * omega[n],
+            3 => q.w,
+            4..7 => q.imag()[n - 4],
+            _ => 0.0,
+        });
+        let spin = if y[2] == 0.0 {
+            Spin::Stopped
+        } else {
+            Spin::Spinning
+        };
+        let [n1, n2, n3, ..] = Flow::<8>::rate(self, spin, 0.0, &y);
+        let [j1, j2, j3] = self.inverse;
+        BodyVector::new(j1 * n1, j2 * n2, j3 * n3)
     }
 
     /// The same of a phase.

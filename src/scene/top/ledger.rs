@@ -13,7 +13,7 @@ pub(super) struct Conserved {
     lever: BodyVector,
     /// What is conserved besides.
     pub kind: Integrability,
-    start: State,
+    pub start: State,
     /// Size of the energies at play, J; positive.
     pub energy_scale: f64,
     /// Size of the angular momenta at play, kg m²/s; positive.

@@ -4,12 +4,14 @@
 //! * `held`: the top and its effects, and its state;
 //! * `equations`: the torque of each effect, and the flow that the engine follows;
 //! * `closed`: the scenes whose motion is known;
+//! * `columns`: what else can be told of its states;
 //! * `methods`: tops under gravity alone by the methods for turning bodies;
 //! * `ledger`: what is conserved, or may only be lost;
 //! * this file: the plan, the motion.
 
 mod body;
 mod closed;
+mod columns;
 mod equations;
 mod held;
 mod ledger;
@@ -22,7 +24,7 @@ pub use held::{State, Top};
 pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 
 use super::engine::{greater, to_accuracy};
-use super::{Budget, Choice, Geometric, Motion, Plan, Request, Scene, Solver, balanced};
+use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver, balanced};
 use crate::error::{Error, Result};
 use crate::euler_equations::Integrability;
 use crate::integrators::Cost;
@@ -114,6 +116,10 @@ impl Scene for Top {
             }
             done => done,
         }
+    }
+
+    fn further(&self) -> Columns<State> {
+        columns::columns(self)
     }
 }
 

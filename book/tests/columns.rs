@@ -1,0 +1,197 @@
+//! The columns of a scene mean what their names say: energies add up, and forces are what moves the centre of mass.
+
+use std::path::Path;
+
+use press::scenes::{kinds, parse, prices::PRICED};
+
+/// The rows of a scene file of the book that tells these numbers at these times.
+fn rows<const N: usize>(file: &str, names: [&str; N], times: &[f64]) -> Vec<[f64; N]> {
+    let text = std::fs::read_to_string(Path::new("scenes").join(file).with_extension("toml"));
+    let (scene, request) = parse(file, &text.unwrap()).unwrap();
+    let table = scene
+        .telling(&names)
+        .unwrap()
+        .simulate(&request.of_times(times).to_accuracy(1e-10).unwrap());
+    table.unwrap().numbers(names).unwrap()
+}
+
+/// The largest |`total` − Σ `parts`|, over the largest of all these numbers.
+fn missing<const N: usize>(file: &str, names: [&str; N], times: &[f64]) -> f64 {
+    let rows = rows(file, names, times);
+    let largest = rows.iter().flatten().fold(0.0_f64, |a, b| a.max(b.abs()));
+    let sums = rows
+        .iter()
+        .map(|row| (row[0] - row[1..].iter().sum::<f64>()).abs());
+    sums.fold(0.0, f64::max) / largest
+}
+
+#[test]
+fn energy_is_the_sum_of_its_parts() {
+    let times: Vec<f64> = (0..40).map(|n| 0.031 * f64::from(n)).collect();
+    let table = ["energy", "translation", "rotation", "potential"];
+    for (file, off) in [
+        ("tippe-top", missing("tippe-top", table, &times)),
+        ("rattleback", missing("rattleback", table, &times)),
+        ("superball", missing("superball", table, &times)),
+        (
+            "heavy-body",
+            missing("heavy-body", ["energy", "kinetic", "potential"], &times),
+        ),
+        (
+            "sleeping-top",
+            missing("sleeping-top", ["energy", "kinetic", "potential"], &times),
+        ),
+        (
+            "billiard-shot",
+            missing(
+                "billiard-shot",
+                ["energy", "translation", "rotation"],
+                &times,
+            ),
+        ),
+        (
+            "spool",
+            missing("spool", ["energy", "translation", "rotation"], &times),
+        ),
+        (
+            "swivel",
+            missing("swivel", ["upper", "lower", "twist"], &times),
+        ),
+        (
+            "crawler",
+            missing("crawler", ["front", "rear", "gap"], &times),
+        ),
+    ] {
+        assert!(off <= 2e-15, "{file}: {off:e}");
+    }
+}
+
+/// What becomes of the energy is told twice: as what resistance has taken, and as a flow of its own.
+#[test]
+fn what_is_lost_is_what_the_start_had_more() {
+    let times = [0.0, 0.4, 1.1, 2.5];
+    let rows = rows("nutation-dies", ["lost", "energy"], &times);
+    for [lost, energy] in &rows {
+        assert!((lost + energy - rows[0][1]).abs() <= 1e-15 * rows[0][1]);
+    }
+    assert!(rows[3][0] > rows[2][0] && rows[2][0] > rows[1][0] && rows[0][0] == 0.0);
+}
+
+/// M times the acceleration of C, from its places at three times, and the weight: the force of whatever holds the body.
+#[test]
+fn forces_are_what_moves_the_centre_of_mass() {
+    const STEP: f64 = 1e-3;
+    let about = |t: f64| [t - STEP, t, t + STEP];
+    let second = |rows: &[f64]| (rows[0] - 2.0 * rows[1] + rows[2]) / (STEP * STEP);
+    // A top with friction: mass 0.1 kg, C 0.04 m along axis 3.
+    let names = [
+        "nutation",
+        "precession",
+        "force_x",
+        "force_y",
+        "force_z",
+        "force",
+        "height",
+    ];
+    let top = rows("nutation-dies", names, &about(0.7));
+    let place = |[tilt, turned, ..]: &[f64; 7]| {
+        let level = 0.04 * tilt.sin();
+        [
+            level * turned.sin(),
+            -level * turned.cos(),
+            0.04 * tilt.cos(),
+        ]
+    };
+    let places: Vec<[f64; 3]> = top.iter().map(place).collect();
+    let mut size = 0.0_f64;
+    for k in 0..3 {
+        let along: Vec<f64> = places.iter().map(|place| place[k]).collect();
+        let weight = if k == 2 { 0.1 * 9.81 } else { 0.0 };
+        let (expected, told) = (0.1 * second(&along) + weight, top[1][2 + k]);
+        assert!((expected - told).abs() < 1e-4, "{k}: {expected} {told}");
+        size = size.hypot(told);
+    }
+    assert!((size - top[1][5]).abs() < 1e-15 && (places[1][2] - top[1][6]).abs() < 1e-16);
+    // A tippe top while it rises, of 0.02 kg: the table's push and its friction.
+    let names = ["vx", "vy", "vz", "reaction", "friction"];
+    let top = rows("tippe-top", names, &about(2.0));
+    let rate = |k: usize| (top[2][k] - top[0][k]) / (2.0 * STEP);
+    let push = 0.02 * (rate(2) + 9.82);
+    let level = 0.02 * rate(0).hypot(rate(1));
+    assert!(
+        (push / top[1][3] - 1.0).abs() < 1e-3,
+        "{push} {}",
+        top[1][3]
+    );
+    assert!(
+        (level / top[1][4] - 1.0).abs() < 1e-2,
+        "{level} {}",
+        top[1][4]
+    );
+    assert!(top[1][4] > 0.0);
+}
+
+/// L in space stays while nothing turns the body; it leans from the axis as L₃ = L cos says.
+#[test]
+fn angular_momentum_stays_and_leans() {
+    let names = ["lx", "ly", "lz", "l", "l_to_axis", "omega3"];
+    let rows = rows("racket", names, &[0.0, 1.3, 4.9]);
+    for row in &rows {
+        for k in 0..4 {
+            assert!((row[k] - rows[0][k]).abs() <= 1e-14 * rows[0][3], "{row:?}");
+        }
+        assert!((row[3] * row[4].cos() - 0.01748 * row[5]).abs() <= 1e-15 * row[3]);
+        assert!((row[0].hypot(row[1]).hypot(row[2]) - row[3]).abs() <= 1e-16);
+    }
+}
+
+#[test]
+fn every_column_has_a_name_of_its_own_a_unit_and_a_meaning() {
+    for priced in PRICED {
+        let (scene, request) = parse(priced.kind, &priced.file(|_| true)).unwrap();
+        let columns = scene.columns();
+        for (place, column) in columns.iter().enumerate() {
+            assert!(!column.unit.is_empty() && !column.meaning.is_empty());
+            assert!(
+                !columns[..place]
+                    .iter()
+                    .any(|other| other.name == column.name),
+                "{column:?}"
+            );
+            assert!(column.name != "t", "{}", priced.kind);
+        }
+        let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
+        let table = scene.telling(&names).unwrap().simulate(&request).unwrap();
+        assert_eq!(table.not_finite(), None, "{}", priced.kind);
+    }
+    assert_eq!(PRICED.len(), kinds().len());
+}
+
+/// The tables of the page: the columns of every kind, the usual ones in bold.
+fn tables() -> String {
+    let mut text = String::new();
+    for priced in PRICED {
+        let (scene, _) = parse(priced.kind, &priced.file(|_| true)).unwrap();
+        text += &format!(
+            "<details><summary><code>{}</code></summary>\n\n| column | unit | what |\n|---|---|---|\n",
+            priced.kind
+        );
+        for column in scene.columns() {
+            let bold = if column.usual { "**" } else { "" };
+            let (name, unit, meaning) = (column.name, column.unit, column.meaning);
+            text += &format!("| {bold}`{name}`{bold} | {unit} | {meaning} |\n");
+        }
+        text += "\n</details>\n\n";
+    }
+    text
+}
+
+/// `UPDATE_TABLES=1 cargo test -p book --test columns` writes them.
+#[test]
+fn the_page_lists_every_column() {
+    let page = "src/tables/columns.md";
+    if std::env::var_os("UPDATE_TABLES").is_some() {
+        std::fs::write(page, tables()).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(page).unwrap(), tables());
+}

@@ -1,0 +1,87 @@
+//! What can be told of a top beside its usual numbers.
+
+use nalgebra::Vector3;
+
+use super::equations::Turning;
+use super::held::{State, Top};
+use super::ledger::Conserved;
+use crate::frame::{BodyVector, SpaceVector};
+use crate::scene::columns::Columns;
+
+/// The numbers of a top's states. The force at the pivot is told of a body with mass, gravity or not.
+pub(super) fn columns(top: &Top) -> Columns<State> {
+    let body = top.body;
+    let momentum = move |state: &State| {
+        let [i1, i2, i3] = body.moments;
+        let omega = state.omega;
+        let l = BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z());
+        state.attitude.to_space(l)
+    };
+    let kinetic = move |state: &State| {
+        let l = state.attitude.to_body(momentum(state));
+        0.5 * l.dot(&state.omega)
+    };
+    let columns = Columns::default()
+        .angles(|state: &State| state.attitude)
+        .with(
+            ["omega", "rad/s", "size of the angular velocity"],
+            |state| state.omega.norm(),
+        )
+        .vector(
+            ["omega_x", "omega_y", "omega_z"],
+            ["rad/s", "angular velocity, along the axes of space"],
+            |state| state.attitude.to_space(state.omega).components(),
+        )
+        .angular_momentum(|state| state.attitude, momentum)
+        .with(["kinetic", "J", "kinetic energy"], kinetic);
+    let Ok(conserved) = Conserved::of(&body, top.lever(), &top.start) else {
+        return columns;
+    };
+    let (lever, first) = (
+        BodyVector::from_components(top.lever().into()),
+        conserved.start.energy,
+    );
+    let up = |state: &State| state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
+    let columns = columns
+        .with(
+            ["potential", "J", "energy of the weight above the pivot"],
+            move |state| lever.dot(&up(state)),
+        )
+        .with(
+            ["lost", "J", "energy that resistance has taken since time 0"],
+            move |state| first - state.energy,
+        );
+    if body.mass == 0.0 {
+        return columns;
+    }
+    let center = BodyVector::from_components(body.center.into());
+    let columns = columns.with(
+        ["height", "m", "centre of mass above the pivot"],
+        move |state| center.dot(&up(state)),
+    );
+    let Ok(turning) = Turning::new(top, conserved.energy_scale) else {
+        return columns;
+    };
+    let (mass, g) = (body.mass, top.g());
+    let force = move |state: &State| -> Vector3<f64> {
+        let omega = state.omega;
+        let turned = turning.acceleration(&state.attitude, omega);
+        let acceleration = turned.cross(&center) + omega.cross(&omega.cross(&center));
+        let weightless = state.attitude.to_space(mass * acceleration);
+        weightless.components() + Vector3::new(0.0, 0.0, mass * g)
+    };
+    let size = force.clone();
+    columns
+        .vector(
+            ["force_x", "force_y", "force_z"],
+            [
+                "N",
+                "force of the pivot on the body, along the axes of space",
+            ],
+            force,
+        )
+        .with(
+            ["force", "N", "size of the force of the pivot"],
+            move |state| size(state).norm(),
+        )
+}

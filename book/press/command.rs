@@ -6,7 +6,7 @@ use crate::ledger::Ledger;
 use crate::paths::workspace_root;
 use crate::progress::watched;
 use crate::scenes::output::{Format, Motion};
-use crate::scenes::scan::{self, Over};
+use crate::scenes::scan::{Over, Scan, Tell};
 use crate::writer::{Target, can_be_written_into, say};
 use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes};
 use clap::{Parser, Subcommand};
@@ -70,11 +70,16 @@ Examples:
   cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json";
 
 const SCAN: &str = "\
-The last row of each motion, with the varied numbers before it and `ok`, or why there is none, behind.
+A line for each point of the grid: the varied numbers, the last row of the motion, and `ok`, or why there is none. Numbers are named as
+in the file, joined by dots, places in a list from 0. --tell asks for other numbers than the last row: of any column (`scene --columns`) its
+first, last, least or greatest value, or the time (s) when it is first at a level, to the accuracy of the scene. In JSON the
+refused points stand apart, with their reasons. Exit status 1 if no point could be run.
 
 Examples:
-  cargo run -- scan book/scenes/racket.toml --over initial.omega.0=0.001..0.1:25
-  cargo run -- scan book/scenes/heavy-body.toml --over effects.gravity=0..20:21 --over initial.omega.2=1..20:20";
+  cargo run -- scan racket --over initial.omega.0=0.001..0.1:25
+  cargo run -- scan heavy-body --over effects.gravity=0..20:21 --over initial.omega.2=1..20:20
+  cargo run -- scan racket --over initial.omega.0=1e-8..1e-1:8:log --tell crossing:omega2=0
+  cargo run -- scan tippe-top --over body.mass=0.01..0.04,body.radius=0.01..0.04:4 --tell greatest:tilt,last:energy";
 
 const ACCURACY: &str = "\
 Errors are those at the end of the run, against motions known to 30 digits: the angle between the attitudes in
@@ -130,14 +135,21 @@ enum Command {
         #[arg(long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
-    /// Simulates a scene file over a grid of its numbers, on all cores; one line of CSV a point
+    /// Simulates a scene file over a grid of its numbers, on all cores; a line for each point
     #[command(after_help = SCAN)]
     Scan {
         /// The scene file, or the name of one in book/scenes; `-` reads standard input
         file: PathBuf,
-        /// A number of the file, its range, and how many values; may be given more than once
+        /// A number of the file, its range, and how many values, :log behind them for equal ratios; KEY=FROM..TO,KEY=FROM..TO:COUNT varies two
+        /// together. May be given more than once
         #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
         over: Vec<Over>,
+        /// What is told of a motion: COLUMN, first:COLUMN, least:COLUMN, greatest:COLUMN, crossing:COLUMN=LEVEL [default: its last row]
+        #[arg(long, value_name = "WHAT,…", value_delimiter = ',')]
+        tell: Vec<Tell>,
+        /// How it is written [default: as the name of the output ends; csv]
+        #[arg(long, value_enum)]
+        format: Option<Format>,
         /// Where to; without it, standard output
         #[arg(long, value_name = "FILE")]
         output: Option<PathBuf>,
@@ -255,12 +267,18 @@ fn obey(command: Option<Command>) -> Result<()> {
             };
             target.write(|to| format.write(&motion, to))
         }
-        Some(Command::Scan { file, over, output }) => {
+        Some(Command::Scan {
+            file,
+            over,
+            tell,
+            format,
+            output,
+        }) => {
             let file = scene_file(&root, file);
-            Format::of(Some(Format::Csv), output.as_deref())?;
+            let format = Format::of(format, output.as_deref())?;
             let target = Target::new(output.as_deref(), Some(&file))?;
-            let points = scan::points(&file.display().to_string(), &over)?;
-            let done = AtomicUsize::new(0);
+            let scan = Scan::new(&file, over, tell)?;
+            let (done, points) = (AtomicUsize::new(0), scan.points());
             let how_far = || {
                 let done = done.load(Ordering::Relaxed);
                 let told = format!("{done} of {points} scenes");
@@ -269,7 +287,7 @@ fn obey(command: Option<Command>) -> Result<()> {
             let count = || {
                 done.fetch_add(1, Ordering::Relaxed);
             };
-            let (text, ran) = watched(how_far, || scan::scan(&file, &over, count))?;
+            let (text, ran) = watched(how_far, || scan.run(format, count));
             target.write(|to| to.write_all(text.as_bytes()))?;
             ran
         }

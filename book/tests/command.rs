@@ -238,10 +238,10 @@ fn the_name_of_the_output_tells_its_format() {
         "--over",
         "initial.omega.0=0..1:2",
         "--output",
-        &out("x.json"),
+        &out("x.svg"),
     ];
     let scan = book(&[&["scan", file.to_str().unwrap()], &over[..]].concat());
-    refused(&scan, &["x.json", ".csv"]);
+    refused(&scan, &["x.svg", ".csv"]);
     assert_eq!(names(folder.path()), before);
 }
 

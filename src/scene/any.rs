@@ -80,6 +80,11 @@ impl AnyScene {
         &self.columns
     }
 
+    /// What it tells, in the order of a row.
+    pub fn told(&self) -> impl Iterator<Item = Column> {
+        self.told.iter().map(|&place| self.columns[place])
+    }
+
     /// The same telling the numbers of these names.
     ///
     /// # Errors

@@ -15,6 +15,8 @@ pub struct Column {
     pub meaning: &'static str,
     /// Whether it is told if nobody says which numbers are.
     pub usual: bool,
+    /// Whether it is an angle that goes round, told between −π and π.
+    pub goes_round: bool,
 }
 
 /// One number of a state.
@@ -47,6 +49,7 @@ impl<S: 'static> Columns<S> {
             unit,
             meaning,
             usual: false,
+            goes_round: false,
         };
         self.0.push((column, Box::new(of)));
         self
@@ -78,31 +81,36 @@ impl<S: 'static> Columns<S> {
     /// The same with the angles of an attitude: tilt, precession, nutation, spin.
     pub fn angles(self, of: fn(&S) -> Attitude) -> Self {
         let nutation = move |state: &S| of(state).euler_angles().theta;
-        self.with(["tilt", "rad", "angle of axis 3 to the vertical"], nutation)
-            .with(
-                [
-                    "precession",
-                    "rad",
-                    "Euler's angle about the vertical, from x to the line of nodes, −π … π",
-                ],
-                move |state| of(state).euler_angles().phi,
-            )
-            .with(
-                [
-                    "nutation",
-                    "rad",
-                    "Euler's angle of axis 3 to the vertical: the tilt",
-                ],
-                nutation,
-            )
-            .with(
-                [
-                    "spin",
-                    "rad",
-                    "Euler's angle about axis 3, from the line of nodes to axis 1, −π … π",
-                ],
-                move |state| of(state).euler_angles().psi,
-            )
+        let tilt = ["tilt", "rad", "angle of axis 3 to the vertical"];
+        let theta = [
+            "nutation",
+            "rad",
+            "Euler's angle of axis 3 to the vertical: the tilt",
+        ];
+        let phi = [
+            "precession",
+            "rad",
+            "Euler's angle about the vertical, from x to the line of nodes, −π … π",
+        ];
+        let psi = [
+            "spin",
+            "rad",
+            "Euler's angle about axis 3, from the line of nodes to axis 1, −π … π",
+        ];
+        self.with(tilt, nutation)
+            .with(theta, nutation)
+            .with(phi, move |state| of(state).euler_angles().phi)
+            .going_round()
+            .with(psi, move |state| of(state).euler_angles().psi)
+            .going_round()
+    }
+
+    /// The same, the last of them an angle that goes round.
+    fn going_round(mut self) -> Self {
+        if let Some((column, _)) = self.0.last_mut() {
+            column.goes_round = true;
+        }
+        self
     }
 
     /// The same with an angular momentum (kg m²/s, along the axes of space), its size, and its angle to axis 3.

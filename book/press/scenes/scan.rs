@@ -1,22 +1,28 @@
 //! Scans: one scene file, some of its numbers varied over a grid, all cores at work.
 
+use std::f64::consts::{PI, TAU};
+use std::fmt;
 use std::io::Write;
 use std::path::Path;
 use std::str::FromStr;
 
 use rayon::prelude::*;
+use serde_json::{Value as Json, json};
+use spinning_bodies::scene::{AnyScene, Request};
 use toml::{Table, Value};
 
-use super::{prepare, source};
+use super::output::Format;
+use super::{prepare, reader, source};
 use crate::{Error, Result};
 
-/// One number of a scene file and the values that it takes: `initial.omega.2=50..200:16`.
+/// Numbers of a scene file that go through their ranges together: `initial.omega.2=50..200:16`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Over {
-    path: String,
-    from: f64,
-    to: f64,
+    /// Where each number stands, and the ends of its range.
+    ranges: Vec<(String, f64, f64)>,
     count: usize,
+    /// Equal ratios instead of equal differences.
+    logarithmic: bool,
 }
 
 /// Most scenes of a scan.
@@ -26,184 +32,495 @@ impl FromStr for Over {
     type Err = String;
 
     fn from_str(text: &str) -> std::result::Result<Self, String> {
+        let refused = |told: &str| format!("`{text}` {told}");
         let expected = || {
-            format!(
-                "`{text}` should look like initial.omega.2=50..200:16, a number of the file, its range, and how many values"
+            refused(
+                "should look like initial.omega.2=50..200:16, a number of the file, its range, and how many values; :log behind it for equal ratios, KEY=FROM..TO,KEY=FROM..TO:16 for numbers that vary together",
             )
         };
-        let (path, range) = text.split_once('=').ok_or_else(expected)?;
-        let (range, count) = range.rsplit_once(':').ok_or_else(expected)?;
-        let (from, to) = range.split_once("..").ok_or_else(expected)?;
-        if to.starts_with('.') {
+        let (rest, logarithmic) = match text.strip_suffix(":log") {
+            Some(rest) => (rest, true),
+            None => (text, false),
+        };
+        let (rest, count) = rest.rsplit_once(':').ok_or_else(expected)?;
+        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
+        let range = |text: &str| {
+            let (path, range) = text.split_once('=')?;
+            let (from, to) = range.split_once("..")?;
             // Three dots: one may be a decimal point, and nobody can tell which.
+            let path = Some(path.trim()).filter(|path| !path.is_empty() && !to.starts_with('.'))?;
+            Some((path.to_owned(), number(from)?, number(to)?))
+        };
+        let ranges: Option<Vec<_>> = rest.split(',').map(range).collect();
+        let over = Self {
+            ranges: ranges.ok_or_else(expected)?,
+            count: count.trim().parse().map_err(|_| expected())?,
+            logarithmic,
+        };
+        if !(1..=MOST).contains(&over.count) {
             return Err(expected());
         }
-        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
-        let over = Self {
-            path: path.trim().to_owned(),
-            from: number(from).ok_or_else(expected)?,
-            to: number(to).ok_or_else(expected)?,
-            count: count.trim().parse().map_err(|_| expected())?,
-        };
-        if over.path.is_empty() || !(1..=MOST).contains(&over.count) {
-            return Err(expected());
+        if over.count == 1 && over.ranges.iter().any(|(_, from, to)| from != to) {
+            return Err(refused("asks for one value of a range of many"));
+        }
+        if logarithmic && !over.ranges.iter().all(same_sign) {
+            return Err(refused(
+                "asks for equal ratios: both ends must be positive, or both negative",
+            ));
         }
         Ok(over)
     }
 }
 
+/// To fifteen digits: a tenth is 0.1 then, not an ulp less.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
+}
+
+/// Whether both ends of a range are positive, or both negative.
+fn same_sign(&(_, from, to): &(String, f64, f64)) -> bool {
+    (from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0)
+}
+
 impl Over {
-    fn value(&self, place: usize) -> f64 {
-        if place == 0 {
-            return self.from;
-        }
-        if place == self.count - 1 {
-            return self.to;
-        }
-        let part = place as f64 / (self.count - 1) as f64;
-        let span = self.to - self.from;
-        if span.is_finite() {
-            self.from + span * part
-        } else {
-            self.from * (1.0 - part) + self.to * part
-        }
+    fn paths(&self) -> impl Iterator<Item = &str> {
+        self.ranges.iter().map(|(path, ..)| path.as_str())
     }
 
-    /// Puts a value in its place in the file.
-    fn set(&self, name: &str, table: &mut Table, value: f64) -> Result<()> {
-        let missing = || {
-            Error::Input(format!(
-                "{name}: there is no number `{}` to vary; keys are joined by dots, places in a list count from 0",
-                self.path
-            ))
+    /// The values at a place of the grid; the ends are met exactly.
+    fn values(&self, place: usize) -> impl Iterator<Item = (&str, f64)> {
+        let part = place as f64 / (self.count - 1).max(1) as f64;
+        let value = move |from: f64, to: f64| match part {
+            0.0 => from,
+            1.0 => to,
+            _ if self.logarithmic => rounded(from * (to / from).powf(part)),
+            _ if (to - from).is_finite() => rounded(from + (to - from) * part),
+            _ => from * (1.0 - part) + to * part,
         };
-        let mut steps = self.path.split('.');
-        let first = steps.next().ok_or_else(missing)?;
-        let mut here = table.get_mut(first).ok_or_else(missing)?;
-        for step in steps {
-            here = match here {
-                Value::Table(table) => table.get_mut(step),
-                Value::Array(list) => step.parse::<usize>().ok().and_then(|k| list.get_mut(k)),
-                _ => None,
+        let ranges = self.ranges.iter();
+        ranges.map(move |(path, from, to)| (path.as_str(), value(*from, *to)))
+    }
+}
+
+/// What is told of a column: `greatest:tilt`, `crossing:tilt=1.5`; of a column alone, its last value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tell {
+    column: String,
+    what: What,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum What {
+    First,
+    Last,
+    Least,
+    Greatest,
+    /// When it is first at this level, s.
+    Crossing(f64),
+}
+
+impl FromStr for Tell {
+    type Err = String;
+
+    fn from_str(text: &str) -> std::result::Result<Self, String> {
+        let expected = || {
+            format!(
+                "`{text}` should be a column, or first:, last:, least:, greatest: and a column, or crossing:COLUMN=LEVEL for the time when it is there"
+            )
+        };
+        let (what, column) = text.split_once(':').unwrap_or(("last", text));
+        let (column, level) = match column.split_once('=') {
+            Some((column, level)) => (column, Some(level)),
+            None => (column, None),
+        };
+        let what = match (what, level) {
+            ("first", None) => What::First,
+            ("last", None) => What::Last,
+            ("least", None) => What::Least,
+            ("greatest", None) => What::Greatest,
+            ("crossing", Some(level)) => {
+                let level = level.parse::<f64>().ok().filter(|level| level.is_finite());
+                What::Crossing(level.ok_or_else(expected)?)
             }
-            .ok_or_else(missing)?;
+            _ => return Err(expected()),
+        };
+        match column {
+            "" => Err(expected()),
+            _ => Ok(Self {
+                column: column.to_owned(),
+                what,
+            }),
         }
-        *here = match here {
-            // A whole number stays one as long as it can: some keys take no other.
-            Value::Integer(_) if value.fract() == 0.0 && value.abs() < 1e15 => {
-                Value::Integer(value as i64)
+    }
+}
+
+impl fmt::Display for Tell {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let column = &self.column;
+        match self.what {
+            What::First => write!(f, "first:{column}"),
+            What::Last => write!(f, "{column}"),
+            What::Least => write!(f, "least:{column}"),
+            What::Greatest => write!(f, "greatest:{column}"),
+            What::Crossing(level) => write!(f, "crossing:{column}={level:?}"),
+        }
+    }
+}
+
+/// A scan that is asked for.
+#[derive(Debug)]
+pub struct Scan {
+    name: String,
+    table: Table,
+    overs: Vec<Over>,
+    /// Nothing: the last row.
+    tells: Vec<Tell>,
+    /// The names of the columns that are told.
+    columns: Vec<String>,
+}
+
+/// What is told of a point, a number that is not there being none, or why there is nothing.
+type Outcome = Result<Vec<Option<f64>>>;
+
+impl Scan {
+    /// The scan of a file.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a file that is not a scene, a number or a column that it does not have, a number that is to be varied twice, and more than a
+    /// million points.
+    pub fn new(path: &Path, overs: Vec<Over>, tells: Vec<Tell>) -> Result<Self> {
+        let (name, text) = source(path)?;
+        let table = super::table(&name, &text)?;
+        let (scene, ..) = prepare(&name, &table)?;
+        let all: Vec<&str> = overs.iter().flat_map(Over::paths).collect();
+        for (place, path) in all.iter().enumerate() {
+            number(&name, &mut table.clone(), path)?;
+            if all[..place].contains(path) {
+                let told = format!("{name}: `{path}` stands twice after --over");
+                return Err(Error::Input(told));
             }
-            Value::Float(_) | Value::Integer(_) => Value::Float(value),
-            _ => return Err(missing()),
+        }
+        let count = overs
+            .iter()
+            .try_fold(1_usize, |n, over| n.checked_mul(over.count));
+        if count.is_none_or(|count| count > MOST) {
+            let told = format!("{name}: a scan has at most {MOST} points");
+            return Err(Error::Input(told));
+        }
+        let named: Vec<&str> = tells.iter().map(|tell| tell.column.as_str()).collect();
+        let scene = match named.is_empty() {
+            true => scene,
+            false => super::telling(scene, &named)
+                .map_err(|told| Error::Input(format!("--tell: {name} {told}")))?,
         };
-        Ok(())
+        let columns = scene.told().map(|column| column.name.to_owned()).collect();
+        Ok(Self {
+            name,
+            table,
+            overs,
+            tells,
+            columns,
+        })
+    }
+
+    /// How many points the grid has.
+    pub fn points(&self) -> usize {
+        self.overs.iter().map(|over| over.count).product()
+    }
+
+    /// The varied numbers of a point; those named last run fastest.
+    fn varied(&self, mut point: usize) -> Vec<(&str, f64)> {
+        let mut varied = Vec::new();
+        for over in self.overs.iter().rev() {
+            varied.splice(0..0, over.values(point % over.count));
+            point /= over.count;
+        }
+        varied
+    }
+
+    fn outcome(&self, varied: &[(&str, f64)]) -> Outcome {
+        let mut table = self.table.clone();
+        for &(path, value) in varied {
+            let here = number(&self.name, &mut table, path)?;
+            *here = match here {
+                // A whole number stays one as long as it can: some keys take no other.
+                Value::Integer(_) if value.fract() == 0.0 && value.abs() < 1e15 => {
+                    Value::Integer(value as i64)
+                }
+                _ => Value::Float(value),
+            };
+        }
+        let (scene, request, _) = prepare(&self.name, &table)?;
+        let scene = scene.telling(&self.columns)?;
+        let motion = super::run(&self.name, &scene, &request)?;
+        let mut rows: Vec<(f64, Vec<f64>)> = motion.rows().collect();
+        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let told = |(place, tell): (usize, &Tell)| {
+            let column = || rows.iter().map(|(_, row)| row[place]);
+            Ok(match tell.what {
+                What::First => column().next(),
+                What::Last => column().next_back(),
+                What::Least => column().reduce(f64::min),
+                What::Greatest => column().reduce(f64::max),
+                What::Crossing(level) => {
+                    let crossing = Crossing {
+                        name: &self.name,
+                        scene: &scene,
+                        request: &request,
+                        place,
+                        level,
+                    };
+                    let rows: Vec<(f64, f64)> =
+                        rows.iter().map(|(t, row)| (*t, row[place])).collect();
+                    crossing.first(&rows)?
+                }
+            })
+        };
+        if self.tells.is_empty() {
+            let last = rows.pop().map(|(t, row)| std::iter::once(t).chain(row));
+            return Ok(last.into_iter().flatten().map(Some).collect());
+        }
+        self.tells.iter().enumerate().map(told).collect()
+    }
+
+    /// The heads of the numbers that are told of a point.
+    fn heads(&self) -> Vec<String> {
+        if self.tells.is_empty() {
+            let time = std::iter::once("t".to_owned());
+            return time.chain(self.columns.iter().cloned()).collect();
+        }
+        self.tells.iter().map(Tell::to_string).collect()
+    }
+
+    /// Runs the scene at every point of the grid, on all cores, and gives the text of what is told, and whether any point could be run. `done` is called
+    /// after each. Warnings go to standard error.
+    ///
+    /// CSV: a line a point, the varied numbers, what is told, and `ok` or why there is nothing. JSON: an object with the rows, and apart from them what was
+    /// refused.
+    pub fn run(&self, format: Format, done: impl Fn() + Sync) -> (String, Result<()>) {
+        self.warn();
+        let points = (0..self.points()).into_par_iter().map(|point| {
+            let varied = self.varied(point);
+            let outcome = self.outcome(&varied);
+            done();
+            (varied, outcome)
+        });
+        let points: Vec<(Vec<(&str, f64)>, Outcome)> = points.collect();
+        let refusals = points
+            .iter()
+            .filter_map(|(_, outcome)| outcome.as_ref().err());
+        let ran = match (refusals.clone().count(), refusals.clone().next()) {
+            (refused, Some(first)) if refused == points.len() => Err(Error::Failed(format!(
+                "no point of the scan could be run; the first: {first}"
+            ))),
+            (refused, Some(first)) => {
+                let told = format!(
+                    "{refused} of {} points are refused; the first: {first}",
+                    points.len()
+                );
+                // Nothing is left to be done if standard error is closed.
+                let _ = writeln!(std::io::stderr(), "warning: {told}");
+                Ok(())
+            }
+            _ => Ok(()),
+        };
+        let text = match format {
+            Format::Csv => self.csv(&points),
+            Format::Json => self.json(&points),
+        };
+        (text, ran)
+    }
+
+    fn csv(&self, points: &[(Vec<(&str, f64)>, Outcome)]) -> String {
+        let heads = self.heads();
+        let paths = self.overs.iter().flat_map(Over::paths).map(str::to_owned);
+        let all = paths.chain(heads.iter().cloned());
+        let mut text = all
+            .chain(["status".to_owned()])
+            .collect::<Vec<_>>()
+            .join(",")
+            + "\n";
+        for (varied, outcome) in points {
+            for (_, value) in varied {
+                text += &format!("{value:?},");
+            }
+            match outcome {
+                Ok(told) => {
+                    for number in told {
+                        text += &number.map_or(",".to_owned(), |number| format!("{number:?},"));
+                    }
+                    text += "ok\n";
+                }
+                Err(error) => {
+                    text += &",".repeat(heads.len());
+                    text += &format!("\"{}\"\n", error.to_string().replace('"', "\"\""));
+                }
+            }
+        }
+        text
+    }
+
+    fn json(&self, points: &[(Vec<(&str, f64)>, Outcome)]) -> String {
+        let heads = self.heads();
+        let (mut rows, mut refused) = (Vec::new(), Vec::new());
+        for (varied, outcome) in points {
+            let varied = varied
+                .iter()
+                .map(|&(path, value)| (path.to_owned(), json!(value)));
+            match outcome {
+                Ok(told) => {
+                    let told = heads
+                        .iter()
+                        .cloned()
+                        .zip(told.iter().map(|number| json!(number)));
+                    rows.push(Json::Object(varied.chain(told).collect()).to_string());
+                }
+                Err(error) => {
+                    let reason = ("reason".to_owned(), json!(error.to_string()));
+                    refused.push(Json::Object(varied.chain([reason]).collect()).to_string());
+                }
+            }
+        }
+        let list = |lines: Vec<String>| match lines.is_empty() {
+            true => "[]".to_owned(),
+            false => format!("[\n    {}\n  ]", lines.join(",\n    ")),
+        };
+        format!(
+            "{{\n  \"rows\": {},\n  \"refused\": {}\n}}\n",
+            list(rows),
+            list(refused)
+        )
+    }
+
+    /// Says what a reader of the rows must know: the mass alone varies, beside an inertia that is not per mass.
+    fn warn(&self) {
+        let varies = |key: &str| {
+            let mut all = self.overs.iter().flat_map(Over::paths);
+            all.any(|path| path.split('.').take(2).eq(["body", key]))
+        };
+        let body = self.table.get("body").and_then(Value::as_table);
+        let stays = body.and_then(|body| ABSOLUTE.into_iter().find(|key| body.contains_key(*key)));
+        let (Some(stays), true, false) = (stays, varies("mass"), ABSOLUTE.into_iter().any(varies))
+        else {
+            return;
+        };
+        let name = &self.name;
+        // Nothing is left to be done if standard error is closed.
+        let _ = writeln!(
+            std::io::stderr(),
+            "warning: {name}: `body.mass` varies and `{stays}` in [body] stays as it is: each row is another body, not the same one made heavier"
+        );
     }
 }
 
 /// The keys that say how a body resists being turned, whatever its mass.
 const ABSOLUTE: [&str; 3] = ["moments", "inertia", "axial"];
 
-/// What a reader of the rows must know: the mass alone varies, beside an inertia that is not per mass.
-fn warning(name: &str, table: &Table, overs: &[Over]) -> Option<String> {
-    let varies = |key: &str| {
-        let mut heads = overs.iter().map(|over| over.path.split('.').take(2));
-        heads.any(|head| head.eq(["body", key]))
+/// The number at this place of a file.
+fn number<'a>(name: &str, table: &'a mut Table, path: &str) -> Result<&'a mut Value> {
+    let missing = |near: String| {
+        Error::Input(format!(
+            "{name}: there is no number `{path}` to vary; keys are joined by dots, places in a list count from 0{near}"
+        ))
     };
-    let body = table.get("body")?.as_table()?;
-    let stays = ABSOLUTE.into_iter().find(|key| body.contains_key(*key))?;
-    (varies("mass") && !ABSOLUTE.into_iter().any(varies)).then(|| {
-        format!("{name}: `body.mass` varies and `{stays}` in [body] stays as it is: each row is another body, not the same one made heavier")
-    })
-}
-
-/// Runs the scene at every point of the grid, on all cores, and gives one line of CSV a point: the varied numbers, the last row of the
-/// motion, and `ok` or why there is none; beside them, whether any point could be run. `done` is called after each. A warning goes to standard error.
-///
-/// # Errors
-/// [`Error::Input`] for a file that is not a scene, or a number that it does not have; a point that fails is a line that says so.
-pub fn scan(path: &Path, overs: &[Over], done: impl Fn() + Sync) -> Result<(String, Result<()>)> {
-    let (name, text) = source(path)?;
-    let table = super::table(&name, &text)?;
-    prepare(&name, &table)?;
-    let count = points(&name, overs)?;
-    if let Some(warning) = warning(&name, &table, overs) {
-        // Nothing is left to be done if standard error is closed.
-        let _ = writeln!(std::io::stderr(), "warning: {warning}");
-    }
-    let lines = (0..count).into_par_iter().map(|point| {
-        let mut place = point;
-        let mut table = table.clone();
-        let mut varied = Vec::with_capacity(overs.len());
-        // The last number named runs fastest.
-        for over in overs.iter().rev() {
-            let value = over.value(place % over.count);
-            place /= over.count;
-            over.set(&name, &mut table, value)?;
-            varied.push(value);
-        }
-        varied.reverse();
-        let outcome = prepare(&name, &table)
-            .and_then(|(scene, request, _)| super::run(&name, &scene, &request));
-        done();
-        Ok((varied, outcome.map(last)))
+    let meant = reader::meant(path, paths("", table).iter().map(String::as_str));
+    let mut steps = path.split('.');
+    let first = steps.next().and_then(|first| table.get_mut(first));
+    let found = first.and_then(|first| {
+        steps.try_fold(first, |here, step| match here {
+            Value::Table(table) => table.get_mut(step),
+            Value::Array(list) => step.parse::<usize>().ok().and_then(|k| list.get_mut(k)),
+            _ => None,
+        })
     });
-    let lines: Vec<(Vec<f64>, Result<Last>)> = lines.collect::<Result<_>>()?;
-    let ran = lines.iter().find_map(|(_, outcome)| outcome.as_ref().ok());
-    let columns = ran.map_or(&[][..], |last| &last.0);
-    let paths = overs.iter().map(|over| over.path.as_str());
-    let head = paths.chain(["t"]).chain(columns.iter().copied());
-    let mut text = head.chain(["status"]).collect::<Vec<_>>().join(",") + "\n";
-    for (varied, outcome) in &lines {
-        for value in varied {
-            text += &format!("{value:?},");
-        }
-        match outcome {
-            Ok((_, row)) => {
-                for number in row {
-                    text += &format!("{number:?},");
-                }
-                text += "ok\n";
-            }
-            Err(error) => {
-                text += &",".repeat(columns.len() + 1);
-                text += &format!("{}\n", error.to_string().replace([',', '\n'], ";"));
-            }
-        }
+    match found {
+        Some(number @ (Value::Float(_) | Value::Integer(_))) => Ok(number),
+        _ => Err(missing(meant)),
     }
-    let ran = match (ran, lines.first()) {
-        (None, Some((_, Err(error)))) => Err(Error::Failed(format!(
-            "no point of the scan could be run; the first: {error}"
-        ))),
-        _ => Ok(()),
-    };
-    Ok((text, ran))
 }
 
-/// The columns of a motion, and its latest row behind the time: what is left of it in a scan.
-type Last = (Vec<&'static str>, Vec<f64>);
-
-fn last(table: super::Table) -> Last {
-    let latest = table.rows().max_by(|a, b| a.0.total_cmp(&b.0));
-    let row = latest.map(|(t, row)| core::iter::once(t).chain(row).collect());
-    let names = table.columns.iter().map(|column| column.name);
-    (names.collect(), row.unwrap_or_default())
-}
-
-/// How many points the grid has.
-///
-/// # Errors
-/// [`Error::Input`] for more than a million, and for a number that is to be varied twice.
-pub fn points(name: &str, overs: &[Over]) -> Result<usize> {
-    for (place, over) in overs.iter().enumerate() {
-        if overs[..place].iter().any(|other| other.path == over.path) {
-            let told = format!("{name}: `--over {}` stands twice", over.path);
-            return Err(Error::Input(told));
+/// Where the numbers of a table stand.
+fn paths(before: &str, value: &Table) -> Vec<String> {
+    fn within(path: String, value: &Value) -> Vec<String> {
+        match value {
+            Value::Float(_) | Value::Integer(_) => vec![path],
+            Value::Table(table) => paths(&format!("{path}."), table),
+            Value::Array(list) => {
+                let items = list.iter().enumerate();
+                items
+                    .flat_map(|(k, item)| within(format!("{path}.{k}"), item))
+                    .collect()
+            }
+            _ => Vec::new(),
         }
     }
-    let count = overs
-        .iter()
-        .try_fold(1_usize, |n, over| n.checked_mul(over.count));
-    count
-        .filter(|&n| n <= MOST)
-        .ok_or_else(|| Error::Input(format!("{name}: a scan has at most {MOST} points")))
+    let items = value.iter();
+    items
+        .flat_map(|(key, value)| within(format!("{before}{key}"), value))
+        .collect()
+}
+
+/// The time when a column is first at a level.
+struct Crossing<'a> {
+    name: &'a str,
+    scene: &'a AnyScene,
+    request: &'a Request,
+    /// The column's place in a row.
+    place: usize,
+    level: f64,
+}
+
+/// Between two rows the scene is asked at so many times, and between two of those again, so often; what is left is a straight line.
+const PARTS: usize = 64;
+const ROUNDS: usize = 3;
+
+impl Crossing<'_> {
+    /// Where between two rows it is reached, as a part of the way. A jump over the level, as at a bounce, counts; an angle that goes round is at π and −π at
+    /// once.
+    fn between(&self, a: f64, b: f64) -> Option<f64> {
+        let goes_round = self
+            .scene
+            .told()
+            .nth(self.place)
+            .is_some_and(|column| column.goes_round);
+        let leaps = goes_round && (b - a).abs() > PI;
+        let b = if leaps { b - TAU.copysign(b - a) } else { b };
+        let levels: &[f64] = if leaps { &[0.0, TAU, -TAU] } else { &[0.0] };
+        let mut levels = levels.iter().map(|turn| self.level + turn);
+        let level = levels.find(|&level| a <= level && b > level || a >= level && b < level)?;
+        Some((level - a) / (b - a))
+    }
+
+    /// The first of the times at which it is there.
+    fn first(&self, rows: &[(f64, f64)]) -> Result<Option<f64>> {
+        let between = |pair: &&[(f64, f64)]| self.between(pair[0].1, pair[1].1).is_some();
+        let Some(mut pair) = rows.windows(2).find(between).map(<[_]>::to_vec) else {
+            // In the only row, or in the last.
+            let there = rows.iter().find(|row| row.1 == self.level);
+            return Ok(there.map(|row| row.0));
+        };
+        for _ in 0..ROUNDS {
+            let [(from, _), (to, _)] = pair[..] else {
+                break;
+            };
+            let at = |k: usize| from + (to - from) * (k as f64 / PARTS as f64);
+            let times: Vec<f64> = (1..PARTS).map(at).collect();
+            let motion = super::run(self.name, self.scene, &self.request.of_times(&times))?;
+            let inner = motion.rows().map(|(t, row)| (t, row[self.place]));
+            let all: Vec<_> = [pair[0]]
+                .into_iter()
+                .chain(inner)
+                .chain([pair[1]])
+                .collect();
+            match all.windows(2).find(between) {
+                Some(closer) => pair = closer.to_vec(),
+                None => break,
+            }
+        }
+        let [(from, a), (to, b)] = pair[..] else {
+            return Ok(None);
+        };
+        let part = self.between(a, b).unwrap_or(1.0);
+        Ok(Some(from + (to - from) * part))
+    }
 }

@@ -12,7 +12,7 @@ use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes};
 use clap::{Parser, Subcommand};
 use figures::Entry;
 use indicatif::{ProgressBar, ProgressStyle};
-use spinning_bodies::scene::Progress;
+use spinning_bodies::scene::{Progress, Solver, files};
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
@@ -44,7 +44,14 @@ Examples:
 
 Exit status: 0 success, 2 wrong usage or a wrong source (one line says which), 1 anything else.";
 
-const SCENE: &str = "\
+/// What `scene --help` says after the options: a file, and every kind and solver.
+fn scene_help() -> String {
+    let names =
+        |names: &mut dyn Iterator<Item = &'static str>| names.collect::<Vec<_>>().join(", ");
+    let kinds = names(&mut files::kinds());
+    let solvers = names(&mut Solver::all().map(Solver::name));
+    format!(
+        "\
 A scene file, in TOML and SI units; nothing acts that [effects] does not name:
 
   title = \"A racket\"
@@ -58,16 +65,22 @@ A scene file, in TOML and SI units; nothing acts that [effects] does not name:
   until = 10.0                     # s; or times = [0.0, 2.5, 10.0]
   samples = 101
   accuracy = 1e-10                 # relative
-  solver = \"auto\"                # or exact, dop853, dopri5, verner98, rk4
+  solver = \"auto\"                  # or one of those below
   columns = [\"tilt\", \"energy\"]  # what a row tells after the time; the usual numbers of the kind if it is not there
 
 A run gives up after 200 million evaluations of its equations, and has ten million rows at most; one that takes more than a
 moment tells how far it is. A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
 book/scenes has a file for each scene of the book.
 
+Kinds: {kinds}.
+Solvers: {solvers}.
+
 Examples:
   cargo run -- scene book/scenes/racket.toml
-  cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json";
+  cargo run -- scene --keys roller
+  cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json"
+    )
+}
 
 const SCAN: &str = "\
 A line for each point of the grid: the varied numbers, the last row of the motion, and `ok`, or why there is none. Numbers are named as
@@ -121,10 +134,14 @@ enum Command {
         open: bool,
     },
     /// Simulates a scene file: a body, how it starts, and only the effects it names
-    #[command(after_help = SCENE)]
+    #[command(after_help = scene_help())]
     Scene {
         /// The scene file, or the name of one in book/scenes; `-` reads standard input
-        file: PathBuf,
+        #[arg(required_unless_present = "keys")]
+        file: Option<PathBuf>,
+        /// Prints the keys that a kind of scene has, and reads no file
+        #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "format", "output"])]
+        keys: Option<String>,
         /// The numbers of a row after the time; a name that is none has them all listed [default: the usual ones of the kind]
         #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
         columns: Vec<String>,
@@ -245,18 +262,22 @@ fn obey(command: Option<Command>) -> Result<()> {
             if open { open_page(&page) } else { Ok(()) }
         }
         Some(Command::Scene {
+            keys: Some(kind), ..
+        }) => say(&scenes::keys(&kind)?),
+        Some(Command::Scene {
             file,
             columns,
             format,
             output,
+            ..
         }) => {
-            let file = scene_file(&root, file);
+            let file = scene_file(&root, file.unwrap_or_default());
             let format = Format::of(format, output.as_deref())?;
             let target = Target::new(output.as_deref(), Some(&file))?;
             let (name, text) = scenes::source(&file)?;
             let (mut scene, request) = scenes::parse(&name, &text)?;
             if !columns.is_empty() {
-                let told = scenes::telling(scene, &columns);
+                let told = files::telling(scene, &columns);
                 scene = told.map_err(|told| Error::Input(format!("--columns: {name} {told}")))?;
             }
             let motion = Motion {

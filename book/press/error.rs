@@ -2,11 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-/// A failure, told in one line.
+use spinning_bodies::scene::files::Mistakes;
+
+/// A failure, told in one line; a scene file in one line for each mistake.
 #[derive(Debug)]
 pub enum Error {
     /// The command line or a source of the book is wrong: exit status 2.
     Input(String),
+    /// A scene file is wrong, a line for each mistake: exit status 2.
+    Scene(Mistakes),
     /// A file could not be read or written: exit status 1.
     File {
         /// The file.
@@ -35,7 +39,7 @@ impl Error {
     /// The exit status that reports this error.
     pub fn status(&self) -> u8 {
         match self {
-            Error::Input(_) => 2,
+            Error::Input(_) | Error::Scene(_) => 2,
             Error::File { .. } | Error::Failed(_) => 1,
             Error::OutputClosed => 0,
         }
@@ -46,6 +50,7 @@ impl std::fmt::Display for Error {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Error::Input(message) | Error::Failed(message) => f.write_str(&one_line(message)),
+            Error::Scene(mistakes) => write!(f, "{mistakes}"),
             Error::File { path, source } => write!(f, "{}: {source}", path.display()),
             Error::OutputClosed => f.write_str("the output was closed"),
         }
@@ -53,6 +58,12 @@ impl std::fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+impl From<Mistakes> for Error {
+    fn from(mistakes: Mistakes) -> Self {
+        Error::Scene(mistakes)
+    }
+}
 
 impl From<spinning_bodies::scene::UnknownColumn> for Error {
     fn from(unknown: spinning_bodies::scene::UnknownColumn) -> Self {

@@ -156,7 +156,7 @@ fn a_scene_file_is_a_problem_if_it_is_a_top_without_losses() {
         refused(&accuracy(&["--scene", path.to_str().unwrap()]), words);
     }
     let bad = folder.path().join("bad.toml");
-    std::fs::write(&bad, "[body]\nmoments = [1.0, 1.0, 5.0]\n").unwrap();
+    std::fs::write(&bad, scene.replace("1.5, 2.0]", "1.5, 5.0]")).unwrap();
     refused(
         &accuracy(&["--scene", bad.to_str().unwrap()]),
         &["bad.toml", "moments"],

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use press::scenes::{kinds, parse, prices::PRICED};
+use press::scenes::{parse, prices::PRICED};
+use spinning_bodies::scene::files::kinds;
 
 /// The rows of a scene file of the book that tells these numbers at these times.
 fn rows<const N: usize>(file: &str, names: [&str; N], times: &[f64]) -> Vec<[f64; N]> {

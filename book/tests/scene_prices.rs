@@ -4,7 +4,8 @@
 use std::collections::BTreeSet;
 
 use press::scenes::prices::{NEEDED, PRICED, run, times};
-use press::scenes::{kinds, simulate};
+use press::scenes::{key_table, simulate};
+use spinning_bodies::scene::files::{keys, kinds, shared_keys};
 
 const PAGE: &str = include_str!("../src/scenes.md");
 const PRICES: &str = include_str!("../src/tables/scene-prices.csv");
@@ -18,37 +19,35 @@ fn rows(csv: &str) -> Vec<Vec<&str>> {
 #[test]
 fn every_kind_is_priced() {
     let priced: Vec<&str> = PRICED.iter().map(|priced| priced.kind).collect();
-    assert_eq!(priced, kinds());
+    assert_eq!(priced, kinds().collect::<Vec<_>>());
 }
 
+/// `UPDATE_TABLES=1 cargo test -p book --test scene_prices` writes the keys of all kinds.
 #[test]
-fn the_page_names_every_key_and_every_column() {
+fn the_page_has_every_key_and_every_column() {
+    let of_kinds = kinds().map(|kind| (kind, keys(kind).unwrap()));
+    for (name, keys) in core::iter::once(("run", shared_keys())).chain(of_kinds) {
+        let path = format!("src/tables/keys-{name}.md");
+        if std::env::var_os("UPDATE_TABLES").is_some() {
+            std::fs::write(&path, key_table(&keys)).unwrap();
+        }
+        let committed = std::fs::read_to_string(&path).unwrap();
+        let hint = "UPDATE_TABLES=1 writes it anew";
+        assert!(committed == key_table(&keys), "{path}: {hint}");
+    }
     let mut missing = Vec::new();
     for priced in PRICED {
         let heading = format!("\n### `{}`", priced.kind);
         let start = PAGE.find(&heading).unwrap_or_else(|| panic!("no{heading}"));
         let rest = &PAGE[start + heading.len()..];
         let end = rest.find("\n##").unwrap_or(rest.len());
-        for asked in priced.keys().unwrap() {
-            if ["", "run"].contains(&asked.section) {
-                continue;
-            }
-            let row = format!("| {} | `{}` | {} |", asked.section, asked.key, asked.what);
+        let columns = run(priced.kind, &priced.file(|_| true)).unwrap().columns;
+        let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
+        let include = format!("{{{{#include tables/keys-{}.md}}}}", priced.kind);
+        for row in [include, format!("`t,{}`", names.join(","))] {
             if !rest[..end].contains(&row) {
                 missing.push(format!("{}: {row}", priced.kind));
             }
-        }
-        let columns = run(priced.kind, &priced.file(|_| true)).unwrap().columns;
-        let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
-        let row = format!("`t,{}`", names.join(","));
-        if !rest[..end].contains(&row) {
-            missing.push(format!("{}: {row}", priced.kind));
-        }
-    }
-    // `[run]` and what stands at the top are the same for all.
-    for asked in PRICED[0].keys().unwrap() {
-        if ["", "run"].contains(&asked.section) && !PAGE.contains(&format!("`{}`", asked.key)) {
-            missing.push(format!("`{}`", asked.key));
         }
     }
     assert!(missing.is_empty(), "the page lacks\n{}", missing.join("\n"));

@@ -23,6 +23,8 @@ mod columns;
 pub mod contact;
 pub mod effects;
 mod engine;
+#[cfg(feature = "scene-files")]
+pub mod files;
 pub mod meteorite;
 mod motion;
 mod plan;

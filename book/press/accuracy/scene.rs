@@ -3,23 +3,14 @@
 use std::path::Path;
 
 use lab::accuracy::{ClosedForm, Model, Problem, Sample};
-use spinning_bodies::frame::BodyVector;
 use spinning_bodies::integrators::Effort;
 use spinning_bodies::integrators::geometric::{
     Follow, HeavySplitting, Integrator, Order, Phase, Real, Rotations, TwoWords, Weight,
 };
+use spinning_bodies::scene::files::parse_top;
 
 use crate::scenes;
-use crate::scenes::reader::Section;
 use crate::{Error, Result};
-
-/// Effects that a measured scene may not have.
-const LOSSES: [&str; 4] = [
-    "pivot_friction",
-    "bearing_friction",
-    "air_drag",
-    "tip_friction",
-];
 
 /// The motion that a scene file describes, from its start to its last time.
 ///
@@ -27,24 +18,20 @@ const LOSSES: [&str; 4] = [
 /// [`Error::Input`] for a file that is not the scene of a top without losses, or one that ends where it begins.
 pub fn problem(file: &Path) -> Result<Problem> {
     let (name, text) = scenes::source(file)?;
-    // Whatever is wrong with the file is told here.
-    scenes::parse(&name, &text)?;
-    let table = scenes::table(&name, &text)?;
-    let whole = Section::whole(&name, &table);
-    if table
-        .get("kind")
-        .is_some_and(|kind| kind.as_str() != Some("top"))
-    {
-        return Err(whole.refused("kind", "must be \"top\" to be measured, or not there"));
+    let (top, request) = parse_top(&name, &text)?;
+    let refused = |key, told| Error::Input(format!("{name}: key `{key}` {told}"));
+    if let Some(loss) = top.resisting().next() {
+        let told = "in [effects] is a loss; tops are measured without";
+        return Err(refused(loss, told));
     }
-    let effects = whole.section("effects")?;
-    if let Some(loss) = LOSSES.into_iter().find(|loss| effects.has(loss)) {
-        return Err(effects.refused(loss, "is a loss; tops are measured without"));
+    let (moments, lever) = (top.moments(), top.lever().map(|x| x + 0.0));
+    let end = request.times().iter().fold(0.0_f64, |a, b| a.max(*b));
+    if end <= 0.0 {
+        let told = "in [run] must be positive for a motion to be measured";
+        return Err(refused("until", told));
     }
-    let (moments, lever) = body(&whole, &effects)?;
-    let start = start(&whole, moments)?;
-    let end = last_time(&whole)?;
     let told = |error: spinning_bodies::Error| Error::Input(format!("{name}: {error}"));
+    let start = top.phase().map_err(told)?;
     let omega = (0..3)
         .map(|k| start.l[k] / moments[k])
         .fold(0.0, f64::hypot);
@@ -58,48 +45,6 @@ pub fn problem(file: &Path) -> Result<Problem> {
 }
 
 type Body = ([f64; 3], [f64; 3]);
-
-fn body(whole: &Section<'_>, effects: &Section<'_>) -> Result<Body> {
-    let body = whole.section("body")?;
-    let moments = body.list("moments", "principal moments in kg m²")?;
-    let gravity = effects
-        .optional("gravity", "an acceleration in m/s²")?
-        .unwrap_or(0.0);
-    let mass = body.optional("mass", "a mass in kg")?.unwrap_or(0.0);
-    let center = body.optional_vector("center_of_mass", "a place in m")?;
-    let center: [f64; 3] = center.unwrap_or_else(BodyVector::zero).components().into();
-    // No minus zero: it would not be "no lever" to those who look.
-    Ok((moments, center.map(|x| mass * gravity * x + 0.0)))
-}
-
-fn start(whole: &Section<'_>, moments: [f64; 3]) -> Result<Phase> {
-    let initial = whole.section("initial")?;
-    let attitude = initial.attitude()?;
-    let l = match initial.optional_vector("omega", "an angular velocity in rad/s")? {
-        Some(omega) => {
-            let omega: [f64; 3] = omega.components().into();
-            let [x, y, z] = std::array::from_fn(|k| moments[k] * omega[k]);
-            BodyVector::new(x, y, z)
-        }
-        None => initial
-            .optional_vector("angular_momentum", "an angular momentum in kg m²/s")?
-            .unwrap_or_else(BodyVector::zero),
-    };
-    Ok(Phase::new(l, &attitude))
-}
-
-fn last_time(whole: &Section<'_>) -> Result<f64> {
-    let run = whole.section("run")?;
-    let until = run.optional("until", "the last time in s")?;
-    let times = run.optional_numbers("times", "a list of times in s")?;
-    let times = until.into_iter().chain(times.into_iter().flatten());
-    let last = times.fold(0.0_f64, f64::max);
-    if last > 0.0 {
-        Ok(last)
-    } else {
-        Err(run.refused("until", "must be positive for a motion to be measured"))
-    }
-}
 
 /// Sixteen samples: by a splitting of order 6 in two words if that takes seconds; otherwise by the closed form, if there is one.
 fn truth(

@@ -1,63 +1,26 @@
-//! Scene files: a TOML file becomes a scene of the library, the scene a table of numbers.
+//! Scene files: from a path to a table of numbers. What a file may say, and the scene that it makes, is the library's
+//! ([`files`]).
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`reader`] | tables and keys; every refusal in one line that names file and key |
-//! | [`run`] | times, accuracy, solver |
 //! | [`output`] | CSV and JSON |
 //! | [`prices`] | what each effect costs |
 //! | [`scan`] | one file, some of its numbers varied, on all cores |
-//! | one a kind | the scene that the file describes: `top` (no `kind` given), … |
-//!
-//! A new kind brings a module with a function `read(&Section) -> Result<AnyScene>` and a line in `KINDS`.
 
-mod contact;
 pub mod output;
 pub mod prices;
-pub mod reader;
-pub mod run;
 pub mod scan;
-mod shape;
-mod strip;
-mod table_top;
-mod top;
-mod yo_yo;
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use lab::general::DifferentialEquations;
 use spinning_bodies::scene::Request;
-use spinning_bodies::scene::UnknownColumn;
+use spinning_bodies::scene::files::{self, KeyRow};
 pub use spinning_bodies::scene::{AnyScene, Table};
 
 use crate::{Error, Result};
-use reader::{Key, Section};
-
-/// Reads a scene of one kind: all sections but `[run]`.
-type Reader = fn(&Section<'_>) -> Result<AnyScene>;
-
-/// The kinds of scene, the first being the one without `kind`.
-const KINDS: &[(&str, Reader)] = &[
-    ("top", top::read),
-    ("meteorite", contact::meteorite),
-    ("roller", contact::roller),
-    ("spool", contact::spool),
-    ("superball", contact::superball),
-    ("yo-yo", yo_yo::read),
-    ("strip", strip::read),
-    ("swivel", shape::swivel),
-    ("skater", shape::skater),
-    ("cat", shape::cat),
-    ("paper-cat", shape::paper_cat),
-    ("crawler", shape::crawler),
-    ("table-top", table_top::read),
-];
-
-/// The words that may stand after `kind`.
-pub fn kinds() -> Vec<&'static str> {
-    KINDS.iter().map(|(kind, _)| *kind).collect()
-}
 
 /// Runs a scene, `name` being that of its file. Every number of what it gives back is finite.
 ///
@@ -78,7 +41,7 @@ pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
 /// Reads a scene file, `-` being standard input, runs the scene, and gives what came of it with the seconds it took.
 ///
 /// # Errors
-/// [`Error::Input`] for a file that is not a scene, and for a scene that is impossible; [`Error::Failed`] where the motion could not be
+/// [`Error::Scene`] for a file that is not a scene, [`Error::Input`] for a scene that is impossible; [`Error::Failed`] where the motion could not be
 /// followed; [`Error::File`].
 pub fn simulate(path: impl AsRef<Path>) -> Result<(Table, f64)> {
     let (name, text) = source(path.as_ref())?;
@@ -99,57 +62,45 @@ pub fn file(root: &Path, name: &Path) -> Option<PathBuf> {
         .find(|place| place.exists() && !place.is_dir())
 }
 
-/// The scene and the request that a file's text describes.
+/// The scene and the request that a file's text describes, with the general methods at hand.
 ///
 /// # Errors
-/// [`Error::Input`].
+/// [`Error::Scene`].
 pub fn parse(name: &str, text: &str) -> Result<(AnyScene, Request)> {
-    let (scene, request, _) = prepare(name, &table(name, text)?)?;
-    Ok((scene, request))
+    let (scene, request) = files::parse(name, text)?;
+    Ok((scene, request.with_methods(&DifferentialEquations)))
 }
 
-pub(crate) fn table(name: &str, text: &str) -> Result<toml::Table> {
-    text.parse().map_err(|error: toml::de::Error| {
-        let line = error.span().map_or(1, |span| line_of(text, span.start));
-        Error::Input(format!("{name}:{line}: {}", error.message()))
-    })
+/// Keys as a table of Markdown.
+pub fn key_table(keys: &[KeyRow]) -> String {
+    let mut text = "| table | key | what | if absent |\n|---|---|---|---|\n".to_owned();
+    for row in keys {
+        let (section, key, expected) = (&row.section, row.key, &row.expected);
+        let absent = match row.absent.as_deref() {
+            None => "needed".to_owned(),
+            Some("") => "–".to_owned(),
+            Some(value) => format!("`{value}`"),
+        };
+        text += &format!("| {section} | `{key}` | {expected} | {absent} |\n");
+    }
+    text
 }
 
-fn prepare(name: &str, table: &toml::Table) -> Result<(AnyScene, Request, Vec<Key>)> {
-    let file = Section::whole(name, table);
-    file.optional_text("title", "a title in quotes")?;
-    let read = file.word("kind", KINDS)?;
-    let scene = read(&file)?;
-    let section = file.section("run")?;
-    let request = run::read(&section)?;
-    let columns = section.optional_words("columns", "a list of names of numbers to be told")?;
-    let scene = match columns {
-        None => scene,
-        Some(names) => telling(scene, &names).map_err(|told| section.refused("columns", told))?,
-    };
-    section.done()?;
-    let asked = file.asked();
-    file.done()?;
-    Ok((scene, request, asked))
-}
-
-/// The scene telling these numbers.
+/// The keys of a kind, and those that all kinds share.
 ///
 /// # Errors
-/// A name that is none, and what was probably meant.
-pub fn telling<N: AsRef<str>>(
-    scene: AnyScene,
-    names: &[N],
-) -> std::result::Result<AnyScene, String> {
-    let told = |unknown: UnknownColumn| {
-        let UnknownColumn { name, names } = unknown;
-        let meant = reader::meant(&name, names.iter().copied());
-        format!(
-            "has no column `{name}` to tell; there are {}{meant}",
-            names.join(", ")
-        )
-    };
-    scene.telling(names).map_err(told)
+/// [`Error::Input`] for a word that is no kind.
+pub fn keys(kind: &str) -> Result<String> {
+    match files::keys(kind) {
+        Some(keys) => Ok(key_table(&[files::shared_keys(), keys].concat())),
+        None => {
+            let (kinds, meant) = (files::kinds(), files::meant(kind, files::kinds()));
+            let kinds = kinds.collect::<Vec<_>>().join(", ");
+            Err(Error::Input(format!(
+                "--keys: there is no kind `{kind}`; there are {kinds}{meant}"
+            )))
+        }
+    }
 }
 
 /// Most bytes of a scene file.
@@ -206,9 +157,4 @@ fn told(name: &str, times: &[f64], error: spinning_bodies::Error) -> Error {
         }
         other => Error::Input(format!("{name}: {other}")),
     }
-}
-
-fn line_of(text: &str, place: usize) -> usize {
-    text.get(..place)
-        .map_or(1, |before| before.matches('\n').count() + 1)
 }

@@ -3,7 +3,7 @@
 //! The solver and the evaluations of the right-hand side are the same on every machine; `cargo bench -p lab --bench scenes -- --csv`
 //! measures the time beside them, and the table it writes is the source of the figure and of the book's tables.
 
-use super::{Table, reader::Key};
+use super::Table;
 use crate::Result;
 
 /// A kind of scene, for the table of prices.
@@ -201,16 +201,6 @@ impl Priced {
         let usual = |place: usize| self.usual.contains(&place);
         let without = (!needed).then(|| self.file(|place| usual(place) && place != effect));
         (without, self.file(|place| usual(place) || place == effect))
-    }
-
-    /// Every key that the reader of this kind asks for, in its order, with what it expects.
-    ///
-    /// # Errors
-    /// None, as long as the file with all effects is a scene.
-    pub fn keys(&self) -> Result<Vec<Key>> {
-        let text = self.file(|_| true);
-        let table = super::table(self.kind, &text)?;
-        super::prepare(self.kind, &table).map(|(_, _, asked)| asked)
     }
 }
 

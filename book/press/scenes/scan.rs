@@ -8,11 +8,10 @@ use std::str::FromStr;
 
 use rayon::prelude::*;
 use serde_json::{Value as Json, json};
-use spinning_bodies::scene::{AnyScene, Request};
-use toml::{Table, Value};
+use spinning_bodies::scene::{AnyScene, Request, files};
 
 use super::output::Format;
-use super::{prepare, reader, source};
+use super::{parse, source};
 use crate::{Error, Result};
 
 /// Numbers of a scene file that go through their ranges together: `initial.omega.2=50..200:16`.
@@ -171,7 +170,7 @@ impl fmt::Display for Tell {
 #[derive(Debug)]
 pub struct Scan {
     name: String,
-    table: Table,
+    text: String,
     overs: Vec<Over>,
     /// Nothing: the last row.
     tells: Vec<Tell>,
@@ -190,11 +189,10 @@ impl Scan {
     /// million points.
     pub fn new(path: &Path, overs: Vec<Over>, tells: Vec<Tell>) -> Result<Self> {
         let (name, text) = source(path)?;
-        let table = super::table(&name, &text)?;
-        let (scene, ..) = prepare(&name, &table)?;
+        let (scene, _) = parse(&name, &text)?;
         let all: Vec<&str> = overs.iter().flat_map(Over::paths).collect();
         for (place, path) in all.iter().enumerate() {
-            number(&name, &mut table.clone(), path)?;
+            set(&name, &text, path, 0.0)?;
             if all[..place].contains(path) {
                 let told = format!("{name}: `{path}` stands twice after --over");
                 return Err(Error::Input(told));
@@ -210,13 +208,13 @@ impl Scan {
         let named: Vec<&str> = tells.iter().map(|tell| tell.column.as_str()).collect();
         let scene = match named.is_empty() {
             true => scene,
-            false => super::telling(scene, &named)
+            false => files::telling(scene, &named)
                 .map_err(|told| Error::Input(format!("--tell: {name} {told}")))?,
         };
         let columns = scene.told().map(|column| column.name.to_owned()).collect();
         Ok(Self {
             name,
-            table,
+            text,
             overs,
             tells,
             columns,
@@ -239,18 +237,11 @@ impl Scan {
     }
 
     fn outcome(&self, varied: &[(&str, f64)]) -> Outcome {
-        let mut table = self.table.clone();
+        let mut text = self.text.clone();
         for &(path, value) in varied {
-            let here = number(&self.name, &mut table, path)?;
-            *here = match here {
-                // A whole number stays one as long as it can: some keys take no other.
-                Value::Integer(_) if value.fract() == 0.0 && value.abs() < 1e15 => {
-                    Value::Integer(value as i64)
-                }
-                _ => Value::Float(value),
-            };
+            text = set(&self.name, &text, path, value)?;
         }
-        let (scene, request, _) = prepare(&self.name, &table)?;
+        let (scene, request) = parse(&self.name, &text)?;
         let scene = scene.telling(&self.columns)?;
         let motion = super::run(&self.name, &scene, &request)?;
         let mut rows: Vec<(f64, Vec<f64>)> = motion.rows().collect();
@@ -353,7 +344,8 @@ impl Scan {
                 }
                 Err(error) => {
                     text += &",".repeat(heads.len());
-                    text += &format!("\"{}\"\n", error.to_string().replace('"', "\"\""));
+                    let told = error.to_string().replace('"', "\"\"").replace('\n', "; ");
+                    text += &format!("\"{told}\"\n");
                 }
             }
         }
@@ -398,8 +390,8 @@ impl Scan {
             let mut all = self.overs.iter().flat_map(Over::paths);
             all.any(|path| path.split('.').take(2).eq(["body", key]))
         };
-        let body = self.table.get("body").and_then(Value::as_table);
-        let stays = body.and_then(|body| ABSOLUTE.into_iter().find(|key| body.contains_key(*key)));
+        let there = |key: &&str| files::has(&self.text, &format!("body.{key}"));
+        let stays = ABSOLUTE.into_iter().find(there);
         let (Some(stays), true, false) = (stays, varies("mass"), ABSOLUTE.into_iter().any(varies))
         else {
             return;
@@ -416,48 +408,15 @@ impl Scan {
 /// The keys that say how a body resists being turned, whatever its mass.
 const ABSOLUTE: [&str; 3] = ["moments", "inertia", "axial"];
 
-/// The number at this place of a file.
-fn number<'a>(name: &str, table: &'a mut Table, path: &str) -> Result<&'a mut Value> {
-    let missing = |near: String| {
+/// The file with another number in one place.
+fn set(name: &str, text: &str, path: &str, value: f64) -> Result<String> {
+    files::set(text, path, value).ok_or_else(|| {
+        let numbers = files::numbers(text);
+        let near = files::meant(path, numbers.iter().map(String::as_str));
         Error::Input(format!(
             "{name}: there is no number `{path}` to vary; keys are joined by dots, places in a list count from 0{near}"
         ))
-    };
-    let meant = reader::meant(path, paths("", table).iter().map(String::as_str));
-    let mut steps = path.split('.');
-    let first = steps.next().and_then(|first| table.get_mut(first));
-    let found = first.and_then(|first| {
-        steps.try_fold(first, |here, step| match here {
-            Value::Table(table) => table.get_mut(step),
-            Value::Array(list) => step.parse::<usize>().ok().and_then(|k| list.get_mut(k)),
-            _ => None,
-        })
-    });
-    match found {
-        Some(number @ (Value::Float(_) | Value::Integer(_))) => Ok(number),
-        _ => Err(missing(meant)),
-    }
-}
-
-/// Where the numbers of a table stand.
-fn paths(before: &str, value: &Table) -> Vec<String> {
-    fn within(path: String, value: &Value) -> Vec<String> {
-        match value {
-            Value::Float(_) | Value::Integer(_) => vec![path],
-            Value::Table(table) => paths(&format!("{path}."), table),
-            Value::Array(list) => {
-                let items = list.iter().enumerate();
-                items
-                    .flat_map(|(k, item)| within(format!("{path}.{k}"), item))
-                    .collect()
-            }
-            _ => Vec::new(),
-        }
-    }
-    let items = value.iter();
-    items
-        .flat_map(|(key, value)| within(format!("{before}{key}"), value))
-        .collect()
+    })
 }
 
 /// The time when a column is first at a level.

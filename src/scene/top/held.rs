@@ -4,6 +4,7 @@ use super::body::{Body, Start};
 use super::closed::ClosedForm;
 use crate::error::{Error, Result};
 use crate::frame::{Attitude, BodyVector};
+use crate::integrators::geometric::Phase;
 use crate::scene::Tabulated;
 use crate::scene::columns::Columns;
 use crate::scene::effects::{
@@ -124,8 +125,21 @@ impl Top {
         ClosedForm::find(&self.body, self.g(), &self.start)
     }
 
+    /// Principal moments about the pivot, kg m², in the order of the axes.
+    pub const fn moments(&self) -> [f64; 3] {
+        self.body.moments
+    }
+
+    /// L along the body's axes and the attitude at the start.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn phase(&self) -> Result<Phase> {
+        self.start.phase(self.body.moments)
+    }
+
     /// MgC, N m: with the upward unit vector z the torque about the pivot is z∧MgC (8.1).
-    pub(super) fn lever(&self) -> [f64; 3] {
+    pub fn lever(&self) -> [f64; 3] {
         let g = self.g();
         self.body.arm().map(|component| component * g)
     }
@@ -135,7 +149,7 @@ impl Top {
     }
 
     /// The names of what resists.
-    pub(super) fn resisting(&self) -> impl Iterator<Item = &'static str> {
+    pub fn resisting(&self) -> impl Iterator<Item = &'static str> {
         let effects: [Option<Effect>; 4] = [
             self.pivot_friction.map(Effect::from),
             self.bearing_friction.map(Effect::from),

@@ -1,0 +1,338 @@
+//! `kind = "meteorite"`, `"roller"`, `"spool"`, `"superball"`: what strikes, skids, rolls and bounces (4.2 to 4.6).
+
+use super::reader::Reader;
+use super::values::{
+    Bound::{From, NotNegative, Positive},
+    section,
+};
+use super::{listed, with};
+use crate::frame::BodyVector;
+use crate::impacts::{Impact, Meteorite, Planet};
+use crate::inertia::InertiaMatrix;
+use crate::rolling::RoundBody;
+use crate::rolling::sheet::SheetSpeeds;
+use crate::rolling::spool::Spool;
+use crate::scene::effects::{Coulomb, Gravity, Restitution, RollingResistance, Sheet, Tug};
+use crate::scene::meteorite::StruckPlanet;
+use crate::scene::roller::Roller;
+use crate::scene::spool::TuggedSpool;
+use crate::scene::superball::Superball;
+use crate::superball::Motion;
+use crate::superball::flight::InFlight;
+
+section! {
+    /// `[body]` of a roller.
+    RollerBody {
+        mass: f64, "a mass in kg", Positive;
+        radius: f64, "a radius in m", Positive;
+        inertia_factor: f64 = 0.4, "I/MR², a ratio", Positive;
+    }
+}
+
+section! {
+    /// `[initial]` of a roller.
+    RollerInitial {
+        velocity: Option<f64>, "the speed of the centre in m/s";
+        rim_speed: Option<f64>, "the speed RΩ of the rim in m/s";
+        cue_height: Option<f64>, "the height of the cue above the table in radii";
+    }
+}
+
+section! {
+    /// `[effects]` of a roller.
+    RollerEffects {
+        gravity: f64, "an acceleration in m/s²", Positive;
+        friction: Option<f64>, "the coefficient of friction of what slides, a ratio", NotNegative;
+        static_friction: Option<f64>, "the coefficient of friction of what rolls, a ratio", NotNegative;
+        rolling_resistance: Option<RollingResistance>, "the coefficient of rolling resistance, a ratio";
+        sheet_friction: Option<f64>, "the coefficient of friction on the sheet, a ratio", NotNegative;
+        sheet_times: Option<Vec<f64>>, "a list of times in s";
+        sheet_speeds: Option<Vec<f64>>, "a list of speeds in m/s";
+        sheet_margin: Option<f64>, "the way from the ball to the edge in m", Positive;
+    }
+}
+
+fn friction(file: &Reader<'_>, kinetic: Option<f64>, grip: Option<f64>) -> Option<Option<Coulomb>> {
+    let keys = "effects.static_friction, effects.friction";
+    match (kinetic, grip) {
+        (Some(kinetic), grip) => {
+            let law = Coulomb::with_grip(kinetic, grip.unwrap_or(kinetic));
+            file.right(keys, law).map(Some)
+        }
+        (None, None) => Some(None),
+        (None, Some(_)) => file.wrong("effects.static_friction", " needs `friction` beside it"),
+    }
+}
+
+fn sheet(file: &Reader<'_>, effects: &RollerEffects) -> Option<Option<Sheet>> {
+    let given = (
+        effects.sheet_friction,
+        &effects.sheet_times,
+        &effects.sheet_speeds,
+        effects.sheet_margin,
+    );
+    let (law, times, speeds, margin) = match given {
+        (Some(law), Some(times), Some(speeds), Some(margin)) => (law, times, speeds, margin),
+        (None, None, None, None) => return Some(None),
+        _ => {
+            let keys = "effects.sheet_friction, effects.sheet_times, effects.sheet_speeds, effects.sheet_margin";
+            return file.wrong(keys, " belong together");
+        }
+    };
+    if times.len() != speeds.len() {
+        let (times, speeds) = (times.len(), speeds.len());
+        let told = format!(" must be as many as sheet_times, {times}, got {speeds}");
+        return file.wrong("effects.sheet_speeds", told);
+    }
+    let law = file.right("effects.sheet_friction", Coulomb::new(law));
+    let points = times.iter().copied().zip(speeds.iter().copied());
+    let speeds = SheetSpeeds::through(points.collect::<Vec<_>>());
+    let speeds = file.right("effects.sheet_times", speeds);
+    let sheet = Sheet::new(law?, speeds?, margin);
+    file.right("effects.sheet_margin", sheet).map(Some)
+}
+
+pub fn roller(
+    file: &Reader<'_>,
+    body: RollerBody,
+    initial: RollerInitial,
+    effects: RollerEffects,
+) -> Option<Roller> {
+    let factor = "body.inertia_factor";
+    let body = file.right(
+        factor,
+        RoundBody::new(body.mass, body.radius, body.inertia_factor),
+    );
+    let law = friction(file, effects.friction, effects.static_friction);
+    let sheet = sheet(file, &effects);
+    let (body, gravity) = (body?, effects.gravity);
+    let velocity = initial.velocity;
+    let scene = match (initial.rim_speed, initial.cue_height) {
+        (Some(_), Some(_)) => {
+            file.wrong("initial.rim_speed", " and `cue_height` exclude each other")
+        }
+        (None, Some(height)) => match velocity {
+            Some(velocity) if velocity > 0.0 => {
+                let shot = body.strike(height, velocity);
+                let scene = shot.and_then(|shot| Roller::after(&shot, gravity));
+                file.right("initial.cue_height, initial.velocity", scene)
+            }
+            _ => file.wrong(
+                "initial.velocity",
+                " must be a speed in m/s, positive, after a cue",
+            ),
+        },
+        (rim, None) => {
+            let scene = Roller::new(body, gravity, velocity.unwrap_or(0.0), rim.unwrap_or(0.0));
+            file.right("initial.velocity, initial.rim_speed", scene)
+        }
+    };
+    let effects = listed![law?, effects.rolling_resistance, sheet?];
+    with(file, scene?, effects, Roller::with)
+}
+
+section! {
+    /// `[body]` of a spool.
+    SpoolBody {
+        mass: f64, "a mass in kg", Positive;
+        radius: f64, "a radius in m", Positive;
+        inertia_factor: f64 = 0.4, "I/MR², a ratio", Positive;
+        axle: f64, "the radius of the axle in m", Positive;
+    }
+}
+
+section! {
+    /// `[initial]` of a spool.
+    SpoolInitial {
+        velocity: f64 = 0.0, "the speed of the centre in m/s";
+        rim_speed: f64 = 0.0, "the speed RΩ of the rim in m/s";
+    }
+}
+
+section! {
+    /// `[effects]` of a spool.
+    SpoolEffects {
+        gravity: f64, "an acceleration in m/s²", Positive;
+        friction: Option<f64>, "the coefficient of friction of what slides, a ratio", NotNegative;
+        static_friction: Option<f64>, "the coefficient of friction of what rolls, a ratio", NotNegative;
+        rolling_resistance: Option<RollingResistance>, "the coefficient of rolling resistance, a ratio";
+        tension: Option<f64>, "a force in N", NotNegative;
+        tug_angle: Option<f64>, "the angle of the string above the horizontal in rad";
+    }
+}
+
+pub fn spool(
+    file: &Reader<'_>,
+    body: SpoolBody,
+    initial: SpoolInitial,
+    effects: SpoolEffects,
+) -> Option<TuggedSpool> {
+    let (radius, axle) = (body.radius, body.axle);
+    let factor = "body.inertia_factor";
+    let body = file.right(
+        factor,
+        RoundBody::new(body.mass, radius, body.inertia_factor),
+    );
+    let law = friction(file, effects.friction, effects.static_friction);
+    let tug = match (effects.tension, effects.tug_angle) {
+        (Some(tension), Some(angle)) => file
+            .right("effects.tug_angle", Tug::new(tension, angle))
+            .map(Some),
+        (None, None) => Some(None),
+        _ => file.wrong("effects.tension, effects.tug_angle", " belong together"),
+    };
+    if axle > radius {
+        let told = format!(" must not exceed `radius`, {radius:?}, got {axle:?}");
+        return file.wrong("body.axle", told);
+    }
+    let reel = file.right("body.axle", Spool::new(body?, axle))?;
+    let scene = file.right("effects.gravity", TuggedSpool::new(reel, effects.gravity))?;
+    let scene = match tug? {
+        Some(tug) => {
+            let keys = "effects.tension, effects.tug_angle, effects.gravity, body.mass";
+            file.right(keys, scene.with(tug))?
+        }
+        None => scene,
+    };
+    let scene = with(
+        file,
+        scene,
+        listed![law?, effects.rolling_resistance],
+        TuggedSpool::with,
+    )?;
+    Some(scene.moving(initial.velocity, initial.rim_speed))
+}
+
+section! {
+    /// `[body]` of a superball.
+    SuperballBody {
+        mass: f64, "a mass in kg", Positive;
+        inertia_factor: f64 = 0.4, "I/MR², a ratio", From(0.0, 1.0);
+    }
+}
+
+section! {
+    /// `[initial]` of a superball.
+    SuperballInitial {
+        height: f64, "a height in m", NotNegative;
+        climb: f64 = 0.0, "the speed upward in m/s";
+        velocity: f64 = 0.0, "the speed of the centre in m/s";
+        rim_speed: f64 = 0.0, "the speed RΩ of the rim in m/s";
+    }
+}
+
+section! {
+    /// `[effects]` of a superball.
+    SuperballEffects {
+        gravity: Option<Gravity>, "an acceleration in m/s²";
+        ceiling: Option<f64>, "the height of the ceiling, less the diameter, in m", Positive;
+        restitution: Option<f64>, "the coefficient of restitution upward, a ratio";
+        tangential_restitution: Option<f64>, "the coefficient of restitution along the floor, a ratio";
+        grip: Option<f64>, "the coefficient of friction at a bounce, a ratio";
+    }
+}
+
+pub fn superball(
+    file: &Reader<'_>,
+    body: SuperballBody,
+    initial: SuperballInitial,
+    effects: SuperballEffects,
+) -> Option<Superball> {
+    let start = InFlight {
+        position: 0.0,
+        height: initial.height,
+        climb: initial.climb,
+        motion: Motion {
+            velocity: initial.velocity,
+            rim_speed: initial.rim_speed,
+        },
+        bounces: 0,
+    };
+    let kappa = body.inertia_factor;
+    if kappa == 0.0 {
+        return file.wrong(
+            "body.inertia_factor",
+            " must be I/MR², a ratio, positive, got 0.0",
+        );
+    }
+    let ball = file.right("body.mass", Superball::new(body.mass, kappa, start))?;
+    file.right("initial.height, initial.climb", ball.flight())?;
+    let ball = ball.under(effects.ceiling.unwrap_or(f64::INFINITY));
+    file.right("effects.ceiling, initial.height", ball.flight())?;
+    let restitution = match (effects.restitution, effects.tangential_restitution) {
+        (None, None) => Some(None),
+        (normal, tangential) => {
+            let normal = normal.unwrap_or(1.0);
+            let alone = file.right("effects.restitution", Restitution::new(normal, 1.0));
+            let both = Restitution::new(normal, tangential.unwrap_or(1.0));
+            let key = "effects.tangential_restitution";
+            alone.and_then(|_| file.right(key, both)).map(Some)
+        }
+    };
+    let grip = match effects.grip {
+        Some(grip) => file.right("effects.grip", Coulomb::new(grip)).map(Some),
+        None => Some(None),
+    };
+    with(
+        file,
+        ball,
+        listed![effects.gravity, restitution?, grip?],
+        Superball::with,
+    )
+}
+
+section! {
+    /// `[body]` of a planet.
+    MeteoriteBody {
+        mass: f64, "a mass in kg", Positive;
+        moments: [f64; 3], "principal moments in kg m²";
+    }
+}
+
+section! {
+    /// `[initial]` of a planet.
+    MeteoriteInitial {
+        velocity: Option<BodyVector>, "a velocity in m/s";
+        omega: Option<BodyVector>, "an angular velocity in rad/s";
+    }
+}
+
+section! {
+    /// `[effects]` of a planet.
+    MeteoriteEffects {
+        impact_mass: Option<f64>, "the mass of the meteorite in kg", Positive;
+        impact_velocity: Option<BodyVector>, "a velocity in m/s";
+        impact_at: Option<BodyVector>, "a place in m";
+    }
+}
+
+pub fn meteorite(
+    file: &Reader<'_>,
+    body: MeteoriteBody,
+    initial: MeteoriteInitial,
+    effects: MeteoriteEffects,
+) -> Option<StruckPlanet> {
+    let zero = BodyVector::zero;
+    let velocity = initial.velocity.unwrap_or_else(zero);
+    let omega = initial.omega.unwrap_or_else(zero);
+    let [a, b, c] = body.moments;
+    let planet = InertiaMatrix::diagonal(a, b, c)
+        .and_then(|inertia| Planet::new(body.mass, inertia, velocity, omega));
+    let planet = StruckPlanet::new(file.right("body.moments", planet)?);
+    match (
+        effects.impact_mass,
+        effects.impact_velocity,
+        effects.impact_at,
+    ) {
+        (Some(mass), Some(velocity), Some(at)) => {
+            let keys = "effects.impact_mass, effects.impact_velocity";
+            let meteorite = file.right(keys, Meteorite::new(mass, velocity))?;
+            file.right("effects.impact_at", planet.with(Impact { meteorite, at }))
+        }
+        (None, None, None) => Some(planet),
+        _ => {
+            let keys = "effects.impact_mass, effects.impact_velocity, effects.impact_at";
+            file.wrong(keys, " belong together")
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! Scene files: a TOML text becomes a scene, or a list of all that is wrong with it.
+//!
+//! The kind is read first, then that kind's tables. Each table is declared once, key by key with unit, bound and default, for the reader as for the
+//! page of keys. A file's numbers can be [set](set), for scans. Nothing here opens a file.
+//!
+//! ```
+//! use spinning_bodies::scene::files::parse;
+//! let text = "[body]\nmoments = [1, 2, 3]\n[initial]\nomega = [0, 1, 5]\n[run]\ntimes = [1.0]\n";
+//! let (scene, request) = parse("mine.toml", text)?;
+//! assert_eq!(scene.simulate(&request).map(|table| table.rows().count()), Ok(1));
+//! let Err(mistakes) = parse("mine.toml", &text.replace("[0, 1, 5]", "\"fast\"")) else { panic!() };
+//! let told = "mine.toml:4: key `omega` in [initial] must be an angular velocity in rad/s, a list of 3 numbers, got the string \"fast\"";
+//! assert_eq!(mistakes.to_string(), told);
+//! # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
+//! ```
+//!
+//! A new kind brings its tables, a function that makes its scene of them, and a line in `KINDS`.
+
+mod changing;
+mod contact;
+mod reader;
+mod run;
+mod strip;
+mod table_top;
+mod top;
+mod values;
+mod yo_yo;
+
+pub use reader::{Mistake, Mistakes, meant};
+pub use run::telling;
+pub use values::KeyRow;
+
+use toml::de::{DeTable, DeValue};
+
+use super::effects::Effect;
+use super::top::Top;
+use super::{AnyScene, Request, Scene};
+use reader::{Reader, Table, find};
+use run::Run;
+use values::{Key, Section, Value, Word};
+
+/// Effects that may be listed, as values.
+macro_rules! listed {
+    ($($effect:expr),* $(,)?) => {
+        [$($effect.map($crate::scene::effects::Effect::from)),*]
+    };
+}
+use listed;
+
+/// The scene with those of these effects that are listed.
+fn with<S>(
+    file: &Reader<'_>,
+    mut scene: S,
+    listed: impl IntoIterator<Item = Option<Effect>>,
+    add: impl Fn(S, Effect) -> crate::Result<S>,
+) -> Option<S> {
+    for effect in listed.into_iter().flatten() {
+        let key = format!("effects.{}", effect.name());
+        scene = file.right(&key, add(scene, effect))?;
+    }
+    Some(scene)
+}
+
+/// A kind of scene.
+#[derive(Clone, Copy)]
+struct Kind {
+    name: &'static str,
+    read: fn(&Reader<'_>) -> Option<(AnyScene, Request)>,
+    rows: fn() -> Vec<KeyRow>,
+}
+
+macro_rules! kinds {
+    ($($name:literal, $made:path;)*) => {
+        /// The kinds of scene, the first being the one without `kind`.
+        const KINDS: &[Kind] = &[$(Kind {
+            name: $name,
+            read: |file| read(file, $made),
+            rows: || rows($made),
+        }),*];
+    };
+}
+
+kinds! {
+    "top", top::top;
+    "meteorite", contact::meteorite;
+    "roller", contact::roller;
+    "spool", contact::spool;
+    "superball", contact::superball;
+    "yo-yo", yo_yo::yo_yo;
+    "strip", strip::strip;
+    "swivel", changing::swivel;
+    "skater", changing::skater;
+    "cat", changing::cat;
+    "paper-cat", changing::paper_cat;
+    "crawler", changing::crawler;
+    "table-top", table_top::table_top;
+}
+
+impl Word for Kind {
+    fn words() -> Vec<(&'static str, Self)> {
+        KINDS.iter().map(|kind| (kind.name, *kind)).collect()
+    }
+}
+
+const TITLE: Key = Key::new("title", "a title in quotes");
+const KIND: Key = Key::new("kind", "");
+
+/// What makes a scene of the three tables of its kind.
+type Made<B, I, E, S> = fn(&Reader<'_>, B, I, E) -> Option<S>;
+
+/// The scene that the tables of a file make, and what is asked of it. Every table is read before anything is given up.
+fn scene<B: Section, I: Section, E: Section, S>(
+    reader: &Reader<'_>,
+    made: Made<B, I, E, S>,
+) -> Option<(S, Run, Request)> {
+    let file = Table::whole(reader);
+    file.value::<Option<String>>(&TITLE, None);
+    file.entry(KIND.name);
+    let (body, initial, effects) = (
+        file.part("body"),
+        file.part("initial"),
+        file.part("effects"),
+    );
+    let run = file.part::<Run>("run");
+    file.done();
+    let request = run.as_ref().and_then(|run| run.request(reader));
+    Some((made(reader, body?, initial?, effects?)?, run?, request?))
+}
+
+fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 'static>(
+    reader: &Reader<'_>,
+    made: Made<B, I, E, S>,
+) -> Option<(AnyScene, Request)> {
+    let (scene, run, request) = scene(reader, made)?;
+    let scene = run.told(reader, AnyScene::scene(Box::new(scene)))?;
+    Some((scene, request))
+}
+
+fn rows<B: Section, I: Section, E: Section, S>(_: Made<B, I, E, S>) -> Vec<KeyRow> {
+    [
+        B::all_rows("body"),
+        I::all_rows("initial"),
+        E::all_rows("effects"),
+    ]
+    .concat()
+}
+
+/// The scene and the request that a file's text describes; `name` is what the file is called where something is wrong with it.
+///
+/// # Errors
+/// All that is wrong with it.
+pub fn parse(name: &str, text: &str) -> Result<(AnyScene, Request), Mistakes> {
+    let reader = Reader::new(name, text)?;
+    let kind: Option<Kind> = Table::whole(&reader).value(&KIND, None);
+    let made = kind.and_then(|kind| (kind.read)(&reader));
+    reader.finish(made)
+}
+
+/// The top and the request that a file's text describes, for those who take the body in their own hands.
+///
+/// # Errors
+/// All that is wrong with it; that it is of another kind.
+pub fn parse_top(name: &str, text: &str) -> Result<(Top, Request), Mistakes> {
+    let reader = Reader::new(name, text)?;
+    let kind: Option<Kind> = Table::whole(&reader).value(&KIND, None);
+    let top = match kind {
+        Some(kind) if kind.name != KINDS[0].name => {
+            reader.wrong("kind", " must be \"top\", or not there")
+        }
+        Some(_) => scene(&reader, top::top),
+        None => None,
+    };
+    reader.finish(top.map(|(top, _, request)| (top, request)))
+}
+
+/// The words that may stand after `kind`; the first is meant where there is none.
+pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
+    KINDS.iter().map(|kind| kind.name)
+}
+
+/// The keys of a kind in `[body]`, `[initial]` and `[effects]`, if there is such a kind.
+pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
+    let kind = KINDS.iter().find(|known| known.name == kind)?;
+    Some((kind.rows)())
+}
+
+/// The keys that all kinds share: those at the top and in `[run]`.
+pub fn shared_keys() -> Vec<KeyRow> {
+    let title = <Option<String>>::rows("", &TITLE, None);
+    [title, Kind::rows("", &KIND, None), Run::all_rows("run")].concat()
+}
+
+/// Whether a file has a key, given by its path: "body.moments"; places in a list count from 0.
+pub fn has(text: &str, path: &str) -> bool {
+    DeTable::parse(text).is_ok_and(|table| find(table.get_ref(), path).is_some())
+}
+
+/// The paths of all numbers of a file.
+pub fn numbers(text: &str) -> Vec<String> {
+    fn within(path: &str, value: &DeValue<'_>) -> Vec<String> {
+        let inner = |step: &str, value| match path {
+            "" => within(step, value),
+            path => within(&format!("{path}.{step}"), value),
+        };
+        match value {
+            DeValue::Table(table) => {
+                let inner = table
+                    .iter()
+                    .map(|(key, value)| inner(key.get_ref(), value.get_ref()));
+                inner.flatten().collect()
+            }
+            DeValue::Array(list) => {
+                let members = list.iter().enumerate();
+                let inner = members.map(|(k, value)| inner(&k.to_string(), value.get_ref()));
+                inner.flatten().collect()
+            }
+            value => values::number(value)
+                .map(|_| path.to_owned())
+                .into_iter()
+                .collect(),
+        }
+    }
+    DeTable::parse(text).map_or_else(
+        |_| Vec::new(),
+        |table| within("", &DeValue::Table(table.into_inner())),
+    )
+}
+
+/// The same file with another number in one place, given as for [`has`]; nothing where there is no number. A whole number stays one as long as it
+/// can, for some keys take no other.
+pub fn set(text: &str, path: &str, number: f64) -> Option<String> {
+    let table = DeTable::parse(text).ok()?;
+    let (_, value) = find(table.get_ref(), path)?;
+    let whole = matches!(value.get_ref(), DeValue::Integer(_));
+    values::number(value.get_ref())?;
+    let written = if whole && number.fract() == 0.0 && number.abs() < 1e15 {
+        format!("{number}")
+    } else {
+        format!("{number:?}")
+    };
+    let place = value.span();
+    Some([text.get(..place.start)?, &written, text.get(place.end..)?].concat())
+}

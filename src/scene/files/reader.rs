@@ -1,0 +1,334 @@
+//! Tables and keys of one file; what is wrong is gathered, each in one line that names file, line and key.
+
+use core::cell::RefCell;
+use core::fmt::{self, Display};
+use core::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::values::{Key, Section, Value};
+
+/// What is wrong with a file: in one line the file, the line, the key, and what was expected.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mistake {
+    /// The file's name.
+    pub file: String,
+    /// The line, counted from 1; none where there is nothing to point at.
+    pub line: Option<usize>,
+    /// The key and what is wrong with it.
+    pub told: String,
+}
+
+impl Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}: {}", self.file, self.told),
+            None => write!(f, "{}: {}", self.file, self.told),
+        }
+    }
+}
+
+/// All that is wrong with a file, a line each, in the order of its lines.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mistakes(Vec<Mistake>);
+
+impl Mistakes {
+    /// One after the other; there is at least one.
+    pub fn iter(&self) -> impl Iterator<Item = &Mistake> {
+        self.0.iter()
+    }
+}
+
+impl Display for Mistakes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, mistake) in self.0.iter().enumerate() {
+            let start = if place == 0 { "" } else { "\n" };
+            write!(f, "{start}{mistake}")?;
+        }
+        Ok(())
+    }
+}
+
+impl core::error::Error for Mistakes {}
+
+/// A file being read. Whatever gives back nothing has told why.
+pub(super) struct Reader<'a> {
+    name: &'a str,
+    text: &'a str,
+    entries: DeTable<'a>,
+    mistakes: RefCell<Vec<Mistake>>,
+}
+
+impl<'a> Reader<'a> {
+    /// # Errors
+    /// If the text is not TOML.
+    pub fn new(name: &'a str, text: &'a str) -> Result<Self, Mistakes> {
+        let new = |entries| Self {
+            name,
+            text,
+            entries,
+            mistakes: RefCell::default(),
+        };
+        match DeTable::parse(text) {
+            Ok(entries) => Ok(new(entries.into_inner())),
+            Err(error) => {
+                let told = error.message().split_whitespace().collect::<Vec<_>>();
+                let reader = new(DeTable::new());
+                reader.add(error.span(), told.join(" "));
+                reader.finish(None)
+            }
+        }
+    }
+
+    /// What the file makes, if nothing was wrong with it.
+    pub fn finish<T>(self, made: Option<T>) -> Result<T, Mistakes> {
+        let mut mistakes = self.mistakes.into_inner();
+        mistakes.sort_by_key(|mistake| mistake.line.unwrap_or(usize::MAX));
+        match made {
+            Some(made) if mistakes.is_empty() => Ok(made),
+            _ => Err(Mistakes(mistakes)),
+        }
+    }
+
+    fn add(&self, place: Option<Range<usize>>, told: String) {
+        let before = |place: Range<usize>| self.text.get(..place.start).unwrap_or_default();
+        let line = place.map(|place| before(place).matches('\n').count() + 1);
+        self.mistakes.borrow_mut().push(Mistake {
+            file: self.name.to_owned(),
+            line,
+            told,
+        });
+    }
+
+    /// Something is wrong with these keys, given by their paths with commas between them: "body.mass, body.radius".
+    pub fn wrong<T>(&self, keys: &str, told: impl Display) -> Option<T> {
+        let mut paths = keys.split(", ");
+        let place = paths.find_map(|path| find(&self.entries, path));
+        let place = place.or_else(|| find(&self.entries, keys.split('.').next()?));
+        self.add(
+            place.map(|(place, _)| place),
+            format!("{}{told}", named(keys)),
+        );
+        None
+    }
+
+    /// What a constructor gives back; a refusal is blamed on these keys.
+    pub fn right<T>(&self, keys: &str, given: crate::Result<T>) -> Option<T> {
+        match given {
+            Ok(given) => Some(given),
+            Err(error) => self.wrong(keys, format_args!(": {error}")),
+        }
+    }
+
+    /// How a value stands in the file, in a few letters.
+    pub fn shown(&self, value: &Spanned<DeValue<'_>>) -> String {
+        let text = self.text.get(value.span()).unwrap_or_default();
+        let words: Vec<&str> = text.split_whitespace().collect();
+        words.join(" ").chars().take(40).collect()
+    }
+}
+
+/// Where a key and its value stand, by its path: "body.moments", or "body.moments.2" with places in a list counted from 0.
+pub(super) fn find<'t, 'a>(
+    entries: &'t DeTable<'a>,
+    path: &str,
+) -> Option<(Range<usize>, &'t Spanned<DeValue<'a>>)> {
+    let mut steps = path.split('.');
+    let (key, value) = entries.get_key_value(steps.next()?)?;
+    let mut found = (key.span(), value);
+    for step in steps {
+        found = match found.1.get_ref() {
+            DeValue::Table(table) => {
+                let (key, value) = table.get_key_value(step)?;
+                (key.span(), value)
+            }
+            DeValue::Array(list) => {
+                let value = list.get(step.parse::<usize>().ok()?)?;
+                (value.span(), value)
+            }
+            _ => return None,
+        };
+    }
+    Some(found)
+}
+
+/// Keys by name, those of one table together.
+fn named(keys: &str) -> String {
+    let mut told = String::from("key ");
+    let mut paths = keys.split(", ").peekable();
+    while let Some(path) = paths.next() {
+        let (section, key) = path.rsplit_once('.').unwrap_or(("", path));
+        told += &format!("`{key}`");
+        let next = paths
+            .peek()
+            .map(|path| path.rsplit_once('.').unwrap_or(("", path)).0);
+        if next != Some(section) && !section.is_empty() {
+            told += &format!(" in [{section}]");
+        }
+        if next.is_some() {
+            told += ", ";
+        }
+    }
+    told
+}
+
+/// A table of the file, or the file itself.
+pub(super) struct Table<'r> {
+    pub reader: &'r Reader<'r>,
+    path: String,
+    entries: Option<&'r DeTable<'r>>,
+    /// The keys that someone has asked for: those that the table may have.
+    known: RefCell<Vec<&'static str>>,
+    /// Those of them that should be there and are not, and what was expected.
+    missing: RefCell<Vec<(&'static str, String)>>,
+}
+
+impl<'r> Table<'r> {
+    /// The file itself.
+    pub fn whole(reader: &'r Reader<'r>) -> Self {
+        Self::new(reader, String::new(), Some(&reader.entries))
+    }
+
+    fn new(reader: &'r Reader<'r>, path: String, entries: Option<&'r DeTable<'r>>) -> Self {
+        Self {
+            reader,
+            path,
+            entries,
+            known: RefCell::default(),
+            missing: RefCell::default(),
+        }
+    }
+
+    fn path_of(&self, key: &str) -> String {
+        match self.path.as_str() {
+            "" => key.to_owned(),
+            path => format!("{path}.{key}"),
+        }
+    }
+
+    /// A key's value, as it stands there.
+    pub fn entry(&self, key: &'static str) -> Option<&'r Spanned<DeValue<'r>>> {
+        self.known.borrow_mut().push(key);
+        self.entries?.get(key)
+    }
+
+    /// The value of a key, or what stands for it where it is absent.
+    pub fn value<T: Value>(&self, key: &Key, default: Option<T>) -> Option<T> {
+        let Some(value) = self.entry(key.name) else {
+            let default = default.or_else(|| T::absent().map(|(value, _)| value));
+            if default.is_none() {
+                let missing = (key.name, T::expected(key));
+                self.missing.borrow_mut().push(missing);
+            }
+            return default;
+        };
+        T::read(&Place { table: self, key }, value)
+    }
+
+    /// One of the large tables, `[body]` say: without keys if it is not there, and its name no slip.
+    pub fn part<S: Section>(&self, name: &'static str) -> Option<S> {
+        let entry = self.entry(name);
+        let entries = match entry.map(Spanned::get_ref) {
+            None if self.slip(name).is_some() => return None,
+            None => None,
+            Some(DeValue::Table(entries)) => Some(entries),
+            Some(_) => {
+                let key = Key::new(name, "a table");
+                return Place {
+                    table: self,
+                    key: &key,
+                }
+                .unexpected(entry?, "a table");
+            }
+        };
+        Self::new(self.reader, name.to_owned(), entries).section()
+    }
+
+    /// All keys of the table. Each is read before anything is given up.
+    pub fn section<S: Section>(self) -> Option<S> {
+        let before = self.reader.mistakes.borrow().len();
+        let section = S::fields(&self);
+        self.done();
+        let told = self.reader.mistakes.borrow().len();
+        section.filter(|_| told == before)
+    }
+
+    fn strangers(&self) -> impl Iterator<Item = &'r str> {
+        let known = self.known.borrow().clone();
+        let keys = self.entries.into_iter().flat_map(DeTable::keys);
+        keys.map(|key| key.get_ref().as_ref())
+            .filter(move |key| !known.contains(key))
+    }
+
+    /// A key that nobody knows and that may be meant for this one.
+    fn slip(&self, key: &str) -> Option<&'r str> {
+        nearest(key, self.strangers())
+    }
+
+    /// Tells which keys are strange, and which are missing; a slip of the pen is told once.
+    pub fn done(&self) {
+        for (key, expected) in self.missing.take() {
+            if self.slip(key).is_none() {
+                let told = format!(" is missing: {expected} is expected");
+                self.reader.wrong::<()>(&self.path_of(key), told);
+            }
+        }
+        let known = self.known.borrow();
+        for key in self.strangers() {
+            let meant = meant(key, known.iter().copied());
+            let told = match known.join(", ") {
+                all if all.is_empty() => " is unknown: no key is allowed here".to_owned(),
+                all => format!(" is unknown; allowed are {all}{meant}"),
+            };
+            self.reader.wrong::<()>(&self.path_of(key), told);
+        }
+    }
+}
+
+/// A key of a table.
+pub(super) struct Place<'p> {
+    pub table: &'p Table<'p>,
+    pub key: &'p Key,
+}
+
+impl<'p> Place<'p> {
+    /// The path of the key: "body.mass".
+    pub fn path(&self) -> String {
+        self.table.path_of(self.key.name)
+    }
+
+    /// The value is of another kind.
+    pub fn unexpected<T>(&self, value: &Spanned<DeValue<'_>>, expected: &str) -> Option<T> {
+        let (kind, shown) = (value.get_ref().type_str(), self.table.reader.shown(value));
+        self.wrong(value, format_args!("{expected}, got the {kind} {shown}"))
+    }
+
+    /// The value is not what it must be.
+    pub fn wrong<T>(&self, value: &Spanned<DeValue<'_>>, must_be: impl Display) -> Option<T> {
+        let told = format!("{} must be {must_be}", named(&self.path()));
+        self.table.reader.add(Some(value.span()), told);
+        None
+    }
+
+    /// The table that this key's value is.
+    pub fn inner(&self, entries: &'p DeTable<'p>) -> Table<'p> {
+        Table::new(self.table.reader, self.path(), Some(entries))
+    }
+}
+
+/// A question whether one of these was meant, `; did you mean ...?`, where one is near; otherwise nothing.
+pub fn meant<'a>(word: &str, among: impl Iterator<Item = &'a str>) -> String {
+    nearest(word, among).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+}
+
+/// The word that shares at least half of its letters, in their order, with another; hyphens do not count.
+pub(super) fn nearest<'a>(word: &str, among: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let bare = |word: &str| word.to_lowercase().replace(['-', '_'], "");
+    let word = bare(word);
+    let alike = |other| strsim::normalized_damerau_levenshtein(&word, &bare(other));
+    let all = among.map(|other| (alike(other), other));
+    let near = all.filter(|(likeness, _)| *likeness >= 0.5);
+    near.max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, other)| other)
+}

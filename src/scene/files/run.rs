@@ -1,0 +1,88 @@
+//! `[run]`: when, how well, and by which solver.
+
+use super::reader::{Reader, meant};
+use super::values::{Bound, section};
+use crate::scene::{AnyScene, Choice, Request, UnknownColumn};
+
+/// Most rows of a run: some gigabytes of output.
+const MOST: usize = 10_000_000;
+
+section! {
+    /// `[run]`.
+    Run {
+        times: Option<Vec<f64>>, "a list of times in s";
+        until: Option<f64>, "the last time in s, in place of `times`";
+        samples: Option<usize>, "how many times from 0 on (101 if nothing is said), a whole number", Bound::From(2.0, MOST as f64);
+        accuracy: f64 = 1e-10, "a relative accuracy", Bound::From(1e-15, 0.1);
+        solver: Choice, "";
+        columns: Option<Vec<String>>, "a list of names of numbers to be told";
+    }
+}
+
+impl Run {
+    pub fn request(&self, file: &Reader<'_>) -> Option<Request> {
+        let request = file.right("run.times", Request::at(self.times(file)?))?;
+        let request = file.right("run.accuracy", request.to_accuracy(self.accuracy))?;
+        Some(request.by(self.solver))
+    }
+
+    /// The scene telling the numbers asked for.
+    pub fn told(&self, file: &Reader<'_>, scene: AnyScene) -> Option<AnyScene> {
+        match &self.columns {
+            None => Some(scene),
+            Some(names) if names.is_empty() => {
+                file.wrong("run.columns", " must name one number at least")
+            }
+            Some(names) => match telling(scene, names) {
+                Ok(scene) => Some(scene),
+                Err(told) => file.wrong("run.columns", format_args!(" {told}")),
+            },
+        }
+    }
+
+    fn times(&self, file: &Reader<'_>) -> Option<Vec<f64>> {
+        match (&self.times, self.until, self.samples) {
+            (Some(times), None, None) if (1..=MOST).contains(&times.len()) => Some(times.clone()),
+            (Some(times), None, None) => {
+                let got = times.len();
+                let told = format!(" must be a list of 1 to {MOST} times in s, got {got}");
+                file.wrong("run.times", told)
+            }
+            (None, Some(0.0), _) => {
+                let told = " must be the last time in s, not 0: all rows would be the same";
+                file.wrong("run.until", told)
+            }
+            (None, Some(until), samples) => {
+                let samples = samples.unwrap_or(101);
+                let last = (samples - 1) as f64;
+                // Product first: 49 of 52 seconds in 520 parts is 4.9 then, not one ulp less.
+                let unit = if (until * last).is_finite() {
+                    1.0
+                } else {
+                    last
+                };
+                let at = |i: usize| (until / unit) * i as f64 / (last / unit);
+                Some((0..samples).map(at).collect())
+            }
+            (Some(_), ..) => {
+                file.wrong("run.times", " and `until` or `samples` exclude each other")
+            }
+            (None, None, _) => {
+                let told = " is missing: `times`, or `until` and `samples`, is expected";
+                file.wrong("run.times", told)
+            }
+        }
+    }
+}
+
+/// The scene telling these numbers.
+///
+/// # Errors
+/// A name that is none, and what was probably meant: "has no column `tlt` to tell; …".
+pub fn telling<N: AsRef<str>>(scene: AnyScene, names: &[N]) -> Result<AnyScene, String> {
+    scene.telling(names).map_err(|unknown| {
+        let UnknownColumn { name, names } = unknown;
+        let (meant, names) = (meant(&name, names.iter().copied()), names.join(", "));
+        format!("has no column `{name}` to tell; there are {names}{meant}")
+    })
+}

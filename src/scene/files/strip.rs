@@ -1,0 +1,78 @@
+//! `kind = "strip"`: a strip that falls through a fluid, or through none (4.10).
+
+use super::reader::Reader;
+use super::values::{
+    Bound::{NotNegative, Positive},
+    section,
+};
+use super::{listed, with};
+use crate::falling_strip::Plate;
+use crate::scene::effects::{AddedMass, Drag, Gravity, Lift, RotationalDamping};
+use crate::scene::strip::{Strip, StripStart};
+
+section! {
+    /// `[body]`.
+    Body {
+        width: f64, "a width in m", Positive;
+        areal_density: f64, "a mass per area in kg/m²", Positive;
+        fluid_density: f64 = 0.0, "a density in kg/m³", NotNegative;
+        thickness_ratio: f64 = 0.0, "a number from 0 to 1";
+        inertia_factor: Option<f64>, "a number, 1/3 for a thin plate", Positive;
+    }
+}
+
+section! {
+    /// `[initial]`.
+    Initial {
+        angle: f64 = 0.0, "an angle in rad";
+        velocity: [f64; 2] = [0.0, 0.0], "a velocity in m/s";
+        omega: f64 = 0.0, "an angular velocity in rad/s";
+    }
+}
+
+section! {
+    /// `[effects]`.
+    Effects {
+        gravity: Option<Gravity>, "an acceleration in m/s²";
+        lift: Option<[f64; 2]>, "C_T and C_R";
+        drag: Option<[f64; 2]>, "A and B";
+        rotational_damping: Option<[f64; 2]>, "a rate in 1/s and mu_2", NotNegative;
+        added_mass: Option<f64>, "a factor, 1 for an ideal fluid", NotNegative;
+    }
+}
+
+pub fn strip(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) -> Option<Strip> {
+    let plate = |thickness| {
+        let factor = body.inertia_factor.unwrap_or(1.0 / 3.0);
+        let mass = body.areal_density * body.width;
+        Plate::new(
+            0.5 * body.width,
+            mass,
+            body.fluid_density,
+            thickness,
+            factor,
+        )
+    };
+    file.right("body.width, body.areal_density", plate(0.0))?;
+    let plate = file.right("body.thickness_ratio", plate(body.thickness_ratio))?;
+    let start = StripStart {
+        angle: initial.angle,
+        velocity: initial.velocity,
+        omega: initial.omega,
+    };
+    let scene = file.right("initial", Strip::new(plate, start))?;
+    let lift = effects.lift.map(|[translational, rotational]| Lift {
+        translational,
+        rotational,
+    });
+    let drag = effects.drag.map(|[mean, contrast]| Drag { mean, contrast });
+    let damping = effects.rotational_damping;
+    let damping = damping.map(|[linear, quadratic]| RotationalDamping { linear, quadratic });
+    let added = effects.added_mass.map(|factor| AddedMass { factor });
+    with(
+        file,
+        scene,
+        listed![effects.gravity, lift, drag, damping, added],
+        Strip::with,
+    )
+}

@@ -1,0 +1,185 @@
+//! `kind = "table-top"`: a body that stands on a table (4.7).
+
+use nalgebra::Matrix3;
+
+use super::reader::Reader;
+use super::values::{
+    Bound::{NotNegative, Positive},
+    Word, section,
+};
+use super::{listed, with};
+use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::inertia::InertiaMatrix;
+use crate::scene::contact::TableTop;
+use crate::scene::effects::{Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous};
+use crate::tippe_top::{ConvexBody, Start, Surface};
+
+section! {
+    /// `[body]`.
+    Body {
+        mass: f64, "a mass in kg", Positive;
+        radius: Option<f64>, "a radius in m", Positive;
+        semi_axes: Option<[f64; 3]>, "half axes in m", Positive;
+        surface_turn: f64 = 0.0, "the turn of the half axes about the third axis in rad";
+        surface_center: Option<BodyVector>, "the place of the centre of the surface, from C, in m";
+        inertia: [f64; 6], "I11 I22 I33 I12 I13 I23 about C in kg m²";
+    }
+}
+
+section! {
+    /// `[initial]`.
+    Initial {
+        tilt: Option<f64>, "the angle of the third axis to the vertical in rad";
+        azimuth: Option<f64>, "an angle in rad";
+        vertical_spin: Option<f64>, "an angular velocity about the vertical in rad/s";
+        axial_spin: Option<f64>, "an angular velocity about the third axis in rad/s";
+        attitude: Option<Attitude>, "a unit quaternion w x y z";
+        omega: Option<BodyVector>, "an angular velocity in rad/s";
+        velocity: Option<[f64; 3]>, "a velocity in m/s";
+    }
+}
+
+section! {
+    /// `[effects]`.
+    Effects {
+        gravity: Option<f64>, "an acceleration in m/s²", Positive;
+        friction_law: Option<Law>, "";
+        friction: Option<f64>, "a coefficient of friction, s/m for the viscous law", NotNegative;
+        friction_slip: Option<f64>, "the speed in m/s below which friction fades", Positive;
+        rolling_resistance: Option<f64>, "a coefficient in m s", NotNegative;
+        pivoting_resistance: Option<f64>, "a coefficient in m s", NotNegative;
+    }
+}
+
+/// What `friction` means.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Law {
+    Coulomb,
+    Smoothed,
+    Viscous,
+    NoSlip,
+}
+
+impl Word for Law {
+    fn words() -> Vec<(&'static str, Self)> {
+        vec![
+            ("coulomb", Self::Coulomb),
+            ("smoothed", Self::Smoothed),
+            ("viscous", Self::Viscous),
+            ("no-slip", Self::NoSlip),
+        ]
+    }
+}
+
+pub fn table_top(
+    file: &Reader<'_>,
+    body: Body,
+    initial: Initial,
+    effects: Effects,
+) -> Option<TableTop> {
+    let body = made(file, &body);
+    let start = start(file, &initial);
+    let law = law(file, &effects);
+    let gravity = effects.gravity.map(Gravity::new).transpose();
+    let gravity = file.right("effects.gravity", gravity);
+    let resistance = match (effects.rolling_resistance, effects.pivoting_resistance) {
+        (None, None) => Ok(None),
+        (rolling, pivoting) => {
+            Resistance::new(rolling.unwrap_or(0.0), pivoting.unwrap_or(0.0)).map(Some)
+        }
+    };
+    let resistance = file.right("effects.rolling_resistance", resistance);
+    let scene = TableTop::new(body?, start?);
+    with(
+        file,
+        scene,
+        listed![gravity?, law?, resistance?],
+        TableTop::with,
+    )
+}
+
+fn made(file: &Reader<'_>, body: &Body) -> Option<ConvexBody> {
+    let [a, b, c, ab, ac, bc] = body.inertia;
+    let matrix = Matrix3::new(a, ab, ac, ab, b, bc, ac, bc, c);
+    let inertia = file.right("body.inertia", InertiaMatrix::from_matrix(matrix));
+    let surface = surface(file, body);
+    let center = body.surface_center.unwrap_or_else(BodyVector::zero);
+    let made = ConvexBody::new(body.mass, inertia?, surface?, center);
+    file.right("body.inertia", made)
+}
+
+fn surface(file: &Reader<'_>, body: &Body) -> Option<Surface> {
+    let surface = match (body.radius, body.semi_axes) {
+        (Some(radius), None) => file.right("body.radius", Surface::sphere(radius)),
+        (None, Some(axes)) => file.right("body.semi_axes", Surface::ellipsoid(axes)),
+        (Some(_), Some(_)) => file.wrong("body.radius", " and `semi_axes` exclude each other"),
+        (None, None) => {
+            let told = " is missing: either `radius` or `semi_axes` in m is expected";
+            file.wrong("body.radius", told)
+        }
+    }?;
+    if body.surface_turn == 0.0 {
+        return Some(surface);
+    }
+    let turn = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), body.surface_turn);
+    Some(surface.turned(&file.right("body.surface_turn", turn)?))
+}
+
+fn start(file: &Reader<'_>, initial: &Initial) -> Option<Start> {
+    let tilt = initial.tilt.unwrap_or(0.0);
+    let azimuth = initial.azimuth.unwrap_or(0.0);
+    let tilted = initial.tilt.or(initial.azimuth).is_some();
+    let start = match (initial.vertical_spin, initial.axial_spin, initial.omega) {
+        (None, None, Some(_)) if tilted => {
+            file.wrong("initial.omega", " goes with `attitude`, not with `tilt`")
+        }
+        (None, None, Some(omega)) => {
+            let attitude = initial.attitude.unwrap_or_else(Attitude::identity);
+            file.right("initial.omega", Start::spinning(attitude, omega))
+        }
+        (Some(_), None, None) | (None, Some(_), None) if initial.attitude.is_some() => {
+            file.wrong("initial.attitude", " goes with `omega`, not with a spin")
+        }
+        (Some(spin), None, None) => {
+            let start = Start::about_vertical(tilt, azimuth, spin);
+            file.right("initial.vertical_spin", start)
+        }
+        (None, Some(spin), None) => {
+            let start = Start::about_third_axis(tilt, azimuth, spin);
+            file.right("initial.axial_spin", start)
+        }
+        _ => {
+            let told = " or `axial_spin` or `omega` is expected, exactly one of the three";
+            file.wrong("initial.vertical_spin", told)
+        }
+    };
+    let mut start = start?;
+    if let Some([x, y, z]) = initial.velocity {
+        start.velocity = SpaceVector::new(x, y, z);
+    }
+    Some(start)
+}
+
+fn law(file: &Reader<'_>, effects: &Effects) -> Option<Option<Effect>> {
+    let key = "effects.friction";
+    let law = match (
+        effects.friction_law,
+        effects.friction,
+        effects.friction_slip,
+    ) {
+        (None, None, None) => return Some(None),
+        (None, ..) => {
+            let told = " is missing: it says what `friction` means";
+            return file.wrong("effects.friction_law", told);
+        }
+        (Some(Law::Coulomb), Some(mu), None) => Coulomb::new(mu).map(Effect::from),
+        (Some(Law::Smoothed), Some(mu), Some(slip)) => Regularised::new(mu, slip).map(Effect::from),
+        (Some(Law::Viscous), Some(c), None) => Viscous::new(c).map(Effect::from),
+        (Some(Law::NoSlip), None, None) => Ok(NoSlip.into()),
+        _ => {
+            let told = " \"coulomb\" and \"viscous\" need `friction`, \"smoothed\" `friction_slip` as well, \"no-slip\" neither";
+            return file.wrong("effects.friction_law", told);
+        }
+    };
+    file.right(key, law).map(Some)
+}

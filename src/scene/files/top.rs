@@ -1,0 +1,100 @@
+//! `kind = "top"`, or no kind: a body with a fixed point.
+
+use super::reader::Reader;
+use super::values::{Bound::Positive, section};
+use super::{listed, with};
+use crate::frame::{Attitude, BodyVector};
+use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
+use crate::scene::top::{Body as TopBody, Start, Top};
+
+section! {
+    /// `[body]`.
+    Body {
+        mass: Option<f64>, "a mass in kg", Positive;
+        moments: [f64; 3], "principal moments in kg m²";
+        center_of_mass: Option<BodyVector>, "the place of the centre of mass, from the pivot, in m";
+    }
+}
+
+section! {
+    /// `[initial]`.
+    Initial {
+        attitude: Attitude, "a unit quaternion w x y z";
+        omega: Option<BodyVector>, "an angular velocity in rad/s";
+        angular_momentum: Option<BodyVector>, "an angular momentum in kg m²/s";
+    }
+}
+
+section! {
+    /// `[effects]`.
+    Effects {
+        gravity: Option<Gravity>, "an acceleration in m/s²";
+        pivot_friction: Option<PivotFriction>, "a coefficient in N m s";
+        bearing_friction: Option<BearingFriction>, "a coefficient in N m s";
+        air_drag: Option<AirDrag>, "a coefficient in N m s²";
+        tip_friction: Option<TipFriction>, "a torque in N m";
+    }
+}
+
+pub fn top(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) -> Option<Top> {
+    let body = made(file, &body, effects.gravity.is_some());
+    let start = start(file, &initial);
+    let key = match initial.omega {
+        Some(_) => "initial.omega",
+        None => "initial.angular_momentum",
+    };
+    let top = file.right(key, Top::new(body?, start?))?;
+    let top = with(
+        file,
+        top,
+        listed![
+            effects.gravity,
+            effects.pivot_friction,
+            effects.bearing_friction,
+            effects.air_drag
+        ],
+        Top::with,
+    )?;
+    match effects.tip_friction {
+        Some(friction) => file.right(
+            "effects.tip_friction, body.moments, body.center_of_mass",
+            top.with(friction),
+        ),
+        None => Some(top),
+    }
+}
+
+fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<TopBody> {
+    if body.moments == [0.0; 3] {
+        let told = " must not all be zero: what has no inertia does not turn";
+        return file.wrong("body.moments", told);
+    }
+    let made = file.right("body.moments", TopBody::new(body.moments))?;
+    match (body.mass, body.center_of_mass) {
+        (Some(mass), Some(center)) => file.right(
+            "body.center_of_mass",
+            made.with_center_of_mass(mass, center),
+        ),
+        (None, _) if heavy => {
+            let told = " is missing: gravity acts on the centre of mass, a mass in kg is expected";
+            file.wrong("body.mass", told)
+        }
+        _ => Some(made),
+    }
+}
+
+fn start(file: &Reader<'_>, initial: &Initial) -> Option<Start> {
+    match (initial.omega, initial.angular_momentum) {
+        (Some(omega), None) => Some(Start::with_omega(omega, initial.attitude)),
+        (None, Some(l)) => Some(Start::with_angular_momentum(l, initial.attitude)),
+        (Some(_), Some(_)) => file.wrong(
+            "initial.omega",
+            " and `angular_momentum` exclude each other",
+        ),
+        (None, None) => {
+            let told =
+                " is missing: either `omega` in rad/s or `angular_momentum` in kg m²/s is expected";
+            file.wrong("initial.omega", told)
+        }
+    }
+}

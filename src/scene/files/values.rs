@@ -1,0 +1,382 @@
+//! What may stand after a key, and the tables made of it: each declared once, for the reader and for the page of keys.
+
+use core::fmt::Display;
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::reader::{Place, Table, meant};
+use crate::error::Number;
+use crate::frame::{Attitude, BodyVector};
+use crate::scene::effects::{
+    Air, AirDrag, AxleFriction, BearingFriction, Gravity, Hand, Pace, PivotFriction,
+    RollingResistance, Sleep, TipFriction, TurnLoss,
+};
+use crate::scene::{Choice, Solver};
+
+/// Between what bounds a number must lie.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Bound {
+    Positive,
+    NotNegative,
+    /// Both included.
+    From(f64, f64),
+}
+
+impl Bound {
+    fn holds(self, number: f64) -> bool {
+        match self {
+            Self::Positive => number > 0.0,
+            Self::NotNegative => number >= 0.0,
+            Self::From(least, most) => (least..=most).contains(&number),
+        }
+    }
+}
+
+/// A key as it is declared.
+pub(super) struct Key {
+    pub name: &'static str,
+    /// What is expected: "a mass in kg".
+    pub what: &'static str,
+    pub bound: Option<Bound>,
+}
+
+impl Key {
+    pub const fn new(name: &'static str, what: &'static str) -> Self {
+        Self {
+            name,
+            what,
+            bound: None,
+        }
+    }
+
+    pub const fn within(self, bound: Bound) -> Self {
+        Self {
+            bound: Some(bound),
+            ..self
+        }
+    }
+
+    /// What is expected, `shape` said after it, and the bound.
+    fn expected(&self, shape: impl Display) -> String {
+        let bound = match self.bound {
+            None => String::new(),
+            Some(Bound::Positive) => ", positive".to_owned(),
+            Some(Bound::NotNegative) => ", not negative".to_owned(),
+            Some(Bound::From(least, most)) => {
+                // Counts are not told by an exponent.
+                let told = |bound: f64| match bound.fract() {
+                    0.0 => bound.to_string(),
+                    _ => Number(bound).to_string(),
+                };
+                format!(" from {} to {}", told(least), told(most))
+            }
+        };
+        format!("{}{shape}{bound}", self.what)
+    }
+}
+
+/// A key, for a page of keys.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KeyRow {
+    /// The table it stands in, such as `body` or `effects.draw`; nothing for the file itself.
+    pub section: String,
+    /// The key.
+    pub key: &'static str,
+    /// What is expected: "a mass in kg, positive".
+    pub expected: String,
+    /// What stands for it where it is absent; nothing if it must be there.
+    pub absent: Option<String>,
+}
+
+/// What may stand after a key.
+pub(super) trait Value: Sized {
+    /// What is expected, in words.
+    fn expected(key: &Key) -> String {
+        key.expected("")
+    }
+
+    /// From what stands there.
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self>;
+
+    /// What stands for it where it is absent, and how that is told; nothing where it must be there.
+    fn absent() -> Option<(Self, &'static str)> {
+        None
+    }
+
+    /// From its table: a value that is made of several keys takes them itself.
+    fn take(table: &Table<'_>, key: &Key, default: Option<Self>) -> Option<Self> {
+        table.value(key, default)
+    }
+
+    /// The rows of the page of keys.
+    fn rows(section: &str, key: &Key, default: Option<String>) -> Vec<KeyRow> {
+        vec![KeyRow {
+            section: section.to_owned(),
+            key: key.name,
+            expected: Self::expected(key),
+            absent: default.or_else(|| Self::absent().map(|(_, told)| told.to_owned())),
+        }]
+    }
+}
+
+/// A table of declared keys.
+pub(super) trait Section: Sized {
+    /// Reads all of them.
+    fn fields(table: &Table<'_>) -> Option<Self>;
+
+    /// Lists them.
+    fn all_rows(section: &str) -> Vec<KeyRow>;
+}
+
+/// Declares a table: a struct with a line for each key, `name: type, "what is expected, in its unit", bound;`, the bound left out where any number
+/// will do. An `Option` may be absent, `name: type = value` stands for what is.
+macro_rules! section {
+    ($(#[$doc:meta])* $name:ident {
+        $($field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?;)*
+    }) => {
+        $(#[$doc])*
+        pub(super) struct $name {
+            $(pub $field: $type,)*
+        }
+
+        const _: () = {
+            use toml::Spanned;
+            use toml::de::DeValue;
+            use $crate::scene::files::reader::{Place, Table};
+            use $crate::scene::files::values::{Key, KeyRow, Section, Value};
+
+            impl Section for $name {
+                #[allow(unused_variables, reason = "a table may have no keys")]
+                fn fields(table: &Table<'_>) -> Option<Self> {
+                    $(
+                        let key = Key::new(stringify!($field), $what) $(.within($bound))?;
+                        let $field = <$type as Value>::take(table, &key, None $(.or(Some($default)))?);
+                    )*
+                    Some(Self { $($field: $field?,)* })
+                }
+
+                #[allow(unused_variables, reason = "a table may have no keys")]
+                fn all_rows(section: &str) -> Vec<KeyRow> {
+                    let rows: &[Vec<KeyRow>] = &[$(<$type as Value>::rows(
+                        section,
+                        &Key::new(stringify!($field), $what) $(.within($bound))?,
+                        None::<String> $(.or(Some(format!("{:?}", $default))))?,
+                    ),)*];
+                    rows.concat()
+                }
+            }
+
+            impl Value for $name {
+                fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+                    match value.get_ref() {
+                        DeValue::Table(entries) => place.inner(entries).section(),
+                        _ => place.unexpected(value, "a table"),
+                    }
+                }
+
+                fn rows(section: &str, key: &Key, _: Option<String>) -> Vec<KeyRow> {
+                    Self::all_rows(&format!("{section}.{}", key.name))
+                }
+            }
+        };
+    };
+}
+pub(super) use section;
+
+impl<T: Value> Value for Option<T> {
+    fn expected(key: &Key) -> String {
+        T::expected(key)
+    }
+
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        T::read(place, value).map(Some)
+    }
+
+    fn absent() -> Option<(Self, &'static str)> {
+        Some((None, ""))
+    }
+
+    fn rows(section: &str, key: &Key, _: Option<String>) -> Vec<KeyRow> {
+        T::rows(section, key, Some(String::new()))
+    }
+}
+
+/// The number that a value is, if it is one.
+pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Float(number) => number.as_str().parse().ok(),
+        DeValue::Integer(number) if number.radix() == 10 => number.as_str().parse().ok(),
+        DeValue::Integer(number) => i64::from_str_radix(number.as_str(), number.radix())
+            .ok()
+            .map(|number| number as f64),
+        _ => None,
+    }
+}
+
+impl Value for f64 {
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        let expected = place.key.expected("");
+        match number(value.get_ref()) {
+            None => place.unexpected(value, &expected),
+            Some(number) if !number.is_finite() => {
+                place.wrong(value, format_args!("{expected}, and finite, got {number}"))
+            }
+            Some(number) if place.key.bound.is_some_and(|bound| !bound.holds(number)) => {
+                let shown = place.table.reader.shown(value);
+                place.wrong(value, format_args!("{expected}, got {shown}"))
+            }
+            number => number,
+        }
+    }
+}
+
+/// The members of a list, each read before anything is given up.
+fn members<T: Value>(
+    place: &Place<'_>,
+    value: &Spanned<DeValue<'_>>,
+    expected: &str,
+) -> Option<Vec<T>> {
+    let DeValue::Array(values) = value.get_ref() else {
+        return place.unexpected(value, expected);
+    };
+    let read: Vec<Option<T>> = values.iter().map(|value| T::read(place, value)).collect();
+    read.into_iter().collect()
+}
+
+impl<T: Value> Value for Vec<T> {
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        members(place, value, &Self::expected(place.key))
+    }
+}
+
+impl<T: Value, const N: usize> Value for [T; N] {
+    fn expected(key: &Key) -> String {
+        key.expected(format_args!(", a list of {N} numbers"))
+    }
+
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        let expected = Self::expected(place.key);
+        let list: Self = match members(place, value, &expected)?.try_into() {
+            Ok(list) => list,
+            Err(list) => {
+                let told = format!("{expected}, got {}", Vec::<T>::len(&list));
+                return place.wrong(value, told);
+            }
+        };
+        Some(list)
+    }
+}
+
+/// Components along the body's axes.
+impl Value for BodyVector {
+    fn expected(key: &Key) -> String {
+        <[f64; 3]>::expected(key)
+    }
+
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        <[f64; 3]>::read(place, value).map(|[x, y, z]| Self::new(x, y, z))
+    }
+}
+
+/// A unit quaternion. Rounding is forgiven, and divided out.
+impl Value for Attitude {
+    fn expected(key: &Key) -> String {
+        <[f64; 4]>::expected(key)
+    }
+
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        let [w, x, y, z] = <[f64; 4]>::read(place, value)?;
+        let length = w.hypot(x).hypot(y.hypot(z));
+        if (length - 1.0).abs() > 1e-3 {
+            let (what, length) = (place.key.what, Number(length));
+            return place.wrong(value, format_args!("{what}, got one of length {length}"));
+        }
+        let attitude = Self::from_quaternion(w, x, y, z);
+        place.table.reader.right(&place.path(), attitude)
+    }
+
+    fn absent() -> Option<(Self, &'static str)> {
+        Some((Self::identity(), "[1, 0, 0, 0]"))
+    }
+}
+
+impl Value for usize {
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        let expected = place.key.expected("");
+        let DeValue::Integer(_) = value.get_ref() else {
+            return place.unexpected(value, &expected);
+        };
+        f64::read(place, value).map(|number| number as Self)
+    }
+}
+
+impl Value for String {
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        match value.get_ref() {
+            DeValue::String(text) => Some(text.clone().into_owned()),
+            _ => place.unexpected(value, place.key.what),
+        }
+    }
+}
+
+/// One of several words; the first of them if nothing is said.
+pub(super) trait Word: Sized {
+    fn words() -> Vec<(&'static str, Self)>;
+}
+
+impl<T: Word> Value for T {
+    fn expected(key: &Key) -> String {
+        let names: Vec<&str> = T::words().into_iter().map(|(name, _)| name).collect();
+        key.expected(format_args!("one of {}", names.join(", ")))
+    }
+
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        let expected = Self::expected(place.key);
+        let DeValue::String(text) = value.get_ref() else {
+            return place.unexpected(value, &expected);
+        };
+        let words = T::words();
+        let near = meant(text, words.iter().map(|(name, _)| *name));
+        match words.into_iter().find(|(name, _)| name == text) {
+            Some((_, word)) => Some(word),
+            None => place.wrong(value, format_args!("{expected}, got \"{text}\"{near}")),
+        }
+    }
+
+    fn absent() -> Option<(Self, &'static str)> {
+        let (name, word) = T::words().into_iter().next()?;
+        Some((word, name))
+    }
+}
+
+impl Word for Pace {
+    fn words() -> Vec<(&'static str, Self)> {
+        vec![("even", Self::Even), ("late", Self::Late)]
+    }
+}
+
+impl Word for Choice {
+    fn words() -> Vec<(&'static str, Self)> {
+        let solvers = Solver::all().map(|solver| (solver.name(), Self::Use(solver)));
+        core::iter::once(("auto", Self::Auto))
+            .chain(solvers)
+            .collect()
+    }
+}
+
+/// An effect of one number.
+macro_rules! numbers {
+    ($($effect:ident)*) => {$(
+        impl Value for $effect {
+            fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+                let made = $effect::new(f64::read(place, value)?);
+                place.table.reader.right(&place.path(), made)
+            }
+        }
+    )*};
+}
+
+numbers! {
+    Air AirDrag AxleFriction BearingFriction Gravity Hand PivotFriction RollingResistance Sleep TipFriction TurnLoss
+}

@@ -1,0 +1,85 @@
+//! `kind = "yo-yo"`: a yo-yo, let go or thrown (4.9).
+
+use super::reader::Reader;
+use super::values::{
+    Bound::{NotNegative, Positive},
+    section,
+};
+use super::{listed, with};
+use crate::scene::effects::{AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss};
+use crate::scene::yo_yo::Play;
+use crate::yo_yo::YoYo;
+
+section! {
+    /// `[body]`.
+    Body {
+        mass: f64, "a mass in kg", Positive;
+        inertia: Option<f64>, "a moment of inertia in kg m²", Positive;
+        radius: Option<f64>, "the radius of the disc in m", Positive;
+        length: f64, "the length of the string in m", Positive;
+        axle: f64, "the radius of the axle in m", Positive;
+        wound: Option<f64>, "the radius of the wound string in m", Positive;
+    }
+}
+
+section! {
+    /// `[initial]`.
+    Initial {
+        throw: f64 = 0.0, "a speed in m/s", NotNegative;
+    }
+}
+
+section! {
+    /// `[effects]`.
+    Effects {
+        gravity: Option<Gravity>, "an acceleration in m/s²", Positive;
+        turn_loss: Option<TurnLoss>, "the part of the spin that a turn leaves", NotNegative;
+        hand: Option<Hand>, "the work of the hand at a turn in J", NotNegative;
+        sleep: Option<Sleep>, "a time in s", NotNegative;
+        axle_friction: Option<AxleFriction>, "a torque in N m", NotNegative;
+        air_drag: Option<AirDrag>, "a coefficient in kg m²", NotNegative;
+    }
+}
+
+pub fn yo_yo(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) -> Option<Play> {
+    let scene = file.right("initial.throw", Play::new(toy(file, &body)?, initial.throw))?;
+    let effects = listed![
+        effects.gravity,
+        effects.turn_loss,
+        effects.hand,
+        effects.sleep,
+        effects.axle_friction,
+        effects.air_drag,
+    ];
+    with(file, scene, effects, Play::with)
+}
+
+fn toy(file: &Reader<'_>, body: &Body) -> Option<YoYo> {
+    let Body {
+        mass, length, axle, ..
+    } = *body;
+    let toy = match (body.inertia, body.radius) {
+        (Some(inertia), None) => file.right(
+            "body.axle, body.length",
+            YoYo::new(mass, inertia, length, axle),
+        ),
+        (None, Some(radius)) if axle > radius => {
+            let told = format!(" must not exceed `radius`, {radius:?}, got {axle:?}");
+            file.wrong("body.axle", told)
+        }
+        (None, Some(radius)) => {
+            let keys = "body.axle, body.length, body.mass, body.radius";
+            file.right(keys, YoYo::disc(mass, radius, length, axle))
+        }
+        (Some(_), Some(_)) => file.wrong("body.inertia", " and `radius` exclude each other"),
+        (None, None) => {
+            let told =
+                " is missing: either `inertia` in kg m² or `radius` of a disc in m is expected";
+            file.wrong("body.inertia", told)
+        }
+    }?;
+    match body.wound {
+        Some(wound) => file.right("body.wound", toy.wound_to(wound)),
+        None => Some(toy),
+    }
+}

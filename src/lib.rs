@@ -28,14 +28,11 @@
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 
-mod angle;
 pub mod conservation;
-mod double_double;
 pub mod elliptic;
 pub mod error;
 pub mod euler_equations;
 pub mod euler_top;
-mod extended;
 pub mod falling_strip;
 pub mod frame;
 pub mod ideal_fluid;
@@ -45,13 +42,13 @@ pub mod integrators;
 pub mod kovalevskaya_top;
 pub mod lagrange_top;
 pub mod phenomena;
+mod precise;
 pub mod pythagoras;
 pub mod rolling;
 pub mod rotating_fluid;
 pub mod scene;
 pub mod superball;
 pub mod tippe_top;
-mod words;
 pub mod yo_yo;
 
 pub use error::{Error, Result};

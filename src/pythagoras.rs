@@ -12,8 +12,8 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, positive, within};
+use crate::precise::{DoubleDouble, power_of_two_below};
 
 /// Which way round the corners A, R, B run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,10 +82,7 @@ impl GasBox {
             [0, 1].map(|k| DoubleDouble::difference(to[k], from[k]).scaled(1.0 / unit))
         };
         let (ar, rb) = (edge(a, r), edge(r, b));
-        let area = ar[0]
-            .multiply(rb[1])
-            .subtract(ar[1].multiply(rb[0]))
-            .value();
+        let area = (ar[0] * rb[1] - ar[1] * rb[0]).value();
         // Two products below 4 in size, each good to 2⁻¹⁰³ of itself.
         const ROUNDING: f64 = 8.0 / (1u128 << 103) as f64;
         if area.abs() <= ROUNDING {
@@ -144,7 +141,7 @@ impl GasBox {
         let scale = |product: DoubleDouble| sense * product.value() * unit;
         SideTorques {
             ar: scale(dot(self.ar, self.ar).scaled(-0.5)),
-            rb: scale(self.rb_product().negated()),
+            rb: scale(-self.rb_product()),
             ab: scale(dot(self.ab(), self.ab()).scaled(0.5)),
         }
     }
@@ -172,12 +169,12 @@ impl GasBox {
     }
 
     fn ab(&self) -> Edge {
-        [self.ar[0].add(self.rb[0]), self.ar[1].add(self.rb[1])]
+        [self.ar[0] + self.rb[0], self.ar[1] + self.rb[1]]
     }
 
     /// (midpoint of RB − A)·(B − R), in squared units.
     fn rb_product(&self) -> DoubleDouble {
-        let midpoint = [0, 1].map(|k| self.ar[k].add(self.rb[k].scaled(0.5)));
+        let midpoint = [0, 1].map(|k| self.ar[k] + self.rb[k].scaled(0.5));
         dot(midpoint, self.rb)
     }
 }
@@ -241,7 +238,7 @@ fn side_torque(from: [f64; 2], to: [f64; 2], hinge: [f64; 2]) -> Result<f64> {
         let arm_from = DoubleDouble::difference(from[k], hinge[k]);
         let arm_to = DoubleDouble::difference(to[k], hinge[k]);
         let edge = DoubleDouble::difference(to[k], from[k]);
-        torque = torque.subtract(arm_from.add(arm_to).scaled(0.5).multiply(edge));
+        torque = torque - (arm_from + arm_to).scaled(0.5) * edge;
     }
     finite("the torque on a side", torque.value())
 }
@@ -314,5 +311,5 @@ fn length(edge: Edge) -> f64 {
 }
 
 fn dot(u: Edge, v: Edge) -> DoubleDouble {
-    u[0].multiply(v[0]).add(u[1].multiply(v[1]))
+    u[0] * v[0] + u[1] * v[1]
 }

@@ -5,10 +5,8 @@
 //! [`rc`] and [`rj`]. Any double is an argument, subnormal ones included: where cubes would leave the range, the same
 //! sums are formed in numbers with an exponent of their own.
 
-use crate::double_double::DoubleDouble as Dd;
 use crate::error::{Error, Result, finite, not_negative, positive};
-use crate::extended::{Extended, Scalar};
-use crate::words::Arithmetic;
+use crate::precise::{DoubleDouble as Dd, Extended, Number};
 
 /// Spread of the arguments below which the series of order six or seven are right to 2·10⁻²², their own rounding included.
 /// A double needs less; principal values, in which two such integrals nearly cancel, need it.
@@ -19,51 +17,51 @@ const SPREAD: f64 = 2e-3;
 const ROUNDS: usize = 64;
 
 /// What the arguments are off their mean, as parts of it, where the series will do.
-fn near<N: Scalar>(arguments: [N; 3], mean: N) -> Option<[f64; 3]> {
-    let parts = arguments.map(|x| mean.subtract(x).ratio(mean));
+fn near<N: Number>(arguments: [N; 3], mean: N) -> Option<[f64; 3]> {
+    let parts = arguments.map(|x| (mean - x).ratio(mean));
     let near = parts.iter().all(|part| part.abs() < SPREAD);
     near.then_some(parts)
 }
 
 /// √x√y + √x√z + √y√z, which a duplication adds to every argument.
-fn step<N: Scalar>([a, b, c]: [N; 3]) -> N {
-    a.multiply(b.add(c)).add(b.multiply(c))
+fn step<N: Number>([a, b, c]: [N; 3]) -> N {
+    (a * b.add_alike(c)).add_alike(b * c)
 }
 
 /// R_F of arguments of which at most one is zero.
-pub(super) fn first<N: Scalar>(mut x: [N; 3]) -> N {
-    let third = N::from_double(1.0).divide(N::from_double(3.0));
+pub(super) fn first<N: Number>(mut x: [N; 3]) -> N {
+    let third = N::from_double(1.0).quotient(N::from_double(3.0));
     let mut scale = 1.0;
     for _ in 0..ROUNDS {
-        let mean = x[0].add(x[1]).add(x[2]).multiply(third);
+        let mean = x[0].add_alike(x[1]).add_alike(x[2]) * third;
         if let Some([dx, dy, dz]) = near(x, mean) {
             let e2 = dx * dy - dz * dz;
             let e3 = dx * dy * dz;
             let series = e2
                 * (-0.1 + e2 * (1.0 / 24.0 - e2 * (5.0 / 208.0) + e3 / 16.0) - e3 * (3.0 / 44.0))
                 + e3 * (1.0 / 14.0 + e3 * (3.0 / 104.0));
-            let sum = N::from_double(1.0).add(N::from_double(series));
-            return sum.divide(mean.square_root()).times(scale);
+            let sum = N::from_double(1.0).add_alike(N::from_double(series));
+            return sum.quotient(mean.square_root()).times(scale);
         }
         let lambda = step(x.map(N::square_root));
-        x = x.map(|x| x.add(lambda));
+        x = x.map(|x| x.add_alike(lambda));
         scale *= 2.0;
     }
     N::from_double(f64::NAN)
 }
 
 /// R_C(x, y) for x ≥ 0, y ≠ 0; the principal value for y < 0.
-pub(super) fn elementary<N: Scalar>(x: N, y: N) -> N {
+pub(super) fn elementary<N: Number>(x: N, y: N) -> N {
     if y.leading() < 0.0 {
-        let (whole, y) = (x.subtract(y), y.negated());
-        let root = x.divide(whole).square_root();
-        return root.multiply(first([whole, y, y]));
+        let (whole, y) = (x - y, -y);
+        let root = x.quotient(whole).square_root();
+        return root * first([whole, y, y]);
     }
     first([x, y, y])
 }
 
 /// R_J, at most one of the first three zero; the principal value for p < 0.
-pub(super) fn third<N: Scalar<Narrow = Dd>>(mut x: [N; 3], p: N) -> N {
+pub(super) fn third<N: Number<Narrow = Dd>>(mut x: [N; 3], p: N) -> N {
     for (i, j) in [(0, 1), (1, 2), (0, 1)] {
         if x[i].exceeds(x[j]) {
             x.swap(i, j);
@@ -75,33 +73,33 @@ pub(super) fn third<N: Scalar<Narrow = Dd>>(mut x: [N; 3], p: N) -> N {
     }
     // The other root q of (q − y)(y − p) = (z − y)(y − x), which lies between x and z. Far beyond z, R_J would take a duplication
     // for each factor of four; there R_C is at most 0.61 of R_F, and what remains has one sign.
-    let gap = y.subtract(p);
-    let more = z.subtract(y).multiply(y.subtract(x)).divide(gap);
-    let q = y.subtract(more.negated());
-    let (pq, xz) = (p.multiply(q), x.multiply(z));
-    let arcs = elementary(xz.divide(y), pq.divide(y)).subtract(first([x, y, z]));
-    let rest = more.multiply(duplicated([x, y, z], q));
-    rest.subtract(arcs.times(-3.0)).divide(gap)
+    let gap = y - p;
+    let more = ((z - y) * (y - x)).quotient(gap);
+    let q = y - -more;
+    let (pq, xz) = (p * q, x * z);
+    let arcs = elementary(xz.quotient(y), pq.quotient(y)) - first([x, y, z]);
+    let rest = more * duplicated([x, y, z], q);
+    (rest - arcs.times(-3.0)).quotient(gap)
 }
 
 /// R_J by duplication, p > 0.
-fn duplicated<N: Scalar<Narrow = Dd>>(mut x: [N; 3], mut p: N) -> N {
-    let fifth = N::from_double(1.0).divide(N::from_double(5.0));
+fn duplicated<N: Number<Narrow = Dd>>(mut x: [N; 3], mut p: N) -> N {
+    let fifth = N::from_double(1.0).quotient(N::from_double(5.0));
     let mut sum = N::from_double(0.0);
     let mut scale = 1.0;
     for _ in 0..ROUNDS {
-        let mean = x[0].add(x[1]).add(x[2]).add(p.times(2.0)).multiply(fifth);
+        let mean = x[0].add_alike(x[1]).add_alike(x[2]).add_alike(p.times(2.0)) * fifth;
         if let Some([dx, dy, dz]) = near(x, mean) {
             let dp = -0.5 * (dx + dy + dz);
             let last = tail(dx, dy, dz, dp, mean);
-            return sum.times(6.0).add(last.times(scale));
+            return sum.times(6.0).add_alike(last.times(scale));
         }
         let roots = x.map(N::square_root);
         let (lambda, r) = (step(roots), p.square_root());
-        let [a, b, c] = roots.map(|root| root.add(r));
-        let d = a.multiply(b).multiply(c);
+        let [a, b, c] = roots.map(|root| root.add_alike(r));
+        let d = a * b * c;
         // 1 + e, with e the product of (r − a)/(r + a) over the three: both products summed, nothing cancels.
-        let whole = r.times(2.0).multiply(p.add(lambda)).divide(d);
+        let whole = (r.times(2.0) * p.add_alike(lambda)).quotient(d);
         // Rarely far from 1: without an exponent, then.
         let narrow = whole.narrow();
         let arc = if ordinary(&[narrow.high()]) {
@@ -109,37 +107,37 @@ fn duplicated<N: Scalar<Narrow = Dd>>(mut x: [N; 3], mut p: N) -> N {
         } else {
             elementary(N::from_double(1.0), whole)
         };
-        sum = sum.add(arc.divide(d).times(scale));
-        x = x.map(|x| x.add(lambda));
-        p = p.add(lambda);
+        sum = sum.add_alike(arc.quotient(d).times(scale));
+        x = x.map(|x| x.add_alike(lambda));
+        p = p.add_alike(lambda);
         scale *= 2.0;
     }
     N::from_double(f64::NAN)
 }
 
 /// R_D, at most one of x and y zero, z > 0.
-pub(super) fn second<N: Scalar>(mut x: [N; 3]) -> N {
-    let fifth = N::from_double(1.0).divide(N::from_double(5.0));
+pub(super) fn second<N: Number>(mut x: [N; 3]) -> N {
+    let fifth = N::from_double(1.0).quotient(N::from_double(5.0));
     let mut sum = N::from_double(0.0);
     let mut scale = 1.0;
     for _ in 0..ROUNDS {
-        let mean = x[0].add(x[1]).add(x[2].times(3.0)).multiply(fifth);
+        let mean = x[0].add_alike(x[1]).add_alike(x[2].times(3.0)) * fifth;
         if let Some([dx, dy, _]) = near(x, mean) {
             let dz = -(dx + dy) / 3.0;
             let last = tail(dx, dy, dz, dz, mean);
-            return sum.times(3.0).add(last.times(scale));
+            return sum.times(3.0).add_alike(last.times(scale));
         }
         let roots = x.map(N::square_root);
         let lambda = step(roots);
-        x = x.map(|x| x.add(lambda));
-        sum = sum.add(N::from_double(scale).divide(roots[2].multiply(x[2])));
+        x = x.map(|x| x.add_alike(lambda));
+        sum = sum.add_alike(N::from_double(scale).quotient(roots[2] * x[2]));
         scale *= 2.0;
     }
     N::from_double(f64::NAN)
 }
 
 /// R_J about equal arguments, by its series to order six.
-fn tail<N: Scalar>(x: f64, y: f64, z: f64, p: f64, mean: N) -> N {
+fn tail<N: Number>(x: f64, y: f64, z: f64, p: f64, mean: N) -> N {
     let xyz = x * y * z;
     let e2 = x * y + z * (x + y) - 3.0 * p * p;
     let e3 = xyz + 2.0 * e2 * p + 4.0 * p * p * p;
@@ -153,19 +151,19 @@ fn tail<N: Scalar>(x: f64, y: f64, z: f64, p: f64, mean: N) -> N {
             + 3.0 / 20.0 * e2 * e4
             + 45.0 / 272.0 * e2 * e2 * e3
             - 9.0 / 68.0 * (e3 * e4 + e2 * e5);
-    let sum = N::from_double(1.0).add(N::from_double(series));
-    sum.divide(mean.multiply(mean.square_root()))
+    let sum = N::from_double(1.0).add_alike(N::from_double(series));
+    sum.quotient(mean * mean.square_root())
 }
 
 /// R_G, at most one argument zero: 6 R_G = Σ x (y + z) R_D(y, z, x), all terms positive; a zero has no term.
-fn surface<N: Scalar>([x, y, z]: [N; 3]) -> N {
+fn surface<N: Number>([x, y, z]: [N; 3]) -> N {
     let mut sum = N::from_double(0.0);
     for (u, v, w) in [(x, y, z), (y, z, x), (z, x, y)] {
         if !w.is_zero() {
-            sum = sum.add(w.multiply(u.add(v)).multiply(second([u, v, w])));
+            sum = sum.add_alike(w * u.add_alike(v) * second([u, v, w]));
         }
     }
-    sum.divide(N::from_double(6.0))
+    sum.quotient(N::from_double(6.0))
 }
 
 /// Whether products of three of these and their trailing words stay in the range of a double.
@@ -327,26 +325,22 @@ mod tests {
         };
         for i in 1..400 {
             let k = number(0.3 + 0.0017 * f64::from(i));
-            let mc = one.subtract(k).multiply(one.add(k));
-            let p = Parameter::from_both(k.multiply(k), mc);
+            let mc = (one - k) * (one + k);
+            let p = Parameter::from_both(k * k, mc);
             let (quarter, other) = (Modulus::new(p), Modulus::new(p.exchanged()));
             let (quarter, other) = (quarter.quarter_period_dd(), other.quarter_period_dd());
-            observe(0, first([zero, mc, one]).subtract(quarter), quarter);
+            observe(0, first([zero, mc, one]) - quarter, quarter);
             // Legendre: E K′ + E′ K − K K′ = π/2, with E = K − m D and E′ = K′ − mc D′.
-            let d = second([zero, mc, one]).multiply(third_part);
-            let d_other = second([zero, p.m_dd(), one]).multiply(third_part);
-            let e = quarter.subtract(p.m_dd().multiply(d));
-            let whole = e
-                .multiply(other)
-                .subtract(mc.multiply(d_other).multiply(quarter));
-            observe(1, whole.subtract(PI.scaled(0.5)), PI);
+            let d = second([zero, mc, one]) * third_part;
+            let d_other = second([zero, p.m_dd(), one]) * third_part;
+            let e = quarter - p.m_dd() * d;
+            let whole = e * other - mc * d_other * quarter;
+            observe(1, whole - PI.scaled(0.5), PI);
             // Π(−k) = K/2 + π/(4(1 + k)), which is K − k R_J(0, mc, 1, 1 + k)/3.
-            let more = one.add(k);
-            let part = third([zero, mc, one], more)
-                .multiply(k)
-                .multiply(third_part);
-            let whole = quarter.scaled(0.5).subtract(PI.scaled(0.25).divide(more));
-            observe(2, part.subtract(whole), quarter);
+            let more = one + k;
+            let part = third([zero, mc, one], more) * k * third_part;
+            let whole = quarter.scaled(0.5) - PI.scaled(0.25) / more;
+            observe(2, part - whole, quarter);
         }
         // Observed: 1.7e-22, 2.4e-25, 1.8e-23; any term left out makes more than twice as much of one of them.
         for (worst, allowed) in worst.into_iter().zip([2.5e-22, 5e-25, 3e-23]) {
@@ -356,6 +350,6 @@ mod tests {
     }
 
     fn one_third() -> Dd {
-        Dd::from(1.0).divide(Dd::from(3.0))
+        Dd::from(1.0) / Dd::from(3.0)
     }
 }

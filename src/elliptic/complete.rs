@@ -3,9 +3,8 @@
 use super::carlson;
 use super::incomplete::{self, Kind, real};
 use super::third::Characteristic;
-use crate::double_double::DoubleDouble as Dd;
 use crate::error::Result;
-use crate::extended::{Extended, Scalar};
+use crate::precise::{DoubleDouble as Dd, Extended, Number};
 
 /// K = ∫₀^{π/2} dθ/√(1 − m sin²θ) for m ≤ 1, the quarter period; π/2 at m = 0, ln(4/√mc) for mc → 0, infinite at mc = 0.
 ///
@@ -56,7 +55,7 @@ pub(super) fn second(parameter: Characteristic) -> Dd {
     if parameter.nc() == 0.0 {
         return Dd::from(1.0);
     }
-    b_dd(parameter).add(parameter.nc.multiply(d_dd(parameter)))
+    b_dd(parameter) + parameter.nc * d_dd(parameter)
 }
 
 /// D = ∫₀^{π/2} sin²θ/√(1 − m sin²θ) dθ = (K − E)/m for m ≤ 1, without that difference; π/4 at m = 0, infinite at mc = 0.
@@ -87,9 +86,9 @@ pub fn complete_b(parameter: impl Into<Characteristic>) -> Result<f64> {
 }
 
 fn d_dd(parameter: Characteristic) -> Dd {
-    fn d<N: Scalar>(mc: N) -> N {
+    fn d<N: Number>(mc: N) -> N {
         let [zero, one, three] = [0.0, 1.0, 3.0].map(N::from_double);
-        carlson::second([zero, mc, one]).divide(three)
+        carlson::second([zero, mc, one]).quotient(three)
     }
     let mc = parameter.nc;
     if carlson::ordinary(&[mc.high()]) {
@@ -100,9 +99,9 @@ fn d_dd(parameter: Characteristic) -> Dd {
 }
 
 fn b_dd(parameter: Characteristic) -> Dd {
-    fn b<N: Scalar>(mc: N) -> N {
+    fn b<N: Number>(mc: N) -> N {
         let [zero, one, three] = [0.0, 1.0, 3.0].map(N::from_double);
-        mc.multiply(carlson::second([zero, one, mc])).divide(three)
+        (mc * carlson::second([zero, one, mc])).quotient(three)
     }
     let mc = parameter.nc;
     // B − 1 = O(mc ln mc), far below the last place; at 0 there is no R_D.

@@ -4,13 +4,11 @@
 use super::landen::Landen;
 use super::modulus::{Modulus, Side};
 use super::parameter::Parameter;
-use crate::double_double::DoubleDouble;
-use crate::extended::Scalar;
-use crate::words::{Arithmetic, Words};
+use crate::precise::{DoubleDouble, Number, Words};
 
 /// A modulus in all the digits of m and mc, with the transformation by which it was prepared.
 #[derive(Clone, Copy)]
-pub(crate) struct Descent<N: Scalar> {
+pub(crate) struct Descent<N: Number> {
     pub(crate) m: N,
     pub(crate) mc: N,
     pub(crate) modulus: Modulus,
@@ -30,7 +28,7 @@ pub(crate) struct Squares<N> {
     pub(crate) dn_whole: N,
 }
 
-impl<N: Scalar> Descent<N> {
+impl<N: Number> Descent<N> {
     /// Both are taken as they are: each right to all its digits, neither formed from the other.
     #[inline]
     pub(crate) fn new(m: N, mc: N) -> Self {
@@ -65,13 +63,13 @@ impl<N: Scalar> Descent<N> {
             dn_whole,
         } = *squares;
         // Beyond the middle of the quarter period, where mc sn⁴ > cn⁴, count from its end: there sn is cn/dn and dn is k′/dn.
-        let from_end = self.mc.multiply(sn.square()).exceeds(cn.square());
+        let from_end = (self.mc * sn.square()).exceeds(cn.square());
         let angle = match self.side() {
             Side::Circular => {
                 let [s, d] = if from_end {
                     [
-                        cn.multiply(dn_whole).root_of_quotient(dn.multiply(whole)),
-                        self.mc.multiply(dn_whole).root_of_quotient(dn),
+                        (cn * dn_whole).root_of_quotient(dn * whole),
+                        (self.mc * dn_whole).root_of_quotient(dn),
                     ]
                 } else {
                     [sn.root_of_quotient(whole), dn.root_of_quotient(dn_whole)]
@@ -81,13 +79,13 @@ impl<N: Scalar> Descent<N> {
             Side::Hyperbolic => {
                 let [s, d] = if from_end {
                     [
-                        cn.root_of_quotient(self.mc.multiply(sn)),
+                        cn.root_of_quotient(self.mc * sn),
                         whole.root_of_quotient(sn),
                     ]
                 } else {
                     [
                         sn.root_of_quotient(cn),
-                        dn.multiply(whole).root_of_quotient(cn.multiply(dn_whole)),
+                        (dn * whole).root_of_quotient(cn * dn_whole),
                     ]
                 };
                 let sinh = self.landen.nearest_sine(s, d, -1.0);
@@ -95,11 +93,11 @@ impl<N: Scalar> Descent<N> {
             }
         };
         let rest = angle
-            .divide(N::from_narrow(self.landen.mean))
+            .quotient(N::from_narrow(self.landen.mean))
             .narrow()
             .two();
         if from_end {
-            self.modulus.quarter_period_dd().subtract(rest)
+            self.modulus.quarter_period_dd() - rest
         } else {
             rest
         }

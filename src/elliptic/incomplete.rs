@@ -1,13 +1,11 @@
 //! Integrals up to an angle: one way for all three kinds.
 
 use super::carlson;
-use super::kernel;
 use super::modulus::{Modulus, PI};
 use super::parameter::Parameter;
 use super::third::Characteristic;
-use crate::double_double::DoubleDouble as Dd;
 use crate::error::{Error, Result, finite};
-use crate::extended::{Extended, Scalar};
+use crate::precise::{DoubleDouble as Dd, Extended, Number, quick};
 
 /// An angle as a multiple of π and a rest of at most π/2, with the sine and cosine of the rest to 106 bits.
 pub(super) struct Angle {
@@ -33,19 +31,15 @@ impl Angle {
             });
         }
         let less = |x: Dd, halves: f64| {
-            x.subtract(Dd::product(halves, PI.high()))
-                .subtract(Dd::product(halves, PI.low()))
-                .subtract(Dd::from(halves * PI_REST))
+            x - Dd::product(halves, PI.high())
+                - Dd::product(halves, PI.low())
+                - Dd::from(halves * PI_REST)
         };
         let mut halves = (phi / core::f64::consts::PI).round();
         let mut rest = less(Dd::from(phi), halves);
         // The quotient may be rounded to the wrong side of a quarter turn: there the rest itself decides.
         let beyond = |rest: Dd| {
-            let size = if rest.high() < 0.0 {
-                rest.negated()
-            } else {
-                rest
-            };
+            let size = if rest.high() < 0.0 { -rest } else { rest };
             less(size, 0.5).value() > 0.0
         };
         if beyond(rest) {
@@ -54,7 +48,7 @@ impl Angle {
         }
         let negative = rest.high() < 0.0;
         if negative {
-            rest = rest.negated();
+            rest = -rest;
         }
         let (sine, cosine) = if rest.high() <= core::f64::consts::FRAC_PI_4 {
             sine_cosine(rest)
@@ -64,11 +58,7 @@ impl Angle {
                 Dd::from(phi.abs()),
                 halves.abs() + if negative == (phi > 0.0) { -0.5 } else { 0.5 },
             );
-            let other = if other.high() < 0.0 {
-                other.negated()
-            } else {
-                other
-            };
+            let other = if other.high() < 0.0 { -other } else { other };
             let (sine, cosine) = sine_cosine(other);
             (cosine, sine)
         };
@@ -82,11 +72,7 @@ impl Angle {
 
     /// The value at the rest with its sign, and what each multiple of π adds.
     fn assemble(&self, at_rest: Dd, half_period: Dd) -> f64 {
-        let signed = if self.negative {
-            at_rest.negated()
-        } else {
-            at_rest
-        };
+        let signed = if self.negative { -at_rest } else { at_rest };
         if self.halves == 0.0 || signed.high().is_infinite() {
             return signed.value();
         }
@@ -94,29 +80,26 @@ impl Angle {
         if size.is_infinite() {
             return size;
         }
-        half_period
-            .multiply(Dd::from(self.halves))
-            .add(signed)
-            .value()
+        (half_period * Dd::from(self.halves) + signed).value()
     }
 }
 
 /// Sine and cosine of 0 ≤ x ≤ π/4 by their series.
 fn sine_cosine(x: Dd) -> (Dd, Dd) {
-    let x2 = x.multiply(x).negated();
+    let x2 = -(x * x);
     let (mut sine, mut cosine) = (Dd::from(1.0), Dd::from(1.0));
     // From the inside out; the first term left out is 10⁻³⁴.
     for k in (1..=15).rev() {
         let k = f64::from(k);
         let next = |sum: Dd, divisor: f64| {
-            let term = kernel::quotient(kernel::product(sum, x2), Dd::from(divisor));
-            let (high, low) = kernel::ordered_sum(1.0, term.high());
+            let term = quick::quotient(quick::product(sum, x2), Dd::from(divisor));
+            let (high, low) = quick::ordered_sum(1.0, term.high());
             Dd::new(high, low + term.low())
         };
         sine = next(sine, 2.0 * k * (2.0 * k + 1.0));
         cosine = next(cosine, 2.0 * k * (2.0 * k - 1.0));
     }
-    (sine.multiply(x), cosine)
+    (sine * x, cosine)
 }
 
 /// Which integral.
@@ -145,11 +128,11 @@ pub(super) fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
     match kind {
         Kind::First if m.high() < 0.0 => {
             // The imaginary modulus: K(m) = K(−m/mc)/√mc.
-            let inverse = Dd::from(1.0).divide(mc);
-            let other = Parameter::from_both(m.negated().multiply(inverse), inverse);
+            let inverse = Dd::from(1.0) / mc;
+            let other = Parameter::from_both(-m * inverse, inverse);
             let quarter = Modulus::new(other).quarter_period_dd();
             // Of a quarter of mc, for the square of the root of the greatest double is beyond it.
-            Ok(quarter.divide(mc.scaled(0.25).square_root().scaled(2.0)))
+            Ok(quarter / mc.scaled(0.25).square_root().scaled(2.0))
         }
         Kind::First => Ok(Modulus::new(Parameter::from_both(m, mc)).quarter_period_dd()),
         Kind::Second => Ok(super::complete::second(parameter)),
@@ -196,11 +179,11 @@ struct Place<N> {
     mc: N,
 }
 
-impl<N: Scalar<Narrow = Dd>> Place<N> {
+impl<N: Number<Narrow = Dd>> Place<N> {
     fn new(numbers: [Dd; 4]) -> Result<Self> {
         let [s, c, m, mc] = numbers.map(N::from_narrow);
         let (s2, c2) = (s.square(), c.square());
-        let delta2 = c2.subtract(mc.negated().multiply(s2));
+        let delta2 = c2 - -mc * s2;
         if delta2.leading() < 0.0 {
             return Err(not_real(numbers[2]));
         }
@@ -223,7 +206,7 @@ impl<N: Scalar<Narrow = Dd>> Place<N> {
             Kind::Second => self.second(),
             Kind::Third(Characteristic { n, nc }) => {
                 let [n, nc] = [n, nc].map(N::from_narrow);
-                let p = self.c2.subtract(nc.negated().multiply(self.s2));
+                let p = self.c2 - -nc * self.s2;
                 if p.is_zero() {
                     return Err(Error::Condition {
                         condition: "n sin² phi must not be 1, where the integral of the third kind is infinite",
@@ -245,7 +228,7 @@ impl<N: Scalar<Narrow = Dd>> Place<N> {
     }
 
     fn first(&self) -> N {
-        self.s.multiply(carlson::first(self.arguments()))
+        self.s * carlson::first(self.arguments())
     }
 
     /// Three forms of E(φ), each with terms of one sign where it is taken (Digital Library of Mathematical Functions 19.25.9 to
@@ -260,23 +243,23 @@ impl<N: Scalar<Narrow = Dd>> Place<N> {
             mc,
         } = *self;
         let one = N::from_double(1.0);
-        let third_of_cube = s.multiply(s2).divide(N::from_double(3.0));
+        let third_of_cube = (s * s2).quotient(N::from_double(3.0));
         if m.leading() < 0.0 {
-            let d = carlson::second([c2, delta2, one]).multiply(third_of_cube);
-            return self.first().add(m.negated().multiply(d));
+            let d = carlson::second([c2, delta2, one]) * third_of_cube;
+            return self.first().add_alike(-m * d);
         }
         if mc.is_zero() {
             return s;
         }
         if mc.leading() < 0.0 {
-            let d = carlson::second([delta2, one, c2]).multiply(third_of_cube);
-            let end = delta2.divide(c2).square_root().multiply(s);
-            return mc.negated().multiply(d).add(end);
+            let d = carlson::second([delta2, one, c2]) * third_of_cube;
+            let end = delta2.quotient(c2).square_root() * s;
+            return (-mc * d).add_alike(end);
         }
-        let d = carlson::second([c2, one, delta2]).multiply(third_of_cube);
-        let end = s.multiply(c2.divide(delta2).square_root());
-        let whole = mc.multiply(self.first().add(m.multiply(d)));
-        whole.add(m.multiply(end))
+        let d = carlson::second([c2, one, delta2]) * third_of_cube;
+        let end = s * c2.quotient(delta2).square_root();
+        let whole = mc * self.first().add_alike(m * d);
+        whole.add_alike(m * end)
     }
 
     /// Π by R_J where n > 0 and p = 1 − n sin²φ > 0; else by another characteristic, so that no sum cancels.
@@ -289,32 +272,32 @@ impl<N: Scalar<Narrow = Dd>> Place<N> {
             m,
             mc,
         } = *self;
-        let third_of_cube = s.multiply(s2).divide(N::from_double(3.0));
+        let third_of_cube = (s * s2).quotient(N::from_double(3.0));
         let negative = n.leading() < 0.0;
         if !negative && p.leading() > 0.0 {
-            let tail = carlson::third(self.arguments(), p).multiply(third_of_cube);
-            return self.first().add(n.multiply(tail));
+            let tail = carlson::third(self.arguments(), p) * third_of_cube;
+            return self.first().add_alike(n * tail);
         }
         if negative && m.leading() < 0.0 {
             // To the characteristic 1 − mc/nc (19.7.9 there, with its sign of n).
-            let few = mc.divide(nc);
-            let q = c2.add(few.multiply(s2));
-            let arc = carlson::elementary(delta2, p.multiply(q));
-            let arc = s.multiply(c2.square_root()).multiply(arc);
-            let tail = carlson::third(self.arguments(), q).multiply(third_of_cube);
-            let sum = arc.add(few.multiply(tail));
-            return self.first().add(n.negated().multiply(sum)).divide(nc);
+            let few = mc.quotient(nc);
+            let q = c2.add_alike(few * s2);
+            let arc = carlson::elementary(delta2, p * q);
+            let arc = s * c2.square_root() * arc;
+            let tail = carlson::third(self.arguments(), q) * third_of_cube;
+            let sum = arc.add_alike(few * tail);
+            return self.first().add_alike(-n * sum).quotient(nc);
         }
         // To the characteristic m/n, of which 1 − m/n = (mc − nc)/n does not cancel for n > 1.
-        let ratio = m.divide(n);
+        let ratio = m.quotient(n);
         let q = if negative {
-            N::from_double(1.0).add(ratio.negated().multiply(s2))
+            N::from_double(1.0).add_alike(-ratio * s2)
         } else {
-            c2.add(mc.subtract(nc).divide(n).multiply(s2))
+            c2.add_alike((mc - nc).quotient(n) * s2)
         };
-        let arc = carlson::elementary(c2.multiply(delta2), p.multiply(q)).multiply(s);
-        let tail = carlson::third(self.arguments(), q).multiply(third_of_cube);
-        arc.subtract(ratio.multiply(tail))
+        let arc = carlson::elementary(c2 * delta2, p * q) * s;
+        let tail = carlson::third(self.arguments(), q) * third_of_cube;
+        arc - ratio * tail
     }
 }
 

@@ -3,11 +3,11 @@
 use super::carlson;
 use super::modulus::Modulus;
 use super::parameter::Parameter;
-use crate::double_double::{DoubleDouble as Dd, power_of_two_below};
 use crate::error::{Error, Result, finite, within};
+use crate::precise::{DoubleDouble as Dd, power_of_two_below};
 
 fn complement(x: f64) -> Dd {
-    Dd::difference(1.0, x).multiply(Dd::sum(1.0, x))
+    Dd::difference(1.0, x) * Dd::sum(1.0, x)
 }
 
 /// The u in −K…K with sn u = x; ±infinity at m = 1, x = ±1.
@@ -50,7 +50,7 @@ fn reflected(u: Dd, negative: bool, parameter: Parameter) -> f64 {
     if half.high().is_infinite() {
         return half.high();
     }
-    half.subtract(u).value()
+    (half - u).value()
 }
 
 /// The u in −2K…2K at which (cn u, sn u) has the direction of (x, y); −2K itself is not given.
@@ -78,11 +78,11 @@ pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
         Dd::from(s)
     } else {
         let (c2, s2) = (Dd::product(c, c), Dd::product(s, s));
-        let delta2 = c2.add(parameter.mc_dd().multiply(s2));
+        let delta2 = c2 + parameter.mc_dd() * s2;
         if delta2.value() == 0.0 {
             return Ok(f64::INFINITY.copysign(y));
         }
-        Dd::from(s).multiply(carlson::first([c2, delta2, c2.add(s2)]))
+        Dd::from(s) * carlson::first([c2, delta2, c2 + s2])
     };
     Ok(reflected(u, x < 0.0, parameter).copysign(y))
 }
@@ -102,8 +102,8 @@ pub fn inverse_dn(x: f64, parameter: Parameter) -> Result<f64> {
         return Ok(0.0);
     }
     let m = parameter.m_dd();
-    let s2 = complement(x).divide(m);
-    let c2 = Dd::product(x, x).subtract(parameter.mc_dd()).divide(m);
+    let s2 = complement(x) / m;
+    let c2 = (Dd::product(x, x) - parameter.mc_dd()) / m;
     let c2 = if c2.value() < 0.0 { Dd::from(0.0) } else { c2 };
     Ok(from_squares(s2.square_root(), s2, c2, parameter).value())
 }
@@ -112,9 +112,9 @@ fn from_squares(s: Dd, s2: Dd, c2: Dd, parameter: Parameter) -> Dd {
     if s.value() == 0.0 {
         return s;
     }
-    let delta2 = c2.add(parameter.mc_dd().multiply(s2));
+    let delta2 = c2 + parameter.mc_dd() * s2;
     if delta2.value() == 0.0 {
         return Dd::from(f64::INFINITY.copysign(s.value()));
     }
-    s.multiply(carlson::first([c2, delta2, Dd::from(1.0)]))
+    s * carlson::first([c2, delta2, Dd::from(1.0)])
 }

@@ -7,8 +7,8 @@ use super::modulus::{Modulus, Reduction, Side};
 use super::parameter::Parameter;
 use super::quarter;
 use super::series::{Corrections, Series};
-use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite};
+use crate::precise::{DoubleDouble, quick};
 
 /// The three Jacobi functions and the amplitude at one argument.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,11 +134,11 @@ impl Modulus {
         if count == 0.0 {
             return (count, u);
         }
-        let mut rest = u.subtract(self.quarter.multiply(DoubleDouble::from(count)));
+        let mut rest = u - self.quarter * DoubleDouble::from(count);
         let again = (rest.high() / self.quarter.high()).round_ties_even();
         if again != 0.0 {
             count += again;
-            rest = rest.subtract(self.quarter.multiply(DoubleDouble::from(again)));
+            rest = rest - self.quarter * DoubleDouble::from(again);
         }
         if rest.high().abs() < FEW_BITS_LEFT * u.high().abs() {
             rest = quarter::remainder(self.parameter, u, count);
@@ -149,7 +149,7 @@ impl Modulus {
     /// `high + low` times the rate.
     #[inline(always)]
     pub(super) fn multiplied(&self, high: f64, low: f64) -> (f64, f64) {
-        let (product, error) = kernel::exact_product(high, self.rate.high());
+        let (product, error) = quick::exact_product(high, self.rate.high());
         let low = error + (high * self.rate.low() + low * self.rate.high());
         (product, low)
     }
@@ -232,7 +232,7 @@ impl Reduction {
         let first = u - count * self.parts[0];
         let rest = DoubleDouble::difference(first, count * self.parts[1]);
         // In order, unless the argument is unlucky.
-        let (high, low) = kernel::ordered_sum(rest.high(), rest.low() - count * self.parts[2]);
+        let (high, low) = quick::ordered_sum(rest.high(), rest.low() - count * self.parts[2]);
         // So written that not-a-number is unlucky.
         let lucky = high.abs() >= FEW_BITS_LEFT * u.abs();
         Reduced {
@@ -303,7 +303,7 @@ fn turned(quarters: f64, v: f64, ahead: f64) -> f64 {
     let (first, error) = if quarters.abs() <= 33_554_432.0 {
         (quarters * QUARTER_PARTS[0], 0.0)
     } else {
-        kernel::exact_product(quarters, QUARTER_PARTS[0])
+        quick::exact_product(quarters, QUARTER_PARTS[0])
     };
     let sum = DoubleDouble::sum(first, v);
     let second = quarters * QUARTER_PARTS[1];

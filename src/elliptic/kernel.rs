@@ -1,8 +1,6 @@
 //! Small pieces without a branch, for one argument as for several side by side: sine and cosine of two words, their
 //! hyperbolic sisters, the arctangent, powers of two, and exact products and roots in two words.
 
-use crate::double_double::DoubleDouble;
-
 /// Chebyshev fit of (sin x − x)/x³ in x² for |x| ≤ 0.789, error 1.3·10⁻¹⁷ of x.
 const SINE: [f64; 6] = [
     -0.166_666_666_666_666_66,
@@ -159,60 +157,4 @@ pub(super) fn greater(a: f64, b: f64) -> f64 {
 #[inline(always)]
 pub(super) fn select(mask: u64, a: f64, b: f64) -> f64 {
     f64::from_bits((a.to_bits() & mask) | (b.to_bits() & !mask))
-}
-
-/// Upper 26 bits and the rest, for numbers below 10³⁰⁰ (Veltkamp).
-#[inline(always)]
-pub(super) fn halves(x: f64) -> (f64, f64) {
-    let y = 134_217_729.0 * x;
-    let upper = y - (y - x);
-    (upper, x - upper)
-}
-
-/// Product and its rounding error, without a call into the mathematical library where the processor has no fused
-/// multiplication (Dekker).
-#[inline(always)]
-pub(super) fn exact_product(a: f64, b: f64) -> (f64, f64) {
-    let product = a * b;
-    if cfg!(target_feature = "fma") {
-        return (product, a.mul_add(b, -product));
-    }
-    let (a1, a2) = halves(a);
-    let (b1, b2) = halves(b);
-    let error = ((a1 * b1 - product) + (a1 * b2 + a2 * b1)) + a2 * b2;
-    (product, error)
-}
-
-/// Sum of two numbers, the first not the smaller in size.
-#[inline(always)]
-pub(super) fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
-    let sum = a + b;
-    (sum, b - (sum - a))
-}
-
-/// Square root of a positive `high + low`, to 105 bits.
-#[inline(always)]
-pub(super) fn root(high: f64, low: f64) -> (f64, f64) {
-    let root = high.sqrt();
-    let (square, error) = exact_product(root, root);
-    (root, (((high - square) - error) + low) * (0.5 / root))
-}
-
-/// Quotient to 103 bits, for sizes near 1.
-#[inline(always)]
-pub(super) fn quotient(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
-    let inverse = 1.0 / b.high();
-    let leading = a.high() * inverse;
-    let (product, error) = exact_product(leading, b.high());
-    let rest = ((a.high() - product) - error) + (a.low() - leading * b.low());
-    let (high, low) = ordered_sum(leading, rest * inverse);
-    DoubleDouble::new(high, low)
-}
-
-/// Product to 104 bits, for sizes near 1.
-#[inline(always)]
-pub(super) fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
-    let (high, error) = exact_product(a.high(), b.high());
-    let (high, low) = ordered_sum(high, error + (a.high() * b.low() + a.low() * b.high()));
-    DoubleDouble::new(high, low)
 }

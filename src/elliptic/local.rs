@@ -5,7 +5,7 @@ use super::crest::{Hyperbolic, hyperbolic_at};
 use super::jacobi::{Circular, QUARTER_PARTS, circular_at, in_quadrant};
 use super::kernel::{self, ROUNDER};
 use super::modulus::{EXACT_COUNT, Modulus, Side};
-use crate::double_double::DoubleDouble;
+use crate::precise::DoubleDouble;
 
 /// The place of an argument: how many quarter periods, and the elementary functions of what is left.
 pub(crate) struct Place {
@@ -76,9 +76,9 @@ impl Modulus {
     #[cold]
     fn reduced_from_afar(&self, u: DoubleDouble) -> (f64, DoubleDouble) {
         let count = (u.high() / self.quarter.high()).round_ties_even();
-        let rest = u.subtract(self.quarter.multiply(DoubleDouble::from(count)));
+        let rest = u - self.quarter * DoubleDouble::from(count);
         let again = (rest.high() / self.quarter.high()).round_ties_even();
-        let rest = rest.subtract(self.quarter.multiply(DoubleDouble::from(again)));
+        let rest = rest - self.quarter * DoubleDouble::from(again);
         (count + again, rest)
     }
 

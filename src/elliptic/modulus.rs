@@ -1,15 +1,12 @@
 //! The prepared modulus: quarter period to 101 bits and more, nome, and what takes quarter periods off an argument.
 
 use super::jacobi::COUNTABLE;
-use super::kernel;
 use super::landen::Landen;
-use super::logarithm::logarithm;
 use super::parameter::Parameter;
 use super::series::Series;
-use crate::angle::RIGHT_ANGLE;
-use crate::double_double::{DoubleDouble, power_of_two_below};
-use crate::extended::Scalar;
-use crate::words::Words;
+use crate::precise::{
+    DoubleDouble, Number, RIGHT_ANGLE, Words, logarithm, power_of_two_below, quick,
+};
 
 /// π to 106 bits.
 pub(super) const PI: DoubleDouble =
@@ -85,7 +82,7 @@ impl Modulus {
         if m.value() <= mc.value() {
             let mean = Mean::new(mc, m);
             let q = Nome::new(m.value(), mean.product.value()).value();
-            let quarter = kernel::quotient(RIGHT_ANGLE, mean.value);
+            let quarter = quick::quotient(RIGHT_ANGLE, mean.value);
             let series = Series::circular(q, complementary_modulus);
             Self::assemble(parameter, Side::Circular, quarter, mean.value, series)
         } else {
@@ -95,7 +92,7 @@ impl Modulus {
                 DoubleDouble::from(f64::INFINITY)
             } else {
                 let logarithm = nome.logarithm(mc, mean.product);
-                kernel::quotient(logarithm.scaled(0.5), mean.value)
+                quick::quotient(logarithm.scaled(0.5), mean.value)
             };
             let series = Series::hyperbolic(
                 nome.value().sqrt(),
@@ -107,7 +104,7 @@ impl Modulus {
     }
 
     /// The modulus from a transformation of the lesser of m and mc; both are wanted, and √mc.
-    pub(crate) fn from_landen<N: Scalar>(
+    pub(crate) fn from_landen<N: Number>(
         side: Side,
         parameter: Parameter,
         complementary_modulus: f64,
@@ -164,7 +161,7 @@ impl Modulus {
                 limit: f64::MAX,
             }
         } else {
-            let (first, second) = kernel::halves(quarter.high());
+            let (first, second) = quick::halves(quarter.high());
             Reduction {
                 inverse: 1.0 / quarter.high(),
                 parts: [first, second, quarter.low()],
@@ -213,32 +210,32 @@ impl Mean {
         if complement.high() < SMALL {
             return Self::next_to_one(complement);
         }
-        let (b0, b0_low) = kernel::root(x.high(), x.low());
-        let (sum, rest) = kernel::ordered_sum(1.0, b0);
+        let (b0, b0_low) = quick::root(x.high(), x.low());
+        let (sum, rest) = quick::ordered_sum(1.0, b0);
         let (a1, a1_low) = (0.5 * sum, 0.5 * (rest + b0_low));
-        let (b1, b1_low) = kernel::root(b0, b0_low);
-        let (sum, rest) = kernel::ordered_sum(a1, b1);
+        let (b1, b1_low) = quick::root(b0, b0_low);
+        let (sum, rest) = quick::ordered_sum(a1, b1);
         let (a2, a2_low) = (0.5 * sum, 0.5 * (rest + (a1_low + b1_low)));
-        let (square, rest) = kernel::exact_product(a1, b1);
-        let (b2, b2_low) = kernel::root(square, rest + (a1 * b1_low + a1_low * b1));
+        let (square, rest) = quick::exact_product(a1, b1);
+        let (b2, b2_low) = quick::root(square, rest + (a1 * b1_low + a1_low * b1));
         // With S = a2 + b2 and d = (a2 − b2)/S ≤ 1.4e-5:
         // agm(a2, b2) = S/2 (1 − d²/4 − 5 d⁴/64 − 11 d⁶/256 − …), where the first term needs both words.
-        let (sum, rest) = kernel::ordered_sum(a2, b2);
+        let (sum, rest) = quick::ordered_sum(a2, b2);
         let sum_low = rest + (a2_low + b2_low);
         let gap = DoubleDouble::sum(a2 - b2, a2_low - b2_low);
-        let (gap2, error) = kernel::exact_product(gap.high(), gap.high());
+        let (gap2, error) = quick::exact_product(gap.high(), gap.high());
         let gap2_low = error + 2.0 * gap.high() * gap.low();
         let eight = 8.0 * sum;
         let inverse = 1.0 / eight;
         let less = gap2 * inverse;
-        let (back, error) = kernel::exact_product(less, eight);
+        let (back, error) = quick::exact_product(less, eight);
         let less_low = (((gap2 - back) - error) + (gap2_low - 8.0 * less * sum_low)) * inverse;
         let d2 = 8.0 * less * (8.0 * inverse);
         let tail = 0.5 * sum * d2 * d2 * (5.0 / 64.0 + d2 * (11.0 / 256.0));
-        let (high, low) = kernel::ordered_sum(0.5 * sum, -less);
+        let (high, low) = quick::ordered_sum(0.5 * sum, -less);
         let low = low + (0.5 * sum_low - less_low - tail);
-        let (high, low) = kernel::ordered_sum(high, low);
-        let product = kernel::product(DoubleDouble::new(a1, a1_low), DoubleDouble::new(a2, a2_low));
+        let (high, low) = quick::ordered_sum(high, low);
+        let product = quick::product(DoubleDouble::new(a1, a1_low), DoubleDouble::new(a2, a2_low));
         Self {
             value: DoubleDouble::new(high, low),
             product,
@@ -257,7 +254,7 @@ impl Mean {
         let x = c.high();
         let square = x * x;
         let series = |first: DoubleDouble, rest: f64| {
-            let (high, low) = kernel::ordered_sum(1.0, -first.high());
+            let (high, low) = quick::ordered_sum(1.0, -first.high());
             DoubleDouble::new(high, low - (first.low() + rest))
         };
         Self {
@@ -296,27 +293,27 @@ impl Nome {
         // The quotient is formed with a power of two taken off: mc may be as small as a double can be.
         let unit = power_of_two_below(lesser.high());
         let exponent = 1023 - (unit.to_bits() >> 52) as i32;
-        let ratio = kernel::quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
+        let ratio = quick::quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
         let logarithm = logarithm(ratio, exponent);
         if self.l4 < 1e-34 {
             return logarithm;
         }
         // l in two words by one step of Newton, its fourth power, and 2 y + 13 y² with both words.
         let l = self.l;
-        let (back, error) = kernel::exact_product(l, ratio.high() / unit);
+        let (back, error) = quick::exact_product(l, ratio.high() / unit);
         let off = ((1.0 - back) - error) - l * (ratio.low() / unit);
-        let (l2, l2_low) = kernel::exact_product(l, l);
-        let (y, error) = kernel::exact_product(l2, l2);
-        let (y, y_low) = kernel::ordered_sum(y, error + 2.0 * l2 * l2_low + 4.0 * off * y);
-        let (y2, error) = kernel::exact_product(y, y);
+        let (l2, l2_low) = quick::exact_product(l, l);
+        let (y, error) = quick::exact_product(l2, l2);
+        let (y, y_low) = quick::ordered_sum(y, error + 2.0 * l2 * l2_low + 4.0 * off * y);
+        let (y2, error) = quick::exact_product(y, y);
         let y2_low = error + 2.0 * y * y_low;
-        let (square, error) = kernel::exact_product(13.0, y2);
+        let (square, error) = quick::exact_product(13.0, y2);
         let rest =
             y * (368.0 / 3.0 + y * (2701.0 / 2.0 + y * (80912.0 / 5.0 + y * (613_720.0 / 3.0))));
         let low = 2.0 * y_low + (error + 13.0 * y2_low + rest * y2);
-        let (high, carry) = kernel::ordered_sum(2.0 * y, square);
+        let (high, carry) = quick::ordered_sum(2.0 * y, square);
         let correction = DoubleDouble::new(high, carry + low);
-        logarithm.subtract(correction)
+        logarithm - correction
     }
 }
 
@@ -348,7 +345,7 @@ mod tests {
             let near = modulus.jacobi(0.3)?;
             for count in [2f64.powi(10), 2f64.powi(46)] {
                 let turns = modulus.quarter_period_dd().scaled(count);
-                let far = modulus.jacobi_dd(turns.add(DoubleDouble::from(0.3)));
+                let far = modulus.jacobi_dd(turns + DoubleDouble::from(0.3));
                 // K times 2⁴⁶ is off by 2⁻⁵⁵ of K, which for mc = 10⁻³⁰⁰ is 350.
                 let allowed = 4e-16 + modulus.quarter_period() * 2f64.powi(-54);
                 for (a, b) in [(far.sn, near.sn), (far.cn, near.cn), (far.dn, near.dn)] {

@@ -1,7 +1,7 @@
 //! The parameter m together with its complement 1 − m.
 
-use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite};
+use crate::precise::DoubleDouble;
 
 /// The parameter m = k² and its complement mc = 1 − m, neither formed from the other by a subtraction that cancels.
 ///
@@ -30,7 +30,7 @@ impl Parameter {
     pub fn new(m: f64, mc: f64) -> Result<Self> {
         let m = within_unit("parameter m", m)?;
         let mc = within_unit("complementary parameter mc", mc)?;
-        let defect = DoubleDouble::sum(m, mc).subtract(DoubleDouble::from(1.0));
+        let defect = DoubleDouble::sum(m, mc) - DoubleDouble::from(1.0);
         if defect.value().abs() > 4.0 * f64::EPSILON {
             return Err(Error::Condition {
                 condition: "m + mc must be 1 to within 4 eps",
@@ -72,7 +72,7 @@ impl Parameter {
     /// If k is not finite or lies outside 0…1.
     pub fn from_modulus(k: f64) -> Result<Self> {
         let k = within_unit("modulus k", k)?;
-        let mc = DoubleDouble::difference(1.0, k).multiply(DoubleDouble::sum(1.0, k));
+        let mc = DoubleDouble::difference(1.0, k) * DoubleDouble::sum(1.0, k);
         Ok(Self {
             m: DoubleDouble::product(k, k),
             mc,
@@ -99,7 +99,7 @@ impl Parameter {
     }
 
     fn with_lesser_m(m: DoubleDouble) -> Self {
-        let mc = DoubleDouble::from(1.0).subtract(m);
+        let mc = DoubleDouble::from(1.0) - m;
         Self { m, mc }
     }
 

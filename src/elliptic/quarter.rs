@@ -4,8 +4,10 @@
 //! multiple is taken off needs more than the 104 bits of the prepared K. Such arguments are rare; for them K is
 //! computed again with three words, by the plain arithmetic-geometric mean.
 
+use core::ops::{Add, Div, Mul};
+
 use super::parameter::Parameter;
-use crate::double_double::DoubleDouble;
+use crate::precise::DoubleDouble;
 
 /// A sum of three doubles, each below the last place of the one before: about 150 bits.
 #[derive(Debug, Clone, Copy)]
@@ -40,16 +42,32 @@ impl Triple {
         DoubleDouble::sum(self.0[0], self.0[1])
     }
 
-    fn add(self, other: Self) -> Self {
-        let ([a, b, c], [d, e, f]) = (self.0, other.0);
-        Self::sum([a, d, b, e, c, f])
-    }
-
     fn scaled(self, factor: f64) -> Self {
         Self(self.0.map(|x| x * factor))
     }
 
-    fn multiply(self, other: Self) -> Self {
+    /// One step of Newton from the root of 104 bits.
+    fn square_root(self) -> Self {
+        let root = self.leading().square_root();
+        let near = Self::pair(root);
+        let rest = (self + (near * near).scaled(-1.0)).leading();
+        near + Self::pair(rest.scaled(0.5) / root)
+    }
+}
+
+impl Add for Triple {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let ([a, b, c], [d, e, f]) = (self.0, other.0);
+        Self::sum([a, d, b, e, c, f])
+    }
+}
+
+impl Mul for Triple {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.0, other.0);
         let (ad, ae, bd) = (
             DoubleDouble::product(a, d),
@@ -69,20 +87,16 @@ impl Triple {
             small,
         ])
     }
+}
 
-    /// One step of Newton from the root of 104 bits.
-    fn square_root(self) -> Self {
-        let root = self.leading().square_root();
-        let near = Self::pair(root);
-        let rest = self.add(near.multiply(near).scaled(-1.0)).leading();
-        near.add(Self::pair(rest.scaled(0.5).divide(root)))
-    }
+impl Div for Triple {
+    type Output = Self;
 
-    fn divide(self, divisor: Self) -> Self {
+    fn div(self, divisor: Self) -> Self {
         let by = divisor.leading();
-        let near = Self::pair(self.leading().divide(by));
-        let rest = self.add(near.multiply(divisor).scaled(-1.0)).leading();
-        near.add(Self::pair(rest.divide(by)))
+        let near = Self::pair(self.leading() / by);
+        let rest = (self + (near * divisor).scaled(-1.0)).leading();
+        near + Self::pair(rest / by)
     }
 }
 
@@ -106,22 +120,21 @@ fn quarter_period(parameter: Parameter) -> Triple {
     let mut b = mc.square_root().scaled(power);
     // Twelve rounds for the least mc there is. The gap left is squared once more by the last mean.
     for _ in 0..16 {
-        let next = a.add(b).scaled(0.5);
-        let gap = a.add(b.scaled(-1.0)).0[0];
+        let next = (a + b).scaled(0.5);
+        let gap = (a + b.scaled(-1.0)).0[0];
         if gap < 1e-25 * a.0[0] {
             a = next;
             break;
         }
-        b = a.multiply(b).square_root();
+        b = (a * b).square_root();
         a = next;
     }
-    HALF_PI.divide(a)
+    HALF_PI / a
 }
 
 /// `u − count K`, where the prepared K leaves too few bits.
 pub(super) fn remainder(parameter: Parameter, u: DoubleDouble, count: f64) -> DoubleDouble {
     let Triple([first, second, third]) = quarter_period(parameter);
-    let rest = u.subtract(DoubleDouble::product(count, first));
-    rest.subtract(DoubleDouble::product(count, second))
-        .subtract(DoubleDouble::from(count * third))
+    let rest = u - DoubleDouble::product(count, first);
+    rest - DoubleDouble::product(count, second) - DoubleDouble::from(count * third)
 }

@@ -2,8 +2,7 @@
 
 use super::landen::Landen;
 use super::local::Crest;
-use crate::extended::Scalar;
-use crate::words::{Arithmetic, Words};
+use crate::precise::{Number, Words};
 
 /// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
 #[derive(Debug, Clone, Copy)]
@@ -39,11 +38,11 @@ impl<W: Words> Exponentials<W> {
     /// From sinh x and the nome q.
     #[inline(always)]
     fn new(which: Which, sinh: W, q: W) -> Self {
-        let growth = sinh.add(sinh.hypotenuse_with_one());
-        let decay = W::from_double(1.0).divide(growth);
-        let lesser = decay.multiply(decay);
+        let growth = sinh.add_alike(sinh.hypotenuse_with_one());
+        let decay = W::from_double(1.0).quotient(growth);
+        let lesser = decay * decay;
         // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
-        let other = q.multiply(growth).multiply(growth);
+        let other = q * growth * growth;
         // For ξ in place of η they change roles.
         let (rho, epsilon) = match which {
             Which::Eta => (other, lesser),
@@ -59,11 +58,11 @@ impl<W: Words> Exponentials<W> {
     }
 }
 
-impl<N: Scalar> Elevation<N> {
+impl<N: Number> Elevation<N> {
     /// From `rise` and `run` of both: the smaller of them, with the `slope` that belongs to it.
     #[inline(always)]
     pub(crate) fn smaller(eta: [N; 2], xi: [N; 2], slope: impl Fn(Which) -> N) -> Self {
-        let (which, [rise, run]) = if xi[0].multiply(eta[1]).exceeds(eta[0].multiply(xi[1])) {
+        let (which, [rise, run]) = if (xi[0] * eta[1]).exceeds(eta[0] * xi[1]) {
             (Which::Eta, eta)
         } else {
             (Which::Xi, xi)
@@ -97,8 +96,8 @@ impl<N: Scalar> Elevation<N> {
     #[inline(always)]
     fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
         // sc² and dc² = 1 + m sc².
-        let sc2 = self.rise.divide(self.run);
-        let dc2 = N::Narrow::from_double(1.0).add(m.multiply(sc2).narrow());
+        let sc2 = self.rise.quotient(self.run);
+        let dc2 = N::Narrow::from_double(1.0).add_alike((m * sc2).narrow());
         let sc = sc2.square_root().narrow();
         // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
         let sc = if sc.leading() > 1e150 {
@@ -113,10 +112,10 @@ impl<N: Scalar> Elevation<N> {
     #[inline(always)]
     pub(crate) fn angle(&self, landen: &Landen<N>, mc: N) -> (N::Narrow, N::Narrow) {
         let one = N::Narrow::from_double(1.0);
-        let sn2 = self.rise.divide(self.slope).narrow();
-        let dn2 = one.subtract(mc.narrow().multiply(sn2));
+        let sn2 = self.rise.quotient(self.slope).narrow();
+        let dn2 = one - mc.narrow() * sn2;
         let lesser = landen.sine(sn2.square_root(), dn2.square_root());
-        let greater = one.subtract(lesser.multiply(lesser)).square_root();
+        let greater = (one - lesser * lesser).square_root();
         match self.which {
             Which::Eta => (lesser, greater),
             Which::Xi => (greater, lesser),
@@ -242,31 +241,31 @@ impl DualTheta {
 
 /// d arg ϑ₂(ix − v)/du at u = K: (π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).
 #[inline(always)]
-pub(crate) fn dual_excess<N: Scalar>(
+pub(crate) fn dual_excess<N: Number>(
     landen: &Landen<N>,
     sine: N::Narrow,
     cosine: N::Narrow,
 ) -> N::Narrow {
     let q = landen.nome;
-    let q2 = q.multiply(q);
-    let q4 = q2.multiply(q2);
-    let s2 = sine.multiply(cosine).scaled(2.0);
-    let c2 = cosine.subtract(sine).multiply(cosine.add(sine));
-    let s4 = s2.multiply(c2).scaled(2.0);
-    let c4 = c2.subtract(s2).multiply(c2.subtract(s2.negated()));
+    let q2 = q * q;
+    let q4 = q2 * q2;
+    let s2 = (sine * cosine).scaled(2.0);
+    let c2 = (cosine - sine) * cosine.add_alike(sine);
+    let s4 = (s2 * c2).scaled(2.0);
+    let c4 = (c2 - s2) * (c2 - -s2);
     let (x, s2v, c2v, s4v, c4v) = (q.value(), s2.value(), c2.value(), s4.value(), c4.value());
     let (x3, x4) = (x * x * x, x * x * (x * x));
     let (x9, x16) = (x3 * x3 * x3, x4 * x4 * (x4 * x4));
     let (s6, c6) = (s2v * c4v + c2v * s4v, c2v * c4v - s2v * s4v);
     let (s8, c8) = (2.0 * s4v * c4v, c4v * c4v - s4v * s4v);
     let numerator = N::Narrow::from_double(12.0 * x9 * s6 + 16.0 * x16 * s8)
-        .add(q4.multiply(s4).scaled(8.0))
-        .add(q.multiply(s2).scaled(4.0));
+        .add_alike((q4 * s4).scaled(8.0))
+        .add_alike((q * s2).scaled(4.0));
     let denominator = N::Narrow::from_double(2.0 * (x9 * c6 + x16 * c8))
-        .add(q4.multiply(c4).scaled(2.0))
-        .add(q.multiply(c2).scaled(2.0))
-        .add(N::Narrow::from_double(1.0));
-    landen.mean.multiply(numerator).divide(denominator)
+        .add_alike((q4 * c4).scaled(2.0))
+        .add_alike((q * c2).scaled(2.0))
+        .add_alike(N::Narrow::from_double(1.0));
+    (landen.mean * numerator).quotient(denominator)
 }
 
 #[inline(always)]

@@ -2,8 +2,8 @@
 
 use super::incomplete::{Kind, at_angle, complete};
 use super::parameter::Parameter;
-use crate::double_double::DoubleDouble as Dd;
 use crate::error::{Error, Result, finite};
+use crate::precise::DoubleDouble as Dd;
 
 /// The factor n of sin² in an integral, together with its complement nc = 1 − n: any finite n.
 ///
@@ -25,7 +25,7 @@ impl Characteristic {
     pub fn new(n: f64, nc: f64) -> Result<Self> {
         let n = finite("characteristic n", n)?;
         let nc = finite("complementary characteristic nc", nc)?;
-        let defect = Dd::sum(n, nc).subtract(Dd::from(1.0)).value();
+        let defect = (Dd::sum(n, nc) - Dd::from(1.0)).value();
         if defect.abs() > 4.0 * f64::EPSILON * n.abs().max(nc.abs()) {
             return Err(Error::Condition {
                 condition: "n + nc must be 1 to within 4 eps",

@@ -3,11 +3,10 @@
 use nalgebra::Quaternion;
 
 use super::preparation::Constants;
-use crate::angle::RIGHT_ANGLE;
-use crate::double_double::DoubleDouble;
 use crate::elliptic::Side;
 use crate::elliptic::local::{GREATEST_ANGLE, Place, sine_cosine};
 use crate::error::{Result, too_long};
+use crate::precise::{DoubleDouble, RIGHT_ANGLE};
 
 /// Where L is, along the renumbered axes.
 pub(super) struct Point {
@@ -19,7 +18,7 @@ pub(super) struct Point {
 
 impl Constants {
     pub(super) fn point(&self, t: f64) -> Result<Point> {
-        let u = self.rate.multiply(DoubleDouble::from(t)).add(self.start);
+        let u = self.rate * DoubleDouble::from(t) + self.start;
         let greatest = self.modulus.greatest_argument();
         if u.high().abs() <= greatest {
             let place = self.modulus.place(u);
@@ -35,11 +34,7 @@ impl Constants {
     pub(super) fn turned(&self, t: f64, point: &Point) -> Result<Quaternion<f64>> {
         let turning = &self.turning;
         let quarters = DoubleDouble::from(point.place.quarters);
-        let half = self
-            .turning_rate
-            .multiply(DoubleDouble::from(t))
-            .subtract(turning.lag.multiply(quarters))
-            .scaled(0.5);
+        let half = (self.turning_rate * DoubleDouble::from(t) - turning.lag * quarters).scaled(0.5);
         let (sine, cosine) = half_turn(half, t, self.turning_rate)?;
         let (x, y) = turning.half_angle(&point.place, point.sn, point.cn);
         let (cosine, sine) = (cosine * x - sine * y, sine * x + cosine * y);
@@ -62,7 +57,7 @@ impl Constants {
         }
         let nearly = 4.0 * (quarter.high() / self.rate.high()).abs();
         if nearly.is_finite() {
-            4.0 * quarter.divide(self.rate).value().abs()
+            4.0 * (quarter / self.rate).value().abs()
         } else {
             nearly
         }
@@ -74,9 +69,9 @@ impl Constants {
         if quarter.high() == f64::INFINITY {
             return self.turning_rate.value();
         }
-        let gain = RIGHT_ANGLE.subtract(self.turning.lag);
-        let quarters = self.rate.divide(quarter);
-        self.turning_rate.add(gain.multiply(quarters)).value()
+        let gain = RIGHT_ANGLE - self.turning.lag;
+        let quarters = self.rate / quarter;
+        (self.turning_rate + gain * quarters).value()
     }
 
     /// Solid angle of the cone that L draws in the body in one period, with the sense of du/dt.
@@ -89,7 +84,7 @@ impl Constants {
             Side::Circular => {
                 let quarter = self.modulus.quarter_period_dd();
                 let ordinates = (0..16).map(|k| {
-                    let u = quarter.multiply(DoubleDouble::from(f64::from(k) / 8.0));
+                    let u = quarter * DoubleDouble::from(f64::from(k) / 8.0);
                     let [_, _, dn] = self.modulus.triple(&self.modulus.place(u));
                     dn / (1.0 + p3 / size * dn)
                 });

@@ -5,12 +5,10 @@ use nalgebra::Quaternion;
 use super::evaluation::half_turn;
 use super::preparation::{Constants, decide, decide_from};
 use super::start::{Digits, Start, ascending, ratio};
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, not_negative, positive};
-use crate::extended::{Extended, Scalar, sum_of_products};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
-use crate::words::Arithmetic;
+use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
 
 /// What kind of motion a free top makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -230,18 +228,16 @@ impl EulerTop {
         let span = Extended::difference(i[2], i[0]);
         let squares = if span.is_zero() {
             // All moments equal: L² = 2EI or nothing.
-            let square = number(energy).times(2.0).multiply(number(i[2]));
+            let square = number(energy).times(2.0) * number(i[2]);
             [Extended::zero(), square]
         } else {
-            let part = |k: usize, above: Extended| above.multiply(number(i[k])).divide(span);
-            [part(0, differences[2].negated()), part(2, differences[0])]
+            let part = |k: usize, above: Extended| (above * number(i[k])).quotient(span);
+            [part(0, -differences[2]), part(2, differences[0])]
         };
         if differences[0].leading() < 0.0 || differences[2].leading() > 0.0 {
             return Err(Error::Condition {
                 condition: "L² must lie between 2E times the smallest and the largest moment",
-                value: above(1)
-                    .subtract(number(energy).times(-2.0).multiply(number(i[1])))
-                    .value(),
+                value: (above(1) - number(energy).times(-2.0) * number(i[1])).value(),
             });
         }
         let mut l = [Extended::zero(); 3];
@@ -250,7 +246,7 @@ impl EulerTop {
         for component in rounded.into_iter().chain(omega_of(moments, &l)) {
             finite("a component of angular velocity or momentum", component)?;
         }
-        let separation = differences[1].multiply(number(i[0])).multiply(number(i[2]));
+        let separation = differences[1] * number(i[0]) * number(i[2]);
         let decided = decide_from(moments, l, |_, _| separation);
         Self::settled(moments, rounded, &l, attitude, decided)
     }
@@ -366,7 +362,7 @@ impl EulerTop {
                 rate,
                 direction,
             } => {
-                let half = rate.multiply(DoubleDouble::from(t)).scaled(0.5);
+                let half = (*rate * DoubleDouble::from(t)).scaled(0.5);
                 let (sine, cosine) = half_turn(half, t, *rate)?;
                 let [x, y, z] = direction.map(|component| sine * component);
                 let turn = Quaternion::new(cosine, x, y, z);
@@ -490,7 +486,7 @@ fn omega_of(moments: [f64; 3], l: &[Extended; 3]) -> [f64; 3] {
         if moments[k] == 0.0 {
             0.0
         } else {
-            l[k].divide(Extended::from_double(moments[k])).value()
+            l[k].quotient(Extended::from_double(moments[k])).value()
         }
     })
 }
@@ -501,8 +497,8 @@ fn steady(moments: [f64; 3], l: &[Extended; 3]) -> Motion {
     for (moment, component) in moments.iter().zip(l) {
         if !component.is_zero() {
             let term = component.square();
-            square = square.add(term);
-            twice_energy = twice_energy.add(term.divide(Extended::from_double(*moment)));
+            square = square.add_alike(term);
+            twice_energy = twice_energy.add_alike(term.quotient(Extended::from_double(*moment)));
         }
     }
     if square.is_zero() {
@@ -515,7 +511,7 @@ fn steady(moments: [f64; 3], l: &[Extended; 3]) -> Motion {
     let size = square.square_root();
     Motion::Steady {
         omega: omega_of(moments, l),
-        rate: twice_energy.divide(size).narrow(),
-        direction: core::array::from_fn(|k| l[k].divide(size).value()),
+        rate: twice_energy.quotient(size).narrow(),
+        direction: core::array::from_fn(|k| l[k].quotient(size).value()),
     }
 }

@@ -6,10 +6,9 @@
 
 mod herpolhode;
 
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, positive};
-use crate::extended::{exponent_of, shifted};
 use crate::frame::BodyVector;
+use crate::precise::{DoubleDouble, exponent_of, power_of_two_below, shifted};
 
 /// About which axis the polhode goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -135,11 +134,10 @@ impl Poinsot {
         );
         let term = |l: f64, more: f64, less: f64, over: f64| {
             let l = if more > less { l / unit } else { 0.0 };
-            DoubleDouble::product(l, l)
-                .multiply(DoubleDouble::difference(more, less))
-                .divide(DoubleDouble::from(over))
+            DoubleDouble::product(l, l) * DoubleDouble::difference(more, less)
+                / DoubleDouble::from(over)
         };
-        let middle = term(l3, i3, i2, i3).subtract(term(l1, i2, i1, i1)).value();
+        let middle = (term(l3, i3, i2, i3) - term(l1, i2, i1, i1)).value();
         self.roots = [about_smallest, unit * middle.abs().sqrt(), about_largest];
         self.sector = if i1 == i3 {
             Sector::Point

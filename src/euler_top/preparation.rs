@@ -4,12 +4,12 @@ use super::motion::Regime;
 use super::separation::{differences, rounded_separation, separation};
 use super::start::{Digits, Renumbering, Start, ascending};
 use super::turning::Turning;
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::Modulus;
 use crate::elliptic::descent::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Which};
-use crate::extended::{Extended, Scalar, exponent_of, shifted};
-use crate::words::Words;
+use crate::precise::{
+    DoubleDouble, Extended, Number, Words, exponent_of, power_of_two_below, shifted,
+};
 
 /// 2⁻²⁰⁰: the fourth power of what is above it is a normal double.
 const FAR_BELOW: f64 = 6.223_015_277_861_142e-61;
@@ -80,7 +80,7 @@ pub(super) fn decide(
     (regime, constants)
 }
 
-fn decide_with<N: Scalar>(
+fn decide_with<N: Number>(
     moments: [f64; 3],
     start: Start,
     separation: impl Fn([f64; 3], [usize; 3], Start) -> N,
@@ -91,7 +91,7 @@ fn decide_with<N: Scalar>(
 }
 
 /// From L along the axes and (L² − 2EI₂) I₁I₃ of the ascending moments in that order.
-pub(super) fn decide_from<N: Scalar>(
+pub(super) fn decide_from<N: Number>(
     moments: [f64; 3],
     l: [N; 3],
     separation: impl Fn([f64; 3], [usize; 3]) -> N,
@@ -128,7 +128,7 @@ pub(super) fn decide_from<N: Scalar>(
         regime
     };
     let (c, distance, sense) = if sign < 0.0 {
-        ([c[2], c[1], c[0]], separation.negated(), -1.0)
+        ([c[2], c[1], c[0]], -separation, -1.0)
     } else {
         (c, separation, 1.0)
     };
@@ -141,7 +141,7 @@ pub(super) fn decide_from<N: Scalar>(
 }
 
 /// The constants along renumbered axes; `sense` is the sign of du/dt.
-fn constants<N: Scalar>(
+fn constants<N: Number>(
     axes: Renumbering,
     i: [f64; 3],
     l: [N; 3],
@@ -156,21 +156,21 @@ fn constants<N: Scalar>(
     ];
     let squares = [l[0].square(), l[1].square(), l[2].square()];
     // Sums of terms of one sign stand in for L² − 2EI and 2EI − L².
-    let steady = c[2].multiply(squares[1]).add(c[1].multiply(squares[2]));
-    let wobble = c[1].multiply(squares[0]).add(c[0].multiply(squares[1]));
-    let size_squared = squares[0].add(squares[1]).add(squares[2]);
-    let frequency = c[0].multiply(steady);
-    let m = c[2].multiply(wobble).divide(frequency);
-    let mc = c[1].multiply(distance).divide(frequency);
+    let steady = (c[2] * squares[1]).add_alike(c[1] * squares[2]);
+    let wobble = (c[1] * squares[0]).add_alike(c[0] * squares[1]);
+    let size_squared = squares[0].add_alike(squares[1]).add_alike(squares[2]);
+    let frequency = c[0] * steady;
+    let m = (c[2] * wobble).quotient(frequency);
+    let mc = (c[1] * distance).quotient(frequency);
     let volume = N::from_double(i[0]).times(i[1]).times(i[2]);
-    let lambda = frequency.square_root().divide(volume);
-    let base = size_squared.square_root().divide(N::from_double(i[1]));
+    let lambda = frequency.square_root().quotient(volume);
+    let base = size_squared.square_root().quotient(N::from_double(i[1]));
 
     let descent = Descent::new(m, mc);
     let aspect = c[0].root_of_quotient(c[1]);
     // sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
     let elevation = Elevation::smaller([steady, wobble], [c[0], c[2]], |which| match which {
-        Which::Eta => c[1].multiply(size_squared),
+        Which::Eta => c[1] * size_squared,
         Which::Xi => c[1],
     });
     let turning = Turning::new(&descent, &elevation, aspect);
@@ -180,25 +180,21 @@ fn constants<N: Scalar>(
         steady.root_of_quotient(c[1]),
     ];
     let start = descent.argument(&Squares {
-        sn: squares[1].multiply(c[0]),
-        cn: squares[0].multiply(c[1]),
+        sn: squares[1] * c[0],
+        cn: squares[0] * c[1],
         whole: wobble,
-        dn: squares[2].multiply(c[1]),
+        dn: squares[2] * c[1],
         dn_whole: steady,
     });
     let rate = lambda.signed(sense);
-    let excess = rate.multiply(N::from_narrow(N::Narrow::from_two(turning.excess)));
+    let excess = rate * N::from_narrow(N::Narrow::from_two(turning.excess));
     Constants {
         axes,
         modulus: descent.modulus,
-        start: if l[1].leading() < 0.0 {
-            start.negated()
-        } else {
-            start
-        },
+        start: if l[1].leading() < 0.0 { -start } else { start },
         rate: rate.narrow().two(),
         amplitudes,
         turning,
-        turning_rate: base.subtract(excess.negated()).narrow().two(),
+        turning_rate: (base - -excess).narrow().two(),
     }
 }

@@ -1,14 +1,12 @@
 //! How far a motion is from the separatrix, to all digits whatever cancels (tutorial 6.3, 6.6).
 
 use super::start::Start;
-use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, positive};
-use crate::extended::{Extended, Scalar};
-use crate::words::Arithmetic;
+use crate::precise::{DoubleDouble, Extended, Number};
 
 /// 1/I_i − 1/I_j all multiplied by I₁I₂I₃, from exact differences: c₁ = I₁(I₃ − I₂), c₂ = I₂(I₃ − I₁), c₃ = I₃(I₂ − I₁),
 /// for ascending moments.
-pub(super) fn differences<N: Scalar>(i: [f64; 3]) -> [N; 3] {
+pub(super) fn differences<N: Number>(i: [f64; 3]) -> [N; 3] {
     [
         N::difference(i[2], i[1]).times(i[0]),
         N::difference(i[2], i[0]).times(i[1]),
@@ -17,13 +15,13 @@ pub(super) fn differences<N: Scalar>(i: [f64; 3]) -> [N; 3] {
 }
 
 /// (L² − 2EI₂) I₁I₃ = c₁ L₃² − c₃ L₁²: its sign decides about which axis L goes, its size how close the separatrix is.
-pub(super) fn separation<N: Scalar>(i: [f64; 3], order: [usize; 3], start: Start) -> N {
+pub(super) fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start) -> N {
     let x = order.map(|k| start.components()[k]);
     let l: [N; 3] = start.with(x).angular_momentum(i);
     let c = differences::<N>(i);
-    let third = c[0].multiply(l[2].square());
-    let first = c[2].multiply(l[0].square());
-    let difference = third.subtract(first);
+    let third = c[0] * l[2].square();
+    let first = c[2] * l[0].square();
+    let difference = third - first;
     let scale = third.times(1.0 / 1024.0);
     if difference.magnitude().exceeds(scale) {
         return difference;
@@ -68,7 +66,7 @@ fn exact_difference(minuend: [f64; 4], subtrahend: [f64; 4]) -> Extended {
         }
     }
     let total = terms.iter().fold(DoubleDouble::from(0.0), |sum, term| {
-        sum.add(DoubleDouble::from(*term))
+        sum + DoubleDouble::from(*term)
     });
     let mut result = Extended::from(total);
     if !result.is_zero() {

@@ -4,10 +4,10 @@
 //! of Ω are along them. Differences of moments are taken first, so that nearly symmetric bodies keep their digits.
 
 use super::poinsot::{Poinsot, Sector};
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
+use crate::precise::{DoubleDouble, power_of_two_below};
 
 /// The linear motion next to the rotation about x₂ (6.7).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -169,14 +169,10 @@ pub fn indefinite_about_middle(moments: &PrincipalMoments, omega: BodyVector) ->
     let unit = power_of_two_below(omega.x().abs().max(omega.z().abs()));
     let term = |i: f64, more: f64, less: f64, omega: f64| {
         DoubleDouble::product(omega / unit, omega / unit)
-            .multiply(DoubleDouble::difference(more, less))
-            .multiply(DoubleDouble::from(i))
+            * DoubleDouble::difference(more, less)
+            * DoubleDouble::from(i)
     };
-    term(i3, i3, i2, omega.z())
-        .subtract(term(i1, i2, i1, omega.x()))
-        .value()
-        * unit
-        * unit
+    (term(i3, i3, i2, omega.z()) - term(i1, i2, i1, omega.x())).value() * unit * unit
 }
 
 /// Time from one side of the separatrix's crossing to the other, half the period of Ω, to leading order next to the separatrix, s:

@@ -1,7 +1,7 @@
 //! How a motion of the free top starts, and along which axes it is looked at.
 
 use crate::error::{Error, Result};
-use crate::extended::Scalar;
+use crate::precise::Number;
 
 /// To how many digits the constants are formed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,7 +38,7 @@ impl Start {
     }
 
     /// L, to 106 bits: the product of a moment and an angular velocity is not rounded.
-    pub(super) fn angular_momentum<N: Scalar>(self, moments: [f64; 3]) -> [N; 3] {
+    pub(super) fn angular_momentum<N: Number>(self, moments: [f64; 3]) -> [N; 3] {
         match self {
             Self::AngularMomentum([x, y, z]) => {
                 [N::from_double(x), N::from_double(y), N::from_double(z)]

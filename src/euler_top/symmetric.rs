@@ -1,8 +1,8 @@
 //! The symmetric free top, I₁ = I₂ (tutorial 6.5): exact rotation rate and attitude at any time.
 
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector};
+use crate::precise::{DoubleDouble, power_of_two_below};
 
 /// On which side of the sphere the moments lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +61,7 @@ impl SymmetricTop {
         };
         let unit = power_of_two_below(transverse);
         let excess = DoubleDouble::difference(axial / unit, transverse / unit)
-            .divide(DoubleDouble::from(transverse / unit));
+            / DoubleDouble::from(transverse / unit);
         Ok(Self {
             transverse,
             axial,
@@ -140,17 +140,12 @@ impl SymmetricTop {
         }
         let unit = power_of_two_below(size);
         let axial = DoubleDouble::from(omega0.z() / unit);
-        let l3 = axial.add(axial.multiply(self.excess));
+        let l3 = axial + axial * self.excess;
         let square = DoubleDouble::product(l.x() / unit, l.x() / unit)
-            .add(DoubleDouble::product(l.y() / unit, l.y() / unit))
-            .add(l3.multiply(l3));
-        let about_l = half_turn(
-            square
-                .square_root()
-                .scaled(unit)
-                .multiply(DoubleDouble::from(t)),
-        )?;
-        let about_axis = half_turn(self.wobble_angle(omega0.z(), t).negated())?;
+            + DoubleDouble::product(l.y() / unit, l.y() / unit)
+            + l3 * l3;
+        let about_l = half_turn(square.square_root().scaled(unit) * DoubleDouble::from(t))?;
+        let about_axis = half_turn(-self.wobble_angle(omega0.z(), t))?;
         let direction = l.direction("the angular momentum")?.components() * about_l.0;
         let turn = nalgebra::Quaternion::from_parts(about_l.1, direction)
             * nalgebra::Quaternion::new(about_axis.1, 0.0, 0.0, about_axis.0);
@@ -188,7 +183,7 @@ impl SymmetricTop {
     }
 
     fn wobble_angle(&self, omega3: f64, t: f64) -> DoubleDouble {
-        self.excess.multiply(DoubleDouble::product(omega3, t))
+        self.excess * DoubleDouble::product(omega3, t)
     }
 }
 

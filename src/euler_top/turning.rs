@@ -13,15 +13,12 @@
 //! is left that could cancel. (C. G. J. Jacobi, Sur la rotation d'un corps, 1849; that the rate is |L|/I₂ and a theta
 //! quotient follows from his formulas at u = K, where L₁ = 0.)
 
-use crate::angle::RIGHT_ANGLE;
-use crate::double_double::DoubleDouble;
 use crate::elliptic::Side;
 use crate::elliptic::descent::Descent;
 use crate::elliptic::landen::Landen;
 use crate::elliptic::local::{Local, Place};
 use crate::elliptic::theta::{DualTheta, Elevation, Exponentials, Which, dual_excess, polynomial};
-use crate::extended::Scalar;
-use crate::words::{Arithmetic, Words};
+use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words};
 
 /// Below this a square underflows; only needles of an aspect of 10⁻⁷⁰ come near.
 const TINY: f64 = 1e-150;
@@ -48,7 +45,7 @@ pub(super) enum Theta {
 }
 
 impl Turning {
-    pub(super) fn new<N: Scalar>(
+    pub(super) fn new<N: Number>(
         descent: &Descent<N>,
         elevation: &Elevation<N>,
         aspect: f64,
@@ -64,7 +61,7 @@ impl Turning {
 
     /// For m ≤ 1/2.
     #[inline(always)]
-    pub(super) fn circular<N: Scalar>(
+    pub(super) fn circular<N: Number>(
         landen: &Landen<N>,
         which: Which,
         exponentials: Exponentials<N::Narrow>,
@@ -117,7 +114,7 @@ impl Turning {
     }
 
     /// For m > 1/2, the separatrix included.
-    fn hyperbolic<N: Scalar>(
+    fn hyperbolic<N: Number>(
         landen: &Landen<N>,
         elevation: &Elevation<N>,
         mc: N,
@@ -126,7 +123,7 @@ impl Turning {
         let (sine, cosine) = elevation.angle(landen, mc);
         Self {
             lag: N::Narrow::angle(sine, cosine).two(),
-            excess: dual_excess(landen, sine, cosine).two().negated(),
+            excess: -dual_excess(landen, sine, cosine).two(),
             aspect,
             theta: Theta::Hyperbolic(DualTheta::new(
                 landen.nome.value(),
@@ -178,31 +175,25 @@ impl Turning {
 
 /// +(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
 #[inline(always)]
-fn circular_excess<N: Scalar>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> N::Narrow {
+fn circular_excess<N: Number>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> N::Narrow {
     let q = landen.nome;
-    let q2 = q.multiply(q);
-    let (up1, down1) = (rho, q.multiply(epsilon));
-    let (up2, down2) = (
-        q2.multiply(rho.multiply(rho)),
-        q2.multiply(down1.multiply(down1)),
-    );
-    let up3 = up2.multiply(up1).multiply(q2.multiply(q2));
-    let down3 = down2.multiply(down1).multiply(q2.multiply(q2));
+    let q2 = q * q;
+    let (up1, down1) = (rho, q * epsilon);
+    let (up2, down2) = (q2 * (rho * rho), q2 * (down1 * down1));
+    let up3 = up2 * up1 * (q2 * q2);
+    let down3 = down2 * down1 * (q2 * q2);
     let (x, r, e) = (q.leading(), rho.leading(), epsilon.leading());
     let x3 = x * x * x;
     let up4 = up3.leading() * x3 * x3 * r;
     let down4 = down3.leading() * x3 * x3 * x * e;
     let half = N::Narrow::from_double(4.0 * (up4 - down4))
-        .add(
-            up3.add(down3.negated())
-                .multiply(N::Narrow::from_double(3.0)),
-        )
-        .add(up2.add(down2.negated()).scaled(2.0))
-        .add(up1.add(down1.negated()));
+        .add_alike(up3.add_alike(-down3) * N::Narrow::from_double(3.0))
+        .add_alike(up2.add_alike(-down2).scaled(2.0))
+        .add_alike(up1.add_alike(-down1));
     let denominator = N::Narrow::from_double(up4 + down4)
-        .add(up3.add(down3))
-        .add(up2.add(down2))
-        .add(up1.add(down1))
-        .add(N::Narrow::from_double(1.0));
-    landen.mean.multiply(half.scaled(2.0)).divide(denominator)
+        .add_alike(up3.add_alike(down3))
+        .add_alike(up2.add_alike(down2))
+        .add_alike(up1.add_alike(down1))
+        .add_alike(N::Narrow::from_double(1.0));
+    (landen.mean * half.scaled(2.0)).quotient(denominator)
 }

@@ -7,10 +7,8 @@
 
 use nalgebra::Matrix3;
 
-use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite};
-use crate::extended::{Extended, Scalar};
-use crate::words::{Arithmetic, Words};
+use crate::precise::{DoubleDouble, Extended, Number, Words};
 
 /// Principal moments, ascending, and principal axes (2.4).
 ///
@@ -172,14 +170,12 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
 ///
 /// In a graded matrix all terms of these sums are graded as their results are: what cancels is the condition of the matrix scaled to a
 /// diagonal of ones. The root that is well separated from the others, `side`, is known to a few eps.
-fn found_again<N: Scalar>(a: [N; 6], moments: &mut V, axes: &mut [V; 3], side: Side) {
+fn found_again<N: Number>(a: [N; 6], moments: &mut V, axes: &mut [V; 3], side: Side) {
     let [x, y, z, xy, xz, yz] = a;
-    let minor = |a: N, b, c: N, d| a.multiply(b).subtract(c.multiply(d));
+    let minor = |a: N, b, c: N, d| a * b - c * d;
     let determinant = |v: N| {
-        let [x, y, z] = [x, y, z].map(|d| d.subtract(v));
-        x.multiply(minor(y, z, yz, yz))
-            .subtract(xy.multiply(minor(xy, z, yz, xz)))
-            .subtract(xz.multiply(minor(y, xz, xy, yz)))
+        let [x, y, z] = [x, y, z].map(|d| d - v);
+        x * minor(y, z, yz, yz) - xy * minor(xy, z, yz, xz) - xz * minor(y, xz, xy, yz)
     };
     let (apart, [low, high]) = match side {
         Side::Smallest => (0, [1, 2]),
@@ -196,42 +192,40 @@ fn found_again<N: Scalar>(a: [N; 6], moments: &mut V, axes: &mut [V; 3], side: S
         };
         for _ in 0..steps {
             let gaps = [low, high].map(|k| N::from_double(moments[k] - value));
-            value += determinant(N::from_double(value)).ratio(gaps[0].multiply(gaps[1]));
+            value += determinant(N::from_double(value)).ratio(gaps[0] * gaps[1]);
         }
         moments[apart] = value;
         return;
     }
-    let trace = x.subtract(y.negated()).subtract(z.negated());
+    let trace = x - -y - -z;
     let minors = [
         minor(x, y, xy, xy),
         minor(x, z, xz, xz),
         minor(y, z, yz, yz),
     ];
-    let squares = minors[0]
-        .subtract(minors[1].negated())
-        .subtract(minors[2].negated());
+    let squares = minors[0] - -minors[1] - -minors[2];
     let cube = determinant(N::from_double(0.0));
     // A step of Newton's for the separated root, from a few eps to their square, then the quadratic that is left.
     let [u, v, near] = [low, high, apart].map(|k| N::from_double(moments[k]));
-    let slope = near.subtract(u).multiply(near.subtract(v));
-    let rest = trace.subtract(near).multiply(near).subtract(squares);
-    let rest = rest.multiply(near).subtract(cube.negated());
-    let root = near.subtract(rest.divide(slope).negated());
-    let product = cube.divide(root);
-    let half = squares.subtract(product).divide(root).times(0.5);
-    let square = half.square().subtract(product);
+    let slope = (near - u) * (near - v);
+    let rest = (trace - near) * near - squares;
+    let rest = rest * near - -cube;
+    let root = near - -rest.quotient(slope);
+    let product = cube.quotient(root);
+    let half = (squares - product).quotient(root).times(0.5);
+    let square = half.square() - product;
     let spread = if square.leading() > 0.0 {
         square.square_root()
     } else {
         N::from_double(0.0)
     };
-    let far = half.subtract(spread.signed(-half.leading()));
+    let far = half - spread.signed(-half.leading());
     let pair = if far.leading() < 0.0 {
-        [far, product.divide(far)]
+        [far, product.quotient(far)]
     } else if far.is_zero() {
         [far, far]
     } else {
-        [product.divide(far), far]
+        [product.quotient(far), far]
     };
     (moments[low], moments[high]) = (pair[0].narrow().value(), pair[1].narrow().value());
     if moments[high] - moments[low] > 1e-3 * sizes[apart] {
@@ -239,7 +233,7 @@ fn found_again<N: Scalar>(a: [N; 6], moments: &mut V, axes: &mut [V; 3], side: S
         return;
     }
     // The columns of the adjugate of A − low are multiples of its axis.
-    let [x, y, z] = [x, y, z].map(|d| d.subtract(pair[0]));
+    let [x, y, z] = [x, y, z].map(|d| d - pair[0]);
     let (a01, a02, a12) = (
         minor(xz, yz, xy, z),
         minor(xy, yz, xz, y),

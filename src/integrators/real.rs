@@ -3,9 +3,9 @@
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::double_double::DoubleDouble;
+use crate::precise::DoubleDouble;
 
-/// A number: `f32`, `f64` or [`TwoWords`].
+/// A number: `f32`, `f64` or [`DoubleDouble`].
 ///
 /// The methods are written once for all three, so that what rounding does to one of them can be seen by changing nothing else.
 pub trait Real:
@@ -42,10 +42,10 @@ pub trait Real:
     fn turn_of_square(self) -> (Self, Self);
 
     /// The same number in two words.
-    fn two_words(self) -> TwoWords;
+    fn two_words(self) -> DoubleDouble;
 
     /// (sin x)/x and cos x from x² for long phases x: two words keep their place in the turn.
-    fn long_turn(square: TwoWords) -> (Self, Self);
+    fn long_turn(square: DoubleDouble) -> (Self, Self);
 }
 
 /// Below this square the short series are good to 2⁻⁶⁰: the first term left out is x¹⁰/11!, and x² < 1/256.
@@ -140,12 +140,12 @@ macro_rules! machine {
                 (1.0 + self * sine, 0.5 + self * versine)
             }
 
-            fn two_words(self) -> TwoWords {
-                TwoWords::from_double(f64::from(self))
+            fn two_words(self) -> DoubleDouble {
+                DoubleDouble::from(f64::from(self))
             }
 
-            fn long_turn(square: TwoWords) -> (Self, Self) {
-                let x = square.0.square_root();
+            fn long_turn(square: DoubleDouble) -> (Self, Self) {
+                let x = square.square_root();
                 if x.value() == 0.0 {
                     return (1.0, 1.0);
                 }
@@ -159,75 +159,41 @@ macro_rules! machine {
 machine!(f32);
 machine!(f64);
 
-/// A number of two doubles, about 106 bits: some twenty times as slow as one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TwoWords(DoubleDouble);
-
-impl Add for TwoWords {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self(self.0.add(other.0))
-    }
-}
-
-impl Sub for TwoWords {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Self(self.0.subtract(other.0))
-    }
-}
-
-impl Mul for TwoWords {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Self(self.0.multiply(other.0))
-    }
-}
-
-impl Neg for TwoWords {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(self.0.negated())
-    }
-}
-
-impl TwoWords {
-    /// ((sin x)/x, (1 − cos x)/x²) from x² by Taylor's series, for x² ≤ 3.
-    fn taylor(square: Self) -> (Self, Self) {
-        let one = Self::from_double(1.0);
-        let (mut sine, mut versine) = (one, Self::from_double(0.5));
-        let (mut a, mut b) = (sine, versine);
-        // 30 terms reach 2⁻¹⁰⁷ for every x² ≤ 3; fewer for less.
-        for n in 1..30 {
-            let n = f64::from(2 * n);
-            a = -(a * square) * Self(DoubleDouble::from(n * (n + 1.0))).reciprocal();
-            b = -(b * square) * Self(DoubleDouble::from((n + 1.0) * (n + 2.0))).reciprocal();
-            (sine, versine) = (sine + a, versine + b);
-            if a.to_double().abs() < 1e-33 {
-                break;
-            }
+/// ((sin x)/x, (1 − cos x)/x²) from x² by Taylor's series, for x² ≤ 3.
+fn taylor(square: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+    let one = DoubleDouble::from(1.0);
+    let (mut sine, mut versine) = (one, DoubleDouble::from(0.5));
+    let (mut a, mut b) = (sine, versine);
+    // 30 terms reach 2⁻¹⁰⁷ for every x² ≤ 3; fewer for less.
+    for n in 1..30 {
+        let n = f64::from(2 * n);
+        a = -(a * square) / DoubleDouble::from(n * (n + 1.0));
+        b = -(b * square) / DoubleDouble::from((n + 1.0) * (n + 2.0));
+        (sine, versine) = (sine + a, versine + b);
+        if a.value().abs() < 1e-33 {
+            break;
         }
-        (sine, versine)
     }
+    (sine, versine)
 }
 
-impl Real for TwoWords {
+impl Real for DoubleDouble {
     const ROUNDING: f64 = 2.465_190_328_815_662e-32;
 
     fn from_double(value: f64) -> Self {
-        Self(DoubleDouble::from(value))
+        Self::from(value)
     }
 
     fn to_double(self) -> f64 {
-        self.0.value()
+        self.value()
     }
 
     fn reciprocal(self) -> Self {
-        Self(DoubleDouble::from(1.0).divide(self.0))
+        Self::from(1.0) / self
     }
 
     fn square_root(self) -> Self {
-        Self(self.0.square_root())
+        self.square_root()
     }
 
     fn turn(self) -> (Self, Self) {
@@ -236,16 +202,16 @@ impl Real for TwoWords {
     }
 
     fn turn_of_square(self) -> (Self, Self) {
-        if self.to_double() <= 3.0 {
-            return Self::taylor(self);
+        if self.value() <= 3.0 {
+            return taylor(self);
         }
-        if !self.to_double().is_finite() {
+        if !self.value().is_finite() {
             return (self, self);
         }
         // sin x = 2 sin(x/2) cos(x/2) and 1 − cos x = 2 sin²(x/2), as far down as it takes.
-        let two = Self::from_double(2.0);
-        let (sine, versine) = (self * Self::from_double(0.25)).turn_of_square();
-        let cosine = Self::from_double(1.0) - self * Self::from_double(0.25) * versine;
+        let two = Self::from(2.0);
+        let (sine, versine) = (self * Self::from(0.25)).turn_of_square();
+        let cosine = Self::from(1.0) - self * Self::from(0.25) * versine;
         (sine * cosine, sine * sine * two.reciprocal())
     }
 
@@ -255,7 +221,7 @@ impl Real for TwoWords {
 
     fn long_turn(square: Self) -> (Self, Self) {
         let (sine, versine) = square.turn_of_square();
-        (sine, Self::from_double(1.0) - square * versine)
+        (sine, Self::from(1.0) - square * versine)
     }
 }
 
@@ -337,7 +303,7 @@ pub(in crate::integrators) fn product<T: Real>(p: [T; 4], q: [T; 4]) -> [T; 4] {
 
 #[cfg(test)]
 mod tests {
-    use super::{Real, TwoWords};
+    use super::{DoubleDouble, Real};
 
     /// sin and 1 − cos of x in 106 bits are the truth for those in 53 and 24.
     #[test]
@@ -345,7 +311,7 @@ mod tests {
         let mut worst = [0.0_f64; 4];
         let mut x = 1e-9_f64;
         while x < 3.0 {
-            let (sine, versine) = TwoWords::from_double(x).turn();
+            let (sine, versine) = DoubleDouble::from(x).turn();
             let (s, v) = x.turn();
             let ulps = |found: f64, exact: f64, unit: f64| ((found - exact) / exact / unit).abs();
             let exact = [sine.to_double(), versine.to_double()];

@@ -3,8 +3,8 @@
 use nalgebra::Complex;
 
 use super::constants::{Constants, Root};
-use crate::double_double::DoubleDouble;
 use crate::error::{Result, finite, not_negative, positive};
+use crate::precise::DoubleDouble;
 
 /// How the five roots e₁ … e₅ lie. All but [`General`](Self::General) and [`EulerSymmetric`](Self::EulerSymmetric) are Appelrot's
 /// classes of *particularly remarkable* motions: a double root, where s₁ or s₂ may rest, or come to rest in infinite time, and the
@@ -33,7 +33,7 @@ pub(super) fn classify(constants: &Constants) -> Kind {
     const ROUNDED: f64 = 8.0 * f64::EPSILON;
     let Constants { c, l1, l, k, .. } = *constants;
     let energy = l1.times(3.0);
-    let doubled = l.multiply(l).scaled(2.0);
+    let doubled = (l * l).scaled(2.0);
     let size = energy.value().abs() + doubled.value() + k.value() + 2.0 * c.value();
     let small = |x: DoubleDouble| x.value().abs() <= ROUNDED * size;
     let [first, second, third, fourth, fifth] = constants.roots();
@@ -49,9 +49,9 @@ pub(super) fn classify(constants: &Constants) -> Kind {
     let greatest = first.real.value().abs();
     if small(k) {
         Kind::Delaunay
-    } else if small(energy.add(k).subtract(doubled)) || meets(&fourth) {
+    } else if small(energy + k - doubled) || meets(&fourth) {
         Kind::SharedUpper
-    } else if small(energy.subtract(k).subtract(doubled)) || meets(&fifth) {
+    } else if small(energy - k - doubled) || meets(&fifth) {
         Kind::SharedLower
     } else if spread * spread <= ROUNDED * (greatest * greatest + size * size) {
         Kind::CubicDouble
@@ -117,12 +117,12 @@ impl Diagram {
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for h.
     pub fn roots(&self, energy: f64, h: f64) -> Result<[Complex<f64>; 5]> {
         let wide = DoubleDouble::from;
-        let l1 = wide(finite("the energy", energy)?).divide(wide(3.0));
+        let l1 = wide(finite("the energy", energy)?) / wide(3.0);
         let l = wide(not_negative("the square of L_vert/I3", h)?)
             .square_root()
             .scaled(0.5);
         let k = wide(self.k);
-        let d = DoubleDouble::product(self.c, self.c).subtract(k.multiply(k));
+        let d = DoubleDouble::product(self.c, self.c) - k * k;
         let constants = Constants {
             c: wide(self.c),
             l1,

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use crate::double_double::DoubleDouble;
+use crate::precise::DoubleDouble;
 
 type Wide = DoubleDouble;
 
@@ -34,42 +34,32 @@ fn wide(x: f64) -> Wide {
 impl Constants {
     /// Of a start with |z| = 1.
     pub fn of(c: Wide, &[p, q, r, z1, z2, z3]: &WidePhase) -> Self {
-        let square = |x: Wide| x.multiply(x);
-        let twice_energy = square(p)
-            .add(square(q))
-            .scaled(2.0)
-            .add(square(r))
-            .add(z1.multiply(c).scaled(2.0));
-        let vertical = p
-            .multiply(z1)
-            .add(q.multiply(z2))
-            .scaled(2.0)
-            .add(r.multiply(z3));
-        let real = square(p).subtract(square(q)).subtract(z1.multiply(c));
-        let imaginary = p.multiply(q).scaled(2.0).subtract(z2.multiply(c));
-        let k_squared = square(real).add(square(imaginary));
+        let square = |x: Wide| x * x;
+        let twice_energy = (square(p) + square(q)).scaled(2.0) + square(r) + (z1 * c).scaled(2.0);
+        let vertical = (p * z1 + q * z2).scaled(2.0) + r * z3;
+        let real = square(p) - square(q) - z1 * c;
+        let imaginary = (p * q).scaled(2.0) - z2 * c;
+        let k_squared = square(real) + square(imaginary);
         Self {
             c,
-            l1: twice_energy.divide(wide(6.0)),
+            l1: twice_energy / wide(6.0),
             l: vertical.scaled(0.5),
             k: k_squared.square_root(),
-            d: square(c).subtract(k_squared),
+            d: square(c) - k_squared,
         }
     }
 
     /// b = −2lc, the middle coefficient of R(x) = −x⁴ + 6l₁x² + 2bx + d.
     pub fn b(&self) -> Wide {
-        self.l.multiply(self.c).scaled(-2.0)
+        (self.l * self.c).scaled(-2.0)
     }
 
     /// Coefficients g₂, g₃ of her cubic 4s³ − g₂s − g₃.
     fn invariants(&self) -> [Wide; 2] {
-        let square = self.l1.multiply(self.l1);
-        let g2 = square.times(3.0).subtract(self.d);
-        let lc = self.l.multiply(self.c);
-        let g3 = lc
-            .multiply(lc)
-            .subtract(self.l1.multiply(self.d.add(square)));
+        let square = self.l1 * self.l1;
+        let g2 = square.times(3.0) - self.d;
+        let lc = self.l * self.c;
+        let g3 = lc * lc - self.l1 * (self.d + square);
         [g2, g3]
     }
 
@@ -82,7 +72,7 @@ impl Constants {
     pub fn roots(&self) -> [Root; 5] {
         let [g2, g3] = self.invariants();
         let (quarter, rest) = (g2.scaled(0.25), g3.scaled(0.25));
-        let value = |s: Wide| s.multiply(s).subtract(quarter).multiply(s).subtract(rest);
+        let value = |s: Wide| (s * s - quarter) * s - rest;
         let slope = |s: f64| 3.0 * s * s - quarter.high();
         let bound = 2.0
             * quarter
@@ -97,22 +87,22 @@ impl Constants {
             if !step.is_finite() || step.abs() < 1e-32 * bound {
                 break;
             }
-            first = first.subtract(wide(step));
+            first = first - wide(step);
         }
-        let square = first.multiply(first);
-        let spread = g2.subtract(square.times(3.0));
+        let square = first * first;
+        let spread = g2 - square.times(3.0);
         let middle = first.scaled(-0.5);
         let half = Root::magnitude(spread).square_root().scaled(0.5);
         let [second, third] = if spread.high() < 0.0 {
-            [half, half.negated()].map(|imaginary| Root {
+            [half, -half].map(|imaginary| Root {
                 real: middle,
                 imaginary,
             })
         } else {
-            [middle.add(half), middle.subtract(half)].map(Root::on_axis)
+            [middle + half, middle - half].map(Root::on_axis)
         };
-        let fourth = self.l1.add(self.k).scaled(0.5);
-        let fifth = self.l1.subtract(self.k).scaled(0.5);
+        let fourth = (self.l1 + self.k).scaled(0.5);
+        let fifth = (self.l1 - self.k).scaled(0.5);
         [
             Root::on_axis(first),
             second,
@@ -140,7 +130,7 @@ impl Root {
     }
 
     fn magnitude(x: Wide) -> Wide {
-        if x.high() < 0.0 { x.negated() } else { x }
+        if x.high() < 0.0 { -x } else { x }
     }
 
     pub fn is_real(&self) -> bool {
@@ -149,10 +139,7 @@ impl Root {
 
     /// `self` − `other`, rounded once; `other` real.
     pub fn from(&self, other: &Self) -> Complex<f64> {
-        Complex::new(
-            self.real.subtract(other.real).value(),
-            self.imaginary.value(),
-        )
+        Complex::new((self.real - other.real).value(), self.imaginary.value())
     }
 
     pub fn value(&self) -> Complex<f64> {

@@ -71,8 +71,8 @@ impl Curve {
         let twisted = real.len() < 5;
         // The band of s₁ is the second cut or the third.
         let far = real[1] != separation.ends[0];
-        let s = constants.l.multiply(constants.l).subtract(constants.l1);
-        let over = |root: usize| s.subtract(separation.roots[root].real).value();
+        let s = constants.l * constants.l - constants.l1;
+        let over = |root: usize| (s - separation.roots[root].real).value();
         // In which of the gaps Z lies.
         let base = if far && over(real[2]) > -over(real[1]) {
             2
@@ -140,15 +140,12 @@ impl Curve {
     /// A₊′ = 2l − N/((s₁−s)(s₂−s)) − d arg R/dt with a function R of the state, and the mean is one of two integrals of the third kind, one in s₁ and one in s₂.
     /// None where Z is so near to a band that these need too many terms.
     pub fn rate(&self, constants: &Constants, separation: &Separation) -> Option<f64> {
-        let square = constants.l.multiply(constants.l);
-        let m = constants.l1.times(3.0).subtract(square.scaled(2.0));
-        let residue = constants
-            .l
-            .multiply(m.subtract(constants.k))
-            .multiply(m.add(constants.k))
+        let square = constants.l * constants.l;
+        let m = constants.l1.times(3.0) - square.scaled(2.0);
+        let residue = (constants.l * (m - constants.k) * (m + constants.k))
             .scaled(0.5)
             .value();
-        let mean = separation.third_kind(square.subtract(constants.l1))?;
+        let mean = separation.third_kind(square - constants.l1)?;
         Some(constants.l.value() - 0.5 * residue * mean)
     }
 

@@ -6,7 +6,7 @@ use nalgebra::Complex;
 
 use super::constants::{Constants, Root, WidePhase};
 use super::series::{LONGEST, Quadratures, mean};
-use crate::double_double::DoubleDouble;
+use crate::precise::DoubleDouble;
 
 /// The phases f₁, f₂: s₁ = A + (B−A) sin²(f₁/2), s₂ = C − m tan²(f₂/2) with m = B − C.
 ///
@@ -58,8 +58,8 @@ impl Separation {
         let real = in_order(&roots);
         // P > 0 below the smallest root, between the second and third, and between the fourth and fifth.
         let outside = |a: usize, b: usize| {
-            let below = roots[a].real.subtract(s1).value();
-            below.max(s1.subtract(roots[b].real).value())
+            let below = (roots[a].real - s1).value();
+            below.max((s1 - roots[b].real).value())
         };
         let (a, b) = real[1..]
             .chunks_exact(2)
@@ -318,9 +318,7 @@ impl Separation {
     ///
     /// 1/((s₁−c)(s₂−c)) = (1/(s₂−c) − 1/(s₁−c))/(s₁−s₂), and dt/(s₁−s₂) is df₁/√G as well as w df₂.
     pub fn third_kind(&self, c: DoubleDouble) -> Option<f64> {
-        let [from_a, from_b, from_c] = self
-            .ends
-            .map(|end| c.subtract(self.roots[end].real).value());
+        let [from_a, from_b, from_c] = self.ends.map(|end| (c - self.roots[end].real).value());
         let [turns1, turns2] = self.frequencies();
         let [first, second] = mean(|f| {
             let local = self.local([f, f]);
@@ -369,12 +367,12 @@ impl Separation {
             q_squared,
         } = *variables;
         let eight = q_squared.scaled(8.0);
-        let deep = numerator.add(eight.multiply(c.subtract(l1.scaled(0.5))));
+        let deep = numerator + eight * (c - l1.scaled(0.5));
         let phase = |sine: DoubleDouble, cosine: f64| {
             2.0 * sine.value().max(0.0).sqrt().atan2(cosine.max(0.0).sqrt())
         };
         [
-            phase(s1.subtract(a), b.subtract(s1).value()),
+            phase(s1 - a, (b - s1).value()),
             phase(deep, eight.value() * self.depth),
         ]
     }
@@ -384,7 +382,7 @@ impl Separation {
 fn in_order(roots: &[Root; 5]) -> Vec<usize> {
     let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
     real.sort_by(|&i, &j| {
-        let gap = roots[i].real.subtract(roots[j].real).value();
+        let gap = (roots[i].real - roots[j].real).value();
         gap.total_cmp(&0.0)
     });
     real
@@ -429,42 +427,27 @@ impl Variables {
     /// They solve (x₁−x₂)²σ² − R(x₁,x₂)σ + S/4 = 0 for σ = s − l₁/2; whichever of R ∓ |R| would cancel is taken from the other by
     /// (R + |R|)(R − |R|) = (x₁−x₂)² S.
     pub fn of(constants: &Constants, &[p, q, ..]: &WidePhase) -> Self {
-        let square = |x: DoubleDouble| x.multiply(x);
+        let square = |x: DoubleDouble| x * x;
         let (d, b, six) = (constants.d, constants.b(), constants.l1.times(6.0));
         let q_squared = square(q);
-        let product = square(p).add(q_squared);
-        let (re, im) = (square(p).subtract(q_squared), p.multiply(q).scaled(2.0));
-        let linear = b.multiply(p).scaled(2.0).add(d);
-        let real = square(im)
-            .subtract(square(re))
-            .add(six.multiply(re))
-            .add(linear);
-        let imaginary = six
-            .multiply(im)
-            .subtract(re.multiply(im).scaled(2.0))
-            .add(b.multiply(q).scaled(2.0));
-        let size = square(real).add(square(imaginary)).square_root();
-        let mixed = six.multiply(product).subtract(square(product)).add(linear);
-        let s = six
-            .multiply(square(product).subtract(d))
-            .add(
-                p.scaled(4.0)
-                    .multiply(d.multiply(p).add(b.multiply(product))),
-            )
-            .add(square(b));
+        let product = square(p) + q_squared;
+        let (re, im) = (square(p) - q_squared, (p * q).scaled(2.0));
+        let linear = (b * p).scaled(2.0) + d;
+        let real = square(im) - square(re) + six * re + linear;
+        let imaginary = six * im - (re * im).scaled(2.0) + (b * q).scaled(2.0);
+        let size = (square(real) + square(imaginary)).square_root();
+        let mixed = six * product - square(product) + linear;
+        let s = six * (square(product) - d) + p.scaled(4.0) * (d * p + b * product) + square(b);
         let (sigma, numerator) = if mixed.high() > 0.0 {
-            let sum = mixed.add(size);
-            (s.divide(sum).scaled(0.5), sum)
+            let sum = mixed + size;
+            ((s / sum).scaled(0.5), sum)
         } else {
-            let difference = size.subtract(mixed);
+            let difference = size - mixed;
             let four = q_squared.scaled(4.0);
-            (
-                difference.divide(four.scaled(2.0)),
-                four.multiply(s).divide(difference),
-            )
+            (difference / four.scaled(2.0), four * s / difference)
         };
         Self {
-            s1: constants.l1.scaled(0.5).add(sigma),
+            s1: constants.l1.scaled(0.5) + sigma,
             numerator,
             q_squared,
         }

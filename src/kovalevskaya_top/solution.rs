@@ -33,18 +33,12 @@ impl Reconstruction {
         let mut shifted = alpha;
         for j in 0..3 {
             let root = &separation.roots[j];
-            let twice = root.real.scaled(2.0).subtract(constants.l1);
+            let twice = root.real.scaled(2.0) - constants.l1;
             let imaginary = root.imaginary.scaled(2.0);
             shifted[j] = Number::new(twice.value(), imaginary.value());
-            let first = Number::new(constants.l1.add(root.real).value(), root.imaginary.value());
-            let square = twice
-                .multiply(twice)
-                .subtract(imaginary.multiply(imaginary))
-                .add(constants.d);
-            let second = Number::new(
-                square.value(),
-                twice.multiply(imaginary).scaled(2.0).value(),
-            );
+            let first = Number::new((constants.l1 + root.real).value(), root.imaginary.value());
+            let square = twice * twice - imaginary * imaginary + constants.d;
+            let second = Number::new(square.value(), (twice * imaginary).scaled(2.0).value());
             (alpha[j], beta[j]) = (2.0 * first.sqrt(), second.sqrt());
             // The smaller of the two is a root of a difference; the product is known.
             if alpha[j].norm() > beta[j].norm() {

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix4, SMatrix, SVector};
 
 use super::constants::{Constants, Phase, WidePhase};
-use crate::double_double::DoubleDouble;
+use crate::precise::DoubleDouble;
 
 /// Terms of a series.
 const ORDER: usize = 24;
@@ -111,20 +111,20 @@ impl WideSeries {
         for n in 0..WIDE_ORDER {
             let of = |i: usize, j: usize| {
                 (0..=n).fold(DoubleDouble::from(0.0), |sum, m| {
-                    sum.add(terms[m][i].multiply(terms[n - m][j]))
+                    sum + terms[m][i] * terms[n - m][j]
                 })
             };
-            let [z2, z3] = [terms[n][4], terms[n][5]].map(|z| z.multiply(c));
+            let [z2, z3] = [terms[n][4], terms[n][5]].map(|z| z * c);
             let next = [
                 of(1, 2).scaled(0.5),
-                z3.subtract(of(0, 2)).scaled(0.5),
-                z2.negated(),
-                of(4, 2).subtract(of(5, 1)),
-                of(5, 0).subtract(of(3, 2)),
-                of(3, 1).subtract(of(4, 0)),
+                (z3 - of(0, 2)).scaled(0.5),
+                -z2,
+                of(4, 2) - of(5, 1),
+                of(5, 0) - of(3, 2),
+                of(3, 1) - of(4, 0),
             ];
             let place = DoubleDouble::from((n + 1) as f64);
-            terms.push(next.map(|x| x.divide(place)));
+            terms.push(next.map(|x| x / place));
         }
         let size = |n: usize| terms[n].iter().fold(0.0_f64, |m, x| m.max(x.high().abs()));
         let reach = [WIDE_ORDER - 1, WIDE_ORDER]
@@ -138,7 +138,7 @@ impl WideSeries {
         let mut sum = [DoubleDouble::from(0.0); 6];
         for term in self.terms.iter().rev() {
             for (s, x) in sum.iter_mut().zip(term) {
-                *s = h.multiply(*s).add(*x);
+                *s = h * *s + *x;
             }
         }
         sum

@@ -9,11 +9,11 @@ use super::exact::{Exact, Reason};
 use super::separation::Variables;
 use super::taylor::Carried;
 use super::walk::{about_third, shortest};
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::{Error, Result, finite, positive};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState, finite_vector};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
+use crate::precise::{DoubleDouble, power_of_two_below};
 
 /// How the motion is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,12 +107,12 @@ impl KovalevskayaTop {
             let q = attitude.quaternion();
             [q.w, q.i, q.j, q.k].map(DoubleDouble::from)
         };
-        let twice = |a: DoubleDouble, b: DoubleDouble| a.multiply(b).scaled(2.0);
-        let square = |a: DoubleDouble| a.multiply(a);
+        let twice = |a: DoubleDouble, b: DoubleDouble| (a * b).scaled(2.0);
+        let square = |a: DoubleDouble| a * a;
         let up = [
-            twice(x, z).subtract(twice(w, y)),
-            twice(y, z).add(twice(w, x)),
-            square(w).add(square(z)).subtract(square(x).add(square(y))),
+            twice(x, z) - twice(w, y),
+            twice(y, z) + twice(w, x),
+            square(w) + square(z) - (square(x) + square(y)),
         ];
         Self::prepare(moments, lever, omega, up, attitude)
     }
@@ -406,11 +406,11 @@ fn leaning(lever: BodyVector, axial: f64, rounded: f64) -> ([DoubleDouble; 2], D
     }
     let size = power_of_two_below(lever.components().amax());
     let [x, y] = [lever.x(), lever.y()].map(|c| wide(c / size));
-    let length = x.multiply(x).add(y.multiply(y)).square_root();
-    let mantissa = length.divide(wide(axial / power_of_two_below(axial)));
+    let length = (x * x + y * y).square_root();
+    let mantissa = length / wide(axial / power_of_two_below(axial));
     // What is left is a power of two, found without forming powers that overflow.
     let power = power_of_two_below(1.5 * (rounded / mantissa.high()));
-    ([x.divide(length), y.divide(length)], mantissa.scaled(power))
+    ([x / length, y / length], mantissa.scaled(power))
 }
 
 /// Ω and z along the axes for which C₂ = 0 < C₁, z of length 1.
@@ -419,15 +419,10 @@ fn start_of(
     omega: BodyVector,
     up: [DoubleDouble; 3],
 ) -> WidePhase {
-    let turned = |[x, y]: [DoubleDouble; 2]| {
-        [
-            cosine.multiply(x).add(sine.multiply(y)),
-            cosine.multiply(y).subtract(sine.multiply(x)),
-        ]
-    };
-    let square = up.map(|z| z.multiply(z));
-    let length = square[0].add(square[1]).add(square[2]).square_root();
-    let [x, y, z3] = up.map(|z| z.divide(length));
+    let turned = |[x, y]: [DoubleDouble; 2]| [cosine * x + sine * y, cosine * y - sine * x];
+    let square = up.map(|z| z * z);
+    let length = (square[0] + square[1] + square[2]).square_root();
+    let [x, y, z3] = up.map(|z| z / length);
     let [p, q] = turned([omega.x(), omega.y()].map(DoubleDouble::from));
     let [z1, z2] = turned([x, y]);
     [p, q, DoubleDouble::from(omega.z()), z1, z2, z3]

@@ -5,8 +5,8 @@ use nalgebra::Quaternion;
 use super::constants::{Phase, WidePhase};
 use super::taylor::{Carried, Series, WideSeries};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
-use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result};
+use crate::precise::DoubleDouble;
 
 /// Units of time that are walked rather than leapt over by the series on a grid, which costs as much to prepare as this or a few times as
 /// much. The choice depends on the time alone, not on what was asked for before, and so does the result.
@@ -119,10 +119,7 @@ impl<'a> Walk<'a> {
         let (rounded, _) = series.after(h.value());
         self.wide = wide.after(h);
         self.off = core::array::from_fn(|i| {
-            grown[i]
-                + DoubleDouble::from(rounded[i])
-                    .subtract(self.wide[i])
-                    .value()
+            grown[i] + (DoubleDouble::from(rounded[i]) - self.wide[i]).value()
         });
     }
 }

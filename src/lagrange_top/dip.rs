@@ -5,8 +5,7 @@
 use std::f64::consts::PI;
 
 use crate::error::{Error, Result, finite, positive};
-use crate::extended::{Extended, Scalar};
-use crate::words::Arithmetic;
+use crate::precise::{Extended, Number};
 
 /// How far a top sinks that is let go at rest, spinning (7.4).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,22 +90,22 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     let number = Extended::from_double;
     let (s, c) = (0.5 * tilt).sin_cos();
     let [below, above] = [s, c].map(|x| number(x).square().times(2.0)); // 1 ∓ cos θ₀
-    let product = number(transverse).multiply(number(weight_moment));
+    let product = number(transverse) * number(weight_moment);
     let square = number(l3).square();
-    let lambda = square.divide(product.times(4.0));
+    let lambda = square.quotient(product.times(4.0));
     let one = number(1.0);
     // λ − h₀ = (λ − 1) + (1 − h₀), and the root of its square and sin²θ₀.
-    let lead = lambda.subtract(one).subtract(below.negated());
-    let sine2 = below.multiply(above);
-    let root = lead.square().subtract(sine2.negated()).square_root();
+    let lead = lambda - one - -below;
+    let sine2 = below * above;
+    let root = (lead.square() - -sine2).square_root();
     let fall = if lead.leading() < 0.0 {
-        root.subtract(lead)
+        root - lead
     } else {
-        sine2.divide(root.subtract(lead.negated()))
+        sine2.quotient(root - -lead)
     };
-    let one_less = below.subtract(fall.negated());
-    let whole = one.subtract(lambda.negated()).subtract(root.negated());
-    let one_more = lambda.multiply(above).times(2.0).divide(whole);
+    let one_less = below - -fall;
+    let whole = one - -lambda - -root;
+    let one_more = (lambda * above).times(2.0).quotient(whole);
     let [less, more] = [one_less, one_more].map(|x| x.narrow().value());
     let lowest_tilt = 2.0 * less.sqrt().atan2(more.sqrt());
     // cos θ₀ − cos θ₁ = 2 sin((θ₁ − θ₀)/2) sin((θ₁ + θ₀)/2).
@@ -121,7 +120,7 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
             radius: if square.is_zero() {
                 f64::INFINITY
             } else {
-                product.divide(square).narrow().value() * sine
+                product.quotient(square).narrow().value() * sine
             },
             sine,
         },

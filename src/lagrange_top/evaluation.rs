@@ -4,12 +4,11 @@ use nalgebra::Quaternion;
 
 use super::motion::State;
 use super::turning::{Complex, Parameter};
-use crate::angle::RIGHT_ANGLE;
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::local::{GREATEST_ANGLE, Local, sine_cosine};
 use crate::elliptic::{Modulus, Side};
 use crate::error::{Result, too_long};
 use crate::frame::{Attitude, BodyVector};
+use crate::precise::{DoubleDouble, RIGHT_ANGLE, power_of_two_below};
 
 /// Which way gravity pulls along space z; up is solved as down, upside down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,7 +43,7 @@ impl Constants {
         let quarter = self.modulus.quarter_period_dd();
         // The period itself may be beyond the doubles.
         let unit = 1.0 / power_of_two_below(self.rate.high());
-        let period = quarter.scaled(2.0).divide(self.rate.scaled(unit));
+        let period = quarter.scaled(2.0) / self.rate.scaled(unit);
         let [alpha, beta] = &self.parameters;
         let lag = |parameter: &Parameter| {
             let lag = match self.modulus.side() {
@@ -53,8 +52,8 @@ impl Constants {
             };
             lag.scaled(2.0 * parameter.sense)
         };
-        let rate = self.rates[0].add(self.rates[1]).scaled(unit);
-        rate.multiply(period).subtract(lag(alpha).add(lag(beta)))
+        let rate = (self.rates[0] + self.rates[1]).scaled(unit);
+        rate * period - (lag(alpha) + lag(beta))
     }
 
     /// α and β at a place, with their derivatives by time.
@@ -78,11 +77,8 @@ impl Constants {
         for k in 0..2 {
             let parameter = &self.parameters[k];
             let quarters = place.quarters + k as f64;
-            let phase = self.rates[k].multiply(DoubleDouble::from(t)).subtract(
-                parameter
-                    .lag
-                    .multiply(DoubleDouble::from(quarters * parameter.sense)),
-            );
+            let phase = self.rates[k] * DoubleDouble::from(t)
+                - parameter.lag * DoubleDouble::from(quarters * parameter.sense);
             let (sine, cosine) = turned(phase, t)?;
             let factor = self.factors[k] * Complex::new(cosine, sine);
             let [value, slope] = parameter.at(&place, k == 1, root);
@@ -95,7 +91,7 @@ impl Constants {
     }
 
     pub(super) fn at(&self, t: f64, axial_rate: f64) -> Result<State> {
-        let u = self.rate.multiply(DoubleDouble::from(t)).add(self.start);
+        let u = self.rate * DoubleDouble::from(t) + self.start;
         let greatest = self.modulus.greatest_argument();
         let countable = u.high().abs() <= greatest;
         if !countable {

@@ -1,8 +1,7 @@
 //! What the axis does, and between which heights (tutorial 7.2, 7.5).
 
 use super::roots::Distances;
-use crate::extended::Scalar;
-use crate::words::Words;
+use crate::precise::{Number, Words};
 
 /// What kind of motion the axis makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,19 +62,19 @@ impl Roots {
         }
     }
 
-    pub(super) fn of<N: Scalar>(d: &Distances<N>, gravity: N) -> Self {
+    pub(super) fn of<N: Number>(d: &Distances<N>, gravity: N) -> Self {
         let value = |x: N| x.narrow().value();
         let third = if gravity.is_zero() {
             f64::INFINITY
         } else {
-            value(d.third[0].divide(gravity.times(2.0)))
+            value(d.third[0].quotient(gravity.times(2.0)))
         };
         Self::new(d.top.map(value), d.bottom.map(value), third)
     }
 }
 
 /// Decided by exact zeros and signs; φ' has the sign of (L_vert − L₃h)/I₁, given at both turning points.
-pub(super) fn kind<N: Scalar>(spin: N, [lower, upper]: [N; 2], d: &Distances<N>) -> Nutation {
+pub(super) fn kind<N: Number>(spin: N, [lower, upper]: [N; 2], d: &Distances<N>) -> Nutation {
     if d.third[3].is_zero() {
         Nutation::Waking
     } else if spin.is_zero() && d.sum.is_zero() {

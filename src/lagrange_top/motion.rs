@@ -5,12 +5,10 @@ use nalgebra::Quaternion;
 use super::evaluation::{Constants, Pull, turned};
 use super::kinds::{Nutation, Roots};
 use super::preparation::{Body, Exact, Kept, Start, moderate, prepare, prepare_kept};
-use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite};
-use crate::extended::{Extended, sum_of_products};
+use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
 use crate::frame::{Attitude, BodyVector};
-use crate::words::Arithmetic;
 
 /// Beyond this, in rad/s, sums of rates overflow.
 pub(super) const FASTEST: f64 = 1e307;
@@ -177,7 +175,7 @@ impl LagrangeTop {
             }
             let [spin, fall] = [[l3, -l3], [axial, weight]];
             sum_of_products(&[[axial, energy], [axial, energy], spin, fall, fall])
-                .divide(Extended::from_double(axial))
+                .quotient(Extended::from_double(axial))
         };
         Self::kept(body, [l3, l_vert], twice_above, |condition| {
             Error::Condition {

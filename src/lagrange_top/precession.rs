@@ -3,8 +3,7 @@
 //! Every difference that can cancel is formed in 106 bits with exponents of any size, and only results are rounded.
 
 use crate::error::{Error, Result, finite, positive, within};
-use crate::extended::{Extended, Scalar};
-use crate::words::Arithmetic;
+use crate::precise::{Extended, Number};
 
 /// The rates dφ/dt at which the axis can go round at one tilt without nutation, rad/s (7.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,30 +50,26 @@ pub fn pure_precession(
     height: f64,
 ) -> Result<PurePrecession> {
     let [leading, weight, l3] = quadratic(transverse, weight_moment, l3, height)?;
-    let discriminant = l3.square().subtract(leading.multiply(weight).times(4.0));
+    let discriminant = l3.square() - (leading * weight).times(4.0);
     let rounded = |x: Extended| x.narrow().value();
     Ok(if leading.is_zero() {
         match (l3.is_zero(), weight.is_zero()) {
             (true, true) => PurePrecession::Any,
             (true, false) => PurePrecession::None,
-            (false, _) => PurePrecession::One(rounded(weight.divide(l3))),
+            (false, _) => PurePrecession::One(rounded(weight.quotient(l3))),
         }
     } else if discriminant.is_zero() {
-        PurePrecession::One(rounded(l3.divide(leading).times(0.5)))
+        PurePrecession::One(rounded(l3.quotient(leading).times(0.5)))
     } else if discriminant.leading() < 0.0 {
         PurePrecession::None
     } else {
         // Of the sign of L₃: a sum of two numbers of one sign.
         let root = discriminant.square_root();
-        let far = l3.magnitude().subtract(root.negated()).times(0.5);
-        let far = if l3.leading() < 0.0 {
-            far.negated()
-        } else {
-            far
-        };
+        let far = (l3.magnitude() - -root).times(0.5);
+        let far = if l3.leading() < 0.0 { -far } else { far };
         PurePrecession::Two {
-            slow: rounded(weight.divide(far)),
-            fast: rounded(far.divide(leading)),
+            slow: rounded(weight.quotient(far)),
+            fast: rounded(far.quotient(leading)),
         }
     })
 }
@@ -108,14 +103,13 @@ pub fn fast_spin(transverse: f64, weight_moment: f64, l3: f64, height: f64) -> R
     let fast = if leading.is_zero() {
         l3.signum() * f64::INFINITY
     } else {
-        momentum.divide(leading).narrow().value()
+        momentum.quotient(leading).narrow().value()
     };
     Ok(FastSpin {
-        slow: weight.divide(momentum).narrow().value(),
+        slow: weight.quotient(momentum).narrow().value(),
         fast,
-        x: leading
-            .multiply(weight)
-            .divide(momentum.square())
+        x: (leading * weight)
+            .quotient(momentum.square())
             .narrow()
             .value(),
     })
@@ -127,7 +121,7 @@ fn quadratic(transverse: f64, weight_moment: f64, l3: f64, height: f64) -> Resul
     finite("the weight moment Mgl", weight_moment)?;
     finite("the axial angular momentum", l3)?;
     within("the height cos θ", height, -1.0, 1.0)?;
-    let leading = Extended::from_double(transverse).multiply(Extended::from_double(height));
+    let leading = Extended::from_double(transverse) * Extended::from_double(height);
     Ok([
         leading,
         Extended::from_double(weight_moment),

@@ -7,13 +7,14 @@ use super::kinds::{Nutation, Roots, kind};
 use super::motion::{FASTEST, Motion};
 use super::roots::{Cubic, Distances, Integrals};
 use super::turning::{Complex, Parameter};
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::elliptic::descent::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Which};
 use crate::error::{Error, Result, finite, not_negative, positive, within};
-use crate::extended::{Extended, Scalar, exponent_of, shifted, sum_of_products};
 use crate::frame::{Attitude, BodyVector};
-use crate::words::{Arithmetic, Words};
+use crate::precise::{
+    DoubleDouble, Extended, Number, Words, exponent_of, power_of_two_below, shifted,
+    sum_of_products,
+};
 
 /// What does not move.
 #[derive(Debug, Clone, Copy)]
@@ -88,7 +89,7 @@ pub(super) fn moderate(body: Body, omega: BodyVector, attitude: &Attitude) -> bo
 }
 
 /// The constants, everything in units of time in which rates are moderate.
-pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
+pub(super) fn prepare<N: Number<Narrow = DoubleDouble>>(
     Body {
         transverse,
         axial,
@@ -106,9 +107,9 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     let q = seen(pull, attitude.quaternion().into_inner());
     let weight = match pull {
         Pull::Down => exact.weight_moment,
-        Pull::Up => exact.weight_moment.negated(),
+        Pull::Up => -exact.weight_moment,
     };
-    let gravity = weight.divide(Extended::from_double(transverse));
+    let gravity = weight.quotient(Extended::from_double(transverse));
     let fastest = omega
         .components()
         .amax()
@@ -132,28 +133,23 @@ pub(super) fn prepare<N: Scalar<Narrow = DoubleDouble>>(
     });
     let [w, x, y, z] = match (pull, exact.quaternion) {
         (Pull::Down, q) => q,
-        (Pull::Up, [w, x, y, z]) => [x.negated(), w, z.negated(), y],
+        (Pull::Up, [w, x, y, z]) => [-x, w, -z, y],
     }
     .map(N::from_extended);
-    let (upper, lower) = (w.square().add(z.square()), x.square().add(y.square()));
-    let norm = upper.add(lower);
-    let above_bottom = upper.divide(norm).times(2.0);
-    let below_top = lower.divide(norm).times(2.0);
-    let z1 = x
-        .multiply(z)
-        .subtract(w.multiply(y))
-        .divide(norm)
-        .times(2.0);
-    let z2 = y
-        .multiply(z)
-        .subtract(w.multiply(x).negated())
-        .divide(norm)
-        .times(2.0);
-    let swing = o1.square().add(o2.square());
-    let drift = o1.multiply(z1).subtract(o2.multiply(z2).negated());
-    let rise = o2.multiply(z1).subtract(o1.multiply(z2));
-    let ratio = Extended::from_double(axial).divide(Extended::from_double(transverse));
-    let spin = N::from_extended(ratio).multiply(o3);
+    let (upper, lower) = (
+        w.square().add_alike(z.square()),
+        x.square().add_alike(y.square()),
+    );
+    let norm = upper.add_alike(lower);
+    let above_bottom = upper.quotient(norm).times(2.0);
+    let below_top = lower.quotient(norm).times(2.0);
+    let z1 = (x * z - w * y).quotient(norm).times(2.0);
+    let z2 = (y * z - -(w * x)).quotient(norm).times(2.0);
+    let swing = o1.square().add_alike(o2.square());
+    let drift = o1 * z1 - -(o2 * z2);
+    let rise = o2 * z1 - o1 * z2;
+    let ratio = Extended::from_double(axial).quotient(Extended::from_double(transverse));
+    let spin = N::from_extended(ratio) * o3;
     let still = if swing.is_zero() {
         let threshold = gravity.times(4.0);
         if gravity.is_zero() {
@@ -220,19 +216,19 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
         Pull::Down => kept.l_vert,
         Pull::Up => -kept.l_vert,
     };
-    let sum = |l3: f64| sum_of_products(&[[l_vert, 1.0], [l3, 1.0]]).divide(transverse);
+    let sum = |l3: f64| sum_of_products(&[[l_vert, 1.0], [l3, 1.0]]).quotient(transverse);
     let axial_rate = if body.axial == 0.0 {
         Extended::zero()
     } else {
-        number(kept.l3).divide(number(body.axial))
+        number(kept.l3).quotient(number(body.axial))
     };
     let integrals = Integrals {
-        gravity: number(body.weight_moment.abs()).divide(transverse),
-        spin: number(kept.l3).divide(transverse),
+        gravity: number(body.weight_moment.abs()).quotient(transverse),
+        spin: number(kept.l3).quotient(transverse),
         difference: sum(-kept.l3),
         sum: sum(kept.l3),
-        above_top: kept.above_top.divide(transverse),
-        above_bottom: kept.above_bottom.divide(transverse),
+        above_top: kept.above_top.quotient(transverse),
+        above_bottom: kept.above_bottom.quotient(transverse),
     };
     if integrals.above_bottom.leading() < 0.0 {
         return Ok(None);
@@ -286,7 +282,7 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
     } else if bottom1.is_zero() {
         integrals.above_bottom
     } else {
-        drifts[0].square().divide(top1.multiply(bottom1))
+        drifts[0].square().quotient(top1 * bottom1)
     };
     // Upside down, the vertical lies on the other side of the axis.
     let side = match pull {
@@ -353,7 +349,7 @@ struct Top<N> {
     rise: N,
 }
 
-impl<N: Scalar<Narrow = DoubleDouble>> Top<N> {
+impl<N: Number<Narrow = DoubleDouble>> Top<N> {
     /// The constants in seconds; the attitude as seen, and Ω, at time 0.
     fn constants(
         &self,
@@ -378,25 +374,26 @@ impl<N: Scalar<Narrow = DoubleDouble>> Top<N> {
         let two_g = self.gravity.times(2.0);
         let [beyond, from_bottom, whole, rest] = d.third;
         // 4λ² = 2g (h₃ − h₁).
-        let m = two_g.multiply(d.band).divide(whole);
-        let mc = rest.divide(whole);
+        let m = (two_g * d.band).quotient(whole);
+        let mc = rest.quotient(whole);
         let lambda = whole.square_root().times(0.5);
         let descent = Descent::new(m, mc);
         let [top1, top2] = d.top;
         let [bottom1, bottom2] = d.bottom;
-        let lower = Elevation::smaller(
-            [bottom1, d.band],
-            [whole, two_g.multiply(bottom1)],
-            |which| match which {
-                Which::Eta => bottom2,
-                Which::Xi => from_bottom,
-            },
-        );
+        let lower =
+            Elevation::smaller(
+                [bottom1, d.band],
+                [whole, two_g * bottom1],
+                |which| match which {
+                    Which::Eta => bottom2,
+                    Which::Xi => from_bottom,
+                },
+            );
         let upper = Elevation::smaller(
-            [top2.multiply(whole), beyond.multiply(d.band)],
-            [beyond, two_g.multiply(top2)],
+            [top2 * whole, beyond * d.band],
+            [beyond, two_g * top2],
             |which| match which {
-                Which::Eta => top1.multiply(rest),
+                Which::Eta => top1 * rest,
                 Which::Xi => rest,
             },
         );
@@ -407,18 +404,16 @@ impl<N: Scalar<Narrow = DoubleDouble>> Top<N> {
             Parameter::new(&descent, &upper, senses[1]),
         ];
         // The phases: α at u = K, where 1 + h is greatest, β at u = 0.
-        let over = |x: N, y: N| if x.is_zero() { x } else { x.divide(y) };
-        let excess = self.axial_rate.subtract(self.spin);
+        let over = |x: N, y: N| if x.is_zero() { x } else { x.quotient(y) };
+        let excess = self.axial_rate - self.spin;
         let halves = [
-            excess.subtract(over(d.sum, bottom2).negated()).times(0.5),
-            over(d.difference, top1).subtract(excess).times(0.5),
+            (excess - -over(d.sum, bottom2)).times(0.5),
+            (over(d.difference, top1) - excess).times(0.5),
         ];
         let turning = lambda.narrow();
         let rates = core::array::from_fn(|k| {
-            let own = turning
-                .multiply(parameters[k].slope)
-                .scaled(parameters[k].sense);
-            halves[k].narrow().subtract(own)
+            let own = (turning * parameters[k].slope).scaled(parameters[k].sense);
+            halves[k].narrow() - own
         });
         let start = self.start(d, &descent);
         let rate = lambda.narrow().two();
@@ -447,13 +442,9 @@ impl<N: Scalar<Narrow = DoubleDouble>> Top<N> {
             sn: d.to_lower,
             cn: d.to_upper,
             whole: d.band,
-            dn: rest.add(two_g.multiply(d.to_upper)),
+            dn: rest.add_alike(two_g * d.to_upper),
             dn_whole: whole,
         });
-        if self.rise.leading() < 0.0 {
-            u.negated()
-        } else {
-            u
-        }
+        if self.rise.leading() < 0.0 { -u } else { u }
     }
 }

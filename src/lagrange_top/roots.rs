@@ -5,7 +5,7 @@
 //! quadratic whose discriminant is a sum of squares: about the present tilt if they are h₁ and h₂, about the upright
 //! position if they are h₂ and h₃. The distances from ±1 come from f(±1) = −((L_vert ∓ L₃)/I₁)².
 
-use crate::extended::Scalar;
+use crate::precise::Number;
 
 /// What the cubic is made of, everything divided by I₁.
 #[derive(Debug, Clone, Copy)]
@@ -44,34 +44,23 @@ pub(super) struct Distances<N> {
     pub(super) to_lower: N,
 }
 
-impl<N: Scalar> Cubic<N> {
+impl<N: Number> Cubic<N> {
     pub(super) fn solve(&self) -> Distances<N> {
         let two_g = self.gravity.times(2.0);
         // f(h + d) = 2g d³ + f₂ d² + f₁ d + f₀.
         let f0 = self.rise.square();
-        let height = self.above_bottom.subtract(self.below_top).times(0.5);
+        let height = (self.above_bottom - self.below_top).times(0.5);
         let twice_height = height.times(2.0);
         let terms = [
-            self.drift.multiply(self.spin).times(2.0),
-            twice_height.multiply(self.swing).negated(),
-            two_g
-                .multiply(self.below_top)
-                .multiply(self.above_bottom)
-                .negated(),
+            (self.drift * self.spin).times(2.0),
+            -(twice_height * self.swing),
+            -(two_g * self.below_top * self.above_bottom),
         ];
         let f1 = balance(terms);
-        let f2 = two_g
-            .multiply(twice_height)
-            .subtract(self.swing)
-            .subtract(self.spin.square());
-        let [a, b, c] = [f2, two_g.multiply(f1), two_g.square().multiply(f0)];
+        let f2 = two_g * twice_height - self.swing - self.spin.square();
+        let [a, b, c] = [f2, two_g * f1, two_g.square() * f0];
         // Its sign at the inflection says on which side of it h₂ lies.
-        let inflection = a
-            .square()
-            .multiply(a)
-            .times(2.0 / 27.0)
-            .subtract(a.multiply(b).times(1.0 / 3.0))
-            .subtract(c.negated());
+        let inflection = (a.square() * a).times(2.0 / 27.0) - (a * b).times(1.0 / 3.0) - -c;
         if inflection.leading() > 0.0 {
             self.near_the_top(two_g)
         } else {
@@ -82,18 +71,17 @@ impl<N: Scalar> Cubic<N> {
     /// (L_vert − L₃h)/I₁ at the lower and at the upper turning point.
     pub(super) fn drifts(&self, d: &Distances<N>) -> [N; 2] {
         [
-            plus(self.drift, self.spin.multiply(d.to_lower)),
-            self.drift.subtract(self.spin.multiply(d.to_upper)),
+            plus(self.drift, self.spin * d.to_lower),
+            self.drift - self.spin * d.to_upper,
         ]
     }
 
     fn difference(&self) -> N {
-        self.drift.subtract(self.spin.multiply(self.below_top))
+        self.drift - self.spin * self.below_top
     }
 
     fn sum(&self) -> N {
-        self.drift
-            .subtract(self.spin.multiply(self.above_bottom).negated())
+        self.drift - -(self.spin * self.above_bottom)
     }
 
     /// `third` is 2g (h₃ − h): h₁ and h₂ are the roots of d² − s d + p about the start.
@@ -102,16 +90,16 @@ impl<N: Scalar> Cubic<N> {
         let p = if f0.is_zero() {
             zero
         } else {
-            f0.divide(third).negated()
+            -f0.quotient(third)
         };
-        let s = f1.subtract(two_g.multiply(p)).divide(third);
-        let band = s.square().add(p.times(-4.0)).square_root();
+        let s = (f1 - two_g * p).quotient(third);
+        let band = s.square().add_alike(p.times(-4.0)).square_root();
         // The greater of the two in size is a sum; the other is the product over it.
-        let far = band.add(s.magnitude()).times(0.5);
+        let far = band.add_alike(s.magnitude()).times(0.5);
         let near = if far.is_zero() {
             zero
         } else {
-            p.negated().divide(far)
+            (-p).quotient(far)
         };
         let (to_upper, to_lower) = if s.leading() < 0.0 {
             (near, far)
@@ -119,26 +107,26 @@ impl<N: Scalar> Cubic<N> {
             (far, near)
         };
         let (difference, sum) = (self.difference(), self.sum());
-        let top1 = self.below_top.add(to_lower);
-        let bottom2 = self.above_bottom.add(to_upper);
-        let from_top = third.subtract(two_g.multiply(self.below_top));
-        let from_bottom = third.add(two_g.multiply(self.above_bottom));
+        let top1 = self.below_top.add_alike(to_lower);
+        let bottom2 = self.above_bottom.add_alike(to_upper);
+        let from_top = third - two_g * self.below_top;
+        let from_bottom = third.add_alike(two_g * self.above_bottom);
         // Of 1 − h₂ and h₃ − 1 the greater directly, the other from the product of all three distances from 1.
-        let direct = self.below_top.subtract(to_upper);
+        let direct = self.below_top - to_upper;
         let product = if difference.is_zero() {
             zero
         } else {
-            difference.square().divide(top1)
+            difference.square().quotient(top1)
         };
-        let (top2, from_top) = if third.multiply(direct).exceeds(from_top.multiply(top1)) {
-            (direct, product.divide(direct))
+        let (top2, from_top) = if (third * direct).exceeds(from_top * top1) {
+            (direct, product.quotient(direct))
         } else {
-            (product.divide(from_top), from_top)
+            (product.quotient(from_top), from_top)
         };
         let bottom1 = if sum.is_zero() {
             zero
         } else {
-            sum.square().divide(bottom2.multiply(from_bottom))
+            sum.square().quotient(bottom2 * from_bottom)
         };
         Distances {
             top: [top1, top2],
@@ -147,8 +135,8 @@ impl<N: Scalar> Cubic<N> {
             third: [
                 from_top,
                 from_bottom,
-                third.add(two_g.multiply(to_lower)),
-                third.subtract(two_g.multiply(to_upper)),
+                third.add_alike(two_g * to_lower),
+                third - two_g * to_upper,
             ],
             difference,
             sum,
@@ -160,7 +148,7 @@ impl<N: Scalar> Cubic<N> {
     /// h₁ stands alone: known by the integrals, and the start between its roots.
     fn near_the_top(&self, two_g: N) -> Distances<N> {
         // Twice the energy above the upright position, over I₁.
-        let energy = self.swing.subtract(two_g.multiply(self.below_top));
+        let energy = self.swing - two_g * self.below_top;
         let integrals = Integrals {
             gravity: self.gravity,
             spin: self.spin,
@@ -172,17 +160,17 @@ impl<N: Scalar> Cubic<N> {
         let d = integrals.lowest_alone(two_g, integrals.at_the_top(two_g));
         let ([top1, top2], third) = (d.top, d.third[0]);
         // The greater of the two directly; their product with 2g (h₃ − h) is h'².
-        let third = third.add(two_g.multiply(self.below_top));
+        let third = third.add_alike(two_g * self.below_top);
         let product = if self.rise.is_zero() {
             N::from_double(0.0)
         } else {
-            self.rise.square().divide(third)
+            self.rise.square().quotient(third)
         };
-        let (up, down) = (self.below_top.subtract(top2), top1.subtract(self.below_top));
+        let (up, down) = (self.below_top - top2, top1 - self.below_top);
         let (to_upper, to_lower) = if up.exceeds(down) {
-            (up, product.divide(up))
+            (up, product.quotient(up))
         } else {
-            (product.divide(down), down)
+            (product.quotient(down), down)
         };
         Distances {
             to_upper,
@@ -207,19 +195,15 @@ pub(super) struct Integrals<N> {
     pub(super) above_bottom: N,
 }
 
-impl<N: Scalar> Integrals<N> {
+impl<N: Number> Integrals<N> {
     /// The roots, the start being at the lower turning point; none if the energy is too small for any motion.
     pub(super) fn solve(&self) -> Option<Distances<N>> {
         let two_g = self.gravity.times(2.0);
         let [quadratic, linear, constant] = self.at_the_top(two_g);
         // y = 2g (h − 1): y³ + a y² + b y + c, and its sign at the inflection.
-        let [a, b, c] = [
-            quadratic,
-            two_g.multiply(linear).negated(),
-            two_g.square().multiply(constant).negated(),
-        ];
-        let cube = a.square().multiply(a).times(2.0 / 27.0);
-        let inflection = plus(cube.subtract(a.multiply(b).times(1.0 / 3.0)), c);
+        let [a, b, c] = [quadratic, -(two_g * linear), -(two_g.square() * constant)];
+        let cube = (a.square() * a).times(2.0 / 27.0);
+        let inflection = plus(cube - (a * b).times(1.0 / 3.0), c);
         let d = if inflection.leading() > 0.0 {
             self.lowest_alone(two_g, [quadratic, linear, constant])
         } else {
@@ -237,13 +221,8 @@ impl<N: Scalar> Integrals<N> {
     /// f(1 − x) = −2g x³ + (4g − e − l²) x² + 2 (e − δ l) x − δ²: the middle two coefficients, and δ².
     fn at_the_top(&self, two_g: N) -> [N; 3] {
         [
-            two_g
-                .times(2.0)
-                .subtract(self.above_top)
-                .subtract(self.spin.square()),
-            self.above_top
-                .subtract(self.difference.multiply(self.spin))
-                .times(2.0),
+            two_g.times(2.0) - self.above_top - self.spin.square(),
+            (self.above_top - self.difference * self.spin).times(2.0),
             self.difference.square(),
         ]
     }
@@ -253,7 +232,7 @@ impl<N: Scalar> Integrals<N> {
         if self.sum.is_zero() {
             self.sum
         } else {
-            self.sum.square().divide(bottom2.multiply(from_bottom))
+            self.sum.square().quotient(bottom2 * from_bottom)
         }
     }
 
@@ -261,29 +240,26 @@ impl<N: Scalar> Integrals<N> {
     fn lowest_alone(&self, two_g: N, [quadratic, linear, constant]: [N; 3]) -> Distances<N> {
         let zero = N::from_double(0.0);
         let top1 = greatest_root([
-            quadratic.divide(two_g).negated(),
-            linear.divide(two_g).negated(),
+            -quadratic.quotient(two_g),
+            -linear.quotient(two_g),
             if constant.is_zero() {
                 zero
             } else {
-                constant.divide(two_g)
+                constant.quotient(two_g)
             },
         ]);
         let product = if constant.is_zero() {
             zero
         } else {
-            constant.divide(two_g.multiply(top1))
+            constant.quotient(two_g * top1)
         };
-        let gap = linear
-            .multiply(top1)
-            .subtract(constant)
-            .divide(two_g.multiply(top1.square()));
-        let far_apart = gap.square().add(product.times(4.0)).square_root();
-        let far = far_apart.add(gap.magnitude()).times(0.5);
+        let gap = (linear * top1 - constant).quotient(two_g * top1.square());
+        let far_apart = gap.square().add_alike(product.times(4.0)).square_root();
+        let far = far_apart.add_alike(gap.magnitude()).times(0.5);
         let near = if product.is_zero() {
             zero
         } else {
-            product.divide(far)
+            product.quotient(far)
         };
         let (top2, beyond) = if gap.leading() < 0.0 {
             (far, near)
@@ -291,18 +267,18 @@ impl<N: Scalar> Integrals<N> {
             (near, far)
         };
         let two = N::from_double(2.0);
-        let bottom2 = two.subtract(top2);
-        let from_bottom = two_g.multiply(two.add(beyond));
-        let band = top1.subtract(top2);
+        let bottom2 = two - top2;
+        let from_bottom = two_g * two.add_alike(beyond);
+        let band = top1 - top2;
         Distances {
             top: [top1, top2],
             bottom: [self.over_the_bottom(bottom2, from_bottom), bottom2],
             band,
             third: [
-                two_g.multiply(beyond),
+                two_g * beyond,
                 from_bottom,
-                two_g.multiply(top1.add(beyond)),
-                two_g.multiply(far_apart),
+                two_g * top1.add_alike(beyond),
+                two_g * far_apart,
             ],
             difference: self.difference,
             sum: self.sum,
@@ -323,33 +299,32 @@ impl<N: Scalar> Integrals<N> {
         let two = N::from_double(2.0);
         // f(1 − x) = −(2g x + y) (x² − s x + p). From y = 0, p is what remains.
         let p = if !constant.is_zero() {
-            constant.divide(y)
+            constant.quotient(y)
         } else if y.is_zero() {
-            linear.divide(two_g).negated()
+            -linear.quotient(two_g)
         } else {
             zero
         };
         // Each where it is a sum, or a difference of which one term is less than half: p ≤ s²/4 and s ≤ 4.
         let s = if quadratic.leading() >= 0.0 {
-            quadratic.add(y).divide(two_g)
+            quadratic.add_alike(y).quotient(two_g)
         } else {
-            plus(linear, two_g.multiply(p)).divide(y)
+            plus(linear, two_g * p).quotient(y)
         };
-        let from_bottom = y.add(two_g.times(2.0));
+        let from_bottom = y.add_alike(two_g.times(2.0));
         let below_horizon = s.exceeds(two);
         let (sum, product) = if below_horizon {
             let product = if self.sum.is_zero() {
                 zero
             } else {
-                self.sum.square().divide(from_bottom)
+                self.sum.square().quotient(from_bottom)
             };
-            let slope = plus(self.above_bottom, self.sum.multiply(self.spin))
-                .subtract(self.gravity.multiply(product));
-            (slope.times(2.0).divide(from_bottom), product)
+            let slope = plus(self.above_bottom, self.sum * self.spin) - self.gravity * product;
+            (slope.times(2.0).quotient(from_bottom), product)
         } else {
             (s, p)
         };
-        let discriminant = sum.square().subtract(product.times(4.0));
+        let discriminant = sum.square() - product.times(4.0);
         if sum.leading() < 0.0 {
             return None;
         }
@@ -357,26 +332,26 @@ impl<N: Scalar> Integrals<N> {
         let rounding = sum.square().times(2f64.powi(-95));
         let band = if discriminant.exceeds(rounding) {
             discriminant.square_root()
-        } else if discriminant.negated().exceeds(rounding) {
+        } else if (-discriminant).exceeds(rounding) {
             return None;
         } else {
             zero
         };
-        let far = sum.add(band).times(0.5);
+        let far = sum.add_alike(band).times(0.5);
         let over = |product: N, far: N| {
             if product.is_zero() {
                 product
             } else {
-                product.divide(far)
+                product.quotient(far)
             }
         };
         let (top, bottom) = if below_horizon {
             let bottom1 = over(product, far);
-            let top1 = two.subtract(bottom1);
+            let top1 = two - bottom1;
             ([top1, over(p, top1)], [bottom1, far])
         } else {
             let top2 = over(p, far);
-            let bottom2 = two.subtract(top2);
+            let bottom2 = two - top2;
             (
                 [far, top2],
                 [self.over_the_bottom(bottom2, from_bottom), bottom2],
@@ -389,8 +364,8 @@ impl<N: Scalar> Integrals<N> {
             third: [
                 y,
                 from_bottom,
-                y.add(two_g.multiply(top[0])),
-                y.add(two_g.multiply(top[1])),
+                y.add_alike(two_g * top[0]),
+                y.add_alike(two_g * top[1]),
             ],
             difference: self.difference,
             sum: self.sum,
@@ -403,16 +378,16 @@ impl<N: Scalar> Integrals<N> {
     pub(super) fn drifts(&self, d: &Distances<N>) -> [N; 2] {
         let drift = |k: usize| {
             if N::from_double(1.0).exceeds(d.top[k]) {
-                plus(self.difference, self.spin.multiply(d.top[k]))
+                plus(self.difference, self.spin * d.top[k])
             } else {
-                self.sum.subtract(self.spin.multiply(d.bottom[k]))
+                self.sum - self.spin * d.bottom[k]
             }
         };
         // At rest, 1 − h = −e/2g; without drift, −δ/l. Below zero that is the third root.
         let zero = N::from_double(0.0);
         let cusp = [
-            self.above_top.multiply(self.spin),
-            self.gravity.multiply(self.difference).times(-2.0),
+            self.above_top * self.spin,
+            (self.gravity * self.difference).times(-2.0),
             zero,
         ];
         let reached = self.difference.leading() * self.spin.leading() <= 0.0;
@@ -426,17 +401,20 @@ impl<N: Scalar> Integrals<N> {
 }
 
 /// A sum of terms that may cancel.
-fn plus<N: Scalar>(a: N, b: N) -> N {
-    a.subtract(b.negated())
+fn plus<N: Number>(a: N, b: N) -> N {
+    a - -b
 }
 
 /// The sum of three terms; nothing, if it is no more than what rounding leaves of terms that balance.
 ///
 /// Pure precession is such a balance, and few tilts are doubles: the cosine 3/5 is not.
-fn balance<N: Scalar>(terms: [N; 3]) -> N {
+fn balance<N: Number>(terms: [N; 3]) -> N {
     let [a, b, c] = terms;
-    let sum = a.subtract(b.negated()).subtract(c.negated());
-    let size = a.magnitude().add(b.magnitude()).add(c.magnitude());
+    let sum = a - -b - -c;
+    let size = a
+        .magnitude()
+        .add_alike(b.magnitude())
+        .add_alike(c.magnitude());
     if sum.magnitude().exceeds(size.times(2f64.powi(-99))) {
         sum
     } else {
@@ -445,7 +423,7 @@ fn balance<N: Scalar>(terms: [N; 3]) -> N {
 }
 
 /// The greatest root of y³ + a y² + b y + c, all of whose roots are real, if it stands alone: Newton's method from above.
-fn greatest_root<N: Scalar>([a, b, c]: [N; 3]) -> N {
+fn greatest_root<N: Number>([a, b, c]: [N; 3]) -> N {
     // Fujiwara's bound.
     let mut y = a.magnitude();
     let root_of_b = b.magnitude().square_root();
@@ -462,23 +440,14 @@ fn greatest_root<N: Scalar>([a, b, c]: [N; 3]) -> N {
     }
     // Each step takes off at least a third of the way; at the end they double the digits.
     for _ in 0..200 {
-        let value = y
-            .subtract(a.negated())
-            .multiply(y)
-            .subtract(b.negated())
-            .multiply(y)
-            .subtract(c.negated());
-        let slope = y
-            .times(3.0)
-            .subtract(a.times(-2.0))
-            .multiply(y)
-            .subtract(b.negated());
+        let value = ((y - -a) * y - -b) * y - -c;
+        let slope = (y.times(3.0) - a.times(-2.0)) * y - -b;
         if slope.leading() <= 0.0 {
             break;
         }
         // Where the root is far smaller than the way to it, rounding may carry a step beyond; the next comes back.
-        let step = value.divide(slope);
-        let next = y.subtract(step);
+        let step = value.quotient(slope);
+        let next = y - step;
         if !step
             .magnitude()
             .exceeds(y.times(2f64.powi(-102)).magnitude())

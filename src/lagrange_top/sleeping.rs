@@ -5,8 +5,7 @@
 use std::f64::consts::PI;
 
 use crate::error::{Result, finite, not_negative, positive};
-use crate::extended::{Extended, Scalar};
-use crate::words::Arithmetic;
+use crate::precise::{Extended, Number};
 
 /// The least spin Ω₃ with which a top sleeps, 2√(I₁Mgl)/I₃, rad/s (7.5).
 ///
@@ -28,10 +27,8 @@ pub fn sleeping_threshold(transverse: f64, axial: f64, weight_moment: f64) -> Re
         return Ok(0.0);
     }
     let number = Extended::from_double;
-    let root = number(transverse)
-        .multiply(number(weight_moment))
-        .square_root();
-    Ok(root.times(2.0).divide(number(axial)).narrow().value())
+    let root = (number(transverse) * number(weight_moment)).square_root();
+    Ok(root.times(2.0).quotient(number(axial)).narrow().value())
 }
 
 /// The greatest tilt, radians, of an upright top with L₃ that is kicked sideways with `kick` rad/s (7.5).
@@ -60,28 +57,24 @@ pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) 
         return Ok(0.0);
     }
     let number = Extended::from_double;
-    let gravity = number(weight_moment).divide(number(transverse));
-    let spin2 = number(l3).divide(number(transverse)).square();
+    let gravity = number(weight_moment).quotient(number(transverse));
+    let spin2 = number(l3).quotient(number(transverse)).square();
     let kick2 = number(kick).square();
-    let linear = gravity.times(4.0).subtract(kick2).subtract(spin2);
-    let product = gravity.multiply(kick2).times(16.0);
-    let root = linear.square().subtract(product.negated()).square_root();
+    let linear = gravity.times(4.0) - kick2 - spin2;
+    let product = (gravity * kick2).times(16.0);
+    let root = (linear.square() - -product).square_root();
     // u, and 2 − u from the product of the roots of its own equation: both without a difference.
     let one_less = if linear.leading() > 0.0 {
-        linear.subtract(root.negated()).divide(gravity.times(4.0))
+        (linear - -root).quotient(gravity.times(4.0))
     } else {
-        kick2.times(4.0).divide(root.subtract(linear))
+        kick2.times(4.0).quotient(root - linear)
     };
-    let sum = gravity
-        .times(4.0)
-        .subtract(kick2.negated())
-        .subtract(spin2.negated())
-        .subtract(root.negated());
-    let one_more = spin2.times(4.0).divide(sum);
+    let sum = gravity.times(4.0) - -kick2 - -spin2 - -root;
+    let one_more = spin2.times(4.0).quotient(sum);
     let quotient = if one_more.is_zero() {
         return Ok(PI);
     } else {
-        one_less.divide(one_more).square_root()
+        one_less.quotient(one_more).square_root()
     };
     Ok(2.0 * quotient.narrow().value().atan())
 }

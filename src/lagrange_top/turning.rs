@@ -8,14 +8,12 @@
 //!
 //! Through the upright and the hanging position nothing happens to them: there one of the two is zero, and passes on.
 
-use crate::double_double::DoubleDouble;
 use crate::elliptic::Side;
 use crate::elliptic::descent::Descent;
 use crate::elliptic::landen::Landen;
 use crate::elliptic::local::{Local, Place};
 use crate::elliptic::theta::{DualTheta, Elevation, Exponentials, Which, dual_excess, polynomial};
-use crate::extended::Scalar;
-use crate::words::{Arithmetic, Words};
+use crate::precise::{DoubleDouble, Number, Words};
 
 /// ϑ₁(π(u + iη)/2K), or its conjugate, without the factor that grows with η.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +44,7 @@ pub(super) type Complex = nalgebra::Complex<f64>;
 
 impl Parameter {
     /// Of ϑ₁(π(u + iη)/2K), or of its conjugate if `sense` is −1.
-    pub(super) fn new<N: Scalar>(
+    pub(super) fn new<N: Number>(
         descent: &Descent<N>,
         elevation: &Elevation<N>,
         sense: f64,
@@ -58,7 +56,7 @@ impl Parameter {
     }
 
     /// For m ≤ 1/2.
-    fn circular<N: Scalar>(landen: &Landen<N>, elevation: &Elevation<N>, m: N, sense: f64) -> Self {
+    fn circular<N: Number>(landen: &Landen<N>, elevation: &Elevation<N>, m: N, sense: f64) -> Self {
         let one = N::Narrow::from_double(1.0);
         let q = landen.nome;
         let Exponentials {
@@ -70,26 +68,26 @@ impl Parameter {
         } = elevation.exponentials(landen, m);
         // 1 − ε.
         let rest = match elevation.which {
-            Which::Eta => sinh.scaled(2.0).multiply(decay),
-            Which::Xi => one.subtract(epsilon),
+            Which::Eta => sinh.scaled(2.0) * decay,
+            Which::Xi => one - epsilon,
         };
         // q^{n²} ρⁿ (1 ± ε^{2n+1}) for n = 0, 1, 2, 3.
-        let square = epsilon.multiply(epsilon);
-        let (e1, e3) = (epsilon, epsilon.multiply(square));
-        let e5 = e3.multiply(square);
-        let factor1 = q.multiply(rho);
-        let factor2 = factor1.multiply(factor1).multiply(q.multiply(q));
-        let geometric3 = one.add(epsilon).add(square);
-        let geometric5 = geometric3.add(e3).add(square.multiply(square));
+        let square = epsilon * epsilon;
+        let (e1, e3) = (epsilon, epsilon * square);
+        let e5 = e3 * square;
+        let factor1 = q * rho;
+        let factor2 = factor1 * factor1 * (q * q);
+        let geometric3 = one.add_alike(epsilon).add_alike(square);
+        let geometric5 = geometric3.add_alike(e3).add_alike(square * square);
         let minus = [
             rest,
-            factor1.multiply(rest.multiply(geometric3)),
-            factor2.multiply(rest.multiply(geometric5)),
+            factor1 * (rest * geometric3),
+            factor2 * (rest * geometric5),
         ];
         let plus = [
-            one.add(e1),
-            factor1.multiply(one.add(e3)),
-            factor2.multiply(one.add(e5)),
+            one.add_alike(e1),
+            factor1 * one.add_alike(e3),
+            factor2 * one.add_alike(e5),
         ];
         let x = q.leading();
         let factor3 = factor2.leading() * factor1.leading() * x * x * x * x;
@@ -97,19 +95,14 @@ impl Parameter {
         let (plus3, minus3) = (factor3 * (1.0 + e7), factor3 * (1.0 - e7));
         // At z = π/2: cos(2n+1)z' sums with the sign that ϑ₂ has.
         let numerator = N::Narrow::from_double(7.0 * minus3)
-            .add(minus[2].multiply(N::Narrow::from_double(5.0)))
-            .add(minus[1].multiply(N::Narrow::from_double(3.0)))
-            .add(minus[0]);
+            .add_alike(minus[2] * N::Narrow::from_double(5.0))
+            .add_alike(minus[1] * N::Narrow::from_double(3.0))
+            .add_alike(minus[0]);
         let denominator = N::Narrow::from_double(plus3)
-            .add(plus[2])
-            .add(plus[1])
-            .add(plus[0]);
-        let slope = landen
-            .mean
-            .multiply(numerator)
-            .divide(denominator)
-            .two()
-            .negated();
+            .add_alike(plus[2])
+            .add_alike(plus[1])
+            .add_alike(plus[0]);
+        let slope = -(landen.mean * numerator).quotient(denominator).two();
         let a = [plus[0].value(), -plus[1].value(), plus[2].value(), -plus3];
         let b = [
             minus[0].value(),
@@ -148,14 +141,14 @@ impl Parameter {
     }
 
     /// For m > 1/2: ϑ₂(ix − v) with v = πη/2K′ − π/2.
-    fn hyperbolic<N: Scalar>(
+    fn hyperbolic<N: Number>(
         landen: &Landen<N>,
         elevation: &Elevation<N>,
         mc: N,
         sense: f64,
     ) -> Self {
         let (sine, cosine) = elevation.angle(landen, mc);
-        let (s, c) = (cosine.negated(), sine);
+        let (s, c) = (-cosine, sine);
         Self {
             sense,
             lag: N::Narrow::angle(sine, cosine).two(),

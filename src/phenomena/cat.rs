@@ -13,9 +13,9 @@ use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 
 use super::holonomy::ShapePlane;
 use super::quadrature::periodic;
-use crate::double_double::power_of_two_below;
 use crate::error::{Error, Result, finite, positive, within};
 use crate::frame::{Attitude, BodyVector};
+use crate::precise::power_of_two_below;
 
 /// One half of a cat: a body of revolution, its spine its axis.
 #[derive(Debug, Clone, Copy, PartialEq)]

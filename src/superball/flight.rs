@@ -4,8 +4,8 @@
 //! taken without cancellation.
 
 use super::{BounceRotation, Motion, Restitution, Surface, bounce_with, gripping_bounce};
-use crate::double_double::DoubleDouble;
 use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::precise::DoubleDouble;
 use crate::rolling::course::{Coulomb, Course, Load, Moment};
 
 /// A ball in the air, or just after a bounce.
@@ -131,9 +131,9 @@ impl Flight {
             _ => sum.square_root(),
         };
         let fall = DoubleDouble::product(2.0 * g, ball.height);
-        let floor = after(fall, square.add(fall));
+        let floor = after(fall, square + fall);
         let rise = DoubleDouble::difference(self.room, ball.height).times(2.0 * g);
-        let ceiling = square.subtract(rise);
+        let ceiling = square - rise;
         let reached = self.room.is_finite() && (rise.value() == 0.0 || ceiling.value() > 0.0);
         (floor, reached.then(|| after(rise, ceiling)))
     }
@@ -147,15 +147,15 @@ impl Flight {
         let contact = match (ceiling, self.gravity) {
             (Some(speed), _) if ball.climb > 0.0 => {
                 let left = DoubleDouble::difference(self.room, ball.height);
-                let time = left.scaled(2.0).divide(v.add(speed));
+                let time = left.scaled(2.0) / (v + speed);
                 Some((time, Surface::Ceiling, speed))
             }
             _ if ball.climb < 0.0 => {
-                let time = DoubleDouble::from(2.0 * ball.height).divide(floor.subtract(v));
+                let time = DoubleDouble::from(2.0 * ball.height) / (floor - v);
                 Some((time, Surface::Floor, floor))
             }
             (_, Some(g)) if floor.value() > 0.0 => {
-                let time = v.add(floor).divide(DoubleDouble::from(g));
+                let time = (v + floor) / DoubleDouble::from(g);
                 Some((time, Surface::Floor, floor))
             }
             _ => None,
@@ -253,18 +253,18 @@ impl Flight {
                 self.flown(start, t)
             };
         };
-        let since = DoubleDouble::from(t).subtract(first_time);
+        let since = DoubleDouble::from(t) - first_time;
         if since.value() < 0.0 {
             return self.flown(start, t);
         }
         let arrived = self.bounced(start, first_time.value(), first, speed.value());
         let (floor, ceiling) = self.speeds(start);
         let flight = match (ceiling, self.gravity) {
-            (Some(speed), _) => DoubleDouble::from(2.0 * self.room).divide(floor.add(speed)),
-            (None, Some(g)) => floor.scaled(2.0).divide(DoubleDouble::from(g)),
+            (Some(speed), _) => DoubleDouble::from(2.0 * self.room) / (floor + speed),
+            (None, Some(g)) => floor.scaled(2.0) / DoubleDouble::from(g),
             (None, None) => return self.flown(&arrived, since.value()),
         };
-        let mut whole = since.divide(flight).value().floor();
+        let mut whole = (since / flight).value().floor();
         if whole.is_nan() || whole >= MOST_FLIGHTS {
             return Err(Error::OutOfRange {
                 quantity: "the time",
@@ -273,10 +273,10 @@ impl Flight {
                 greatest: flight.value() * MOST_FLIGHTS,
             });
         }
-        let mut later = since.subtract(flight.times(whole));
+        let mut later = since - flight.times(whole);
         if later.value() < 0.0 {
             // The quotient has been rounded up to a whole number.
-            (whole, later) = (whole - 1.0, later.add(flight));
+            (whole, later) = (whole - 1.0, later + flight);
         }
         let count = whole as u64;
         let (motion, way, surface) = if ceiling.is_some() {
@@ -301,17 +301,15 @@ impl Flight {
             // The floor alone: two motions by turns, the first bounce's and the start's.
             let v = start.motion.velocity;
             let slip = DoubleDouble::difference(v, start.motion.rim_speed);
-            let kick = slip
-                .times(2.0 * self.kappa)
-                .divide(DoubleDouble::sum(1.0, self.kappa));
+            let kick = slip.times(2.0 * self.kappa) / DoubleDouble::sum(1.0, self.kappa);
             let kicked = (count - count / 2) as f64;
-            let way = DoubleDouble::product(v, whole).subtract(kick.times(kicked));
+            let way = DoubleDouble::product(v, whole) - kick.times(kicked);
             let motion = if count.is_multiple_of(2) {
                 arrived.motion
             } else {
                 start.motion
             };
-            (motion, flight.multiply(way).value(), first)
+            (motion, (flight * way).value(), first)
         };
         let speed = match (surface, ceiling) {
             (Surface::Ceiling, Some(speed)) => speed,
@@ -349,7 +347,7 @@ impl Flight {
                 let time = time.value();
                 return Ok(self.lies(&ball).then_some((time, ball, time)));
             };
-            time = time.add(wait);
+            time = time + wait;
             ball = self.bounced(&ball, wait.value(), surface, speed.value());
             let climb = ball.climb;
             if surface == Surface::Floor && climb * climb <= 2.0 * g * self.room {
@@ -395,7 +393,7 @@ impl Flight {
                 continue;
             }
             while let Some((wait, surface, speed)) = next {
-                let (then, wait) = (now.add(wait), wait.value());
+                let (then, wait) = (now + wait, wait.value());
                 let later = count.map_or(then.value() > t, |count| ball.bounces >= count);
                 if over.is_none() && later {
                     break;
@@ -413,11 +411,11 @@ impl Flight {
             }
             states.push(match over {
                 Some((.., last)) => {
-                    let left = DoubleDouble::from(last).subtract(now).value();
+                    let left = (DoubleDouble::from(last) - now).value();
                     let landed = ball.position + left * ball.motion.velocity;
                     self.on_the_floor(&ball, landed, t - last)?
                 }
-                None => self.flown(&ball, DoubleDouble::from(t).subtract(now).value())?,
+                None => self.flown(&ball, (DoubleDouble::from(t) - now).value())?,
             });
         }
         states.into_iter().map(InFlight::checked).collect()

@@ -22,8 +22,8 @@ use core::f64::consts::PI;
 use num_rational::Ratio;
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Num};
 
-use crate::double_double::DoubleDouble;
 use crate::error::{Result, finite, not_negative, positive, within};
+use crate::precise::DoubleDouble;
 
 /// What a bounce leaves and takes: both in the same unit of speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -191,16 +191,16 @@ impl Iterator for UnderTable<f64> {
         let rim_speed = DoubleDouble::new(self.motion.rim_speed, self.rest.rim_speed);
         let towards = match self.next {
             Surface::Floor => rim_speed,
-            Surface::Ceiling => rim_speed.negated(),
+            Surface::Ceiling => -rim_speed,
         };
         // As in [`bounce`], the rim speed counted along the surface.
-        let slip = velocity.subtract(towards);
-        let turned = slip.add(slip).divide(DoubleDouble::sum(1.0, self.kappa));
-        let towards = towards.add(turned);
-        let velocity = velocity.subtract(turned.times(self.kappa));
+        let slip = velocity - towards;
+        let turned = (slip + slip) / DoubleDouble::sum(1.0, self.kappa);
+        let towards = towards + turned;
+        let velocity = velocity - turned.times(self.kappa);
         let rim_speed = match self.next {
             Surface::Floor => towards,
-            Surface::Ceiling => towards.negated(),
+            Surface::Ceiling => -towards,
         };
         let part = |of: fn(DoubleDouble) -> f64| Motion {
             velocity: of(velocity),
@@ -288,17 +288,14 @@ impl BounceRotation {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the denominator is zero; [`Error::OutOfRange`](crate::Error::OutOfRange) outside 0…1.
     pub fn of_fraction(numerator: u32, denominator: u32) -> Result<Self> {
         let denominator = positive("the denominator", f64::from(denominator))?;
-        Self::of(DoubleDouble::from(f64::from(numerator)).divide(DoubleDouble::from(denominator)))
+        Self::of(DoubleDouble::from(f64::from(numerator)) / DoubleDouble::from(denominator))
     }
 
     fn of(kappa: DoubleDouble) -> Result<Self> {
         within("the inertia factor", kappa.value(), 0.0, 1.0)?;
         let one = DoubleDouble::from(1.0);
-        let whole = one.add(kappa);
-        let unit = [
-            one.subtract(kappa).divide(whole),
-            DoubleDouble::from(2.0).divide(whole),
-        ];
+        let whole = one + kappa;
+        let unit = [(one - kappa) / whole, DoubleDouble::from(2.0) / whole];
         Ok(Self { kappa, unit })
     }
 
@@ -357,10 +354,7 @@ impl BounceRotation {
 
     /// (p + q√−κ)(r + s√−κ).
     fn product(&self, [p, q]: [DoubleDouble; 2], [r, s]: [DoubleDouble; 2]) -> [DoubleDouble; 2] {
-        [
-            p.multiply(r).subtract(self.kappa.multiply(q.multiply(s))),
-            p.multiply(s).add(q.multiply(r)),
-        ]
+        [p * r - self.kappa * (q * s), p * s + q * r]
     }
 }
 

@@ -1,9 +1,8 @@
 //! The hoop with clay: the tutorial's estimate of how fast it tips over, and what it leaves out.
 
 use crate::error::{Error, Result, finite, positive};
-use crate::extended::Extended;
 use crate::frame::SpaceVector;
-use crate::words::Arithmetic;
+use crate::precise::{Extended, Number};
 
 /// The hoop with clay of tutorial 4.7: radius R, inertia I about C in every direction, C a distance ε = α R from the centre of curvature K,
 /// sliding with friction μ M g.
@@ -51,10 +50,10 @@ impl HoopWithClay {
         let gravity = positive("gravity", gravity)?;
         // Each may leave the range of doubles on the way to a quotient that does not.
         let number = Extended::from_double;
-        let deceleration = number(mu).multiply(number(gravity));
-        let grip = deceleration.divide(number(radius));
-        let tipping = grip.divide(number(factor)).value();
-        let friction = deceleration.multiply(number(mass)).value();
+        let deceleration = number(mu) * number(gravity);
+        let grip = deceleration.quotient(number(radius));
+        let tipping = grip.quotient(number(factor)).value();
+        let friction = (deceleration * number(mass)).value();
         Ok(Self {
             mass,
             radius,

@@ -5,16 +5,15 @@
     reason = "a lane is its index: all rows are read and written at it"
 )]
 
-use super::words::{Lane, Two};
-use crate::angle::{self, RIGHT_ANGLE};
-use crate::double_double::DoubleDouble;
 use crate::elliptic::kernel;
 use crate::elliptic::landen::Landen;
-use crate::elliptic::logarithm::{Place, logarithm_at};
 use crate::elliptic::series::{
     Corrections, circular_corrections, circular_thetas, hyperbolic_corrections, hyperbolic_thetas,
 };
-use crate::words::{Arithmetic, Words};
+use crate::precise::{
+    DoubleDouble, Lane, Number, Place, RIGHT_ANGLE, Two, Words, angle_at, logarithm_at, nearest,
+    quick, tabulated,
+};
 
 /// Gauss's transformation of one parameter a lane: [`Landen`] in rows.
 #[derive(Debug)]
@@ -44,7 +43,7 @@ impl<const W: usize> Landens<W> {
         };
         for i in 0..W {
             let parameter = Lane::of(parameters, i);
-            let greater = Lane::from_double(1.0).add(parameter.negated());
+            let greater = Lane::from_double(1.0).add_alike(-parameter);
             let landen = Landen::new(parameter, greater.square_root());
             for k in 0..3 {
                 landen.sums[k].ordered().put(&mut rows.sums[k], i);
@@ -111,10 +110,10 @@ pub(crate) fn logarithms<const W: usize>(numbers: &Two<W>) -> Two<W> {
 pub(crate) fn angles<const W: usize>(cosines: &Two<W>, sines: &Two<W>) -> Two<W> {
     let mut places = [[0.0; W]; 3];
     for i in 0..W {
-        places[0][i] = angle::nearest(cosines[0][i], sines[0][i]);
+        places[0][i] = nearest(cosines[0][i], sines[0][i]);
     }
     for i in 0..W {
-        let entry = angle::tabulated(places[0][i]);
+        let entry = tabulated(places[0][i]);
         places[1][i] = entry.high();
         places[2][i] = entry.low();
     }
@@ -122,7 +121,7 @@ pub(crate) fn angles<const W: usize>(cosines: &Two<W>, sines: &Two<W>) -> Two<W>
     for i in 0..W {
         let entry = DoubleDouble::new(places[1][i], places[2][i]);
         let (cosine, sine) = (Lane::of(cosines, i), Lane::of(sines, i));
-        let angle = angle::angle_at(cosine, sine, places[0][i], entry);
+        let angle = angle_at(cosine, sine, places[0][i], entry);
         angle.ordered().put(&mut angles, i);
     }
     angles
@@ -133,17 +132,16 @@ pub(crate) fn angles<const W: usize>(cosines: &Two<W>, sines: &Two<W>) -> Two<W>
 pub(crate) fn complementary_quarters<const W: usize>(landens: &Landens<W>) -> Two<W> {
     let mut nomes = [[0.0; W]; 2];
     for i in 0..W {
-        let nome = Lane::of(&landens.parameter, i)
-            .multiply(Lane::of(&landens.nome_over_square, i))
-            .ordered();
+        let nome =
+            (Lane::of(&landens.parameter, i) * Lane::of(&landens.nome_over_square, i)).ordered();
         nome.put(&mut nomes, i);
     }
     let logarithms = logarithms(&nomes);
     let mut quarters = [[0.0; W]; 2];
     for i in 0..W {
-        let logarithm = Lane::of(&logarithms, i).negated();
+        let logarithm = -Lane::of(&logarithms, i);
         let twice = Lane::of(&landens.mean, i).scaled(2.0);
-        let [high, low] = logarithm.divide(twice).ordered().words();
+        let [high, low] = logarithm.quotient(twice).ordered().words();
         let on_it = landens.parameter[0][i] == 0.0;
         quarters[0][i] = if on_it { f64::INFINITY } else { high };
         quarters[1][i] = if on_it { 0.0 } else { low };
@@ -154,7 +152,7 @@ pub(crate) fn complementary_quarters<const W: usize>(landens: &Landens<W>) -> Tw
 /// A quarter period as it is taken off an argument: 1/K, and K in three words of which the first two are short.
 #[inline(always)]
 pub(crate) fn reduction([high, low]: [f64; 2]) -> (f64, [f64; 3]) {
-    let (first, second) = kernel::halves(high);
+    let (first, second) = quick::halves(high);
     let finite = high < f64::INFINITY;
     let kept = |x: f64| if finite { x } else { 0.0 };
     (1.0 / high, [kept(first), kept(second), kept(low)])
@@ -163,7 +161,7 @@ pub(crate) fn reduction([high, low]: [f64; 2]) -> (f64, [f64; 3]) {
 /// K = π/2 over the mean, for m ≤ 1/2.
 #[inline(always)]
 pub(crate) fn quarter(landen: &Landen<Lane>) -> Lane {
-    Lane::new(RIGHT_ANGLE).divide(landen.mean).ordered()
+    Lane::new(RIGHT_ANGLE).quotient(landen.mean).ordered()
 }
 
 #[inline(always)]
@@ -246,7 +244,7 @@ impl Squares {
 /// The argument: what it is away from the end that it was counted from, or K less that.
 #[inline(always)]
 pub(crate) fn from_either_end(end: bool, quarter: Lane, rest: Lane) -> DoubleDouble {
-    let (from_end, rest) = (quarter.subtract(rest).ordered(), rest.ordered());
+    let (from_end, rest) = ((quarter - rest).ordered(), rest.ordered());
     let choose = |k: usize| {
         if end {
             from_end.words()[k]

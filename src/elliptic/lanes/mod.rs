@@ -3,14 +3,13 @@
 //! What [`Modulus::place`] and [`Modulus::triple`] do for one argument, from coefficients that may differ from lane to lane.
 
 pub(crate) mod descent;
-pub(crate) mod words;
 
 use super::crest::{Crest, Hyperbolic, Wave, hyperbolic_at};
 use super::jacobi::{Circular, QUARTER_PARTS, circular_at, in_quadrant};
 use super::kernel::{self, ROUNDER};
 use super::modulus::Modulus;
 use super::series::Corrections;
-use crate::double_double::DoubleDouble;
+use crate::precise::{DoubleDouble, quick};
 
 /// The greatest count, of quarter periods and of right angles, whose products with the short words are exact.
 pub(crate) use super::modulus::EXACT_COUNT;
@@ -82,7 +81,7 @@ pub(crate) fn reduced([high, low]: [f64; 2], inverse: f64, parts: [f64; 3]) -> R
     let rest = DoubleDouble::difference(first, count * parts[1]);
     let low = rest.low() + (low - count * parts[2]);
     // In order, unless what is left is so small that it does not matter.
-    let (high, low) = kernel::ordered_sum(rest.high(), low);
+    let (high, low) = quick::ordered_sum(rest.high(), low);
     Rest {
         count,
         bits: rounded.to_bits(),

@@ -10,8 +10,8 @@
 
 use super::constants::{Amplitudes, Circular, Constant, Hyperbolic, Phases, Steady, all, four};
 use super::rate::Time;
-use crate::double_double::DoubleDouble;
 use crate::elliptic::lanes::{self, Choice, Crests};
+use crate::precise::DoubleDouble;
 
 /// What comes out, a row for each component: L and Ω along the renumbered axes, and the attitude.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,7 @@
 //! Rates of two words, times the times of many lanes.
 
 use super::constants::Constant;
-use crate::double_double::DoubleDouble;
+use crate::precise::DoubleDouble;
 
 /// A rate of two words that times are multiplied with: the first also in halves, whose products are exact.
 #[derive(Debug, Clone, Copy)]

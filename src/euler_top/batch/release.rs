@@ -1,14 +1,13 @@
 //! How bodies are let go, and which of them go side by side from there.
 
 use super::Axes;
-use crate::double_double::{DoubleDouble, power_of_two_below};
 use crate::error::Result;
 use crate::euler_top::motion::EulerTop;
 use crate::euler_top::separation::separation;
 use crate::euler_top::start::{Renumbering, Start};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::PrincipalMoments;
-use crate::words::Arithmetic;
+use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// A free body as it is let go at time 0: what [`EulerTop::new`] asks for, not prepared for any later time.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! The curve on the plane: its rings and its curvature (tutorial 6.2).
 
 use super::{Poinsot, Sector, norm};
-use crate::extended::shifted;
+use crate::precise::shifted;
 
 impl Poinsot {
     /// Least and greatest distance of the herpolhode from the foot of L on the plane, rad/s (6.2).

@@ -40,7 +40,8 @@ mod munthe_kaas;
 mod preprocessing;
 mod splitting;
 
-pub use super::real::{Real, TwoWords};
+pub use super::real::Real;
+pub use crate::precise::{DoubleDouble, DoubleDouble as TwoWords};
 pub use cayley::{GroupMidpoint, MoserVeselov, VeselovOrder};
 pub use dormand_prince::DormandPrince8;
 pub use drift::{Drift, Rotations, SymmetricDrift, UnequalDrift};

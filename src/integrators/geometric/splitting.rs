@@ -3,7 +3,8 @@
 use super::coefficients::{S6, S10, STRANG, Splitting};
 use super::{Cost, Integrator, Order, Phase, Run, checked_moments, checked_run, unit};
 use crate::error::Result;
-use crate::integrators::real::{Real, Sums, TwoWords, dot, product};
+use crate::integrators::real::{Real, Sums, dot, product};
+use crate::precise::DoubleDouble;
 
 /// A free body, its energy split as |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², I₁ ≤ I₂ ≤ I₃.
 ///
@@ -148,9 +149,9 @@ fn about_momentum<T: Real>(l: [T; 3], moment: f64, step: T, steps: u64) -> [T; 4
         let [x, y, z] = half.map(|component| sine * component);
         return [-(square * versine), x, y, z];
     }
-    let exact = TwoWords::from_double(0.5 * steps as f64)
+    let exact = DoubleDouble::from(0.5 * steps as f64)
         * step.two_words()
-        * TwoWords::from_double(moment).reciprocal();
+        * DoubleDouble::from(moment).reciprocal();
     let exact = l.map(|x| x.two_words() * exact);
     let (sine, cosine) = T::long_turn(dot(exact, exact));
     let [x, y, z] = half.map(|component| sine * component);

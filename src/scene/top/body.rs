@@ -2,11 +2,10 @@
 
 use crate::error::{Error, Result, finite, not_negative};
 use crate::euler_equations::finite_vector;
-use crate::extended::Extended;
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::PrincipalMoments;
 use crate::integrators::geometric::Phase;
-use crate::words::Arithmetic;
+use crate::precise::{Extended, Number};
 
 /// A rigid body as a top sees it: mass, principal moments about the pivot in the order of the axes, centre of mass from the pivot.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -124,7 +123,7 @@ impl Start {
                 let l: [f64; 3] = l.components().into();
                 core::array::from_fn(|k| match l[k] {
                     0.0 => Extended::zero(),
-                    part => number(part).divide(number(moments[k])),
+                    part => number(part).quotient(number(moments[k])),
                 })
             }
         }

@@ -6,12 +6,11 @@ use super::body::{Body, Spin, Start};
 use crate::error::Result;
 use crate::euler_equations::{Integrability, classify};
 use crate::euler_top::EulerTop;
-use crate::extended::{Extended, sum_of_products};
 use crate::frame::{Attitude, BodyVector};
 use crate::kovalevskaya_top::KovalevskayaTop;
 use crate::lagrange_top::{Exact, LagrangeTop};
+use crate::precise::{Extended, Number, sum_of_products};
 use crate::scene::Budget;
-use crate::words::Arithmetic;
 
 /// A motion in closed form.
 #[derive(Debug, Clone)]
@@ -72,9 +71,7 @@ impl ClosedForm {
                 let [_, _, center] = axes.exchanged(body.center);
                 let number = Extended::from_double;
                 let exact = Exact {
-                    weight_moment: number(body.mass)
-                        .multiply(number(center))
-                        .multiply(number(gravity)),
+                    weight_moment: number(body.mass) * number(center) * number(gravity),
                     omega: axes.exchanged(start.exact_omega(moments)),
                     quaternion: axes.exact_attitude(&start.attitude),
                 };

@@ -12,11 +12,9 @@ use super::Axes;
 use super::lanes::row;
 use super::release::{Release, Sorted};
 use crate::elliptic::lanes::descent::Squares;
-use crate::elliptic::lanes::words::{Lane, Two};
 use crate::elliptic::theta::{Elevation, Which};
 use crate::euler_top::separation::exact_separation;
-use crate::extended::{Scalar, exponent_of};
-use crate::words::{Arithmetic, Words};
+use crate::precise::{Lane, Number, Two, Words, exponent_of};
 
 /// Bodies along their renumbered axes.
 pub(super) struct Beginnings<const W: usize> {
@@ -139,8 +137,8 @@ impl<const W: usize> Beginnings<W> {
         let mut blurred = [0.0; W];
         for i in 0..W {
             let (c, squares) = (self.differences(i), self.squares(i));
-            let third = c[0].multiply(squares[2]);
-            let distance = third.subtract(c[2].multiply(squares[0]));
+            let third = c[0] * squares[2];
+            let distance = third - c[2] * squares[0];
             distance.put(&mut distances, i);
             blurred[i] = distance.leading() - CANCELLED * third.leading();
         }
@@ -148,11 +146,7 @@ impl<const W: usize> Beginnings<W> {
             if blurred[i] <= 0.0 {
                 let exact = exact_separation(row(&self.scaled, i), row(&self.l, i));
                 let number = Lane::new(exact);
-                let number = if self.sense[i] < 0.0 {
-                    number.negated()
-                } else {
-                    number
-                };
+                let number = if self.sense[i] < 0.0 { -number } else { number };
                 number.put(&mut distances, i);
             }
         }
@@ -180,24 +174,24 @@ impl<const W: usize> Beginnings<W> {
         };
         for i in 0..W {
             let (c, squares) = (self.differences(i), self.squares(i));
-            let steady = c[2].multiply(squares[1]).add(c[1].multiply(squares[2]));
-            let wobble = c[1].multiply(squares[0]).add(c[0].multiply(squares[1]));
-            let size_squared = squares[0].add(squares[1]).add(squares[2]);
-            let frequency = c[0].multiply(steady);
+            let steady = (c[2] * squares[1]).add_alike(c[1] * squares[2]);
+            let wobble = (c[1] * squares[0]).add_alike(c[0] * squares[1]);
+            let size_squared = squares[0].add_alike(squares[1]).add_alike(squares[2]);
+            let frequency = c[0] * steady;
             let part = match lesser {
-                Lesser::Parameter => c[2].multiply(wobble),
-                Lesser::Complement => c[1].multiply(Lane::of(&distances, i)),
+                Lesser::Parameter => c[2] * wobble,
+                Lesser::Complement => c[1] * Lane::of(&distances, i),
             };
-            part.divide(frequency).ordered().put(&mut rows.lesser, i);
+            part.quotient(frequency).ordered().put(&mut rows.lesser, i);
             let [i0, i1, i2] = row(&self.scaled, i);
             let volume = Lane::product(i0, i1).times(i2);
-            let rate = frequency.square_root().divide(volume);
+            let rate = frequency.square_root().quotient(volume);
             rate.put(&mut rows.rate, i);
-            let base = size_squared.square_root().divide(Lane::from_double(i1));
+            let base = size_squared.square_root().quotient(Lane::from_double(i1));
             base.put(&mut rows.base, i);
             let elevation =
                 Elevation::smaller([steady, wobble], [c[0], c[2]], |which| match which {
-                    Which::Eta => c[1].multiply(size_squared),
+                    Which::Eta => c[1] * size_squared,
                     Which::Xi => c[1],
                 });
             elevation.rise.put(&mut rows.rise, i);

@@ -6,19 +6,17 @@
 )]
 
 use super::{Beginnings, Constants, Lesser};
-use crate::double_double::DoubleDouble;
 use crate::elliptic::lanes::descent::{
     Landens, angles, circular_polynomials, complementary_quarters, from_either_end,
     hyperbolic_polynomials, logarithms, quarter, reduction,
 };
-use crate::elliptic::lanes::words::{Lane, Two};
 use crate::elliptic::theta::{DualTheta, dual_excess};
 use crate::euler_top::batch::constants::{Amplitudes, Circular, Hyperbolic, Phases, Steady};
 use crate::euler_top::batch::lanes::{Motion, Rows, Work, row};
 use crate::euler_top::batch::prepared::{quarters_reach, turning_reach};
 use crate::euler_top::batch::rate::{Rate, halves};
 use crate::euler_top::turning::{Theta, Turning};
-use crate::words::{Arithmetic, Words};
+use crate::precise::{DoubleDouble, Lane, Number, Two, Words};
 
 /// What theta functions and quarter periods add to the constants.
 struct Turnings<const W: usize> {
@@ -71,10 +69,10 @@ impl<const W: usize> Beginnings<W> {
         let mut reach = [0.0; W];
         for i in 0..W {
             let rate = Lane::of(&constants.rate, i);
-            let excess = rate.multiply(Lane::of(&turnings.excess, i));
+            let excess = rate * Lane::of(&turnings.excess, i);
             let sense = self.sense[i];
             // Base + sense · excess: the excess may have either sign.
-            let turning = Lane::of(&constants.base, i).subtract(excess.scaled(-sense));
+            let turning = Lane::of(&constants.base, i) - excess.scaled(-sense);
             let pace = self.pace[i];
             let rate = rate.scaled(sense * pace).ordered().words();
             put_rate(&mut phases.rate, i, rate);
@@ -199,7 +197,7 @@ impl<const W: usize> Beginnings<W> {
             quarter.put(&mut turnings.quarter, i);
             landen.mean.ordered().put(&mut turnings.mean, i);
             let (squares, mc) = (constants.squares(i), 1.0 - constants.lesser[0][i]);
-            let rest = Lane::from_double(squares.angle(&landen, mc)).divide(landen.mean);
+            let rest = Lane::from_double(squares.angle(&landen, mc)).quotient(landen.mean);
             let start = from_either_end(squares.nearer_to_end(mc), quarter, rest);
             self.put_start(&mut turnings.start, i, start);
         }
@@ -238,7 +236,7 @@ impl<const W: usize> Beginnings<W> {
         }
         for i in 0..W {
             let (sine, cosine) = (Lane::of(&sines, i), Lane::of(&cosines, i));
-            let excess = dual_excess(&landens.lane(i), sine, cosine).negated();
+            let excess = -dual_excess(&landens.lane(i), sine, cosine);
             excess.put(&mut turnings.excess, i);
         }
         // What it lags behind is the angle's complement.
@@ -268,7 +266,7 @@ impl<const W: usize> Beginnings<W> {
         for i in 0..W {
             let landen = landens.lane(i);
             landen.mean.ordered().put(&mut turnings.mean, i);
-            let rest = Lane::of(&arguments, i).divide(landen.mean);
+            let rest = Lane::of(&arguments, i).quotient(landen.mean);
             let end = constants.squares(i).nearer_to_end(constants.lesser[0][i]);
             let quarter = Lane::of(&turnings.quarter, i);
             self.put_start(&mut turnings.start, i, from_either_end(end, quarter, rest));
@@ -288,10 +286,13 @@ impl<const W: usize> Beginnings<W> {
         for i in 0..W {
             let squares = self.squares(i);
             let moments = row(&self.scaled, i);
-            let size = squares[0].add(squares[1]).add(squares[2]).square_root();
-            let energy = |k: usize| squares[k].divide(Lane::from_double(moments[k]));
-            let twice_energy = energy(0).add(energy(1)).add(energy(2));
-            let rate = twice_energy.divide(size).scaled(self.pace[i]);
+            let size = squares[0]
+                .add_alike(squares[1])
+                .add_alike(squares[2])
+                .square_root();
+            let energy = |k: usize| squares[k].quotient(Lane::from_double(moments[k]));
+            let twice_energy = energy(0).add_alike(energy(1)).add_alike(energy(2));
+            let rate = twice_energy.quotient(size).scaled(self.pace[i]);
             put_rate(&mut motion.half_rate, i, rate.scaled(0.5).ordered().words());
             reach[i] = turning_reach(rate.leading());
             for k in 0..3 {
@@ -299,7 +300,7 @@ impl<const W: usize> Beginnings<W> {
                 motion.l[k][i] = own;
                 motion.omega[k][i] = own / self.moments[k][i];
             }
-            let direction = |k: usize| Lane::from_double(self.l[k][i]).divide(size).value();
+            let direction = |k: usize| Lane::from_double(self.l[k][i]).quotient(size).value();
             let (x, y, z) = (direction(0), direction(1), direction(2));
             let [a, b, c, d] = row(&self.attitude, i);
             let turned = [

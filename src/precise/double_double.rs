@@ -6,10 +6,13 @@
 //! precision falls back to that of a double.
 
 use core::f64::consts::TAU;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::quick;
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct DoubleDouble {
+pub struct DoubleDouble {
     high: f64,
     low: f64,
 }
@@ -17,16 +20,8 @@ pub(crate) struct DoubleDouble {
 /// 2π − [`TAU`], and what is still missing after that.
 const TAU_REST: [f64; 2] = [2.449_293_598_294_706_4e-16, -5.989_539_619_436_679e-33];
 
-/// Above this the factor of [`halves`] overflows.
+/// Above this the factor that splits a double overflows; a fused multiplication, a call where the processor has none, does not.
 const SPLITTABLE: f64 = 1e300;
-
-/// A double as the sum of two with half the digits, whose products are exact (Veltkamp).
-#[inline]
-fn halves(x: f64) -> [f64; 2] {
-    let scaled = 134_217_729.0 * x;
-    let upper = scaled - (scaled - x);
-    [upper, x - upper]
-}
 
 impl DoubleDouble {
     /// A constant whose trailing part is known to belong to the leading one.
@@ -56,11 +51,8 @@ impl DoubleDouble {
     /// The sum of two doubles of which the first is not the smaller in size, exactly (Dekker).
     #[inline]
     fn ordered_sum(a: f64, b: f64) -> Self {
-        let high = a + b;
-        Self {
-            high,
-            low: b - (high - a),
-        }
+        let (high, low) = quick::ordered_sum(a, b);
+        Self { high, low }
     }
 
     /// The difference of two doubles, exactly.
@@ -71,19 +63,15 @@ impl DoubleDouble {
     /// The product of two doubles, exactly unless its tail underflows.
     #[inline]
     pub(crate) fn product(a: f64, b: f64) -> Self {
-        let high = a * b;
-        // Without an instruction for it, a fused multiplication is a call; Dekker's halves are faster, but overflow first.
-        if cfg!(target_feature = "fma") || a.abs().max(b.abs()) > SPLITTABLE {
+        if a.abs().max(b.abs()) > SPLITTABLE {
+            let high = a * b;
             return Self {
                 high,
                 low: a.mul_add(b, -high),
             };
         }
-        let ([a1, a2], [b1, b2]) = (halves(a), halves(b));
-        Self {
-            high,
-            low: ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2,
-        }
+        let (high, low) = quick::exact_product(a, b);
+        Self { high, low }
     }
 
     /// The nearest double.
@@ -92,40 +80,11 @@ impl DoubleDouble {
         self.high + self.low
     }
 
-    /// The sum, to 104 bits of the greater term.
-    #[inline]
-    pub(crate) fn add(self, other: Self) -> Self {
-        let leading = Self::sum(self.high, other.high);
-        let trailing = Self::sum(self.low, other.low);
-        let first = Self::ordered_sum(leading.high, leading.low + trailing.high);
-        Self::ordered_sum(first.high, first.low + trailing.low)
-    }
-
     /// The sum of two terms that do not cancel, in half the steps.
     #[inline]
     pub(crate) fn add_alike(self, other: Self) -> Self {
         let leading = Self::sum(self.high, other.high);
         Self::ordered_sum(leading.high, leading.low + (self.low + other.low))
-    }
-
-    #[inline]
-    pub(crate) fn negated(self) -> Self {
-        Self {
-            high: -self.high,
-            low: -self.low,
-        }
-    }
-
-    #[inline]
-    pub(crate) fn subtract(self, other: Self) -> Self {
-        self.add(other.negated())
-    }
-
-    #[inline]
-    pub(crate) fn multiply(self, other: Self) -> Self {
-        let leading = Self::product(self.high, other.high);
-        let cross = self.high * other.low + self.low * other.high;
-        Self::ordered_sum(leading.high, leading.low + cross)
     }
 
     /// Multiplied by a double.
@@ -141,15 +100,6 @@ impl DoubleDouble {
             high: self.high * power_of_two,
             low: self.low * power_of_two,
         }
-    }
-
-    #[inline]
-    pub(crate) fn divide(self, divisor: Self) -> Self {
-        let first = self.high / divisor.high;
-        let product = Self::product(first, divisor.high);
-        // The first difference is exact: the quotient is right to half an ulp.
-        let rest = ((self.high - product.high) - product.low) + (self.low - first * divisor.low);
-        Self::ordered_sum(first, rest / divisor.high)
     }
 
     /// Square root of a number that is not negative.
@@ -168,13 +118,9 @@ impl DoubleDouble {
     pub(crate) fn hypotenuse_with_one(self) -> Self {
         if self.high.abs() > 1e40 {
             // 1/(2x) is beyond the last of the 106 bits.
-            return if self.high < 0.0 {
-                self.negated()
-            } else {
-                self
-            };
+            return if self.high < 0.0 { -self } else { self };
         }
-        self.multiply(self).add_alike(Self::from(1.0)).square_root()
+        (self * self).add_alike(Self::from(1.0)).square_root()
     }
 
     /// Sine and cosine of a number of radians.
@@ -190,11 +136,69 @@ impl DoubleDouble {
                 break;
             }
             for part in [TAU, TAU_REST[0], TAU_REST[1]] {
-                rest = rest.subtract(Self::product(turns, part));
+                rest = rest - Self::product(turns, part);
             }
         }
         let (sin, cos) = rest.high.sin_cos();
         (rest.low.mul_add(cos, sin), (-rest.low).mul_add(sin, cos))
+    }
+}
+
+impl Add for DoubleDouble {
+    type Output = Self;
+
+    /// The sum, to 104 bits of it however much cancels.
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let leading = Self::sum(self.high, other.high);
+        let trailing = Self::sum(self.low, other.low);
+        let first = Self::ordered_sum(leading.high, leading.low + trailing.high);
+        Self::ordered_sum(first.high, first.low + trailing.low)
+    }
+}
+
+impl Sub for DoubleDouble {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let leading = Self::product(self.high, other.high);
+        let cross = self.high * other.low + self.low * other.high;
+        Self::ordered_sum(leading.high, leading.low + cross)
+    }
+}
+
+impl Div for DoubleDouble {
+    type Output = Self;
+
+    #[inline]
+    fn div(self, divisor: Self) -> Self {
+        let first = self.high / divisor.high;
+        let product = Self::product(first, divisor.high);
+        // The first difference is exact: the quotient is right to half an ulp.
+        let rest = ((self.high - product.high) - product.low) + (self.low - first * divisor.low);
+        Self::ordered_sum(first, rest / divisor.high)
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self {
+            high: -self.high,
+            low: -self.low,
+        }
     }
 }
 
@@ -217,15 +221,15 @@ mod tests {
 
     #[test]
     fn a_third_has_106_digits_of_ones_and_zeros() {
-        let third = DoubleDouble::from(1.0).divide(DoubleDouble::from(3.0));
-        let rest = DoubleDouble::from(1.0).subtract(third.multiply(DoubleDouble::from(3.0)));
+        let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
+        let rest = DoubleDouble::from(1.0) - third * DoubleDouble::from(3.0);
         assert!(rest.value().abs() < 2f64.powi(-104), "{rest:?}");
     }
 
     #[test]
     fn root_two_squares_to_two() {
         let root = DoubleDouble::from(2.0).square_root();
-        let rest = root.multiply(root).subtract(DoubleDouble::from(2.0));
+        let rest = root * root - DoubleDouble::from(2.0);
         assert!(rest.value().abs() < 2f64.powi(-102), "{rest:?}");
     }
 

@@ -1,7 +1,6 @@
 //! The angle of a point in twice the precision.
 
-use crate::double_double::DoubleDouble;
-use crate::words::Words;
+use super::{DoubleDouble, Words};
 
 /// π/2 to 106 bits.
 pub(crate) const RIGHT_ANGLE: DoubleDouble =
@@ -69,36 +68,33 @@ pub(crate) fn angle_at<W: Words>(cosine: W, sine: W, index: f64, entry: DoubleDo
         (cosine, sine)
     };
     let slope = W::from_double(index / 16.0);
-    let r = across
-        .subtract(along.multiply(slope))
-        .divide(along.add(across.multiply(slope)));
-    let square = r.multiply(r);
+    let r = (across - along * slope).quotient(along.add_alike(across * slope));
+    let square = r * r;
     let y = square.value();
     let tail = y * y * (0.2 - y * (1.0 / 7.0 - y * (1.0 / 9.0 - y * (1.0 / 11.0 - y / 13.0))));
-    let series = W::from_double(1.0)
-        .subtract(square.divide(W::from_double(3.0)))
-        .add(W::from_double(tail));
-    let small = r.multiply(series).subtract(W::from_two(entry.negated()));
-    let rest = W::from_two(RIGHT_ANGLE).subtract(small);
+    let series = (W::from_double(1.0) - square.quotient(W::from_double(3.0)))
+        .add_alike(W::from_double(tail));
+    let small = r * series - W::from_two(-entry);
+    let rest = W::from_two(RIGHT_ANGLE) - small;
     if steep { rest } else { small }
 }
 
 #[cfg(test)]
 mod tests {
     use super::angle;
-    use crate::double_double::DoubleDouble;
+    use crate::precise::DoubleDouble;
 
     #[test]
     fn angles_add_as_rotations_do() {
         for i in 0..200 {
             let t = f64::from(i) * 0.01 / 2.0;
             let (c, s) = (DoubleDouble::from(t.cos()), DoubleDouble::from(t.sin()));
-            let c2 = c.multiply(c).subtract(s.multiply(s));
-            let s2 = c.multiply(s).scaled(2.0);
+            let c2 = c * c - s * s;
+            let s2 = (c * s).scaled(2.0);
             if c2.value() < 0.0 {
                 continue;
             }
-            let rest = angle(c2, s2).subtract(angle(c, s).scaled(2.0));
+            let rest = angle(c2, s2) - angle(c, s).scaled(2.0);
             assert!(rest.value().abs() < 1e-22, "{t}: {rest:?}");
             assert!((angle(c, s).value() - t).abs() < 2e-16);
         }

@@ -1,7 +1,6 @@
 //! The natural logarithm to 103 bits, for the quarter period next to the separatrix.
 
-use super::kernel;
-use crate::double_double::{DoubleDouble, power_of_two_below};
+use super::{DoubleDouble, power_of_two_below, quick};
 
 const LN_2: DoubleDouble = DoubleDouble::new(core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
 
@@ -45,18 +44,18 @@ const LOGARITHMS: [DoubleDouble; 33] = [
 ];
 
 /// Next to which centre a number lies, and by what it is multiplied to lie between 1 and 2.
-pub(super) struct Place {
-    pub(super) inverse: f64,
+pub(crate) struct Place {
+    pub(crate) inverse: f64,
     /// The exponent that is taken off so.
-    pub(super) exponent: f64,
-    pub(super) center: f64,
-    pub(super) entry: DoubleDouble,
+    pub(crate) exponent: f64,
+    pub(crate) center: f64,
+    pub(crate) entry: DoubleDouble,
 }
 
 impl Place {
     /// That of a normal positive number; of zero, a place like any other.
     #[inline]
-    pub(super) fn new(x: f64) -> Self {
+    pub(crate) fn new(x: f64) -> Self {
         let unit = power_of_two_below(x);
         let inverse = 1.0 / unit;
         let index = ((x * inverse) * 32.0 + 0.5) as usize;
@@ -81,7 +80,7 @@ pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
 
 /// The same next to its place, without a branch.
 #[inline(always)]
-pub(super) fn logarithm_at(x: DoubleDouble, place: &Place) -> DoubleDouble {
+pub(crate) fn logarithm_at(x: DoubleDouble, place: &Place) -> DoubleDouble {
     let Place {
         inverse,
         exponent,
@@ -91,35 +90,35 @@ pub(super) fn logarithm_at(x: DoubleDouble, place: &Place) -> DoubleDouble {
     let x = x.scaled(inverse);
     let sum = DoubleDouble::sum(x.high(), center);
     let gap = DoubleDouble::sum(x.high() - center, x.low());
-    let s = kernel::quotient(gap, DoubleDouble::new(sum.high(), sum.low() + x.low()));
-    let s2 = kernel::product(s, s);
+    let s = quick::quotient(gap, DoubleDouble::new(sum.high(), sum.low() + x.low()));
+    let s2 = quick::product(s, s);
     let y = s2.high();
     // From the fourth term on a double will do, and so for what 1/5 leaves over.
     let tail = y * (1.0 / 7.0 + y * (1.0 / 9.0 + y * (1.0 / 11.0 + y / 13.0)));
-    let (high, low) = kernel::ordered_sum(0.2, tail);
-    let fifth = kernel::product(
+    let (high, low) = quick::ordered_sum(0.2, tail);
+    let fifth = quick::product(
         s2,
         DoubleDouble::new(high, low - 1.110_223_024_625_156_6e-17),
     );
-    let (high, low) = kernel::ordered_sum(THIRD.high(), fifth.high());
+    let (high, low) = quick::ordered_sum(THIRD.high(), fifth.high());
     let third = DoubleDouble::new(high, low + (THIRD.low() + fifth.low()));
-    let more = kernel::product(kernel::product(s, s2), third);
+    let more = quick::product(quick::product(s, s2), third);
     let series = DoubleDouble::sum(s.high(), more.high());
     let series_low = 2.0 * (series.low() + (s.low() + more.low()));
-    let (power, error) = kernel::exact_product(exponent, LN_2.high());
+    let (power, error) = quick::exact_product(exponent, LN_2.high());
     // The greatest first; the sum of the first two is zero or not small against the third.
     let first = DoubleDouble::sum(power, entry.high());
     let second = DoubleDouble::sum(first.high(), 2.0 * series.high());
     let low =
         (first.low() + second.low()) + (error + exponent * LN_2.low() + entry.low() + series_low);
-    let (high, low) = kernel::ordered_sum(second.high(), low);
+    let (high, low) = quick::ordered_sum(second.high(), low);
     DoubleDouble::new(high, low)
 }
 
 #[cfg(test)]
 mod tests {
     use super::logarithm;
-    use crate::double_double::DoubleDouble;
+    use crate::precise::DoubleDouble;
     use core::f64::consts::LN_2;
 
     #[test]
@@ -128,9 +127,9 @@ mod tests {
         let mut x = 1.000_37_f64;
         while x < 1e100 {
             let one = DoubleDouble::from(x);
-            let cube = one.multiply(one).multiply(one);
+            let cube = one * one * one;
             let (ln, of_cube) = (logarithm(one, 0), logarithm(cube, 0));
-            let rest = of_cube.subtract(ln.multiply(DoubleDouble::from(3.0)));
+            let rest = of_cube - ln * DoubleDouble::from(3.0);
             let allowed = 2f64.powi(-101) * of_cube.value().max(1.0);
             assert!(rest.value().abs() < allowed, "{x}: {rest:?}");
             assert!((ln.value() - x.ln()).abs() <= f64::EPSILON * ln.value());

@@ -1,16 +1,15 @@
 //! Two words without a branch: what [`DoubleDouble`] does, for the body of a loop over lanes.
 //!
-//! The formulas of a preparation are written once, for any [`Scalar`]; with this one the compiler may lay out several bodies side by
+//! The formulas of a preparation are written once, for any [`Number`]; with this one the compiler may lay out several bodies side by
 //! side. It is meant for sizes between 10⁻²⁸⁰ and 10²⁸⁰, and for zero.
 //!
 //! The words are not put in order after each operation, which is a third of the time that one operation waits for another: the trailing one may
 //! be some units in the last place of the leading one. What is left out is the square of that: some 98 bits are right at the end,
 //! where the states side by side need 80, since they reach no further than 2²⁴ half turns.
 
-use crate::double_double::DoubleDouble;
-use crate::elliptic::kernel;
-use crate::extended::{Extended, Scalar};
-use crate::words::{Arithmetic, Words};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::{DoubleDouble, Extended, Number, Words, quick};
 
 /// A number of two words in a lane.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +39,7 @@ impl Lane {
     /// The product of two doubles, exactly.
     #[inline(always)]
     pub(crate) fn product(a: f64, b: f64) -> Self {
-        let (high, low) = kernel::exact_product(a, b);
+        let (high, low) = quick::exact_product(a, b);
         Self(DoubleDouble::new(high, low))
     }
 
@@ -58,64 +57,8 @@ impl Lane {
     /// The same with its words in order.
     #[inline(always)]
     pub(crate) fn ordered(self) -> Self {
-        let (high, low) = kernel::ordered_sum(self.0.high(), self.0.low());
+        let (high, low) = quick::ordered_sum(self.0.high(), self.0.low());
         Self::pair(high, low)
-    }
-}
-
-impl Arithmetic for Lane {
-    #[inline(always)]
-    fn from_double(value: f64) -> Self {
-        Self(DoubleDouble::from(value))
-    }
-
-    #[inline(always)]
-    fn multiply(self, other: Self) -> Self {
-        let ([a, a_low], [b, b_low]) = (self.words(), other.words());
-        let (high, low) = kernel::exact_product(a, b);
-        Self::pair(high, low + (a * b_low + a_low * b))
-    }
-
-    #[inline(always)]
-    fn divide(self, other: Self) -> Self {
-        let ([a, a_low], [b, b_low]) = (self.words(), other.words());
-        let inverse = 1.0 / b;
-        let leading = a * inverse;
-        let (product, error) = kernel::exact_product(leading, b);
-        let rest = ((a - product) - error) + (a_low - leading * b_low);
-        Self::pair(leading, rest * inverse)
-    }
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        let ([a, a_low], [b, b_low]) = (self.words(), other.words());
-        let sum = DoubleDouble::sum(a, b);
-        Self::pair(sum.high(), sum.low() + (a_low + b_low))
-    }
-
-    #[inline(always)]
-    fn subtract(self, other: Self) -> Self {
-        self.add(other.negated())
-    }
-
-    #[inline(always)]
-    fn negated(self) -> Self {
-        Self(self.0.negated())
-    }
-
-    #[inline(always)]
-    fn square_root(self) -> Self {
-        let [high, low] = self.words();
-        let root = high.sqrt();
-        let (square, error) = kernel::exact_product(root, root);
-        // Of zero nothing is left to be divided.
-        let inverse = 0.5 / kernel::greater(root, f64::MIN_POSITIVE);
-        Self::pair(root, (((high - square) - error) + low) * inverse)
-    }
-
-    #[inline(always)]
-    fn leading(self) -> f64 {
-        self.0.high()
     }
 }
 
@@ -138,8 +81,8 @@ impl Words for Lane {
     #[inline(always)]
     fn hypotenuse_with_one(self) -> Self {
         // Not beyond 10¹⁴⁰, where a square has no room: 2⁻¹⁰⁰ is the least that one number of a start is of another.
-        self.multiply(self)
-            .add(Self::from_double(1.0))
+        (self * self)
+            .add_alike(Self::from_double(1.0))
             .square_root()
     }
 
@@ -153,8 +96,92 @@ impl Words for Lane {
     }
 }
 
-impl Scalar for Lane {
+impl Add for Lane {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let ([a, a_low], [b, b_low]) = (self.words(), other.words());
+        let sum = DoubleDouble::sum(a, b);
+        Self::pair(sum.high(), sum.low() + (a_low + b_low))
+    }
+}
+
+impl Sub for Lane {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Lane {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let ([a, a_low], [b, b_low]) = (self.words(), other.words());
+        let (high, low) = quick::exact_product(a, b);
+        Self::pair(high, low + (a * b_low + a_low * b))
+    }
+}
+
+impl Div for Lane {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let ([a, a_low], [b, b_low]) = (self.words(), other.words());
+        let inverse = 1.0 / b;
+        let leading = a * inverse;
+        let (product, error) = quick::exact_product(leading, b);
+        let rest = ((a - product) - error) + (a_low - leading * b_low);
+        Self::pair(leading, rest * inverse)
+    }
+}
+
+impl Neg for Lane {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Number for Lane {
     type Narrow = Self;
+
+    #[inline(always)]
+    fn from_double(value: f64) -> Self {
+        Self(DoubleDouble::from(value))
+    }
+
+    #[inline(always)]
+    fn leading(self) -> f64 {
+        self.0.high()
+    }
+
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        let [high, low] = self.words();
+        let root = high.sqrt();
+        let (square, error) = quick::exact_product(root, root);
+        // Of zero nothing is left to be divided.
+        let inverse = 0.5
+            / if root > f64::MIN_POSITIVE {
+                root
+            } else {
+                f64::MIN_POSITIVE
+            };
+        Self::pair(root, (((high - square) - error) + low) * inverse)
+    }
+
+    #[inline(always)]
+    fn quotient(self, divisor: Self) -> Self {
+        self / divisor
+    }
 
     #[inline(always)]
     fn difference(a: f64, b: f64) -> Self {
@@ -174,7 +201,7 @@ impl Scalar for Lane {
     #[inline(always)]
     fn times(self, factor: f64) -> Self {
         let [high, low] = self.words();
-        let (product, error) = kernel::exact_product(high, factor);
+        let (product, error) = quick::exact_product(high, factor);
         Self::pair(product, error + low * factor)
     }
 
@@ -190,11 +217,11 @@ impl Scalar for Lane {
     }
 
     fn logarithm(self) -> Self {
-        Self(Scalar::logarithm(self.0))
+        Self(Number::logarithm(self.0))
     }
 
     fn rough_cube_root(self) -> Self {
-        Self(Scalar::rough_cube_root(self.0))
+        Self(Number::rough_cube_root(self.0))
     }
 
     fn from_extended(number: Extended) -> Self {

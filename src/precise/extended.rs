@@ -1,109 +1,9 @@
 //! Numbers with 106 bits and an exponent of their own, so that no tilt underflows and no phase loses digits; what they
 //! share with plainer numbers; and the arctangent in 106 bits.
 
-use crate::double_double::{DoubleDouble, power_of_two_below};
-use crate::elliptic;
-use crate::words::{Arithmetic, Words};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What the constants of an exact motion are formed in: [`DoubleDouble`] where no square overflows or underflows, [`Extended`]
-/// elsewhere, a double where one word will do.
-pub(crate) trait Scalar: Arithmetic {
-    /// The same without an exponent of its own.
-    type Narrow: Words;
-    /// The difference of two doubles, exactly.
-    fn difference(a: f64, b: f64) -> Self;
-    /// Of a number that is normal or zero.
-    fn from_narrow(number: Self::Narrow) -> Self;
-    /// Without the exponent; zero or infinite where that has no room.
-    fn narrow(self) -> Self::Narrow;
-    /// The square root of the quotient, as a double.
-    fn root_of_quotient(self, divisor: Self) -> f64;
-    /// Whether it is greater than `other`; both not negative.
-    fn exceeds(self, other: Self) -> bool;
-    /// The natural logarithm of a positive number.
-    fn logarithm(self) -> Self::Narrow;
-    /// The cube root of a number that is not negative, roughly.
-    fn rough_cube_root(self) -> Self;
-    fn from_extended(number: Extended) -> Self;
-
-    fn square(self) -> Self {
-        self.multiply(self)
-    }
-
-    /// Multiplied by a double.
-    fn times(self, factor: f64) -> Self {
-        self.multiply(Self::from_double(factor))
-    }
-
-    /// Multiplied by 1 or −1.
-    fn signed(self, sign: f64) -> Self {
-        if sign < 0.0 { self.negated() } else { self }
-    }
-
-    /// The quotient, as a double.
-    fn ratio(self, divisor: Self) -> f64 {
-        self.divide(divisor).narrow().value()
-    }
-
-    fn magnitude(self) -> Self {
-        self.signed(self.leading())
-    }
-}
-
-impl Scalar for DoubleDouble {
-    type Narrow = Self;
-
-    #[inline]
-    fn difference(a: f64, b: f64) -> Self {
-        Self::difference(a, b)
-    }
-
-    #[inline]
-    fn from_narrow(number: DoubleDouble) -> Self {
-        number
-    }
-
-    #[inline]
-    fn times(self, factor: f64) -> Self {
-        self.times(factor)
-    }
-
-    #[inline]
-    fn narrow(self) -> DoubleDouble {
-        self
-    }
-
-    #[inline]
-    fn root_of_quotient(self, divisor: Self) -> f64 {
-        if self.high() == 0.0 {
-            0.0
-        } else {
-            (self.value() / divisor.value()).sqrt()
-        }
-    }
-
-    #[inline]
-    fn ratio(self, divisor: Self) -> f64 {
-        self.value() / divisor.value()
-    }
-
-    #[inline]
-    fn exceeds(self, other: Self) -> bool {
-        self.high() > other.high() || (self.high() == other.high() && self.low() > other.low())
-    }
-
-    fn logarithm(self) -> Self {
-        elliptic::logarithm(self, 0)
-    }
-
-    fn rough_cube_root(self) -> Self {
-        Self::from(self.high().cbrt())
-    }
-
-    fn from_extended(number: Extended) -> Self {
-        number.narrow()
-    }
-}
+use super::{DoubleDouble, Number, logarithm, power_of_two_below};
 
 /// `digits · 2^exponent`: squares of tilts down to 1e-300 stay numbers.
 #[derive(Debug, Clone, Copy)]
@@ -120,7 +20,7 @@ pub(crate) fn sum_of_products(products: &[[f64; 2]]) -> Extended {
     let number = Extended::from_double;
     let mut words: Vec<Extended> = products
         .iter()
-        .flat_map(|[a, b]| number(*a).multiply(number(*b)).words())
+        .flat_map(|[a, b]| (number(*a) * number(*b)).words())
         .collect();
     // Error-free sums carry what overlaps upwards. When a round changes nothing, no two words overlap; each round settles at least one.
     for _ in 0..2 * words.len() {
@@ -134,7 +34,9 @@ pub(crate) fn sum_of_products(products: &[[f64; 2]]) -> Extended {
             break;
         }
     }
-    words.into_iter().fold(Extended::zero(), Extended::add)
+    words
+        .into_iter()
+        .fold(Extended::zero(), Extended::add_alike)
 }
 
 /// The sum of two numbers of one word, as the nearest such number and the rest, the rest first.
@@ -191,52 +93,71 @@ impl Extended {
     }
 }
 
-impl Scalar for f64 {
-    type Narrow = Self;
+impl Add for Extended {
+    type Output = Self;
 
-    #[inline]
-    fn difference(a: f64, b: f64) -> Self {
-        a - b
-    }
-
-    #[inline]
-    fn from_narrow(number: f64) -> Self {
-        number
-    }
-
-    #[inline]
-    fn narrow(self) -> f64 {
-        self
-    }
-
-    #[inline]
-    fn root_of_quotient(self, divisor: Self) -> f64 {
-        if self == 0.0 {
-            0.0
-        } else {
-            (self / divisor).sqrt()
+    fn add(self, other: Self) -> Self {
+        let exponent = self.exponent.max(other.exponent);
+        let first = self.digits.scaled(power(self.exponent - exponent));
+        let second = other.digits.scaled(power(other.exponent - exponent));
+        let digits = first + second;
+        if digits.high() == 0.0 {
+            return Self::zero();
         }
-    }
-
-    #[inline]
-    fn exceeds(self, other: Self) -> bool {
-        self > other
-    }
-
-    fn logarithm(self) -> f64 {
-        self.ln()
-    }
-
-    fn rough_cube_root(self) -> f64 {
-        self.cbrt()
-    }
-
-    fn from_extended(number: Extended) -> Self {
-        number.value()
+        Self { digits, exponent }
     }
 }
 
-impl Arithmetic for Extended {
+impl Sub for Extended {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Extended {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::zero();
+        }
+        Self {
+            digits: self.digits * other.digits,
+            exponent: self.exponent + other.exponent,
+        }
+    }
+}
+
+impl Div for Extended {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        if self.is_zero() {
+            return Self::zero();
+        }
+        Self {
+            digits: self.digits / other.digits,
+            exponent: self.exponent - other.exponent,
+        }
+    }
+}
+
+impl Neg for Extended {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            digits: -self.digits,
+            exponent: self.exponent,
+        }
+    }
+}
+
+impl Number for Extended {
+    type Narrow = DoubleDouble;
+
     fn from_double(value: f64) -> Self {
         if value == 0.0 {
             return Self::zero();
@@ -255,46 +176,8 @@ impl Arithmetic for Extended {
         }
     }
 
-    fn multiply(self, other: Self) -> Self {
-        if self.is_zero() || other.is_zero() {
-            return Self::zero();
-        }
-        Self {
-            digits: self.digits.multiply(other.digits),
-            exponent: self.exponent + other.exponent,
-        }
-    }
-
-    fn divide(self, other: Self) -> Self {
-        if self.is_zero() {
-            return Self::zero();
-        }
-        Self {
-            digits: self.digits.divide(other.digits),
-            exponent: self.exponent - other.exponent,
-        }
-    }
-
-    fn add(self, other: Self) -> Self {
-        let exponent = self.exponent.max(other.exponent);
-        let first = self.digits.scaled(power(self.exponent - exponent));
-        let second = other.digits.scaled(power(other.exponent - exponent));
-        let digits = first.add(second);
-        if digits.high() == 0.0 {
-            return Self::zero();
-        }
-        Self { digits, exponent }
-    }
-
-    fn subtract(self, other: Self) -> Self {
-        self.add(other.negated())
-    }
-
-    fn negated(self) -> Self {
-        Self {
-            digits: self.digits.negated(),
-            exponent: self.exponent,
-        }
+    fn leading(self) -> f64 {
+        self.digits.high()
     }
 
     fn square_root(self) -> Self {
@@ -307,14 +190,6 @@ impl Arithmetic for Extended {
             exponent: (self.exponent - odd) / 2,
         }
     }
-
-    fn leading(self) -> f64 {
-        self.digits.high()
-    }
-}
-
-impl Scalar for Extended {
-    type Narrow = DoubleDouble;
 
     fn difference(a: f64, b: f64) -> Self {
         let exact = DoubleDouble::difference(a, b);
@@ -351,11 +226,11 @@ impl Scalar for Extended {
     }
 
     fn exceeds(self, other: Self) -> bool {
-        self.subtract(other).leading() > 0.0
+        (self - other).leading() > 0.0
     }
 
     fn logarithm(self) -> DoubleDouble {
-        elliptic::logarithm(self.digits, self.exponent)
+        logarithm(self.digits, self.exponent)
     }
 
     fn rough_cube_root(self) -> Self {
@@ -423,19 +298,16 @@ pub(crate) fn shifted(value: f64, exponent: i32) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Extended, Scalar, shifted, sum_of_products};
-    use crate::double_double::DoubleDouble;
-    use crate::words::Arithmetic;
+    use super::{Extended, Number, shifted, sum_of_products};
+    use crate::precise::DoubleDouble;
 
     #[test]
     fn logarithm_of_products_is_the_sum() {
         let mut x = 1.000_37_f64;
         while x < 1e300 {
             let third = Extended::from_double(x);
-            let cube = third.multiply(third).multiply(third);
-            let rest = cube
-                .logarithm()
-                .subtract(third.logarithm().multiply(DoubleDouble::from(3.0)));
+            let cube = third * third * third;
+            let rest = cube.logarithm() - third.logarithm() * DoubleDouble::from(3.0);
             assert!(rest.value().abs() < 1e-21, "{x}: {rest:?}");
             assert!((third.logarithm().value() - x.ln()).abs() < 2e-16 * (1.0 + x.ln()));
             x *= 1.093;

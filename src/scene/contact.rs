@@ -26,15 +26,13 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
-use core::cell::Cell;
-
 use nalgebra::Vector3;
 
 use super::columns::Columns;
 use super::effects::Effect;
 use super::engine::{self, Answer, Closed, Ended, Flow, planned, solved, to_accuracy};
 use super::motion::{Account, ledger};
-use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
+use super::{Budget, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
@@ -345,13 +343,12 @@ const NEAR: f64 = 0.05;
 /// The same below which a body that leaves its rest turns its slip as friction wants it, at a tolerance of 1; the error goes with the slip to the power 5/2.
 const LEFT: f64 = 0.4;
 const POWER: f64 = 0.4;
-/// Slip in units of the tolerance times the velocity of the motion that is taken for none, and the least tolerance that counts.
+/// Slip in units of the tolerance times the velocity of the motion that is taken for none, and the least and the greatest tolerance that count.
 const STILL: f64 = 0.1;
 const FINEST: f64 = 2e-14;
+const COARSEST: f64 = 1e-6;
 /// In units of slip over μg: by then the slip goes where friction wants it, unless it has come to nothing before.
 const SETTLED: f64 = 60.0;
-/// Evaluations on the way to a rest, or to a sample before it; hundreds were seen.
-const MOST_ASKED: u32 = 1_000_000;
 /// Reaction over weight below which a body that has met an event takes off. Take-off is located to rounding; rest, which also is an
 /// event, says nothing of the reaction.
 const LIFTED: f64 = 1e-6;
@@ -406,7 +403,7 @@ impl OnTheTable {
 
     /// What slips no faster rests.
     fn still(&self) -> f64 {
-        STILL * self.tolerance.clamp(FINEST, 1e-6) * self.velocity_scale()
+        STILL * self.tolerance.clamp(FINEST, COARSEST) * self.velocity_scale()
     }
 
     fn contact(&self, mode: &Mode, pose: &Pose) -> Contact {
@@ -638,12 +635,13 @@ impl Flow<NUMBERS> for OnTheTable {
         (now, y): (f64, &Numbers),
         times: &[f64],
         until: f64,
+        budget: &Budget,
     ) -> Option<Result<Passage<Numbers>>> {
         match (mode, self.coulomb()) {
             (Mode::Airborne(takeoff), _) if !(self.free && self.stepped) => {
                 Some(self.flown(takeoff, y, times, until))
             }
-            (Mode::Stopping, Some(law)) => Some(self.slowed(law, (now, y), times, until)),
+            (Mode::Stopping, Some(law)) => Some(self.slowed(law, (now, y), times, until, budget)),
             _ => None,
         }
     }
@@ -691,23 +689,15 @@ impl OnTheTable {
         (now, y): (f64, &Numbers),
         times: &[f64],
         until: f64,
+        budget: &Budget,
     ) -> Result<Passage<Numbers>> {
-        let scale = law.grip() * self.table.gravity;
-        let parted = |z: &[f64; NUMBERS + 1]| (core::array::from_fn(|n| z[n]), z[NUMBERS]);
-        let asked = Cell::new(0_u32);
-        let rate = |_: f64, z: &[f64; NUMBERS + 1]| {
-            // What is not a number makes the run fail.
-            asked.set(asked.get() + 1);
-            if asked.get() > MOST_ASKED {
-                return [f64::NAN; NUMBERS + 1];
-            }
-            let y: Numbers = parted(z).0;
-            let pose = Pose::of(&y);
-            let contact = self.table.slides(&pose);
-            let pace = contact.slip.norm() / scale;
-            let rates = self.table.rates(&y, &pose, &contact);
-            core::array::from_fn(|n| pace * rates.get(n).unwrap_or(&1.0))
+        let slowing = Slowing {
+            on: self,
+            scale: law.grip() * self.table.gravity,
+            now,
+            budget,
         };
+        let parted = |z: &[f64; NUMBERS + 1]| -> Numbers { core::array::from_fn(|n| z[n]) };
         let [mut scales, mut z] = [[1.0 / self.turning; NUMBERS + 1], [0.0; NUMBERS + 1]];
         scales[..NUMBERS].copy_from_slice(&self.scales());
         z[..NUMBERS].copy_from_slice(y);
@@ -720,12 +710,11 @@ impl OnTheTable {
         };
         for &time in times.iter().chain([&until]) {
             let left = |z: &[f64; NUMBERS + 1]| self.turning * (time - now - z[NUMBERS]);
-            let lasts = |z: &[f64; NUMBERS + 1]| self.margin(Mode::Stopping, now, &parted(z).0);
-            asked.set(0);
+            let lasts = |z: &[f64; NUMBERS + 1]| self.margin(Mode::Stopping, now, &parted(z));
             let whole = left(&z);
             if whole > 0.0 && lasts(&z) > 0.0 {
                 let leg = Leg {
-                    system: &rate as &dyn System<{ NUMBERS + 1 }>,
+                    system: &slowing as &dyn System<{ NUMBERS + 1 }>,
                     kept: self.kept(),
                     start: (0.0, &z),
                     scales: &scales,
@@ -733,11 +722,13 @@ impl OnTheTable {
                     end: SETTLED,
                 };
                 let event = |_: f64, z: &[f64; NUMBERS + 1]| left(z).min(lasts(z));
-                let part = leg.follow(Some(&event), Effort::Tolerance(self.tolerance))?;
+                // No looser: what the steps are off by would pass for slip.
+                let effort = Effort::Tolerance(self.tolerance.min(COARSEST));
+                let part = leg.follow(Some(&event), effort)?;
                 passage.cost += part.cost;
                 z = part.end;
             }
-            passage.end = parted(&z).0;
+            passage.end = parted(&z);
             // Located to rounding.
             if left(&z) > 1e-9 * whole {
                 passage.time = now + z[NUMBERS];
@@ -750,6 +741,32 @@ impl OnTheTable {
             }
         }
         Ok(passage)
+    }
+}
+
+/// A body near rest, its numbers and the time as functions of ∫μg dt/|slip|.
+struct Slowing<'a> {
+    on: &'a OnTheTable,
+    /// μg, m/s².
+    scale: f64,
+    /// When it came near, s.
+    now: f64,
+    budget: &'a Budget,
+}
+
+impl System<{ NUMBERS + 1 }> for Slowing<'_> {
+    fn rate(&self, _: f64, z: &[f64; NUMBERS + 1]) -> [f64; NUMBERS + 1] {
+        self.budget.count(1);
+        let y: Numbers = core::array::from_fn(|n| z[n]);
+        let pose = Pose::of(&y);
+        let contact = self.on.table.slides(&pose);
+        let pace = contact.slip.norm() / self.scale;
+        let rates = self.on.table.rates(&y, &pose, &contact);
+        core::array::from_fn(|n| pace * rates.get(n).unwrap_or(&1.0))
+    }
+
+    fn reached(&self, _: f64) -> Result<()> {
+        self.budget.reached(self.now)
     }
 }
 

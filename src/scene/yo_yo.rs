@@ -15,7 +15,7 @@ use super::columns::Columns;
 use super::effects::Effect;
 use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, greater, planned, solved};
 use super::motion::{Account, ledger};
-use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
+use super::{Budget, Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative, positive};
 use crate::integrators::{Cost, Passage, Stop};
@@ -513,6 +513,7 @@ impl Flow<6> for Playing {
         from: (f64, &Numbers),
         times: &[f64],
         until: f64,
+        _: &Budget,
     ) -> Option<Result<Passage<Numbers>>> {
         (self.closed || rests(stage.0)).then(|| self.passage(stage, from, times, until))
     }

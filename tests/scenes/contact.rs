@@ -435,3 +435,26 @@ fn where_it_slips_and_rolls_a_smoothed_law_tends_to_coulombs_too() {
     // A smoothed law creeps where Coulomb's rolls: first order in ε.
     assert!(near < 0.4 * far && near < 1e-2, "{far:e} {near:e}");
 }
+
+/// To one digit the steps are off by more than the slip at which it counts as none: it has to come to rest all the same.
+#[test]
+fn sliding_turns_into_rolling_to_one_digit_too() {
+    let start = Start {
+        velocity: SpaceVector::new(1.0, 0.0, 0.0),
+        ..Start::about_vertical(0.0, 0.0, 0.0).unwrap()
+    };
+    let scene = TableTop::new(ball(), start).with(gravity()).unwrap();
+    let scene = scene.with(Coulomb::new(0.2).unwrap()).unwrap();
+    for solver in [
+        Solver::Geometric(spinning_bodies::scene::Geometric::DormandPrince8),
+        Solver::General(Method::Dopri5),
+        Solver::General(Method::Dop853),
+    ] {
+        let request = Request::at([0.1, 1.0]).unwrap().to_accuracy(0.1).unwrap();
+        let request = request.with_methods(&lab::general::DifferentialEquations);
+        let request = request.by(Choice::Use(solver)).within(100_000);
+        let end = scene.simulate(&request).unwrap().rows[1].1;
+        assert_eq!(end.support, Support::Rolling, "{solver}");
+        assert!((end.velocity.x() - 5.0 / 7.0).abs() < 1e-3, "{solver}");
+    }
+}

@@ -130,6 +130,10 @@ impl<const N: usize> Run<'_, N> {
             system: self.system,
             clock,
         };
+        // The crate makes its first step ever smaller, twenty million times.
+        for rate in timed.system.rate(clock.start, start) {
+            finite("a rate at the start", rate)?;
+        }
         let crossing = Falling { event, clock };
         let mut track = Track::new(&timed, times, Some(&crossing), (0.0, *start));
         track.armed = crossing.is_armed(&timed, start);

@@ -11,7 +11,7 @@ use crate::scene::columns::Columns;
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Closed, Ended, Flow, planned, solved};
 use crate::scene::motion::{Account, ledger};
-use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::scene::{Budget, Motion, Plan, Request, Scene, Solver, Tabulated};
 
 /// Two feet and a muscle on the ground, at rest at first.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -219,6 +219,7 @@ impl Flow<5> for Crawling {
         (from, y): (f64, &[f64; 5]),
         times: &[f64],
         until: f64,
+        _: &Budget,
     ) -> Option<Result<Passage<[f64; 5]>>> {
         let gap = self.gap(piece, from);
         let after = |t: f64| self.body.after(&leg, y, &gap, t - from);

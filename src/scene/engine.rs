@@ -367,7 +367,7 @@ const FEW_STEPS: u64 = 3;
 /// What rounding does to a motion that amplifies nothing, for every radian.
 pub(crate) const ROUNDING: f64 = 4e-16;
 
-/// The motion at the times of the request, with an error below its accuracy.
+/// The motion at the times of the request, with an error below its accuracy; or one run at the effort asked for.
 ///
 /// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart. Their distance is the error of the looser one;
 /// the better one, which is returned, is told to be off by a fifth of that. Where that is more than the accuracy, a further run or two take their
@@ -385,13 +385,25 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     flow: impl Fn(f64) -> Result<F>,
 ) -> Result<Answer<F::Phase, N>> {
     let (stepper, budget) = (stepper(solver, request)?, &request.budget());
+    if let Some(effort) = request.effort() {
+        let flow = &flow(tolerance_of(effort, OF_STEPS))?;
+        let run = Run {
+            flow,
+            stepper,
+            effort,
+            budget,
+        };
+        let trace = run.at(flow.start()?, request.times())?;
+        let error = f64::INFINITY;
+        return Ok(Answer { trace, error });
+    }
     let (accuracy, count) = (request.accuracy(), request.times().len());
     let (angle, sure) = {
         let flow = flow(accuracy)?;
         let angle = flow.pace() * request.furthest().abs();
         (angle, flow.doubt() == [0.0; N])
     };
-    let times = with_checks(request.times(), angle);
+    let times = with_checks(request, angle);
     let mut cost = Cost::default();
     let mut run = |effort: Effort, off: f64| -> Result<(F, Trace<F::Phase, N>)> {
         let flow = flow(tolerance_of(effort, accuracy))?;
@@ -502,6 +514,9 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
     let error = flow.rounding(angle, &trace.phases);
     Ok(Answer { trace, error })
 }
+
+/// What a single run of even steps is told to be within, for a flow that depends on it: little beside the error of any step.
+const OF_STEPS: f64 = 1e-14;
 
 /// The start, or one that is off by so many times the doubt about it.
 fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<(F::Phase, [f64; N])> {
@@ -624,14 +639,15 @@ impl Efforts {
     }
 }
 
-/// The times asked for, and so many more that two runs over this angle have something to compare.
-pub(crate) fn with_checks(times: &[f64], angle: f64) -> Vec<f64> {
-    let missing = if angle < SHORT {
+/// The times asked for, and so many more that runs over this angle, if there are to be two, have something to compare.
+pub(crate) fn with_checks(request: &Request, angle: f64) -> Vec<f64> {
+    let times = request.times();
+    let missing = if angle < SHORT || request.effort().is_some() {
         0
     } else {
         CHECKS.saturating_sub(times.len())
     };
-    let last = furthest(times);
+    let last = request.furthest();
     let more = (1..=missing).map(|n| last * n as f64 / (missing + 1) as f64);
     times.iter().copied().chain(more).collect()
 }

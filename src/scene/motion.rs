@@ -4,7 +4,7 @@ use super::budget::{Budget, Progress};
 use super::plan::{Choice, Plan};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite};
-use crate::integrators::{Cost, GeneralMethods};
+use crate::integrators::{Cost, Effort, GeneralMethods};
 
 /// What is asked of a scene: when, how well, and by which solver.
 #[derive(Debug, Clone)]
@@ -13,6 +13,7 @@ pub struct Request {
     /// The one furthest from the start.
     furthest: f64,
     accuracy: f64,
+    effort: Option<Effort>,
     choice: Choice,
     most: u64,
     progress: Option<Progress>,
@@ -26,6 +27,7 @@ impl Request {
     pub fn of_times(&self, times: &[f64]) -> Self {
         let Self {
             accuracy,
+            effort,
             choice,
             most,
             progress,
@@ -36,6 +38,7 @@ impl Request {
             times: times.to_vec(),
             furthest: furthest(times),
             accuracy: *accuracy,
+            effort: *effort,
             choice: *choice,
             most: *most,
             progress: progress.clone(),
@@ -61,6 +64,7 @@ impl Request {
             furthest: furthest(&times),
             times,
             accuracy: 1e-10,
+            effort: None,
             choice: Choice::Auto,
             most: Self::MOST_EVALUATIONS,
             progress: None,
@@ -81,8 +85,15 @@ impl Request {
                 greatest: 0.1,
             });
         }
-        self.accuracy = accuracy;
+        (self.accuracy, self.effort) = (accuracy, None);
         Ok(self)
+    }
+
+    /// The same in one run at this effort, for which nothing vouches: its error estimate is infinite, no accuracy is asked for and no ledger judged.
+    /// Closed forms have no use for the effort and tell their error as ever.
+    pub const fn in_one_run(mut self, effort: Effort) -> Self {
+        (self.accuracy, self.effort) = (f64::INFINITY, Some(effort));
+        self
     }
 
     /// The same by this solver.
@@ -153,7 +164,12 @@ impl Request {
         }
     }
 
-    /// The relative accuracy asked for.
+    /// The effort of the one run that is asked for; none where runs are to vouch for each other.
+    pub(super) const fn effort(&self) -> Option<Effort> {
+        self.effort
+    }
+
+    /// The relative accuracy asked for; infinite where one run is.
     pub const fn accuracy(&self) -> f64 {
         self.accuracy
     }
@@ -171,7 +187,8 @@ pub struct Motion<S> {
     pub plan: Plan,
     /// What it has cost.
     pub cost: Cost,
-    /// By how much the states may be off: the most over attitude (radians) and angular velocity (relative to the fastest).
+    /// By how much the states may be off: the most over attitude (radians) and angular velocity (relative to the fastest). Infinite where nothing vouches
+    /// for them.
     pub error_estimate: f64,
     /// What the scene conserves, or may only lose or gain, and by how much it failed to.
     pub ledger: Ledger,

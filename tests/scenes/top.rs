@@ -2,8 +2,8 @@
 
 use spinning_bodies::Error;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::integrators::Method;
 use spinning_bodies::integrators::geometric::{Order, VeselovOrder};
+use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::scene::effects::{Effect, Viscous};
 use spinning_bodies::scene::top::{
     AirDrag, BearingFriction, Body, ClosedForm, Gravity, PivotFriction, Start, State, TipFriction,
@@ -356,4 +356,50 @@ fn s7_4_friction_of_the_bearing_leaves_steady_precession() {
             .clone()
             .all(|spin| (spin / rows[0].1.omega.z() - 1.0).abs() < 1e-13)
     );
+}
+
+/// One run is what the effort makes of it: its error is not known, and no accuracy refuses it.
+#[test]
+fn one_run_is_made_at_its_effort() {
+    let top = Top::new(body([0.01, 0.02, 0.025], [0.0; 3]), start()).unwrap();
+    let request = Request::at(times()).unwrap();
+    let exact = top.simulate(&request.clone().to_accuracy(1e-13).unwrap());
+    let exact = exact.unwrap();
+    let once = |solver, effort| {
+        let request = request.clone().by(Choice::Use(solver));
+        top.simulate(&request.in_one_run(effort))
+    };
+    for (method, efforts, gain) in [
+        // A hundredth of the tolerance, a tenth of the step at order 4; by chance as much as three times more or less.
+        (
+            Geometric::DormandPrince8,
+            [1e-5, 1e-7].map(Effort::Tolerance),
+            100.0,
+        ),
+        (
+            Geometric::Rotations(Order::Four),
+            [0.02, 0.002].map(Effort::Step),
+            1e4,
+        ),
+    ] {
+        let [coarse, fine] = efforts.map(|effort| once(Solver::Geometric(method), effort).unwrap());
+        assert!(coarse.error_estimate.is_infinite() && fine.error_estimate.is_infinite());
+        let ratio = apart(&coarse, &exact) / apart(&fine, &exact);
+        assert!(
+            (gain / 3.0..3.0 * gain).contains(&ratio),
+            "{method:?}: {ratio:e}"
+        );
+        assert!(coarse.cost.steps < fine.cost.steps);
+    }
+    // The closed form needs no effort, and tells its error.
+    let known = once(Solver::Exact, Effort::Tolerance(0.0)).unwrap();
+    assert!(apart(&known, &exact) < 1e-15 && known.error_estimate < 1e-12);
+    // Off by radians is no reason to refuse, the wrong kind of effort is.
+    let far = once(Solver::Geometric(Geometric::MuntheKaas), Effort::Step(0.4));
+    assert!(apart(&far.unwrap(), &exact) > 0.01);
+    let wrong = once(
+        Solver::Geometric(Geometric::MuntheKaas),
+        Effort::Tolerance(1e-6),
+    );
+    assert!(matches!(wrong, Err(Error::Solver { .. })), "{wrong:?}");
 }

@@ -1,28 +1,27 @@
-//! The command `accuracy`: every method on the motions of [`lab::accuracy`], timed here and now.
+//! The command `accuracy`: every method on the motions of [`lab::accuracy`] or on that of a scene file, timed here and now.
 //!
 //! | module | what it does |
 //! |---|---|
 //! | [`patience`] | the sweep of a method; what would take too long |
 //! | [`table`] | the table that a person reads, with the winners |
-//! | [`scene`] | a scene file as a problem |
 //! | [`winners`] | the table of the chapter |
 
 pub mod patience;
-pub mod scene;
 pub mod table;
 pub mod winners;
 
-use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
-use lab::accuracy::{Measurement, NAMES, Problem, candidates, named, problems};
+use lab::accuracy::{JudgedScene, Measurement, NAMES, Problem, Trial, candidates, named, problems};
+use spinning_bodies::scene::Solver;
 
 use crate::progress::watched;
 use crate::scenes::{self, output::Format};
 use crate::writer::Target;
 use crate::{Error, Result};
+use patience::PATIENCE;
 
 /// The header of the CSV file.
 pub const HEADER: &str =
@@ -55,60 +54,127 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Strin
         let (part, told) = &*lock();
         (*part, format!("measuring: {told}"))
     };
-    let (text, rows) = watched(how_far, || -> Result<(String, String)> {
-        let chosen = match scene {
-            None => problems().map_err(broken)?,
-            Some(name) => chosen(name, file.as_deref())?,
-        };
-        if cfg!(debug_assertions) {
-            let _ = writeln!(
-                std::io::stderr(),
-                "this is a debug build: errors and evaluations only; for times, cargo run --release -- accuracy"
-            );
+    let report = watched(how_far, || -> Result<Report> {
+        let problems = scene.map_or_else(problems, named).map_err(broken)?;
+        let told = |part: f64, what: String| *lock() = (part, what);
+        match (scene, file) {
+            (Some(_), Some(file)) if problems.is_empty() => measured(&file, PATIENCE, told),
+            (Some(name), None) if problems.is_empty() => Err(Error::Input(format!(
+                "'{name}' is neither a problem nor a scene file; problems are {}, one length of them {}/10",
+                NAMES.join(", "),
+                NAMES[0],
+            ))),
+            _ => listed(&problems, told),
         }
-        let (mut text, mut rows) = (String::new(), format!("{HEADER}\n"));
-        for (place, problem) in chosen.iter().enumerate() {
-            let methods = candidates(problem).map_err(broken)?;
-            let mut swept = Vec::new();
-            for (done, candidate) in methods.iter().enumerate() {
-                let part = done as f64 / methods.len() as f64;
-                let (place, all) = (place as f64, chosen.len());
-                let told = format!(
-                    "{} of {all} problems done, now {} by {}",
-                    place,
-                    problem.name(),
-                    candidate.name()
-                );
-                *lock() = ((place + part) / all as f64, told);
-                swept.push(patience::swept(problem, candidate));
-            }
-            text.push_str(&table::text(problem, &swept));
-            for row in swept.iter().flat_map(|s| &s.rows) {
-                rows.push_str(&line(row));
-            }
-        }
-        Ok((text, rows))
     })?;
     if let Some(target) = target {
-        target.write(|to| to.write_all(rows.as_bytes()))?;
+        target.write(|to| to.write_all(format!("{HEADER}\n{}", report.rows).as_bytes()))?;
     }
-    Ok(text)
+    Ok(report.text)
 }
 
-/// The problems that a name stands for: those of the library first, then scene files.
-fn chosen(name: &str, file: Option<&Path>) -> Result<Vec<Problem>> {
-    let found = named(name).map_err(broken)?;
-    if !found.is_empty() {
-        return Ok(found);
+/// What the command prints, and the rows of its CSV file.
+#[derive(Debug, Default)]
+pub struct Report {
+    /// The tables.
+    pub text: String,
+    /// Below the [`HEADER`].
+    pub rows: String,
+}
+
+impl Report {
+    fn add(&mut self, heading: &str, floor: f64, swept: &[Swept]) {
+        self.text.push_str(&table::text(heading, floor, swept));
+        self.rows
+            .extend(swept.iter().flat_map(|s| &s.rows).map(line));
     }
-    match file {
-        Some(file) => Ok(vec![scene::problem(file)?]),
-        None => Err(Error::Input(format!(
-            "'{name}' is neither a problem nor a scene file; problems are {}, one length of them {}/10",
-            NAMES.join(", "),
-            NAMES[0],
-        ))),
+}
+
+fn warn_of_debug() {
+    if cfg!(debug_assertions) {
+        let _ = writeln!(
+            std::io::stderr(),
+            "this is a debug build: errors and evaluations only; for times, cargo run --release -- accuracy"
+        );
     }
+}
+
+/// Problems of the laboratory, by all of their candidates; `told` how far it is.
+fn listed(problems: &[Problem], told: impl Fn(f64, String)) -> Result<Report> {
+    warn_of_debug();
+    let mut report = Report::default();
+    for (place, problem) in problems.iter().enumerate() {
+        let (name, all) = (problem.name(), problems.len());
+        let methods = candidates(problem).map_err(broken)?;
+        let mut swept = Vec::new();
+        for (done, candidate) in methods.iter().enumerate() {
+            let part = place as f64 + done as f64 / methods.len() as f64;
+            let method = candidate.name();
+            let what = format!("{place} of {all} problems done, now {name} by {method}");
+            told(part / all as f64, what);
+            let trial = Trial::of(problem, candidate);
+            let first = |effort| patience::first(problem, candidate, effort);
+            swept.push(patience::swept(&trial, PATIENCE, first));
+        }
+        let heading = format!(
+            "{name}: {}\n{} turns, {} s; error: angle between the attitudes at the end, rad",
+            problem.description(),
+            problem.turns(),
+            problem.end()
+        );
+        report.add(&heading, 0.0, &swept);
+    }
+    Ok(report)
+}
+
+/// A run of a scene may take so many evaluations: a second or so.
+const MOST_EVALUATIONS: u64 = 5_000_000;
+
+/// A scene file from its start to its last time, by all solvers, no run taking more than `patience` seconds; `told` how far it is.
+///
+/// # Errors
+/// [`Error::Input`] for a file that is no scene, a scene that ends where it begins, or one that cannot be judged.
+pub fn measured(file: &Path, patience: f64, told: impl Fn(f64, String)) -> Result<Report> {
+    let (name, text) = scenes::source(file)?;
+    let (scene, request) = scenes::parse(&name, &text)?;
+    let end = request.times().iter().copied().fold(0.0, f64::max);
+    if end <= 0.0 {
+        return Err(Error::Input(format!(
+            "{name}: keys `times`, `until` in [run]: the last time must be positive for a motion to be measured"
+        )));
+    }
+    let judged = JudgedScene::new(scene, end);
+    let judged = judged.map_err(|error| {
+        Error::Input(format!(
+            "{name}: keys `times`, `until` in [run]: a run to {end} s cannot be judged: {error}"
+        ))
+    })?;
+    warn_of_debug();
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    let solvers: Vec<Solver> = Solver::all().collect();
+    let mut swept = Vec::new();
+    for (done, &solver) in solvers.iter().enumerate() {
+        let part = done as f64 / solvers.len() as f64;
+        told(part, format!("{stem} by {solver}"));
+        let efforts = judged.efforts(solver);
+        let trial = judged.trial(&stem, solver, &efforts, MOST_EVALUATIONS);
+        swept.push(patience::swept(&trial, patience, |_| 0.0));
+    }
+    let judges: Vec<&str> = judged.judges().iter().map(|judge| judge.name()).collect();
+    let heading = format!(
+        "{stem}: {} s, judged by {}; errors up to {:.0e} cannot be told from none\n{}",
+        judged.end(),
+        judges.join(" and "),
+        judged.floor(),
+        match judged.has_attitude() {
+            true =>
+                "error: angle between the attitudes at the end, rad; of omega: over the fastest of the motion",
+            false => "error: of the rates at the end, over the fastest of the motion",
+        }
+    );
+    let mut report = Report::default();
+    report.add(&heading, judged.floor(), &swept);
+    Ok(report)
 }
 
 fn broken(error: spinning_bodies::Error) -> Error {
@@ -116,17 +182,21 @@ fn broken(error: spinning_bodies::Error) -> Error {
 }
 
 fn line(row: &Measurement) -> String {
-    let mut text = format!("{},{}", row.problem, row.method);
-    for number in [row.parameter, row.error_attitude, row.error_omega] {
-        // `{:?}` is the shortest text that is read back as the same number. Writing to a string cannot fail.
-        let _ = write!(text, ",{number:?}");
-    }
-    let seconds = row.seconds.map_or(String::new(), |s| format!("{s:?}"));
-    let status = row.status.word();
-    let _ = writeln!(
-        text,
-        ",{},{},{seconds},{status}",
-        row.evaluations, row.steps
-    );
-    text
+    // `{:?}` is the shortest text that is read back as the same number; what there is not is left empty.
+    let number = |x: f64| {
+        Some(x)
+            .filter(|x| !x.is_nan())
+            .map_or(String::new(), |x| format!("{x:?}"))
+    };
+    let [parameter, attitude, omega] =
+        [row.parameter, row.error_attitude, row.error_omega].map(number);
+    format!(
+        "{},{},{parameter},{attitude},{omega},{},{},{},{}\n",
+        row.problem,
+        row.method,
+        row.evaluations,
+        row.steps,
+        number(row.seconds.unwrap_or(f64::NAN)),
+        row.status.word()
+    )
 }

@@ -2,7 +2,8 @@
 
 use std::time::Instant;
 
-use lab::accuracy::{Candidate, Measurement, Problem, measure, sweep, timed};
+use lab::accuracy::{Candidate, Measurement, Problem, Trial};
+use spinning_bodies::Error;
 use spinning_bodies::integrators::Effort;
 
 use super::Swept;
@@ -10,33 +11,43 @@ use super::Swept;
 /// A run that would take longer is left out, s.
 pub const PATIENCE: f64 = 0.6;
 
-/// One method on a problem; a debug build tells no times.
-pub fn swept(problem: &Problem, candidate: &Candidate) -> Swept {
+/// One method on a motion, with no run of more seconds than `patience`, the first one being expected to take so many; a debug build tells no times.
+pub fn swept<E>(trial: &Trial<'_, E>, patience: f64, first: impl Fn(Effort) -> f64) -> Swept {
     let (mut last, mut gave_up) = (0.0, false);
-    let rows = sweep(candidate, |rows, effort| {
-        let expected = match rows.last() {
-            None => first(problem, candidate, effort),
-            Some(row) => next(row, effort, last),
-        };
-        gave_up = expected > PATIENCE;
+    let rows = trial.sweep(|rows, effort| {
+        let before = rows.last();
+        if before
+            .and_then(|row| row.failure.as_ref())
+            .is_some_and(never)
+        {
+            return None;
+        }
+        let expected = before.map_or_else(|| first(effort), |row| next(row, effort, last));
+        gave_up = expected > patience;
         if gave_up {
             return None;
         }
         let begin = Instant::now();
         let row = if cfg!(debug_assertions) {
-            measure(problem, candidate, effort)
+            trial.measure(effort)
         } else {
-            timed(problem, candidate, effort)
+            trial.timed(effort)
         };
         last = row.seconds.unwrap_or(begin.elapsed().as_secs_f64());
-        Some(row)
+        gave_up = matches!(row.failure, Some(Error::Budget { .. }));
+        (!gave_up).then_some(row)
     });
-    let left = candidate.efforts().len() - rows.len();
+    let left = trial.efforts.len() - rows.len();
     Swept {
         left_out: if gave_up { left } else { 0 },
         rows,
-        method: candidate.name().to_owned(),
+        method: trial.names[1].to_owned(),
     }
+}
+
+/// Whether a method that has failed so will fail at every effort.
+const fn never(failure: &Error) -> bool {
+    matches!(failure, Error::Solver { .. } | Error::Condition { .. })
 }
 
 /// The time that the next run is likely to take, s, after one that took `last`.
@@ -48,8 +59,8 @@ fn next(row: &Measurement, effort: Effort, last: f64) -> f64 {
     }
 }
 
-/// The time that the first run is likely to take, s, from a short piece of it.
-fn first(problem: &Problem, candidate: &Candidate, effort: Effort) -> f64 {
+/// The time that the first run on a problem is likely to take, s, from a short piece of it.
+pub fn first(problem: &Problem, candidate: &Candidate, effort: Effort) -> f64 {
     if problem.turns() < 100.0 {
         return 0.0;
     }

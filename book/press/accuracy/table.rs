@@ -2,66 +2,106 @@
 
 use std::fmt::Write as _;
 
-use lab::accuracy::{Measurement, Problem, Status};
+use lab::accuracy::{Measurement, Status};
 
 use super::Swept;
+use super::winners::{PEER, Row, ranking};
 
 /// Accuracies at which a winner is named.
 pub const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
-/// The method that the others are compared with.
-const PEER: &str = "dop853";
-
-/// The table of a problem: what tells of each method, then the winners.
-pub fn text(problem: &Problem, swept: &[Swept]) -> String {
-    let mut text = format!("{}: {}\n", problem.name(), problem.description());
-    let _ = writeln!(
-        text,
-        "{} turns, {} s; error: angle between the attitudes at the end, rad\n\n{:>17} {:>10} {:>9} {:>9} {:>11} {:>10} {:>9} {:>9}",
-        problem.turns(),
-        problem.end(),
-        "method",
-        "parameter",
-        "error",
-        "of omega",
-        "evaluations",
-        "steps",
-        "time",
-        "digits/us",
+/// The table of a motion: what tells of each method, then the winners, by evaluations where no clock ran; errors below the floor are not known.
+pub fn text(heading: &str, floor: f64, swept: &[Swept]) -> String {
+    let mut text = format!(
+        "{heading}\n\n{:>17} {:>10} {:>9} {:>9} {:>11} {:>10} {:>9} {:>9}\n",
+        "method", "parameter", "error", "of omega", "evaluations", "steps", "time", "digits/us",
     );
-    for one in swept {
-        for row in telling(&one.rows) {
+    for alike in swept.chunk_by(|a, b| failure(a).is_some() && failure(a) == failure(b)) {
+        for row in alike.iter().flat_map(|one| telling(&one.rows)) {
             text.push_str(&line(row));
         }
-        if one.left_out > 0 {
+        let name = match alike {
+            [first, .., last] => format!("{} … {}", first.method, last.method),
+            _ => alike[0].method.clone(),
+        };
+        if let Some(told) = failure(&alike[0]) {
+            let _ = writeln!(text, "{name:>17}   failed: {told}");
+        }
+        if alike[0].left_out > 0 {
             let _ = writeln!(
                 text,
-                "{:>17}   left out: {} finer efforts, too long for this table",
-                one.method, one.left_out
+                "{name:>17}   left out: {} finer efforts, too long for this table",
+                alike[0].left_out
             );
         }
     }
     text.push('\n');
-    let timed = || swept.iter().flat_map(|s| &s.rows);
-    if timed().any(|row| row.seconds.is_some()) {
-        for target in TARGETS {
-            text.push_str(&winner(timed(), target));
-        }
-        text.push('\n');
+    let kept = |row: &&Measurement| matches!(row.status, Status::Ok | Status::Floor);
+    let rows = swept.iter().flat_map(|s| &s.rows).filter(kept);
+    let rows: Vec<Row<'_>> = rows
+        .map(|row| Row {
+            problem: "",
+            method: &row.method,
+            error: worst(row),
+            price: price(row),
+        })
+        .collect();
+    let unit = match swept
+        .iter()
+        .flat_map(|s| &s.rows)
+        .any(|row| row.seconds.is_some())
+    {
+        true => duration,
+        false => |evaluations: f64| format!("{evaluations} evaluations"),
+    };
+    for target in TARGETS {
+        let told = match ranking(&rows, "", target) {
+            _ if target < floor => "not told: the judges do not agree to that".to_owned(),
+            ranked => winner(&ranked, unit),
+        };
+        let _ = writeln!(text, "{target:e}: {told}");
     }
-    text
+    text + "\n"
+}
+
+/// Seconds, or evaluations where no clock ran.
+fn price(row: &Measurement) -> f64 {
+    row.seconds.unwrap_or(row.evaluations as f64)
+}
+
+/// The greater of both errors, if there are two.
+fn worst(row: &Measurement) -> f64 {
+    row.error_attitude.max(row.error_omega)
+}
+
+/// Why a method failed at all efforts, at last, for the first may have been too coarse: without what stands in brackets, and not beyond a line.
+fn failure(one: &Swept) -> Option<String> {
+    const MOST: usize = 100;
+    let failures = one.rows.iter().map(|row| row.failure.as_ref());
+    let failures: Vec<_> = failures.collect::<Option<_>>()?;
+    let mut told = failures.last()?.to_string();
+    if let (Some(open), Some(close)) = (told.find(" ("), told.find(')'))
+        && open < close
+    {
+        told.replace_range(open..=close, "");
+    }
+    if let Some((end, _)) = told.char_indices().nth(MOST) {
+        told.truncate(end);
+        told.push('…');
+    }
+    Some(told)
 }
 
 /// The rows that a person wants to see: the cheapest to reach each of the targets, and the most exact. The CSV file has them all.
 fn telling(rows: &[Measurement]) -> Vec<&Measurement> {
-    let price = |row: &Measurement| row.seconds.unwrap_or(row.evaluations as f64);
     let cheapest = |target: f64| {
         let good = rows.iter().enumerate();
-        let good = good.filter(|(_, row)| row.error_attitude.max(row.error_omega) <= target);
+        let good = good.filter(|(_, row)| worst(row) <= target);
         good.min_by(|a, b| price(a.1).total_cmp(&price(b.1)))
     };
     let all = rows.iter().enumerate();
-    let best = all.min_by(|a, b| a.1.error_attitude.total_cmp(&b.1.error_attitude));
+    let best = all.filter(|(_, row)| row.failure.is_none());
+    let best = best.min_by(|a, b| a.1.error().total_cmp(&b.1.error()));
     let mut places: Vec<usize> = TARGETS
         .iter()
         .filter_map(|&target| cheapest(target))
@@ -83,7 +123,7 @@ fn line(row: &Measurement) -> String {
     };
     let (time, digits) = match row.seconds {
         None => ("-".to_owned(), "-".to_owned()),
-        Some(seconds) => (duration(seconds), digits(row.error_attitude, seconds)),
+        Some(seconds) => (duration(seconds), digits(row.error(), seconds)),
     };
     let parameter = if row.parameter == 0.0 {
         "-".to_owned()
@@ -97,7 +137,7 @@ fn line(row: &Measurement) -> String {
     let line = format!(
         "{:>17} {parameter:>10} {:>9} {:>9} {:>11} {:>10} {time:>9} {digits:>9}  {remark}",
         row.method,
-        error(row.error_attitude),
+        error(row.error()),
         error(row.error_omega),
         row.evaluations,
         row.steps,
@@ -136,34 +176,28 @@ fn duration(seconds: f64) -> String {
     format!("{value:.places$} {unit}")
 }
 
-/// The fastest run that is good enough in attitude and angular velocity, with and without closed form, against the peer's.
-fn winner<'a>(rows: impl Iterator<Item = &'a Measurement> + Clone, target: f64) -> String {
-    let fastest = |wanted: &dyn Fn(&str) -> bool| {
-        rows.clone()
-            .filter(|row| wanted(&row.method) && row.error_attitude.max(row.error_omega) <= target)
-            .filter_map(|row| Some((row.method.as_str(), row.seconds?)))
-            .min_by(|a, b| a.1.total_cmp(&b.1))
+/// The cheapest method, the next one, and the peer, in words.
+fn winner(ranked: &[(&str, f64)], told: impl Fn(f64) -> String) -> String {
+    let Some(&(best, least)) = ranked.first() else {
+        return "none gets there".to_owned();
     };
-    let peer = fastest(&|name| name == PEER);
-    let told = |(name, seconds): (&str, f64)| {
-        let ratio = match peer {
-            Some(_) if name == PEER => String::new(),
-            Some((_, slow)) => format!(" ({} x {PEER})", Ratio(slow / seconds)),
-            None => format!(" ({PEER} does not get there)"),
-        };
-        format!("{name} in {}{ratio}", duration(seconds))
-    };
-    let Some(first) = fastest(&|_| true) else {
-        return format!("{target:e}: none gets there\n");
-    };
-    let mut text = format!("{target:e}: {}", told(first));
-    if first.0 == "exact" {
-        text += &match fastest(&|name| name != "exact") {
-            Some(second) => format!("; without a closed form {}", told(second)),
-            None => "; without a closed form none gets there".to_owned(),
-        };
+    let mut text = format!("{best} in {}", told(least));
+    let peer = ranked.iter().skip(1).find(|(method, _)| *method == PEER);
+    let next = ranked.get(1).filter(|(method, _)| *method != PEER);
+    for (word, other) in [("next ", next), ("", peer)] {
+        if let Some((method, price)) = other {
+            let _ = write!(text, "; {word}{method} in {}", told(*price));
+            if least > 0.0 {
+                let _ = write!(text, ", {} times that", Ratio(price / least));
+            }
+        }
     }
-    text + "\n"
+    if ranked.len() == 1 {
+        text.push_str("; nothing else gets there");
+    } else if peer.is_none() && best != PEER {
+        let _ = write!(text, "; {PEER} does not get there");
+    }
+    text
 }
 
 /// Two or three digits, not more.

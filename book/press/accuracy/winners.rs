@@ -15,7 +15,8 @@ const RUNS: [(&str, &str); 8] = [
     ("heavy-body/1000", "no closed form"),
     ("tippe-top/100", "tippe top, 100 turns"),
 ];
-const PEER: &str = "dop853";
+/// The method that the others are compared with.
+pub const PEER: &str = "dop853";
 const EXACT: &str = "exact";
 /// The accuracy at which closed forms and steppers are set side by side, and the lengths of the runs in turns.
 const CROSSOVER: f64 = 1e-9;
@@ -24,10 +25,14 @@ const TURNS: [&str; 3] = ["1", "10", "1000"];
 /// One measurement, as far as the tables need it.
 #[derive(Debug)]
 pub struct Row<'a> {
-    problem: &'a str,
-    method: &'a str,
-    error: f64,
-    seconds: f64,
+    /// The name of the motion.
+    pub problem: &'a str,
+    /// That of the method.
+    pub method: &'a str,
+    /// The angle, or where there is no attitude the error of the rates.
+    pub error: f64,
+    /// Seconds, or whatever is to be saved.
+    pub price: f64,
 }
 
 /// The measurements of the command's CSV file that kept to the motion.
@@ -35,22 +40,23 @@ pub fn rows(csv: &str) -> Vec<Row<'_>> {
     let lines = csv.lines().filter(|line| !line.starts_with('#')).skip(1);
     let rows = lines.filter_map(|line| {
         let fields: Vec<&str> = line.split(',').collect();
-        let [problem, method, _, error, _, _, _, seconds, status] = fields[..] else {
+        let [problem, method, _, angle, rates, _, _, seconds, status] = fields[..] else {
             return None;
         };
-        let (error, seconds) = (error.parse().ok()?, seconds.parse().ok()?);
+        let error = angle.parse().or_else(|_| rates.parse()).ok()?;
+        let price = seconds.parse().ok()?;
         let counts = matches!(status, "ok" | "floor");
         counts.then_some(Row {
             problem,
             method,
             error,
-            seconds,
+            price,
         })
     });
     rows.collect()
 }
 
-/// The methods that reach the error on this run, quickest first, each with its least time in seconds.
+/// The methods that reach the error on this run, cheapest first, each with its least price.
 pub fn ranking<'a>(rows: &[Row<'a>], problem: &str, target: f64) -> Vec<(&'a str, f64)> {
     let mut ranked: Vec<(&str, f64)> = Vec::new();
     let good = rows
@@ -58,8 +64,8 @@ pub fn ranking<'a>(rows: &[Row<'a>], problem: &str, target: f64) -> Vec<(&'a str
         .filter(|row| row.problem == problem && row.error <= target);
     for row in good {
         match ranked.iter_mut().find(|(method, _)| *method == row.method) {
-            Some((_, least)) => *least = least.min(row.seconds),
-            None => ranked.push((row.method, row.seconds)),
+            Some((_, least)) => *least = least.min(row.price),
+            None => ranked.push((row.method, row.price)),
         }
     }
     ranked.sort_by(|a, b| a.1.total_cmp(&b.1));

@@ -16,7 +16,7 @@ pub use numbers::three_numbers;
 pub use orders::orders;
 pub use seconds::seconds;
 
-use lab::accuracy::{Measurement, Problem, Status, candidates, measure, named, sweep};
+use lab::accuracy::{Measurement, Problem, Status, Trial, candidates, measure, named};
 use spinning_bodies::Result;
 
 use crate::plot::Frame;
@@ -38,7 +38,7 @@ fn swept(problem: &Problem, method: &str, most: u64) -> Result<Vec<Measurement>>
     let Some(candidate) = all.iter().find(|candidate| candidate.name() == method) else {
         return Ok(Vec::new());
     };
-    Ok(sweep(candidate, |rows, effort| {
+    Ok(Trial::of(problem, candidate).sweep(|rows, effort| {
         // Efforts are at most a decade or a factor 1.5 apart.
         let more = rows.last().is_none_or(|row| 3 * row.evaluations < 2 * most);
         more.then(|| measure(problem, candidate, effort))

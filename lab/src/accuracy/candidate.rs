@@ -7,6 +7,7 @@ use spinning_bodies::integrators::geometric::{
     Weight,
 };
 use spinning_bodies::integrators::{Effort, Method};
+use spinning_bodies::scene::{Geometric, Solver};
 
 use super::ClosedForm;
 use super::problem::{Model, Problem};
@@ -101,16 +102,13 @@ impl Found<'_> {
     }
 
     fn stepped(&mut self, name: impl Into<String>, method: impl Follow + 'static) {
-        self.add(name, method, steps(self.problem, &[1.0, 1.5]));
+        let efforts = steps(self.problem.end(), self.problem.turns(), &[1.0, 1.5]);
+        self.add(name, method, efforts);
     }
 
     fn general(&mut self, method: Method, follow: impl Follow + 'static) {
-        let efforts = if method.is_adaptive() {
-            tolerances()
-        } else {
-            // The crate counts time from 0 to 1, where a third is no double.
-            steps(self.problem, &[1.0])
-        };
+        let (end, turns) = (self.problem.end(), self.problem.turns());
+        let efforts = efforts(Solver::General(method), end, turns);
         self.add(method.name(), follow, efforts);
     }
 
@@ -171,6 +169,17 @@ impl Found<'_> {
     }
 }
 
+/// How hard a solver of scenes may be asked to work on a motion that ends after so many seconds and about so many turns.
+pub(super) fn efforts(solver: Solver, end: f64, turns: f64) -> Vec<Effort> {
+    match solver {
+        Solver::Exact | Solver::Events => vec![Effort::Tolerance(0.0)],
+        // The crate counts time from 0 to 1, where a third is no double.
+        Solver::General(method) if !method.is_adaptive() => steps(end, turns, &[1.0]),
+        Solver::General(_) | Solver::Geometric(Geometric::DormandPrince8) => tolerances(),
+        _ => steps(end, turns, &[1.0, 1.5]),
+    }
+}
+
 /// Three to a decade, down to where the error of a step is rounding: finer than the differences between methods. Below 1e-15 a method may look
 /// for a step that rounding does not let it find.
 fn tolerances() -> Vec<Effort> {
@@ -187,16 +196,16 @@ fn tolerances() -> Vec<Effort> {
 
 /// From about two steps a turn up: the run in 2ᵏ parts, and in as many times the `multiples`. With 1.5 these are 3·2ᵏ, which for the listed
 /// problems are exact doubles, too: steps add up to the run without a rounding of time.
-fn steps(problem: &Problem, multiples: &[f64]) -> Vec<Effort> {
+fn steps(end: f64, turns: f64, multiples: &[f64]) -> Vec<Effort> {
     const MOST: f64 = 1e9;
     const MOST_A_TURN: f64 = 131_072.0;
-    let least = (2.0 * problem.turns()).max(4.0).log2().floor();
-    let most = (MOST_A_TURN * problem.turns().max(1.0)).min(MOST);
+    let least = (2.0 * turns).max(4.0).log2().floor();
+    let most = (MOST_A_TURN * turns.max(1.0)).min(MOST);
     let mut count = least.exp2();
     let mut efforts = Vec::new();
     while count <= most {
         let parts = multiples.iter().map(|multiple| multiple * count);
-        efforts.extend(parts.map(|parts| Effort::Step(problem.end() / parts)));
+        efforts.extend(parts.map(|parts| Effort::Step(end / parts)));
         count *= 2.0;
     }
     efforts

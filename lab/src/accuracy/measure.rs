@@ -1,7 +1,8 @@
 //! How wrong a method is, and what that has cost.
 
-use spinning_bodies::Result;
-use spinning_bodies::integrators::Effort;
+use spinning_bodies::integrators::geometric::Course;
+use spinning_bodies::integrators::{Cost, Effort};
+use spinning_bodies::{Error, Result};
 
 use super::candidate::Candidate;
 use super::problem::Problem;
@@ -13,7 +14,7 @@ use crate::stopwatch;
 pub enum Status {
     /// An error that more effort would make smaller.
     Ok,
-    /// Rounding: more effort than a coarser run, and no gain. Only [`sweep`] can tell.
+    /// Rounding: more effort than a coarser run, and no gain; or as near as the truth is known. Only [`Trial::sweep`] can tell.
     Floor,
     /// The attitude is off by more than a radian, Ω by more than itself, or either not finite.
     Diverged,
@@ -42,9 +43,9 @@ pub struct Measurement {
     pub method: String,
     /// Step (s) or tolerance; 0 for the closed form, which has neither.
     pub parameter: f64,
-    /// Angle between the attitudes at the end, rad; infinite where the run failed.
+    /// Angle between the attitudes at the end, rad; infinite where the run failed, not a number where there is no attitude.
     pub error_attitude: f64,
-    /// |ΔΩ|/|Ω| at the end; infinite likewise.
+    /// |ΔΩ|/|Ω| at the end; of other motions than tops what [`Apart`] says; infinite likewise.
     pub error_omega: f64,
     /// Evaluations of the right-hand side, or of what the method lives by.
     pub evaluations: u64,
@@ -54,53 +55,163 @@ pub struct Measurement {
     pub seconds: Option<f64>,
     /// What became of it.
     pub status: Status,
+    /// Why it failed.
+    pub failure: Option<Error>,
 }
+
+impl Measurement {
+    /// The angle, or where there is no attitude the other error.
+    pub const fn error(&self) -> f64 {
+        if self.error_attitude.is_nan() {
+            self.error_omega
+        } else {
+            self.error_attitude
+        }
+    }
+}
+
+/// One method on one motion, whatever they are: how it runs, and who judges.
+pub struct Trial<'a, E> {
+    /// The names of motion and method.
+    pub names: [&'a str; 2],
+    /// How hard the method may be asked to work, from coarse to fine.
+    pub efforts: &'a [Effort],
+    /// An error up to this is known to be no more than this.
+    pub floor: f64,
+    /// The errors of a run that failed.
+    pub lost: Apart,
+    /// The end of the motion at one effort, and its cost.
+    pub run: Box<dyn Fn(Effort) -> Result<(E, Cost)> + 'a>,
+    /// How far such an end is from the truth.
+    pub apart: Box<dyn Fn(&E) -> Apart + 'a>,
+}
+
+impl<E> core::fmt::Debug for Trial<'_, E> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Trial")
+            .field("names", &self.names)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'a> Trial<'a, Course> {
+    /// This method on this problem.
+    pub fn of(problem: &'a Problem, candidate: &'a Candidate) -> Self {
+        Self {
+            names: [problem.name(), candidate.name()],
+            efforts: candidate.efforts(),
+            floor: 0.0,
+            lost: Apart {
+                attitude: f64::INFINITY,
+                omega: f64::INFINITY,
+            },
+            run: Box::new(|effort| {
+                let times = [problem.end()];
+                let course = candidate.method().follow(problem.start(), &times, effort)?;
+                let cost = course.cost;
+                Ok((course, cost))
+            }),
+            apart: Box::new(|course| problem.last().apart(&course.phases[0], problem.moments())),
+        }
+    }
+}
+
+impl<E> Trial<'_, E> {
+    /// One run at one effort: errors against the truth, and cost.
+    pub fn measure(&self, effort: Effort) -> Measurement {
+        let (Effort::Step(parameter) | Effort::Tolerance(parameter)) = effort;
+        let [problem, method] = self.names.map(str::to_owned);
+        let mut found = Measurement {
+            problem,
+            method,
+            parameter,
+            error_attitude: self.lost.attitude,
+            error_omega: self.lost.omega,
+            evaluations: 0,
+            steps: 0,
+            seconds: None,
+            status: Status::Failed,
+            failure: None,
+        };
+        match (self.run)(effort) {
+            Ok((end, cost)) => {
+                let Apart { attitude, omega } = (self.apart)(&end);
+                (found.error_attitude, found.error_omega) = (attitude, omega);
+                (found.evaluations, found.steps) = (cost.evaluations, cost.steps);
+                // A radian off is no answer, nor is all of the angular velocity.
+                found.status = if attitude > 1.0 || omega > 1.0 {
+                    Status::Diverged
+                } else {
+                    Status::Ok
+                };
+            }
+            Err(error) => found.failure = Some(error),
+        }
+        found
+    }
+
+    /// [`measure`](Self::measure), and the least time of repeated runs; one that fails has none.
+    pub fn timed(&self, effort: Effort) -> Measurement {
+        let mut found = self.measure(effort);
+        if found.status != Status::Failed {
+            // What it returns has been judged.
+            found.seconds = Some(stopwatch::least(|| drop((self.run)(effort))));
+        }
+        found
+    }
+
+    /// The method from coarse to fine, until rounding stops it or `run` has enough.
+    ///
+    /// `run` sees what has been measured so far and the next effort, and measures it, or gives nothing and ends the sweep. Runs that gained nothing
+    /// on a coarser one, or are no further from the truth than the truth may be, are marked as [`Status::Floor`].
+    pub fn sweep(
+        &self,
+        mut run: impl FnMut(&[Measurement], Effort) -> Option<Measurement>,
+    ) -> Vec<Measurement> {
+        let mut rows = Vec::new();
+        for &effort in self.efforts {
+            let Some(row) = run(&rows, effort) else {
+                break;
+            };
+            rows.push(row);
+            let places = (0..rows.len()).rev();
+            let in_vain = places.take_while(|&place| self.no_gain(&rows, place));
+            if in_vain.count() >= vain_runs(effort) {
+                break;
+            }
+        }
+        for place in 0..rows.len() {
+            let never = || (place..rows.len()).all(|later| self.no_gain(&rows, later));
+            if rows[place].status == Status::Ok && (rows[place].error() <= self.floor || never()) {
+                rows[place].status = Status::Floor;
+            }
+        }
+        rows
+    }
+
+    /// Whether the run at `place` is not better than all coarser ones by a fifth, one of which is within the reach of rounding, or as good as can be told.
+    ///
+    /// A finer effort is one by a quarter at least, so that the error of a method of order 2 falls to 0.57 of what it was: less gain than that
+    /// to 0.8 is none. Errors above 1e-6, or far above the floor, may be those of steps too long for the method to be of any order, and happen to be small.
+    fn no_gain(&self, rows: &[Measurement], place: usize) -> bool {
+        let errors = rows[..place].iter().map(Measurement::error);
+        let best = errors.fold(f64::INFINITY, f64::min);
+        let reach = if self.floor > 0.0 {
+            (FAR * self.floor).min(REACH)
+        } else {
+            REACH
+        };
+        best <= self.floor || best < reach && rows[place].error() > 0.8 * best
+    }
+}
+
+/// Rounding may reach so far, and so many times the floor.
+const REACH: f64 = 1e-6;
+const FAR: f64 = 1e5;
 
 /// One run of a method at one effort: errors against the truth, and cost.
 pub fn measure(problem: &Problem, candidate: &Candidate, effort: Effort) -> Measurement {
-    let (Effort::Step(parameter) | Effort::Tolerance(parameter)) = effort;
-    let mut found = Measurement {
-        problem: problem.name().to_owned(),
-        method: candidate.name().to_owned(),
-        parameter,
-        error_attitude: f64::INFINITY,
-        error_omega: f64::INFINITY,
-        evaluations: 0,
-        steps: 0,
-        seconds: None,
-        status: Status::Failed,
-    };
-    let course = candidate
-        .method()
-        .follow(problem.start(), &[problem.end()], effort);
-    if let Ok(course) = course
-        && let [end] = course.phases[..]
-    {
-        let apart = problem.last().apart(&end, problem.moments());
-        found.error_attitude = apart.attitude;
-        found.error_omega = apart.omega;
-        found.evaluations = course.cost.evaluations;
-        found.steps = course.cost.steps;
-        // A radian off is no answer, nor is all of the angular velocity.
-        found.status = if apart.attitude <= 1.0 && apart.omega <= 1.0 {
-            Status::Ok
-        } else {
-            Status::Diverged
-        };
-    }
-    found
-}
-
-/// [`measure`], and the least time of repeated runs; one that fails has none.
-pub fn timed(problem: &Problem, candidate: &Candidate, effort: Effort) -> Measurement {
-    let mut found = measure(problem, candidate, effort);
-    if found.status != Status::Failed {
-        let (method, end) = (candidate.method(), [problem.end()]);
-        // What it returns has been judged.
-        let time = stopwatch::least(|| drop(method.follow(problem.start(), &end, effort)));
-        found.seconds = Some(time);
-    }
-    found
+    Trial::of(problem, candidate).measure(effort)
 }
 
 /// The largest errors at all samples of a run that is asked for them all.
@@ -125,51 +236,10 @@ pub fn along_the_run(problem: &Problem, candidate: &Candidate, effort: Effort) -
     }))
 }
 
-/// A method from coarse to fine, until rounding stops it or `run` has enough.
-///
-/// `run` sees what has been measured so far and the next effort, and measures it, or gives nothing and ends the sweep. Runs that gained nothing
-/// on a coarser one are marked as [`Status::Floor`].
-pub fn sweep(
-    candidate: &Candidate,
-    mut run: impl FnMut(&[Measurement], Effort) -> Option<Measurement>,
-) -> Vec<Measurement> {
-    let mut rows = Vec::new();
-    for &effort in candidate.efforts() {
-        let Some(row) = run(&rows, effort) else {
-            break;
-        };
-        rows.push(row);
-        let in_vain = (0..rows.len()).rev().take_while(|&n| no_gain(&rows, n));
-        if in_vain.count() >= vain_runs(effort) {
-            break;
-        }
-    }
-    for place in 1..rows.len() {
-        let never = (place..rows.len()).all(|later| no_gain(&rows, later));
-        if never && rows[place].status != Status::Failed {
-            rows[place].status = Status::Floor;
-        }
-    }
-    rows
-}
-
 /// How many runs without a gain in a row end a sweep: a short run may take the same few steps for tolerances two decades apart.
 const fn vain_runs(effort: Effort) -> usize {
     match effort {
         Effort::Step(_) => 2,
         Effort::Tolerance(_) => 5,
     }
-}
-
-/// Whether the run at `place` is not better than all coarser ones by a fifth, one of which is within the reach of rounding.
-///
-/// A finer effort is one by a quarter at least, so that the error of a method of order 2 falls to 0.57 of what it was: less gain than that
-/// to 0.8 is none. Errors above 1e-6 may be those of steps too long for the method to be of any order, and happen to be small.
-fn no_gain(rows: &[Measurement], place: usize) -> bool {
-    let best = rows[..place]
-        .iter()
-        .map(|row| row.error_attitude)
-        .fold(f64::INFINITY, f64::min);
-    let row = &rows[place];
-    best < 1e-6 && row.error_attitude > 0.8 * best
 }

@@ -4,7 +4,8 @@
 //! |---|---|
 //! | which motions? | [`problems`]: eight, each over several lengths, with [`Sample`]s of the truth |
 //! | which methods can run one, how hard? | [`candidates`]: closed form, geometric and general methods, each from coarse to the rounding floor |
-//! | how wrong was that, and what did it cost? | [`measure`] one, [`sweep`] a method: [`Measurement`]s |
+//! | how wrong was that, and what did it cost? | [`measure`] one, [`Trial::sweep`] a method: [`Measurement`]s |
+//! | and of a scene of any kind? | [`JudgedScene`]: two methods of different families judge the others |
 //!
 //! Every method is asked through [`Follow`](spinning_bodies::integrators::geometric::Follow). The truth is never the same code with a finer step: it is
 //! the committed table `tests/reference/accuracy.csv`, by two independent routes of 45 and more digits that agree to 30.
@@ -27,13 +28,15 @@ mod measure;
 mod order;
 mod problem;
 mod sample;
+mod scene;
 mod table_top;
 
 pub use candidate::{Candidate, candidates};
 pub use closed_form::ClosedForm;
 pub use listed::{NAMES, named, problems};
-pub use measure::{Measurement, Status, along_the_run, measure, sweep, timed};
+pub use measure::{Measurement, Status, Trial, along_the_run, measure};
 pub use order::measured_order;
 pub use problem::{Model, Problem};
 pub use sample::{Apart, Sample};
+pub use scene::JudgedScene;
 pub use table_top::SlidingBall;

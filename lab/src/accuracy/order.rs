@@ -7,7 +7,7 @@ const SMALL: f64 = 1e-2;
 
 /// The slope of log error against log step over the finest runs of a sweep that rounding has not touched, four at most; `None` for fewer than three.
 ///
-/// For methods with a step; the error of those with a tolerance has no order. Rows as [`sweep`](super::sweep) returns them, from coarse to fine.
+/// For methods with a step; the error of those with a tolerance has no order. Rows as [`Trial::sweep`](super::Trial::sweep) returns them, from coarse to fine.
 /// The runs next to the floor are left out as well: errors below a hundred times the least of the sweep.
 pub fn measured_order(rows: &[Measurement]) -> Option<f64> {
     let least = rows
@@ -52,6 +52,7 @@ mod tests {
             steps: 1,
             seconds: None,
             status: Status::Ok,
+            failure: None,
         }
     }
 

@@ -13,9 +13,9 @@ pub struct Sample {
 /// How far a computed state is from the true one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Apart {
-    /// Angle of the rotation between the two attitudes, rad; infinite for one that is not finite.
+    /// Angle of the rotation between the two attitudes, rad; infinite for one that is not finite, not a number for a scene without an attitude.
     pub attitude: f64,
-    /// |ΔΩ|/|Ω|; infinite likewise.
+    /// |ΔΩ|/|Ω|; infinite likewise. Of a scene the size of what its rates are off by over the greatest that they have, not a number if it has none.
     pub omega: f64,
 }
 
@@ -79,7 +79,7 @@ impl Sample {
 }
 
 /// An error that is not a number is no small one.
-const fn known(error: f64) -> f64 {
+pub(super) const fn known(error: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 

@@ -3,6 +3,7 @@
 #[path = "../../../tests/reference/double_double.rs"]
 mod double_double;
 mod refusals;
+mod scene;
 mod statuses;
 mod sweep;
 mod truth;

@@ -1,8 +1,7 @@
 //! What a measurement says of its run, and what it asks of a clock.
 
 use lab::accuracy::{
-    Candidate, Measurement, Problem, Status, along_the_run, candidates, measure, named, sweep,
-    timed,
+    Candidate, Measurement, Problem, Status, Trial, along_the_run, candidates, measure, named,
 };
 use spinning_bodies::integrators::Effort;
 
@@ -52,7 +51,8 @@ fn rounding_is_called_the_floor_and_ends_the_sweep() {
     let free = problem("free-top/1");
     for name in ["rotations-6", "moser-veselov-10", "munthe-kaas-4", "rk4"] {
         let method = candidate(&free, name);
-        let rows = sweep(&method, |_, effort| Some(measure(&free, &method, effort)));
+        let rows =
+            Trial::of(&free, &method).sweep(|_, effort| Some(measure(&free, &method, effort)));
         let [.., before, last] = &rows[..] else {
             panic!("{name}: {rows:?}");
         };
@@ -81,14 +81,14 @@ fn a_sweep_stops_when_it_is_told_to() {
     let free = problem("free-top/10");
     let method = candidate(&free, "rotations-2");
     let mut asked = 0;
-    let rows = sweep(&method, |rows, next| {
+    let rows = Trial::of(&free, &method).sweep(|rows, next| {
         assert_eq!(rows.len(), asked);
         assert_eq!(next, method.efforts()[asked]);
         asked += 1;
         (rows.len() < 5).then(|| measure(&free, &method, next))
     });
     assert_eq!((rows.len(), asked), (5, 6));
-    assert!(sweep(&method, |_, _| None).is_empty());
+    assert!(Trial::of(&free, &method).sweep(|_, _| None).is_empty());
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn a_clock_changes_nothing_but_the_time() {
     let free = problem("free-top/1");
     let method = candidate(&free, "rk4");
     let effort = Effort::Step(free.end() / 64.0);
-    let timed_run = timed(&free, &method, effort);
+    let timed_run = Trial::of(&free, &method).timed(effort);
     assert!(
         timed_run
             .seconds
@@ -108,7 +108,7 @@ fn a_clock_changes_nothing_but_the_time() {
     };
     assert_eq!(measure(&free, &method, effort), untimed);
     // What fails has no time.
-    let wrong = timed(&free, &method, Effort::Tolerance(1e-9));
+    let wrong = Trial::of(&free, &method).timed(Effort::Tolerance(1e-9));
     assert_eq!((wrong.status, wrong.seconds), (Status::Failed, None));
 }
 

@@ -1,6 +1,6 @@
 //! Every method on short problems: it converges to the truth, and as fast as its order says.
 
-use lab::accuracy::{Measurement, Problem, Status, candidates, measure, named, sweep};
+use lab::accuracy::{Measurement, Problem, Status, Trial, candidates, measure, named};
 
 fn problem(name: &str) -> Problem {
     named(name).unwrap().remove(0)
@@ -10,7 +10,7 @@ fn problem(name: &str) -> Problem {
 fn rows(problem: &Problem, most: u64) -> Vec<(String, Option<u32>, Vec<Measurement>)> {
     let methods = candidates(problem).unwrap();
     let swept = methods.iter().map(|method| {
-        let rows = sweep(method, |rows, effort| {
+        let rows = Trial::of(problem, method).sweep(|rows, effort| {
             let more = rows.last().is_none_or(|r| r.evaluations < most);
             more.then(|| measure(problem, method, effort))
         });

@@ -4,11 +4,11 @@ use super::body::DOUBTED;
 use super::equations::Turning;
 use super::held::Top;
 use crate::error::{Error, Result};
-use crate::integrators::Cost;
 use crate::integrators::geometric::{
     Course, FreeSplitting, HeavySplitting, MoserVeselov, MuntheKaas, Phase, Rotations,
     SymmetricDrift, Watched, Weight,
 };
+use crate::integrators::{Cost, Effort};
 use crate::scene::engine::{ROUNDING, greater, with_checks};
 use crate::scene::motion::furthest;
 use crate::scene::{Geometric, Request};
@@ -31,7 +31,7 @@ const CAUTION: f64 = 4.0;
 /// Where halving takes nothing off any more, so many times the greater of the last two distances is told.
 const TWICE_THE_SAME: f64 = 10.0;
 
-/// Steps halved until two runs vouch for each other, at the times asked for and a few more.
+/// Steps halved until two runs vouch for each other, at the times asked for and a few more; or one run, if that is what is asked for.
 ///
 /// Of the better run the error is the distance of both over what halving the step takes off it, less one; and that is what the last halving took
 /// off it or 2ᵖ, whichever is less. To vouch for one run therefore takes three. A fourth starts a little beside the coarser of the two: what the
@@ -49,7 +49,7 @@ pub(super) fn halved(
     let order = f64::from(method.order().unwrap_or(2));
     let budget = &request.budget();
     let (accuracy, angle) = (request.accuracy(), turning.angle(request.times()));
-    let times = with_checks(request.times(), angle);
+    let times = with_checks(request, angle);
     let start = top.start.phase(top.body.moments)?;
     let mut cost = Cost::default();
     let mut run = |from: &Phase, step: f64| -> Result<Course> {
@@ -63,6 +63,20 @@ pub(super) fn halved(
         cost += course.cost;
         Ok(course)
     };
+    if let Some(effort) = request.effort() {
+        let Effort::Step(step) = effort else {
+            return Err(Error::Solver {
+                condition: "a method with steps of one length must be given a step",
+            });
+        };
+        let phases = run(&start, step)?.phases;
+        let error = f64::INFINITY;
+        return Ok(Halved {
+            phases,
+            error,
+            cost,
+        });
+    }
     let distance = |a: &Course, b: &Course| {
         let fastest = turning.fastest(b.phases.iter().copied());
         let pairs = a.phases.iter().zip(&b.phases);

@@ -1,0 +1,220 @@
+//! A scene of any kind as a motion to be measured: two methods of different families judge.
+
+use core::f64::consts::TAU;
+
+use spinning_bodies::frame::Attitude;
+use spinning_bodies::integrators::{Effort, Method};
+use spinning_bodies::scene::{AnyScene, Choice, Geometric, Request, Solver, Table};
+use spinning_bodies::{Error, Result};
+
+use super::candidate::efforts;
+use super::measure::Trial;
+use super::sample::{Apart, known};
+use crate::general::DifferentialEquations;
+
+/// Who may judge: a closed form, or those from event to event; order 8; Verner's pair of order 9(8), which is of another family and by another hand.
+const JUDGES: [Solver; 4] = [
+    Solver::Exact,
+    Solver::Events,
+    Solver::Geometric(Geometric::DormandPrince8),
+    Solver::General(Method::Verner98),
+];
+/// The tolerance of those that step.
+const TIGHTEST: Effort = Effort::Tolerance(1e-15);
+/// They are compared at so many times, the last being the end.
+const SAMPLES: u32 = 16;
+/// Those that disagree by more have nothing to tell: the coarsest of the accuracies shown.
+const COARSEST: f64 = 1e-3;
+/// What is below so many times their disagreement cannot be told from it.
+const TOLD: f64 = 10.0;
+
+/// A scene from its start to its end, and what the first two judges that can run it know of the end.
+///
+/// A closed form tells its own error as well, which may be less than what the other judge is off by, and is then believed; where nothing steps it has no other judge.
+#[derive(Debug)]
+pub struct JudgedScene {
+    scene: AnyScene,
+    /// The state at the end.
+    asked: Request,
+    judges: Vec<Solver>,
+    floor: f64,
+    /// About the number of turns; 0 where nothing turns.
+    turns: f64,
+    truth: Vec<f64>,
+    ruler: Ruler,
+}
+
+impl JudgedScene {
+    /// The scene from time 0 to this one, s. Of the numbers that it usually tells the attitude's quaternion counts, and the rates: all in rad/s, or
+    /// where there are none all in m/s.
+    ///
+    /// # Errors
+    /// [`Error::Condition`] for a motion on which its judges disagree by more than 1e-3; that of the scene if none can run it.
+    pub fn new(scene: AnyScene, end: f64) -> Result<Self> {
+        let named = |wanted: &dyn Fn(&str, &str) -> bool| -> Vec<&'static str> {
+            let usual = scene.columns().iter().filter(|column| column.usual);
+            let found = usual.filter(|column| wanted(column.name, column.unit));
+            found.map(|column| column.name).collect()
+        };
+        let attitude = named(&|name, _| ["qw", "qx", "qy", "qz"].contains(&name));
+        let turning = named(&|_, unit| unit == "rad/s");
+        let moving = named(&|_, unit| unit == "m/s");
+        let turns = !turning.is_empty();
+        let rates = if turns { turning } else { moving };
+        let told = [&attitude[..], &rates].concat();
+        let mut ruler = Ruler {
+            rates: attitude.len(),
+            fastest: 0.0,
+        };
+        let scene = scene.telling(&told).map_err(|_| NONE)?;
+
+        let times = (1..=SAMPLES).map(|k| end * f64::from(k) / f64::from(SAMPLES));
+        let request = Request::at(times.collect::<Vec<f64>>())?.in_one_run(TIGHTEST);
+        let (mut judges, mut tables, mut refused) = (Vec::new(), Vec::<Table>::new(), NONE);
+        for solver in JUDGES {
+            let closed_twice = solver == Solver::Events && !judges.is_empty();
+            if judges.len() == 2 || closed_twice {
+                continue;
+            }
+            match scene.simulate(&by(&request, solver)) {
+                Ok(table) => {
+                    judges.push(solver);
+                    tables.push(table);
+                }
+                Err(error) => refused = error,
+            }
+        }
+        let truth = tables.first().ok_or(refused)?;
+        let speeds = truth.rows().map(|(_, row)| size(&row[ruler.rates..]));
+        ruler.fastest = speeds.fold(0.0, f64::max);
+        let apart = tables.get(1).map_or(truth.error_estimate, |other| {
+            let pairs = truth.rows().zip(other.rows());
+            let apart = pairs.map(|((_, a), (_, b))| ruler.apart(&a, &b));
+            apart.fold(0.0, |most: f64, Apart { attitude, omega }| {
+                most.max(attitude).max(omega)
+            })
+        });
+        if apart > COARSEST {
+            return Err(Error::Condition {
+                condition: "the two methods that judge a scene must agree to 1e-3 at their tightest; an earlier end may do",
+                value: apart,
+            });
+        }
+        Ok(Self {
+            truth: truth.row(SAMPLES as usize - 1).1,
+            floor: TOLD * apart.min(truth.error_estimate).max(f64::EPSILON),
+            turns: if turns {
+                ruler.fastest * end / TAU
+            } else {
+                0.0
+            },
+            asked: Request::at([end])?,
+            scene,
+            judges,
+            ruler,
+        })
+    }
+
+    /// Who judges, the one that is believed first.
+    pub fn judges(&self) -> &[Solver] {
+        &self.judges
+    }
+
+    /// What cannot be told from the truth: ten times the disagreement of the judges, or the error that a closed form tells of itself.
+    pub const fn floor(&self) -> f64 {
+        self.floor
+    }
+
+    /// The last time, s.
+    pub fn end(&self) -> f64 {
+        self.asked.times()[0]
+    }
+
+    /// Whether errors are told of an attitude; if not, of rates alone.
+    pub const fn has_attitude(&self) -> bool {
+        self.ruler.rates > 0
+    }
+
+    /// How hard a solver may be asked to work on it, from coarse to fine.
+    pub fn efforts(&self, solver: Solver) -> Vec<Effort> {
+        efforts(solver, self.end(), self.turns)
+    }
+
+    /// This solver on the scene, which has this name. A run that would take more evaluations fails.
+    pub fn trial<'a>(
+        &'a self,
+        name: &'a str,
+        solver: Solver,
+        efforts: &'a [Effort],
+        most: u64,
+    ) -> Trial<'a, Vec<f64>> {
+        let request = by(&self.asked, solver).within(most);
+        Trial {
+            names: [name, solver.name()],
+            efforts,
+            floor: self.floor,
+            lost: self
+                .ruler
+                .apart(&self.truth, &vec![f64::NAN; self.truth.len()]),
+            run: Box::new(move |effort| {
+                let table = self.scene.simulate(&request.clone().in_one_run(effort))?;
+                Ok((table.row(0).1, table.cost))
+            }),
+            apart: Box::new(|row| self.ruler.apart(&self.truth, row)),
+        }
+    }
+}
+
+/// No judge has said why.
+const NONE: Error = Error::Empty {
+    quantity: "the list of methods that can judge a scene",
+};
+
+fn by(request: &Request, solver: Solver) -> Request {
+    let request = request.clone().by(Choice::Use(solver));
+    request.with_methods(&DifferentialEquations)
+}
+
+/// How two rows are compared.
+#[derive(Debug)]
+struct Ruler {
+    /// Where rates begin: behind a quaternion, if there is one.
+    rates: usize,
+    /// The greatest size that they have.
+    fastest: f64,
+}
+
+impl Ruler {
+    fn apart(&self, truth: &[f64], row: &[f64]) -> Apart {
+        let (_, rates) = row.split_at(self.rates);
+        let gaps: Vec<f64> = truth[self.rates..]
+            .iter()
+            .zip(rates)
+            .map(|(a, b)| a - b)
+            .collect();
+        let gap = size(&gaps);
+        let attitude = match (attitude(truth), attitude(row)) {
+            _ if self.rates == 0 => f64::NAN,
+            (Some(truth), Some(here)) => truth.angle_to(&here),
+            _ => f64::INFINITY,
+        };
+        let omega = match rates {
+            [] => f64::NAN,
+            // At rest all the time.
+            _ if gap == 0.0 => 0.0,
+            _ => known(gap / self.fastest),
+        };
+        Apart { attitude, omega }
+    }
+}
+
+/// Of the first four numbers.
+fn attitude(row: &[f64]) -> Option<Attitude> {
+    let &[w, x, y, z, ..] = row else { return None };
+    Attitude::from_quaternion(w, x, y, z).ok()
+}
+
+/// √Σx².
+fn size(numbers: &[f64]) -> f64 {
+    numbers.iter().copied().fold(0.0, f64::hypot)
+}

@@ -75,7 +75,7 @@ pub(super) fn third<N: Number<Narrow = Dd>>(mut x: [N; 3], p: N) -> N {
     // for each factor of four; there R_C is at most 0.61 of R_F, and what remains has one sign.
     let gap = y - p;
     let more = ((z - y) * (y - x)).quotient(gap);
-    let q = y - -more;
+    let q = y + more;
     let (pq, xz) = (p * q, x * z);
     let arcs = elementary(xz.quotient(y), pq.quotient(y)) - first([x, y, z]);
     let rest = more * duplicated([x, y, z], q);

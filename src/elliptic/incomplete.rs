@@ -136,6 +136,11 @@ pub(super) fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
         }
         Kind::First => Ok(Modulus::new(Parameter::from_both(m, mc)).quarter_period_dd()),
         Kind::Second => Ok(super::complete::second(parameter)),
+        Kind::Third(Characteristic { nc, .. })
+            if nc.high() > 0.0 && mc.high() > 0.0 && carlson::ordinary(&[nc.high(), mc.high()]) =>
+        {
+            Ok(super::complete::third_kind(nc, mc))
+        }
         Kind::Third(_) => within_quarter(kind, [Dd::from(1.0), Dd::from(0.0)], parameter),
     }
 }
@@ -183,7 +188,7 @@ impl<N: Number<Narrow = Dd>> Place<N> {
     fn new(numbers: [Dd; 4]) -> Result<Self> {
         let [s, c, m, mc] = numbers.map(N::from_narrow);
         let (s2, c2) = (s.square(), c.square());
-        let delta2 = c2 - -mc * s2;
+        let delta2 = c2 + mc * s2;
         if delta2.leading() < 0.0 {
             return Err(not_real(numbers[2]));
         }
@@ -206,7 +211,7 @@ impl<N: Number<Narrow = Dd>> Place<N> {
             Kind::Second => self.second(),
             Kind::Third(Characteristic { n, nc }) => {
                 let [n, nc] = [n, nc].map(N::from_narrow);
-                let p = self.c2 - -nc * self.s2;
+                let p = self.c2 + nc * self.s2;
                 if p.is_zero() {
                     return Err(Error::Condition {
                         condition: "n sin² phi must not be 1, where the integral of the third kind is infinite",

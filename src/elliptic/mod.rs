@@ -42,8 +42,8 @@
 //! | R_J | 0.43 | 2.5 | principal value 8.8 |
 //! | R_G | 0.43 | 1.5 | 8.5 with arguments 10^±140 |
 //!
-//! `cargo bench -p lab --bench elliptic_accuracy` prints the whole comparison. The price is time: 1–15 µs an
-//! integral here, where the peer's own report gives 0.01–0.3 µs.
+//! `cargo bench -p lab --bench elliptic_accuracy` prints the whole comparison. The price is time: 0.1–0.3 µs a
+//! complete integral and 1–15 µs an incomplete one here, where the peer's own report gives 0.01–0.3 µs.
 
 mod batch;
 pub mod carlson;

@@ -252,7 +252,7 @@ pub(crate) fn dual_excess<N: Number>(
     let s2 = (sine * cosine).scaled(2.0);
     let c2 = (cosine - sine) * cosine.add_alike(sine);
     let s4 = (s2 * c2).scaled(2.0);
-    let c4 = (c2 - s2) * (c2 - -s2);
+    let c4 = (c2 - s2) * (c2 + s2);
     let (x, s2v, c2v, s4v, c4v) = (q.value(), s2.value(), c2.value(), s4.value(), c4.value());
     let (x3, x4) = (x * x * x, x * x * (x * x));
     let (x9, x16) = (x3 * x3 * x3, x4 * x4 * (x4 * x4));

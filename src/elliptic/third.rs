@@ -90,9 +90,10 @@ impl From<Parameter> for Characteristic {
 ///
 /// n < 0 and n > 1 are carried to other characteristics, so that no sum cancels.
 ///
-/// Error 0.46 ε at most of 160 rows: any n, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 4–9 µs; and up to 0.1 ms where one of the
+/// Error 0.46 ε at most of 160 rows: any n, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 180–320 ns for n < 1; beyond,
+/// where it is a principal value, 4–9 µs; and up to 0.1 ms where one of the
 /// numbers is beyond 10^±60.
-/// Source: Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
+/// Source: Bulirsch (1969) for n < 1; Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
 ///
 /// # Errors
 ///

@@ -195,6 +195,6 @@ fn constants<N: Number>(
         rate: rate.narrow().two(),
         amplitudes,
         turning,
-        turning_rate: (base - -excess).narrow().two(),
+        turning_rate: (base + excess).narrow().two(),
     }
 }

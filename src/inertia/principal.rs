@@ -197,20 +197,20 @@ fn found_again<N: Number>(a: [N; 6], moments: &mut V, axes: &mut [V; 3], side: S
         moments[apart] = value;
         return;
     }
-    let trace = x - -y - -z;
+    let trace = x + y + z;
     let minors = [
         minor(x, y, xy, xy),
         minor(x, z, xz, xz),
         minor(y, z, yz, yz),
     ];
-    let squares = minors[0] - -minors[1] - -minors[2];
+    let squares = minors[0] + minors[1] + minors[2];
     let cube = determinant(N::from_double(0.0));
     // A step of Newton's for the separated root, from a few eps to their square, then the quadratic that is left.
     let [u, v, near] = [low, high, apart].map(|k| N::from_double(moments[k]));
     let slope = (near - u) * (near - v);
     let rest = (trace - near) * near - squares;
-    let rest = rest * near - -cube;
-    let root = near - -rest.quotient(slope);
+    let rest = rest * near + cube;
+    let root = near + rest.quotient(slope);
     let product = cube.quotient(root);
     let half = (squares - product).quotient(root).times(0.5);
     let square = half.square() - product;

@@ -95,16 +95,16 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     let lambda = square.quotient(product.times(4.0));
     let one = number(1.0);
     // λ − h₀ = (λ − 1) + (1 − h₀), and the root of its square and sin²θ₀.
-    let lead = lambda - one - -below;
+    let lead = lambda - one + below;
     let sine2 = below * above;
-    let root = (lead.square() - -sine2).square_root();
+    let root = (lead.square() + sine2).square_root();
     let fall = if lead.leading() < 0.0 {
         root - lead
     } else {
-        sine2.quotient(root - -lead)
+        sine2.quotient(root + lead)
     };
-    let one_less = below - -fall;
-    let whole = one - -lambda - -root;
+    let one_less = below + fall;
+    let whole = one + lambda + root;
     let one_more = (lambda * above).times(2.0).quotient(whole);
     let [less, more] = [one_less, one_more].map(|x| x.narrow().value());
     let lowest_tilt = 2.0 * less.sqrt().atan2(more.sqrt());

@@ -65,7 +65,7 @@ pub fn pure_precession(
     } else {
         // Of the sign of L₃: a sum of two numbers of one sign.
         let root = discriminant.square_root();
-        let far = (l3.magnitude() - -root).times(0.5);
+        let far = (l3.magnitude() + root).times(0.5);
         let far = if l3.leading() < 0.0 { -far } else { far };
         PurePrecession::Two {
             slow: rounded(weight.quotient(far)),

@@ -144,9 +144,9 @@ pub(super) fn prepare<N: Number<Narrow = DoubleDouble>>(
     let above_bottom = upper.quotient(norm).times(2.0);
     let below_top = lower.quotient(norm).times(2.0);
     let z1 = (x * z - w * y).quotient(norm).times(2.0);
-    let z2 = (y * z - -(w * x)).quotient(norm).times(2.0);
+    let z2 = (y * z + (w * x)).quotient(norm).times(2.0);
     let swing = o1.square().add_alike(o2.square());
-    let drift = o1 * z1 - -(o2 * z2);
+    let drift = o1 * z1 + (o2 * z2);
     let rise = o2 * z1 - o1 * z2;
     let ratio = Extended::from_double(axial).quotient(Extended::from_double(transverse));
     let spin = N::from_extended(ratio) * o3;
@@ -407,7 +407,7 @@ impl<N: Number<Narrow = DoubleDouble>> Top<N> {
         let over = |x: N, y: N| if x.is_zero() { x } else { x.quotient(y) };
         let excess = self.axial_rate - self.spin;
         let halves = [
-            (excess - -over(d.sum, bottom2)).times(0.5),
+            (excess + over(d.sum, bottom2)).times(0.5),
             (over(d.difference, top1) - excess).times(0.5),
         ];
         let turning = lambda.narrow();

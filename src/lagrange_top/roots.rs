@@ -60,7 +60,7 @@ impl<N: Number> Cubic<N> {
         let f2 = two_g * twice_height - self.swing - self.spin.square();
         let [a, b, c] = [f2, two_g * f1, two_g.square() * f0];
         // Its sign at the inflection says on which side of it h₂ lies.
-        let inflection = (a.square() * a).times(2.0 / 27.0) - (a * b).times(1.0 / 3.0) - -c;
+        let inflection = (a.square() * a).times(2.0 / 27.0) - (a * b).times(1.0 / 3.0) + c;
         if inflection.leading() > 0.0 {
             self.near_the_top(two_g)
         } else {
@@ -71,7 +71,7 @@ impl<N: Number> Cubic<N> {
     /// (L_vert − L₃h)/I₁ at the lower and at the upper turning point.
     pub(super) fn drifts(&self, d: &Distances<N>) -> [N; 2] {
         [
-            plus(self.drift, self.spin * d.to_lower),
+            self.drift + self.spin * d.to_lower,
             self.drift - self.spin * d.to_upper,
         ]
     }
@@ -81,7 +81,7 @@ impl<N: Number> Cubic<N> {
     }
 
     fn sum(&self) -> N {
-        self.drift - -(self.spin * self.above_bottom)
+        self.drift + (self.spin * self.above_bottom)
     }
 
     /// `third` is 2g (h₃ − h): h₁ and h₂ are the roots of d² − s d + p about the start.
@@ -155,7 +155,7 @@ impl<N: Number> Cubic<N> {
             difference: self.difference(),
             sum: self.sum(),
             above_top: energy,
-            above_bottom: plus(energy, two_g.times(2.0)),
+            above_bottom: energy + two_g.times(2.0),
         };
         let d = integrals.lowest_alone(two_g, integrals.at_the_top(two_g));
         let ([top1, top2], third) = (d.top, d.third[0]);
@@ -203,7 +203,7 @@ impl<N: Number> Integrals<N> {
         // y = 2g (h − 1): y³ + a y² + b y + c, and its sign at the inflection.
         let [a, b, c] = [quadratic, -(two_g * linear), -(two_g.square() * constant)];
         let cube = (a.square() * a).times(2.0 / 27.0);
-        let inflection = plus(cube - (a * b).times(1.0 / 3.0), c);
+        let inflection = cube - (a * b).times(1.0 / 3.0) + c;
         let d = if inflection.leading() > 0.0 {
             self.lowest_alone(two_g, [quadratic, linear, constant])
         } else {
@@ -214,7 +214,7 @@ impl<N: Number> Integrals<N> {
             )?
         };
         // f(±1) is not positive: both roots lie between, or both outside.
-        let inside = |[a, b]: [N; 2]| plus(a, b).leading() >= 0.0;
+        let inside = |[a, b]: [N; 2]| (a + b).leading() >= 0.0;
         (inside(d.top) && inside(d.bottom)).then_some(d)
     }
 
@@ -309,7 +309,7 @@ impl<N: Number> Integrals<N> {
         let s = if quadratic.leading() >= 0.0 {
             quadratic.add_alike(y).quotient(two_g)
         } else {
-            plus(linear, two_g * p).quotient(y)
+            (linear + two_g * p).quotient(y)
         };
         let from_bottom = y.add_alike(two_g.times(2.0));
         let below_horizon = s.exceeds(two);
@@ -319,7 +319,7 @@ impl<N: Number> Integrals<N> {
             } else {
                 self.sum.square().quotient(from_bottom)
             };
-            let slope = plus(self.above_bottom, self.sum * self.spin) - self.gravity * product;
+            let slope = self.above_bottom + self.sum * self.spin - self.gravity * product;
             (slope.times(2.0).quotient(from_bottom), product)
         } else {
             (s, p)
@@ -378,7 +378,7 @@ impl<N: Number> Integrals<N> {
     pub(super) fn drifts(&self, d: &Distances<N>) -> [N; 2] {
         let drift = |k: usize| {
             if N::from_double(1.0).exceeds(d.top[k]) {
-                plus(self.difference, self.spin * d.top[k])
+                self.difference + self.spin * d.top[k]
             } else {
                 self.sum - self.spin * d.bottom[k]
             }
@@ -400,17 +400,12 @@ impl<N: Number> Integrals<N> {
     }
 }
 
-/// A sum of terms that may cancel.
-fn plus<N: Number>(a: N, b: N) -> N {
-    a - -b
-}
-
 /// The sum of three terms; nothing, if it is no more than what rounding leaves of terms that balance.
 ///
 /// Pure precession is such a balance, and few tilts are doubles: the cosine 3/5 is not.
 fn balance<N: Number>(terms: [N; 3]) -> N {
     let [a, b, c] = terms;
-    let sum = a - -b - -c;
+    let sum = a + b + c;
     let size = a
         .magnitude()
         .add_alike(b.magnitude())
@@ -440,8 +435,8 @@ fn greatest_root<N: Number>([a, b, c]: [N; 3]) -> N {
     }
     // Each step takes off at least a third of the way; at the end they double the digits.
     for _ in 0..200 {
-        let value = ((y - -a) * y - -b) * y - -c;
-        let slope = (y.times(3.0) - a.times(-2.0)) * y - -b;
+        let value = ((y + a) * y + b) * y + c;
+        let slope = (y.times(3.0) + a.times(2.0)) * y + b;
         if slope.leading() <= 0.0 {
             break;
         }

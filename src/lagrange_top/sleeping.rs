@@ -62,14 +62,14 @@ pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) 
     let kick2 = number(kick).square();
     let linear = gravity.times(4.0) - kick2 - spin2;
     let product = (gravity * kick2).times(16.0);
-    let root = (linear.square() - -product).square_root();
+    let root = (linear.square() + product).square_root();
     // u, and 2 − u from the product of the roots of its own equation: both without a difference.
     let one_less = if linear.leading() > 0.0 {
-        (linear - -root).quotient(gravity.times(4.0))
+        (linear + root).quotient(gravity.times(4.0))
     } else {
         kick2.times(4.0).quotient(root - linear)
     };
-    let sum = gravity.times(4.0) - -kick2 - -spin2 - -root;
+    let sum = gravity.times(4.0) + kick2 + spin2 + root;
     let one_more = spin2.times(4.0).quotient(sum);
     let quotient = if one_more.is_zero() {
         return Ok(PI);

@@ -10,8 +10,8 @@ use spinning_bodies::euler_equations::quaternion_rate;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::geometric::{
-    DormandPrince8, FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov,
-    MuntheKaas, Nothing, Order, Phase, Rotations, SymmetricDrift, TwoWords, UnequalDrift,
+    DormandPrince8, DoubleDouble, FreeSplitting, GroupMidpoint, HeavySplitting, Integrator,
+    MoserVeselov, MuntheKaas, Nothing, Order, Phase, Rotations, SymmetricDrift, UnequalDrift,
     VeselovOrder, Weight,
 };
 use spinning_bodies::integrators::geometric::{Follow, Real};
@@ -158,7 +158,7 @@ fn steps() -> Result<()> {
         ("rotations 2, f32", of_type::<f32>(COUNT)?),
         (
             "rotations 2, two words",
-            of_type::<TwoWords>(COUNT / 10)? * 10.0,
+            of_type::<DoubleDouble>(COUNT / 10)? * 10.0,
         ),
     ] {
         println!("{name:>30} {:>9.1}", time / COUNT as f64 * 1e9);

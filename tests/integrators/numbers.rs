@@ -1,7 +1,7 @@
 //! One method in three kinds of numbers: what of its error is the step's, and what is rounding.
 
 use spinning_bodies::integrators::geometric::{
-    FreeSplitting, Integrator, MoserVeselov, Order, Phase, Real, TwoWords, VeselovOrder,
+    DoubleDouble, FreeSplitting, Integrator, MoserVeselov, Order, Phase, Real, VeselovOrder,
 };
 
 use super::common::{MOMENTS, distance, free, start};
@@ -20,7 +20,7 @@ fn rounding_falls_with_the_length_of_the_numbers() {
     let method = FreeSplitting::new(MOMENTS, Order::Six).unwrap();
     let [f32_error, _] = distance(&run::<f32>(&method, t, steps), &exact);
     let [f64_error, _] = distance(&run::<f64>(&method, t, steps), &exact);
-    let [dd_error, _] = distance(&run::<TwoWords>(&method, t, steps), &exact);
+    let [dd_error, _] = distance(&run::<DoubleDouble>(&method, t, steps), &exact);
     // Observed: 3.8e-6; 2.5e-15; 6.6e-16, which is the rounding of the phase that is compared.
     assert!(f32_error > 1e-7 && f32_error < 1e-5, "{f32_error:e}");
     assert!(
@@ -37,7 +37,7 @@ fn two_words_take_the_same_steps() {
         let method = FreeSplitting::new(MOMENTS, order).unwrap();
         let apart = distance(
             &run::<f64>(&method, t, steps),
-            &run::<TwoWords>(&method, t, steps),
+            &run::<DoubleDouble>(&method, t, steps),
         );
         assert!(apart[0] < 1e-14 && apart[1] < 1e-14, "{order:?} {apart:?}");
     }
@@ -45,7 +45,7 @@ fn two_words_take_the_same_steps() {
         let method = MoserVeselov::new(MOMENTS, order).unwrap();
         let apart = distance(
             &run::<f64>(&method, t, steps),
-            &run::<TwoWords>(&method, t, steps),
+            &run::<DoubleDouble>(&method, t, steps),
         );
         assert!(apart[0] < 1e-14 && apart[1] < 1e-14, "{order:?} {apart:?}");
     }

@@ -3,7 +3,7 @@
 use lab::accuracy::Problem;
 use spinning_bodies::Result;
 use spinning_bodies::integrators::geometric::{
-    Integrator, MoserVeselov, Phase, Real, TwoWords, VeselovOrder,
+    DoubleDouble, Integrator, MoserVeselov, Phase, Real, VeselovOrder,
 };
 
 use super::{named_line, problem};
@@ -50,7 +50,7 @@ pub fn three_numbers() -> Result<Figure> {
             "double (f64)",
         ),
         (
-            line::<TwoWords>(&problem, &method, powers(9))?,
+            line::<DoubleDouble>(&problem, &method, powers(9))?,
             Role::Omega,
             "two doubles",
         ),

@@ -1,13 +1,13 @@
 //! A state known to 32 digits, and how far a computed one is from it.
 
-use spinning_bodies::integrators::geometric::{Phase, Real, TwoWords};
+use spinning_bodies::integrators::geometric::{DoubleDouble, Phase, Real};
 
 /// The true attitude and angular velocity at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     time: f64,
-    omega: [TwoWords; 3],
-    attitude: [TwoWords; 4],
+    omega: [DoubleDouble; 3],
+    attitude: [DoubleDouble; 4],
 }
 
 /// How far a computed state is from the true one.
@@ -22,7 +22,9 @@ pub struct Apart {
 impl Sample {
     /// At this time (s): Ω along the body's axes (rad/s) and the attitude's quaternion (w, x, y, z), each number the sum of two doubles.
     pub fn new(time: f64, omega: [[f64; 2]; 3], attitude: [[f64; 2]; 4]) -> Self {
-        let sum = |[high, low]: [f64; 2]| TwoWords::from_double(high) + TwoWords::from_double(low);
+        let sum = |[high, low]: [f64; 2]| {
+            DoubleDouble::from_double(high) + DoubleDouble::from_double(low)
+        };
         Self {
             time,
             omega: omega.map(sum),
@@ -31,8 +33,8 @@ impl Sample {
     }
 
     /// From a motion computed in two words, of a body with these moments.
-    pub fn of_phase(time: f64, phase: &Phase<TwoWords>, moments: [f64; 3]) -> Self {
-        let rate = |k: usize| phase.l[k] * TwoWords::from_double(moments[k]).reciprocal();
+    pub fn of_phase(time: f64, phase: &Phase<DoubleDouble>, moments: [f64; 3]) -> Self {
+        let rate = |k: usize| phase.l[k] * DoubleDouble::from_double(moments[k]).reciprocal();
         Self {
             time,
             omega: core::array::from_fn(rate),
@@ -46,7 +48,7 @@ impl Sample {
     }
 
     /// Ω along the body's axes (rad/s) and the attitude's quaternion (w, x, y, z).
-    pub const fn numbers(&self) -> ([TwoWords; 3], [TwoWords; 4]) {
+    pub const fn numbers(&self) -> ([DoubleDouble; 3], [DoubleDouble; 4]) {
         (self.omega, self.attitude)
     }
 
@@ -66,11 +68,11 @@ impl Sample {
         let along = (a * w + b * x) + (c * y + d * z);
         let size = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
         let gap = |k: usize| {
-            let l = self.omega[k] * TwoWords::from_double(moments[k]);
+            let l = self.omega[k] * DoubleDouble::from_double(moments[k]);
             (phase.l[k].two_words() - l).to_double() / moments[k]
         };
-        let turn = size(across.map(TwoWords::to_double)).atan2(along.to_double().abs());
-        let omega = size(self.omega.map(TwoWords::to_double));
+        let turn = size(across.map(DoubleDouble::to_double)).atan2(along.to_double().abs());
+        let omega = size(self.omega.map(DoubleDouble::to_double));
         Apart {
             attitude: known(2.0 * turn),
             omega: known(size(core::array::from_fn(gap)) / omega),

@@ -1,7 +1,7 @@
 //! The committed table: against itself, against what each motion keeps, and against the closed forms.
 
 use lab::accuracy::{Model, NAMES, Problem, Sample, along_the_run, candidates, named, problems};
-use spinning_bodies::integrators::geometric::{Real, TwoWords};
+use spinning_bodies::integrators::geometric::{DoubleDouble, Real};
 
 use crate::double_double::Dd;
 
@@ -31,9 +31,9 @@ fn decimal(text: &str) -> Dd {
 
 /// Ω and q of a sample.
 fn numbers(sample: &Sample) -> ([Dd; 3], [Dd; 4]) {
-    let sum = |number: TwoWords| {
+    let sum = |number: DoubleDouble| {
         let hi = number.to_double();
-        let lo = (number - TwoWords::from_double(hi)).to_double();
+        let lo = (number - DoubleDouble::from_double(hi)).to_double();
         Dd { hi, lo }
     };
     let (omega, attitude) = sample.numbers();

@@ -41,7 +41,7 @@ mod preprocessing;
 mod splitting;
 
 pub use super::real::Real;
-pub use crate::precise::{DoubleDouble, DoubleDouble as TwoWords};
+pub use crate::precise::DoubleDouble;
 pub use cayley::{GroupMidpoint, MoserVeselov, VeselovOrder};
 pub use dormand_prince::DormandPrince8;
 pub use drift::{Drift, Rotations, SymmetricDrift, UnequalDrift};

@@ -56,7 +56,7 @@ A scene file, in TOML and SI units; nothing acts that [effects] does not name:
 
   title = \"A racket\"
   [body]
-  moments = [1.0, 2.0, 3.0]        # principal moments, kg m2
+  moments = [1.0, 2.0, 3.0]        # principal moments, kg m2; or inertia, or a shape with its sizes and mass
   [initial]
   omega = [0.01, 1.0, 0.01]        # rad/s, along the body's axes; or angular_momentum
   attitude = [1.0, 0.0, 0.0, 0.0]  # w x y z, from body to space; the default
@@ -77,7 +77,7 @@ Solvers: {solvers}.
 
 Examples:
   cargo run -- scene book/scenes/racket.toml
-  cargo run -- scene --keys roller
+  cargo run -- scene --keys roller    the keys of a kind; `--keys shapes` those of bodies by what they are
   cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json"
     )
 }

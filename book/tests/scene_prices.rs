@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use press::scenes::prices::{NEEDED, PRICED, run, times};
 use press::scenes::{key_table, simulate};
-use spinning_bodies::scene::files::{keys, kinds, shared_keys};
+use spinning_bodies::scene::files::{keys, kinds, shape_keys, shared_keys};
 
 const PAGE: &str = include_str!("../src/scenes.md");
 const PRICES: &str = include_str!("../src/tables/scene-prices.csv");
@@ -26,7 +26,10 @@ fn every_kind_is_priced() {
 #[test]
 fn the_page_has_every_key_and_every_column() {
     let of_kinds = kinds().map(|kind| (kind, keys(kind).unwrap()));
-    for (name, keys) in core::iter::once(("run", shared_keys())).chain(of_kinds) {
+    for (name, keys) in [("run", shared_keys()), ("shapes", shape_keys())]
+        .into_iter()
+        .chain(of_kinds)
+    {
         let path = format!("src/tables/keys-{name}.md");
         if std::env::var_os("UPDATE_TABLES").is_some() {
             std::fs::write(&path, key_table(&keys)).unwrap();

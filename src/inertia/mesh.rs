@@ -6,9 +6,11 @@ use super::{InertiaMatrix, MassProperties};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::BodyVector;
 
+mod formats;
 mod icosphere;
 mod sums;
 
+pub use formats::{mesh_of_obj, mesh_of_stl};
 pub use icosphere::{Mesh, icosphere};
 use sums::{Scale, Sums, largest_rounding_of_volume, sums};
 

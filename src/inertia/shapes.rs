@@ -1,7 +1,7 @@
 //! Closed formulas for homogeneous bodies (tutorial 2.6, 2.7).
 //!
 //! Every body has its centre of mass at the origin, except [`triangle_lamina`], which stays where its corners
-//! are. What has an axis has it along z; laminae lie in the plane of x and y. Lengths in metres, mass in kilograms.
+//! are, [`ball_without_cap`] and [`racket`]. What has an axis has it along z; laminae lie in the plane of x and y. Lengths in metres, mass in kilograms.
 //!
 //! The mass must be positive. A length may be zero where the limit is a body: a box without height is a lamina.
 //! All functions multiply mass·length first and then by length, so nothing over- or underflows before the result
@@ -201,6 +201,57 @@ pub fn disc(mass: f64, radius: f64) -> Result<MassProperties> {
 pub fn cone(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
     let round = (0.15, radius);
     from_means(mass, [round, round, (0.15, 0.5 * height)])
+}
+
+/// A solid ball without the cap above a plane, `cut` over the ball's centre (below it if negative): 2MR²/5 about its axis for half a ball (2.7).
+///
+/// The origin is the centre of the ball, and the centre of mass below it. With h = R + `cut`, s = h/R and V = πh²(R − h/3): ⟨x²⟩ =
+/// R²s(4/3 − s + s²/5)/(4 − 4s/3); the centre of mass is h(2/3 − s/4)/(1 − s/3) above the lowest point, and the mean square distance from it along the
+/// axis R²s²(1/18 − s/30 + s²/240)/(1 − s/3)².
+///
+/// # Errors
+/// See the [module](self); the radius must be positive, and [`Error::OutOfRange`] unless −R < `cut` ≤ R.
+pub fn ball_without_cap(mass: f64, radius: f64, cut: f64) -> Result<MassProperties> {
+    positive("the radius", radius)?;
+    let s = 1.0 + finite("the height of the cut", cut)? / radius;
+    if !(s > 0.0 && s <= 2.0) {
+        return Err(Error::OutOfRange {
+            quantity: "the height of the cut",
+            value: cut,
+            least: -radius,
+            greatest: radius,
+        });
+    }
+    let full = 1.0 - s / 3.0;
+    let across = s * (4.0 / 3.0 + s * (s / 5.0 - 1.0)) / (4.0 * full);
+    let along = s * s * (1.0 / 18.0 + s * (s / 240.0 - 1.0 / 30.0)) / (full * full);
+    let round = (across, radius);
+    let body = from_means(mass, [round, round, (along, radius)])?;
+    let center = s * (2.0 / 3.0 - s / 4.0) / full - 1.0;
+    body.moved(BodyVector::new(0.0, 0.0, center * radius))
+}
+
+/// A tennis racket of one wire: a ring of radius `head` in the plane of x and y, and a straight handle that goes on outward along −x.
+///
+/// The origin is the centre of the ring; axis 1 is along the handle, axis 3 normal to the plane. Composed of a [`hoop`] and a [`rod`].
+///
+/// # Errors
+/// See the [module](self).
+pub fn racket(mass: f64, head: f64, handle: f64) -> Result<MassProperties> {
+    positive("the radius of the head", head)?;
+    not_negative("the length of the handle", handle)?;
+    let ring = core::f64::consts::TAU * head;
+    let share = ring / (ring + handle);
+    let hoop = hoop(mass * share, head)?;
+    if share == 1.0 {
+        return Ok(hoop);
+    }
+    let rod = from_means(
+        mass * (1.0 - share),
+        [(1.0 / 3.0, 0.5 * handle), (0.0, 0.0), (0.0, 0.0)],
+    )?;
+    let rod = rod.moved(BodyVector::new(-(head + 0.5 * handle), 0.0, 0.0))?;
+    MassProperties::compose(&[hoop, rod])
 }
 
 /// A solid ring torus, tube radius r around a circle of radius R: M(R² + 3r²/4) about its axis.

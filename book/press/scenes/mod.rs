@@ -67,9 +67,31 @@ pub fn file(root: &Path, name: &Path) -> Option<PathBuf> {
 /// # Errors
 /// [`Error::Scene`].
 pub fn parse(name: &str, text: &str) -> Result<(AnyScene, Request)> {
-    let (scene, request) = files::parse(name, text)?;
+    let (scene, request) = files::parse_with(name, text, &beside(name))?;
     Ok((scene, request.with_methods(&DifferentialEquations)))
 }
+
+/// Reads what a scene file names, such as a mesh: a path seen from its folder.
+fn beside(name: &str) -> impl Fn(&str) -> std::result::Result<Vec<u8>, String> + use<> {
+    let folder = Path::new(name).parent().map(Path::to_owned);
+    move |file| {
+        let mut bytes = Vec::new();
+        let path = folder.clone().unwrap_or_default().join(file);
+        let opened = std::fs::File::open(path);
+        let read =
+            opened.and_then(|opened| opened.take(MOST_OF_A_MESH + 1).read_to_end(&mut bytes));
+        match read {
+            Err(error) => Err(error.to_string()),
+            Ok(_) if bytes.len() as u64 > MOST_OF_A_MESH => Err(format!(
+                "a mesh has at most {MOST_OF_A_MESH} bytes, this one has more"
+            )),
+            Ok(_) => Ok(bytes),
+        }
+    }
+}
+
+/// Most bytes of a file that a scene file names.
+const MOST_OF_A_MESH: u64 = 200_000_000;
 
 /// Keys as a table of Markdown.
 pub fn key_table(keys: &[KeyRow]) -> String {
@@ -86,18 +108,19 @@ pub fn key_table(keys: &[KeyRow]) -> String {
     text
 }
 
-/// The keys of a kind, and those that all kinds share.
+/// The keys of a kind, and those that all kinds share; those of the shapes for `shapes`.
 ///
 /// # Errors
 /// [`Error::Input`] for a word that is no kind.
 pub fn keys(kind: &str) -> Result<String> {
     match files::keys(kind) {
         Some(keys) => Ok(key_table(&[files::shared_keys(), keys].concat())),
+        None if kind == "shapes" => Ok(key_table(&files::shape_keys())),
         None => {
             let (kinds, meant) = (files::kinds(), files::meant(kind, files::kinds()));
             let kinds = kinds.collect::<Vec<_>>().join(", ");
             Err(Error::Input(format!(
-                "--keys: there is no kind `{kind}`; there are {kinds}{meant}"
+                "--keys: there is no kind `{kind}`; there are {kinds}, and shapes{meant}"
             )))
         }
     }

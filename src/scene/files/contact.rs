@@ -1,14 +1,14 @@
 //! `kind = "meteorite"`, `"roller"`, `"spool"`, `"superball"`: what strikes, skids, rolls and bounces (4.2 to 4.6).
 
+use super::body::{Matter, Round, inertia_factor};
 use super::reader::Reader;
 use super::values::{
     Bound::{From, NotNegative, Positive},
-    section,
+    Flat, section,
 };
 use super::{listed, with};
 use crate::frame::BodyVector;
 use crate::impacts::{Impact, Meteorite, Planet};
-use crate::inertia::InertiaMatrix;
 use crate::rolling::RoundBody;
 use crate::rolling::sheet::SheetSpeeds;
 use crate::rolling::spool::Spool;
@@ -25,7 +25,8 @@ section! {
     RollerBody {
         mass: f64, "a mass in kg", Positive;
         radius: f64, "a radius in m", Positive;
-        inertia_factor: f64 = 0.4, "I/MR², a ratio", Positive;
+        shape: Option<Round>, "";
+        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", Positive;
     }
 }
 
@@ -98,11 +99,10 @@ pub fn roller(
     initial: RollerInitial,
     effects: RollerEffects,
 ) -> Option<Roller> {
-    let factor = "body.inertia_factor";
-    let body = file.right(
-        factor,
-        RoundBody::new(body.mass, body.radius, body.inertia_factor),
-    );
+    let key = "body.inertia_factor";
+    let kappa = inertia_factor(file, body.inertia_factor, body.shape);
+    let body =
+        kappa.and_then(|kappa| file.right(key, RoundBody::new(body.mass, body.radius, kappa)));
     let law = friction(file, effects.friction, effects.static_friction);
     let sheet = sheet(file, &effects);
     let (body, gravity) = (body?, effects.gravity);
@@ -136,7 +136,8 @@ section! {
     SpoolBody {
         mass: f64, "a mass in kg", Positive;
         radius: f64, "a radius in m", Positive;
-        inertia_factor: f64 = 0.4, "I/MR², a ratio", Positive;
+        shape: Option<Round>, "";
+        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", Positive;
         axle: f64, "the radius of the axle in m", Positive;
     }
 }
@@ -168,11 +169,9 @@ pub fn spool(
     effects: SpoolEffects,
 ) -> Option<TuggedSpool> {
     let (radius, axle) = (body.radius, body.axle);
-    let factor = "body.inertia_factor";
-    let body = file.right(
-        factor,
-        RoundBody::new(body.mass, radius, body.inertia_factor),
-    );
+    let key = "body.inertia_factor";
+    let kappa = inertia_factor(file, body.inertia_factor, body.shape);
+    let body = kappa.and_then(|kappa| file.right(key, RoundBody::new(body.mass, radius, kappa)));
     let law = friction(file, effects.friction, effects.static_friction);
     let tug = match (effects.tension, effects.tug_angle) {
         (Some(tension), Some(angle)) => file
@@ -207,7 +206,8 @@ section! {
     /// `[body]` of a superball.
     SuperballBody {
         mass: f64, "a mass in kg", Positive;
-        inertia_factor: f64 = 0.4, "I/MR², a ratio", From(0.0, 1.0);
+        shape: Option<Round>, "";
+        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", From(0.0, 1.0);
     }
 }
 
@@ -248,7 +248,7 @@ pub fn superball(
         },
         bounces: 0,
     };
-    let kappa = body.inertia_factor;
+    let kappa = inertia_factor(file, body.inertia_factor, body.shape)?;
     if kappa == 0.0 {
         return file.wrong(
             "body.inertia_factor",
@@ -284,8 +284,7 @@ pub fn superball(
 section! {
     /// `[body]` of a planet.
     MeteoriteBody {
-        mass: f64, "a mass in kg", Positive;
-        moments: [f64; 3], "principal moments in kg m²";
+        matter: Flat<Matter>, "";
     }
 }
 
@@ -315,9 +314,8 @@ pub fn meteorite(
     let zero = BodyVector::zero;
     let velocity = initial.velocity.unwrap_or_else(zero);
     let omega = initial.omega.unwrap_or_else(zero);
-    let [a, b, c] = body.moments;
-    let planet = InertiaMatrix::diagonal(a, b, c)
-        .and_then(|inertia| Planet::new(body.mass, inertia, velocity, omega));
+    let solid = body.matter.0.about_center(file)?;
+    let planet = Planet::new(solid.mass(), solid.inertia(), velocity, omega);
     let planet = StruckPlanet::new(file.right("body.moments", planet)?);
     match (
         effects.impact_mass,

@@ -16,6 +16,7 @@
 //!
 //! A new kind brings its tables, a function that makes its scene of them, and a line in `KINDS`.
 
+mod body;
 mod changing;
 mod contact;
 mod reader;
@@ -26,14 +27,14 @@ mod top;
 mod values;
 mod yo_yo;
 
-pub use reader::{Mistake, Mistakes, meant};
+pub use body::shape_keys;
+pub use reader::{Mistake, Mistakes, Open, meant};
 pub use run::telling;
 pub use values::KeyRow;
 
 use toml::de::{DeTable, DeValue};
 
 use super::effects::Effect;
-use super::top::Top;
 use super::{AnyScene, Request, Scene};
 use reader::{Reader, Table, find};
 use run::Run;
@@ -148,29 +149,28 @@ fn rows<B: Section, I: Section, E: Section, S>(_: Made<B, I, E, S>) -> Vec<KeyRo
 /// The scene and the request that a file's text describes; `name` is what the file is called where something is wrong with it.
 ///
 /// # Errors
-/// All that is wrong with it.
+/// All that is wrong with it. A mesh that it names is out of reach.
 pub fn parse(name: &str, text: &str) -> Result<(AnyScene, Request), Mistakes> {
-    let reader = Reader::new(name, text)?;
+    parse_with(name, text, &out_of_reach)
+}
+
+fn out_of_reach(_: &str) -> Result<Vec<u8>, String> {
+    Err("other files are out of reach here".to_owned())
+}
+
+/// The same where the file may name others, such as the mesh of a body: `open` gives their bytes.
+///
+/// # Errors
+/// All that is wrong with it.
+pub fn parse_with(
+    name: &str,
+    text: &str,
+    open: &Open<'_>,
+) -> Result<(AnyScene, Request), Mistakes> {
+    let reader = Reader::new(name, text, open)?;
     let kind: Option<Kind> = Table::whole(&reader).value(&KIND, None);
     let made = kind.and_then(|kind| (kind.read)(&reader));
     reader.finish(made)
-}
-
-/// The top and the request that a file's text describes, for those who take the body in their own hands.
-///
-/// # Errors
-/// All that is wrong with it; that it is of another kind.
-pub fn parse_top(name: &str, text: &str) -> Result<(Top, Request), Mistakes> {
-    let reader = Reader::new(name, text)?;
-    let kind: Option<Kind> = Table::whole(&reader).value(&KIND, None);
-    let top = match kind {
-        Some(kind) if kind.name != KINDS[0].name => {
-            reader.wrong("kind", " must be \"top\", or not there")
-        }
-        Some(_) => scene(&reader, top::top),
-        None => None,
-    };
-    reader.finish(top.map(|(top, _, request)| (top, request)))
 }
 
 /// The words that may stand after `kind`; the first is meant where there is none.

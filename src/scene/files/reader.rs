@@ -1,6 +1,6 @@
 //! Tables and keys of one file; what is wrong is gathered, each in one line that names file, line and key.
 
-use core::cell::RefCell;
+use core::cell::{Cell, RefCell};
 use core::fmt::{self, Display};
 use core::ops::Range;
 
@@ -58,17 +58,23 @@ pub(super) struct Reader<'a> {
     text: &'a str,
     entries: DeTable<'a>,
     mistakes: RefCell<Vec<Mistake>>,
+    /// Reads another file that this one names.
+    pub open: &'a Open<'a>,
 }
+
+/// Gives the bytes of a file that a scene file names, or says why not.
+pub type Open<'a> = dyn Fn(&str) -> Result<Vec<u8>, String> + 'a;
 
 impl<'a> Reader<'a> {
     /// # Errors
     /// If the text is not TOML.
-    pub fn new(name: &'a str, text: &'a str) -> Result<Self, Mistakes> {
+    pub fn new(name: &'a str, text: &'a str, open: &'a Open<'a>) -> Result<Self, Mistakes> {
         let new = |entries| Self {
             name,
             text,
             entries,
             mistakes: RefCell::default(),
+            open,
         };
         match DeTable::parse(text) {
             Ok(entries) => Ok(new(entries.into_inner())),
@@ -94,11 +100,13 @@ impl<'a> Reader<'a> {
     fn add(&self, place: Option<Range<usize>>, told: String) {
         let before = |place: Range<usize>| self.text.get(..place.start).unwrap_or_default();
         let line = place.map(|place| before(place).matches('\n').count() + 1);
-        self.mistakes.borrow_mut().push(Mistake {
-            file: self.name.to_owned(),
-            line,
-            told,
-        });
+        let file = self.name.to_owned();
+        let mistake = Mistake { file, line, told };
+        let mut mistakes = self.mistakes.borrow_mut();
+        // A key that is read for two reasons is wrong once.
+        if !mistakes.contains(&mistake) {
+            mistakes.push(mistake);
+        }
     }
 
     /// Something is wrong with these keys, given by their paths with commas between them: "body.mass, body.radius".
@@ -182,6 +190,8 @@ pub(super) struct Table<'r> {
     known: RefCell<Vec<&'static str>>,
     /// Those of them that should be there and are not, and what was expected.
     missing: RefCell<Vec<(&'static str, String)>>,
+    /// Whether keys that nobody knows are let pass.
+    takes_any: Cell<bool>,
 }
 
 impl<'r> Table<'r> {
@@ -197,7 +207,13 @@ impl<'r> Table<'r> {
             entries,
             known: RefCell::default(),
             missing: RefCell::default(),
+            takes_any: Cell::default(),
         }
+    }
+
+    /// Lets keys pass that nobody knows: one that would tell which there may be is wrong.
+    pub fn takes_any(&self) {
+        self.takes_any.set(true);
     }
 
     fn path_of(&self, key: &str) -> String {
@@ -275,7 +291,7 @@ impl<'r> Table<'r> {
             }
         }
         let known = self.known.borrow();
-        for key in self.strangers() {
+        for key in self.strangers().filter(|_| !self.takes_any.get()) {
             let meant = meant(key, known.iter().copied());
             let told = match known.join(", ") {
                 all if all.is_empty() => " is unknown: no key is allowed here".to_owned(),

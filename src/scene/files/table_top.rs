@@ -1,15 +1,13 @@
 //! `kind = "table-top"`: a body that stands on a table (4.7).
 
-use nalgebra::Matrix3;
-
+use super::body::{Matter, Shapeless};
 use super::reader::Reader;
 use super::values::{
     Bound::{NotNegative, Positive},
-    Word, section,
+    Flat, Word, section,
 };
 use super::{listed, with};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::inertia::InertiaMatrix;
 use crate::scene::contact::TableTop;
 use crate::scene::effects::{Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous};
 use crate::tippe_top::{ConvexBody, Start, Surface};
@@ -17,12 +15,18 @@ use crate::tippe_top::{ConvexBody, Start, Surface};
 section! {
     /// `[body]`.
     Body {
-        mass: f64, "a mass in kg", Positive;
+        matter: Flat<Matter>, "";
+        stands_on: Shapeless<StandsOn>, "";
+    }
+}
+
+section! {
+    /// The surface of a body without a shape.
+    StandsOn {
         radius: Option<f64>, "a radius in m", Positive;
         semi_axes: Option<[f64; 3]>, "half axes in m", Positive;
         surface_turn: f64 = 0.0, "the turn of the half axes about the third axis in rad";
         surface_center: Option<BodyVector>, "the place of the centre of the surface, from C, in m";
-        inertia: [f64; 6], "I11 I22 I33 I12 I13 I23 about C in kg m²";
     }
 }
 
@@ -99,16 +103,30 @@ pub fn table_top(
 }
 
 fn made(file: &Reader<'_>, body: &Body) -> Option<ConvexBody> {
-    let [a, b, c, ab, ac, bc] = body.inertia;
-    let matrix = Matrix3::new(a, ab, ac, ab, b, bc, ac, bc, c);
-    let inertia = file.right("body.inertia", InertiaMatrix::from_matrix(matrix));
-    let surface = surface(file, body);
-    let center = body.surface_center.unwrap_or_else(BodyVector::zero);
-    let made = ConvexBody::new(body.mass, inertia?, surface?, center);
-    file.right("body.inertia", made)
+    let matter = &body.matter.0;
+    let solid = matter.about_center(file);
+    let Some(shape) = &matter.shape else {
+        let stands_on = body.stands_on.0.as_ref()?;
+        let (surface, solid) = (surface(file, stands_on)?, solid?);
+        let center = stands_on.surface_center.unwrap_or_else(BodyVector::zero);
+        let made = ConvexBody::new(solid.mass(), solid.inertia(), surface, center);
+        let key = matter.moments.map_or("body.inertia", |_| "body.moments");
+        return file.right(key, made);
+    };
+    match &shape.surface {
+        None => {
+            let told = " must have a smooth surface to stand on: a ball, with a weight or without a cap, a shell, an egg or an ellipsoid";
+            file.wrong("body.shape", told)
+        }
+        Some(surface) => {
+            let (solid, surface) = (solid?, file.right("body.shape", surface.clone())?);
+            let made = ConvexBody::new(solid.mass(), solid.inertia(), surface, -solid.center());
+            file.right("body.shape", made)
+        }
+    }
 }
 
-fn surface(file: &Reader<'_>, body: &Body) -> Option<Surface> {
+fn surface(file: &Reader<'_>, body: &StandsOn) -> Option<Surface> {
     let surface = match (body.radius, body.semi_axes) {
         (Some(radius), None) => file.right("body.radius", Surface::sphere(radius)),
         (None, Some(axes)) => file.right("body.semi_axes", Surface::ellipsoid(axes)),

@@ -1,7 +1,8 @@
 //! `kind = "top"`, or no kind: a body with a fixed point.
 
+use super::body::{Inertia, Matter};
 use super::reader::Reader;
-use super::values::{Bound::Positive, section};
+use super::values::{Flat, section};
 use super::{listed, with};
 use crate::frame::{Attitude, BodyVector};
 use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
@@ -10,9 +11,9 @@ use crate::scene::top::{Body as TopBody, Start, Top};
 section! {
     /// `[body]`.
     Body {
-        mass: Option<f64>, "a mass in kg", Positive;
-        moments: [f64; 3], "principal moments in kg m²";
-        center_of_mass: Option<BodyVector>, "the place of the centre of mass, from the pivot, in m";
+        matter: Flat<Matter>, "";
+        center_of_mass: Option<BodyVector>, "the place of the centre of mass, from the pivot, along the body's axes in m";
+        pivot: Option<BodyVector>, "the place where a shape is held, along its axes from its origin in m (its centre of mass if nothing is said)";
     }
 }
 
@@ -65,16 +66,30 @@ pub fn top(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) ->
 }
 
 fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<TopBody> {
-    if body.moments == [0.0; 3] {
-        let told = " must not all be zero: what has no inertia does not turn";
-        return file.wrong("body.moments", told);
-    }
-    let made = file.right("body.moments", TopBody::new(body.moments))?;
-    match (body.mass, body.center_of_mass) {
-        (Some(mass), Some(center)) => file.right(
-            "body.center_of_mass",
-            made.with_center_of_mass(mass, center),
-        ),
+    let matter = &body.matter.0;
+    let (made, key) = match matter.inertia(file)? {
+        Inertia::Shape(_) if body.center_of_mass.is_some() => {
+            let told = " follows from `shape` and `pivot`";
+            return file.wrong("body.center_of_mass", told);
+        }
+        Inertia::Shape(solid) => {
+            let pivot = body.pivot.unwrap_or(solid.center());
+            return file.right("body.pivot, body.shape", TopBody::held_at(&solid, pivot));
+        }
+        _ if body.pivot.is_some() => return file.wrong("body.pivot", " goes with `shape`"),
+        Inertia::Moments([0.0, 0.0, 0.0]) => {
+            let told = " must not all be zero: what has no inertia does not turn";
+            return file.wrong("body.moments", told);
+        }
+        Inertia::Moments(moments) => (TopBody::new(moments), "body.moments"),
+        Inertia::Matrix(matrix) => (TopBody::along_own_axes(&matrix), "body.inertia"),
+    };
+    let made = file.right(key, made)?;
+    match (matter.mass, body.center_of_mass) {
+        (Some(mass), Some(center)) => {
+            let made = made.with_center_of_mass(mass, center);
+            file.right("body.center_of_mass", made)
+        }
         (None, _) if heavy => {
             let told = " is missing: gravity acts on the centre of mass, a mass in kg is expected";
             file.wrong("body.mass", told)

@@ -202,6 +202,23 @@ impl<T: Value> Value for Option<T> {
     }
 }
 
+/// A table whose keys stand in another one.
+pub(super) struct Flat<T>(pub T);
+
+impl<T: Section> Value for Flat<T> {
+    fn read(_: &Place<'_>, _: &Spanned<DeValue<'_>>) -> Option<Self> {
+        None
+    }
+
+    fn take(table: &Table<'_>, _: &Key, _: Option<Self>) -> Option<Self> {
+        T::fields(table).map(Self)
+    }
+
+    fn rows(section: &str, _: &Key, _: Option<String>) -> Vec<KeyRow> {
+        T::all_rows(section)
+    }
+}
+
 /// The number that a value is, if it is one.
 pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
     match value {
@@ -340,7 +357,7 @@ impl<T: Word> Value for T {
         let near = meant(text, words.iter().map(|(name, _)| *name));
         match words.into_iter().find(|(name, _)| name == text) {
             Some((_, word)) => Some(word),
-            None => place.wrong(value, format_args!("{expected}, got \"{text}\"{near}")),
+            None => place.wrong(value, format_args!("{expected}, got {text:?}{near}")),
         }
     }
 

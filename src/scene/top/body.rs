@@ -1,18 +1,26 @@
 //! The body of a top and how it starts.
 
+use nalgebra::{Rotation3, UnitQuaternion};
+
 use crate::error::{Error, Result, finite, not_negative};
 use crate::euler_equations::finite_vector;
 use crate::frame::{Attitude, BodyVector};
-use crate::inertia::PrincipalMoments;
+use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments};
 use crate::integrators::geometric::Phase;
 use crate::precise::{Extended, Number};
 
 /// A rigid body as a top sees it: mass, principal moments about the pivot in the order of the axes, centre of mass from the pivot.
+///
+/// A body may have [axes of its own](Self::along_own_axes) that are not principal ones. Its start and its states are along its own axes, and the third of
+/// them is the one that tilts; inside, a top turns along principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
     pub(super) mass: f64,
     pub(super) moments: [f64; 3],
+    /// Along the principal axes.
     pub(super) center: [f64; 3],
+    /// Turns components along the principal axes into those along the body's own, where these are others.
+    pub(super) own: Option<UnitQuaternion<f64>>,
 }
 
 impl Body {
@@ -30,15 +38,58 @@ impl Body {
             mass: 0.0,
             moments,
             center: [0.0; 3],
+            own: None,
         })
     }
 
-    /// The same with mass (kg) and centre of mass C, seen from the pivot along the principal axes (m).
+    /// The body with this inertia matrix about the pivot, along axes of its own, and neither mass nor arm. Where these are principal axes already nothing is
+    /// turned and no bit is changed.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    ///
+    /// ```
+    /// use nalgebra::Matrix3;
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// use spinning_bodies::scene::{Request, Scene, top::{Body, Start, Top}};
+    /// // Moments 1, 3 and 2, the first two along the diagonals between the axes.
+    /// let matrix = Matrix3::new(2.0, -1.0, 0.0, -1.0, 2.0, 0.0, 0.0, 0.0, 2.0);
+    /// let body = Body::along_own_axes(&InertiaMatrix::from_matrix(matrix)?)?;
+    /// let start = Start::with_omega(BodyVector::new(1.0, 1.0, 0.0), Attitude::identity());
+    /// let motion = Top::new(body, start)?.simulate(&Request::at([7.0])?)?;
+    /// let omega = motion.rows[0].1.omega; // about a principal axis: it stays
+    /// assert!((omega.x() - 1.0).abs() < 1e-14 && (omega.y() - 1.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn along_own_axes(inertia: &InertiaMatrix) -> Result<Self> {
+        let matrix = inertia.matrix();
+        if [matrix.m12, matrix.m13, matrix.m23] == [0.0; 3] {
+            return Self::new(matrix.diagonal().into());
+        }
+        let principal = inertia.principal_axes();
+        let axes = Rotation3::from_matrix_unchecked(principal.axes());
+        Ok(Self {
+            own: Some(UnitQuaternion::from_rotation_matrix(&axes)),
+            ..Self::new(principal.principal_moments().values())?
+        })
+    }
+
+    /// A body that is held at this point (m, along its own axes, from their origin).
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new); [`Error::NotFinite`] for the point.
+    pub fn held_at(body: &MassProperties, pivot: BodyVector) -> Result<Self> {
+        let held = Self::along_own_axes(&body.about(pivot)?)?;
+        held.with_center_of_mass(body.mass(), body.center() - pivot)
+    }
+
+    /// The same with mass (kg) and centre of mass C, seen from the pivot along the body's axes (m).
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Negative`] for the mass.
     pub fn with_center_of_mass(self, mass: f64, center: BodyVector) -> Result<Self> {
-        let center = finite_vector("the centre of mass", center)?;
+        let center = self.inward(finite_vector("the centre of mass", center)?);
         let [x, y, z]: [f64; 3] = center.components().into();
         let mass = not_negative("the mass", mass)?;
         for arm in [mass * x, mass * y, mass * z] {
@@ -51,6 +102,33 @@ impl Body {
         })
     }
 
+    /// From the body's own axes to the principal ones.
+    pub(super) fn inward(&self, vector: BodyVector) -> BodyVector {
+        match self.own {
+            None => vector,
+            Some(own) => {
+                BodyVector::from_components(own.inverse_transform_vector(&vector.components()))
+            }
+        }
+    }
+
+    /// The same of an attitude.
+    pub(super) fn attitude_inward(&self, attitude: Attitude) -> Attitude {
+        match self.own {
+            None => attitude,
+            Some(own) => Attitude::from_unit(attitude.quaternion().into_inner() * own.into_inner()),
+        }
+    }
+
+    /// From the principal axes to the body's own, in place.
+    pub(super) fn turn_outward(&self, attitude: &mut Attitude, omega: &mut BodyVector) {
+        if let Some(own) = self.own {
+            let turned = attitude.quaternion().into_inner() * own.inverse().into_inner();
+            *attitude = Attitude::from_unit(turned);
+            *omega = BodyVector::from_components(own * omega.components());
+        }
+    }
+
     /// MC, kg m.
     pub(super) fn arm(&self) -> [f64; 3] {
         self.center.map(|component| self.mass * component)
@@ -59,7 +137,7 @@ impl Body {
     /// Whether axis 3 is an axis of symmetry, C on it.
     pub(super) fn is_symmetric_about_third(&self) -> bool {
         let [x, y, _] = self.arm();
-        self.moments[0] == self.moments[1] && x == 0.0 && y == 0.0
+        self.own.is_none() && self.moments[0] == self.moments[1] && x == 0.0 && y == 0.0
     }
 }
 
@@ -69,7 +147,7 @@ pub(super) const DOUBT: [f64; 7] = [8e-15, -6e-15, 7e-15, -4e-15, 5e-15, 3e-15, 
 /// Of what a motion makes of such a displacement, this much is told.
 pub(super) const DOUBTED: f64 = 0.2;
 
-/// How a top starts: its attitude, and Ω or L along the principal axes.
+/// How a top starts: its attitude, and Ω or L along the body's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
     pub(super) attitude: Attitude,
@@ -96,6 +174,17 @@ impl Start {
         Self {
             attitude,
             spin: Spin::AngularMomentum(l),
+        }
+    }
+
+    /// The same along the principal axes of this body.
+    pub(super) fn inward(&self, body: &Body) -> Self {
+        Self {
+            attitude: body.attitude_inward(self.attitude),
+            spin: match self.spin {
+                Spin::Omega(omega) => Spin::Omega(body.inward(omega)),
+                Spin::AngularMomentum(l) => Spin::AngularMomentum(body.inward(l)),
+            },
         }
     }
 

@@ -11,11 +11,12 @@ use crate::scene::columns::Columns;
 /// The numbers of a top's states. The force at the pivot is told of a body with mass, gravity or not.
 pub(super) fn columns(top: &Top) -> Columns<State> {
     let body = top.body;
+    // Moments, lever and centre of mass are along the principal axes, the states along the body's own.
     let momentum = move |state: &State| {
         let [i1, i2, i3] = body.moments;
-        let omega = state.omega;
+        let omega = body.inward(state.omega);
         let l = BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z());
-        state.attitude.to_space(l)
+        body.attitude_inward(state.attitude).to_space(l)
     };
     let kinetic = move |state: &State| {
         let l = state.attitude.to_body(momentum(state));
@@ -41,7 +42,10 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
         BodyVector::from_components(top.lever().into()),
         conserved.start.energy,
     );
-    let up = |state: &State| state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
+    let up = move |state: &State| {
+        let attitude = body.attitude_inward(state.attitude);
+        attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
+    };
     let columns = columns
         .with(
             ["potential", "J", "energy of the weight above the pivot"],
@@ -64,10 +68,13 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
     };
     let (mass, g) = (body.mass, top.g());
     let force = move |state: &State| -> Vector3<f64> {
-        let omega = state.omega;
-        let turned = turning.acceleration(&state.attitude, omega);
+        let (attitude, omega) = (
+            body.attitude_inward(state.attitude),
+            body.inward(state.omega),
+        );
+        let turned = turning.acceleration(&attitude, omega);
         let acceleration = turned.cross(&center) + omega.cross(&omega.cross(&center));
-        let weightless = state.attitude.to_space(mass * acceleration);
+        let weightless = attitude.to_space(mass * acceleration);
         weightless.components() + Vector3::new(0.0, 0.0, mass * g)
     };
     let size = force.clone();

@@ -4,7 +4,6 @@ use super::body::{Body, Start};
 use super::closed::ClosedForm;
 use crate::error::{Error, Result};
 use crate::frame::{Attitude, BodyVector};
-use crate::integrators::geometric::Phase;
 use crate::scene::Tabulated;
 use crate::scene::columns::Columns;
 use crate::scene::effects::{
@@ -28,7 +27,7 @@ pub struct Top {
 pub struct State {
     /// How the body stands in space.
     pub attitude: Attitude,
-    /// Ω along the principal axes, rad/s.
+    /// Ω along the body's axes, rad/s.
     pub omega: BodyVector,
     /// Kinetic energy, plus potential energy above the pivot, J.
     pub energy: f64,
@@ -74,6 +73,7 @@ impl Top {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(body: Body, start: Start) -> Result<Self> {
+        let start = start.inward(&body);
         start.omega(body.moments)?;
         Ok(Self {
             body,
@@ -90,11 +90,17 @@ impl Top {
     ///
     /// # Errors
     /// [`Error::Effect`] for one that has no meaning for a top. [`Error::Condition`] for tip friction unless I₁ = I₂ and C lies on the third axis: of
-    /// another body the spin would not stay stopped.
+    /// another body the spin would not stay stopped; for bearing friction of a body whose own axes are not principal ones.
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Gravity(gravity) => self.gravity = Some(gravity),
             Effect::PivotFriction(friction) => self.pivot_friction = Some(friction),
+            Effect::BearingFriction(_) if self.body.own.is_some() => {
+                return Err(Error::Condition {
+                    condition: "bearing friction is for bodies whose own axes are principal axes, all three products of inertia zero",
+                    value: self.body.own.map_or(0.0, |own| own.angle()),
+                });
+            }
             Effect::BearingFriction(friction) => self.bearing_friction = Some(friction),
             Effect::AirDrag(drag) => self.air_drag = Some(drag),
             Effect::TipFriction(friction) if self.body.is_symmetric_about_third() => {
@@ -125,21 +131,8 @@ impl Top {
         ClosedForm::find(&self.body, self.g(), &self.start)
     }
 
-    /// Principal moments about the pivot, kg m², in the order of the axes.
-    pub const fn moments(&self) -> [f64; 3] {
-        self.body.moments
-    }
-
-    /// L along the body's axes and the attitude at the start.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`].
-    pub fn phase(&self) -> Result<Phase> {
-        self.start.phase(self.body.moments)
-    }
-
     /// MgC, N m: with the upward unit vector z the torque about the pivot is z∧MgC (8.1).
-    pub fn lever(&self) -> [f64; 3] {
+    pub(super) fn lever(&self) -> [f64; 3] {
         let g = self.g();
         self.body.arm().map(|component| component * g)
     }
@@ -149,7 +142,7 @@ impl Top {
     }
 
     /// The names of what resists.
-    pub fn resisting(&self) -> impl Iterator<Item = &'static str> {
+    pub(super) fn resisting(&self) -> impl Iterator<Item = &'static str> {
         let effects: [Option<Effect>; 4] = [
             self.pivot_friction.map(Effect::from),
             self.bearing_friction.map(Effect::from),

@@ -100,6 +100,26 @@ impl Scene for Top {
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
+        let mut motion = self.along_principal_axes(request)?;
+        if self.body.own.is_some() {
+            for (_, state) in &mut motion.rows {
+                let State {
+                    attitude, omega, ..
+                } = state;
+                self.body.turn_outward(attitude, omega);
+            }
+        }
+        Ok(motion)
+    }
+
+    fn further(&self) -> Columns<State> {
+        columns::columns(self)
+    }
+}
+
+impl Top {
+    /// The motion as the principal axes see it.
+    fn along_principal_axes(&self, request: &Request) -> Result<Motion<State>> {
         let conserved = Conserved::of(&self.body, self.lever(), &self.start)?;
         let (plan, closed) = self.planned(request, conserved.kind)?;
         let Some(closed) = closed else {
@@ -118,12 +138,6 @@ impl Scene for Top {
         }
     }
 
-    fn further(&self) -> Columns<State> {
-        columns::columns(self)
-    }
-}
-
-impl Top {
     /// By a closed form: every time on its own.
     fn known(
         &self,
@@ -157,9 +171,9 @@ impl Top {
     }
 
     /// How far a start that rounding cannot tell from this one gets from it by the last of the times, or one of those before. Closed forms that take what is
-    /// given before anything is rounded have no such doubt.
+    /// given before anything is rounded have no such doubt; what has been turned to the principal axes is rounded.
     fn doubted(&self, closed: &ClosedForm, last: f64) -> Result<f64> {
-        if closed.is_exact() {
+        if closed.is_exact() && self.body.own.is_none() {
             return Ok(0.0);
         }
         let start = self.start.beside(self.body.moments)?;

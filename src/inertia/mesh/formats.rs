@@ -1,0 +1,102 @@
+//! Meshes as files have them: STL and OBJ.
+
+use std::collections::HashMap;
+
+use super::Mesh;
+use crate::error::{Error, Result, finite};
+
+/// The mesh of an STL file, with words or binary. Corners with the same coordinates are one vertex.
+///
+/// # Errors
+/// [`Error::AtPlace`] for a corner whose coordinates are no numbers.
+pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
+    let count = bytes.get(80..84).and_then(|count| count.try_into().ok());
+    let count = count.map_or(0, |count| u32::from_le_bytes(count) as usize);
+    let corners: Vec<Result<[f64; 3]>> = if bytes.len() == 84 + 50 * count {
+        let coordinate = |at: &[u8]| <[u8; 4]>::try_from(at).map_or(f32::NAN, f32::from_le_bytes);
+        // Of the fifty bytes of a triangle the first twelve are its normal, the last two mean nothing.
+        let triangles = bytes[84..].chunks_exact(50);
+        let corners = triangles.flat_map(|triangle| triangle[12..48].chunks_exact(12));
+        let corner = |corner: &[u8]| [0, 4, 8].map(|k| f64::from(coordinate(&corner[k..k + 4])));
+        corners.map(|at| checked(corner(at))).collect()
+    } else {
+        let text = String::from_utf8_lossy(bytes);
+        let corners = text
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("vertex"));
+        corners.map(coordinates).collect()
+    };
+    let mut known = HashMap::new();
+    let mut vertices = Vec::new();
+    let mut indices = Vec::new();
+    for (place, corner) in corners.into_iter().enumerate() {
+        let corner = at_place(place, corner)?;
+        // Zero has two signs.
+        let index = *known
+            .entry(corner.map(|x| (x + 0.0).to_bits()))
+            .or_insert_with(|| {
+                vertices.push(corner);
+                vertices.len() as u32 - 1
+            });
+        indices.push(index);
+    }
+    let triangles = indices
+        .chunks_exact(3)
+        .map(|corners| [corners[0], corners[1], corners[2]]);
+    Ok((vertices, triangles.collect()))
+}
+
+/// The mesh of an OBJ file. Faces with more than three corners are cut into triangles from their first; of what else may stand there nothing is read.
+///
+/// # Errors
+/// [`Error::AtPlace`] for a vertex whose coordinates are no numbers, and for a face whose vertices are not numbered.
+pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    for line in text.lines() {
+        let line = line.trim();
+        if let Some(vertex) = line.strip_prefix("v ") {
+            vertices.push(at_place(vertices.len(), coordinates(vertex))?);
+        } else if let Some(face) = line.strip_prefix("f ") {
+            // Numbers count from 1, or backward from the vertex before.
+            let index = |corner: &str| match corner.split('/').next()?.parse::<i64>().ok()? {
+                number if number < 0 => u32::try_from(vertices.len() as i64 + number).ok(),
+                number => u32::try_from(number - 1).ok(),
+            };
+            let corners: Option<Vec<u32>> = face.split_whitespace().map(index).collect();
+            let corners = corners
+                .filter(|corners| corners.len() >= 3)
+                .ok_or(Error::Empty {
+                    quantity: "the list of a face's vertices",
+                });
+            let corners = at_place(triangles.len(), corners)?;
+            let fan = corners[1..].windows(2);
+            triangles.extend(fan.map(|pair| [corners[0], pair[0], pair[1]]));
+        }
+    }
+    Ok((vertices, triangles))
+}
+
+fn coordinates(words: &str) -> Result<[f64; 3]> {
+    let mut words = words.split_whitespace();
+    let mut next = || {
+        words
+            .next()
+            .and_then(|word| word.parse().ok())
+            .unwrap_or(f64::NAN)
+    };
+    checked([next(), next(), next()])
+}
+
+fn checked(corner: [f64; 3]) -> Result<[f64; 3]> {
+    for coordinate in corner {
+        finite("a coordinate of a vertex", coordinate)?;
+    }
+    Ok(corner)
+}
+
+fn at_place<T>(place: usize, given: Result<T>) -> Result<T> {
+    given.map_err(|reason| Error::AtPlace {
+        place,
+        reason: Box::new(reason),
+    })
+}

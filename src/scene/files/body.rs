@@ -1,0 +1,419 @@
+//! A body by what it is: a shape with its sizes, and its mass or its density.
+
+use core::f64::consts::{PI, TAU};
+
+use nalgebra::Matrix3;
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::reader::{Place, Reader, Table};
+use super::values::{
+    Bound::{From, NotNegative, Positive},
+    Key, KeyRow, Section, Value, Word, section,
+};
+use crate::error::Result;
+use crate::frame::BodyVector;
+use crate::inertia::mesh::{mesh_of_obj, mesh_of_stl};
+use crate::inertia::{InertiaMatrix, MassProperties, mesh_mass_properties, shapes};
+use crate::rolling::factor;
+use crate::tippe_top::Surface;
+
+section! {
+    /// What a rigid body is made of: of `shape`, `moments` and `inertia` one.
+    Matter {
+        mass: Option<f64>, "a mass in kg", Positive;
+        shape: Option<Shape>, "what the body is, ";
+        density: Option<f64>, "in place of the mass of a shape, its density in kg/m³ (of a shell or a disc in kg/m², of a hoop or a racket in kg/m)", Positive;
+        moments: Option<[f64; 3]>, "principal moments in kg m²";
+        inertia: Option<[f64; 6]>, "the inertia matrix I11 I22 I33 I12 I13 I23 in kg m²";
+    }
+}
+
+/// What a body's inertia is given by.
+pub(super) enum Inertia {
+    Moments([f64; 3]),
+    Matrix(InertiaMatrix),
+    Shape(MassProperties),
+}
+
+impl Matter {
+    pub fn inertia(&self, file: &Reader<'_>) -> Option<Inertia> {
+        match (&self.shape, self.moments, self.inertia) {
+            (Some(shape), None, None) => self.shaped(file, shape).map(Inertia::Shape),
+            (None, ..) if self.density.is_some() => {
+                file.wrong("body.density", " goes with `shape`, which is not there")
+            }
+            (None, Some(moments), None) => Some(Inertia::Moments(moments)),
+            (None, None, Some([a, b, c, ab, ac, bc])) => {
+                let matrix = Matrix3::new(a, ab, ac, ab, b, bc, ac, bc, c);
+                let matrix = InertiaMatrix::from_matrix(matrix);
+                file.right("body.inertia", matrix).map(Inertia::Matrix)
+            }
+            (None, None, None) => {
+                let told = " is missing: `moments` or `inertia` in kg m², or a `shape` is expected";
+                file.wrong("body.moments", told)
+            }
+            (Some(_), ..) => {
+                let told = " follows from `shape`, which stands beside it";
+                let key = if self.moments.is_some() {
+                    "moments"
+                } else {
+                    "inertia"
+                };
+                file.wrong(&format!("body.{key}"), told)
+            }
+            (None, Some(_), Some(_)) => {
+                file.wrong("body.moments", " and `inertia` exclude each other")
+            }
+        }
+    }
+
+    fn shaped(&self, file: &Reader<'_>, shape: &Shape) -> Option<MassProperties> {
+        let mass = match (self.mass, self.density, shape.measure) {
+            (Some(mass), None, _) => mass,
+            (None, Some(density), Some(measure)) => density * measure,
+            (None, Some(_), None) => {
+                return file.wrong("body.density", " is of no use: beads have a mass");
+            }
+            (Some(_), Some(_), _) => {
+                return file.wrong("body.density", " and `mass` exclude each other");
+            }
+            (None, None, _) => {
+                let told =
+                    " is missing: the `mass` of the shape in kg, or its `density`, is expected";
+                return file.wrong("body.mass", told);
+            }
+        };
+        file.right("body.shape", (shape.made)(mass))
+    }
+
+    /// Mass and inertia of a body that is given about its centre of mass.
+    pub fn about_center(&self, file: &Reader<'_>) -> Option<MassProperties> {
+        let inertia = self.inertia(file)?;
+        let (inertia, key) = match inertia {
+            Inertia::Shape(shaped) => return Some(shaped),
+            Inertia::Matrix(matrix) => (Ok(matrix), "body.inertia"),
+            Inertia::Moments([a, b, c]) => (InertiaMatrix::diagonal(a, b, c), "body.moments"),
+        };
+        let Some(mass) = self.mass else {
+            return file.wrong(
+                "body.mass",
+                " is missing: a mass in kg, positive, is expected",
+            );
+        };
+        let made =
+            inertia.and_then(|inertia| MassProperties::new(mass, BodyVector::zero(), inertia));
+        file.right(key, made)
+    }
+}
+
+/// A shape with its sizes, along axes of its own from an origin of its own.
+pub(super) struct Shape {
+    /// From its mass.
+    made: Box<dyn Fn(f64) -> Result<MassProperties>>,
+    /// Its volume (m³), area (m²) or length (m), whichever its density is of.
+    measure: Option<f64>,
+    /// The surface it can stand on, about its origin.
+    pub surface: Option<Result<Surface>>,
+}
+
+impl Shape {
+    fn new(measure: f64, made: impl Fn(f64) -> Result<MassProperties> + 'static) -> Self {
+        Self {
+            made: Box::new(made),
+            measure: Some(measure),
+            surface: None,
+        }
+    }
+
+    fn on(self, surface: Result<Surface>) -> Self {
+        Self {
+            surface: Some(surface),
+            ..self
+        }
+    }
+}
+
+/// How one shape is read, and its sizes.
+#[derive(Clone, Copy)]
+struct Known {
+    read: fn(&Table<'_>) -> Option<Shape>,
+    rows: fn() -> Vec<KeyRow>,
+}
+
+macro_rules! shapes {
+    ($($name:literal, $sizes:ty, $made:expr;)*) => {
+        impl Word for Known {
+            fn words() -> Vec<(&'static str, Self)> {
+                vec![$(($name, Self {
+                    read: |table| {
+                        let made: fn(&Reader<'_>, $sizes) -> Option<Shape> = $made;
+                        made(table.reader, <$sizes>::fields(table)?)
+                    },
+                    rows: || <$sizes>::all_rows($name),
+                })),*]
+            }
+        }
+    };
+}
+
+shapes! {
+    "ball", Radius, |_, Radius { radius: r }| Some(Shape::new(4.0 / 3.0 * PI * r * r * r, move |m| shapes::ball(m, r)).on(Surface::sphere(r)));
+    "shell", Radius, |_, Radius { radius: r }| Some(Shape::new(4.0 * PI * r * r, move |m| shapes::spherical_shell(m, r)).on(Surface::sphere(r)));
+    "hoop", Radius, |_, Radius { radius: r }| Some(Shape::new(TAU * r, move |m| shapes::hoop(m, r)));
+    "disc", Radius, |_, Radius { radius: r }| Some(Shape::new(PI * r * r, move |m| shapes::disc(m, r)));
+    "cylinder", Cylinder, |_, Cylinder { radius: r, height: h }| Some(Shape::new(PI * r * r * h, move |m| shapes::cylinder(m, r, h)));
+    "cone", Cone, |_, Cone { radius: r, height: h }| Some(cone(r, h));
+    "cuboid", Cuboid, |_, Cuboid { edges }| Some(Shape::new(edges.iter().product(), move |m| shapes::cuboid(m, edges)));
+    "ellipsoid", Ellipsoid, |_, Ellipsoid { semi_axes }| Some(ellipsoid(semi_axes));
+    "egg", Egg, |_, Egg { long, short }| Some(ellipsoid([short, short, long]));
+    "racket", Racket, |_, Racket { head, handle }| Some(Shape::new(TAU * head + handle, move |m| shapes::racket(m, head, handle)));
+    "ball-without-cap", WithoutCap, without_cap;
+    "ball-with-weight", WithWeight, with_weight;
+    "beads", Beads, beads;
+    "mesh", Mesh, mesh;
+}
+
+impl Value for Shape {
+    fn expected(key: &Key) -> String {
+        Known::expected(key)
+    }
+
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+        let known = Known::read(place, value);
+        if known.is_none() {
+            // What sizes there may be nobody can tell.
+            place.table.takes_any();
+        }
+        (known?.read)(place.table)
+    }
+}
+
+/// The sizes of all shapes: in place of the section, the shape.
+pub fn shape_keys() -> Vec<KeyRow> {
+    let known = Known::words().into_iter();
+    known.flat_map(|(_, known)| (known.rows)()).collect()
+}
+
+section! {
+    /// Balls, hoops and discs; the axis of these is the third, the origin the centre.
+    Radius {
+        radius: f64, "the radius in m", Positive;
+    }
+}
+
+section! {
+    /// The axis is the third, the origin the centre.
+    Cylinder {
+        radius: f64, "the radius in m", Positive;
+        height: f64, "the height along axis 3 in m, from the centre both ways", Positive;
+    }
+}
+
+section! {
+    /// The axis is the third, the origin the tip.
+    Cone {
+        radius: f64, "the radius of the base in m", Positive;
+        height: f64, "the height along axis 3 in m, from the tip, which is the origin, to the base", Positive;
+    }
+}
+
+fn cone(radius: f64, height: f64) -> Shape {
+    let volume = PI / 3.0 * radius * radius * height;
+    let center = BodyVector::new(0.0, 0.0, 0.75 * height);
+    Shape::new(volume, move |mass| {
+        shapes::cone(mass, radius, height)?.moved(center)
+    })
+}
+
+section! {
+    /// The origin is the centre.
+    Cuboid {
+        edges: [f64; 3], "the edges along the three axes in m", Positive;
+    }
+}
+
+section! {
+    /// The origin is the centre.
+    Ellipsoid {
+        semi_axes: [f64; 3], "the half axes in m", Positive;
+    }
+}
+
+section! {
+    /// The origin is the centre.
+    Egg {
+        long: f64, "half its length, along axis 3, in m", Positive;
+        short: f64, "half its width in m", Positive;
+    }
+}
+
+fn ellipsoid(semi_axes: [f64; 3]) -> Shape {
+    let volume = 4.0 / 3.0 * PI * semi_axes.iter().product::<f64>();
+    let made = move |mass| shapes::ellipsoid(mass, semi_axes);
+    Shape::new(volume, made).on(Surface::ellipsoid(semi_axes))
+}
+
+section! {
+    /// The origin is the centre of the ring.
+    Racket {
+        head: f64, "the radius of the ring in m, all of one wire", Positive;
+        handle: f64, "the length of the handle in m, along axis 1; axis 3 is normal to the ring", NotNegative;
+    }
+}
+
+section! {
+    /// The origin is the centre of the ball.
+    WithoutCap {
+        radius: f64, "the radius in m", Positive;
+        cut: f64, "where on axis 3 it is cut, in m from the centre of the ball, which is the origin: what is above is missing";
+    }
+}
+
+fn without_cap(file: &Reader<'_>, WithoutCap { radius, cut }: WithoutCap) -> Option<Shape> {
+    file.right("body.cut", shapes::ball_without_cap(1.0, radius, cut))?;
+    let height = radius + cut;
+    let volume = PI * height * height * (radius - height / 3.0);
+    let made = move |mass| shapes::ball_without_cap(mass, radius, cut);
+    Some(Shape::new(volume, made).on(Surface::sphere(radius)))
+}
+
+section! {
+    /// The origin is the centre of the ball.
+    WithWeight {
+        radius: f64, "the radius in m", Positive;
+        weight: f64, "the part of the mass that is the weight, a point", From(0.0, 1.0);
+        weight_at: BodyVector, "where in the ball the weight is, in m from its centre, which is the origin";
+    }
+}
+
+fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
+    let WithWeight {
+        radius,
+        weight,
+        weight_at,
+    } = sizes;
+    if weight_at.norm() > radius {
+        let told = format!(" must be within the ball, of radius {radius:?} m");
+        return file.wrong("body.weight_at", told);
+    }
+    let made = move |mass: f64| match weight {
+        0.0 => shapes::ball(mass, radius),
+        1.0 => MassProperties::particle(mass, weight_at),
+        part => MassProperties::compose(&[
+            shapes::ball(mass * (1.0 - part), radius)?,
+            MassProperties::particle(mass * part, weight_at)?,
+        ]),
+    };
+    // The density is that of the ball.
+    let whole = 4.0 / 3.0 * PI * radius * radius * radius / (1.0 - weight);
+    Some(Shape::new(whole, made).on(Surface::sphere(radius)))
+}
+
+section! {
+    /// The origin is that of their places.
+    Beads {
+        places: Vec<[f64; 3]>, "the places of the beads in m, a list of lists of 3 numbers";
+        parts: Option<Vec<f64>>, "how much of the mass each bead has, in any unit (all the same if nothing is said)", Positive;
+    }
+}
+
+fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
+    let parts = parts.unwrap_or_else(|| vec![1.0; places.len()]);
+    if places.is_empty() || parts.len() != places.len() {
+        let told = " must be as many as `parts`, and one at least";
+        return file.wrong("body.places, body.parts", told);
+    }
+    let all: f64 = parts.iter().sum();
+    let made = move |mass: f64| {
+        let beads = places.iter().zip(&parts);
+        let bead = |(&[x, y, z], part): (&[f64; 3], &f64)| {
+            MassProperties::particle(mass * (part / all), BodyVector::new(x, y, z))
+        };
+        MassProperties::compose(&beads.map(bead).collect::<Result<Vec<_>>>()?)
+    };
+    Some(Shape {
+        measure: None,
+        ..Shape::new(0.0, made)
+    })
+}
+
+section! {
+    /// Axes and origin are those of the file.
+    Mesh {
+        file: String, "the file of a closed mesh in m, STL or OBJ by its ending, beside the scene file; it has the origin and the axes";
+    }
+}
+
+fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
+    const KEY: &str = "body.file";
+    let bytes = match (file.open)(&name) {
+        Ok(bytes) => bytes,
+        Err(told) => return file.wrong(KEY, format_args!(": {name}: {told}")),
+    };
+    let mesh = match name.rsplit('.').next().map(str::to_lowercase).as_deref() {
+        Some("stl") => mesh_of_stl(&bytes),
+        Some("obj") => mesh_of_obj(&String::from_utf8_lossy(&bytes)),
+        _ => return file.wrong(KEY, format_args!(" must end in .stl or .obj, got {name}")),
+    };
+    let solid =
+        mesh.and_then(|(vertices, triangles)| mesh_mass_properties(&vertices, &triangles, 1.0));
+    let solid = file.right(KEY, solid)?;
+    let made = move |mass: f64| {
+        let inertia = solid.inertia().matrix() * (mass / solid.mass());
+        MassProperties::new(mass, solid.center(), InertiaMatrix::from_matrix(inertia)?)
+    };
+    Some(Shape::new(solid.mass(), made))
+}
+
+/// Keys that there are only where no `shape` says it all.
+pub(super) struct Shapeless<T>(pub Option<T>);
+
+impl<T: Section> Value for Shapeless<T> {
+    fn read(_: &Place<'_>, _: &Spanned<DeValue<'_>>) -> Option<Self> {
+        None
+    }
+
+    fn take(table: &Table<'_>, _: &Key, _: Option<Self>) -> Option<Self> {
+        match table.entry("shape") {
+            Some(_) => Some(Self(None)),
+            None => T::fields(table).map(|keys| Self(Some(keys))),
+        }
+    }
+
+    fn rows(section: &str, _: &Key, _: Option<String>) -> Vec<KeyRow> {
+        T::all_rows(section)
+    }
+}
+
+/// What rolls: the shapes of which only I/MR² matters.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Round(f64);
+
+impl Word for Round {
+    fn words() -> Vec<(&'static str, Self)> {
+        vec![
+            ("ball", Self(factor::BALL)),
+            ("shell", Self(factor::SHELL)),
+            ("cylinder", Self(factor::DISC)),
+            ("disc", Self(factor::DISC)),
+            ("hoop", Self(factor::HOOP)),
+        ]
+    }
+}
+
+/// The inertia factor of what rolls: given, or that of its shape, or that of a ball.
+pub(super) fn inertia_factor(
+    file: &Reader<'_>,
+    factor: Option<f64>,
+    shape: Option<Round>,
+) -> Option<f64> {
+    match (factor, shape) {
+        (Some(_), Some(_)) => {
+            let told = " follows from `shape`, which stands beside it";
+            file.wrong("body.inertia_factor", told)
+        }
+        (Some(factor), None) => Some(factor),
+        (None, shape) => Some(shape.map_or(factor::BALL, |Round(factor)| factor)),
+    }
+}

@@ -13,9 +13,14 @@ fn file(name: &str) -> std::path::PathBuf {
 /// `UPDATE_TABLES=1 cargo test -p book --test accuracy_page` writes them.
 #[test]
 fn the_tables_are_those_of_the_measurements() {
-    let csv = std::fs::read_to_string(file("accuracy.csv")).unwrap();
+    let [csv, scenes] = ["accuracy.csv", "accuracy-scenes.csv"]
+        .map(|name| std::fs::read_to_string(file(name)).unwrap());
     for (name, table) in [
-        ("accuracy.md", winners::markdown(&csv)),
+        ("accuracy.md", winners::markdown(&csv, &winners::RUNS)),
+        (
+            "accuracy-scenes.md",
+            winners::markdown(&scenes, &winners::SCENES),
+        ),
         ("accuracy-crossover.md", winners::crossover(&csv)),
     ] {
         if std::env::var_os("UPDATE_TABLES").is_some() {
@@ -32,7 +37,10 @@ fn the_tables_are_those_of_the_measurements() {
 /// The first line names machine and compiler; then comes what the command writes, nothing else.
 #[test]
 fn the_measurements_name_their_machine() {
-    let csv = std::fs::read_to_string(file("accuracy.csv")).unwrap();
+    let [csv, scenes] = ["accuracy.csv", "accuracy-scenes.csv"]
+        .map(|name| std::fs::read_to_string(file(name)).unwrap());
+    assert!(scenes.starts_with("# ") && scenes.contains("Rust 1."));
+    assert_eq!(scenes.lines().nth(1), Some(HEADER));
     let mut lines = csv.lines();
     let first = lines.next().unwrap();
     assert!(
@@ -105,5 +113,19 @@ fn the_page_says_what_was_measured() {
         let tippe = ranked("tippe-top/100", target);
         assert_eq!(tippe[0].0, "dormand-prince-8");
         assert!(factor(&tippe, |m| m == "dop853").unwrap() > 1.75);
+    }
+    // Scenes of the book: ours of order 8 is the cheapest everywhere, twice as quick as dop853 on the strip; the yo-yo pays it most.
+    let csv = std::fs::read_to_string(file("accuracy-scenes.csv")).unwrap();
+    let rows = winners::rows(&csv);
+    for target in [1e-3, 1e-6, 1e-9, 1e-12] {
+        for (scene, least) in [("strip", 1.8), ("sliding-ball", 1.2), ("yo-yo-asleep", 4.0)] {
+            let ranked = winners::ranking(&rows, scene, target);
+            assert_eq!(ranked[0].0, "dormand-prince-8", "{scene} {target:e}");
+            let peer = factor(&ranked, |method| method == "dop853");
+            assert!(
+                peer.is_none_or(|factor| factor > least),
+                "{scene} {target:e}: {peer:?}"
+            );
+        }
     }
 }

@@ -169,7 +169,8 @@ pub fn measured(file: &Path, patience: f64, told: impl Fn(f64, String)) -> Resul
         match judged.has_attitude() {
             true =>
                 "error: angle between the attitudes at the end, rad; of omega: over the fastest of the motion",
-            false => "error: of the rates at the end, over the fastest of the motion",
+            false =>
+                "error: of the rates at the end, over the fastest of the motion; no place and no angle is judged",
         }
     );
     let mut report = Report::default();

@@ -55,14 +55,24 @@ pub fn text(heading: &str, floor: f64, swept: &[Swept]) -> String {
         false => |evaluations: f64| format!("{evaluations} evaluations"),
     };
     for target in TARGETS {
-        let told = match ranking(&rows, "", target) {
-            _ if target < floor => "not told: the judges do not agree to that".to_owned(),
-            ranked => winner(&ranked, unit),
+        let ranked = ranking(&rows, "", target).into_iter();
+        // Below the floor only a closed form is known to be as good as it says.
+        let ranked = ranked.filter(|(method, _)| target >= floor || CLOSED.contains(method));
+        let ranked: Vec<_> = ranked.collect();
+        let told = match ranked[..] {
+            [] if target < floor => "not told: the judges do not agree to that".to_owned(),
+            [(best, least), ..] if target < floor => {
+                format!("{best} in {}; of what steps it cannot be told", unit(least))
+            }
+            _ => winner(&ranked, unit),
         };
         let _ = writeln!(text, "{target:e}: {told}");
     }
     text + "\n"
 }
+
+/// The methods that tell their own error.
+const CLOSED: [&str; 2] = ["exact", "events"];
 
 /// Seconds, or evaluations where no clock ran.
 fn price(row: &Measurement) -> f64 {

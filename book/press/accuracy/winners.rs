@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::table::TARGETS;
 
 /// The longest runs that steppers take part in, each as a problem and its length, and their names in the table.
-const RUNS: [(&str, &str); 8] = [
+pub const RUNS: [(&str, &str); 8] = [
     ("free-top/1000", "free body"),
     ("near-separatrix/1000", "beside the separatrix"),
     ("cusped-top/1000", "top with cusps"),
@@ -18,6 +18,12 @@ const RUNS: [(&str, &str); 8] = [
 /// The method that the others are compared with.
 pub const PEER: &str = "dop853";
 const EXACT: &str = "exact";
+/// Scenes of the book on which the judges agree to twelve digits, by their files, and their names in the table.
+pub const SCENES: [(&str, &str); 3] = [
+    ("strip", "a strip of paper in the air"),
+    ("sliding-ball", "a ball that slides, then rolls"),
+    ("yo-yo-asleep", "a yo-yo that sleeps"),
+];
 /// The accuracy at which closed forms and steppers are set side by side, and the lengths of the runs in turns.
 const CROSSOVER: f64 = 1e-9;
 const TURNS: [&str; 3] = ["1", "10", "1000"];
@@ -72,13 +78,13 @@ pub fn ranking<'a>(rows: &[Row<'a>], problem: &str, target: f64) -> Vec<(&'a str
     ranked
 }
 
-/// A Markdown table: for each run and each accuracy the cheapest method and its time, the next one and dop853 as multiples of that time.
-pub fn markdown(csv: &str) -> String {
+/// A Markdown table: for each of these runs and each accuracy the cheapest method and its time, the next one and dop853 as multiples of that time.
+pub fn markdown(csv: &str, runs: &[(&str, &str)]) -> String {
     let rows = rows(csv);
     let mut text =
         "| motion | $10^{-3}$ | $10^{-6}$ | $10^{-9}$ | $10^{-12}$ |\n|---|---|---|---|---|\n"
             .to_owned();
-    for (run, name) in RUNS {
+    for (run, name) in runs {
         let _ = write!(text, "| {name}");
         for target in TARGETS {
             let ranked = ranking(&rows, run, target);

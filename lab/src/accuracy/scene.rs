@@ -30,7 +30,7 @@ const TOLD: f64 = 10.0;
 
 /// A scene from its start to its end, and what the first two judges that can run it know of the end.
 ///
-/// A closed form tells its own error as well, which may be less than what the other judge is off by, and is then believed; where nothing steps it has no other judge.
+/// A closed form tells its own error as well, and is taken at its word, no better; where nothing steps it has no other judge.
 #[derive(Debug)]
 pub struct JudgedScene {
     scene: AnyScene,
@@ -102,7 +102,7 @@ impl JudgedScene {
         }
         Ok(Self {
             truth: truth.row(SAMPLES as usize - 1).1,
-            floor: TOLD * apart.min(truth.error_estimate).max(f64::EPSILON),
+            floor: TOLD * apart.max(f64::EPSILON),
             turns: if turns {
                 ruler.fastest * end / TAU
             } else {
@@ -120,7 +120,7 @@ impl JudgedScene {
         &self.judges
     }
 
-    /// What cannot be told from the truth: ten times the disagreement of the judges, or the error that a closed form tells of itself.
+    /// What cannot be told from the truth: ten times the disagreement of the judges.
     pub const fn floor(&self) -> f64 {
         self.floor
     }
@@ -147,7 +147,7 @@ impl JudgedScene {
         solver: Solver,
         efforts: &'a [Effort],
         most: u64,
-    ) -> Trial<'a, Vec<f64>> {
+    ) -> Trial<'a, Table> {
         let request = by(&self.asked, solver).within(most);
         Trial {
             names: [name, solver.name()],
@@ -158,9 +158,21 @@ impl JudgedScene {
                 .apart(&self.truth, &vec![f64::NAN; self.truth.len()]),
             run: Box::new(move |effort| {
                 let table = self.scene.simulate(&request.clone().in_one_run(effort))?;
-                Ok((table.row(0).1, table.cost))
+                let cost = table.cost;
+                Ok((table, cost))
             }),
-            apart: Box::new(|row| self.ruler.apart(&self.truth, row)),
+            apart: Box::new(|table| {
+                let Apart { attitude, omega } = self.ruler.apart(&self.truth, &table.row(0).1);
+                // What there is not is no error of a closed form either.
+                let told = |error: f64| match table.error_estimate {
+                    own if own.is_finite() && own > error => own,
+                    _ => error,
+                };
+                Apart {
+                    attitude: told(attitude),
+                    omega: told(omega),
+                }
+            }),
         }
     }
 }

@@ -62,7 +62,7 @@ fn judges_that_step_are_right() {
             {
                 continue;
             }
-            let [attitude, omega] = errors(&(trial.run)(*effort).unwrap().0);
+            let [attitude, omega] = errors(&(trial.run)(*effort).unwrap().0.row(0).1);
             for (told, true_one) in [(row.error_attitude, attitude), (row.error_omega, omega)] {
                 let ratio = told / true_one;
                 assert!(
@@ -88,10 +88,16 @@ fn what_has_no_attitude_is_judged_by_its_velocities() {
     let row = trial.measure(efforts[0]);
     assert!(row.error_attitude.is_nan() && row.error() == row.error_omega);
     // It rolls at five sevenths of its speed, so do rim and centre; the slip is none.
-    let speeds = (trial.run)(efforts[0]).unwrap().0;
+    let speeds = (trial.run)(efforts[0]).unwrap().0.row(0).1;
     for (speed, known) in speeds.iter().zip([1.0, 1.0, 0.0]) {
         assert!((speed - known).abs() < 1e-9, "{speeds:?}");
     }
+    // The closed forms are as good as they say, and not better.
+    let events = judged.efforts(Solver::Events);
+    let row = judged
+        .trial("shot", Solver::Events, &events, 1)
+        .measure(events[0]);
+    assert!((1e-15..1e-13).contains(&row.error_omega) && row.error_attitude.is_nan());
     // One evaluation too many: a run that fails says so.
     let trial = judged.trial("shot", Solver::General(Method::Rk4), &efforts, 1);
     assert!(trial.measure(efforts[0]).failure.is_some());

@@ -275,6 +275,28 @@ impl Attitude {
         Ok(Self(UnitQuaternion::from_axis_angle(&axis, angle)))
     }
 
+    /// A turn by ψ about the third axis, by θ about the horizontal, by φ about the vertical (7.1): [`euler_angles`](Self::euler_angles) the other way round.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn from_euler_angles(EulerAngles { theta, phi, psi }: EulerAngles) -> Result<Self> {
+        let mut half = [0.0; 3];
+        for (half, angle) in half.iter_mut().zip([theta, phi, psi]) {
+            *half = 0.5 * finite("an angle of Euler", angle)?;
+        }
+        let [theta, phi, psi] = half;
+        let (sine, cosine) = theta.sin_cos();
+        let ((s, c), (t, d)) = ((phi + psi).sin_cos(), (phi - psi).sin_cos());
+        let quaternion = Quaternion::new(cosine * c, sine * d, sine * t, cosine * s);
+        Ok(Self::from_unit(quaternion))
+    }
+
+    /// The rotation that turns space axes into body axes.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self(self.0.inverse())
+    }
+
     /// The quaternion.
     pub fn quaternion(&self) -> UnitQuaternion<f64> {
         self.0
@@ -309,6 +331,36 @@ impl Attitude {
     pub fn angle_to(&self, other: &Self) -> f64 {
         let difference = self.0.inverse() * other.0;
         2.0 * difference.imag().norm().atan2(difference.w.abs())
+    }
+}
+
+/// First the right one, then the left one, about axes of space.
+///
+/// ```
+/// use spinning_bodies::frame::{Attitude, BodyVector};
+/// let quarter = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), std::f64::consts::FRAC_PI_2)?;
+/// let there = (quarter * quarter).to_space(BodyVector::new(1.0, 0.0, 0.0));
+/// assert!((there.x() + 1.0).abs() < 1e-15);
+/// assert!((quarter * quarter.inverse()).angle_to(&Attitude::identity()) < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+impl Mul for Attitude {
+    type Output = Self;
+    fn mul(self, first: Self) -> Self {
+        Self(self.0 * first.0)
+    }
+}
+
+impl From<UnitQuaternion<f64>> for Attitude {
+    /// Untouched.
+    fn from(quaternion: UnitQuaternion<f64>) -> Self {
+        Self(quaternion)
+    }
+}
+
+impl From<Attitude> for UnitQuaternion<f64> {
+    fn from(attitude: Attitude) -> Self {
+        attitude.0
     }
 }
 

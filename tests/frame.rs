@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 use spinning_bodies::Error;
 use spinning_bodies::frame::{
-    Attitude, BodyVector, SpaceVector, rate_seen_from_body, rate_seen_from_space,
+    Attitude, BodyVector, EulerAngles, SpaceVector, rate_seen_from_body, rate_seen_from_space,
 };
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
@@ -245,4 +245,39 @@ proptest! {
         }
         let _ = vector.norm();
     }
+}
+
+/// Euler's angles make the attitude that has them, and attitudes compose as turns do.
+#[test]
+fn attitudes_compose_and_have_eulers_angles() {
+    let axis =
+        |k: usize| BodyVector::from_components(nalgebra::Matrix3::identity().column(k).into());
+    for (theta, phi, psi) in [(0.3, 1.0, -2.0), (2.9, -3.0, 0.5), (1e-9, 0.4, 0.2)] {
+        let turn = |k: usize, angle: f64| Attitude::about_axis(axis(k), angle).unwrap();
+        let composed = turn(2, phi) * turn(0, theta) * turn(2, psi);
+        let angles = EulerAngles { theta, phi, psi };
+        let made = Attitude::from_euler_angles(angles).unwrap();
+        assert!(made.angle_to(&composed) < 4e-16);
+        let back = made.euler_angles();
+        assert!((back.theta / theta - 1.0).abs() < 1e-15, "{back:?}");
+        assert!(
+            (back.phi - phi).abs() < 1e-15 && (back.psi - psi).abs() < 1e-15,
+            "{back:?}"
+        );
+        assert!((made * made.inverse()).angle_to(&Attitude::identity()) < 1e-15);
+    }
+    let untouched =
+        nalgebra::UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(0.5, 0.5, 0.5, 0.5));
+    assert_eq!(
+        nalgebra::UnitQuaternion::from(Attitude::from(untouched)),
+        untouched
+    );
+    assert!(
+        Attitude::from_euler_angles(EulerAngles {
+            theta: f64::NAN,
+            phi: 0.0,
+            psi: 0.0
+        })
+        .is_err()
+    );
 }

@@ -6,8 +6,9 @@
 use std::collections::BTreeMap;
 
 use spinning_bodies::elliptic::{
-    Characteristic, Parameter, carlson, complete_b, complete_d, complete_first, complete_second,
-    complete_third, incomplete_first, incomplete_second, incomplete_third,
+    Characteristic, Parameter, carlson, complete_b, complete_d, complete_first,
+    complete_first_excess, complete_second, complete_third, incomplete_first, incomplete_second,
+    incomplete_third,
 };
 
 #[path = "../../tests/support/decimal.rs"]
@@ -90,6 +91,7 @@ fn values(function: &str, a: &[&str]) -> Option<[Option<f64>; 3]> {
     let x = |i: usize| hexadecimal(a[i]);
     let last = a[a.len() - 1];
     Some(match function {
+        "X" => [complete_first_excess(parameter(last)).ok(), None, None],
         "K" | "E" | "D" | "B" | "P" => {
             let (m, mc) = pair(last);
             let p = parameter(last);

@@ -16,7 +16,7 @@
 //! |---|---|
 //! | [`Parameter`], [`Characteristic`] | m with mc in 0…1; n with nc of any size, and an m of any size in the integrals |
 //! | [`Modulus`] | prepared once; sn, cn, dn, am of one argument or of many |
-//! | [`complete_first`] K, [`complete_second`] E, [`complete_d`] D, [`complete_b`] B, [`complete_third`] Π | complete integrals |
+//! | [`complete_first`] K, [`complete_first_excess`] K − π/2, [`complete_second`] E, [`complete_d`] D, [`complete_b`] B, [`complete_third`] Π | complete integrals |
 //! | [`incomplete_first`] F, [`incomplete_second`] E, [`incomplete_third`] Π | at any angle |
 //! | [`inverse_sn`], [`inverse_cn`], [`inverse_dn`], [`inverse_cn_sn`] | the argument that belongs to a value |
 //! | [`carlson`] | the symmetric forms R_F, R_C, R_D, R_J, R_G of any doubles |
@@ -26,7 +26,7 @@
 //! Every figure is against references of 34 digits at exact arguments; the scripts that make them use two independent
 //! routes each. Jacobi functions: [`Modulus::jacobi`]. The integrals are formed in twice the precision and rounded once:
 //! at most 0.47 ε in 1800 rows, 600 of them over the whole range of doubles, and 0.60 ε in 1200 with another seed, with no margin left out. All are our own: the crate `ellip` 1.2 was measured on
-//! the 1232 rows of `elliptic_integrals.csv`, with m and n rounded and through Bulirsch's forms, which take √mc and nc (greatest error of its finite answers in
+//! the 1232 rows of `elliptic_integrals.csv` whose functions it has, with m and n rounded and through Bulirsch's forms, which take √mc and nc (greatest error of its finite answers in
 //! ε, and the rows on which it refuses, or is infinite, or not a number; the better of the two entries):
 //!
 //! | | ours | `ellip`, ordinary arguments | `ellip`, hard ones |
@@ -64,7 +64,9 @@ mod series;
 pub(crate) mod theta;
 mod third;
 
-pub use complete::{complete_b, complete_d, complete_first, complete_second};
+pub use complete::{
+    complete_b, complete_d, complete_first, complete_first_excess, complete_second,
+};
 pub use incomplete::{incomplete_first, incomplete_second};
 pub use inverse::{inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn};
 pub use jacobi::{Jacobi, sn_cn_dn};

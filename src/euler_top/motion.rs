@@ -5,6 +5,7 @@ use nalgebra::Quaternion;
 use super::evaluation::half_turn;
 use super::preparation::{Constants, decide, decide_from};
 use super::start::{Digits, Start, ascending, ratio};
+use crate::elliptic::Parameter;
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
@@ -434,6 +435,23 @@ impl EulerTop {
         match &self.motion {
             Motion::Steady { .. } => f64::INFINITY,
             Motion::Moving { constants, .. } => constants.period(),
+        }
+    }
+
+    /// The parameter m = k² of the elliptic functions that Ω runs through, and its complement (6.6): 0 for a symmetric top, 1 on the separatrix. None where Ω
+    /// stays. Error: 1 ulp of the lesser of m and 1 − m.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let top = EulerTop::new([1.0, 2.0, 3.0], BodyVector::new(2.0, 2.0, 3.0), Attitude::identity())?;
+    /// // (I₂ − I₁)(2EI₃ − L²)/((I₃ − I₂)(L² − 2EI₁)) with 2E = 9, L² = 17.
+    /// assert!((top.parameter().expect("it moves").m() - 10.0 / 8.0 * 0.8).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn parameter(&self) -> Option<Parameter> {
+        match &self.motion {
+            Motion::Steady { .. } => None,
+            Motion::Moving { constants, .. } => Some(constants.modulus.parameter()),
         }
     }
 

@@ -5,6 +5,7 @@ use nalgebra::Quaternion;
 use super::evaluation::{Constants, Pull, turned};
 use super::kinds::{Nutation, Roots};
 use super::preparation::{Body, Exact, Kept, Start, moderate, prepare, prepare_kept};
+use crate::elliptic::Parameter;
 use crate::error::{Error, Result, finite};
 use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
@@ -354,6 +355,14 @@ impl LagrangeTop {
 }
 
 impl LagrangeTop {
+    /// The parameter m = k² of the elliptic functions that the tilt runs through, and its complement (7.2); none where the tilt stays.
+    pub fn parameter(&self) -> Option<Parameter> {
+        match &self.motion {
+            Motion::Still => None,
+            Motion::Moving(constants) => Some(constants.modulus.parameter()),
+        }
+    }
+
     /// By how much the axis goes round the vertical in one period of nutation, radians (7.2); none where there is no period.
     pub fn precession_per_nutation(&self) -> Option<f64> {
         match &self.motion {

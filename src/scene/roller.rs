@@ -133,40 +133,42 @@ pub struct Rolling {
 
 impl Tabulated for Rolling {
     fn columns() -> Columns<Self> {
-        Columns::default()
-            .with(
-                ["x", "m", "place of the centre along the table"],
-                |state: &Self| state.moment.position,
-            )
-            .with(["velocity", "m/s", "velocity of the centre"], |state| {
-                state.moment.velocity
-            })
-            .with(
-                [
-                    "rim_speed",
-                    "m/s",
-                    "radius times angular velocity, positive as in rolling",
-                ],
-                |state| state.moment.rim_speed,
-            )
-            .with(
-                [
-                    "slip",
-                    "m/s",
-                    "velocity of the point in contact over the ground under it",
-                ],
-                |state| state.moment.slip,
-            )
+        along(|state: &Self| state.moment)
             .with(["energy", "J", "kinetic energy"], |state| state.energy)
-            .with(
-                [
-                    "heat",
-                    "J",
-                    "heat of friction and rolling resistance so far",
-                ],
-                |state| state.heat,
-            )
+            .with(HEAT, |state| state.heat)
     }
+}
+
+/// The heat of both kinds that roll.
+pub(super) const HEAT: [&str; 3] = [
+    "heat",
+    "J",
+    "heat of friction and rolling resistance so far",
+];
+
+/// Where a round body is and how it moves.
+pub(super) fn along<S: 'static>(of: fn(&S) -> Moment) -> Columns<S> {
+    let rim = [
+        "rim_speed",
+        "m/s",
+        "radius times angular velocity, positive as in rolling",
+    ];
+    let slip = [
+        "slip",
+        "m/s",
+        "velocity of the point in contact over the ground under it",
+    ];
+    Columns::default()
+        .with(
+            ["x", "m", "place of the centre along the table"],
+            move |state| of(state).position,
+        )
+        .with(
+            ["velocity", "m/s", "velocity of the centre"],
+            move |state| of(state).velocity,
+        )
+        .with(rim, move |state| of(state).rim_speed)
+        .with(slip, move |state| of(state).slip)
 }
 
 impl Scene for Roller {

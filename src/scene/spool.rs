@@ -20,7 +20,7 @@
 
 use super::columns::Columns;
 use super::effects::Effect;
-use super::roller::{OnTable, moments, rolling_plan};
+use super::roller::{HEAT, OnTable, along, moments, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};
 use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
@@ -114,42 +114,12 @@ pub struct Spooling {
 
 impl Tabulated for Spooling {
     fn columns() -> Columns<Self> {
-        Columns::default()
-            .with(
-                ["x", "m", "place of the centre along the table"],
-                |state: &Self| state.moment.position,
-            )
-            .with(["velocity", "m/s", "velocity of the centre"], |state| {
-                state.moment.velocity
-            })
-            .with(
-                [
-                    "rim_speed",
-                    "m/s",
-                    "radius times angular velocity, positive as in rolling",
-                ],
-                |state| state.moment.rim_speed,
-            )
-            .with(
-                [
-                    "slip",
-                    "m/s",
-                    "velocity of the point in contact over the ground under it",
-                ],
-                |state| state.moment.slip,
-            )
+        along(|state: &Self| state.moment)
             .with(["wound", "m", "string wound up so far"], |state| {
                 state.wound
             })
             .with(["energy", "J", "kinetic energy"], |state| state.energy)
-            .with(
-                [
-                    "heat",
-                    "J",
-                    "heat of friction and rolling resistance so far",
-                ],
-                |state| state.heat,
-            )
+            .with(HEAT, |state| state.heat)
             .with(["work", "J", "work of the tug so far"], |state| state.work)
     }
 }

@@ -6,8 +6,8 @@ use crate::decimal::{hexadecimal, relative_error};
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{
     Characteristic, Jacobi, Modulus, Parameter, carlson, complete_b, complete_d, complete_first,
-    complete_second, complete_third, incomplete_first, incomplete_second, incomplete_third,
-    inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn,
+    complete_first_excess, complete_second, complete_third, incomplete_first, incomplete_second,
+    incomplete_third, inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn,
 };
 
 use crate::common::parameter;
@@ -28,6 +28,7 @@ fn integral(function: &str, arguments: &[&str]) -> Result<f64> {
     let c = |i: usize| characteristic(arguments[i]);
     match function {
         "K" => complete_first(c(0)?),
+        "X" => complete_first_excess(c(0)?),
         "E" => complete_second(c(0)?),
         "D" => complete_d(c(0)?),
         "B" => complete_b(c(0)?),

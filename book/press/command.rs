@@ -277,7 +277,7 @@ fn obey(command: Option<Command>) -> Result<()> {
             output,
             ..
         }) => {
-            let file = scene_file(&root, file.unwrap_or_default());
+            let file = scene_file(&root, file.unwrap_or_default())?;
             let format = Format::of(format, output.as_deref())?;
             let target = Target::new(output.as_deref(), Some(&file))?;
             let (name, text) = scenes::source(&file)?;
@@ -301,7 +301,7 @@ fn obey(command: Option<Command>) -> Result<()> {
             format,
             output,
         }) => {
-            let file = scene_file(&root, file);
+            let file = scene_file(&root, file)?;
             let format = Format::of(format, output.as_deref())?;
             let target = Target::new(output.as_deref(), Some(&file))?;
             let scan = Scan::new(&file, over, tell)?;
@@ -359,12 +359,15 @@ fn draw(entries: &[Entry]) -> Result<Vec<Drawing>> {
     drawings
 }
 
-/// The file that is meant; what is none is refused by whoever reads it.
-fn scene_file(root: &Path, name: PathBuf) -> PathBuf {
-    if name == Path::new("-") {
-        return name;
+/// The file that is meant.
+fn scene_file(root: &Path, name: PathBuf) -> Result<PathBuf> {
+    match scenes::file(root, &name) {
+        _ if name == Path::new("-") => Ok(name),
+        Some(file) => Ok(file),
+        // Whoever reads it says what it is.
+        None if name.exists() => Ok(name),
+        None => Err(Error::Input(scenes::not_found(root, &name, &[]))),
     }
-    scenes::file(root, &name).unwrap_or(name)
 }
 
 fn open_page(page: &Path) -> Result<()> {

@@ -280,7 +280,7 @@ fn a_scene_of_the_book_is_found_by_its_name() {
     }
     refused(
         &book(&["scene", "racked"]),
-        &["racked", "a scene file is expected"],
+        &["racked", "did you mean `racket`?"],
     );
 }
 

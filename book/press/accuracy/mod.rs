@@ -60,7 +60,8 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Strin
         match (scene, file) {
             (Some(_), Some(file)) if problems.is_empty() => measured(&file, PATIENCE, told),
             (Some(name), None) if problems.is_empty() => Err(Error::Input(format!(
-                "'{name}' is neither a problem nor a scene file; problems are {}, one length of them {}/10",
+                "{}; nor is it a problem: these are {}, one length of them {}/10",
+                scenes::not_found(root, Path::new(name), &NAMES),
                 NAMES.join(", "),
                 NAMES[0],
             ))),

@@ -62,6 +62,27 @@ pub fn file(root: &Path, name: &Path) -> Option<PathBuf> {
         .find(|place| place.exists() && !place.is_dir())
 }
 
+/// What was looked for, for a name that no file has, and what was probably meant: a scene of the book, or one of these other words.
+pub fn not_found(root: &Path, name: &Path, others: &[&str]) -> String {
+    let files = std::fs::read_dir(root.join("book/scenes"))
+        .into_iter()
+        .flatten();
+    let stems = files.flatten().filter_map(|file| {
+        let path = file.path();
+        path.file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned())
+    });
+    let stems: Vec<String> = stems.collect();
+    let asked = name.file_stem().unwrap_or_default().to_string_lossy();
+    let all = stems
+        .iter()
+        .map(String::as_str)
+        .chain(others.iter().copied());
+    let near = files::meant(&asked, all);
+    let name = name.display();
+    format!("there is no file '{name}', nor a scene of that name in book/scenes{near}")
+}
+
 /// The scene and the request that a file's text describes, with the general methods at hand.
 ///
 /// # Errors

@@ -200,17 +200,13 @@ section! {
     Radius {
         radius: f64, "the radius in m", Positive;
     }
-}
 
-section! {
     /// The axis is the third, the origin the centre.
     Cylinder {
         radius: f64, "the radius in m", Positive;
         height: f64, "the height along axis 3 in m, from the centre both ways", Positive;
     }
-}
 
-section! {
     /// The axis is the third, the origin the tip.
     Cone {
         radius: f64, "the radius of the base in m", Positive;
@@ -231,16 +227,12 @@ section! {
     Cuboid {
         edges: [f64; 3], "the edges along the three axes in m", Positive;
     }
-}
 
-section! {
     /// The origin is the centre.
     Ellipsoid {
         semi_axes: [f64; 3], "the half axes in m", Positive;
     }
-}
 
-section! {
     /// The origin is the centre.
     Egg {
         long: f64, "half its length, along axis 3, in m", Positive;
@@ -260,9 +252,7 @@ section! {
         head: f64, "the radius of the ring in m, all of one wire", Positive;
         handle: f64, "the length of the handle in m, along axis 1; axis 3 is normal to the ring", NotNegative;
     }
-}
 
-section! {
     /// The origin is the centre of the ball.
     WithoutCap {
         radius: f64, "the radius in m", Positive;

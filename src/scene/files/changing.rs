@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 use super::reader::Reader;
 use super::values::{
     Bound::{From, NotNegative, Positive},
-    section,
+    Flat, keys, section,
 };
 use super::{listed, with};
 use crate::frame::Attitude;
@@ -24,26 +24,21 @@ section! {
         lower: f64, "a moment in kg m²", Positive;
         upper: f64, "a moment in kg m²", Positive;
     }
-}
 
-section! {
     /// `[initial]` of a swivel.
     SwivelInitial {
         angular_momentum: f64 = 0.0, "an angular momentum in kg m²/s";
     }
-}
 
-section! {
     /// `[effects]` of a swivel.
     SwivelEffects {
         bearing_friction: Option<BearingFriction>, "a coefficient in N m s", NotNegative;
-        four_phases: Option<FourPhasesTable>, "";
+        four_phases: Option<FourPhases>, "";
     }
 }
 
-section! {
-    /// `[effects.four_phases]`.
-    FourPhasesTable {
+keys! {
+    FourPhases {
         arms_out: f64, "a moment in kg m²", Positive;
         arms_in: f64, "a moment in kg m²", Positive;
         twist: f64, "an angle in rad";
@@ -61,17 +56,10 @@ pub fn swivel(
     let scene = file.right("body.lower", Swivel::new(body.lower, body.upper))?;
     let l = initial.angular_momentum;
     let scene = file.right("initial.angular_momentum", scene.with_angular_momentum(l))?;
-    let change = effects.four_phases.map(|table| FourPhases {
-        arms_out: table.arms_out,
-        arms_in: table.arms_in,
-        twist: table.twist,
-        duration: table.duration,
-        pace: table.pace,
-    });
     with(
         file,
         scene,
-        listed![change, effects.bearing_friction],
+        listed![effects.four_phases, effects.bearing_friction],
         Swivel::with,
     )
 }
@@ -82,27 +70,22 @@ section! {
         core: f64, "a moment in kg m²", Positive;
         hand: f64, "a mass in kg";
     }
-}
 
-section! {
     /// `[initial]` of a skater.
     SkaterInitial {
         reach: f64, "a distance in m";
         spin: f64, "an angular velocity in rad/s";
     }
-}
 
-section! {
     /// `[effects]` of a skater.
     SkaterEffects {
         bearing_friction: Option<BearingFriction>, "a coefficient in N m s", NotNegative;
-        draw: Option<DrawTable>, "";
+        draw: Option<Draw>, "";
     }
 }
 
-section! {
-    /// `[effects.draw]`.
-    DrawTable {
+keys! {
+    Draw {
         to: f64, "a distance in m", NotNegative;
         begin: f64 = 0.0, "a time in s", NotNegative;
         duration: f64, "a time in s", Positive;
@@ -120,16 +103,10 @@ pub fn skater(
     let person = file.right("body.hand", person)?;
     let scene = Skater::new(person, initial.reach, initial.spin);
     let scene = file.right("initial.reach", scene)?;
-    let change = effects.draw.map(|table| Draw {
-        to: table.to,
-        begin: table.begin,
-        duration: table.duration,
-        pace: table.pace,
-    });
     with(
         file,
         scene,
-        listed![change, effects.bearing_friction],
+        listed![effects.draw, effects.bearing_friction],
         Skater::with,
     )
 }
@@ -142,26 +119,21 @@ section! {
         transverse: [f64; 2], "two moments in kg m²", Positive;
         to_joint: [f64; 2], "two distances in m", Positive;
     }
-}
 
-section! {
     /// `[initial]` of a cat.
     CatInitial {
         attitude: Attitude, "a unit quaternion w x y z";
     }
-}
 
-section! {
     /// `[effects]` of a cat.
     CatEffects {
         gravity: Option<Gravity>, "an acceleration in m/s²";
-        turnover: Option<TurnoverTable>, "";
+        turnover: Option<Turnover>, "";
     }
 }
 
-section! {
-    /// `[effects.turnover]`.
-    TurnoverTable {
+keys! {
+    Turnover {
         forward: f64, "an angle in rad", From(0.0, PI);
         back: f64, "an angle in rad", From(0.0, PI);
         duration: f64, "a time in s", Positive;
@@ -183,22 +155,20 @@ pub fn cat(
     });
     let animal = phenomena::cat::Cat::new(halves);
     let animal = file.right("body.axial, body.transverse", animal)?;
-    let change = effects.turnover.map(|table| Turnover {
-        forward: table.forward,
-        back: table.back,
-        duration: table.duration,
-        pace: table.pace,
-    });
     let scene = Cat::new(animal, initial.attitude);
-    with(file, scene, listed![change, effects.gravity], Cat::with)
+    with(
+        file,
+        scene,
+        listed![effects.turnover, effects.gravity],
+        Cat::with,
+    )
 }
 
 /// What `[body]` does not say is as for a cat cut from a postcard.
 const POSTCARD: phenomena::PaperCat = phenomena::PaperCat::POSTCARD;
 
-section! {
-    /// `[body]` of a cat of paper.
-    PaperCatBody {
+keys! {
+    phenomena::PaperCat {
         mass: f64 = POSTCARD.mass, "a mass in kg", Positive;
         area: f64 = POSTCARD.area, "an area in m²", Positive;
         lever: f64 = POSTCARD.lever, "a distance in m";
@@ -213,9 +183,7 @@ section! {
     PaperCatInitial {
         tilt: f64, "an angle in rad";
     }
-}
 
-section! {
     /// `[effects]` of a cat of paper.
     PaperCatEffects {
         gravity: Option<Gravity>, "an acceleration in m/s²";
@@ -225,18 +193,10 @@ section! {
 
 pub fn paper_cat(
     file: &Reader<'_>,
-    body: PaperCatBody,
+    sheet: phenomena::PaperCat,
     initial: PaperCatInitial,
     effects: PaperCatEffects,
 ) -> Option<PaperCat> {
-    let sheet = phenomena::PaperCat {
-        mass: body.mass,
-        area: body.area,
-        lever: body.lever,
-        gyration: body.gyration,
-        coefficient: body.coefficient,
-        damping: body.damping,
-    };
     let scene = file.right("body", PaperCat::new(sheet, initial.tilt))?;
     with(
         file,
@@ -250,6 +210,12 @@ section! {
     /// `[body]` of a crawler.
     CrawlerBody {
         masses: [f64; 2], "two masses in kg", Positive;
+        strokes: Flat<Strokes>, "";
+    }
+}
+
+keys! {
+    Strokes {
         gap: f64, "a distance in m", Positive;
         length: f64, "a distance in m", Positive;
         push: f64, "a time in s", Positive;
@@ -260,16 +226,12 @@ section! {
 section! {
     /// `[initial]` of a crawler.
     CrawlerInitial {}
-}
 
-section! {
     /// `[effects]` of a crawler.
     CrawlerEffects {
         ground_friction: Option<GroundFriction>, "";
     }
-}
 
-section! {
     /// `[effects.ground_friction]`.
     GroundFriction {
         coefficient: f64, "a number";
@@ -284,13 +246,7 @@ pub fn crawler(
     effects: CrawlerEffects,
 ) -> Option<Crawler> {
     let [rear, front] = body.masses;
-    let strokes = Strokes {
-        gap: body.gap,
-        length: body.length,
-        push: body.push,
-        pull: body.pull,
-    };
-    let animal = phenomena::crawler::Crawler::new(rear, front, strokes);
+    let animal = phenomena::crawler::Crawler::new(rear, front, body.strokes.0);
     let keys = "body.length, body.push, body.pull";
     let scene = Crawler::new(file.right(keys, animal)?);
     let Some(table) = effects.ground_friction else {

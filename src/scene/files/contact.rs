@@ -12,7 +12,7 @@ use crate::impacts::{Impact, Meteorite, Planet};
 use crate::rolling::RoundBody;
 use crate::rolling::sheet::SheetSpeeds;
 use crate::rolling::spool::Spool;
-use crate::scene::effects::{Coulomb, Gravity, Restitution, RollingResistance, Sheet, Tug};
+use crate::scene::effects::{Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug};
 use crate::scene::meteorite::StruckPlanet;
 use crate::scene::roller::Roller;
 use crate::scene::spool::TuggedSpool;
@@ -22,30 +22,31 @@ use crate::superball::flight::InFlight;
 
 section! {
     /// `[body]` of a roller.
-    RollerBody {
+    RoundKeys {
         mass: f64, "a mass in kg", Positive;
         radius: f64, "a radius in m", Positive;
         shape: Option<Round>, "";
         inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", Positive;
     }
-}
 
-section! {
     /// `[initial]` of a roller.
     RollerInitial {
         velocity: Option<f64>, "the speed of the centre in m/s";
         rim_speed: Option<f64>, "the speed RΩ of the rim in m/s";
         cue_height: Option<f64>, "the height of the cue above the table in radii";
     }
-}
 
-section! {
-    /// `[effects]` of a roller.
-    RollerEffects {
-        gravity: f64, "an acceleration in m/s²", Positive;
+    /// What the table does.
+    Friction {
         friction: Option<f64>, "the coefficient of friction of what slides, a ratio", NotNegative;
         static_friction: Option<f64>, "the coefficient of friction of what rolls, a ratio", NotNegative;
         rolling_resistance: Option<RollingResistance>, "the coefficient of rolling resistance, a ratio";
+    }
+
+    /// `[effects]` of a roller.
+    RollerEffects {
+        gravity: f64, "an acceleration in m/s²", Positive;
+        friction: Flat<Friction>, "";
         sheet_friction: Option<f64>, "the coefficient of friction on the sheet, a ratio", NotNegative;
         sheet_times: Option<Vec<f64>>, "a list of times in s";
         sheet_speeds: Option<Vec<f64>>, "a list of speeds in m/s";
@@ -53,15 +54,28 @@ section! {
     }
 }
 
-fn friction(file: &Reader<'_>, kinetic: Option<f64>, grip: Option<f64>) -> Option<Option<Coulomb>> {
-    let keys = "effects.static_friction, effects.friction";
-    match (kinetic, grip) {
-        (Some(kinetic), grip) => {
-            let law = Coulomb::with_grip(kinetic, grip.unwrap_or(kinetic));
-            file.right(keys, law).map(Some)
-        }
-        (None, None) => Some(None),
-        (None, Some(_)) => file.wrong("effects.static_friction", " needs `friction` beside it"),
+impl RoundKeys {
+    fn made(&self, file: &Reader<'_>) -> Option<RoundBody> {
+        let kappa = inertia_factor(file, self.inertia_factor, self.shape)?;
+        let body = RoundBody::new(self.mass, self.radius, kappa);
+        file.right("body.inertia_factor", body)
+    }
+}
+
+impl Friction {
+    fn listed(&self, file: &Reader<'_>) -> Option<[Option<Effect>; 2]> {
+        let law = match (self.friction, self.static_friction) {
+            (Some(kinetic), grip) => {
+                let keys = "effects.static_friction, effects.friction";
+                let law = Coulomb::with_grip(kinetic, grip.unwrap_or(kinetic));
+                Some(file.right(keys, law)?)
+            }
+            (None, None) => None,
+            (None, Some(_)) => {
+                file.wrong("effects.static_friction", " needs `friction` beside it")?
+            }
+        };
+        Some(listed![law, self.rolling_resistance])
     }
 }
 
@@ -95,15 +109,12 @@ fn sheet(file: &Reader<'_>, effects: &RollerEffects) -> Option<Option<Sheet>> {
 
 pub fn roller(
     file: &Reader<'_>,
-    body: RollerBody,
+    body: RoundKeys,
     initial: RollerInitial,
     effects: RollerEffects,
 ) -> Option<Roller> {
-    let key = "body.inertia_factor";
-    let kappa = inertia_factor(file, body.inertia_factor, body.shape);
-    let body =
-        kappa.and_then(|kappa| file.right(key, RoundBody::new(body.mass, body.radius, kappa)));
-    let law = friction(file, effects.friction, effects.static_friction);
+    let body = body.made(file);
+    let friction = effects.friction.0.listed(file);
     let sheet = sheet(file, &effects);
     let (body, gravity) = (body?, effects.gravity);
     let velocity = initial.velocity;
@@ -127,36 +138,27 @@ pub fn roller(
             file.right("initial.velocity, initial.rim_speed", scene)
         }
     };
-    let effects = listed![law?, effects.rolling_resistance, sheet?];
-    with(file, scene?, effects, Roller::with)
+    let scene = with(file, scene?, friction?, Roller::with)?;
+    with(file, scene, listed![sheet?], Roller::with)
 }
 
 section! {
     /// `[body]` of a spool.
     SpoolBody {
-        mass: f64, "a mass in kg", Positive;
-        radius: f64, "a radius in m", Positive;
-        shape: Option<Round>, "";
-        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", Positive;
+        round: Flat<RoundKeys>, "";
         axle: f64, "the radius of the axle in m", Positive;
     }
-}
 
-section! {
     /// `[initial]` of a spool.
     SpoolInitial {
         velocity: f64 = 0.0, "the speed of the centre in m/s";
         rim_speed: f64 = 0.0, "the speed RΩ of the rim in m/s";
     }
-}
 
-section! {
     /// `[effects]` of a spool.
     SpoolEffects {
         gravity: f64, "an acceleration in m/s²", Positive;
-        friction: Option<f64>, "the coefficient of friction of what slides, a ratio", NotNegative;
-        static_friction: Option<f64>, "the coefficient of friction of what rolls, a ratio", NotNegative;
-        rolling_resistance: Option<RollingResistance>, "the coefficient of rolling resistance, a ratio";
+        friction: Flat<Friction>, "";
         tension: Option<f64>, "a force in N", NotNegative;
         tug_angle: Option<f64>, "the angle of the string above the horizontal in rad";
     }
@@ -168,11 +170,9 @@ pub fn spool(
     initial: SpoolInitial,
     effects: SpoolEffects,
 ) -> Option<TuggedSpool> {
-    let (radius, axle) = (body.radius, body.axle);
-    let key = "body.inertia_factor";
-    let kappa = inertia_factor(file, body.inertia_factor, body.shape);
-    let body = kappa.and_then(|kappa| file.right(key, RoundBody::new(body.mass, radius, kappa)));
-    let law = friction(file, effects.friction, effects.static_friction);
+    let (radius, axle) = (body.round.0.radius, body.axle);
+    let body = body.round.0.made(file);
+    let friction = effects.friction.0.listed(file);
     let tug = match (effects.tension, effects.tug_angle) {
         (Some(tension), Some(angle)) => file
             .right("effects.tug_angle", Tug::new(tension, angle))
@@ -193,12 +193,7 @@ pub fn spool(
         }
         None => scene,
     };
-    let scene = with(
-        file,
-        scene,
-        listed![law?, effects.rolling_resistance],
-        TuggedSpool::with,
-    )?;
+    let scene = with(file, scene, friction?, TuggedSpool::with)?;
     Some(scene.moving(initial.velocity, initial.rim_speed))
 }
 
@@ -209,9 +204,7 @@ section! {
         shape: Option<Round>, "";
         inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", From(0.0, 1.0);
     }
-}
 
-section! {
     /// `[initial]` of a superball.
     SuperballInitial {
         height: f64, "a height in m", NotNegative;
@@ -219,9 +212,7 @@ section! {
         velocity: f64 = 0.0, "the speed of the centre in m/s";
         rim_speed: f64 = 0.0, "the speed RΩ of the rim in m/s";
     }
-}
 
-section! {
     /// `[effects]` of a superball.
     SuperballEffects {
         gravity: Option<Gravity>, "an acceleration in m/s²";
@@ -286,17 +277,13 @@ section! {
     MeteoriteBody {
         matter: Flat<Matter>, "";
     }
-}
 
-section! {
     /// `[initial]` of a planet.
     MeteoriteInitial {
         velocity: Option<BodyVector>, "a velocity in m/s";
         omega: Option<BodyVector>, "an angular velocity in rad/s";
     }
-}
 
-section! {
     /// `[effects]` of a planet.
     MeteoriteEffects {
         impact_mass: Option<f64>, "the mass of the meteorite in kg", Positive;

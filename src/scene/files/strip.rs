@@ -3,7 +3,7 @@
 use super::reader::Reader;
 use super::values::{
     Bound::{NotNegative, Positive},
-    section,
+    keys, section,
 };
 use super::{listed, with};
 use crate::falling_strip::Plate;
@@ -21,9 +21,8 @@ section! {
     }
 }
 
-section! {
-    /// `[initial]`.
-    Initial {
+keys! {
+    StripStart {
         angle: f64 = 0.0, "an angle in rad";
         velocity: [f64; 2] = [0.0, 0.0], "a velocity in m/s";
         omega: f64 = 0.0, "an angular velocity in rad/s";
@@ -41,7 +40,7 @@ section! {
     }
 }
 
-pub fn strip(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) -> Option<Strip> {
+pub fn strip(file: &Reader<'_>, body: Body, start: StripStart, effects: Effects) -> Option<Strip> {
     let plate = |thickness| {
         let factor = body.inertia_factor.unwrap_or(1.0 / 3.0);
         let mass = body.areal_density * body.width;
@@ -55,11 +54,6 @@ pub fn strip(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) 
     };
     file.right("body.width, body.areal_density", plate(0.0))?;
     let plate = file.right("body.thickness_ratio", plate(body.thickness_ratio))?;
-    let start = StripStart {
-        angle: initial.angle,
-        velocity: initial.velocity,
-        omega: initial.omega,
-    };
     let scene = file.right("initial", Strip::new(plate, start))?;
     let lift = effects.lift.map(|[translational, rotational]| Lift {
         translational,

@@ -18,9 +18,7 @@ section! {
         matter: Flat<Matter>, "";
         stands_on: Shapeless<StandsOn>, "";
     }
-}
 
-section! {
     /// The surface of a body without a shape.
     StandsOn {
         radius: Option<f64>, "a radius in m", Positive;
@@ -28,9 +26,7 @@ section! {
         surface_turn: f64 = 0.0, "the turn of the half axes about the third axis in rad";
         surface_center: Option<BodyVector>, "the place of the centre of the surface, from C, in m";
     }
-}
 
-section! {
     /// `[initial]`.
     Initial {
         tilt: Option<f64>, "the angle of the third axis to the vertical in rad";
@@ -41,9 +37,7 @@ section! {
         omega: Option<BodyVector>, "an angular velocity in rad/s";
         velocity: Option<[f64; 3]>, "a velocity in m/s";
     }
-}
 
-section! {
     /// `[effects]`.
     Effects {
         gravity: Option<f64>, "an acceleration in m/s²", Positive;

@@ -15,18 +15,14 @@ section! {
         center_of_mass: Option<BodyVector>, "the place of the centre of mass, from the pivot, along the body's axes in m";
         pivot: Option<BodyVector>, "the place where a shape is held, along its axes from its origin in m (its centre of mass if nothing is said)";
     }
-}
 
-section! {
     /// `[initial]`.
     Initial {
         attitude: Attitude, "a unit quaternion w x y z";
         omega: Option<BodyVector>, "an angular velocity in rad/s";
         angular_momentum: Option<BodyVector>, "an angular momentum in kg m²/s";
     }
-}
 
-section! {
     /// `[effects]`.
     Effects {
         gravity: Option<Gravity>, "an acceleration in m/s²";

@@ -129,17 +129,29 @@ pub(super) trait Section: Sized {
     fn all_rows(section: &str) -> Vec<KeyRow>;
 }
 
-/// Declares a table: a struct with a line for each key, `name: type, "what is expected, in its unit", bound;`, the bound left out where any number
+/// Declares tables: a struct each with a line for each key, `name: type, "what is expected, in its unit", bound;`, the bound left out where any number
 /// will do. An `Option` may be absent, `name: type = value` stands for what is.
 macro_rules! section {
-    ($(#[$doc:meta])* $name:ident {
+    ($($(#[$doc:meta])* $name:ident {
         $($field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?;)*
-    }) => {
+    })*) => {$(
         $(#[$doc])*
         pub(super) struct $name {
             $(pub $field: $type,)*
         }
 
+        $crate::scene::files::values::keys! { $name {
+            $($field: $type $(= $default)?, $what $(, $bound)?;)*
+        }}
+    )*};
+}
+pub(super) use section;
+
+/// The same for a struct that there is already, its fields being named as the keys.
+macro_rules! keys {
+    ($name:ty {
+        $($field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?;)*
+    }) => {
         const _: () = {
             use toml::Spanned;
             use toml::de::DeValue;
@@ -182,7 +194,7 @@ macro_rules! section {
         };
     };
 }
-pub(super) use section;
+pub(super) use keys;
 
 impl<T: Value> Value for Option<T> {
     fn expected(key: &Key) -> String {

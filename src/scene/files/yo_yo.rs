@@ -20,16 +20,12 @@ section! {
         axle: f64, "the radius of the axle in m", Positive;
         wound: Option<f64>, "the radius of the wound string in m", Positive;
     }
-}
 
-section! {
     /// `[initial]`.
     Initial {
         throw: f64 = 0.0, "a speed in m/s", NotNegative;
     }
-}
 
-section! {
     /// `[effects]`.
     Effects {
         gravity: Option<Gravity>, "an acceleration in m/s²", Positive;

@@ -4,6 +4,7 @@
 //! is not given is not there: nothing multiplies it by zero, nothing asks for it. A [`Plan`] follows in one sentence: the closed form where there
 //! is one, otherwise the method of order 8. The [`Motion`] tells its error and comes with its [`Ledger`](crate::conservation::Ledger):
 //! what the scene conserves, or may only lose, and by how much it failed to. A ledger that does not balance is an error.
+//! With the feature `scene-files`, scenes come from texts: `scene::files`.
 //!
 //! | kind | tutorial | module |
 //! |---|---|---|

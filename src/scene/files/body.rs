@@ -22,8 +22,8 @@ section! {
     /// What a rigid body is made of: of `shape`, `moments` and `inertia` one.
     Matter {
         mass: Option<f64>, "a mass in kg", Positive;
-        shape: Option<Shape>, "what the body is, ";
-        density: Option<f64>, "in place of the mass of a shape, its density in kg/m³ (of a shell or a disc in kg/m², of a hoop or a racket in kg/m)", Positive;
+        shape: Option<Shape>, "a shape, ";
+        density: Option<f64>, "the density of a shape, in place of its mass, in kg/m³ (of a shell or a disc in kg/m², of a hoop or a racket in kg/m)", Positive;
         moments: Option<[f64; 3]>, "principal moments in kg m²";
         inertia: Option<[f64; 6]>, "the inertia matrix I11 I22 I33 I12 I13 I23 in kg m²";
     }
@@ -256,7 +256,7 @@ section! {
     /// The origin is the centre of the ball.
     WithoutCap {
         radius: f64, "the radius in m", Positive;
-        cut: f64, "where on axis 3 it is cut, in m from the centre of the ball, which is the origin: what is above is missing";
+        cut: f64, "the place of the cut on axis 3 in m from the centre of the ball, which is the origin; what is above is missing";
     }
 }
 
@@ -273,7 +273,7 @@ section! {
     WithWeight {
         radius: f64, "the radius in m", Positive;
         weight: f64, "the part of the mass that is the weight, a point", From(0.0, 1.0);
-        weight_at: BodyVector, "where in the ball the weight is, in m from its centre, which is the origin";
+        weight_at: BodyVector, "the place of the weight in m from the centre of the ball, which is the origin";
     }
 }
 
@@ -304,7 +304,7 @@ section! {
     /// The origin is that of their places.
     Beads {
         places: Vec<[f64; 3]>, "the places of the beads in m, a list of lists of 3 numbers";
-        parts: Option<Vec<f64>>, "how much of the mass each bead has, in any unit (all the same if nothing is said)", Positive;
+        parts: Option<Vec<f64>>, "the shares of the beads in the mass, in any unit (all the same if nothing is said)", Positive;
     }
 }
 

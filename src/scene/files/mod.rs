@@ -1,7 +1,7 @@
 //! Scene files: a TOML text becomes a scene, or a list of all that is wrong with it.
 //!
 //! The kind is read first, then that kind's tables. Each table is declared once, key by key with unit, bound and default, for the reader as for the
-//! page of keys. A file's numbers can be [set](set), for scans. Nothing here opens a file.
+//! page of keys. A file's numbers can be [set], for scans. Nothing here opens a file.
 //!
 //! ```
 //! use spinning_bodies::scene::files::parse;
@@ -13,6 +13,14 @@
 //! assert_eq!(mistakes.to_string(), told);
 //! # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
 //! ```
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `reader` | tables and keys of one text; mistakes, each in one line |
+//! | `values` | what may stand after a key; how tables are declared |
+//! | `run` | times, accuracy, solver, columns |
+//! | `body` | a body by what it is |
+//! | one a kind | the tables of that kind, and the scene made of them |
 //!
 //! A new kind brings its tables, a function that makes its scene of them, and a line in `KINDS`.
 

@@ -343,9 +343,10 @@ const NEAR: f64 = 0.05;
 /// The same below which a body that leaves its rest turns its slip as friction wants it, at a tolerance of 1; the error goes with the slip to the power 5/2.
 const LEFT: f64 = 0.4;
 const POWER: f64 = 0.4;
-/// Slip in units of the tolerance times the velocity of the motion that is taken for none, and the least and the greatest tolerance that count.
+/// Slip in units of the tolerance times the velocity of the motion that is taken for none, and the least and the greatest tolerance that count: a slip
+/// of 30 ε of the velocity is rounding.
 const STILL: f64 = 0.1;
-const FINEST: f64 = 2e-14;
+const FINEST: f64 = 1e-13;
 const COARSEST: f64 = 1e-6;
 /// In units of slip over μg: by then the slip goes where friction wants it, unless it has come to nothing before.
 const SETTLED: f64 = 60.0;
@@ -403,7 +404,8 @@ impl OnTheTable {
 
     /// What slips no faster rests.
     fn still(&self) -> f64 {
-        STILL * self.tolerance.clamp(FINEST, COARSEST) * self.velocity_scale()
+        let speed = self.velocity_scale() + self.start[7].hypot(self.start[8]);
+        STILL * self.tolerance.clamp(FINEST, COARSEST) * speed
     }
 
     fn contact(&self, mode: &Mode, pose: &Pose) -> Contact {
@@ -722,8 +724,8 @@ impl OnTheTable {
                     end: SETTLED,
                 };
                 let event = |_: f64, z: &[f64; NUMBERS + 1]| left(z).min(lasts(z));
-                // No looser: what the steps are off by would pass for slip.
-                let effort = Effort::Tolerance(self.tolerance.min(COARSEST));
+                // No looser: what the steps are off by would pass for slip. No finer: what rounding does to a slip that small is more.
+                let effort = Effort::Tolerance(self.tolerance.clamp(FINEST, COARSEST));
                 let part = leg.follow(Some(&event), effort)?;
                 passage.cost += part.cost;
                 z = part.end;

@@ -114,9 +114,9 @@ fn beside(name: &str) -> impl Fn(&str) -> std::result::Result<Vec<u8>, String> +
 /// Most bytes of a file that a scene file names.
 const MOST_OF_A_MESH: u64 = 200_000_000;
 
-/// Keys as a table of Markdown.
-pub fn key_table(keys: &[KeyRow]) -> String {
-    let mut text = "| table | key | what | if absent |\n|---|---|---|---|\n".to_owned();
+/// Keys as a table of Markdown, `of` being what its first column is: the table of the file, or the shape.
+pub fn key_table(of: &str, keys: &[KeyRow]) -> String {
+    let mut text = format!("| {of} | key | what | if absent |\n|---|---|---|---|\n");
     for row in keys {
         let (section, key, expected) = (&row.section, row.key, &row.expected);
         let absent = match row.absent.as_deref() {
@@ -135,8 +135,8 @@ pub fn key_table(keys: &[KeyRow]) -> String {
 /// [`Error::Input`] for a word that is no kind.
 pub fn keys(kind: &str) -> Result<String> {
     match files::keys(kind) {
-        Some(keys) => Ok(key_table(&[files::shared_keys(), keys].concat())),
-        None if kind == "shapes" => Ok(key_table(&files::shape_keys())),
+        Some(keys) => Ok(key_table("table", &[files::shared_keys(), keys].concat())),
+        None if kind == "shapes" => Ok(key_table("shape", &files::shape_keys())),
         None => {
             let (kinds, meant) = (files::kinds(), files::meant(kind, files::kinds()));
             let kinds = kinds.collect::<Vec<_>>().join(", ");

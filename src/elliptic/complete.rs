@@ -110,6 +110,10 @@ pub fn complete_first_excess(parameter: impl Into<Characteristic>) -> Result<f64
     if mc.high() == 0.0 {
         return Ok(f64::INFINITY);
     }
+    if m.high() < -1.0 {
+        // Nothing cancels there, and squares of √mc may have no room.
+        return Ok((incomplete::complete(Kind::First, parameter)? - RIGHT_ANGLE).value());
+    }
     Ok((from_the_mean(m, mc)[2] * m).value())
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::frame::{Attitude, SpaceVector};
+use crate::frame::{Attitude, BodyVector, SpaceVector};
 
 /// What a number is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,6 +76,13 @@ impl<S: 'static> Columns<S> {
             .vector(["qx", "qy", "qz"], ["1", meaning], move |state| {
                 of(state).imag()
             })
+    }
+
+    /// The same with an angular velocity, along the body's axes.
+    pub fn omega(self, of: fn(&S) -> BodyVector) -> Self {
+        let names = ["omega1", "omega2", "omega3"];
+        let what = ["rad/s", "angular velocity, along the body's axes"];
+        self.vector(names, what, move |state| of(state).components())
     }
 
     /// The same with the angles of an attitude: tilt, precession, nutation, spin.

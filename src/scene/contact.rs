@@ -283,12 +283,9 @@ pub fn passage(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64, level: f
 
 impl Tabulated for State {
     fn columns() -> Columns<Self> {
-        let omega = ["rad/s", "angular velocity, along the body's axes"];
         Columns::default()
             .attitude(|state: &Self| state.attitude)
-            .vector(["omega1", "omega2", "omega3"], omega, |state| {
-                state.omega.components()
-            })
+            .omega(|state| state.omega)
             .vector(["x", "y", "z"], ["m", "centre of mass"], |state| {
                 state.position.components()
             })

@@ -61,12 +61,9 @@ pub struct Flying {
 
 impl Tabulated for Flying {
     fn columns() -> Columns<Self> {
-        let omega = ["rad/s", "angular velocity, along the body's axes"];
         Columns::default()
             .attitude(|state: &Self| state.attitude)
-            .vector(["omega1", "omega2", "omega3"], omega, |state| {
-                state.omega.components()
-            })
+            .omega(|state| state.omega)
             .vector(["x", "y", "z"], ["m", "centre of the planet"], |state| {
                 state.center.components()
             })

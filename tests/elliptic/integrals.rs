@@ -69,6 +69,35 @@ fn integrals_are_right_to_the_last_place_everywhere() -> Result<()> {
     Ok(())
 }
 
+/// Below 0 as well, to the greatest double, on both sides of where another way is taken: K by its own way, and less π/2.
+#[test]
+fn the_excess_is_what_the_quarter_period_has_more() -> Result<()> {
+    for m in [
+        -f64::MAX,
+        -1e10,
+        -1.0_f64.next_up(),
+        -1.0,
+        -0.3,
+        -1e-3,
+        0.0,
+        0.2,
+        0.9,
+    ] {
+        let p = Characteristic::from_characteristic(m)?;
+        let expected = complete_first(p)? - std::f64::consts::FRAC_PI_2;
+        let excess = complete_first_excess(p)?;
+        assert!(
+            (excess - expected).abs() <= 2.0 * f64::EPSILON,
+            "{m}: {excess}"
+        );
+    }
+    assert_eq!(
+        complete_first_excess(Characteristic::from_complement(0.0)?)?,
+        f64::INFINITY
+    );
+    Ok(())
+}
+
 #[test]
 fn inverses_undo_the_functions() -> Result<()> {
     for mc in [1e-300, 1e-16, 1e-3, 0.3, 0.5, 0.7, 1.0 - 1e-10] {

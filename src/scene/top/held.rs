@@ -35,12 +35,9 @@ pub struct State {
 
 impl Tabulated for State {
     fn columns() -> Columns<Self> {
-        let omega = ["rad/s", "angular velocity, along the body's axes"];
         Columns::default()
             .attitude(|state: &Self| state.attitude)
-            .vector(["omega1", "omega2", "omega3"], omega, |state| {
-                state.omega.components()
-            })
+            .omega(|state| state.omega)
             .with(
                 [
                     "energy",

@@ -62,7 +62,7 @@ proptest! {
         let mut all = vec![
             shapes::cuboid(m, [a, b, c]), shapes::hollow_box(m, [a, b, c]), shapes::wire_box(m, [a, b, c]),
             shapes::hollow_cube(m, a), shapes::wire_cube(m, a), shapes::ball(m, a), shapes::spherical_shell(m, a),
-            shapes::thick_shell(m, a, b), shapes::ellipsoid(m, [a, b, c]), shapes::cylinder(m, a, b),
+            shapes::thick_shell(m, a, b), shapes::ellipsoid(m, [a, b, c]), shapes::cylinder(m, a, b), shapes::elliptic_cylinder(m, [a, b], c),
             shapes::cylindrical_shell(m, a, b), shapes::tube(m, a, b, c), shapes::rod(m, a), shapes::hoop(m, a),
             shapes::disc(m, a), shapes::cone(m, a, b), shapes::torus(m, a, b), shapes::rectangle_lamina(m, [a, b]),
             shapes::ellipse_lamina(m, [a, b]), shapes::regular_polygon_lamina(m, n, a), shapes::triangle_lamina(m, corner),

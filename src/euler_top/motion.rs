@@ -113,8 +113,7 @@ impl EulerTop {
     /// As for [`new`](Self::new); [`Error::Condition`] if I Ω is below the range of doubles.
     pub fn from_omega(moments: [f64; 3], omega: BodyVector, attitude: Attitude) -> Result<Self> {
         PrincipalMoments::new(moments[0], moments[1], moments[2])?;
-        let start = Start::Omega(omega.components().into());
-        Self::prepared(moments, start, attitude, Digits::ThirtyTwo)
+        Self::beyond_bodies_from_omega(moments, omega, attitude)
     }
 
     /// The same as [`new`](Self::new) for a state or two soon after the start, such as one step of a larger simulation takes.
@@ -146,6 +145,27 @@ impl EulerTop {
         attitude: Attitude,
     ) -> Result<Self> {
         let start = Start::AngularMomentum(angular_momentum.components().into());
+        Self::prepared(moments, start, attitude, Digits::ThirtyTwo)
+    }
+
+    /// The same as [`beyond_bodies`](Self::beyond_bodies) from the angular velocity along the principal axes, rad/s; I Ω is formed without rounding.
+    ///
+    /// # Errors
+    /// As for [`beyond_bodies`](Self::beyond_bodies); [`Error::Condition`] if I Ω is below the range of doubles.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.3, 1.0, -0.2);
+    /// let top = EulerTop::beyond_bodies_from_omega([1.0, 2.0, 5.0], omega, Attitude::identity())?;
+    /// assert!((top.at(0.0)?.angular_momentum - BodyVector::new(0.3, 2.0, -1.0)).norm() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn beyond_bodies_from_omega(
+        moments: [f64; 3],
+        omega: BodyVector,
+        attitude: Attitude,
+    ) -> Result<Self> {
+        let start = Start::Omega(omega.components().into());
         Self::prepared(moments, start, attitude, Digits::ThirtyTwo)
     }
 

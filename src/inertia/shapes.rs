@@ -144,8 +144,15 @@ pub fn ellipsoid(mass: f64, semi_axes: [f64; 3]) -> Result<MassProperties> {
 /// # Errors
 /// See the [module](self).
 pub fn cylinder(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
-    let round = (0.25, radius);
-    from_means(mass, [round, round, (1.0 / 3.0, 0.5 * height)])
+    elliptic_cylinder(mass, [radius; 2], height)
+}
+
+/// A solid cylinder on an ellipse with these semi-axes: M(a²+b²)/4 about its axis, M(b²/4 + h²/12) about the a-axis (2.7).
+///
+/// # Errors
+/// See the [module](self).
+pub fn elliptic_cylinder(mass: f64, [a, b]: [f64; 2], height: f64) -> Result<MassProperties> {
+    from_means(mass, [(0.25, a), (0.25, b), (1.0 / 3.0, 0.5 * height)])
 }
 
 /// A thin cylindrical shell without lids: MR² about its axis, M(R²/2 + h²/12) across.

@@ -56,4 +56,4 @@ mod walk;
 pub use attitude::{AttitudeMethod, AttitudeSeries};
 pub use classes::{Diagram, Kind};
 pub use exact::Reason;
-pub use top::{Integrals, KovalevskayaTop, Method, State};
+pub use top::{Integrals, KovalevskayaTop, Method, State, ellipsoid};

@@ -9,7 +9,7 @@ use super::exact::{Exact, Reason};
 use super::separation::Variables;
 use super::taylor::Carried;
 use super::walk::{about_third, shortest};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState, finite_vector};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
@@ -432,4 +432,34 @@ fn start_of(
 fn turned(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
     let (sine, cosine) = angle.sin_cos();
     [cosine * x + sine * y, cosine * y - sine * x]
+}
+
+/// Semi-axes a ≤ b < c (m) of the homogeneous ellipsoid that makes her top: of this mass (kg), with the least moment I₃ (kg m²) about a pivot
+/// at this distance d (m) from its centre, on its shortest axis (8.1).
+///
+/// b² = 5I₃/(2M), c² = 3b² and a² = b² − 5d², the last as a product: next to a disc nothing cancels. Error: 3 ε. The long axis is the one of I₃.
+///
+/// # Errors
+/// [`Error::NotFinite`]; [`Error::NotPositive`] for mass or moment; [`Error::Negative`] for d; [`Error::Condition`] unless 2Md² < I₃: no body is thinner than thin.
+///
+/// ```
+/// use spinning_bodies::kovalevskaya_top::ellipsoid;
+/// let [a, b, c] = ellipsoid(1.0, 1.2, 0.4_f64.sqrt())?;
+/// assert!((a - 1.0).abs() < 1e-15 && (b - 3_f64.sqrt()).abs() < 1e-15 && (c - 3.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn ellipsoid(mass: f64, least_moment: f64, distance: f64) -> Result<[f64; 3]> {
+    positive("the mass", mass)?;
+    positive("the least moment", least_moment)?;
+    not_negative("the distance of the pivot from the centre", distance)?;
+    let reach = (0.5 * (least_moment / mass)).sqrt();
+    if distance >= reach {
+        return Err(Error::Condition {
+            condition: "twice the mass times the square of the pivot's distance must be less than the least moment",
+            value: distance,
+        });
+    }
+    let b = finite("a semi-axis", 5_f64.sqrt() * reach)?;
+    let a = 5_f64.sqrt() * ((reach - distance) * (reach + distance)).sqrt();
+    Ok([a, b, finite("a semi-axis", 3_f64.sqrt() * b)?])
 }

@@ -30,6 +30,8 @@ pub use dip::{Cycloid, Dip, dip};
 pub use kinds::{Nutation, Roots};
 pub use motion::{LagrangeTop, State};
 pub use pendulum::{Apsides, apsides, pendulum_between, pendulum_from_integrals};
-pub use precession::{FastSpin, PurePrecession, fast_spin, pure_precession};
+pub use precession::{
+    FastSpin, PurePrecession, fast_spin, least_axial_angular_momentum, pure_precession,
+};
 pub(crate) use preparation::Exact;
 pub use sleeping::{sleeping_threshold, tilt_after_kick};

@@ -28,4 +28,5 @@ pub mod shot;
 pub mod spool;
 pub(crate) mod stretch;
 
+pub use friction::painleve_friction;
 pub use shot::{Regime, RoundBody, Shot, SlideToRoll, factor, slide_to_roll};

@@ -61,6 +61,12 @@ fn s2_6_cylinder() -> Result<()> {
         )
     });
     assert_inertia(&body, entries);
+    let on_ellipse = cubature([unit_gauss(), circle(), gauss()], |[r, phi, u]| {
+        let (sine, cosine) = phi.sin_cos();
+        ([0.7 * r * cosine, 1.3 * r * sine, 0.5 * height * u], r)
+    });
+    let oval = shapes::elliptic_cylinder(3.0, [0.7, 1.3], height)?;
+    assert_inertia(&oval, on_ellipse);
     let mut uniform = Uniform(62);
     for _ in 0..50 {
         let phi = 7.0 * uniform.next();

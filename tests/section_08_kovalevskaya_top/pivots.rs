@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 use spinning_bodies::Error;
 use spinning_bodies::euler_equations::Integrability;
 use spinning_bodies::inertia::{PrincipalMoments, shapes};
-use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method};
+use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, ellipsoid};
 use support::{observed, relative};
 
 use crate::common::{EPS, MOMENTS, Result, points, q, register, vector};
@@ -46,6 +46,11 @@ fn s8_1_ellipsoids_that_are_her_top() -> Result {
     }
     // And a member that is given to the constructor.
     let found = moments([0.5, 1.0, 3_f64.sqrt()], 0.15_f64.sqrt())?;
+    let back = ellipsoid(1.0, found[2], 0.15_f64.sqrt())?;
+    for (axis, expected) in back.into_iter().zip([0.5, 1.0, 3_f64.sqrt()]) {
+        assert_relative_eq!(axis, expected, max_relative = 3.0 * EPS, epsilon = 0.0);
+    }
+    assert!(ellipsoid(1.0, 1.0, 0.5_f64.sqrt()).is_err());
     let top = KovalevskayaTop::with_up(
         found,
         vector([0.15_f64.sqrt(), 0.0, 0.0]),

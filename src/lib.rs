@@ -53,7 +53,11 @@ pub mod yo_yo;
 
 pub use error::{Error, Result};
 
-// The README's example is a test like any other.
+// The examples on the front pages are tests like any other.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
-struct Readme;
+struct FrontPage;
+
+#[cfg(doctest)]
+#[doc = include_str!("README.md")]
+struct RegistryPage;

@@ -229,6 +229,17 @@ fn wrapped(angle: f64) -> f64 {
     }
 }
 
+/// The vector, if all its components are finite.
+pub(crate) fn finite_vector<Axes>(
+    quantity: &'static str,
+    vector: FrameVector<Axes>,
+) -> Result<FrameVector<Axes>> {
+    for component in vector.components().iter() {
+        finite(quantity, *component)?;
+    }
+    Ok(vector)
+}
+
 /// How the body stands in space: the rotation that turns body axes into space axes, as a unit quaternion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attitude(UnitQuaternion<f64>);

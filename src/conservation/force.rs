@@ -1,7 +1,7 @@
 //! What changes momentum and angular momentum (tutorial 3.2).
 
 use crate::error::{Result, positive};
-use crate::frame::SpaceVector;
+use crate::frame::{SpaceVector, finite_vector};
 
 /// A total force and its total torque about a stated point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,9 +38,9 @@ pub fn uniform_gravity(
     gravity: SpaceVector,
 ) -> Result<ForceAndTorque> {
     let mass = positive("the mass", mass)?;
-    super::particles::finite_vector("the centre of mass", center)?;
-    super::particles::finite_vector("the point that torque is taken about", about)?;
-    super::particles::finite_vector("gravity", gravity)?;
+    finite_vector("the centre of mass", center)?;
+    finite_vector("the point that torque is taken about", about)?;
+    finite_vector("gravity", gravity)?;
     let force = mass * gravity;
     Ok(ForceAndTorque {
         force,

@@ -29,6 +29,5 @@ mod sum;
 
 pub use force::{ForceAndTorque, angular_momentum_rate, uniform_gravity};
 pub use ledger::{Entry, Law, Ledger, ScalarAccount, VectorAccount};
-pub(crate) use particles::finite_vector;
 pub use particles::{AngularMomentumParts, EnergyParts, Particle, Particles};
 pub use sum::CompensatedSum;

@@ -2,7 +2,7 @@
 
 use super::force::ForceAndTorque;
 use crate::error::{Error, Result, finite, positive};
-use crate::frame::SpaceVector;
+use crate::frame::{SpaceVector, finite_vector};
 
 /// A point mass and how it moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -205,15 +205,4 @@ impl Particles {
         }
         finite_vector("the internal torque", torque)
     }
-}
-
-/// `vector`, if all components are finite.
-pub(crate) fn finite_vector<Axes>(
-    quantity: &'static str,
-    vector: crate::frame::FrameVector<Axes>,
-) -> Result<crate::frame::FrameVector<Axes>> {
-    for component in vector.components().iter() {
-        finite(quantity, *component)?;
-    }
-    Ok(vector)
 }

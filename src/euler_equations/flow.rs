@@ -1,8 +1,9 @@
 //! Euler's equations as a flow: without torque L moves on the sphere |L| = const (tutorial 5.1, 6.3).
 
-use super::{AxisMoments, finite_vector, runge_kutta};
+use super::{AxisMoments, runge_kutta};
 use crate::error::{Result, finite};
 use crate::frame::BodyVector;
+use crate::frame::finite_vector;
 use crate::inertia::PrincipalMoments;
 
 /// ∂L/∂t = L∧Ω in N m: Euler's equations without torque, for the angular momentum seen from the body (5.1).

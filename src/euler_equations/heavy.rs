@@ -1,8 +1,9 @@
 //! A top under gravity about a fixed point, and the question which tops have a further integral (tutorial 5.3, 8.1, 8.2).
 
-use super::{AxisMoments, finite_vector, rate, runge_kutta};
+use super::{AxisMoments, rate, runge_kutta};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::BodyVector;
+use crate::frame::finite_vector;
 
 /// A top with a fixed point O under uniform gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]

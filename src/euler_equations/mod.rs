@@ -22,7 +22,7 @@ pub(crate) use heavy::classify;
 pub use heavy::{HeavyTop, Integrability, Integral, TopState};
 pub use springs::SpringBody;
 
-use crate::error::{Error, Result, positive};
+use crate::error::{Result, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments};
 
@@ -240,12 +240,4 @@ pub(crate) fn runge_kutta<const N: usize>(
     let k3 = rate(&shifted(&k2, 0.5 * h));
     let k4 = rate(&shifted(&k3, h));
     core::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
-}
-
-/// Refuses a vector with a component that is not finite.
-pub(crate) fn finite_vector(quantity: &'static str, vector: BodyVector) -> Result<BodyVector> {
-    match vector.components().iter().find(|c| !c.is_finite()) {
-        Some(&value) => Err(Error::NotFinite { quantity, value }),
-        None => Ok(vector),
-    }
 }

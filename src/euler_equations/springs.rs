@@ -32,7 +32,7 @@ impl SpringBody {
     /// [`Error::NotPositive`] for the stiffness or for a lamina, whose pairs coincide; [`Error::NotFinite`].
     pub fn new(moments: AxisMoments, stiffness: f64, omega: BodyVector) -> Result<Self> {
         positive("the stiffness", stiffness)?;
-        super::finite_vector("the angular velocity", omega)?;
+        crate::frame::finite_vector("the angular velocity", omega)?;
         let [i1, i2, i3] = moments.values();
         let squares = [i2 - i1 + i3, i3 - i2 + i1, i1 - i3 + i2];
         let mut positions = [Vector3::zeros(); 6];

@@ -1,15 +1,13 @@
 //! The attitude at any time: by theta functions, and where those are out of reach walked for a short time and by a double series for a long one (8.2).
 
-use std::sync::OnceLock;
-
 use nalgebra::Quaternion;
 
 use super::exact::{Exact, Reason};
 use super::grid::OnGrid;
 use super::precession::Precession;
-use super::taylor::Carried;
+use super::taylor::{Carried, about_third};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
-use super::walk::{Walk, about_third};
+use super::walk::Walk;
 use crate::error::Result;
 use crate::euler_equations::TopState;
 use crate::euler_top::EulerTop;
@@ -30,24 +28,11 @@ pub enum AttitudeMethod {
     FreeTop,
 }
 
-/// What is prepared at its first use. It follows from the rest of the top, so no top differs from another by it.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Prepared {
-    theta: OnceLock<Option<Box<Precession>>>,
-    on_grid: OnceLock<Option<Box<OnGrid>>>,
-}
-
 /// The angle about the vertical: by theta functions, or on a grid where the periods of the curve cannot be had.
 #[derive(Debug, Clone, Copy)]
 enum Azimuth<'a> {
     Theta(&'a Precession),
     OnGrid(&'a OnGrid),
-}
-
-impl PartialEq for Prepared {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
 }
 
 /// Ω, z and the attitude of a separated motion at any time at the same cost (8.2).

@@ -7,9 +7,8 @@ use nalgebra::{Complex, Quaternion, Vector3};
 use super::constants::Constants;
 use super::exact::Exact;
 use super::fourier::{DoubleSeries, Grid};
-use super::taylor::Carried;
+use super::taylor::{Carried, about_third, shortest};
 use super::torus::Torus;
-use super::walk::{about_third, shortest};
 
 /// The four functions of u₁, u₂ that are needed besides z, and the rates: all that the angle about the vertical depends on.
 #[derive(Debug, Clone, PartialEq)]

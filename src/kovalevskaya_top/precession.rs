@@ -21,9 +21,8 @@ use super::constants::{Constants, Phase};
 use super::exact::Exact;
 use super::factors::{FEW, Factor, MANY, Witness, products};
 use super::periods::Curve;
-use super::taylor::Carried;
+use super::taylor::{Carried, about_third, shortest};
 use super::theta::unit;
-use super::walk::{about_third, shortest};
 
 type Number = Complex<f64>;
 

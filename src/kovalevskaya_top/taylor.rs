@@ -1,6 +1,6 @@
 //! The Euler–Poisson equations by their own power series, and the way back to the surface of the constants (8.2).
 
-use nalgebra::{Matrix4, SMatrix, SVector};
+use nalgebra::{Matrix4, Quaternion, SMatrix, SVector};
 
 use super::constants::{Constants, Phase, WidePhase};
 use crate::precise::DoubleDouble;
@@ -202,3 +202,22 @@ pub(super) fn project(constants: &Constants, state: &Phase) -> Phase {
     core::array::from_fn(|i| state[i] - change[i])
 }
 // ANCHOR_END: projection
+
+/// A turn about the third axis, as a unit quaternion.
+pub(super) fn about_third(angle: f64) -> Quaternion<f64> {
+    let (sine, cosine) = (0.5 * angle).sin_cos();
+    Quaternion::new(cosine, 0.0, 0.0, sine)
+}
+
+/// The shortest turn of a unit vector onto the third axis, as a unit quaternion; from below by way of half a turn about axis 1.
+pub(super) fn shortest([x, y, z]: [f64; 3]) -> Quaternion<f64> {
+    let onto = |x: f64, y: f64, z: f64| {
+        let turn = Quaternion::new(1.0 + z, y, -x, 0.0);
+        turn / turn.norm()
+    };
+    if z < 0.0 {
+        onto(x, -y, -z) * Quaternion::new(0.0, 1.0, 0.0, 0.0)
+    } else {
+        onto(x, y, z)
+    }
+}

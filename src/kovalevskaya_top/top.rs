@@ -1,18 +1,20 @@
 //! The top itself: units and axes taken off, the regime decided, Ω, z and attitude at any time (8.1, 8.2).
 
+use std::sync::OnceLock;
+
 use nalgebra::Complex;
 
-use super::attitude::Prepared;
 use super::classes::{Kind, classify};
 use super::constants::{Constants, Phase, WidePhase};
 use super::exact::{Exact, Reason};
+use super::grid::OnGrid;
+use super::precession::Precession;
 use super::separation::Variables;
-use super::taylor::Carried;
-use super::walk::{about_third, shortest};
+use super::taylor::{Carried, about_third, shortest};
 use crate::error::{Error, Result, finite, not_negative, positive};
-use crate::euler_equations::{AxisMoments, HeavyTop, TopState, finite_vector};
+use crate::euler_equations::{AxisMoments, HeavyTop, TopState};
 use crate::euler_top::EulerTop;
-use crate::frame::{Attitude, BodyVector};
+use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::precise::{DoubleDouble, power_of_two_below};
 
 /// How the motion is computed.
@@ -47,6 +49,19 @@ pub struct Integrals {
     pub vertical_angular_momentum: f64,
     /// Her constant |K| = |(Ω₁+iΩ₂)² − (Mg/I₃)(C₁+iC₂)(z₁+iz₂)|, 1/s².
     pub kovalevskaya: f64,
+}
+
+/// What is prepared at its first use. It follows from the rest of the top, so no top differs from another by it.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Prepared {
+    pub theta: OnceLock<Option<Box<Precession>>>,
+    pub on_grid: OnceLock<Option<Box<OnGrid>>>,
+}
+
+impl PartialEq for Prepared {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// A top with I₁ = I₂ = 2I₃ and its centre of mass on the plane of axes 1 and 2, its motion prepared.

@@ -3,7 +3,7 @@
 use nalgebra::Quaternion;
 
 use super::constants::{Phase, WidePhase};
-use super::taylor::{Carried, Series, WideSeries};
+use super::taylor::{Carried, Series, WideSeries, shortest};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
 use crate::error::{Error, Result};
 use crate::precise::DoubleDouble;
@@ -121,23 +121,5 @@ impl<'a> Walk<'a> {
         self.off = core::array::from_fn(|i| {
             grown[i] + (DoubleDouble::from(rounded[i]) - self.wide[i]).value()
         });
-    }
-}
-
-pub(super) fn about_third(angle: f64) -> Quaternion<f64> {
-    let (sine, cosine) = (0.5 * angle).sin_cos();
-    Quaternion::new(cosine, 0.0, 0.0, sine)
-}
-
-/// The shortest turn of a unit vector onto the third axis, as a unit quaternion; from below by way of half a turn about axis 1.
-pub(super) fn shortest([x, y, z]: [f64; 3]) -> Quaternion<f64> {
-    let onto = |x: f64, y: f64, z: f64| {
-        let turn = Quaternion::new(1.0 + z, y, -x, 0.0);
-        turn / turn.norm()
-    };
-    if z < 0.0 {
-        onto(x, -y, -z) * Quaternion::new(0.0, 1.0, 0.0, 0.0)
-    } else {
-        onto(x, y, z)
     }
 }

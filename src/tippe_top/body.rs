@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::surface::{Surface, mirrored};
-use crate::conservation::finite_vector;
 use crate::error::{Error, Result, finite, positive};
+use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::{InertiaMatrix, PrincipalAxes};
 

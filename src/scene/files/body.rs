@@ -6,11 +6,10 @@ use nalgebra::Matrix3;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::reader::{Place, Reader, Table};
-use super::values::{
-    Bound::{From, NotNegative, Positive},
-    Key, KeyRow, Section, Value, Word, section,
-};
+use super::keys::Bound::{From, NotNegative, Positive};
+use super::keys::{Key, KeyRow};
+use super::reader::{Place, Reader, Section, Table, Value};
+use super::values::{Word, section};
 use crate::error::Result;
 use crate::frame::BodyVector;
 use crate::inertia::mesh::{mesh_of_obj, mesh_of_stl};

@@ -3,11 +3,9 @@
 
 use core::f64::consts::PI;
 
+use super::keys::Bound::{From, NotNegative, Positive};
 use super::reader::Reader;
-use super::values::{
-    Bound::{From, NotNegative, Positive},
-    Flat, keys, section,
-};
+use super::values::{Flat, keys, section};
 use super::{listed, with};
 use crate::frame::Attitude;
 use crate::phenomena;

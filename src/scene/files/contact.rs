@@ -1,11 +1,9 @@
 //! `kind = "meteorite"`, `"roller"`, `"spool"`, `"superball"`: what strikes, skids, rolls and bounces (4.2 to 4.6).
 
 use super::body::{Matter, Round, inertia_factor};
+use super::keys::Bound::{From, NotNegative, Positive};
 use super::reader::Reader;
-use super::values::{
-    Bound::{From, NotNegative, Positive},
-    Flat, section,
-};
+use super::values::{Flat, section};
 use super::{listed, with};
 use crate::frame::BodyVector;
 use crate::impacts::{Impact, Meteorite, Planet};

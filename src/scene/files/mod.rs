@@ -27,6 +27,7 @@
 mod body;
 mod changing;
 mod contact;
+mod keys;
 mod reader;
 mod run;
 mod strip;
@@ -36,17 +37,18 @@ mod values;
 mod yo_yo;
 
 pub use body::shape_keys;
+pub use keys::KeyRow;
 pub use reader::{Mistake, Mistakes, Open, meant};
 pub use run::telling;
-pub use values::KeyRow;
 
 use toml::de::{DeTable, DeValue};
 
 use super::effects::Effect;
 use super::{AnyScene, Request, Scene};
-use reader::{Reader, Table, find};
+use keys::Key;
+use reader::{Reader, Section, Table, Value, find};
 use run::Run;
-use values::{Key, Section, Value, Word};
+use values::Word;
 
 /// Effects that may be listed, as values.
 macro_rules! listed {

@@ -7,7 +7,7 @@ use core::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::values::{Key, Section, Value};
+use super::keys::{Key, KeyRow};
 
 /// What is wrong with a file: in one line the file, the line, the key, and what was expected.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -179,6 +179,46 @@ fn named(keys: &str) -> String {
         }
     }
     told
+}
+
+/// What may stand after a key.
+pub(super) trait Value: Sized {
+    /// What is expected, in words.
+    fn expected(key: &Key) -> String {
+        key.expected("")
+    }
+
+    /// From what stands there.
+    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self>;
+
+    /// What stands for it where it is absent, and how that is told; nothing where it must be there.
+    fn absent() -> Option<(Self, &'static str)> {
+        None
+    }
+
+    /// From its table: a value that is made of several keys takes them itself.
+    fn take(table: &Table<'_>, key: &Key, default: Option<Self>) -> Option<Self> {
+        table.value(key, default)
+    }
+
+    /// The rows of the page of keys.
+    fn rows(section: &str, key: &Key, default: Option<String>) -> Vec<KeyRow> {
+        vec![KeyRow {
+            section: section.to_owned(),
+            key: key.name,
+            expected: Self::expected(key),
+            absent: default.or_else(|| Self::absent().map(|(_, told)| told.to_owned())),
+        }]
+    }
+}
+
+/// A table of declared keys.
+pub(super) trait Section: Sized {
+    /// Reads all of them.
+    fn fields(table: &Table<'_>) -> Option<Self>;
+
+    /// Lists them.
+    fn all_rows(section: &str) -> Vec<KeyRow>;
 }
 
 /// A table of the file, or the file itself.

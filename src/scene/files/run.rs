@@ -1,7 +1,8 @@
 //! `[run]`: when, how well, and by which solver.
 
+use super::keys::Bound;
 use super::reader::{Reader, meant};
-use super::values::{Bound, section};
+use super::values::section;
 use crate::scene::{AnyScene, Choice, Request, UnknownColumn};
 
 /// Most rows of a run: some gigabytes of output.

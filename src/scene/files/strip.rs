@@ -1,10 +1,8 @@
 //! `kind = "strip"`: a strip that falls through a fluid, or through none (4.10).
 
+use super::keys::Bound::{NotNegative, Positive};
 use super::reader::Reader;
-use super::values::{
-    Bound::{NotNegative, Positive},
-    keys, section,
-};
+use super::values::{keys, section};
 use super::{listed, with};
 use crate::falling_strip::Plate;
 use crate::scene::effects::{AddedMass, Drag, Gravity, Lift, RotationalDamping};

@@ -1,11 +1,9 @@
 //! `kind = "table-top"`: a body that stands on a table (4.7).
 
 use super::body::{Matter, Shapeless};
+use super::keys::Bound::{NotNegative, Positive};
 use super::reader::Reader;
-use super::values::{
-    Bound::{NotNegative, Positive},
-    Flat, Word, section,
-};
+use super::values::{Flat, Word, section};
 use super::{listed, with};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::scene::contact::TableTop;

@@ -1,11 +1,11 @@
 //! What may stand after a key, and the tables made of it: each declared once, for the reader and for the page of keys.
 
-use core::fmt::Display;
-
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::reader::{Place, Table, meant};
+use super::keys::{Key, KeyRow};
+use super::reader::{Place, Section, Table, Value, meant};
+
 use crate::error::Number;
 use crate::frame::{Attitude, BodyVector};
 use crate::scene::effects::{
@@ -13,121 +13,6 @@ use crate::scene::effects::{
     RollingResistance, Sleep, TipFriction, TurnLoss,
 };
 use crate::scene::{Choice, Solver};
-
-/// Between what bounds a number must lie.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Bound {
-    Positive,
-    NotNegative,
-    /// Both included.
-    From(f64, f64),
-}
-
-impl Bound {
-    fn holds(self, number: f64) -> bool {
-        match self {
-            Self::Positive => number > 0.0,
-            Self::NotNegative => number >= 0.0,
-            Self::From(least, most) => (least..=most).contains(&number),
-        }
-    }
-}
-
-/// A key as it is declared.
-pub(super) struct Key {
-    pub name: &'static str,
-    /// What is expected: "a mass in kg".
-    pub what: &'static str,
-    pub bound: Option<Bound>,
-}
-
-impl Key {
-    pub const fn new(name: &'static str, what: &'static str) -> Self {
-        Self {
-            name,
-            what,
-            bound: None,
-        }
-    }
-
-    pub const fn within(self, bound: Bound) -> Self {
-        Self {
-            bound: Some(bound),
-            ..self
-        }
-    }
-
-    /// What is expected, `shape` said after it, and the bound.
-    fn expected(&self, shape: impl Display) -> String {
-        let bound = match self.bound {
-            None => String::new(),
-            Some(Bound::Positive) => ", positive".to_owned(),
-            Some(Bound::NotNegative) => ", not negative".to_owned(),
-            Some(Bound::From(least, most)) => {
-                // Counts are not told by an exponent.
-                let told = |bound: f64| match bound.fract() {
-                    0.0 => bound.to_string(),
-                    _ => Number(bound).to_string(),
-                };
-                format!(" from {} to {}", told(least), told(most))
-            }
-        };
-        format!("{}{shape}{bound}", self.what)
-    }
-}
-
-/// A key, for a page of keys.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct KeyRow {
-    /// The table it stands in, such as `body` or `effects.draw`; nothing for the file itself.
-    pub section: String,
-    /// The key.
-    pub key: &'static str,
-    /// What is expected: "a mass in kg, positive".
-    pub expected: String,
-    /// What stands for it where it is absent; nothing if it must be there.
-    pub absent: Option<String>,
-}
-
-/// What may stand after a key.
-pub(super) trait Value: Sized {
-    /// What is expected, in words.
-    fn expected(key: &Key) -> String {
-        key.expected("")
-    }
-
-    /// From what stands there.
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self>;
-
-    /// What stands for it where it is absent, and how that is told; nothing where it must be there.
-    fn absent() -> Option<(Self, &'static str)> {
-        None
-    }
-
-    /// From its table: a value that is made of several keys takes them itself.
-    fn take(table: &Table<'_>, key: &Key, default: Option<Self>) -> Option<Self> {
-        table.value(key, default)
-    }
-
-    /// The rows of the page of keys.
-    fn rows(section: &str, key: &Key, default: Option<String>) -> Vec<KeyRow> {
-        vec![KeyRow {
-            section: section.to_owned(),
-            key: key.name,
-            expected: Self::expected(key),
-            absent: default.or_else(|| Self::absent().map(|(_, told)| told.to_owned())),
-        }]
-    }
-}
-
-/// A table of declared keys.
-pub(super) trait Section: Sized {
-    /// Reads all of them.
-    fn fields(table: &Table<'_>) -> Option<Self>;
-
-    /// Lists them.
-    fn all_rows(section: &str) -> Vec<KeyRow>;
-}
 
 /// Declares tables: a struct each with a line for each key, `name: type, "what is expected, in its unit", bound;`, the bound left out where any number
 /// will do. An `Option` may be absent, `name: type = value` stands for what is.
@@ -155,8 +40,8 @@ macro_rules! keys {
         const _: () = {
             use toml::Spanned;
             use toml::de::DeValue;
-            use $crate::scene::files::reader::{Place, Table};
-            use $crate::scene::files::values::{Key, KeyRow, Section, Value};
+            use $crate::scene::files::keys::{Key, KeyRow};
+            use $crate::scene::files::reader::{Place, Section, Table, Value};
 
             impl Section for $name {
                 #[allow(unused_variables, reason = "a table may have no keys")]

@@ -1,10 +1,8 @@
 //! `kind = "yo-yo"`: a yo-yo, let go or thrown (4.9).
 
+use super::keys::Bound::{NotNegative, Positive};
 use super::reader::Reader;
-use super::values::{
-    Bound::{NotNegative, Positive},
-    section,
-};
+use super::values::section;
 use super::{listed, with};
 use crate::scene::effects::{AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss};
 use crate::scene::yo_yo::Play;

@@ -5,8 +5,9 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::path::{Turnover, next_of};
-use crate::conservation::{Ledger, finite_vector};
+use crate::conservation::Ledger;
 use crate::error::Result;
+use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::integrators::Kept;
 use crate::phenomena::cat::{self, Bend, EqualHalves};

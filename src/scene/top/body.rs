@@ -3,7 +3,7 @@
 use nalgebra::{Rotation3, UnitQuaternion};
 
 use crate::error::{Error, Result, finite, not_negative};
-use crate::euler_equations::finite_vector;
+use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments};
 use crate::integrators::geometric::Phase;

@@ -7,6 +7,7 @@
 //! | 6.5 | two equal moments: sines and cosines | [`SymmetricTop`] |
 //! | 6.5 | the example everybody lives on | [`earth`] |
 //! | 6.1, 6.4, 6.6, 6.8 | Ω, L and attitude of any body at any time; period, mean precession, geometric phase | [`EulerTop`] |
+//! | 2.3, 6.6 | the same along axes that are no principal ones | [`FreeBody`] |
 //! | 6.6, 6.8 | the same for many times or many bodies at once | [`EulerTop::states_at`], [`Ensemble`], [`released_states`] |
 //! | 6.6, 6.8 | an asteroid that is no symmetric top | [`toutatis`] |
 //!
@@ -22,6 +23,7 @@ mod batch;
 pub mod earth;
 mod evaluation;
 mod motion;
+mod own_axes;
 mod poinsot;
 mod preparation;
 mod separation;
@@ -33,6 +35,7 @@ mod turning;
 
 pub use batch::{Ensemble, Release, released_states};
 pub use motion::{EulerTop, GeometricPhase, Regime, State};
+pub use own_axes::FreeBody;
 pub use poinsot::{Poinsot, Sector};
 pub use separation::separatrix_slope;
 pub use symmetric::{Cones, Shape, SymmetricTop};

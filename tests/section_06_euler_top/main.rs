@@ -12,6 +12,7 @@ mod common;
 #[path = "../support/free_top.rs"]
 mod free_top;
 mod integrals;
+mod own_axes;
 mod picture;
 mod poinsot;
 mod regimes;

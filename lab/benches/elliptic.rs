@@ -1,4 +1,4 @@
-//! Jacobi functions: time beside GSL's, in one run.
+//! Jacobi functions: time beside GSL's, and incomplete integrals beside those of Boost in long double and of GSL, in one run.
 //!
 //! `lab/peers/build.sh && cargo bench -p lab --bench elliptic`. Without the first step the peer's columns are
 //! empty. Each time is the least of many runs over the same arguments, ours and the peer's in turn.
@@ -12,7 +12,10 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use spinning_bodies::Result;
-use spinning_bodies::elliptic::{Jacobi, Modulus, Parameter, sn_cn_dn};
+use spinning_bodies::elliptic::{
+    Characteristic, Jacobi, Modulus, Parameter, carlson, incomplete_first, incomplete_second,
+    incomplete_third, sn_cn_dn,
+};
 use support::{Uniform, only_tested};
 
 /// Arguments for each modulus, and moduli in a set.
@@ -59,6 +62,105 @@ fn main() -> Result<()> {
             groups.push((parameter, arguments));
         }
         measure(name, &groups)?;
+    }
+    integrals(&mut uniform)
+}
+
+/// A function of the peer, what its arguments are, how they are drawn, and the same of ours.
+type Integral = (
+    &'static str,
+    &'static str,
+    fn(&mut Uniform) -> [f64; 4],
+    fn(&[f64; 4]) -> Result<f64>,
+);
+
+const INTEGRALS: [Integral; 11] = [
+    ("F", "phi < pi/2", angle, first),
+    ("F", "|phi| < 100", long_angle, first),
+    ("E", "phi < pi/2", angle, |[phi, m, ..]| {
+        incomplete_second(*phi, Parameter::from_parameter(*m)?)
+    }),
+    ("Pi", "0 < n < 1", angle, third),
+    ("Pi", "-1 < n < 0", negative_angle, third),
+    ("RF", "0 to 1", four, |[x, y, z, _]| carlson::rf(*x, *y, *z)),
+    ("RF", "1e-20 to 1e20", wide, |[x, y, z, _]| {
+        carlson::rf(*x, *y, *z)
+    }),
+    ("RC", "0 to 1", four, |[x, y, ..]| carlson::rc(*x, *y)),
+    ("RD", "0 to 1", four, |[x, y, z, _]| carlson::rd(*x, *y, *z)),
+    ("RJ", "0 to 1", four, |[x, y, z, p]| {
+        carlson::rj(*x, *y, *z, *p)
+    }),
+    ("RJ", "1e-20 to 1e20", wide, |[x, y, z, p]| {
+        carlson::rj(*x, *y, *z, *p)
+    }),
+];
+
+fn four(u: &mut Uniform) -> [f64; 4] {
+    [(); 4].map(|()| u.next())
+}
+
+fn wide(u: &mut Uniform) -> [f64; 4] {
+    four(u).map(|x| 10_f64.powf(40.0 * x - 20.0))
+}
+
+/// φ, m and n.
+fn angle(u: &mut Uniform) -> [f64; 4] {
+    let [turn, m, n, rest] = four(u);
+    [turn * std::f64::consts::FRAC_PI_2, m, n, rest]
+}
+
+fn negative_angle(u: &mut Uniform) -> [f64; 4] {
+    let [phi, m, n, rest] = angle(u);
+    [phi, m, -n, rest]
+}
+
+fn long_angle(u: &mut Uniform) -> [f64; 4] {
+    let [turn, m, n, rest] = four(u);
+    [200.0 * turn - 100.0, m, n, rest]
+}
+
+fn first([phi, m, ..]: &[f64; 4]) -> Result<f64> {
+    incomplete_first(*phi, Parameter::from_parameter(*m)?)
+}
+
+fn third([phi, m, n, _]: &[f64; 4]) -> Result<f64> {
+    let n = Characteristic::from_characteristic(*n)?;
+    incomplete_third(*phi, n, Parameter::from_parameter(*m)?)
+}
+
+fn integrals(uniform: &mut Uniform) -> Result<()> {
+    println!("\nintegrals; ns each, and our part of the peer's time");
+    println!(
+        "{:>4} {:>14} {:>8} {:>16} {:>16}",
+        "", "arguments", "ours", "Boost, 64 bits", "GSL, 53 bits"
+    );
+    for (function, name, draw, ours) in INTEGRALS {
+        let rows: Vec<[f64; 4]> = (0..ARGUMENTS).map(|_| draw(uniform)).collect();
+        let lines: Vec<String> = rows
+            .iter()
+            .map(|[a, b, c, d]| format!("{a:e} {b:e} {c:e} {d:e}\n"))
+            .collect();
+        let mut best = [f64::INFINITY; 3];
+        for _ in 0..5 {
+            for _ in 0..8 {
+                let start = Instant::now();
+                for row in &rows {
+                    black_box(ours(black_box(row))?);
+                }
+                best[0] = best[0].min(start.elapsed().as_secs_f64() * 1e9 / ARGUMENTS as f64);
+            }
+            let times = told("elliptic_integrals", &[function], &lines.concat());
+            for (best, time) in best[1..].iter_mut().zip(times) {
+                *best = best.min(time);
+            }
+        }
+        let [ours, boost, gsl] = best;
+        println!(
+            "{function:>4} {name:>14} {ours:>8.1} {boost:>8.1} {:>7.3} {gsl:>8.1} {:>7.3}",
+            ours / boost,
+            ours / gsl
+        );
     }
     Ok(())
 }
@@ -146,20 +248,28 @@ fn each(mut work: impl FnMut() -> Result<()>) -> Result<f64> {
 
 /// The peer's time for the same list, if it was built.
 fn peer(groups: &[Group]) -> Option<f64> {
-    let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/peers/elliptic_gsl");
-    let mut child = Command::new(program)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .ok()?;
     let mut input = String::new();
     for (parameter, arguments) in groups {
         for u in arguments {
             input.push_str(&format!("{u:e} {:e}\n", parameter.m()));
         }
     }
-    child.stdin.take()?.write_all(input.as_bytes()).ok()?;
-    let output = child.wait_with_output().ok()?;
-    let text = String::from_utf8(output.stdout).ok()?;
-    text.split_whitespace().next()?.parse().ok()
+    told("elliptic_gsl", &[], &input).first().copied()
+}
+
+/// The numbers a peer tells for an input; none if it was not built.
+fn told(program: &str, arguments: &[&str], input: &str) -> Vec<f64> {
+    let run = || {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/peers");
+        let mut child = Command::new(folder.join(program))
+            .args(arguments)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .ok()?;
+        child.stdin.take()?.write_all(input.as_bytes()).ok()?;
+        String::from_utf8(child.wait_with_output().ok()?.stdout).ok()
+    };
+    let text = run().unwrap_or_default();
+    text.split_whitespace().flat_map(str::parse).collect()
 }

@@ -1,5 +1,6 @@
 //! Theta functions of complex arguments u + iη, of which the angles of the exact tops are made (tutorial 6.8, 7.2).
 
+use super::kernel::select;
 use super::landen::Landen;
 use super::local::Crest;
 use crate::precise::{Number, Words};
@@ -86,12 +87,6 @@ impl<N: Number> Elevation<N> {
         Exponentials::new(self.which, sinh, landen.nome)
     }
 
-    /// For m ≤ 1/2 and a `run` that is not zero, without a branch.
-    #[inline(always)]
-    pub(crate) fn bounded_exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials<N::Narrow> {
-        Exponentials::new(self.which, self.hyperbolic_sine(landen, m), landen.nome)
-    }
-
     /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
     #[inline(always)]
     fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
@@ -123,20 +118,18 @@ impl<N: Number> Elevation<N> {
     }
 }
 
-/// ϑ₂(ix − v), x = πu/2K′, nome q′, and ϑ₃ where u is next to an odd multiple of K: real part, and imaginary part over
-/// the odd factor, as polynomials in 4√q′ sinh² x.
+/// A theta function of u + iη as polynomials: real part, and imaginary part over the odd factor. For m ≤ 1/2 in sin² z, z = πu/2K, and alike everywhere; beyond in
+/// 4√q′ sinh² x, x = πu/2K′, next to even and next to odd multiples of K.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct DualTheta {
-    even_real: [f64; 4],
-    even_imaginary: [f64; 4],
-    odd_real: [f64; 4],
-    odd_imaginary: [f64; 3],
+pub(crate) struct Theta {
+    pub(crate) even: [[f64; 4]; 2],
+    pub(crate) odd: [[f64; 4]; 2],
 }
 
-impl DualTheta {
-    /// With the nome q′ and the sine and cosine of v.
+impl Theta {
+    /// ϑ₂(ix − v), nome q′, from the sine and cosine of v; ϑ₃ next to odd multiples of K.
     #[inline(always)]
-    pub(crate) fn new(q: f64, s: f64, c: f64) -> Self {
+    pub(crate) fn dual(q: f64, s: f64, c: f64) -> Self {
         let (s2, s4) = (s * s, s * s * s * s);
         let root = q.sqrt();
         // cos (2j+1)v and sin (2j+1)v.
@@ -151,41 +144,44 @@ impl DualTheta {
         let (q2, q3) = (q * q, q * q * q);
         let (q5, q6, q7, q8) = (q2 * q3, q3 * q3, q2 * q2 * q3, q2 * q3 * q3);
         let (q4, q9, q10, q11) = (q2 * q2, q3 * q6, q5 * q5, q5 * q6);
+        let even_real = [
+            c + c3 * q2 + c5 * q6,
+            root * (c3 * q + 3.0 * c5 * q5),
+            c5 * q5 + 5.0 * c7 * q11,
+            root * (c7 * q10),
+        ];
+        let even_imaginary = [
+            s + 3.0 * k3 * q2 + 5.0 * k5 * q6,
+            root * (k3 * q + 5.0 * k5 * q5),
+            k5 * q5 + 7.0 * k7 * q11,
+            root * (k7 * q10),
+        ];
+        let odd_real = [
+            1.0 + 2.0 * (e2 * q + e4 * q4 + e6 * q9),
+            root * (e2 + 4.0 * e4 * q3 + 9.0 * e6 * q8),
+            e4 * q3 + 6.0 * e6 * q8,
+            root * (e6 * q7),
+        ];
+        let odd_imaginary = [
+            root * (f2 + 2.0 * f4 * q3 + 3.0 * f6 * q8),
+            // √q · √q.
+            q * (f4 * q2 + 4.0 * f6 * q7),
+            root * f6 * q7,
+            0.0,
+        ];
         Self {
-            even_real: [
-                c + c3 * q2 + c5 * q6,
-                root * (c3 * q + 3.0 * c5 * q5),
-                c5 * q5 + 5.0 * c7 * q11,
-                root * (c7 * q10),
-            ],
-            even_imaginary: [
-                s + 3.0 * k3 * q2 + 5.0 * k5 * q6,
-                root * (k3 * q + 5.0 * k5 * q5),
-                k5 * q5 + 7.0 * k7 * q11,
-                root * (k7 * q10),
-            ],
-            odd_real: [
-                1.0 + 2.0 * (e2 * q + e4 * q4 + e6 * q9),
-                root * (e2 + 4.0 * e4 * q3 + 9.0 * e6 * q8),
-                e4 * q3 + 6.0 * e6 * q8,
-                root * (e6 * q7),
-            ],
-            odd_imaginary: [
-                root * (f2 + 2.0 * f4 * q3 + 3.0 * f6 * q8),
-                // √q · √q.
-                q * (f4 * q2 + 4.0 * f6 * q7),
-                root * f6 * q7,
-            ],
+            even: [even_real, even_imaginary],
+            odd: [odd_real, odd_imaginary],
         }
     }
 
-    /// Real and imaginary part next to even and next to odd multiples of K.
+    /// The polynomials next to even multiples of K, or where the mask is ones next to odd ones.
     #[inline(always)]
-    pub(crate) fn coefficients(&self) -> [[[f64; 4]; 2]; 2] {
-        let [a, b, c] = self.odd_imaginary;
+    pub(crate) fn chosen(&self, mask: u64) -> [[f64; 4]; 2] {
+        let one = |part: usize, k: usize| select(mask, self.odd[part][k], self.even[part][k]);
         [
-            [self.even_real, self.even_imaginary],
-            [self.odd_real, [a, b, c, 0.0]],
+            [one(0, 0), one(0, 1), one(0, 2), one(0, 3)],
+            [one(1, 0), one(1, 1), one(1, 2), one(1, 3)],
         ]
     }
 
@@ -195,8 +191,8 @@ impl DualTheta {
         let sign = 1.0_f64.copysign(f64::from_bits(crest.sign));
         let square = root * root;
         if odd {
-            let (p, dp) = with_derivative(&self.odd_real, z);
-            let (q, dq) = with_derivative(&self.odd_imaginary, z);
+            let (p, dp) = with_derivative(&self.odd[0], z);
+            let (q, dq) = with_derivative(&self.odd[1], z);
             let product = if sine == 0.0 { 0.0 } else { z * cosine / sine };
             [
                 (p, sign * product * q),
@@ -206,8 +202,8 @@ impl DualTheta {
                 ),
             ]
         } else {
-            let (p, dp) = with_derivative(&self.even_real, z);
-            let (q, dq) = with_derivative(&self.even_imaginary, z);
+            let (p, dp) = with_derivative(&self.even[0], z);
+            let (q, dq) = with_derivative(&self.even[1], z);
             [
                 (cosine * p, sign * sine * q),
                 (
@@ -215,26 +211,6 @@ impl DualTheta {
                     cosine * (q + 2.0 * z * dq),
                 ),
             ]
-        }
-    }
-
-    /// Real and imaginary part after so many quarter periods, each of which has taken its angle v off; next to even ones over e^x.
-    #[inline(always)]
-    pub(crate) fn at(&self, quarters: f64, crest: &Crest) -> (f64, f64) {
-        let (sine, cosine, z) = (crest.wave.sine, crest.wave.cosine, crest.z);
-        let sign = 1.0_f64.copysign(f64::from_bits(crest.sign));
-        if (quarters as i64) & 1 == 0 {
-            (
-                cosine * polynomial(&self.even_real, z),
-                sign * sine * polynomial(&self.even_imaginary, z),
-            )
-        } else {
-            // 4√q′ sinh cosh = z cosh/sinh.
-            let product = if sine == 0.0 { 0.0 } else { z * cosine / sine };
-            (
-                polynomial(&self.odd_real, z),
-                sign * product * polynomial(&self.odd_imaginary, z),
-            )
         }
     }
 }

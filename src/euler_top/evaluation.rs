@@ -1,55 +1,257 @@
 //! A prepared motion at one time: where L is, by how much the body has turned, and what repeats (tutorial 6.6, 6.8).
+//!
+//! L is (P₁ cn u, P₂ sn u, P₃ dn u) along the renumbered axes, u = u₀ + λt, and the attitude a turn by ψ about L after the shortest
+//! rotation of L onto axis 3; [`turning`](super::turning) says what ψ is. A single time is a row of one lane.
+
+#![allow(
+    clippy::needless_range_loop,
+    reason = "a lane is its index: all rows are read and written at it"
+)]
 
 use nalgebra::Quaternion;
 
-use super::preparation::Constants;
-use crate::elliptic::Side;
-use crate::elliptic::local::{GREATEST_ANGLE, Place, sine_cosine};
+use super::motion::State;
+use super::start::Renumbering;
+use super::turning::Turning;
+use crate::elliptic::lanes::{
+    self, GREATEST_ANGLE, Places, quarters_reach, sine_cosine, sine_cosine_of_any, turned,
+    turning_reach,
+};
+use crate::elliptic::{Modulus, Side};
 use crate::error::{Result, too_long};
+use crate::frame::{Attitude, BodyVector};
 use crate::precise::{DoubleDouble, RIGHT_ANGLE};
 
-/// Where L is, along the renumbered axes.
-pub(super) struct Point {
-    place: Place,
-    sn: f64,
-    cn: f64,
-    pub(super) l: [f64; 3],
+/// The constants of a motion in which Ω moves in the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Constants {
+    pub(super) axes: Renumbering,
+    pub(super) modulus: Modulus,
+    /// u = `start` + `rate` t.
+    pub(super) start: DoubleDouble,
+    pub(super) rate: DoubleDouble,
+    /// P₁, P₂, P₃.
+    pub(super) amplitudes: [f64; 3],
+    pub(super) turning: Turning,
+    /// ψ = `turning_rate` t − quarters · lag + …
+    pub(super) turning_rate: DoubleDouble,
+}
+
+/// A motion ready for any time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Moving {
+    pub(super) constants: Constants,
+    /// What L, Ω and L/|L| have in front of cn, sn and dn, along the renumbered axes.
+    l: [f64; 3],
+    omega: [f64; 3],
+    direction: [f64; 3],
+    /// The attitude less what ψ and the rotation make of it, along those axes.
+    base: [f64; 4],
+    /// Up to this time, s, phases are reduced without a branch; beyond, and where rates are at the ends of the doubles, in 106 bits.
+    pub(super) reach: f64,
+}
+
+/// Rates outside 10^±280 would overflow or underflow in halves.
+const RATES: core::ops::RangeInclusive<f64> = 1e-280..=1e280;
+
+/// What one pass over the lanes hands to the next.
+pub(super) struct Work<const W: usize> {
+    places: Places<W>,
+    /// Sine and cosine of half of νt − quarters · lag; then of half of ψ, not normalised.
+    sine: [f64; W],
+    cosine: [f64; W],
+    /// Real and imaginary part of Z.
+    z: [[f64; W]; 2],
+    attitude: [[f64; W]; 4],
+}
+
+impl<const W: usize> Work<W> {
+    pub(super) fn new() -> Self {
+        Self {
+            places: Places::new(),
+            sine: [0.0; W],
+            cosine: [0.0; W],
+            z: [[0.0; W]; 2],
+            attitude: [[0.0; W]; 4],
+        }
+    }
+
+    /// The states at these times, each within reach.
+    #[inline(always)]
+    pub(super) fn states(&mut self, body: &Moving, times: &[f64; W]) {
+        let Constants {
+            modulus,
+            start,
+            rate,
+            turning,
+            turning_rate,
+            ..
+        } = &body.constants;
+        for i in 0..W {
+            let [high, low] = lanes::product(*rate, times[i]);
+            let u = DoubleDouble::sum(high, start.high());
+            let low = u.low() + (low + start.low());
+            self.places.put(i, modulus, [u.high(), low]);
+        }
+        for i in 0..W {
+            let quarters = self.places.quarters[i];
+            let [high, low] = lanes::phase(*turning_rate, times[i], turning.lag, quarters);
+            (self.sine[i], self.cosine[i]) = sine_cosine([0.5 * high, 0.5 * low]);
+        }
+        self.turn(body);
+    }
+
+    /// From the places and the phases to the attitudes.
+    #[inline(always)]
+    fn turn(&mut self, body: &Moving) {
+        let Constants {
+            axes,
+            modulus,
+            turning,
+            ..
+        } = &body.constants;
+        self.places.evaluate(modulus);
+        for i in 0..W {
+            let z = self.places.theta(i, modulus, &turning.theta);
+            (self.z[0][i], self.z[1][i]) = (z[0], z[1]);
+        }
+        for i in 0..W {
+            let [sn, cn, _] = self.places.functions(i);
+            let (real, imaginary) = (self.z[0][i], self.z[1][i]);
+            // Z over P₁ cn + i P₂ sn, the quarter periods taken off both: an angle of at most a right one, and half of it.
+            let across = turning.aspect * cn;
+            let (aside, along) = turned(
+                self.places.bits[i],
+                imaginary * across - real * sn,
+                real * across + imaginary * sn,
+            );
+            // Their size may be that of any double: less a power of two. Where both are zero, so is the angle.
+            let unit = inverse_unit(along, aside);
+            let (along, aside) = (along * unit, aside * unit);
+            let x = (along * along + aside * aside).sqrt() + along + 1e-150;
+            let (sine, cosine) = (self.sine[i], self.cosine[i]);
+            self.cosine[i] = cosine * x - sine * aside;
+            self.sine[i] = sine * x + cosine * aside;
+        }
+        for i in 0..W {
+            let [sn, cn, dn] = self.places.functions(i);
+            let (sine, cosine) = (self.sine[i], self.cosine[i]);
+            let [d1, d2, d3] = body.direction;
+            let (n1, n2, w) = (d1 * cn, d2 * sn, 1.0 + d3 * dn);
+            // (cos + k sin) (w + n₂ i − n₁ j), and its length.
+            let size = (cosine * cosine + sine * sine) * (w * w + (n1 * n1 + n2 * n2));
+            let scale = 1.0 / size.sqrt();
+            let (cosine, sine) = (cosine * scale, sine * scale);
+            self.attitude[0][i] = cosine * w;
+            self.attitude[1][i] = cosine * n2 + sine * n1;
+            self.attitude[2][i] = sine * n2 - cosine * n1;
+            self.attitude[3][i] = sine * w;
+        }
+        for i in 0..W {
+            let [w, x, y, z] = core::array::from_fn(|k| self.attitude[k][i]);
+            let ([a, b, c, d], [first, second, third]) = (body.base, axes.sign);
+            self.attitude[0][i] = (a * w - b * x) - (c * y + d * z);
+            self.attitude[1][i] = first * ((a * x + b * w) + (c * z - d * y));
+            self.attitude[2][i] = second * ((a * y + c * w) + (d * x - b * z));
+            self.attitude[3][i] = third * ((a * z + d * w) + (b * y - c * x));
+        }
+    }
+
+    /// One of them, along the body's own axes.
+    #[inline(always)]
+    pub(super) fn state(&self, i: usize, body: &Moving) -> State {
+        let [sn, cn, dn] = self.places.functions(i);
+        let functions = [cn, sn, dn];
+        let own = &body.constants.axes.own;
+        let l = own.map(|k| body.l[k] * functions[k]);
+        let omega = own.map(|k| body.omega[k] * functions[k]);
+        let [x, y, z] = own.map(|k| self.attitude[k + 1][i]);
+        State {
+            omega: vector(omega),
+            angular_momentum: vector(l),
+            attitude: Attitude::from_unit(Quaternion::new(self.attitude[0][i], x, y, z)),
+        }
+    }
+}
+
+/// The reciprocal of the power of two next below the greater of two sizes, for sizes below 10³⁰⁰: without a branch.
+#[inline(always)]
+fn inverse_unit(a: f64, b: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    const TWICE_ONE: u64 = 2046 << 52;
+    let size = if a.abs() > b.abs() { a } else { b };
+    f64::from_bits(TWICE_ONE.wrapping_sub(size.to_bits() & EXPONENT))
+}
+
+pub(super) fn vector([x, y, z]: [f64; 3]) -> BodyVector {
+    BodyVector::new(x, y, z)
+}
+
+impl Moving {
+    /// From the greatest components of Ω along the body's own axes, and the attitude at time 0.
+    pub(super) fn new(
+        constants: Constants,
+        greatest_omega: [f64; 3],
+        attitude: Attitude,
+    ) -> Result<Self> {
+        let Constants {
+            axes,
+            modulus,
+            rate,
+            amplitudes,
+            turning_rate,
+            ..
+        } = &constants;
+        let size = amplitudes[0].hypot(amplitudes[2]);
+        let (rate, turning_rate) = (rate.high().abs(), turning_rate.high().abs());
+        let quarters = quarters_reach(modulus, rate);
+        let mut moving = Self {
+            constants,
+            l: axes.signed(*amplitudes),
+            omega: axes.there(greatest_omega),
+            direction: amplitudes.map(|x| x / size),
+            base: [1.0, 0.0, 0.0, 0.0],
+            reach: if RATES.contains(&rate) && RATES.contains(&turning_rate) {
+                quarters.min(turning_reach(turning_rate)).min(1e290)
+            } else {
+                -1.0
+            },
+        };
+        let found = moving.at(0.0)?.attitude.quaternion().into_inner();
+        let base = attitude.quaternion().into_inner() * found.conjugate();
+        let [x, y, z] = axes.signed(axes.there([base.i, base.j, base.k]));
+        moving.base = [base.w, x, y, z];
+        Ok(moving)
+    }
+
+    pub(super) fn at(&self, t: f64) -> Result<State> {
+        let mut work = Work::<1>::new();
+        if t.abs() <= self.reach {
+            work.states(self, &[t]);
+        } else {
+            let Constants {
+                modulus,
+                turning,
+                turning_rate,
+                ..
+            } = &self.constants;
+            let u = self.constants.rate * DoubleDouble::from(t) + self.constants.start;
+            let greatest = modulus.greatest_argument();
+            let countable = u.high().abs() <= greatest;
+            if !countable {
+                return Err(too_long(t, greatest / self.constants.rate.high().abs()));
+            }
+            work.places.put_from_afar(0, modulus, u);
+            let lag = turning.lag * DoubleDouble::from(work.places.quarters[0]);
+            let half = (*turning_rate * DoubleDouble::from(t) - lag).scaled(0.5);
+            (work.sine[0], work.cosine[0]) = half_turn(half, t, *turning_rate)?;
+            work.turn(self);
+        }
+        Ok(work.state(0, self))
+    }
 }
 
 impl Constants {
-    pub(super) fn point(&self, t: f64) -> Result<Point> {
-        let u = self.rate * DoubleDouble::from(t) + self.start;
-        let greatest = self.modulus.greatest_argument();
-        if u.high().abs() <= greatest {
-            let place = self.modulus.place(u);
-            let [sn, cn, dn] = self.modulus.triple(&place);
-            let [p1, p2, p3] = self.amplitudes;
-            let l = [p1 * cn, p2 * sn, p3 * dn];
-            return Ok(Point { place, sn, cn, l });
-        }
-        Err(too_long(t, greatest / self.rate.high().abs()))
-    }
-
-    /// The turn by ψ about L after the shortest rotation of L onto axis 3, as a unit quaternion along the body's own axes.
-    pub(super) fn turned(&self, t: f64, point: &Point) -> Result<Quaternion<f64>> {
-        let turning = &self.turning;
-        let quarters = DoubleDouble::from(point.place.quarters);
-        let half = (self.turning_rate * DoubleDouble::from(t) - turning.lag * quarters).scaled(0.5);
-        let (sine, cosine) = half_turn(half, t, self.turning_rate)?;
-        let (x, y) = turning.half_angle(&point.place, point.sn, point.cn);
-        let (cosine, sine) = (cosine * x - sine * y, sine * x + cosine * y);
-        let [l1, l2, l3] = point.l;
-        let largest = l1.abs().max(l2.abs()).max(l3);
-        let [n1, n2, n3] = [l1 / largest, l2 / largest, l3 / largest];
-        let w = n3 + (n1 * n1 + n2 * n2 + n3 * n3).sqrt();
-        // (cos + k sin) (w + n₂ i − n₁ j).
-        let [a, b, c] =
-            self.axes
-                .back([cosine * n2 + sine * n1, sine * n2 - cosine * n1, sine * w]);
-        let q = Quaternion::new(cosine * w, a, b, c);
-        Ok(q / q.norm())
-    }
-
     pub(super) fn period(&self) -> f64 {
         let quarter = self.modulus.quarter_period_dd();
         if quarter.high() == f64::INFINITY {
@@ -85,7 +287,7 @@ impl Constants {
                 let quarter = self.modulus.quarter_period_dd();
                 let ordinates = (0..16).map(|k| {
                     let u = quarter * DoubleDouble::from(f64::from(k) / 8.0);
-                    let [_, _, dn] = self.modulus.triple(&self.modulus.place(u));
+                    let dn = self.modulus.jacobi_dd(u).dn;
                     dn / (1.0 + p3 / size * dn)
                 });
                 let mean = ordinates.sum::<f64>() / 16.0;
@@ -106,7 +308,7 @@ impl Constants {
 /// Sine and cosine of half the angle turned about L until time t at about this rate.
 pub(super) fn half_turn(half: DoubleDouble, t: f64, rate: DoubleDouble) -> Result<(f64, f64)> {
     if half.high().abs() <= GREATEST_ANGLE {
-        Ok(sine_cosine(half))
+        Ok(sine_cosine_of_any(half))
     } else {
         Err(too_long(t, 2.0 * GREATEST_ANGLE / rate.high().abs()))
     }

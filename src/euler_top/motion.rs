@@ -2,8 +2,8 @@
 
 use nalgebra::Quaternion;
 
-use super::evaluation::half_turn;
-use super::preparation::{Constants, decide, decide_from};
+use super::evaluation::{Constants, Moving, half_turn, vector};
+use super::preparation::{decide, decide_from};
 use super::start::{Digits, Start, ascending, ratio};
 use crate::elliptic::Parameter;
 use crate::error::{Error, Result, finite, not_negative, positive};
@@ -77,11 +77,7 @@ pub(super) enum Motion {
         rate: DoubleDouble,
         direction: [f64; 3],
     },
-    /// Ω moves: the constants, and the attitude less what ψ and P(L) make of it.
-    Moving {
-        constants: Constants,
-        base: Quaternion<f64>,
-    },
+    Moving(Moving),
 }
 
 impl EulerTop {
@@ -89,7 +85,7 @@ impl EulerTop {
     /// (kg m²/s) and this attitude at time 0.
     ///
     /// Domain: any moments that a body can have, rods and laminae included, at any scale; any L, however close to an axis
-    /// or to the separatrix: what matters is the exact value of the doubles given. Cost: nine to fourteen evaluations of
+    /// or to the separatrix: what matters is the exact value of the doubles given. Cost: fourteen to nineteen evaluations of
     /// [`at`](Self::at), the price of constants to 106 bits: with them no later time costs a digit.
     ///
     /// # Errors
@@ -120,7 +116,7 @@ impl EulerTop {
     ///
     /// The constants are formed in single doubles: that halves the cost, and the error grows with the angle turned, by 5e-16 rad a radian
     /// (observed 1.4e-15 rad after one, 2.8e-14 after sixty, next to the separatrix and elsewhere). The regime is decided as exactly as ever.
-    /// Cost: four to five evaluations of [`at`](Self::at).
+    /// Cost: six to eight evaluations of [`at`](Self::at).
     ///
     /// # Errors
     /// As for [`new`](Self::new).
@@ -175,7 +171,7 @@ impl EulerTop {
     /// L₁² = I₁(2EI₃ − L²)/(I₃ − I₁), L₂ = 0, L₃² = I₃(L² − 2EI₁)/(I₃ − I₁) for ascending moments; with L² = 2EI₂ that is the middle of the one half turn.
     /// A symmetric top has Ω among its equal axes along the first of them in that order, a sphere along its third axis.
     /// All differences are exact for the doubles given, so the separatrix is told exactly; where 2EI₂ is no double,
-    /// [`beside_separatrix`](Self::beside_separatrix) reaches it. Cost: some fifteen evaluations of [`at`](Self::at).
+    /// [`beside_separatrix`](Self::beside_separatrix) reaches it. Cost: some twenty evaluations of [`at`](Self::at).
     ///
     /// # Errors
     /// As for [`new`](Self::new), but [`Error::NotPositive`] for a moment that is zero: what a rod does, L alone tells; [`Error::Negative`] for L² or E;
@@ -327,12 +323,11 @@ impl EulerTop {
                     .max(constants.turning_rate.value());
                 finite("the rate of the motion", largest)?;
                 // What is finite at the start may swing onto an axis with a smaller moment, or round up.
-                for peak in ratio(constants.axes.back(constants.amplitudes), moments) {
+                let peaks = ratio(constants.axes.back(constants.amplitudes), moments);
+                for peak in peaks {
                     finite("twice the greatest angular velocity", 2.0 * peak)?;
                 }
-                let turned = constants.turned(0.0, &constants.point(0.0)?)?;
-                let base = attitude.quaternion().into_inner() * turned.conjugate();
-                Motion::Moving { constants, base }
+                Motion::Moving(Moving::new(constants, peaks, attitude)?)
             }
         };
         Ok(Self {
@@ -359,7 +354,7 @@ impl EulerTop {
     /// (L₁, L₂, L₃) = (P₁ cn u, P₂ sn u, P₃ dn u), u = u₀ + λt, and the attitude turned about L by an angle that theta functions
     /// give. Error observed against 998 references of 32 digits, ordinary bodies and every hard case: attitude at most
     /// 9e-16 rad, Ω and L 5e-16, at any time up to 10⁹ periods; beyond, up to 10⁻²⁶ of the angle turned comes on top. Cost: the same at every
-    /// time, twice that of one sn, cn, dn in the GNU Scientific Library.
+    /// time, that of one sn, cn, dn in the GNU Scientific Library.
     ///
     /// ```
     /// use spinning_bodies::euler_top::{EulerTop, Regime};
@@ -393,31 +388,16 @@ impl EulerTop {
                     attitude: Attitude::from_unit(self.attitude.quaternion().into_inner() * turn),
                 })
             }
-            Motion::Moving { constants, base } => {
-                let point = constants.point(t)?;
-                let l = constants.axes.back(point.l);
-                Ok(State {
-                    omega: vector(ratio(l, self.moments)),
-                    angular_momentum: vector(l),
-                    attitude: Attitude::from_unit(*base * constants.turned(t, &point)?),
-                })
-            }
+            Motion::Moving(body) => body.at(t),
         }
     }
 
-    /// Ω alone, rad/s, along the body's axes (6.6). Cost: half of [`at`](Self::at).
+    /// Ω alone, rad/s, along the body's axes (6.6).
     ///
     /// # Errors
     /// As for [`at`](Self::at).
     pub fn omega_at(&self, t: f64) -> Result<BodyVector> {
-        let t = finite("the time", t)?;
-        match &self.motion {
-            Motion::Steady { omega, .. } => Ok(vector(*omega)),
-            Motion::Moving { constants, .. } => {
-                let l = constants.axes.back(constants.point(t)?.l);
-                Ok(vector(ratio(l, self.moments)))
-            }
-        }
+        Ok(self.at(t)?.omega)
     }
 
     /// The states at these times, one after another.
@@ -454,7 +434,7 @@ impl EulerTop {
     pub fn period(&self) -> f64 {
         match &self.motion {
             Motion::Steady { .. } => f64::INFINITY,
-            Motion::Moving { constants, .. } => constants.period(),
+            Motion::Moving(Moving { constants, .. }) => constants.period(),
         }
     }
 
@@ -471,7 +451,7 @@ impl EulerTop {
     pub fn parameter(&self) -> Option<Parameter> {
         match &self.motion {
             Motion::Steady { .. } => None,
-            Motion::Moving { constants, .. } => Some(constants.modulus.parameter()),
+            Motion::Moving(Moving { constants, .. }) => Some(constants.modulus.parameter()),
         }
     }
 
@@ -481,14 +461,14 @@ impl EulerTop {
     pub fn mean_precession_rate(&self) -> f64 {
         match &self.motion {
             Motion::Steady { rate, .. } => rate.value(),
-            Motion::Moving { constants, .. } => constants.mean_precession_rate(),
+            Motion::Moving(Moving { constants, .. }) => constants.mean_precession_rate(),
         }
     }
 
     /// By how much the body has turned about L when Ω has returned, in Montgomery's two terms (6.8); none where Ω has no period.
     pub fn geometric_phase(&self) -> Option<GeometricPhase> {
         match &self.motion {
-            Motion::Moving { constants, .. } if self.regime != Regime::Separatrix => {
+            Motion::Moving(Moving { constants, .. }) if self.regime != Regime::Separatrix => {
                 // 2E/|L| is the component of Ω along L.
                 let size = self.angular_momentum.norm();
                 let l: [f64; 3] = self.angular_momentum.components().into();
@@ -512,10 +492,6 @@ pub struct GeometricPhase {
     /// Less the solid angle of the cone that L draws in the body, counted positive if L goes round right-handed as seen from its
     /// own end. It depends on the shape of the path alone, not on the pace.
     pub geometric: f64,
-}
-
-fn vector([x, y, z]: [f64; 3]) -> BodyVector {
-    BodyVector::new(x, y, z)
 }
 
 /// L_i/I_i before rounding; zero along an axis whose moment is zero.

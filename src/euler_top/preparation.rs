@@ -1,10 +1,10 @@
 //! From moments and angular momentum to the constants of the motion, in 106 bits and without a cancellation (tutorial 6.6).
 
+use super::evaluation::Constants;
 use super::motion::Regime;
 use super::separation::{differences, rounded_separation, separation};
 use super::start::{Digits, Renumbering, Start, ascending};
 use super::turning::Turning;
-use crate::elliptic::Modulus;
 use crate::elliptic::descent::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Which};
 use crate::precise::{
@@ -13,21 +13,6 @@ use crate::precise::{
 
 /// 2⁻²⁰⁰: the fourth power of what is above it is a normal double.
 const FAR_BELOW: f64 = 6.223_015_277_861_142e-61;
-
-/// The constants of a motion in which Ω moves in the body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Constants {
-    pub(super) axes: Renumbering,
-    pub(super) modulus: Modulus,
-    /// u = `start` + `rate` t.
-    pub(super) start: DoubleDouble,
-    pub(super) rate: DoubleDouble,
-    /// L along the renumbered axes is (P₁ cn u, P₂ sn u, P₃ dn u).
-    pub(super) amplitudes: [f64; 3],
-    pub(super) turning: Turning,
-    /// ψ = `turning_rate` t − quarters · lag + …
-    pub(super) turning_rate: DoubleDouble,
-}
 
 impl Constants {
     /// From a motion whose unit of L was `momentum` and whose unit of rates 2^`exponent`.

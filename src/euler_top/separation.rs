@@ -42,11 +42,6 @@ pub(super) fn rounded_separation(i: [f64; 3], order: [usize; 3], start: Start) -
     separation::<DoubleDouble>(i, order, start).value()
 }
 
-/// The same from exact products whatever cancels, for L in the order of the moments, ascending or descending.
-pub(super) fn exact_separation(i: [f64; 3], l: [f64; 3]) -> DoubleDouble {
-    exact_difference([i[0], i[2], i[1], l[2]], [i[2], i[1], i[0], l[0]]).narrow()
-}
-
 /// a (b − c) d² for the first four less the same for the second four, to 106 bits whatever cancels.
 fn exact_difference(minuend: [f64; 4], subtrahend: [f64; 4]) -> Extended {
     let (third, exponent) = expansion(minuend);

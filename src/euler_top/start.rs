@@ -124,7 +124,9 @@ pub(super) fn ratio(l: [f64; 3], moments: [f64; 3]) -> [f64; 3] {
 /// start positive; right-handed like the old ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Renumbering {
-    pub(super) axis: [usize; 3],
+    axis: [usize; 3],
+    /// Which of the new axes is which of the old ones.
+    pub(super) own: [usize; 3],
     pub(super) sign: [f64; 3],
 }
 
@@ -137,8 +139,13 @@ impl Renumbering {
         };
         let sign_of = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
         let (first, third) = (sign_of(l[axis[0]]), sign_of(l[axis[2]]));
+        let mut own = [0; 3];
+        for k in 0..3 {
+            own[axis[k]] = k;
+        }
         Self {
             axis,
+            own,
             sign: [first, parity * first * third, third],
         }
     }
@@ -148,13 +155,14 @@ impl Renumbering {
     }
 
     /// Back along the body's own axes.
-    #[inline]
     pub(super) fn back(&self, w: [f64; 3]) -> [f64; 3] {
-        let mut v = [0.0; 3];
-        for k in 0..3 {
-            v[self.axis[k]] = self.sign[k] * w[k];
-        }
-        v
+        let signed = self.signed(w);
+        self.own.map(|k| signed[k])
+    }
+
+    /// With the signs of the old axes, in the order of the new ones.
+    pub(super) fn signed(&self, w: [f64; 3]) -> [f64; 3] {
+        core::array::from_fn(|k| self.sign[k] * w[k])
     }
 }
 

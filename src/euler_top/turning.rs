@@ -16,12 +16,8 @@
 use crate::elliptic::Side;
 use crate::elliptic::descent::Descent;
 use crate::elliptic::landen::Landen;
-use crate::elliptic::local::{Local, Place};
-use crate::elliptic::theta::{DualTheta, Elevation, Exponentials, Which, dual_excess, polynomial};
+use crate::elliptic::theta::{Elevation, Exponentials, Theta, Which, dual_excess};
 use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words};
-
-/// Below this a square underflows; only needles of an aspect of 10⁻⁷⁰ come near.
-const TINY: f64 = 1e-150;
 
 /// Everything about ψ that does not depend on time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,16 +28,8 @@ pub(super) struct Turning {
     pub(super) excess: DoubleDouble,
     /// P₁/P₂.
     pub(super) aspect: f64,
+    /// Z.
     pub(super) theta: Theta,
-}
-
-/// Z as polynomials: real part, and imaginary part over the odd factor.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Theta {
-    /// In sin² z.
-    Circular { real: [f64; 4], imaginary: [f64; 3] },
-    /// In 4√q′ sinh² x.
-    Hyperbolic(DualTheta),
 }
 
 impl Turning {
@@ -51,20 +39,16 @@ impl Turning {
         aspect: f64,
     ) -> Self {
         match descent.side() {
-            Side::Circular => {
-                let exponentials = elevation.exponentials(&descent.landen, descent.m);
-                Self::circular(&descent.landen, elevation.which, exponentials, aspect)
-            }
+            Side::Circular => Self::circular(&descent.landen, elevation, descent.m, aspect),
             Side::Hyperbolic => Self::hyperbolic(&descent.landen, elevation, descent.mc, aspect),
         }
     }
 
     /// For m ≤ 1/2.
-    #[inline(always)]
-    pub(super) fn circular<N: Number>(
+    fn circular<N: Number>(
         landen: &Landen<N>,
-        which: Which,
-        exponentials: Exponentials<N::Narrow>,
+        elevation: &Elevation<N>,
+        m: N,
         aspect: f64,
     ) -> Self {
         let q = landen.nome;
@@ -74,8 +58,8 @@ impl Turning {
             sinh,
             growth,
             ..
-        } = exponentials;
-        let one_less_rho = match which {
+        } = elevation.exponentials(landen, m);
+        let one_less_rho = match elevation.which {
             Which::Xi => 2.0 * sinh.value() / growth.value(),
             Which::Eta => 1.0 - rho.value(),
         };
@@ -93,22 +77,25 @@ impl Turning {
         let (a1, b1) = (-(rho + x), -(rho - x));
         let (a2, b2) = (up2 + down2, up2 - down2);
         let (a3, b3) = (-(up3 + down3), -(up3 - down3));
+        let real = [
+            at_zero,
+            -2.0 * a1 - 8.0 * a2 - 18.0 * a3,
+            8.0 * a2 + 48.0 * a3,
+            -32.0 * a3,
+        ];
+        let imaginary = [
+            -(2.0 * b1 + 4.0 * b2 + 6.0 * b3),
+            8.0 * b2 + 32.0 * b3,
+            -32.0 * b3,
+            0.0,
+        ];
         Self {
             lag: RIGHT_ANGLE,
             excess: excess.two(),
             aspect,
-            theta: Theta::Circular {
-                real: [
-                    at_zero,
-                    -2.0 * a1 - 8.0 * a2 - 18.0 * a3,
-                    8.0 * a2 + 48.0 * a3,
-                    -32.0 * a3,
-                ],
-                imaginary: [
-                    -(2.0 * b1 + 4.0 * b2 + 6.0 * b3),
-                    8.0 * b2 + 32.0 * b3,
-                    -32.0 * b3,
-                ],
+            theta: Theta {
+                even: [real, imaginary],
+                odd: [real, imaginary],
             },
         }
     }
@@ -125,56 +112,12 @@ impl Turning {
             lag: N::Narrow::angle(sine, cosine).two(),
             excess: -dual_excess(landen, sine, cosine).two(),
             aspect,
-            theta: Theta::Hyperbolic(DualTheta::new(
-                landen.nome.value(),
-                sine.value(),
-                cosine.value(),
-            )),
-        }
-    }
-
-    /// (cos, sin) of half of arg Z − arg (P₁ cn + i P₂ sn), with the turns by the quarter periods taken off both; not normalised.
-    pub(super) fn half_angle(&self, place: &Place, sn: f64, cn: f64) -> (f64, f64) {
-        let (real, imaginary) = self.theta(place);
-        let across = self.aspect * cn;
-        let (x, y) = match (place.quarters as i64) & 3 {
-            0 => (across, sn),
-            1 => (sn, -across),
-            2 => (-across, -sn),
-            _ => (-sn, across),
-        };
-        // Z times the conjugate: both arguments have the same sign, so the difference stays within a right angle.
-        let (along, aside) = (real * x + imaginary * y, imaginary * x - real * y);
-        let largest = along.abs().max(aside.abs());
-        let (along, aside) = if largest >= TINY {
-            (along, aside)
-        } else if largest > 0.0 {
-            (along / largest, aside / largest)
-        } else {
-            (1.0, 0.0)
-        };
-        let length = (along * along + aside * aside).sqrt();
-        (length + along, aside)
-    }
-
-    fn theta(&self, place: &Place) -> (f64, f64) {
-        match (&self.theta, &place.local) {
-            (Theta::Circular { real, imaginary }, Local::Circular { sine, cosine }) => {
-                let s2 = sine * sine;
-                (
-                    polynomial(real, s2),
-                    sine * cosine * polynomial(imaginary, s2),
-                )
-            }
-            (Theta::Hyperbolic(dual), Local::Hyperbolic(crest)) => dual.at(place.quarters, crest),
-            // The modulus and ψ are prepared by the same decision.
-            _ => (1.0, 0.0),
+            theta: Theta::dual(landen.nome.value(), sine.value(), cosine.value()),
         }
     }
 }
 
 /// +(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
-#[inline(always)]
 fn circular_excess<N: Number>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> N::Narrow {
     let q = landen.nome;
     let q2 = q * q;

@@ -12,7 +12,7 @@ use crate::elliptic::Side;
 use crate::elliptic::descent::Descent;
 use crate::elliptic::landen::Landen;
 use crate::elliptic::local::{Local, Place};
-use crate::elliptic::theta::{DualTheta, Elevation, Exponentials, Which, dual_excess, polynomial};
+use crate::elliptic::theta::{Elevation, Exponentials, Theta, Which, dual_excess, polynomial};
 use crate::precise::{DoubleDouble, Number, Words};
 
 /// ϑ₁(π(u + iη)/2K), or its conjugate, without the factor that grows with η.
@@ -36,7 +36,7 @@ enum Family {
         real_slope: [f64; 4],
         imaginary_slope: [f64; 4],
     },
-    Hyperbolic(DualTheta),
+    Hyperbolic(Theta),
 }
 
 /// A complex number.
@@ -153,7 +153,7 @@ impl Parameter {
             sense,
             lag: N::Narrow::angle(sine, cosine).two(),
             slope: dual_excess(landen, s, c).two(),
-            family: Family::Hyperbolic(DualTheta::new(landen.nome.value(), s.value(), c.value())),
+            family: Family::Hyperbolic(Theta::dual(landen.nome.value(), s.value(), c.value())),
         }
     }
 

@@ -1,6 +1,6 @@
 //! The angle of a point in twice the precision.
 
-use super::{DoubleDouble, Words};
+use super::{DoubleDouble, Number};
 
 /// π/2 to 106 bits.
 pub(crate) const RIGHT_ANGLE: DoubleDouble =
@@ -27,56 +27,26 @@ const ARCTANGENTS: [[f64; 2]; 17] = [
     [core::f64::consts::FRAC_PI_4, 3.061_616_997_868_383e-17],
 ];
 
-fn pair([high, low]: [f64; 2]) -> DoubleDouble {
-    DoubleDouble::sum(high, low)
-}
-
 /// The angle of the point (cosine, sine), both not negative and not both zero, to about 2⁻⁸⁰ of 1.
 pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
-    let index = nearest(cosine.high(), sine.high());
-    angle_at(cosine, sine, index, tabulated(index))
-}
-
-/// The nearest sixteenth of the lesser over the greater, in sixteenths.
-#[inline(always)]
-pub(crate) fn nearest(cosine: f64, sine: f64) -> f64 {
-    let (along, across) = if sine > cosine {
-        (sine, cosine)
-    } else {
-        (cosine, sine)
-    };
-    // Half up: which of two neighbours it is does not matter where they are equally near.
-    ((across / along * 16.0 + ROUNDER) - ROUNDER).min(16.0)
-}
-
-/// 1.5·2⁵²: added to a small number it rounds it to an integer.
-const ROUNDER: f64 = 6_755_399_441_055_744.0;
-
-/// The angle whose tangent is so many sixteenths, 0…16.
-#[inline]
-pub(crate) fn tabulated(index: f64) -> DoubleDouble {
-    pair(ARCTANGENTS[(index as usize).min(16)])
-}
-
-/// The angle next to that of so many sixteenths, without a branch.
-#[inline(always)]
-pub(crate) fn angle_at<W: Words>(cosine: W, sine: W, index: f64, entry: DoubleDouble) -> W {
-    let steep = sine.leading() > cosine.leading();
+    let steep = sine.high() > cosine.high();
     let (along, across) = if steep {
         (sine, cosine)
     } else {
         (cosine, sine)
     };
-    let slope = W::from_double(index / 16.0);
+    // The nearest sixteenth of the tangent, in sixteenths.
+    let index = ((across.high() / along.high() * 16.0 + 0.5) as usize).min(16);
+    let [high, low] = ARCTANGENTS[index];
+    let slope = DoubleDouble::from(index as f64 / 16.0);
     let r = (across - along * slope).quotient(along.add_alike(across * slope));
     let square = r * r;
     let y = square.value();
     let tail = y * y * (0.2 - y * (1.0 / 7.0 - y * (1.0 / 9.0 - y * (1.0 / 11.0 - y / 13.0))));
-    let series = (W::from_double(1.0) - square.quotient(W::from_double(3.0)))
-        .add_alike(W::from_double(tail));
-    let small = r * series - W::from_two(-entry);
-    let rest = W::from_two(RIGHT_ANGLE) - small;
-    if steep { rest } else { small }
+    let series = (DoubleDouble::from(1.0) - square.quotient(DoubleDouble::from(3.0)))
+        .add_alike(DoubleDouble::from(tail));
+    let small = r * series + DoubleDouble::sum(high, low);
+    if steep { RIGHT_ANGLE - small } else { small }
 }
 
 #[cfg(test)]

@@ -43,51 +43,15 @@ const LOGARITHMS: [DoubleDouble; 33] = [
     LN_2,
 ];
 
-/// Next to which centre a number lies, and by what it is multiplied to lie between 1 and 2.
-pub(crate) struct Place {
-    pub(crate) inverse: f64,
-    /// The exponent that is taken off so.
-    pub(crate) exponent: f64,
-    pub(crate) center: f64,
-    pub(crate) entry: DoubleDouble,
-}
-
-impl Place {
-    /// That of a normal positive number; of zero, a place like any other.
-    #[inline]
-    pub(crate) fn new(x: f64) -> Self {
-        let unit = power_of_two_below(x);
-        let inverse = 1.0 / unit;
-        let index = ((x * inverse) * 32.0 + 0.5) as usize;
-        Self {
-            inverse,
-            // The eleven bits of the exponent fit.
-            exponent: f64::from((unit.to_bits() >> 52) as i32 - 1023),
-            center: index as f64 / 32.0,
-            entry: LOGARITHMS[index.clamp(32, 64) - 32],
-        }
-    }
-}
-
 /// ln(x · 2^exponent) for a normal positive x, to 103 bits of the result or of 1, whichever is greater.
 ///
 /// Power of two, then the nearest c = j/32, then 2 artanh((x − c)/(x + c)), whose argument is at most 1/128.
 pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
-    let mut place = Place::new(x.high());
-    place.exponent += f64::from(exponent);
-    logarithm_at(x, &place)
-}
-
-/// The same next to its place, without a branch.
-#[inline(always)]
-pub(crate) fn logarithm_at(x: DoubleDouble, place: &Place) -> DoubleDouble {
-    let Place {
-        inverse,
-        exponent,
-        center,
-        entry,
-    } = *place;
-    let x = x.scaled(inverse);
+    let unit = power_of_two_below(x.high());
+    let exponent = f64::from((unit.to_bits() >> 52) as i32 - 1023 + exponent);
+    let x = x.scaled(1.0 / unit);
+    let index = (x.high() * 32.0 + 0.5) as usize;
+    let (center, entry) = (index as f64 / 32.0, LOGARITHMS[index.clamp(32, 64) - 32]);
     let sum = DoubleDouble::sum(x.high(), center);
     let gap = DoubleDouble::sum(x.high() - center, x.low());
     let s = quick::quotient(gap, DoubleDouble::new(sum.high(), sum.low() + x.low()));

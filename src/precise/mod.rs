@@ -5,7 +5,6 @@
 //! | [`number`] | what formulas ask of a number, so that they are written once: one double, two, two with an exponent |
 //! | [`double_double`] | an unevaluated sum of two doubles |
 //! | [`extended`] | the same with a wide exponent: no product is too large or too small; exact sums of products |
-//! | [`lane`] | the same without a branch, for several side by side |
 //! | [`quick`] | the pieces that have no branch |
 //! | [`logarithm`], [`angle`] | of two words |
 //!
@@ -14,15 +13,13 @@
 mod angle;
 mod double_double;
 mod extended;
-mod lane;
 mod logarithm;
 mod number;
 pub(crate) mod quick;
 
-pub(crate) use angle::{RIGHT_ANGLE, angle, angle_at, nearest, tabulated};
+pub(crate) use angle::{RIGHT_ANGLE, angle};
 pub use double_double::DoubleDouble;
 pub(crate) use double_double::power_of_two_below;
 pub(crate) use extended::{Extended, exponent_of, shifted, sum_of_products};
-pub(crate) use lane::{Lane, Two};
-pub(crate) use logarithm::{Place, logarithm, logarithm_at};
+pub(crate) use logarithm::logarithm;
 pub(crate) use number::{Number, Words};

@@ -1,0 +1,241 @@
+//! Arguments reduced to the nearest multiple of K, and sn, cn and dn there, one argument a lane.
+//!
+//! Written once for one lane and for several: loops over lanes without a branch. With one lane that is the code of a single state, eight the
+//! compiler lays out side by side, and the bits are the same. The passes are short: of a long one the processor sees too little ahead to
+//! work on the next lanes while it waits.
+
+use super::crest::{Crest, Hyperbolic, Wave, hyperbolic_at};
+use super::jacobi::{Circular, QUARTER_PARTS, circular_at, in_quadrant};
+use super::kernel::{self, ROUNDER};
+use super::modulus::{EXACT_COUNT, Modulus, Side};
+use super::series::Corrections;
+use super::theta::Theta;
+use crate::precise::{DoubleDouble, quick};
+
+/// So many states are formed side by side.
+pub(crate) const LANES: usize = 8;
+
+/// 2⁶² radians, the greatest angle of two words of which sine and cosine are of use: 106 bits leave 10⁻¹³ of it.
+pub(crate) const GREATEST_ANGLE: f64 = 4.6e18;
+
+/// A little less than all.
+const NEARLY: f64 = 0.99;
+
+/// Up to which time a phase with this rate stays within the right angles that [`sine_cosine`] takes, its lags included.
+pub(crate) fn turning_reach(rate: f64) -> f64 {
+    NEARLY * 0.5 * EXACT_COUNT * core::f64::consts::PI / rate
+}
+
+/// Up to which time an argument with this rate stays within the quarter periods that [`Places::put`] takes.
+pub(crate) fn quarters_reach(modulus: &Modulus, rate: f64) -> f64 {
+    (NEARLY * EXACT_COUNT - 1.0) * modulus.quarter_period() / rate
+}
+
+/// Rate times time.
+#[inline(always)]
+pub(crate) fn product(rate: DoubleDouble, t: f64) -> [f64; 2] {
+    let (high, error) = quick::exact_product(rate.high(), t);
+    [high, error + rate.low() * t]
+}
+
+/// Rate times time, less a lag for each of at most [`EXACT_COUNT`] quarter periods.
+#[inline(always)]
+pub(crate) fn phase(rate: DoubleDouble, t: f64, lag: DoubleDouble, quarters: f64) -> [f64; 2] {
+    let [high, low] = product(rate, t);
+    let (first, second) = quick::halves(lag.high());
+    let once = DoubleDouble::difference(high, quarters * first);
+    let twice = DoubleDouble::difference(once.high(), quarters * second);
+    let low = (low - quarters * lag.low()) + (once.low() + twice.low());
+    [twice.high(), low]
+}
+
+/// `high + low` less the nearest multiple of a unit in three words, at most [`EXACT_COUNT`] of them, and that multiple with [`ROUNDER`] added.
+#[inline(always)]
+fn reduced([high, low]: [f64; 2], inverse: f64, parts: [f64; 3]) -> (f64, [f64; 2]) {
+    let rounded = high * inverse + ROUNDER;
+    let count = rounded - ROUNDER;
+    // The first difference is exact: its terms are within a factor of two, or the count is zero.
+    let first = high - count * parts[0];
+    let rest = DoubleDouble::difference(first, count * parts[1]);
+    let low = rest.low() + (low - count * parts[2]);
+    // In order, unless what is left is so small that it does not matter.
+    let (high, low) = quick::ordered_sum(rest.high(), low);
+    (rounded, [high, low])
+}
+
+/// Sine and cosine of an angle of two words, at most [`EXACT_COUNT`] right angles.
+#[inline(always)]
+pub(crate) fn sine_cosine(angle: [f64; 2]) -> (f64, f64) {
+    let (rounded, [high, low]) = reduced(angle, core::f64::consts::FRAC_2_PI, QUARTER_PARTS);
+    let (sine, cosine) = kernel::sine_cosine(high, low);
+    in_quadrant(rounded.to_bits(), sine, cosine)
+}
+
+/// The same up to [`GREATEST_ANGLE`]: beyond, the slow way of [`DoubleDouble::sin_cos`], which agrees.
+pub(crate) fn sine_cosine_of_any(angle: DoubleDouble) -> (f64, f64) {
+    let right_angles = angle.high() * core::f64::consts::FRAC_2_PI;
+    if right_angles.abs() < EXACT_COUNT {
+        sine_cosine([angle.high(), angle.low()])
+    } else {
+        angle.sin_cos()
+    }
+}
+
+/// After as many right angles as the lowest bits say.
+#[inline(always)]
+pub(crate) fn turned(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
+    in_quadrant(bits, sine, cosine)
+}
+
+/// Where arguments lie, and the functions there.
+#[derive(Debug)]
+pub(crate) struct Places<const W: usize> {
+    /// u = quarters · K + rest, and the quarters in the lowest bits.
+    pub(crate) quarters: [f64; W],
+    pub(crate) bits: [u64; W],
+    /// The rest times π/(2K), or π/(2K′) beyond m = 1/2.
+    angle: [[f64; W]; 2],
+    /// Sine and cosine of πu/(2K) itself, the quarters included; or sinh and cosh of what is left, as in [`Wave`].
+    pub(crate) sine: [f64; W],
+    pub(crate) cosine: [f64; W],
+    sign: [u64; W],
+    pub(crate) growth: [f64; W],
+    decay: [[f64; W]; 2],
+    z: [f64; W],
+    /// sn, cn, dn.
+    pub(crate) functions: [[f64; W]; 3],
+}
+
+impl<const W: usize> Places<W> {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self {
+            quarters: [0.0; W],
+            bits: [0; W],
+            angle: [[0.0; W]; 2],
+            sine: [0.0; W],
+            cosine: [0.0; W],
+            sign: [0; W],
+            growth: [0.0; W],
+            decay: [[0.0; W]; 2],
+            z: [0.0; W],
+            functions: [[0.0; W]; 3],
+        }
+    }
+
+    /// An argument of at most [`EXACT_COUNT`] quarter periods.
+    #[inline(always)]
+    pub(crate) fn put(&mut self, i: usize, modulus: &Modulus, u: [f64; 2]) {
+        let reduction = &modulus.reduction;
+        let (rounded, rest) = reduced(u, reduction.inverse, reduction.parts);
+        self.bits[i] = rounded.to_bits();
+        self.put_rest(i, modulus, rounded - ROUNDER, rest);
+    }
+
+    /// An argument of more quarter periods than a short K can be multiplied with exactly.
+    pub(crate) fn put_from_afar(&mut self, i: usize, modulus: &Modulus, u: DoubleDouble) {
+        let (quarters, rest) = modulus.reduce(u);
+        self.bits[i] = quarters as i64 as u64;
+        self.put_rest(i, modulus, quarters, [rest.high(), rest.low()]);
+    }
+
+    #[inline(always)]
+    fn put_rest(&mut self, i: usize, modulus: &Modulus, quarters: f64, [high, low]: [f64; 2]) {
+        self.quarters[i] = quarters;
+        (self.angle[0][i], self.angle[1][i]) = modulus.multiplied(high, low);
+    }
+
+    /// sn, cn and dn, and what the theta functions need.
+    #[inline(always)]
+    pub(crate) fn evaluate(&mut self, modulus: &Modulus) {
+        let series = &modulus.series;
+        match modulus.side {
+            Side::Circular => {
+                for i in 0..W {
+                    let (sine, cosine) = kernel::sine_cosine(self.angle[0][i], self.angle[1][i]);
+                    (self.sine[i], self.cosine[i]) = in_quadrant(self.bits[i], sine, cosine);
+                }
+                for i in 0..W {
+                    let set = &series.even;
+                    let Circular { sn, cn, dn, .. } =
+                        circular_at(set, self.sine[i], self.cosine[i]);
+                    self.put_functions(i, [sn, cn, dn]);
+                }
+            }
+            Side::Hyperbolic => {
+                for i in 0..W {
+                    let Crest { sign, wave, z } =
+                        Crest::new(series.root, self.angle[0][i], self.angle[1][i]);
+                    self.sign[i] = sign;
+                    self.sine[i] = wave.sine;
+                    self.cosine[i] = wave.cosine;
+                    self.growth[i] = wave.growth;
+                    self.decay[0][i] = wave.decay[0];
+                    self.decay[1][i] = wave.decay[1];
+                    self.z[i] = z;
+                }
+                for i in 0..W {
+                    let set = Corrections::chosen(series, self.bits[i]);
+                    let root = series.complementary_modulus;
+                    let Hyperbolic { sn, cn, dn } =
+                        hyperbolic_at(root, &set, self.bits[i], &self.crest(i));
+                    self.put_functions(i, [sn, cn, dn]);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn put_functions(&mut self, i: usize, functions: [f64; 3]) {
+        for (row, value) in self.functions.iter_mut().zip(functions) {
+            row[i] = value;
+        }
+    }
+
+    /// The functions of one lane.
+    #[inline(always)]
+    pub(crate) fn functions(&self, i: usize) -> [f64; 3] {
+        core::array::from_fn(|k| self.functions[k][i])
+    }
+
+    #[inline(always)]
+    fn crest(&self, i: usize) -> Crest {
+        Crest {
+            sign: self.sign[i],
+            wave: Wave {
+                sine: self.sine[i],
+                cosine: self.cosine[i],
+                growth: self.growth[i],
+                decay: [self.decay[0][i], self.decay[1][i]],
+            },
+            z: self.z[i],
+        }
+    }
+
+    /// Real and imaginary part of a theta function made for this modulus.
+    #[inline(always)]
+    pub(crate) fn theta(&self, i: usize, modulus: &Modulus, theta: &Theta) -> [f64; 2] {
+        let (sine, cosine, z) = (self.sine[i], self.cosine[i], self.z[i]);
+        match modulus.side {
+            Side::Circular => {
+                let [real, imaginary] = &theta.even;
+                let square = sine * sine;
+                let aside = sine * cosine * kernel::polynomial(imaginary, square);
+                [kernel::polynomial(real, square), aside]
+            }
+            // Over e^x next to even multiples of K.
+            Side::Hyperbolic => {
+                let mask = (self.bits[i] & 1).wrapping_neg();
+                let [real, imaginary] = theta.chosen(mask);
+                // 4√q′ sinh cosh.
+                let root = modulus.series.root * self.growth[i];
+                let product = root * (root * sine) * cosine;
+                let aside = kernel::select(mask, product, sine) * kernel::polynomial(&imaginary, z);
+                [
+                    kernel::select(mask, 1.0, cosine) * kernel::polynomial(&real, z),
+                    f64::from_bits(aside.to_bits() ^ self.sign[i]),
+                ]
+            }
+        }
+    }
+}

@@ -10,10 +10,14 @@ use super::kernel::{self, ROUNDER};
 use super::modulus::{EXACT_COUNT, Modulus, Side};
 use super::series::Corrections;
 use super::theta::Theta;
+use crate::error::{Error, Result};
 use crate::precise::{DoubleDouble, quick};
 
 /// So many states are formed side by side.
 pub(crate) const LANES: usize = 8;
+
+/// From so many states on the lanes are worth filling up.
+const WORTHWHILE: usize = 3;
 
 /// 2⁶² radians, the greatest angle of two words of which sine and cosine are of use: 106 bits leave 10⁻¹³ of it.
 pub(crate) const GREATEST_ANGLE: f64 = 4.6e18;
@@ -238,4 +242,112 @@ impl<const W: usize> Places<W> {
             }
         }
     }
+    /// The same with its derivative by the angle, `shifted` by a quarter period or not, over e^x where the sum of both parities is even. On the circular side
+    /// the theta function holds the polynomials of the derivative in place of those next to odd multiples.
+    #[inline(always)]
+    pub(crate) fn theta_with_slope(
+        &self,
+        i: usize,
+        modulus: &Modulus,
+        theta: &Theta,
+        shifted: bool,
+    ) -> [[f64; 2]; 2] {
+        let (sine, cosine, z) = (self.sine[i], self.cosine[i], self.z[i]);
+        match modulus.side {
+            Side::Circular => {
+                let (s, c) = if shifted {
+                    (cosine, -sine)
+                } else {
+                    (sine, cosine)
+                };
+                let x = s * s;
+                let ([real, imaginary], [real_slope, imaginary_slope]) = (theta.even, theta.odd);
+                let value = [
+                    s * kernel::polynomial(&real, x),
+                    c * kernel::polynomial(&imaginary, x),
+                ];
+                let slope = [
+                    c * kernel::polynomial(&real_slope, x),
+                    s * kernel::polynomial(&imaginary_slope, x),
+                ];
+                [value, slope]
+            }
+            Side::Hyperbolic => {
+                let odd = ((self.bits[i] ^ u64::from(shifted)) & 1).wrapping_neg();
+                let [real, imaginary] = theta.chosen(odd);
+                let ([p, dp], [q, dq]) =
+                    (with_derivative(&real, z), with_derivative(&imaginary, z));
+                let sign = 1.0_f64.copysign(f64::from_bits(self.sign[i]));
+                let root = modulus.series.root;
+                let (square, grown) = (root * root, root * self.growth[i]);
+                // 4√q′ sinh cosh.
+                let product = grown * (grown * sine) * cosine;
+                let either = |a: f64, b: f64| kernel::select(odd, a, b);
+                let value = [either(1.0, cosine) * p, sign * either(product, sine) * q];
+                let slope = [
+                    sign * either(2.0 * product * dp, sine * (p + 2.0 * (square + z) * dp)),
+                    either(
+                        (square + 2.0 * z) * q + 2.0 * z * (square + z) * dq,
+                        cosine * (q + 2.0 * z * dq),
+                    ),
+                ];
+                [value, slope]
+            }
+        }
+    }
+
+    /// What a theta function shifted by a quarter period is to be multiplied with, beside one that is not.
+    #[inline(always)]
+    pub(crate) fn weight_of_shifted(&self, i: usize, modulus: &Modulus) -> f64 {
+        match modulus.side {
+            Side::Circular => 1.0,
+            Side::Hyperbolic => {
+                let root = modulus.series.root;
+                let odd = (self.bits[i] & 1).wrapping_neg();
+                let decay = self.decay[0][i] * self.decay[1][i];
+                kernel::select(odd, root * root * self.growth[i], decay)
+            }
+        }
+    }
+}
+
+/// A polynomial and its derivative.
+#[inline(always)]
+fn with_derivative(coefficients: &[f64; 4], x: f64) -> [f64; 2] {
+    let [a, b, c, d] = coefficients;
+    let value = ((d * x + c) * x + b) * x + a;
+    [value, (d * x + (d * x + c)) * x + ((d * x + c) * x + b)]
+}
+
+/// States at many times: eight side by side where all are within reach, otherwise one by one.
+pub(crate) fn fill<S>(
+    times: &[f64],
+    states: &mut [S],
+    reach: f64,
+    one: impl Fn(f64) -> Result<S>,
+    side_by_side: impl Fn(&[f64; LANES], &mut [S]),
+) -> Result<()> {
+    same_length(times.len(), states.len())?;
+    for (times, states) in times.chunks(LANES).zip(states.chunks_mut(LANES)) {
+        if times.len() >= WORTHWHILE && times.iter().all(|t| t.abs() <= reach) {
+            // Where there are fewer, the last is formed again.
+            let lanes = core::array::from_fn(|i| times[i.min(times.len() - 1)]);
+            side_by_side(&lanes, states);
+        } else {
+            for (t, state) in times.iter().zip(states) {
+                *state = one(*t)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+pub(crate) fn same_length(wanted: usize, found: usize) -> Result<()> {
+    if wanted == found {
+        return Ok(());
+    }
+    Err(Error::Condition {
+        condition: "there must be one place for each state",
+        value: found as f64,
+    })
 }

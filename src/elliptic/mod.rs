@@ -57,7 +57,6 @@ mod jacobi;
 mod kernel;
 pub(crate) mod landen;
 pub(crate) mod lanes;
-pub(crate) mod local;
 mod modulus;
 mod parameter;
 mod quarter;

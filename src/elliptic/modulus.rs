@@ -131,11 +131,6 @@ impl Modulus {
         self.side
     }
 
-    /// 2q′^{1/4}.
-    pub(crate) fn root(&self) -> f64 {
-        self.series.root
-    }
-
     /// π/(2K), or π/(2K′) beyond m = 1/2.
     pub(crate) fn pace(&self) -> f64 {
         self.rate.high()

@@ -2,7 +2,6 @@
 
 use super::kernel::select;
 use super::landen::Landen;
-use super::local::Crest;
 use crate::precise::{Number, Words};
 
 /// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
@@ -184,35 +183,6 @@ impl Theta {
             [one(1, 0), one(1, 1), one(1, 2), one(1, 3)],
         ]
     }
-
-    /// Value and derivative by x, signed, as at [`at`](Self::at); `root` is 2q′^{1/4}.
-    pub(crate) fn with_slope(&self, odd: bool, crest: &Crest, root: f64) -> [(f64, f64); 2] {
-        let (sine, cosine, z) = (crest.wave.sine, crest.wave.cosine, crest.z);
-        let sign = 1.0_f64.copysign(f64::from_bits(crest.sign));
-        let square = root * root;
-        if odd {
-            let (p, dp) = with_derivative(&self.odd[0], z);
-            let (q, dq) = with_derivative(&self.odd[1], z);
-            let product = if sine == 0.0 { 0.0 } else { z * cosine / sine };
-            [
-                (p, sign * product * q),
-                (
-                    sign * 2.0 * product * dp,
-                    (square + 2.0 * z) * q + 2.0 * z * (square + z) * dq,
-                ),
-            ]
-        } else {
-            let (p, dp) = with_derivative(&self.even[0], z);
-            let (q, dq) = with_derivative(&self.even[1], z);
-            [
-                (cosine * p, sign * sine * q),
-                (
-                    sign * sine * (p + 2.0 * (square + z) * dp),
-                    cosine * (q + 2.0 * z * dq),
-                ),
-            ]
-        }
-    }
 }
 
 /// d arg ϑ₂(ix − v)/du at u = K: (π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).
@@ -242,23 +212,4 @@ pub(crate) fn dual_excess<N: Number>(
         .add_alike((q * c2).scaled(2.0))
         .add_alike(N::Narrow::from_double(1.0));
     (landen.mean * numerator).quotient(denominator)
-}
-
-#[inline(always)]
-pub(crate) fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
-    let mut sum = coefficients[N - 1];
-    for i in (0..N - 1).rev() {
-        sum = sum * x + coefficients[i];
-    }
-    sum
-}
-
-/// A polynomial and its derivative.
-fn with_derivative<const N: usize>(coefficients: &[f64; N], x: f64) -> (f64, f64) {
-    let (mut sum, mut slope) = (coefficients[N - 1], 0.0);
-    for i in (0..N - 1).rev() {
-        slope = slope * x + sum;
-        sum = sum * x + coefficients[i];
-    }
-    (sum, slope)
 }

@@ -14,7 +14,7 @@ use super::motion::State;
 use super::start::Renumbering;
 use super::turning::Turning;
 use crate::elliptic::lanes::{
-    self, GREATEST_ANGLE, Places, quarters_reach, sine_cosine, sine_cosine_of_any, turned,
+    self, GREATEST_ANGLE, LANES, Places, quarters_reach, sine_cosine, sine_cosine_of_any, turned,
     turning_reach,
 };
 use crate::elliptic::{Modulus, Side};
@@ -222,6 +222,16 @@ impl Moving {
         let [x, y, z] = axes.signed(axes.there([base.i, base.j, base.k]));
         moving.base = [base.w, x, y, z];
         Ok(moving)
+    }
+
+    /// The states at eight times within reach; of fewer, the first ones.
+    #[inline(never)]
+    pub(super) fn side_by_side(&self, times: &[f64; LANES], states: &mut [State]) {
+        let mut work = Work::new();
+        work.states(self, times);
+        for (i, state) in states.iter_mut().enumerate() {
+            *state = work.state(i, self);
+        }
     }
 
     pub(super) fn at(&self, t: f64) -> Result<State> {

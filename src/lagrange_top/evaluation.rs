@@ -1,10 +1,18 @@
 //! A prepared top at one time: both Cayley–Klein parameters, and from them attitude and Ω (tutorial 7.2).
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "a lane is its index: all rows are read and written at it"
+)]
+
 use nalgebra::Quaternion;
 
 use super::motion::State;
 use super::turning::{Complex, Parameter};
-use crate::elliptic::local::{GREATEST_ANGLE, Local, sine_cosine};
+use crate::elliptic::lanes::{
+    GREATEST_ANGLE, LANES, Places, phase, product, quarters_reach, sine_cosine, sine_cosine_of_any,
+    turning_reach,
+};
 use crate::elliptic::{Modulus, Side};
 use crate::error::{Result, too_long};
 use crate::frame::{Attitude, BodyVector};
@@ -21,6 +29,8 @@ pub(super) enum Pull {
 pub(super) struct Constants {
     pub(super) pull: Pull,
     pub(super) modulus: Modulus,
+    /// See [`greatest_reach`](Self::greatest_reach).
+    pub(super) reach: f64,
     pub(super) start: DoubleDouble,
     pub(super) rate: DoubleDouble,
     /// α and β without their phases.
@@ -56,68 +66,167 @@ impl Constants {
         rate * period - (lag(alpha) + lag(beta))
     }
 
-    /// α and β at a place, with their derivatives by time.
-    fn pair(&self, t: f64, u: DoubleDouble) -> Result<([f64; 3], [Complex; 4])> {
-        let place = self.modulus.place(u);
-        let triple = self.modulus.triple(&place);
-        let root = self.modulus.root();
-        let odd = (place.quarters as i64) & 1 != 0;
-        let weight = match (self.modulus.side(), &place.local) {
-            (Side::Hyperbolic, Local::Hyperbolic(crest)) => {
-                if odd {
-                    root * root * crest.wave.growth
-                } else {
-                    crest.wave.decay(1.0)
-                }
-            }
-            _ => 1.0,
-        };
-        let pace = self.modulus.pace() * self.rate.high();
-        let mut out = [Complex::new(0.0, 0.0); 4];
-        for k in 0..2 {
-            let parameter = &self.parameters[k];
-            let quarters = place.quarters + k as f64;
-            let phase = self.rates[k] * DoubleDouble::from(t)
-                - parameter.lag * DoubleDouble::from(quarters * parameter.sense);
-            let (sine, cosine) = turned(phase, t)?;
-            let factor = self.factors[k] * Complex::new(cosine, sine);
-            let [value, slope] = parameter.at(&place, k == 1, root);
-            let weight = if k == 1 { weight } else { 1.0 };
-            let slope = slope * pace + value * Complex::new(0.0, self.rates[k].high());
-            out[k] = factor * value * weight;
-            out[k + 2] = factor * slope * weight;
+    /// Up to this time, s, phases are reduced without a branch; beyond, and where rates are at the ends of the doubles, in 106 bits.
+    pub(super) fn greatest_reach(&self) -> f64 {
+        let [nutation, alpha, beta] =
+            [self.rate, self.rates[0], self.rates[1]].map(|rate| rate.high().abs());
+        let tame = |rate: f64| rate == 0.0 || (1e-280..=1e280).contains(&rate);
+        if !(tame(nutation) && tame(alpha) && tame(beta)) {
+            return -1.0;
         }
-        Ok((triple, out))
+        // Whole angles and whole lags, half of what may be reduced for either.
+        (0.5 * quarters_reach(&self.modulus, nutation))
+            .min(turning_reach(2.0 * alpha.max(beta)))
+            .min(1e290)
+    }
+
+    /// α and β at one place, with their derivatives by time.
+    fn pair(&self, t: f64, u: DoubleDouble) -> Result<([f64; 3], [Complex; 4])> {
+        let mut work = Work::<1>::new();
+        work.put_from_afar(self, t, u)?;
+        work.evaluate(self);
+        Ok((work.places.functions(0), work.pair(0)))
     }
 
     pub(super) fn at(&self, t: f64, axial_rate: f64) -> Result<State> {
-        let u = self.rate * DoubleDouble::from(t) + self.start;
-        let greatest = self.modulus.greatest_argument();
-        let countable = u.high().abs() <= greatest;
-        if !countable {
-            let limit = greatest / self.rate.high().abs();
-            return Err(too_long(t, limit));
+        let mut work = Work::<1>::new();
+        if t.abs() <= self.reach {
+            work.put(self, &[t]);
+        } else {
+            let u = self.rate * DoubleDouble::from(t) + self.start;
+            let greatest = self.modulus.greatest_argument();
+            let countable = u.high().abs() <= greatest;
+            if !countable {
+                return Err(too_long(t, greatest / self.rate.high().abs()));
+            }
+            work.put_from_afar(self, t, u)?;
         }
-        let ([sn, cn, _], [alpha, beta, alpha_rate, beta_rate]) = self.pair(t, u)?;
+        work.evaluate(self);
+        Ok(work.state(0, self, axial_rate))
+    }
+
+    /// The states at eight times within reach; of fewer, the first ones.
+    #[inline(never)]
+    pub(super) fn side_by_side(&self, times: &[f64; LANES], axial_rate: f64, states: &mut [State]) {
+        let mut work = Work::new();
+        work.put(self, times);
+        work.evaluate(self);
+        for (i, state) in states.iter_mut().enumerate() {
+            *state = work.state(i, self, axial_rate);
+        }
+    }
+}
+
+/// What one pass over the lanes hands to the next.
+struct Work<const W: usize> {
+    places: Places<W>,
+    /// Of the phases of α and β.
+    sine: [[f64; W]; 2],
+    cosine: [[f64; W]; 2],
+    /// α, β and their derivatives by time: real and imaginary parts.
+    pair: [[[f64; W]; 2]; 4],
+}
+
+impl<const W: usize> Work<W> {
+    #[inline(always)]
+    fn new() -> Self {
+        Self {
+            places: Places::new(),
+            sine: [[0.0; W]; 2],
+            cosine: [[0.0; W]; 2],
+            pair: [[[0.0; W]; 2]; 4],
+        }
+    }
+
+    /// Places and phases at times within reach.
+    #[inline(always)]
+    fn put(&mut self, constants: &Constants, times: &[f64; W]) {
+        let start = constants.start;
+        for i in 0..W {
+            let [high, low] = product(constants.rate, times[i]);
+            let u = DoubleDouble::sum(high, start.high());
+            let low = u.low() + (low + start.low());
+            self.places.put(i, &constants.modulus, [u.high(), low]);
+        }
+        for k in 0..2 {
+            let Parameter { lag, sense, .. } = constants.parameters[k];
+            for i in 0..W {
+                let quarters = (self.places.quarters[i] + k as f64) * sense;
+                let angle = phase(constants.rates[k], times[i], lag, quarters);
+                (self.sine[k][i], self.cosine[k][i]) = sine_cosine(angle);
+            }
+        }
+    }
+
+    /// α, β and their derivatives there.
+    #[inline(always)]
+    fn evaluate(&mut self, constants: &Constants) {
+        let modulus = &constants.modulus;
+        self.places.evaluate(modulus);
+        let pace = modulus.pace() * constants.rate.high();
+        for k in 0..2 {
+            let Parameter { sense, theta, .. } = &constants.parameters[k];
+            let (factor, own) = (constants.factors[k], constants.rates[k].high());
+            let shifted = k == 1;
+            for i in 0..W {
+                let [value, slope] = self.places.theta_with_slope(i, modulus, theta, shifted);
+                let [value, slope] = [value, slope].map(|[re, im]| Complex::new(re, sense * im));
+                let weight = if shifted {
+                    self.places.weight_of_shifted(i, modulus)
+                } else {
+                    1.0
+                };
+                let factor = factor * Complex::new(self.cosine[k][i], self.sine[k][i]);
+                let slope = slope * pace + value * Complex::new(0.0, own);
+                let (value, slope) = (factor * value * weight, factor * slope * weight);
+                (self.pair[k][0][i], self.pair[k][1][i]) = (value.re, value.im);
+                (self.pair[k + 2][0][i], self.pair[k + 2][1][i]) = (slope.re, slope.im);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn pair(&self, i: usize) -> [Complex; 4] {
+        core::array::from_fn(|k| Complex::new(self.pair[k][0][i], self.pair[k][1][i]))
+    }
+
+    #[inline(always)]
+    fn state(&self, i: usize, constants: &Constants, axial_rate: f64) -> State {
+        let [sn, cn, _] = self.places.functions(i);
+        let [alpha, beta, alpha_rate, beta_rate] = self.pair(i);
         let size = alpha.norm_sqr() + beta.norm_sqr();
         let transverse = (alpha.conj() * beta_rate - beta * alpha_rate.conj()) * (2.0 / size);
         let scale = 1.0 / size.sqrt();
         let (a, b) = (alpha * scale, beta * scale);
         let (one_less, one_more) = (
-            self.top2 + self.band * cn * cn,
-            self.bottom1 + self.band * sn * sn,
+            constants.top2 + constants.band * cn * cn,
+            constants.bottom1 + constants.band * sn * sn,
         );
-        let (a, b, one_less, one_more) = match self.pull {
+        let (a, b, one_less, one_more) = match constants.pull {
             Pull::Down => (a, b, one_less, one_more),
             Pull::Up => (b.conj(), -a.conj(), one_more, one_less),
         };
-        Ok(State {
+        State {
             omega: BodyVector::new(transverse.re, transverse.im, axial_rate),
             attitude: Attitude::from_unit(Quaternion::new(a.re, b.re, b.im, a.im)),
             height: 0.5 * (one_more - one_less),
             one_less,
             one_more,
-        })
+        }
+    }
+}
+
+impl Work<1> {
+    /// The place u and the phases at any time.
+    fn put_from_afar(&mut self, constants: &Constants, t: f64, u: DoubleDouble) -> Result<()> {
+        self.places.put_from_afar(0, &constants.modulus, u);
+        for k in 0..2 {
+            let Parameter { lag, sense, .. } = constants.parameters[k];
+            let quarters = DoubleDouble::from((self.places.quarters[0] + k as f64) * sense);
+            let angle = constants.rates[k] * DoubleDouble::from(t) - lag * quarters;
+            (self.sine[k][0], self.cosine[k][0]) = turned(angle, t)?;
+        }
+        Ok(())
     }
 }
 
@@ -170,7 +279,7 @@ impl Constants {
 /// Sine and cosine of an angle at a time, if it is one that its digits tell from its neighbours.
 pub(super) fn turned(angle: DoubleDouble, t: f64) -> Result<(f64, f64)> {
     if angle.high().abs() <= GREATEST_ANGLE {
-        Ok(sine_cosine(angle))
+        Ok(sine_cosine_of_any(angle))
     } else {
         Err(too_long(t, GREATEST_ANGLE / (angle.high() / t).abs()))
     }

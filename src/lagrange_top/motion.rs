@@ -6,6 +6,7 @@ use super::evaluation::{Constants, Pull, turned};
 use super::kinds::{Nutation, Roots};
 use super::preparation::{Body, Exact, Kept, Start, moderate, prepare, prepare_kept};
 use crate::elliptic::Parameter;
+use crate::elliptic::lanes::fill;
 use crate::error::{Error, Result, finite};
 use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
@@ -61,7 +62,7 @@ impl LagrangeTop {
     /// so is a needle (I₃ = 0), whose L₃ is zero whatever its Ω₃. Upright or hanging, at rest or spinning, the axis stays, exactly.
     /// The attitude counts as the direction of its quaternion. What the numbers given make upright, hanging, a plane pendulum or at the threshold is found
     /// to be so, and pure precession and cusps up to their rounding. A tilted start on the separatrix is seldom made of doubles: rounded, it lies beside, and so says
-    /// [`kind`](Self::kind); [`from_integrals`](Self::from_integrals) and [`above_upright`](Self::above_upright) reach it. Cost: some twenty evaluations of
+    /// [`kind`](Self::kind); [`from_integrals`](Self::from_integrals) and [`above_upright`](Self::above_upright) reach it. Cost: some thirty-five evaluations of
     /// [`at`](Self::at).
     ///
     /// # Errors
@@ -143,7 +144,7 @@ impl LagrangeTop {
     /// Domain: bodies as for [`new`](Self::new), every L₃ and L_vert, each energy that a motion has. A tilt that would change by less than 10⁻¹⁴ of the smaller
     /// of 1 − h and 1 + h stays; the least energy, pure precession, is more easily met with [`pure_precession`](super::pure_precession).
     /// Where the upright top with these integrals is unstable, the motion is the waking one. Error: that of [`at`](Self::at), for the integrals given.
-    /// Cost: some thirty evaluations of [`at`](Self::at).
+    /// Cost: some fifty evaluations of [`at`](Self::at).
     ///
     /// # Errors
     /// Those of [`new`](Self::new) for the body; [`Error::NotFinite`]; [`Error::Condition`] for an energy below that of every motion with
@@ -305,7 +306,7 @@ impl LagrangeTop {
     ///
     /// Attitude and Ω from two theta functions; through the upright and the hanging position too. Error observed against 857
     /// references of 32 digits, hard cases included: attitude at most 9e-16 rad, Ω 1.2e-15 relative, 1 ∓ h 5e-16, not growing up to
-    /// 10³ nutations. Cost: the same at every time, that of three or four triples of Jacobi functions.
+    /// 10³ nutations. Cost: the same at every time, that of two or three triples of Jacobi functions.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods or 2⁶² radians.
@@ -341,6 +342,42 @@ impl LagrangeTop {
         times: impl IntoIterator<Item = f64>,
     ) -> impl Iterator<Item = Result<State>> {
         times.into_iter().map(|t| self.at(t))
+    }
+
+    /// Everything at each of these times (s), in any order, into a slice of the same length (7.2).
+    ///
+    /// The states of [`at`](Self::at) to the last bit, and so its domain and error: eight times go side by side up to some 4·10⁶ turns from the start. Cost: beside [`at`](Self::at) in the same run 0.6 of the time a state, 1.15 for a
+    /// batch of one time.
+    ///
+    /// # Errors
+    /// [`Error::Condition`] if the slices differ in length; otherwise that of the first time that [`at`](Self::at) refuses, the states being partly written.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// let times = [0.0, 0.1, 0.2, 0.3, 0.4];
+    /// let mut states = [top.at(0.0)?; 5];
+    /// top.states_at(&times, &mut states)?;
+    /// assert_eq!(states[3], top.at(0.3)?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn states_at(&self, times: &[f64], states: &mut [State]) -> Result<()> {
+        let reach = match &self.motion {
+            Motion::Moving(constants) => constants.reach,
+            Motion::Still => -1.0,
+        };
+        fill(
+            times,
+            states,
+            reach,
+            |t| self.at(t),
+            |times, states| {
+                if let Motion::Moving(constants) = &self.motion {
+                    constants.side_by_side(times, self.omega.z(), states);
+                }
+            },
+        )
     }
 
     /// Period of the nutation, 2K/λ, s; infinite where the tilt stays or never returns.

@@ -367,6 +367,7 @@ impl<N: Number<Narrow = DoubleDouble>> Top<N> {
         constants.rates.iter_mut().for_each(scale);
         positive("the rate of nutation", constants.rate.value())?;
         constants.pull = self.pull;
+        constants.reach = constants.greatest_reach();
         Ok(constants)
     }
 
@@ -420,6 +421,7 @@ impl<N: Number<Narrow = DoubleDouble>> Top<N> {
         Constants {
             pull: Pull::Down,
             modulus: descent.modulus,
+            reach: -1.0,
             start,
             rate,
             parameters,

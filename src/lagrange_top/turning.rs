@@ -11,8 +11,7 @@
 use crate::elliptic::Side;
 use crate::elliptic::descent::Descent;
 use crate::elliptic::landen::Landen;
-use crate::elliptic::local::{Local, Place};
-use crate::elliptic::theta::{Elevation, Exponentials, Theta, Which, dual_excess, polynomial};
+use crate::elliptic::theta::{Elevation, Exponentials, Theta, Which, dual_excess};
 use crate::precise::{DoubleDouble, Number, Words};
 
 /// ϑ₁(π(u + iη)/2K), or its conjugate, without the factor that grows with η.
@@ -24,19 +23,8 @@ pub(super) struct Parameter {
     pub(super) lag: DoubleDouble,
     /// d arg/du at u = K.
     pub(super) slope: DoubleDouble,
-    family: Family,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Family {
-    /// sin z and cos z times polynomials in sin² z, and their derivatives.
-    Circular {
-        real: [f64; 4],
-        imaginary: [f64; 4],
-        real_slope: [f64; 4],
-        imaginary_slope: [f64; 4],
-    },
-    Hyperbolic(Theta),
+    /// On the circular side the second pair of polynomials is that of the derivatives.
+    pub(super) theta: Theta,
 }
 
 /// A complex number.
@@ -131,11 +119,9 @@ impl Parameter {
             sense,
             lag: DoubleDouble::from(0.0),
             slope,
-            family: Family::Circular {
-                real,
-                imaginary,
-                real_slope,
-                imaginary_slope,
+            theta: Theta {
+                even: [real, imaginary],
+                odd: [real_slope, imaginary_slope],
             },
         }
     }
@@ -153,44 +139,7 @@ impl Parameter {
             sense,
             lag: N::Narrow::angle(sine, cosine).two(),
             slope: dual_excess(landen, s, c).two(),
-            family: Family::Hyperbolic(Theta::dual(landen.nome.value(), s.value(), c.value())),
-        }
-    }
-
-    /// Value and derivative by z or x, next to the place (`shifted` by one quarter period), over e^x where the sum of both
-    /// parities is even.
-    pub(super) fn at(&self, place: &Place, shifted: bool, root: f64) -> [Complex; 2] {
-        let complex = |(re, im): (f64, f64)| Complex::new(re, self.sense * im);
-        match (&self.family, &place.local) {
-            (
-                Family::Circular {
-                    real,
-                    imaginary,
-                    real_slope,
-                    imaginary_slope,
-                },
-                Local::Circular { sine, cosine },
-            ) => {
-                let (s, c) = if shifted {
-                    (*cosine, -*sine)
-                } else {
-                    (*sine, *cosine)
-                };
-                let x = s * s;
-                [
-                    complex((s * polynomial(real, x), c * polynomial(imaginary, x))),
-                    complex((
-                        c * polynomial(real_slope, x),
-                        s * polynomial(imaginary_slope, x),
-                    )),
-                ]
-            }
-            (Family::Hyperbolic(dual), Local::Hyperbolic(crest)) => {
-                let odd = ((place.quarters as i64) & 1 != 0) != shifted;
-                dual.with_slope(odd, crest, root).map(complex)
-            }
-            // The modulus and the parameters are prepared by the same decision.
-            _ => [Complex::new(1.0, 0.0), Complex::new(0.0, 0.0)],
+            theta: Theta::dual(landen.nome.value(), s.value(), c.value()),
         }
     }
 }

@@ -286,3 +286,41 @@ fn s7_1_angles_are_those_of_the_attitude() {
         }
     }
 }
+
+#[test]
+fn s7_2_many_times_at_once() {
+    // The states of single calls to the last bit, near and far, on both sides of m = 1/2; of a top that sleeps, one by one.
+    let mut numbers = Uniform(73);
+    let mut tops: Vec<LagrangeTop> = EXAMPLES.iter().map(|example| example()).collect();
+    for k in 0..60 {
+        let omega = numbers.vector() * 10f64.powi(k % 3 - 1);
+        let start = numbers.attitude();
+        for weight in [0.0, 1.3, -1.3] {
+            tops.push(LagrangeTop::new(1.0, 0.7, weight, omega, start).unwrap());
+        }
+    }
+    let upright = BodyVector::new(0.0, 0.0, 3.0);
+    tops.push(LagrangeTop::new(1.0, 0.7, 1.3, upright, Attitude::identity()).unwrap());
+    tops.push(LagrangeTop::from_integrals(1.0, 0.5, 1.0, 1.0, 1.0, 2.0).unwrap());
+    for top in tops {
+        for count in [0, 1, 2, 3, 8, 9, 20] {
+            let times: Vec<f64> = (0..count)
+                .map(|k| {
+                    if k % 7 == 6 {
+                        1e9
+                    } else {
+                        7.3 * f64::from(k) - 50.0
+                    }
+                })
+                .collect();
+            let mut states = vec![top.at(0.0).unwrap(); times.len()];
+            top.states_at(&times, &mut states).unwrap();
+            for (t, state) in times.iter().zip(&states) {
+                assert_eq!(*state, top.at(*t).unwrap());
+            }
+        }
+        let mut states = [top.at(0.0).unwrap(); 3];
+        assert!(top.states_at(&[0.0, 1.0], &mut states).is_err());
+        assert!(top.states_at(&[0.0, f64::NAN, 1.0], &mut states).is_err());
+    }
+}

@@ -80,8 +80,7 @@ fn one_problem_is_a_table_and_a_file() {
     }
     for method in [
         "kick-drift-6",
-        "kick-rotations-4",
-        "midpoint-2",
+        "kick-drift-4",
         "munthe-kaas-4",
         "rk4",
         "dop853",

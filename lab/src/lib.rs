@@ -3,6 +3,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`accuracy`] | every method on every kind of top: error against cost |
+//! | [`follow`] | one way to ask any method for the motion of a body, and order 8 written for one |
 //! | [`general`] | methods for any equations, and the same asked for the motion of a body; with `accuracy` behind the feature `general`, a default |
 //! | [`hard_cases`] | textbook formulas beside the library's, where digits go |
 //! | [`stopwatch`] | the least time of repeated calls |
@@ -25,6 +26,7 @@
 
 #[cfg(feature = "general")]
 pub mod accuracy;
+pub mod follow;
 #[cfg(feature = "general")]
 pub mod general;
 pub mod hard_cases;

@@ -248,24 +248,6 @@ impl<T: Real, const N: usize> Sums<T, N> {
         self.values[k] = sum;
     }
 
-    /// Number n from place `from[n]`, times 1 or −1.
-    #[inline(always)]
-    pub fn arranged(&self, from: [usize; N], signs: [T; N]) -> Self {
-        Self {
-            values: core::array::from_fn(|n| signs[n] * self.values[from[n]]),
-            left: core::array::from_fn(|n| signs[n] * self.left[from[n]]),
-        }
-    }
-
-    /// The other way: number n to place `to[n]`.
-    #[inline(always)]
-    pub fn arrange_back(&mut self, sorted: &Self, to: [usize; N], signs: [T; N]) {
-        for n in 0..N {
-            self.values[to[n]] = signs[n] * sorted.values[n];
-            self.left[to[n]] = signs[n] * sorted.left[n];
-        }
-    }
-
     #[inline(always)]
     pub fn add_all(&mut self, increments: [T; N]) {
         for (k, increment) in increments.into_iter().enumerate() {

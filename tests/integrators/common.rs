@@ -1,11 +1,12 @@
 //! Bodies, methods, distances.
 
+use lab::follow::Follow;
 use lab::general::GeneralMethod;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::geometric::{
-    Follow, FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Nothing, Order,
-    Phase, Rotations, SymmetricDrift, UnequalDrift, VeselovOrder, Weight,
+    FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Nothing, Order, Phase,
+    VeselovOrder, Weight,
 };
 use spinning_bodies::integrators::{Effort, Method};
 
@@ -50,39 +51,16 @@ pub fn free_methods_of(moments: [f64; 3]) -> Vec<Box<dyn Follow>> {
     all
 }
 
-/// For the body with these moments and this lever, of which two moments are equal.
+/// Splittings first, of orders 2, 4 and 6.
 pub fn heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
     let weight = Weight::new(lever).unwrap();
-    let mut all: Vec<Box<dyn Follow>> = Vec::new();
-    for order in Order::ALL {
-        let drift = SymmetricDrift::new(moments).unwrap();
-        all.push(Box::new(HeavySplitting::new(drift, weight, order)));
-    }
-    all.extend(general_heavy_methods_of(moments, lever));
-    all
-}
-
-/// The same without the use of the equal moments.
-pub fn general_heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
-    let weight = Weight::new(lever).unwrap();
-    let midpoint = GroupMidpoint::new(moments).unwrap();
-    let rotations = Order::ALL.map(|order| {
-        let drift = Rotations::new(moments, order).unwrap();
-        Box::new(HeavySplitting::new(drift, weight, order)) as Box<dyn Follow>
-    });
-    let others: [Box<dyn Follow>; 3] = [
-        Box::new(HeavySplitting::new(midpoint, weight, Order::Two)),
+    let splitting = |order| HeavySplitting::new(moments, weight, order).unwrap();
+    let splittings = Order::ALL.map(|order| Box::new(splitting(order)) as Box<dyn Follow>);
+    let others: [Box<dyn Follow>; 2] = [
         Box::new(MuntheKaas::new(moments, weight).unwrap()),
         Box::new(GeneralMethod::new(moments, weight, Method::Rk4).unwrap()),
     ];
-    rotations.into_iter().chain(others).collect()
-}
-
-pub fn exact_drifts_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
-    let weight = Weight::new(lever).unwrap();
-    let drift = UnequalDrift::new(moments).unwrap();
-    let of = |order| Box::new(HeavySplitting::new(drift, weight, order)) as Box<dyn Follow>;
-    Order::ALL.into_iter().map(of).collect()
+    splittings.into_iter().chain(others).collect()
 }
 
 /// One sample after so many steps.

@@ -7,10 +7,10 @@ use spinning_bodies::integrators::geometric::{
 use super::common::{MOMENTS, distance, free, start};
 
 fn run<T: Real>(method: &impl Integrator<T>, t: f64, steps: u64) -> Phase {
-    let mut phase = start().cast::<T>();
     let step = T::from_double(t / steps as f64);
-    method.advance(&mut phase, step, steps).unwrap();
-    phase.cast()
+    let mut stepper = method.start(&start().cast(), step).unwrap();
+    stepper.advance(steps).unwrap();
+    stepper.phase().unwrap().cast()
 }
 
 #[test]

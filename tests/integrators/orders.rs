@@ -1,25 +1,22 @@
 //! The order of each method, measured as the slope of its error on nonlinear motions with a closed form.
 
+use lab::follow::{DormandPrince8, Follow};
 use lab::general::GeneralMethod;
 use spinning_bodies::frame::Attitude;
-use spinning_bodies::integrators::geometric::{
-    DormandPrince8, Follow, HeavySplitting, Nothing, Order, Phase, SymmetricDrift,
-};
-use spinning_bodies::integrators::geometric::{LinearFriction, Weight};
+use spinning_bodies::integrators::geometric::{Nothing, Phase, Weight};
 use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
 use spinning_bodies::lagrange_top::LagrangeTop;
 
 use super::common::{
-    L, LEVER, MOMENTS, TOP, after, distance, exact_drifts_of, free, free_methods,
-    general_heavy_methods_of, heavy_methods_of, slope, start, vector,
+    L, LEVER, MOMENTS, TOP, after, distance, free, free_methods, heavy_methods_of, slope, start,
+    vector,
 };
 
 /// Errors below this are rounding: sums without their leftovers have more of it.
 fn floor(method: &dyn Follow) -> f64 {
     match method.name() {
         name if name == "rk4" => 2e-11,
-        name if name.contains("exact drift") => 5e-13,
         _ => 1e-13,
     }
 }
@@ -168,24 +165,7 @@ fn heavy_asymmetric_body() {
         .follow(&start(), &[t], Effort::Tolerance(1e-14))
         .unwrap()
         .phases[0];
-    let mut methods = exact_drifts_of(MOMENTS, lever);
-    methods.extend(general_heavy_methods_of(MOMENTS, lever));
-    check(&methods, &exact, t);
-}
-
-#[test]
-fn friction_keeps_the_order() {
-    let t = 4.0;
-    let friction =
-        LinearFriction::new(Weight::new(LEVER).unwrap(), [0.05, 0.05, 0.02], TOP).unwrap();
-    let judge = GeneralMethod::new(TOP, friction, Method::Verner98).unwrap();
-    let exact = judge
-        .follow(&start(), &[t], Effort::Tolerance(1e-14))
-        .unwrap()
-        .phases[0];
-    let drift = SymmetricDrift::new(TOP).unwrap();
-    let of = |order| Box::new(HeavySplitting::new(drift, friction, order)) as Box<dyn Follow>;
-    check(&Order::ALL.map(of), &exact, t);
+    check(&heavy_methods_of(MOMENTS, lever), &exact, t);
 }
 
 /// A symmetric body is turned exactly, by any order and any step.

@@ -2,10 +2,11 @@
 
 use std::fmt::Write as _;
 
+use lab::follow::Follow;
 use spinning_bodies::integrators::Effort;
-use spinning_bodies::integrators::geometric::{Follow, Phase};
+use spinning_bodies::integrators::geometric::Phase;
 
-use super::common::{LEVER, MOMENTS, TOP, exact_drifts_of, free_methods, heavy_methods_of, start};
+use super::common::{LEVER, MOMENTS, TOP, free_methods, heavy_methods_of, start};
 
 /// A tenth of a turn: what is not kept shows.
 const STEP: f64 = 0.2;
@@ -20,7 +21,7 @@ fn verdict(values: &[f64]) -> &'static str {
     };
     let quarter = values.len() / 4;
     let (early, late) = (worst(&values[..quarter]), worst(&values[3 * quarter..]));
-    // Observed: at most 9e-14 where kept (exact drifts of unequal moments, whose sums are plain), 1.4e-11 and more elsewhere.
+    // Observed: at most 9e-14 where kept , 1.4e-11 and more elsewhere.
     if early.max(late) < 1e-12 {
         "kept"
     } else if late < 1.2 * early {
@@ -188,8 +189,8 @@ fn table() -> String {
     let lever = [0.4, -0.3, 0.6];
     let mut section = |name: &str| writeln!(text, "| *{name}* | | | | | | |").unwrap();
     section("heavy body with unequal moments");
-    for method in exact_drifts_of(MOMENTS, lever) {
-        text += &row(&*method, MOMENTS, lever);
+    for method in heavy_methods_of(MOMENTS, lever).iter().take(3) {
+        text += &row(&**method, MOMENTS, lever);
     }
     text
 }

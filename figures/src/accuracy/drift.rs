@@ -1,10 +1,11 @@
 //! The energy over ten million steps.
 
+use lab::follow::Follow;
 use lab::general::GeneralMethod;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::integrators::geometric::{
-    Follow, FreeSplitting, Integrator, MoserVeselov, Nothing, Order, Phase, VeselovOrder,
+    FreeSplitting, Integrator, MoserVeselov, Nothing, Order, Phase, VeselovOrder,
 };
 use spinning_bodies::integrators::{Effort, Method};
 
@@ -47,8 +48,11 @@ pub fn energy_drift() -> Result<Figure> {
     let general = GeneralMethod::new(moments, Nothing, Method::Rk4)?;
     let span = STEP * f64::from(STEPS);
     let by_steps = |method: &dyn Integrator| {
+        let mut stepper = method.start(start, STEP)?;
         followed(start, moments, |phase| {
-            method.advance(phase, STEP, STEPS.into()).map(drop)
+            stepper.advance(STEPS.into())?;
+            *phase = stepper.phase()?;
+            Ok(())
         })
     };
     let lines = [

@@ -3,7 +3,7 @@
 use lab::accuracy::Problem;
 use spinning_bodies::Result;
 use spinning_bodies::integrators::geometric::{
-    DoubleDouble, Integrator, MoserVeselov, Phase, Real, VeselovOrder,
+    DoubleDouble, Integrator, MoserVeselov, Real, VeselovOrder,
 };
 
 use super::{named_line, problem};
@@ -21,13 +21,13 @@ fn line<T: Real>(
     counts
         .map(|count| {
             let steps = f64::from(count) * problem.turns();
-            let mut phase: Phase<T> = problem.start().cast();
             // The step is rounded in these numbers as well: the runs have lengths that are sums of few powers of two.
             let step = T::from_double(problem.end() / steps);
-            method.advance(&mut phase, step, steps as u64)?;
+            let mut stepper = method.start(&problem.start().cast(), step)?;
+            stepper.advance(steps as u64)?;
             Ok([
                 f64::from(count),
-                problem.last().apart(&phase, moments).attitude,
+                problem.last().apart(&stepper.phase()?, moments).attitude,
             ])
         })
         .collect()

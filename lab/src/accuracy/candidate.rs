@@ -2,9 +2,8 @@
 
 use spinning_bodies::Result;
 use spinning_bodies::integrators::geometric::{
-    DormandPrince8, Drift, Follow, FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov,
-    MuntheKaas, Nothing, Order, Rotations, SymmetricDrift, Torque, UnequalDrift, VeselovOrder,
-    Weight,
+    FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Nothing, Order, Torque,
+    VeselovOrder, Weight,
 };
 use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::scene::{Geometric, Solver};
@@ -12,6 +11,7 @@ use spinning_bodies::scene::{Geometric, Solver};
 use super::ClosedForm;
 use super::problem::{Model, Problem};
 use super::table_top::Sliding;
+use crate::follow::{DormandPrince8, Follow};
 use crate::general::GeneralMethod;
 
 /// A method for a problem, and the efforts from coarse to more than rounding allows.
@@ -127,31 +127,11 @@ impl Found<'_> {
 
     fn heavy(&mut self, moments: [f64; 3], lever: [f64; 3]) -> Result<()> {
         let weight = Weight::new(lever)?;
-        if let Ok(drift) = SymmetricDrift::new(moments) {
-            self.kicked("kick-drift", weight, |_| Ok(drift))?;
-        } else {
-            let drift = UnequalDrift::new(moments)?;
-            self.kicked("kick-drift", weight, |_| Ok(drift))?;
-            self.kicked("kick-rotations", weight, |order| {
-                Rotations::new(moments, order)
-            })?;
-        }
-        let midpoint = HeavySplitting::new(GroupMidpoint::new(moments)?, weight, Order::Two);
-        self.stepped("midpoint-2", midpoint);
-        self.any_torque(moments, weight)
-    }
-
-    fn kicked<D: Drift<f64> + 'static>(
-        &mut self,
-        name: &str,
-        weight: Weight,
-        drift: impl Fn(Order) -> Result<D>,
-    ) -> Result<()> {
         for order in Order::ALL {
-            let method = HeavySplitting::new(drift(order)?, weight, order);
-            self.stepped(format!("{name}-{}", order.number()), method);
+            let method = HeavySplitting::new(moments, weight, order)?;
+            self.stepped(format!("kick-drift-{}", order.number()), method);
         }
-        Ok(())
+        self.any_torque(moments, weight)
     }
 
     fn any_torque<N: Torque<f64> + Copy + 'static>(

@@ -3,11 +3,13 @@
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability};
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::integrators::geometric::{Course, Follow, Phase};
+use spinning_bodies::integrators::geometric::{Course, Phase};
 use spinning_bodies::integrators::{Cost, Effort};
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
 use spinning_bodies::lagrange_top::LagrangeTop;
 use spinning_bodies::{Error, Result};
+
+use crate::follow::Follow;
 
 /// The exact motion of a body that has one: free (6), or with a lever along axis 3 and I₁ = I₂ (7), or Kovalevskaya's (8).
 ///

@@ -7,7 +7,7 @@
 //! | how wrong was that, and what did it cost? | [`measure`] one, [`Trial::sweep`] a method: [`Measurement`]s |
 //! | and of a scene of any kind? | [`JudgedScene`]: two methods of different families judge the others |
 //!
-//! Every method is asked through [`Follow`](spinning_bodies::integrators::geometric::Follow). The truth is never the same code with a finer step: it is
+//! Every method is asked through [`Follow`](crate::follow::Follow). The truth is never the same code with a finer step: it is
 //! the committed table `tests/reference/accuracy.csv`, by two independent routes of 45 and more digits that agree to 30.
 //!
 //! ```

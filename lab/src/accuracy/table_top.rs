@@ -1,9 +1,10 @@
 //! The tippe top as a problem: a ball that slides on a table, C off its centre.
 
 use spinning_bodies::Result;
-use spinning_bodies::integrators::geometric::{Course, Follow, Phase};
+use spinning_bodies::integrators::geometric::{Course, Phase};
 use spinning_bodies::integrators::{Effort, Kept, Method, System, order_eight};
 
+use crate::follow::Follow;
 use crate::general::solve;
 
 /// The quaternion, Ω along the body's axes, level velocity of C, its level place, work done against friction.

@@ -3,10 +3,11 @@
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{AxisMoments, quaternion_rate};
 use spinning_bodies::frame::BodyVector;
-use spinning_bodies::integrators::geometric::{Course, Follow, Phase, Torque};
+use spinning_bodies::integrators::geometric::{Course, Phase, Torque};
 use spinning_bodies::integrators::{Effort, Method, System};
 
 use super::solve;
+use crate::follow::Follow;
 
 /// A body under a torque by a method that knows nothing of bodies: seven numbers like any others.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,8 +4,10 @@
 //! 2 arctan|e| about e. |L| and E are kept by each, exactly but for rounding.
 
 use super::preprocessing::corrections;
-use super::{Cost, Drift, Integrator, Phase, Run, checked_moments, checked_run};
+use super::stepper::{Run, checked_moments};
+use super::{Integrator, Phase, Stepper};
 use crate::error::{Error, Result};
+use crate::integrators::Cost;
 use crate::integrators::real::{Real, cross, dot};
 
 /// Order of [`MoserVeselov`].
@@ -75,8 +77,8 @@ impl<T: Real> Integrator<T> for MoserVeselov {
         self.order.number()
     }
 
-    fn advance(&self, phase: &mut Phase<T>, step: T, steps: u64) -> Result<Cost> {
-        checked_run(phase, step)?;
+    fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
+        let run = Run::new(phase, step)?;
         let inverse = self
             .moments
             .map(|moment| T::from_double(moment).reciprocal());
@@ -91,11 +93,8 @@ impl<T: Real> Integrator<T> for MoserVeselov {
                 time: 0.0,
             });
         }
-        let mut run = Run::new(phase);
-        let mut solver = Cayley::<T, true>::new(inverse.map(Real::reciprocal), step);
-        let evaluations = solver.advance(&mut run, steps)?;
-        run.settle(phase)?;
-        Ok(Cost { evaluations, steps })
+        let moments = inverse.map(Real::reciprocal);
+        Ok(Box::new(Cayley::<T, true>::new(moments, run, step)))
     }
 }
 
@@ -128,68 +127,35 @@ impl<T: Real> Integrator<T> for GroupMidpoint {
         2
     }
 
-    fn advance(&self, phase: &mut Phase<T>, step: T, steps: u64) -> Result<Cost> {
-        checked_run(phase, step)?;
-        let mut run = Run::new(phase);
-        let mut solver = Cayley::<T, false>::new(self.moments.map(T::from_double), step);
-        let evaluations = solver.advance(&mut run, steps)?;
-        run.settle(phase)?;
-        Ok(Cost { evaluations, steps })
+    fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
+        let (run, moments) = (Run::new(phase, step)?, self.moments.map(T::from_double));
+        Ok(Box::new(Cayley::<T, false>::new(moments, run, step)))
     }
 }
 
-/// For kicks with order 2.
-impl<T: Real> Drift<T> for GroupMidpoint {
-    fn name(&self) -> String {
-        "midpoint".to_owned()
-    }
-
-    fn drift(&self, run: &mut Run<T>, h: T) -> Result<()> {
-        Cayley::<T, false>::new(self.moments.map(T::from_double), h).advance(run, 1)?;
-        Ok(())
-    }
-
-    fn order(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn evaluations(&self) -> u64 {
-        2
-    }
-}
-
-/// The solver, with the last solutions to start the next from.
+/// The steps, with the last solutions to start the next from.
 struct Cayley<T, const VESELOV: bool> {
     moments: [T; 3],
     step: T,
+    run: Run<T>,
     /// The last three solutions, the latest first, and how many there are.
     last: [[T; 3]; 3],
     known: usize,
+    /// Evaluations: how many times Newton's matrix was solved.
+    cost: Cost,
 }
 
-impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
-    fn new(moments: [T; 3], step: T) -> Self {
-        Self {
-            moments,
-            step,
-            last: [[T::from_double(0.0); 3]; 3],
-            known: 0,
-        }
-    }
-
-    /// All steps, and how many times Newton's matrix was solved.
-    fn advance(&mut self, run: &mut Run<T>, steps: u64) -> Result<u64> {
+impl<T: Real, const VESELOV: bool> Stepper<T> for Cayley<T, VESELOV> {
+    fn advance(&mut self, steps: u64) -> Result<()> {
         let (one, two) = (T::from_double(1.0), T::from_double(2.0));
         let half = T::from_double(0.5) * self.step;
-        let mut evaluations = 0;
-        for n in 0..steps {
-            let l = run.l.values;
+        for _ in 0..steps {
+            let l = self.run.l.values;
             let g = l.map(|component| half * component);
             let (e, rounds) = self.solve(g).ok_or_else(|| Error::Integration {
                 reason: "an implicit step has no solution nearby: it is too long",
-                time: self.step.to_double() * n as f64,
+                time: self.step.to_double() * self.cost.steps as f64,
             })?;
-            evaluations += rounds;
             let square = dot(e, e);
             let norm = one + square;
             let root = norm.square_root().reciprocal();
@@ -199,11 +165,35 @@ impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
             let change = core::array::from_fn(|k| scale * (second[k] - first[k]));
             // 1/√(1 + e²) − 1 without cancellation: −e²/(1 + e² + √(1 + e²)).
             let cosine = -(square * root * root) * (one + root).reciprocal();
-            run.turn([cosine, root * e[0], root * e[1], root * e[2]], change);
+            let turn = [cosine, root * e[0], root * e[1], root * e[2]];
+            self.run.turn(turn, change);
             self.last = [e, self.last[0], self.last[1]];
             self.known = (self.known + 1).min(3);
+            self.cost.evaluations += rounds;
+            self.cost.steps += 1;
         }
-        Ok(evaluations)
+        Ok(())
+    }
+
+    fn phase(&self) -> Result<Phase<T>> {
+        self.run.settled()
+    }
+
+    fn cost(&self) -> Cost {
+        self.cost
+    }
+}
+
+impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
+    fn new(moments: [T; 3], run: Run<T>, step: T) -> Self {
+        Self {
+            moments,
+            step,
+            run,
+            last: [[T::from_double(0.0); 3]; 3],
+            known: 0,
+            cost: Cost::default(),
+        }
     }
 
     /// e of g, and the rounds it took.

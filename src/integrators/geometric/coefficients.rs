@@ -3,20 +3,20 @@
 //! torque that depends on the attitude alone between free motions.
 
 /// Part steps A B A B … A: `outer` has one more than `inner`, both are symmetric and have the sum 1.
-pub(super) struct Splitting<const N: usize> {
+pub(super) struct Splitting {
     /// All A but the last, which equals the first.
-    pub outer: [f64; N],
+    pub outer: &'static [f64],
     /// All B.
-    pub inner: [f64; N],
+    pub inner: &'static [f64],
 }
 
-pub(super) const STRANG: Splitting<1> = Splitting {
-    outer: [0.5],
-    inner: [1.0],
+pub(super) const STRANG: Splitting = Splitting {
+    outer: &[0.5],
+    inner: &[1.0],
 };
 
 /// Order 4 for any two parts.
-pub(super) const S6: Splitting<6> = {
+pub(super) const S6: Splitting = {
     let [a1, a2, a3] = [
         0.079_203_696_431_195_7,
         0.353_172_906_049_774,
@@ -26,13 +26,13 @@ pub(super) const S6: Splitting<6> = {
     let a4 = 1.0 - 2.0 * (a1 + a2 + a3);
     let b3 = 0.5 - (b1 + b2);
     Splitting {
-        outer: [a1, a2, a3, a4, a3, a2],
-        inner: [b1, b2, b3, b3, b2, b1],
+        outer: &[a1, a2, a3, a4, a3, a2],
+        inner: &[b1, b2, b3, b3, b2, b1],
     }
 };
 
 /// Order 6 for any two parts.
-pub(super) const S10: Splitting<10> = {
+pub(super) const S10: Splitting = {
     let [a1, a2, a3, a4, a5] = [
         0.050_262_764_400_392_2,
         0.413_514_300_428_344,
@@ -49,13 +49,13 @@ pub(super) const S10: Splitting<10> = {
     let a6 = 1.0 - 2.0 * (a1 + a2 + a3 + a4 + a5);
     let b5 = 0.5 - (b1 + b2 + b3 + b4);
     Splitting {
-        outer: [a1, a2, a3, a4, a5, a6, a5, a4, a3, a2],
-        inner: [b1, b2, b3, b4, b5, b5, b4, b3, b2, b1],
+        outer: &[a1, a2, a3, a4, a5, a6, a5, a4, a3, a2],
+        inner: &[b1, b2, b3, b4, b5, b5, b4, b3, b2, b1],
     }
 };
 
 /// Order 4 for kicks (outer) and free motions (inner).
-pub(super) const NYSTROM_6: Splitting<6> = {
+pub(super) const NYSTROM_6: Splitting = {
     let [b1, b2, b3] = [
         0.082_984_406_417_405_2,
         0.396_309_801_498_368,
@@ -65,13 +65,13 @@ pub(super) const NYSTROM_6: Splitting<6> = {
     let b4 = 1.0 - 2.0 * (b1 + b2 + b3);
     let a3 = 0.5 - (a1 + a2);
     Splitting {
-        outer: [b1, b2, b3, b4, b3, b2],
-        inner: [a1, a2, a3, a3, a2, a1],
+        outer: &[b1, b2, b3, b4, b3, b2],
+        inner: &[a1, a2, a3, a3, a2, a1],
     }
 };
 
 /// Order 6 for kicks (outer) and free motions (inner).
-pub(super) const NYSTROM_11: Splitting<11> = {
+pub(super) const NYSTROM_11: Splitting = {
     let [b1, b2, b3, b4, b5] = [
         0.041_464_998_518_262_4,
         0.198_128_671_918_067,
@@ -89,7 +89,7 @@ pub(super) const NYSTROM_11: Splitting<11> = {
     let b6 = 0.5 - (b1 + b2 + b3 + b4 + b5);
     let a6 = 1.0 - 2.0 * (a1 + a2 + a3 + a4 + a5);
     Splitting {
-        outer: [b1, b2, b3, b4, b5, b6, b6, b5, b4, b3, b2],
-        inner: [a1, a2, a3, a4, a5, a6, a5, a4, a3, a2, a1],
+        outer: &[b1, b2, b3, b4, b5, b6, b6, b5, b4, b3, b2],
+        inner: &[a1, a2, a3, a4, a5, a6, a5, a4, a3, a2, a1],
     }
 };

@@ -1,8 +1,10 @@
 //! Munthe-Kaas' Runge–Kutta method on the rotations.
 
-use super::{Cost, Integrator, Phase, Run, Torque, checked_moments, checked_run, product};
+use super::stepper::{Run, checked_moments};
+use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
-use crate::integrators::real::{Real, cross, dot};
+use crate::integrators::Cost;
+use crate::integrators::real::{Real, cross, dot, product};
 
 /// The classical Runge–Kutta method for the rotation vector u since the start of the step and for L along the axes of that start, order 4.
 ///
@@ -65,9 +67,26 @@ impl<T: Real, N: Torque<T>> Integrator<T> for MuntheKaas<N> {
         4
     }
 
-    fn advance(&self, phase: &mut Phase<T>, step: T, steps: u64) -> Result<Cost> {
-        checked_run(phase, step)?;
-        let mut run = Run::new(phase);
+    fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
+        Ok(Box::new(Steps {
+            method: self,
+            run: Run::new(phase, step)?,
+            step,
+            steps: 0,
+        }))
+    }
+}
+
+struct Steps<'a, T, N> {
+    method: &'a MuntheKaas<N>,
+    run: Run<T>,
+    step: T,
+    steps: u64,
+}
+
+impl<T: Real, N: Torque<T>> Stepper<T> for Steps<'_, T, N> {
+    fn advance(&mut self, steps: u64) -> Result<()> {
+        let (method, step, mut run) = (self.method, self.step, self.run);
         let half = T::from_double(0.5) * step;
         let sixth = step * T::from_double(6.0).reciprocal();
         let two = T::from_double(2.0);
@@ -75,11 +94,11 @@ impl<T: Real, N: Torque<T>> Integrator<T> for MuntheKaas<N> {
         let scaled = |h: T, rate: [T; 3]| rate.map(|component| h * component);
         for _ in 0..steps {
             let Phase { l, q } = run.phase();
-            let u1 = core::array::from_fn(|k| T::from_double(self.inverse[k]) * l[k]);
-            let n1 = self.torque.torque(&Phase { l, q });
-            let (u2, n2) = self.rates(q, scaled(half, u1), moved(l, half, n1));
-            let (u3, n3) = self.rates(q, scaled(half, u2), moved(l, half, n2));
-            let (u4, n4) = self.rates(q, scaled(step, u3), moved(l, step, n3));
+            let u1 = core::array::from_fn(|k| T::from_double(method.inverse[k]) * l[k]);
+            let n1 = method.torque.torque(&Phase { l, q });
+            let (u2, n2) = method.rates(q, scaled(half, u1), moved(l, half, n1));
+            let (u3, n3) = method.rates(q, scaled(half, u2), moved(l, half, n2));
+            let (u4, n4) = method.rates(q, scaled(step, u3), moved(l, step, n3));
             let mean = |a: [T; 3], b: [T; 3], c: [T; 3], d: [T; 3]| -> [T; 3] {
                 core::array::from_fn(|k| sixth * (a[k] + two * (b[k] + c[k]) + d[k]))
             };
@@ -88,11 +107,20 @@ impl<T: Real, N: Torque<T>> Integrator<T> for MuntheKaas<N> {
             let seen = back(turn, core::array::from_fn(|k| l[k] + gained[k]));
             run.turn(turn, core::array::from_fn(|k| gained[k] + seen[k]));
         }
-        run.settle(phase)?;
-        Ok(Cost {
-            evaluations: 4 * steps,
-            steps,
-        })
+        self.run = run;
+        self.steps += steps;
+        Ok(())
+    }
+
+    fn phase(&self) -> Result<Phase<T>> {
+        self.run.settled()
+    }
+
+    fn cost(&self) -> Cost {
+        Cost {
+            evaluations: 4 * self.steps,
+            steps: self.steps,
+        }
     }
 }
 

@@ -1,28 +1,93 @@
-//! A free body by rotations about two of its axes in turn.
+//! Motions by parts that are each solved exactly, in turn: rotations about axes of the body, the rotation about L, kicks by a torque.
 
-use super::coefficients::{S6, S10, STRANG, Splitting};
-use super::{Cost, Integrator, Order, Phase, Run, checked_moments, checked_run, unit};
+use super::coefficients::{NYSTROM_6, NYSTROM_11, S6, S10, STRANG, Splitting};
+use super::stepper::{Run, checked_moments};
+use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
+use crate::integrators::Cost;
 use crate::integrators::real::{Real, Sums, dot, product};
 use crate::precise::DoubleDouble;
 
-/// A free body, its energy split as |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², I₁ ≤ I₂ ≤ I₃.
+/// Order of a splitting.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// Strang's: one stage.
+    Two,
+    /// Blanes' and Moan's: six stages.
+    Four,
+    /// Blanes' and Moan's: ten stages, eleven for kicks between motions that are exact.
+    Six,
+}
+
+impl Order {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Two, Self::Four, Self::Six];
+
+    /// As a number.
+    pub const fn number(self) -> u32 {
+        match self {
+            Self::Two => 2,
+            Self::Four => 4,
+            Self::Six => 6,
+        }
+    }
+
+    /// For any two parts, and any three.
+    const fn splitting(self) -> Splitting {
+        match self {
+            Self::Two => STRANG,
+            Self::Four => S6,
+            Self::Six => S10,
+        }
+    }
+}
+
+/// The energy of a body without torque, split as |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², I₁ ≤ I₂ ≤ I₃.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Axes {
+    /// The axes of the smallest and of the largest moment, with that moment.
+    outer: (usize, f64),
+    inner: (usize, f64),
+    middle: f64,
+}
+
+impl Axes {
+    fn new(moments: [f64; 3]) -> Result<Self> {
+        let moments = checked_moments(moments)?;
+        let mut axes = [0, 1, 2].map(|axis| (axis, moments[axis]));
+        axes.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let [outer, (_, middle), inner] = axes;
+        Ok(Self {
+            outer,
+            inner,
+            middle,
+        })
+    }
+
+    /// The axis and half the angle about it, per unit of L and time.
+    fn rate<T: Real>(&self, (axis, moment): (usize, f64)) -> (usize, T) {
+        let [middle, moment] = [self.middle, moment].map(T::from_double);
+        // Differences first: the moments may be nearly equal.
+        let product = middle * moment;
+        let rate = T::from_double(0.5) * (middle - moment) * product.reciprocal();
+        (axis, rate)
+    }
+}
+
+/// A free body by rotations about its axes of least and of greatest moment in turn.
 ///
-/// Each part alone turns the body exactly: the first about L, which stays in space; the others about axes 1 and 3. The first commutes
-/// with the others, so it is made once at the end of a run; a step of order 2 is one rotation about each axis, of 4 six and of 6 ten. Compared with
-/// three rotations about the three axes, that is a third less work, and the errors carry the small factors of nearly symmetric bodies.
+/// Each part of the energy |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃² alone turns the body exactly: the first about L, which stays in space;
+/// the others about axes 1 and 3. The first commutes with the others, so it is made where the phase is looked at; a step of order 2 is one rotation
+/// about each axis, of 4 six and of 6 ten. Compared with three rotations about the three axes, that is a third less work, and the errors carry the
+/// small factors of nearly symmetric bodies.
 ///
 /// Kept: |L|, L in space and the phase volume (symplectic) to rounding; time symmetry; the energy oscillates by O(stepᵖ) and does not drift. Bodies
 /// with two equal moments are turned exactly, whatever the step. Cost: one pair of sine and cosine a rotation. Source: McLachlan 1993 and Reich 1994
 /// for rotations as parts; the choice of the parts is ours.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeSplitting {
-    moments: [f64; 3],
+    axes: Axes,
     order: Order,
-    /// The axes of the smallest, middle and largest moment.
-    axes: [usize; 3],
-    /// −1 where that order of the axes is a mirror image.
-    handedness: f64,
 }
 
 impl FreeSplitting {
@@ -32,89 +97,8 @@ impl FreeSplitting {
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive),
     /// [`Error::TriangleInequality`](crate::Error::TriangleInequality).
     pub fn new(moments: [f64; 3], order: Order) -> Result<Self> {
-        let moments = checked_moments(moments)?;
-        let mut axes = [0, 1, 2];
-        axes.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
-        let even = (axes[0] + 1) % 3 == axes[1];
-        Ok(Self {
-            moments,
-            order,
-            axes,
-            handedness: if even { 1.0 } else { -1.0 },
-        })
-    }
-
-    pub(super) fn run<T: Real>(&self, phase: &mut Phase<T>, step: T, steps: u64) -> u64 {
-        match self.order {
-            Order::Two => self.run_of(&STRANG, phase, step, steps),
-            Order::Four => self.run_of(&S6, phase, step, steps),
-            Order::Six => self.run_of(&S10, phase, step, steps),
-        }
-    }
-
-    fn run_of<T: Real, const N: usize>(
-        &self,
-        splitting: &Splitting<N>,
-        phase: &mut Phase<T>,
-        step: T,
-        steps: u64,
-    ) -> u64 {
-        if steps == 0 {
-            return 0;
-        }
-        let [i, j, k] = self.axes;
-        let sign = T::from_double(self.handedness);
-        let (one, zero) = (T::from_double(1.0), T::from_double(0.0));
-        let start = [sign * phase.l[i], sign * phase.l[j], sign * phase.l[k]];
-        let mut run = Turning {
-            l: Sums::new(start),
-            q: Sums::new([one, zero, zero, zero]),
-        };
-        run.stages(splitting, self.halves(step), steps);
-        // The part about L, of which the rider sees nothing: q exp(tL₀/2I₂) times what the others have made.
-        let [less, x, y, z] = about_momentum(phase.l, self.moments[j], step, steps);
-        let about = [one + less, x, y, z];
-        let mut turned = [run.q.values[0]; 4];
-        for (n, axis) in [i, j, k].into_iter().enumerate() {
-            turned[axis + 1] = sign * run.q.values[n + 1];
-            phase.l[axis] = sign * run.l.values[n];
-        }
-        phase.q = unit(product(product(phase.q, about), turned));
-        steps * N as u64
-    }
-
-    /// One step as a part of another method's.
-    #[inline(always)]
-    pub(super) fn drift<T: Real>(&self, run: &mut Run<T>, h: T) {
-        let [i, j, k] = self.axes;
-        let (one, sign) = (T::from_double(1.0), T::from_double(self.handedness));
-        let (vector, scalar_first) = ([sign; 3], [one, sign, sign, sign]);
-        let places = [0, i + 1, j + 1, k + 1];
-        let mut sorted = Turning {
-            l: run.l.arranged([i, j, k], vector),
-            q: run.q.arranged(places, scalar_first),
-        };
-        let about = about_momentum(sorted.l.values, self.moments[j], h, 1);
-        sorted.q.add_all(product(sorted.q.values, about));
-        let halves = self.halves(h);
-        match self.order {
-            Order::Two => sorted.stages(&STRANG, halves, 1),
-            Order::Four => sorted.stages(&S6, halves, 1),
-            Order::Six => sorted.stages(&S10, halves, 1),
-        }
-        run.l.arrange_back(&sorted.l, [i, j, k], vector);
-        run.q.arrange_back(&sorted.q, places, scalar_first);
-    }
-
-    /// Half angles per unit of L₁ and of L₃ in a whole step.
-    fn halves<T: Real>(&self, step: T) -> [T; 2] {
-        let [first, middle, third] = self.axes.map(|axis| self.moments[axis]);
-        // Differences first: the moments may be nearly equal.
-        [first, third].map(|moment| {
-            let difference = T::from_double(middle) - T::from_double(moment);
-            let product = T::from_double(middle) * T::from_double(moment);
-            T::from_double(0.5) * step * difference * product.reciprocal()
-        })
+        let axes = Axes::new(moments)?;
+        Ok(Self { axes, order })
     }
 }
 
@@ -127,104 +111,314 @@ impl<T: Real> Integrator<T> for FreeSplitting {
         self.order.number()
     }
 
-    fn advance(&self, phase: &mut Phase<T>, step: T, steps: u64) -> Result<Cost> {
-        checked_run(phase, step)?;
-        let evaluations = self.run(phase, step, steps);
-        phase.check()?;
-        Ok(Cost { evaluations, steps })
+    fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
+        let mut run = Run::new(phase, step)?;
+        let start = run.phase();
+        // Without the turn about L.
+        run.q = Sums::new([1.0, 0.0, 0.0, 0.0].map(T::from_double));
+        let parts = Free {
+            start,
+            outer: self.axes.rate(self.axes.outer),
+            inner: self.axes.rate(self.axes.inner),
+            middle: self.axes.middle,
+            step,
+        };
+        Ok(Alternating::boxed(
+            parts,
+            run,
+            &self.order.splitting(),
+            step,
+        ))
     }
 }
 
-/// The quaternion, less 1, of the turn about L by |L|t/I in the time t of all steps.
+/// A body under a torque that depends on its attitude alone: kicks and exact rotations in turn.
+///
+/// Of a body with two equal moments the free motion is exact, a turn about L and one about the axis; kicks stand between such motions, in
+/// Blanes' and Moan's Nyström splittings with six and eleven kicks for orders 4 and 6. Other bodies are split in three, as [`FreeSplitting`] does it:
+/// rotations about the axis of least moment, kicks, rotations about L and the axis of greatest moment, to and fro, in Blanes' and Moan's
+/// splittings with six and ten stages. The error carries the torque or the differences of the moments as factors.
+///
+/// Kept, under weight: L along the vertical and the phase volume (symplectic), to rounding; time symmetry; the energy oscillates by
+/// O(stepᵖ) and does not drift; for Lagrange's top also L along the axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeavySplitting<N> {
+    axes: Axes,
+    torque: N,
+    order: Order,
+}
+
+impl<N> HeavySplitting<N> {
+    /// For the body with these principal moments, kg m², in any order, under this torque.
+    ///
+    /// # Errors
+    /// Those of the moments.
+    pub fn new(moments: [f64; 3], torque: N, order: Order) -> Result<Self> {
+        let mut axes = Axes::new(moments)?;
+        // Of two equal moments.
+        if axes.inner.1 == axes.middle {
+            (axes.outer, axes.inner) = (axes.inner, axes.outer);
+        }
+        Ok(Self {
+            axes,
+            torque,
+            order,
+        })
+    }
+}
+
+impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
+    fn name(&self) -> String {
+        format!("kick and drift {}", self.order.number())
+    }
+
+    fn order(&self) -> u32 {
+        self.order.number()
+    }
+
+    fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
+        let run = Run::new(phase, step)?;
+        let (axes, torque) = (self.axes, &self.torque);
+        let about_momentum = T::from_double(0.5) * T::from_double(axes.middle).reciprocal();
+        let (outer, inner) = (axes.rate(axes.outer), axes.rate(axes.inner));
+        // What turns nothing is left out.
+        if axes.outer.1 == axes.middle {
+            let splitting = match self.order {
+                Order::Two => STRANG,
+                Order::Four => NYSTROM_6,
+                Order::Six => NYSTROM_11,
+            };
+            let parts = Kicked::<T, N, false> {
+                outer,
+                inner,
+                about_momentum,
+                torque,
+            };
+            return Ok(Alternating::boxed(parts, run, &splitting, step));
+        }
+        let parts = Kicked::<T, N, true> {
+            outer,
+            inner,
+            about_momentum,
+            torque,
+        };
+        Ok(Alternating::boxed(
+            parts,
+            run,
+            &self.order.splitting(),
+            step,
+        ))
+    }
+}
+
+/// Two parts of a motion, each exact over any time; or three, the third on the way from one to the other.
+trait Parts<T: Real> {
+    /// Sine pairs of a stage.
+    const PAIRS: u64;
+
+    fn outer(&self, run: &mut Run<T>, h: T);
+
+    fn between(&self, _: &mut Run<T>, _: T) {}
+
+    fn inner(&self, run: &mut Run<T>, h: T);
+
+    /// What has been left to the end.
+    fn finish(&self, _: &mut Run<T>, _steps: u64) {}
+}
+
+/// Rotations about two axes; about L at the end.
+struct Free<T> {
+    start: Phase<T>,
+    outer: (usize, T),
+    inner: (usize, T),
+    middle: f64,
+    step: T,
+}
+
+impl<T: Real> Parts<T> for Free<T> {
+    const PAIRS: u64 = 1;
+
+    #[inline(always)]
+    fn outer(&self, run: &mut Run<T>, h: T) {
+        about_axis(run, self.outer, h);
+    }
+
+    #[inline(always)]
+    fn inner(&self, run: &mut Run<T>, h: T) {
+        about_axis(run, self.inner, h);
+    }
+
+    /// q exp(tL₀/2I₂) times what the others have made.
+    fn finish(&self, run: &mut Run<T>, steps: u64) {
+        let Phase { l, q } = self.start;
+        let turn = long_turn(l, self.middle, self.step, steps);
+        run.q.values = product(product(q, turn), run.q.values);
+    }
+}
+
+/// Kicks, rotations about L and an axis; rotations about another axis as well, if no two moments are equal.
+struct Kicked<'a, T, N, const UNEQUAL: bool> {
+    outer: (usize, T),
+    inner: (usize, T),
+    /// Half the turn per unit of L and time.
+    about_momentum: T,
+    torque: &'a N,
+}
+
+impl<T: Real, N: Torque<T>, const UNEQUAL: bool> Kicked<'_, T, N, UNEQUAL> {
+    #[inline(always)]
+    fn kick(&self, run: &mut Run<T>, h: T) {
+        run.push(self.torque.torque(&run.phase()).map(|torque| torque * h));
+    }
+}
+
+impl<T: Real, N: Torque<T>, const UNEQUAL: bool> Parts<T> for Kicked<'_, T, N, UNEQUAL> {
+    const PAIRS: u64 = if UNEQUAL { 3 } else { 2 };
+
+    #[inline(always)]
+    fn outer(&self, run: &mut Run<T>, h: T) {
+        if UNEQUAL {
+            about_axis(run, self.outer, h);
+        } else {
+            self.kick(run, h);
+        }
+    }
+
+    #[inline(always)]
+    fn between(&self, run: &mut Run<T>, h: T) {
+        if UNEQUAL {
+            self.kick(run, h);
+        }
+    }
+
+    #[inline(always)]
+    fn inner(&self, run: &mut Run<T>, h: T) {
+        let half = run.l.values.map(|x| x * (self.about_momentum * h));
+        let square = dot(half, half);
+        let (sine, versine) = square.turn_of_square();
+        let [x, y, z] = half.map(|component| sine * component);
+        let turn = [-(square * versine), x, y, z];
+        run.q.add_all(product(run.q.values, turn));
+        about_axis(run, self.inner, h);
+    }
+}
+
+/// One stage: lengths of the outer part, of what is between, of the inner part, and of what is between again.
+type Stage<T> = [T; 4];
+
+/// Parts in turn. The last outer part of a step and the first of the next are one, so a step ends before it, and a phase that is looked at has it made up.
+struct Alternating<T, P> {
+    parts: P,
+    stages: Vec<Stage<T>>,
+    run: Run<T>,
+    /// Length of the outer part that is due.
+    due: T,
+    steps: u64,
+}
+
+impl<'a, T: Real, P: Parts<T> + 'a> Alternating<T, P> {
+    fn boxed(parts: P, run: Run<T>, splitting: &Splitting, step: T) -> Box<dyn Stepper<T> + 'a> {
+        let mut after = 0.0;
+        let stages = splitting.outer.iter().zip(splitting.inner);
+        let stages = stages.map(|(&outer, &inner)| {
+            // A step and its mirror image in turn: the first of the two lasts as long as what it adds to the outer part.
+            let before = outer - after;
+            after = inner - before;
+            [outer, before, inner, after].map(|part| T::from_double(part) * step)
+        });
+        Box::new(Self {
+            parts,
+            stages: stages.collect(),
+            run,
+            due: T::from_double(0.0),
+            steps: 0,
+        })
+    }
+}
+
+impl<T: Real, P: Parts<T>> Stepper<T> for Alternating<T, P> {
+    fn advance(&mut self, steps: u64) -> Result<()> {
+        let Some(&[last, ..]) = self.stages.first() else {
+            return Ok(());
+        };
+        let (mut run, mut due) = (self.run, self.due);
+        for _ in 0..steps {
+            for &[outer, before, inner, after] in &self.stages {
+                self.parts.outer(&mut run, due + outer);
+                self.parts.between(&mut run, before);
+                self.parts.inner(&mut run, inner);
+                self.parts.between(&mut run, after);
+                due = T::from_double(0.0);
+            }
+            due = last;
+        }
+        (self.run, self.due) = (run, due);
+        self.steps += steps;
+        Ok(())
+    }
+
+    fn phase(&self) -> Result<Phase<T>> {
+        let mut run = self.run;
+        self.parts.outer(&mut run, self.due);
+        self.parts.finish(&mut run, self.steps);
+        run.settled()
+    }
+
+    fn cost(&self) -> Cost {
+        Cost {
+            evaluations: self.steps * self.stages.len() as u64 * P::PAIRS,
+            steps: self.steps,
+        }
+    }
+}
+
+/// The body turns about an axis of its own, by a rate per unit of L along it.
+#[inline(always)]
+fn about_axis<T: Real>(run: &mut Run<T>, (axis, rate): (usize, T), h: T) {
+    let half = rate * h;
+    match axis {
+        0 => about::<T, 0>(run, half),
+        1 => about::<T, 1>(run, half),
+        _ => about::<T, 2>(run, half),
+    }
+}
+
+/// A turn about an axis of the body by 2·`half`·L along it.
+#[inline(always)]
+fn about<T: Real, const AXIS: usize>(run: &mut Run<T>, half: T) {
+    let (j, k) = ((AXIS + 1) % 3, (AXIS + 2) % 3);
+    let l = run.l.values;
+    let (s, v) = (half * l[AXIS]).turn();
+    // sin 2x and 1 − cos 2x.
+    let twice = s + s;
+    let (s2, v2) = (twice - twice * v, twice * s);
+    run.l.add(j, s2 * l[k] - v2 * l[j]);
+    run.l.add(k, -(s2 * l[j]) - v2 * l[k]);
+    let q = run.q.values;
+    run.q.add(0, -(s * q[AXIS + 1]) - v * q[0]);
+    run.q.add(AXIS + 1, s * q[0] - v * q[AXIS + 1]);
+    run.q.add(j + 1, s * q[k + 1] - v * q[j + 1]);
+    run.q.add(k + 1, -(s * q[j + 1]) - v * q[k + 1]);
+}
+
+/// The quaternion of the turn about L by |L|t/I in the time t of all steps.
 ///
 /// A single word counts on for the angle that it holds to rounding, π/2; two words for any other, or 10⁷ steps would lose five digits here.
-fn about_momentum<T: Real>(l: [T; 3], moment: f64, step: T, steps: u64) -> [T; 4] {
-    let one = T::from_double(1.0);
+fn long_turn<T: Real>(l: [T; 3], moment: f64, step: T, steps: u64) -> [T; 4] {
     let count = T::from_double(steps as f64);
     let rate = T::from_double(0.5) * step * count * T::from_double(moment).reciprocal();
     let half = l.map(|x| x * rate);
     let square = dot(half, half);
-    if square.to_double() < 0.6 {
+    let (sine, cosine) = if square.to_double() < 0.6 {
         let (sine, versine) = square.turn_of_square();
-        let [x, y, z] = half.map(|component| sine * component);
-        return [-(square * versine), x, y, z];
-    }
-    let exact = DoubleDouble::from(0.5 * steps as f64)
-        * step.two_words()
-        * DoubleDouble::from(moment).reciprocal();
-    let exact = l.map(|x| x.two_words() * exact);
-    let (sine, cosine) = T::long_turn(dot(exact, exact));
+        (sine, T::from_double(1.0) - square * versine)
+    } else {
+        let rate = DoubleDouble::from(0.5 * steps as f64)
+            * step.two_words()
+            * DoubleDouble::from(moment).reciprocal();
+        let half = l.map(|x| x.two_words() * rate);
+        T::long_turn(dot(half, half))
+    };
     let [x, y, z] = half.map(|component| sine * component);
-    [cosine - one, x, y, z]
-}
-
-/// L along the sorted axes and the turn so far.
-#[derive(Clone, Copy)]
-struct Turning<T> {
-    l: Sums<T, 3>,
-    q: Sums<T, 4>,
-}
-
-impl<T: Real> Turning<T> {
-    /// So many steps of A B … A with these half angles per unit of L.
-    ///
-    /// One loop over all stages and a function of its own: every order and every caller share the small code.
-    #[inline(never)]
-    fn stages<const N: usize>(&mut self, splitting: &Splitting<N>, [a, b]: [T; 2], steps: u64) {
-        let outer = splitting.outer.map(|c| T::from_double(c) * a);
-        let inner = splitting.inner.map(|c| T::from_double(c) * b);
-        // The last rotation of a step and the first of the next are one.
-        let joint = T::from_double(2.0) * outer[0];
-        let mut run = *self;
-        run.about_first(outer[0]);
-        let mut n = 0;
-        for left in (0..steps * N as u64).rev() {
-            run.about_third(inner[n]);
-            n = if n + 1 < N { n + 1 } else { 0 };
-            let last = if left == 0 { outer[0] } else { joint };
-            run.about_first(if n == 0 { last } else { outer[n] });
-        }
-        *self = run;
-    }
-
-    /// The body turns by the angle 2·`half`·L₁ about the first axis.
-    #[inline(always)]
-    fn about_first(&mut self, half: T) {
-        let [l1, l2, l3] = self.l.values;
-        let (s, v) = (half * l1).turn();
-        let [s2, v2] = doubled(s, v);
-        self.l.add(1, s2 * l3 - v2 * l2);
-        self.l.add(2, -(s2 * l2) - v2 * l3);
-        let [w, x, y, z] = self.q.values;
-        self.q.add_all([
-            -(s * x) - v * w,
-            s * w - v * x,
-            s * z - v * y,
-            -(s * y) - v * z,
-        ]);
-    }
-
-    /// The same about the third.
-    #[inline(always)]
-    fn about_third(&mut self, half: T) {
-        let [l1, l2, l3] = self.l.values;
-        let (s, v) = (half * l3).turn();
-        let [s2, v2] = doubled(s, v);
-        self.l.add(0, s2 * l2 - v2 * l1);
-        self.l.add(1, -(s2 * l1) - v2 * l2);
-        let [w, x, y, z] = self.q.values;
-        self.q.add_all([
-            -(s * z) - v * w,
-            s * y - v * x,
-            -(s * x) - v * y,
-            s * w - v * z,
-        ]);
-    }
-}
-
-/// sin 2x and 1 − cos 2x from sin x and 1 − cos x.
-#[inline(always)]
-fn doubled<T: Real>(s: T, v: T) -> [T; 2] {
-    let twice = s + s;
-    [twice - twice * v, twice * s]
+    [cosine, x, y, z]
 }

@@ -5,8 +5,8 @@ use super::equations::Turning;
 use super::held::Top;
 use crate::error::{Error, Result};
 use crate::integrators::geometric::{
-    Course, FreeSplitting, HeavySplitting, MoserVeselov, MuntheKaas, Phase, Rotations,
-    SymmetricDrift, Watched, Weight,
+    Course, FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Phase, Weight,
+    follow,
 };
 use crate::integrators::{Cost, Effort};
 use crate::scene::engine::{ROUNDING, greater, with_checks};
@@ -20,8 +20,6 @@ pub(super) struct Halved {
     pub cost: Cost,
 }
 
-/// A run tells how far it is after so many steps.
-const PATIENCE: u64 = 65_536;
 /// The longest step, in radians.
 const LONGEST_STEP: f64 = 0.5;
 /// An order that has not shown itself in the last halving vouches for nothing.
@@ -46,7 +44,7 @@ pub(super) fn halved(
     request: &Request,
 ) -> Result<Halved> {
     let method = &*method_for(top, method)?;
-    let order = f64::from(method.order().unwrap_or(2));
+    let order = f64::from(method.order());
     let budget = &request.budget();
     let (accuracy, angle) = (request.accuracy(), turning.angle(request.times()));
     let times = with_checks(request, angle);
@@ -54,12 +52,12 @@ pub(super) fn halved(
     let mut cost = Cost::default();
     let mut run = |from: &Phase, step: f64| -> Result<Course> {
         let mut paid = 0;
-        let mut watch = |time: f64, _: &Phase, cost: Cost| {
+        let mut watch = |time: f64, cost: Cost| {
             let evaluations = cost.evaluations - paid;
             paid = cost.evaluations;
             budget.spend(evaluations, time)
         };
-        let course = method.watched(from, &times, step, PATIENCE, &mut watch)?;
+        let course = follow(method, from, &times, step, &mut watch)?;
         cost += course.cost;
         Ok(course)
     };
@@ -142,7 +140,7 @@ pub(super) fn halved(
 const MOVED: f64 = 1e4;
 
 /// The method, if it can run this top.
-fn method_for(top: &Top, method: Geometric) -> Result<Box<dyn Watched>> {
+fn method_for(top: &Top, method: Geometric) -> Result<Box<dyn Integrator>> {
     let (moments, lever) = (top.body.moments, top.lever());
     let free = lever == [0.0; 3];
     let weight = Weight::new(lever)?;
@@ -154,13 +152,7 @@ fn method_for(top: &Top, method: Geometric) -> Result<Box<dyn Watched>> {
                 condition: "the solvers rotations and moser-veselov are for tops that no torque acts on",
             });
         }
-        Geometric::KickDrift(order) => match SymmetricDrift::new(moments) {
-            Ok(drift) => Box::new(HeavySplitting::new(drift, weight, order)),
-            Err(_) => {
-                let drift = Rotations::new(moments, order)?;
-                Box::new(HeavySplitting::new(drift, weight, order))
-            }
-        },
+        Geometric::KickDrift(order) => Box::new(HeavySplitting::new(moments, weight, order)?),
         Geometric::MuntheKaas => Box::new(MuntheKaas::new(moments, weight)?),
         Geometric::DormandPrince8 => {
             return Err(Error::Solver {

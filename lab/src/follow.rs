@@ -1,10 +1,46 @@
-//! Dormand's and Prince's method of order 8 with nothing around it: arrays on the stack, equations compiled into the step.
+//! One way to ask every method for the motion of a body: geometric ones, general ones, closed forms.
 
-use super::{Course, Follow, Phase, Torque, checked_moments, unit};
-use crate::error::Result;
-use crate::euler_equations::quaternion_rate;
-use crate::frame::BodyVector;
-use crate::integrators::{Effort, Kept, System, order_eight};
+use spinning_bodies::euler_equations::{AxisMoments, quaternion_rate};
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::integrators::geometric::{Course, Integrator, Phase, Torque, follow};
+use spinning_bodies::integrators::{Effort, Kept, System, order_eight};
+use spinning_bodies::{Error, Result};
+
+/// A method that can be asked for a motion by step or by tolerance.
+pub trait Follow {
+    /// Its name, as in the tables.
+    fn name(&self) -> String;
+
+    /// Its order, where it has one.
+    fn order(&self) -> Option<u32>;
+
+    /// Phases at `times` (s, either side of 0, in any order) of the motion that starts with `start` at time 0.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NotPositive`] for times and effort; [`Error::Integration`], [`Error::Accuracy`] where the method cannot;
+    /// [`Error::Solver`] for a tolerance where a method has steps of one length.
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course>;
+}
+
+/// Between two samples steps of one length, not above the one given.
+impl<I: Integrator> Follow for I {
+    fn name(&self) -> String {
+        Integrator::name(self)
+    }
+
+    fn order(&self) -> Option<u32> {
+        Some(Integrator::order(self))
+    }
+
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+        let Effort::Step(step) = effort else {
+            return Err(Error::Solver {
+                condition: "a method with steps of one length must be given a step",
+            });
+        };
+        follow(self, start, times, step, &mut |_, _| Ok(()))
+    }
+}
 
 /// [`order_eight`] for a turning body under a torque: L and the attitude's quaternion, which keeps norm 1.
 ///
@@ -23,8 +59,8 @@ impl<N> DormandPrince8<N> {
     ///
     /// # Errors
     /// Those of the moments.
-    pub fn new(moments: [f64; 3], torque: N) -> Result<Self> {
-        let moments = checked_moments(moments)?;
+    pub fn new([i1, i2, i3]: [f64; 3], torque: N) -> Result<Self> {
+        let moments = AxisMoments::new(i1, i2, i3)?.values();
         Ok(Self {
             inverse: moments.map(|moment| 1.0 / moment),
             difference: core::array::from_fn(|k| {
@@ -68,20 +104,26 @@ impl<N: Torque<f64>> Follow for DormandPrince8<N> {
     }
 
     fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
-        start.check()?;
-        let ([a, b, c], [w, x, y, z]) = (start.l, unit(start.q));
+        let ([a, b, c], [w, x, y, z]) = (start.l, unit(start)?);
         let size = (a * a + b * b + c * c).sqrt().max(f64::MIN_POSITIVE);
         let scales = [size, size, size, 1.0, 1.0, 1.0, 1.0];
         let packed = [a, b, c, w, x, y, z];
         let kept = Kept::UnitQuaternion(3);
         let run = order_eight(self, kept, &packed, &scales, times, effort)?;
-        let phases = run.states.iter().map(|&[a, b, c, w, x, y, z]| Phase {
-            l: [a, b, c],
-            q: unit([w, x, y, z]),
+        let phases = run.states.iter().map(|&[a, b, c, w, x, y, z]| {
+            let (l, q) = ([a, b, c], [w, x, y, z]);
+            let q = unit(&Phase { l, q })?;
+            Ok(Phase { l, q })
         });
         Ok(Course {
-            phases: phases.collect(),
+            phases: phases.collect::<Result<_>>()?,
             cost: run.cost,
         })
     }
+}
+
+/// The quaternion of the attitude with norm 1.
+fn unit(phase: &Phase) -> Result<[f64; 4]> {
+    let q = phase.attitude()?.quaternion();
+    Ok([q.w, q.i, q.j, q.k])
 }

@@ -1,0 +1,193 @@
+//! What a geometric method is, what it carries from step to step, and how it is asked for a step.
+
+use crate::error::{Error, Result, finite};
+use crate::euler_equations::AxisMoments;
+use crate::frame::{Attitude, BodyVector};
+use crate::integrators::Cost;
+use crate::integrators::real::{Real, Sums, product};
+
+/// A body at one time: all that a geometric method carries.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Phase<T = f64> {
+    /// L along the body's principal axes, kg m²/s.
+    pub l: [T; 3],
+    /// The attitude's quaternion (w, x, y, z), body to space; every method begins by giving it norm 1.
+    pub q: [T; 4],
+}
+
+impl Phase {
+    /// With this L and attitude.
+    pub fn new(l: BodyVector, attitude: &Attitude) -> Self {
+        let q = attitude.quaternion();
+        Self {
+            l: l.components().into(),
+            q: [q.w, q.i, q.j, q.k],
+        }
+    }
+
+    /// L along the body's axes.
+    pub fn angular_momentum(&self) -> BodyVector {
+        let [x, y, z] = self.l;
+        BodyVector::new(x, y, z)
+    }
+
+    /// How the body stands in space.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] and [`Error::ZeroVector`] for a quaternion that is none.
+    pub fn attitude(&self) -> Result<Attitude> {
+        let [w, x, y, z] = self.q;
+        Attitude::from_quaternion(w, x, y, z)
+    }
+}
+
+impl<T: Real> Phase<T> {
+    /// The same in other numbers.
+    pub fn cast<U: Real>(&self) -> Phase<U> {
+        Phase {
+            l: self.l.map(|x| U::from_double(x.to_double())),
+            q: self.q.map(|x| U::from_double(x.to_double())),
+        }
+    }
+
+    /// The upward unit vector z along the body's axes: the third row of the rotation matrix, divided by |q|² ≈ 1.
+    #[inline(always)]
+    pub fn up(&self) -> [T; 3] {
+        let [w, x, y, z] = self.q;
+        let two = T::from_double(2.0);
+        [
+            two * (x * z - w * y),
+            two * (y * z + w * x),
+            (w * w + z * z) - (x * x + y * y),
+        ]
+    }
+
+    pub(super) fn check(&self) -> Result<()> {
+        for component in self.l {
+            finite("the angular momentum", component.to_double())?;
+        }
+        for component in self.q {
+            finite("the attitude's quaternion", component.to_double())?;
+        }
+        Ok(())
+    }
+}
+
+/// A method with steps of one length.
+pub trait Integrator<T: Real = f64> {
+    /// Its name, as in the tables.
+    fn name(&self) -> String;
+
+    /// The order p: the error of a run is proportional to stepᵖ.
+    fn order(&self) -> u32;
+
+    /// The method at work: from this phase by steps of `step` seconds, negative ones backwards. What all steps share is made here, once.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for phase and step, [`Error::ZeroVector`] for a quaternion that is none; [`Error::Integration`] for a step that the
+    /// method cannot take.
+    fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>>;
+}
+
+/// A method at work. It remembers: one step costs what it costs in a run of many, and ends on the same bits.
+pub trait Stepper<T: Real = f64> {
+    /// So many steps.
+    ///
+    /// # Errors
+    /// [`Error::Integration`] where an implicit step has no solution.
+    fn advance(&mut self, steps: u64) -> Result<()>;
+
+    /// One step.
+    ///
+    /// # Errors
+    /// As for [`advance`](Self::advance).
+    fn step(&mut self) -> Result<()> {
+        self.advance(1)
+    }
+
+    /// Where the body is now, the attitude's norm 1 to rounding. Splittings leave to this what only a phase that is looked at needs, a
+    /// rotation or two.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    fn phase(&self) -> Result<Phase<T>>;
+
+    /// What it has cost so far: sine pairs, torques or Newton's rounds, whichever the method lives by; and steps.
+    fn cost(&self) -> Cost;
+}
+
+/// What a run carries from step to step: the phase, each component with what rounding has left of it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Run<T> {
+    pub l: Sums<T, 3>,
+    pub q: Sums<T, 4>,
+}
+
+impl<T: Real> Run<T> {
+    /// # Errors
+    /// Those of [`Integrator::start`] for phase and step.
+    pub fn new(phase: &Phase<T>, step: T) -> Result<Self> {
+        phase.check()?;
+        finite("the step", step.to_double())?;
+        let size = phase.q.iter().map(|x| x.to_double().abs()).sum::<f64>();
+        if size == 0.0 {
+            return Err(Error::ZeroVector {
+                quantity: "the attitude's quaternion",
+            });
+        }
+        Ok(Self {
+            l: Sums::new(phase.l),
+            q: Sums::new(unit(phase.q)),
+        })
+    }
+
+    /// The phase here, its norm not restored.
+    #[inline(always)]
+    pub fn phase(&self) -> Phase<T> {
+        Phase {
+            l: self.l.values,
+            q: self.q.values,
+        }
+    }
+
+    /// Adds to L.
+    #[inline(always)]
+    pub fn push(&mut self, change: [T; 3]) {
+        self.l.add_all(change);
+    }
+
+    /// Turns the body by a rotation whose quaternion, less 1, is `turn`: q becomes q(1 + turn), L becomes what a rider sees of it.
+    ///
+    /// `change` is that change of L: the caller has it with fewer roundings than the quaternion would give it.
+    #[inline(always)]
+    pub fn turn(&mut self, turn: [T; 4], change: [T; 3]) {
+        self.q.add_all(product(self.q.values, turn));
+        self.l.add_all(change);
+    }
+
+    /// The phase here with norm 1.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn settled(&self) -> Result<Phase<T>> {
+        let phase = Phase {
+            l: self.l.values,
+            q: unit(self.q.values),
+        };
+        phase.check()?;
+        Ok(phase)
+    }
+}
+
+/// The same quaternion with norm 1.
+pub(super) fn unit<T: Real>(q: [T; 4]) -> [T; 4] {
+    let square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    let scale = square.square_root().reciprocal();
+    q.map(|x| x * scale)
+}
+
+/// Moments that a body can have, each positive.
+pub(super) fn checked_moments(moments: [f64; 3]) -> Result<[f64; 3]> {
+    let [a, b, c] = moments;
+    Ok(AxisMoments::new(a, b, c)?.values())
+}

@@ -1,0 +1,60 @@
+//! What acts on a body.
+
+use super::Phase;
+use crate::error::{Result, finite};
+use crate::integrators::real::{Real, cross};
+
+/// A torque, N m along the body's axes, as a function of the phase. A function or closure of the phase will do.
+pub trait Torque<T: Real> {
+    /// Whether there is any: without, nothing is computed for it.
+    const ACTS: bool = true;
+
+    /// The torque here.
+    fn torque(&self, phase: &Phase<T>) -> [T; 3];
+}
+
+impl<T: Real, F: Fn(&Phase<T>) -> [T; 3]> Torque<T> for F {
+    #[inline(always)]
+    fn torque(&self, phase: &Phase<T>) -> [T; 3] {
+        self(phase)
+    }
+}
+
+/// No torque.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Nothing;
+
+impl<T: Real> Torque<T> for Nothing {
+    const ACTS: bool = false;
+
+    #[inline(always)]
+    fn torque(&self, _: &Phase<T>) -> [T; 3] {
+        [T::from_double(0.0); 3]
+    }
+}
+
+/// Weight: the torque z∧MgC (8.1).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Weight {
+    lever: [f64; 3],
+}
+
+impl Weight {
+    /// With the lever MgC, N m along the body's axes, C the centre of mass seen from the pivot.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
+    pub fn new(lever: [f64; 3]) -> Result<Self> {
+        for component in lever {
+            finite("the lever MgC", component)?;
+        }
+        Ok(Self { lever })
+    }
+}
+
+impl<T: Real> Torque<T> for Weight {
+    #[inline(always)]
+    fn torque(&self, phase: &Phase<T>) -> [T; 3] {
+        cross(phase.up(), self.lever.map(T::from_double))
+    }
+}

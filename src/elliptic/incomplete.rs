@@ -98,8 +98,8 @@ const SINE: [Dd; 8] = [
 
 /// Sine and cosine of 0 ≤ x ≤ π/4, to 10⁻³¹ of them: as far as 1/15! in two words, and in one what follows.
 fn sine_cosine(x: Dd) -> (Dd, Dd) {
-    let square = quick::product(x, x);
-    let fourth = quick::product(square, square);
+    let square = x.quick_product(x);
+    let fourth = square.quick_product(square);
     let y = square.high();
     // 1/29!, 1/27!, … 1/17!.
     let (mut tail, mut coefficient) = (0.0, 1.130_996_288_644_771_6e-31);
@@ -110,14 +110,14 @@ fn sine_cosine(x: Dd) -> (Dd, Dd) {
     // Every other coefficient, so that two chains of operations run side by side.
     let chain = |start: Dd, coefficients: [usize; 3]| {
         coefficients.into_iter().fold(start, |sum, i| {
-            let term = quick::product(sum, fourth);
+            let term = sum.quick_product(fourth);
             let (high, low) = quick::ordered_sum(SINE[i].high(), term.high());
             Dd::new(high, low + (SINE[i].low() + term.low()))
         })
     };
     let even = chain(SINE[6], [4, 2, 0]);
     let odd = chain(SINE[7] + Dd::from(tail), [5, 3, 1]);
-    let sine = (even + quick::product(square, odd)) * x;
+    let sine = (even + square.quick_product(odd)) * x;
     (sine, (Dd::from(1.0) - sine * sine).square_root())
 }
 

@@ -82,7 +82,7 @@ impl Modulus {
         if m.value() <= mc.value() {
             let mean = Mean::new(mc, m);
             let q = Nome::new(m.value(), mean.product.value()).value();
-            let quarter = quick::quotient(RIGHT_ANGLE, mean.value);
+            let quarter = DoubleDouble::quick_quotient(RIGHT_ANGLE, mean.value);
             let series = Series::circular(q, complementary_modulus);
             Self::assemble(parameter, Side::Circular, quarter, mean.value, series)
         } else {
@@ -92,7 +92,7 @@ impl Modulus {
                 DoubleDouble::from(f64::INFINITY)
             } else {
                 let logarithm = nome.logarithm(mc, mean.product);
-                quick::quotient(logarithm.scaled(0.5), mean.value)
+                DoubleDouble::quick_quotient(logarithm.scaled(0.5), mean.value)
             };
             let series = Series::hyperbolic(
                 nome.value().sqrt(),
@@ -230,7 +230,10 @@ impl Mean {
         let (high, low) = quick::ordered_sum(0.5 * sum, -less);
         let low = low + (0.5 * sum_low - less_low - tail);
         let (high, low) = quick::ordered_sum(high, low);
-        let product = quick::product(DoubleDouble::new(a1, a1_low), DoubleDouble::new(a2, a2_low));
+        let product = DoubleDouble::quick_product(
+            DoubleDouble::new(a1, a1_low),
+            DoubleDouble::new(a2, a2_low),
+        );
         Self {
             value: DoubleDouble::new(high, low),
             product,
@@ -288,7 +291,7 @@ impl Nome {
         // The quotient is formed with a power of two taken off: mc may be as small as a double can be.
         let unit = power_of_two_below(lesser.high());
         let exponent = 1023 - (unit.to_bits() >> 52) as i32;
-        let ratio = quick::quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
+        let ratio = DoubleDouble::quick_quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
         let logarithm = logarithm(ratio, exponent);
         if self.l4 < 1e-34 {
             return logarithm;

@@ -2,7 +2,8 @@
 //!
 //! The states of [`EulerTop::at`] to the last bit: for times, eight lanes of the same code.
 
-use super::motion::{EulerTop, Motion, State};
+use super::evaluation::State;
+use super::motion::{EulerTop, Motion};
 use crate::elliptic::lanes::{fill, same_length};
 use crate::error::{Error, Result};
 use crate::frame::{Attitude, BodyVector};

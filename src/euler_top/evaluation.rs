@@ -10,7 +10,6 @@
 
 use nalgebra::Quaternion;
 
-use super::motion::State;
 use super::start::Renumbering;
 use super::turning::Turning;
 use crate::elliptic::lanes::{
@@ -21,6 +20,28 @@ use crate::elliptic::{Modulus, Side};
 use crate::error::{Result, too_long};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{DoubleDouble, RIGHT_ANGLE};
+
+/// A free top at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Ω along the body's axes, rad/s.
+    pub omega: BodyVector,
+    /// L along the body's axes, kg m²/s.
+    pub angular_momentum: BodyVector,
+    /// How the body stands in space.
+    pub attitude: Attitude,
+}
+
+impl Default for State {
+    /// At rest, the body's axes along those of space: what a slice of states may hold before it is filled.
+    fn default() -> Self {
+        Self {
+            omega: BodyVector::zero(),
+            angular_momentum: BodyVector::zero(),
+            attitude: Attitude::identity(),
+        }
+    }
+}
 
 /// The constants of a motion in which Ω moves in the body.
 #[derive(Debug, Clone, Copy, PartialEq)]

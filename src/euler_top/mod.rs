@@ -34,8 +34,10 @@ pub mod toutatis;
 mod turning;
 
 pub use batch::{Ensemble, Release, released_states};
-pub use motion::{EulerTop, GeometricPhase, Regime, State};
+pub use evaluation::State;
+pub use motion::{EulerTop, GeometricPhase};
 pub use own_axes::FreeBody;
 pub use poinsot::{Poinsot, Sector};
+pub use preparation::Regime;
 pub use separation::separatrix_slope;
 pub use symmetric::{Cones, Shape, SymmetricTop};

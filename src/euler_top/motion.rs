@@ -2,58 +2,14 @@
 
 use nalgebra::Quaternion;
 
-use super::evaluation::{Constants, Moving, half_turn, vector};
-use super::preparation::{decide, decide_from};
+use super::evaluation::{Constants, Moving, State, half_turn, vector};
+use super::preparation::{Regime, decide, decide_from};
 use super::start::{Digits, Start, ascending, ratio};
 use crate::elliptic::Parameter;
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
-
-/// What kind of motion a free top makes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Regime {
-    /// L = 0: nothing moves.
-    AtRest,
-    /// All moments equal: Ω stays (6.4).
-    Sphere,
-    /// One moment is zero: a rod, which turns steadily about L. Along itself it has no angular velocity to speak of; that component is returned as zero.
-    Rod,
-    /// L along a principal axis, or among the equal moments of a symmetric top: Ω stays (6.2).
-    PermanentRotation,
-    /// Two moments equal: Ω circles the axis of the third (6.5).
-    Symmetric,
-    /// L² < 2EI₂: L circles the axis of the smallest moment (6.6).
-    AroundSmallest,
-    /// L² > 2EI₂: L circles the axis of the largest moment (6.6).
-    AroundLargest,
-    /// L² = 2EI₂ exactly: one half turn over, from the middle axis to the middle axis, and no return (6.6).
-    Separatrix,
-}
-
-/// A free top at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
-    /// Ω along the body's axes, rad/s.
-    pub omega: BodyVector,
-    /// L along the body's axes, kg m²/s.
-    pub angular_momentum: BodyVector,
-    /// How the body stands in space.
-    pub attitude: Attitude,
-}
-
-impl Default for State {
-    /// At rest, the body's axes along those of space: what a slice of states may hold before it is filled.
-    fn default() -> Self {
-        Self {
-            omega: BodyVector::zero(),
-            angular_momentum: BodyVector::zero(),
-            attitude: Attitude::identity(),
-        }
-    }
-}
 
 /// A free rigid body, its motion prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,8 @@
 
 use nalgebra::{Rotation3, UnitQuaternion};
 
-use super::motion::{EulerTop, State};
+use super::evaluation::State;
+use super::motion::EulerTop;
 use crate::error::Result;
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::InertiaMatrix;

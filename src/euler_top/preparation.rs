@@ -1,7 +1,6 @@
 //! From moments and angular momentum to the constants of the motion, in 106 bits and without a cancellation (tutorial 6.6).
 
 use super::evaluation::Constants;
-use super::motion::Regime;
 use super::separation::{differences, rounded_separation, separation};
 use super::start::{Digits, Renumbering, Start, ascending};
 use super::turning::Turning;
@@ -10,6 +9,28 @@ use crate::elliptic::theta::{Elevation, Which};
 use crate::precise::{
     DoubleDouble, Extended, Number, Words, exponent_of, power_of_two_below, shifted,
 };
+
+/// What kind of motion a free top makes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Regime {
+    /// L = 0: nothing moves.
+    AtRest,
+    /// All moments equal: Ω stays (6.4).
+    Sphere,
+    /// One moment is zero: a rod, which turns steadily about L. Along itself it has no angular velocity to speak of; that component is returned as zero.
+    Rod,
+    /// L along a principal axis, or among the equal moments of a symmetric top: Ω stays (6.2).
+    PermanentRotation,
+    /// Two moments equal: Ω circles the axis of the third (6.5).
+    Symmetric,
+    /// L² < 2EI₂: L circles the axis of the smallest moment (6.6).
+    AroundSmallest,
+    /// L² > 2EI₂: L circles the axis of the largest moment (6.6).
+    AroundLargest,
+    /// L² = 2EI₂ exactly: one half turn over, from the middle axis to the middle axis, and no return (6.6).
+    Separatrix,
+}
 
 /// 2⁻²⁰⁰: the fourth power of what is above it is a normal double.
 const FAR_BELOW: f64 = 6.223_015_277_861_142e-61;

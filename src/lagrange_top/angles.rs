@@ -1,7 +1,8 @@
 //! Tilt, precession and spin as angles (7.1): for drawing and for reading, not for computing.
 
+use super::evaluation::State;
 use super::kinds::Roots;
-use super::motion::{LagrangeTop, State};
+use super::motion::LagrangeTop;
 use crate::frame::EulerAngles;
 
 impl State {

@@ -7,7 +7,6 @@
 
 use nalgebra::Quaternion;
 
-use super::motion::State;
 use super::turning::{Complex, Parameter};
 use crate::elliptic::lanes::{
     GREATEST_ANGLE, LANES, Places, phase, product, quarters_reach, sine_cosine, sine_cosine_of_any,
@@ -17,6 +16,21 @@ use crate::elliptic::{Modulus, Side};
 use crate::error::{Result, too_long};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{DoubleDouble, RIGHT_ANGLE, power_of_two_below};
+
+/// The top at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Ω along the body's axes, rad/s.
+    pub omega: BodyVector,
+    /// How the body stands in space.
+    pub attitude: Attitude,
+    /// h = cos θ, the height of the axis.
+    pub height: f64,
+    /// 1 − h, without cancellation.
+    pub one_less: f64,
+    /// 1 + h, without cancellation.
+    pub one_more: f64,
+}
 
 /// Which way gravity pulls along space z; up is solved as down, upside down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

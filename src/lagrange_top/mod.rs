@@ -27,8 +27,9 @@ mod turning;
 
 pub use crate::frame::EulerAngles;
 pub use dip::{Cycloid, Dip, dip};
+pub use evaluation::State;
 pub use kinds::{Nutation, Roots};
-pub use motion::{LagrangeTop, State};
+pub use motion::LagrangeTop;
 pub use pendulum::{Apsides, apsides, pendulum_between, pendulum_from_integrals};
 pub use precession::{
     FastSpin, PurePrecession, fast_spin, least_axial_angular_momentum, pure_precession,

@@ -2,33 +2,17 @@
 
 use nalgebra::Quaternion;
 
-use super::evaluation::{Constants, Pull, turned};
+use super::evaluation::{Pull, State, turned};
 use super::kinds::{Nutation, Roots};
-use super::preparation::{Body, Exact, Kept, Start, moderate, prepare, prepare_kept};
+use super::preparation::{
+    Body, Exact, FASTEST, Kept, Motion, Start, moderate, prepare, prepare_kept,
+};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::fill;
 use crate::error::{Error, Result, finite};
 use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
 use crate::frame::{Attitude, BodyVector};
-
-/// Beyond this, in rad/s, sums of rates overflow.
-pub(super) const FASTEST: f64 = 1e307;
-
-/// The top at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
-    /// Ω along the body's axes, rad/s.
-    pub omega: BodyVector,
-    /// How the body stands in space.
-    pub attitude: Attitude,
-    /// h = cos θ, the height of the axis.
-    pub height: f64,
-    /// 1 − h, without cancellation.
-    pub one_less: f64,
-    /// 1 + h, without cancellation.
-    pub one_more: f64,
-}
 
 /// A symmetric body that turns about a fixed point of its axis under gravity, its motion prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,17 +25,6 @@ pub struct LagrangeTop {
     kind: Nutation,
     roots: Roots,
     motion: Motion,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[allow(
-    clippy::large_enum_variant,
-    reason = "a top is one value without allocation; most tops move"
-)]
-pub(super) enum Motion {
-    /// The axis stays: upright, hanging, or at rest without gravity.
-    Still,
-    Moving(Constants),
 }
 
 impl LagrangeTop {

@@ -4,7 +4,6 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Constants, Pull};
 use super::kinds::{Nutation, Roots, kind};
-use super::motion::{FASTEST, Motion};
 use super::roots::{Cubic, Distances, Integrals};
 use super::turning::{Complex, Parameter};
 use crate::elliptic::descent::{Descent, Squares};
@@ -15,6 +14,20 @@ use crate::precise::{
     DoubleDouble, Extended, Number, Words, exponent_of, power_of_two_below, shifted,
     sum_of_products,
 };
+
+/// Beyond this, in rad/s, sums of rates overflow.
+pub(super) const FASTEST: f64 = 1e307;
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "a top is one value without allocation; most tops move"
+)]
+pub(super) enum Motion {
+    /// The axis stays: upright, hanging, or at rest without gravity.
+    Still,
+    Moving(Constants),
+}
 
 /// What does not move.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! The angle of a point in twice the precision.
 
-use super::{DoubleDouble, Number};
+use super::DoubleDouble;
 
 /// π/2 to 106 bits.
 pub(crate) const RIGHT_ANGLE: DoubleDouble =
@@ -39,11 +39,11 @@ pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
     let index = ((across.high() / along.high() * 16.0 + 0.5) as usize).min(16);
     let [high, low] = ARCTANGENTS[index];
     let slope = DoubleDouble::from(index as f64 / 16.0);
-    let r = (across - along * slope).quotient(along.add_alike(across * slope));
+    let r = (across - along * slope) / along.add_alike(across * slope);
     let square = r * r;
     let y = square.value();
     let tail = y * y * (0.2 - y * (1.0 / 7.0 - y * (1.0 / 9.0 - y * (1.0 / 11.0 - y / 13.0))));
-    let series = (DoubleDouble::from(1.0) - square.quotient(DoubleDouble::from(3.0)))
+    let series = (DoubleDouble::from(1.0) - square / DoubleDouble::from(3.0))
         .add_alike(DoubleDouble::from(tail));
     let small = r * series + DoubleDouble::sum(high, low);
     if steep { RIGHT_ANGLE - small } else { small }

@@ -55,6 +55,25 @@ impl DoubleDouble {
         Self { high, low }
     }
 
+    /// Quotient to 103 bits, for sizes near 1.
+    #[inline(always)]
+    pub(crate) fn quick_quotient(self, b: Self) -> Self {
+        let inverse = 1.0 / b.high;
+        let leading = self.high * inverse;
+        let (product, error) = quick::exact_product(leading, b.high);
+        let rest = ((self.high - product) - error) + (self.low - leading * b.low);
+        let (high, low) = quick::ordered_sum(leading, rest * inverse);
+        Self { high, low }
+    }
+
+    /// Product to 104 bits, for sizes near 1.
+    #[inline(always)]
+    pub(crate) fn quick_product(self, b: Self) -> Self {
+        let (high, error) = quick::exact_product(self.high, b.high);
+        let (high, low) = quick::ordered_sum(high, error + (self.high * b.low + self.low * b.high));
+        Self { high, low }
+    }
+
     /// The difference of two doubles, exactly.
     pub(crate) fn difference(a: f64, b: f64) -> Self {
         Self::sum(a, -b)

@@ -3,7 +3,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{DoubleDouble, Number, logarithm, power_of_two_below};
+use super::{DoubleDouble, power_of_two_below};
 
 /// `digits · 2^exponent`: squares of tilts down to 1e-300 stay numbers.
 #[derive(Debug, Clone, Copy)]
@@ -36,7 +36,7 @@ pub(crate) fn sum_of_products(products: &[[f64; 2]]) -> Extended {
     }
     words
         .into_iter()
-        .fold(Extended::zero(), Extended::add_alike)
+        .fold(Extended::zero(), |sum, word| sum + word)
 }
 
 /// The sum of two numbers of one word, as the nearest such number and the rest, the rest first.
@@ -59,6 +59,29 @@ fn exact_sum(a: Extended, b: Extended) -> [Extended; 2] {
 }
 
 impl Extended {
+    fn is_zero(self) -> bool {
+        self.digits.high() == 0.0
+    }
+
+    /// A double.
+    pub(crate) fn from_double(value: f64) -> Self {
+        if value == 0.0 {
+            return Self::zero();
+        }
+        if value.abs() < f64::MIN_POSITIVE {
+            // A subnormal: its own leading digit counts.
+            let mut number = Self::from_double(value * power(1000));
+            number.exponent -= 1000;
+            return number;
+        }
+        let bits = value.to_bits();
+        let digits = f64::from_bits((bits & !EXPONENT_BITS) | ONE_BITS);
+        Self {
+            digits: DoubleDouble::from(digits),
+            exponent: exponent_of(f64::from_bits(bits & EXPONENT_BITS)),
+        }
+    }
+
     /// Its two words as numbers of their own, the lower first.
     fn words(self) -> [Self; 2] {
         [self.digits.low(), self.digits.high()].map(|word| {
@@ -155,100 +178,6 @@ impl Neg for Extended {
     }
 }
 
-impl Number for Extended {
-    type Narrow = DoubleDouble;
-
-    fn from_double(value: f64) -> Self {
-        if value == 0.0 {
-            return Self::zero();
-        }
-        if value.abs() < f64::MIN_POSITIVE {
-            // A subnormal: its own leading digit counts.
-            let mut number = Self::from_double(value * power(1000));
-            number.exponent -= 1000;
-            return number;
-        }
-        let bits = value.to_bits();
-        let digits = f64::from_bits((bits & !EXPONENT_BITS) | ONE_BITS);
-        Self {
-            digits: DoubleDouble::from(digits),
-            exponent: exponent_of(f64::from_bits(bits & EXPONENT_BITS)),
-        }
-    }
-
-    fn leading(self) -> f64 {
-        self.digits.high()
-    }
-
-    fn square_root(self) -> Self {
-        if self.is_zero() {
-            return Self::zero();
-        }
-        let odd = self.exponent & 1;
-        Self {
-            digits: self.digits.scaled(f64::from(1 + odd)).square_root(),
-            exponent: (self.exponent - odd) / 2,
-        }
-    }
-
-    fn difference(a: f64, b: f64) -> Self {
-        let exact = DoubleDouble::difference(a, b);
-        let leading = Self::from_double(exact.high());
-        Self {
-            digits: DoubleDouble::sum(
-                leading.digits.high(),
-                shifted(exact.low(), -leading.exponent),
-            ),
-            exponent: leading.exponent,
-        }
-    }
-
-    fn from_narrow(number: DoubleDouble) -> Self {
-        Self::from(number)
-    }
-
-    fn narrow(self) -> DoubleDouble {
-        let high = shifted(self.digits.high(), self.exponent);
-        if high.is_infinite() {
-            return DoubleDouble::new(high, 0.0);
-        }
-        DoubleDouble::sum(high, shifted(self.digits.low(), self.exponent))
-    }
-
-    fn root_of_quotient(self, divisor: Self) -> f64 {
-        if self.is_zero() {
-            return 0.0;
-        }
-        let exponent = self.exponent - divisor.exponent;
-        let odd = exponent & 1;
-        let digits = self.digits.value() / divisor.digits.value() * f64::from(1 + odd);
-        shifted(digits.sqrt(), (exponent - odd) / 2)
-    }
-
-    fn exceeds(self, other: Self) -> bool {
-        (self - other).leading() > 0.0
-    }
-
-    fn logarithm(self) -> DoubleDouble {
-        logarithm(self.digits, self.exponent)
-    }
-
-    fn rough_cube_root(self) -> Self {
-        if self.is_zero() {
-            return self;
-        }
-        let third = self.exponent.div_euclid(3);
-        let rest = f64::from(1 << self.exponent.rem_euclid(3));
-        let mut root = Self::from_double((self.digits.high() * rest).cbrt());
-        root.exponent += third;
-        root
-    }
-
-    fn from_extended(number: Extended) -> Self {
-        number
-    }
-}
-
 impl From<DoubleDouble> for Extended {
     /// Of a number that is normal or zero.
     fn from(number: DoubleDouble) -> Self {
@@ -298,8 +227,9 @@ pub(crate) fn shifted(value: f64, exponent: i32) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Extended, Number, shifted, sum_of_products};
+    use super::{Extended, shifted, sum_of_products};
     use crate::precise::DoubleDouble;
+    use crate::precise::Number;
 
     #[test]
     fn logarithm_of_products_is_the_sum() {

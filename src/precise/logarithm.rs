@@ -54,19 +54,19 @@ pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let (center, entry) = (index as f64 / 32.0, LOGARITHMS[index.clamp(32, 64) - 32]);
     let sum = DoubleDouble::sum(x.high(), center);
     let gap = DoubleDouble::sum(x.high() - center, x.low());
-    let s = quick::quotient(gap, DoubleDouble::new(sum.high(), sum.low() + x.low()));
-    let s2 = quick::product(s, s);
+    let s = DoubleDouble::quick_quotient(gap, DoubleDouble::new(sum.high(), sum.low() + x.low()));
+    let s2 = DoubleDouble::quick_product(s, s);
     let y = s2.high();
     // From the fourth term on a double will do, and so for what 1/5 leaves over.
     let tail = y * (1.0 / 7.0 + y * (1.0 / 9.0 + y * (1.0 / 11.0 + y / 13.0)));
     let (high, low) = quick::ordered_sum(0.2, tail);
-    let fifth = quick::product(
+    let fifth = DoubleDouble::quick_product(
         s2,
         DoubleDouble::new(high, low - 1.110_223_024_625_156_6e-17),
     );
     let (high, low) = quick::ordered_sum(THIRD.high(), fifth.high());
     let third = DoubleDouble::new(high, low + (THIRD.low() + fifth.low()));
-    let more = quick::product(quick::product(s, s2), third);
+    let more = DoubleDouble::quick_product(DoubleDouble::quick_product(s, s2), third);
     let series = DoubleDouble::sum(s.high(), more.high());
     let series_low = 2.0 * (series.low() + (s.low() + more.low()));
     let (power, error) = quick::exact_product(exponent, LN_2.high());

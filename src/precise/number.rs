@@ -4,7 +4,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{DoubleDouble, Extended, angle, logarithm};
+use super::{DoubleDouble, Extended, angle, logarithm, shifted};
 
 /// A number that the constants of an exact motion are formed in. Sums and differences keep its digits however much cancels.
 pub(crate) trait Number:
@@ -198,6 +198,86 @@ impl Words for DoubleDouble {
 
     fn angle(cosine: Self, sine: Self) -> Self {
         angle(cosine, sine)
+    }
+}
+
+impl Number for Extended {
+    type Narrow = DoubleDouble;
+
+    fn from_double(value: f64) -> Self {
+        Self::from_double(value)
+    }
+
+    fn leading(self) -> f64 {
+        self.digits.high()
+    }
+
+    fn square_root(self) -> Self {
+        if self.is_zero() {
+            return Self::zero();
+        }
+        let odd = self.exponent & 1;
+        Self {
+            digits: self.digits.scaled(f64::from(1 + odd)).square_root(),
+            exponent: (self.exponent - odd) / 2,
+        }
+    }
+
+    fn difference(a: f64, b: f64) -> Self {
+        let exact = DoubleDouble::difference(a, b);
+        let leading = Self::from_double(exact.high());
+        Self {
+            digits: DoubleDouble::sum(
+                leading.digits.high(),
+                shifted(exact.low(), -leading.exponent),
+            ),
+            exponent: leading.exponent,
+        }
+    }
+
+    fn from_narrow(number: DoubleDouble) -> Self {
+        Self::from(number)
+    }
+
+    fn narrow(self) -> DoubleDouble {
+        let high = shifted(self.digits.high(), self.exponent);
+        if high.is_infinite() {
+            return DoubleDouble::new(high, 0.0);
+        }
+        DoubleDouble::sum(high, shifted(self.digits.low(), self.exponent))
+    }
+
+    fn root_of_quotient(self, divisor: Self) -> f64 {
+        if self.is_zero() {
+            return 0.0;
+        }
+        let exponent = self.exponent - divisor.exponent;
+        let odd = exponent & 1;
+        let digits = self.digits.value() / divisor.digits.value() * f64::from(1 + odd);
+        shifted(digits.sqrt(), (exponent - odd) / 2)
+    }
+
+    fn exceeds(self, other: Self) -> bool {
+        (self - other).leading() > 0.0
+    }
+
+    fn logarithm(self) -> DoubleDouble {
+        logarithm(self.digits, self.exponent)
+    }
+
+    fn rough_cube_root(self) -> Self {
+        if self.is_zero() {
+            return self;
+        }
+        let third = self.exponent.div_euclid(3);
+        let rest = f64::from(1 << self.exponent.rem_euclid(3));
+        let mut root = Self::from_double((self.digits.high() * rest).cbrt());
+        root.exponent += third;
+        root
+    }
+
+    fn from_extended(number: Extended) -> Self {
+        number
     }
 }
 

@@ -1,7 +1,5 @@
 //! Two words without a branch, for numbers whose size is known to be far from the ends of the doubles: for one as for several side by side.
 
-use super::DoubleDouble;
-
 /// Upper 26 bits and the rest, for numbers below 10³⁰⁰ (Veltkamp).
 #[inline(always)]
 pub(crate) fn halves(x: f64) -> (f64, f64) {
@@ -37,23 +35,4 @@ pub(crate) fn root(high: f64, low: f64) -> (f64, f64) {
     let root = high.sqrt();
     let (square, error) = exact_product(root, root);
     (root, (((high - square) - error) + low) * (0.5 / root))
-}
-
-/// Quotient to 103 bits, for sizes near 1.
-#[inline(always)]
-pub(crate) fn quotient(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
-    let inverse = 1.0 / b.high();
-    let leading = a.high() * inverse;
-    let (product, error) = exact_product(leading, b.high());
-    let rest = ((a.high() - product) - error) + (a.low() - leading * b.low());
-    let (high, low) = ordered_sum(leading, rest * inverse);
-    DoubleDouble::new(high, low)
-}
-
-/// Product to 104 bits, for sizes near 1.
-#[inline(always)]
-pub(crate) fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
-    let (high, error) = exact_product(a.high(), b.high());
-    let (high, low) = ordered_sum(high, error + (a.high() * b.low() + a.low() * b.high()));
-    DoubleDouble::new(high, low)
 }

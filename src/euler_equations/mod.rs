@@ -37,7 +37,7 @@ impl AxisMoments {
     /// The moments along axes 1, 2, 3, checked (2.4).
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::TriangleInequality`] (slack 4 eps).
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite), [`Error::TriangleInequality`](crate::Error::TriangleInequality) (slack 4 eps).
     ///
     /// ```
     /// use spinning_bodies::euler_equations::AxisMoments;
@@ -111,7 +111,7 @@ pub fn rate(moments: &AxisMoments, omega: BodyVector, torque: BodyVector) -> Bod
 /// [`InertiaMatrix::principal_axes`]; whoever asks often should go to principal axes once.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for a rod or a particle.
+/// [`Error::NotPositive`](crate::Error::NotPositive) for a rod or a particle.
 pub fn rate_in_any_axes(
     inertia: &InertiaMatrix,
     omega: BodyVector,
@@ -172,7 +172,7 @@ pub enum ReferencePoint {
 /// I_O/I_C in relative accuracy. Cost: parallel axes and [`rate_in_any_axes`].
 ///
 /// # Errors
-/// [`Error::NotFinite`] for the point, [`Error::NotPositive`] if a moment about it is zero.
+/// [`Error::NotFinite`](crate::Error::NotFinite) for the point, [`Error::NotPositive`](crate::Error::NotPositive) if a moment about it is zero.
 pub fn rate_about(
     body: &MassProperties,
     reference: ReferencePoint,

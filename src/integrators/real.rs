@@ -44,8 +44,8 @@ pub trait Real:
     /// The same number in two words.
     fn two_words(self) -> DoubleDouble;
 
-    /// (sin x)/x and cos x from x² for long phases x: two words keep their place in the turn.
-    fn long_turn(square: DoubleDouble) -> (Self, Self);
+    /// sin x and cos x for long phases x: two words keep their place in the turn.
+    fn sine_and_cosine(x: DoubleDouble) -> (Self, Self);
 }
 
 /// Below this square the short series are good to 2⁻⁶⁰: the first term left out is x¹⁰/11!, and x² < 1/256.
@@ -144,13 +144,9 @@ macro_rules! machine {
                 DoubleDouble::from(f64::from(self))
             }
 
-            fn long_turn(square: DoubleDouble) -> (Self, Self) {
-                let x = square.square_root();
-                if x.value() == 0.0 {
-                    return (1.0, 1.0);
-                }
+            fn sine_and_cosine(x: DoubleDouble) -> (Self, Self) {
                 let (sine, cosine) = x.sin_cos();
-                ((sine / x.value()) as Self, cosine as Self)
+                (sine as Self, cosine as Self)
             }
         }
     };
@@ -219,9 +215,9 @@ impl Real for DoubleDouble {
         self
     }
 
-    fn long_turn(square: Self) -> (Self, Self) {
-        let (sine, versine) = square.turn_of_square();
-        (sine, Self::from(1.0) - square * versine)
+    fn sine_and_cosine(x: Self) -> (Self, Self) {
+        let (sine, versine) = x.turn();
+        (sine, Self::from(1.0) - versine)
     }
 }
 

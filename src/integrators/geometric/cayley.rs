@@ -134,6 +134,7 @@ impl<T: Real> Integrator<T> for GroupMidpoint {
 }
 
 /// The steps, with the last solutions to start the next from.
+#[derive(Clone, Copy)]
 struct Cayley<T, const VESELOV: bool> {
     moments: [T; 3],
     step: T,
@@ -149,12 +150,14 @@ impl<T: Real, const VESELOV: bool> Stepper<T> for Cayley<T, VESELOV> {
     fn advance(&mut self, steps: u64) -> Result<()> {
         let (one, two) = (T::from_double(1.0), T::from_double(2.0));
         let half = T::from_double(0.5) * self.step;
+        // A copy, for registers.
+        let mut now = *self;
         for _ in 0..steps {
-            let l = self.run.l.values;
+            let l = now.run.l.values;
             let g = l.map(|component| half * component);
-            let (e, rounds) = self.solve(g).ok_or_else(|| Error::Integration {
+            let (e, rounds) = now.solve(g).ok_or_else(|| Error::Integration {
                 reason: "an implicit step has no solution nearby: it is too long",
-                time: self.step.to_double() * self.cost.steps as f64,
+                time: now.step.to_double() * now.cost.steps as f64,
             })?;
             let square = dot(e, e);
             let norm = one + square;
@@ -166,12 +169,13 @@ impl<T: Real, const VESELOV: bool> Stepper<T> for Cayley<T, VESELOV> {
             // 1/√(1 + e²) − 1 without cancellation: −e²/(1 + e² + √(1 + e²)).
             let cosine = -(square * root * root) * (one + root).reciprocal();
             let turn = [cosine, root * e[0], root * e[1], root * e[2]];
-            self.run.turn(turn, change);
-            self.last = [e, self.last[0], self.last[1]];
-            self.known = (self.known + 1).min(3);
-            self.cost.evaluations += rounds;
-            self.cost.steps += 1;
+            now.run.turn(turn, change);
+            now.last = [e, now.last[0], now.last[1]];
+            now.known = (now.known + 1).min(3);
+            now.cost.evaluations += rounds;
+            now.cost.steps += 1;
         }
+        *self = now;
         Ok(())
     }
 

@@ -1,7 +1,7 @@
 //! Motions by parts that are each solved exactly, in turn: rotations about axes of the body, the rotation about L, kicks by a torque.
 
 use super::coefficients::{NYSTROM_6, NYSTROM_11, S6, S10, STRANG, Splitting};
-use super::stepper::{Run, checked_moments};
+use super::stepper::{Run, checked_moments, unit};
 use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
 use crate::integrators::Cost;
@@ -113,15 +113,18 @@ impl<T: Real> Integrator<T> for FreeSplitting {
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let mut run = Run::new(phase, step)?;
-        let start = run.phase();
+        let Phase { l, q } = run.phase();
         // Without the turn about L.
         run.q = Sums::new([1.0, 0.0, 0.0, 0.0].map(T::from_double));
+        let exact = l.map(T::two_words);
+        let size = dot(exact, exact).square_root();
+        let halved = step.two_words() * DoubleDouble::from(0.5);
         let parts = Free {
-            start,
+            q,
+            direction: unit(l),
+            half: size * halved / DoubleDouble::from(self.axes.middle),
             outer: self.axes.rate(self.axes.outer),
             inner: self.axes.rate(self.axes.inner),
-            middle: self.axes.middle,
-            step,
         };
         Ok(Alternating::boxed(
             parts,
@@ -228,11 +231,12 @@ trait Parts<T: Real> {
 
 /// Rotations about two axes; about L at the end.
 struct Free<T> {
-    start: Phase<T>,
+    q: [T; 4],
+    /// The direction of L, and half the angle about it a step: in two words, or 10⁷ steps would lose five digits here.
+    direction: [T; 3],
+    half: DoubleDouble,
     outer: (usize, T),
     inner: (usize, T),
-    middle: f64,
-    step: T,
 }
 
 impl<T: Real> Parts<T> for Free<T> {
@@ -250,9 +254,9 @@ impl<T: Real> Parts<T> for Free<T> {
 
     /// q exp(tL₀/2I₂) times what the others have made.
     fn finish(&self, run: &mut Run<T>, steps: u64) {
-        let Phase { l, q } = self.start;
-        let turn = long_turn(l, self.middle, self.step, steps);
-        run.q.values = product(product(q, turn), run.q.values);
+        let (sine, cosine) = T::sine_and_cosine(self.half * DoubleDouble::from(steps as f64));
+        let [x, y, z] = self.direction.map(|component| sine * component);
+        run.q.values = product(product(self.q, [cosine, x, y, z]), run.q.values);
     }
 }
 
@@ -399,26 +403,4 @@ fn about<T: Real, const AXIS: usize>(run: &mut Run<T>, half: T) {
     run.q.add(AXIS + 1, s * q[0] - v * q[AXIS + 1]);
     run.q.add(j + 1, s * q[k + 1] - v * q[j + 1]);
     run.q.add(k + 1, -(s * q[j + 1]) - v * q[k + 1]);
-}
-
-/// The quaternion of the turn about L by |L|t/I in the time t of all steps.
-///
-/// A single word counts on for the angle that it holds to rounding, π/2; two words for any other, or 10⁷ steps would lose five digits here.
-fn long_turn<T: Real>(l: [T; 3], moment: f64, step: T, steps: u64) -> [T; 4] {
-    let count = T::from_double(steps as f64);
-    let rate = T::from_double(0.5) * step * count * T::from_double(moment).reciprocal();
-    let half = l.map(|x| x * rate);
-    let square = dot(half, half);
-    let (sine, cosine) = if square.to_double() < 0.6 {
-        let (sine, versine) = square.turn_of_square();
-        (sine, T::from_double(1.0) - square * versine)
-    } else {
-        let rate = DoubleDouble::from(0.5 * steps as f64)
-            * step.two_words()
-            * DoubleDouble::from(moment).reciprocal();
-        let half = l.map(|x| x.two_words() * rate);
-        T::long_turn(dot(half, half))
-    };
-    let [x, y, z] = half.map(|component| sine * component);
-    [cosine, x, y, z]
 }

@@ -179,11 +179,15 @@ impl<T: Real> Run<T> {
     }
 }
 
-/// The same quaternion with norm 1.
-pub(super) fn unit<T: Real>(q: [T; 4]) -> [T; 4] {
-    let square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+/// The same vector or quaternion with norm 1; of length zero, itself.
+pub(super) fn unit<T: Real, const N: usize>(v: [T; N]) -> [T; N] {
+    let zero = T::from_double(0.0);
+    let square = v.iter().fold(zero, |sum, &x| sum + x * x);
+    if square == zero {
+        return v;
+    }
     let scale = square.square_root().reciprocal();
-    q.map(|x| x * scale)
+    v.map(|x| x * scale)
 }
 
 /// Moments that a body can have, each positive.

@@ -3,7 +3,7 @@
 use super::crest::{Hyperbolic, hyperbolic};
 use super::kernel;
 use super::kernel::ROUNDER;
-use super::modulus::{Modulus, Reduction, Side};
+use super::modulus::{COUNTABLE, Modulus, Reduction, Side};
 use super::parameter::Parameter;
 use super::quarter;
 use super::series::{Corrections, Series};
@@ -22,9 +22,6 @@ pub struct Jacobi {
     /// The amplitude am u, in radians: grows by π with each 2K.
     pub am: f64,
 }
-
-/// The greatest number of quarter periods that a double counts.
-pub(super) const COUNTABLE: f64 = 9_007_199_254_740_992.0;
 
 /// π/2 in three words, of which the first two are so short that a count times either is exact.
 pub(super) const QUARTER_PARTS: [f64; 3] = [

@@ -48,10 +48,9 @@
 
 mod batch;
 pub mod carlson;
-mod complete;
 mod crest;
 pub(crate) mod descent;
-mod incomplete;
+mod integrals;
 mod inverse;
 mod jacobi;
 mod kernel;
@@ -62,15 +61,13 @@ mod parameter;
 mod quarter;
 mod series;
 pub(crate) mod theta;
-mod third;
 
-pub use complete::{
-    complete_b, complete_d, complete_first, complete_first_excess, complete_second,
+pub use integrals::{
+    complete_b, complete_d, complete_first, complete_first_excess, complete_second, complete_third,
+    incomplete_first, incomplete_second, incomplete_third,
 };
-pub use incomplete::{incomplete_first, incomplete_second};
 pub use inverse::{inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn};
 pub use jacobi::{Jacobi, sn_cn_dn};
 pub use modulus::Modulus;
 pub(crate) use modulus::Side;
-pub use parameter::Parameter;
-pub use third::{Characteristic, complete_third, incomplete_third};
+pub use parameter::{Characteristic, Parameter};

@@ -1,12 +1,14 @@
 //! The prepared modulus: quarter period to 101 bits and more, nome, and what takes quarter periods off an argument.
 
-use super::jacobi::COUNTABLE;
 use super::landen::Landen;
 use super::parameter::Parameter;
-use super::series::Series;
+use super::series::{SMALL, Series};
 use crate::precise::{
     DoubleDouble, Number, RIGHT_ANGLE, Words, logarithm, power_of_two_below, quick,
 };
+
+/// The greatest number of quarter periods that a double counts.
+pub(super) const COUNTABLE: f64 = 9_007_199_254_740_992.0;
 
 /// π to 106 bits.
 pub(super) const PI: DoubleDouble =
@@ -240,11 +242,6 @@ impl Mean {
         }
     }
 }
-
-/// Below this the lesser of m and mc is so small that the first terms of each series are the whole.
-///
-/// What is left out is 3·10⁻³⁴ of the mean and 10⁻²⁶ of a theta function: both sides agree.
-pub(super) const SMALL: f64 = 1e-8;
 
 impl Mean {
     /// The mean and the product as series in 1 − x.

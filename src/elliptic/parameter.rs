@@ -84,15 +84,6 @@ impl Parameter {
         dead_code,
         reason = "for callers inside the library that know m to 106 bits"
     )]
-    pub(crate) fn from_lesser(lesser: Lesser, value: DoubleDouble) -> Result<Self> {
-        within_unit("lesser of m and mc", value.value())?;
-        let parameter = Self::with_lesser_m(value);
-        Ok(match lesser {
-            Lesser::Parameter => parameter,
-            Lesser::Complement => parameter.exchanged(),
-        })
-    }
-
     /// The parameter from m and mc to 106 bits, each.
     pub(crate) fn from_both(m: DoubleDouble, mc: DoubleDouble) -> Self {
         Self { m, mc }
@@ -130,17 +121,6 @@ impl Parameter {
     }
 }
 
-/// Which of m and mc is meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(
-    dead_code,
-    reason = "for callers inside the library that know m to 106 bits"
-)]
-pub(crate) enum Lesser {
-    Parameter,
-    Complement,
-}
-
 /// `value`, if it lies in 0…1; −0 becomes 0.
 pub(super) fn within_unit(quantity: &'static str, value: f64) -> Result<f64> {
     let value = finite(quantity, value)?;
@@ -153,5 +133,85 @@ pub(super) fn within_unit(quantity: &'static str, value: f64) -> Result<f64> {
             least: 0.0,
             greatest: 1.0,
         })
+    }
+}
+
+/// The factor n of sin² in an integral, together with its complement nc = 1 − n: any finite n.
+///
+/// It is the characteristic of Π, and a parameter m outside 0…1 of F, E and Π. (Within, a [`Parameter`] will do
+/// in its place.) Next to n = 1 an integral goes as 1/√nc or ln nc; there nc is what must be known. The one given is exact, the
+/// other is one minus it to 106 bits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Characteristic {
+    pub(super) n: DoubleDouble,
+    pub(super) nc: DoubleDouble,
+}
+
+impl Characteristic {
+    /// From both n and nc; the one of lesser size is believed.
+    ///
+    /// # Errors
+    ///
+    /// If one is not finite, or if n + nc differs from 1 by more than 4 ε of the greater.
+    pub fn new(n: f64, nc: f64) -> Result<Self> {
+        let n = finite("characteristic n", n)?;
+        let nc = finite("complementary characteristic nc", nc)?;
+        let defect = (DoubleDouble::sum(n, nc) - DoubleDouble::from(1.0)).value();
+        if defect.abs() > 4.0 * f64::EPSILON * n.abs().max(nc.abs()) {
+            return Err(Error::Condition {
+                condition: "n + nc must be 1 to within 4 eps",
+                value: n + nc,
+            });
+        }
+        if n.abs() <= nc.abs() {
+            Self::from_characteristic(n)
+        } else {
+            Self::from_complement(nc)
+        }
+    }
+
+    /// From n, taken as exact.
+    ///
+    /// # Errors
+    ///
+    /// If n is not finite.
+    pub fn from_characteristic(n: f64) -> Result<Self> {
+        let n = finite("characteristic n", n)?;
+        Ok(Self {
+            n: DoubleDouble::from(n),
+            nc: DoubleDouble::difference(1.0, n),
+        })
+    }
+
+    /// From nc = 1 − n, taken as exact.
+    ///
+    /// # Errors
+    ///
+    /// If nc is not finite.
+    pub fn from_complement(nc: f64) -> Result<Self> {
+        let nc = finite("complementary characteristic nc", nc)?;
+        Ok(Self {
+            n: DoubleDouble::difference(1.0, nc),
+            nc: DoubleDouble::from(nc),
+        })
+    }
+
+    /// The characteristic n, rounded to a double.
+    pub fn n(self) -> f64 {
+        self.n.value()
+    }
+
+    /// The complement nc = 1 − n, rounded to a double.
+    pub fn nc(self) -> f64 {
+        self.nc.value()
+    }
+}
+
+impl From<Parameter> for Characteristic {
+    fn from(parameter: Parameter) -> Self {
+        Self {
+            n: parameter.m_dd(),
+            nc: parameter.mc_dd(),
+        }
     }
 }

@@ -22,7 +22,7 @@ fn tops() -> Vec<EulerTop> {
         ([0.0, 1.0, 1.0], [0.0, 0.4, 2.0], Regime::Rod),
         ([1.0, 2.0, 3.0], [0.0, 2.0, 0.0], Regime::PermanentRotation),
         ([1.0, 2.0, 3.0], [0.0, 0.0, 0.0], Regime::AtRest),
-        // In ratios that leave no room side by side: one by one.
+        // In ratios of 10²⁰⁰.
         (
             [1.0, 2.0, 3.0],
             [1e-200, 1e-200, 2.0],

@@ -105,13 +105,9 @@ fn euler_top_in_any_order_of_the_axes() {
                     .attitude
                     .to_space(vector(reordered(v.components().into(), order)));
                 let expected = reordered(seen.components().into(), order);
-                observed!(
-                    norm(crate::common::difference(
-                        there.components().into(),
-                        expected,
-                    )),
-                    6e-16..=6e-15
-                ); // observed 1.8e-15
+                // The state is formed in the same steps whichever axis is which.
+                let found: [f64; 3] = there.components().into();
+                assert_eq!(found, expected);
             }
         }
     }

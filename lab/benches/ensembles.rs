@@ -1,4 +1,4 @@
-//! Many states of free tops at once, beside the same states one by one, in one run.
+//! Many states of free tops, asked at once and one by one, in one run: times go eight side by side, bodies one after another.
 //!
 //! `cargo bench -p lab --bench ensembles`. Times are the least of several runs, in ns a state, on one core but for the last table. Ten
 //! thousand bodies no longer fit a cache of the second level: what else the machine does then shows. So it does in the last table, which tells

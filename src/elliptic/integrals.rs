@@ -51,7 +51,7 @@ pub fn complete_second(parameter: impl Into<Characteristic>) -> Result<f64> {
 }
 
 /// E = B + mc D, where both terms are positive.
-pub(super) fn second(parameter: Characteristic) -> Dd {
+fn second(parameter: Characteristic) -> Dd {
     if parameter.nc() == 0.0 {
         return Dd::from(1.0);
     }
@@ -167,7 +167,7 @@ fn from_the_mean(m: Dd, mc: Dd) -> [Dd; 3] {
 /// Π for n < 1 and m < 1, where it is an integral of what is positive: Bulirsch's transformation, in which all terms are, too.
 ///
 /// Source: R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions III, Numerische Mathematik 13 (1969) 305–315.
-pub(super) fn third_kind(nc: Dd, mc: Dd) -> Dd {
+fn third_kind(nc: Dd, mc: Dd) -> Dd {
     let one = Dd::from(1.0);
     let (mut root, mut p) = (mc.square_root(), nc.square_root());
     let (mut a, mut b) = (one, one / p);
@@ -190,18 +190,18 @@ pub(super) fn third_kind(nc: Dd, mc: Dd) -> Dd {
 }
 
 /// An angle as a multiple of π and a rest of at most π/2, with the sine and cosine of the rest to 106 bits.
-pub(super) struct Angle {
-    pub(super) halves: f64,
-    pub(super) negative: bool,
-    pub(super) sine: Dd,
-    pub(super) cosine: Dd,
+struct Angle {
+    halves: f64,
+    negative: bool,
+    sine: Dd,
+    cosine: Dd,
 }
 
 /// What π to 106 bits leaves over.
 const PI_REST: f64 = -2.994_769_809_718_339_7e-33;
 
 impl Angle {
-    pub(super) fn new(phi: f64) -> Result<Self> {
+    fn new(phi: f64) -> Result<Self> {
         let phi = finite("angle phi", phi)?;
         const GREATEST: f64 = 9_007_199_254_740_992.0;
         if phi.abs() > GREATEST {
@@ -305,14 +305,14 @@ fn sine_cosine(x: Dd) -> (Dd, Dd) {
 
 /// Which integral.
 #[derive(Clone, Copy)]
-pub(super) enum Kind {
+enum Kind {
     First,
     Second,
     Third(Characteristic),
 }
 
 /// An integral from 0 to φ at any angle: its value at the rest of φ, and twice the complete one for each π.
-pub(super) fn at_angle(kind: Kind, phi: f64, parameter: Characteristic) -> Result<f64> {
+fn at_angle(kind: Kind, phi: f64, parameter: Characteristic) -> Result<f64> {
     let angle = Angle::new(phi)?;
     let rest = within_quarter(kind, [angle.sine, angle.cosine], parameter)?;
     let half = if angle.halves == 0.0 {
@@ -324,7 +324,7 @@ pub(super) fn at_angle(kind: Kind, phi: f64, parameter: Characteristic) -> Resul
 }
 
 /// An integral from 0 to π/2, for m up to 1.
-pub(super) fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
+fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
     let Characteristic { n: m, nc: mc } = real(parameter)?;
     match kind {
         Kind::First if m.high() < 0.0 => {
@@ -347,7 +347,7 @@ pub(super) fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
 }
 
 /// A parameter of which the complete integrals are real: m up to 1.
-pub(super) fn real(parameter: Characteristic) -> Result<Characteristic> {
+fn real(parameter: Characteristic) -> Result<Characteristic> {
     if parameter.nc() < 0.0 {
         return Err(not_real(parameter.n));
     }

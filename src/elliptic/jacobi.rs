@@ -261,7 +261,7 @@ const SIGN: u64 = 1 << 63;
 
 /// Sine and cosine after as many right angles as the lowest bits say.
 #[inline(always)]
-pub(super) fn in_quadrant(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
+pub(crate) fn in_quadrant(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
     let odd = (bits & 1).wrapping_neg();
     let (s, c) = (sine.to_bits(), cosine.to_bits());
     // Exchanged by the bits in which they differ.

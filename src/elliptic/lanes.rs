@@ -5,7 +5,8 @@
 //! work on the next lanes while it waits.
 
 use super::crest::{Crest, Hyperbolic, Wave, hyperbolic_at};
-use super::jacobi::{Circular, QUARTER_PARTS, circular_at, in_quadrant};
+pub(crate) use super::jacobi::in_quadrant;
+use super::jacobi::{Circular, QUARTER_PARTS, circular_at};
 use super::kernel::{self, ROUNDER};
 use super::modulus::{EXACT_COUNT, Modulus, Side};
 use super::series::Corrections;
@@ -83,12 +84,6 @@ pub(crate) fn sine_cosine_of_any(angle: DoubleDouble) -> (f64, f64) {
     } else {
         angle.sin_cos()
     }
-}
-
-/// After as many right angles as the lowest bits say.
-#[inline(always)]
-pub(crate) fn turned(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
-    in_quadrant(bits, sine, cosine)
 }
 
 /// Where arguments lie, and the functions there.
@@ -249,6 +244,7 @@ impl<const W: usize> Places<W> {
             }
         }
     }
+
     /// The same with its derivative by the angle, `shifted` by a quarter period or not, over e^x where the sum of both parities is even. On the circular side
     /// the theta function holds the polynomials of the derivative in place of those next to odd multiples.
     #[inline(always)]

@@ -33,21 +33,13 @@ impl EulerTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn states_at(&self, times: &[f64], states: &mut [State]) -> Result<()> {
-        let reach = match &self.motion {
-            Motion::Moving(body) => body.reach,
-            Motion::Steady { .. } => -1.0,
-        };
-        fill(
-            times,
-            states,
-            reach,
-            |t| self.at(t),
-            |times, states| {
-                if let Motion::Moving(body) = &self.motion {
-                    body.side_by_side(times, states);
-                }
-            },
-        )
+        let one = |t| self.at(t);
+        match &self.motion {
+            Motion::Moving(body) => fill(times, states, body.reach, one, |times, states| {
+                body.side_by_side(times, states);
+            }),
+            Motion::Steady { .. } => fill(times, states, -1.0, one, |_, _| ()),
+        }
     }
 }
 

@@ -13,8 +13,8 @@ use nalgebra::Quaternion;
 use super::start::Renumbering;
 use super::turning::Turning;
 use crate::elliptic::lanes::{
-    self, GREATEST_ANGLE, LANES, Places, quarters_reach, sine_cosine, sine_cosine_of_any, turned,
-    turning_reach,
+    self, GREATEST_ANGLE, LANES, Places, in_quadrant, quarters_reach, sine_cosine,
+    sine_cosine_of_any, turning_reach,
 };
 use crate::elliptic::{Modulus, Side};
 use crate::error::{Result, too_long};
@@ -141,7 +141,7 @@ impl<const W: usize> Work<W> {
             let (real, imaginary) = (self.z[0][i], self.z[1][i]);
             // Z over P₁ cn + i P₂ sn, the quarter periods taken off both: an angle of at most a right one, and half of it.
             let across = turning.aspect * cn;
-            let (aside, along) = turned(
+            let (aside, along) = in_quadrant(
                 self.places.bits[i],
                 imaginary * across - real * sn,
                 real * across + imaginary * sn,

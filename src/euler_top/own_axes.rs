@@ -1,6 +1,6 @@
 //! A free body along axes of its own, which need not be principal ones (tutorial 2.3, 6.6).
 
-use nalgebra::{Rotation3, UnitQuaternion};
+use nalgebra::UnitQuaternion;
 
 use super::evaluation::State;
 use super::motion::EulerTop;
@@ -23,7 +23,7 @@ impl FreeBody {
     /// [`InertiaMatrix::principal_axes`]; a state costs that of [`EulerTop::at`] and three turns.
     ///
     /// # Errors
-    /// As for [`EulerTop::new`].
+    /// As for [`EulerTop::from_omega`].
     ///
     /// ```
     /// use nalgebra::Matrix3;
@@ -38,12 +38,12 @@ impl FreeBody {
     /// ```
     pub fn new(inertia: &InertiaMatrix, omega: BodyVector, attitude: Attitude) -> Result<Self> {
         let axes = inertia.principal_axes();
-        let own = Rotation3::from_matrix_unchecked(axes.axes());
-        let own = UnitQuaternion::from_rotation_matrix(&own);
-        let l = own.inverse_transform_vector(&inertia.angular_momentum(omega).components());
-        let principal = EulerTop::new(
-            axes.moments(),
-            BodyVector::from_components(l),
+        let own = axes.turn();
+        // From Ω, not from L: what rounding leaves of a rod's own moment is next to nothing to divide by.
+        let omega = own.inverse_transform_vector(&omega.components());
+        let principal = EulerTop::from_omega(
+            axes.principal_moments().values(),
+            BodyVector::from_components(omega),
             attitude * Attitude::from(own),
         )?;
         Ok(Self { principal, own })

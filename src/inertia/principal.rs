@@ -5,7 +5,7 @@
 //! All of this happens on the deviator, the matrix less a third of its trace, so that near-equal moments are seen
 //! in their own scale. Moments that drown in the rounding of others are found once more, in 106 bits. After D. Eberly, "A robust eigensolver for 3×3 symmetric matrices".
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 use crate::error::{Error, Result, finite};
 use crate::precise::{DoubleDouble, Extended, Number, Words};
@@ -34,6 +34,11 @@ impl PrincipalAxes {
     /// The principal axes as columns, unit vectors in the order of the moments, right-handed.
     pub const fn axes(&self) -> Matrix3<f64> {
         self.axes
+    }
+
+    /// The rotation that turns components along the principal axes into those along the axes of the matrix.
+    pub fn turn(&self) -> UnitQuaternion<f64> {
+        UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.axes))
     }
 
     /// The moments as [`PrincipalMoments`](super::PrincipalMoments), pulled onto I₁ ≥ 0 and I₁ + I₂ ≥ I₃

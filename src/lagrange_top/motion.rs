@@ -336,21 +336,15 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn states_at(&self, times: &[f64], states: &mut [State]) -> Result<()> {
-        let reach = match &self.motion {
-            Motion::Moving(constants) => constants.reach,
-            Motion::Still => -1.0,
-        };
-        fill(
-            times,
-            states,
-            reach,
-            |t| self.at(t),
-            |times, states| {
-                if let Motion::Moving(constants) = &self.motion {
+        let one = |t| self.at(t);
+        match &self.motion {
+            Motion::Moving(constants) => {
+                fill(times, states, constants.reach, one, |times, states| {
                     constants.side_by_side(times, self.omega.z(), states);
-                }
-            },
-        )
+                })
+            }
+            Motion::Still => fill(times, states, -1.0, one, |_, _| ()),
+        }
     }
 
     /// Period of the nutation, 2K/λ, s; infinite where the tilt stays or never returns.

@@ -3,7 +3,7 @@
 //! It takes one effect, an [`Impact`], with recoil and the meteorite's own share of the inertia. The two are one rigid body that turns about an
 //! axis which is no principal axis of it: after the blow the planet wobbles, as Euler's top does, and its centre circles the common centre of mass.
 
-use nalgebra::{Rotation3, UnitQuaternion};
+use nalgebra::UnitQuaternion;
 
 use super::columns::Columns;
 use super::effects::{Effect, Impact};
@@ -117,10 +117,9 @@ impl Free {
     fn new(body: &MassProperties, omega: BodyVector, velocity: BodyVector) -> Result<Self> {
         let principal = body.inertia().principal_axes();
         let [a, b, c] = principal.moments();
-        let axes = principal.axes();
-        let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+        let (axes, turn) = (principal.axes(), principal.turn());
         let along = BodyVector::from_components(axes.transpose() * omega.components());
-        let attitude = Attitude::from_unit(turn.into_inner());
+        let attitude = Attitude::from(turn);
         // No moment may become more than the sum of the others: not the greatest, nor the middle one of a needle.
         let (a_moved, c_moved) = (a * (1.0 + MOVED), c * (1.0 - 0.6 * MOVED));
         let b_moved = (b * (1.0 + 0.7 * MOVED)).min(a_moved + c_moved);

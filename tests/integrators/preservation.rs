@@ -21,7 +21,7 @@ fn verdict(values: &[f64]) -> &'static str {
     };
     let quarter = values.len() / 4;
     let (early, late) = (worst(&values[..quarter]), worst(&values[3 * quarter..]));
-    // Observed: at most 9e-14 where kept , 1.4e-11 and more elsewhere.
+    // Observed: at most 9e-14 where kept, 1.4e-11 and more elsewhere.
     if early.max(late) < 1e-12 {
         "kept"
     } else if late < 1.2 * early {

@@ -1,6 +1,6 @@
 //! The body of a top and how it starts.
 
-use nalgebra::{Rotation3, UnitQuaternion};
+use nalgebra::UnitQuaternion;
 
 use crate::error::{Error, Result, finite, not_negative};
 use crate::frame::finite_vector;
@@ -68,9 +68,8 @@ impl Body {
             return Self::new(matrix.diagonal().into());
         }
         let principal = inertia.principal_axes();
-        let axes = Rotation3::from_matrix_unchecked(principal.axes());
         Ok(Self {
-            own: Some(UnitQuaternion::from_rotation_matrix(&axes)),
+            own: Some(principal.turn()),
             ..Self::new(principal.principal_moments().values())?
         })
     }

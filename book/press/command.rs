@@ -10,7 +10,7 @@ use crate::scenes::scan::{Over, Scan, Tell};
 use crate::writer::{Target, can_be_written_into, say};
 use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes};
 use clap::{Parser, Subcommand};
-use figures::Entry;
+use figures::{Entry, Figure, Look, Theme, Values};
 use indicatif::{ProgressBar, ProgressStyle};
 use spinning_bodies::scene::{Progress, Solver, files};
 
@@ -94,6 +94,16 @@ Examples:
   cargo run -- scan racket --over initial.omega.0=1e-8..1e-1:8:log --tell crossing:omega2=0
   cargo run -- scan tippe-top --over body.mass=0.01..0.04,body.radius=0.01..0.04:4 --tell greatest:tilt,last:energy";
 
+const FIGURES: &str = "\
+Many figures are functions of numbers that may be chosen: `--list NAME` tells them, their ranges and what the book shows. The caption
+is computed from the same numbers, and printed. Files have plain colours, for any program.
+
+Examples:
+  cargo run -- figures
+  cargo run -- figures --list spool-dial
+  cargo run -- figures spool-dial --set axle=0.6,tension=0.5 --theme dark
+  cargo run -- figures spool-dial --set axle=0.6 --data dial.csv --out elsewhere";
+
 const ACCURACY: &str = "\
 Errors are those at the end of the run: the angle between the attitudes in radians, and the relative error of the
 angular velocity. Times are the least of repeated runs. Below each table stand, for 1e-3, 1e-6, 1e-9 and 1e-12, the
@@ -115,18 +125,52 @@ Examples:
   cargo run --release -- accuracy --csv mine.csv
   cargo run --release -- accuracy --scene strip";
 
+/// The colours of a figure's file.
+#[derive(Debug, Clone, Copy)]
+struct Colours(Theme);
+
+impl clap::ValueEnum for Colours {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self(Theme::Light), Self(Theme::Dark)]
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        Some(clap::builder::PossibleValue::new(match self.0 {
+            Theme::Light => "light",
+            Theme::Dark => "dark",
+        }))
+    }
+}
+
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Draws all figures, or those named, as SVG
-    #[command(after_help = "Examples:\n  cargo run -- figures\n  cargo run -- figures --list")]
+    #[command(after_help = FIGURES)]
     Figures {
         /// Names of figures; none means all
         #[arg(value_name = "NAME")]
         names: Vec<String>,
-        /// Lists the figures instead of drawing them
-        #[arg(long, conflicts_with_all = ["out", "check"])]
+        /// Lists the figures instead of drawing them; of those named, what may be chosen
+        #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent"])]
         list: bool,
-        /// Folder for the SVG files [default: figures/svg in the workspace]
+        /// Numbers of one figure, other than the book's
+        #[arg(
+            long,
+            value_name = "KEY=VALUE,…",
+            value_delimiter = ',',
+            conflicts_with = "check"
+        )]
+        set: Vec<String>,
+        /// Writes the numbers that one figure draws, as CSV
+        #[arg(long, value_name = "FILE", conflicts_with = "check")]
+        data: Option<PathBuf>,
+        /// Colours for light paper or dark [default: light]
+        #[arg(long, value_enum, conflicts_with = "check")]
+        theme: Option<Colours>,
+        /// No paper behind the drawing
+        #[arg(long, conflicts_with = "check")]
+        transparent: bool,
+        /// Folder for the SVG files [default: figures/svg in the workspace; the current folder for a drawing unlike the book's]
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
         /// Writes nothing; compares fresh drawings with the files, one canvas unit allowed
@@ -227,8 +271,8 @@ fn obey(command: Option<Command>) -> Result<()> {
         None => {
             can_be_written_into(&svg)?;
             can_be_written_into(&root.join("book"))?;
-            let drawings = draw(&drawings::chosen(&[])?)?;
-            let changed = drawings::write(&drawings, &svg)?;
+            let drawings = draw(&drawings::chosen(&[])?, &Values::default())?;
+            let changed = drawings::write(&drawings, Look::default(), &svg)?;
             say(&report(&drawings, changed, &svg))?;
             print_book(&root, &drawings).map(drop)
         }
@@ -236,20 +280,42 @@ fn obey(command: Option<Command>) -> Result<()> {
             list: true, names, ..
         }) => {
             let entries = drawings::chosen(&names)?;
-            let width = entries.iter().map(|e| e.name.len()).max().unwrap_or(0);
-            let lines = entries.iter();
-            let lines = lines.map(|e| format!("{:width$}  {}.md\n", e.name, e.chapter));
-            say(&lines.collect::<String>())
+            say(&drawings::list(&entries, !names.is_empty()))
         }
         Some(Command::Figures {
-            names, out, check, ..
+            names,
+            set,
+            data,
+            theme,
+            transparent,
+            out,
+            check,
+            ..
         }) => {
             let entries = drawings::chosen(&names)?;
-            let folder = out.unwrap_or(svg);
+            let look = Look {
+                theme: theme.map_or(Theme::Light, |Colours(theme)| theme),
+                transparent,
+            };
+            let values = drawings::values(&entries, &set)?;
+            let as_in_the_book = values == Values::default() && look == Look::default();
+            let standard = if as_in_the_book {
+                svg
+            } else {
+                PathBuf::from(".")
+            };
+            let folder = out.unwrap_or(standard);
             if !check {
                 can_be_written_into(&folder)?;
             }
-            let drawings = draw(&entries)?;
+            let table = data
+                .map(|file| Target::new(Some(&file), None))
+                .transpose()?;
+            let drawings = draw(&entries, &values)?;
+            if let Some(table) = table {
+                let text = drawings::data(&drawings)?;
+                table.write(|to| to.write_all(text.as_bytes()))?;
+            }
             if check {
                 drawings::check(&drawings, &folder)?;
                 return say(&format!(
@@ -258,12 +324,16 @@ fn obey(command: Option<Command>) -> Result<()> {
                     folder.display()
                 ));
             }
-            let changed = drawings::write(&drawings, &folder)?;
+            let changed = drawings::write(&drawings, look, &folder)?;
+            if let ([drawing], false) = (&drawings[..], set.is_empty()) {
+                let Figure { claim, details, .. } = &drawing.figure;
+                say(&format!("{claim} {details}\n"))?;
+            }
             say(&report(&drawings, changed, &folder))
         }
         Some(Command::Book { open }) => {
             can_be_written_into(&root.join("book"))?;
-            let drawings = draw(&drawings::chosen(&[])?)?;
+            let drawings = draw(&drawings::chosen(&[])?, &Values::default())?;
             let page = print_book(&root, &drawings)?;
             if open { open_page(&page) } else { Ok(()) }
         }
@@ -340,10 +410,10 @@ fn report(drawings: &[Drawing], changed: usize, folder: &Path) -> String {
 }
 
 /// Draws with a progress bar on a terminal, and a plain line a figure elsewhere.
-fn draw(entries: &[Entry]) -> Result<Vec<Drawing>> {
+fn draw(entries: &[Entry], values: &Values) -> Result<Vec<Drawing>> {
     let err = std::io::stderr();
     if !err.is_terminal() {
-        return drawings::draw(entries, |name| {
+        return drawings::draw(entries, values, |name| {
             let _ = writeln!(std::io::stderr(), "drawn: {name}");
         });
     }
@@ -351,7 +421,7 @@ fn draw(entries: &[Entry]) -> Result<Vec<Drawing>> {
     if let Ok(style) = ProgressStyle::with_template("drawing {bar:32} {pos}/{len} {msg}") {
         bar.set_style(style);
     }
-    let drawings = drawings::draw(entries, |name| {
+    let drawings = drawings::draw(entries, values, |name| {
         bar.set_message(name.to_owned());
         bar.inc(1);
     });

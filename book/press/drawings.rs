@@ -2,7 +2,7 @@
 
 use crate::writer::write_if_changed;
 use crate::{Error, Result};
-use figures::{Entry, Figure};
+use figures::{Entry, Figure, Look, Values};
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -46,8 +46,72 @@ pub fn unknown_figure(name: &str) -> Error {
     Error::Input(format!("no figure is called '{name}': {hint}"))
 }
 
-/// Draws figures on every processor; `done` hears of each as it is finished. The order of the entries is kept.
-pub fn draw(entries: &[Entry], done: impl Fn(&str) + Sync) -> Result<Vec<Drawing>> {
+/// A line for each figure; with its parameters if they are wanted.
+pub fn list(entries: &[Entry], parameters: bool) -> String {
+    let width = entries.iter().map(|e| e.name.len()).max().unwrap_or(0);
+    let mut text = String::new();
+    for entry in entries {
+        let count = match entry.parameters.len() {
+            0 => String::new(),
+            1 => "  1 number to choose".into(),
+            n => format!("  {n} numbers to choose"),
+        };
+        text += &format!("{:width$}  {}.md{count}\n", entry.name, entry.chapter);
+        if parameters {
+            let lines = entry.parameters.iter();
+            text.extend(lines.map(|parameter| format!("  {parameter}\n")));
+        }
+    }
+    text
+}
+
+/// The values of the one figure that is drawn, `KEY=VALUE` each.
+pub fn values(entries: &[Entry], set: &[String]) -> Result<Values> {
+    let entry = match (entries, set) {
+        (_, []) => return Ok(Values::default()),
+        ([entry], _) => entry,
+        _ => {
+            let why = "--set: expected the NAME of one figure before it";
+            return Err(Error::Input(why.into()));
+        }
+    };
+    let told = |told: String| Error::Input(format!("--set: {told}"));
+    set.iter().try_fold(Values::default(), |values, set| {
+        let wrong = || told(format!("'{set}' is no KEY=VALUE"));
+        let (key, value) = set.split_once('=').ok_or_else(wrong)?;
+        let parameter = entry.parameter(key).map_err(told)?;
+        let value = value.parse().map_err(|_| wrong())?;
+        values.with(parameter, value).map_err(told)
+    })
+}
+
+/// The numbers that one figure draws, as CSV.
+pub fn data(drawings: &[Drawing]) -> Result<String> {
+    let [drawing] = drawings else {
+        let why = "--data: expected the NAME of one figure before it";
+        return Err(Error::Input(why.into()));
+    };
+    let data = &drawing.figure.data;
+    if data.rows.is_empty() {
+        let name = drawing.entry.name;
+        return Err(Error::Input(format!(
+            "--data: figure {name} draws no curve of numbers"
+        )));
+    }
+    let mut text = format!("curve,{}\n", data.columns.join(","));
+    for (curve, row) in &data.rows {
+        let row: Vec<String> = row.iter().map(f64::to_string).collect();
+        text += &format!("{curve},{}\n", row.join(","));
+    }
+    Ok(text)
+}
+
+/// Draws figures of these values on every processor; `done` hears of each as it is finished. The order of the entries is kept.
+pub fn draw(
+    entries: &[Entry],
+    values: &Values,
+    done: impl Fn(&str) + Sync,
+) -> Result<Vec<Drawing>> {
     let next = AtomicUsize::new(0);
     let drawn: Vec<Mutex<Option<Result<Drawing>>>> =
         entries.iter().map(|_| Mutex::new(None)).collect();
@@ -59,7 +123,8 @@ pub fn draw(entries: &[Entry], done: impl Fn(&str) + Sync) -> Result<Vec<Drawing
                     let i = next.fetch_add(1, Ordering::Relaxed);
                     entries.get(i).zip(drawn.get(i))
                 } {
-                    let result = (entry.draw)()
+                    let result = entry
+                        .draw(values)
                         .map(|figure| Drawing { entry, figure })
                         .map_err(|e| Error::Failed(format!("figure {}: {e}", entry.name)));
                     if let Ok(mut place) = place.lock() {
@@ -81,11 +146,14 @@ pub fn draw(entries: &[Entry], done: impl Fn(&str) + Sync) -> Result<Vec<Drawing
 
 /// Writes `FOLDER/NAME.svg` for each drawing; files whose bytes would not change are left alone. Returns how many
 /// changed.
-pub fn write(drawings: &[Drawing], folder: &Path) -> Result<usize> {
+pub fn write(drawings: &[Drawing], look: Look, folder: &Path) -> Result<usize> {
     let mut changed = 0;
     for drawing in drawings {
         let path = folder.join(format!("{}.svg", drawing.entry.name));
-        changed += usize::from(write_if_changed(&path, drawing.figure.file().as_bytes())?);
+        changed += usize::from(write_if_changed(
+            &path,
+            drawing.figure.file(look).as_bytes(),
+        )?);
     }
     Ok(changed)
 }
@@ -98,8 +166,11 @@ pub fn check(drawings: &[Drawing], folder: &Path) -> Result<()> {
         match std::fs::read_to_string(&path) {
             Err(error) => differences.push(format!("{}: {error}", path.display())),
             Ok(committed) => {
-                let compared =
-                    figures::compare(drawing.entry.name, &committed, &drawing.figure.file());
+                let compared = figures::compare(
+                    drawing.entry.name,
+                    &committed,
+                    &drawing.figure.file(Look::default()),
+                );
                 differences.extend(compared.err().map(|difference| difference.to_string()));
             }
         }

@@ -215,7 +215,7 @@ impl<'a> Typesetter<'a> {
             .drawings
             .get(name)
             .ok_or_else(|| unknown_figure(name).to_string())?;
-        let mut svg = inline_svg(&drawing.figure.svg, &drawing.figure.alt);
+        let mut svg = inline_svg(&drawing.figure.svg(), &drawing.figure.alt);
         if svg.contains("@keyframes") {
             svg.insert_str(0, PAUSE);
         }
@@ -339,18 +339,18 @@ mod tests {
 
     fn set(source: &str) -> Result<String> {
         let ledger = Ledger::read(Path::new("/nowhere"))?;
+        let [claim, details, alt] = [const { String::new() }; 3];
+        let words = figures::style::Words {
+            claim,
+            details,
+            alt,
+        };
         let top = Drawing {
             entry: figures::Entry {
                 name: "top",
                 ..figures::all()[0]
             },
-            figure: figures::Figure {
-                claim: String::new(),
-                details: String::new(),
-                alt: String::new(),
-                svg: String::new(),
-                values: vec![("tilt", "2.92".into())],
-            },
+            figure: figures::style::figure("top", 10.0, words, |_| ()).value("tilt", "2.92"),
         };
         Typesetter::new(&[top], &ledger).set("x.md", source, Path::new("/nowhere"), &HashSet::new())
     }

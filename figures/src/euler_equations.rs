@@ -62,7 +62,7 @@ impl Orbit {
         Ok(Self { curve, zero })
     }
 
-    fn draw(&self, pen: &mut Pen<'_>, view: &View, width: f64) {
+    fn draw(&self, pen: &mut Pen, view: &View, width: f64) {
         let front = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
         let [seen, hidden] = view.split(&self.curve, front);
         for piece in hidden {
@@ -76,7 +76,7 @@ impl Orbit {
         }
     }
 
-    fn draw_dots(&self, pen: &mut Pen<'_>, view: &View, radius: f64) {
+    fn draw_dots(&self, pen: &mut Pen, view: &View, radius: f64) {
         let dots = self.curve[self.zero % STEPS..].iter().step_by(STEPS);
         // At the rim and at the saddle they would be a blot.
         for dot in dots.filter(|p| p.dot(&view.toward) > 0.1 && p.y.abs() < 0.99) {
@@ -85,7 +85,7 @@ impl Orbit {
     }
 
     /// An arrow's head in the middle of what is seen of it, between two dots.
-    fn draw_sense(&self, pen: &mut Pen<'_>, view: &View, width: f64) {
+    fn draw_sense(&self, pen: &mut Pen, view: &View, width: f64) {
         let seen = |k: &usize| self.curve[*k].dot(&view.toward) > 0.15;
         let places: Vec<usize> = (1..self.curve.len()).filter(seen).collect();
         let stride = |k: &usize| (self.curve[*k] - self.curve[*k - 1]).norm();
@@ -242,7 +242,7 @@ pub fn momentum_flow() -> Result<Figure> {
 const RADIUS: f64 = 178.0;
 
 /// The axes outside the sphere; faint and dotted behind it.
-fn axes(pen: &mut Pen<'_>, view: &View) {
+fn axes(pen: &mut Pen, view: &View) {
     let sphere = Vector3::new(1.0, 1.0, 1.0);
     for axis in 0..3 {
         for sign in [1.0, -1.0] {

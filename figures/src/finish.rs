@@ -5,16 +5,48 @@ use std::fmt::Write as _;
 use crate::Figure;
 use crate::style::{LEAST, Role, SCALE};
 
-/// Ink and paper of a file that is looked at by itself, and the page of a browser behind it, which may be dark.
-const INK: &str = "#1c1e2a";
-const PAPER: &str = "#ffffff";
-const ALONE: &str = "<style>svg:root{background:#ffffff}</style>\n";
+/// How a file looks that is looked at by itself.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Look {
+    /// Its colours.
+    pub theme: Theme,
+    /// Whether there is no paper behind the drawing.
+    pub transparent: bool,
+}
 
-/// The finished document.
-///
-/// `raw` is the backend's output and `extras` holds, an entry a drawn element, the attributes the backend
-/// cannot write.
-pub fn finish(name: &str, claim: &str, alt: &str, raw: &str, extras: &[String]) -> String {
+/// Colours for light paper or dark.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Theme {
+    /// Ink on white.
+    #[default]
+    Light,
+    /// Chalk on slate.
+    Dark,
+}
+
+impl Theme {
+    /// The colour of a role; of [`Role::Shade`], that of its gradient.
+    pub const fn color(self, role: Role) -> &'static str {
+        match (self, role) {
+            (Theme::Light, Role::Ink | Role::Shade) => "#1c1e2a",
+            (Theme::Light, Role::Muted) => "#61667a",
+            (Theme::Light, Role::Omega) => "#0b6bcb",
+            (Theme::Light, Role::AngularMomentum) => "#b85300",
+            (Theme::Light, Role::Torque) => "#6b1a6b",
+            (Theme::Light, Role::Paper) => "#ffffff",
+            (Theme::Dark, Role::Ink | Role::Shade) => "#c8c9db",
+            (Theme::Dark, Role::Muted) => "#8f93a8",
+            (Theme::Dark, Role::Omega) => "#5aa9ff",
+            (Theme::Dark, Role::AngularMomentum) => "#ff9440",
+            (Theme::Dark, Role::Torque) => "#c064b4",
+            (Theme::Dark, Role::Paper) => "#161923",
+        }
+    }
+}
+
+/// The finished document of a figure. `raw` is the backend's output, an element for each of its marks.
+pub fn finish(figure: &Figure, raw: &str) -> String {
+    let (name, claim, alt) = (figure.name, &figure.claim, &figure.alt);
     let mut lines = raw.lines();
     let view_box = lines
         .next()
@@ -25,7 +57,7 @@ pub fn finish(name: &str, claim: &str, alt: &str, raw: &str, extras: &[String]) 
         svg,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" id=\"fig-{name}-svg\" viewBox=\"{view_box}\" role=\"img\" \
          aria-label=\"{}\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" \
-         font-family=\"var(--figure-font, 'Open Sans', 'Helvetica Neue', Arial, sans-serif)\">",
+         font-family=\"var(--figure-font, 'Latin Modern Roman', 'CMU Serif', 'Times New Roman', serif)\">",
         escaped(alt)
     );
     let _ = writeln!(svg, "<title>{}</title>", escaped(claim));
@@ -39,12 +71,12 @@ pub fn finish(name: &str, claim: &str, alt: &str, raw: &str, extras: &[String]) 
              </radialGradient></defs>"
         );
     }
-    let mut extras = extras.iter();
+    let mut extras = figure.marks.iter().map(|(_, extra)| extra.as_str());
     while let Some(line) = lines.next() {
         if line.starts_with("</") {
             continue;
         }
-        let extra = extras.next().map_or("", String::as_str);
+        let extra = extras.next().unwrap_or_default();
         if line.starts_with("<text") {
             let body = lines.next().unwrap_or_default();
             text_element(&mut svg, name, line, body, extra);
@@ -52,16 +84,17 @@ pub fn finish(name: &str, claim: &str, alt: &str, raw: &str, extras: &[String]) 
             shape_element(&mut svg, name, line, extra);
         }
     }
+    svg.push_str(&figure.moving);
     svg.push_str("</svg>\n");
     svg
 }
 
-/// The figure as a file for any program: variables of the page replaced by what they fall back on, so that every colour is a plain one.
-pub fn plain(svg: &str) -> String {
+/// The figure as a file for any program: variables of the page replaced by the colours of the look, or by what they fall back on.
+pub fn plain(svg: &str, look: Look) -> String {
     const VARIABLE: &str = "var(--";
-    let svg = svg
-        .replace("currentColor", INK)
-        .replace("var(--bg, Canvas)", PAPER);
+    let svg = Role::ALL.iter().fold(svg.to_owned(), |svg, &role| {
+        svg.replace(role.paint(), look.theme.color(role))
+    });
     let mut parts = svg.split(VARIABLE);
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {
@@ -80,25 +113,30 @@ pub fn plain(svg: &str) -> String {
         lines.push_str(after.trim_start_matches(" vector-effect=\"non-scaling-stroke\""));
     }
     let (head, body) = lines.split_once("</title>\n").unwrap_or(("", &lines));
-    format!("{head}</title>\n{ALONE}{body}")
-}
-
-/// The figure with more elements on top of what was drawn: for what moves.
-pub fn with(mut figure: Figure, elements: &str) -> Figure {
-    let end = figure.svg.rfind("</svg>").unwrap_or(figure.svg.len());
-    figure.svg.insert_str(end, elements);
-    figure
+    let paper = match look.transparent {
+        true => String::new(),
+        false => {
+            let paper = look.theme.color(Role::Paper);
+            format!("<style>svg:root{{background:{paper}}}</style>\n")
+        }
+    };
+    format!("{head}</title>\n{paper}{body}")
 }
 
 fn stand_in(role: Role) -> String {
-    let color = role.stand_in();
-    format!("#{:02X}{:02X}{:02X}", color.0, color.1, color.2)
+    let (red, green, blue) = role.stand_in();
+    format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
 /// Stand-in colours replaced by the paint of their role.
 fn painted(name: &str, tag: &str) -> String {
-    Role::ALL.iter().fold(tag.to_owned(), |tag, role| {
-        tag.replace(&stand_in(*role), &role.paint(name))
+    let shade = format!("url(#fig-{name}-shade)");
+    Role::ALL.iter().fold(tag.to_owned(), |tag, &role| {
+        let paint = match role {
+            Role::Shade => &shade,
+            _ => role.paint(),
+        };
+        tag.replace(&stand_in(role), paint)
     })
 }
 
@@ -190,7 +228,7 @@ fn rich(body: &str, size: f64) -> String {
             if slanted {
                 let _ = write!(
                     out,
-                    " font-style=\"italic\" font-family=\"var(--figure-math, 'Times New Roman', serif)\""
+                    " font-style=\"italic\" font-family=\"var(--figure-math, 'Latin Modern Roman', 'CMU Serif', 'Times New Roman', serif)\""
                 );
             }
             let _ = write!(out, ">{piece}</tspan>");

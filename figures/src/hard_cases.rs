@@ -148,7 +148,7 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
     }))
 }
 
-fn panel(pen: &mut Pen<'_>, corner: Point, title: &str, steps: &[Comparison]) {
+fn panel(pen: &mut Pen, corner: Point, title: &str, steps: &[Comparison]) {
     // The nearest at the right, as far as doubles have a say.
     let frame = Frame::panel(
         pen,

@@ -129,7 +129,7 @@ pub fn meteorite() -> Result<Figure> {
 }
 
 /// The two tips enlarged.
-fn glass(pen: &mut Pen<'_>, exact: Point, rough: Point) {
+fn glass(pen: &mut Pen, exact: Point, rough: Point) {
     pen.ring(
         exact,
         GLASS_RADIUS / MAGNIFIED + 3.0,

@@ -100,7 +100,7 @@ pub fn ellipsoid() -> Result<Figure> {
 }
 
 /// The body that is the union of a box and an ellipsoid with the same axes.
-fn box_with_bulges(pen: &mut Pen<'_>, view: &View, half: &Vector3<f64>, semi: &Vector3<f64>) {
+fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector3<f64>, semi: &Vector3<f64>) {
     let unit = |k: usize| {
         let mut e = Vector3::zeros();
         e[k] = 1.0;
@@ -238,7 +238,7 @@ pub fn rosettes() -> Result<Figure> {
         let at = |center: Point, (angle, moment): (f64, f64), out: f64| {
             polar(center, MOMENT_SCALE * moment + out, angle)
         };
-        let put = |pen: &mut Pen<'_>, p: Point, anchor, text: &str| {
+        let put = |pen: &mut Pen, p: Point, anchor, text: &str| {
             pen.text([p[0], p[1] + 4.5], anchor, text, small(Role::Ink));
         };
         put(pen, at(left, up, 12.0), Anchor::Middle, "face");
@@ -321,7 +321,7 @@ impl Rosette {
         })
     }
 
-    fn draw(&self, pen: &mut Pen<'_>, center: Point) {
+    fn draw(&self, pen: &mut Pen, center: Point) {
         let curve: Vec<Point> = self
             .curve
             .iter()
@@ -353,7 +353,7 @@ impl Rosette {
 }
 
 /// A regular solid that just fits into a circle, faces towards the eye shaded by their slope.
-fn regular_solid(pen: &mut Pen<'_>, solid: PlatonicSolid, center: Point, radius: f64) {
+fn regular_solid(pen: &mut Pen, solid: PlatonicSolid, center: Point, radius: f64) {
     let Ok(vertices) = solid.vertices(1.0) else {
         return;
     };

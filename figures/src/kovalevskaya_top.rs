@@ -301,7 +301,7 @@ pub fn classes() -> Result<Figure> {
 }
 
 /// A stretch of the axis with the name of what moves there.
-fn band(pen: &mut Pen<'_>, [from, to]: [f64; 2], name: &str) {
+fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str) {
     pen.line(
         &[[from, 132.0], [to, 132.0]],
         stroke(Role::Omega, 7.0).alpha(0.5),

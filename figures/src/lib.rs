@@ -2,19 +2,23 @@
 //!
 //! A figure takes values from the library and draws them; it computes no physics itself.
 
+use plotters_backend::{DrawingBackend, DrawingErrorKind};
+use plotters_svg::SVGBackend;
 use spinning_bodies::Result;
 
 mod accuracy;
+pub mod canvas;
 mod compare;
 mod euler_equations;
 mod euler_top;
 mod falling_strip;
-pub mod finish;
+mod finish;
 mod hard_cases;
 mod impacts;
 mod inertia;
 mod kovalevskaya_top;
 mod lagrange_top;
+mod parameter;
 mod phenomena;
 mod plot;
 mod pythagoras;
@@ -28,33 +32,103 @@ mod superball;
 mod tippe_top;
 mod yo_yo;
 
+pub use canvas::Mark;
 pub use compare::{Difference, compare};
+pub use finish::{Look, Theme};
+pub use parameter::{Handle, Parameter, Spacing, Values};
 
 /// A finished figure. Alt text and caption are part of the type: there is no figure without them.
 #[derive(Debug, Clone)]
 pub struct Figure {
+    name: &'static str,
     /// The one message, as a sentence; first sentence of the caption.
     pub claim: String,
     /// The rest of the caption: parameters and computed numbers, as Markdown-free plain text with `$…$` formulas.
     pub details: String,
     /// What is seen and what follows from it, for readers who do not see it. Plain text.
     pub alt: String,
-    /// The picture, a complete SVG document whose colours are variables of the page.
-    pub svg: String,
     /// Computed numbers by name, as they are to be printed: the prose quotes them, `{{value FIGURE.NAME}}`.
     pub values: Vec<(&'static str, String)>,
+    /// The numbers that were drawn.
+    pub data: Data,
+    size: [u32; 2],
+    marks: Vec<(Mark, String)>,
+    moving: String,
+}
+
+/// Numbers that were drawn, as a table.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Data {
+    /// What stands in a row, with its unit: `time (s)`.
+    pub columns: Vec<&'static str>,
+    /// The name of the curve or body that a row belongs to, and the row.
+    pub rows: Vec<(String, Vec<f64>)>,
 }
 
 impl Figure {
-    /// The picture as a file for any program, in plain colours; [`Figure::svg`] takes those of the page around it.
-    pub fn file(&self) -> String {
-        finish::plain(&self.svg)
+    /// The picture, a complete SVG document whose colours are variables of the page around it.
+    pub fn svg(&self) -> String {
+        let mut raw = String::new();
+        {
+            let mut backend = SVGBackend::with_string(&mut raw, (self.size[0], self.size[1]));
+            self.draw(&mut backend)
+                .expect("a string takes every letter");
+        }
+        finish::finish(self, &raw)
+    }
+
+    /// Draws the marks on any backend of plotters, in the colours that stand for their roles.
+    ///
+    /// # Errors
+    /// Those of the backend.
+    pub fn draw<B: DrawingBackend>(
+        &self,
+        backend: &mut B,
+    ) -> core::result::Result<(), DrawingErrorKind<B::ErrorType>> {
+        canvas::draw(self.marks(), backend)
+    }
+
+    /// The picture as a file for any program, in plain colours.
+    pub fn file(&self, look: Look) -> String {
+        finish::plain(&self.svg(), look)
+    }
+
+    /// What the pen left, in its order, canvas units.
+    pub fn marks(&self) -> impl Iterator<Item = &Mark> {
+        self.marks.iter().map(|(mark, _)| mark)
+    }
+
+    /// Width and height of the canvas.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
     }
 
     /// The figure with one more number for the prose to quote.
     #[must_use]
     pub fn value(mut self, name: &'static str, text: impl Into<String>) -> Self {
         self.values.push((name, text.into()));
+        self
+    }
+
+    /// The figure with the numbers of a curve: rows of these columns, which are the same for all curves of a figure.
+    #[must_use]
+    pub fn data(
+        mut self,
+        curve: impl Into<String>,
+        columns: &[&'static str],
+        rows: impl IntoIterator<Item = Vec<f64>>,
+    ) -> Self {
+        let curve = curve.into();
+        self.data.columns = columns.to_vec();
+        let rows = rows.into_iter().map(|row| (curve.clone(), row));
+        self.data.rows.extend(rows);
+        self
+    }
+
+    /// The figure with elements that move, on top of what was drawn; SVG with its styles.
+    #[must_use]
+    pub(crate) fn moving(mut self, elements: &str) -> Self {
+        self.moving.push_str(elements);
         self
     }
 }
@@ -66,382 +140,188 @@ pub struct Entry {
     pub name: &'static str,
     /// Chapter that shows it: the name of its Markdown file without the ending.
     pub chapter: &'static str,
-    /// Draws it.
-    pub draw: fn() -> Result<Figure>,
+    /// What may be chosen, in the order of the sliders; nothing for most drawings of a table.
+    pub parameters: &'static [Parameter],
+    draw: Draw,
+}
+
+/// The function of a figure: of its values, if it has any parameters.
+#[derive(Debug, Clone, Copy)]
+enum Draw {
+    Constant(fn() -> Result<Figure>),
+    Of(fn(&Values) -> Result<Figure>),
+}
+
+impl Entry {
+    /// Draws it. The same values give the same bytes.
+    ///
+    /// # Errors
+    /// What the library refuses.
+    pub fn draw(&self, values: &Values) -> Result<Figure> {
+        match self.draw {
+            Draw::Constant(draw) => draw(),
+            Draw::Of(draw) => draw(values),
+        }
+    }
+
+    /// The parameter of a name.
+    ///
+    /// # Errors
+    /// Which names there are, on one line.
+    pub fn parameter(&self, key: &str) -> core::result::Result<&'static Parameter, String> {
+        let found = self.parameters.iter().find(|known| known.key == key);
+        found.ok_or_else(|| {
+            let keys: Vec<&str> = self.parameters.iter().map(|known| known.key).collect();
+            let there_are = match keys[..] {
+                [] => "it has none".to_owned(),
+                _ => format!("expected one of [{}]", keys.join(", ")),
+            };
+            format!("figure {} has no parameter '{key}': {there_are}", self.name)
+        })
+    }
+}
+
+const fn constant(
+    name: &'static str,
+    chapter: &'static str,
+    draw: fn() -> Result<Figure>,
+) -> Entry {
+    Entry {
+        name,
+        chapter,
+        parameters: &[],
+        draw: Draw::Constant(draw),
+    }
+}
+
+const fn of(
+    name: &'static str,
+    chapter: &'static str,
+    parameters: &'static [Parameter],
+    draw: fn(&Values) -> Result<Figure>,
+) -> Entry {
+    Entry {
+        name,
+        chapter,
+        parameters,
+        draw: Draw::Of(draw),
+    }
 }
 
 /// All figures, in the order of the book.
 pub fn all() -> &'static [Entry] {
-    &[
-        Entry {
-            name: "cat-animated",
-            chapter: "phenomena",
-            draw: phenomena::cat_animated,
-        },
-        Entry {
-            name: "ice",
-            chapter: "phenomena",
-            draw: phenomena::ice,
-        },
-        Entry {
-            name: "crawler",
-            chapter: "phenomena",
-            draw: phenomena::crawler,
-        },
-        Entry {
-            name: "swivel",
-            chapter: "phenomena",
-            draw: phenomena::swivel,
-        },
-        Entry {
-            name: "cat-film",
-            chapter: "phenomena",
-            draw: phenomena::cat_film,
-        },
-        Entry {
-            name: "shape-loops",
-            chapter: "phenomena",
-            draw: phenomena::shape_loops,
-        },
-        Entry {
-            name: "back-bend",
-            chapter: "phenomena",
-            draw: phenomena::back_bend,
-        },
-        Entry {
-            name: "paper-cat",
-            chapter: "phenomena",
-            draw: phenomena::paper_cat,
-        },
-        Entry {
-            name: "paper-cat-fall",
-            chapter: "phenomena",
-            draw: phenomena::paper_cat_fall,
-        },
-        Entry {
-            name: "ellipsoid-of-inertia",
-            chapter: "inertia",
-            draw: inertia::ellipsoid,
-        },
-        Entry {
-            name: "cube-rosettes",
-            chapter: "inertia",
-            draw: inertia::rosettes,
-        },
-        Entry {
-            name: "meteorite",
-            chapter: "impacts",
-            draw: impacts::meteorite,
-        },
-        Entry {
-            name: "billiard",
-            chapter: "rolling",
-            draw: rolling::billiard,
-        },
-        Entry {
-            name: "slide-to-roll",
-            chapter: "rolling",
-            draw: rolling::lines,
-        },
-        Entry {
-            name: "spool",
-            chapter: "spool",
-            draw: spool::three_tugs,
-        },
-        Entry {
-            name: "spool-dial",
-            chapter: "spool",
-            draw: spool::dial,
-        },
-        Entry {
-            name: "withdrawn-sheet",
-            chapter: "sheet",
-            draw: sheet::speeds,
-        },
-        Entry {
-            name: "sheet-animated",
-            chapter: "sheet",
-            draw: sheet::animated,
-        },
-        Entry {
-            name: "superball",
-            chapter: "superball",
-            draw: superball::under_the_table,
-        },
-        Entry {
-            name: "three-superballs",
-            chapter: "superball",
-            draw: superball::three_balls,
-        },
-        Entry {
-            name: "bounce-reflections",
-            chapter: "superball",
-            draw: superball::reflections,
-        },
-        Entry {
-            name: "tippe-top-animated",
-            chapter: "tippe-top",
-            draw: tippe_top::turning_over,
-        },
-        Entry {
-            name: "egg-film",
-            chapter: "tippe-top",
-            draw: tippe_top::egg_film,
-        },
-        Entry {
-            name: "hoop-with-clay",
-            chapter: "tippe-top",
-            draw: tippe_top::hoop_with_clay,
-        },
-        Entry {
-            name: "tip-over",
-            chapter: "tippe-top",
-            draw: tippe_top::tip_over,
-        },
-        Entry {
-            name: "contact-path",
-            chapter: "tippe-top",
-            draw: tippe_top::contact_path,
-        },
-        Entry {
-            name: "tippe-energy",
-            chapter: "tippe-top",
-            draw: tippe_top::height_and_energy,
-        },
-        Entry {
-            name: "tippe-potential",
-            chapter: "tippe-top",
-            draw: tippe_top::effective_potential,
-        },
-        Entry {
-            name: "tippe-diagram",
-            chapter: "tippe-top",
-            draw: tippe_top::energy_and_momentum,
-        },
-        Entry {
-            name: "egg-angle",
-            chapter: "tippe-top",
-            draw: tippe_top::how_far_eggs_rise,
-        },
-        Entry {
-            name: "chiral-top",
-            chapter: "chiral-top",
-            draw: tippe_top::both_spins,
-        },
-        Entry {
-            name: "chiral-strobe",
-            chapter: "chiral-top",
-            draw: tippe_top::strobed,
-        },
-        Entry {
-            name: "chiral-map",
-            chapter: "chiral-top",
-            draw: tippe_top::outcomes,
-        },
-        Entry {
-            name: "chiral-growth",
-            chapter: "chiral-top",
-            draw: tippe_top::growth_rates,
-        },
-        Entry {
-            name: "chiral-beads",
-            chapter: "chiral-top",
-            draw: tippe_top::beads,
-        },
-        Entry {
-            name: "rattleback",
-            chapter: "rattleback",
-            draw: tippe_top::reversals,
-        },
-        Entry {
-            name: "yo-yo-string",
-            chapter: "yo-yo",
-            draw: yo_yo::string,
-        },
-        Entry {
-            name: "yo-yo-speed",
-            chapter: "yo-yo",
-            draw: yo_yo::speed,
-        },
-        Entry {
-            name: "yo-yo-animated",
-            chapter: "yo-yo",
-            draw: yo_yo::animated,
-        },
-        Entry {
-            name: "strip-animated",
-            chapter: "falling-strip",
-            draw: falling_strip::animated,
-        },
-        Entry {
-            name: "strip-paths",
-            chapter: "falling-strip",
-            draw: falling_strip::paths,
-        },
-        Entry {
-            name: "strip-regimes",
-            chapter: "falling-strip",
-            draw: falling_strip::regimes,
-        },
-        Entry {
-            name: "strip-rate",
-            chapter: "falling-strip",
-            draw: falling_strip::rate,
-        },
-        Entry {
-            name: "momentum-flow",
-            chapter: "euler-equations",
-            draw: euler_equations::momentum_flow,
-        },
-        Entry {
-            name: "triangle-of-tops",
-            chapter: "euler-equations",
-            draw: euler_equations::triangle_of_tops,
-        },
-        Entry {
-            name: "poinsot-ellipsoid",
-            chapter: "euler-top",
-            draw: euler_top::rolling_ellipsoid,
-        },
-        Entry {
-            name: "polhodes",
-            chapter: "euler-top",
-            draw: euler_top::polhodes,
-        },
-        Entry {
-            name: "racket-flip",
-            chapter: "euler-top",
-            draw: euler_top::film,
-        },
-        Entry {
-            name: "racket-flip-animated",
-            chapter: "euler-top",
-            draw: euler_top::animated,
-        },
-        Entry {
-            name: "flip-time",
-            chapter: "euler-top",
-            draw: euler_top::flip_time,
-        },
-        Entry {
-            name: "polar-circles",
-            chapter: "euler-top",
-            draw: euler_top::polar_circles,
-        },
-        Entry {
-            name: "precession-cones",
-            chapter: "euler-top",
-            draw: euler_top::precession_cones,
-        },
-        Entry {
-            name: "euler-solution",
-            chapter: "euler-top",
-            draw: euler_top::solution,
-        },
-        Entry {
-            name: "toutatis",
-            chapter: "euler-top",
-            draw: euler_top::two_axes_in_the_sky,
-        },
-        Entry {
-            name: "nutations",
-            chapter: "lagrange-top",
-            draw: lagrange_top::nutations,
-        },
-        Entry {
-            name: "sleeping-threshold",
-            chapter: "lagrange-top",
-            draw: lagrange_top::sleeping_threshold,
-        },
-        Entry {
-            name: "sleep-ends",
-            chapter: "lagrange-top",
-            draw: lagrange_top::waking,
-        },
-        Entry {
-            name: "cycloid",
-            chapter: "lagrange-top",
-            draw: lagrange_top::cycloids,
-        },
-        Entry {
-            name: "precession-rates",
-            chapter: "lagrange-top",
-            draw: lagrange_top::precession_rates,
-        },
-        Entry {
-            name: "top-animated",
-            chapter: "lagrange-top",
-            draw: lagrange_top::top_animated,
-        },
-        Entry {
-            name: "kovalevskaya-circle",
-            chapter: "kovalevskaya-top",
-            draw: kovalevskaya_top::circle,
-        },
-        Entry {
-            name: "kovalevskaya-bands",
-            chapter: "kovalevskaya-top",
-            draw: kovalevskaya_top::bands,
-        },
-        Entry {
-            name: "appelrot-classes",
-            chapter: "kovalevskaya-top",
-            draw: kovalevskaya_top::classes,
-        },
-        Entry {
-            name: "gas-box",
-            chapter: "pythagoras",
-            draw: pythagoras::gas_box,
-        },
-        Entry {
-            name: "scene-prices",
-            chapter: "scenes",
-            draw: scenes::prices,
-        },
-        Entry {
-            name: "accuracy-evaluations",
-            chapter: "accuracy",
-            draw: accuracy::work,
-        },
-        Entry {
-            name: "accuracy-orders",
-            chapter: "accuracy",
-            draw: accuracy::orders,
-        },
-        Entry {
-            name: "accuracy-numbers",
-            chapter: "accuracy",
-            draw: accuracy::three_numbers,
-        },
-        Entry {
-            name: "accuracy-growth",
-            chapter: "accuracy",
-            draw: accuracy::growth,
-        },
-        Entry {
-            name: "accuracy-drift",
-            chapter: "accuracy",
-            draw: accuracy::energy_drift,
-        },
-        Entry {
-            name: "accuracy-seconds",
-            chapter: "accuracy",
-            draw: accuracy::seconds,
-        },
-        Entry {
-            name: "hard-cases",
-            chapter: "hard-cases",
-            draw: hard_cases::overview,
-        },
-        Entry {
-            name: "hard-cases-tops",
-            chapter: "hard-cases",
-            draw: hard_cases::tops,
-        },
-        Entry {
-            name: "hard-cases-bodies",
-            chapter: "hard-cases",
-            draw: hard_cases::bodies,
-        },
-    ]
+    &ALL
 }
+
+static ALL: [Entry; 74] = [
+    constant("cat-animated", "phenomena", phenomena::cat_animated),
+    constant("ice", "phenomena", phenomena::ice),
+    constant("crawler", "phenomena", phenomena::crawler),
+    constant("swivel", "phenomena", phenomena::swivel),
+    constant("cat-film", "phenomena", phenomena::cat_film),
+    constant("shape-loops", "phenomena", phenomena::shape_loops),
+    constant("back-bend", "phenomena", phenomena::back_bend),
+    constant("paper-cat", "phenomena", phenomena::paper_cat),
+    constant("paper-cat-fall", "phenomena", phenomena::paper_cat_fall),
+    constant("ellipsoid-of-inertia", "inertia", inertia::ellipsoid),
+    constant("cube-rosettes", "inertia", inertia::rosettes),
+    constant("meteorite", "impacts", impacts::meteorite),
+    constant("billiard", "rolling", rolling::billiard),
+    constant("slide-to-roll", "rolling", rolling::lines),
+    of("spool", "spool", spool::THREE_TUGS, spool::three_tugs),
+    of("spool-dial", "spool", spool::DIAL, spool::dial),
+    constant("withdrawn-sheet", "sheet", sheet::speeds),
+    constant("sheet-animated", "sheet", sheet::animated),
+    constant("superball", "superball", superball::under_the_table),
+    constant("three-superballs", "superball", superball::three_balls),
+    constant("bounce-reflections", "superball", superball::reflections),
+    constant("tippe-top-animated", "tippe-top", tippe_top::turning_over),
+    constant("egg-film", "tippe-top", tippe_top::egg_film),
+    constant("hoop-with-clay", "tippe-top", tippe_top::hoop_with_clay),
+    constant("tip-over", "tippe-top", tippe_top::tip_over),
+    constant("contact-path", "tippe-top", tippe_top::contact_path),
+    constant("tippe-energy", "tippe-top", tippe_top::height_and_energy),
+    constant(
+        "tippe-potential",
+        "tippe-top",
+        tippe_top::effective_potential,
+    ),
+    constant("tippe-diagram", "tippe-top", tippe_top::energy_and_momentum),
+    constant("egg-angle", "tippe-top", tippe_top::how_far_eggs_rise),
+    constant("chiral-top", "chiral-top", tippe_top::both_spins),
+    constant("chiral-strobe", "chiral-top", tippe_top::strobed),
+    constant("chiral-map", "chiral-top", tippe_top::outcomes),
+    constant("chiral-growth", "chiral-top", tippe_top::growth_rates),
+    constant("chiral-beads", "chiral-top", tippe_top::beads),
+    constant("rattleback", "rattleback", tippe_top::reversals),
+    constant("yo-yo-string", "yo-yo", yo_yo::string),
+    constant("yo-yo-speed", "yo-yo", yo_yo::speed),
+    constant("yo-yo-animated", "yo-yo", yo_yo::animated),
+    constant("strip-animated", "falling-strip", falling_strip::animated),
+    constant("strip-paths", "falling-strip", falling_strip::paths),
+    constant("strip-regimes", "falling-strip", falling_strip::regimes),
+    constant("strip-rate", "falling-strip", falling_strip::rate),
+    constant(
+        "momentum-flow",
+        "euler-equations",
+        euler_equations::momentum_flow,
+    ),
+    constant(
+        "triangle-of-tops",
+        "euler-equations",
+        euler_equations::triangle_of_tops,
+    ),
+    constant(
+        "poinsot-ellipsoid",
+        "euler-top",
+        euler_top::rolling_ellipsoid,
+    ),
+    constant("polhodes", "euler-top", euler_top::polhodes),
+    constant("racket-flip", "euler-top", euler_top::film),
+    constant("racket-flip-animated", "euler-top", euler_top::animated),
+    constant("flip-time", "euler-top", euler_top::flip_time),
+    constant("polar-circles", "euler-top", euler_top::polar_circles),
+    constant("precession-cones", "euler-top", euler_top::precession_cones),
+    constant("euler-solution", "euler-top", euler_top::solution),
+    constant("toutatis", "euler-top", euler_top::two_axes_in_the_sky),
+    constant("nutations", "lagrange-top", lagrange_top::nutations),
+    constant(
+        "sleeping-threshold",
+        "lagrange-top",
+        lagrange_top::sleeping_threshold,
+    ),
+    constant("sleep-ends", "lagrange-top", lagrange_top::waking),
+    constant("cycloid", "lagrange-top", lagrange_top::cycloids),
+    constant(
+        "precession-rates",
+        "lagrange-top",
+        lagrange_top::precession_rates,
+    ),
+    constant("top-animated", "lagrange-top", lagrange_top::top_animated),
+    constant(
+        "kovalevskaya-circle",
+        "kovalevskaya-top",
+        kovalevskaya_top::circle,
+    ),
+    constant(
+        "kovalevskaya-bands",
+        "kovalevskaya-top",
+        kovalevskaya_top::bands,
+    ),
+    constant(
+        "appelrot-classes",
+        "kovalevskaya-top",
+        kovalevskaya_top::classes,
+    ),
+    constant("gas-box", "pythagoras", pythagoras::gas_box),
+    constant("scene-prices", "scenes", scenes::prices),
+    constant("accuracy-evaluations", "accuracy", accuracy::work),
+    constant("accuracy-orders", "accuracy", accuracy::orders),
+    constant("accuracy-numbers", "accuracy", accuracy::three_numbers),
+    constant("accuracy-growth", "accuracy", accuracy::growth),
+    constant("accuracy-drift", "accuracy", accuracy::energy_drift),
+    constant("accuracy-seconds", "accuracy", accuracy::seconds),
+    constant("hard-cases", "hard-cases", hard_cases::overview),
+    constant("hard-cases-tops", "hard-cases", hard_cases::tops),
+    constant("hard-cases-bodies", "hard-cases", hard_cases::bodies),
+];

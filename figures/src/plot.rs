@@ -70,7 +70,7 @@ impl Frame {
     /// The axes with ticks, a number and its text each, and what they show.
     pub fn draw(
         &self,
-        pen: &mut Pen<'_>,
+        pen: &mut Pen,
         x_ticks: &[(f64, &str)],
         y_ticks: &[(f64, &str)],
         [x_name, y_name]: [&str; 2],
@@ -110,7 +110,7 @@ impl Frame {
 
     /// A small panel whose upper left corner is given, both axes logarithmic: its name, the numbers at the ends of each axis, and ticks.
     pub fn panel(
-        pen: &mut Pen<'_>,
+        pen: &mut Pen,
         name: &str,
         [left, top]: Point,
         [across, up]: [[f64; 2]; 2],
@@ -148,7 +148,7 @@ impl Frame {
 }
 
 /// A line of data with a disc at each point.
-pub fn beaded(pen: &mut Pen<'_>, line: &[Point], role: Role) {
+pub fn beaded(pen: &mut Pen, line: &[Point], role: Role) {
     pen.line(line, stroke(role, DATA));
     for &point in line {
         pen.disc(point, 2.6, role, 1.0);

@@ -96,7 +96,7 @@ pub fn prices() -> Result<Figure> {
     }))
 }
 
-fn head(pen: &mut Pen<'_>, height: f64) {
+fn head(pen: &mut Pen, height: f64) {
     for (milliseconds, text) in DECADES {
         let x = across(milliseconds);
         pen.text([x, 40.0], Anchor::Middle, text, small(Role::Muted));
@@ -114,7 +114,7 @@ fn head(pen: &mut Pen<'_>, height: f64) {
     }
 }
 
-fn row(pen: &mut Pen<'_>, cell: &Cell, y: f64) {
+fn row(pen: &mut Pen, cell: &Cell, y: f64) {
     pen.text(
         [108.0, y + 5.0],
         Anchor::Start,

@@ -8,7 +8,6 @@ use spinning_bodies::rolling::factor;
 use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
 
 use crate::Figure;
-use crate::finish::with;
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Role, SCALE, SECONDARY, Words, figure, label, number, small, stroke,
 };
@@ -268,5 +267,5 @@ pub fn animated() -> Result<Figure> {
         at1 = rest[1],
         at2 = rest[2],
     );
-    Ok(with(still, &(style + &groups)))
+    Ok(still.moving(&(style + &groups)))
 }

@@ -6,24 +6,54 @@ use spinning_bodies::Result;
 use spinning_bodies::rolling::RoundBody;
 use spinning_bodies::rolling::spool::{Spool, Tug, Way};
 
-use crate::Figure;
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
     small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// M = 0.2 kg, r = 2 cm, R = 5 cm, a full disc, tugged with 0.3 N.
-fn reel() -> Result<Spool> {
-    Spool::new(RoundBody::new(0.2, 0.05, 0.5)?, 0.02)
+const AXLE: Parameter = Parameter::new(
+    "axle",
+    "r/R",
+    "radius of the axle over that of the discs",
+    [0.05, 0.95],
+    0.4,
+);
+const LOW: Parameter = Parameter::new(
+    "low",
+    r"\theta_1",
+    "angle of the first tug above the ground",
+    [0.0, 89.0],
+    25.0,
+)
+.unit("°");
+const STEEP: Parameter = Parameter::new(
+    "steep",
+    r"\theta_2",
+    "angle of the last tug above the ground",
+    [0.0, 89.0],
+    85.0,
+)
+.unit("°");
+const TENSION: Parameter =
+    Parameter::new("tension", "T", "pull of the string", [0.05, 0.5], 0.3).unit("N");
+
+/// What may be chosen in the three tugs.
+pub const THREE_TUGS: &[Parameter] = &[AXLE, LOW, STEEP];
+/// What may be chosen in the dial; its handle is the tug that does not roll.
+pub const DIAL: &[Parameter] = &[AXLE.dragged(critical_place, axle_at), TENSION];
+
+/// M = 0.2 kg, R = 5 cm, a full disc.
+fn reel(values: &Values) -> Result<Spool> {
+    Spool::new(RoundBody::new(0.2, 0.05, 0.5)?, 0.05 * values.of(&AXLE))
 }
 
-const TENSION: f64 = 0.3;
 /// Radius of the discs, and the ground, units.
 const RADIUS: f64 = 62.0;
 const GROUND: f64 = 214.0;
 
 /// A spool tugged to the left, its line of force, and the way it rolls.
-fn tugged(pen: &mut Pen<'_>, spool: &Spool, x: f64, angle: f64, names: [&str; 2]) -> Result<()> {
+fn tugged(pen: &mut Pen, spool: &Spool, x: f64, angle: f64) -> Result<()> {
     let center = [x, GROUND - RADIUS];
     let contact = [x, GROUND];
     let r = spool.ratio() * RADIUS;
@@ -45,48 +75,91 @@ fn tugged(pen: &mut Pen<'_>, spool: &Spool, x: f64, angle: f64, names: [&str; 2]
     pen.text(
         [tip[0] - 2.0, tip[1] - 9.0],
         Anchor::Middle,
-        names[0],
+        &degrees(angle),
         small(Role::Ink),
     );
     let below = GROUND + 26.0;
-    match spool.way(angle)? {
-        Way::Stays => {}
-        Way::WindsUp => pen.arrow(
-            [x + 30.0, below],
-            [x - 30.0, below],
-            stroke(Role::Omega, 2.8),
-        ),
-        Way::PaysOut => pen.arrow(
-            [x - 30.0, below],
-            [x + 30.0, below],
-            stroke(Role::Omega, 2.8),
-        ),
-    }
+    let way = spool.way(angle)?;
+    let (from, to) = match way {
+        Way::Stays => (0.0, 0.0),
+        Way::WindsUp => (30.0, -30.0),
+        Way::PaysOut => (-30.0, 30.0),
+    };
+    pen.arrow([x + from, below], [x + to, below], stroke(Role::Ink, 2.8));
     pen.text(
         [x, below + 24.0],
         Anchor::Middle,
-        names[1],
+        told(way),
         small(Role::Ink),
     );
     Ok(())
 }
 
+fn told(way: Way) -> &'static str {
+    match way {
+        Way::Stays => "does not roll",
+        Way::WindsUp => "comes, winds up",
+        Way::PaysOut => "goes, pays out",
+    }
+}
+
+/// To a tenth of a degree, without a last zero.
+fn degrees(angle: f64) -> String {
+    let text = number(angle.to_degrees(), 1);
+    format!("{}°", text.strip_suffix(".0").unwrap_or(&text))
+}
+
 /// The line of force above, through and below the point of contact.
-pub fn three_tugs() -> Result<Figure> {
-    let spool = reel()?;
+pub fn three_tugs(values: &Values) -> Result<Figure> {
+    let spool = reel(values)?;
     let critical = spool.critical_angle().unwrap_or(0.0);
-    let degrees = number(critical.to_degrees(), 1);
+    let angles = [
+        values.of(&LOW).to_radians(),
+        critical,
+        values.of(&STEEP).to_radians(),
+    ];
+    let named = angles.map(degrees);
+    let [low, _, steep] = angles.map(|angle| spool.way(angle));
+    let (low, steep) = (low?, steep?);
+    let claim = match (low, steep) {
+        (Way::WindsUp, Way::PaysOut) => {
+            "The line of force decides: above the point of contact the spool comes, below it the spool goes."
+                .to_owned()
+        }
+        _ if low == steep => format!(
+            "Tugs at {} and {} pull on the same side of the point of contact: both times the spool {}.",
+            named[0],
+            named[2],
+            told(low)
+        ),
+        _ => format!(
+            "The line of force decides: at {} the spool {}, at {} it {}.",
+            named[0],
+            told(low),
+            named[2],
+            told(steep)
+        ),
+    };
     let words = Words {
-        claim: "The line of force decides: above the point of contact the spool comes, below it the spool goes.".to_owned(),
+        claim,
         details: format!(
-            "Axle two fifths of the discs, string leaving from below, tug to the left at 25, {degrees} and 85 degrees (the tutorial's pictures f, e \
-             and g). Dotted: the line of force, prolonged. Purple: the point of contact, about which friction has no moment. Blue: the way the \
-             spool rolls."
+            "Axle {} of the discs, string leaving from below, tug to the left at {}, {} and {} (the tutorial's pictures f, e \
+             and g). Dotted: the line of force, prolonged. Purple: the point of contact, about which friction has no moment. The arrow below: \
+             the way the spool rolls.",
+            number(values.of(&AXLE), 2),
+            named[0],
+            named[1],
+            named[2],
         ),
         alt: format!(
-            "Three spools tugged to the left. At 25 degrees the prolonged line of force passes above the point of contact and meets the ground on the far side; the spool \
-             rolls left and winds string. At {degrees} degrees it passes through the point of contact; no rolling. At 85 degrees it meets the ground on the tug's side; the spool \
-             rolls right and pays string out."
+            "Three spools tugged to the left, and for each the prolonged line of force. At {} the spool {}. At {} the line passes through the point \
+             of contact, and the spool does not roll. At {} it {}. The line that meets the ground on the far side winds the string up, the one that \
+             meets it on the tug's side pays it out.",
+            named[0],
+            told(low),
+            named[1],
+            named[2],
+            told(steep)
         ),
     };
     let mut drawn = Ok(());
@@ -95,34 +168,46 @@ pub fn three_tugs() -> Result<Figure> {
             &[[8.0, GROUND], [592.0, GROUND]],
             stroke(Role::Ink, SECONDARY),
         );
-        let names = format!("{degrees}°");
-        drawn = tugged(
-            pen,
-            &spool,
-            124.0,
-            25_f64.to_radians(),
-            ["25°", "comes, winds up"],
-        )
-        .and_then(|()| tugged(pen, &spool, 322.0, critical, [&names, "does not roll"]))
-        .and_then(|()| {
-            tugged(
-                pen,
-                &spool,
-                494.0,
-                85_f64.to_radians(),
-                ["85°", "goes, pays out"],
-            )
-        });
+        drawn = [124.0, 322.0, 494.0]
+            .into_iter()
+            .zip(angles)
+            .try_for_each(|(x, angle)| tugged(pen, &spool, x, angle));
     });
-    drawn.map(|()| made)
+    drawn?;
+    let rows = angles
+        .into_iter()
+        .map(|angle| Ok(vec![angle.to_degrees(), spool.foot_of_the_line(angle)?]))
+        .collect::<Result<Vec<_>>>()?;
+    Ok(made.data("tug", &["angle (°)", "foot of the line (m)"], rows))
+}
+
+/// The hub of the dial, its inner radius, and the longest ray, units.
+const HUB: Point = [300.0, 262.0];
+const INNER: f64 = 70.0;
+const LONGEST: f64 = 179.2;
+
+/// A place of the dial; angles from the left, where the tug of the first figure points.
+fn place(radius: f64, angle: f64) -> Point {
+    polar(HUB, radius, PI - angle)
+}
+
+/// The end of the dotted line: cos θ = r/R.
+fn critical_place(values: &Values) -> Point {
+    place(INNER + 62.0, values.of(&AXLE).acos())
+}
+
+fn axle_at(point: Point, _: &Values) -> f64 {
+    let (x, y) = (HUB[0] - point[0], HUB[1] - point[1]);
+    x / x.hypot(y)
 }
 
 /// Acceleration against the angle of the tug, all the way round.
-pub fn dial() -> Result<Figure> {
-    let spool = reel()?;
+pub fn dial(values: &Values) -> Result<Figure> {
+    let spool = reel(values)?;
     let critical = spool.critical_angle().unwrap_or(0.0);
     let degrees = number(critical.to_degrees(), 2);
-    let at = |angle: f64| Ok(spool.rolling_acceleration(Tug::new(TENSION, angle)?));
+    let tension = values.of(&TENSION);
+    let at = |angle: f64| Ok(spool.rolling_acceleration(Tug::new(tension, angle)?));
     let rays = (0..=36)
         .map(|k| PI * f64::from(k) / 36.0)
         .map(|angle| at(angle).map(|a| (angle, a)))
@@ -134,9 +219,10 @@ pub fn dial() -> Result<Figure> {
             "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical."
         ),
         details: format!(
-            "Acceleration of a spool with $r/R = 0.4$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {TENSION} N, and steeper and steeper \
+            "Acceleration of a spool with $r/R = {}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {tension} N, and steeper and steeper \
              until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Black: the spool rolls to the left and \
              winds string up, {} m/s² at most. Grey: it rolls to the right and pays string out, up to {} m/s² when the string is pulled back over the axle.",
+            number(values.of(&AXLE), 2),
             number(level, 1),
             number(-back, 1),
         ),
@@ -148,22 +234,18 @@ pub fn dial() -> Result<Figure> {
             number(-back, 1),
         ),
     };
-    const HUB: Point = [300.0, 262.0];
-    const INNER: f64 = 70.0;
-    const UNIT: f64 = 128.0;
-    Ok(figure("spool-dial", 330.0, words, |pen| {
+    let unit = LONGEST / back.abs();
+    let made = figure("spool-dial", 330.0, words, |pen| {
         pen.disc(HUB, 44.0, Role::Shade, 0.6);
         pen.ring(HUB, 44.0, stroke(Role::Ink, DATA));
-        pen.ring(HUB, 17.6, stroke(Role::Ink, SECONDARY));
+        pen.ring(HUB, 44.0 * values.of(&AXLE), stroke(Role::Ink, SECONDARY));
         pen.line(
             &[[20.0, HUB[1] + 44.0], [580.0, HUB[1] + 44.0]],
             stroke(Role::Ink, SECONDARY),
         );
         pen.arc(HUB, INNER, 0.0, PI, stroke(Role::Ink, HAIR));
-        // From the left, where the tug of the first figure points.
-        let place = |radius: f64, angle: f64| polar(HUB, radius, PI - angle);
         for &(angle, a) in &rays {
-            let ray = [place(INNER, angle), place(INNER + UNIT * a.abs(), angle)];
+            let ray = [place(INNER, angle), place(INNER + unit * a.abs(), angle)];
             let role = if a > 0.0 { Role::Ink } else { Role::Muted };
             pen.line(&ray, stroke(role, DATA));
         }
@@ -199,7 +281,7 @@ pub fn dial() -> Result<Figure> {
             label(Role::Muted),
         );
         pen.text([144.0, HUB[1] + 6.0], Anchor::End, "0°", small(Role::Ink));
-        let up = place(INNER + UNIT * 0.4, PI / 2.0);
+        let up = place(INNER + unit * rays[18].1.abs(), PI / 2.0);
         pen.text(
             [up[0] + 4.0, up[1] - 8.0],
             Anchor::End,
@@ -212,5 +294,7 @@ pub fn dial() -> Result<Figure> {
             "180°",
             small(Role::Ink),
         );
-    }))
+    });
+    let rows = rays.iter().map(|&(angle, a)| vec![angle.to_degrees(), a]);
+    Ok(made.data("spool", &["angle (°)", "acceleration (m/s²)"], rows))
 }

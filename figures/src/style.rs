@@ -1,29 +1,23 @@
 //! The one style of all figures: sizes, strokes, colours by role, and the pen that draws with them.
 //!
-//! Coordinates are units of the design, 600 wide, y downwards. The SVG backend rounds to whole numbers, so
-//! the canvas is ten times as large and its view box is scaled back; [`crate::finish`] does the rest.
+//! Coordinates are units of the design, 600 wide, y downwards. A backend wants whole numbers, so the canvas is ten times as large
+//! and its view box is scaled back; [`crate::finish`] does the rest.
 
-use plotters::coord::Shift;
-use plotters::prelude::{
-    Circle, DrawingArea, IntoDrawingArea, PathElement, Polygon, RGBColor, SVGBackend, ShapeStyle,
-    Text,
-};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, IntoTextStyle, TextStyle};
+use plotters_backend::BackendCoord;
 
 use crate::Figure;
-use crate::finish::finish;
+use crate::canvas::{Mark, Paint};
 
 /// Width of every figure, units.
 pub const WIDTH: f64 = 600.0;
 /// Canvas units in a design unit.
 pub const SCALE: f64 = 10.0;
 /// Size of label text, units.
-pub const LABEL: f64 = 16.0;
+pub const LABEL: f64 = 17.0;
 /// Size of ticks and remarks, units; nothing is smaller, indices included.
-pub const SMALL: f64 = 13.5;
-/// Least size of any text, units: a telephone shows it at 0.6.
-pub const LEAST: f64 = 13.0;
+pub const SMALL: f64 = 15.0;
+/// Least size of any text, units: a telephone shows it at 0.6, nine pixels.
+pub const LEAST: f64 = 15.0;
 /// Stroke of the data.
 pub const DATA: f64 = 2.0;
 /// Stroke of what is secondary.
@@ -68,28 +62,19 @@ impl Role {
     ];
 
     /// The colour that stands for the role on the canvas, until the finisher replaces it.
-    pub const fn stand_in(self) -> RGBColor {
-        match self {
-            Role::Ink => RGBColor(0, 0, 0),
-            Role::Muted => RGBColor(1, 0, 0),
-            Role::Omega => RGBColor(2, 0, 0),
-            Role::AngularMomentum => RGBColor(3, 0, 0),
-            Role::Torque => RGBColor(4, 0, 0),
-            Role::Shade => RGBColor(5, 0, 0),
-            Role::Paper => RGBColor(6, 0, 0),
-        }
+    pub const fn stand_in(self) -> (u8, u8, u8) {
+        (self as u8, 0, 0)
     }
 
     /// The paint of the finished figure: a variable of the page with a fallback.
-    pub fn paint(self, figure: &str) -> String {
+    pub const fn paint(self) -> &'static str {
         match self {
-            Role::Ink => "currentColor".to_owned(),
-            Role::Muted => "var(--muted-ink, #61667a)".to_owned(),
-            Role::Omega => "var(--omega, #0b6bcb)".to_owned(),
-            Role::AngularMomentum => "var(--angular-momentum, #b85300)".to_owned(),
-            Role::Torque => "var(--torque, #6b1a6b)".to_owned(),
-            Role::Shade => format!("url(#fig-{figure}-shade)"),
-            Role::Paper => "var(--bg, Canvas)".to_owned(),
+            Role::Ink | Role::Shade => "currentColor",
+            Role::Muted => "var(--muted-ink, #61667a)",
+            Role::Omega => "var(--omega, #0b6bcb)",
+            Role::AngularMomentum => "var(--angular-momentum, #b85300)",
+            Role::Torque => "var(--torque, #6b1a6b)",
+            Role::Paper => "var(--bg, Canvas)",
         }
     }
 }
@@ -143,9 +128,12 @@ impl Stroke {
         self
     }
 
-    fn shape(self) -> ShapeStyle {
-        let width = (self.width * SCALE).round() as u32;
-        self.role.stand_in().mix(self.alpha).stroke_width(width)
+    fn paint(self) -> Paint {
+        Paint {
+            role: self.role,
+            alpha: self.alpha,
+            width: (self.width * SCALE).round() as u32,
+        }
     }
 }
 
@@ -206,72 +194,75 @@ pub struct Words {
     pub alt: String,
 }
 
-/// Draws on a canvas `height` units high and finishes the figure called `name`.
-pub fn figure(name: &str, height: f64, words: Words, draw: impl FnOnce(&mut Pen<'_>)) -> Figure {
-    let mut raw = String::new();
-    let extras = {
-        let size = ((WIDTH * SCALE) as u32, (height * SCALE).round() as u32);
-        let area = SVGBackend::with_string(&mut raw, size).into_drawing_area();
-        let mut pen = Pen {
-            area,
-            extras: Vec::new(),
-        };
-        draw(&mut pen);
-        pen.area.present().expect(IN_MEMORY);
-        pen.extras
-    };
-    let svg = finish(name, &words.claim, &words.alt, &raw, &extras);
+/// Draws on a canvas `height` units high: the figure called `name`.
+pub fn figure(
+    name: &'static str,
+    height: f64,
+    words: Words,
+    draw: impl FnOnce(&mut Pen),
+) -> Figure {
+    let mut pen = Pen::default();
+    draw(&mut pen);
     Figure {
+        name,
         claim: words.claim,
         details: words.details,
         alt: words.alt,
-        svg,
         values: Vec::new(),
+        data: crate::Data::default(),
+        size: [(WIDTH * SCALE) as u32, (height * SCALE).round() as u32],
+        marks: pen.marks,
+        moving: String::new(),
     }
 }
 
-const IN_MEMORY: &str = "drawing into a string has nothing that could fail";
-
-/// Draws on the canvas. Every call writes one element, and one entry of `extras`: attributes that the backend lacks.
-#[allow(missing_debug_implementations, reason = "a drawing area has none")]
-pub struct Pen<'a> {
-    area: DrawingArea<SVGBackend<'a>, Shift>,
-    extras: Vec<String>,
+/// Leaves marks, and for each of them the attributes that a backend lacks.
+#[derive(Debug, Default)]
+pub struct Pen {
+    marks: Vec<(Mark, String)>,
 }
 
-/// Design units to canvas units.
-fn canvas(point: Point) -> (i32, i32) {
-    (
-        (point[0] * SCALE).round() as i32,
-        (point[1] * SCALE).round() as i32,
-    )
+/// Design units to canvas units. What is no number comes to stand far outside, where the tests find it.
+fn canvas(point: Point) -> BackendCoord {
+    let [x, y] = point.map(|units| match units.is_nan() {
+        true => i32::MIN,
+        false => (units * SCALE).round() as i32,
+    });
+    (x, y)
 }
 
 /// The points on the canvas, without repetitions.
-fn trace(points: &[Point]) -> Vec<(i32, i32)> {
-    let mut trace: Vec<(i32, i32)> = points.iter().map(|&p| canvas(p)).collect();
+fn trace(points: &[Point]) -> Vec<BackendCoord> {
+    let mut trace: Vec<BackendCoord> = points.iter().map(|&p| canvas(p)).collect();
     trace.dedup();
     trace
 }
 
-impl Pen<'_> {
-    fn extra_of(&mut self, stroke: Stroke) {
+impl Pen {
+    fn stroked(&mut self, stroke: Stroke, mark: Mark) {
         let unit = stroke.width.max(AXIS) * SCALE;
-        self.extras.push(match stroke.dash {
+        let dashes = match stroke.dash {
             Dash::Solid => String::new(),
             Dash::Dashed => format!(" stroke-dasharray=\"{:.0} {:.0}\"", unit * 4.0, unit * 3.2),
             Dash::Dotted => format!(" stroke-dasharray=\"0 {:.0}\"", unit * 3.0),
-        });
+        };
+        self.marks.push((mark, dashes));
+    }
+
+    fn filled(&mut self, mark: impl FnOnce(Paint) -> Mark, role: Role, alpha: f64) {
+        let paint = Paint {
+            role,
+            alpha,
+            width: 1,
+        };
+        self.marks.push((mark(paint), String::new()));
     }
 
     /// A line through the points.
     pub fn line(&mut self, points: &[Point], stroke: Stroke) {
         let points = trace(points);
         if points.len() > 1 {
-            self.extra_of(stroke);
-            self.area
-                .draw(&PathElement::new(points, stroke.shape()))
-                .expect(IN_MEMORY);
+            self.stroked(stroke, Mark::Path(points, stroke.paint()));
         }
     }
 
@@ -284,30 +275,29 @@ impl Pen<'_> {
 
     /// A filled polygon.
     pub fn fill(&mut self, points: &[Point], role: Role, alpha: f64) {
-        self.extras.push(String::new());
-        let style = role.stand_in().mix(alpha);
-        self.area
-            .draw(&Polygon::new(trace(points), style))
-            .expect(IN_MEMORY);
+        self.filled(|paint| Mark::Polygon(trace(points), paint), role, alpha);
     }
 
     /// A filled disc.
     pub fn disc(&mut self, center: Point, radius: f64, role: Role, alpha: f64) {
-        self.extras.push(String::new());
-        let style = role.stand_in().mix(alpha).filled();
-        let radius = (radius * SCALE).round() as i32;
-        self.area
-            .draw(&Circle::new(canvas(center), radius, style))
-            .expect(IN_MEMORY);
+        let disc = |paint| Mark::Circle {
+            center: canvas(center),
+            radius: (radius * SCALE).round() as u32,
+            paint,
+            filled: true,
+        };
+        self.filled(disc, role, alpha);
     }
 
     /// A circle.
     pub fn ring(&mut self, center: Point, radius: f64, stroke: Stroke) {
-        self.extra_of(stroke);
-        let radius = (radius * SCALE).round() as i32;
-        self.area
-            .draw(&Circle::new(canvas(center), radius, stroke.shape()))
-            .expect(IN_MEMORY);
+        let ring = Mark::Circle {
+            center: canvas(center),
+            radius: (radius * SCALE).round() as u32,
+            paint: stroke.paint(),
+            filled: false,
+        };
+        self.stroked(stroke, ring);
     }
 
     /// An arc, angles in radians counterclockwise from the right as the reader sees it.
@@ -373,20 +363,19 @@ impl Pen<'_> {
             ""
         };
         let size = lettering.size.max(LEAST) * SCALE;
-        self.extras
-            .push(format!(" font-size=\"{size:.0}\"{weight}"));
-        let h = match anchor {
-            Anchor::Start => HPos::Left,
-            Anchor::Middle => HPos::Center,
-            Anchor::End => HPos::Right,
+        let text = Mark::Text {
+            at: canvas(at),
+            anchor,
+            body: body.to_owned(),
+            paint: Paint {
+                role: lettering.role,
+                alpha: 1.0,
+                width: 1,
+            },
+            size,
         };
-        let color = lettering.role.stand_in();
-        let style: TextStyle<'_> = ("sans-serif", size)
-            .into_text_style(&self.area)
-            .color(&color)
-            .pos(Pos::new(h, VPos::Bottom));
-        let text = Text::new(body.to_owned(), canvas(at), style);
-        self.area.draw(&text).expect(IN_MEMORY);
+        self.marks
+            .push((text, format!(" font-size=\"{size:.0}\"{weight}")));
     }
 
     /// A stacked fraction with its bar centred on the point, and what stands before and after it.

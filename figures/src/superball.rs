@@ -174,7 +174,7 @@ pub fn under_the_table() -> Result<Figure> {
 }
 
 /// Floor and table.
-fn room(pen: &mut Pen<'_>) {
+fn room(pen: &mut Pen) {
     let edge = place(EDGE, 0.0)[0];
     let slab = [
         [edge, CEILING - SLAB],
@@ -198,7 +198,7 @@ fn room(pen: &mut Pen<'_>) {
 }
 
 /// The ball that takes no spin.
-fn ghost_ball(pen: &mut Pen<'_>, bounces: &[f64]) {
+fn ghost_ball(pen: &mut Pen, bounces: &[f64]) {
     let mut path = vec![place(0.0, 0.0)];
     path.extend(
         bounces
@@ -229,7 +229,7 @@ fn ghost_ball(pen: &mut Pen<'_>, bounces: &[f64]) {
 }
 
 /// The exact velocities beside the legs of the path.
-fn velocities(pen: &mut Pen<'_>, motions: &[Motion<Ratio<i128>>]) {
+fn velocities(pen: &mut Pen, motions: &[Motion<Ratio<i128>>]) {
     let at = place(-1.13, 1.19);
     pen.text([at[0] + 8.0, at[1]], Anchor::Start, "*V*", label(Role::Ink));
     let spots = [place(0.53, 0.72), place(-0.3, 0.76), place(-1.05, 0.45)];

@@ -4,13 +4,17 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use figures::{Entry, Figure, all, compare};
+use figures::canvas::Paint;
+use figures::style::Anchor;
+use figures::{Entry, Figure, Look, Mark, Values, all, compare};
 
 /// All figures, drawn once for all tests of this file.
 fn drawn() -> impl Iterator<Item = &'static (Entry, Figure)> {
     static DRAWN: OnceLock<Vec<(Entry, Figure)>> = OnceLock::new();
     let draw = |entry: &Entry| {
-        let figure = (entry.draw)().unwrap_or_else(|error| panic!("{}: {error}", entry.name));
+        let figure = entry
+            .draw(&Values::default())
+            .unwrap_or_else(|error| panic!("{}: {error}", entry.name));
         (*entry, figure)
     };
     DRAWN
@@ -36,8 +40,10 @@ fn values<'a>(svg: &'a str, key: &str) -> Vec<&'a str> {
 #[test]
 fn drawing_twice_gives_the_same_bytes() {
     for (entry, first) in drawn() {
-        let second = (entry.draw)().expect("it drew a moment ago");
-        assert_eq!(first.svg, second.svg, "{}", entry.name);
+        let second = entry
+            .draw(&Values::default())
+            .expect("it drew a moment ago");
+        assert_eq!(first.svg(), second.svg(), "{}", entry.name);
     }
 }
 
@@ -48,10 +54,11 @@ fn the_committed_files_are_what_the_code_draws() {
     for (entry, figure) in drawn() {
         let path = committed(entry.name);
         if write {
-            std::fs::write(&path, figure.file()).expect("figures/svg can be written");
+            std::fs::write(&path, figure.file(Look::default()))
+                .expect("figures/svg can be written");
         }
         let old = std::fs::read_to_string(&path).unwrap_or_default();
-        if let Err(difference) = compare(entry.name, &old, &figure.file()) {
+        if let Err(difference) = compare(entry.name, &old, &figure.file(Look::default())) {
             panic!("{difference}");
         }
     }
@@ -130,7 +137,8 @@ fn captions_and_alt_texts_say_something() {
 #[test]
 fn no_text_is_below_thirteen_units() {
     for (entry, figure) in drawn() {
-        let sizes = values(&figure.svg, "font-size");
+        let svg = figure.svg();
+        let sizes = values(&svg, "font-size");
         assert!(!sizes.is_empty(), "{}: no text at all", entry.name);
         for size in sizes {
             let units = size.parse::<f64>().expect("a number") / figures::style::SCALE;
@@ -146,7 +154,7 @@ fn no_text_is_below_thirteen_units() {
 #[test]
 fn the_page_decides_colours_and_background() {
     for (entry, figure) in drawn() {
-        let (name, svg) = (entry.name, &figure.svg);
+        let (name, svg) = (entry.name, &figure.svg());
         let head = svg.lines().next().unwrap_or_default();
         assert!(
             !svg.contains("#000000"),
@@ -196,7 +204,7 @@ fn the_page_decides_colours_and_background() {
 #[test]
 fn a_file_has_plain_colours() {
     for (entry, figure) in drawn() {
-        let (name, svg) = (entry.name, figure.file());
+        let (name, svg) = (entry.name, figure.file(Look::default()));
         for key in ["fill", "stroke", "stop-color"] {
             for paint in values(&svg, key) {
                 let plain = paint.len() == 7 && paint.starts_with('#');
@@ -246,8 +254,8 @@ fn another_renderer_shows_the_colours() {
 #[test]
 fn curves_keep_off_the_edge() {
     for (entry, figure) in drawn() {
-        let size = size(&figure.svg);
-        for points in values(&figure.svg, "points") {
+        let size = size(&figure.svg());
+        for points in values(&figure.svg(), "points") {
             for (k, n) in points
                 .split([' ', ','])
                 .filter(|n| !n.is_empty())
@@ -270,8 +278,8 @@ fn curves_keep_off_the_edge() {
 #[test]
 fn texts_fit_on_the_canvas() {
     for (entry, figure) in drawn() {
-        let width = size(&figure.svg)[0] as f64;
-        for element in figure.svg.split("<text").skip(1) {
+        let width = size(&figure.svg())[0] as f64;
+        for element in figure.svg().split("<text").skip(1) {
             let element = element.split("</text>").next().unwrap_or_default();
             let number = |key: &str| values(element, key)[0].parse::<f64>().expect("a number");
             let letters: usize = element
@@ -291,6 +299,78 @@ fn texts_fit_on_the_canvas() {
                 entry.name
             );
         }
+    }
+}
+
+/// The marks through the drawing area and the elements of plotters.
+fn by_plotters(figure: &Figure) -> String {
+    use plotters::prelude::*;
+    use plotters::style::text_anchor::{HPos, Pos, VPos};
+    let mut raw = String::new();
+    {
+        let [width, height] = figure.size();
+        let area = SVGBackend::with_string(&mut raw, (width, height)).into_drawing_area();
+        let color = |paint: &Paint| {
+            let (red, green, blue) = paint.role.stand_in();
+            RGBColor(red, green, blue).mix(paint.alpha)
+        };
+        for mark in figure.marks() {
+            let drawn = match mark {
+                Mark::Path(points, paint) => {
+                    let style = color(paint).stroke_width(paint.width);
+                    area.draw(&PathElement::new(points.clone(), style))
+                }
+                Mark::Polygon(points, paint) => {
+                    area.draw(&Polygon::new(points.clone(), color(paint).filled()))
+                }
+                Mark::Circle {
+                    center,
+                    radius,
+                    paint,
+                    filled,
+                } => {
+                    let mut style = color(paint).stroke_width(paint.width);
+                    style.filled = *filled;
+                    area.draw(&Circle::new(*center, *radius as i32, style))
+                }
+                Mark::Text {
+                    at,
+                    anchor,
+                    body,
+                    paint,
+                    size,
+                } => {
+                    let horizontal = match anchor {
+                        Anchor::Start => HPos::Left,
+                        Anchor::Middle => HPos::Center,
+                        Anchor::End => HPos::Right,
+                    };
+                    let color = color(paint);
+                    let style = ("sans-serif", *size).into_text_style(&area).color(&color);
+                    let style = style.pos(Pos::new(horizontal, VPos::Bottom));
+                    area.draw(&Text::new(body.clone(), *at, style))
+                }
+            };
+            drawn.expect("a string takes every letter");
+        }
+        area.present().expect("a string takes every letter");
+    }
+    raw
+}
+
+/// The pen calls the backend of plotters itself; plotters whole draws the same.
+#[test]
+fn plotters_draws_the_same_picture() {
+    for (entry, figure) in drawn() {
+        let mut raw = String::new();
+        {
+            let [width, height] = figure.size();
+            let mut backend = plotters_svg::SVGBackend::with_string(&mut raw, (width, height));
+            figure
+                .draw(&mut backend)
+                .expect("a string takes every letter");
+        }
+        assert_eq!(raw, by_plotters(figure), "{}", entry.name);
     }
 }
 

@@ -86,7 +86,7 @@ pub fn work() -> Result<Figure> {
     }))
 }
 
-fn draw(pen: &mut Pen<'_>, panel: &Panel, [left, top]: Point) {
+fn draw(pen: &mut Pen, panel: &Panel, [left, top]: Point) {
     let Frame { x, y } = panel_axes(pen, panel.name, [left, top], X, &TICKS);
     let place = |line: &[Point]| -> Vec<Point> {
         line.iter()
@@ -102,7 +102,7 @@ fn draw(pen: &mut Pen<'_>, panel: &Panel, [left, top]: Point) {
 }
 
 /// Names at the lines of the first panel.
-fn legend(pen: &mut Pen<'_>, [left, top]: Point) {
+fn legend(pen: &mut Pen, [left, top]: Point) {
     for (x, y, name, role) in [
         (164.0, 34.0, "rk4", Role::Torque),
         (174.0, 106.0, GENERAL, Role::Torque),

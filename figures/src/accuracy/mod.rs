@@ -56,7 +56,7 @@ fn points(rows: &[Measurement], across: impl Fn(&Measurement) -> f64) -> Vec<Poi
 }
 
 /// A name in the colour of its line.
-fn named_line(pen: &mut Pen<'_>, at: Point, anchor: Anchor, name: &str, role: Role) {
+fn named_line(pen: &mut Pen, at: Point, anchor: Anchor, name: &str, role: Role) {
     pen.text(at, anchor, name, label(role));
 }
 
@@ -65,7 +65,7 @@ const Y: [f64; 2] = [1e-16, 1.0];
 
 /// The axes of a small panel whose upper left corner is given: its name, ticks across, errors upward.
 fn panel_axes(
-    pen: &mut Pen<'_>,
+    pen: &mut Pen,
     name: &str,
     corner: Point,
     across: [f64; 2],

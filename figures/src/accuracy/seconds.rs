@@ -128,7 +128,7 @@ pub fn seconds() -> Result<Figure> {
 }
 
 /// Names at the lines of the first panel.
-fn legend(pen: &mut Pen<'_>, [left, top]: Point) {
+fn legend(pen: &mut Pen, [left, top]: Point) {
     for (x, y, name, role) in [
         (90.0, 62.0, "ours", Role::Omega),
         (176.0, 128.0, "general", Role::Torque),

@@ -137,7 +137,7 @@ pub fn triangle_of_tops() -> Result<Figure> {
             line(5.0, ratio);
         }
         // The corners and the edges.
-        let edge = |pen: &mut Pen<'_>, at: Point, anchor, text: &str| {
+        let edge = |pen: &mut Pen, at: Point, anchor, text: &str| {
             pen.text(at, anchor, text, label(Role::Muted));
         };
         let [rod, disc, sphere] = corners;
@@ -170,7 +170,7 @@ pub fn triangle_of_tops() -> Result<Figure> {
 }
 
 /// The triangle of all moments in any order, and the ordered sixth: rod, disc and sphere in the order of the axes.
-fn inset(pen: &mut Pen<'_>, sixth: [[f64; 3]; 3]) {
+fn inset(pen: &mut Pen, sixth: [[f64; 3]; 3]) {
     let at = |m| place(m, [112.0, 154.0], 84.0);
     pen.fill(&sixth.map(at), Role::Ink, 0.3);
     let turned = |m: [f64; 3], by: usize| core::array::from_fn(|k| m[(k + by) % 3]);

@@ -11,7 +11,6 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::racket::{Face, Flat, Parts, Throw, draw, face, parts, view};
 use crate::Figure;
-use crate::finish::with;
 use crate::solid::View;
 use crate::style::{
     AXIS, Anchor, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, between, figure,
@@ -108,11 +107,11 @@ pub fn animated() -> Result<Figure> {
     });
     let attitudes: Vec<Attitude> = states.iter().map(|s| s.attitude).collect();
     let dots: Vec<Point> = (0..PICTURES).map(graph).collect();
-    Ok(with(still, &moving(&attitudes[..PICTURES], &dots)))
+    Ok(still.moving(&moving(&attitudes[..PICTURES], &dots)))
 }
 
 /// A small racket at rest with its principal axes.
-fn axes(pen: &mut Pen<'_>, attitude: &Attitude) {
+fn axes(pen: &mut Pen, attitude: &Attitude) {
     let view = View::new(-0.62, 0.3, [92.0, 106.0], 170.0);
     draw(pen, &view, attitude, 0.6);
     let arms = [
@@ -195,7 +194,7 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
     let _ = writeln!(
         svg,
         "<circle class=\"fig-{NAME}-pace\" r=\"55\" fill=\"{}\" transform=\"{}\"/>",
-        Role::Omega.paint(NAME),
+        Role::Omega.paint(),
         translation(&dots[STILL]).replace("px", "")
     );
     svg
@@ -243,7 +242,7 @@ fn racket(svg: &mut String, back: &str) {
     draw(
         path(&vec![mark, mark]),
         12.0,
-        &format!(" stroke=\"{}\"", Role::Omega.paint(NAME)),
+        &format!(" stroke=\"{}\"", Role::Omega.paint()),
     );
 }
 

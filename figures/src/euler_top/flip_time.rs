@@ -185,7 +185,7 @@ fn listed(peers: &[Peer], part: impl Fn(&str) -> Option<String>) -> String {
 }
 
 /// The end of a curve.
-fn cross(pen: &mut Pen<'_>, at: Point) {
+fn cross(pen: &mut Pen, at: Point) {
     for side in [1.0, -1.0] {
         pen.line(
             &[
@@ -197,7 +197,7 @@ fn cross(pen: &mut Pen<'_>, at: Point) {
     }
 }
 
-fn axes(pen: &mut Pen<'_>) {
+fn axes(pen: &mut Pen) {
     let [left, right, bottom, top] = FRAME;
     pen.line(
         &[[left, top], [left, bottom], [right, bottom]],

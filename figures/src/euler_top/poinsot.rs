@@ -174,7 +174,7 @@ impl Scene {
             .collect()
     }
 
-    fn body(&self, pen: &mut Pen<'_>) {
+    fn body(&self, pen: &mut Pen) {
         let outline = self.outline();
         pen.fill(&outline, Role::Shade, 1.0);
         for (curve, strength) in self.net() {
@@ -208,7 +208,7 @@ impl Scene {
         pen.disc(center, 2.6, Role::Ink, 1.0);
     }
 
-    fn plane(&self, pen: &mut Pen<'_>, radii: [f64; 2]) {
+    fn plane(&self, pen: &mut Pen, radii: [f64; 2]) {
         let at = |x: f64, y: f64| Vector3::new(x, y, self.distance);
         let [a, b] = SHEET;
         let sheet = self
@@ -253,7 +253,7 @@ impl Scene {
         pen.arrow(foot, tip, stroke(Role::AngularMomentum, 2.6));
     }
 
-    fn labels(&self, pen: &mut Pen<'_>) {
+    fn labels(&self, pen: &mut Pen) {
         let contact = self.view.project(&self.contact);
         let center = self.view.project(&Vector3::zeros());
         pen.arrow(

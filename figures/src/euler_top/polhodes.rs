@@ -54,7 +54,7 @@ impl Curve {
         })
     }
 
-    fn draw(&self, pen: &mut Pen<'_>, view: &View, style: Stroke, dot: (Role, f64)) {
+    fn draw(&self, pen: &mut Pen, view: &View, style: Stroke, dot: (Role, f64)) {
         let semi = Vector3::from(MOMENTS.map(f64::sqrt));
         let shown = |p: &Vector3<f64>| !ellipsoid_hides(&semi, p, &view.toward);
         let [seen, hidden] = view.split(&self.points, shown);

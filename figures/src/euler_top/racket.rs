@@ -168,7 +168,7 @@ pub fn face(attitude: &Attitude, view: &View) -> Face {
 }
 
 /// Draws the racket as it stands.
-pub fn draw(pen: &mut Pen<'_>, view: &View, attitude: &Attitude, strength: f64) {
+pub fn draw(pen: &mut Pen, view: &View, attitude: &Attitude, strength: f64) {
     let parts = parts();
     let at = |p: &[f64; 2]| {
         let p = attitude.to_space(BodyVector::new(p[0], p[1], 0.0));

@@ -44,7 +44,7 @@ impl Lane {
         })
     }
 
-    fn draw(&self, pen: &mut Pen<'_>) {
+    fn draw(&self, pen: &mut Pen) {
         let start = core::f64::consts::FRAC_PI_2;
         let (last, done) = (
             self.angles[self.angles.len() - 1],
@@ -144,7 +144,7 @@ pub fn polar_circles() -> Result<Figure> {
         }
         pen.text([CENTER[0], 26.0], Anchor::Middle, "start", small(Role::Ink));
         let x = 400.0;
-        let note = |pen: &mut Pen<'_>, y: f64, head: &str, tail: &str| {
+        let note = |pen: &mut Pen, y: f64, head: &str, tail: &str| {
             pen.text([x, y], Anchor::Start, head, label(Role::Omega).strong());
             pen.text([x, y + 20.0], Anchor::Start, tail, small(Role::Ink));
         };
@@ -256,7 +256,7 @@ pub fn precession_cones() -> Result<Figure> {
 }
 
 /// A cone with its tip in the origin, seen from outside.
-fn cone(pen: &mut Pen<'_>, view: &View, axis: &Vector3<f64>, half_angle: f64, role: Role) {
+fn cone(pen: &mut Pen, view: &View, axis: &Vector3<f64>, half_angle: f64, role: Role) {
     let across = Vector3::y().cross(axis).normalize();
     let (s, c) = half_angle.sin_cos();
     let rim = view.trace(&ellipse(axis * c, across * s, Vector3::y() * s, 180));

@@ -6,7 +6,6 @@ use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, Sheet, Start};
 
 use crate::Figure;
-use crate::finish::with;
 use crate::style::{
     Anchor, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, label, number, small, stroke,
 };
@@ -153,5 +152,5 @@ pub fn animated() -> Result<Figure> {
         "#fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
          @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}@media print{{{all}{{animation:none}}}}</style>"
     );
-    Ok(with(still, &(style + &groups)))
+    Ok(still.moving(&(style + &groups)))
 }

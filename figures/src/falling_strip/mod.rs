@@ -3,7 +3,6 @@
 mod animated;
 mod regimes;
 
-use rayon::prelude::*;
 use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
 
@@ -16,10 +15,10 @@ use crate::style::{
     Anchor, DATA, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
 };
 
-/// Long runs of all these mass ratios, on all cores.
+/// Long runs of all these mass ratios.
 fn scan(ratios: &[f64], coefficients: Coefficients) -> Result<Vec<LongRun>> {
     ratios
-        .par_iter()
+        .iter()
         .map(|&ratio| Fall::new(ratio, coefficients)?.long_run(Start::TILTED, 300.0, 300.0))
         .collect()
 }
@@ -83,7 +82,7 @@ const UNIT: f64 = 9.5;
 /// Six ways to fall.
 pub fn paths() -> Result<Figure> {
     let drawn: Vec<(Vec<[f64; 7]>, LongRun)> = PANELS
-        .par_iter()
+        .iter()
         .map(|panel| {
             let fall = Fall::new(panel.ratio, Coefficients::PUBLISHED)?;
             let times: Vec<f64> = (0..=400)

@@ -13,7 +13,6 @@ use spinning_bodies::lagrange_top::LagrangeTop;
 
 use super::{launch, launch_body, nose, pure_rates};
 use crate::Figure;
-use crate::finish::with;
 use crate::solid::{View, ellipse};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, Words, figure, label, number,
@@ -103,7 +102,7 @@ impl Loop {
     }
 
     /// Sphere, path and name: what does not move.
-    fn draw(&self, pen: &mut Pen<'_>) -> Result<()> {
+    fn draw(&self, pen: &mut Pen) -> Result<()> {
         let view = self.view();
         let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
         pen.disc(self.center, RADIUS, Role::Shade, 1.0);
@@ -215,7 +214,7 @@ pub fn top_animated() -> Result<Figure> {
         drawn = tops.iter().try_for_each(|top| top.draw(pen));
     });
     drawn?;
-    Ok(with(still, &moving(&tops)?))
+    Ok(still.moving(&moving(&tops)?))
 }
 
 /// The style sheet and the groups that move.

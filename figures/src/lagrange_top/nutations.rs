@@ -58,7 +58,7 @@ impl Globe {
     }
 
     /// The sphere, its turning circles and the trace.
-    fn draw(&self, pen: &mut Pen<'_>, trace: &[Vector3<f64>], heights: [f64; 2], azimuth: f64) {
+    fn draw(&self, pen: &mut Pen, trace: &[Vector3<f64>], heights: [f64; 2], azimuth: f64) {
         let center = self.center();
         let view = View::new(azimuth, 0.5, center, RADIUS);
         let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
@@ -141,7 +141,7 @@ fn globes() -> Result<Vec<Globe>> {
 }
 
 /// The part of a line that is on the map and on no sphere.
-fn clear(pen: &mut Pen<'_>, points: &[Point], globes: &[Globe], style: Stroke) {
+fn clear(pen: &mut Pen, points: &[Point], globes: &[Globe], style: Stroke) {
     let [left, right, top] = REACH;
     let ([x0, y0], [x1, _]) = (place(left, top), place(right, top));
     let free = |p: &Point| {

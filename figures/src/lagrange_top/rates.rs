@@ -123,7 +123,7 @@ pub fn precession_rates() -> Result<Figure> {
     }))
 }
 
-fn axes(pen: &mut Pen<'_>) {
+fn axes(pen: &mut Pen) {
     let ink = stroke(Role::Ink, AXIS);
     let [left, right, bottom, top] = FRAME;
     pen.line(&[[left, top], [left, bottom]], ink);

@@ -124,7 +124,7 @@ pub fn sleeping_threshold() -> Result<Figure> {
     }))
 }
 
-fn axes(pen: &mut Pen<'_>) {
+fn axes(pen: &mut Pen) {
     let ink = stroke(Role::Ink, AXIS);
     pen.line(&[place(SHOWN[0], 0.0), place(SHOWN[1], 0.0)], ink);
     pen.line(&[place(SHOWN[0], CUT[0]), place(SHOWN[0], CUT[1])], ink);

@@ -8,7 +8,6 @@ use spinning_bodies::scene::shape::CatState;
 use super::body::{FORWARD, RATIO, back, cat, pieces, turned, turnover};
 use super::film::{AZIMUTH, ELEVATION};
 use crate::Figure;
-use crate::finish::with;
 use crate::solid::View;
 use crate::style::{Anchor, Point, Role, SCALE as CANVAS, Words, figure, number, small};
 
@@ -52,7 +51,7 @@ pub fn cat_animated() -> Result<Figure> {
             small(Role::Muted),
         );
     });
-    Ok(with(still, &moving(&states)?))
+    Ok(still.moving(&moving(&states)?))
 }
 
 /// A style sheet that shows one picture after the other, and the pictures.

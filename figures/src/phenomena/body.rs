@@ -215,7 +215,7 @@ impl Drawing<'_> {
 }
 
 /// Draws the pieces.
-pub fn draw(pen: &mut Pen<'_>, pieces: &[Piece]) {
+pub fn draw(pen: &mut Pen, pieces: &[Piece]) {
     for piece in pieces {
         if piece.dark {
             pen.fill(&piece.outline, Role::Ink, 1.0);

@@ -69,7 +69,7 @@ impl Person {
         Ok(-feet(&self.parts(), [0.0, 0.0])?[1])
     }
 
-    fn draw(&self, pen: &mut Pen<'_>, from: Point, scale: f64) {
+    fn draw(&self, pen: &mut Pen, from: Point, scale: f64) {
         let at = |k: usize| {
             let [x, y] = self.places[k];
             [from[0] + scale * x, from[1] - scale * y]

@@ -47,7 +47,7 @@ fn turned([x, y]: Point, center: Point, tilt: f64) -> Point {
     [center[0] + c * x + s * y, center[1] - s * x + c * y]
 }
 
-fn sheet(pen: &mut Pen<'_>, center: Point, tilt: f64, forces: bool) {
+fn sheet(pen: &mut Pen, center: Point, tilt: f64, forces: bool) {
     let mut outline: Vec<Point> = SHEET.to_vec();
     outline.extend([[50.0, -4.0], [-44.0, -4.0], [-48.0, 30.0]]);
     let outline: Vec<Point> = outline

@@ -35,9 +35,9 @@ fn ellipse(center: Point, half: [f64; 2], angle: f64) -> Vec<Point> {
 }
 
 /// Someone who looks up the page at angle 0: feet and hip below, shoulders, arms and head above.
-fn person(pen: &mut Pen<'_>, center: Point, state: &SwivelState) {
+fn person(pen: &mut Pen, center: Point, state: &SwivelState) {
     let out = state.upper_moment > 0.5 * (CHANGE.arms_out + CHANGE.arms_in);
-    let solid = |pen: &mut Pen<'_>, outline: &[Point], tone: f64| {
+    let solid = |pen: &mut Pen, outline: &[Point], tone: f64| {
         pen.fill(outline, Role::Paper, 1.0);
         pen.fill(outline, Role::Ink, tone);
         pen.outline(outline, stroke(Role::Ink, AXIS));

@@ -9,7 +9,6 @@ use super::ball::{cap_outline, table};
 use super::plot::Frame;
 use super::{run, tippe_scene};
 use crate::Figure;
-use crate::finish::with;
 use crate::style::{
     Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, label, number,
     small, stroke,
@@ -80,11 +79,11 @@ pub fn turning_over() -> Result<Figure> {
         );
         spin_arrow(pen);
     });
-    Ok(with(still, &moving(&rows)))
+    Ok(still.moving(&moving(&rows)))
 }
 
 /// The arrow of the spin about the vertical, over the ball.
-fn spin_arrow(pen: &mut Pen<'_>) {
+fn spin_arrow(pen: &mut Pen) {
     let [x, y] = CENTER;
     let points: Vec<Point> = (0..=40)
         .map(|k| 2.5 + 4.4 * f64::from(k) / 40.0)

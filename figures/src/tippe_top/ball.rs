@@ -10,12 +10,12 @@ use crate::style::{AXIS, HAIR, Pen, Point, Role, SECONDARY, stroke};
 const CAP: f64 = 0.72;
 
 /// The table's surface below a row of bodies.
-pub fn table(pen: &mut Pen<'_>, from: f64, to: f64, y: f64) {
+pub fn table(pen: &mut Pen, from: f64, to: f64, y: f64) {
     pen.line(&[[from, y], [to, y]], stroke(Role::Ink, SECONDARY));
 }
 
 /// A ball in the attitude given, seen slightly from above: cap, equator and one meridian turn with it.
-pub fn ball(pen: &mut Pen<'_>, attitude: &Attitude, center: Point, radius: f64, azimuth: f64) {
+pub fn ball(pen: &mut Pen, attitude: &Attitude, center: Point, radius: f64, azimuth: f64) {
     let view = View::new(azimuth, 0.22, center, radius);
     let space = |x: f64, y: f64, z: f64| attitude.to_space(BodyVector::new(x, y, z)).components();
     let [e1, e2, e3] = [

@@ -69,7 +69,7 @@ pub fn beads() -> Result<Figure> {
 }
 
 fn view(
-    pen: &mut Pen<'_>,
+    pen: &mut Pen,
     center: Point,
     azimuth: f64,
     beads: &[[Vector3<f64>; 2]],

@@ -2,8 +2,8 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
-use spinning_bodies::{Error, Result};
 
 use super::ball::table;
 use super::plot::Frame;
@@ -71,7 +71,7 @@ pub fn egg_film() -> Result<Figure> {
     }))
 }
 
-fn one(pen: &mut Pen<'_>, foot: Point, time: f64, tilt: f64) {
+fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
     let (points, low) = outline(tilt);
     let center = [foot[0], foot[1] - low];
     let moved: Vec<Point> = points
@@ -106,17 +106,7 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
         let rows = run(&egg_scene(turns)?, 8.0, 8, 1e-2)?;
         Ok(slope(rows[8].1.tilt()))
     };
-    // Seconds of computing: one thread for the slow eggs, one for the fast.
-    let (slow, fast) = TURNS.split_at(4);
-    let ends = std::thread::scope(|scope| {
-        let other = scope.spawn(|| fast.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>());
-        let mut ends = slow.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>()?;
-        let lost = |_| Error::Empty {
-            quantity: "the list of eggs",
-        };
-        ends.extend(other.join().map_err(lost)??);
-        Ok::<_, Error>(ends)
-    })?;
+    let ends = TURNS.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>()?;
     let words = Words {
         claim: "An egg that is spun too sluggishly rises part of the way, or not at all.".to_owned(),
         details: format!(

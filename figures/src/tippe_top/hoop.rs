@@ -51,7 +51,7 @@ pub fn hoop_with_clay() -> Result<Figure> {
     }))
 }
 
-fn one(pen: &mut Pen<'_>, k: Point, tilt: f64, torque: SpaceVector) {
+fn one(pen: &mut Pen, k: Point, tilt: f64, torque: SpaceVector) {
     let (s, c) = tilt.sin_cos();
     let along = |d: f64| [k[0] + d * s, k[1] - d * c];
     let mass = along(-ALPHA * RADIUS);

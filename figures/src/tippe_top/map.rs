@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use spinning_bodies::{Error, Result};
+use spinning_bodies::Result;
 
 use super::{CHIRAL_SPIN, chiral_scene, run};
 use crate::Figure;
@@ -34,14 +34,7 @@ fn rings(sense: f64) -> Result<Vec<Vec<bool>>> {
 
 /// How carelessly it may be released.
 pub fn outcomes() -> Result<Figure> {
-    let [plus, minus] = std::thread::scope(|scope| {
-        let other = scope.spawn(|| rings(-1.0));
-        let plus = rings(1.0)?;
-        let lost = |_| Error::Empty {
-            quantity: "the list of outcomes",
-        };
-        Ok::<_, Error>([plus, other.join().map_err(lost)??])
-    })?;
+    let (plus, minus) = (rings(1.0)?, rings(-1.0)?);
     let count = |rings: &[Vec<bool>]| rings.iter().flatten().filter(|x| **x).count();
     let total = TILTS.len() * AZIMUTHS as usize;
     let by_ring: Vec<String> = plus
@@ -82,7 +75,7 @@ pub fn outcomes() -> Result<Figure> {
     }))
 }
 
-fn target(pen: &mut Pen<'_>, center: Point, rings: &[Vec<bool>], name: &str, role: Role) {
+fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str, role: Role) {
     let reach = |k: usize| 22.0 + 21.0 * k as f64;
     for (k, ring) in rings.iter().enumerate() {
         pen.ring(center, reach(k), stroke(Role::Muted, HAIR));

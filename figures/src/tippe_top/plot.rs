@@ -24,12 +24,7 @@ impl Frame {
     }
 
     /// A curve, as far as it lies within the frame.
-    pub fn curve(
-        &self,
-        pen: &mut Pen<'_>,
-        points: impl Iterator<Item = (f64, f64)>,
-        style: Stroke,
-    ) {
+    pub fn curve(&self, pen: &mut Pen, points: impl Iterator<Item = (f64, f64)>, style: Stroke) {
         let slack = 1e-9 * (self.y[1] - self.y[0]);
         let inside = |y: f64| y >= self.y[0] - slack && y <= self.y[1] + slack;
         let all: Vec<(f64, f64)> = points.collect();
@@ -40,7 +35,7 @@ impl Frame {
     }
 
     /// Both axes with their ticks; an empty text is a tick without a number.
-    pub fn axes(&self, pen: &mut Pen<'_>, across: &[(f64, &str)], up: &[(f64, &str)]) {
+    pub fn axes(&self, pen: &mut Pen, across: &[(f64, &str)], up: &[(f64, &str)]) {
         let ink = stroke(Role::Ink, AXIS);
         let [left, right, bottom, top] = self.sides;
         pen.line(&[[left, top], [left, bottom], [right, bottom]], ink);
@@ -57,7 +52,7 @@ impl Frame {
     }
 
     /// What the axes mean.
-    pub fn names(&self, pen: &mut Pen<'_>, across: &str, up: &str) {
+    pub fn names(&self, pen: &mut Pen, across: &str, up: &str) {
         let [left, right, bottom, top] = self.sides;
         pen.text(
             [right, bottom + 43.0],

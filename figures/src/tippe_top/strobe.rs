@@ -44,7 +44,7 @@ pub fn strobed() -> Result<Figure> {
     }))
 }
 
-fn row(pen: &mut Pen<'_>, rows: &[(f64, State)], floor: f64, name: &str, role: Role) {
+fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str, role: Role) {
     table(pen, 8.0, 592.0, floor);
     pen.text(
         [10.0, floor - 2.0 * RADIUS - 14.0],

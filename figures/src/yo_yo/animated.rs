@@ -10,7 +10,6 @@ use spinning_bodies::yo_yo::YoYo;
 
 use super::GRAVITY;
 use crate::Figure;
-use crate::finish::with;
 use crate::plot::{Axis, Frame};
 use crate::style::{
     AXIS, Anchor, DATA, Point, Role, SCALE as CANVAS, Words, figure, label, number, small, stroke,
@@ -133,10 +132,7 @@ pub fn animated() -> Result<Figure> {
         );
     });
     let picture = pictures.len() / 2;
-    Ok(with(
-        still,
-        &moving(&pictures, duration, picture, [&depth, &spin]),
-    ))
+    Ok(still.moving(&moving(&pictures, duration, picture, [&depth, &spin])))
 }
 
 /// How far round the string's end the axle has gone shows in where its centre is: left of the string on the way down, right of it on the way up.

@@ -1,0 +1,147 @@
+//! What a pen leaves on the canvas, and how a backend of plotters draws it.
+//!
+//! A mark knows its role, not its colour; [`crate::finish`] puts colours in. The backend is called directly, so that a page in a
+//! browser needs `plotters-svg` and nothing else of plotters.
+
+use core::convert::Infallible;
+
+use plotters_backend::text_anchor::{HPos, Pos, VPos};
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
+    FontFamily, FontTransform,
+};
+
+use crate::style::{Anchor, Role};
+
+/// The paint of a mark: a role, its opacity in 0…1, and the width of its stroke, canvas units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Paint {
+    /// What the colour means.
+    pub role: Role,
+    /// From nothing, 0, to all, 1.
+    pub alpha: f64,
+    /// Width of the stroke.
+    pub width: u32,
+}
+
+impl BackendStyle for Paint {
+    fn color(&self) -> BackendColor {
+        BackendColor {
+            alpha: self.alpha,
+            rgb: self.role.stand_in(),
+        }
+    }
+
+    fn stroke_width(&self) -> u32 {
+        self.width
+    }
+}
+
+/// One element of a picture, in whole canvas units.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Mark {
+    /// A line through points.
+    Path(Vec<BackendCoord>, Paint),
+    /// A filled polygon.
+    Polygon(Vec<BackendCoord>, Paint),
+    /// A disc, or a circle of the paint's width.
+    Circle {
+        /// Its middle.
+        center: BackendCoord,
+        /// Its radius.
+        radius: u32,
+        /// Its paint.
+        paint: Paint,
+        /// Whether it is a disc.
+        filled: bool,
+    },
+    /// Words.
+    Text {
+        /// Where their base line starts, is centred or ends.
+        at: BackendCoord,
+        /// Which of these.
+        anchor: Anchor,
+        /// What they say, with `*x*`, `_{…}` and `^{…}` as [`crate::style::Pen::text`] takes them.
+        body: String,
+        /// Their paint; the width is not used.
+        paint: Paint,
+        /// Their size.
+        size: f64,
+    },
+}
+
+/// Draws marks in their order.
+///
+/// # Errors
+/// Those of the backend.
+pub fn draw<'a, B: DrawingBackend>(
+    marks: impl Iterator<Item = &'a Mark>,
+    backend: &mut B,
+) -> Result<(), DrawingErrorKind<B::ErrorType>> {
+    for mark in marks {
+        match mark {
+            Mark::Path(points, paint) => backend.draw_path(points.iter().copied(), paint)?,
+            Mark::Polygon(points, paint) => backend.fill_polygon(points.iter().copied(), paint)?,
+            Mark::Circle {
+                center,
+                radius,
+                paint,
+                filled,
+            } => backend.draw_circle(*center, *radius, paint, *filled)?,
+            Mark::Text {
+                at,
+                anchor,
+                body,
+                paint,
+                size,
+            } => backend.draw_text(body, &Letters(*anchor, *paint, *size), *at)?,
+        }
+    }
+    backend.present()
+}
+
+/// Where a text stands, its paint and its size.
+struct Letters(Anchor, Paint, f64);
+
+impl BackendTextStyle for Letters {
+    type FontError = Infallible;
+
+    fn color(&self) -> BackendColor {
+        self.1.color()
+    }
+
+    fn size(&self) -> f64 {
+        self.2
+    }
+
+    fn transform(&self) -> FontTransform {
+        FontTransform::None
+    }
+
+    fn anchor(&self) -> Pos {
+        let horizontal = match self.0 {
+            Anchor::Start => HPos::Left,
+            Anchor::Middle => HPos::Center,
+            Anchor::End => HPos::Right,
+        };
+        Pos::new(horizontal, VPos::Bottom)
+    }
+
+    fn family(&self) -> FontFamily<'_> {
+        FontFamily::SansSerif
+    }
+
+    // Whoever shows the picture lays the letters out.
+    fn layout_box(&self, _: &str) -> Result<(BackendCoord, BackendCoord), Infallible> {
+        Ok(((0, 0), (0, 0)))
+    }
+
+    fn draw<E, F: FnMut(i32, i32, BackendColor) -> Result<(), E>>(
+        &self,
+        _: &str,
+        _: BackendCoord,
+        _: F,
+    ) -> Result<Result<(), E>, Infallible> {
+        Ok(Ok(()))
+    }
+}

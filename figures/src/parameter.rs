@@ -1,0 +1,213 @@
+//! What a figure depends on: numbers that its reader may choose.
+
+use core::fmt;
+
+use crate::style::Point;
+
+/// How the values between both ends of a range follow each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spacing {
+    /// By equal differences.
+    Linear,
+    /// By equal ratios.
+    Logarithmic,
+    /// Whole numbers.
+    Whole,
+}
+
+/// A point of the picture that a hand can take: where it stands, and the value that a place stands for.
+#[derive(Debug, Clone, Copy)]
+pub struct Handle {
+    /// Where it stands, units of the design.
+    pub place: fn(&Values) -> Point,
+    /// The value for which it would stand there, or nearest to there; not yet held to the range.
+    pub value: fn(Point, &Values) -> f64,
+}
+
+/// A number of a figure: its name on the command line, what it means, and what it may be.
+#[derive(Debug, Clone, Copy)]
+pub struct Parameter {
+    /// Its name on the command line, in `snake_case`.
+    pub key: &'static str,
+    /// Its letter, as LaTeX.
+    pub symbol: &'static str,
+    /// What it is, without the unit.
+    pub meaning: &'static str,
+    /// Its unit; empty for a ratio or a count.
+    pub unit: &'static str,
+    /// Least and greatest value.
+    pub range: [f64; 2],
+    /// Between them.
+    pub spacing: Spacing,
+    /// What the book shows.
+    pub default: f64,
+    /// How it is dragged, if it is.
+    pub handle: Option<Handle>,
+}
+
+impl Parameter {
+    /// A number from `range[0]` to `range[1]`, `default` in the book; a ratio by equal differences unless said otherwise.
+    pub const fn new(
+        key: &'static str,
+        symbol: &'static str,
+        meaning: &'static str,
+        range: [f64; 2],
+        default: f64,
+    ) -> Self {
+        Self {
+            key,
+            symbol,
+            meaning,
+            unit: "",
+            range,
+            spacing: Spacing::Linear,
+            default,
+            handle: None,
+        }
+    }
+
+    /// The same in a unit.
+    pub const fn unit(mut self, unit: &'static str) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    /// The same by equal ratios.
+    pub const fn logarithmic(mut self) -> Self {
+        self.spacing = Spacing::Logarithmic;
+        self
+    }
+
+    /// The same in whole numbers.
+    pub const fn whole(mut self) -> Self {
+        self.spacing = Spacing::Whole;
+        self
+    }
+
+    /// The same with a point of the picture to drag.
+    pub const fn dragged(
+        mut self,
+        place: fn(&Values) -> Point,
+        value: fn(Point, &Values) -> f64,
+    ) -> Self {
+        self.handle = Some(Handle { place, value });
+        self
+    }
+
+    /// The value a share of 0 to 1 of the way through the range.
+    pub fn at(&self, share: f64) -> f64 {
+        let [low, high] = self.range;
+        let value = match self.spacing {
+            Spacing::Linear => low + share * (high - low),
+            Spacing::Logarithmic => low * (high / low).powf(share),
+            Spacing::Whole => (low + share * (high - low)).round(),
+        };
+        value.clamp(low, high)
+    }
+
+    /// Whether it may have this value.
+    fn takes(&self, value: f64) -> bool {
+        let [low, high] = self.range;
+        (low..=high).contains(&value) && (self.spacing != Spacing::Whole || value.fract() == 0.0)
+    }
+}
+
+/// One line: name, range, value in the book, meaning.
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = self.range;
+        let spaced = match self.spacing {
+            Spacing::Linear => "",
+            Spacing::Logarithmic => ", logarithmic",
+            Spacing::Whole => ", whole",
+        };
+        let unit = if self.unit.is_empty() { "" } else { " " };
+        write!(
+            f,
+            "{} = {} ({low} to {high}{unit}{}{spaced}): {}",
+            self.key, self.default, self.unit, self.meaning
+        )
+    }
+}
+
+/// The numbers chosen for a figure; what is not chosen is as in the book.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Values(Vec<(&'static str, f64)>);
+
+impl Values {
+    /// The value of a parameter.
+    pub fn of(&self, parameter: &Parameter) -> f64 {
+        let chosen = self.0.iter().rfind(|(key, _)| *key == parameter.key);
+        chosen.map_or(parameter.default, |&(_, value)| value)
+    }
+
+    /// The same with another value of a parameter, which must be one that it may have.
+    ///
+    /// # Errors
+    /// What was expected, on one line.
+    pub fn with(mut self, parameter: &Parameter, value: f64) -> Result<Self, String> {
+        if parameter.takes(value) {
+            self.0.retain(|(key, _)| *key != parameter.key);
+            self.0.push((parameter.key, value));
+            return Ok(self);
+        }
+        let [low, high] = parameter.range;
+        let kind = match parameter.spacing {
+            Spacing::Whole => "a whole number",
+            Spacing::Linear | Spacing::Logarithmic => "a number",
+        };
+        let unit = if parameter.unit.is_empty() { "" } else { " " };
+        Err(format!(
+            "{} is {value}, expected {kind} from {low} to {high}{unit}{}",
+            parameter.key, parameter.unit
+        ))
+    }
+
+    /// The same with every value as the book has it left out.
+    pub fn are_the_books(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RATIO: Parameter = Parameter::new("ratio", "r", "a ratio", [0.5, 8.0], 2.0);
+
+    #[test]
+    fn a_value_is_the_default_until_it_is_chosen() {
+        let values = Values::default();
+        assert_eq!(values.of(&RATIO), 2.0);
+        let values = values.with(&RATIO, 3.0).and_then(|v| v.with(&RATIO, 4.0));
+        assert_eq!(values.map(|v| v.of(&RATIO)), Ok(4.0));
+    }
+
+    #[test]
+    fn a_value_outside_is_refused_by_name() {
+        for (parameter, value, told) in [
+            (RATIO, 8.5, "ratio is 8.5, expected a number from 0.5 to 8"),
+            (
+                RATIO.unit("m"),
+                f64::NAN,
+                "ratio is NaN, expected a number from 0.5 to 8 m",
+            ),
+            (
+                RATIO.whole(),
+                2.5,
+                "ratio is 2.5, expected a whole number from 0.5 to 8",
+            ),
+        ] {
+            let refused = Values::default().with(&parameter, value);
+            assert_eq!(refused, Err(told.to_owned()));
+        }
+    }
+
+    #[test]
+    fn shares_run_through_the_range() {
+        assert_eq!([0.0, 0.5, 1.0].map(|s| RATIO.at(s)), [0.5, 4.25, 8.0]);
+        let logarithmic = RATIO.logarithmic();
+        assert_eq!([0.0, 0.5, 1.0].map(|s| logarithmic.at(s)), [0.5, 2.0, 8.0]);
+        assert_eq!(RATIO.whole().at(0.3), 3.0);
+    }
+}

@@ -1,0 +1,150 @@
+//! A figure is a function of its parameters: all of a range can be drawn, captions follow, hands find the values they take.
+
+use figures::{Entry, Figure, Look, Mark, Parameter, Values, all};
+
+/// Figures that have parameters, and each of these.
+fn parameters() -> impl Iterator<Item = (&'static Entry, &'static Parameter)> {
+    let each = |entry: &'static Entry| entry.parameters.iter().map(move |one| (entry, one));
+    all().iter().flat_map(each)
+}
+
+fn chosen(parameter: &Parameter, share: f64) -> Values {
+    let values = Values::default().with(parameter, parameter.at(share));
+    values.unwrap_or_else(|told| panic!("its own range: {told}"))
+}
+
+fn drawn(entry: &Entry, values: &Values) -> Figure {
+    let figure = entry.draw(values);
+    figure.unwrap_or_else(|error| panic!("{} of {values:?}: {error}", entry.name))
+}
+
+/// Everything that a caption says.
+fn told(figure: &Figure) -> [&str; 3] {
+    [&figure.claim, &figure.details, &figure.alt]
+}
+
+/// All points of a mark are on the canvas.
+fn stays_on_the_canvas(figure: &Figure, about: &str) {
+    let [width, height] = figure.size().map(|side| side as i32);
+    let inside = |&(x, y): &(i32, i32)| (0..=width).contains(&x) && (0..=height).contains(&y);
+    for mark in figure.marks() {
+        let there = match mark {
+            Mark::Path(points, _) | Mark::Polygon(points, _) => points.iter().all(inside),
+            Mark::Circle { center, .. } => inside(center),
+            Mark::Text { at, .. } => inside(at),
+        };
+        assert!(there, "{about}: off the canvas: {mark:?}");
+    }
+}
+
+/// Draws `points` figures of each range.
+fn walk(points: u32) {
+    for (entry, parameter) in parameters() {
+        let book = drawn(entry, &Values::default());
+        let mut follows = false;
+        for k in 0..points {
+            let values = chosen(parameter, f64::from(k) / f64::from(points - 1));
+            let about = format!("{} of {values:?}", entry.name);
+            let figure = drawn(entry, &values);
+            stays_on_the_canvas(&figure, &about);
+            let svg = figure.svg();
+            for text in told(&figure).into_iter().chain([svg.as_str()]) {
+                let lost = ["NaN", "inf", "-0 ", "\u{2212}0 "];
+                let lost = lost
+                    .iter()
+                    .find(|lost| text.contains(**lost) && !text.contains("infin"));
+                assert_eq!(lost, None, "{about}: {}", text.lines().next().unwrap_or(""));
+            }
+            // Both ends, for the browser to look at.
+            if let (Ok(folder), true) = (std::env::var("FIGURE_FOLDER"), k == 0 || k + 1 == points)
+            {
+                let end = ["low", "high"][usize::from(k > 0)];
+                let file = format!("{folder}/{}--{}-{end}.svg", entry.name, parameter.key);
+                std::fs::write(file, figure.file(Look::default())).expect("FIGURE_FOLDER exists");
+            }
+            let numbers = figure.data.rows.iter().flat_map(|(_, row)| row);
+            assert!(numbers.clone().all(|n| n.is_finite()), "{about}: data");
+            follows |= told(&figure) != told(&book);
+        }
+        let key = parameter.key;
+        assert!(follows, "{}: no caption follows {key}", entry.name);
+    }
+}
+
+#[test]
+fn five_points_of_each_range_can_be_drawn() {
+    walk(5);
+}
+
+#[test]
+#[ignore = "minutes: fifty points of each range"]
+fn fifty_points_of_each_range_can_be_drawn() {
+    walk(50);
+}
+
+#[test]
+fn parameters_are_well_formed() {
+    for (entry, one) in parameters() {
+        let about = format!("{}: {one}", entry.name);
+        let [low, high] = one.range;
+        assert!(low < high && (low..=high).contains(&one.default), "{about}");
+        assert!(Values::default().with(one, one.default).is_ok(), "{about}");
+        let letters = |c: char| c.is_ascii_lowercase() || c == '_';
+        assert!(one.key.chars().all(letters), "{about}");
+        assert!(
+            !one.symbol.is_empty() && !one.meaning.ends_with('.'),
+            "{about}"
+        );
+        let same = entry.parameters.iter().filter(|other| other.key == one.key);
+        assert_eq!(same.count(), 1, "{about}");
+    }
+    let moved = all().iter().filter(|entry| !entry.parameters.is_empty());
+    for entry in moved.clone() {
+        let figure = drawn(entry, &Values::default());
+        assert!(!figure.data.rows.is_empty(), "{}: no data", entry.name);
+        let width = figure.data.columns.len();
+        assert!(figure.data.rows.iter().all(|(_, row)| row.len() == width));
+    }
+}
+
+/// Where the handle of a value stands, a hand finds that value again.
+#[test]
+fn a_hand_finds_the_value_it_takes() {
+    for (entry, parameter) in parameters() {
+        let Some(handle) = parameter.handle else {
+            continue;
+        };
+        for k in 0..50 {
+            let values = chosen(parameter, f64::from(k) / 49.0);
+            let (value, place) = (values.of(parameter), (handle.place)(&values));
+            let found = (handle.value)(place, &values);
+            let [low, high] = parameter.range;
+            assert!(
+                (found - value).abs() <= 1e-9 * (high - low),
+                "{}: {} at {value} is found at {found}",
+                entry.name,
+                parameter.key
+            );
+            let [width, height] = drawn(entry, &values).size().map(f64::from);
+            let scale = figures::style::SCALE;
+            let inside = (0.0..=width / scale).contains(&place[0]);
+            assert!(
+                inside && (0.0..=height / scale).contains(&place[1]),
+                "{}: {} at {value} is off the canvas",
+                entry.name,
+                parameter.key
+            );
+        }
+    }
+}
+
+/// What was drawn before does not matter.
+#[test]
+fn a_figure_has_no_memory() {
+    for (entry, parameter) in parameters() {
+        let values = chosen(parameter, 0.7);
+        let first = drawn(entry, &values).svg();
+        let _ = drawn(entry, &Values::default());
+        assert_eq!(first, drawn(entry, &values).svg(), "{}", entry.name);
+    }
+}

@@ -346,11 +346,9 @@ mod tests {
             alt,
         };
         let top = Drawing {
-            entry: figures::Entry {
-                name: "top",
-                ..figures::all()[0]
-            },
-            figure: figures::style::figure("top", 10.0, words, |_| ()).value("tilt", "2.92"),
+            entry: figures::all()[0],
+            figure: figures::style::figure("cat-animated", 10.0, words, |_| ())
+                .value("tilt", "2.92"),
         };
         Typesetter::new(&[top], &ledger).set("x.md", source, Path::new("/nowhere"), &HashSet::new())
     }
@@ -370,7 +368,9 @@ mod tests {
 
     #[test]
     fn a_number_of_a_figure_stands_in_text_and_formula() {
-        let set = set("By {{value top.tilt}}\u{b0}, or $x={{value top.tilt}}$.\n").unwrap();
+        let set =
+            set("By {{value cat-animated.tilt}}\u{b0}, or $x={{value cat-animated.tilt}}$.\n")
+                .unwrap();
         assert!(set.starts_with("By 2.92\u{b0}, or <span"), "{set}");
         assert!(set.contains("2&#46;92"), "{set}");
     }
@@ -386,7 +386,7 @@ mod tests {
             ("a\n{{figure b}}\n", "book/src/x.md:2", "own"),
             ("a\n{{value b.c}}\n", "book/src/x.md:2", "'b'"),
             (
-                "a\n{{value top.c}}\n",
+                "a\n{{value cat-animated.c}}\n",
                 "book/src/x.md:2",
                 "'c': expected one of [tilt]",
             ),

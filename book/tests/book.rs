@@ -12,7 +12,9 @@ fn root() -> PathBuf {
 
 fn drawings() -> &'static [drawings::Drawing] {
     static DRAWINGS: OnceLock<Vec<drawings::Drawing>> = OnceLock::new();
-    DRAWINGS.get_or_init(|| drawings::draw(figures::all(), |_| ()).unwrap())
+    DRAWINGS.get_or_init(|| {
+        drawings::draw(figures::all(), &figures::Values::default(), |_| ()).unwrap()
+    })
 }
 
 fn build(name: &str) -> PathBuf {

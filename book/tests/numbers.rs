@@ -157,7 +157,7 @@ fn parts(source: &str) -> [String; 3] {
 #[test]
 fn prose_and_figures_say_the_same_number() {
     let root = press::paths::workspace_root().unwrap();
-    let drawings = drawings::draw(figures::all(), |_| ()).unwrap();
+    let drawings = drawings::draw(figures::all(), &figures::Values::default(), |_| ()).unwrap();
     let mut used = vec![false; DIFFERENT.len()];
     let mut faults = Vec::new();
     for chapter in CHAPTERS {

@@ -65,15 +65,19 @@ pub fn first(problem: &Problem, candidate: &Candidate, effort: Effort) -> f64 {
         return 0.0;
     }
     let parts = problem.turns();
-    let begin = Instant::now();
-    // What the run returns is of no interest; a failure is told by the run that counts.
-    let _ = candidate
-        .method()
-        .follow(problem.start(), &[problem.end() / parts], effort);
+    // What the run returns is of no interest; a failure is told by the run that counts. The least of some: the first one pays for waking up.
+    let piece = || {
+        let begin = Instant::now();
+        let _ = candidate
+            .method()
+            .follow(problem.start(), &[problem.end() / parts], effort);
+        begin.elapsed().as_secs_f64()
+    };
+    let least = (0..5).map(|_| piece()).fold(f64::INFINITY, f64::min);
     let whole = if candidate.name() == "exact" {
         1.0
     } else {
         parts
     };
-    begin.elapsed().as_secs_f64() * whole
+    least * whole
 }

@@ -149,15 +149,23 @@ proptest! {
         // L₃ bit by bit.
         prop_assert_eq!(state.omega.z(), omega[2]);
         within!((top.axial_angular_momentum() - i3 * omega[2]).abs(), 1e-15 * i3 * omega[2].abs(), "L3");
-        let vertical = |state: &State| {
-            let up = state.attitude.to_body(UP);
-            i1 * (state.omega.x() * up.x() + state.omega.y() * up.y()) + i3 * state.omega.z() * state.height
-        };
+        let vertical = state.angular_momentum.dot(&state.up);
         let scale = (i1 + i3) * fastest;
-        within!((vertical(&state) - top.vertical_angular_momentum()).abs() / scale, 4e-15, "L_vert");
+        within!((vertical - top.vertical_angular_momentum()).abs() / scale, 4e-15, "L_vert");
         let [x, y, z]: [f64; 3] = state.omega.components().into();
         let energy = 0.5 * (i1 * (x * x + y * y) + i3 * z * z) + weight * state.height;
         within!((energy - top.energy()).abs() / (scale * fastest), 4e-15, "the energy");
+    }
+
+    /// L = IΩ axis by axis, bit by bit, and z is where the attitude sees it.
+    #[test]
+    fn a_state_agrees_with_itself(body in bodies(), omega in omegas(), start in attitudes(), t in -100.0..100.0) {
+        let state = at(&top(body, omega, start), t);
+        let [i1, i3, _] = body;
+        let l = vector([i1 * state.omega.x(), i1 * state.omega.y(), i3 * state.omega.z()]);
+        prop_assert_eq!(state.angular_momentum, l);
+        within!((state.up - state.attitude.to_body(UP)).norm(), 3e-15, "up");
+        prop_assert_eq!(state.up.z(), state.height);
     }
 
     /// h, 1 − h and 1 + h are those of the attitude.
@@ -257,14 +265,18 @@ proptest! {
         let plain = at(&top(body, omega, start), t);
         let [x, y, z] = omega;
         let other = at(&top([i1, i3, -weight], [x, -y, -z], half(&start)), t);
+        let turned = |v: BodyVector| vector([v.x(), -v.y(), -v.z()]);
         let expected = State {
-            omega: vector([plain.omega.x(), -plain.omega.y(), -plain.omega.z()]),
+            omega: turned(plain.omega),
+            angular_momentum: turned(plain.angular_momentum),
             attitude: half(&plain.attitude),
+            up: turned(plain.up),
             height: -plain.height,
             one_less: plain.one_more,
             one_more: plain.one_less,
         };
         within!(distance(&other, &expected, fastest), 1e-15, "mirrored");
+        within!((other.up - expected.up).norm(), 1e-15, "up, mirrored");
         within!((other.one_less - expected.one_less).abs().max((other.one_more - expected.one_more).abs()), 5e-16, "1 - h, 1 + h");
     }
 

@@ -11,7 +11,7 @@ use super::walk::Walk;
 use crate::error::Result;
 use crate::euler_equations::TopState;
 use crate::euler_top::EulerTop;
-use crate::frame::{Attitude, SpaceVector};
+use crate::frame::{Attitude, BodyVector, SpaceVector};
 
 /// How the attitude at a distant time is had.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -170,21 +170,24 @@ impl KovalevskayaTop {
 
     pub(super) fn free(&self, free: &EulerTop, t: f64) -> Result<State> {
         let state = free.at(self.inward_time(t, f64::MAX)?)?;
-        Ok(State {
-            omega: state.omega * self.unit,
-            up: state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0)),
-            attitude: state.attitude,
-        })
+        let up = state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
+        Ok(self.state(state.omega * self.unit, up, state.attitude))
+    }
+
+    fn state(&self, omega: BodyVector, up: BodyVector, attitude: Attitude) -> State {
+        let [x, y, z]: [f64; 3] = omega.components().into();
+        State {
+            omega,
+            angular_momentum: BodyVector::new(2.0 * x, 2.0 * y, z) * self.axial,
+            attitude,
+            up,
+        }
     }
 
     /// To the units and axes of the body.
     pub(super) fn placed(&self, (state, [w, i, j, k]): &Carried) -> State {
         let TopState { omega, up } = self.outward(state);
         let turned = Quaternion::new(*w, *i, *j, *k) * about_third(-self.heading);
-        State {
-            omega,
-            up,
-            attitude: Attitude::from_unit(turned / turned.norm()),
-        }
+        self.state(omega, up, Attitude::from_unit(turned / turned.norm()))
     }
 }

@@ -34,10 +34,12 @@ pub enum Method {
 pub struct State {
     /// Ω along the body's axes, rad/s.
     pub omega: BodyVector,
-    /// z, the upward unit vector, along the body's axes.
-    pub up: BodyVector,
+    /// L along the body's axes, kg m²/s.
+    pub angular_momentum: BodyVector,
     /// How the body stands in space; space's third axis points up.
     pub attitude: Attitude,
+    /// z, the upward unit vector, along the body's axes.
+    pub up: BodyVector,
 }
 
 /// What the motion keeps (8.1, 8.2).
@@ -68,7 +70,7 @@ impl PartialEq for Prepared {
 #[derive(Debug, Clone, PartialEq)]
 pub struct KovalevskayaTop {
     /// I₃, kg m².
-    axial: f64,
+    pub(super) axial: f64,
     /// MgC, N m, along the body's axes.
     lever: BodyVector,
     /// The unit of angular velocity, a power of two; its reciprocal is that of time.

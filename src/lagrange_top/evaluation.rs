@@ -17,19 +17,59 @@ use crate::error::{Result, too_long};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{DoubleDouble, RIGHT_ANGLE, power_of_two_below};
 
-/// The top at one time.
+/// Lagrange's top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Ω along the body's axes, rad/s.
     pub omega: BodyVector,
-    /// How the body stands in space.
+    /// L along the body's axes, kg m²/s.
+    pub angular_momentum: BodyVector,
+    /// How the body stands in space; space's third axis points up.
     pub attitude: Attitude,
-    /// h = cos θ, the height of the axis.
+    /// z, the upward unit vector, along the body's axes.
+    pub up: BodyVector,
+    /// h = cos θ = z₃, the height of the axis.
     pub height: f64,
     /// 1 − h, without cancellation.
     pub one_less: f64,
     /// 1 + h, without cancellation.
     pub one_more: f64,
+}
+
+impl State {
+    pub(super) fn new(
+        body: &Body,
+        omega: BodyVector,
+        q: Quaternion<f64>,
+        [one_less, one_more]: [f64; 2],
+    ) -> Self {
+        let height = 0.5 * (one_more - one_less);
+        let up = [q.i * q.k - q.w * q.j, q.j * q.k + q.w * q.i].map(|half| 2.0 * half);
+        Self {
+            omega,
+            angular_momentum: body.angular_momentum(omega),
+            attitude: Attitude::from_unit(q),
+            up: BodyVector::new(up[0], up[1], height),
+            height,
+            one_less,
+            one_more,
+        }
+    }
+}
+
+/// What does not move: I₁ = I₂ and I₃, kg m², and Mgl, N m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Body {
+    pub(super) transverse: f64,
+    pub(super) axial: f64,
+    pub(super) weight_moment: f64,
+}
+
+impl Body {
+    pub(super) fn angular_momentum(&self, omega: BodyVector) -> BodyVector {
+        let [x, y, z]: [f64; 3] = omega.components().into();
+        BodyVector::new(self.transverse * x, self.transverse * y, self.axial * z)
+    }
 }
 
 /// Which way gravity pulls along space z; up is solved as down, upside down.
@@ -102,7 +142,7 @@ impl Constants {
         Ok((work.places.functions(0), work.pair(0)))
     }
 
-    pub(super) fn at(&self, t: f64, axial_rate: f64) -> Result<State> {
+    pub(super) fn at(&self, t: f64, body: &Body, axial_rate: f64) -> Result<State> {
         let mut work = Work::<1>::new();
         if t.abs() <= self.reach {
             work.put(self, &[t]);
@@ -116,17 +156,23 @@ impl Constants {
             work.put_from_afar(self, t, u)?;
         }
         work.evaluate(self);
-        Ok(work.state(0, self, axial_rate))
+        Ok(work.state(0, self, body, axial_rate))
     }
 
     /// The states at eight times within reach; of fewer, the first ones.
     #[inline(never)]
-    pub(super) fn side_by_side(&self, times: &[f64; LANES], axial_rate: f64, states: &mut [State]) {
+    pub(super) fn side_by_side(
+        &self,
+        times: &[f64; LANES],
+        body: &Body,
+        axial_rate: f64,
+        states: &mut [State],
+    ) {
         let mut work = Work::new();
         work.put(self, times);
         work.evaluate(self);
         for (i, state) in states.iter_mut().enumerate() {
-            *state = work.state(i, self, axial_rate);
+            *state = work.state(i, self, body, axial_rate);
         }
     }
 }
@@ -205,7 +251,7 @@ impl<const W: usize> Work<W> {
     }
 
     #[inline(always)]
-    fn state(&self, i: usize, constants: &Constants, axial_rate: f64) -> State {
+    fn state(&self, i: usize, constants: &Constants, body: &Body, axial_rate: f64) -> State {
         let [sn, cn, _] = self.places.functions(i);
         let [alpha, beta, alpha_rate, beta_rate] = self.pair(i);
         let size = alpha.norm_sqr() + beta.norm_sqr();
@@ -220,13 +266,12 @@ impl<const W: usize> Work<W> {
             Pull::Down => (a, b, one_less, one_more),
             Pull::Up => (b.conj(), -a.conj(), one_more, one_less),
         };
-        State {
-            omega: BodyVector::new(transverse.re, transverse.im, axial_rate),
-            attitude: Attitude::from_unit(Quaternion::new(a.re, b.re, b.im, a.im)),
-            height: 0.5 * (one_more - one_less),
-            one_less,
-            one_more,
-        }
+        State::new(
+            body,
+            BodyVector::new(transverse.re, transverse.im, axial_rate),
+            Quaternion::new(a.re, b.re, b.im, a.im),
+            [one_less, one_more],
+        )
     }
 }
 

@@ -2,10 +2,10 @@
 
 use nalgebra::Quaternion;
 
-use super::evaluation::{Pull, State, turned};
+use super::evaluation::{Body, Pull, State, turned};
 use super::kinds::{Nutation, Roots};
 use super::preparation::{
-    Body, Exact, FASTEST, Kept, Motion, Start, moderate, prepare, prepare_kept,
+    Exact, FASTEST, Kept, Motion, Start, moderate, prepare, prepare_kept,
 };
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::fill;
@@ -17,9 +17,7 @@ use crate::frame::{Attitude, BodyVector};
 /// A symmetric body that turns about a fixed point of its axis under gravity, its motion prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LagrangeTop {
-    transverse: f64,
-    axial: f64,
-    weight_moment: f64,
+    body: Body,
     omega: BodyVector,
     attitude: Attitude,
     kind: Nutation,
@@ -98,9 +96,7 @@ impl LagrangeTop {
             prepare::<Extended>(body, omega, &attitude, exact)?
         };
         Ok(Self {
-            transverse: body.transverse,
-            axial: body.axial,
-            weight_moment: body.weight_moment,
+            body,
             omega,
             attitude,
             kind,
@@ -225,9 +221,7 @@ impl LagrangeTop {
                 refusal("the energy must be at least that of a motion with these L3 and L_vert")
             })?;
         Ok(Self {
-            transverse: body.transverse,
-            axial: body.axial,
-            weight_moment: body.weight_moment,
+            body,
             omega,
             attitude,
             kind,
@@ -244,16 +238,12 @@ impl LagrangeTop {
 
     /// L₃ = I₃Ω₃, kg m²/s: constant (7.2).
     pub fn axial_angular_momentum(&self) -> f64 {
-        self.axial * self.omega.z()
+        self.body.axial * self.omega.z()
     }
 
     /// L_vert, the component of L along the vertical, kg m²/s: constant (7.2).
     pub fn vertical_angular_momentum(&self) -> f64 {
-        let l = BodyVector::new(
-            self.transverse * self.omega.x(),
-            self.transverse * self.omega.y(),
-            self.axial * self.omega.z(),
-        );
+        let l = self.body.angular_momentum(self.omega);
         self.attitude.to_space(l).z()
     }
 
@@ -262,12 +252,17 @@ impl LagrangeTop {
         let [x, y, z]: [f64; 3] = self.omega.components().into();
         let q = self.attitude.quaternion();
         let height = (q.w * q.w + q.k * q.k) - (q.i * q.i + q.j * q.j);
-        0.5 * (self.transverse * (x * x + y * y) + self.axial * z * z) + self.weight_moment * height
+        let Body {
+            transverse,
+            axial,
+            weight_moment,
+        } = self.body;
+        0.5 * (transverse * (x * x + y * y) + axial * z * z) + weight_moment * height
     }
 
     /// Whether C would rise: Mgl < 0.
     pub(super) fn pulls_up(&self) -> bool {
-        self.weight_moment < 0.0
+        self.body.weight_moment < 0.0
     }
 
     /// The roots of the cubic.
@@ -293,16 +288,11 @@ impl LagrangeTop {
                 let q = self.attitude.quaternion().into_inner() * turn;
                 let upper = q.w * q.w + q.k * q.k;
                 let lower = q.i * q.i + q.j * q.j;
-                let (alpha, beta) = (upper / (upper + lower), lower / (upper + lower));
-                Ok(State {
-                    omega: BodyVector::new(0.0, 0.0, self.omega.z()),
-                    attitude: Attitude::from_unit(q),
-                    height: alpha - beta,
-                    one_less: 2.0 * beta,
-                    one_more: 2.0 * alpha,
-                })
+                let heights = [lower, upper].map(|part| 2.0 * (part / (upper + lower)));
+                let omega = BodyVector::new(0.0, 0.0, self.omega.z());
+                Ok(State::new(&self.body, omega, q, heights))
             }
-            Motion::Moving(constants) => constants.at(t, self.omega.z()),
+            Motion::Moving(constants) => constants.at(t, &self.body, self.omega.z()),
         }
     }
 
@@ -340,7 +330,7 @@ impl LagrangeTop {
         match &self.motion {
             Motion::Moving(constants) => {
                 fill(times, states, constants.reach, one, |times, states| {
-                    constants.side_by_side(times, self.omega.z(), states);
+                    constants.side_by_side(times, &self.body, self.omega.z(), states);
                 })
             }
             Motion::Still => fill(times, states, -1.0, one, |_, _| ()),

@@ -2,7 +2,7 @@
 
 use nalgebra::Quaternion;
 
-use super::evaluation::{Constants, Pull};
+use super::evaluation::{Body, Constants, Pull};
 use super::kinds::{Nutation, Roots, kind};
 use super::roots::{Cubic, Distances, Integrals};
 use super::turning::{Complex, Parameter};
@@ -27,14 +27,6 @@ pub(super) enum Motion {
     /// The axis stays: upright, hanging, or at rest without gravity.
     Still,
     Moving(Constants),
-}
-
-/// What does not move.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Body {
-    pub(super) transverse: f64,
-    pub(super) axial: f64,
-    pub(super) weight_moment: f64,
 }
 
 impl Body {

@@ -142,6 +142,7 @@ impl Constants {
         Ok((work.places.functions(0), work.pair(0)))
     }
 
+    #[inline(always)]
     pub(super) fn at(&self, t: f64, body: &Body, axial_rate: f64) -> Result<State> {
         let mut work = Work::<1>::new();
         if t.abs() <= self.reach {

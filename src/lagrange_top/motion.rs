@@ -4,9 +4,7 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Body, Pull, State, turned};
 use super::kinds::{Nutation, Roots};
-use super::preparation::{
-    Exact, FASTEST, Kept, Motion, Start, moderate, prepare, prepare_kept,
-};
+use super::preparation::{Exact, FASTEST, Kept, Motion, Start, moderate, prepare, prepare_kept};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::fill;
 use crate::error::{Error, Result, finite};

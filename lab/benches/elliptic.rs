@@ -3,7 +3,7 @@
 //! `lab/peers/build.sh && cargo bench -p lab --bench elliptic`. Without the first step the peer's columns are
 //! empty. Each time is the least of many runs over the same arguments, ours and the peer's in turn.
 
-mod support;
+mod shared;
 
 use std::hint::black_box;
 use std::io::Write;
@@ -11,12 +11,13 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
+use shared::only_tested;
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{
     Characteristic, Jacobi, Modulus, Parameter, carlson, incomplete_first, incomplete_second,
     incomplete_third, sn_cn_dn,
 };
-use support::{Uniform, only_tested};
+use support::Uniform;
 
 /// Arguments for each modulus, and moduli in a set.
 const ARGUMENTS: usize = 1024;

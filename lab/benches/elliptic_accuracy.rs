@@ -5,17 +5,15 @@
 
 use std::collections::BTreeMap;
 
+use shared::only_tested;
 use spinning_bodies::elliptic::{
     Characteristic, Parameter, carlson, complete_b, complete_d, complete_first,
     complete_first_excess, complete_second, complete_third, incomplete_first, incomplete_second,
     incomplete_third,
 };
 
-#[path = "../../tests/support/decimal.rs"]
-mod decimal;
-mod support;
-use decimal::{hexadecimal, relative_error};
-use support::only_tested;
+mod shared;
+use support::decimal::{hexadecimal, relative_error};
 
 fn main() {
     if only_tested() {

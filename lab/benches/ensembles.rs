@@ -4,14 +4,14 @@
 //! thousand bodies no longer fit a cache of the second level: what else the machine does then shows. So it does in the last table, which tells
 //! nothing on a machine whose cores are busy.
 
-mod support;
+mod shared;
 
 use std::hint::black_box;
 
 use rayon::prelude::*;
+use shared::{least, only_tested};
 use spinning_bodies::euler_top::{Ensemble, EulerTop, Release, State, released_states};
 use spinning_bodies::frame::{Attitude, BodyVector};
-use support::{least, only_tested};
 
 const COUNT: usize = 1000;
 const RUNS: usize = 60;

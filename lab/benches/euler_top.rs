@@ -4,16 +4,14 @@
 //! runs. The textbook's formulas over GSL and over Boost.Math are timed by `tests/reference/peers/state_time.cpp`; with
 //! the program built from it named in the variable `STATE_TIME`, its lines stand in the same report.
 
-#[path = "../../tests/support/decimal.rs"]
-mod decimal;
-mod support;
+mod shared;
 
 use std::hint::black_box;
 
-use decimal::hexadecimal;
+use shared::{angle, least, only_tested};
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use support::{angle, least, only_tested};
+use support::decimal::hexadecimal;
 
 fn main() -> spinning_bodies::Result<()> {
     if only_tested() {

@@ -17,14 +17,12 @@ use std::time::Instant;
 
 use nalgebra::Matrix3;
 use parry3d_f64::mass_properties::MassProperties as Parry;
+use shared::only_tested;
 use spinning_bodies::inertia::{InertiaMatrix, mesh, mesh_mass_properties, principal_axes_of};
+use support::Uniform;
 
-use support::{Uniform, only_tested};
-
-#[path = "../../tests/reference/double_double.rs"]
-mod double_double;
-mod support;
-use double_double::{Dd, eigenvalues, inertia_error, mesh_truth};
+mod shared;
+use support::double_double::{Dd, eigenvalues, inertia_error, mesh_truth};
 
 fn main() -> spinning_bodies::Result<()> {
     if only_tested() {

@@ -6,6 +6,7 @@ use std::hint::black_box;
 
 use lab::follow::{DormandPrince8, Follow};
 use lab::general::GeneralMethod;
+use shared::{angle, least, only_tested};
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::quaternion_rate;
 use spinning_bodies::euler_top::EulerTop;
@@ -16,9 +17,7 @@ use spinning_bodies::integrators::geometric::{
 };
 use spinning_bodies::integrators::{Effort, Method};
 
-#[path = "support/mod.rs"]
-mod support;
-use support::{angle, least, only_tested};
+mod shared;
 
 /// The asymmetric body of Hairer and Vilmart (2006).
 const MOMENTS: [f64; 3] = [0.6, 0.8, 1.0];

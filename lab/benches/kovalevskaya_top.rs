@@ -5,26 +5,22 @@
 //! are the least of several runs. The integrators solve the library's own Euler–Poisson equations: its classical Runge–Kutta step, and
 //! DOP853 of the crate `differential-equations`, relative and absolute tolerance alike.
 
-#[path = "../../tests/reference/double_double.rs"]
-mod double_double;
-#[path = "support/heavy.rs"]
+#[path = "shared/heavy.rs"]
 #[allow(dead_code, reason = "the attitude is not asked for here")]
 mod heavy;
-#[path = "../../tests/support/power_series.rs"]
-mod power_series;
-mod support;
+mod shared;
 
 use std::hint::black_box;
 
 use differential_equations::ode::ODE;
-use double_double::Dd;
 use heavy::dop853;
-use power_series::{Number, Top};
+use shared::{least, least_of_few, only_tested};
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
-use support::{least, least_of_few, only_tested};
+use support::double_double::Dd;
+use support::power_series::Top;
 
 /// Ω and z along the body's axes.
 type Point = [f64; 6];
@@ -199,13 +195,6 @@ fn compared() -> Result<()> {
         }
     }
     Ok(())
-}
-
-impl Number for Dd {
-    const TINY: f64 = 1e-28;
-    fn double(self) -> f64 {
-        self.value()
-    }
 }
 
 /// Prints [`TRUTH`].

@@ -6,23 +6,21 @@
 //! rapier3d in doubles, a body on a ball joint, with the
 //! settings it comes with but for the step.
 
-#[path = "../../tests/support/decimal.rs"]
-mod decimal;
-#[path = "support/heavy.rs"]
+#[path = "shared/heavy.rs"]
 mod heavy;
-#[path = "support/joint.rs"]
+#[path = "shared/joint.rs"]
 mod joint;
-mod support;
+mod shared;
 
 use std::hint::black_box;
 
-use decimal::hexadecimal;
 use heavy::{Heavy, dop853};
 use joint::Engine;
+use shared::{angle, least, least_of_few, only_tested};
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::LagrangeTop;
-use support::{angle, least, least_of_few, only_tested};
+use support::decimal::hexadecimal;
 
 fn main() -> Result<()> {
     if only_tested() {

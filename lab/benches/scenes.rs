@@ -7,10 +7,12 @@
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+
+mod shared;
 
 use press::scenes::prices::{NEEDED, PRICED, run};
 
+use shared::least;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::Method;
@@ -22,8 +24,7 @@ use spinning_bodies::scene::{Choice, Request, Scene, Solver};
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 fn main() -> Outcome {
-    // `cargo test --benches` passes this flag; there is nothing to measure then.
-    if std::env::args().any(|argument| argument == "--test") {
+    if shared::only_tested() {
         return Ok(());
     }
     if std::env::args().any(|argument| argument == "--csv") {
@@ -118,17 +119,6 @@ fn files(book: &Path) -> Result<String, Box<dyn std::error::Error>> {
         )?;
     }
     Ok(text)
-}
-
-/// Least time of `runs` calls, seconds.
-fn least(runs: usize, mut work: impl FnMut()) -> f64 {
-    let mut best = f64::INFINITY;
-    for _ in 0..runs {
-        let start = Instant::now();
-        work();
-        best = best.min(start.elapsed().as_secs_f64());
-    }
-    best
 }
 
 /// A scene without effects beside the free top called directly: set-up and ten thousand states each.

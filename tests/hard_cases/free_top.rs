@@ -4,14 +4,15 @@
 //! whatever differs is the library's error, at any time.
 
 use std::collections::BTreeMap;
-use support::observed;
 
 use spinning_bodies::euler_top::{Ensemble, EulerTop, Release, State, released_states};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::{Error, Result};
+use support::observed;
 
-use super::inertia::{decimal, double_double::Dd};
-use super::table::{Report, WRONG, angle, lines};
+use support::decimal::decimal;
+use support::double_double::Dd;
+use support::table::{Report, WRONG, angle, lines};
 
 /// One line of the table.
 struct Row {

@@ -1,7 +1,6 @@
 //! Inertia: needles, near-equal moments, bodies far from the origin, huge and tiny units, meshes of a million
 //! triangles. Truth is a table of 34 digits, 106-bit arithmetic, or exact scaling by powers of two.
 
-use ::support::observed;
 use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{
@@ -9,45 +8,12 @@ use spinning_bodies::inertia::{
     mesh_mass_properties, principal_axes_of, shapes,
 };
 use spinning_bodies::{Error, Result};
+use support::{Uniform, observed, vector};
 
-#[path = "../reference/double_double.rs"]
-pub(super) mod double_double;
-#[path = "../support/inertia.rs"]
-mod support;
-
-use super::decimal::hexadecimal;
-use double_double::{Dd, eigenvalues, inertia_error, mesh_truth};
-use support::{Uniform, vector};
+use support::decimal::{decimal, hexadecimal};
+use support::double_double::{Dd, eigenvalues, inertia_error, mesh_truth};
 
 const EPS: f64 = f64::EPSILON;
-
-/// A decimal number with more digits than an f64 has, as hi + lo: lo is what the nearest f64 leaves over.
-///
-/// The remainder is computed from the digits themselves, in units of the last place of the decimal.
-pub(super) fn decimal(text: &str) -> Dd {
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
-    let exponent: i32 = exponent.parse().expect("an exponent");
-    let negative = mantissa.starts_with('-');
-    let digits = mantissa.trim_start_matches('-');
-    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
-    let mut value = Dd::ZERO;
-    for digit in whole.bytes().chain(fraction.bytes()) {
-        value = value * Dd::from(10.0) + Dd::from(f64::from(digit - b'0'));
-    }
-    // Ten to a power in steps that stay exact in 106 bits (10²² < 2⁷⁴ · 5-smooth part of 52 bits).
-    let mut shift = exponent - fraction.len() as i32;
-    while shift != 0 {
-        let step = shift.clamp(-20, 20);
-        let power = Dd::from(10_f64.powi(step.abs()));
-        value = if step > 0 {
-            value * power
-        } else {
-            value / power
-        };
-        shift -= step;
-    }
-    if negative { -value } else { value }
-}
 
 /// Largest entry of VᵀV − 1 and of (A V − V diag(moments))/|A|, both in 106 bits.
 fn defects(a: &Matrix3<f64>, found: &PrincipalAxes) -> (f64, f64) {

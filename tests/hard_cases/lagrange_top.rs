@@ -8,8 +8,8 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, State};
 use support::observed;
 
-use super::inertia::double_double::Dd;
-use super::table::{Report, WRONG, angle, lines};
+use support::double_double::Dd;
+use support::table::{Report, WRONG, angle, lines};
 
 /// One line of the table.
 struct Row {

@@ -1,9 +1,6 @@
 //! Computed doubles against decimals of 34 digits, and the hexadecimal floats of the tables.
 
-#![allow(
-    dead_code,
-    reason = "each of those that include this file uses its own part"
-)]
+use crate::double_double::Dd;
 
 /// A number in C's hexadecimal notation, ±0x1.hhhp±e, ±0x0.0p+0 or a subnormal ±0x0.hhhp-1022.
 pub fn hexadecimal(text: &str) -> f64 {
@@ -32,6 +29,34 @@ fn digits(text: &str) -> (bool, i128, i32) {
     assert!(whole.len() == 1 && fraction.len() <= 33, "{text}");
     let value: i128 = format!("{whole}{fraction:0<33}").parse().expect("digits");
     (negative, value, exponent.parse().expect("an exponent"))
+}
+
+/// A decimal number with more digits than an f64 has, as hi + lo: lo is what the nearest f64 leaves over.
+///
+/// The remainder is computed from the digits themselves, in units of the last place of the decimal.
+pub fn decimal(text: &str) -> Dd {
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+    let exponent: i32 = exponent.parse().expect("an exponent");
+    let negative = mantissa.starts_with('-');
+    let digits = mantissa.trim_start_matches('-');
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let mut value = Dd::ZERO;
+    for digit in whole.bytes().chain(fraction.bytes()) {
+        value = value * Dd::from(10.0) + Dd::from(f64::from(digit - b'0'));
+    }
+    // Ten to a power in steps that stay exact in 106 bits (10²² < 2⁷⁴ · 5-smooth part of 52 bits).
+    let mut shift = exponent - fraction.len() as i32;
+    while shift != 0 {
+        let step = shift.clamp(-20, 20);
+        let power = Dd::from(10_f64.powi(step.abs()));
+        value = if step > 0 {
+            value * power
+        } else {
+            value / power
+        };
+        shift -= step;
+    }
+    if negative { -value } else { value }
 }
 
 /// |computed − exact| as a part of |exact|; exact where both are written out in 34 digits.

@@ -1,29 +1,8 @@
-//! What the tests of Section 2 share: rationals, a seeded generator, Gauss quadrature, point masses.
+//! Point masses, and cubature by products of rules in one variable.
 
-#![allow(
-    dead_code,
-    reason = "each of the tests that include this file uses its own part"
-)]
-
-use num_rational::Ratio;
+use crate::vector;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::MassProperties;
-
-pub type R = Ratio<i128>;
-
-pub fn rational(numerator: i128, denominator: i128) -> R {
-    Ratio::new(numerator, denominator)
-}
-
-/// The nearest number: both parts are small, so this is one correctly rounded division.
-pub fn exact(r: R) -> f64 {
-    *r.numer() as f64 / *r.denom() as f64
-}
-
-pub fn vector([x, y, z]: [f64; 3]) -> BodyVector {
-    BodyVector::new(x, y, z)
-}
 
 /// The rigid body made of these masses at these places.
 pub fn particles(list: &[(f64, [f64; 3])]) -> Result<MassProperties> {
@@ -32,38 +11,6 @@ pub fn particles(list: &[(f64, [f64; 3])]) -> Result<MassProperties> {
         .map(|(mass, x)| MassProperties::particle(*mass, vector(*x)))
         .collect::<Result<_>>()?;
     MassProperties::compose(&parts)
-}
-
-/// Splitmix64: numbers uniform in 0..1, the same on every machine.
-pub struct Uniform(pub u64);
-
-impl Uniform {
-    pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    pub fn signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
-    }
-
-    pub fn vector(&mut self) -> BodyVector {
-        vector([0; 3].map(|_| self.signed()))
-    }
-
-    pub fn attitude(&mut self) -> Attitude {
-        let [w, x, y, z] = [0; 4].map(|_| self.signed());
-        Attitude::from_quaternion(w, x, y, z).expect("four random numbers are not all zero")
-    }
-
-    pub fn point_masses(&mut self, count: usize) -> Vec<(f64, [f64; 3])> {
-        (0..count)
-            .map(|_| (0.1 + self.next(), [0; 3].map(|_| self.signed())))
-            .collect()
-    }
 }
 
 /// Nodes and weights of a quadrature rule in one variable.

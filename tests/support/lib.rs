@@ -1,7 +1,27 @@
-//! What the tests share: bounds with two sides.
+//! What the tests share: bounds with two sides, exact fractions, random numbers, tables, motions by power series.
 
+#![expect(
+    missing_docs,
+    missing_debug_implementations,
+    reason = "helpers of tests, read where they are used"
+)]
+
+pub mod decimal;
+pub mod double_double;
+pub mod free_top;
+pub mod inertia;
+pub mod power_series;
+mod random;
+mod rationals;
+pub mod table;
+
+pub use random::{Uniform, any, ration};
+pub use rationals::{R, exact, rational};
+
+use core::f64::consts::TAU;
 use core::fmt::Arguments;
-use core::ops::RangeInclusive;
+use core::ops::{Add, Mul, RangeInclusive, Sub};
+use spinning_bodies::frame::BodyVector;
 use std::fs;
 use std::path::Path;
 use std::sync::Mutex;
@@ -70,6 +90,11 @@ impl Greatest {
     }
 }
 
+/// Components along the body's axes.
+pub fn vector([x, y, z]: [f64; 3]) -> BodyVector {
+    BodyVector::new(x, y, z)
+}
+
 /// How far two numbers that should be equal are apart, over the greater of them; 0 if both are 0.
 pub fn relative(a: f64, b: f64) -> f64 {
     if a == b {
@@ -77,4 +102,43 @@ pub fn relative(a: f64, b: f64) -> f64 {
     } else {
         (a - b).abs() / a.abs().max(b.abs())
     }
+}
+
+/// Fails, with the number, unless the error is within the bound: some three times what was observed over all cases.
+#[track_caller]
+pub fn within(error: f64, bound: f64) {
+    assert!(error <= bound, "{error:e} is beyond {bound:e}");
+}
+
+/// An angle, brought into −π…π.
+pub fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// a∧b in numbers of any kind.
+pub fn cross<T>(a: [T; 3], b: [T; 3]) -> [T; 3]
+where
+    T: Copy + Mul<Output = T> + Sub<Output = T>,
+{
+    [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}
+
+/// a·b in numbers of any kind.
+pub fn dot<T>(a: [T; 3], b: [T; 3]) -> T
+where
+    T: Copy + Mul<Output = T> + Add<Output = T>,
+{
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The slope of ln error over ln step, by least squares.
+pub fn slope(points: &[(f64, f64)]) -> f64 {
+    let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
+    let mean = |of: fn(&(f64, f64)) -> f64| logs.iter().map(of).sum::<f64>() / logs.len() as f64;
+    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
+    let cross: f64 = logs.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    cross / logs.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
 }

@@ -3,11 +3,7 @@
 //! Steps so short that the last terms are below rounding; nothing is projected, so the drift of the constants shows the error.
 //! In doubles, or in double-doubles for 30 digits.
 
-#![allow(
-    dead_code,
-    reason = "each of the tests that include this file uses its own part"
-)]
-
+use crate::double_double::Dd;
 use std::ops::{Add, Div, Mul, Sub};
 
 pub const ORDER: usize = 30;
@@ -34,6 +30,13 @@ impl Number for f64 {
     const TINY: f64 = 1e-18;
     fn double(self) -> f64 {
         self
+    }
+}
+
+impl Number for Dd {
+    const TINY: f64 = 1e-32;
+    fn double(self) -> f64 {
+        self.value()
     }
 }
 

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use spinning_bodies::frame::Attitude;
 
-use super::decimal::hexadecimal;
-use super::inertia::{decimal, double_double::Dd};
+use crate::decimal::{decimal, hexadecimal};
+use crate::double_double::Dd;
 
 /// One line of a table, its cells by number.
 pub struct Cells(Vec<&'static str>);

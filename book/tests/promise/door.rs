@@ -1,9 +1,9 @@
 //! All that the suite asks of the library: a scene file goes in, rows and an estimate come out; and what a run of order 8 would cost.
 
-use super::double_double::Dd;
 use press::scenes::{parse, run};
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::integrators::{Effort, Kept, order_eight};
+use support::double_double::Dd;
 
 /// What came back.
 #[derive(Debug, Clone)]

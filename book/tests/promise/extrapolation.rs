@@ -1,6 +1,6 @@
 //! The truth about equations that have neither series nor closed form here: Gragg's rule, extrapolated to order 20 in double-doubles.
 
-use super::double_double::Dd;
+use support::double_double::Dd;
 
 /// Columns of the extrapolation: the rule with 2, 4, … 20 parts, as many as it takes.
 const COLUMNS: usize = 10;

@@ -3,21 +3,17 @@
 //! top is refused, nor any motion in which a change of 1e-15 in the start grows to less than a tenth of the accuracy; each refusal
 //! names the growth. The median run costs at most three times the evaluations of the cheapest that would have done.
 
-#[path = "../../../tests/reference/double_double.rs"]
-mod double_double;
-#[path = "../../../tests/support/top_series.rs"]
-mod top_series;
-
 mod door;
 mod extrapolation;
 mod kinds;
 mod number;
 mod random;
+mod top_series;
 mod tops;
 mod verdict;
 
 use rayon::prelude::*;
-use verdict::Judged;
+use verdict::{Judged, Outcome};
 
 /// Cases of the strata with this in their name, one of so many; one that is not kept yet is run where it is asked for.
 fn chosen(strata: &[(&'static str, usize)], only: &str, of: usize) -> Vec<(usize, usize)> {
@@ -29,36 +25,41 @@ fn chosen(strata: &[(&'static str, usize)], only: &str, of: usize) -> Vec<(usize
         .collect()
 }
 
-fn tops(only: &str, of: usize) -> Vec<Judged> {
-    let strata = tops::STRATA.map(|(name, count, _)| (name, count));
-    chosen(&strata, only, of)
+/// Judged side by side: the outcome of a case, and its text.
+fn run(
+    strata: &[(&'static str, usize)],
+    only: &str,
+    of: usize,
+    case: impl Fn(usize, usize) -> (Outcome, String) + Sync,
+) -> Vec<Judged> {
+    chosen(strata, only, of)
         .par_iter()
         .map(|&(place, number)| {
-            let case = tops::case(place, number);
+            let (outcome, text) = case(place, number);
             Judged {
                 stratum: strata[place].0,
                 number,
-                outcome: case.judged(),
-                text: case.text(),
+                outcome,
+                text,
             }
         })
         .collect()
 }
 
+fn tops(only: &str, of: usize) -> Vec<Judged> {
+    let strata = tops::STRATA.map(|(name, count, _)| (name, count));
+    run(&strata, only, of, |place, number| {
+        let case = tops::case(place, number);
+        (case.judged(), case.text())
+    })
+}
+
 fn scenes(only: &str, of: usize) -> Vec<Judged> {
     let strata = kinds::STRATA.map(|(name, count, _)| (name, count));
-    chosen(&strata, only, of)
-        .par_iter()
-        .map(|&(place, number)| {
-            let case = kinds::case(place, number);
-            Judged {
-                stratum: strata[place].0,
-                number,
-                outcome: case.judged(),
-                text: case.text(),
-            }
-        })
-        .collect()
+    run(&strata, only, of, |place, number| {
+        let case = kinds::case(place, number);
+        (case.judged(), case.text())
+    })
 }
 
 /// Strata in which one case or two break the promise: runs that agree by chance (four of 6,000 tell less than their error), and tops refused next to

@@ -2,7 +2,8 @@
 
 use std::sync::LazyLock;
 
-use super::double_double::Dd;
+use support::double_double::Dd;
+pub use support::{cross, dot};
 
 /// Sine and cosine.
 pub trait Angle: Sized {
@@ -57,18 +58,6 @@ pub const PI: Dd = Dd {
     hi: core::f64::consts::PI,
     lo: 1.224_646_799_147_353_2e-16,
 };
-
-pub fn dot(a: [Dd; 3], b: [Dd; 3]) -> Dd {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn cross(a: [Dd; 3], b: [Dd; 3]) -> [Dd; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
 
 pub fn plus(a: [Dd; 3], b: [Dd; 3]) -> [Dd; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]

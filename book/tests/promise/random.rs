@@ -1,27 +1,20 @@
 //! Numbers that look random and are the same on every machine.
 
-/// Splitmix64.
-pub struct Random(u64);
+use support::Uniform;
+
+/// Of one case.
+pub struct Random(Uniform);
 
 impl Random {
     /// For one case of one stratum: the cases do not depend on how many there are.
     pub fn of(stratum: usize, number: usize) -> Self {
-        let mut random = Self((stratum as u64) << 32 | number as u64);
-        random.0 = random.bits();
-        random
-    }
-
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        let mut seed = Uniform((stratum as u64) << 32 | number as u64);
+        Self(Uniform(seed.bits()))
     }
 
     /// In 0..1.
     pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+        self.0.next()
     }
 
     pub fn within(&mut self, least: f64, greatest: f64) -> f64 {
@@ -34,12 +27,12 @@ impl Random {
     }
 
     pub fn whole(&mut self, below: usize) -> usize {
-        (self.bits() % below as u64) as usize
+        (self.0.bits() % below as u64) as usize
     }
 
     /// So often out of a hundred.
     pub fn percent(&mut self, often: u64) -> bool {
-        self.bits() % 100 < often
+        self.0.bits() % 100 < often
     }
 
     pub fn sign(&mut self) -> f64 {

@@ -4,10 +4,10 @@ use core::f64::consts::PI;
 use std::fmt::Write as _;
 
 use super::door::{self, Answer};
-use super::double_double::Dd;
 use super::random::Random;
 use super::top_series::{Top, Whole};
 use super::verdict::{Given, Outcome};
+use support::double_double::Dd;
 
 /// How a top starts to turn.
 #[derive(Debug, Clone, Copy)]

@@ -12,7 +12,7 @@
 //! (Kahan): over 10⁷ steps, taken together or one by one, |L| is off by 4e-15, the energy by no more than its oscillation (symplectic methods) or
 //! 9e-14 (implicit ones, a random walk). [`follow`] gives samples at any times.
 //!
-//! What each method keeps is measured by `tests/integrators/preservation.rs`; what a step costs, by `cargo bench -p lab --bench integrators`.
+//! What each method keeps is measured by `tests/sections/integrators/preservation.rs`; what a step costs, by `cargo bench -p lab --bench integrators`.
 //!
 //! ```
 //! use spinning_bodies::frame::{Attitude, BodyVector};

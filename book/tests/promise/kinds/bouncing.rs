@@ -1,8 +1,8 @@
 //! The superball: parabolas between bounces.
 
-use super::super::double_double::Dd;
 use super::super::random::Random;
 use super::{Scene, Sort};
+use support::double_double::Dd;
 
 #[derive(Clone, Copy)]
 struct Ball {

@@ -9,9 +9,9 @@ mod table_top;
 mod yo_yo;
 
 use super::door::{self, Answer};
-use super::double_double::Dd;
 use super::random::Random;
 use super::verdict::{Given, Outcome};
+use support::double_double::Dd;
 
 /// What a column measures; the errors of all of one sort are judged by the greatest of them that the motion has, or by the size that they naturally
 /// have for such a body.

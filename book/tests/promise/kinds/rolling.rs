@@ -1,9 +1,9 @@
 //! Roller, sheet and spool: under dry friction every velocity is linear in time from one event to the next.
 
-use super::super::double_double::Dd;
 use super::super::number::Angle;
 use super::super::random::Random;
 use super::{Scene, Sort};
+use support::double_double::Dd;
 
 /// Forces per mass: a steady push and its moment, the table's reaction, friction when it slides and at most when it holds, and the arm of the
 /// resistance to rolling; friction and resistance are there or not.

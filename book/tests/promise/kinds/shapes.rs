@@ -1,10 +1,10 @@
 //! Swivel, skater, cat, paper cat and crawler.
 
-use super::super::double_double::Dd;
 use super::super::extrapolation::{Place, followed};
 use super::super::number::{Angle, cross, plus, solved, times as scaled, transposed, turned};
 use super::super::random::Random;
 use super::{Scene, Sort};
+use support::double_double::Dd;
 
 /// A stroke from 0 to 1, at rest at both ends: u³(10 − 15u + 6u²), or the same of u²; and its rate.
 fn pace(late: bool, u: Dd) -> [Dd; 2] {

@@ -1,10 +1,10 @@
 //! A strip that falls through a fluid: the equations of Andersen, Pesavento and Wang, from one turning back to the next.
 
-use super::super::double_double::Dd;
 use super::super::extrapolation::{Place, followed};
 use super::super::number::{Angle, PI};
 use super::super::random::Random;
 use super::{Scene, Sort};
+use support::double_double::Dd;
 
 #[derive(Clone, Copy)]
 struct Strip {

@@ -1,12 +1,12 @@
 //! A planet that flies and turns freely, and is struck at time 0.
 
-use super::super::double_double::Dd;
 use super::super::extrapolation::{Place, followed};
 use super::super::number::{
     cross, dot, image, inverse, plus, rotation, solved, times as scaled, turned,
 };
 use super::super::random::Random;
 use super::{Scene, Sort};
+use support::double_double::Dd;
 
 type Vector = [Dd; 3];
 type Matrix = [Vector; 3];

@@ -1,12 +1,12 @@
 //! A body on a table, as long as it does not leave it: Newton and Euler at the contact, the unknown force found from what it must bring about.
 
-use super::super::double_double::Dd;
 use super::super::extrapolation::{Place, followed};
 use super::super::number::{
     cross, dot, image, inverse, plus, rotation, solved, times as scaled, transposed, turned,
 };
 use super::super::random::Random;
 use super::{Scene, Sort};
+use support::double_double::Dd;
 
 type Vector = [Dd; 3];
 type Matrix = [Vector; 3];

@@ -1,10 +1,10 @@
 //! The yo-yo, every phase by extrapolation: with air there is no closed form, and without it none is used.
 
-use super::super::double_double::Dd;
 use super::super::extrapolation::{Place, followed};
 use super::super::number::{Angle, PI};
 use super::super::random::Random;
 use super::{Scene, Sort};
+use support::double_double::Dd;
 
 #[derive(Clone, Copy)]
 struct Toy {

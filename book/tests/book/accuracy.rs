@@ -1,0 +1,242 @@
+//! The command `accuracy`: what it prints and writes, and what it refuses. These are debug runs: no times.
+
+use super::{refused, text};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const HEADER: &str =
+    "problem,method,parameter,error_attitude,error_omega,evaluations,steps,seconds,status";
+
+fn accuracy(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_book"))
+        .arg("accuracy")
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap()
+}
+
+fn csv(folder: &tempfile::TempDir) -> (PathBuf, String) {
+    let path = folder.path().join("rows.csv");
+    let name = path.to_str().unwrap().to_owned();
+    (path, name)
+}
+
+#[test]
+fn one_problem_is_a_table_and_a_file() {
+    let folder = folder();
+    let (path, name) = csv(&folder);
+    let output = accuracy(&["--scene", "heavy-body/1", "--csv", &name]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    if cfg!(debug_assertions) {
+        let told = text(&output.stderr);
+        assert!(
+            told.contains("debug build") && told.contains("--release"),
+            "{told}"
+        );
+    }
+    let table = text(&output.stdout);
+    assert!(table.starts_with("heavy-body/1: "), "{table}");
+    let written = std::fs::read_to_string(path).unwrap();
+    let mut lines = written.lines();
+    assert_eq!(lines.next(), Some(HEADER));
+    let (mut methods, mut best) = (Vec::new(), f64::INFINITY);
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        assert_eq!((cells.len(), cells[0]), (9, "heavy-body/1"));
+        let numbers: Vec<f64> = cells[2..5].iter().map(|x| x.parse().unwrap()).collect();
+        for (cell, number) in cells[2..5].iter().zip(&numbers) {
+            assert_eq!(*cell, format!("{number:?}"));
+        }
+        assert!(cells[5].parse::<u64>().is_ok() && cells[6].parse::<u64>().is_ok());
+        if cfg!(debug_assertions) {
+            assert_eq!(cells[7], "");
+        }
+        assert!(
+            ["ok", "floor", "diverged", "failed"].contains(&cells[8]),
+            "{line}"
+        );
+        best = best.min(numbers[1]);
+        if methods.last() != Some(&cells[1].to_owned()) {
+            methods.push(cells[1].to_owned());
+        }
+    }
+    for method in [
+        "kick-drift-6",
+        "kick-drift-4",
+        "munthe-kaas-4",
+        "rk4",
+        "dop853",
+        "gauss",
+    ] {
+        assert!(methods.iter().any(|m| m == method), "{method}: {methods:?}");
+        assert!(table.contains(&format!(" {method} ")), "{method}");
+    }
+    assert!(methods.iter().all(|m| m != "exact"), "{methods:?}");
+    assert!(best < 1e-13, "{best:e}");
+}
+
+#[test]
+fn unknown_names_are_answered_with_the_known_ones() {
+    let folder = folder();
+    let (path, name) = csv(&folder);
+    for wrong in ["free-tops", "free-top/2", "", "no/such.toml", "."] {
+        let output = accuracy(&["--scene", wrong, "--csv", &name]);
+        refused(
+            &output,
+            &[&format!("'{wrong}'"), "near-separatrix", "tippe-top"],
+        );
+        assert!(!path.exists());
+    }
+}
+
+#[test]
+fn a_file_that_cannot_be_there_is_refused_before_anything_is_measured() {
+    let folder = folder();
+    let missing = folder.path().join("missing").join("rows.csv");
+    let output = accuracy(&["--csv", missing.to_str().unwrap()]);
+    refused(&output, &["missing", "no such folder"]);
+    assert!(!missing.parent().unwrap().exists());
+    let output = accuracy(&["--csv", folder.path().to_str().unwrap()]);
+    refused(&output, &["a file is expected"]);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// Errors of a method in a CSV file, with their status: of the attitude, of the rates.
+fn errors<'a>(rows: &'a str, method: &str) -> Vec<(&'a str, &'a str, &'a str)> {
+    let rows = rows.lines().map(|row| row.split(',').collect::<Vec<_>>());
+    let rows = rows.filter(|cells| cells[1] == method);
+    rows.map(|cells| (cells[3], cells[4], cells[8])).collect()
+}
+
+#[test]
+fn a_scene_of_ones_own_is_measured() {
+    let folder = folder();
+    let file = folder.path().join("mine.toml");
+    let scene = "[body]\nmass = 1.0\nmoments = [1.0, 1.5, 2.0]\ncenter_of_mass = [0.02, 0.01, 0.05]\n\
+                 [initial]\nattitude = [0.8, 0.6, 0.0, 0.0]\nangular_momentum = [0.5, 0.4, 4.0]\n\
+                 [effects]\ngravity = 9.81\n[run]\ntimes = [0.5, 2.0, 1.0]\n";
+    std::fs::write(&file, scene).unwrap();
+    let (path, name) = csv(&folder);
+    let output = accuracy(&["--scene", file.to_str().unwrap(), "--csv", &name]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let table = text(&output.stdout);
+    for words in [
+        "mine: 2 s, judged by dormand-prince-8 and verner98",
+        "exact   failed: ",
+        "rotations-2 … moser-veselov-10   failed: ",
+        "\n1e-9: dormand-prince-8 in ",
+        "; dop853 in ",
+    ] {
+        assert!(table.contains(words), "{words}: {table}");
+    }
+    let written = std::fs::read_to_string(path).unwrap();
+    assert_eq!(written.lines().next(), Some(HEADER));
+    let best = |method: &str| {
+        let errors = errors(&written, method).into_iter();
+        let errors = errors.map(|(attitude, ..)| attitude.parse::<f64>().unwrap());
+        errors.fold(f64::INFINITY, f64::min)
+    };
+    // Observed: 2e-16 … 4e-15.
+    for method in ["kick-drift-6", "dop853", "gauss", "dormand-prince-8"] {
+        assert!(best(method) < 1e-13, "{method}: {:e}", best(method));
+    }
+    assert_eq!(errors(&written, "rotations-4"), [("inf", "inf", "failed")]);
+
+    for (wrong, words) in [
+        (
+            scene.replace("1.5, 2.0]", "1.5, 5.0]"),
+            ["bad.toml", "moments"],
+        ),
+        (
+            scene.replace("[0.5, 2.0, 1.0]", "[0.0]"),
+            ["bad.toml", "until"],
+        ),
+        // Slow, and long: chaos.
+        (
+            scene
+                .replace("4.0]", "0.3]")
+                .replace("[0.02, 0.01, 0.05]", "[0.2, 0.1, 0.5]")
+                .replace("[0.5, 2.0, 1.0]", "[200.0]"),
+            ["bad.toml", "judge"],
+        ),
+    ] {
+        let bad = folder.path().join("bad.toml");
+        std::fs::write(&bad, wrong).unwrap();
+        refused(&accuracy(&["--scene", bad.to_str().unwrap()]), &words);
+    }
+}
+
+#[test]
+fn every_scene_of_the_book_is_measured() {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let without = [
+        "roller",
+        "spool",
+        "superball",
+        "yo-yo",
+        "strip",
+        "swivel",
+        "skater",
+        "paper-cat",
+        "crawler",
+    ];
+    for entry in std::fs::read_dir(scenes).unwrap() {
+        let file = entry.unwrap().path();
+        let told = std::fs::read_to_string(&file).unwrap();
+        let report = press::accuracy::measured(&file, 5e-3, |_, _| ()).unwrap();
+        let name = file.file_stem().unwrap().to_str().unwrap();
+        assert!(
+            report.text.starts_with(&format!("{name}: ")),
+            "{}",
+            report.text
+        );
+        let attitude = !without
+            .iter()
+            .any(|kind| told.contains(&format!("kind = \"{kind}\"")));
+        let mut ran = Vec::new();
+        for row in report.rows.lines() {
+            let cells: Vec<&str> = row.split(',').collect();
+            assert_eq!((cells.len(), cells[0]), (9, name), "{row}");
+            assert_eq!(cells[3].is_empty(), !attitude, "{row}");
+            // A cat has none to tell.
+            assert_eq!(
+                cells[4].is_empty(),
+                told.contains("kind = \"cat\""),
+                "{row}"
+            );
+            if cells[8] != "failed" {
+                ran.push(cells[1].to_owned());
+            }
+        }
+        for solver in spinning_bodies::scene::Solver::all() {
+            assert!(
+                report.rows.contains(&format!(",{solver},")),
+                "{name} {solver}"
+            );
+        }
+        // Nothing steps a planet.
+        let stepper = match name {
+            "meteorite" => "exact",
+            _ => "dormand-prince-8",
+        };
+        assert!(
+            ran.iter().any(|method| method == stepper),
+            "{name}: {ran:?}"
+        );
+    }
+}
+
+#[test]
+fn help_teaches_with_a_release_build() {
+    let output = accuracy(&["--help"]);
+    assert_eq!(output.status.code(), Some(0));
+    let told = text(&output.stdout);
+    assert!(told.contains("cargo run --release -- accuracy --scene"));
+    for name in lab::accuracy::NAMES {
+        assert!(told.contains(name), "{name}");
+    }
+}

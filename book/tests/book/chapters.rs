@@ -1,0 +1,206 @@
+//! The sources of the chapters: one list, tagged fences, short examples, every figure shown once where it belongs.
+
+use super::none;
+use press::chapters::CHAPTERS;
+use press::ledger::{is_rust, markdown_options};
+use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
+use std::collections::{BTreeMap, HashSet};
+
+/// Lines of a Rust example that the reader sees.
+const MOST_LINES: usize = 15;
+
+/// Every code block: chapter, line, tag (`None` if indented), text.
+fn blocks() -> Vec<(&'static str, usize, Option<String>, String)> {
+    let mut blocks = Vec::new();
+    for chapter in CHAPTERS {
+        let mut open = None;
+        for (event, span) in Parser::new_ext(chapter.source, markdown_options()).into_offset_iter()
+        {
+            match event {
+                Event::Start(Tag::CodeBlock(kind)) => {
+                    let tag = match kind {
+                        CodeBlockKind::Fenced(tag) => Some(tag.to_string()),
+                        CodeBlockKind::Indented => None,
+                    };
+                    let line = chapter.source[..span.start].matches('\n').count() + 1;
+                    open = Some((chapter.name, line, tag, String::new()));
+                }
+                Event::Text(text) => {
+                    if let Some(block) = &mut open {
+                        block.3.push_str(&text);
+                    }
+                }
+                Event::End(TagEnd::CodeBlock) => blocks.extend(open.take()),
+                _ => {}
+            }
+        }
+    }
+    blocks
+}
+
+#[test]
+fn the_summary_is_the_list_of_chapters() {
+    let summary = include_str!("../../src/SUMMARY.md");
+    let mut linked = Vec::new();
+    for event in Parser::new(summary) {
+        if let Event::Start(Tag::Link { dest_url, .. }) = event {
+            linked.push(dest_url.trim_end_matches(".md").to_owned());
+        }
+    }
+    let listed: Vec<_> = CHAPTERS.iter().map(|chapter| chapter.name).collect();
+    assert_eq!(linked, listed);
+}
+
+#[test]
+fn every_block_of_code_says_what_it_is() {
+    let mut faults = Vec::new();
+    for (chapter, line, tag, _) in blocks() {
+        let known = tag
+            .as_deref()
+            .is_some_and(|tag| is_rust(tag) || matches!(tag, "rs" | "text" | "toml" | "sh"));
+        if !known {
+            faults.push(format!(
+                "book/src/{chapter}.md:{line}: {}; rustdoc would run it as Rust",
+                tag.map_or("indented code".into(), |tag| format!(
+                    "a fence tagged '{tag}'"
+                ))
+            ));
+        }
+    }
+    none(&faults);
+}
+
+#[test]
+fn rust_examples_are_short_and_hold_no_directive() {
+    let mut faults = Vec::new();
+    for (chapter, line, tag, text) in blocks() {
+        if !tag.as_deref().is_some_and(is_rust) {
+            continue;
+        }
+        let hidden = |line: &str| line.trim_start().starts_with("# ") || line.trim() == "#";
+        let visible = text.lines().filter(|line| !hidden(line)).count();
+        if visible > MOST_LINES {
+            faults.push(format!(
+                "book/src/{chapter}.md:{line}: {visible} visible lines, {MOST_LINES} are allowed"
+            ));
+        }
+        if text.contains("{{#") {
+            faults.push(format!(
+                "book/src/{chapter}.md:{line}: a directive in a Rust block"
+            ));
+        }
+        if !text.contains("assert") {
+            faults.push(format!(
+                "book/src/{chapter}.md:{line}: the example asserts nothing"
+            ));
+        }
+    }
+    none(&faults);
+}
+
+#[test]
+fn every_figure_is_shown_once_in_its_chapter() {
+    let mut shown: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for chapter in CHAPTERS {
+        for line in chapter.source.lines() {
+            let name = line
+                .trim()
+                .strip_prefix("{{figure ")
+                .and_then(|rest| rest.strip_suffix("}}"));
+            let Some(name) = name else { continue };
+            if chapter.name == press::typesetter::COVER {
+                let known = figures::all().iter().any(|entry| entry.name == name.trim());
+                assert!(
+                    known,
+                    "the cover shows figure {name}, which is not registered"
+                );
+            } else {
+                shown.entry(name.trim()).or_default().push(chapter.name);
+            }
+        }
+    }
+    let mut faults = Vec::new();
+    for entry in figures::all() {
+        match shown.remove(entry.name).as_deref() {
+            Some([chapter]) if *chapter == entry.chapter => {}
+            Some(chapters) => faults.push(format!(
+                "figure {} is declared for '{}' and shown in {chapters:?}",
+                entry.name, entry.chapter
+            )),
+            None => faults.push(format!("figure {} is shown nowhere", entry.name)),
+        }
+    }
+    for (name, chapters) in shown {
+        faults.push(format!(
+            "{chapters:?} shows figure {name}, which is not registered"
+        ));
+    }
+    none(&faults);
+}
+
+#[test]
+fn every_chapter_has_one_title() {
+    for chapter in CHAPTERS {
+        let titles = Parser::new_ext(chapter.source, markdown_options())
+            .filter(|event| {
+                matches!(
+                    event,
+                    Event::Start(Tag::Heading {
+                        level: pulldown_cmark::HeadingLevel::H1,
+                        ..
+                    })
+                )
+            })
+            .count();
+        assert_eq!(titles, 1, "{} has {titles} titles", chapter.name);
+    }
+}
+
+#[test]
+fn the_foot_of_a_page_names_files_that_exist() {
+    let root = press::paths::workspace_root().unwrap();
+    let mut named = HashSet::new();
+    let mut faults = Vec::new();
+    for chapter in CHAPTERS {
+        let foot = chapter.foot().unwrap_or_default();
+        for file in chapter.files {
+            let path = root.join(file);
+            let right = if file.ends_with('/') {
+                path.is_dir()
+            } else {
+                path.is_file()
+            };
+            if !right || !foot.contains(&format!("<code>{file}</code>")) {
+                faults.push(format!(
+                    "{}: '{file}' does not exist or is of no known kind",
+                    chapter.name
+                ));
+            }
+            named.insert(path);
+        }
+    }
+    for scene in std::fs::read_dir(root.join("book/scenes")).unwrap() {
+        let scene = scene.unwrap().path();
+        if !named.contains(&scene) {
+            faults.push(format!("no chapter names {}", scene.display()));
+        }
+    }
+    // A figure's source stands in the foot of the chapter that shows it.
+    for entry in figures::all() {
+        let chapter = CHAPTERS
+            .iter()
+            .find(|chapter| chapter.name == entry.chapter)
+            .unwrap();
+        if !chapter
+            .files
+            .iter()
+            .any(|file| file.starts_with("figures/src/"))
+        {
+            faults.push(format!(
+                "{} does not say where '{}' is drawn",
+                chapter.name, entry.name
+            ));
+        }
+    }
+    none(&faults);
+}

@@ -1,0 +1,616 @@
+//! The command line: what it prints, and the exit status it leaves with.
+
+use super::{refused, text};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+fn book(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_book"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn wrong_usage_is_told_in_one_line_and_status_2() {
+    for (arguments, word) in [
+        (&["figure"][..], "'figure'"),
+        (&["figures", "--lits"], "'--lits'"),
+        (&["figures", "no-such-figure"], "'no-such-figure'"),
+        (&["figures", "--list", "no-such-figure"], "'no-such-figure'"),
+        (&["figures", "--out"], "--out"),
+        (&["figures", "--list", "--check"], "--check"),
+        (&["book", "extra"], "'extra'"),
+        (&["claims", "--all"], "'--all'"),
+    ] {
+        let output = book(arguments);
+        let told = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {told}");
+        assert_eq!(told.lines().count(), 1, "{arguments:?}: {told}");
+        assert!(
+            told.starts_with("error: ") && told.contains(word),
+            "{arguments:?}: {told}"
+        );
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn an_unknown_figure_is_answered_with_the_nearest_name() {
+    if let Some(entry) = figures::all().first() {
+        let output = book(&["figures", &format!("{}x", entry.name)]);
+        assert!(text(&output.stderr).contains(&format!("'{}'", entry.name)));
+    }
+}
+
+#[test]
+fn an_unwritable_folder_is_named_and_status_1() {
+    if figures::all().is_empty() {
+        return;
+    }
+    // A file where a folder is wanted fails for everyone, root included.
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("a-file");
+    std::fs::write(&file, "").unwrap();
+    let output = book(&[
+        "figures",
+        figures::all()[0].name,
+        "--out",
+        file.to_str().unwrap(),
+    ]);
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(
+        told.lines()
+            .last()
+            .is_some_and(|line| line.contains("a-file")),
+        "{told}"
+    );
+}
+
+#[test]
+fn help_teaches_and_is_no_error() {
+    for arguments in [
+        &["--help"][..],
+        &["figures", "--help"],
+        &["book", "--help"],
+        &["help"],
+    ] {
+        let output = book(arguments);
+        assert_eq!(output.status.code(), Some(0));
+        assert!(
+            text(&output.stdout).contains("cargo run --"),
+            "{arguments:?}"
+        );
+        assert!(output.stderr.is_empty());
+    }
+}
+
+#[test]
+fn figures_are_listed_with_their_chapters() {
+    let output = book(&["figures", "--list"]);
+    assert_eq!(output.status.code(), Some(0));
+    let listed = text(&output.stdout);
+    assert_eq!(listed.lines().count(), figures::all().len());
+    for (line, entry) in listed.lines().zip(figures::all()) {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        assert_eq!(words[..2], [entry.name, &format!("{}.md", entry.chapter)]);
+        let numbers = words.get(2).map_or(Ok(0), |count| count.parse());
+        assert_eq!(numbers, Ok(entry.parameters.len()));
+    }
+}
+
+#[test]
+fn a_figure_is_drawn_as_it_is_wanted() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let [out, table] = ["svg", "dial.csv"].map(|name| folder.path().join(name));
+    let [out_name, table_name] = [&out, &table].map(|path| path.to_str().unwrap());
+    let listed = text(&book(&["figures", "--list", "spool-dial"]).stdout);
+    assert!(listed.contains("axle = 0.4 (0.05 to 0.95): "), "{listed}");
+    let wanted = ["figures", "spool-dial", "--set", "axle=0.6,tension=0.2"];
+    let rest = ["--theme", "dark", "--out", out_name, "--data", table_name];
+    let output = book(&[&wanted[..], &rest].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    // arccos 0.6, and the caption says so.
+    assert!(text(&output.stdout).contains("lower than 53.13 degrees"));
+    let svg = std::fs::read_to_string(out.join("spool-dial.svg")).unwrap();
+    assert!(svg.contains("53.13°") && svg.contains("background:#161923"));
+    let rows = std::fs::read_to_string(table).unwrap();
+    let mut lines = rows.lines();
+    assert_eq!(lines.next(), Some("curve,angle (°),acceleration (m/s²)"));
+    // a = T(R cos θ − r)/(R(M + I/R²)) = 0.2 · (1 − 0.6)/(1.5 · 0.2)
+    let level: f64 = lines
+        .next()
+        .unwrap()
+        .split(',')
+        .nth(2)
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert!((level - 0.08 / 0.3).abs() < 1e-15, "{level}");
+}
+
+#[test]
+fn a_wrong_number_of_a_figure_is_refused_by_name() {
+    for (set, told) in [
+        (
+            "axle=1.5",
+            "axle is 1.5, expected a number from 0.05 to 0.95",
+        ),
+        (
+            "axel=0.5",
+            "figure spool-dial has no parameter 'axel': expected one of [axle, tension]",
+        ),
+        ("axle", "'axle' is no KEY=VALUE"),
+        ("axle=x", "'axle=x' is no KEY=VALUE"),
+    ] {
+        let output = book(&["figures", "spool-dial", "--set", set]);
+        assert_eq!(output.status.code(), Some(2));
+        assert_eq!(text(&output.stderr), format!("error: --set: {told}\n"));
+    }
+    for wrong in [
+        &["figures", "--set", "axle=0.5"][..],
+        &["figures", "ice", "spool", "--data", "x"],
+    ] {
+        assert_eq!(book(wrong).status.code(), Some(2));
+    }
+}
+
+#[test]
+fn figures_are_written_to_the_folder_asked_for() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let out = folder.path().join("svg");
+    for entry in figures::all().iter().take(1) {
+        let output = book(&["figures", entry.name, "--out", out.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(0));
+        let names: Vec<_> = std::fs::read_dir(&out)
+            .unwrap()
+            .map(|file| file.unwrap().file_name().into_string().unwrap())
+            .collect();
+        assert_eq!(names, [format!("{}.svg", entry.name)]);
+        let output = book(&[
+            "figures",
+            entry.name,
+            "--check",
+            "--out",
+            out.to_str().unwrap(),
+        ]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+
+        let path = out.join(&names[0]);
+        let spoilt = std::fs::read_to_string(&path).unwrap().replacen(
+            "viewBox=\"0 0 6",
+            "viewBox=\"0 0 7",
+            1,
+        );
+        std::fs::write(&path, spoilt).unwrap();
+        let output = book(&[
+            "figures",
+            entry.name,
+            "--check",
+            "--out",
+            out.to_str().unwrap(),
+        ]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(text(&output.stderr).contains(entry.name));
+    }
+}
+
+#[test]
+fn every_claim_is_a_line_of_the_table() {
+    let output = book(&["claims"]);
+    assert_eq!(output.status.code(), Some(0));
+    let table = text(&output.stdout);
+    assert!(table.lines().filter(|line| line.starts_with('C')).count() > 200);
+    assert!(table.lines().any(|line| line.starts_with("C4.6-7 ")));
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_book"))
+        .arg("claims")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stderr.is_empty(), "{}", text(&output.stderr));
+}
+
+/// A scene file of this many rows, in a folder of its own.
+fn racket(rows: usize) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let file = folder.path().join("mine.toml");
+    let text = format!(
+        "[body]\nmoments = [1.0, 2.0, 3.0]\n[initial]\nomega = [0.01, 1.0, 0.01]\n[run]\nuntil = 10.0\nsamples = {rows}\n"
+    );
+    std::fs::write(&file, text).unwrap();
+    (folder, file)
+}
+
+fn scene(file: &Path, arguments: &[&str]) -> Output {
+    book(&[&["scene", file.to_str().unwrap()], arguments].concat())
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let files = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = files
+        .map(|file| file.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn the_name_of_the_output_tells_its_format() {
+    let (folder, file) = racket(3);
+    let out = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let read = |name: &str| std::fs::read_to_string(out(name)).unwrap();
+    for (name, format) in [
+        ("a.csv", None),
+        ("a.txt", None),
+        ("a", None),
+        ("b.txt", Some("csv")),
+        ("a.json", None),
+        ("b.json", Some("json")),
+        ("c.txt", Some("json")),
+    ] {
+        let path = out(name);
+        let mut arguments = vec!["--output", &path];
+        arguments.extend(format.iter().flat_map(|format| ["--format", format]));
+        let output = scene(&file, &arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(output.stdout.is_empty() && output.stderr.is_empty());
+        let json = name.ends_with("json") || format == Some("json");
+        assert!(
+            read(name).starts_with(if json { "{" } else { "t,qw" }),
+            "{name}"
+        );
+    }
+    let before = names(folder.path());
+    for arguments in [
+        &["--output", &out("x.svg")][..],
+        &["--output", &out("x.svg"), "--format", "csv"],
+        &["--output", &out("x.json"), "--format", "csv"],
+        &["--output", &out("x.csv"), "--format", "json"],
+    ] {
+        refused(&scene(&file, arguments), &["x.", "should end with"]);
+    }
+    let over = [
+        "--over",
+        "initial.omega.0=0..1:2",
+        "--output",
+        &out("x.svg"),
+    ];
+    let scan = book(&[&["scan", file.to_str().unwrap()], &over[..]].concat());
+    refused(&scan, &["x.svg", ".csv"]);
+    assert_eq!(names(folder.path()), before);
+}
+
+#[test]
+fn what_cannot_be_written_is_refused_before_any_work() {
+    // Half a minute of work, if it were begun.
+    let (folder, file) = racket(500_000);
+    for (name, words) in [
+        ("missing/rows.csv", "no such folder"),
+        (".", "not a folder"),
+        ("mine.toml", "should end with"),
+    ] {
+        let path = folder.path().join(name);
+        refused(
+            &scene(&file, &["--output", path.to_str().unwrap()]),
+            &[words],
+        );
+    }
+    assert_eq!(names(folder.path()), ["mine.toml"]);
+
+    let file = folder.path().join("a-file");
+    std::fs::write(&file, "").unwrap();
+    let output = book(&["figures", "--out", file.join("svg").to_str().unwrap()]);
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert_eq!(told.lines().count(), 1, "{told}");
+    assert!(told.contains("a-file"), "{told}");
+}
+
+#[test]
+fn a_scene_of_the_book_is_found_by_its_name() {
+    for name in ["racket", "racket.toml"] {
+        let output = book(&["scene", name]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(output.stdout.starts_with(b"t,qw"));
+    }
+    refused(
+        &book(&["scene", "racked"]),
+        &["racked", "did you mean `racket`?"],
+    );
+}
+
+#[test]
+fn numbers_beyond_the_doubles_are_no_rows() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let file = folder.path().join("swivel.toml");
+    let text_of = "kind = \"swivel\"\n[body]\nlower = 0.6\nupper = 2.0\n[initial]\nangular_momentum = 1e308\n[run]\nuntil = 1e3\n";
+    std::fs::write(&file, text_of).unwrap();
+    let output = scene(&file, &[]);
+    let told = text(&output.stderr);
+    assert_ne!(output.status.code(), Some(0), "{told}");
+    assert_eq!(told.lines().count(), 1, "{told}");
+    assert!(output.stdout.is_empty());
+}
+
+/// A run that takes long, and ends.
+const CHIRAL: &str = "kind = \"table-top\"\n[body]\nmass = 0.02\nradius = 0.02\nsurface_center = [0.0, 0.0, 0.006]\n\
+    inertia = [3.0e-6, 3.0e-6, 3.2e-6, 0.0, 0.0, 0.0]\n[initial]\ntilt = 0.1\naxial_spin = 155.0\n\
+    [effects]\ngravity = 9.82\nfriction_law = \"viscous\"\nfriction = 0.3\n[run]\nuntil = 1e5\nsamples = 11\naccuracy = 1e-6\n";
+
+#[cfg(unix)]
+mod unix {
+    use super::*;
+    use std::io::{BufRead, BufReader};
+    use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, symlink};
+    use std::time::{Duration, Instant};
+
+    fn shell(script: &str) -> Output {
+        Command::new("sh").args(["-c", script]).output().unwrap()
+    }
+
+    fn quoted(path: &Path) -> String {
+        format!("'{}'", path.to_str().unwrap())
+    }
+
+    const BOOK: &str = env!("CARGO_BIN_EXE_book");
+
+    #[test]
+    fn a_link_is_followed() {
+        let (folder, file) = racket(3);
+        let (other, link, dangling) = (
+            folder.path().join("other"),
+            folder.path().join("link.csv"),
+            folder.path().join("dangling.csv"),
+        );
+        std::fs::create_dir(&other).unwrap();
+        std::fs::write(other.join("rows.csv"), "old").unwrap();
+        symlink("other/rows.csv", &link).unwrap();
+        symlink("other/new.csv", &dangling).unwrap();
+        for path in [&link, &dangling] {
+            let output = scene(&file, &["--output", path.to_str().unwrap()]);
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            assert!(path.is_symlink());
+            assert!(std::fs::read(path).unwrap().starts_with(b"t,qw"));
+        }
+        assert_eq!(names(&other), ["new.csv", "rows.csv"]);
+        let round = folder.path().join("round.csv");
+        symlink("round.csv", &round).unwrap();
+        let output = scene(&file, &["--output", round.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(round.is_symlink() && text(&output.stderr).contains("round.csv"));
+    }
+
+    #[test]
+    fn pipes_and_devices_stay_what_they_are() {
+        let (folder, file) = racket(3);
+        let plain = scene(&file, &[]).stdout;
+        let (pipe, link) = (folder.path().join("pipe"), folder.path().join("link"));
+        assert!(shell(&format!("mkfifo {}", quoted(&pipe))).status.success());
+        symlink(&pipe, &link).unwrap();
+        for path in [&pipe, &link] {
+            let reader = Command::new("cat")
+                .arg(&pipe)
+                .stdout(Stdio::piped())
+                .spawn()
+                .unwrap();
+            let output = scene(&file, &["--output", path.to_str().unwrap()]);
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            assert_eq!(reader.wait_with_output().unwrap().stdout, plain);
+            let kind = std::fs::metadata(&pipe).unwrap().file_type();
+            assert!(kind.is_fifo() && link.is_symlink());
+        }
+        assert_eq!(names(folder.path()), ["link", "mine.toml", "pipe"]);
+        for device in ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"] {
+            assert_eq!(
+                scene(&file, &["--output", device]).stdout,
+                plain,
+                "{device}"
+            );
+        }
+        // A file that the standard output leads to goes on where it was.
+        let rows = folder.path().join("rows");
+        let command = format!("{BOOK} scene {} --output /dev/stdout", quoted(&file));
+        shell(&format!(
+            "(echo before; {command}; echo after) > {}",
+            quoted(&rows)
+        ));
+        let expected = [b"before\n", plain.as_slice(), b"after\n"].concat();
+        assert_eq!(std::fs::read(&rows).unwrap(), expected);
+        let full = scene(&file, &["--output", "/dev/full"]);
+        assert_eq!(full.status.code(), Some(1));
+        assert!(text(&full.stderr).contains("/dev/full"));
+        let full = shell(&format!("{BOOK} scene {} > /dev/full", quoted(&file)));
+        assert_eq!(full.status.code(), Some(1), "{}", text(&full.stderr));
+    }
+
+    #[test]
+    fn the_input_is_not_overwritten() {
+        let (folder, file) = racket(3);
+        let at = |name: &str| folder.path().join(name);
+        std::fs::rename(&file, at("mine.csv")).unwrap();
+        let before = std::fs::read(at("mine.csv")).unwrap();
+        std::fs::hard_link(at("mine.csv"), at("hard.csv")).unwrap();
+        symlink("mine.csv", at("soft.csv")).unwrap();
+        let output = at("mine.csv");
+        let name = folder.path().file_name().unwrap();
+        for out in ["mine.csv", "hard.csv", "soft.csv", "./mine.csv"] {
+            let out = at(out);
+            refused(
+                &scene(&output, &["--output", out.to_str().unwrap()]),
+                &["that is the input"],
+            );
+        }
+        let other = at("..").join(name).join("mine.csv");
+        refused(
+            &scene(&at("soft.csv"), &["--output", other.to_str().unwrap()]),
+            &["that is the input"],
+        );
+        let from = quoted(&output);
+        refused(
+            &shell(&format!("{BOOK} scene - --output {from} < {from}")),
+            &["that is the input"],
+        );
+        refused(
+            &shell(&format!(
+                "{BOOK} scan {from} --over initial.omega.0=0..1:2 --output {from}"
+            )),
+            &["that is the input"],
+        );
+        refused(
+            &shell(&format!("{BOOK} accuracy --scene {from} --csv {from}")),
+            &["that is the input"],
+        );
+        assert_eq!(std::fs::read(&output).unwrap(), before);
+        assert_eq!(names(folder.path()), ["hard.csv", "mine.csv", "soft.csv"]);
+    }
+
+    #[test]
+    fn files_get_the_rights_that_the_umask_leaves() {
+        let (folder, file) = racket(3);
+        let mode = |path: &Path| std::fs::metadata(path).unwrap().mode() & 0o777;
+        for (umask, rights) in [
+            ("022", 0o644),
+            ("027", 0o640),
+            ("002", 0o664),
+            ("077", 0o600),
+        ] {
+            let out = folder.path().join(format!("{umask}.csv"));
+            let svg = folder.path().join(umask);
+            let figure = figures::all()[0].name;
+            let script = format!(
+                "umask {umask}; {BOOK} scene {} --output {} && {BOOK} figures {figure} --out {}",
+                quoted(&file),
+                quoted(&out),
+                quoted(&svg)
+            );
+            let output = shell(&script);
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            assert_eq!(mode(&out), rights, "{umask}");
+            assert_eq!(mode(&svg.join(format!("{figure}.svg"))), rights, "{umask}");
+        }
+        // What is there keeps its own.
+        let out = folder.path().join("022.csv");
+        std::fs::set_permissions(&out, std::fs::Permissions::from_mode(0o604)).unwrap();
+        assert!(
+            scene(&file, &["--output", out.to_str().unwrap()])
+                .status
+                .success()
+        );
+        assert_eq!(mode(&out), 0o604);
+    }
+
+    /// Starts a long run, waits until it has made something beside its output, and sends the signal.
+    fn interrupted(signal: &str, status: i32) {
+        let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+        let file = folder.path().join("long.toml");
+        std::fs::write(&file, CHIRAL).unwrap();
+        let out = folder.path().join("rows.csv");
+        std::fs::write(&out, "old").unwrap();
+        let mut child = Command::new(BOOK)
+            .args(["scene", file.to_str().unwrap()])
+            .args(["--output", out.to_str().unwrap()])
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let begin = Instant::now();
+        while names(folder.path()).len() < 3 {
+            assert!(
+                begin.elapsed() < Duration::from_secs(20) && child.try_wait().unwrap().is_none()
+            );
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        let kill = format!("kill -{signal} {}", child.id());
+        assert!(shell(&kill).status.success());
+        assert_eq!(child.wait().unwrap().code(), Some(status));
+        assert_eq!(names(folder.path()), ["long.toml", "rows.csv"]);
+        assert_eq!(std::fs::read_to_string(&out).unwrap(), "old");
+    }
+
+    #[test]
+    fn an_interrupted_run_leaves_nothing_behind() {
+        interrupted("INT", 130);
+        interrupted("TERM", 143);
+    }
+
+    #[test]
+    fn an_early_end_of_the_reader_is_quiet() {
+        let (_folder, file) = racket(100_000);
+        let script = format!(
+            "{{ {BOOK} scene {}; echo $? >&2; }} | head -n 2",
+            quoted(&file)
+        );
+        let output = shell(&script);
+        assert_eq!(text(&output.stderr), "0\n");
+        assert_eq!(text(&output.stdout).lines().count(), 2);
+    }
+
+    #[test]
+    fn a_file_without_end_is_refused() {
+        for endless in ["/dev/zero", "-"] {
+            let output = shell(&format!("{BOOK} scene {endless} < /dev/zero"));
+            refused(&output, &["4000000 bytes"]);
+        }
+    }
+
+    /// Peak of resident memory, kB, asked for until the process is gone.
+    #[cfg(target_os = "linux")]
+    fn peak(arguments: &[&str]) -> u64 {
+        let mut child = Command::new(BOOK)
+            .args(arguments)
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        let status = format!("/proc/{}/status", child.id());
+        let mut peak = 0;
+        while child.try_wait().unwrap().is_none() {
+            let told = std::fs::read_to_string(&status).unwrap_or_default();
+            let line = told.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+            let now = line.and_then(|line| line.trim().trim_end_matches("kB").trim().parse().ok());
+            peak = now.unwrap_or(0).max(peak);
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        assert!(child.wait().unwrap().success());
+        peak
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn memory_stays_small_up_to_the_largest_output() {
+        // Observed: 42 MB; of five million rows 63 MB, where a motion is stepped 102 MB. As one JSON value half a million took 1.5 GB.
+        let (_folder, file) = racket(600_000);
+        let peak = peak(&["scene", file.to_str().unwrap(), "--format", "json"]);
+        assert!((20_000..80_000).contains(&peak), "{peak} kB");
+        let (_folder, file) = racket(10_000_001);
+        refused(&scene(&file, &[]), &["samples", "10000000"]);
+    }
+
+    #[test]
+    fn a_long_run_tells_how_far_it_is() {
+        let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+        let file = folder.path().join("long.toml");
+        std::fs::write(&file, CHIRAL).unwrap();
+        let mut child = Command::new(BOOK)
+            .args(["scene", file.to_str().unwrap()])
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut told = String::new();
+        let mut lines = BufReader::new(child.stderr.take().unwrap());
+        // After one second and a half; a run that is over by then says nothing.
+        lines.read_line(&mut told).unwrap();
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert!(
+            told.starts_with("simulating: t = ") && told.contains("of at most 200 million"),
+            "{told}"
+        );
+    }
+}

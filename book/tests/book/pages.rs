@@ -1,0 +1,327 @@
+//! Builds the book and reads every page of it, as a browser without a network would.
+
+use super::none;
+use press::{binding, drawings};
+use scraper::{Html, Selector};
+use std::collections::{BTreeMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+fn root() -> PathBuf {
+    press::paths::workspace_root().unwrap()
+}
+
+fn drawings() -> &'static [drawings::Drawing] {
+    static DRAWINGS: OnceLock<Vec<drawings::Drawing>> = OnceLock::new();
+    DRAWINGS.get_or_init(|| {
+        drawings::draw(figures::all(), &figures::Values::default(), |_| ()).unwrap()
+    })
+}
+
+fn build(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    binding::bind(&root(), &folder, drawings()).unwrap();
+    folder
+}
+
+/// The book, built once for all tests of this file.
+fn book() -> &'static Path {
+    static BOOK: OnceLock<PathBuf> = OnceLock::new();
+    BOOK.get_or_init(|| build("book"))
+}
+
+fn files(folder: &Path, found: &mut BTreeMap<PathBuf, Vec<u8>>, base: &Path) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files(&path, found, base);
+        } else {
+            let bytes = std::fs::read(&path).unwrap();
+            found.insert(path.strip_prefix(base).unwrap().to_owned(), bytes);
+        }
+    }
+}
+
+/// Name, text and parse tree of every page.
+fn pages() -> Vec<(String, String, Html)> {
+    let mut all = BTreeMap::new();
+    files(book(), &mut all, book());
+    let mut pages = Vec::new();
+    for (path, bytes) in all {
+        if path.extension().is_some_and(|ending| ending == "html") {
+            let text = String::from_utf8(bytes).unwrap();
+            let tree = Html::parse_document(&text);
+            pages.push((path.to_string_lossy().into_owned(), text, tree));
+        }
+    }
+    assert!(pages.len() > 20, "only {} pages were built", pages.len());
+    pages
+}
+
+#[test]
+fn every_link_leads_somewhere_within_the_book() {
+    let pages = pages();
+    let ids: BTreeMap<&str, HashSet<&str>> = pages
+        .iter()
+        .map(|(name, _, tree)| {
+            let any = Selector::parse("[id], [name]").unwrap();
+            let ids = tree
+                .select(&any)
+                .filter_map(|e| e.attr("id").or(e.attr("name")))
+                .collect();
+            (name.as_str(), ids)
+        })
+        .collect();
+    let linked = Selector::parse("[href], [src]").unwrap();
+    let mut faults = Vec::new();
+    for (name, _, tree) in &pages {
+        for element in tree.select(&linked) {
+            for link in ["href", "src"].iter().filter_map(|key| element.attr(key)) {
+                if link.contains("://") || link.starts_with("//") {
+                    faults.push(format!("{name}: {link} leaves the book"));
+                    continue;
+                }
+                if link.starts_with("data:") || link.starts_with("javascript:") {
+                    continue;
+                }
+                let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
+                let path = path.split('?').next().unwrap_or_default();
+                let target = if path.is_empty() { name } else { path };
+                if !book().join(target).exists() {
+                    faults.push(format!("{name}: there is no {target}"));
+                } else if !anchor.is_empty()
+                    && ids.get(target).is_some_and(|ids| !ids.contains(anchor))
+                {
+                    faults.push(format!("{name}: there is no #{anchor} in {target}"));
+                }
+            }
+        }
+    }
+    none(&faults);
+}
+
+#[test]
+fn nothing_is_fetched_from_a_network() {
+    let mut all = BTreeMap::new();
+    files(book(), &mut all, book());
+    let mut faults = Vec::new();
+    for (path, bytes) in &all {
+        let text = String::from_utf8_lossy(bytes);
+        let name = path.display();
+        if path.extension().is_some_and(|ending| ending == "css") {
+            for far in ["url(http", "url(\"http", "url('http", "url(//", "@import"] {
+                if text.contains(far) {
+                    faults.push(format!("{name}: {far}"));
+                }
+            }
+        }
+    }
+    // mdBook's script calls the playground of the language as soon as a page holds one such block.
+    let playground =
+        Selector::parse(".playground, script[src*='//'], script[src*='MathJax']").unwrap();
+    for (name, _, tree) in pages() {
+        if tree.select(&playground).next().is_some() {
+            faults.push(format!("{name}: a script that calls a network service"));
+        }
+    }
+    none(&faults);
+}
+
+#[test]
+fn every_picture_says_what_is_seen() {
+    // A root sign in a caption is drawn as well, and its formula is said in words of its own.
+    let pictures = Selector::parse("figure svg:not(.hide-tail > svg), main img").unwrap();
+    let figure = Selector::parse("main figure[id^='fig-']").unwrap();
+    let mut faults = Vec::new();
+    let mut figures_seen = 0;
+    for (name, _, tree) in pages() {
+        figures_seen += tree.select(&figure).count();
+        for picture in tree.select(&pictures) {
+            let said = picture.attr("aria-label").or(picture.attr("alt"));
+            if said.is_none_or(|said| said.trim().len() < 20) {
+                faults.push(format!("{name}: a picture without words"));
+            }
+        }
+    }
+    none(&faults);
+    // Once in its chapter and once on the print page.
+    assert_eq!(figures_seen, 2 * figures::all().len());
+}
+
+#[test]
+fn figures_are_numbered_in_reading_order() {
+    let number = Selector::parse("main .figure-number").unwrap();
+    let (_, _, print) = pages()
+        .into_iter()
+        .find(|(name, ..)| name == "print.html")
+        .unwrap();
+    let numbers: Vec<String> = print.select(&number).map(|e| e.text().collect()).collect();
+    let expected: Vec<_> = (1..=figures::all().len())
+        .map(|n| format!("Figure {n}."))
+        .collect();
+    assert_eq!(numbers, expected);
+}
+
+#[test]
+fn every_page_forbids_other_hosts() {
+    let policy = Selector::parse("head meta[http-equiv='Content-Security-Policy']").unwrap();
+    let script = Selector::parse("script:not([src])").unwrap();
+    let mut faults = Vec::new();
+    for (name, _, tree) in pages() {
+        let policy = tree
+            .select(&policy)
+            .next()
+            .and_then(|meta| meta.attr("content"));
+        let Some(policy) = policy else {
+            faults.push(format!("{name}: no policy"));
+            continue;
+        };
+        if !policy.starts_with("default-src 'self'")
+            || policy.contains("http")
+            || policy.contains('*')
+        {
+            faults.push(format!("{name}: the policy '{policy}' lets others in"));
+        }
+        let hashes = policy.matches("'sha256-").count();
+        if hashes != tree.select(&script).count() {
+            faults.push(format!(
+                "{name}: {hashes} scripts are allowed by their hash"
+            ));
+        }
+    }
+    none(&faults);
+}
+
+#[test]
+fn the_search_index_is_small_and_holds_words() {
+    let index = std::fs::read_to_string(book().join("searchindex.js")).unwrap();
+    assert!(index.len() <= 1_000_000, "{} bytes", index.len());
+    for word in ["polhode", "superball", "Kovalevskaya", "herpolhode"] {
+        assert!(index.contains(word), "{word} cannot be found");
+    }
+    for code in ["claim: C", "\\\\frac", "assert!", "fn main"] {
+        assert!(!index.contains(code), "the index holds {code}");
+    }
+}
+
+#[test]
+fn nothing_is_left_unset() {
+    let mut faults = Vec::new();
+    for (name, text, tree) in pages() {
+        for left in ["data-piece", "katex-error", "{{figure", "{{#", "{{claims"] {
+            if text.contains(left) {
+                faults.push(format!("{name}: '{left}'"));
+            }
+        }
+        // Outside of code no braces are meant as braces, and no dollars as dollars.
+        let prose = Selector::parse("main p, main li, main td, main figcaption, main h2").unwrap();
+        for element in tree.select(&prose) {
+            let skip = |node: &scraper::ElementRef<'_>| {
+                node.ancestors()
+                    .filter_map(scraper::ElementRef::wrap)
+                    .any(|up| {
+                        matches!(up.value().name(), "code" | "pre")
+                            || up.value().classes().any(|class| class == "katex")
+                    })
+            };
+            let text: String = element
+                .descendants()
+                .filter_map(|node| Some((node.value().as_text()?, node.parent()?)))
+                .filter_map(|(text, up)| Some((text, scraper::ElementRef::wrap(up)?)))
+                .filter(|(_, up)| {
+                    !skip(up)
+                        && !matches!(up.value().name(), "code")
+                        && !up.value().classes().any(|class| class == "katex")
+                })
+                .map(|(text, _)| text.to_string())
+                .collect();
+            if text.contains("{{") || text.contains('$') {
+                faults.push(format!("{name}: {}", text.trim()));
+            }
+        }
+    }
+    none(&faults);
+}
+
+#[test]
+fn two_builds_have_the_same_bytes() {
+    let second = build("book-again");
+    let (mut a, mut b) = (BTreeMap::new(), BTreeMap::new());
+    files(book(), &mut a, book());
+    files(&second, &mut b, &second);
+    let names = |files: &BTreeMap<PathBuf, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
+    assert_eq!(names(&a), names(&b));
+    for (path, bytes) in &a {
+        assert!(b[path] == *bytes, "{} differs", path.display());
+    }
+}
+
+#[test]
+fn a_failing_build_leaves_the_old_book() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("kept");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("index.html"), "old").unwrap();
+    let nowhere = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-workspace");
+    assert!(binding::bind(&nowhere, &folder, &[]).is_err());
+    assert_eq!(
+        std::fs::read_to_string(folder.join("index.html")).unwrap(),
+        "old"
+    );
+}
+
+#[test]
+fn a_missing_include_fails_the_build() {
+    let scratch = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let source = scratch.path().join("book/src");
+    std::fs::create_dir_all(&source).unwrap();
+    std::fs::write(
+        scratch.path().join("book/book.toml"),
+        "[book]\ntitle = \"T\"\n[output.html]\nhash-files = false\n",
+    )
+    .unwrap();
+    std::fs::write(source.join("SUMMARY.md"), "[A](a.md)\n").unwrap();
+    let page = source.join("a.md");
+    let built = || binding::bind(scratch.path(), &scratch.path().join("out"), &[]);
+
+    std::fs::write(&page, "# A\n\n```rs\nfn main() {}\n```\n").unwrap();
+    built().unwrap();
+    std::fs::write(&page, "# A\n\n```rs\n{{#include nowhere.rs:x}}\n```\n").unwrap();
+    let error = built().unwrap_err();
+    assert!(error.to_string().contains("nowhere.rs"), "{error}");
+    assert_eq!(error.status(), 2);
+    assert_eq!(error.to_string().lines().count(), 1);
+}
+
+/// Characters of code that fit at 1200 pixels, in the column and under a fold. The browser check measures them.
+const COLUMN: usize = 97;
+const FOLDED: usize = 87;
+
+#[test]
+fn no_line_of_code_is_wider_than_the_column() {
+    let code = Selector::parse("main pre > code").unwrap();
+    let mut faults = Vec::new();
+    for (name, _, tree) in pages() {
+        if name == "print.html" {
+            continue;
+        }
+        for block in tree.select(&code) {
+            let above = block.ancestors().filter_map(scraper::ElementRef::wrap);
+            let folded = above.filter(|up| up.value().name() == "details").count();
+            let room = if folded > 0 { FOLDED } else { COLUMN };
+            let text: String = block
+                .descendants()
+                .filter_map(|node| Some((node.value().as_text()?, node.parent()?)))
+                .filter_map(|(text, up)| Some((text, scraper::ElementRef::wrap(up)?)))
+                .filter(|(_, up)| !up.value().classes().any(|class| class == "boring"))
+                .map(|(text, _)| text.to_string())
+                .collect();
+            for line in text.lines() {
+                let wide = line.chars().count();
+                if wide > room {
+                    faults.push(format!("{name}: {wide} characters, {room} fit: {line}"));
+                }
+            }
+        }
+    }
+    none(&faults);
+}

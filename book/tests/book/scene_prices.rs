@@ -1,0 +1,127 @@
+//! The page "Scenes" names every kind, every key with what it expects, every effect and every column; its tables of prices are
+//! those of the scenes as they are.
+
+use std::collections::BTreeSet;
+
+use press::scenes::prices::{NEEDED, PRICED, run, times};
+use press::scenes::{key_table, simulate};
+use spinning_bodies::scene::files::{keys, kinds, shape_keys, shared_keys};
+
+const PAGE: &str = include_str!("../../src/scenes.md");
+const PRICES: &str = include_str!("../../src/tables/scene-prices.csv");
+const TIMES: &str = include_str!("../../src/tables/scene-times.csv");
+
+fn rows(csv: &str) -> Vec<Vec<&str>> {
+    let lines = csv.lines().filter(|line| !line.starts_with('#')).skip(1);
+    lines.map(|line| line.split(',').collect()).collect()
+}
+
+#[test]
+fn every_kind_is_priced() {
+    let priced: Vec<&str> = PRICED.iter().map(|priced| priced.kind).collect();
+    assert_eq!(priced, kinds().collect::<Vec<_>>());
+}
+
+/// `UPDATE_TABLES=1 cargo test -p book --test scene_prices` writes the keys of all kinds.
+#[test]
+fn the_page_has_every_key_and_every_column() {
+    let of_kinds = kinds().map(|kind| (kind, keys(kind).unwrap()));
+    for (name, keys) in [("run", shared_keys()), ("shapes", shape_keys())]
+        .into_iter()
+        .chain(of_kinds)
+    {
+        let path = format!("src/tables/keys-{name}.md");
+        let of = if name == "shapes" { "shape" } else { "table" };
+        if std::env::var_os("UPDATE_TABLES").is_some() {
+            std::fs::write(&path, key_table(of, &keys)).unwrap();
+        }
+        let committed = std::fs::read_to_string(&path).unwrap();
+        let hint = "UPDATE_TABLES=1 writes it anew";
+        assert!(committed == key_table(of, &keys), "{path}: {hint}");
+    }
+    let mut missing = Vec::new();
+    for priced in PRICED {
+        let heading = format!("\n### `{}`", priced.kind);
+        let start = PAGE.find(&heading).unwrap_or_else(|| panic!("no{heading}"));
+        let rest = &PAGE[start + heading.len()..];
+        let end = rest.find("\n##").unwrap_or(rest.len());
+        let columns = run(priced.kind, &priced.file(|_| true)).unwrap().columns;
+        let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
+        let include = format!("{{{{#include tables/keys-{}.md}}}}", priced.kind);
+        for row in [include, format!("`t,{}`", names.join(","))] {
+            if !rest[..end].contains(&row) {
+                missing.push(format!("{}: {row}", priced.kind));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "the page lacks\n{}", missing.join("\n"));
+}
+
+#[test]
+fn the_table_of_prices_is_that_of_the_scenes() {
+    let rows = rows(PRICES);
+    let mut rows = rows.iter();
+    for priced in PRICED {
+        for (place, (effect, _)) in priced.effects.iter().enumerate() {
+            let row = rows.next().expect("a row an effect");
+            assert_eq!(row[..2], [priced.kind, *effect]);
+            let (without, with) = priced.pair(place);
+            assert_eq!(without.is_none(), NEEDED.contains(&(priced.kind, effect)));
+            for (text, solver, told) in [(without, row[2], row[4]), (Some(with), row[3], row[5])] {
+                let Some(text) = text else { continue };
+                let table = run(priced.kind, &text).unwrap();
+                assert_eq!(table.plan.solver.name(), solver, "{} {effect}", priced.kind);
+                let (now, told) = (table.cost.evaluations as f64, told.parse::<f64>().unwrap());
+                // Another rounding of the last digit may cost a step more or less.
+                assert!(
+                    (now - told).abs() <= 0.02 * told,
+                    "{} {effect}: {now}",
+                    priced.kind
+                );
+            }
+        }
+    }
+    assert!(rows.next().is_none());
+}
+
+/// `UPDATE_TABLES=1 cargo test -p book --test scene_prices` writes the page's table.
+#[test]
+fn the_table_of_times_has_every_file() {
+    let page = "src/tables/scene-times.md";
+    if std::env::var_os("UPDATE_TABLES").is_some() {
+        std::fs::write(page, times(TIMES)).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(page).unwrap(), times(TIMES));
+    let listed: BTreeSet<String> = rows(TIMES).iter().map(|row| row[0].to_owned()).collect();
+    let mut files = BTreeSet::new();
+    for entry in std::path::Path::new("scenes").read_dir().unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let row = rows(TIMES).into_iter().find(|row| row[0] == name);
+        let row = row.unwrap_or_else(|| panic!("{name} is not in the table"));
+        let (table, _) = simulate(&path).unwrap();
+        assert_eq!(table.plan.solver.name(), row[1], "{name}");
+        files.insert(name);
+    }
+    assert_eq!(files, listed);
+}
+
+/// No plan is so bad that one effect more would make the scene quicker by more than 20 µs, unless the effect ends the motion.
+#[test]
+fn an_effect_more_does_not_make_a_scene_quicker() {
+    // Resistance stops the body on the table.
+    let ends = [("table-top", "rolling_resistance")];
+    for row in rows(PRICES) {
+        let [kind, effect, .., without, with] = row[..] else {
+            panic!("{row:?}")
+        };
+        if without.is_empty() || ends.contains(&(kind, effect)) {
+            continue;
+        }
+        let (without, with): (f64, f64) = (without.parse().unwrap(), with.parse().unwrap());
+        assert!(
+            without - with <= 0.020,
+            "{kind} {effect}: {without} ms, then {with} ms"
+        );
+    }
+}

@@ -1,0 +1,593 @@
+//! Scene files: every one in `book/scenes` runs, their keys may stand in any order, and what is wrong is refused in one line.
+
+use super::RACKET;
+use std::path::Path;
+
+use press::chapters::CHAPTERS;
+use press::scenes::prices::PRICED;
+use press::scenes::{output, parse, prices, simulate};
+use spinning_bodies::integrators::Method;
+use spinning_bodies::scene::files::{KeyRow, keys, shared_keys};
+use spinning_bodies::scene::{Geometric, Progress, Solver};
+
+#[test]
+fn every_scene_of_the_book_runs_and_its_ledger_balances() {
+    let folder = Path::new("scenes");
+    let mut count = 0;
+    for entry in folder.read_dir().unwrap() {
+        let path = entry.unwrap().path();
+        let (table, _) = simulate(&path).unwrap_or_else(|error| panic!("{error}"));
+        assert!(!table.ledger.entries().is_empty(), "{}", path.display());
+        assert!(
+            table
+                .rows()
+                .all(|(_, row)| row.len() == table.columns.len())
+        );
+        count += 1;
+    }
+    assert!(count >= 4);
+}
+
+/// A chapter that is not the page on scenes runs it: its name stands in a Rust block that simulates a file.
+#[test]
+fn every_scene_of_the_book_is_run_by_a_chapter() {
+    let mut idle = Vec::new();
+    for entry in Path::new("scenes").read_dir().unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        let told = |block: &str| {
+            let whole = block.contains(&format!("\"scenes/{name}.toml\""));
+            whole || (block.contains("scenes/{") && block.contains(&format!("(\"{name}\"")))
+        };
+        let chapters = CHAPTERS.iter().filter(|chapter| chapter.name != "scenes");
+        let mut blocks =
+            chapters.flat_map(|chapter| chapter.source.split("```").skip(1).step_by(2));
+        if !blocks
+            .any(|block| block.starts_with("rust\n") && block.contains("simulate(") && told(block))
+        {
+            idle.push(name.to_owned());
+        }
+    }
+    assert!(idle.is_empty(), "no chapter runs {}", idle.join(", "));
+}
+
+#[test]
+fn the_columns_of_a_table_are_found_by_name() {
+    let (table, _) = simulate("scenes/racket.toml").unwrap();
+    let rows = table.numbers(["omega2", "t"]).unwrap();
+    for ([omega2, t], (time, row)) in rows.into_iter().zip(table.rows()) {
+        assert_eq!((t, omega2), (time, row[5]));
+    }
+    let error = table.numbers(["omega4"]).unwrap_err().to_string();
+    assert!(
+        error.contains("omega4") && error.contains("omega3"),
+        "{error}"
+    );
+}
+
+/// What is written of the scene that a text describes.
+fn written(text: &str, format: output::Format) -> String {
+    let (scene, request) = parse("scene", text).unwrap();
+    let motion = output::Motion {
+        name: "scene",
+        scene: &scene,
+        request: &request,
+        progress: &Progress::default(),
+    };
+    let mut written = Vec::new();
+    format.write(&motion, &mut written).unwrap();
+    String::from_utf8(written).unwrap()
+}
+
+#[test]
+fn the_order_in_which_keys_and_effects_are_listed_changes_nothing() {
+    let head = "[body]\nmass = 1.0\nmoments = [1.0, 1.5, 2.0]\ncenter_of_mass = [0.1, 0.0, 0.1]\n";
+    let tail = "[run]\ntimes = [2.0, 0.5]\n[initial]\nomega = [0.0, 1.0, 5.0]\n";
+    let effects = ["gravity = 9.8", "pivot_friction = 0.05", "air_drag = 0.01"];
+    let run = |order: [usize; 3]| {
+        let listed: Vec<&str> = order.iter().map(|&i| effects[i]).collect();
+        let text = format!("{tail}{head}[effects]\n{}\n", listed.join("\n"));
+        written(&text, output::Format::Csv)
+    };
+    let first = run([0, 1, 2]);
+    for order in [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+        assert_eq!(run(order), first);
+    }
+}
+
+#[test]
+fn numbers_are_read_back_exactly() {
+    let path = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(path.path(), RACKET).unwrap();
+    let (table, _) = simulate(path.path()).unwrap();
+    let text = written(RACKET, output::Format::Csv);
+    let mut lines = text.lines();
+    assert_eq!(
+        lines.next(),
+        Some("t,qw,qx,qy,qz,omega1,omega2,omega3,energy")
+    );
+    for ((t, row), line) in table.rows().zip(lines) {
+        let read: Vec<f64> = line.split(',').map(|n| n.parse().unwrap()).collect();
+        assert_eq!((t, row.as_slice()), (read[0], &read[1..]));
+    }
+    let json = written(RACKET, output::Format::Json);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(json["plan"]["solver"], "exact");
+    assert_eq!(
+        json["rows"][10]["omega2"].as_f64(),
+        Some(table.row(10).1[5])
+    );
+    assert!(json["ledger"][0]["drift"].as_f64().unwrap() < 1e-15);
+}
+
+/// What is wrong, and what the one line must name.
+const WRONG: &[(&str, &str, &[&str])] = &[
+    (
+        "omega = [0.01, 1.0, 0.01]",
+        "omega = [0.01, 1.0]",
+        &["omega", "3 numbers", "got 2"],
+    ),
+    (
+        "omega = [0.01, 1.0, 0.01]",
+        "omega = [0.01, 1.0, inf]",
+        &["omega", "finite", "inf"],
+    ),
+    (
+        "omega = [0.01, 1.0, 0.01]",
+        "omega = \"fast\"",
+        &["omega", "rad/s", "string"],
+    ),
+    (
+        "omega = [0.01, 1.0, 0.01]",
+        "",
+        &["omega", "missing", "angular_momentum"],
+    ),
+    (
+        "omega =",
+        "angular_momentum = [1, 0, 0]\nomega =",
+        &["omega", "angular_momentum", "exclude"],
+    ),
+    (
+        "omega =",
+        "attitude = [1, 1, 0, 0]\nomega =",
+        &["attitude", "unit quaternion", "1.414"],
+    ),
+    (
+        "moments = [1.0, 2.0, 3.0]",
+        "moments = [1.0, 1.0, 3.0]",
+        &["moments", "I1 + I2 >= I3"],
+    ),
+    (
+        "moments = [1.0, 2.0, 3.0]",
+        "moments = [-1.0, 1.0, 1.0]",
+        &["moments", "negative", "-1"],
+    ),
+    ("moments", "mass = 0.0\nmoments", &["mass", "positive", "0"]),
+    (
+        "moments",
+        "colour = \"red\"\nmoments",
+        &["colour", "unknown", "moments"],
+    ),
+    (
+        "[effects]",
+        "[effects]\ngravity = true",
+        &["gravity", "m/s²", "boolean"],
+    ),
+    (
+        "[effects]",
+        "[effects]\npivot_friction = -1.0",
+        &["pivot_friction", "negative"],
+    ),
+    (
+        "[effects]",
+        "[effects]\ntip_friction = 1.0",
+        &["tip_friction", "I1 = I2"],
+    ),
+    ("[effects]", "[efects]", &["efects", "unknown", "effects"]),
+    (
+        "until = 10.0\nsamples = 11",
+        "times = []",
+        &["times", "1 to"],
+    ),
+    (
+        "until = 10.0\nsamples = 11",
+        "",
+        &["times", "until", "missing"],
+    ),
+    (
+        "samples = 11",
+        "samples = 1000000000",
+        &["samples", "whole number", "1000000000"],
+    ),
+    (
+        "samples = 11",
+        "samples = 11.5",
+        &["samples", "whole number", "11.5"],
+    ),
+    (
+        "samples = 11",
+        "times = [1.0]",
+        &["times", "until", "exclude"],
+    ),
+    (
+        "samples = 11",
+        "accuracy = 0.0",
+        &["accuracy", "from 1e-15 to 0.1"],
+    ),
+    (
+        "samples = 11",
+        "solver = \"magic\"",
+        &["solver", "exact", "dop853", "magic"],
+    ),
+    (
+        "title = \"A racket\"",
+        "kind = \"toop\"",
+        &["kind", "top", "toop"],
+    ),
+    (
+        "title = \"A racket\"",
+        "title = 7",
+        &["title", "quotes", "7"],
+    ),
+    ("[body]", "[body", &["3"]),
+    (
+        "[effects]",
+        "[effects]\ngravity = 9.81",
+        &["mass", "missing", "gravity"],
+    ),
+    (
+        "moments = [1.0, 2.0, 3.0]",
+        "moments = [0, 0, 0]",
+        &["moments", "zero"],
+    ),
+    ("until = 10.0", "until = 0", &["until", "not 0"]),
+];
+
+/// The same of the other kinds: a file of the book, what is wrong, and the key that the line names first.
+const WRONG_KEY: &[(&str, &str, &str, &str)] = &[
+    ("yo-yo", "axle = 0.005", "axle = 0.03", "axle"),
+    ("spool", "axle = 0.02", "axle = 0.06", "axle"),
+    ("spool", "mass = 0.2", "mass = -1", "mass"),
+    (
+        "spool",
+        "tug_angle = 0.5235987755982988",
+        "tug_angle = 4",
+        "tug_angle",
+    ),
+    ("spool", "tension = 0.3 ", "tension = 30.0 ", "tension"),
+    ("superball", "height = 0.3", "height = -1", "height"),
+    (
+        "superball",
+        "inertia_factor = 0.4",
+        "inertia_factor = 2",
+        "inertia_factor",
+    ),
+    ("billiard-shot", "gravity = 9.81", "gravity = 0", "gravity"),
+    ("billiard-shot", "mass = 0.17", "mass = 0", "mass"),
+    (
+        "billiard-shot",
+        "velocity = 2.0",
+        "velocity = -2.0",
+        "velocity",
+    ),
+    (
+        "billiard-shot",
+        "cue_height = 0.7",
+        "cue_height = 7",
+        "cue_height",
+    ),
+    (
+        "billiard-shot",
+        "friction = 0.2",
+        "friction = 0.2\nstatic_friction = 0.1",
+        "static_friction",
+    ),
+    (
+        "billiard-shot",
+        "friction = 0.2",
+        "friction = 0.2\nstatic_friction = -1",
+        "static_friction",
+    ),
+    (
+        "tippe-top",
+        "inertia = [2.99",
+        "inertia = [-2.99",
+        "inertia",
+    ),
+    ("tippe-top", "mass = 0.02", "mass = 0.0", "mass"),
+    (
+        "tippe-top",
+        "friction = 0.3",
+        "friction = 0.3\npivoting_resistance = -1",
+        "pivoting_resistance",
+    ),
+    ("cat", "forward = 1.0", "forward = 4.0", "forward"),
+    ("skater", "hand = 2.5", "hand = -2.5", "hand"),
+    (
+        "strip",
+        "areal_density = 0.08",
+        "areal_density = 0",
+        "areal_density",
+    ),
+    (
+        "strip",
+        "added_mass = 1.0",
+        "added_mass = -1.0",
+        "added_mass",
+    ),
+    ("superball", "until = 1.0", "until = 1e20", "times`, `until"),
+    ("strip", "until = 1.0", "until = -1.0", "times`, `until"),
+];
+
+#[test]
+fn a_wrong_number_is_refused_at_its_own_key() {
+    for (file, right, wrong, key) in WRONG_KEY {
+        let name = format!("scenes/{file}.toml");
+        let text = std::fs::read_to_string(&name).unwrap();
+        let changed = text.replacen(right, wrong, 1);
+        assert_ne!(text, changed, "{right}");
+        let error = prices::run(&name, &changed).unwrap_err();
+        assert_eq!(error.status(), 2, "{error}");
+        let told = error.to_string();
+        let (_, from) = told.split_once('`').unwrap();
+        assert!(
+            told.starts_with(&name) && from.starts_with(&format!("{key}`")),
+            "{told}"
+        );
+    }
+}
+
+/// Two keys of which a file has one.
+const INSTEAD: [(&str, &str, &str); 10] = [
+    ("top", "inertia", "moments"),
+    ("meteorite", "inertia", "moments"),
+    ("table-top", "moments", "inertia"),
+    ("roller", "rim_speed", "cue_height"),
+    ("roller", "cue_height", "rim_speed"),
+    ("top", "angular_momentum", "omega"),
+    ("table-top", "semi_axes", "radius"),
+    ("table-top", "vertical_spin", "axial_spin"),
+    ("yo-yo", "inertia", "radius"),
+    ("", "times", "until"),
+];
+
+/// A table by its path; some stand within [effects], such as the draw of a skater's arms.
+fn section_of<'t>(whole: &'t mut toml::Table, path: &str) -> &'t mut toml::Table {
+    path.split('.').fold(whole, |table, step| {
+        let empty = || toml::Value::Table(toml::Table::new());
+        let inner = table.entry(step).or_insert_with(empty);
+        inner.as_table_mut().unwrap()
+    })
+}
+
+/// A scene with all effects in which one number of a key is set to this, for each place if the key has a list.
+fn with_number(priced: &prices::Priced, asked: &KeyRow, number: &str) -> Vec<String> {
+    let mut table: toml::Table = priced.file(|_| true).parse().unwrap();
+    table["run"] = toml::Value::Table("until = 0.1\naccuracy = 1e-6".parse().unwrap());
+    let section = section_of(&mut table, &asked.section);
+    for (kind, key, other) in INSTEAD {
+        if [priced.kind, ""].contains(&kind) && key == asked.key && !section.contains_key(key) {
+            section.remove(other);
+        }
+    }
+    let listed = asked.expected.split("list of ").nth(1);
+    let length = listed.map(|rest| rest.split(' ').next().and_then(|n| n.parse().ok()));
+    let numbers: Vec<String> = match section.get(asked.key) {
+        Some(toml::Value::Array(list)) => list.iter().map(ToString::to_string).collect(),
+        _ => vec!["0.5".to_owned(); length.flatten().unwrap_or(1)],
+    };
+    let mut texts = Vec::new();
+    for place in 0..numbers.len() {
+        let mut numbers = numbers.clone();
+        number.clone_into(&mut numbers[place]);
+        let text = match length {
+            Some(_) => format!("x = [{}]", numbers.join(", ")),
+            None => format!("x = {number}"),
+        };
+        let value: toml::Table = text.parse().unwrap();
+        let mut whole = table.clone();
+        section_of(&mut whole, &asked.section).insert(asked.key.to_owned(), value["x"].clone());
+        texts.push(whole.to_string());
+    }
+    texts
+}
+
+/// Every key of every kind set to what a number can be at worst, one after the other: read, and where the motion is in closed form, followed.
+/// Steps through a motion of such sizes may take their time before they are refused.
+#[test]
+fn no_number_of_any_key_panics_or_goes_unnoticed() {
+    const NUMBERS: [&str; 7] = ["-1", "0", "1e308", "1e-308", "nan", "inf", "\"some\""];
+    const CLOSED: [&str; 5] = ["meteorite", "roller", "spool", "superball", "swivel"];
+    // What is told of follows from several numbers, each of them right by itself: moments and an angular velocity; a time and a duration.
+    const TOGETHER: [&str; 2] = [
+        "the angular momentum of a body that turns must not underflow",
+        "a path of shapes must be asked for no more than 100000 rounds",
+    ];
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for priced in PRICED {
+        for asked in [keys(priced.kind).unwrap(), shared_keys()].concat() {
+            // What stands at the top, and words.
+            let words = asked.expected.starts_with("one of") || asked.key == "columns";
+            if asked.section.is_empty() || words {
+                continue;
+            }
+            let cases = NUMBERS
+                .iter()
+                .flat_map(|number| with_number(priced, &asked, number));
+            for text in cases {
+                count += 1;
+                let outcome = std::panic::catch_unwind(|| {
+                    let (_, _) = parse("a.toml", &text)?;
+                    if CLOSED.contains(&priced.kind) {
+                        return prices::run("a.toml", &text).map(|table| table.rows().collect());
+                    }
+                    Ok(Vec::new())
+                });
+                let told = match outcome {
+                    Err(_) => "panics".to_owned(),
+                    Ok(Ok(rows))
+                        if rows
+                            .iter()
+                            .all(|(_, row)| row.iter().all(|x| x.is_finite())) =>
+                    {
+                        continue;
+                    }
+                    Ok(Ok(_)) => "is not finite".to_owned(),
+                    Ok(Err(error)) => {
+                        let (told, key) = (error.to_string(), format!("`{}`", asked.key));
+                        let named = error.status() == 1 || told.contains(&key);
+                        if told.starts_with("a.toml:")
+                            && (named || TOGETHER.iter().any(|of| told.contains(of)))
+                        {
+                            continue;
+                        }
+                        told
+                    }
+                };
+                wrong.push(format!("{text}{} {told}", asked.key));
+            }
+        }
+    }
+    assert!(count > 1000, "{count}");
+    assert!(
+        wrong.is_empty(),
+        "{} of {count}:\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
+}
+
+#[test]
+fn what_is_wrong_is_refused_in_one_line_that_names_it() {
+    assert!(parse("racket.toml", RACKET).is_ok());
+    for (right, wrong, named) in WRONG {
+        let text = RACKET.replacen(right, wrong, 1);
+        assert_ne!(text, RACKET, "{right}");
+        let error = parse("racket.toml", &text).unwrap_err();
+        assert_eq!(error.status(), 2, "{error}");
+        let told = error.to_string();
+        assert!(told.starts_with("racket.toml"), "{told}");
+        assert_eq!(told.lines().count(), 1, "{told}");
+        for name in *named {
+            assert!(told.contains(name), "{told} does not name {name}");
+        }
+    }
+}
+
+/// Kinds whose motions are known from event to event: no equations to be followed.
+const KNOWN: [&str; 5] = ["meteorite", "roller", "spool", "superball", "crawler"];
+
+#[test]
+fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
+    const FEW: u64 = 100;
+    let ends = |name: &str, text: &str| {
+        let (scene, request) = parse(name, text).unwrap();
+        let progress = Progress::default();
+        let told = match press::scenes::run(name, &scene, &request.within(FEW).watched(&progress)) {
+            Ok(table) => panic!("{name}: {table:?}"),
+            Err(error) => {
+                assert_eq!(error.status(), 1, "{error}");
+                error.to_string()
+            }
+        };
+        assert!(told.contains(&format!("after {FEW} evaluations")), "{told}");
+        let time = told
+            .split("t = ")
+            .nth(1)
+            .unwrap()
+            .split(' ')
+            .next()
+            .unwrap();
+        let time: f64 = time.parse().unwrap();
+        assert!((0.0..1.0).contains(&time), "{told}");
+        assert_eq!((progress.time(), progress.until()), (time, 1.0), "{name}");
+        assert_eq!(progress.most(), FEW);
+        assert!(progress.evaluations() > FEW, "{name}");
+    };
+    for priced in PRICED {
+        let text = priced.file(|_| true);
+        if KNOWN.contains(&priced.kind) {
+            let (scene, request) = parse(priced.kind, &text).unwrap();
+            assert!(press::scenes::run(priced.kind, &scene, &request.within(FEW)).is_ok());
+        } else {
+            ends(priced.kind, &text);
+        }
+    }
+    // The other engines: closed forms row by row, steps of one length, and of another method's choice.
+    let heavy = PRICED[0].file(|effect| effect == 0);
+    for (lines, solver) in [
+        ("samples = 301", "exact"),
+        ("samples = 11", "kick-drift-2"),
+        ("samples = 11", "rk4"),
+        ("samples = 11", "dopri5"),
+        ("samples = 11", "dormand-prince-8"),
+    ] {
+        let lines = format!("{lines}\nsolver = \"{solver}\"");
+        ends(solver, &heavy.replace("samples = 11", &lines));
+    }
+}
+
+#[test]
+fn every_solver_is_found_by_its_name() {
+    let all: Vec<Solver> = Solver::all().collect();
+    for solver in &all {
+        assert_eq!(solver.name().parse(), Ok(*solver));
+        let text = RACKET.replace(
+            "samples = 11",
+            &format!("samples = 11\nsolver = \"{solver}\""),
+        );
+        assert!(parse("racket.toml", &text).is_ok(), "{solver}");
+    }
+    let names: std::collections::BTreeSet<&str> = all.iter().map(|solver| solver.name()).collect();
+    assert_eq!(names.len(), all.len());
+    for method in Method::ALL {
+        assert!(all.contains(&Solver::General(method)), "{}", method.name());
+    }
+    for method in Geometric::ALL {
+        assert!(
+            all.contains(&Solver::Geometric(method)),
+            "{}",
+            method.name()
+        );
+    }
+}
+
+/// Every scene but the free body's refuses a method for free bodies: it names the key, and no number stands where there is none to tell.
+#[test]
+fn a_solver_that_cannot_run_a_scene_is_refused_by_its_key() {
+    let scratch = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    for entry in Path::new("scenes").read_dir().unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap();
+        if name == "racket.toml" {
+            continue;
+        }
+        let scene = std::fs::read_to_string(&path).unwrap();
+        let asked = scene.replace("[run]", "[run]\nsolver = \"moser-veselov-4\"");
+        let file = scratch.path().join(name);
+        std::fs::write(&file, asked).unwrap();
+        let error = simulate(&file).unwrap_err();
+        let told = error.to_string();
+        assert_eq!(error.status(), 2, "{told}");
+        assert!(told.contains("key `solver` in [run]: "), "{told}");
+        assert!(!told.contains("NaN") && !told.contains("got"), "{told}");
+    }
+}
+
+#[test]
+fn a_slip_of_the_pen_is_answered_with_what_was_meant() {
+    let told = |text: &str| parse("mine.toml", text).unwrap_err().to_string();
+    let line = told(&RACKET.replace("moments", "momnts"));
+    assert!(
+        line.starts_with("mine.toml:4: key `momnts` in [body] is unknown"),
+        "{line}"
+    );
+    assert!(line.ends_with("did you mean `moments`?"), "{line}");
+    let line = told(&RACKET.replace("[effects]", "[effects]\ngravitty = 9.81"));
+    assert!(line.ends_with("did you mean `gravity`?"), "{line}");
+    let line = told(&format!("kind = \"tippetop\"{RACKET}"));
+    assert!(line.ends_with("did you mean `table-top`?"), "{line}");
+    // What resembles nothing is not guessed at.
+    let line = told(&RACKET.replace("[effects]", "[effects]\nzzz = 1"));
+    assert!(!line.contains("did you mean"), "{line}");
+}

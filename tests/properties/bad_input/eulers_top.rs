@@ -1,0 +1,68 @@
+//! Euler's top.
+
+use super::*;
+
+#[test]
+fn at_rest_it_stays() -> Result<()> {
+    for zero in [ZERO, [-0.0; 3]] {
+        for moments in [[1.0, 2.0, 2.5], [1.0; 3], ZERO, [0.0, 1.0, 1.0]] {
+            let top = EulerTop::new(moments, vector(zero), level())?;
+            let state = top.at(1e18)?;
+            assert_eq!(state.omega.norm(), 0.0);
+            assert_eq!(state.attitude, level());
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn what_is_no_body_is_named() {
+    let refused = |i: [f64; 3], l: [f64; 3]| {
+        EulerTop::new(i, vector(l), level()).expect_err("no body, or no start")
+    };
+    assert!(matches!(refused(ZERO, [1.0; 3]), Error::Condition { .. }));
+    assert!(matches!(
+        refused([0.0, 1.0, 1.0], [1.0; 3]),
+        Error::Condition { .. }
+    ));
+    assert!(matches!(
+        refused([1.0, 2.0, -2.0], [1.0; 3]),
+        Error::Negative { .. }
+    ));
+    // A needle whose own spin is too slow for any double.
+    let (needle, slow) = ([1e-300, 1e-150, 1e-150], vector([7.7e-128, 2.2e-308, 0.0]));
+    assert!(matches!(
+        EulerTop::from_omega(needle, slow, level()),
+        Err(Error::Condition { value: 0.0, .. })
+    ));
+    for bad in BAD {
+        for k in 0..3 {
+            let (mut i, mut l) = ([1.0, 2.0, 2.5], [1.0; 3]);
+            i[k] = bad;
+            assert!(matches!(refused(i, l), Error::NotFinite { .. }));
+            l[k] = bad;
+            assert!(matches!(
+                refused([1.0, 2.0, 2.5], l),
+                Error::NotFinite { .. }
+            ));
+        }
+    }
+}
+
+#[test]
+fn long_times() -> Result<()> {
+    let top = EulerTop::new([1.0, 2.0, 2.5], vector([0.3, 0.8, 0.4]), level())?;
+    for t in BAD {
+        assert!(matches!(top.at(t), Err(Error::NotFinite { .. })));
+    }
+    assert!(matches!(top.at(f64::MAX), Err(Error::OutOfRange { .. })));
+    match top.at(1e18) {
+        Ok(state) => assert!(state.omega.is_finite()),
+        Err(error) => assert!(matches!(error, Error::OutOfRange { .. })),
+    }
+    assert_eq!(
+        EulerTop::new([1.0; 3], vector(ZERO), level())?.regime(),
+        Regime::AtRest
+    );
+    Ok(())
+}

@@ -1,0 +1,139 @@
+//! Kovalevskaya's top.
+
+use super::*;
+
+const MOMENTS: [f64; 3] = [2.0, 2.0, 1.0];
+
+fn made(lever: [f64; 3], omega: [f64; 3], up: [f64; 3]) -> Result<KovalevskayaTop> {
+    KovalevskayaTop::with_up(MOMENTS, vector(lever), vector(omega), vector(up))
+}
+
+#[test]
+fn other_moments_are_another_top() {
+    let with = |moments: [f64; 3]| {
+        KovalevskayaTop::new(
+            moments,
+            vector([1.0, 0.0, 0.0]),
+            vector([1.0, 0.5, 0.3]),
+            level(),
+        )
+    };
+    for moments in [
+        [1.9, 1.9, 1.0],
+        [2.0, 1.0, 1.0],
+        [2.0, 2.1, 1.0],
+        [2.0, 2.0, 2.0],
+        [1.0, 2.0, 2.0],
+    ] {
+        assert!(matches!(with(moments), Err(Error::Condition { .. })));
+    }
+    for k in 0..3 {
+        let mut moments = MOMENTS;
+        for zero in [0.0, -0.0, -1.0] {
+            moments[k] = zero;
+            assert!(matches!(with(moments), Err(Error::NotPositive { .. })));
+        }
+        for bad in BAD {
+            moments[k] = bad;
+            assert!(matches!(with(moments), Err(Error::NotFinite { .. })));
+        }
+    }
+    for size in [1e300, 1e-300, f64::MIN_POSITIVE] {
+        let rescaled = with(MOMENTS.map(|i| i * size));
+        match rescaled {
+            Ok(top) => assert!(top.at(0.0).is_ok_and(|s| s.omega.is_finite())),
+            Err(error) => assert!(matches!(
+                error,
+                Error::NotFinite { .. } | Error::OutOfRange { .. }
+            )),
+        }
+    }
+}
+
+#[test]
+fn levers_off_the_plane_or_none() -> Result<()> {
+    let (omega, up) = ([1.0, 0.5, 0.3], [0.6, 0.0, 0.8]);
+    for off in [0.1, -1e-300, 5e-324] {
+        assert!(matches!(
+            made([1.0, 0.0, off], omega, up),
+            Err(Error::Condition { .. })
+        ));
+    }
+    for zero in [0.0, -0.0] {
+        let top = made([zero; 3], omega, up)?;
+        assert_eq!(
+            (top.kind(), top.method()),
+            (Kind::EulerSymmetric, Method::FreeTop)
+        );
+        assert!(top.at(1e12)?.omega.is_finite());
+        assert!(made([1.0, zero, zero], omega, up).is_ok());
+    }
+    // Gravity upwards, or C on the other side: the same top turned by half a turn.
+    let (plain, turned) = (
+        made([1.0, 0.0, 0.0], omega, up)?,
+        made([-1.0, 0.0, 0.0], [-1.0, -0.5, 0.3], [-0.6, 0.0, 0.8])?,
+    );
+    for t in [0.0, 3.0, 50.0] {
+        let (a, b) = (plain.omega_and_up(t)?, turned.omega_and_up(t)?);
+        assert!((a.omega.x() + b.omega.x()).abs() < 1e-12);
+        assert!((a.up.z() - b.up.z()).abs() < 1e-12);
+    }
+    Ok(())
+}
+
+#[test]
+fn at_rest_on_the_way_up_and_down() -> Result<()> {
+    for zero in [ZERO, [-0.0; 3]] {
+        for (up, stays) in [
+            ([1.0, 0.0, 0.0], true),
+            ([-1.0, 0.0, 0.0], true),
+            ([0.0, 1.0, 0.0], false),
+            ([0.0, 0.0, 1.0], false),
+            ([0.0, 0.0, -1.0], false),
+        ] {
+            let top = made([1.0, 0.0, 0.0], zero, up)?;
+            let state = top.at(3.0)?;
+            assert_eq!(state.omega.norm() < 1e-14, stays, "{up:?}: {state:?}");
+        }
+        let still = made(ZERO, zero, [0.0, 0.6, 0.8])?;
+        assert_eq!(still.at(1e18)?.omega.norm(), 0.0);
+    }
+    Ok(())
+}
+
+#[test]
+fn no_number_and_no_vertical() -> Result<()> {
+    let (lever, omega, up) = ([1.0, 0.0, 0.0], [1.0, 0.5, 0.3], [0.6, 0.0, 0.8]);
+    for bad in BAD {
+        for k in 0..3 {
+            let put = |mut x: [f64; 3]| {
+                x[k] = bad;
+                x
+            };
+            for top in [
+                made(put(lever), omega, up),
+                made(lever, put(omega), up),
+                made(lever, omega, put(up)),
+            ] {
+                assert!(matches!(top, Err(Error::NotFinite { .. })));
+            }
+        }
+        let top = made(lever, omega, up)?;
+        assert!(matches!(top.at(bad), Err(Error::NotFinite { .. })));
+        assert!(matches!(
+            top.omega_and_up(bad),
+            Err(Error::NotFinite { .. })
+        ));
+        assert!(top.phases_at(bad).is_err());
+    }
+    assert!(matches!(
+        made(lever, omega, ZERO),
+        Err(Error::ZeroVector { .. })
+    ));
+    let top = made(lever, omega, up)?;
+    for t in [1e18, f64::MAX] {
+        assert!(matches!(top.omega_and_up(t), Err(Error::OutOfRange { .. })));
+        assert!(matches!(top.at(t), Err(Error::OutOfRange { .. })));
+    }
+    Ok(())
+}

@@ -1,9 +1,0 @@
-//! Section 5: Euler's equations with torque, about any point, in both kinds of axes; the tops with a further integral;
-//! the ideal fluid as a top. The two directions of the transport theorem are tested in `frame.rs`.
-
-mod common;
-mod fluid;
-mod further_integrals;
-mod momentum_sphere;
-mod motions;
-mod refusals;

@@ -1,0 +1,391 @@
+//! The attitude: rebuilt from the polhode (6.2), after one period (6.6), and by theta functions (6.8).
+
+use super::common::{
+    at, derivative, difference, euler, example, mean, norm, omega, random_start, step, tilted,
+};
+use nalgebra::Quaternion;
+use spinning_bodies::elliptic::{
+    Characteristic, Modulus, Parameter, complete_first, complete_third, incomplete_first,
+};
+use spinning_bodies::euler_top::{EulerTop, Regime};
+use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use support::free_top::Flight;
+use support::inertia::gauss;
+use support::{Uniform, observed, relative, vector, within, wrapped};
+
+const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
+
+fn components(q: &Attitude) -> [f64; 4] {
+    let q = q.quaternion();
+    [q.w, q.i, q.j, q.k]
+}
+
+// claim: C6.1-1
+#[test]
+fn s6_1_the_attitude_turns_with_omega() {
+    // q' = ½ q Ω, by differences of the exact motion.
+    let mut numbers = Uniform(611);
+    for _ in 0..60 {
+        let (moments, omega0) = random_start(&mut numbers);
+        let start = numbers.attitude();
+        let top = EulerTop::from_omega(moments, vector(omega0), start).unwrap();
+        observed!(at(&top, 0.0).attitude.angle_to(&start), 1e-16..=2e-15); // observed 3.7e-16
+        let size = vector(omega0).norm();
+        let h = step(&top);
+        for n in (-24..24).step_by(7) {
+            let t = f64::from(n) * h;
+            let q = at(&top, t).attitude.quaternion().into_inner();
+            // The sign of a quaternion is a matter of taste: keep that of the middle.
+            let along = |t: f64| {
+                let other = at(&top, t).attitude;
+                let sign = if other.quaternion().coords.dot(&q.coords) < 0.0 {
+                    -1.0
+                } else {
+                    1.0
+                };
+                components(&other).map(|c| sign * c)
+            };
+            let rate = derivative(along, n, h);
+            let [x, y, z] = omega(&top, t);
+            let expected = q * Quaternion::new(0.0, x, y, z) * 0.5;
+            let expected = [expected.w, expected.i, expected.j, expected.k];
+            observed!(norm(difference(rate, expected)) / size, 2e-15..=2e-14); // observed 6.5e-15
+        }
+    }
+}
+
+/// The azimuth of a vector about L, seen from its tip; zero where `from` points.
+fn azimuth(vector: SpaceVector, from: SpaceVector, l: SpaceVector) -> f64 {
+    let (v, f, n) = (
+        vector.components(),
+        from.components(),
+        l.components() / l.norm(),
+    );
+    let side = n.cross(&f);
+    side.dot(&v).atan2((f - n * n.dot(&f)).dot(&v))
+}
+
+// claim: C6.2-8
+#[test]
+fn s6_2_motion_rebuilt_from_the_polhode() {
+    let top = example();
+    let size = 14f64.sqrt();
+    // Ω alone, with its pace, gives the azimuth of x₃ about L: Gauss's rule on 16 pieces.
+    let rate = |t: f64| {
+        let [o1, o2, _] = omega(&top, t);
+        size * (o1 * o1 + 2.0 * o2 * o2) / (o1 * o1 + 4.0 * o2 * o2)
+    };
+    let turned: f64 = (0..16)
+        .flat_map(|n| {
+            gauss()
+                .into_iter()
+                .map(move |(x, w)| ((f64::from(n) + 0.5 + 0.5 * x) / 16.0, w / 32.0))
+        })
+        .map(|(t, w)| w * rate(t))
+        .sum();
+    observed!(relative(turned, 2.736_033_504_273_013), 0.0..=1e-13);
+    // The same in the exact attitude and in the integrated one.
+    let x3 = vector([0.0, 0.0, 1.0]);
+    let l = top.angular_momentum_in_space();
+    let before = at(&top, 0.0).attitude.to_space(x3);
+    let flight = Flight::from_omega(MOMENTS, omega(&top, 0.0)).fly(1.0);
+    for attitude in [at(&top, 1.0).attitude, flight.attitude()] {
+        let now = attitude.to_space(x3);
+        observed!(
+            (azimuth(now, before, l) - 2.736_033_504_273_013).abs(),
+            0.0..=4.5e-16
+        ); // observed none
+        // And the angle between x₃ and L from I₃Ω₃/|L|.
+        observed!(
+            (now.dot(&l) / size - 3.0 * omega(&top, 1.0)[2] / size).abs(),
+            0.0..=4.5e-16
+        ); // observed none
+    }
+    // The condition: the curve without its pace is not enough. Along the same curve at constant parameter speed
+    // the azimuth comes out differently.
+    let picture =
+        spinning_bodies::euler_top::Poinsot::new(MOMENTS, at(&top, 0.0).angular_momentum).unwrap();
+    let end = spinning_bodies::euler_top::Poinsot::new(MOMENTS, at(&top, 1.0).angular_momentum)
+        .unwrap()
+        .start();
+    let wrong: f64 = (0..64)
+        .map(|n| {
+            let o = picture.polhode(end * (f64::from(n) + 0.5) / 64.0);
+            size * (o.x().powi(2) + 2.0 * o.y().powi(2))
+                / (o.x().powi(2) + 4.0 * o.y().powi(2))
+                / 64.0
+        })
+        .sum();
+    assert!((wrong - turned).abs() > 0.01, "{wrong}");
+}
+
+/// By how much the body turns about L in a period: ∫|L|(2E − L_kΩ_k)/(L² − L_k²) dt over one period, by equal ordinates; k the axis
+/// that the polhode goes round.
+fn turn_by_quadrature(top: &EulerTop, k: usize) -> f64 {
+    let l = at(top, 0.0).angular_momentum;
+    let (size, twice_energy) = (l.norm(), 2.0 * top.energy());
+    let period = top.period();
+    period
+        * mean(600, |s| {
+            let state = at(top, s * period);
+            let (lk, ok) = (
+                state.angular_momentum.components()[k],
+                state.omega.components()[k],
+            );
+            let square: f64 = (0..3)
+                .filter(|j| *j != k)
+                .map(|j| state.angular_momentum.components()[j].powi(2))
+                .sum();
+            size * (twice_energy - lk * ok) / square
+        })
+}
+
+/// The solid angle swept by L in the body: ∮ (1 − cos θ) dφ about axis k, positive if right-handed about L.
+fn solid_angle(top: &EulerTop, k: usize) -> f64 {
+    let i = top.moments();
+    let l = at(top, 0.0).angular_momentum;
+    let size = l.norm();
+    let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+    let side = l.components()[k].signum();
+    let period = top.period();
+    period
+        * mean(600, |s| {
+            let o = omega(top, s * period);
+            let rate = euler(i, o);
+            let square = (i[a] * o[a]).powi(2) + (i[b] * o[b]).powi(2);
+            let turning = i[a] * i[b] * (o[a] * rate[b] - o[b] * rate[a]) / square;
+            // 1 − cos θ = sin²θ/(1 + cos θ).
+            let cosine = (i[k] * o[k]).abs() / size;
+            side * turning * square / (size * size) / (1.0 + cosine)
+        })
+}
+
+// claim: C6.6-14
+#[test]
+fn s6_6_turn_after_one_period() {
+    // By the register, to twenty digits; the second top in the other sector.
+    for (top, k, expected) in [
+        (example(), 2, 15.580_047_713_328_212_112_5),
+        (
+            tilted(MOMENTS, [2.0, 0.0, 1.0]),
+            0,
+            11.754_983_226_935_397_075_1,
+        ),
+    ] {
+        let turn = top.mean_precession_rate() * top.period();
+        observed!(relative(turn, expected), 0.0..=4.5e-16);
+        observed!(
+            relative(turn_by_quadrature(&top, k), expected),
+            2e-16..=1e-14
+        );
+    }
+    // The complete integral of the third kind: 2E = 6, L² = 14, P₁² = 2, P₂² = 8, rate 2/√3, n = 1 − P₂²/P₁² = −3.
+    let half = Parameter::from_parameter(0.5).unwrap();
+    let third = complete_third(Characteristic::from_characteristic(-3.0).unwrap(), half).unwrap();
+    let size = 14f64.sqrt();
+    let closed = size
+        * (example().period() / 3.0 + (6.0 - 14.0 / 3.0) / 2.0 * 4.0 * third * 3f64.sqrt() / 2.0);
+    observed!(relative(closed, 15.580_047_713_328_212_112_5), 0.0..=1e-15);
+    // Montgomery: 2ET/|L| less the solid angle, any body, either sector, unsorted axes; against the integrated attitude.
+    let mut numbers = Uniform(6614);
+    let mut starts = vec![
+        (MOMENTS, [0.4, 0.3, 1.0]),
+        (MOMENTS, [2.0, 0.0, 1.0]),
+        (MOMENTS, [-2.0, 0.3, -1.0]),
+    ];
+    starts.extend((0..24).map(|_| random_start(&mut numbers)));
+    for (moments, omega0) in starts {
+        let top = tilted(moments, omega0);
+        let mut order = [0, 1, 2];
+        order.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
+        let k = if top.regime() == Regime::AroundLargest {
+            order[2]
+        } else {
+            order[0]
+        };
+        let phase = top.geometric_phase().unwrap();
+        let l = top.angular_momentum_in_space();
+        let dynamical = 2.0 * top.energy() * top.period() / l.norm();
+        observed!(relative(phase.dynamical, dynamical), 0.0..=1e-15);
+        let swept = solid_angle(&top, k);
+        observed!((phase.geometric + swept).abs(), 1e-15..=3e-14); // observed 8e-15
+        let truth = Flight::from_omega(moments, omega0)
+            .fly(top.period())
+            .attitude();
+        // The turn that brings the body from its first attitude to this one is about L.
+        let q = truth.quaternion();
+        let along = q.imag().dot(&l.components()) / l.norm();
+        let turn = 2.0 * along.atan2(q.w);
+        observed!(
+            (q.imag() - l.components() / l.norm() * along).norm(),
+            1e-16..=2e-15
+        ); // observed 3.6e-16
+        let together = phase.dynamical + phase.geometric;
+        within(wrapped(together - turn).abs(), 4e-15 + 4e-16 * dynamical);
+        // With the whole turns: the mean precession, which counts those of the axis that L goes round.
+        let counted = top.mean_precession_rate() * top.period();
+        within(wrapped(counted - together).abs(), 4e-15 + 4e-16 * dynamical);
+        observed!(
+            (turn_by_quadrature(&top, k) / counted - 1.0).abs(),
+            4e-16..=2e-14
+        ); // observed 1.2e-13
+        // No small number of periods brings the body home.
+        for n in 1..30 {
+            assert!(wrapped(f64::from(n) * turn).abs() > 1e-6);
+        }
+    }
+    let default = tilted(MOMENTS, [0.4, 0.3, 1.0]);
+    let phase = default.geometric_phase().unwrap();
+    observed!((default.period() - 6.322_269_327_7).abs(), 6e-12..=1e-10);
+    observed!((phase.dynamical - 6.843_857_927_6).abs(), 9e-12..=1e-10);
+    observed!((phase.geometric + 0.167_818_620_1).abs(), 1e-11..=1e-10);
+    observed!(
+        (wrapped(phase.dynamical + phase.geometric) - 0.392_854_000_3).abs(),
+        1e-11..=1e-10
+    );
+}
+
+/// Jacobi's four theta functions of a complex argument x + iy, by their series.
+fn theta(kind: u32, nome: f64, (x, y): (f64, f64)) -> (f64, f64) {
+    let mut total = if kind > 2 { (1.0, 0.0) } else { (0.0, 0.0) };
+    for n in 0..12 {
+        let (power, multiple) = if kind > 2 {
+            (f64::from((n + 1) * (n + 1)), f64::from(2 * n + 2))
+        } else {
+            ((f64::from(n) + 0.5).powi(2), f64::from(2 * n + 1))
+        };
+        let sign = match kind {
+            1 if n % 2 == 1 => -1.0,
+            4 if n % 2 == 0 => -1.0,
+            _ => 1.0,
+        };
+        let (sine, cosine) = (multiple * x).sin_cos();
+        let (sinh, cosh) = ((multiple * y).sinh(), (multiple * y).cosh());
+        let wave = if kind == 1 {
+            (sine * cosh, cosine * sinh)
+        } else {
+            (cosine * cosh, -sine * sinh)
+        };
+        let factor = 2.0 * sign * nome.powf(power);
+        total = (total.0 + factor * wave.0, total.1 + factor * wave.1);
+    }
+    total
+}
+
+fn real_theta(kind: u32, nome: f64, x: f64) -> f64 {
+    theta(kind, nome, (x, 0.0)).0
+}
+
+/// sn, cn, dn as quotients of theta functions.
+fn jacobi_by_theta(nome: f64, u: f64) -> [f64; 3] {
+    let [t2, t3, t4] = [2, 3, 4].map(|kind| real_theta(kind, nome, 0.0));
+    let z = u / (t3 * t3);
+    let denominator = real_theta(4, nome, z);
+    [
+        t3 / t2 * real_theta(1, nome, z) / denominator,
+        t4 / t2 * real_theta(2, nome, z) / denominator,
+        t4 / t3 * real_theta(3, nome, z) / denominator,
+    ]
+}
+
+// claim: C6.8-1
+#[test]
+fn s6_8_theta_functions() {
+    // m = 1/2 has the nome e^{−π}.
+    let nome = (-PI).exp();
+    let modulus = Modulus::new(Parameter::from_parameter(0.5).unwrap());
+    let quarter = FRAC_PI_2 * real_theta(3, nome, 0.0).powi(2);
+    observed!(
+        relative(quarter, 1.854_074_677_301_371_918_4),
+        1e-16..=4.5e-16
+    );
+    observed!(
+        relative(modulus.quarter_period(), 1.854_074_677_301_371_918_4),
+        0.0..=2.3e-16
+    );
+    let expected = [
+        0.803_001_824_895_643_887_6,
+        0.595_976_567_672_140_674_0,
+        0.823_161_001_631_596_269_4,
+    ];
+    let jacobi = modulus.jacobi(1.0).unwrap();
+    observed!(
+        norm(difference([jacobi.sn, jacobi.cn, jacobi.dn], expected)),
+        0.0..=4.5e-16
+    ); // observed none
+    observed!(
+        norm(difference(jacobi_by_theta(nome, 1.0), expected)),
+        2e-16..=2e-15
+    ); // observed 5e-16
+    for k in -20..20 {
+        let u = 0.31 * f64::from(k);
+        let jacobi = modulus.jacobi(u).unwrap();
+        observed!(
+            norm(difference(
+                [jacobi.sn, jacobi.cn, jacobi.dn],
+                jacobi_by_theta(nome, u),
+            )),
+            6e-16..=6e-15
+        ); // observed 1.9e-15
+    }
+    // The whole motion, attitude and all, by theta series: I = (1, 2, 3), 2E = 6, L² = 14.
+    let (size, rate) = (14f64.sqrt(), 2.0 / 3f64.sqrt());
+    let amplitudes = [2f64.sqrt(), 2.0 * 2f64.sqrt(), 2.0 * 3f64.sqrt()];
+    // L/|L| at sn = 0 stands at the height am η for the complementary modulus, here the same 1/2.
+    let half = Parameter::from_parameter(0.5).unwrap();
+    let eta = incomplete_first((amplitudes[2] / size).asin(), half).unwrap();
+    let w = PI * eta / (2.0 * complete_first(half).unwrap());
+    let sum: f64 = (1..8)
+        .map(|n| {
+            let n = f64::from(n);
+            4.0 * n * nome.powf(n * n) * (2.0 * n * w).sinh()
+        })
+        .sum();
+    let excess = FRAC_PI_2 / quarter * sum / theta(3, nome, (0.0, w)).0;
+    let nu = size / 2.0 + rate * excess;
+    let turned = |t: f64| {
+        let u = rate * t;
+        let [sn, cn, dn] = jacobi_by_theta(nome, u);
+        let z = theta(4, nome, (FRAC_PI_2 / quarter * u, w));
+        let l = [amplitudes[0] * cn, amplitudes[1] * sn, amplitudes[2] * dn];
+        let psi = nu * t + z.1.atan2(z.0) - l[1].atan2(l[0]);
+        // The shortest turn that carries L onto x₃, and then ψ about it.
+        let upright = Quaternion::new(l[2] + size, l[1], -l[0], 0.0);
+        let about = Quaternion::new((psi / 2.0).cos(), 0.0, 0.0, (psi / 2.0).sin());
+        (about * upright).normalize()
+    };
+    let top = example();
+    let mut flight = Flight::from_omega(MOMENTS, omega(&top, 0.0));
+    for step in 0..40 {
+        let t = 0.25 * f64::from(step);
+        let q = turned(0.0).conjugate() * turned(t);
+        let series = Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap();
+        let truth = if step == 0 { flight } else { flight.fly(0.25) };
+        observed!(series.angle_to(&truth.attitude()), 2e-15..=3e-14); // observed 6.7e-15
+        observed!(
+            at(&top, t).attitude.angle_to(&truth.attitude()),
+            2e-16..=2e-15
+        ); // observed 5.1e-16
+    }
+    // Tori: Ω and attitude run with two frequencies, 2π/T and the mean precession; strip both off and what is left comes
+    // back with every period.
+    let left = |t: f64| {
+        let back = Attitude::about_axis(
+            BodyVector::from_components(top.angular_momentum_in_space().components()),
+            -top.mean_precession_rate() * t,
+        )
+        .unwrap();
+        back.to_space(BodyVector::from_components(
+            at(&top, t)
+                .attitude
+                .to_space(vector([0.6, 0.0, 0.8]))
+                .components(),
+        ))
+    };
+    for n in 1..6 {
+        let later = 1.1 + f64::from(n) * top.period();
+        observed!((left(later) - left(1.1)).norm(), 6e-16..=6e-15); // observed 1.7e-15
+        assert!(TAU * f64::from(n) > 6.0);
+    }
+}

@@ -1,0 +1,144 @@
+//! Many states at once (6.6, 6.8): those of one call at a time to the last bit, in whatever order and however many. That they are right, the
+//! table of 32 digits says in `tests/hard_cases/free_top.rs`.
+
+use rayon::prelude::*;
+use spinning_bodies::Error;
+use spinning_bodies::euler_top::{Ensemble, EulerTop, Regime, State};
+use spinning_bodies::frame::BodyVector;
+use support::{Uniform, vector};
+
+use super::common::random_start;
+
+/// One body of each kind, and one whose axes are numbered the other way round.
+fn tops() -> Vec<EulerTop> {
+    let mut numbers = Uniform(66);
+    let kinds = [
+        ([0.6, 0.8, 1.0], [1.8, 0.4, -0.9], Regime::AroundSmallest),
+        ([0.8, 1.0, 0.6], [-0.4, 0.9, -0.3], Regime::AroundLargest),
+        ([1.0, 3.0, 2.0], [1e-3, 3e-3, -2.0], Regime::AroundLargest),
+        ([1.5, 3.0, 4.0], [1.0, 0.5, 2.0], Regime::Separatrix),
+        ([1.0, 1.0, 1.5], [0.3, 0.4, 2.0], Regime::Symmetric),
+        ([1.0, 1.0, 1.0], [0.3, 0.4, 2.0], Regime::Sphere),
+        ([0.0, 1.0, 1.0], [0.0, 0.4, 2.0], Regime::Rod),
+        ([1.0, 2.0, 3.0], [0.0, 2.0, 0.0], Regime::PermanentRotation),
+        ([1.0, 2.0, 3.0], [0.0, 0.0, 0.0], Regime::AtRest),
+        // In ratios of 10²⁰⁰.
+        (
+            [1.0, 2.0, 3.0],
+            [1e-200, 1e-200, 2.0],
+            Regime::AroundLargest,
+        ),
+    ];
+    kinds
+        .into_iter()
+        .map(|(moments, l, regime)| {
+            let top = EulerTop::new(moments, vector(l), numbers.attitude()).unwrap();
+            assert_eq!(top.regime(), regime);
+            top
+        })
+        .collect()
+}
+
+#[test]
+fn s6_6_many_times_at_once() {
+    for top in tops() {
+        for count in [0, 1, 31, 32, 33, 100] {
+            let times: Vec<f64> = (0..count).map(|k| 7.3 * f64::from(k) - 50.0).collect();
+            let mut states = vec![State::default(); times.len()];
+            top.states_at(&times, &mut states).unwrap();
+            for (t, state) in times.iter().zip(&states) {
+                assert_eq!(top.at(*t).unwrap(), *state);
+            }
+        }
+    }
+}
+
+#[test]
+fn s6_6_times_near_and_far_in_one_batch() {
+    // Some of them beyond what goes side by side.
+    for top in tops() {
+        let times: Vec<f64> = (0..40)
+            .map(|k| {
+                if k % 5 == 0 {
+                    1e9 + f64::from(k)
+                } else {
+                    f64::from(k)
+                }
+            })
+            .collect();
+        let mut states = vec![State::default(); times.len()];
+        top.states_at(&times, &mut states).unwrap();
+        for (t, state) in times.iter().zip(&states) {
+            assert_eq!(top.at(*t).unwrap(), *state);
+        }
+    }
+}
+
+#[test]
+fn s6_6_many_bodies_at_once() {
+    let mut numbers = Uniform(67);
+    let mut bodies = tops();
+    for _ in 0..200 {
+        let (moments, omega) = random_start(&mut numbers);
+        bodies.push(EulerTop::from_omega(moments, vector(omega), numbers.attitude()).unwrap());
+    }
+    for count in [0, 1, 7, 8, 9, 10, bodies.len()] {
+        let ensemble = Ensemble::new(bodies[..count].to_vec());
+        let mut states = vec![State::default(); count];
+        for t in [0.0, 12.25, -1e4, 1e9] {
+            ensemble.states_at(t, &mut states).unwrap();
+            for (top, state) in ensemble.tops().iter().zip(&states) {
+                assert_eq!(top.at(t).unwrap(), *state);
+            }
+        }
+    }
+}
+
+#[test]
+fn s6_6_what_a_batch_refuses() {
+    for top in tops() {
+        let mut states = [State::default(); 3];
+        assert!(matches!(
+            top.states_at(&[0.0, 1.0], &mut states),
+            Err(Error::Condition { .. })
+        ));
+        for t in [f64::NAN, f64::INFINITY] {
+            assert!(matches!(
+                top.states_at(&[0.0, t, 1.0], &mut states),
+                Err(Error::NotFinite { .. })
+            ));
+            assert!(matches!(
+                Ensemble::new(vec![top; 3]).states_at(t, &mut states),
+                Err(Error::NotFinite { .. })
+            ));
+        }
+        let ensemble = Ensemble::new(vec![top]);
+        assert!(matches!(
+            ensemble.states_at(0.0, &mut states),
+            Err(Error::Condition { .. })
+        ));
+    }
+    let top = tops()[0];
+    let mut states = [State::default(); 2];
+    assert!(matches!(
+        top.states_at(&[0.0, 1e300], &mut states),
+        Err(Error::OutOfRange { .. })
+    ));
+}
+
+#[test]
+fn s6_6_a_batch_over_many_threads() {
+    // The parts of a batch do not know of each other: the same bits whoever fills them.
+    let start = BodyVector::new(1.8, 0.4, -0.9);
+    let attitude = Uniform(68).attitude();
+    let top = EulerTop::new([0.6, 0.8, 1.0], start, attitude).unwrap();
+    let times: Vec<f64> = (0..5000).map(|k| 0.37 * f64::from(k)).collect();
+    let mut one = vec![State::default(); times.len()];
+    let mut many = one.clone();
+    top.states_at(&times, &mut one).unwrap();
+    times
+        .par_chunks(320)
+        .zip(many.par_chunks_mut(320))
+        .for_each(|(times, states)| top.states_at(times, states).unwrap());
+    assert_eq!(one, many);
+}

@@ -1,0 +1,123 @@
+//! What the files of Section 6 share.
+
+use spinning_bodies::euler_top::{EulerTop, State};
+use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+use support::{R, Uniform, rational, vector};
+
+/// 2E = 6, L² = 14, k² = 1/2, moments 1, 2, 3: Ω = (√2, 0, 2/√3).
+pub fn example() -> EulerTop {
+    tilted([1.0, 2.0, 3.0], [2f64.sqrt(), 0.0, 2.0 / 3f64.sqrt()])
+}
+
+/// From Ω, body axes and space axes together at t = 0.
+pub fn tilted(moments: [f64; 3], omega: [f64; 3]) -> EulerTop {
+    EulerTop::from_omega(moments, vector(omega), Attitude::identity()).unwrap()
+}
+
+/// From L, body axes and space axes together at t = 0.
+pub fn thrown(moments: [f64; 3], l: [f64; 3]) -> EulerTop {
+    EulerTop::new(moments, vector(l), Attitude::identity()).unwrap()
+}
+
+pub fn at(top: &EulerTop, t: f64) -> State {
+    top.at(t).unwrap()
+}
+
+pub fn omega(top: &EulerTop, t: f64) -> [f64; 3] {
+    top.at(t).unwrap().omega.components().into()
+}
+
+/// Ω along the axes of space.
+pub fn omega_in_space(top: &EulerTop, t: f64) -> SpaceVector {
+    let state = at(top, t);
+    state.attitude.to_space(state.omega)
+}
+
+/// Euler's equations: ∂Ω/∂t.
+pub fn euler([i1, i2, i3]: [f64; 3], [o1, o2, o3]: [f64; 3]) -> [f64; 3] {
+    [
+        (i2 - i3) * o2 * o3 / i1,
+        (i3 - i1) * o3 * o1 / i2,
+        (i1 - i2) * o1 * o2 / i3,
+    ]
+}
+
+/// Length of the difference between Ω and its expected components.
+pub fn distance(actual: BodyVector, expected: [f64; 3]) -> f64 {
+    (actual - vector(expected)).norm()
+}
+
+/// A step for [`derivative`], a power of two, a fourteenth to a seventh of the time in which the fastest rotation of this energy turns by
+/// one radian; times that are multiples of it are exact.
+pub fn step(top: &EulerTop) -> f64 {
+    2f64.powf((0.14 / fastest(top)).log2().floor())
+}
+
+/// √(2E/I₁), the greatest |Ω| at this energy.
+pub fn fastest(top: &EulerTop) -> f64 {
+    let least = top.moments().into_iter().fold(f64::INFINITY, f64::min);
+    (2.0 * top.energy() / least).sqrt()
+}
+
+/// The derivative of f at n·h by central differences of order 18: the error is 1e-6 h¹⁸f⁽¹⁹⁾, and rounding over h.
+pub fn derivative<const N: usize>(f: impl Fn(f64) -> [f64; N], n: i32, h: f64) -> [f64; N] {
+    let mut total = [0.0; N];
+    // (−1)^{k+1} p!²/(k (p−k)! (p+k)!) with p = 9.
+    let mut binomial = -1.0;
+    for k in 1..10 {
+        binomial *= -f64::from(10 - k) / f64::from(9 + k);
+        let (ahead, behind) = (f(f64::from(n + k) * h), f(f64::from(n - k) * h));
+        for (sum, (a, b)) in total.iter_mut().zip(ahead.into_iter().zip(behind)) {
+            *sum += binomial / f64::from(k) * (a - b) / h;
+        }
+    }
+    total
+}
+
+pub fn norm<const N: usize>(v: [f64; N]) -> f64 {
+    v.iter().fold(0.0, |m: f64, x| m.hypot(*x))
+}
+
+pub fn difference<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+pub fn in_space(v: SpaceVector) -> [f64; 3] {
+    v.components().into()
+}
+
+/// The mean of a periodic function over one period by equal ordinates: the error falls like a geometric series.
+pub fn mean(count: u32, f: impl Fn(f64) -> f64) -> f64 {
+    let count = f64::from(count);
+    (0..count as u32)
+        .map(|k| f(f64::from(k) / count))
+        .sum::<f64>()
+        / count
+}
+
+/// Three rational moments, strictly ascending, that a body can have.
+pub fn rational_moments(numbers: &mut Uniform) -> [R; 3] {
+    let mut part = || rational(1 + (numbers.next() * 30.0) as i128, 8);
+    // Second moments s₁ > s₂ > s₃, I₁ = s₂ + s₃ and so on.
+    let (s3, d2, d1) = (part(), part(), part());
+    let (s2, s1) = (s3 + d2, s3 + d2 + d1);
+    [s2 + s3, s1 + s3, s1 + s2]
+}
+
+/// E doubled and L squared, exactly.
+pub fn integrals(i: [R; 3], o: [R; 3]) -> (R, R) {
+    let sum = |f: &dyn Fn(usize) -> R| f(0) + f(1) + f(2);
+    (
+        sum(&|k| i[k] * o[k] * o[k]),
+        sum(&|k| i[k] * o[k] * i[k] * o[k]),
+    )
+}
+
+/// Three moments of a random body, in any order, and a random Ω.
+pub fn random_start(numbers: &mut Uniform) -> ([f64; 3], [f64; 3]) {
+    let [a, b, c] = [0; 3].map(|_| 0.05 + numbers.next());
+    (
+        [b + c, c + a, a + b],
+        [0; 3].map(|_| 2.0 * numbers.signed()),
+    )
+}

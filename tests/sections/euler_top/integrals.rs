@@ -1,0 +1,175 @@
+//! 6.6: tops from L² and E, and the separatrix reached exactly.
+
+use super::common::at;
+use spinning_bodies::Error;
+use spinning_bodies::elliptic::{Modulus, Parameter};
+use spinning_bodies::euler_top::{EulerTop, Regime};
+use spinning_bodies::frame::{Attitude, BodyVector};
+use support::{Uniform, observed, within};
+
+const BODIES: [[f64; 3]; 5] = [
+    [1.0, 2.0, 3.0],
+    [0.3, 0.5, 0.7],
+    [0.7, 0.3, 0.5],
+    [2.1e-7, 1.9e-7, 2.0e-7],
+    [1e20, 1.0000001e20, 1.9e20],
+];
+
+fn sorted(mut i: [f64; 3]) -> [f64; 3] {
+    i.sort_by(f64::total_cmp);
+    i
+}
+
+/// L along the axes of the ascending moments.
+fn along(i: [f64; 3], l: BodyVector) -> [f64; 3] {
+    let mut order = [0, 1, 2];
+    order.sort_by(|a, b| i[*a].total_cmp(&i[*b]));
+    let l: [f64; 3] = l.components().into();
+    order.map(|k| l[k])
+}
+
+/// L = (P₁ sech λt, ±|L| tanh λt, P₃ sech λt), λ² = 2E(I₂ − I₁)(I₃ − I₂)/(I₁I₂I₃), until it underflows, whatever the body and the energy.
+#[test]
+fn s6_6_the_separatrix_of_every_body_down_to_underflow() {
+    for moments in BODIES {
+        let [i1, i2, i3] = sorted(moments);
+        for energy in [1.0, 0.1, 7e-9] {
+            let top =
+                EulerTop::beside_separatrix(moments, energy, 0.0, Attitude::identity()).unwrap();
+            assert_eq!(
+                (top.regime(), top.period()),
+                (Regime::Separatrix, f64::INFINITY)
+            );
+            let rate = (2.0 * energy * ((i2 - i1) / i1) * ((i3 - i2) / i3) / i2).sqrt();
+            let size = (2.0 * energy * i2).sqrt();
+            let first = (2.0 * energy * i1 * ((i3 - i2) / (i3 - i1))).sqrt();
+            let third = (2.0 * energy * i3 * ((i2 - i1) / (i3 - i1))).sqrt();
+            for turned in [0.0, 0.5, -2.0, 30.0, -300.0, 650.0] {
+                let t = turned / rate;
+                let (cosh, tanh) = ((rate * t).cosh(), (rate * t).tanh());
+                let [x, y, z] = along(moments, at(&top, t).angular_momentum);
+                // Observed: 9e-14 at 650, the rounding of λt.
+                for (found, expected) in [
+                    (x, first / cosh),
+                    (z, third / cosh),
+                    (y.abs(), size * tanh.abs()),
+                ] {
+                    within((found - expected).abs(), 3e-13 * expected);
+                }
+            }
+        }
+    }
+    // A power of two as energy makes 2EI₂ a double.
+    for moments in BODIES {
+        let [_, middle, _] = sorted(moments);
+        let top = EulerTop::from_integrals(moments, middle, 0.5, Attitude::identity()).unwrap();
+        assert_eq!(top.regime(), Regime::Separatrix);
+        for (beside, regime) in [
+            (middle.next_up(), Regime::AroundLargest),
+            (middle.next_down(), Regime::AroundSmallest),
+        ] {
+            let top = EulerTop::from_integrals(moments, beside, 0.5, Attitude::identity()).unwrap();
+            assert_eq!(top.regime(), regime);
+        }
+    }
+}
+
+/// 4K(m)/λ with 1 − m = (I₃ − I₁)d/((I₃ − I₂)(L² − 2EI₁)) and λ² = (I₃ − I₂)(L² − 2EI₁)/(I₁I₂I₃) for L² = 2EI₂ + d > 2EI₂, and 1, 3 exchanged below.
+#[test]
+fn s6_6_the_way_to_the_separatrix() {
+    let [i1, i2, i3] = [1.0, 2.0, 3.0];
+    let energy = 0.75;
+    for d in [1e-3, 1e-8, f64::EPSILON, 1e-30, 1e-100, 1e-300] {
+        for (distance, [least, greatest]) in [(d, [i1, i3]), (-d, [i3, i1])] {
+            let top =
+                EulerTop::beside_separatrix([i1, i2, i3], energy, distance, Attitude::identity())
+                    .unwrap();
+            let over = (2.0 * energy * (i2 - least) + distance).abs();
+            let mc = (greatest - least).abs() * d / ((greatest - i2).abs() * over);
+            let rate = ((greatest - i2).abs() * over / (i1 * i2 * i3)).sqrt();
+            let quarter = Modulus::new(Parameter::from_complement(mc).unwrap()).quarter_period();
+            observed!(
+                (top.period() * rate / (4.0 * quarter) - 1.0).abs(),
+                0.0..=1e-15
+            );
+        }
+    }
+}
+
+/// What was given is kept at any time; at time 0 L is in the plane of the outer axes.
+#[test]
+fn s6_6_any_integrals_are_kept() {
+    let mut numbers = Uniform(66);
+    for _ in 0..2000 {
+        let (a, b) = (0.2 + numbers.next(), 0.2 + numbers.next());
+        let i = [
+            a,
+            b,
+            (a - b).abs() + (a + b - (a - b).abs()) * numbers.next(),
+        ];
+        let [least, _, greatest] = sorted(i);
+        let energy = 5.0 * numbers.next();
+        let square = 2.0 * energy * (least + (greatest - least) * numbers.next());
+        let top = EulerTop::from_integrals(i, square, energy, Attitude::identity()).unwrap();
+        let [x, y, z] = along(i, at(&top, 0.0).angular_momentum);
+        assert!(x >= 0.0 && z >= 0.0 && y == 0.0, "{x} {y} {z}");
+        for t in [0.0, 1.3, -20.0] {
+            let state = at(&top, t);
+            let l2 = state.angular_momentum.dot(&state.angular_momentum);
+            let e = 0.5 * state.omega.dot(&state.angular_momentum);
+            // Observed: 9e-16.
+            observed!(
+                (l2 / square - 1.0).abs().max((e / energy - 1.0).abs()),
+                3e-16..=3e-15
+            );
+        }
+    }
+}
+
+#[test]
+fn s6_6_the_ends_and_what_lies_beyond() {
+    let from =
+        |i, square, energy| EulerTop::from_integrals(i, square, energy, Attitude::identity());
+    let body = [1.0, 2.0, 2.5];
+    for (square, axis) in [
+        (2.0, [2f64.sqrt(), 0.0, 0.0]),
+        (5.0, [0.0, 0.0, 5f64.sqrt()]),
+    ] {
+        let steady = from(body, square, 1.0).unwrap();
+        assert_eq!(steady.regime(), Regime::PermanentRotation);
+        let l: [f64; 3] = at(&steady, 3.0).angular_momentum.components().into();
+        assert_eq!(l, axis);
+    }
+    assert_eq!(
+        from([1.0, 1.0, 1.5], 2.5, 1.0).unwrap().regime(),
+        Regime::Symmetric
+    );
+    assert_eq!(from([1.0; 3], 2.0, 1.0).unwrap().regime(), Regime::Sphere);
+    assert_eq!(from(body, 0.0, 0.0).unwrap().regime(), Regime::AtRest);
+    for (i, square, energy) in [
+        (body, 2f64.next_down(), 1.0),
+        (body, 5f64.next_up(), 1.0),
+        (body, 0.0, 1e-300),
+        (body, 5e-324, 0.0),
+        ([1.0; 3], 2f64.next_up(), 1.0),
+    ] {
+        let refused = from(i, square, energy);
+        assert!(
+            matches!(refused, Err(Error::Condition { value, .. }) if value == square),
+            "{refused:?}"
+        );
+    }
+    for bad in [f64::NAN, f64::INFINITY] {
+        assert!(matches!(from(body, bad, 1.0), Err(Error::NotFinite { .. })));
+        assert!(matches!(from(body, 1.0, bad), Err(Error::NotFinite { .. })));
+    }
+    assert!(matches!(from(body, -1.0, 1.0), Err(Error::Negative { .. })));
+    assert!(matches!(
+        from([0.0, 1.0, 1.0], 1.0, 1.0),
+        Err(Error::NotPositive { .. })
+    ));
+    assert!(matches!(
+        from([1.0, 1.0, 3.0], 3.0, 1.0),
+        Err(Error::TriangleInequality { .. })
+    ));
+}

@@ -1,0 +1,15 @@
+//! Section 6 of the tutorial: Euler's top. The truths it is held against: the register's closed forms and numbers to twenty
+//! digits, exact rationals for identities, quadrature, and an integrator of its own in pairs of doubles (`support/free_top.rs`).
+
+mod attitude;
+mod batch;
+mod common;
+mod integrals;
+mod own_axes;
+mod picture;
+mod poinsot;
+mod regimes;
+mod released;
+mod solution;
+mod stability;
+mod symmetric;

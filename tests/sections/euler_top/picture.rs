@@ -1,0 +1,241 @@
+//! Paragraph 6.3: the polhodes, and what they tell about the racket. Times and rates: `stability.rs`.
+
+use super::common::{at, integrals, omega, random_start, rational_moments, thrown, tilted};
+use spinning_bodies::euler_top::{Poinsot, Regime, Sector, separatrix_slope};
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::{MassProperties, shapes};
+use support::{R, Uniform, observed, ration, rational, relative, vector, within};
+
+const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
+
+// claim: C6.3-1, C6.3-4
+#[test]
+fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
+    let mut numbers = Uniform(631);
+    let zero = rational(0, 1);
+    for _ in 0..300 {
+        let [i1, i2, i3] = rational_moments(&mut numbers);
+        let o = [0; 3].map(|_| ration(&mut numbers));
+        let [o1, o2, o3] = o;
+        let (twice_energy, l2) = integrals([i1, i2, i3], o);
+        // Definite across x₁ and across x₃, with positive coefficients as the moments ascend.
+        let about_smallest = |o2: R, o3: R| i2 * (i2 - i1) * o2 * o2 + i3 * (i3 - i1) * o3 * o3;
+        let about_largest = |o1: R, o2: R| i1 * (i3 - i1) * o1 * o1 + i2 * (i3 - i2) * o2 * o2;
+        assert_eq!(l2 - twice_energy * i1, about_smallest(o2, o3));
+        assert_eq!(twice_energy * i3 - l2, about_largest(o1, o2));
+        assert!(i2 > i1 && i3 > i2 && i1 > zero);
+        assert!(
+            twice_energy * i1 < l2 && l2 < twice_energy * i3,
+            "off the axes"
+        );
+        // Indefinite across x₂.
+        let about_middle = |o1: R, o3: R| i3 * (i3 - i2) * o3 * o3 - i1 * (i2 - i1) * o1 * o1;
+        assert_eq!(l2 - twice_energy * i2, about_middle(o1, o3));
+        assert!(about_middle(o1, zero) < zero && about_middle(zero, o3) > zero);
+        // Equality on the axes.
+        let (e1, l1) = integrals([i1, i2, i3], [o1, zero, zero]);
+        let (e3, l3) = integrals([i1, i2, i3], [zero, zero, o3]);
+        assert!(l1 == e1 * i1 && l3 == e3 * i3);
+        // And constant: the gradient is at right angles to Euler's equations.
+        let rate = [
+            (i2 - i3) * o2 * o3 / i1,
+            (i3 - i1) * o3 * o1 / i2,
+            (i1 - i2) * o1 * o2 / i3,
+        ];
+        assert_eq!(
+            i2 * (i2 - i1) * o2 * rate[1] + i3 * (i3 - i1) * o3 * rate[2],
+            zero
+        );
+        assert_eq!(
+            i1 * (i3 - i1) * o1 * rate[0] + i2 * (i3 - i2) * o2 * rate[1],
+            zero
+        );
+    }
+}
+
+// claim: C6.3-6
+#[test]
+fn s6_3_ellipsoid_meets_sphere() {
+    let mut numbers = Uniform(636);
+    for _ in 0..200 {
+        let (moments, omega0) = random_start(&mut numbers);
+        let top = tilted(moments, omega0);
+        let start = at(&top, 0.0).angular_momentum;
+        let twice_energy = 2.0 * top.energy();
+        let picture = Poinsot::new(moments, start).unwrap();
+        for k in 0..12 {
+            let l = at(&top, f64::from(k) * 0.83).angular_momentum;
+            let drawn = picture.polhode_of_l(f64::from(k) * 0.5);
+            for l in [l, drawn] {
+                let c = l.components();
+                let on_ellipsoid: f64 = (0..3)
+                    .map(|k| c[k] * c[k] / (twice_energy * moments[k]))
+                    .sum();
+                observed!((on_ellipsoid - 1.0).abs(), 4e-16..=4e-15); // observed 1.1e-15
+                observed!((l.norm() / start.norm() - 1.0).abs(), 1e-16..=2e-15); // observed 4.4e-16
+            }
+        }
+    }
+    // The separatrix lies in two planes through x₂.
+    observed!(
+        relative(
+            separatrix_slope(MOMENTS).unwrap(),
+            0.577_350_269_189_625_764_5
+        ),
+        0.0..=2.3e-16
+    );
+    // Slope 3/4 for I = (3/2, 3, 4), a number the machine has: the motion is on it, and stays.
+    let slope = separatrix_slope([1.5, 3.0, 4.0]).unwrap();
+    observed!(relative(slope, 0.75), 0.0..=2.3e-16);
+    for (l3, slope) in [(2.0, 0.75), (-2.0, -0.75)] {
+        let top = thrown([1.5, 3.0, 4.0], [1.0, 0.5, l3]);
+        assert_eq!(top.regime(), Regime::Separatrix);
+        for k in -40..40 {
+            let [o1, _, o3] = omega(&top, 5.0 * f64::from(k));
+            // Two roundings, far out where both are nearly gone as well.
+            observed!((o3 / o1 / slope - 1.0).abs(), 0.0..=4.5e-16); // observed none
+        }
+    }
+    // On these planes, L² = 2EI₂ exactly: 7.5 = 3 · 2.5 and so on.
+    let o = [rational(2, 3), rational(1, 6), rational(1, 2)];
+    let i = [rational(3, 2), rational(3, 1), rational(4, 1)];
+    let (twice_energy, l2) = integrals(i, o);
+    assert_eq!(l2, twice_energy * i[1]);
+}
+
+// claim: C6.3-7
+#[test]
+fn s6_3_four_eyes() {
+    let mut numbers = Uniform(637);
+    let mut seen = [0; 4];
+    for _ in 0..300 {
+        let o: [f64; 3] = [0; 3].map(|_| numbers.signed());
+        let top = tilted(MOMENTS, o);
+        let l = at(&top, 0.0).angular_momentum;
+        let picture = Poinsot::new(MOMENTS, l).unwrap();
+        // The axis that the curve goes round; |Ω₃| against |Ω₁|/√3 decides.
+        let about_largest = o[2].abs() > o[0].abs() / 3f64.sqrt();
+        let (axis, regime, sector) = if about_largest {
+            (2, Regime::AroundLargest, Sector::AroundLargest)
+        } else {
+            (0, Regime::AroundSmallest, Sector::AroundSmallest)
+        };
+        assert_eq!((top.regime(), picture.sector()), (regime, sector), "{o:?}");
+        // In one period it goes once round its centre, on one side; and round none of the two other axes.
+        for turning in 0..3 {
+            let (a, b) = ((turning + 1) % 3, (turning + 2) % 3);
+            let steps = 400;
+            let place = |k: i32| {
+                let l = at(&top, top.period() * f64::from(k) / f64::from(steps))
+                    .angular_momentum
+                    .components();
+                (l[a], l[b], l[turning])
+            };
+            let mut angle = 0.0;
+            for k in 0..steps {
+                let ((a0, b0, c), (a1, b1, _)) = (place(k), place(k + 1));
+                angle += (a0 * b1 - b0 * a1).atan2(a0 * a1 + b0 * b1);
+                assert!(
+                    turning != axis || c.signum() == o[axis].signum(),
+                    "it changed sides"
+                );
+            }
+            let turns = angle / std::f64::consts::TAU;
+            if turning == axis {
+                // dΩ₁ = −(I₃−I₂)Ω₂Ω₃/I₁: with the spin about the largest moment, against it about the smallest.
+                let sense = if about_largest { 1.0 } else { -1.0 } * o[axis].signum();
+                observed!((turns - sense).abs(), 6e-16..=6e-15); // observed 1.9e-15
+            } else {
+                observed!(turns.abs(), 2e-16..=2e-15); // observed 6.3e-16
+            }
+        }
+        seen[axis + usize::from(o[axis] < 0.0)] += 1;
+    }
+    assert!(seen.iter().all(|count| *count > 20), "{seen:?}");
+    // The four eyes meet at ±x₂: the rims drawn by the separatrix pass there.
+    let rim = Poinsot::new([1.5, 3.0, 4.0], vector([1.0, 0.5, 2.0])).unwrap();
+    assert_eq!(rim.sector(), Sector::Separatrix);
+    let corner = rim.polhode(std::f64::consts::FRAC_PI_2);
+    let [x, y, z] = corner.components().into();
+    observed!(x.hypot(z) / y.abs(), 0.0..=2.3e-16); // observed 6.8e-17
+    // It dawdles there: equal times are crowded next to x₂, as the pace tells.
+    let near = Poinsot::new(MOMENTS, vector([0.01, 2.0, 0.02])).unwrap();
+    let top = thrown(MOMENTS, [0.01, 2.0, 0.02]);
+    let close = (0..1000)
+        .filter(|k| omega(&top, top.period() * f64::from(*k) / 1000.0)[1].abs() > 0.99)
+        .count();
+    assert!(
+        close > 550,
+        "{close} of 1000 equal times within 8 degrees of the middle axis"
+    );
+    assert!(near.pace(std::f64::consts::FRAC_PI_2) < 0.02 * near.pace(0.0));
+}
+
+// claim: C6.3-8
+#[test]
+fn s6_3_the_racket_and_its_axes() {
+    // Head, strings and handle in the plane of x and y, the handle along x.
+    let hoop_like = shapes::ellipse_lamina(0.25, [0.16, 0.13]).unwrap();
+    let handle = shapes::rectangle_lamina(0.1, [0.35, 0.03]).unwrap();
+    let racket = MassProperties::compose(&[
+        hoop_like,
+        handle.moved(BodyVector::new(-0.33, 0.0, 0.0)).unwrap(),
+    ])
+    .unwrap();
+    let axes = racket.inertia().principal_axes();
+    let [i1, i2, i3] = axes.moments();
+    assert!(i1 < i2 && i2 < i3);
+    // A lamina: the moment about its normal is the sum of the two others.
+    observed!(relative(i3, i1 + i2), 0.0..=4.5e-16);
+    // Least about the handle, middle across it in the plane, greatest about the normal.
+    for (column, axis) in [
+        (0, [1.0, 0.0, 0.0]),
+        (1, [0.0, 1.0, 0.0]),
+        (2, [0.0, 0.0, 1.0]),
+    ] {
+        let along = axes
+            .axes()
+            .column(column)
+            .dot(&vector(axis).components())
+            .abs();
+        observed!((along - 1.0).abs(), 0.0..=4.5e-16); // observed none
+    }
+}
+
+// claim: C6.3-9
+#[test]
+fn s6_3_the_picture_does_not_tell_the_pace() {
+    let mut numbers = Uniform(639);
+    for _ in 0..100 {
+        let (moments, omega0) = random_start(&mut numbers);
+        let slow = tilted(moments, omega0);
+        for (s, tolerance) in [(8.0, 0.0), (0.125, 0.0), (3.0, 2e-14)] {
+            let fast = tilted(moments, omega0.map(|o| s * o));
+            assert_eq!(fast.regime(), slow.regime());
+            observed!(
+                (fast.period() * s / slow.period() - 1.0).abs(),
+                1e-16..=2e-15
+            ); // observed 4.4e-16
+            for t in [0.4, 9.0, -3.0] {
+                // The same point of the curve, s times as large, at time t/s.
+                let expected = omega(&slow, t).map(|o| s * o);
+                let actual = fast.omega_at(t / s).unwrap();
+                within(
+                    (actual - vector(expected)).norm() / vector(expected).norm(),
+                    tolerance,
+                );
+            }
+            let [curve, wide] = [&slow, &fast]
+                .map(|top| Poinsot::new(moments, at(top, 0.0).angular_momentum).unwrap());
+            for k in 0..6 {
+                let parameter = f64::from(k);
+                let error = (wide.polhode(parameter) - curve.polhode(parameter) * s).norm();
+                observed!(error / wide.polhode(parameter).norm(), 2e-16..=2e-15); // observed 5.3e-16
+                observed!(
+                    (wide.pace(parameter) / (s * curve.pace(parameter)) - 1.0).abs(),
+                    3e-16..=3e-15
+                ); // observed 8.9e-16
+            }
+        }
+    }
+}

@@ -1,0 +1,572 @@
+//! The exact motion at its borders: regimes, scales, axes in any order, next to the separatrix, times both ways and far away,
+//! and what is refused.
+
+use super::common::{at, distance, norm, omega, thrown, tilted};
+use spinning_bodies::Error;
+use spinning_bodies::euler_top::{EulerTop, Regime};
+use spinning_bodies::frame::{Attitude, BodyVector};
+use support::free_top::Flight;
+use support::{Uniform, observed, vector, within};
+
+const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
+
+const ORDERS: [[usize; 3]; 6] = [
+    [0, 1, 2],
+    [1, 2, 0],
+    [2, 0, 1],
+    [0, 2, 1],
+    [2, 1, 0],
+    [1, 0, 2],
+];
+
+fn reordered<T: Copy>(v: [T; 3], order: [usize; 3]) -> [T; 3] {
+    order.map(|k| v[k])
+}
+
+#[test]
+fn euler_top_decides_the_regime_by_exact_differences() {
+    let tiny = f64::from_bits(1);
+    let (up, down) = (2f64.next_up(), 2f64.next_down());
+    for (moments, l, regime) in [
+        (MOMENTS, [0.0, -0.0, 0.0], Regime::AtRest),
+        (MOMENTS, [0.0, -0.0, tiny], Regime::PermanentRotation),
+        (MOMENTS, [0.0, 1.0, 0.0], Regime::PermanentRotation),
+        (MOMENTS, [0.0, 1.0, tiny], Regime::AroundLargest),
+        (MOMENTS, [-tiny, 1.0, 0.0], Regime::AroundSmallest),
+        ([2.0; 3], [1.0, 2.0, 3.0], Regime::Sphere),
+        ([0.0, 2.0, 2.0], [0.0, 1.0, 1.0], Regime::Rod),
+        ([2.0, 2.0, 3.0], [1.0, 2.0, 3.0], Regime::Symmetric),
+        ([2.0, 2.0, 3.0], [1.0, 2.0, 0.0], Regime::PermanentRotation),
+        ([2.0, up, 3.0], [1.0, 2.0, 0.0], Regime::AroundSmallest),
+        ([1.0, 2.0, 2.0], [1.0, 2.0, 3.0], Regime::Symmetric),
+        ([1.0, 2.0, up], [0.0, 2.0, 3.0], Regime::AroundLargest),
+        // The squares of these slopes are in the ratio 4 : 1 exactly.
+        ([1.5, 3.0, 4.0], [1.0, 7.0, 2.0], Regime::Separatrix),
+        ([1.5, 3.0, 4.0], [1e-200, 7.0, -2e-200], Regime::Separatrix),
+        ([1.5, 3.0, 4.0], [1.0, 7.0, up], Regime::AroundLargest),
+        ([1.5, 3.0, 4.0], [1.0, 7.0, down], Regime::AroundSmallest),
+        (
+            [1.5, 3.0f64.next_up(), 4.0],
+            [1.0, 7.0, 2.0],
+            Regime::AroundSmallest,
+        ),
+        (
+            [1.5, 3.0f64.next_down(), 4.0],
+            [1.0, 7.0, 2.0],
+            Regime::AroundLargest,
+        ),
+    ] {
+        for order in ORDERS {
+            for scale in [1.0, 2f64.powi(-40), 2f64.powi(300)] {
+                let l = l.map(|x| if x.abs() == tiny { x } else { x * scale });
+                let top = thrown(reordered(moments, order), reordered(l, order));
+                assert_eq!(top.regime(), regime, "{moments:?} {l:?} {order:?}");
+                let moves = matches!(
+                    regime,
+                    Regime::Symmetric | Regime::AroundLargest | Regime::AroundSmallest
+                );
+                assert_eq!(top.period().is_finite(), moves);
+                assert_eq!(top.geometric_phase().is_some(), moves);
+                // At t = 0 it stands where it was put.
+                let state = at(&top, 0.0);
+                within(
+                    distance(state.angular_momentum, reordered(l, order)),
+                    4e-16 * norm(l),
+                );
+                observed!(state.attitude.angle_to(&Attitude::identity()), 0.0..=4e-16); // observed 1.1e-16
+            }
+        }
+    }
+}
+
+#[test]
+fn euler_top_in_any_order_of_the_axes() {
+    let mut numbers = Uniform(68);
+    for _ in 0..60 {
+        let [a, b, c] = [0; 3].map(|_| 0.05 + numbers.next());
+        let (moments, l) = ([b + c, c + a, a + b], [0; 3].map(|_| numbers.signed()));
+        let plain = thrown(moments, l);
+        for (n, order) in ORDERS.into_iter().enumerate() {
+            // Cyclic orders only rename the axes; the others mirror the body, and what turns one way turns the other:
+            // minus L is L in the mirror.
+            let hand = if n < 3 { 1.0 } else { -1.0 };
+            let other = thrown(
+                reordered(moments, order),
+                reordered(l, order).map(|x| hand * x),
+            );
+            assert_eq!(other.regime(), plain.regime());
+            for t in [-8.0, 0.3, 2.5, 1e3, 1e9] {
+                let expected = reordered(omega(&plain, t), order).map(|x| hand * x);
+                within(distance(at(&other, t).omega, expected), 0.0);
+                let v = numbers.vector();
+                let seen = at(&plain, t).attitude.to_space(v);
+                let there = at(&other, t)
+                    .attitude
+                    .to_space(vector(reordered(v.components().into(), order)));
+                let expected = reordered(seen.components().into(), order);
+                // The state is formed in the same steps whichever axis is which.
+                let found: [f64; 3] = there.components().into();
+                assert_eq!(found, expected);
+            }
+        }
+    }
+}
+
+#[test]
+fn euler_top_runs_backwards_and_starts_anywhere() {
+    let mut numbers = Uniform(69);
+    for _ in 0..100 {
+        let (moments, omega0) = super::common::random_start(&mut numbers);
+        let start = numbers.attitude();
+        let top = EulerTop::from_omega(moments, vector(omega0), start).unwrap();
+        let size = vector(omega0).norm();
+        for t in [0.7 / size, 11.0 / size, -6.0 / size] {
+            // Stopped and thrown again from where it was: rounded there, and what follows depends on it.
+            let state = at(&top, t);
+            let again = EulerTop::new(moments, state.angular_momentum, state.attitude).unwrap();
+            for s in [-t, 2.0 / size, 0.0] {
+                let (a, b) = (at(&top, t + s), at(&again, s));
+                observed!((a.omega - b.omega).norm() / size, 3e-16..=3e-15); // observed 8.3e-16
+                observed!(a.attitude.angle_to(&b.attitude), 1e-15..=1e-14); // observed 3.2e-15
+            }
+            // L reversed is time reversed.
+            let back = EulerTop::from_omega(moments, -vector(omega0), start).unwrap();
+            let (a, b) = (at(&top, t), at(&back, -t));
+            observed!((a.omega + b.omega).norm() / size, 0.0..=4.5e-16); // observed none
+            observed!(a.attitude.angle_to(&b.attitude), 0.0..=4e-16); // observed 1.2e-16
+        }
+        let times = [3.0, -1.0, 0.0];
+        for (state, t) in top.states(times).zip(times) {
+            assert_eq!(state.unwrap(), at(&top, t));
+            assert_eq!(top.omega_at(t).unwrap(), at(&top, t).omega);
+        }
+    }
+}
+
+#[test]
+fn euler_top_scales() {
+    // Powers of two: the same digits; any other power of ten: to rounding.
+    let plain = tilted(MOMENTS, [0.4, 0.3, 1.0]);
+    for (i, o) in [
+        (2f64.powi(490), 2f64.powi(-300)),
+        (2f64.powi(-490), 2f64.powi(200)),
+        (1e150, 1e-200),
+        (1e-150, 1e100),
+        (1e-20, 1e20),
+    ] {
+        let scaled = tilted(MOMENTS.map(|x| x * i), [0.4, 0.3, 1.0].map(|x| x * o));
+        assert_eq!(scaled.regime(), plain.regime());
+        observed!(
+            (scaled.period() * o / plain.period() - 1.0).abs(),
+            0.0..=7e-16
+        ); // observed 2.2e-16
+        for t in [0.5, -20.0, 1e3] {
+            // 1e-200 rad/s for 1e200 s is one turn in the same time.
+            let (a, b) = (at(&scaled, t / o), at(&plain, t));
+            observed!((a.omega / o - b.omega).norm(), 3e-14..=3e-13); // observed 8.3e-14
+            observed!(a.attitude.angle_to(&b.attitude), 3e-14..=3e-13); // observed 7.7e-14
+        }
+    }
+}
+
+#[test]
+fn euler_top_next_to_the_separatrix() {
+    // Both sides, from 1/2 of it down to one unit in the last place from it, either kind of start, against the integrator at its finest.
+    let mut numbers = Uniform(610);
+    for n in 0..26 {
+        let order = ORDERS[n % 6];
+        // Slope 3/4.
+        let offset = 2f64.powi(-(2 * n as i32 + 1));
+        let side = if numbers.next() < 0.5 { 1.0 } else { -1.0 };
+        let tilt = 10f64.powf(-3.0 * numbers.next());
+        let o = [tilt, numbers.signed(), 0.75 * tilt * (1.0 + side * offset)];
+        let (moments, o) = (reordered([1.5, 3.0, 4.0], order), reordered(o, order));
+        let l = [0, 1, 2].map(|k| moments[k] * o[k]);
+        let expected = if side > 0.0 {
+            Regime::AroundLargest
+        } else {
+            Regime::AroundSmallest
+        };
+        for (top, mut flight) in [
+            (tilted(moments, o), Flight::from_omega(moments, o)),
+            (thrown(moments, l), Flight::new(moments, l)),
+        ] {
+            // I Ω rounds, and the least offset may be lost on the way.
+            assert!(
+                top.regime() == expected || offset < 1e-15,
+                "{o:?} {:?}",
+                top.regime()
+            );
+            let mut elapsed = 0.0;
+            for leg in [3.0, 19.0, -36.0] {
+                elapsed += leg;
+                let (state, truth) = (at(&top, elapsed), flight.fly_finely(leg));
+                observed!(
+                    (state.omega - truth.omega()).norm() / norm(o),
+                    1e-16..=2e-15
+                ); // observed 4.8e-16
+                observed!(state.attitude.angle_to(&truth.attitude()), 2e-16..=3e-15); // observed 7.7e-16
+            }
+        }
+    }
+}
+
+#[test]
+fn euler_top_after_ten_to_the_fourteen_periods() {
+    // t = nT + r and the turn n·14.98… about L less whole turns by 60-digit arithmetic; the rest of the attitude by the integrator.
+    let far = 2.0 + 2f64.powi(-40);
+    for (moments, l, rows) in [
+        (
+            MOMENTS,
+            [1.0, 2.0, 3.0],
+            [
+                (
+                    1e6,
+                    4.397_895_312_184_199,
+                    9.9204e-17,
+                    4.770_908_625_330_965_262,
+                ),
+                (
+                    1e9,
+                    4.766_402_573_824_282,
+                    -2.553_73e-16,
+                    2.441_332_121_577_545_947,
+                ),
+                (
+                    1e12,
+                    0.756_885_328_816_770_8,
+                    -5.517_95e-17,
+                    2.790_660_470_960_688_010,
+                ),
+                (
+                    -1e12,
+                    5.665_817_755_408_923,
+                    1.804_61e-16,
+                    0.478_847_737_249_859_307_9,
+                ),
+                (
+                    1e15,
+                    5.429_067_962_364_636,
+                    -2.264_49e-16,
+                    1.668_037_950_272_353_444,
+                ),
+            ],
+        ),
+        (
+            [1.5, 3.0, 4.0],
+            [1.0, 0.5, far],
+            [
+                (
+                    1e6,
+                    106.005_589_014_547_03,
+                    -4.842_96e-16,
+                    5.747_596_413_728_350_845,
+                ),
+                (
+                    1e9,
+                    96.817_126_535_447_54,
+                    -9.783_19e-16,
+                    1.680_320_727_378_464_197,
+                ),
+                (
+                    1e12,
+                    27.387_876_464_149_496,
+                    1.518_49e-15,
+                    1.798_865_606_606_360_383,
+                ),
+                (
+                    -1e12,
+                    132.595_162_641_608_17,
+                    5.447_18e-15,
+                    3.530_366_537_754_029_881,
+                ),
+                (
+                    1e15,
+                    30.776_777_064_935_583,
+                    5.086_93e-16,
+                    1.637_781_608_411_954_314,
+                ),
+            ],
+        ),
+    ] {
+        let top = thrown(moments, l);
+        for (t, rest, more, angle) in rows {
+            let mut flight = Flight::new(moments, l);
+            flight.fly_finely(rest);
+            let flight = flight.fly_finely(more);
+            let state = at(&top, t);
+            let error = (state.angular_momentum - flight.angular_momentum()).norm() / norm(l);
+            // Observed 2e-16 to 1e9 s. The phase is known to 4.2e-27 rad/s, which shows beyond; next to the separatrix it never does.
+            let drift = if l[1] == 2.0 { 1e-26 * t.abs() } else { 0.0 };
+            within(error, 1e-15 + drift);
+            let about = Attitude::about_axis(vector(l), angle).unwrap().quaternion();
+            let q = (about * flight.attitude().quaternion()).into_inner();
+            let truth = Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap();
+            // Observed 5e-16 to 1e9 s and, next to the separatrix, to 1e15 s. The ordinary top's turning rate is known to
+            // 2.9e-25 rad/s, which shows beyond.
+            let drift = if l[1] == 2.0 { 6e-25 * t.abs() } else { 0.0 };
+            within(state.attitude.angle_to(&truth), 2e-15 + drift);
+        }
+    }
+}
+
+#[test]
+fn euler_top_by_a_hair_off_an_axis() {
+    // Tilts down to the smallest numbers: about the stable axes the tilt stays one and turns at the linear rate.
+    for e in [1, 8, 50, 100, 150, 160, 200, 250, 300] {
+        let tilt = 10f64.powi(-e);
+        let about_largest = tilted(MOMENTS, [tilt, 0.0, 1.0]);
+        let about_smallest = tilted(MOMENTS, [1.0, 0.0, tilt]);
+        for t in [0.7, -5.0, 1e3] {
+            // Frequencies 1 and 1/√3; half axes 1 : 1 and 1 : √3 by 6.7. The next order is the square of the tilt.
+            let o = at(&about_largest, t).omega;
+            let slack = 2e-15 * (1.0 + t.abs()) + 2.0 * tilt * tilt * (1.0 + t.abs());
+            within((o.x() / tilt - t.cos()).abs(), slack);
+            within((o.y() / tilt - t.sin()).abs(), slack);
+            let o = at(&about_smallest, t).omega;
+            let phase = t / 3f64.sqrt();
+            within((o.z() / tilt - phase.cos()).abs(), slack);
+            within(
+                (o.y() / tilt - 3f64.sqrt() * phase.sin()).abs(),
+                2.0 * slack,
+            );
+        }
+        // About the middle axis nothing is seen of it for long, and then it flips.
+        let unstable = tilted(MOMENTS, [tilt, 1.0, 0.0]);
+        let half = unstable.period() / 2.0;
+        observed!((at(&unstable, 0.5 * half).omega.y()).abs(), 1e-14..=3e-13);
+        observed!((at(&unstable, half).omega.y() + 1.0).abs(), 0.0..=4.5e-16); // observed none
+    }
+}
+
+#[test]
+fn euler_top_rods_spheres_and_rest() {
+    // A rod turns steadily about L; a spin about itself is ignored in Ω and refused in L.
+    let rod = EulerTop::from_omega(
+        [0.0, 2.0, 2.0],
+        vector([5.0, 0.6, 0.8]),
+        Attitude::identity(),
+    )
+    .unwrap();
+    assert_eq!(
+        (rod.regime(), rod.energy(), rod.mean_precession_rate()),
+        (Regime::Rod, 1.0, 1.0)
+    );
+    let state = at(&rod, 0.4);
+    assert_eq!(state.omega, vector([0.0, 0.6, 0.8]));
+    let turned = Attitude::about_axis(vector([0.0, 0.6, 0.8]), 0.4).unwrap();
+    observed!(state.attitude.angle_to(&turned), 0.0..=3e-16); // observed 7.9e-17
+    assert!(matches!(
+        EulerTop::new(
+            [0.0, 2.0, 2.0],
+            vector([1e-300, 0.0, 1.0]),
+            Attitude::identity()
+        ),
+        Err(Error::Condition { .. })
+    ));
+    let still = thrown(MOMENTS, [0.0; 3]);
+    let stands = Attitude::about_axis(vector([1.0, 2.0, 3.0]), 0.3).unwrap();
+    assert_eq!(at(&still, 1e9).omega, BodyVector::zero());
+    assert_eq!((still.energy(), still.mean_precession_rate()), (0.0, 0.0));
+    let still = EulerTop::new(MOMENTS, BodyVector::zero(), stands).unwrap();
+    observed!(at(&still, -1e300).attitude.angle_to(&stands), 0.0..=2.3e-16); // observed 3.5e-18
+    // A lamina, I₃ = I₁ + I₂, against the integrator.
+    let lamina = [0.7, 1.1, 0.7 + 1.1];
+    let flight = Flight::from_omega(lamina, [0.2, 0.9, -0.3]).fly(6.0);
+    let state = at(&tilted(lamina, [0.2, 0.9, -0.3]), 6.0);
+    observed!((state.omega - flight.omega()).norm(), 0.0..=5e-16); // observed 1.7e-16
+    observed!(state.attitude.angle_to(&flight.attitude()), 0.0..=2.3e-16); // observed 5.7e-17
+}
+
+#[test]
+fn euler_top_refuses_what_it_cannot_know() {
+    let new = |moments, l| EulerTop::new(moments, vector(l), Attitude::identity());
+    assert!(matches!(
+        new([-1.0, 2.0, 3.0], [1.0; 3]),
+        Err(Error::Negative { .. })
+    ));
+    assert!(matches!(
+        new([1.0, 2.0, 3.1], [1.0; 3]),
+        Err(Error::TriangleInequality { .. })
+    ));
+    assert!(matches!(
+        new([1.0, f64::NAN, 3.0], [1.0; 3]),
+        Err(Error::NotFinite { .. })
+    ));
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for k in 0..3 {
+            let mut l = [1.0; 3];
+            l[k] = bad;
+            assert!(matches!(new(MOMENTS, l), Err(Error::NotFinite { .. })));
+            let from_omega = EulerTop::from_omega(MOMENTS, vector(l), Attitude::identity());
+            assert!(matches!(from_omega, Err(Error::NotFinite { .. })));
+        }
+        let top = tilted(MOMENTS, [1.0; 3]);
+        assert!(matches!(top.at(bad), Err(Error::NotFinite { .. })));
+        assert!(matches!(top.omega_at(bad), Err(Error::NotFinite { .. })));
+    }
+    // What would overflow is refused where it is made.
+    assert!(new([1e-300, 1e-300, 1e-300], [1e300, 0.0, 0.0]).is_err());
+    // Too many quarter periods to count: the limit is named, and it is one.
+    let top = tilted(MOMENTS, [1.0; 3]);
+    let Err(Error::OutOfRange {
+        least, greatest, ..
+    }) = top.at(1e17)
+    else {
+        panic!("1e17 s are accepted")
+    };
+    assert!(greatest > 2f64.powi(53) * top.period() / 4.0 * 0.999 && least == -greatest);
+    assert!(top.at(0.999 * greatest).is_ok() && top.at(1.001 * least).is_err());
+    // Moments of no body, on request: Euler's equations hold all the same.
+    let none = EulerTop::beyond_bodies(
+        [1.0, 2.0, 5.0],
+        vector([0.5, 1.6, 0.4]),
+        Attitude::identity(),
+    )
+    .unwrap();
+    let flight = Flight::new([1.0, 2.0, 5.0], [0.5, 1.6, 0.4]).fly_finely(9.0);
+    observed!(
+        (at(&none, 9.0).omega - flight.omega()).norm(),
+        0.0..=2.3e-16
+    ); // observed 5.7e-17
+    observed!(
+        at(&none, 9.0).attitude.angle_to(&flight.attitude()),
+        0.0..=6e-16
+    ); // observed 2e-16
+}
+
+#[test]
+fn euler_top_regime_against_integers() {
+    // Moments and components of 26 bits: (L² − 2EI₂)I₁I₃ = I₁(I₃−I₂)L₃² − I₃(I₂−I₁)L₁² fits an i128. L₃ is chosen next to the
+    // separatrix, so that up to 50 of the 105 bits cancel.
+    let mut numbers = Uniform(672);
+    let mut seen = [0; 3];
+    for _ in 0..20_000 {
+        let mut integer = |least: f64| (least + numbers.next() * (2f64.powi(26) - least)).round();
+        let [a, b, c] = [0; 3].map(|_| integer(1.0) / 2.0);
+        let mut i = [b + c, c + a, a + b].map(f64::round);
+        i.sort_by(f64::total_cmp);
+        if i[0] == i[1] || i[1] == i[2] {
+            continue;
+        }
+        let (l1, l2) = (integer(1e6), integer(1.0));
+        let slope = (i[2] * (i[1] - i[0]) / (i[0] * (i[2] - i[1]))).sqrt();
+        let l3 = (l1 * slope + 2.0 * numbers.signed()).round();
+        if l3 > 2f64.powi(26) {
+            continue;
+        }
+        let [j1, j2, j3, m1, m3] = [i[0], i[1], i[2], l1, l3].map(|x| x as i128);
+        // Of L, and of the same numbers as Ω.
+        let exact = [
+            j1 * (j3 - j2) * m3 * m3 - j3 * (j2 - j1) * m1 * m1,
+            j3 * (j3 - j2) * m3 * m3 - j1 * (j2 - j1) * m1 * m1,
+        ];
+        let l = vector([l1, l2, -l3]);
+        let tops = [
+            EulerTop::beyond_bodies(i, l, Attitude::identity()),
+            EulerTop::from_omega(i, l, Attitude::identity()),
+        ];
+        for (top, exact) in tops.into_iter().zip(exact) {
+            // The rounded moments may miss the triangle inequality by one.
+            let Ok(top) = top else { continue };
+            let (expected, place) = match exact.signum() {
+                1 => (Regime::AroundLargest, 0),
+                -1 => (Regime::AroundSmallest, 1),
+                _ => (Regime::Separatrix, 2),
+            };
+            assert_eq!(top.regime(), expected, "{i:?} {l:?} {exact}");
+            seen[place] += 1;
+        }
+    }
+    assert!(seen[0] > 1000 && seen[1] > 1000, "{seen:?}");
+}
+
+#[test]
+fn euler_top_phase_of_thin_and_wide_cones() {
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+    // Symmetric: the cone is round, 4π sin²(θ/2), with the wobble's sense.
+    for (axial, sense) in [(1.5, -1.0), (0.5, 1.0)] {
+        for tilt in [1e-150, 1e-8, 0.1, 1.0, FRAC_PI_2 - 1e-9, 2.5, PI - 1e-6] {
+            let top = thrown([1.0, 1.0, axial], [tilt.sin(), 0.0, tilt.cos()]);
+            // Seen from its own end L goes round the nearer end of the axis. The tilt is that of the rounded components.
+            let [l1, _, l3]: [f64; 3] = at(&top, 0.0).angular_momentum.components().into();
+            let size = l1.hypot(l3);
+            let expected = sense * TAU * (l1 / size) * (l1 / (size + l3.abs()));
+            let geometric = top.geometric_phase().unwrap().geometric;
+            observed!((geometric / expected - 1.0).abs(), 0.0..=8e-16); // observed 2.2e-16
+        }
+    }
+    // Thin cones about the stable axes are ellipses: area π P₁P₂/|L|², half axes by 6.7.
+    for tilt in [1e-3, 1e-9, 1e-150] {
+        let about_largest = tilted(MOMENTS, [tilt, 0.0, 1.0])
+            .geometric_phase()
+            .unwrap()
+            .geometric;
+        within(
+            (about_largest / (-PI * tilt * 2.0 * tilt / 9.0) - 1.0).abs(),
+            1e-15 + 0.15 * tilt * tilt,
+        );
+        let about_smallest = tilted(MOMENTS, [1.0, 0.0, tilt])
+            .geometric_phase()
+            .unwrap()
+            .geometric;
+        let area = PI * (3.0 * tilt) * (2.0 * 3f64.sqrt() * tilt);
+        within(
+            (about_smallest / area - 1.0).abs(),
+            1e-15 + 8.0 * tilt * tilt,
+        );
+    }
+    // Towards the separatrix both sides together fill the hemisphere; the two terms still make up the mean precession.
+    for e in 1..17 {
+        let d = 10f64.powi(-e);
+        let tops = [
+            thrown([1.5, 3.0, 4.0], [1.0, 0.5, 2.0 * (1.0 + d)]),
+            thrown([1.5, 3.0, 4.0], [1.0 + d, 0.5, 2.0]),
+        ];
+        let mut both = 0.0;
+        for top in tops {
+            if top.regime() == Regime::Separatrix {
+                continue;
+            }
+            let phase = top.geometric_phase().unwrap();
+            let turn = top.mean_precession_rate() * top.period();
+            let rest = support::wrapped(turn - phase.dynamical - phase.geometric).abs();
+            observed!(rest / turn, 0.0..=8e-16); // observed 2.4e-16
+            both += phase.geometric.abs();
+        }
+        // Two of the four eyes: half of the sphere, but for d ln d.
+        if e < 16 {
+            within((both - TAU).abs(), 8.0 * d * (1.0 - d.ln())); // observed a third of it
+        }
+    }
+}
+
+/// Moments r², (r² + q²)/2, q² and L = (p r, L₂, p q) make both sides of I₁(I₃ − I₂)L₃² = I₃(I₂ − I₁)L₁² one whole number of 200 bits, a different
+/// product on each: the separatrix, and not a hair beside it.
+#[test]
+fn s6_6_whole_numbers_on_the_separatrix() {
+    let mut numbers = Uniform(200);
+    let mut odd = |bits: i32| 2.0 * (2f64.powi(bits - 2) * (1.0 + numbers.next())).floor() + 1.0;
+    for _ in 0..200 {
+        let (p, r, q) = (odd(26), odd(25), odd(26));
+        let moments = [r * r, 0.5 * (r * r + q * q), q * q];
+        for (k, regime) in [
+            (0.0, Regime::Separatrix),
+            (1.0, Regime::AroundLargest),
+            (-1.0, Regime::AroundSmallest),
+        ] {
+            let third = p * q;
+            let third = if k > 0.0 {
+                third.next_up()
+            } else if k < 0.0 {
+                third.next_down()
+            } else {
+                third
+            };
+            let top =
+                EulerTop::beyond_bodies(moments, vector([p * r, 1.0, third]), Attitude::identity())
+                    .unwrap();
+            assert_eq!(top.regime(), regime, "{moments:?} {p}");
+        }
+    }
+}

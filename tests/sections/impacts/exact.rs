@@ -1,0 +1,172 @@
+//! The exact solution, its balances, and a capture by springs.
+
+use spinning_bodies::impacts::{Meteorite, Planet, strike};
+use spinning_bodies::inertia::{InertiaMatrix, MassProperties};
+use support::{R, observed, rational, relative};
+
+use super::common::{M, MOMENT, Q3, SMALL, V, balances, close, defects, example, lopsided, v, x};
+
+fn rational_example() -> (Q3, Q3) {
+    let zero = rational(0, 1);
+    balances(
+        rational(1, 1),
+        rational(2, 5),
+        rational(1, 100),
+        [rational(3, 5), zero, rational(4, 5)],
+        [rational(-10, 1), rational(-20, 1), rational(5, 1)],
+        [zero; 3],
+        [zero, zero, rational(1, 1)],
+    )
+}
+
+fn float(value: Q3) -> [f64; 3] {
+    value.map(|c| *c.numer() as f64 / *c.denom() as f64)
+}
+
+// claim: C4.2-3
+#[test]
+fn s4_2_exact_solution() {
+    let (velocity, omega) = rational_example();
+    assert_eq!(
+        omega,
+        [rational(412, 1035), rational(-55, 207), rational(242, 345)]
+    );
+    assert_eq!(
+        velocity,
+        [
+            rational(-2026, 20907),
+            rational(-206, 1035),
+            rational(334, 6969)
+        ]
+    );
+    // Observed: 1.2e-16 and 3e-17, within 2 ulp of each component.
+    let hit = example();
+    close(hit.omega_after(), float(omega), 2.3e-16);
+    close(hit.velocity_after(), float(velocity), 6e-17);
+
+    // The matrix is the inertia of the joined body about its own centre: L about that centre, from the composed body.
+    let joined = MassProperties::compose(&[
+        MassProperties::new(
+            M,
+            V::zero(),
+            InertiaMatrix::diagonal(MOMENT, MOMENT, MOMENT).unwrap(),
+        )
+        .unwrap(),
+        MassProperties::particle(SMALL, x()).unwrap(),
+    ])
+    .unwrap();
+    let mu = M * SMALL / (M + SMALL);
+    let l = joined.inertia().angular_momentum(hit.omega_after());
+    let brought = MOMENT * V::new(0.0, 0.0, 1.0) + mu * x().cross(&v());
+    assert!(
+        (l - brought).norm() < 2e-16 * brought.norm().max(1.0),
+        "{l:?} {brought:?}"
+    );
+
+    // With scalar I the component of Ω along x does not change.
+    let along = x().dot(&(hit.omega_after() - hit.planet().omega()));
+    observed!(along.abs(), 0.0..=1.2e-16, "{along:e}");
+
+    // Twenty more with a moving planet, all fractions: the float answer follows the rational one.
+    for k in 1..=20_i128 {
+        let (at, flight) = (
+            [rational(k, 7), rational(-2, 3), rational(1, k)],
+            [rational(-3, 2), rational(k, 4), rational(9, 1)],
+        );
+        let (velocity, omega) = (
+            [rational(1, 3), rational(-k, 5), rational(2, 1)],
+            [rational(1, k), rational(3, 1), rational(-1, 2)],
+        );
+        let (big, moment, small) = (rational(3, 1), rational(k + 1, 2), rational(k, 10));
+        let truth = balances(big, moment, small, at, flight, velocity, omega);
+        let vector = |value: Q3| {
+            let [a, b, c] = float(value);
+            V::new(a, b, c)
+        };
+        let single = |value: R| *value.numer() as f64 / *value.denom() as f64;
+        let planet =
+            Planet::spherical(single(big), single(moment), vector(velocity), vector(omega))
+                .unwrap();
+        let meteorite = Meteorite::new(single(small), vector(flight)).unwrap();
+        let hit = strike(&planet, &meteorite, vector(at)).unwrap();
+        // Absolute, numbers up to 10: observed 2e-15.
+        close(hit.velocity_after(), float(truth.0), 4e-15);
+        close(hit.omega_after(), float(truth.1), 4e-15);
+    }
+}
+
+// claim: C4.2-1, C4.2-2
+#[test]
+fn s4_2_both_balances_hold() {
+    let (momentum, spin) = defects(&example());
+    // m v is 0.23, x∧mv 0.19. Observed 1.5e-17 and 3e-17.
+    observed!(momentum.norm(), 0.0..=4e-17, "{momentum:?}");
+    observed!(spin.norm(), 0.0..=8e-17, "{spin:?}");
+
+    let meteorite = Meteorite::new(0.7, V::new(3.0, 8.0, -20.0)).unwrap();
+    let hit = strike(&lopsided(), &meteorite, V::new(0.4, -1.0, 1.2)).unwrap();
+    let (momentum, spin) = defects(&hit);
+    // m v is 15, x∧mv 15. Observed 2e-15 and 4e-15.
+    observed!(momentum.norm(), 0.0..=4e-15, "{momentum:?}");
+    observed!(spin.norm(), 0.0..=8e-15, "{spin:?}");
+}
+
+/// A meteorite caught by a spring of `stiffness` N/m and a damper instead of at once: Ω of the planet, and
+/// the total angular momentum about the origin at the end. Classical Runge–Kutta; nothing in it knows 4.2.
+fn capture(stiffness: f64) -> (V, V) {
+    #[derive(Clone, Copy)]
+    struct State([V; 6]); // X, V, Ω, anchor seen from X, x_m, v_m
+    let damping = 2.0 * (stiffness * SMALL).sqrt();
+    let rate = |State([center, velocity, omega, anchor, place, flight]): State| {
+        let arm = place - center;
+        let stretch = arm - anchor;
+        let closing = flight - velocity - omega.cross(&arm);
+        let force = -stiffness * stretch - damping * closing;
+        // Action and reaction at the meteorite's place, so the angular momentum balances exactly.
+        State([
+            velocity,
+            -force / M,
+            -arm.cross(&force) / MOMENT,
+            omega.cross(&anchor),
+            flight,
+            force / SMALL,
+        ])
+    };
+    let moved = |s: State, k: State, h: f64| State([0, 1, 2, 3, 4, 5].map(|i| s.0[i] + h * k.0[i]));
+    let mut s = State([V::zero(), V::zero(), V::new(0.0, 0.0, 1.0), x(), x(), v()]);
+    // Thirty times the time constant of the spring, in 3000 steps.
+    let time = 30.0 * (SMALL / stiffness).sqrt();
+    let h = time / 3000.0;
+    for _ in 0..3000 {
+        let k1 = rate(s);
+        let k2 = rate(moved(s, k1, 0.5 * h));
+        let k3 = rate(moved(s, k2, 0.5 * h));
+        let k4 = rate(moved(s, k3, h));
+        let sum =
+            State([0, 1, 2, 3, 4, 5].map(|i| k1.0[i] + 2.0 * k2.0[i] + 2.0 * k3.0[i] + k4.0[i]));
+        s = moved(s, sum, h / 6.0);
+    }
+    let [center, velocity, omega, _, place, flight] = s.0;
+    let l = MOMENT * omega + M * center.cross(&velocity) + SMALL * place.cross(&flight);
+    (omega, l)
+}
+
+// claim: C4.2-1, C4.2-2
+#[test]
+fn s4_2_brute_force_capture() {
+    let exact = example().omega_after();
+    let error = |stiffness| (capture(stiffness).0 - exact).norm();
+    // 4e6 N/m, over in 1.5 ms.
+    let (omega, l) = capture(4e6);
+    // Observed 8.25e-6, the trace of half a millimetre of stretch.
+    observed!(
+        (omega - exact).norm(),
+        2e-6..=1e-5,
+        "{:e}",
+        (omega - exact).norm()
+    );
+    let before = MOMENT * V::new(0.0, 0.0, 1.0) + SMALL * x().cross(&v());
+    assert!((l - before).norm() < 1e-12 * before.norm());
+    // Sticking at once is the limit: a hundred times the stiffness, a tenth of the difference.
+    observed!(relative(error(4e6) / error(4e8), 10.0), 5e-6..=1e-3);
+}

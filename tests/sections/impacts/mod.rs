@@ -1,0 +1,7 @@
+//! Section 4.2 of the tutorial: a meteorite strikes a planet and sticks.
+
+mod common;
+mod energy_and_tilt;
+mod exact;
+mod first_order;
+mod refusals;

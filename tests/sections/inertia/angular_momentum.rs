@@ -1,0 +1,193 @@
+//! 2.2: the velocity field of a rigid body and its angular momentum.
+
+use approx::assert_relative_eq;
+use nalgebra::{Matrix3, Vector3};
+use num_rational::Ratio;
+use spinning_bodies::Result;
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::{InertiaMatrix, PrincipalMoments};
+use support::inertia::particles;
+use support::{R, Uniform, cross, dot, exact, observed, rational, relative, vector};
+
+use super::common::{EPS, OMEGA, POSITIONS, U, add, direct_sums, four_masses, motion_about_origin};
+
+fn assert_close(computed: BodyVector, exact: [R; 3]) {
+    let exact = exact.map(|x| *x.numer() as f64 / *x.denom() as f64);
+    let size = exact.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let difference = computed.components() - Vector3::from(exact);
+    assert!(
+        difference.amax() <= 4.0 * EPS * size,
+        "{computed:?} {exact:?}"
+    );
+}
+
+#[test]
+fn s2_2_velocity_field() {
+    // claim: C2.2-1
+    let motion = motion_about_origin();
+    let p = [5, -7, 11].map(|x| Ratio::from_integer(x as i128));
+    let elsewhere = motion.seen_from(vector([5.0, -7.0, 11.0]));
+    let (u, omega) = (U.map(Ratio::from_integer), OMEGA.map(Ratio::from_integer));
+    // Small integers are exact in f64, so these are equalities.
+    assert_close(elsewhere.velocity, add(u, cross(omega, p)));
+    assert_eq!(elsewhere.omega, motion.omega);
+    for x in POSITIONS {
+        let point = vector(x.map(|x| x as f64));
+        assert_eq!(motion.velocity_at(point), elsewhere.velocity_at(point));
+        assert_close(
+            motion.velocity_at(point),
+            add(u, cross(omega, x.map(Ratio::from_integer))),
+        );
+    }
+}
+
+#[test]
+fn s2_2_angular_momentum_splits() -> Result<()> {
+    // claim: C2.2-2
+    let body = four_masses()?;
+    let about_origin = body.about(BodyVector::zero())?;
+    let expected = Matrix3::new(13.0, -4.0, -4.0, -4.0, 12.0, -4.0, -4.0, -4.0, 11.0);
+    observed!((about_origin.matrix() - expected).amax(), 6e-16..=4e-15);
+    assert_relative_eq!(
+        body.center().components(),
+        Vector3::new(0.5, 0.6, 0.7),
+        max_relative = EPS,
+        epsilon = EPS
+    );
+    let split = motion_about_origin().angular_momentum(&body)?;
+    let integers = |v: [i128; 3]| v.map(Ratio::from_integer);
+    assert_close(split.of_motion, integers([32, -8, -16]));
+    assert_close(split.of_rotation, integers([26, 8, -23]));
+    assert_close(split.total(), integers([58, 0, -39]));
+    assert_eq!(direct_sums(integers([0, 0, 0])).0, integers([58, 0, -39]));
+    Ok(())
+}
+
+#[test]
+fn s2_2_cross_term_drops() -> Result<()> {
+    // claim: C2.2-3
+    let body = four_masses()?;
+    let center = [rational(1, 2), rational(3, 5), rational(7, 10)];
+    let inertia = [
+        [rational(9, 2), rational(-1, 1), rational(-1, 2)],
+        [rational(-1, 1), rational(23, 5), rational(1, 5)],
+        [rational(-1, 2), rational(1, 5), rational(49, 10)],
+    ];
+    for (i, row) in inertia.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate() {
+            let computed = body.inertia().matrix()[(i, j)];
+            assert!((computed - exact(*entry)).abs() <= 2.0 * EPS * 4.9);
+        }
+    }
+    let omega = OMEGA.map(Ratio::from_integer);
+    let i_omega = inertia.map(|row| dot(row, omega));
+    assert_eq!(direct_sums(center).0, i_omega, "L = I_C Ω in rationals");
+    let motion = motion_about_origin().seen_from(body.center());
+    assert_close(
+        motion.velocity,
+        [rational(23, 10), rational(-39, 10), rational(37, 10)],
+    );
+    let split = motion.angular_momentum(&body)?;
+    assert_eq!(split.of_motion, BodyVector::zero());
+    assert_close(split.of_rotation, i_omega);
+    // The other ways: U = 0, and U along C − O.
+    let mut held = motion_about_origin();
+    held.velocity = BodyVector::zero();
+    assert_eq!(held.angular_momentum(&body)?.of_motion, BodyVector::zero());
+    held.velocity = 2.0 * body.center();
+    let along = held.angular_momentum(&body)?.of_motion;
+    assert!(along.norm() <= 8.0 * EPS * body.mass());
+    Ok(())
+}
+
+#[test]
+fn s2_2_inertia_is_linear() -> Result<()> {
+    // claim: C2.2-4
+    let mut uniform = Uniform(24);
+    for _ in 0..200 {
+        let list = uniform.point_masses(7);
+        let inertia = particles(&list)?.about(BodyVector::zero())?;
+        let (a, b) = (uniform.vector(), uniform.vector());
+        // ∫x∧(Ω∧x)ρ summed directly, for a sum of two angular velocities.
+        let direct = |omega: BodyVector| -> BodyVector {
+            list.iter()
+                .map(|(m, x)| *m * vector(*x).cross(&omega.cross(&vector(*x))))
+                .sum()
+        };
+        let sum = inertia.angular_momentum(a) + inertia.angular_momentum(b);
+        let size = inertia.matrix().amax();
+        assert!((direct(a + b) - sum).norm() <= 30.0 * EPS * size);
+        let basis = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(vector);
+        for (j, e) in basis.into_iter().enumerate() {
+            let column = direct(e).components();
+            assert!((column - inertia.matrix().column(j)).amax() <= 8.0 * EPS * size);
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn s2_2_dimensions() -> Result<()> {
+    // claim: C2.2-5
+    let list = Uniform(25).point_masses(5);
+    let plain = particles(&list)?;
+    // Units of mass 2³, length 2⁻⁵, time 2²: powers of two, so scaling is exact, bit for bit.
+    let (a, b, c) = (8.0, 1.0 / 32.0, 4.0);
+    let scaled: Vec<_> = list
+        .iter()
+        .map(|(m, x)| (a * m, x.map(|x| b * x)))
+        .collect();
+    let scaled = particles(&scaled)?;
+    let omega = vector([0.3, -0.8, 0.5]);
+    assert_eq!(
+        scaled.inertia().matrix(),
+        plain.inertia().matrix() * (a * b * b)
+    );
+    assert_eq!(
+        scaled.inertia().angular_momentum(omega / c),
+        plain.inertia().angular_momentum(omega) * (a * b * b / c)
+    );
+    Ok(())
+}
+
+#[test]
+fn s2_2_l_is_not_parallel_to_omega() -> Result<()> {
+    // claim: C2.2-6
+    let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+    let angle = inertia.angle_between_l_and_omega(vector([1.0, 1.0, 1.0]))?;
+    assert_relative_eq!(
+        angle,
+        0.387_596_686_655_180_65,
+        max_relative = 2.0 * EPS,
+        epsilon = 0.0
+    );
+    let bound = moments.greatest_angle();
+    assert_relative_eq!(
+        bound,
+        std::f64::consts::FRAC_PI_6,
+        max_relative = EPS,
+        epsilon = 0.0
+    );
+    let attained = inertia.angle_between_l_and_omega(vector(moments.widest_omega()))?;
+    assert_relative_eq!(attained, bound, max_relative = 4.0 * EPS, epsilon = 0.0);
+    let mut uniform = Uniform(26);
+    let mut widest = 0.0_f64;
+    for _ in 0..20_000 {
+        let omega = uniform.vector();
+        let angle = inertia.angle_between_l_and_omega(omega)?;
+        assert!(inertia.angular_momentum(omega).dot(&omega) > 0.0);
+        assert!(angle <= bound * (1.0 + 4.0 * EPS));
+        widest = widest.max(angle);
+    }
+    // The bound is sharp: random directions come within a thousandth.
+    assert!(widest > 0.999 * bound, "{widest}");
+    for e in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+        assert_eq!(inertia.angle_between_l_and_omega(vector(e))?, 0.0);
+    }
+    assert_eq!(PrincipalMoments::new(2.0, 2.0, 2.0)?.greatest_angle(), 0.0);
+    // Nearly equal moments: the arccosine would give 0 or 1.5e-8 here; the angle is (I3−I1)/(I1+I3) to first order.
+    let close = PrincipalMoments::new(1.0, 1.0, 1.0 + 8.0 * EPS)?.greatest_angle();
+    observed!(relative(close, 4.0 * EPS), 3e-16..=1e-14);
+    Ok(())
+}

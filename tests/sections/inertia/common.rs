@@ -1,0 +1,55 @@
+//! What the files of Section 2 share.
+
+use num_rational::Ratio;
+use spinning_bodies::Result;
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::{MassProperties, RigidMotion};
+use support::inertia::particles;
+use support::{R, cross, dot, rational, vector};
+
+pub const EPS: f64 = f64::EPSILON;
+
+/// The four masses 1, 2, 3, 4 of 2.2.
+pub const MASSES: [i128; 4] = [1, 2, 3, 4];
+
+pub const POSITIONS: [[i128; 3]; 4] = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]];
+
+pub const U: [i128; 3] = [1, -2, 3];
+
+pub const OMEGA: [i128; 3] = [2, 1, -1];
+
+pub fn four_masses() -> Result<MassProperties> {
+    let list: Vec<_> = MASSES
+        .iter()
+        .zip(POSITIONS)
+        .map(|(&m, x)| (m as f64, x.map(|x| x as f64)))
+        .collect();
+    particles(&list)
+}
+
+pub fn motion_about_origin() -> RigidMotion {
+    RigidMotion {
+        base: BodyVector::zero(),
+        velocity: vector(U.map(|x| x as f64)),
+        omega: vector(OMEGA.map(|x| x as f64)),
+    }
+}
+
+pub fn add(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// Σ m x∧v and ½Σ m v², in rationals, for the four masses with base point `base`.
+pub fn direct_sums(base: [R; 3]) -> ([R; 3], R) {
+    let (u, omega) = (U.map(Ratio::from_integer), OMEGA.map(Ratio::from_integer));
+    let mut l = [rational(0, 1); 3];
+    let mut energy = rational(0, 1);
+    for (m, x) in MASSES.into_iter().zip(POSITIONS) {
+        let x = x.map(Ratio::from_integer);
+        let v = add(u, cross(omega, x));
+        let arm = [x[0] - base[0], x[1] - base[1], x[2] - base[2]];
+        l = add(l, cross(arm, v).map(|c| c * m));
+        energy += dot(v, v) * rational(m, 2);
+    }
+    (l, energy)
+}

@@ -1,0 +1,51 @@
+//! 2.1: mass is a coefficient, inertia depends on the axis.
+
+use approx::assert_relative_eq;
+use spinning_bodies::Result;
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::{MassProperties, RigidMotion, shapes};
+use support::{exact, rational, vector};
+
+use super::common::EPS;
+
+#[test]
+fn s2_1_mass_as_a_coefficient() -> Result<()> {
+    // claim: C2.1-1
+    let particle = MassProperties::particle(3.0, BodyVector::zero())?;
+    let energy = |v: f64| -> Result<(f64, f64)> {
+        let motion = RigidMotion {
+            base: BodyVector::zero(),
+            velocity: BodyVector::new(v, 0.0, 0.0),
+            omega: BodyVector::zero(),
+        };
+        Ok((
+            motion.momentum(&particle).x(),
+            motion.energy(&particle)?.total(),
+        ))
+    };
+    for v in [-2.0, 0.0, 0.5, 4.0] {
+        let (p, e) = energy(v)?;
+        assert_eq!(p, 3.0 * v);
+        assert_eq!(e, 1.5 * v * v);
+        assert_relative_eq!(e, p * p / 6.0, max_relative = EPS, epsilon = 0.0);
+        // A quadratic has its derivative as an exact central difference; the step is a power of two.
+        let slope = (energy(v + 0.25)?.1 - energy(v - 0.25)?.1) / 0.5;
+        assert_eq!(slope, p);
+    }
+    Ok(())
+}
+
+#[test]
+fn s2_1_inertia_depends_on_the_axis() -> Result<()> {
+    // claim: C2.1-2
+    let inertia = shapes::cuboid(1.0, [4.0, 6.0, 10.0])?.inertia();
+    for (axis, expected) in [
+        ([1.0, 0.0, 0.0], rational(34, 3)),
+        ([0.0, 1.0, 0.0], rational(29, 3)),
+        ([0.0, 0.0, 1.0], rational(13, 3)),
+    ] {
+        let moment = inertia.moment_about(vector(axis))?;
+        assert_relative_eq!(moment, exact(expected), max_relative = EPS, epsilon = 0.0);
+    }
+    Ok(())
+}

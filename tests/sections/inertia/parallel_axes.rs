@@ -1,0 +1,79 @@
+//! 2.8: the theorem of parallel axes.
+
+use approx::assert_relative_eq;
+use nalgebra::{Matrix3, Vector3};
+use spinning_bodies::Result;
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::{InertiaMatrix, principal_axes_of, shapes};
+use support::inertia::assert_inertia;
+use support::{rational, vector};
+
+use super::common::{EPS, MASSES, POSITIONS, four_masses};
+
+#[test]
+fn s2_8_parallel_axes() -> Result<()> {
+    // claim: C2.8-1
+    let body = four_masses()?;
+    let shifted = body.inertia().shifted_from_center(10.0, body.center())?;
+    let expected = Matrix3::new(13.0, -4.0, -4.0, -4.0, 12.0, -4.0, -4.0, -4.0, 11.0);
+    assert!((shifted.matrix() - expected).amax() <= 4.0 * EPS * 13.0);
+    // In rationals: the diagonal entry 9/2 + 10(36 + 49)/100 = 13.
+    assert_eq!(
+        rational(9, 2) + rational(10 * (36 + 49), 100),
+        rational(13, 1)
+    );
+    assert_eq!(rational(-1, 2) - rational(10 * 35, 100), rational(-4, 1));
+    // Only from the centre: shifting on from the origin as if it were the centre gives another matrix.
+    let point = vector([1.0, 1.0, 1.0]);
+    let right = body.about(point)?.matrix();
+    let direct: Matrix3<f64> = MASSES
+        .iter()
+        .zip(POSITIONS)
+        .map(|(&m, x)| {
+            let d = vector(x.map(|x| x as f64)) - point;
+            InertiaMatrix::of_particle(m as f64, d).map(|i| i.matrix())
+        })
+        .sum::<Result<Matrix3<f64>>>()?;
+    assert!((right - direct).amax() <= 8.0 * EPS * 13.0);
+    let wrong = shifted.shifted_from_center(10.0, point)?.matrix();
+    assert!((wrong - right).amax() > 1.0);
+    Ok(())
+}
+
+#[test]
+fn s2_8_outer_product_form() -> Result<()> {
+    // claim: C2.8-2
+    for d in [[0.0, 0.0, 0.0], [1.0, -2.0, 3.0], [5.0, 0.0, -7.0]] {
+        let d = Vector3::from(d);
+        let outer = 3.0 * (Matrix3::identity() * d.norm_squared() - d * d.transpose());
+        let particle = InertiaMatrix::of_particle(3.0, BodyVector::from_components(d))?;
+        assert_eq!(particle.matrix(), outer);
+    }
+    Ok(())
+}
+
+#[test]
+fn s2_8_the_theorem_is_needed_after_all() -> Result<()> {
+    // claim: C2.8-3
+    // Kovalevskaya's ellipsoid of 8.1: semi-axes 1, √3, 3, pivot at √(2/5) on the first axis.
+    let ellipsoid = shapes::ellipsoid(1.0, [1.0, 3.0_f64.sqrt(), 3.0])?;
+    assert_inertia(&ellipsoid, [2.4, 2.0, 0.8, 0.0, 0.0, 0.0]);
+    let about_pivot = ellipsoid.about(vector([0.4_f64.sqrt(), 0.0, 0.0]))?;
+    let shifted = [2.4, 2.4, 1.2];
+    for (k, expected) in shifted.into_iter().enumerate() {
+        assert_relative_eq!(
+            about_pivot.matrix()[(k, k)],
+            expected,
+            max_relative = 2.0 * EPS,
+            epsilon = 0.0
+        );
+    }
+    assert_eq!(rational(10, 5) + rational(2, 5), rational(12, 5));
+    assert_eq!(rational(4, 5) + rational(2, 5), rational(6, 5));
+    // And any second-moment matrix has principal axes, not only an inertia matrix.
+    let s = principal_axes_of(&ellipsoid.inertia().second_moments())?;
+    for (value, expected) in s.moments().into_iter().zip([0.2, 0.6, 1.8]) {
+        assert_relative_eq!(value, expected, max_relative = 4.0 * EPS, epsilon = 0.0);
+    }
+    Ok(())
+}

@@ -1,0 +1,146 @@
+//! 2.4: the matrix is symmetric; its axes, its moments, its ellipsoid.
+
+use approx::assert_relative_eq;
+use nalgebra::{Matrix3, Vector3};
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::{InertiaMatrix, PrincipalMoments, ellipsoid_of_inertia, shapes};
+use spinning_bodies::{Error, Result};
+use support::inertia::particles;
+use support::{Uniform, observed, vector};
+
+use super::common::{EPS, four_masses};
+
+#[test]
+fn s2_4_symmetric() -> Result<()> {
+    // claim: C2.4-1
+    let mut uniform = Uniform(41);
+    for _ in 0..500 {
+        let list = uniform.point_masses(6);
+        let inertia = particles(&list)?.about(BodyVector::zero())?;
+        let (a, b) = (uniform.vector(), uniform.vector());
+        let integral: f64 = list
+            .iter()
+            .map(|(m, x)| m * a.cross(&vector(*x)).dot(&b.cross(&vector(*x))))
+            .sum();
+        let (left, right) = (
+            inertia.angular_momentum(a).dot(&b),
+            inertia.angular_momentum(b).dot(&a),
+        );
+        let bound = 20.0 * EPS * inertia.matrix().amax();
+        assert!((left - right).abs() <= bound && (left - integral).abs() <= bound);
+        assert_eq!(inertia.matrix(), inertia.matrix().transpose());
+    }
+    Ok(())
+}
+
+#[test]
+fn s2_4_principal_axes_exist() -> Result<()> {
+    // claim: C2.4-2
+    let inertia = four_masses()?.inertia();
+    let principal = inertia.principal_axes();
+    let expected = [
+        3.509_198_310_154_528_3,
+        4.672_222_350_831_977,
+        5.818_579_339_013_495,
+    ];
+    for (moment, expected) in principal.moments().into_iter().zip(expected) {
+        assert!((moment - expected).abs() <= 1e-15 * 5.82);
+        // A root of the characteristic polynomial: its coefficients are rational.
+        let (x, p) = (moment, inertia.matrix());
+        let characteristic = (p - Matrix3::from_diagonal_element(x)).determinant();
+        observed!(characteristic.abs(), 6e-16..=1e-14, "{characteristic:e}");
+    }
+    let v = principal.axes();
+    observed!(
+        (v.transpose() * v - Matrix3::identity()).amax(),
+        1e-16..=1e-15
+    );
+    assert!(v.determinant() > 0.0);
+    let again = v * Matrix3::from_diagonal(&principal.moments().into()) * v.transpose();
+    assert!((again - inertia.matrix()).amax() <= 1e-15 * 5.82);
+    Ok(())
+}
+
+#[test]
+fn s2_4_moment_about_an_axis() -> Result<()> {
+    // claim: C2.4-3
+    let mut uniform = Uniform(43);
+    for _ in 0..500 {
+        let list = uniform.point_masses(6);
+        let inertia = particles(&list)?.about(BodyVector::zero())?;
+        let axis = uniform.vector();
+        let e = axis.direction("the axis")?;
+        let distances: f64 = list
+            .iter()
+            .map(|(m, x)| {
+                let away = e.cross(&vector(*x));
+                m * away.dot(&away)
+            })
+            .sum();
+        let difference = inertia.moment_about(axis)? - distances;
+        assert!(difference.abs() <= 10.0 * EPS * inertia.matrix().amax());
+    }
+    Ok(())
+}
+
+#[test]
+fn s2_4_any_top_is_an_ellipsoid() -> Result<()> {
+    // claim: C2.4-4
+    let axes = ellipsoid_of_inertia(1.0, &PrincipalMoments::new(2.0, 3.0, 4.0)?)?;
+    for (a, expected) in axes.into_iter().zip([
+        3.535_533_905_932_737_6,
+        2.738_612_787_525_830_6,
+        1.581_138_830_084_189_7,
+    ]) {
+        assert_relative_eq!(a, expected, max_relative = EPS, epsilon = 0.0);
+    }
+    let mut uniform = Uniform(44);
+    for _ in 0..1000 {
+        // Realisable moments are exactly the pairwise sums of three numbers that are not negative.
+        let [x, y, z] = [0; 3].map(|_| uniform.next());
+        let moments = PrincipalMoments::new(y + z, z + x, x + y)?;
+        let mass = 0.5 + uniform.next();
+        let axes = ellipsoid_of_inertia(mass, &moments)?;
+        let again = shapes::ellipsoid(mass, axes)?
+            .inertia()
+            .principal_axes()
+            .moments();
+        for (again, moment) in again.into_iter().zip(moments.values()) {
+            assert_relative_eq!(again, moment, max_relative = 8.0 * EPS, epsilon = 0.0);
+        }
+        // Ordered as Poinsot's ellipsoid, whose semi-axes are 1/√I, but not of its shape.
+        assert!(axes[0] >= axes[1] && axes[1] >= axes[2]);
+    }
+    // The condition: a lamina gives a flat ellipsoid; without the triangle inequality there is none.
+    assert_eq!(
+        ellipsoid_of_inertia(1.0, &PrincipalMoments::new(1.0, 2.0, 3.0)?)?[2],
+        0.0
+    );
+    assert!(matches!(
+        PrincipalMoments::new(1.0, 2.0, 3.1),
+        Err(Error::TriangleInequality { .. })
+    ));
+    Ok(())
+}
+
+#[test]
+fn s2_4_which_moments_are_possible() -> Result<()> {
+    // claim: C2.4-5
+    let mut uniform = Uniform(45);
+    for _ in 0..1000 {
+        let count = 2 + (uniform.next() * 6.0) as usize;
+        let list = uniform.point_masses(count);
+        let [a, b, c] = particles(&list)?.inertia().principal_axes().moments();
+        assert!(a >= 0.0 && c - b <= a + 8.0 * EPS * c);
+        // Two masses lie on a line, three in a plane, more in neither.
+        match count {
+            2 => assert!(a <= 8.0 * EPS * c && c - b <= 8.0 * EPS * c),
+            3 => assert!((a + b - c).abs() <= 8.0 * EPS * c && a > 1e-8 * c),
+            _ => assert!(a + b - c > 1e-9 * c),
+        }
+    }
+    let unreal = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, 2.001));
+    assert!(InertiaMatrix::from_matrix(unreal).is_err());
+    assert!(InertiaMatrix::from_matrix(-Matrix3::identity()).is_err());
+    Ok(())
+}

@@ -1,0 +1,294 @@
+//! 2.7: Routh's rule, where it holds and where it fails.
+
+use approx::assert_relative_eq;
+use nalgebra::{Matrix3, Vector3};
+use spinning_bodies::inertia::{InertiaMatrix, routh, shapes};
+use spinning_bodies::{Error, Result};
+use support::inertia::{assert_inertia, circle, cubature, fixed, gauss, unit_gauss};
+use support::{R, exact, rational, vector};
+
+use super::common::EPS;
+
+#[test]
+fn s2_7_matrix_of_inertia() -> Result<()> {
+    // claim: C2.7-1
+    // A polynomial identity of degree 2 in x and 1 in Ω, on a grid that determines it.
+    let range = [-2, -1, 0, 1, 3];
+    for x in range {
+        for y in range {
+            for z in range {
+                let point = [x, y, z].map(f64::from);
+                let particle = InertiaMatrix::of_particle(1.0, vector(point))?;
+                let [x, y, z] = point;
+                let expected = Matrix3::new(
+                    y * y + z * z,
+                    -x * y,
+                    -x * z,
+                    -x * y,
+                    z * z + x * x,
+                    -y * z,
+                    -x * z,
+                    -y * z,
+                    x * x + y * y,
+                );
+                assert_eq!(particle.matrix(), expected);
+                for omega in [
+                    [1.0, 0.0, 0.0],
+                    [0.0, 1.0, 0.0],
+                    [0.0, 0.0, 1.0],
+                    [2.0, 1.0, -1.0],
+                ]
+                .map(vector)
+                {
+                    let double = vector(point).cross(&omega.cross(&vector(point)));
+                    assert_eq!(particle.angular_momentum(omega), double);
+                }
+                // The second moments are x xᵀ, and lead back.
+                let s = particle.second_moments();
+                assert_eq!(s, Vector3::from(point) * Vector3::from(point).transpose());
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn s2_7_routh_rule_three() -> Result<()> {
+    // claim: C2.7-2, C2.7-3
+    use routh::Form::{Cuboid, Rectangle, Rod};
+    let cases = [
+        (Rectangle, [2.0, 3.0], rational(13, 3)),
+        (Rectangle, [3.0, 0.0], rational(3, 1)),
+        (Cuboid, [3.0, 5.0], rational(34, 3)),
+        (Rod, [2.0, 0.0], rational(4, 3)),
+    ];
+    for (form, semi_axes, expected) in cases {
+        assert_relative_eq!(
+            routh::moment(1.0, form, semi_axes)?,
+            exact(expected),
+            max_relative = EPS,
+            epsilon = 0.0
+        );
+    }
+    let box_entries = cubature([gauss(), gauss(), gauss()], |[a, b, c]| {
+        ([2.0 * a, 3.0 * b, 5.0 * c], 1.0)
+    });
+    assert_relative_eq!(
+        box_entries[0],
+        exact(rational(34, 3)),
+        max_relative = 16.0 * EPS,
+        epsilon = 0.0
+    );
+    let flat = cubature([gauss(), gauss(), fixed(0.0)], |[a, b, c]| {
+        ([2.0 * a, 3.0 * b, c], 1.0)
+    });
+    assert_relative_eq!(
+        flat[2],
+        routh::moment(1.0, Rectangle, [2.0, 3.0])?,
+        max_relative = 16.0 * EPS,
+        epsilon = 0.0
+    );
+    assert_inertia(&shapes::rectangle_lamina(1.0, [4.0, 6.0])?, flat);
+    // About a square's diagonal the moment is Ma²/3; the rule with the half-diagonal, √2 a, would say 2Ma²/3.
+    let square = shapes::rectangle_lamina(1.0, [2.0, 2.0])?.inertia();
+    let diagonal = square.moment_about(vector([1.0, 1.0, 0.0]))?;
+    assert_relative_eq!(diagonal, 1.0 / 3.0, max_relative = 2.0 * EPS, epsilon = 0.0);
+    let wrong = routh::moment(1.0, Rectangle, [2.0_f64.sqrt(), 0.0])?;
+    assert_relative_eq!(wrong, 2.0 / 3.0, max_relative = 2.0 * EPS, epsilon = 0.0);
+    Ok(())
+}
+
+#[test]
+fn s2_7_routh_rule_four_and_five() -> Result<()> {
+    // claim: C2.7-4, C2.7-5, C2.7-6
+    use routh::Form::{Ellipse, Ellipsoid};
+    assert_eq!(
+        routh::moment(1.0, Ellipse, [2.0, 3.0])?,
+        exact(rational(13, 4))
+    );
+    assert_eq!(
+        routh::moment(1.0, Ellipse, [3.0, 0.0])?,
+        exact(rational(9, 4))
+    );
+    assert_eq!(routh::moment(1.0, Ellipse, [1.0, 1.0])?, 0.5);
+    assert_eq!(
+        routh::moment(1.0, Ellipsoid, [3.0, 5.0])?,
+        exact(rational(34, 5))
+    );
+    assert_eq!(
+        routh::moment(1.0, Ellipsoid, [1.0, 1.0])?,
+        exact(rational(2, 5))
+    );
+    let ellipse = cubature([unit_gauss(), circle(), fixed(0.0)], |[r, phi, z]| {
+        ([2.0 * r * phi.cos(), 3.0 * r * phi.sin(), z], r)
+    });
+    assert_inertia(&shapes::ellipse_lamina(1.0, [2.0, 3.0])?, ellipse);
+    let ellipsoid = |axes: [f64; 3]| {
+        cubature([unit_gauss(), gauss(), circle()], move |[r, u, phi]| {
+            let sine = (1.0 - u * u).sqrt();
+            let point = [r * sine * phi.cos(), r * sine * phi.sin(), r * u];
+            ([0, 1, 2].map(|i| axes[i] * point[i]), r * r)
+        })
+    };
+    assert_inertia(
+        &shapes::ellipsoid(1.0, [2.0, 3.0, 5.0])?,
+        ellipsoid([2.0, 3.0, 5.0]),
+    );
+    assert_inertia(&shapes::ball(4.0, 1.5)?, ellipsoid([1.5; 3]));
+    assert_relative_eq!(
+        shapes::ball(1.0, 1.0)?.inertia().matrix()[(0, 0)],
+        exact(rational(2, 5)),
+        max_relative = EPS,
+        epsilon = 0.0
+    );
+    Ok(())
+}
+
+#[test]
+fn s2_7_shells() -> Result<()> {
+    // claim: C2.7-7
+    let shell = |inner| -> Result<f64> {
+        Ok(shapes::thick_shell(1.0, inner, 1.0)?.inertia().matrix()[(2, 2)])
+    };
+    assert_relative_eq!(
+        shell(0.5)?,
+        exact(rational(31, 70)),
+        max_relative = 2.0 * EPS,
+        epsilon = 0.0
+    );
+    assert_eq!(
+        shell(0.0)?,
+        shapes::ball(1.0, 1.0)?.inertia().matrix()[(2, 2)]
+    );
+    assert_relative_eq!(
+        shell(1.0)?,
+        exact(rational(2, 3)),
+        max_relative = EPS,
+        epsilon = 0.0
+    );
+    let thin = cubature([fixed(1.0), gauss(), circle()], |[r, u, phi]| {
+        let sine = (1.0 - u * u).sqrt();
+        ([r * sine * phi.cos(), r * sine * phi.sin(), r * u], 1.0)
+    });
+    assert_inertia(&shapes::spherical_shell(1.0, 1.0)?, thin);
+    assert!(routh::moment(1.0, routh::Form::Hollow, [1.0, 1.0]).is_err());
+    // Exact rationals along s → 1, where 1−s⁵ over 1−s³ as printed cancels; s = 1 − 2⁻ᵏ is a number.
+    for k in 1..=25 {
+        let s = R::from_integer(1) - rational(1, 1 << k);
+        let one = R::from_integer(1);
+        // The common factor is left out so that i128 holds the powers.
+        let expected =
+            rational(2, 5) * (one + s + s * s + s * s * s + s * s * s * s) / (one + s + s * s);
+        assert_relative_eq!(
+            shell(exact(s))?,
+            exact(expected),
+            max_relative = 3.0 * EPS,
+            epsilon = 0.0
+        );
+    }
+    // As printed, at one part in 10⁸: half of the digits are gone.
+    let s = 1.0 - 1e-8_f64;
+    let printed = 0.4 * (1.0 - s.powi(5)) / (1.0 - s.powi(3));
+    assert!((printed / shell(s)? - 1.0).abs() > 1e-10);
+    // Mass times radius squared of the ball less that of the cavity: the difference of two balls.
+    let (inner, outer) = (0.7_f64, 1.2_f64);
+    let difference = 0.4 * (outer.powi(5) - inner.powi(5)) / (outer.powi(3) - inner.powi(3));
+    let moment = shapes::thick_shell(1.0, inner, outer)?.inertia().matrix()[(0, 0)];
+    assert_relative_eq!(moment, difference, max_relative = 8.0 * EPS, epsilon = 0.0);
+    Ok(())
+}
+
+#[test]
+fn s2_7_where_routh_fails() -> Result<()> {
+    // claim: C2.7-8
+    use routh::Form::{Cone, CylinderAboutItsAxis, CylinderAcross, Hollow, Triangle};
+    for form in [Cone, CylinderAcross, Hollow, Triangle] {
+        assert_eq!(form.denominator(), None);
+        assert!(matches!(
+            routh::moment(1.0, form, [1.0, 1.0]),
+            Err(Error::RouthDoesNotApply { .. })
+        ));
+    }
+    let cylinder = shapes::cylinder(1.0, 1.0, 2.0)?.inertia().matrix();
+    assert_relative_eq!(
+        cylinder[(0, 0)],
+        exact(rational(7, 12)),
+        max_relative = EPS,
+        epsilon = 0.0
+    );
+    for denominator in [3, 4, 5] {
+        assert_ne!(rational(7, 12), rational(2, denominator));
+    }
+    assert_eq!(
+        routh::moment(1.0, CylinderAboutItsAxis, [1.0, 1.0])?,
+        cylinder[(2, 2)]
+    );
+    let (radius, height) = (1.25, 3.0);
+    let cone = shapes::cone(1.0, radius, height)?;
+    let axial = cone.inertia().matrix()[(2, 2)];
+    assert_relative_eq!(
+        axial,
+        exact(rational(3, 10)) * radius * radius,
+        max_relative = 2.0 * EPS,
+        epsilon = 0.0
+    );
+    let entries = cubature([unit_gauss(), circle(), unit_gauss()], |[r, phi, s]| {
+        let rho = radius * r * (1.0 - s);
+        (
+            [rho * phi.cos(), rho * phi.sin(), height * (s - 0.25)],
+            r * (1.0 - s).powi(2),
+        )
+    });
+    assert_inertia(&cone, entries);
+    let (ring, tube) = (2.0, 0.75);
+    let entries = cubature([unit_gauss(), circle(), circle()], |[r, psi, phi]| {
+        let rho = ring + tube * r * psi.cos();
+        (
+            [rho * phi.cos(), rho * phi.sin(), tube * r * psi.sin()],
+            r * rho,
+        )
+    });
+    assert_inertia(&shapes::torus(1.0, ring, tube)?, entries);
+    let entries = cubature([unit_gauss(), circle(), gauss()], |[t, phi, u]| {
+        let rho = 0.5 + t;
+        ([rho * phi.cos(), rho * phi.sin(), 2.0 * u], rho)
+    });
+    assert_inertia(&shapes::tube(1.0, 0.5, 1.5, 4.0)?, entries);
+    Ok(())
+}
+
+#[test]
+fn s2_7_why_three_four_five() -> Result<()> {
+    // claim: C2.7-9
+    for d in [1_u32, 2, 3, 4, 7] {
+        // ⟨x²⟩ = ⟨r²⟩/d, and ⟨r²⟩ = ∫r^(d+1) / ∫r^(d−1) on 0..1: at most degree 8, so the rule is exact.
+        let moment = |power: u32| -> f64 {
+            unit_gauss()
+                .iter()
+                .map(|(r, w)| w * r.powi(power as i32))
+                .sum()
+        };
+        let quadrature = moment(d + 1) / moment(d - 1) / f64::from(d);
+        assert_relative_eq!(
+            routh::mean_square(1.0, d)?,
+            quadrature,
+            max_relative = 8.0 * EPS,
+            epsilon = 0.0
+        );
+        assert_relative_eq!(
+            routh::mean_square(3.0, d)?,
+            9.0 * quadrature,
+            max_relative = 8.0 * EPS,
+            epsilon = 0.0
+        );
+    }
+    // One term a factor: the cylinder across is disc times rod.
+    let cylinder = shapes::cylinder(1.0, 1.5, 4.0)?.inertia().matrix()[(0, 0)];
+    let sum = routh::mean_square(1.5, 2)? + routh::mean_square(2.0, 1)?;
+    assert_relative_eq!(cylinder, sum, max_relative = 2.0 * EPS, epsilon = 0.0);
+    // The thin shell has a²/d instead: ⟨x²⟩ is half of its moment.
+    let shell = shapes::spherical_shell(1.0, 1.0)?.inertia().matrix()[(0, 0)] / 2.0;
+    assert_relative_eq!(shell, 1.0 / 3.0, max_relative = EPS, epsilon = 0.0);
+    assert!(routh::mean_square(1.0, 0).is_err());
+    Ok(())
+}

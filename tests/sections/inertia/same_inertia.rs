@@ -1,0 +1,102 @@
+//! 2.5: different bodies, one inertia.
+
+use approx::assert_relative_eq;
+use nalgebra::Matrix3;
+use spinning_bodies::Result;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::inertia::{InertiaMatrix, shapes};
+use support::inertia::{assert_inertia, particles};
+use support::{Uniform, vector};
+
+use super::common::EPS;
+
+/// Six masses on the axes and eight at the corners of a box, both with moments 2, 3, 4 (2.5).
+fn six_and_eight() -> [Vec<(f64, [f64; 3])>; 2] {
+    let s = [2.5_f64, 1.5, 0.5];
+    let mut six = Vec::new();
+    for k in 0..3 {
+        for sign in [-1.0, 1.0] {
+            let mut x = [0.0; 3];
+            x[k] = sign * (3.0 * s[k]).sqrt();
+            six.push((1.0 / 6.0, x));
+        }
+    }
+    let corner = |n: usize| {
+        let sign = |k: usize| if n >> k & 1 == 0 { 1.0 } else { -1.0 };
+        (0.125, [0, 1, 2].map(|k| sign(k) * s[k].sqrt()))
+    };
+    [six, (0..8).map(corner).collect()]
+}
+
+#[test]
+fn s2_5_different_bodies_same_inertia() -> Result<()> {
+    // claim: C2.5-1
+    let [six, eight] = six_and_eight();
+    for (n, expected) in [
+        (0, 2.738_612_787_525_830_6),
+        (2, 2.121_320_343_559_642_6),
+        (4, 1.224_744_871_391_589_1),
+    ] {
+        let distance = six[n].1[n / 2].abs();
+        assert_relative_eq!(distance, expected, max_relative = EPS, epsilon = 0.0);
+    }
+    for list in [six, eight] {
+        let body = particles(&list)?;
+        assert_inertia(&body, [2.0, 3.0, 4.0, 0.0, 0.0, 0.0]);
+        assert!(body.center().norm() <= 2.0 * EPS);
+    }
+    let radius = 1.7;
+    let ball = shapes::ball(1.0, radius)?.inertia().matrix();
+    let shell = shapes::spherical_shell(1.0, radius * 0.6_f64.sqrt())?
+        .inertia()
+        .matrix();
+    assert_relative_eq!(ball, shell, max_relative = 4.0 * EPS, epsilon = 0.0);
+    Ok(())
+}
+
+#[test]
+fn s2_5_only_the_ellipsoid_is_seen() -> Result<()> {
+    // claim: C2.5-2
+    let [six, eight] = six_and_eight();
+    let torque =
+        |list: &[(f64, [f64; 3])], field: &dyn Fn(BodyVector) -> BodyVector| -> BodyVector {
+            list.iter()
+                .map(|(m, x)| *m * vector(*x).cross(&field(vector(*x))))
+                .sum()
+        };
+    // Any linear field: equal torques, and the torque that the inertia matrix alone predicts.
+    let mut uniform = Uniform(52);
+    let inertia = InertiaMatrix::diagonal(2.0, 3.0, 4.0)?;
+    for _ in 0..200 {
+        let a = Matrix3::from_fn(|_, _| uniform.signed());
+        let linear = |x: BodyVector| BodyVector::from_components(a * x.components());
+        let predicted = inertia.torque_in_linear_field(&a);
+        for list in [&six, &eight] {
+            assert!((torque(list, &linear) - predicted).norm() <= 16.0 * EPS * 2.5);
+        }
+    }
+    // The condition: in the cubic field f = −x³ẑ, at a tilt of 0.4 about y, they part.
+    let tilt = Attitude::about_axis(BodyVector::new(0.0, 1.0, 0.0), 0.4)?;
+    let cubic = |list: &[(f64, [f64; 3])]| -> f64 {
+        list.iter()
+            .map(|(m, x)| {
+                let x = tilt.to_space(vector(*x));
+                // N_y = z f_x − x f_z with f = (0, 0, −x³).
+                m * x.x() * x.x().powi(3)
+            })
+            .sum()
+    };
+    assert_relative_eq!(
+        cubic(&six),
+        13.511_686_548_515_098,
+        max_relative = 8.0 * EPS,
+        epsilon = 0.0
+    );
+    assert_relative_eq!(
+        cubic(&eight),
+        5.468_770_068_329_157,
+        max_relative = 8.0 * EPS,
+        epsilon = 0.0
+    );
+    Ok(())
+}

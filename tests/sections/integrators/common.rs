@@ -1,0 +1,83 @@
+//! Bodies, methods, distances.
+
+use lab::follow::Follow;
+use lab::general::GeneralMethod;
+use spinning_bodies::euler_top::EulerTop;
+use spinning_bodies::frame::Attitude;
+use spinning_bodies::integrators::geometric::{
+    FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Nothing, Order, Phase,
+    VeselovOrder, Weight,
+};
+use spinning_bodies::integrators::{Effort, Method};
+use support::vector;
+
+/// The asymmetric body of Hairer and Vilmart (2006), and the start there.
+pub const MOMENTS: [f64; 3] = [0.6, 0.8, 1.0];
+pub const L: [f64; 3] = [1.8, 0.4, -0.9];
+
+/// A symmetric top whose axis nods with loops, its lever along the axis.
+pub const TOP: [f64; 3] = [1.0, 1.0, 0.6];
+pub const LEVER: [f64; 3] = [0.0, 0.0, 1.5];
+
+/// Neither special nor upright.
+pub fn tilted() -> Attitude {
+    Attitude::from_quaternion(0.8, 0.4, -0.3, 0.2).unwrap()
+}
+
+pub fn start() -> Phase {
+    Phase::new(vector(L), &tilted())
+}
+
+pub fn free_methods() -> Vec<Box<dyn Follow>> {
+    free_methods_of(MOMENTS)
+}
+
+pub fn free_methods_of(moments: [f64; 3]) -> Vec<Box<dyn Follow>> {
+    let mut all: Vec<Box<dyn Follow>> = Vec::new();
+    for order in Order::ALL {
+        all.push(Box::new(FreeSplitting::new(moments, order).unwrap()));
+    }
+    for order in VeselovOrder::ALL {
+        all.push(Box::new(MoserVeselov::new(moments, order).unwrap()));
+    }
+    all.push(Box::new(GroupMidpoint::new(moments).unwrap()));
+    all.push(Box::new(MuntheKaas::new(moments, Nothing).unwrap()));
+    all.push(Box::new(
+        GeneralMethod::new(moments, Nothing, Method::Rk4).unwrap(),
+    ));
+    all
+}
+
+/// Splittings first, of orders 2, 4 and 6.
+pub fn heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
+    let weight = Weight::new(lever).unwrap();
+    let splitting = |order| HeavySplitting::new(moments, weight, order).unwrap();
+    let splittings = Order::ALL.map(|order| Box::new(splitting(order)) as Box<dyn Follow>);
+    let others: [Box<dyn Follow>; 2] = [
+        Box::new(MuntheKaas::new(moments, weight).unwrap()),
+        Box::new(GeneralMethod::new(moments, weight, Method::Rk4).unwrap()),
+    ];
+    splittings.into_iter().chain(others).collect()
+}
+
+/// One sample after so many steps.
+pub fn after(method: &dyn Follow, phase: &Phase, t: f64, steps: u32) -> Phase {
+    let step = t.abs() / f64::from(steps) * (1.0 + 1e-12);
+    let course = method.follow(phase, &[t], Effort::Step(step));
+    course.unwrap().phases[0]
+}
+
+/// The free body's phase in closed form.
+pub fn free(moments: [f64; 3], phase: &Phase, t: f64) -> Phase {
+    let attitude = phase.attitude().unwrap();
+    let top = EulerTop::new(moments, phase.angular_momentum(), attitude).unwrap();
+    let state = top.at(t).unwrap();
+    Phase::new(state.angular_momentum, &state.attitude)
+}
+
+/// The angle between the attitudes, and |ΔL|/|L|.
+pub fn distance(a: &Phase, b: &Phase) -> [f64; 2] {
+    let angle = a.attitude().unwrap().angle_to(&b.attitude().unwrap());
+    let gap = (a.angular_momentum() - b.angular_momentum()).norm();
+    [angle, gap / b.angular_momentum().norm()]
+}

@@ -1,0 +1,144 @@
+//! 8.1: bodies that are her top, and where to hold them.
+
+use approx::assert_relative_eq;
+use spinning_bodies::Error;
+use spinning_bodies::euler_equations::Integrability;
+use spinning_bodies::inertia::{PrincipalMoments, shapes};
+use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, ellipsoid};
+use support::{observed, rational, relative, vector};
+
+use super::common::{EPS, MOMENTS, Result, points, register};
+
+// claim: C8.1-4, C8.1-5
+#[test]
+fn s8_1_ellipsoids_that_are_her_top() -> Result {
+    let moments = |semi_axes: [f64; 3], distance: f64| -> spinning_bodies::Result<[f64; 3]> {
+        let body = shapes::ellipsoid(1.0, semi_axes)?;
+        let about = body.about(vector([distance, 0.0, 0.0]))?.matrix();
+        Ok([about[(0, 0)], about[(1, 1)], about[(2, 2)]])
+    };
+    // From the mass integral in closed form, and once more by cubature over the body itself.
+    let article = moments([1.0, 3_f64.sqrt(), 3.0], 0.4_f64.sqrt())?;
+    let integrated = cubature([1.0, 3_f64.sqrt(), 3.0], 0.4_f64.sqrt());
+    for (k, expected) in [2.4, 2.4, 1.2].into_iter().enumerate() {
+        assert_relative_eq!(
+            article[k],
+            expected,
+            max_relative = 2.0 * EPS,
+            epsilon = 0.0
+        );
+        observed!(relative(integrated[k], expected), 1e-16..=1e-14);
+    }
+    // The order matters: with the axes exchanged it is another top.
+    let other = moments([3_f64.sqrt(), 1.0, 3.0], 0.4_f64.sqrt())?;
+    assert!((other[0] / other[2] - 2.0).abs() > 0.1, "{other:?}");
+    // The family c = √3 b, d² = (b² − a²)/5, exactly: the squares are rational.
+    for [a, b, ..] in points() {
+        let (a2, b2) = (a * a, a * a + b * b);
+        let (c2, d2) = (rational(3, 1) * b2, (b2 - a2) / rational(5, 1));
+        let i1 = (b2 + c2) / rational(5, 1);
+        let i2 = (a2 + c2) / rational(5, 1) + d2;
+        let i3 = (a2 + b2) / rational(5, 1) + d2;
+        assert_eq!([i1, i2], [rational(2, 1) * i3; 2]);
+        // a = b: pivot at C. Inside the body where d < a, that is b² < 6a².
+        assert_eq!(d2 == rational(0, 1), b2 == a2);
+        assert_eq!(d2 < a2, b2 < rational(6, 1) * a2);
+    }
+    // And a member that is given to the constructor.
+    let found = moments([0.5, 1.0, 3_f64.sqrt()], 0.15_f64.sqrt())?;
+    let back = ellipsoid(1.0, found[2], 0.15_f64.sqrt())?;
+    for (axis, expected) in back.into_iter().zip([0.5, 1.0, 3_f64.sqrt()]) {
+        assert_relative_eq!(axis, expected, max_relative = 3.0 * EPS, epsilon = 0.0);
+    }
+    assert!(ellipsoid(1.0, 1.0, 0.5_f64.sqrt()).is_err());
+    let top = KovalevskayaTop::with_up(
+        found,
+        vector([0.15_f64.sqrt(), 0.0, 0.0]),
+        vector([1.0, 0.5, 0.3]),
+        vector([2.0, -1.0, 2.0]),
+    )?;
+    assert_eq!(top.method(), Method::Separation);
+    Ok(())
+}
+
+/// ∫(|r|²δ − r⊗r) over a homogeneous ellipsoid of mass 1 about a point on its first axis: Gauss's points in radius and
+/// polar angle, equal steps in azimuth, exact for polynomials of degree 2.
+fn cubature(semi_axes: [f64; 3], distance: f64) -> [f64; 3] {
+    let root = 0.6_f64.sqrt();
+    let gauss = [(-root, 5.0 / 9.0), (0.0, 8.0 / 9.0), (root, 5.0 / 9.0)];
+    let (mut sums, mut mass) = ([0.0; 3], 0.0);
+    for (u, radial) in gauss {
+        let r = 0.5 * (u + 1.0);
+        for (cosine, polar) in gauss {
+            for k in 0..6 {
+                let (s, c) = (std::f64::consts::TAU * f64::from(k) / 6.0).sin_cos();
+                let sine = (1.0 - cosine * cosine).sqrt();
+                let unit = [r * sine * c, r * sine * s, r * cosine];
+                let [x, y, z]: [f64; 3] = std::array::from_fn(|i| semi_axes[i] * unit[i]);
+                let x = x - distance;
+                let weight = radial * polar * r * r;
+                mass += weight;
+                for (sum, square) in
+                    sums.iter_mut()
+                        .zip([y * y + z * z, z * z + x * x, x * x + y * y])
+                {
+                    *sum += weight * square;
+                }
+            }
+        }
+    }
+    sums.map(|sum| sum / mass)
+}
+
+// claim: C8.1-6
+#[test]
+fn s8_1_which_pivots_a_body_allows() {
+    let axial = 1.0;
+    for step in 0..=40 {
+        let square = f64::from(step) / 32.0;
+        // About C, by the parallel axes theorem backwards.
+        let about_center = PrincipalMoments::new(2.0 * axial, 2.0 * axial - square, axial - square);
+        assert_eq!(
+            about_center.is_ok(),
+            square <= 0.5 * axial,
+            "Md² = {square}"
+        );
+    }
+    // At the limit a lamina at right angles to the first axis: 2 = 3/2 + 1/2.
+    assert_eq!(rational(2, 1), rational(3, 2) + rational(1, 2));
+}
+
+// claim: C8.1-7
+#[test]
+fn s8_1_the_centre_anywhere_on_the_plane() -> Result {
+    let (omega, up) = ([1.0, 0.5, 0.3], [2.0, -1.0, 2.0]);
+    let angle: f64 = 2.2;
+    let turn = |[x, y, z]: [f64; 3]| {
+        let (s, c) = angle.sin_cos();
+        vector([c * x - s * y, s * x + c * y, z])
+    };
+    let plain = register()?;
+    let turned = KovalevskayaTop::with_up(MOMENTS, turn([1.0, 0.0, 0.0]), turn(omega), turn(up))?;
+    for t in [0.0, 1.0, 7.0, -3.0] {
+        let (a, b) = (plain.omega_and_up(t)?, turned.omega_and_up(t)?);
+        let expected = turn(a.omega.components().into());
+        observed!(
+            (expected - b.omega).norm(),
+            5e-16..=2e-14,
+            "{t}: {a:?} {b:?}"
+        );
+    }
+    // The integral in general position is the one of the general top, squared.
+    let top = turned.heavy_top()?;
+    assert_eq!(top.kind(), Integrability::Kovalevskaya(2));
+    let state = turned.omega_and_up(4.0)?;
+    let integral = top.further_integral(&state).expect("hers");
+    observed!(
+        relative(integral.value.sqrt(), 257_f64.sqrt() / 12.0),
+        0.0..=4e-15
+    );
+    // Off the plane there is no such top.
+    let off = KovalevskayaTop::with_up(MOMENTS, vector([1.0, 0.0, 0.1]), vector(omega), vector(up));
+    assert!(matches!(off, Err(Error::Condition { value: 0.1, .. })));
+    Ok(())
+}

@@ -1,0 +1,85 @@
+//! 8.2: the separation of variables, roots and periods.
+
+use spinning_bodies::euler_equations::TopState;
+use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
+use support::{observed, power_series, relative, vector};
+
+use super::common::{MOMENTS, REGISTER, Result, register};
+
+// claim: C8.2-10
+#[test]
+fn s8_2_the_separation_variables_obey_her_equations() -> Result {
+    let top = register()?;
+    let roots = top.roots();
+    // s from the definition along the motion by power series, ds/dt by differences of order 8.
+    let reference = power_series::Top {
+        moments: MOMENTS,
+        lever: [1.0, 0.0, 0.0],
+    };
+    let start = REGISTER;
+    let variables = |t: f64| {
+        let y = reference.after(start, t);
+        top.separation_variables(&TopState {
+            omega: vector([y[0], y[1], y[2]]),
+            up: vector([y[3], y[4], y[5]]),
+        })
+    };
+    let weights = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+    for t in [0.4, 1.0, 2.3, 3.1] {
+        let here = variables(t);
+        let by_phases = top.separation_variables_at(t)?.expect("separated");
+        for i in 0..2 {
+            // Observed: 2e-15 and 2e-14.
+            observed!(relative(by_phases[i], here[i]), 1e-16..=5e-15);
+            let h = 0.02;
+            let slope = weights
+                .iter()
+                .enumerate()
+                .map(|(n, weight)| {
+                    let step = h * (n + 1) as f64;
+                    weight * (variables(t + step)[i] - variables(t - step)[i]) / h
+                })
+                .sum::<f64>();
+            let product = roots
+                .iter()
+                .map(|e| here[i] - e)
+                .product::<nalgebra::Complex<f64>>();
+            let left = ((here[0] - here[1]) * slope).powi(2);
+            observed!(relative(left / (4.0 * product.re), -1.0), 4e-13..=2e-11);
+        }
+    }
+    Ok(())
+}
+
+/// Roots, periods and frequencies against values got by numerical quadrature elsewhere, eight digits.
+#[test]
+fn s8_2_roots_periods_and_frequencies() -> Result {
+    let lever = vector([1.0, 0.0, 0.0]);
+    let omega = vector([1.0, 0.5, 0.3]);
+    let top = KovalevskayaTop::with_up(MOMENTS, lever, omega, vector([0.6, 0.0, 0.8]))?;
+    let near = |found: f64, expected: f64| {
+        observed!((found - expected).abs(), 2e-9..=6e-9, "{found} {expected}")
+    };
+    let roots = top.roots();
+    let expected = [0.643_355, -0.321_677, -0.321_677, 0.821_427, -0.189_760];
+    for (root, real) in roots.iter().zip(expected) {
+        observed!((root.re - real).abs(), 1e-7..=6e-7, "{root}");
+    }
+    assert!((roots[1].im.abs() - 0.074_512).abs() < 3e-6 && roots[1] == roots[2].conj());
+    let periods = top.periods().expect("separated");
+    for (period, value) in
+        periods
+            .into_iter()
+            .zip([3.118_751_94, 2.265_750_91, 11.865_809_81, -5.663_377_63])
+    {
+        near(period, value);
+    }
+    let [n1, n2] = top.frequencies().expect("separated");
+    near(n1, 0.266_362_26);
+    near(n2, 0.070_009_36);
+    // a₁n₁ = a₂n₂ and b₁n₁ − b₂n₂ = 1.
+    let [a1, b1, a2, b2] = periods;
+    observed!((a1 * n1 - a2 * n2).abs(), 0.0..=1e-15);
+    observed!((b1 * n1 - b2 * n2 - 1.0).abs(), 0.0..=1e-15);
+    Ok(())
+}

@@ -1,0 +1,272 @@
+//! 7.1 and the first half of 7.2: what the top is, its axes, and what is conserved.
+
+use super::common::{AXIAL, at, axis, cubic, roots, tilted, unit_vector};
+use super::integrator::{Body, Motion};
+use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability, TopState};
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::lagrange_top::LagrangeTop;
+use support::{R, Uniform, cross, dot, observed, ration, rational, within};
+
+/// Tops and starts of every kind: moments and Mgl, Ω and attitude.
+fn random_tops(count: usize) -> impl Iterator<Item = (Body, BodyVector, Attitude, LagrangeTop)> {
+    let mut numbers = Uniform(72);
+    (0..count).map(move |_| {
+        let transverse = 0.5 + numbers.next();
+        let body = Body {
+            transverse,
+            axial: transverse * (0.05 + 1.9 * numbers.next()),
+            weight_moment: 0.2 + 2.0 * numbers.next(),
+        };
+        let omega = numbers.vector() * 4.0;
+        let attitude = numbers.attitude();
+        let top = LagrangeTop::new(transverse, body.axial, body.weight_moment, omega, attitude);
+        (body, omega, attitude, top.unwrap())
+    })
+}
+
+// claim: C7.1-1
+#[test]
+fn s7_1_lagranges_top() {
+    let moments = AxisMoments::new(1.0, 1.0, AXIAL).unwrap();
+    let lever = BodyVector::new(0.0, 0.0, 1.0);
+    let top = HeavyTop::new(moments, lever).unwrap();
+    assert_eq!(top.kind(), Integrability::Lagrange(2));
+    // Off the axis it is not Lagrange's; with C = O it is Euler's.
+    let off = HeavyTop::new(moments, BodyVector::new(0.1, 0.0, 1.0)).unwrap();
+    assert_eq!(off.kind(), Integrability::None);
+    let free = HeavyTop::new(moments, BodyVector::zero()).unwrap();
+    assert_eq!(free.kind(), Integrability::Euler);
+
+    // Released at rest it stays only where the axis is vertical; elsewhere gravity turns it by Mgl sin θ/I₁.
+    let still = BodyVector::zero();
+    for degrees in [0.0, 1e-3, 30.0, 90.0, 179.0_f64] {
+        let attitude = tilted(degrees.to_radians());
+        let up = attitude.to_body(spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0));
+        let torque = top.rate(&TopState { omega: still, up }).omega.norm();
+        let sine = degrees.to_radians().sin();
+        observed!((torque - sine).abs(), 0.0..=3e-16);
+        let released = LagrangeTop::new(1.0, AXIAL, 1.0, still, attitude).unwrap();
+        let state = at(&released, 1e-3);
+        within((state.omega.norm() - 1e-3 * sine).abs(), 4e-10 * sine);
+        assert_eq!(state.omega.norm() == 0.0, degrees == 0.0);
+    }
+    let below = Attitude::from_quaternion(0.0, 1.0, 0.0, 0.0).unwrap();
+    let hanging = LagrangeTop::new(1.0, AXIAL, 1.0, still, below).unwrap();
+    assert_eq!(at(&hanging, 10.0).omega, still);
+    assert_eq!(at(&hanging, 10.0).attitude.angle_to(&below), 0.0);
+}
+
+// claim: C7.2-1, C7.2-15
+#[test]
+fn s7_2_axes_that_follow_the_tilt_and_not_the_spin() {
+    for (body, omega, attitude, top) in random_tops(50) {
+        let motion = Motion::start(body, omega, attitude);
+        for t in [0.3, 1.1] {
+            let state = at(&top, t);
+            let e3 = axis(&state);
+            let (h, sine) = (state.height, (state.one_less * state.one_more).sqrt());
+            // x₂ horizontal and square to x₃, x₁ completing: x₁ = x₂∧x₃ has +sin θ along the vertical.
+            let e2 = [e3[1] / sine, -e3[0] / sine, 0.0];
+            let e1 = [
+                e2[1] * e3[2] - e2[2] * e3[1],
+                e2[2] * e3[0] - e2[0] * e3[2],
+                e2[0] * e3[1] - e2[1] * e3[0],
+            ];
+            observed!((e1[2] - sine).abs(), 4e-16..=3e-15);
+            observed!((e3[2] - h).abs(), 2e-16..=3e-15);
+            // In these axes I is diag(I₁, I₁, I₃) all the same, and Ω₁ = φ' sin θ, Ω₂ = θ' up to its sign.
+            let turning: [f64; 3] = state.attitude.to_space(state.omega).components().into();
+            let along = |e: [f64; 3]| e[0] * turning[0] + e[1] * turning[1] + e[2] * turning[2];
+            let Body {
+                transverse: i1,
+                axial: i3,
+                ..
+            } = body;
+            let momentum = motion.after(t).momentum;
+            for k in 0..3 {
+                let l = i1 * along(e1) * e1[k] + i1 * along(e2) * e2[k] + i3 * along(e3) * e3[k];
+                observed!((l - momentum[k]).abs() / (1.0 + i1 + i3), 1e-15..=2e-14);
+            }
+            // Picture: L_vert = I₁Ω₁ sin θ + L₃ cos θ.
+            let vertical = i1 * along(e1) * sine + i3 * along(e3) * h;
+            observed!(
+                (vertical - top.vertical_angular_momentum()).abs(),
+                2e-15..=2e-14
+            );
+            // φ' by differences of the azimuth, from the integrator's axis: the axes turn with it.
+            let (ahead, behind) = (motion.after(t + 1e-4), motion.after(t - 1e-4));
+            let rate = (ahead.azimuth - behind.azimuth) / 2e-4;
+            observed!((rate * sine - along(e1)).abs() * sine.powi(3), 1e-7..=2e-6);
+        }
+    }
+}
+
+// claim: C7.2-2
+#[test]
+fn s7_2_no_torque_about_the_axis_or_the_vertical() {
+    let mut numbers = Uniform(722);
+    let vertical = [rational(0, 1), rational(0, 1), rational(1, 1)];
+    for _ in 0..200 {
+        let (e, weight) = (unit_vector(&mut numbers), ration(&mut numbers));
+        // l e∧(−Mg ẑ), exactly.
+        let torque = cross(e.map(|x| x * weight), vertical.map(|x| -x));
+        assert_eq!(dot(torque, e), rational(0, 1));
+        assert_eq!(dot(torque, vertical), rational(0, 1));
+    }
+    // It is what turns L: by the library's states, L' = Mgl ẑ∧e to the fourth order of the step.
+    for (body, _, _, top) in random_tops(20) {
+        let l = |t: f64| {
+            let state = at(&top, t);
+            let [x, y, z]: [f64; 3] = state.omega.components().into();
+            let l = BodyVector::new(body.transverse * x, body.transverse * y, body.axial * z);
+            state.attitude.to_space(l)
+        };
+        let h = 2_f64.powi(-9);
+        let rate = ((l(h) - l(-h)) * 8.0 - (l(2.0 * h) - l(-2.0 * h))) / (12.0 * h);
+        let [x, y, _] = axis(&at(&top, 0.0));
+        observed!((rate.x() + body.weight_moment * y).abs(), 2e-10..=3e-9);
+        observed!((rate.y() - body.weight_moment * x).abs(), 2e-10..=3e-9);
+        observed!(rate.z().abs(), 6e-13..=6e-12);
+    }
+}
+
+// claim: C7.2-3, C7.2-4, C7.2-5
+#[test]
+fn s7_2_three_constants() {
+    for (body, omega, attitude, top) in random_tops(100) {
+        let Body {
+            transverse: i1,
+            axial: i3,
+            weight_moment,
+        } = body;
+        let l3 = top.axial_angular_momentum();
+        let scale = 1.0 + i1 * omega.norm();
+        within((l3 - i3 * omega.z()).abs(), 1e-15 * l3.abs());
+        for t in [-7.3, 0.4, 20.0] {
+            // The independent motion, which has no axis of its own but e.
+            let motion = Motion::start(body, omega, attitude).after(t);
+            let [x, y, z] = motion.axis;
+            let along = x * motion.momentum[0] + y * motion.momentum[1] + z * motion.momentum[2];
+            observed!((along - l3).abs() / scale, 6e-16..=6e-15);
+            observed!(
+                (motion.momentum[2] - top.vertical_angular_momentum()).abs() / scale,
+                0.0..=3e-16
+            );
+
+            let state = at(&top, t);
+            assert_eq!(state.omega.z(), omega.z());
+            let (sine, h) = ((state.one_less * state.one_more).sqrt(), state.height);
+            // φ' sin θ and θ' from Ω and the vertical in the body.
+            let up = state
+                .attitude
+                .to_body(spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0));
+            let precessing = (state.omega.x() * up.x() + state.omega.y() * up.y()) / sine;
+            let tilting = (state.omega.x() * up.y() - state.omega.y() * up.x()) / sine;
+            let vertical = i1 * precessing * sine + l3 * h;
+            observed!(
+                (vertical - top.vertical_angular_momentum()).abs() / scale,
+                2e-16..=2e-15
+            );
+            let energy = 0.5 * i1 * (tilting * tilting + precessing * precessing)
+                + l3 * l3 / (2.0 * i3)
+                + weight_moment * h;
+            observed!(
+                (energy - top.energy()).abs() / (scale * scale),
+                5e-16..=5e-15
+            );
+        }
+    }
+}
+
+// claim: C7.2-6
+#[test]
+fn s7_2_the_equation_for_h_is_exact() {
+    let mut numbers = Uniform(726);
+    for _ in 0..200 {
+        let [i1, weight] = [ration(&mut numbers), ration(&mut numbers)].map(|x| x * x);
+        let omega = [0; 3].map(|_| ration(&mut numbers));
+        let z = unit_vector(&mut numbers);
+        let (h, l3) = (z[2], ration(&mut numbers));
+        // h' is the third component of z∧Ω (5.1); L_vert and E' = E − L₃²/2I₃ from their definitions.
+        let rate = z[0] * omega[1] - z[1] * omega[0];
+        let vertical = i1 * (omega[0] * z[0] + omega[1] * z[1]) + l3 * h;
+        let energy = i1 * (omega[0] * omega[0] + omega[1] * omega[1]) / rational(2, 1) + weight * h;
+        let at = |h: R| cubic([i1, weight], energy, l3, vertical, h);
+        assert_eq!(at(h), i1 * i1 * rate * rate);
+        // A cubic: its third difference is 6 times the leading coefficient 2I₁Mgl.
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| at(rational(k, 1)));
+        let three = rational(3, 1);
+        assert_eq!(d - three * c + three * b - a, rational(12, 1) * i1 * weight);
+        // Without gravity a quadratic.
+        let at = |k: i128| cubic([i1, rational(0, 1)], energy, l3, vertical, rational(k, 1));
+        assert_eq!(
+            at(3) - three * at(2) + three * at(1) - at(0),
+            rational(0, 1)
+        );
+    }
+}
+
+// claim: C7.2-7
+#[test]
+fn s7_2_the_top_moves_by_the_cubic_of_its_roots() {
+    for (body, _, _, top) in random_tops(300) {
+        let [h1, h2, h3] = roots(&top);
+        let leading = 2.0 * body.transverse * body.weight_moment;
+        for t in [0.0, 0.7, 3.0] {
+            let state = at(&top, t);
+            let up = spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0);
+            let z = state.attitude.to_body(up);
+            // h' = (z ∧ Ω)₃, from the state; the cubic from the roots.
+            let slope = z.x() * state.omega.y() - z.y() * state.omega.x();
+            let left = (body.transverse * slope).powi(2);
+            let h = state.height;
+            let right = leading * (h - h1) * (h2 - h) * (h3 - h);
+            observed!((left - right).abs() / (leading * (h3 + 1.0)), 5e-16..=1e-14);
+        }
+    }
+}
+
+// claim: C7.2-8
+#[test]
+fn s7_2_order_of_the_roots() {
+    let mut numbers = Uniform(728);
+    for _ in 0..200 {
+        let [weight, l3, vertical, energy] = [0; 4].map(|_| ration(&mut numbers));
+        let one = rational(1, 1);
+        for end in [one, -one] {
+            let value = cubic([one, weight], energy, l3, vertical, end);
+            assert_eq!(value, -(vertical - l3 * end) * (vertical - l3 * end));
+        }
+    }
+    for (body, _, _, top) in random_tops(300) {
+        let [h1, h2, h3] = roots(&top);
+        assert!(
+            -1.0 <= h1 && h1 <= h2 && h2 <= 1.0 && 1.0 <= h3,
+            "{h1} {h2} {h3}"
+        );
+        for t in [0.0, 0.7, 3.0] {
+            let h = at(&top, t).height;
+            assert!(h1 - 1e-15 <= h && h <= h2 + 1e-15, "{h1} {h} {h2}");
+        }
+        // f in factors is f: by its values at ±1 and at 0.
+        let l3 = top.axial_angular_momentum();
+        let vertical = top.vertical_angular_momentum();
+        let leading = 2.0 * body.transverse * body.weight_moment;
+        let factors = |h: f64| leading * (h - h1) * (h - h2) * (h - h3);
+        let size = leading * h3 + vertical * vertical + l3 * l3;
+        observed!(
+            (factors(1.0) + (vertical - l3).powi(2)).abs() / size,
+            3e-16..=3e-15
+        );
+        observed!(
+            (factors(-1.0) + (vertical + l3).powi(2)).abs() / size,
+            2e-16..=2e-15
+        );
+    }
+    // L_vert = L₃: the band reaches the pole. From upright with a kick.
+    let kicked = LagrangeTop::new(1.0, AXIAL, 1.0, BodyVector::new(0.5, 0.0, 3.0), tilted(0.0));
+    assert_eq!(roots(&kicked.unwrap())[1], 1.0);
+    let below = Attitude::from_quaternion(0.0, 1.0, 0.0, 0.0).unwrap();
+    let kicked = LagrangeTop::new(1.0, AXIAL, 1.0, BodyVector::new(0.5, 0.0, 3.0), below);
+    assert_eq!(roots(&kicked.unwrap())[0], -1.0);
+}

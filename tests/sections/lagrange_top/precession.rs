@@ -1,0 +1,340 @@
+//! 7.3: pure precession, slow and fast, and when there is any.
+
+use super::common::{AXIAL, at, axis, cubic, gained_azimuth, is, roots, spun, tilted, unit_vector};
+use super::integrator::{Motion, UNIT};
+use spinning_bodies::euler_top::SymmetricTop;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, least_axial_angular_momentum};
+use support::{R, Uniform, observed, ration, rational, within};
+
+/// Both roots of I₁h w² − L₃w + Mgl = 0 for the unit top, slow and fast, without cancellation; L₃ > 0.
+fn rates(h: f64, l3: f64) -> [f64; 2] {
+    let fast = 0.5 * (l3 + (l3 * l3 - 4.0 * h).sqrt());
+    [1.0 / fast, fast / h]
+}
+
+/// Steady precession w at cos θ = 3/5 of exact numbers: z = (0, 4/5, 3/5), Ω = (0, 4w/5, 2L₃), Mgl = L₃w − 3w²/5.
+fn exactly(w: f64, l3: f64, weight: f64) -> LagrangeTop {
+    let attitude = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0).unwrap();
+    let omega = BodyVector::new(0.0, 0.8 * w, l3 / AXIAL);
+    LagrangeTop::new(1.0, AXIAL, weight, omega, attitude).unwrap()
+}
+
+/// Steady precession, exactly: E', L₃, L_vert from w, h, I₁ and Mgl.
+fn steady([i1, weight]: [R; 2], w: R, h: R) -> [R; 3] {
+    let sine2 = rational(1, 1) - h * h;
+    let l3 = (i1 * h * w * w + weight) / w;
+    let vertical = i1 * w * sine2 + l3 * h;
+    let energy = i1 * w * w * sine2 / rational(2, 1) + weight * h;
+    [energy, l3, vertical]
+}
+
+// claim: C7.3-1
+#[test]
+fn s7_3_pure_precession_is_a_double_root() {
+    let mut numbers = Uniform(731);
+    let mut checked = 0;
+    while checked < 200 {
+        let [i1, weight] = [ration(&mut numbers), ration(&mut numbers)].map(|x| x * x);
+        let (w, h) = (ration(&mut numbers), unit_vector(&mut numbers)[2]);
+        if h * h == rational(1, 1) {
+            continue;
+        }
+        checked += 1;
+        let [energy, l3, vertical] = steady([i1, weight], w, h);
+        let value = |h: R| cubic([i1, weight], energy, l3, vertical, h);
+        assert_eq!(value(h), rational(0, 1), "f");
+        // f(h + d) + f(h − d) − 2f(h) and f(h + d) − f(h − d) give f' of a cubic exactly: f' = (8Δ₁ − Δ₂)/12.
+        let difference = |d: i128| value(h + rational(d, 1)) - value(h - rational(d, 1));
+        let slope = (rational(8, 1) * difference(1) - difference(2)) / rational(12, 1);
+        assert_eq!(slope, rational(0, 1), "f'");
+    }
+    // In the library: h₁ = h₂, and the tilt does not move.
+    for (w, l3, weight) in [(5.0, 4.0, 5.0), (5.0, 23.0, 100.0), (5.0, 6.0, 15.0)] {
+        let top = exactly(w, l3, weight);
+        assert!(is(&top, Nutation::PurePrecession), "{:?}", top.kind());
+        let [h1, h2, h3] = roots(&top);
+        assert_eq!(h1, h2);
+        observed!((h1 - 0.6).abs(), 0.0..=4e-16);
+        assert!(h3 > 1.0);
+        for t in [0.1, 10.0, -1e3] {
+            observed!((at(&top, t).height - 0.6).abs(), 0.0..=4e-16);
+        }
+    }
+    // The other double root, h₂ = h₃ = 1, is no precession: the sleeping top, or one that wakes.
+    let asleep = LagrangeTop::new(1.0, AXIAL, 1.0, BodyVector::new(0.0, 0.0, 3.0), tilted(0.0));
+    assert!(!is(&asleep.unwrap(), Nutation::PurePrecession));
+    let up = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0).unwrap();
+    let climbing = LagrangeTop::new(1.0, AXIAL, 31.25, BodyVector::new(-3.0, 4.0, 16.0), up);
+    assert!(is(&climbing.unwrap(), Nutation::Waking));
+}
+
+// claim: C7.3-2
+#[test]
+fn s7_3_quadratic_for_the_rate() {
+    // f' = −2I₁(1 − h²)(I₁h w² − L₃w + Mgl) wherever f = 0 and w = (L_vert − L₃h)/(I₁(1 − h²)), exactly.
+    let mut numbers = Uniform(732);
+    let [one, two] = [rational(1, 1), rational(2, 1)];
+    let mut checked = 0;
+    while checked < 200 {
+        let [i1, weight] = [ration(&mut numbers), ration(&mut numbers)].map(|x| x * x);
+        let (w, l3, h) = (
+            ration(&mut numbers),
+            ration(&mut numbers),
+            unit_vector(&mut numbers)[2],
+        );
+        let sine2 = one - h * h;
+        if sine2 == rational(0, 1) {
+            continue;
+        }
+        checked += 1;
+        let vertical = i1 * w * sine2 + l3 * h;
+        let energy = i1 * w * w * sine2 / two + weight * h;
+        let value = |h: R| cubic([i1, weight], energy, l3, vertical, h);
+        assert_eq!(value(h), rational(0, 1));
+        let difference = |d: i128| value(h + rational(d, 1)) - value(h - rational(d, 1));
+        let slope = (rational(8, 1) * difference(1) - difference(2)) / rational(12, 1);
+        assert_eq!(
+            slope,
+            -two * i1 * sine2 * (i1 * h * w * w - l3 * w + weight)
+        );
+    }
+    // L₃ = 3, θ = 60°: 3 ∓ √7. Both keep the tilt, in the library and in the equations along space.
+    let expected = [0.3542486889354094094983842, 5.645751311064590590501616];
+    for (w, expected) in rates(0.5, 3.0).into_iter().zip(expected) {
+        observed!((w / expected - 1.0).abs(), 0.0..=3e-16);
+        let top = spun(std::f64::consts::FRAC_PI_3, 0.0, w, 3.0);
+        let start = Motion::start(UNIT, at(&top, 0.0).omega, at(&top, 0.0).attitude);
+        for t in [1.0, 7.0] {
+            observed!((at(&top, t).height - 0.5).abs(), 0.0..=3e-16);
+            observed!((start.after(t).axis[2] - 0.5).abs(), 1e-16..=1e-15);
+            observed!((gained_azimuth(&top, t, 50) - w * t).abs(), 2e-15..=3e-14);
+            observed!((start.after(t).azimuth - w * t).abs(), 3e-16..=3e-15);
+        }
+        // Ten per cent beside it the tilt moves.
+        let [h1, h2, _] = roots(&spun(std::f64::consts::FRAC_PI_3, 0.0, 1.1 * w, 3.0));
+        assert!(h2 - h1 > 1e-3, "{h1} {h2}");
+    }
+}
+
+// claim: C7.3-3
+#[test]
+fn s7_3_slow_and_fast() {
+    let h = 0.5;
+    // L₃ = 3 at 60°: about 1/3 and 6.
+    let first = |l3: f64| [1.0 / l3, l3 / h];
+    assert_eq!(first(3.0), [1.0 / 3.0, 6.0]);
+    let mut remainders = Vec::new();
+    for l3 in [10.0_f64, 100.0, 1000.0] {
+        let x = h / (l3 * l3);
+        let [slow, fast] = rates(h, l3);
+        let [slow0, fast0] = first(l3);
+        // (1 − √(1−4x))/2x = 1 + x + 2x² + 5x³ + …, (1 + √(1−4x))/2 = 1 − x − x² − 2x³ − …
+        let terms = [
+            slow / slow0 - (1.0 + x + 2.0 * x * x),
+            fast / fast0 - (1.0 - x - x * x),
+        ];
+        if l3 < 1000.0 {
+            remainders.push(terms.map(|term| term / (x * x * x)));
+        }
+        // One factor alone is wrong by x.
+        within(((slow / slow0 - 1.0) / x - 1.0).abs(), 2.1 * x + 1e-15 / x);
+        within(((fast / fast0 - 1.0) / x + 1.0).abs(), 1.1 * x + 1e-15 / x);
+    }
+    // ∝ x³, with 5 and −2: at L₃ = 100 eleven digits are gone in the differences.
+    let [five, minus_two] = remainders[0];
+    within((five / 5.0 - 1.0).abs(), 0.015);
+    within((minus_two / -2.0 - 1.0).abs(), 0.015);
+    let [five, minus_two] = remainders[1];
+    observed!((five / 5.0 - 1.0).abs(), 3e-5..=1e-3);
+    observed!((minus_two / -2.0 - 1.0).abs(), 2e-4..=2e-3);
+    // They are motions of the library's tops, and the first approximations are not.
+    for l3 in [10.0, 100.0] {
+        for (w, near) in rates(h, l3).into_iter().zip(first(l3)) {
+            let band = |w: f64| {
+                let [h1, h2, _] = roots(&spun(std::f64::consts::FRAC_PI_3, 0.0, w, l3));
+                h2 - h1
+            };
+            observed!(band(w), 0.0..=3e-16);
+            assert!(band(near) > 1e-9, "{:e}", band(near));
+        }
+    }
+}
+
+// claim: C7.3-4
+#[test]
+fn s7_3_when_there_is_pure_precession() {
+    let theta = std::f64::consts::FRAC_PI_3;
+    // L₃² = 4I₁Mgl cos θ at 60°: L₃ = √2, one double rate L₃/(2I₁cos θ) = √2.
+    let least = least_axial_angular_momentum(1.0, 1.0, 0.5).unwrap();
+    assert_eq!(least, std::f64::consts::SQRT_2);
+    observed!(
+        (rates(0.5, least * (1.0 + 1e-12))[0] - least).abs(),
+        7e-7..=1e-5
+    );
+    // One per cent below it no rate at all keeps the tilt; one per cent above it two do.
+    let narrowest = |l3: f64| {
+        let bands = (0..4000).map(|k| {
+            let w = 0.5 + 0.0005 * f64::from(k);
+            let [h1, h2, _] = roots(&spun(theta, 0.0, w, l3));
+            h2 - h1
+        });
+        bands.fold(f64::INFINITY, f64::min)
+    };
+    assert!(
+        narrowest(0.99 * least) > 0.01,
+        "{}",
+        narrowest(0.99 * least)
+    );
+    observed!(narrowest(1.01 * least), 7e-6..=1e-4);
+    for w in rates(0.5, 1.01 * least) {
+        let [h1, h2, _] = roots(&spun(theta, 0.0, w, 1.01 * least));
+        // The double root is nearly triple here: h₃ − h₂ is small too.
+        observed!(h2 - h1, 0.0..=3e-16);
+    }
+    // At equality, in exact numbers: cos θ = 3/5, w = 5, L₃ = 6, Mgl = 15, and 36 = 4·15·3/5.
+    assert!(is(&exactly(5.0, 6.0, 15.0), Nutation::PurePrecession));
+    // Below the horizon always two, of opposite sign; without spin the conical pendulum.
+    for l3 in [0.0, 0.1, 1.0, 10.0] {
+        let h: f64 = -0.5;
+        let fast = -0.5 * (l3 + (l3 * l3 - 4.0 * h).sqrt());
+        let pair = [fast / -h, -1.0 / fast];
+        assert!(pair[0] < 0.0 && pair[1] > 0.0);
+        for w in pair {
+            let [h1, h2, _] = roots(&spun(2.0 * theta, 0.0, w, l3));
+            observed!(h2 - h1, 0.0..=1e-15);
+        }
+        if l3 == 0.0 {
+            observed!((pair[1] - 2.0_f64.sqrt()).abs(), 0.0..=3e-16);
+        }
+    }
+}
+
+// claim: C7.3-5
+#[test]
+fn s7_3_at_a_right_angle_one_rate() {
+    let level = Attitude::from_quaternion(1.0, 1.0, 0.0, 0.0).unwrap();
+    for l3 in [0.5, 2.0, 16.0, -4.0] {
+        // Mgl/L₃, exactly: powers of two all.
+        let omega = BodyVector::new(0.0, 1.0 / l3, l3 / AXIAL);
+        let top = LagrangeTop::new(1.0, AXIAL, 1.0, omega, level).unwrap();
+        assert!(is(&top, Nutation::PurePrecession), "{:?}", top.kind());
+        let start = Motion::start(UNIT, omega, level);
+        for t in [0.7, 9.0] {
+            observed!(at(&top, t).height.abs(), 0.0..=3e-16);
+            observed!(start.after(t).axis[2].abs(), 0.0..=7e-16);
+        }
+    }
+    // The fast one is gone to infinity like 1/cos θ.
+    for h in [1e-2, 1e-4, 1e-8] {
+        let [slow, fast] = rates(h, 2.0);
+        within((slow - 0.5).abs(), 0.2 * h);
+        within((fast * h - 2.0).abs(), 0.6 * h);
+    }
+}
+
+// claim: C7.3-6
+#[test]
+fn s7_3_fast_precession_is_the_free_one() {
+    for (theta, l3) in [(0.4, 3.0), (1.2, -2.0), (2.5, 1.0_f64)] {
+        // No gravity, L along the vertical: |L| cos θ = L₃, rate |L|/I₁ about it.
+        let size = l3 / f64::cos(theta);
+        let omega = BodyVector::new(0.0, size * theta.sin(), l3 / AXIAL);
+        let free = LagrangeTop::new(1.0, AXIAL, 0.0, omega, tilted(theta)).unwrap();
+        let symmetric = SymmetricTop::new(1.0, AXIAL).unwrap();
+        observed!(
+            (symmetric.axis_rate_in_space(omega) / size.abs() - 1.0).abs(),
+            0.0..=4e-16
+        );
+        let body = super::integrator::Body {
+            weight_moment: 0.0,
+            ..UNIT
+        };
+        let start = Motion::start(body, omega, tilted(theta));
+        for t in [0.3, 2.0, 11.0] {
+            observed!((at(&free, t).height - theta.cos()).abs(), 0.0..=4e-16);
+            let [x, y, _] = axis(&at(&free, t));
+            let (sine, cosine) = (size * t).sin_cos();
+            let radius = theta.sin();
+            observed!(
+                (x - radius * sine).hypot(y + radius * cosine),
+                3e-15..=3e-14
+            );
+            observed!((start.after(t).axis[0] - x).abs(), 1e-15..=2e-14);
+        }
+        // With a little gravity the fast rate is off by Mgl/L₃, and no more.
+        if theta.cos() > 0.0 && l3 > 0.0 {
+            for weight in [1e-3, 1e-6] {
+                let h = theta.cos();
+                let fast = (l3 + (l3 * l3 - 4.0 * h * weight).sqrt()) / (2.0 * h);
+                within(((size - fast) / (weight / l3) - 1.0).abs(), weight + 1e-9);
+            }
+        }
+    }
+}
+
+/// θ after `time` under transverse drag −cΩ⊥, and the speed of the axis then: RK4 along the axes of space.
+fn dragged(w: f64, l3: f64, drag: f64, time: f64) -> [f64; 2] {
+    let theta = std::f64::consts::FRAC_PI_3;
+    let rate = |y: [f64; 6]| {
+        let [x, yy, z, a, b, c] = y;
+        let along = x * a + yy * b + z * c;
+        // Ω⊥ = L⊥/I₁, and e' = L∧e.
+        let across = [a - along * x, b - along * yy, c - along * z];
+        [
+            b * z - c * yy,
+            c * x - a * z,
+            a * yy - b * x,
+            -yy - drag * across[0],
+            x - drag * across[1],
+            -drag * across[2],
+        ]
+    };
+    let (sine, h) = theta.sin_cos();
+    // The axis (sin θ, 0, cos θ), Ω⊥ = w(ẑ − h e).
+    let mut y = [sine, 0.0, h, 0.0, 0.0, 0.0];
+    for (k, up) in [0.0, 0.0, 1.0].into_iter().enumerate() {
+        y[3 + k] = w * (up - h * y[k]) + l3 * y[k];
+    }
+    let steps = (time * 500.0) as u32;
+    let step = time / f64::from(steps);
+    for _ in 0..steps {
+        let shifted = |k: [f64; 6], by: f64| std::array::from_fn(|i| y[i] + by * k[i]);
+        let k1 = rate(y);
+        let k2 = rate(shifted(k1, step / 2.0));
+        let k3 = rate(shifted(k2, step / 2.0));
+        let k4 = rate(shifted(k3, step));
+        y = std::array::from_fn(|i| y[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
+    }
+    let [x, yy, z, ..] = y;
+    let speed = rate(y)[..3].iter().map(|v| v * v).sum::<f64>().sqrt();
+    [z.clamp(-1.0, 1.0).acos().min(x.hypot(yy).atan2(z)), speed]
+}
+
+// claim: C7.3-7
+#[test]
+fn s7_3_the_fast_precession_dies_first() {
+    let (l3, drag) = (10.0, 0.05);
+    let [slow, fast] = rates(0.5, l3);
+    // The fast start moves its axis at 17.2; after 1/c = 20 an e-th of that is left, after 100 it is 0.11.
+    within((dragged(fast, l3, drag, 0.0)[1] - 17.2).abs(), 0.05);
+    let [_, speed] = dragged(fast, l3, drag, 100.0);
+    within((speed - 0.11).abs(), 0.005);
+    // The slow start has sunk from 60° to 62.5° by then: the scale is L₃²/(c Mgl) = 2000.
+    let [theta, _] = dragged(slow, l3, drag, 100.0);
+    within((theta.to_degrees() - 62.5).abs(), 0.05);
+    // Half the drag: half the sinking.
+    let [half, _] = dragged(slow, l3, 0.5 * drag, 100.0);
+    let sunk = |theta: f64| theta.to_degrees() - 60.0;
+    within((sunk(half) / sunk(theta) - 0.5).abs(), 0.01);
+    // Without drag neither changes: the library's motion.
+    for w in [slow, fast] {
+        let [theta, speed] = dragged(w, l3, 0.0, 10.0);
+        let state = at(&spun(std::f64::consts::FRAC_PI_3, 0.0, w, l3), 10.0);
+        observed!((theta.cos() - state.height).abs(), 2e-8..=2e-7);
+        observed!(
+            (speed - state.omega.x().hypot(state.omega.y())).abs(),
+            8e-7..=1e-5
+        );
+    }
+}

@@ -1,0 +1,28 @@
+//! One module a module of the library, one test a claim: named after its paragraph of the tutorial, with the claim above it.
+
+#![expect(
+    clippy::excessive_precision,
+    reason = "expected values keep all the digits they were computed to"
+)]
+
+mod conservation;
+mod elliptic;
+mod euler_equations;
+mod euler_top;
+mod falling_strip;
+mod frame;
+mod gyroscope;
+mod impacts;
+mod inertia;
+mod integrators;
+mod kovalevskaya_top;
+mod lagrange_top;
+mod phenomena;
+mod pythagoras;
+mod rolling;
+mod scenes;
+mod sheet;
+mod spool;
+mod superball;
+mod tippe_top;
+mod yo_yo;

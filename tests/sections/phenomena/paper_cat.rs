@@ -1,0 +1,90 @@
+//! The cat of paper, which the air turns.
+
+use std::f64::consts::PI;
+
+use spinning_bodies::phenomena::PaperCat;
+use spinning_bodies::scene::effects::{Air, Gravity};
+use spinning_bodies::scene::{Request, Scene, shape};
+use support::{observed, relative};
+
+// claim: C1.1-9, C1.1-13
+#[test]
+fn s1_1_the_paper_cat_needs_air() {
+    let cat = PaperCat::POSTCARD;
+    let g = Gravity::new(9.81).unwrap();
+    let air = Air::new(1.2).unwrap();
+    observed!((cat.terminal_speed(1.2, 9.81) - 2.022).abs(), 8e-5..=5e-4);
+    // The torque of the air points to upright from every tilt, and is zero at the two ends.
+    for k in 1..180 {
+        let tilt = f64::from(k).to_radians();
+        assert!(cat.righting(1.2, 2.0, tilt, 0.0) < 0.0);
+        assert!(cat.righting(1.2, 2.0, -tilt, 0.0) > 0.0);
+    }
+    assert_eq!(cat.righting(1.2, 2.0, 0.0, 0.0), 0.0);
+    // Heights of fall, m: Runge and Kutta's method in steps of 0.1 ms, by another program.
+    for (degrees, fall) in [
+        (150.0, 0.609_746),
+        (170.0, 0.825_466),
+        (175.0, 0.965_072),
+        (179.0, 1.291_469),
+    ] {
+        let tilt = f64::to_radians(degrees);
+        let scene = shape::PaperCat::new(cat, tilt).unwrap().with(g).unwrap();
+        let airy = scene.with(air).unwrap();
+        let righted = airy.rights_itself(10.0).unwrap().unwrap();
+        observed!(
+            (righted.fall - fall).abs(),
+            1e-7..=1e-6,
+            "{degrees}: {}",
+            righted.fall
+        );
+        // In a vacuum it lands as it was let go.
+        assert_eq!(scene.rights_itself(10.0).unwrap(), None);
+        let motion = scene.simulate(&Request::at([0.5]).unwrap()).unwrap();
+        assert_eq!(motion.rows[0].1.tilt, tilt);
+        observed!(
+            relative(motion.rows[0].1.fall, 0.5 * 9.81 * 0.25),
+            0.0..=1e-15
+        );
+    }
+    // Upright is the only rest that lasts: it gets there and stays.
+    let scene = shape::PaperCat::new(cat, 3.0)
+        .unwrap()
+        .with(air)
+        .unwrap()
+        .with(g)
+        .unwrap();
+    let motion = scene.simulate(&Request::at([30.0]).unwrap()).unwrap();
+    observed!(
+        motion.rows[0].1.tilt.abs(),
+        0.0..=1e-8,
+        "{:?}",
+        motion.rows[0].1
+    );
+    // Speed and fall have a closed form, the tilt has no say in them.
+    let [velocity, fall] = cat.fall(1.2, 9.81, 30.0);
+    observed!(relative(motion.rows[0].1.velocity, velocity), 0.0..=1e-10);
+    observed!(relative(motion.rows[0].1.fall, fall), 0.0..=1e-10);
+}
+
+// claim: C1.1-9
+#[test]
+fn s1_1_upside_down_is_an_equilibrium_and_costs_a_logarithm() {
+    let cat = PaperCat::POSTCARD;
+    let fall = |error: f64| {
+        let scene = shape::PaperCat::new(cat, PI - error).unwrap();
+        let scene = scene
+            .with(Air::new(1.2).unwrap())
+            .unwrap()
+            .with(Gravity::new(9.81).unwrap())
+            .unwrap();
+        scene.rights_itself(30.0).unwrap().unwrap().fall
+    };
+    let decade = cat.fall_per_decade(1.2, 9.81);
+    for exponent in 3..7 {
+        let grown = fall(10f64.powi(-exponent - 1)) - fall(10f64.powi(-exponent));
+        // The errors are small enough to be linear and the speed is terminal: the closed rate. Observed: 2e-5, 2e-7, 2e-9 and less, the
+        // last by the rounding of π − error.
+        observed!(relative(grown, decade), 5e-6..=1e-3);
+    }
+}

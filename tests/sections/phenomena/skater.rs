@@ -1,0 +1,117 @@
+//! The skater, and a top of three different moments.
+
+use std::f64::consts::TAU;
+
+use spinning_bodies::conservation::{Law, Ledger};
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::inertia::InertiaMatrix;
+use spinning_bodies::integrators::Method;
+use spinning_bodies::phenomena::quadrature;
+use spinning_bodies::phenomena::skater::Skater;
+use spinning_bodies::scene::effects::{Draw, Pace};
+use spinning_bodies::scene::{Request, Scene, shape};
+use support::{observed, relative};
+
+// claim: C1.1-10
+#[test]
+fn s1_1_the_skater_and_the_work_of_the_arms() {
+    let body = Skater::new(1.0, 0.25).unwrap();
+    let scene = shape::Skater::new(body, 1.0, 6.0).unwrap().with(Draw {
+        to: 0.4,
+        begin: 0.5,
+        duration: 1.0,
+        pace: Pace::Late,
+    });
+    let scene = scene.unwrap();
+    let request = Request::at([0.9, 1.2, 2.0])
+        .unwrap()
+        .to_accuracy(1e-12)
+        .unwrap();
+    let exact = scene.simulate(&request).unwrap();
+    let end = exact.rows[2].1;
+    observed!(relative(end.spin, 25.0 / 3.0), 0.0..=3e-16);
+    observed!(relative(end.work, 10.5), 0.0..=5e-16);
+    // Coriolis' force and the pull against the centrifugal force, integrated.
+    let method = spinning_bodies::scene::Choice::Use(spinning_bodies::scene::Solver::General(
+        Method::Dop853,
+    ));
+    let request = request.with_methods(&lab::general::DifferentialEquations);
+    let followed = scene.simulate(&request.by(method)).unwrap();
+    for ((_, a), (_, b)) in exact.rows.iter().zip(&followed.rows) {
+        // Observed: 2e-14.
+        observed!(relative(a.spin, b.spin), 0.0..=1e-12);
+        observed!(relative(a.work, b.work), 3e-15..=1e-12);
+        observed!(relative(b.work, b.energy - 27.0), 9e-15..=1e-12);
+    }
+    // The arms alone: ∫ 2mΩ²r dr.
+    let l = 9.0;
+    let pull = |r: f64| -2.0 * 0.25 * body.spin(l, r).powi(2) * r;
+    let work = quadrature::integral(pull, 1.0, 0.4, 0.0).unwrap();
+    observed!(relative(work, 10.5), 0.0..=1e-14);
+
+    // A grown skater: 3.5 to 1 kg m², from two turns a second.
+    let body = Skater::new(0.8, 2.5).unwrap();
+    let [out, close] = [3.5, 1.0].map(|moment| body.reach(moment).unwrap());
+    let l = 3.5 * 2.0 * TAU;
+    observed!(relative(body.spin(l, close) / TAU, 7.0), 0.0..=5e-16);
+    let before = body.energy(body.spin(l, out), out, 0.0);
+    let after = body.energy(body.spin(l, close), close, 0.0);
+    observed!((before - 276.3).abs(), 1e-2..=0.05, "{before} {after}");
+    observed!((after - 967.2).abs(), 7e-3..=0.05, "{before} {after}");
+    observed!(
+        relative(after - before, body.work(l, out, close).unwrap()),
+        0.0..=1e-15
+    );
+    observed!(relative(after / before, 3.5), 0.0..=1e-15);
+}
+
+// claim: C1.4-1
+#[test]
+fn s1_4_a_top_need_not_be_symmetric() {
+    // Three different moments, and a free motion that keeps them apart.
+    let matrix = InertiaMatrix::diagonal(1.0, 2.0, 3.0).unwrap();
+    let axes = matrix.principal_axes().moments();
+    assert_eq!(axes, [1.0, 2.0, 3.0]);
+    let top = spinning_bodies::euler_top::EulerTop::from_omega(
+        [1.0, 2.0, 3.0],
+        BodyVector::new(0.4, 0.3, 1.0),
+        Attitude::identity(),
+    )
+    .unwrap();
+    let mut ledger = Ledger::new();
+    let energy = |omega: BodyVector| matrix.rotational_energy(omega);
+    let start = top.at(0.0).unwrap().omega;
+    let account = ledger
+        .open("energy", Law::Conserved, energy(start))
+        .unwrap();
+    for k in 1..20 {
+        ledger
+            .record(account, energy(top.at(f64::from(k)).unwrap().omega))
+            .unwrap();
+    }
+    assert!(ledger.is_kept_within(1e-14).unwrap(), "{ledger}");
+}
+
+#[test]
+fn a_quadrature_ends() {
+    use spinning_bodies::Error;
+    // Sixteen thousand million waves need ten times as many evaluations: the error tells how far a million came.
+    let refused = quadrature::integral(f64::sin, 0.0, 1e11, 0.0);
+    let Err(Error::OutOfRange {
+        value, greatest, ..
+    }) = refused
+    else {
+        panic!("{refused:?}");
+    };
+    assert!(
+        value == 1e11 && (1e4..1e7).contains(&greatest),
+        "{greatest}"
+    );
+    // A thousand waves are within it.
+    let waves = quadrature::integral(f64::sin, 0.0, 6000.0, 0.0).unwrap();
+    observed!(
+        (waves - (1.0 - 6000f64.cos())).abs(),
+        3e-14..=4e-12,
+        "{waves}"
+    );
+}

@@ -1,0 +1,205 @@
+//! Swivelling: a net turn without angular momentum, and the area that it is.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, FRAC_PI_8};
+
+use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_along, turn_within};
+use spinning_bodies::phenomena::{Swivel, Waist};
+use spinning_bodies::scene::effects::{FourPhases, Pace, RoundTrip};
+use spinning_bodies::scene::{Request, Scene, shape};
+use support::{observed, relative};
+
+const DEFAULT: Waist = Waist {
+    upper_arms_out: 2.0,
+    upper_arms_in: 0.7,
+    lower: 0.6,
+};
+
+// claim: C1.1-3, C1.1-4
+#[test]
+fn s1_1_the_swivel_turns_further_than_it_turns_back() {
+    let body = Waist {
+        upper_arms_out: 3.0,
+        upper_arms_in: 1.0,
+        lower: 1.0,
+    };
+    let exact = [
+        (body.swivel_angle(FRAC_PI_2).unwrap(), -FRAC_PI_8),
+        (body.phases(FRAC_PI_2).unwrap()[0], -3.0 * FRAC_PI_8),
+        (body.phases(FRAC_PI_2).unwrap()[1], FRAC_PI_4),
+    ];
+    for (value, truth) in exact {
+        observed!(relative(value, truth), 0.0..=4e-16);
+    }
+    let turn = DEFAULT.swivel_angle(FRAC_PI_2).unwrap().to_degrees();
+    observed!((turn + 20.769).abs(), 7e-5..=5e-4, "{turn}");
+    // Exactly −90 · 0.6 · 1.3 / (2.6 · 1.3) = −270/13 degrees.
+    observed!(relative(turn, -270.0 / 13.0), 0.0..=5e-16);
+    // A/(A + B) grows with A.
+    let plane = Swivel { lower: 0.6 };
+    let shares = (1..100).map(|k| plane.turn_back(0.1 * f64::from(k)));
+    assert!(shares.is_sorted_by(|a, b| a < b));
+    // The limits.
+    for (out, arms_in, lower, twist) in [
+        (2.0, 2.0, 0.6, 1.0),
+        (2.0, 0.7, 0.0, 1.0),
+        (2.0, 0.7, 0.6, 0.0),
+    ] {
+        let waist = Waist {
+            upper_arms_out: out,
+            upper_arms_in: arms_in,
+            lower,
+        };
+        assert_eq!(waist.swivel_angle(twist).unwrap(), 0.0);
+    }
+    for lower in [1e9, 1e-9] {
+        let waist = Waist { lower, ..DEFAULT };
+        observed!(waist.swivel_angle(1.0).unwrap().abs(), 4e-10..=2e-9);
+    }
+}
+
+// claim: C1.1-5
+#[test]
+fn s1_1_the_sense_of_the_swivel() {
+    // Anticlockwise is positive: twist that way with the arms out, and the net turn is clockwise.
+    assert!(DEFAULT.swivel_angle(1.0).unwrap() < 0.0);
+    let swapped = Waist {
+        upper_arms_out: DEFAULT.upper_arms_in,
+        upper_arms_in: DEFAULT.upper_arms_out,
+        ..DEFAULT
+    };
+    observed!(
+        relative(
+            swapped.swivel_angle(1.0).unwrap(),
+            -DEFAULT.swivel_angle(1.0).unwrap()
+        ),
+        0.0..=3e-16
+    );
+    assert_eq!(
+        DEFAULT.swivel_angle(-1.0).unwrap(),
+        -DEFAULT.swivel_angle(1.0).unwrap()
+    );
+}
+
+// claim: C1.1-6
+#[test]
+fn s1_1_the_best_lower_moment() {
+    let body = Waist {
+        upper_arms_out: 3.0,
+        upper_arms_in: 1.0,
+        lower: 1.0,
+    };
+    let best = body.best_lower().unwrap();
+    observed!(relative(best, 3.0_f64.sqrt()), 0.0..=3e-16);
+    let turn = |lower: f64| Waist { lower, ..body }.swivel_angle(FRAC_PI_2).unwrap();
+    observed!(
+        relative(turn(best), -FRAC_PI_2 * (2.0 - 3.0_f64.sqrt())),
+        0.0..=5e-16
+    );
+    observed!(relative(turn(best), -0.420_893_607_238_466_46), 0.0..=3e-16);
+    for k in -40..=40 {
+        let other = best * 1.1_f64.powi(k);
+        assert!(k == 0 || turn(other) > turn(best));
+        assert!(turn(other).abs() < FRAC_PI_2);
+    }
+}
+
+/// The loop A = 2 + cos s, ψ = sin s.
+fn ellipse(s: f64) -> Step {
+    let (sin, cos) = s.sin_cos();
+    Step {
+        shape: [2.0 + cos, sin],
+        rate: [-sin, cos],
+    }
+}
+
+// claim: C1.1-7
+#[test]
+fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
+    let plane = Swivel { lower: 1.0 };
+    // 2π(1 − 3/√8).
+    let truth = -0.381_139_100_057_962_9;
+    let along = turn_along(&plane, ellipse).unwrap();
+    let within = turn_within(&plane, ellipse, Hub::Point([2.0, 0.0])).unwrap();
+    let aside = turn_within(&plane, ellipse, Hub::Point([1.4, 0.3])).unwrap();
+    // Observed: 1.5e-16, 3e-16, 6e-16.
+    for value in [along, within, aside] {
+        observed!(relative(value, truth), 0.0..=2e-15);
+    }
+    // Two other ways of going round it in time.
+    let late = |s: f64| {
+        let warped = s + 0.7 * s.sin();
+        let step = ellipse(warped);
+        Step {
+            rate: step.rate.map(|r| r * (1.0 + 0.7 * s.cos())),
+            ..step
+        }
+    };
+    observed!(
+        relative(turn_along(&plane, late).unwrap(), truth),
+        0.0..=2e-15
+    );
+    for duration in [0.3, 60.0] {
+        for pace in [Pace::Even, Pace::Late] {
+            let round = RoundTrip {
+                mean: 2.0,
+                swing: 1.0,
+                twist: 1.0,
+                duration,
+                pace,
+            };
+            let scene = shape::Swivel::new(1.0, 3.0).unwrap().with(round).unwrap();
+            let motion = scene.simulate(&Request::at([duration]).unwrap()).unwrap();
+            let turn = motion.rows[0].1.lower;
+            // Observed: 3e-15.
+            observed!(relative(turn, truth), 3e-16..=1e-14);
+        }
+    }
+    // Round the other way: back again. A loop without area: nothing.
+    let back = |s: f64| {
+        let step = ellipse(-s);
+        Step {
+            rate: step.rate.map(|r| -r),
+            ..step
+        }
+    };
+    observed!(
+        relative(turn_along(&plane, back).unwrap(), -truth),
+        0.0..=2e-15
+    );
+    let line = |s: f64| Step {
+        shape: [2.0 + s.sin(), s.sin()],
+        rate: [s.cos(), s.cos()],
+    };
+    observed!(turn_along(&plane, line).unwrap().abs(), 0.0..=1e-15);
+}
+
+// claim: C1.1-12
+#[test]
+fn s1_1_picture_b_the_four_frames() {
+    let phases = FourPhases {
+        arms_out: 2.0,
+        arms_in: 0.7,
+        twist: FRAC_PI_2,
+        duration: 4.0,
+        pace: Pace::Even,
+    };
+    let scene = shape::Swivel::new(0.6, 2.0).unwrap().with(phases).unwrap();
+    let motion = scene
+        .simulate(&Request::at([1.0, 2.0, 3.0, 4.0]).unwrap())
+        .unwrap();
+    let [there, back] = DEFAULT.phases(FRAC_PI_2).unwrap();
+    let whole = DEFAULT.swivel_angle(FRAC_PI_2).unwrap();
+    // ΨB/(A + B) and −ΨA/(A + B).
+    let upper = FRAC_PI_2 * 0.6 / 2.6;
+    let expected = [
+        [there, upper],
+        [there, upper],
+        [there + back, there + back],
+        [whole, whole],
+    ];
+    for ((_, state), [lower, upper]) in motion.rows.iter().zip(expected) {
+        // Observed: 4e-16.
+        observed!((state.lower - lower).abs(), 0.0..=2e-15, "{state:?}");
+        observed!((state.upper - upper).abs(), 0.0..=2e-15, "{state:?}");
+    }
+}

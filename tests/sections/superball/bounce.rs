@@ -1,0 +1,138 @@
+//! One bounce: the balances, the two solutions, the matrices.
+
+use spinning_bodies::superball::{Motion, Surface, bounce, bounce_matrix, friction_impulse};
+
+use super::common::{determinant, exact, kappas, thrown, times};
+use support::{R, rational};
+
+fn apply(a: [[R; 2]; 2], m: Motion<R>) -> Motion<R> {
+    exact(
+        a[0][0] * m.velocity + a[0][1] * m.rim_speed,
+        a[1][0] * m.velocity + a[1][1] * m.rim_speed,
+    )
+}
+
+const IDENTITY: fn() -> [[R; 2]; 2] = || {
+    [
+        [rational(1, 1), rational(0, 1)],
+        [rational(0, 1), rational(1, 1)],
+    ]
+};
+
+// claim: C4.6-1, C4.6-3
+#[test]
+fn s4_6_balances_and_reversed_contact_speed() {
+    for kappa in kappas() {
+        for before in [
+            exact(rational(1, 1), rational(3, 10)),
+            exact(rational(-7, 3), rational(5, 2)),
+            exact(rational(2, 1), rational(2, 1)),
+        ] {
+            for (surface, sign) in [
+                (Surface::Floor, rational(1, 1)),
+                (Surface::Ceiling, rational(-1, 1)),
+            ] {
+                let after = bounce(before, surface, kappa);
+                // Per mass: V' − V = F, κ(RΩ' − RΩ) = ∓F; the ceiling has the other sign, R → −R.
+                let impulse = friction_impulse(before, surface, kappa);
+                assert_eq!(after.velocity - before.velocity, impulse);
+                assert_eq!(
+                    kappa * (after.rim_speed - before.rim_speed),
+                    -sign * impulse
+                );
+                assert_eq!(after.energy(kappa), before.energy(kappa));
+                assert_eq!(after.contact_speed(surface), -before.contact_speed(surface));
+            }
+        }
+    }
+}
+
+// claim: C4.6-2
+#[test]
+fn s4_6_exactly_two_solutions() {
+    // Along the line of the two momentum balances, V' = V + f and RΩ' = RΩ − f/κ, the energy is a quadratic in f without a
+    // constant term: f² (1 + 1/κ) + 2 f (V − RΩ) = 0. Three points fix it; its roots are the dull one and the superball's.
+    for kappa in kappas()
+        .into_iter()
+        .filter(|kappa| *kappa != rational(0, 1))
+    {
+        let before = exact(rational(1, 1), rational(3, 10));
+        let gain = |f: R| {
+            exact(before.velocity + f, before.rim_speed - f / kappa).energy(kappa)
+                - before.energy(kappa)
+        };
+        let quadratic = (gain(rational(1, 1)) + gain(rational(-1, 1))) / rational(2, 1);
+        let linear = (gain(rational(1, 1)) - gain(rational(-1, 1))) / rational(2, 1);
+        assert_eq!(gain(rational(0, 1)), rational(0, 1));
+        assert_ne!(quadratic, rational(0, 1));
+        let other = -linear / quadratic;
+        assert_eq!(gain(other), rational(0, 1));
+        assert_eq!(other, friction_impulse(before, Surface::Floor, kappa));
+        // A ball that already rolls has only one solution.
+        let rolling = exact(rational(5, 7), rational(5, 7));
+        assert_eq!(bounce(rolling, Surface::Floor, kappa), rolling);
+    }
+}
+
+// claim: C4.6-4, C4.6-5
+#[test]
+fn s4_6_matrices_of_floor_and_ceiling() {
+    let sevenths = |m: [[i128; 2]; 2]| m.map(|row| row.map(|n| rational(n, 7)));
+    assert_eq!(
+        bounce_matrix(Surface::Floor, rational(2, 5)),
+        sevenths([[3, 4], [10, -3]])
+    );
+    assert_eq!(
+        bounce_matrix(Surface::Ceiling, rational(2, 5)),
+        sevenths([[3, -4], [-10, -3]])
+    );
+    let spun = exact(rational(1, 1), rational(3, 10));
+    assert_eq!(
+        bounce(spun, Surface::Floor, rational(2, 5)),
+        exact(rational(3, 5), rational(13, 10))
+    );
+    assert_eq!(
+        bounce(spun, Surface::Ceiling, rational(2, 5)),
+        exact(rational(9, 35), rational(-109, 70))
+    );
+    for kappa in kappas() {
+        for surface in [Surface::Floor, Surface::Ceiling] {
+            assert_eq!(
+                apply(bounce_matrix(surface, kappa), spun),
+                bounce(spun, surface, kappa)
+            );
+        }
+    }
+    // All mass at the centre: spin has no say. All mass on the rim: velocity and rim speed swap.
+    assert_eq!(
+        bounce(spun, Surface::Floor, rational(0, 1)).velocity,
+        spun.velocity
+    );
+    assert_eq!(
+        bounce(spun, Surface::Floor, rational(1, 1)),
+        exact(spun.rim_speed, spun.velocity)
+    );
+}
+
+// claim: C4.6-6
+#[test]
+fn s4_6_reflections() {
+    for kappa in kappas() {
+        for surface in [Surface::Floor, Surface::Ceiling] {
+            let m = bounce_matrix(surface, kappa);
+            assert_eq!(determinant(m), rational(-1, 1));
+            assert_eq!(times(m, m), IDENTITY());
+            // Trace 0 with determinant −1: eigenvalues +1 and −1.
+            assert_eq!(m[0][0] + m[1][1], rational(0, 1));
+        }
+    }
+}
+
+// claim: C4.6-8
+#[test]
+fn s4_6_energy_is_kept_exactly() {
+    // The squares of 22 bounces are the last that fit into 127 bits.
+    for motion in thrown().take(21) {
+        assert_eq!(motion.energy(rational(2, 5)), rational(1, 1));
+    }
+}

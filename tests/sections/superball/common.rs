@@ -1,0 +1,36 @@
+//! What the files of 4.6 share.
+
+use spinning_bodies::superball::{Motion, UnderTable};
+use support::{R, rational};
+
+pub const BALL: f64 = 2.0 / 5.0;
+
+pub fn exact(velocity: R, rim_speed: R) -> Motion<R> {
+    Motion {
+        velocity,
+        rim_speed,
+    }
+}
+
+pub fn thrown() -> UnderTable<R> {
+    UnderTable::new(exact(rational(1, 1), rational(0, 1)), rational(2, 5))
+}
+
+pub fn times(a: [[R; 2]; 2], b: [[R; 2]; 2]) -> [[R; 2]; 2] {
+    [0, 1].map(|i| [0, 1].map(|j| a[i][0] * b[0][j] + a[i][1] * b[1][j]))
+}
+
+pub fn determinant(a: [[R; 2]; 2]) -> R {
+    a[0][0] * a[1][1] - a[0][1] * a[1][0]
+}
+
+pub fn kappas() -> [R; 6] {
+    [
+        rational(2, 5),
+        rational(2, 3),
+        rational(1, 2),
+        rational(1, 1),
+        rational(1, 3),
+        rational(0, 1),
+    ]
+}

@@ -1,0 +1,71 @@
+//! What is refused, and that nothing panics.
+
+use proptest::prelude::*;
+use spinning_bodies::Error;
+use spinning_bodies::superball::{
+    BounceRotation, Motion, Surface, UnderTable, bounce, checked_bounce, reach, spring_bounce,
+};
+
+use super::common::exact;
+use support::rational;
+
+#[test]
+fn superball_refuses_what_is_no_ball() {
+    assert!(matches!(
+        BounceRotation::new(f64::NAN),
+        Err(Error::NotFinite { .. })
+    ));
+    assert!(matches!(
+        BounceRotation::new(1.1),
+        Err(Error::OutOfRange { .. })
+    ));
+    assert!(matches!(
+        BounceRotation::of_fraction(1, 0),
+        Err(Error::NotPositive { .. })
+    ));
+    let start = Motion {
+        velocity: 1.0,
+        rim_speed: 0.0,
+    };
+    assert!(matches!(
+        spring_bounce(start, Surface::Floor, 0.4, -1.0),
+        Err(Error::Negative { .. })
+    ));
+    let exact_start = exact(rational(1, 1), rational(0, 1));
+    assert_eq!(
+        checked_bounce(exact_start, Surface::Floor, rational(-1, 1)),
+        None
+    );
+    assert_eq!(
+        checked_bounce(
+            exact(rational(i128::MAX, 1), rational(-1, 1)),
+            Surface::Floor,
+            rational(2, 5)
+        ),
+        None
+    );
+}
+
+proptest! {
+    #[test]
+    fn superball_never_panics(v in any::<f64>(), w in any::<f64>(), kappa in any::<f64>(), tuning in any::<f64>(), n in any::<u64>()) {
+        let start = Motion { velocity: v, rim_speed: w };
+        let _ = bounce(start, Surface::Ceiling, kappa);
+        let _ = (UnderTable::new(start, kappa).positions().nth(5), reach(kappa));
+        let _ = spring_bounce(start, Surface::Floor, kappa, tuning);
+        if let Ok(rotation) = BounceRotation::new(kappa) {
+            let _ = (rotation.angle(), rotation.after(start, n));
+        }
+    }
+
+    #[test]
+    fn superball_bounces_back_the_way_it_came(v in -10i128..10, w in -10i128..10, k in 1i128..20) {
+        let start = exact(rational(v, 3), rational(w, 7));
+        let kappa = rational(k, 20);
+        for surface in [Surface::Floor, Surface::Ceiling] {
+            let after = bounce(start, surface, kappa);
+            prop_assert_eq!(bounce(after, surface, kappa), start);
+            prop_assert_eq!(checked_bounce(start, surface, kappa), Some(after));
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! The contact as springs.
+
+use approx::assert_relative_eq;
+use spinning_bodies::superball::{Motion, Surface, bounce, spring_bounce};
+use support::observed;
+
+use super::common::BALL;
+
+/// One contact with springs k_n and k_t, integrated by RK4: heights, velocities, stretch; k_n = M = R = 1.
+fn contact_by_integration(
+    before: Motion<f64>,
+    kappa: f64,
+    tuning: f64,
+    steps: u32,
+) -> (Motion<f64>, f64) {
+    let tangential = tuning * kappa / (1.0 + kappa);
+    // Compression and its rate, stretch along the surface, V, RΩ.
+    let rate = |y: [f64; 5]| {
+        let force = -tangential * y[2];
+        [y[1], -y[0], y[3] - y[4], force, -force / kappa]
+    };
+    let shifted = |y: [f64; 5], k: [f64; 5], h: f64| [0, 1, 2, 3, 4].map(|i| y[i] + h * k[i]);
+    let mut y = [0.0, 1.0, 0.0, before.velocity, before.rim_speed];
+    let h = std::f64::consts::PI / f64::from(steps);
+    for _ in 0..steps {
+        let k1 = rate(y);
+        let k2 = rate(shifted(y, k1, h / 2.0));
+        let k3 = rate(shifted(y, k2, h / 2.0));
+        let k4 = rate(shifted(y, k3, h));
+        y = [0, 1, 2, 3, 4].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+    }
+    observed!(y[0].abs(), 5e-16..=6e-14, "the contact has ended");
+    (
+        Motion {
+            velocity: y[3],
+            rim_speed: y[4],
+        },
+        y[2],
+    )
+}
+
+// claim: C4.6-14, C4.6-3
+#[test]
+fn s4_6_spring_contact() {
+    let before = Motion {
+        velocity: 1.0,
+        rim_speed: 0.3,
+    };
+    for kappa in [BALL, 2.0 / 3.0, 1.0] {
+        let law = bounce(before, Surface::Floor, kappa);
+        let tuned = spring_bounce(before, Surface::Floor, kappa, 1.0).unwrap();
+        assert_eq!(tuned.motion, law);
+        observed!(tuned.kept_by_spring, 0.0..=1e-31);
+        for tuning in [1.0, 0.7, 1.3, 0.0] {
+            let (integrated, stretch) = contact_by_integration(before, kappa, tuning, 4000);
+            let closed = spring_bounce(before, Surface::Floor, kappa, tuning).unwrap();
+            // RK4 with 4000 steps; observed 1e-14.
+            assert_relative_eq!(
+                closed.motion.velocity,
+                integrated.velocity,
+                max_relative = 0.0,
+                epsilon = 1e-13
+            );
+            assert_relative_eq!(
+                closed.motion.rim_speed,
+                integrated.rim_speed,
+                max_relative = 0.0,
+                epsilon = 1e-13
+            );
+            let spring = tuning * kappa / (1.0 + kappa) * stretch * stretch;
+            let contact = kappa / (1.0 + kappa) * before.contact_speed(Surface::Floor).powi(2);
+            assert_relative_eq!(
+                closed.kept_by_spring,
+                spring / contact,
+                max_relative = 0.0,
+                epsilon = 1e-13
+            );
+            let missing = before.energy(kappa) - closed.motion.energy(kappa);
+            assert_relative_eq!(missing, spring, max_relative = 0.0, epsilon = 1e-13);
+        }
+        for mistuned in [0.7, 1.3] {
+            let off = spring_bounce(before, Surface::Floor, kappa, mistuned).unwrap();
+            assert!(
+                (off.motion.velocity - law.velocity).abs() > 1e-2,
+                "κ = {kappa}, tuning {mistuned}"
+            );
+        }
+    }
+    // The ceiling is the floor with the spin reversed.
+    let mirrored = Motion {
+        velocity: before.velocity,
+        rim_speed: -before.rim_speed,
+    };
+    let (floor, ceiling) = (
+        spring_bounce(mirrored, Surface::Floor, BALL, 0.7)
+            .unwrap()
+            .motion,
+        spring_bounce(before, Surface::Ceiling, BALL, 0.7)
+            .unwrap()
+            .motion,
+    );
+    assert_eq!(
+        (floor.velocity, floor.rim_speed),
+        (ceiling.velocity, -ceiling.rim_speed)
+    );
+}

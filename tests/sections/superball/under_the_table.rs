@@ -1,0 +1,226 @@
+//! Bounce after bounce: the rotation, the way back out, no period.
+
+use approx::assert_relative_eq;
+use spinning_bodies::superball::{
+    BounceRotation, Motion, Surface, UnderTable, bounce_matrix, checked_bounce, reach,
+};
+use support::{R, observed, rational, relative};
+
+use super::common::{BALL, determinant, exact, kappas, thrown, times};
+
+// claim: C4.6-7, C4.6-13
+#[test]
+fn s4_6_table_of_three_bounces() {
+    let bounces: Vec<_> = thrown().take(3).collect();
+    let expected = [
+        exact(rational(3, 7), rational(10, 7)),
+        exact(rational(-31, 49), rational(-60, 49)),
+        exact(rational(-333, 343), rational(-130, 343)),
+    ];
+    assert_eq!(bounces, expected);
+    // The path of the picture: floor, ceiling, floor, ceiling at these places, and the senses of spin between them.
+    let places: Vec<_> = thrown().positions().take(3).collect();
+    assert_eq!(
+        places,
+        [rational(3, 7), rational(-10, 49), rational(-403, 343)]
+    );
+    let senses: Vec<_> = bounces
+        .iter()
+        .map(|m| m.rim_speed > rational(0, 1))
+        .collect();
+    assert_eq!(senses, [true, false, false]);
+}
+
+// claim: C4.6-9
+#[test]
+fn s4_6_double_bounce_is_a_rotation() {
+    let double = times(
+        bounce_matrix(Surface::Ceiling, rational(2, 5)),
+        bounce_matrix(Surface::Floor, rational(2, 5)),
+    );
+    assert_eq!(determinant(double), rational(1, 1));
+    assert_eq!(double[0][0] + double[1][1], rational(-62, 49));
+    for kappa in kappas() {
+        let double = times(
+            bounce_matrix(Surface::Ceiling, kappa),
+            bounce_matrix(Surface::Floor, kappa),
+        );
+        // trace = 2 cos 2δ = 4 cos² δ − 2 with cos δ = (1−κ)/(1+κ)
+        let cos = (rational(1, 1) - kappa) / (rational(1, 1) + kappa);
+        assert_eq!(
+            double[0][0] + double[1][1],
+            rational(4, 1) * cos * cos - rational(2, 1)
+        );
+    }
+    let delta = BounceRotation::of_fraction(2, 5).unwrap().angle();
+    observed!(relative(delta, 1.127_885_282_721_257_7), 0.0..=2.3e-16);
+    assert_relative_eq!(
+        delta.cos(),
+        3.0 / 7.0,
+        max_relative = 0.0,
+        epsilon = 2.3e-16
+    );
+}
+
+// claim: C4.6-10
+#[test]
+fn s4_6_chebyshev() {
+    let known: [(usize, i128, i128); 7] = [
+        (4, -479, 3720),
+        (5, 13443, -15950),
+        (6, 104129, -86580),
+        (7, -33933, 1301030),
+        (8, -5305919, -3563760),
+        (9, -30172797, -42367910),
+        (10, 78953249, 428831700),
+    ];
+    let motions: Vec<_> = thrown().take(12).collect();
+    for (n, velocity, rim_speed) in known {
+        let sevens = 7i128.pow(n as u32);
+        assert_eq!(
+            motions[n - 1],
+            exact(rational(velocity, sevens), rational(rim_speed, sevens))
+        );
+    }
+    // T and U by their own recurrence.
+    let x = rational(3, 7);
+    let (mut t, mut u) = ([rational(1, 1), x], [rational(0, 1), rational(1, 1)]);
+    for (n, motion) in (1..).zip(motions) {
+        let sign = if n % 2 == 1 {
+            rational(1, 1)
+        } else {
+            rational(-1, 1)
+        };
+        assert_eq!(
+            motion,
+            exact(t[1], sign * rational(10, 7) * u[1]),
+            "bounce {n}"
+        );
+        t = [t[1], rational(2, 1) * x * t[1] - t[0]];
+        u = [u[1], rational(2, 1) * x * u[1] - u[0]];
+    }
+    // Any start, any κ: the closed form against 200 bounces one by one. The rim speed grows as 1/√κ.
+    for (numerator, denominator) in [(2, 5), (2, 3), (1, 1), (1, 3), (1, 1000)] {
+        let kappa = f64::from(numerator) / f64::from(denominator);
+        let rotation = BounceRotation::of_fraction(numerator, denominator).unwrap();
+        let start = Motion {
+            velocity: 0.6,
+            rim_speed: -1.7,
+        };
+        assert_eq!(rotation.after(start, 0), start);
+        for (n, motion) in (1..).zip(UnderTable::new(start, kappa).take(200)) {
+            let closed = rotation.after(start, n);
+            assert_relative_eq!(
+                closed.velocity,
+                motion.velocity,
+                max_relative = 0.0,
+                epsilon = 3e-14 / kappa.sqrt()
+            );
+            assert_relative_eq!(
+                closed.rim_speed,
+                motion.rim_speed,
+                max_relative = 0.0,
+                epsilon = 3e-14 / kappa.sqrt()
+            );
+        }
+    }
+}
+
+// claim: C4.6-11
+#[test]
+fn s4_6_it_comes_back_out() {
+    let third = thrown().nth(2).unwrap();
+    assert_eq!(third.velocity, rational(-333, 343));
+    let places: Vec<_> = thrown().positions().take(4).collect();
+    assert_eq!(
+        places,
+        [
+            rational(3, 7),
+            rational(-10, 49),
+            rational(-403, 343),
+            rational(-3300, 2401)
+        ]
+    );
+    // It runs outward after bounces 2, 3, 4 and inward again after the fifth.
+    let outward: Vec<_> = thrown()
+        .take(5)
+        .map(|m| m.velocity < rational(0, 1))
+        .collect();
+    assert_eq!(outward, [false, true, true, true, false]);
+    // Between endless plates: never beyond −½ ± √(7/8), and as near to it as one waits for.
+    let [least, greatest] = reach(BALL).unwrap();
+    observed!(relative(least, -1.435_414_346_693_485_4), 0.0..=2.3e-16);
+    observed!(relative(greatest, 0.435_414_346_693_485_35), 0.0..=3e-16);
+    let start = Motion {
+        velocity: 1.0,
+        rim_speed: 0.0,
+    };
+    let (mut low, mut high) = (0.0_f64, 0.0_f64);
+    for x in UnderTable::new(start, BALL).positions().take(100_000) {
+        (low, high) = (low.min(x), high.max(x));
+    }
+    assert!(low > least && high < greatest, "{low} {high}");
+    observed!(
+        low - least,
+        1e-11..=5e-10,
+        "{} {}",
+        low - least,
+        greatest - high
+    );
+    observed!(
+        greatest - high,
+        8e-12..=3e-10,
+        "{} {}",
+        low - least,
+        greatest - high
+    );
+    // κ → 0: it passes straight through, and nothing holds it.
+    let light = UnderTable::new(start, 1e-12).positions().nth(99).unwrap();
+    observed!(relative(light, 100.0), 2e-9..=7e-8);
+    assert!(reach(1e-12).unwrap()[1] > 4e5 && reach(0.0).is_err());
+}
+
+// claim: C4.6-12
+#[test]
+fn s4_6_never_periodic_except() {
+    // 7ⁿ V_n is an integer that leaves a remainder mod 7 (3, then 6 times the last): no V_n after the start is ±1, and no
+    // bounce repeats the start. 7⁴³ is the last power whose bounce fits into 127 bits.
+    let mut motion = exact(rational(1, 1), rational(0, 1));
+    let mut surface = Surface::Floor;
+    let mut remainder = 4; // so that the first step gives 3
+    for n in 1..=43u32 {
+        motion = checked_bounce(motion, surface, rational(2, 5)).unwrap();
+        surface = surface.opposite();
+        remainder = remainder * 6 % 7;
+        assert_eq!(*motion.velocity.denom(), 7i128.pow(n), "bounce {n}");
+        assert_eq!(
+            motion.velocity.numer().rem_euclid(7),
+            remainder,
+            "bounce {n}"
+        );
+    }
+    // The monic equation of 2 cos 2δ = −62/49 has no integer root: not an algebraic integer, so δ/π is irrational (Niven).
+    assert!(!(rational(2, 1) * thrown().nth(1).unwrap().velocity).is_integer());
+    let period = |kappa: R| {
+        let start = exact(rational(1, 1), rational(3, 10));
+        let seen: Vec<_> = UnderTable::new(start, kappa).take(24).collect();
+        (1..=12).map(|m| 2 * m).find(|&n| seen[n - 1] == start)
+    };
+    assert_eq!(period(rational(1, 1)), Some(4));
+    assert_eq!(period(rational(1, 3)), Some(6));
+    assert_eq!(period(rational(2, 3)), None);
+    // All mass on the rim: exact reversal after two. κ = 1/3: after three, with the spin gone.
+    let after = |n: usize, kappa| {
+        UnderTable::new(exact(rational(1, 1), rational(0, 1)), kappa)
+            .nth(n - 1)
+            .unwrap()
+    };
+    assert_eq!(
+        after(2, rational(1, 1)),
+        exact(rational(-1, 1), rational(0, 1))
+    );
+    assert_eq!(
+        after(3, rational(1, 3)),
+        exact(rational(-1, 1), rational(0, 1))
+    );
+}

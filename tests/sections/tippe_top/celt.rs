@@ -1,0 +1,147 @@
+//! Chirality of rolling: celt-ended tops, the register's chiral top, the rattleback.
+
+use nalgebra::Matrix3;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::inertia::InertiaMatrix;
+use spinning_bodies::scene::contact::{TableTop, passage};
+use spinning_bodies::scene::effects::{Gravity, NoSlip, Viscous};
+use spinning_bodies::tippe_top::{
+    ConvexBody, Start, Surface, Viscous as Law, bodies, quasi_steady, rolling_growth_rates,
+};
+use support::observed;
+
+use super::common::{G, degrees, last, most, regularised, run};
+
+#[test]
+fn s4_7_celt_ended_tops() {
+    // claim: C4.7-14
+    let unit = (G / 0.02).sqrt();
+    let first = bodies::celt_ended_top_1().unwrap();
+    let second = bodies::celt_ended_top_2().unwrap();
+    for (sense, growth) in [(1.0, 0.1007), (-1.0, 0.1007)] {
+        // Rolling is reversible: the spectra of the two senses are opposite.
+        let rates = rolling_growth_rates(&first, G, sense * 102.4).unwrap();
+        let extreme = if sense > 0.0 {
+            rates[0].growth
+        } else {
+            -rates[3].growth
+        };
+        observed!((extreme / unit - growth).abs(), 1e-5..=1e-4, "{rates:?}");
+    }
+    for (body, spin, time, up, down, rest) in [
+        (first, 102.4, 0.20, 144.0, 7.8, 0.3),
+        (second, 62.6, 1.32, 90.0, 9.4, 0.15),
+    ] {
+        let scene = |sense: f64| {
+            let start = Start::about_vertical(3f64.to_radians(), 20f64.to_radians(), sense * spin);
+            TableTop::new(body, start.unwrap())
+                .with(Gravity::new(G).unwrap())
+                .unwrap()
+                .with(regularised(0.5))
+                .unwrap()
+        };
+        let over = run(&scene(1.0), 2.0, 1000, 1e-3);
+        let under = run(&scene(-1.0), 3.0, 600, 1e-3);
+        let at = passage(&over, degrees, 90.0).unwrap();
+        println!(
+            "{spin}: 90 deg at {at}, most {}; - most {} ends {}",
+            most(&over, degrees),
+            most(&under, degrees),
+            degrees(&last(&under))
+        );
+        observed!((at / time - 1.0).abs(), 4e-3..=0.015);
+        assert!(most(&over, degrees) > up);
+        assert!((most(&under, degrees) - down).abs() < 0.2);
+        assert!(degrees(&last(&under)) < 2.0 * rest);
+    }
+}
+
+/// The register's body, in centimetres and grams: semi-axes 2.13, 1.87, 1.83, C 0.06 below the centre, inertia turned by −0.39.
+fn skew(turn: f64) -> ConvexBody {
+    let turn = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), turn).unwrap();
+    let inertia = InertiaMatrix::from_matrix(Matrix3::from_diagonal(&[1.3, 2.33, 2.26].into()));
+    ConvexBody::new(
+        1.0,
+        inertia.unwrap().rotated(&turn),
+        Surface::ellipsoid([2.13, 1.87, 1.83]).unwrap(),
+        BodyVector::new(0.0, 0.0, 0.06),
+    )
+    .unwrap()
+}
+
+#[test]
+fn s4_7_an_ellipsoid_with_skew_inertia_is_chiral() {
+    // claim: C4.7-14
+    let law = Law::new(0.009).unwrap();
+    let growth = |body: &ConvexBody, spin: f64| {
+        quasi_steady(body, 981.0, law, spin)
+            .unwrap()
+            .growth_rates()
+            .unwrap()[0]
+            .growth
+    };
+    let body = skew(-0.39);
+    println!("growth {} {}", growth(&body, 55.0), growth(&body, -55.0));
+    observed!((growth(&body, 55.0) - 4.0672).abs(), 6e-6..=2e-4);
+    observed!((growth(&body, -55.0) + 0.0958).abs(), 1e-5..=2e-4);
+    // The mirror image the other way round; without skew no difference.
+    observed!(
+        (growth(&body.mirrored(), -55.0) - growth(&body, 55.0)).abs(),
+        0.0..=1e-6
+    );
+    observed!(
+        (growth(&skew(0.0), -55.0) - growth(&skew(0.0), 55.0)).abs(),
+        0.0..=1e-6
+    );
+    let scene = |spin: f64| {
+        let start = Start::about_vertical(0.02, 0.0, spin).unwrap();
+        TableTop::new(body, start)
+            .with(Gravity::new(981.0).unwrap())
+            .unwrap()
+            .with(Viscous::new(0.009).unwrap())
+            .unwrap()
+    };
+    let over = run(&scene(55.0), 3.0, 1500, 1e-6);
+    let under = run(&scene(-55.0), 3.0, 600, 1e-6);
+    let at = passage(&over, |s| -s.up().z(), 0.9);
+    println!(
+        "z3 < -0.9 at {at:?}; - at most {}",
+        most(&under, |s| s.tilt())
+    );
+    observed!((at.unwrap() - 1.52).abs(), 4e-3..=0.02);
+    assert!(most(&under, |s| s.tilt()) < 0.1);
+    assert!(-most(&over, |s| -s.reaction) > 0.97 * 981.0);
+}
+
+#[test]
+fn s4_7_rattleback() {
+    // claim: C4.7-14
+    let stone = bodies::rattleback().unwrap();
+    for (spin, growth, frequency, reversal) in
+        [(-5.0, 2.121, 109.4, 2.77), (5.0, 0.2025, 34.1, 11.46)]
+    {
+        let rates = rolling_growth_rates(&stone, G, spin).unwrap();
+        println!("{spin}: {rates:?}");
+        observed!((rates[0].growth - growth).abs(), 1e-4..=6e-4);
+        observed!((rates[0].frequency.abs() - frequency).abs(), 1e-2..=0.06);
+        // Half a degree about each of the long axes, as Kane and Levinson.
+        let half = 0.25_f64.to_radians().tan();
+        let attitude = Attitude::from_quaternion(1.0, half, half, 0.0).unwrap();
+        let start = Start::spinning(attitude, BodyVector::new(0.0, 0.0, spin)).unwrap();
+        let scene = TableTop::new(stone, start)
+            .with(Gravity::new(G).unwrap())
+            .unwrap()
+            .with(NoSlip)
+            .unwrap();
+        let rows = run(&scene, 1.3 * reversal, 1500, 1e-6);
+        let at = passage(&rows, |s| -s.spin() * spin.signum(), 0.0);
+        println!("reversal {at:?}, most {}", most(&rows, degrees));
+        observed!((at.unwrap() / reversal - 1.0).abs(), 1e-3..=0.05);
+        let drift = rows
+            .iter()
+            .map(|r| (r.1.energy / rows[0].1.energy - 1.0).abs())
+            .fold(0.0, f64::max);
+        observed!(drift, 7e-11..=3e-9, "{drift:e}");
+        assert!(most(&rows, degrees) < 30.0);
+    }
+}

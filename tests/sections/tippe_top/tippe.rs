@@ -1,0 +1,270 @@
+//! The axisymmetric tippe top: closed forms and the full motion.
+
+use core::f64::consts::PI;
+
+use nalgebra::{Matrix3, Vector3};
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::InertiaMatrix;
+use spinning_bodies::scene::contact::{State, TableTop, passage};
+use spinning_bodies::scene::effects::{Gravity, NoSlip, Resistance, Viscous};
+use spinning_bodies::tippe_top::{ConvexBody, Inversion, Start, Surface, TippeTop, bodies};
+use support::{observed, relative};
+
+use super::common::{G, degrees, last, most, run};
+
+const MR2: f64 = 0.02 * 0.02 * 0.02;
+
+/// The top of Rauch-Wojciechowski and Rutstam.
+fn top() -> TippeTop {
+    TippeTop::new(0.02, 0.02, 0.3, MR2 * 131.0 / 350.0, MR2 * 0.4, 9.82).unwrap()
+}
+
+fn scene(spin: f64) -> TableTop {
+    let start = Start::about_third_axis(0.1, 0.0, spin).unwrap();
+    TableTop::new(bodies::tippe_top().unwrap(), start)
+        .with(Gravity::new(9.82).unwrap())
+        .unwrap()
+        .with(Viscous::new(0.3).unwrap())
+        .unwrap()
+}
+
+#[test]
+fn s4_7_tippe_top_turns_over() {
+    // claim: C4.7-2, C4.7-7
+    let rows = run(&scene(155.0), 8.0, 4000, 1e-9);
+    let (first, end) = (rows[0].1, last(&rows));
+    let t = |level| passage(&rows, degrees, level).unwrap();
+    println!(
+        "90 deg at {}, 170 deg at {}, spin {}",
+        t(90.0),
+        t(170.0),
+        end.spin()
+    );
+    observed!((t(90.0) - 5.07).abs(), 1e-3..=0.005);
+    observed!((t(170.0) - 5.92).abs(), 2e-4..=0.005);
+    observed!((first.spin() - 154.2).abs(), 8e-3..=0.05);
+    observed!((end.spin() - 82.9).abs(), 1e-2..=0.05);
+    observed!((first.energy - 0.04120).abs(), 1e-6..=5e-6);
+    observed!((end.energy - 0.01609).abs(), 1e-6..=5e-6);
+    let weight = 0.02 * 9.82;
+    let least = -most(&rows, |s| -s.reaction) / weight;
+    println!("least reaction {least} of the weight");
+    observed!((least - 0.70).abs(), 1e-4..=0.005);
+    assert!(
+        end.position.z() > first.position.z() + 0.011,
+        "C has risen while energy fell"
+    );
+    for pair in rows.windows(2) {
+        assert!(pair[1].1.energy <= pair[0].1.energy * (1.0 + 1e-12));
+    }
+    let drift = rows
+        .iter()
+        .map(|row| (row.1.jellett / first.jellett - 1.0).abs())
+        .fold(0.0, f64::max);
+    println!("Jellett's integral drifts by {drift:e}");
+    // Observed: 4e-15.
+    observed!(drift, 8e-16..=9e-14);
+}
+
+#[test]
+fn s4_7_thresholds_and_final_tilts() {
+    // claim: C4.7-12
+    let top = top();
+    assert_eq!(top.inversion(), Inversion::Complete);
+    observed!(
+        (top.least_spin_to_invert().unwrap() - 76.761).abs(),
+        9e-5..=5e-4
+    );
+    observed!(
+        (top.least_spin_to_rise().unwrap() - 27.668).abs(),
+        2e-5..=5e-4
+    );
+    // λ² = M g R³ I3 α (1+α)⁴/(1 + α − γ), and at the other end.
+    let gamma = 131.0 / 140.0;
+    let unit = 0.02 * 9.82 * 0.02_f64.powi(3) * MR2 * 0.4 * 0.3;
+    let inverted = (unit * 1.3_f64.powi(4) / (1.3 - gamma)).sqrt();
+    let upright = (unit * 0.7_f64.powi(4) / (gamma - 0.7)).sqrt();
+    observed!(
+        relative(top.inverted_is_stable_above().unwrap(), inverted),
+        0.0..=1e-14
+    );
+    observed!(
+        relative(top.upright_is_lost_above().unwrap(), upright),
+        0.0..=1e-14
+    );
+    for (spin, tilt) in [
+        (35.0, 46.11),
+        (40.0, 61.175),
+        (50.0, 86.028),
+        (60.0, 109.371),
+        (70.0, 136.178),
+        (74.0, 150.986),
+        (76.0, 161.879),
+        (78.0, 180.0),
+    ] {
+        let jellett = top.jellett_of_spin(spin, 0.1);
+        let closed = top.final_tilt(jellett, 0.1).unwrap();
+        observed!(
+            (closed.to_degrees() - tilt).abs(),
+            3e-4..=6e-3,
+            "{spin}: {}",
+            closed.to_degrees()
+        );
+        if closed < PI {
+            // A stationary point of the effective potential, and the steady state there has this very λ.
+            let steady = top.steady_jellett(closed).unwrap();
+            observed!(relative(steady, jellett), 0.0..=1e-12);
+        }
+    }
+}
+
+#[test]
+fn s4_7_where_the_motion_ends_is_where_the_closed_form_says() {
+    // claim: C4.7-12, C4.7-19
+    let top = top();
+    for spin in [40.0, 60.0, 74.0, 78.0] {
+        let rows = run(&scene(spin), 60.0, 120, 1e-6);
+        let closed = top.final_tilt(top.jellett_of_spin(spin, 0.1), 0.1).unwrap();
+        let end = last(&rows);
+        println!("{spin}: {} against {}", degrees(&end), closed.to_degrees());
+        observed!((end.tilt() - closed).abs(), 2e-5..=0.02, "{spin}");
+    }
+}
+
+#[test]
+fn s4_7_steady_states_do_not_slip() {
+    // claim: C4.7-19
+    let top = top();
+    let body = top.body().unwrap();
+    for i in 1..30 {
+        let tilt = PI * f64::from(i) / 30.0;
+        let Some((up, omega)) = top.steady_state(tilt) else {
+            continue;
+        };
+        // Ω is parallel to the arm: the contact is at rest, and so is C.
+        let arm = body.lowest_point(up).unwrap();
+        assert!(omega.cross(&arm).norm() < 1e-15 * omega.norm());
+        let start = Start::about_vertical(tilt, 0.0, 1.0).unwrap();
+        let start = Start::spinning(start.attitude, omega).unwrap();
+        let scene = TableTop::new(body, start)
+            .with(Gravity::new(9.82).unwrap())
+            .unwrap()
+            .with(Viscous::new(0.3).unwrap())
+            .unwrap();
+        let end = last(&run(&scene, 0.05, 1, 1e-10));
+        observed!((end.tilt() - tilt).abs(), 1e-14..=2e-12, "{tilt}");
+        observed!(end.slip.norm(), 1e-14..=2e-12, "{tilt}");
+        observed!(
+            relative(end.jellett, top.steady_jellett(tilt).unwrap()),
+            9e-16..=1e-13
+        );
+        let energy = top.effective_potential(tilt, end.jellett);
+        observed!(relative(end.energy, energy), 0.0..=1e-9);
+    }
+}
+
+#[test]
+fn s4_7_classes_of_ueda_sasaki_and_watanabe() {
+    // claim: C4.7-12
+    let of = |gamma: f64| TippeTop::new(1.0, 1.0, 0.3, 0.4 * gamma, 0.4, 1.0).unwrap();
+    for (gamma, class) in [
+        (0.6, Inversion::Never),
+        (0.65, Inversion::Never),
+        (0.75, Inversion::Complete),
+        (1.25, Inversion::Complete),
+        (1.35, Inversion::Partial),
+    ] {
+        let top = of(gamma);
+        assert_eq!(top.inversion(), class);
+        let far = top.final_tilt(1e4, 0.01).unwrap();
+        match class {
+            Inversion::Never => assert!(far < 0.01 && top.least_spin_to_rise().is_none()),
+            Inversion::Complete => assert!((far - PI).abs() < 1e-12),
+            Inversion::Partial => {
+                assert!(far > 2.0 && far < 3.1 && top.least_spin_to_invert().is_none())
+            }
+        }
+    }
+}
+
+/// Where the band of tilts at which it rises is narrow, a top that sinks is caught by it all the same.
+#[test]
+fn s4_7_a_narrow_valley_holds_it() {
+    // claim: C4.7-12
+    let top = TippeTop::new(1.0, 1.0, 0.1, 0.4 * 0.6, 0.4, 1.0).unwrap();
+    let steady = |tilt: f64| top.steady_jellett(tilt).unwrap();
+    // The least λ of all steady states, near 2.036 rad, and one above it whose two tilts lie 0.01 rad apart.
+    let tilts = (0..20_000).map(|k| 1.9 + 1.5e-5 * f64::from(k));
+    let least = tilts
+        .min_by(|a, b| steady(*a).total_cmp(&steady(*b)))
+        .unwrap();
+    observed!((least - 2.036).abs(), 1e-4..=1e-2, "{least}");
+    let held = least + 0.005;
+    assert!(steady(least - 0.006) > steady(held));
+    for start in [2.2, 2.45, 2.6, 2.7, 2.8, 2.9, 3.0, 3.1] {
+        let end = top.final_tilt(steady(held), start).unwrap();
+        observed!((end - held).abs(), 5e-15..=1e-12, "from {start}: {end}");
+    }
+}
+
+/// A ball that pivots and rolls without slipping, under resistance: each rate dies by its own coefficient.
+#[test]
+fn s4_7_pivoting_and_rolling_die_apart() {
+    let (mass, radius, moment) = (0.17, 0.03, 6e-5);
+    let inertia = InertiaMatrix::diagonal(moment, moment, moment).unwrap();
+    let surface = Surface::sphere(radius).unwrap();
+    let ball = ConvexBody::new(mass, inertia, surface, BodyVector::zero()).unwrap();
+    let (rolling, pivoting) = (2e-5, 7e-5);
+    let after = |omega: BodyVector, t: f64| -> State {
+        let start = Start::about_vertical(0.0, 0.0, 0.0).unwrap();
+        let start = Start::spinning(start.attitude, omega).unwrap();
+        let table = TableTop::new(ball, start)
+            .with(Gravity::new(G).unwrap())
+            .unwrap()
+            .with(NoSlip)
+            .unwrap()
+            .with(Resistance::new(rolling, pivoting).unwrap())
+            .unwrap();
+        last(&run(&table, t, 1, 1e-11))
+    };
+    let weight = mass * G;
+    for t in [0.2, 1.0] {
+        let spins = after(BodyVector::new(0.0, 0.0, 30.0), t);
+        let pivots = 30.0 * (-pivoting * weight * t / moment).exp();
+        observed!(relative(spins.spin(), pivots), 0.0..=1e-9);
+        let rolls = after(BodyVector::new(0.0, 30.0, 0.0), t);
+        let whole = moment + mass * radius * radius;
+        let rate = 30.0 * (-rolling * weight * t / whole).exp();
+        observed!(relative(rolls.omega.norm(), rate), 0.0..=1e-9);
+    }
+}
+
+/// M(g + z̈) of C, by differences of its height alone, is the reaction of the table, where resistance lifts or lowers C.
+#[test]
+fn s4_7_the_table_bears_what_the_height_says() {
+    let body = bodies::eccentric_ball(
+        0.02,
+        0.02,
+        0.3,
+        Matrix3::from_diagonal(&Vector3::new(0.37, 0.37, 0.4)),
+    );
+    let start = Start::about_third_axis(1.1, 0.4, 60.0).unwrap();
+    let table = TableTop::new(body.unwrap(), start)
+        .with(Gravity::new(G).unwrap())
+        .unwrap()
+        .with(NoSlip)
+        .unwrap();
+    let heavy = table.with(Resistance::new(3e-4, 1e-4).unwrap()).unwrap();
+    let rows = run(&heavy, 0.04, 40, 1e-13);
+    let free = run(&table, 0.04, 40, 1e-13);
+    let (h, mut worst, mut matters) = (1e-3_f64, 0.0_f64, 0.0_f64);
+    for (five, other) in rows.windows(5).zip(&free[2..]) {
+        let z = [0, 1, 2, 3, 4].map(|k| five[k].1.position.z());
+        let bend = (16.0 * (z[1] + z[3]) - (z[0] + z[4]) - 30.0 * z[2]) / (12.0 * h * h);
+        let borne = 0.02 * (G + bend);
+        worst = worst.max((five[2].1.reaction / borne - 1.0).abs());
+        matters = matters.max((five[2].1.reaction / other.1.reaction - 1.0).abs());
+    }
+    println!("reaction off by {worst:e}, without resistance by {matters:e}");
+    assert!(worst < 1e-4 && matters > 1e-2, "{worst:e} {matters:e}");
+}

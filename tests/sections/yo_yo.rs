@@ -1,0 +1,329 @@
+//! Tutorial 4.9: how does a yo-yo work?
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
+use spinning_bodies::Error;
+use spinning_bodies::integrators::{Effort, Kept, Leg, order_eight};
+use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
+use support::observed;
+
+const G: f64 = 9.81;
+
+/// The register's disc: R = 3 cm, r = 0.5 cm, 1 m of string.
+fn disc() -> YoYo {
+    YoYo::disc(0.1, 0.03, 1.0, 0.005).unwrap()
+}
+
+/// The toy of the book: 55 g, R = 29 mm, r = 5 mm.
+pub fn toy() -> YoYo {
+    YoYo::disc(0.055, 0.029, 1.0, 0.005).unwrap()
+}
+
+/// The same with a string that fills the gap up to 10 mm, on an axle of 4 mm.
+pub fn thick() -> YoYo {
+    YoYo::disc(0.055, 0.029, 1.0, 0.004)
+        .unwrap()
+        .wound_to(0.010)
+        .unwrap()
+}
+
+fn let_go(toy: YoYo) -> Unwinding {
+    Unwinding::new(toy, G, 0.0).unwrap()
+}
+
+fn close(a: f64, b: f64, bound: f64) {
+    assert!(
+        (a / b - 1.0).abs() < bound,
+        "{a} is not {b}: {:e}",
+        a / b - 1.0
+    );
+}
+
+// claim: C4.9-1
+#[test]
+fn s4_9_the_way_down() {
+    let toy = disc();
+    close(toy.acceleration(0.5, 100.0, G), G / 19.0, 3e-16);
+    close(toy.tension(0.5, 100.0, G), 18.0 / 19.0 * 0.1 * G, 3e-16);
+    let way = let_go(toy);
+    // cm/s and rad/s of the register. Observed: 2e-16.
+    close(way.speed(1.0), 1.016_184_815_349_731_8, 5e-16);
+    close(way.omega(1.0), 203.236_963_069_946_35, 5e-16);
+    // An axle of no thickness hardly falls at all.
+    let thin = YoYo::disc(0.1, 0.03, 1.0, 1e-6).unwrap();
+    observed!(thin.acceleration(0.5, 0.0, G), 7e-9..=3e-8);
+}
+
+// claim: C4.9-1
+#[test]
+fn s4_9_the_toy_of_the_book() {
+    let toy = toy();
+    let way = let_go(toy);
+    let rounded = |value: f64, digits: i32, expected: f64| {
+        assert!(
+            (value - expected).abs() <= 0.5000001 * 10f64.powi(-digits),
+            "{value}"
+        );
+    };
+    rounded(toy.inertia_factor(), 2, 16.82);
+    rounded(toy.acceleration(0.0, 0.0, G), 5, 0.55051);
+    rounded(way.duration().unwrap(), 4, 1.9061);
+    rounded(way.speed(1.0), 4, 1.0493);
+    rounded(way.omega(1.0) / TAU, 2, 33.40);
+    rounded(toy.tension(0.3, 50.0, G) / (0.055 * G), 4, 0.9439);
+    let turn = Turn::new(toy, G, way.omega(1.0)).unwrap();
+    rounded(1e3 * PI / turn.omega(), 1, 15.0);
+    let extra = turn.mean_tension_at_constant_spin() - 0.055 * G;
+    rounded(extra, 2, 7.71);
+    rounded(extra / (0.055 * G), 1, 14.3);
+    // The thick string: fastest not at the end but at 63 cm.
+    let way = let_go(thick());
+    rounded(way.duration().unwrap(), 4, 1.2590);
+    rounded(way.speed(1.0), 3, 0.848);
+    rounded(way.omega(1.0), 0, 212.0);
+    let depths = (1..10_000).map(|k| f64::from(k) / 10_000.0);
+    let fastest = depths
+        .max_by(|&a, &b| way.speed(a).total_cmp(&way.speed(b)))
+        .unwrap();
+    rounded(fastest, 3, 0.627);
+    rounded(way.speed(fastest), 4, 1.1156);
+}
+
+// claim: C4.9-1
+#[test]
+fn s4_9_the_thick_string_in_closed_form() {
+    // Against the equations of motion by order 8: depth, velocity. a(x, ω) is the acceleration of the physics, V = r ω.
+    for toy in [
+        thick(),
+        toy(),
+        toy().wound_to(0.0050001).unwrap(),
+        toy().wound_to(0.1).unwrap(),
+    ] {
+        for (gravity, throw) in [(G, 0.0), (G, 0.3), (G, 3.0), (0.0, 1.0), (1e-3, 1.0)] {
+            let energy = Unwinding::energy_at(&toy, gravity, 0.0, throw).unwrap();
+            let way = Unwinding::new(toy, gravity, energy).unwrap();
+            let duration = way.duration().unwrap();
+            let system = |_: f64, y: &[f64; 2]| {
+                let omega = y[1] / toy.radius(y[0]);
+                [y[1], toy.acceleration(y[0], omega, gravity)]
+            };
+            let times: Vec<f64> = [0.1, 0.5, 0.9].map(|part| part * duration).to_vec();
+            let effort = Effort::Tolerance(1e-14);
+            let start = [0.0, throw];
+            let run = order_eight(&system, Kept::Nothing, &start, &[1.0; 2], &times, effort);
+            for (t, y) in times.iter().zip(run.unwrap().states) {
+                let depth = way.depth_at(*t).unwrap();
+                // Observed: 4e-14, the error of order 8.
+                let bound = 2e-13;
+                assert!(
+                    (depth - y[0]).abs() < bound,
+                    "{depth} {} {gravity} {throw}",
+                    y[0]
+                );
+                assert!((way.speed(depth) - y[1]).abs() < 5.0 * bound);
+                close(way.time_at(depth).unwrap(), *t, 1e-14);
+            }
+        }
+    }
+    // The thin string is the limit of the thick one. Observed: as far apart as the strings are thick.
+    let nearly = toy().wound_to(0.005 * (1.0 + 1e-13)).unwrap();
+    close(
+        let_go(nearly).duration().unwrap(),
+        let_go(toy()).duration().unwrap(),
+        1e-12,
+    );
+}
+
+// claim: C4.9-1
+#[test]
+fn s4_9_energy_and_the_pull_of_the_thick_string() {
+    let toy = thick();
+    let way = let_go(toy);
+    for k in 0..=100 {
+        let depth = f64::from(k) / 100.0;
+        let kinetic = toy.kinetic_energy(depth, way.omega(depth));
+        observed!((kinetic - 0.055 * G * depth).abs(), 0.0..=3e-16);
+        let omega = way.omega(depth);
+        let pull = 0.055 * (G - toy.acceleration(depth, omega, G));
+        close(toy.tension(depth, omega, G), pull, 2e-15);
+    }
+    // At the end the string brakes: more than the weight hangs on it.
+    assert!(toy.tension(1.0, way.omega(1.0), G) > 1.1 * 0.055 * G);
+}
+
+// claim: C4.9-2
+#[test]
+fn s4_9_the_turn() {
+    let toy = disc();
+    let omega = let_go(toy).omega(1.0);
+    let turn = Turn::new(toy, G, omega).unwrap();
+    let weight = 0.1 * G;
+    close(
+        turn.mean_tension_at_constant_spin() / weight,
+        14.402_521_523_528_028,
+        5e-16,
+    );
+    // Spin before and after are the same, the velocity of the centre is reversed, and the sense of the spin is kept.
+    let [first, last] = [0.0, turn.duration()].map(|t| turn.at(t).unwrap());
+    close(first.omega, omega, 5e-16);
+    close(last.omega, omega, 5e-16);
+    close(first.velocity, let_go(toy).speed(1.0), 5e-16);
+    close(last.velocity, -first.velocity, 5e-16);
+    observed!(first.angle.abs(), 0.0..=1e-15);
+    observed!((last.angle - PI).abs(), 0.0..=1e-15);
+    // The true pendulum is 0.16 per cent faster than the constant spin on the average, and pulls as much harder.
+    let exact = turn.mean_tension() / weight;
+    observed!((exact - 14.4238).abs(), 7e-6..=5e-5, "{exact}");
+    // By the impulse: twice the momentum and the weight, over the time. The tension itself, summed over the turn, says the same.
+    let steps = 2000;
+    let sum: f64 = (0..steps)
+        .map(|k| {
+            let t = (f64::from(k) + 0.5) / f64::from(steps) * turn.duration();
+            turn.at(t).unwrap().tension
+        })
+        .sum();
+    close(sum / f64::from(steps) / weight, exact, 1e-6);
+    // The pull begins and ends with that of the unwinding.
+    close(first.tension, toy.tension(1.0, omega, G), 1e-14);
+}
+
+// claim: C4.9-2
+#[test]
+fn s4_9_the_turn_against_its_equation_of_motion() {
+    // α'' = n cos α from α = 0.
+    let toy = toy();
+    for omega in [6.0, 20.0, 210.0, 5000.0] {
+        let turn = match Turn::new(toy, 20.0 * G, omega) {
+            Ok(turn) => turn,
+            Err(error) => {
+                assert!(
+                    matches!(error, Error::Condition { .. }) && omega < 21.0,
+                    "{omega}"
+                );
+                continue;
+            }
+        };
+        let pull = turn.pull();
+        let system = |_: f64, y: &[f64; 2]| [y[1], pull * y[0].cos()];
+        let times: Vec<f64> = (0..=10)
+            .map(|k| f64::from(k) / 10.0 * turn.duration())
+            .collect();
+        let effort = Effort::Tolerance(1e-14);
+        let (start, scales) = ([0.0, omega], [1.0, omega]);
+        let run = order_eight(&system, Kept::Nothing, &start, &scales, &times, effort);
+        for (t, y) in times.iter().zip(run.unwrap().states) {
+            let state = turn.at(*t).unwrap();
+            // Observed: 2e-14.
+            observed!((state.angle - y[0]).abs(), 0.0..=1e-13, "{omega} {t}");
+            close(state.omega, y[1], 1e-13);
+        }
+    }
+}
+
+// claim: C4.9-2
+#[test]
+fn s4_9_the_hand_that_rises_in_the_turn() {
+    // The string's end moves up with the speed v sin α. In its frame gravity is g + v α' cos α, and the spin gained is the work done.
+    let toy = toy();
+    let omega = let_go(toy).omega(1.0);
+    let turn = Turn::new(toy, G, omega).unwrap();
+    for lift in [1e-3, 0.01] {
+        let speed = 0.5 * omega * lift;
+        let pull = turn.pull();
+        let r = toy.axle();
+        let (mass, inertia) = (toy.mass(), toy.inertia());
+        // α, α', height of the end, work of the tension on it.
+        let system = |_: f64, y: &[f64; 4]| {
+            let up = speed * y[0].sin();
+            let boost = speed * y[0].cos() * y[1];
+            let spin_up = pull / G * (G + boost) * y[0].cos();
+            let centre = boost + r * (y[1] * y[1] * y[0].sin() - spin_up * y[0].cos());
+            [y[1], spin_up, up, mass * (G + centre) * up]
+        };
+        let event = |_: f64, y: &[f64; 4]| PI - y[0];
+        let effort = Effort::Tolerance(1e-13);
+        let leg = Leg {
+            system: &system,
+            kept: Kept::Nothing,
+            start: (0.0, &[0.0, omega, 0.0, 0.0]),
+            scales: &[1.0, omega, 1.0, 1.0],
+            times: &[],
+            end: 1.0,
+        };
+        let run = leg.follow(Some(&event), effort);
+        let [_, after, height, work] = run.unwrap().end;
+        let gained = 0.5 * (inertia + mass * r * r) * (after * after - omega * omega);
+        // What the hand does is what the yo-yo gains, and what lifting it by `height` takes. Observed: 1e-12.
+        assert!((gained + mass * G * height - work).abs() < 1e-10 * work);
+        // The formula, without gravity's part. Observed: 0.4 per cent.
+        close(gained, turn.work_of_lift(height), 0.006);
+    }
+    // A rise of 10 mm in the turn brings back a fifth of the energy of the whole fall.
+    let fifth = turn.work_of_lift(0.0103) / (0.055 * G);
+    observed!((fifth - 0.2).abs(), 2e-4..=0.002, "{fifth}");
+    close(
+        turn.work_of_lift(1e-9),
+        FRAC_PI_4 * 0.055 * 0.005 * omega * omega * 1e-9,
+        1e-7,
+    );
+}
+
+// claim: C4.9-2
+#[test]
+fn s4_9_a_loop_lets_it_sleep() {
+    let toy = toy();
+    let (inertia, omega) = (toy.inertia(), 200.0);
+    // Against the equation of motion, for friction and air of all proportions.
+    for (torque, air) in [
+        (0.0, 0.0),
+        (1e-4, 0.0),
+        (0.0, 1e-8),
+        (1e-4, 1e-8),
+        (1e-12, 1e-8),
+        (1e-4, 1e-16),
+    ] {
+        let system = |_: f64, y: &[f64; 1]| [-(torque + air * y[0] * y[0]) / inertia];
+        let times = [1.0, 5.0, 10.0];
+        let effort = Effort::Tolerance(1e-14);
+        let start = [omega];
+        let run = order_eight(&system, Kept::Nothing, &start, &start, &times, effort);
+        for (t, y) in times.iter().zip(run.unwrap().states) {
+            // Observed: 1e-15.
+            close(sleeping_spin(&toy, omega, *t, torque, air), y[0], 1e-13);
+        }
+    }
+    // It stops, and stays so.
+    assert_eq!(sleeping_spin(&toy, omega, 1e3, 1e-4, 0.0), 0.0);
+    assert_eq!(sleeping_spin(&toy, omega, 1e3, 1e-4, 1e-8), 0.0);
+    // The jerk keeps the angular momentum about the end of the string.
+    let awake = spin_after_waking(&toy, omega);
+    close(
+        (inertia + 0.055 * 0.005 * 0.005) * awake,
+        inertia * omega,
+        5e-16,
+    );
+    // Falling asleep and waking leave (16.82/17.82)² of the energy of the spin at the bottom.
+    let kept = toy.kinetic_energy(1.0, awake) / toy.kinetic_energy(1.0, omega);
+    observed!((kept - (16.82_f64 / 17.82).powi(2)).abs(), 0.0..=1e-15);
+}
+
+#[test]
+fn what_is_no_yo_yo_is_refused() {
+    assert!(YoYo::new(0.0, 1.0, 1.0, 0.1).is_err());
+    assert!(YoYo::new(1.0, 1.0, 1.0, 0.6).is_err());
+    assert!(toy().wound_to(0.004).is_err());
+    assert!(toy().wound_to(f64::NAN).is_err());
+    assert!(Unwinding::new(toy(), -1.0, 0.0).is_err());
+    assert!(Unwinding::new(toy(), 0.0, 0.0).is_err());
+    assert!(Unwinding::new(toy(), G, -1.0).is_err());
+    assert!(let_go(toy()).time_at(1.1).is_err());
+    assert!(let_go(toy()).depth_at(-1e-9).is_err());
+    assert!(Turn::new(toy(), G, 0.0).is_err());
+    assert!(Turn::new(toy(), G, 1.0).is_err());
+    let turn = Turn::new(toy(), 0.0, 1.0).unwrap();
+    observed!((turn.duration() - PI).abs(), 0.0..=1e-15);
+    observed!(
+        (turn.at(FRAC_PI_2).unwrap().angle - FRAC_PI_2).abs(),
+        0.0..=1e-15
+    );
+}

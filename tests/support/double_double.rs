@@ -1,0 +1,212 @@
+//! Arithmetic with 106 bits, for truths that ordinary numbers cannot check: a number is the sum hi + lo of two.
+//!
+//! Dekker's and Knuth's error-free sums and products; every operation is good to about 1e-31.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Dd {
+    pub hi: f64,
+    pub lo: f64,
+}
+
+#[inline]
+fn two_sum(a: f64, b: f64) -> Dd {
+    let hi = a + b;
+    let v = hi - a;
+    Dd {
+        hi,
+        lo: (a - (hi - v)) + (b - v),
+    }
+}
+
+#[inline]
+fn quick_two_sum(a: f64, b: f64) -> Dd {
+    let hi = a + b;
+    Dd {
+        hi,
+        lo: b - (hi - a),
+    }
+}
+
+impl Dd {
+    pub const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+
+    #[inline]
+    pub fn value(self) -> f64 {
+        self.hi + self.lo
+    }
+
+    pub fn abs(self) -> Self {
+        if self.hi < 0.0 { -self } else { self }
+    }
+
+    pub fn sqrt(self) -> Self {
+        if self.hi <= 0.0 {
+            return Self::ZERO;
+        }
+        let root = Self::from(self.hi.sqrt());
+        let half = Self::from(0.5);
+        let once = half * (root + self / root);
+        half * (once + self / once)
+    }
+}
+
+impl From<f64> for Dd {
+    #[inline]
+    fn from(hi: f64) -> Self {
+        Self { hi, lo: 0.0 }
+    }
+}
+
+impl Add for Dd {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let high = two_sum(self.hi, other.hi);
+        let low = two_sum(self.lo, other.lo);
+        let carried = quick_two_sum(high.hi, high.lo + low.hi);
+        quick_two_sum(carried.hi, carried.lo + low.lo)
+    }
+}
+
+impl Neg for Dd {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self {
+            hi: -self.hi,
+            lo: -self.lo,
+        }
+    }
+}
+
+impl Sub for Dd {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Dd {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let hi = self.hi * other.hi;
+        let error = self.hi.mul_add(other.hi, -hi);
+        quick_two_sum(hi, error + (self.hi * other.lo + self.lo * other.hi))
+    }
+}
+
+impl Div for Dd {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let first = self.hi / other.hi;
+        let rest = self - other * Self::from(first);
+        let second = rest.hi / other.hi;
+        let rest = rest - other * Self::from(second);
+        quick_two_sum(first, second) + Self::from(rest.hi / other.hi)
+    }
+}
+
+/// Eigenvalues, ascending, of a symmetric matrix of ordinary numbers, by cyclic Jacobi rotations.
+pub fn eigenvalues(matrix: [[f64; 3]; 3]) -> [Dd; 3] {
+    let mut a = matrix.map(|row| row.map(Dd::from));
+    for _ in 0..12 {
+        for (p, q, r) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
+            let off = a[p][q];
+            if off.hi == 0.0 {
+                continue;
+            }
+            let twice = off + off;
+            let difference = a[q][q] - a[p][p];
+            let length = (difference * difference + twice * twice).sqrt();
+            let mut t = twice / (difference.abs() + length);
+            if difference.hi < 0.0 {
+                t = -t;
+            }
+            let one = Dd::from(1.0);
+            let c = one / (one + t * t).sqrt();
+            let s = t * c;
+            a[p][p] = a[p][p] - t * off;
+            a[q][q] = a[q][q] + t * off;
+            let (rp, rq) = (a[r][p], a[r][q]);
+            a[p][q] = Dd::ZERO;
+            a[q][p] = Dd::ZERO;
+            a[r][p] = c * rp - s * rq;
+            a[p][r] = a[r][p];
+            a[r][q] = s * rp + c * rq;
+            a[q][r] = a[r][q];
+        }
+    }
+    let mut values = [a[0][0], a[1][1], a[2][2]];
+    values.sort_by(|x, y| (x.hi, x.lo).partial_cmp(&(y.hi, y.lo)).expect("finite"));
+    values
+}
+
+/// Volume, centre and inertia matrix about the centre (xx, yy, zz, xy, xz, yz) of a mesh of unit density.
+///
+/// The centre is that of the coordinates less the first vertex, so that its 30 digits are not spent on the offset.
+pub struct MeshTruth {
+    pub volume: Dd,
+    pub center_from_first_vertex: [Dd; 3],
+    pub inertia: [Dd; 6],
+}
+
+/// Exact sums over signed tetrahedra, in an order of its own: the apex is the first vertex of the list, and the
+/// second moments are taken from the ten monomials of the corners, not from their sums.
+pub fn mesh_truth(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> MeshTruth {
+    let apex = vertices[0];
+    let relative = |index: u32| {
+        let vertex = vertices[index as usize];
+        [0, 1, 2].map(|i| two_sum(vertex[i], -apex[i]))
+    };
+    let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+    let mut determinant = Dd::ZERO;
+    let mut first = [Dd::ZERO; 3];
+    let mut second = [Dd::ZERO; 6];
+    for corners in triangles {
+        let [p, q, r] = corners.map(relative);
+        let d = p[0] * (q[1] * r[2] - q[2] * r[1])
+            + p[1] * (q[2] * r[0] - q[0] * r[2])
+            + p[2] * (q[0] * r[1] - q[1] * r[0]);
+        determinant = determinant + d;
+        for i in 0..3 {
+            first[i] = first[i] + d * (p[i] + q[i] + r[i]);
+        }
+        for (sum, (i, j)) in second.iter_mut().zip(pairs) {
+            let own = p[i] * p[j] + q[i] * q[j] + r[i] * r[j];
+            let mixed =
+                p[i] * q[j] + q[i] * p[j] + p[i] * r[j] + r[i] * p[j] + q[i] * r[j] + r[i] * q[j];
+            *sum = *sum + d * (own + own + mixed);
+        }
+    }
+    let volume = determinant / Dd::from(6.0);
+    let c = first.map(|sum| sum / (Dd::from(4.0) * determinant));
+    let mut s = [Dd::ZERO; 6];
+    for (n, (i, j)) in pairs.into_iter().enumerate() {
+        s[n] = second[n] / Dd::from(120.0) - volume * c[i] * c[j];
+    }
+    MeshTruth {
+        volume,
+        center_from_first_vertex: c,
+        inertia: [s[1] + s[2], s[2] + s[0], s[0] + s[1], -s[3], -s[4], -s[5]],
+    }
+}
+
+/// Largest difference between a computed inertia matrix and the exact one, over the largest exact entry.
+pub fn inertia_error(truth: &MeshTruth, computed: impl Fn(usize, usize) -> f64) -> f64 {
+    let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+    let largest = truth
+        .inertia
+        .iter()
+        .fold(0.0, |m: f64, x| m.max(x.hi.abs()));
+    pairs
+        .into_iter()
+        .zip(truth.inertia)
+        .fold(0.0, |m: f64, ((i, j), exact)| {
+            m.max((Dd::from(computed(i, j)) - exact).value().abs() / largest)
+        })
+}

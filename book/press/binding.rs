@@ -1,6 +1,7 @@
-//! Builds the book, whole or not at all.
+//! Builds the book, whole or not at all: for the command, and as a renderer for mdBook's own.
 
 use crate::drawings::Drawing;
+use crate::error::one_line;
 use crate::interrupt::{Unfinished, without_interruption};
 use crate::ledger::Ledger;
 use crate::typesetter::{Typesetter, without_code};
@@ -8,21 +9,49 @@ use crate::writer::{folder_of, followed};
 use crate::{Error, Result};
 use mdbook_driver::MDBook;
 use mdbook_driver::book::{BookItem, Chapter};
+use mdbook_driver::config::Config;
+use mdbook_renderer::RenderContext;
+use serde_json::json;
 use std::collections::{HashMap, HashSet};
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
+use toml::Table;
 
 /// Builds the book of the workspace at `root` into `folder` and returns the path of its first page. The book is
 /// built in a temporary folder beside and takes its place by renaming, so that a failure leaves the old one. A link is followed.
 pub fn bind(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
+    let settings = Config::from_disk(root.join("book/book.toml"));
+    bind_as(settings.map_err(wrong)?, root, folder, drawings)
+}
+
+/// What mdBook tells a renderer on its standard input.
+///
+/// # Errors
+/// [`Error::Input`] if it is no such thing.
+pub fn told_by_mdbook(input: impl Read) -> Result<RenderContext> {
+    RenderContext::from_json(input).map_err(|error| {
+        let error = one_line(&format!("{error:#}"));
+        Error::Input(format!(
+            "`render` is for mdBook, which tells it of a book: {error}"
+        ))
+    })
+}
+
+/// Builds the book for mdBook, where it wants it and as it was told to on its own command line.
+pub fn render(told: &RenderContext, drawings: &[Drawing]) -> Result<()> {
+    let settings = told.config.clone();
+    bind_as(settings, folder_of(&told.root), &told.destination, drawings).map(drop)
+}
+
+fn bind_as(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
     let folder = &followed(folder).map_err(Error::file(folder))?;
     let parent = folder_of(folder);
     std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
     let beside = Unfinished::folder(parent).map_err(Error::file(parent))?;
     let fresh = beside.path().join("new");
 
-    let (built, warnings) = listening(|| build(root, &fresh, drawings));
+    let (built, warnings) = listening(|| build(settings, root, &fresh, drawings));
     built?;
     if !warnings.is_empty() {
         return Err(Error::Input(format!(
@@ -49,10 +78,10 @@ pub fn bind(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf>
     Ok(folder.join("index.html"))
 }
 
-fn build(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
-    let book_root = root.join("book");
+fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
     let ledger = Ledger::read(root)?;
-    let mut book = MDBook::load(&book_root).map_err(|e| Error::Input(format!("{e:#}")))?;
+    let book = as_html(settings).and_then(|html| MDBook::load_with_config(root.join("book"), html));
+    let mut book = book.map_err(wrong)?;
     book.config.build.build_dir = folder.to_owned();
 
     let source_folder = book.source_dir();
@@ -75,6 +104,10 @@ fn build(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
             chapter.content = page;
         }
     });
+    let searched = book.config.clone();
+    let nothing = json!({ "": { "enable": false } });
+    let indexed = book.config.set("output.html.search.chapter", nothing);
+    indexed.map_err(wrong)?;
     book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
     typesetter.into_pieces().fill_folder(folder)?;
 
@@ -82,6 +115,7 @@ fn build(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
     book.book
         .for_each_chapter_mut(|chapter| chapter.content = without_code(&chapter.content));
     let aside = folder.with_extension("prose");
+    book.config = searched;
     book.config.build.build_dir = aside.clone();
     book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
     let (fat, index) = (aside.join("searchindex.js"), folder.join("searchindex.js"));
@@ -89,6 +123,23 @@ fn build(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
     // The tree of letters says at every node that no word ends there; the reader of the index takes silence for that.
     let words = words.replace(r#""docs":{},"df":0,"#, "");
     std::fs::write(&index, words).map_err(Error::file(&index))
+}
+
+/// The settings for mdBook's own renderer of pages. In `book/book.toml` they stand under the name of the press, which mdBook therefore
+/// calls in its place; what stands under `html` is added, for `mdbook serve` puts it there.
+fn as_html(mut settings: Config) -> anyhow::Result<Config> {
+    let mut html: Table = settings.get("output.spinning-bodies")?.unwrap_or_default();
+    html.remove("command");
+    html.extend(settings.get::<Table>("output.html")?.unwrap_or_default());
+    settings.set(
+        "output",
+        Table::from_iter([("html".to_owned(), html.into())]),
+    )?;
+    Ok(settings)
+}
+
+fn wrong(error: anyhow::Error) -> Error {
+    Error::Input(format!("{error:#}"))
 }
 
 /// The Markdown file of a chapter.
@@ -130,5 +181,23 @@ impl Write for Log {
 
     fn flush(&mut self) -> std::io::Result<()> {
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_mdbook_serve_asks_for_is_added_to_the_settings() {
+        let told = "[output.spinning-bodies]\ncommand = \"x\"\nno-section-label = true\n";
+        let mut settings: Config = told.parse().unwrap();
+        let endpoint = "output.html.live-reload-endpoint";
+        settings.set(endpoint, "__livereload").unwrap();
+        let html = as_html(settings).unwrap();
+        assert_eq!(html.outputs::<Table>().unwrap().len(), 1);
+        let html = html.html_config().unwrap();
+        assert!(html.no_section_label);
+        assert_eq!(html.live_reload_endpoint.as_deref(), Some("__livereload"));
     }
 }

@@ -1,12 +1,13 @@
 //! The chapters, once: this list drives the doctests, the ledger of claims and the checks of the book.
 
+use crate::{Error, Result};
+use std::path::Path;
+
 /// A chapter of the book.
 #[derive(Debug, Clone, Copy)]
 pub struct Chapter {
     /// Name of its Markdown file in `book/src`, without the ending.
     pub name: &'static str,
-    /// The Markdown source.
-    pub source: &'static str,
     /// What it is made of, from the root of the workspace: modules, tests, figures, scenes. Folders end in a slash.
     pub files: &'static [&'static str],
 }
@@ -20,6 +21,12 @@ const FOOT: [(&str, &[&str]); 4] = [
 ];
 
 impl Chapter {
+    /// Its Markdown in the workspace at `root`: read, not compiled in, so that a changed word compiles nothing.
+    pub fn source(&self, root: &Path) -> Result<String> {
+        let path = root.join("book/src").join(self.name).with_extension("md");
+        std::fs::read_to_string(&path).map_err(Error::file(&path))
+    }
+
     /// The chapter whose Markdown file is called `file`.
     pub fn of(file: &str) -> Option<&'static Chapter> {
         let name = file.strip_suffix(".md")?;
@@ -44,7 +51,6 @@ macro_rules! chapters {
         /// All chapters, in reading order.
         pub const CHAPTERS: &[Chapter] = &[$(Chapter {
             name: $name,
-            source: include_str!(concat!("../src/", $name, ".md")),
             files: &$files,
         },)*];
 

@@ -7,8 +7,8 @@ use crate::paths::workspace_root;
 use crate::progress::watched;
 use crate::scenes::output::{Format, Motion};
 use crate::scenes::scan::{Over, Scan, Tell};
-use crate::writer::{Target, can_be_written_into, say};
-use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes};
+use crate::writer::{Target, can_be_written_into, folder_of, say};
+use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes, watch};
 use clap::{Parser, Subcommand};
 use figures::{Entry, Figure, Look, Theme, Values};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -37,6 +37,7 @@ Examples:
   cargo run -- figures --out my-figs     every figure into another folder
   cargo run -- figures --check           do the committed figures still look the same?
   cargo run -- book --open               builds the book and opens it in the browser
+  cargo run -- book --watch              prints the pages again whenever a chapter is saved
   cargo run -- scene book/scenes/racket.toml    simulates a scene file; `scene --help` shows one
   cargo run --release -- accuracy --scene free-top    error against time, on your machine
   cargo run -- claims                    every claim of the tutorial and where it is computed
@@ -182,7 +183,12 @@ enum Command {
         /// Opens the first page in the browser
         #[arg(long)]
         open: bool,
+        /// Goes on, and prints it again whenever a chapter is saved; the figures stay those of the start
+        #[arg(long)]
+        watch: bool,
     },
+    /// Renders the book for mdBook: `mdbook build book` and `mdbook serve book` call it
+    Render,
     /// Simulates a scene file: a body, how it starts, and only the effects it names
     #[command(after_help = scene_help())]
     Scene {
@@ -331,11 +337,22 @@ fn obey(command: Option<Command>) -> Result<()> {
             }
             say(&report(&drawings, changed, &folder))
         }
-        Some(Command::Book { open }) => {
+        Some(Command::Book { open, watch }) => {
             can_be_written_into(&root.join("book"))?;
             let drawings = draw(&drawings::chosen(&[])?, &Values::default())?;
             let page = print_book(&root, &drawings)?;
-            if open { open_page(&page) } else { Ok(()) }
+            if open {
+                open_page(&page)?;
+            }
+            if watch {
+                watch::watch(&root, folder_of(&page), &drawings)?;
+            }
+            Ok(())
+        }
+        Some(Command::Render) => {
+            let told = binding::told_by_mdbook(std::io::stdin())?;
+            let drawings = draw(&drawings::chosen(&[])?, &Values::default())?;
+            binding::render(&told, &drawings)
         }
         Some(Command::Scene {
             keys: Some(kind), ..

@@ -7,6 +7,7 @@ use crate::chapters::CHAPTERS;
 use crate::{Error, Result};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use serde::Deserialize;
+use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::Path;
 
@@ -133,7 +134,7 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Reads the register, the chapters (as compiled in), and the tests under `root`.
+    /// Reads the register (as compiled in), and the chapters and tests under `root`. A chapter that is not there names no claims.
     pub fn read(root: &Path) -> Result<Ledger> {
         #[derive(Deserialize)]
         struct Register {
@@ -147,7 +148,7 @@ impl Ledger {
         tests_in(root, &root.join("tests"), &mut tests)?;
         Ok(Ledger {
             claims,
-            chapters: chapter_uses(),
+            chapters: chapter_uses(root)?,
             tests,
         })
     }
@@ -254,10 +255,14 @@ fn named_in_rust(line: &str) -> Option<Vec<String>> {
     named(line.strip_prefix("//")?.trim_start_matches('/'))
 }
 
-fn chapter_uses() -> Vec<ChapterUse> {
+fn chapter_uses(root: &Path) -> Result<Vec<ChapterUse>> {
     let mut uses: Vec<ChapterUse> = Vec::new();
     for chapter in CHAPTERS {
-        for mark in marks(chapter.source) {
+        let source = match chapter.source(root) {
+            Err(Error::File { source, .. }) if source.kind() == ErrorKind::NotFound => continue,
+            read => read?,
+        };
+        for mark in marks(&source) {
             for claim in mark.claims {
                 uses.push(ChapterUse {
                     claim,
@@ -268,7 +273,7 @@ fn chapter_uses() -> Vec<ChapterUse> {
             }
         }
     }
-    uses
+    Ok(uses)
 }
 
 /// The options mdBook reads its Markdown with, and formulas.
@@ -339,7 +344,7 @@ pub fn is_rust(info: &str) -> bool {
 fn tests_in(root: &Path, folder: &Path, uses: &mut Vec<TestUse>) -> Result<()> {
     let entries = match std::fs::read_dir(folder) {
         Ok(entries) => entries,
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
         Err(error) => return Err(Error::file(folder)(error)),
     };
     let mut paths = entries

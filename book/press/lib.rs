@@ -14,6 +14,7 @@
 //! | [`ledger`] | the claims of the tutorial, and where each is computed |
 //! | [`appendix`] | the ledger as a page and as a table |
 //! | [`binding`] | builds the book, whole or not at all |
+//! | [`watch`] | prints the book again when a file of it is saved |
 //! | [`accuracy`] | every method on every kind of top, timed on this machine |
 //! | [`scenes`] | scene files: read, run, written |
 //! | [`command`] | the command line |
@@ -33,6 +34,7 @@ pub mod pieces;
 pub mod progress;
 pub mod scenes;
 pub mod typesetter;
+pub mod watch;
 pub mod writer;
 
 pub use error::{Error, Result};

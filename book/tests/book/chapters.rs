@@ -1,7 +1,7 @@
 //! The sources of the chapters: one list, tagged fences, short examples, every figure shown once where it belongs.
 
 use super::none;
-use press::chapters::CHAPTERS;
+use press::chapters::{CHAPTERS, Chapter};
 use press::ledger::{is_rust, markdown_options};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
 use std::collections::{BTreeMap, HashSet};
@@ -9,20 +9,25 @@ use std::collections::{BTreeMap, HashSet};
 /// Lines of a Rust example that the reader sees.
 const MOST_LINES: usize = 15;
 
+fn source(chapter: &Chapter) -> String {
+    let root = press::paths::workspace_root().unwrap();
+    chapter.source(&root).unwrap()
+}
+
 /// Every code block: chapter, line, tag (`None` if indented), text.
 fn blocks() -> Vec<(&'static str, usize, Option<String>, String)> {
     let mut blocks = Vec::new();
     for chapter in CHAPTERS {
+        let source = source(chapter);
         let mut open = None;
-        for (event, span) in Parser::new_ext(chapter.source, markdown_options()).into_offset_iter()
-        {
+        for (event, span) in Parser::new_ext(&source, markdown_options()).into_offset_iter() {
             match event {
                 Event::Start(Tag::CodeBlock(kind)) => {
                     let tag = match kind {
                         CodeBlockKind::Fenced(tag) => Some(tag.to_string()),
                         CodeBlockKind::Indented => None,
                     };
-                    let line = chapter.source[..span.start].matches('\n').count() + 1;
+                    let line = source[..span.start].matches('\n').count() + 1;
                     open = Some((chapter.name, line, tag, String::new()));
                 }
                 Event::Text(text) => {
@@ -100,9 +105,9 @@ fn rust_examples_are_short_and_hold_no_directive() {
 
 #[test]
 fn every_figure_is_shown_once_in_its_chapter() {
-    let mut shown: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    let mut shown: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for chapter in CHAPTERS {
-        for line in chapter.source.lines() {
+        for line in source(chapter).lines() {
             let name = line
                 .trim()
                 .strip_prefix("{{figure ")
@@ -115,7 +120,10 @@ fn every_figure_is_shown_once_in_its_chapter() {
                     "the cover shows figure {name}, which is not registered"
                 );
             } else {
-                shown.entry(name.trim()).or_default().push(chapter.name);
+                shown
+                    .entry(name.trim().to_owned())
+                    .or_default()
+                    .push(chapter.name);
             }
         }
     }
@@ -141,7 +149,7 @@ fn every_figure_is_shown_once_in_its_chapter() {
 #[test]
 fn every_chapter_has_one_title() {
     for chapter in CHAPTERS {
-        let titles = Parser::new_ext(chapter.source, markdown_options())
+        let titles = Parser::new_ext(&source(chapter), markdown_options())
             .filter(|event| {
                 matches!(
                     event,

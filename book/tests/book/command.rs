@@ -541,6 +541,55 @@ mod unix {
     }
 
     #[test]
+    fn a_saved_chapter_is_printed_again() {
+        let root = press::paths::workspace_root().unwrap();
+        let copy = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+        for linked in ["src", "lab", "tests", "figures"] {
+            symlink(root.join(linked), copy.path().join(linked)).unwrap();
+        }
+        let (from, book) = (root.join("book"), copy.path().join("book"));
+        std::fs::create_dir(&book).unwrap();
+        let copied = ["src", "scenes", "theme", "book.toml"].map(|name| quoted(&from.join(name)));
+        let script = format!("cp -r {} {}", copied.join(" "), quoted(&book));
+        assert!(shell(&script).status.success());
+
+        let mut child = Command::new(BOOK)
+            .args(["book", "--watch"])
+            .current_dir(copy.path())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut told = BufReader::new(child.stdout.take().unwrap()).lines();
+        let mut told = || told.next().unwrap().unwrap();
+        let complaints = BufReader::new(child.stderr.take().unwrap()).lines();
+        let mut complaints = complaints.map(Result::unwrap);
+        assert!(told().ends_with("book/build/index.html"));
+        assert!(told().starts_with("watching"));
+
+        let chapter = book.join("src/superball.md");
+        let before = std::fs::read_to_string(&chapter).unwrap();
+        let again = "book/src/superball.md: printed again in ";
+        std::fs::write(&chapter, format!("{before}\nA sentence of its own.\n")).unwrap();
+        assert!(told().starts_with(again));
+        let page = std::fs::read_to_string(book.join("build/superball.html")).unwrap();
+        assert!(page.contains("A sentence of its own."));
+
+        // What is wrong is told, and the next change mends it; an example is computed elsewhere.
+        std::fs::write(&chapter, format!("{before}\n{{{{figure nope}}}}\n")).unwrap();
+        let error = complaints.find(|line| line.starts_with("error: "));
+        assert!(error.unwrap().contains("'nope'"));
+        let changed = before.replacen("```rust\n", "```rust\n// Changed.\n", 1);
+        std::fs::write(&chapter, changed).unwrap();
+        assert!(told().starts_with(again));
+        assert!(told().contains("`cargo test -p book --doc -- superball`"));
+
+        let kill = format!("kill -INT {}", child.id());
+        assert!(shell(&kill).status.success());
+        assert_eq!(child.wait().unwrap().code(), Some(130));
+    }
+
+    #[test]
     fn an_early_end_of_the_reader_is_quiet() {
         let (_folder, file) = racket(100_000);
         let script = format!(

@@ -161,8 +161,9 @@ fn prose_and_figures_say_the_same_number() {
     let mut used = vec![false; DIFFERENT.len()];
     let mut faults = Vec::new();
     for chapter in CHAPTERS {
-        let [prose, code, mut beside] = parts(chapter.source);
-        for line in chapter.source.lines() {
+        let source = chapter.source(&root).unwrap();
+        let [prose, code, mut beside] = parts(&source);
+        for line in source.lines() {
             if let Some(name) = line
                 .strip_prefix("{{#include tables/")
                 .and_then(|l| l.strip_suffix("}}"))
@@ -171,7 +172,7 @@ fn prose_and_figures_say_the_same_number() {
                     &std::fs::read_to_string(root.join("book/src/tables").join(name)).unwrap();
             }
         }
-        let shown = |name: &str| chapter.source.contains(&format!("{{{{figure {name}}}}}"));
+        let shown = |name: &str| source.contains(&format!("{{{{figure {name}}}}}"));
         for drawing in drawings.iter().filter(|drawing| shown(drawing.entry.name)) {
             let figure = &drawing.figure;
             for text in [&figure.claim, &figure.details, &figure.alt] {

@@ -102,8 +102,9 @@ fn no_six_words_in_a_row_are_the_tutorials() {
         .collect();
     let mut faults = Vec::new();
     let mut near = HashSet::new();
+    let root = press::paths::workspace_root().unwrap();
     for chapter in CHAPTERS {
-        for (line, paragraph) in paragraphs(chapter.source) {
+        for (line, paragraph) in paragraphs(&chapter.source(&root).unwrap()) {
             for run in runs(&paragraph) {
                 let hash = hash(&run);
                 if known.contains(&hash) && !names.contains(&hash) {

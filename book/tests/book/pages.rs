@@ -1,6 +1,8 @@
 //! Builds the book and reads every page of it, as a browser without a network would.
 
 use super::none;
+use mdbook_driver::MDBook;
+use mdbook_driver::config::Config;
 use press::{binding, drawings};
 use scraper::{Html, Selector};
 use std::collections::{BTreeMap, HashSet};
@@ -245,10 +247,27 @@ fn nothing_is_left_unset() {
 
 #[test]
 fn two_builds_have_the_same_bytes() {
-    let second = build("book-again");
+    same_as_the_book(&build("book-again"));
+}
+
+/// `mdbook build book`, but for the compiler: its command for the press is the one that stands built.
+#[test]
+fn mdbook_itself_comes_to_the_same_bytes() {
+    let mut settings = Config::from_disk(root().join("book/book.toml")).unwrap();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book-by-mdbook");
+    settings.build.build_dir = folder.clone();
+    let press = format!("'{}' render", env!("CARGO_BIN_EXE_book"));
+    let renderer = "output.spinning-bodies.command";
+    settings.set(renderer, press).unwrap();
+    let book = MDBook::load_with_config(root().join("book"), settings).unwrap();
+    book.build().unwrap();
+    same_as_the_book(&folder);
+}
+
+fn same_as_the_book(folder: &Path) {
     let (mut a, mut b) = (BTreeMap::new(), BTreeMap::new());
     files(book(), &mut a, book());
-    files(&second, &mut b, &second);
+    files(folder, &mut b, folder);
     let names = |files: &BTreeMap<PathBuf, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
     assert_eq!(names(&a), names(&b));
     for (path, bytes) in &a {

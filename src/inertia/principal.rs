@@ -177,44 +177,36 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
 /// diagonal of ones. The root that is well separated from the others, `side`, is known to a few eps.
 fn found_again<N: Number>(a: [N; 6], moments: &mut V, axes: &mut [V; 3], side: Side) {
     let [x, y, z, xy, xz, yz] = a;
-    let minor = |a: N, b, c: N, d| a * b - c * d;
-    let determinant = |v: N| {
-        let [x, y, z] = [x, y, z].map(|d| d - v);
-        x * minor(y, z, yz, yz) - xy * minor(xy, z, yz, xz) - xz * minor(y, xz, xy, yz)
-    };
+    let minor = |a: N, b, c: N, d| (a * b).add_alike(-(c * d));
+    // det(A − v) = cube − v (squares − v (trace − v)).
+    let trace = x.add_alike(y).add_alike(z);
+    let first = minor(y, z, yz, yz);
+    let squares = minor(x, y, xy, xy)
+        .add_alike(minor(x, z, xz, xz))
+        .add_alike(first);
+    let cube = (x * first)
+        .add_alike(-(xy * minor(xy, z, yz, xz)))
+        .add_alike(-(xz * minor(y, xz, xy, yz)));
     let (apart, [low, high]) = match side {
         Side::Smallest => (0, [1, 2]),
         Side::Largest => (2, [0, 1]),
     };
     let sizes = moments.map(f64::abs);
     if sizes[apart] < NEEDLE * sizes[low].max(sizes[high]) {
-        // A step leaves a few eps of itself. The estimate is good to 1e-15 of the largest: if it is not much smaller itself, one step from there leaves
-        // less than 1e-20 of it; else one from zero leaves the rounding of the other two, and a second that of the sums.
-        let (mut value, steps) = if sizes[apart] > 1e-10 * sizes[low].max(sizes[high]) {
-            (moments[apart], 1)
-        } else {
-            (0.0, 2)
-        };
-        for _ in 0..steps {
-            let gaps = [low, high].map(|k| N::from_double(moments[k] - value));
-            value += determinant(N::from_double(value)).ratio(gaps[0] * gaps[1]);
+        // v (1 − v (trace − v)/squares) is this; each turn divides what v is off by five or more.
+        let whole = cube.ratio(squares);
+        let slope = (trace - N::from_double(moments[apart])).ratio(squares);
+        let mut value = moments[apart];
+        for _ in 0..3 {
+            value = whole / (1.0 - value * slope);
         }
         moments[apart] = value;
         return;
     }
-    let trace = x + y + z;
-    let minors = [
-        minor(x, y, xy, xy),
-        minor(x, z, xz, xz),
-        minor(y, z, yz, yz),
-    ];
-    let squares = minors[0] + minors[1] + minors[2];
-    let cube = determinant(N::from_double(0.0));
     // A step of Newton's for the separated root, from a few eps to their square, then the quadratic that is left.
     let [u, v, near] = [low, high, apart].map(|k| N::from_double(moments[k]));
     let slope = (near - u) * (near - v);
-    let rest = (trace - near) * near - squares;
-    let rest = rest * near + cube;
+    let rest = ((trace - near) * near - squares) * near + cube;
     let root = near + rest.quotient(slope);
     let product = cube.quotient(root);
     let half = (squares - product).quotient(root).times(0.5);

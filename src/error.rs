@@ -272,6 +272,17 @@ pub(crate) fn within(quantity: &'static str, value: f64, least: f64, greatest: f
     }
 }
 
+/// One place for each result, no fewer and no more.
+pub(crate) fn same_length(wanted: usize, found: usize) -> Result<()> {
+    if wanted == found {
+        return Ok(());
+    }
+    Err(Error::Condition {
+        condition: "there must be one place for each result",
+        value: found as f64,
+    })
+}
+
 /// A time so far from 0, either way, that digits do not tell where the motion is; `limit` is the longest of which they do.
 pub(crate) fn too_long(t: f64, limit: f64) -> Error {
     Error::OutOfRange {

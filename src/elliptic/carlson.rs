@@ -6,6 +6,7 @@
 //! sums are formed in numbers with an exponent of their own.
 
 use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::precise::quick::polynomial;
 use crate::precise::{DoubleDouble as Dd, Extended, Number};
 
 /// Spread of the arguments below which their series to [`ORDER`] are right to 2·10⁻²².
@@ -18,6 +19,9 @@ const ORDER: usize = 11;
 /// Duplications after which any spread between doubles is gone: each halves the exponents of their ratios, and then divides
 /// what is left of the spread by four.
 const ROUNDS: usize = 64;
+
+/// Up to this R_C(1, 1 + e) has a short series.
+const FLAT: f64 = 0.01;
 
 /// How much of dⱼ Tₙ₋ⱼ each term Tₙ of the series takes, for j from 2 to 5.
 const STEPS: [[f64; 4]; ORDER + 1] = {
@@ -167,8 +171,22 @@ pub(super) fn elementary<N: Number>(x: N, y: N) -> N {
         .times(scale)
 }
 
-/// R_J, at most one of the first three zero; the principal value for p < 0.
-pub(super) fn third<N: Number<Narrow = Dd>>(mut x: [N; 3], p: N) -> N {
+/// Arguments that the duplications of R_D or R_J have brought together: R_F goes on from there.
+#[derive(Clone, Copy)]
+pub(super) struct Alike<N> {
+    x: [N; 3],
+    scale: f64,
+}
+
+impl<N: Number> Alike<N> {
+    /// R_F of the arguments at the start.
+    pub(super) fn first(self) -> N {
+        first(self.x).times(self.scale)
+    }
+}
+
+/// R_J, at most one of the first three zero; the principal value for p < 0. And what R_F goes on from.
+pub(super) fn third<N: Number<Narrow = Dd>>(mut x: [N; 3], p: N) -> (N, Alike<N>) {
     for (i, j) in [(0, 1), (1, 2), (0, 1)] {
         if x[i].exceeds(x[j]) {
             x.swap(i, j);
@@ -184,18 +202,39 @@ pub(super) fn third<N: Number<Narrow = Dd>>(mut x: [N; 3], p: N) -> N {
     let more = ((z - y) * (y - x)).quotient(gap);
     let q = y + more;
     let (pq, xz) = (p * q, x * z);
-    let arcs = elementary(xz.quotient(y), pq.quotient(y)) - first([x, y, z]);
-    let rest = more * duplicated([x, y, z], q);
-    (rest - arcs.times(-3.0)).quotient(gap)
+    let (form, alike) = duplicated([x, y, z], q);
+    let arcs = elementary(xz.quotient(y), pq.quotient(y)) - alike.first();
+    ((more * form - arcs.times(-3.0)).quotient(gap), alike)
+}
+
+/// R_C(1, 1 + e) = arctan(√e)/√e for |e| ≤ [`FLAT`] by its series, of which the first terms have two words: 10⁻²³ of it.
+fn flat(e: Dd) -> Dd {
+    const THIRD: Dd = Dd::new(1.0 / 3.0, 1.850_371_707_708_594e-17);
+    const FIFTH: Dd = Dd::new(0.2, -1.110_223_024_625_156_6e-17);
+    const REST: [f64; 9] = [
+        -1.0 / 7.0,
+        1.0 / 9.0,
+        -1.0 / 11.0,
+        1.0 / 13.0,
+        -1.0 / 15.0,
+        1.0 / 17.0,
+        -1.0 / 19.0,
+        1.0 / 21.0,
+        -1.0 / 23.0,
+    ];
+    let rest = Dd::from(e.high() * polynomial(&REST, e.high()));
+    Dd::from(1.0) - e.quick_product(THIRD - e.quick_product(FIFTH + rest))
 }
 
 /// R_J by duplication, p > 0.
-fn duplicated<N: Number<Narrow = Dd>>(mut x: [N; 3], mut p: N) -> N {
+fn duplicated<N: Number<Narrow = Dd>>(mut x: [N; 3], mut p: N) -> (N, Alike<N>) {
     let fifth = N::from_double(1.0).quotient(N::from_double(5.0));
     let mean =
         |[x, y, z]: [N; 3], p: N| x.add_alike(y).add_alike(z).add_alike(p.times(2.0)) * fifth;
     let start = mean(x, p);
     let spread = Spread::new(start, x, Some(p));
+    // What p is more than the others stays, and so does the product of that.
+    let beyond = (p - x[0]) * (p - x[1]) * (p - x[2]);
     let mut sum = N::from_double(0.0);
     let mut scale = 1.0;
     for _ in 0..ROUNDS {
@@ -206,28 +245,27 @@ fn duplicated<N: Number<Narrow = Dd>>(mut x: [N; 3], mut p: N) -> N {
         let [a, b, c] = roots;
         let lambda = (a * b.add_alike(c)).add_alike(b * c);
         let [a, b, c] = roots.map(|root| root.add_alike(r));
-        let d = a * b * c;
+        let inverse = N::from_double(1.0).quotient(a * b * c);
         x = x.map(|x| x.add_alike(lambda));
         p = p.add_alike(lambda);
-        // 1 + e, with e the product of (r − a)/(r + a) over the three: both products summed, nothing cancels.
-        let whole = (r.times(2.0) * p).quotient(d);
-        // Rarely far from 1: without an exponent, then.
-        let narrow = whole.narrow();
-        let arc = if ordinary(&[narrow.high()]) {
-            N::from_narrow(elementary(Dd::from(1.0), narrow))
+        // e is the product of (r − a)/(r + a) over the three. Where it is near −1, 1 + e is both products summed, and nothing cancels.
+        let e = (beyond * inverse.square()).narrow();
+        let arc = if e.high().abs() <= FLAT {
+            N::from_narrow(flat(e))
         } else {
-            elementary(N::from_double(1.0), whole)
+            elementary(N::from_double(1.0), r.times(2.0) * p * inverse)
         };
-        sum = sum.add_alike(arc.quotient(d).times(scale));
+        sum = sum.add_alike((arc * inverse).times(scale));
         scale *= 2.0;
     }
     let mean = mean(x, p);
     let last = spread.series::<3>(mean).quotient(mean * mean.square_root());
-    sum.times(6.0).add_alike(last.times(scale))
+    let value = sum.times(6.0).add_alike(last.times(scale));
+    (value, Alike { x, scale })
 }
 
-/// R_D, at most one of x and y zero, z > 0.
-pub(super) fn second<N: Number>(mut x: [N; 3]) -> N {
+/// R_D, at most one of x and y zero, z > 0. And what R_F goes on from.
+pub(super) fn second<N: Number>(mut x: [N; 3]) -> (N, Alike<N>) {
     let fifth = N::from_double(1.0).quotient(N::from_double(5.0));
     let mean = |[x, y, z]: [N; 3]| x.add_alike(y).add_alike(z.times(3.0)) * fifth;
     let start = mean(x);
@@ -246,7 +284,8 @@ pub(super) fn second<N: Number>(mut x: [N; 3]) -> N {
     }
     let mean = mean(x);
     let last = spread.series::<3>(mean).quotient(mean * mean.square_root());
-    sum.times(3.0).add_alike(last.times(scale))
+    let value = sum.times(3.0).add_alike(last.times(scale));
+    (value, Alike { x, scale })
 }
 
 /// R_G, at most one argument zero: 6 R_G = Σ x (y + z) R_D(y, z, x), all terms positive; a zero has no term.
@@ -254,7 +293,7 @@ fn surface<N: Number>([x, y, z]: [N; 3]) -> N {
     let mut sum = N::from_double(0.0);
     for (u, v, w) in [(x, y, z), (y, z, x), (z, x, y)] {
         if !w.is_zero() {
-            sum = sum.add_alike(w * u.add_alike(v) * second([u, v, w]));
+            sum = sum.add_alike(w * u.add_alike(v) * second([u, v, w]).0);
         }
     }
     sum.quotient(N::from_double(6.0))
@@ -355,7 +394,7 @@ pub fn rc(x: f64, y: f64) -> Result<f64> {
 pub fn rd(x: f64, y: f64, z: f64) -> Result<f64> {
     let a = arguments(x, y, positive("argument z", z)?)?;
     at_most_one_zero(&a[..2])?;
-    value!("R_D", a, second)
+    value!("R_D", a, |a| second(a).0)
 }
 
 /// R_J(x, y, z, p) = (3/2)∫₀^∞ dt/((t+p)√((t+x)(t+y)(t+z))), the principal value for p < 0.
@@ -375,7 +414,8 @@ pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
     value!("R_J", [x, y, z, p], |[x, y, z, p]: [_; 4]| third(
         [x, y, z],
         p
-    ))
+    )
+    .0)
 }
 
 /// R_G(x, y, z), the mean of √(x n₁² + y n₂² + z n₃²) over directions n.
@@ -405,8 +445,8 @@ pub fn rg(x: f64, y: f64, z: f64) -> Result<f64> {
 mod tests {
     use super::{Dd, first, second, third};
     use crate::Result;
-    use crate::elliptic::modulus::PI;
     use crate::elliptic::{Modulus, Parameter};
+    use crate::precise::RIGHT_ANGLE;
 
     /// A double hides the last terms of the series; two words do not. K comes from the arithmetic-geometric mean.
     #[test]
@@ -425,15 +465,15 @@ mod tests {
             let (quarter, other) = (quarter.quarter_period_dd(), other.quarter_period_dd());
             observe(0, first([zero, mc, one]) - quarter, quarter);
             // Legendre: E K′ + E′ K − K K′ = π/2, with E = K − m D and E′ = K′ − mc D′.
-            let d = second([zero, mc, one]) * third_part;
-            let d_other = second([zero, p.m_dd(), one]) * third_part;
+            let d = second([zero, mc, one]).0 * third_part;
+            let d_other = second([zero, p.m_dd(), one]).0 * third_part;
             let e = quarter - p.m_dd() * d;
             let whole = e * other - mc * d_other * quarter;
-            observe(1, whole - PI.scaled(0.5), PI);
+            observe(1, whole - RIGHT_ANGLE, RIGHT_ANGLE.scaled(2.0));
             // Π(−k) = K/2 + π/(4(1 + k)), which is K − k R_J(0, mc, 1, 1 + k)/3.
             let more = one + k;
-            let part = third([zero, mc, one], more) * k * third_part;
-            let whole = quarter.scaled(0.5) - PI.scaled(0.25) / more;
+            let part = third([zero, mc, one], more).0 * k * third_part;
+            let whole = quarter.scaled(0.5) - RIGHT_ANGLE.scaled(0.5) / more;
             observe(2, part - whole, quarter);
         }
         // Observed: 5.0e-23, 1.4e-23, 1.8e-23; without the last order it is seven times as much of each, and more.

@@ -1,10 +1,12 @@
-//! Complete and incomplete integrals of all three kinds.
+//! Complete and incomplete integrals of all three kinds, and the inverse Jacobi functions.
 
 use super::carlson;
-use super::modulus::{Modulus, PI};
+use super::modulus::Modulus;
 use super::parameter::{Characteristic, Parameter};
-use crate::error::{Error, Result, finite};
-use crate::precise::{DoubleDouble as Dd, Extended, Number, RIGHT_ANGLE, quick};
+use crate::error::{Error, Result, finite, within};
+use crate::precise::{
+    DoubleDouble as Dd, Extended, Number, RIGHT_ANGLE, power_of_two_below, quick,
+};
 
 /// K = ∫₀^{π/2} dθ/√(1 − m sin²θ) for m ≤ 1, the quarter period; π/2 at m = 0, ln(4/√mc) for mc → 0, infinite at mc = 0.
 ///
@@ -197,21 +199,14 @@ struct Angle {
     cosine: Dd,
 }
 
-/// What π to 106 bits leaves over.
+/// π to 106 bits, and what that leaves over.
+const PI: Dd = Dd::new(core::f64::consts::PI, 1.224_646_799_147_353_2e-16);
 const PI_REST: f64 = -2.994_769_809_718_339_7e-33;
 
 impl Angle {
     fn new(phi: f64) -> Result<Self> {
-        let phi = finite("angle phi", phi)?;
         const GREATEST: f64 = 9_007_199_254_740_992.0;
-        if phi.abs() > GREATEST {
-            return Err(Error::OutOfRange {
-                quantity: "angle phi",
-                value: phi,
-                least: -GREATEST,
-                greatest: GREATEST,
-            });
-        }
+        let phi = within("angle phi", phi, -GREATEST, GREATEST)?;
         let less = |x: Dd, halves: f64| {
             x - Dd::product(halves, PI.high())
                 - Dd::product(halves, PI.low())
@@ -451,20 +446,20 @@ impl<N: Number<Narrow = Dd>> Place<N> {
         let one = N::from_double(1.0);
         let third_of_cube = (s * s2).quotient(N::from_double(3.0));
         if m.leading() < 0.0 {
-            let d = carlson::second([c2, delta2, one]) * third_of_cube;
-            return self.first().add_alike(-m * d);
+            let (d, alike) = carlson::second([c2, delta2, one]);
+            return (s * alike.first()).add_alike(-m * (d * third_of_cube));
         }
         if mc.is_zero() {
             return s;
         }
         if mc.leading() < 0.0 {
-            let d = carlson::second([delta2, one, c2]) * third_of_cube;
+            let d = carlson::second([delta2, one, c2]).0 * third_of_cube;
             let end = delta2.quotient(c2).square_root() * s;
             return (-mc * d).add_alike(end);
         }
-        let d = carlson::second([c2, one, delta2]) * third_of_cube;
+        let (d, alike) = carlson::second([c2, one, delta2]);
         let end = s * c2.quotient(delta2).square_root();
-        let whole = mc * self.first().add_alike(m * d);
+        let whole = mc * (s * alike.first()).add_alike(m * (d * third_of_cube));
         whole.add_alike(m * end)
     }
 
@@ -481,8 +476,8 @@ impl<N: Number<Narrow = Dd>> Place<N> {
         let third_of_cube = (s * s2).quotient(N::from_double(3.0));
         let negative = n.leading() < 0.0;
         if !negative && p.leading() > 0.0 {
-            let tail = carlson::third(self.arguments(), p) * third_of_cube;
-            return self.first().add_alike(n * tail);
+            let (tail, alike) = carlson::third(self.arguments(), p);
+            return (s * alike.first()).add_alike(n * (tail * third_of_cube));
         }
         if negative && m.leading() < 0.0 {
             // To the characteristic 1 − mc/nc (19.7.9 there, with its sign of n).
@@ -490,9 +485,9 @@ impl<N: Number<Narrow = Dd>> Place<N> {
             let q = c2.add_alike(few * s2);
             let arc = carlson::elementary(delta2, p * q);
             let arc = s * c2.square_root() * arc;
-            let tail = carlson::third(self.arguments(), q) * third_of_cube;
-            let sum = arc.add_alike(few * tail);
-            return self.first().add_alike(-n * sum).quotient(nc);
+            let (tail, alike) = carlson::third(self.arguments(), q);
+            let sum = arc.add_alike(few * (tail * third_of_cube));
+            return (s * alike.first()).add_alike(-n * sum).quotient(nc);
         }
         // To the characteristic m/n, of which 1 − m/n = (mc − nc)/n does not cancel for n > 1.
         let ratio = m.quotient(n);
@@ -502,7 +497,7 @@ impl<N: Number<Narrow = Dd>> Place<N> {
             c2.add_alike((mc - nc).quotient(n) * s2)
         };
         let arc = carlson::elementary(c2 * delta2, p * q) * s;
-        let tail = carlson::third(self.arguments(), q) * third_of_cube;
+        let tail = carlson::third(self.arguments(), q).0 * third_of_cube;
         arc - ratio * tail
     }
 }
@@ -583,4 +578,117 @@ pub fn incomplete_third(
     parameter: impl Into<Characteristic>,
 ) -> Result<f64> {
     at_angle(Kind::Third(characteristic), phi, parameter.into())
+}
+
+fn complement(x: f64) -> Dd {
+    Dd::difference(1.0, x) * Dd::sum(1.0, x)
+}
+
+/// The u in −K…K with sn u = x; ±infinity at m = 1, x = ±1.
+///
+/// Error 0.4 ε at most of 48 rows, x from 10⁻³⁰⁰ to the float below 1. What the rounding of x itself does to u is another
+/// matter: 1/(cn dn) times that, without bound next to ±1, where [`inverse_cn`] or [`inverse_cn_sn`] should be asked.
+/// Cost 0.3 µs. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
+///
+/// # Errors
+///
+/// If x is not finite or lies outside −1…1.
+pub fn inverse_sn(x: f64, parameter: Parameter) -> Result<f64> {
+    let x = within("value of sn", x, -1.0, 1.0)?;
+    let c2 = complement(x);
+    let s2 = Dd::product(x, x);
+    Ok(from_squares(Dd::from(x), s2, c2, parameter).value())
+}
+
+/// The u in 0…2K with cn u = x; infinite at m = 1, x ≤ 0.
+///
+/// Error 0.6 ε at most of 48 rows, x from 10⁻³⁰⁰ to the float below 1, both signs. Ill-conditioned next to ±1, as
+/// [`inverse_sn`] is. Cost 1–2 µs. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
+///
+/// # Errors
+///
+/// If x is not finite or lies outside −1…1.
+pub fn inverse_cn(x: f64, parameter: Parameter) -> Result<f64> {
+    let x = within("value of cn", x, -1.0, 1.0)?;
+    let s2 = complement(x);
+    let u = from_squares(s2.square_root(), s2, Dd::product(x, x), parameter);
+    Ok(reflected(u, x < 0.0, parameter))
+}
+
+/// `u`, or 2K − u where the cosine is negative.
+fn reflected(u: Dd, negative: bool, parameter: Parameter) -> f64 {
+    if !negative {
+        return u.value();
+    }
+    let half = Modulus::new(parameter).quarter_period_dd().scaled(2.0);
+    if half.high().is_infinite() {
+        return half.high();
+    }
+    (half - u).value()
+}
+
+/// The u in −2K…2K at which (cn u, sn u) has the direction of (x, y); −2K itself is not given.
+///
+/// Well conditioned for every direction, where the inverses from one value alone lose half the digits next to the
+/// extremes of that value. The length of (x, y) does not matter. ±infinity at m = 1, x ≤ 0.
+///
+/// Error: u within 0.41 of what 4 ε in y/x make. Cost 1–2 µs.
+///
+/// # Errors
+///
+/// If x or y is not finite, or both are zero.
+pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
+    let x = finite("x along cn", x)?;
+    let y = finite("y along sn", y)?;
+    let size = x.abs().max(y.abs());
+    if size == 0.0 {
+        return Err(Error::ZeroVector {
+            quantity: "direction (cn, sn)",
+        });
+    }
+    let unit = power_of_two_below(size);
+    let (c, s) = (x / unit, y.abs() / unit);
+    let u = if s == 0.0 {
+        Dd::from(s)
+    } else {
+        let (c2, s2) = (Dd::product(c, c), Dd::product(s, s));
+        let delta2 = c2 + parameter.mc_dd() * s2;
+        if delta2.value() == 0.0 {
+            return Ok(f64::INFINITY.copysign(y));
+        }
+        Dd::from(s) * carlson::first([c2, delta2, c2 + s2])
+    };
+    Ok(reflected(u, x < 0.0, parameter).copysign(y))
+}
+
+/// The u in 0…K with dn u = x; 0 at m = 0.
+///
+/// Error 0.5 ε at most of 30 rows. Ill-conditioned next to 1 and to √mc, and everywhere for small m: there
+/// [`inverse_cn_sn`] should be asked. Cost 1–2 µs. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
+///
+/// # Errors
+///
+/// If x is not finite or lies outside √mc…1.
+pub fn inverse_dn(x: f64, parameter: Parameter) -> Result<f64> {
+    let least = parameter.mc().sqrt();
+    let x = within("value of dn", x, least, 1.0)?;
+    if parameter.m() == 0.0 {
+        return Ok(0.0);
+    }
+    let m = parameter.m_dd();
+    let s2 = complement(x) / m;
+    let c2 = (Dd::product(x, x) - parameter.mc_dd()) / m;
+    let c2 = if c2.value() < 0.0 { Dd::from(0.0) } else { c2 };
+    Ok(from_squares(s2.square_root(), s2, c2, parameter).value())
+}
+
+fn from_squares(s: Dd, s2: Dd, c2: Dd, parameter: Parameter) -> Dd {
+    if s.value() == 0.0 {
+        return s;
+    }
+    let delta2 = c2 + parameter.mc_dd() * s2;
+    if delta2.value() == 0.0 {
+        return Dd::from(f64::INFINITY.copysign(s.value()));
+    }
+    s * carlson::first([c2, delta2, Dd::from(1.0)])
 }

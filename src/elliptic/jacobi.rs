@@ -1,14 +1,12 @@
-//! The Jacobi functions and the amplitude.
+//! The Jacobi functions and the amplitude: of one argument, of one whose modulus is not used again, and of many.
 
-use super::crest::{Hyperbolic, hyperbolic};
-use super::kernel;
-use super::kernel::ROUNDER;
-use super::modulus::{COUNTABLE, Modulus, Reduction, Side};
+use super::landen;
+use super::modulus::{Modulus, Reduction, Side};
 use super::parameter::Parameter;
-use super::quarter;
-use super::series::{Corrections, Series};
-use crate::error::{Error, Result, finite};
-use crate::precise::{DoubleDouble, quick};
+use super::theta::{Corrections, Series};
+use crate::error::{Result, same_length, within};
+use crate::precise::DoubleDouble;
+use crate::precise::quick::{self, QUARTER_PARTS, ROUNDER, in_quadrant, polynomial, reduced};
 
 /// The three Jacobi functions and the amplitude at one argument.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,13 +20,6 @@ pub struct Jacobi {
     /// The amplitude am u, in radians: grows by π with each 2K.
     pub am: f64,
 }
-
-/// π/2 in three words, of which the first two are so short that a count times either is exact.
-pub(super) const QUARTER_PARTS: [f64; 3] = [
-    1.570_796_310_901_641_8,
-    1.589_325_471_229_585_7e-8,
-    6.123_233_995_736_766e-17,
-];
 
 impl Modulus {
     /// sn u, cn u, dn u and the amplitude am u, at any argument up to 2⁵³ quarter periods.
@@ -102,16 +93,8 @@ impl Modulus {
     /// Arguments beyond 2²⁵ quarter periods, unluckily close to one, or out of bounds.
     #[cold]
     fn long(&self, u: f64) -> Result<Jacobi> {
-        let u = finite("argument u", u)?;
-        let greatest = COUNTABLE * self.quarter.high();
-        if u.abs() > greatest {
-            return Err(Error::OutOfRange {
-                quantity: "argument u",
-                value: u,
-                least: -greatest,
-                greatest,
-            });
-        }
+        let greatest = self.greatest_argument();
+        let u = within("argument u", u, -greatest, greatest)?;
         Ok(self.jacobi_dd(DoubleDouble::from(u)))
     }
 
@@ -138,7 +121,7 @@ impl Modulus {
             rest = rest - self.quarter * DoubleDouble::from(again);
         }
         if rest.high().abs() < FEW_BITS_LEFT * u.high().abs() {
-            rest = quarter::remainder(self.parameter, u, count);
+            rest = landen::remainder(self.parameter, u, count);
         }
         (count, rest)
     }
@@ -156,34 +139,23 @@ impl Modulus {
         match self.side {
             Side::Circular => {
                 let (v, v_low) = self.turned_by(high, low);
-                let Circular { sn, cn, dn, ahead } = circular(&self.series, bits, v, v_low);
-                let ahead = kernel::small_arcsine(ahead) + v_low;
-                Jacobi {
-                    sn,
-                    cn,
-                    dn,
-                    am: turned(quarters, v, ahead),
-                }
+                let ([sn, cn, dn], ahead) = circular(&self.series, bits, v, v_low);
+                let am = turned(quarters, v, quick::small_arcsine(ahead) + v_low);
+                Jacobi { sn, cn, dn, am }
             }
             Side::Hyperbolic => {
                 let (v, v_low) = self.multiplied(high, low);
-                let series = if bits & 1 == 0 {
-                    &self.series.even
-                } else {
+                let odd = bits & 1 != 0;
+                let set = if odd {
                     &self.series.odd
-                };
-                let Hyperbolic { sn, cn, dn } = hyperbolic(&self.series, series, bits, v, v_low);
-                let angle = if bits & 1 == 0 {
-                    kernel::angle(sn.abs(), cn.abs())
                 } else {
-                    kernel::angle(cn.abs(), sn.abs())
+                    &self.series.even
                 };
-                Jacobi {
-                    sn,
-                    cn,
-                    dn,
-                    am: turned(quarters, angle.copysign(v), 0.0),
-                }
+                let [sn, cn, dn] = hyperbolic(&self.series, set, bits, v, v_low);
+                let (sine, cosine) = if odd { (cn, sn) } else { (sn, cn) };
+                let angle = quick::angle(sine.abs(), cosine.abs());
+                let am = turned(quarters, angle.copysign(v), 0.0);
+                Jacobi { sn, cn, dn, am }
             }
         }
     }
@@ -206,30 +178,25 @@ pub fn sn_cn_dn(u: f64, parameter: Parameter) -> Result<(f64, f64, f64)> {
 const FEW_BITS_LEFT: f64 = 1.0 / (1_u64 << 50) as f64;
 
 /// An argument less a count of quarter periods.
-pub(super) struct Reduced {
+struct Reduced {
     /// The count with [`ROUNDER`] added.
-    pub(super) rounded: f64,
-    pub(super) high: f64,
-    pub(super) low: f64,
-    pub(super) unlucky: bool,
+    rounded: f64,
+    high: f64,
+    low: f64,
+    unlucky: bool,
 }
 
 impl Reduction {
     /// Whether an argument has too many quarter periods. One that is not a number comes out unlucky.
     #[inline(always)]
-    pub(super) fn refuses(&self, u: f64) -> bool {
+    fn refuses(&self, u: f64) -> bool {
         u.abs() > self.limit
     }
 
     #[inline(always)]
-    pub(super) fn apply(&self, u: f64) -> Reduced {
-        let rounded = u * self.inverse + ROUNDER;
-        let count = rounded - ROUNDER;
-        // The first difference is exact: its terms are within a factor of two, or the count is zero.
-        let first = u - count * self.parts[0];
-        let rest = DoubleDouble::difference(first, count * self.parts[1]);
-        // In order, unless the argument is unlucky.
-        let (high, low) = quick::ordered_sum(rest.high(), rest.low() - count * self.parts[2]);
+    fn apply(&self, u: f64) -> Reduced {
+        // In order, unless the argument is unlucky. Of the two zeros −0 is the one that costs no addition.
+        let (rounded, [high, low]) = reduced([u, -0.0], self.inverse, self.parts);
         // So written that not-a-number is unlucky.
         let lucky = high.abs() >= FEW_BITS_LEFT * u.abs();
         Reduced {
@@ -241,55 +208,30 @@ impl Reduction {
     }
 }
 
-pub(super) struct Circular {
-    pub(super) sn: f64,
-    pub(super) cn: f64,
-    pub(super) dn: f64,
-    /// Sine of what the amplitude is ahead of v by.
-    pub(super) ahead: f64,
-}
-
-/// The functions at v = `high + low` after as many quarter turns as the lowest bits say.
+/// sn, cn and dn at v = `high + low` after as many quarter turns as the lowest bits say, and the sine of what the amplitude is ahead of v by.
 #[inline(always)]
-pub(super) fn circular(series: &Series, bits: u64, high: f64, low: f64) -> Circular {
-    let (sine, cosine) = kernel::sine_cosine(high, low);
+fn circular(series: &Series, bits: u64, high: f64, low: f64) -> ([f64; 3], f64) {
+    let (sine, cosine) = quick::small_sine_cosine(high, low);
     let (s, c) = in_quadrant(bits, sine, cosine);
     circular_at(&series.even, s, c)
 }
 
-const SIGN: u64 = 1 << 63;
-
-/// Sine and cosine after as many right angles as the lowest bits say.
+/// The same from the sine and the cosine of v.
 #[inline(always)]
-pub(crate) fn in_quadrant(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
-    let odd = (bits & 1).wrapping_neg();
-    let (s, c) = (sine.to_bits(), cosine.to_bits());
-    // Exchanged by the bits in which they differ.
-    let exchange = (s ^ c) & odd;
-    // Quadrants 2 and 3 turn the sign of the sine, 1 and 2 that of the cosine.
-    let sign = (bits << 62) & SIGN;
-    (
-        f64::from_bits(s ^ exchange ^ sign),
-        f64::from_bits(c ^ exchange ^ sign ^ (bits << 63)),
-    )
-}
-
-/// The functions from the sine and the cosine of v.
-#[inline(always)]
-pub(super) fn circular_at(set: &Corrections, s: f64, c: f64) -> Circular {
+pub(super) fn circular_at(set: &Corrections, s: f64, c: f64) -> ([f64; 3], f64) {
     let (s2, c2) = (s * s, c * c);
-    let inverse = 1.0 / kernel::polynomial(&set.denominator, s2);
+    let inverse = 1.0 / polynomial(&set.denominator, s2);
     let (near, far) = (c2 * inverse, s2 * inverse);
-    let sn = near * kernel::polynomial(&[set.sn[0], set.sn[1], set.sn[2]], s2);
-    let cn = far * kernel::polynomial(&[set.cn[0], set.cn[1], set.cn[2]], s2);
-    let dn = far * kernel::polynomial(&[set.dn[0], set.dn[1], set.dn[2]], s2);
-    Circular {
-        sn: kernel::lesser(kernel::greater(s + s * sn, -1.0), 1.0),
-        cn: c + c * cn,
-        dn: 1.0 + dn,
-        // sin(am − v) = sn cos v − cn sin v, where the leading parts cancel by themselves.
-        ahead: s * c * (sn - cn),
-    }
+    let sn = near * polynomial(&[set.sn[0], set.sn[1], set.sn[2]], s2);
+    let cn = far * polynomial(&[set.cn[0], set.cn[1], set.cn[2]], s2);
+    let dn = far * polynomial(&[set.dn[0], set.dn[1], set.dn[2]], s2);
+    let functions = [
+        quick::lesser(quick::greater(s + s * sn, -1.0), 1.0),
+        c + c * cn,
+        1.0 + dn,
+    ];
+    // sin(am − v) = sn cos v − cn sin v, where the leading parts cancel by themselves.
+    (functions, s * c * (sn - cn))
 }
 
 /// quarters · π/2 + v + ahead, rounded once.
@@ -297,7 +239,7 @@ pub(super) fn circular_at(set: &Corrections, s: f64, c: f64) -> Circular {
 fn turned(quarters: f64, v: f64, ahead: f64) -> f64 {
     // Beyond 2²⁵ quarters the first two products are inexact, but then far below the last place of the sum: the
     // second word makes it up.
-    let (first, error) = if quarters.abs() <= 33_554_432.0 {
+    let (first, error) = if quarters.abs() <= quick::EXACT_COUNT {
         (quarters * QUARTER_PARTS[0], 0.0)
     } else {
         quick::exact_product(quarters, QUARTER_PARTS[0])
@@ -309,4 +251,186 @@ fn turned(quarters: f64, v: f64, ahead: f64) -> f64 {
         (all.high(), all.low() + sum.low())
     };
     sum + (rest + (error + quarters * QUARTER_PARTS[2] + ahead))
+}
+
+/// Beyond m = 1/2: sn, cn and dn at v = `high + low` from the nearest multiple of K, as many of which as the lowest bits say, with the
+/// corrections that belong to the lowest.
+#[inline(always)]
+fn hyperbolic(series: &Series, set: &Corrections, bits: u64, high: f64, low: f64) -> [f64; 3] {
+    let crest = Crest::new(series.root, high, low);
+    hyperbolic_at(series.complementary_modulus, set, bits, &crest)
+}
+
+/// sinh and cosh of |v|, the sign of v as a bit, and z = 4 √q′ sinh² v.
+pub(super) struct Crest {
+    pub(super) sign: u64,
+    pub(super) wave: Wave,
+    pub(super) z: f64,
+}
+
+impl Crest {
+    /// At v = `high + low`; `root` is 2q′^{1/4}.
+    #[inline(always)]
+    pub(super) fn new(root: f64, high: f64, low: f64) -> Self {
+        let sign = high.to_bits() & (1 << 63);
+        let (high, low) = (high.abs(), f64::from_bits(low.to_bits() ^ sign));
+        let wave = Wave::new(high, low);
+        let root = quick::lesser(root * wave.growth * wave.sine, 2.0);
+        Self {
+            sign,
+            wave,
+            z: root * root,
+        }
+    }
+}
+
+/// The functions from the hyperbolic functions of v.
+#[inline(always)]
+pub(super) fn hyperbolic_at(
+    complementary_modulus: f64,
+    set: &Corrections,
+    bits: u64,
+    crest: &Crest,
+) -> [f64; 3] {
+    let odd = (bits & 1).wrapping_neg();
+    let Crest { sign, wave, z } = crest;
+    let inverse = 1.0 / polynomial(&set.denominator, *z);
+    let upper = complementary_modulus * wave.growth;
+    let below = 1.0 / wave.cosine;
+    let sech = below * wave.decay[0] * wave.decay[1];
+    let s = quick::select(odd, 1.0, wave.sine / wave.cosine);
+    let c = quick::select(odd, upper * wave.sine, sech);
+    let d = quick::select(odd, upper * wave.cosine, sech);
+    let sn = s + s * (polynomial(&set.sn, *z) * inverse);
+    let cn = c + c * (polynomial(&set.cn, *z) * inverse);
+    let dn = d + d * (polynomial(&set.dn, *z) * inverse);
+    // Near even multiples sn is odd in v, near odd ones cn is, with the other sign.
+    let half = (bits & 2) << 62;
+    let sn_sign = half ^ (sign & !odd);
+    let cn_sign = half ^ ((sign ^ (1 << 63)) & odd);
+    [
+        f64::from_bits(quick::lesser(sn, 1.0).to_bits() ^ sn_sign),
+        f64::from_bits(cn.to_bits() ^ cn_sign),
+        quick::lesser(quick::greater(dn, complementary_modulus), 1.0),
+    ]
+}
+
+/// sinh x and cosh x for x ≥ 0, both divided by the power of two 2^j next to e^x.
+pub(super) struct Wave {
+    pub(super) sine: f64,
+    pub(super) cosine: f64,
+    /// 2^j, or so much of it as a double holds.
+    pub(super) growth: f64,
+    /// 2^−j as a product, so that it may be less than the least double.
+    pub(super) decay: [f64; 2],
+}
+
+impl Wave {
+    #[inline(always)]
+    fn new(high: f64, low: f64) -> Self {
+        const LN2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
+        // Beyond 760 the hyperbolic secant is zero.
+        let low = if high > 760.0 { 0.0 } else { low };
+        let high = quick::lesser(high, 760.0);
+        let rounded = high * core::f64::consts::LOG2_E + ROUNDER;
+        let j = rounded - ROUNDER;
+        let leading = j * LN2[0] - high;
+        let g = leading + j * LN2[1];
+        let rest = ((leading - g) + j * LN2[1]) - low;
+        let (s, c) = quick::small_hyperbolic(g, rest);
+        // 2^−j in two factors, 4^−j, and 2^j: where an exponent does not fit it is cut off, and does not count.
+        let half = (0.5 * j + ROUNDER) - ROUNDER;
+        let decay = [
+            quick::power_of_two(ROUNDER - half),
+            quick::power_of_two(ROUNDER - (j - half)),
+        ];
+        let tiny = quick::power_of_two(ROUNDER - quick::lesser(2.0 * j, 1022.0));
+        // sinh x = (2^j e^−g − 2^−j e^g)/2, and likewise cosh.
+        let (less, more) = (1.0 - tiny, 1.0 + tiny);
+        Self {
+            sine: 0.5 * (less + (less * c - more * s)),
+            cosine: 0.5 * (more + (more * c - less * s)),
+            growth: quick::power_of_two(ROUNDER + quick::lesser(j, 1023.0)),
+            decay,
+        }
+    }
+}
+
+/// So many arguments are worked on before those are looked for that need more than the common path.
+const CHUNK: usize = 64;
+
+impl Modulus {
+    /// sn, cn and dn of every argument, into slices of the same length.
+    ///
+    /// The values are those of [`Modulus::jacobi`] to the last bit, and so is the error.
+    ///
+    /// Cost: 8–18 ns an argument, for any number of them from about 64 on, with the instructions every processor of
+    /// the kind has. A chunk of 64 in which one argument lies beyond 2²⁵ quarter periods, or unluckily close to a
+    /// multiple of K, costs what single calls do.
+    ///
+    /// # Errors
+    ///
+    /// If the slices differ in length, or at the first argument that [`Modulus::jacobi`] refuses; the slices are
+    /// then partly written.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::{Modulus, Parameter};
+    /// let modulus = Modulus::new(Parameter::from_complement(1e-3)?);
+    /// let u = [0.0, 0.5, 1.0, 1.5];
+    /// let [mut sn, mut cn, mut dn] = [[0.0; 4]; 3];
+    /// modulus.jacobi_batch(&u, &mut sn, &mut cn, &mut dn)?;
+    /// assert_eq!(sn[2], modulus.jacobi(1.0)?.sn);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn jacobi_batch(
+        &self,
+        u: &[f64],
+        sn: &mut [f64],
+        cn: &mut [f64],
+        dn: &mut [f64],
+    ) -> Result<()> {
+        for length in [sn.len(), cn.len(), dn.len()] {
+            same_length(u.len(), length)?;
+        }
+        for start in (0..u.len()).step_by(CHUNK) {
+            let range = start..u.len().min(start + CHUNK);
+            let (u, sn) = (&u[range.clone()], &mut sn[range.clone()]);
+            let (cn, dn) = (&mut cn[range.clone()], &mut dn[range]);
+            let rare = match self.side {
+                Side::Circular => self.chunk(u, [sn, cn, dn], |bits, high, low| {
+                    let (v, v_low) = self.turned_by(high, low);
+                    circular(&self.series, bits, v, v_low).0
+                }),
+                Side::Hyperbolic => self.chunk(u, [sn, cn, dn], |bits, high, low| {
+                    let (v, v_low) = self.multiplied(high, low);
+                    let set = Corrections::chosen(&self.series, bits);
+                    hyperbolic(&self.series, &set, bits, v, v_low)
+                }),
+            };
+            if rare {
+                for (i, &u) in u.iter().enumerate() {
+                    let value = self.jacobi(u)?;
+                    (sn[i], cn[i], dn[i]) = (value.sn, value.cn, value.dn);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether some argument needs more than this.
+    #[inline(always)]
+    fn chunk(
+        &self,
+        u: &[f64],
+        [sn, cn, dn]: [&mut [f64]; 3],
+        at: impl Fn(u64, f64, f64) -> [f64; 3],
+    ) -> bool {
+        let mut rare = 0_u64;
+        for (((&u, sn), cn), dn) in u.iter().zip(sn).zip(cn).zip(dn) {
+            let reduced = self.reduction.apply(u);
+            rare |= u64::from(reduced.unlucky | self.reduction.refuses(u));
+            [*sn, *cn, *dn] = at(reduced.rounded.to_bits(), reduced.high, reduced.low);
+        }
+        rare != 0
+    }
 }

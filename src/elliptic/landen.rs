@@ -1,9 +1,14 @@
-//! Gauss's transformation in one word or two: from a parameter of at most 1/2 to parameter 0 in three steps and a remainder.
+//! From a parameter to its mean, quarter period and nome: Gauss's transformation in one word or two, the mean alone in two, and in three.
 //!
-//! Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) stays.
+//! Gauss's transformation goes from a parameter of at most 1/2 to parameter 0 in three steps and a remainder. Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) stays.
 //! At the end K is π/2 and sn z is sin z. The mean of 1 and k′, the nome and the functions of z all come from the same steps.
 
-use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words};
+use core::ops::{Add, Div, Mul};
+
+use super::parameter::Parameter;
+use crate::precise::{
+    DoubleDouble, Number, RIGHT_ANGLE, Words, logarithm, power_of_two_below, quick,
+};
 
 /// The moduli on the way down.
 #[derive(Debug, Clone, Copy)]
@@ -138,4 +143,259 @@ impl<N: Number> Landen<N> {
         let root = a.sqrt() * s.leading();
         root * root
     }
+}
+
+/// Below this the lesser of m and mc is so small that the first terms of each series are the whole.
+///
+/// What is left out is 3·10⁻³⁴ of the mean and 10⁻²⁶ of a theta function: both sides agree.
+pub(super) const SMALL: f64 = 1e-8;
+
+/// The arithmetic-geometric mean of 1 and √x for x in 1/2…1.
+pub(super) struct Mean {
+    pub(super) value: DoubleDouble,
+    /// First mean times second mean, from which the nome follows.
+    pub(super) product: DoubleDouble,
+}
+
+impl Mean {
+    /// Two rounds, and the third from its series. Pairs (number, error) are carried without being made canonical:
+    /// that shortens the chain of operations, each of which waits for the one before.
+    pub(super) fn new(x: DoubleDouble, complement: DoubleDouble) -> Self {
+        if complement.high() < SMALL {
+            return Self::next_to_one(complement);
+        }
+        let (b0, b0_low) = quick::root(x.high(), x.low());
+        let (sum, rest) = quick::ordered_sum(1.0, b0);
+        let (a1, a1_low) = (0.5 * sum, 0.5 * (rest + b0_low));
+        let (b1, b1_low) = quick::root(b0, b0_low);
+        let (sum, rest) = quick::ordered_sum(a1, b1);
+        let (a2, a2_low) = (0.5 * sum, 0.5 * (rest + (a1_low + b1_low)));
+        let (square, rest) = quick::exact_product(a1, b1);
+        let (b2, b2_low) = quick::root(square, rest + (a1 * b1_low + a1_low * b1));
+        // With S = a2 + b2 and d = (a2 − b2)/S ≤ 1.4e-5:
+        // agm(a2, b2) = S/2 (1 − d²/4 − 5 d⁴/64 − 11 d⁶/256 − …), where the first term needs both words.
+        let (sum, rest) = quick::ordered_sum(a2, b2);
+        let sum_low = rest + (a2_low + b2_low);
+        let gap = DoubleDouble::sum(a2 - b2, a2_low - b2_low);
+        let (gap2, error) = quick::exact_product(gap.high(), gap.high());
+        let gap2_low = error + 2.0 * gap.high() * gap.low();
+        let eight = 8.0 * sum;
+        let inverse = 1.0 / eight;
+        let less = gap2 * inverse;
+        let (back, error) = quick::exact_product(less, eight);
+        let less_low = (((gap2 - back) - error) + (gap2_low - 8.0 * less * sum_low)) * inverse;
+        let d2 = 8.0 * less * (8.0 * inverse);
+        let tail = 0.5 * sum * d2 * d2 * (5.0 / 64.0 + d2 * (11.0 / 256.0));
+        let (high, low) = quick::ordered_sum(0.5 * sum, -less);
+        let low = low + (0.5 * sum_low - less_low - tail);
+        let (high, low) = quick::ordered_sum(high, low);
+        let product = DoubleDouble::quick_product(
+            DoubleDouble::new(a1, a1_low),
+            DoubleDouble::new(a2, a2_low),
+        );
+        Self {
+            value: DoubleDouble::new(high, low),
+            product,
+        }
+    }
+
+    /// The mean and the product as series in 1 − x.
+    fn next_to_one(c: DoubleDouble) -> Self {
+        let x = c.high();
+        let square = x * x;
+        let series = |first: DoubleDouble, rest: f64| {
+            let (high, low) = quick::ordered_sum(1.0, -first.high());
+            DoubleDouble::new(high, low - (first.low() + rest))
+        };
+        Self {
+            value: series(c.scaled(0.25), square * (5.0 / 64.0 + x * (11.0 / 256.0))),
+            product: series(c.scaled(0.5), square * (5.0 / 64.0 + x * (5.0 / 128.0))),
+        }
+    }
+}
+
+/// The nome q, from l = (1 − √k′)/(2 (1 + √k′)) = m/(16 a1 a2) with the means of [`Mean`].
+///
+/// q = l + 2 l⁵ + 15 l⁹ + 150 l¹³ + 1707 l¹⁷ + …
+pub(super) struct Nome {
+    l: f64,
+    l4: f64,
+}
+
+impl Nome {
+    /// From the lesser of m and mc, and the product of the first two means of the other.
+    pub(super) fn new(lesser: f64, product: f64) -> Self {
+        let l = lesser / (16.0 * product);
+        Self {
+            l,
+            l4: (l * l) * (l * l),
+        }
+    }
+
+    pub(super) fn value(&self) -> f64 {
+        let y = self.l4;
+        self.l * (1.0 + y * (2.0 + y * (15.0 + y * (150.0 + y * 1707.0))))
+    }
+
+    /// ln(1/q) to 101 bits and more, for q > 0.
+    pub(super) fn logarithm(&self, lesser: DoubleDouble, product: DoubleDouble) -> DoubleDouble {
+        // ln(q/l) = 2 y + 13 y² + (368/3) y³ + …, y = l⁴ ≤ 3.6e-6.
+        // The quotient is formed with a power of two taken off: mc may be as small as a double can be.
+        let unit = power_of_two_below(lesser.high());
+        let exponent = 1023 - (unit.to_bits() >> 52) as i32;
+        let ratio = DoubleDouble::quick_quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
+        let logarithm = logarithm(ratio, exponent);
+        if self.l4 < 1e-34 {
+            return logarithm;
+        }
+        // l in two words by one step of Newton, its fourth power, and 2 y + 13 y² with both words.
+        let l = self.l;
+        let (back, error) = quick::exact_product(l, ratio.high() / unit);
+        let off = ((1.0 - back) - error) - l * (ratio.low() / unit);
+        let (l2, l2_low) = quick::exact_product(l, l);
+        let (y, error) = quick::exact_product(l2, l2);
+        let (y, y_low) = quick::ordered_sum(y, error + 2.0 * l2 * l2_low + 4.0 * off * y);
+        let (y2, error) = quick::exact_product(y, y);
+        let y2_low = error + 2.0 * y * y_low;
+        let (square, error) = quick::exact_product(13.0, y2);
+        let rest =
+            y * (368.0 / 3.0 + y * (2701.0 / 2.0 + y * (80912.0 / 5.0 + y * (613_720.0 / 3.0))));
+        let low = 2.0 * y_low + (error + 13.0 * y2_low + rest * y2);
+        let (high, carry) = quick::ordered_sum(2.0 * y, square);
+        let correction = DoubleDouble::new(high, carry + low);
+        logarithm - correction
+    }
+}
+
+/// A sum of three doubles, each below the last place of the one before: about 150 bits, for arguments unluckily close to a multiple of K.
+///
+/// Some doubles of size 10¹⁵ lie within 10⁻¹⁷ of their size and less of such a multiple. What remains after it is taken off needs more
+/// than the 101 bits of the prepared K: for them K is computed again with three words, by the plain arithmetic-geometric mean.
+#[derive(Debug, Clone, Copy)]
+struct Triple([f64; 3]);
+
+/// π/2.
+const HALF_PI: Triple = Triple([
+    core::f64::consts::FRAC_PI_2,
+    6.123_233_995_736_766e-17,
+    -1.497_384_904_859_169_8e-33,
+]);
+
+impl Triple {
+    /// The sum of terms of any size: each pass carries what is lost one place down.
+    fn sum<const N: usize>(mut terms: [f64; N]) -> Self {
+        for _ in 0..4 {
+            for i in (1..N).rev() {
+                let pair = DoubleDouble::sum(terms[i - 1], terms[i]);
+                terms[i - 1] = pair.high();
+                terms[i] = pair.low();
+            }
+        }
+        let last = DoubleDouble::sum(terms[1], terms[2] + terms[3]);
+        Self([terms[0], last.high(), last.low()])
+    }
+
+    fn pair(value: DoubleDouble) -> Self {
+        Self([value.high(), value.low(), 0.0])
+    }
+
+    fn leading(self) -> DoubleDouble {
+        DoubleDouble::sum(self.0[0], self.0[1])
+    }
+
+    fn scaled(self, factor: f64) -> Self {
+        Self(self.0.map(|x| x * factor))
+    }
+
+    /// One step of Newton from the root of 104 bits.
+    fn square_root(self) -> Self {
+        let root = self.leading().square_root();
+        let near = Self::pair(root);
+        let rest = (self + (near * near).scaled(-1.0)).leading();
+        near + Self::pair(rest.scaled(0.5) / root)
+    }
+}
+
+impl Add for Triple {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let ([a, b, c], [d, e, f]) = (self.0, other.0);
+        Self::sum([a, d, b, e, c, f])
+    }
+}
+
+impl Mul for Triple {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let ([a, b, c], [d, e, f]) = (self.0, other.0);
+        let (ad, ae, bd) = (
+            DoubleDouble::product(a, d),
+            DoubleDouble::product(a, e),
+            DoubleDouble::product(b, d),
+        );
+        let be = DoubleDouble::product(b, e);
+        let small = a * f + c * d + (b * f + c * e);
+        Self::sum([
+            ad.high(),
+            ad.low(),
+            ae.high(),
+            bd.high(),
+            ae.low(),
+            bd.low(),
+            be.high(),
+            small,
+        ])
+    }
+}
+
+impl Div for Triple {
+    type Output = Self;
+
+    fn div(self, divisor: Self) -> Self {
+        let by = divisor.leading();
+        let near = Self::pair(self.leading() / by);
+        let rest = (self + (near * divisor).scaled(-1.0)).leading();
+        near + Self::pair(rest / by)
+    }
+}
+
+/// K in three words, for mc > 0.
+fn quarter_period(parameter: Parameter) -> Triple {
+    let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
+    // The greater of m and mc is formed again from the lesser, whose 106 bits are the truth.
+    let (mc, power) = if m.value() <= mc.value() {
+        let mc = Triple::sum([1.0, -m.high(), -m.low(), 0.0]);
+        (mc, 1.0)
+    } else {
+        // √mc from a number near 1, so that no word underflows.
+        let exponent = (mc.high().log2() * 0.5).floor() as i32;
+        let step = 0.5_f64.powi(exponent);
+        (
+            Triple::pair(mc.scaled(step).scaled(step)),
+            2.0_f64.powi(exponent),
+        )
+    };
+    let mut a = Triple([1.0, 0.0, 0.0]);
+    let mut b = mc.square_root().scaled(power);
+    // Twelve rounds for the least mc there is. The gap left is squared once more by the last mean.
+    for _ in 0..16 {
+        let next = (a + b).scaled(0.5);
+        let gap = (a + b.scaled(-1.0)).0[0];
+        if gap < 1e-25 * a.0[0] {
+            a = next;
+            break;
+        }
+        b = (a * b).square_root();
+        a = next;
+    }
+    HALF_PI / a
+}
+
+/// `u − count K`, where the prepared K leaves too few bits.
+pub(super) fn remainder(parameter: Parameter, u: DoubleDouble, count: f64) -> DoubleDouble {
+    let Triple([first, second, third]) = quarter_period(parameter);
+    let rest = u - DoubleDouble::product(count, first);
+    rest - DoubleDouble::product(count, second) - DoubleDouble::from(count * third)
 }

@@ -4,15 +4,14 @@
 //! compiler lays out side by side, and the bits are the same. The passes are short: of a long one the processor sees too little ahead to
 //! work on the next lanes while it waits.
 
-use super::crest::{Crest, Hyperbolic, Wave, hyperbolic_at};
-pub(crate) use super::jacobi::in_quadrant;
-use super::jacobi::{Circular, QUARTER_PARTS, circular_at};
-use super::kernel::{self, ROUNDER};
-use super::modulus::{EXACT_COUNT, Modulus, Side};
-use super::series::Corrections;
-use super::theta::Theta;
-use crate::error::{Error, Result};
-use crate::precise::{DoubleDouble, quick};
+use super::jacobi::{Crest, Wave, circular_at, hyperbolic_at};
+use super::modulus::{Modulus, Side};
+use super::theta::{Corrections, Theta};
+use crate::error::{Result, same_length, too_long};
+use crate::precise::DoubleDouble;
+use crate::precise::quick::{
+    self, EXACT_COUNT, ROUNDER, in_quadrant, polynomial, reduced, select, sine_cosine,
+};
 
 /// So many states are formed side by side.
 pub(crate) const LANES: usize = 8;
@@ -21,7 +20,7 @@ pub(crate) const LANES: usize = 8;
 const WORTHWHILE: usize = 3;
 
 /// 2⁶² radians, the greatest angle of two words of which sine and cosine are of use: 106 bits leave 10⁻¹³ of it.
-pub(crate) const GREATEST_ANGLE: f64 = 4.6e18;
+const GREATEST_ANGLE: f64 = 4.6e18;
 
 /// A little less than all.
 const NEARLY: f64 = 0.99;
@@ -54,35 +53,16 @@ pub(crate) fn phase(rate: DoubleDouble, t: f64, lag: DoubleDouble, quarters: f64
     [twice.high(), low]
 }
 
-/// `high + low` less the nearest multiple of a unit in three words, at most [`EXACT_COUNT`] of them, and that multiple with [`ROUNDER`] added.
-#[inline(always)]
-fn reduced([high, low]: [f64; 2], inverse: f64, parts: [f64; 3]) -> (f64, [f64; 2]) {
-    let rounded = high * inverse + ROUNDER;
-    let count = rounded - ROUNDER;
-    // The first difference is exact: its terms are within a factor of two, or the count is zero.
-    let first = high - count * parts[0];
-    let rest = DoubleDouble::difference(first, count * parts[1]);
-    let low = rest.low() + (low - count * parts[2]);
-    // In order, unless what is left is so small that it does not matter.
-    let (high, low) = quick::ordered_sum(rest.high(), low);
-    (rounded, [high, low])
-}
-
-/// Sine and cosine of an angle of two words, at most [`EXACT_COUNT`] right angles.
-#[inline(always)]
-pub(crate) fn sine_cosine(angle: [f64; 2]) -> (f64, f64) {
-    let (rounded, [high, low]) = reduced(angle, core::f64::consts::FRAC_2_PI, QUARTER_PARTS);
-    let (sine, cosine) = kernel::sine_cosine(high, low);
-    in_quadrant(rounded.to_bits(), sine, cosine)
-}
-
-/// The same up to [`GREATEST_ANGLE`]: beyond, the slow way of [`DoubleDouble::sin_cos`], which agrees.
-pub(crate) fn sine_cosine_of_any(angle: DoubleDouble) -> (f64, f64) {
+/// Sine and cosine of an angle at a time t, if it is one that its digits tell from its neighbours: beyond [`EXACT_COUNT`] right angles the slow way of
+/// [`DoubleDouble::sin_cos`], which agrees.
+pub(crate) fn turned(angle: DoubleDouble, t: f64) -> Result<(f64, f64)> {
     let right_angles = angle.high() * core::f64::consts::FRAC_2_PI;
     if right_angles.abs() < EXACT_COUNT {
-        sine_cosine([angle.high(), angle.low()])
+        Ok(sine_cosine([angle.high(), angle.low()]))
+    } else if angle.high().abs() <= GREATEST_ANGLE {
+        Ok(angle.sin_cos())
     } else {
-        angle.sin_cos()
+        Err(too_long(t, GREATEST_ANGLE / (angle.high() / t).abs()))
     }
 }
 
@@ -158,14 +138,14 @@ impl<const W: usize> Places<W> {
         match modulus.side {
             Side::Circular => {
                 for i in 0..W {
-                    let (sine, cosine) = kernel::sine_cosine(self.angle[0][i], self.angle[1][i]);
+                    let (sine, cosine) =
+                        quick::small_sine_cosine(self.angle[0][i], self.angle[1][i]);
                     (self.sine[i], self.cosine[i]) = in_quadrant(self.bits[i], sine, cosine);
                 }
                 for i in 0..W {
                     let set = &series.even;
-                    let Circular { sn, cn, dn, .. } =
-                        circular_at(set, self.sine[i], self.cosine[i]);
-                    self.put_functions(i, [sn, cn, dn]);
+                    let (functions, _) = circular_at(set, self.sine[i], self.cosine[i]);
+                    self.put_functions(i, functions);
                 }
             }
             Side::Hyperbolic => {
@@ -183,9 +163,8 @@ impl<const W: usize> Places<W> {
                 for i in 0..W {
                     let set = Corrections::chosen(series, self.bits[i]);
                     let root = series.complementary_modulus;
-                    let Hyperbolic { sn, cn, dn } =
-                        hyperbolic_at(root, &set, self.bits[i], &self.crest(i));
-                    self.put_functions(i, [sn, cn, dn]);
+                    let functions = hyperbolic_at(root, &set, self.bits[i], &self.crest(i));
+                    self.put_functions(i, functions);
                 }
             }
         }
@@ -226,8 +205,8 @@ impl<const W: usize> Places<W> {
             Side::Circular => {
                 let [real, imaginary] = &theta.even;
                 let square = sine * sine;
-                let aside = sine * cosine * kernel::polynomial(imaginary, square);
-                [kernel::polynomial(real, square), aside]
+                let aside = sine * cosine * polynomial(imaginary, square);
+                [polynomial(real, square), aside]
             }
             // Over e^x next to even multiples of K.
             Side::Hyperbolic => {
@@ -236,9 +215,9 @@ impl<const W: usize> Places<W> {
                 // 4√q′ sinh cosh.
                 let root = modulus.series.root * self.growth[i];
                 let product = root * (root * sine) * cosine;
-                let aside = kernel::select(mask, product, sine) * kernel::polynomial(&imaginary, z);
+                let aside = select(mask, product, sine) * polynomial(&imaginary, z);
                 [
-                    kernel::select(mask, 1.0, cosine) * kernel::polynomial(&real, z),
+                    select(mask, 1.0, cosine) * polynomial(&real, z),
                     f64::from_bits(aside.to_bits() ^ self.sign[i]),
                 ]
             }
@@ -265,13 +244,10 @@ impl<const W: usize> Places<W> {
                 };
                 let x = s * s;
                 let ([real, imaginary], [real_slope, imaginary_slope]) = (theta.even, theta.odd);
-                let value = [
-                    s * kernel::polynomial(&real, x),
-                    c * kernel::polynomial(&imaginary, x),
-                ];
+                let value = [s * polynomial(&real, x), c * polynomial(&imaginary, x)];
                 let slope = [
-                    c * kernel::polynomial(&real_slope, x),
-                    s * kernel::polynomial(&imaginary_slope, x),
+                    c * polynomial(&real_slope, x),
+                    s * polynomial(&imaginary_slope, x),
                 ];
                 [value, slope]
             }
@@ -285,7 +261,7 @@ impl<const W: usize> Places<W> {
                 let (square, grown) = (root * root, root * self.growth[i]);
                 // 4√q′ sinh cosh.
                 let product = grown * (grown * sine) * cosine;
-                let either = |a: f64, b: f64| kernel::select(odd, a, b);
+                let either = |a: f64, b: f64| select(odd, a, b);
                 let value = [either(1.0, cosine) * p, sign * either(product, sine) * q];
                 let slope = [
                     sign * either(2.0 * product * dp, sine * (p + 2.0 * (square + z) * dp)),
@@ -308,7 +284,7 @@ impl<const W: usize> Places<W> {
                 let root = modulus.series.root;
                 let odd = (self.bits[i] & 1).wrapping_neg();
                 let decay = self.decay[0][i] * self.decay[1][i];
-                kernel::select(odd, root * root * self.growth[i], decay)
+                select(odd, root * root * self.growth[i], decay)
             }
         }
     }
@@ -343,14 +319,4 @@ pub(crate) fn fill<S>(
         }
     }
     Ok(())
-}
-
-pub(crate) fn same_length(wanted: usize, found: usize) -> Result<()> {
-    if wanted == found {
-        return Ok(());
-    }
-    Err(Error::Condition {
-        condition: "there must be one place for each state",
-        value: found as f64,
-    })
 }

@@ -46,27 +46,20 @@
 //! complete integral and 0.3–9 µs an incomplete one here, where the peer's own report gives 0.01–0.3 µs. Beside Boost in long double, which has 64 bits, in one
 //! run: F 1.6–1.8 of its time, E(φ) 0.9, Π(φ) 0.8–0.9, R_F 1.9–2.0, R_D 0.6–0.8, R_J 0.9–1.1, R_C 3.8, R_G 1.5 (`cargo bench -p lab --bench elliptic` prints them).
 
-mod batch;
 pub mod carlson;
-mod crest;
-pub(crate) mod descent;
 mod integrals;
-mod inverse;
 mod jacobi;
-mod kernel;
 pub(crate) mod landen;
 pub(crate) mod lanes;
-mod modulus;
+pub(crate) mod modulus;
 mod parameter;
-mod quarter;
-mod series;
 pub(crate) mod theta;
 
 pub use integrals::{
     complete_b, complete_d, complete_first, complete_first_excess, complete_second, complete_third,
-    incomplete_first, incomplete_second, incomplete_third,
+    incomplete_first, incomplete_second, incomplete_third, inverse_cn, inverse_cn_sn, inverse_dn,
+    inverse_sn,
 };
-pub use inverse::{inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn};
 pub use jacobi::{Jacobi, sn_cn_dn};
 pub use modulus::Modulus;
 pub(crate) use modulus::Side;

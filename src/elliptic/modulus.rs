@@ -1,18 +1,11 @@
-//! The prepared modulus: quarter period to 101 bits and more, nome, and what takes quarter periods off an argument.
+//! The prepared modulus: quarter period to 101 bits and more, nome, and what takes quarter periods off an argument; and as an exact top
+//! prepares it before its first state, from m and mc in all their digits.
 
-use super::landen::Landen;
+use super::landen::{Landen, Mean, Nome};
 use super::parameter::Parameter;
-use super::series::{SMALL, Series};
-use crate::precise::{
-    DoubleDouble, Number, RIGHT_ANGLE, Words, logarithm, power_of_two_below, quick,
-};
-
-/// The greatest number of quarter periods that a double counts.
-pub(super) const COUNTABLE: f64 = 9_007_199_254_740_992.0;
-
-/// π to 106 bits.
-pub(super) const PI: DoubleDouble =
-    DoubleDouble::new(core::f64::consts::PI, 1.224_646_799_147_353_2e-16);
+use super::theta::Series;
+use crate::precise::quick::{self, EXACT_COUNT};
+use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words};
 
 /// On which side of m = 1/2 the parameter lies, and so which nome is the small one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,9 +60,6 @@ pub(super) struct Reduction {
     /// The greatest argument.
     pub(super) limit: f64,
 }
-
-/// 2²⁵: with 27 bits of K the product still fits 53.
-pub(crate) const EXACT_COUNT: f64 = 33_554_432.0;
 
 impl Modulus {
     /// The modulus prepared for many arguments. Any parameter will do, the ends m = 0 and m = 1 included.
@@ -140,7 +130,7 @@ impl Modulus {
 
     /// The greatest argument that still has a place: 2⁵³ quarter periods.
     pub(crate) fn greatest_argument(&self) -> f64 {
-        COUNTABLE * self.quarter.high()
+        9_007_199_254_740_992.0 * self.quarter.high()
     }
 
     #[inline(always)]
@@ -187,135 +177,113 @@ impl Modulus {
     }
 
     /// K to 101 bits and more.
-    #[allow(dead_code, reason = "for phases inside the library")]
     pub(crate) fn quarter_period_dd(&self) -> DoubleDouble {
         self.quarter
     }
 }
 
-/// The arithmetic-geometric mean of 1 and √x for x in 1/2…1.
-struct Mean {
-    value: DoubleDouble,
-    /// First mean times second mean, from which the nome follows.
-    product: DoubleDouble,
+/// A modulus in all the digits of m and mc, with the transformation by which it was prepared.
+#[derive(Clone, Copy)]
+pub(crate) struct Descent<N: Number> {
+    pub(crate) m: N,
+    pub(crate) mc: N,
+    pub(crate) modulus: Modulus,
+    /// Of the lesser of m and mc.
+    pub(crate) landen: Landen<N>,
 }
 
-impl Mean {
-    /// Two rounds, and the third from its series. Pairs (number, error) are carried without being made canonical:
-    /// that shortens the chain of operations, each of which waits for the one before.
-    fn new(x: DoubleDouble, complement: DoubleDouble) -> Self {
-        if complement.high() < SMALL {
-            return Self::next_to_one(complement);
-        }
-        let (b0, b0_low) = quick::root(x.high(), x.low());
-        let (sum, rest) = quick::ordered_sum(1.0, b0);
-        let (a1, a1_low) = (0.5 * sum, 0.5 * (rest + b0_low));
-        let (b1, b1_low) = quick::root(b0, b0_low);
-        let (sum, rest) = quick::ordered_sum(a1, b1);
-        let (a2, a2_low) = (0.5 * sum, 0.5 * (rest + (a1_low + b1_low)));
-        let (square, rest) = quick::exact_product(a1, b1);
-        let (b2, b2_low) = quick::root(square, rest + (a1 * b1_low + a1_low * b1));
-        // With S = a2 + b2 and d = (a2 − b2)/S ≤ 1.4e-5:
-        // agm(a2, b2) = S/2 (1 − d²/4 − 5 d⁴/64 − 11 d⁶/256 − …), where the first term needs both words.
-        let (sum, rest) = quick::ordered_sum(a2, b2);
-        let sum_low = rest + (a2_low + b2_low);
-        let gap = DoubleDouble::sum(a2 - b2, a2_low - b2_low);
-        let (gap2, error) = quick::exact_product(gap.high(), gap.high());
-        let gap2_low = error + 2.0 * gap.high() * gap.low();
-        let eight = 8.0 * sum;
-        let inverse = 1.0 / eight;
-        let less = gap2 * inverse;
-        let (back, error) = quick::exact_product(less, eight);
-        let less_low = (((gap2 - back) - error) + (gap2_low - 8.0 * less * sum_low)) * inverse;
-        let d2 = 8.0 * less * (8.0 * inverse);
-        let tail = 0.5 * sum * d2 * d2 * (5.0 / 64.0 + d2 * (11.0 / 256.0));
-        let (high, low) = quick::ordered_sum(0.5 * sum, -less);
-        let low = low + (0.5 * sum_low - less_low - tail);
-        let (high, low) = quick::ordered_sum(high, low);
-        let product = DoubleDouble::quick_product(
-            DoubleDouble::new(a1, a1_low),
-            DoubleDouble::new(a2, a2_low),
-        );
-        Self {
-            value: DoubleDouble::new(high, low),
-            product,
-        }
-    }
+/// The squares of the three functions at one place, without their denominators: neither m nor a difference need be formed again.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Squares<N> {
+    pub(crate) sn: N,
+    pub(crate) cn: N,
+    /// sn² + cn² in the same unit.
+    pub(crate) whole: N,
+    pub(crate) dn: N,
+    /// dn² + m sn² in the unit of `dn`.
+    pub(crate) dn_whole: N,
 }
 
-impl Mean {
-    /// The mean and the product as series in 1 − x.
-    fn next_to_one(c: DoubleDouble) -> Self {
-        let x = c.high();
-        let square = x * x;
-        let series = |first: DoubleDouble, rest: f64| {
-            let (high, low) = quick::ordered_sum(1.0, -first.high());
-            DoubleDouble::new(high, low - (first.low() + rest))
+impl<N: Number> Descent<N> {
+    /// Both are taken as they are: each right to all its digits, neither formed from the other.
+    #[inline]
+    pub(crate) fn new(m: N, mc: N) -> Self {
+        let (side, lesser, greater) = if m.exceeds(mc) {
+            (Side::Hyperbolic, mc, m)
+        } else {
+            (Side::Circular, m, mc)
         };
+        let landen = Landen::new(lesser, greater.narrow().square_root());
+        let parameter = Parameter::from_both(m.narrow().two(), mc.narrow().two());
+        let complementary_modulus = mc.root_of_quotient(N::from_double(1.0));
         Self {
-            value: series(c.scaled(0.25), square * (5.0 / 64.0 + x * (11.0 / 256.0))),
-            product: series(c.scaled(0.5), square * (5.0 / 64.0 + x * (5.0 / 128.0))),
-        }
-    }
-}
-
-/// The nome q, from l = (1 − √k′)/(2 (1 + √k′)) = m/(16 a1 a2) with the means of [`Mean`].
-///
-/// q = l + 2 l⁵ + 15 l⁹ + 150 l¹³ + 1707 l¹⁷ + …
-struct Nome {
-    l: f64,
-    l4: f64,
-}
-
-impl Nome {
-    /// From the lesser of m and mc, and the product of the first two means of the other.
-    fn new(lesser: f64, product: f64) -> Self {
-        let l = lesser / (16.0 * product);
-        Self {
-            l,
-            l4: (l * l) * (l * l),
+            m,
+            mc,
+            modulus: Modulus::from_landen(side, parameter, complementary_modulus, &landen),
+            landen,
         }
     }
 
-    fn value(&self) -> f64 {
-        let y = self.l4;
-        self.l * (1.0 + y * (2.0 + y * (15.0 + y * (150.0 + y * 1707.0))))
+    pub(crate) fn side(&self) -> Side {
+        self.modulus.side()
     }
 
-    /// ln(1/q) to 101 bits and more, for q > 0.
-    fn logarithm(&self, lesser: DoubleDouble, product: DoubleDouble) -> DoubleDouble {
-        // ln(q/l) = 2 y + 13 y² + (368/3) y³ + …, y = l⁴ ≤ 3.6e-6.
-        // The quotient is formed with a power of two taken off: mc may be as small as a double can be.
-        let unit = power_of_two_below(lesser.high());
-        let exponent = 1023 - (unit.to_bits() >> 52) as i32;
-        let ratio = DoubleDouble::quick_quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
-        let logarithm = logarithm(ratio, exponent);
-        if self.l4 < 1e-34 {
-            return logarithm;
+    /// The u in 0…K with these functions, good to a double's precision.
+    #[inline]
+    pub(crate) fn argument(&self, squares: &Squares<N>) -> DoubleDouble {
+        let Squares {
+            sn,
+            cn,
+            whole,
+            dn,
+            dn_whole,
+        } = *squares;
+        // Beyond the middle of the quarter period, where mc sn⁴ > cn⁴, count from its end: there sn is cn/dn and dn is k′/dn.
+        let from_end = (self.mc * sn.square()).exceeds(cn.square());
+        let angle = match self.side() {
+            Side::Circular => {
+                let [s, d] = if from_end {
+                    [
+                        (cn * dn_whole).root_of_quotient(dn * whole),
+                        (self.mc * dn_whole).root_of_quotient(dn),
+                    ]
+                } else {
+                    [sn.root_of_quotient(whole), dn.root_of_quotient(dn_whole)]
+                };
+                N::from_double(self.landen.nearest_sine(s, d, 1.0).asin())
+            }
+            Side::Hyperbolic => {
+                let [s, d] = if from_end {
+                    [
+                        cn.root_of_quotient(self.mc * sn),
+                        whole.root_of_quotient(sn),
+                    ]
+                } else {
+                    [
+                        sn.root_of_quotient(cn),
+                        (dn * whole).root_of_quotient(cn * dn_whole),
+                    ]
+                };
+                let sinh = self.landen.nearest_sine(s, d, -1.0);
+                N::from_narrow(N::from_double(sinh + sinh.hypot(1.0)).logarithm())
+            }
+        };
+        let rest = angle
+            .quotient(N::from_narrow(self.landen.mean))
+            .narrow()
+            .two();
+        if from_end {
+            self.modulus.quarter_period_dd() - rest
+        } else {
+            rest
         }
-        // l in two words by one step of Newton, its fourth power, and 2 y + 13 y² with both words.
-        let l = self.l;
-        let (back, error) = quick::exact_product(l, ratio.high() / unit);
-        let off = ((1.0 - back) - error) - l * (ratio.low() / unit);
-        let (l2, l2_low) = quick::exact_product(l, l);
-        let (y, error) = quick::exact_product(l2, l2);
-        let (y, y_low) = quick::ordered_sum(y, error + 2.0 * l2 * l2_low + 4.0 * off * y);
-        let (y2, error) = quick::exact_product(y, y);
-        let y2_low = error + 2.0 * y * y_low;
-        let (square, error) = quick::exact_product(13.0, y2);
-        let rest =
-            y * (368.0 / 3.0 + y * (2701.0 / 2.0 + y * (80912.0 / 5.0 + y * (613_720.0 / 3.0))));
-        let low = 2.0 * y_low + (error + 13.0 * y2_low + rest * y2);
-        let (high, carry) = quick::ordered_sum(2.0 * y, square);
-        let correction = DoubleDouble::new(high, carry + low);
-        logarithm - correction
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{DoubleDouble, Modulus, Parameter};
-    use crate::elliptic::quarter;
+    use crate::elliptic::landen;
 
     const COMPLEMENTS: [f64; 9] = [1.0, 0.9, 0.51, 0.5, 0.49, 0.3, 1e-3, 1e-9, 1e-300];
 
@@ -324,7 +292,7 @@ mod tests {
         for mc in COMPLEMENTS {
             let modulus = Modulus::new(Parameter::from_complement(mc)?);
             let k = modulus.quarter_period_dd();
-            let rest = quarter::remainder(modulus.parameter, k, 1.0);
+            let rest = landen::remainder(modulus.parameter, k, 1.0);
             // Observed: 2⁻¹⁰¹·³ of K at mc = 0.49, where the series of the logarithm is longest.
             let allowed = k.value() * 2f64.powi(-101);
             assert!(rest.value().abs() <= allowed, "mc = {mc}: {rest:?}");

@@ -1,6 +1,6 @@
 //! The parameter m together with its complement 1 − m.
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, finite, within};
 use crate::precise::DoubleDouble;
 
 /// The parameter m = k² and its complement mc = 1 − m, neither formed from the other by a subtraction that cancels.
@@ -79,11 +79,6 @@ impl Parameter {
         })
     }
 
-    /// The parameter from the lesser of m and mc to 106 bits.
-    #[allow(
-        dead_code,
-        reason = "for callers inside the library that know m to 106 bits"
-    )]
     /// The parameter from m and mc to 106 bits, each.
     pub(crate) fn from_both(m: DoubleDouble, mc: DoubleDouble) -> Self {
         Self { m, mc }
@@ -122,18 +117,8 @@ impl Parameter {
 }
 
 /// `value`, if it lies in 0…1; −0 becomes 0.
-pub(super) fn within_unit(quantity: &'static str, value: f64) -> Result<f64> {
-    let value = finite(quantity, value)?;
-    if (0.0..=1.0).contains(&value) {
-        Ok(value.abs())
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            least: 0.0,
-            greatest: 1.0,
-        })
-    }
+fn within_unit(quantity: &'static str, value: f64) -> Result<f64> {
+    Ok(within(quantity, value, 0.0, 1.0)?.abs())
 }
 
 /// The factor n of sin² in an integral, together with its complement nc = 1 − n: any finite n.

@@ -1,8 +1,207 @@
-//! Theta functions of complex arguments u + iη, of which the angles of the exact tops are made (tutorial 6.8, 7.2).
+//! Theta functions as polynomials: of real arguments, as corrections of the elementary functions; of complex arguments u + iη, of which
+//! the angles of the exact tops are made (tutorial 6.8, 7.2).
 
-use super::kernel::select;
-use super::landen::Landen;
+use super::landen::{Landen, SMALL};
+use crate::precise::quick::select;
 use crate::precise::{Number, Words};
+
+/// Coefficients in powers of z: z = sin² on the circular side, z = 4 √q′ sinh² on the hyperbolic one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Series {
+    /// Near an even multiple of K; on the circular side for every argument.
+    pub(super) even: Corrections,
+    /// Near an odd multiple of K, on the hyperbolic side only.
+    pub(super) odd: Corrections,
+    /// 2 q′^{1/4}: its square times sinh² is z.
+    pub(super) root: f64,
+    /// √mc.
+    pub(super) complementary_modulus: f64,
+}
+
+/// Each Jacobi function is an elementary function times 1 + (its polynomial)/(denominator).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Corrections {
+    pub(super) denominator: [f64; 4],
+    pub(super) sn: [f64; 4],
+    pub(super) cn: [f64; 4],
+    pub(super) dn: [f64; 4],
+}
+
+impl Corrections {
+    /// The set for as many quarter periods as the lowest bit says, without a branch.
+    #[inline(always)]
+    pub(super) fn chosen(series: &Series, bits: u64) -> Self {
+        let odd = (bits & 1).wrapping_neg();
+        let choose = |a: &[f64; 4], b: &[f64; 4]| {
+            [
+                select(odd, b[0], a[0]),
+                select(odd, b[1], a[1]),
+                select(odd, b[2], a[2]),
+                select(odd, b[3], a[3]),
+            ]
+        };
+        let Series { even, odd, .. } = series;
+        Self {
+            denominator: choose(&even.denominator, &odd.denominator),
+            sn: choose(&even.sn, &odd.sn),
+            cn: choose(&even.cn, &odd.cn),
+            dn: choose(&even.dn, &odd.dn),
+        }
+    }
+}
+
+/// q⁰, q^½, q, … q¹² by products that the processor can form side by side.
+#[inline(always)]
+fn powers(root: f64) -> [f64; 25] {
+    let mut powers = [1.0; 25];
+    powers[1] = root;
+    for i in 2..25 {
+        powers[i] = powers[i / 2] * powers[i - i / 2];
+    }
+    powers
+}
+
+/// The four theta functions divided by sin, cos, 1, 1 and by 2q^{1/4} where it is due, as polynomials in sin² = z.
+///
+/// `p` gives q^a z^j with the powers of q that the change of variable z → −sinh² leaves.
+#[inline(always)]
+fn thetas(p: impl Fn(usize, usize) -> f64) -> [[f64; 4]; 4] {
+    let theta1 = [
+        1.0 - (3.0 * p(2, 0) - 5.0 * p(6, 0) + 7.0 * p(12, 0)),
+        4.0 * p(2, 1) - 20.0 * p(6, 1) + 56.0 * p(12, 1),
+        16.0 * p(6, 2) - 112.0 * p(12, 2),
+        64.0 * p(12, 3),
+    ];
+    let theta2 = [
+        1.0 + (p(2, 0) + p(6, 0) + p(12, 0)),
+        -4.0 * p(2, 1) - 12.0 * p(6, 1) - 24.0 * p(12, 1),
+        16.0 * p(6, 2) + 80.0 * p(12, 2),
+        -64.0 * p(12, 3),
+    ];
+    let theta3 = [
+        1.0 + 2.0 * (p(1, 0) + p(4, 0) + p(9, 0)),
+        -4.0 * p(1, 1) - 16.0 * p(4, 1) - 36.0 * p(9, 1),
+        16.0 * p(4, 2) + 96.0 * p(9, 2),
+        -64.0 * p(9, 3),
+    ];
+    let theta4 = [
+        1.0 - 2.0 * (p(1, 0) - p(4, 0) + p(9, 0)),
+        4.0 * p(1, 1) - 16.0 * p(4, 1) + 36.0 * p(9, 1),
+        16.0 * p(4, 2) - 96.0 * p(9, 2),
+        64.0 * p(9, 3),
+    ];
+    [theta1, theta2, theta3, theta4]
+}
+
+/// The same for a small nome, from p(1, 0), p(1, 1) and p(2, 0), p(2, 1): what is left out has q³ and less.
+fn few_thetas([[p10, p11], [p20, p21]]: [[f64; 2]; 2]) -> [[f64; 4]; 4] {
+    [
+        [1.0 - 3.0 * p20, 4.0 * p21, 0.0, 0.0],
+        [1.0 + p20, -4.0 * p21, 0.0, 0.0],
+        [1.0 + 2.0 * p10, -4.0 * p11, 0.0, 0.0],
+        [1.0 - 2.0 * p10, 4.0 * p11, 0.0, 0.0],
+    ]
+}
+
+/// factor · numerator − denominator.
+#[inline(always)]
+fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 4] {
+    let ([a, b, c, d], [e, f, g, h]) = (numerator, denominator);
+    [
+        factor * a - e,
+        factor * b - f,
+        factor * c - g,
+        factor * d - h,
+    ]
+}
+
+impl Series {
+    pub(super) fn circular(q: f64, complementary_modulus: f64) -> Self {
+        let thetas = if q < SMALL {
+            few_thetas([[q, q], [q * q, q * q]])
+        } else {
+            circular_thetas(q)
+        };
+        let even = circular_corrections(thetas);
+        Self {
+            even,
+            odd: even,
+            root: 0.0,
+            complementary_modulus,
+        }
+    }
+
+    pub(super) fn hyperbolic(half: f64, complementary_modulus: f64, rate: f64) -> Self {
+        let q = half * half;
+        let thetas = if q < SMALL {
+            few_thetas([[q, -0.25 * half], [q * q, -0.25 * half * q]])
+        } else {
+            hyperbolic_thetas(half)
+        };
+        let [even, odd] = hyperbolic_corrections(thetas, rate);
+        Self {
+            even,
+            odd,
+            root: 2.0 * half.sqrt(),
+            complementary_modulus,
+        }
+    }
+}
+
+/// For any nome q.
+#[inline(always)]
+pub(super) fn circular_thetas(q: f64) -> [[f64; 4]; 4] {
+    let powers = powers(q);
+    thetas(|a, _| powers[a])
+}
+
+/// For any nome, from its root.
+#[inline(always)]
+pub(super) fn hyperbolic_thetas(half: f64) -> [[f64; 4]; 4] {
+    // sin² = −sinh² = −z/(4 √q): q^a sin^2j becomes q^(a − j/2) (−z/4)^j.
+    const QUARTERS: [f64; 4] = [1.0, -1.0 / 4.0, 1.0 / 16.0, -1.0 / 64.0];
+    let powers = powers(half);
+    thetas(|a, j| powers[2 * a - j.min(2 * a)] * QUARTERS[j])
+}
+
+#[inline(always)]
+pub(super) fn circular_corrections([t1, t2, t3, t4]: [[f64; 4]; 4]) -> Corrections {
+    // sn = 1 at z = 1: the correction has the factor 1 − z, which is divided out.
+    let at_one = |t: [f64; 4]| ((t[3] + t[2]) + t[1]) + t[0];
+    let r = correction(at_one(t4) / at_one(t1), t1, t4);
+    // cn = cos and dn = 1 at z = 0: the factor z is divided out.
+    let c = correction(t4[0] / t2[0], t2, t4);
+    let d = correction(t4[0] / t3[0], t3, t4);
+    Corrections {
+        denominator: t4,
+        sn: [r[0], r[0] + r[1], -r[3], 0.0],
+        cn: [c[1], c[2], c[3], 0.0],
+        dn: [d[1], d[2], d[3], 0.0],
+    }
+}
+
+/// Next to even and next to odd multiples of K; `rate` is π/(2K′).
+#[inline(always)]
+pub(super) fn hyperbolic_corrections(
+    [t1, t2, t3, t4]: [[f64; 4]; 4],
+    rate: f64,
+) -> [Corrections; 2] {
+    let slope = 1.0 / (rate * t1[0]);
+    [
+        Corrections {
+            denominator: t2,
+            sn: correction(slope * t2[0], t1, t2),
+            cn: correction(t2[0] / t4[0], t4, t2),
+            dn: correction(t2[0] / t3[0], t3, t2),
+        },
+        Corrections {
+            denominator: t3,
+            sn: correction(t3[0] / t4[0], t4, t3),
+            cn: correction(slope * t3[0], t1, t3),
+            dn: correction(t3[0] / t2[0], t2, t3),
+        },
+    ]
+}
 
 /// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
 #[derive(Debug, Clone, Copy)]

@@ -4,8 +4,8 @@
 
 use super::evaluation::State;
 use super::motion::{EulerTop, Motion};
-use crate::elliptic::lanes::{fill, same_length};
-use crate::error::{Error, Result};
+use crate::elliptic::lanes::fill;
+use crate::error::{Error, Result, same_length};
 use crate::frame::{Attitude, BodyVector};
 
 impl EulerTop {

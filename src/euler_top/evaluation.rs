@@ -1,7 +1,20 @@
 //! A prepared motion at one time: where L is, by how much the body has turned, and what repeats (tutorial 6.6, 6.8).
 //!
 //! L is (P₁ cn u, P₂ sn u, P₃ dn u) along the renumbered axes, u = u₀ + λt, and the attitude a turn by ψ about L after the shortest
-//! rotation of L onto axis 3; [`turning`](super::turning) says what ψ is. A single time is a row of one lane.
+//! rotation of L onto axis 3; a single time is a row of one lane.
+//!
+//! Let axis 3 be the one whose component of L keeps its sign (that of dn), let P(L) be the shortest rotation that carries L
+//! onto it, and write the attitude as a turn by ψ about L after P(L). Then ψ' = 2E/|L| − (1 − cos θ) φ', an elliptic integral of
+//! the third kind. With P₁, P₂, P₃ the amplitudes of cn, sn, dn, the elevation of L at sn = 0 is the amplitude of η for
+//! the complementary modulus: sn η = P₃/|L|, cn η = P₁/|L|, dn η = P₂/|L|; and ξ = K′ − η depends on the moments alone.
+//! Jacobi's transformation of the integral into theta functions leaves
+//!
+//! ψ = ν t + arg Z(u) − arg (P₁ cn u + i P₂ sn u),
+//!
+//! where Z is ϑ₄(z + iw) for m ≤ 1/2, z + iw = π(u + iη)/(2K), and ϑ₂(v − ix), v − ix = π(η − iu)/(2K′), beyond. The rate is
+//! |L|/I₂, that of a body upright on its middle axis, and a theta quotient that vanishes at the separatrix: nothing
+//! is left that could cancel. (C. G. J. Jacobi, Sur la rotation d'un corps, 1849; that the rate is |L|/I₂ and a theta
+//! quotient follows from his formulas at u = K, where L₁ = 0.)
 
 #![allow(
     clippy::needless_range_loop,
@@ -10,16 +23,17 @@
 
 use nalgebra::Quaternion;
 
-use super::start::Renumbering;
-use super::turning::Turning;
+use crate::elliptic::landen::Landen;
 use crate::elliptic::lanes::{
-    self, GREATEST_ANGLE, LANES, Places, in_quadrant, quarters_reach, sine_cosine,
-    sine_cosine_of_any, turning_reach,
+    LANES, Places, phase, product, quarters_reach, turned, turning_reach,
 };
+use crate::elliptic::modulus::Descent;
+use crate::elliptic::theta::{Elevation, Exponentials, Theta, Which, dual_excess};
 use crate::elliptic::{Modulus, Side};
 use crate::error::{Result, too_long};
 use crate::frame::{Attitude, BodyVector};
-use crate::precise::{DoubleDouble, RIGHT_ANGLE};
+use crate::precise::quick::{in_quadrant, sine_cosine};
+use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words};
 
 /// A free top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,6 +55,174 @@ impl Default for State {
             attitude: Attitude::identity(),
         }
     }
+}
+
+/// A body's axes, renumbered and turned over so that axis 3 has the component that keeps its sign and components 1 and 3
+/// start positive; right-handed like the old ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Renumbering {
+    axis: [usize; 3],
+    /// Which of the new axes is which of the old ones.
+    pub(super) own: [usize; 3],
+    pub(super) sign: [f64; 3],
+}
+
+impl Renumbering {
+    pub(super) fn new(axis: [usize; 3], l: [f64; 3]) -> Self {
+        let parity = if (axis[0] + 1) % 3 == axis[1] {
+            1.0
+        } else {
+            -1.0
+        };
+        let sign_of = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
+        let (first, third) = (sign_of(l[axis[0]]), sign_of(l[axis[2]]));
+        let mut own = [0; 3];
+        for k in 0..3 {
+            own[axis[k]] = k;
+        }
+        Self {
+            axis,
+            own,
+            sign: [first, parity * first * third, third],
+        }
+    }
+
+    pub(super) fn there<T: Copy>(&self, v: [T; 3]) -> [T; 3] {
+        self.axis.map(|i| v[i])
+    }
+
+    /// Back along the body's own axes.
+    pub(super) fn back(&self, w: [f64; 3]) -> [f64; 3] {
+        let signed = self.signed(w);
+        self.own.map(|k| signed[k])
+    }
+
+    /// With the signs of the old axes, in the order of the new ones.
+    pub(super) fn signed(&self, w: [f64; 3]) -> [f64; 3] {
+        core::array::from_fn(|k| self.sign[k] * w[k])
+    }
+}
+
+/// Everything about ψ that does not depend on time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Turning {
+    /// By how much ψ lags behind ν t after each quarter period, in radians.
+    pub(super) lag: DoubleDouble,
+    /// dψ/du less |L|/(I₂ λ): what the theta functions add to the rate, sign included.
+    pub(super) excess: DoubleDouble,
+    /// P₁/P₂.
+    pub(super) aspect: f64,
+    /// Z.
+    pub(super) theta: Theta,
+}
+
+impl Turning {
+    pub(super) fn new<N: Number>(
+        descent: &Descent<N>,
+        elevation: &Elevation<N>,
+        aspect: f64,
+    ) -> Self {
+        match descent.side() {
+            Side::Circular => Self::circular(&descent.landen, elevation, descent.m, aspect),
+            Side::Hyperbolic => Self::hyperbolic(&descent.landen, elevation, descent.mc, aspect),
+        }
+    }
+
+    /// For m ≤ 1/2.
+    fn circular<N: Number>(
+        landen: &Landen<N>,
+        elevation: &Elevation<N>,
+        m: N,
+        aspect: f64,
+    ) -> Self {
+        let q = landen.nome;
+        let Exponentials {
+            rho,
+            epsilon,
+            sinh,
+            growth,
+            ..
+        } = elevation.exponentials(landen, m);
+        let one_less_rho = match elevation.which {
+            Which::Xi => 2.0 * sinh.value() / growth.value(),
+            Which::Eta => 1.0 - rho.value(),
+        };
+        let excess = circular_excess(landen, rho, epsilon);
+        let (q, rho, epsilon) = (q.value(), rho.value(), epsilon.value());
+        // ϑ₄(iw) with the factor 1 − ρ in front: it vanishes with it.
+        let (x, r2) = (q * epsilon, rho * rho);
+        let (g1, g2, g3) = (1.0 + rho + r2, rho * r2 + r2 * r2, r2 * r2 * (rho + r2));
+        let (q2, q4) = (q * q, q * q * (q * q));
+        let at_zero =
+            one_less_rho * (1.0 - x * (g1 - q2 * x * ((g1 + g2) - q4 * x * (g1 + g2 + g3))));
+        // (−1)ⁿ (q^{n²−n} ρⁿ ± q^{n²} εⁿ).
+        let (up2, down2) = (q2 * r2, q2 * (x * x));
+        let (up3, down3) = (q4 * up2 * rho, q4 * down2 * x);
+        let (a1, b1) = (-(rho + x), -(rho - x));
+        let (a2, b2) = (up2 + down2, up2 - down2);
+        let (a3, b3) = (-(up3 + down3), -(up3 - down3));
+        let real = [
+            at_zero,
+            -2.0 * a1 - 8.0 * a2 - 18.0 * a3,
+            8.0 * a2 + 48.0 * a3,
+            -32.0 * a3,
+        ];
+        let imaginary = [
+            -(2.0 * b1 + 4.0 * b2 + 6.0 * b3),
+            8.0 * b2 + 32.0 * b3,
+            -32.0 * b3,
+            0.0,
+        ];
+        Self {
+            lag: RIGHT_ANGLE,
+            excess: excess.two(),
+            aspect,
+            theta: Theta {
+                even: [real, imaginary],
+                odd: [real, imaginary],
+            },
+        }
+    }
+
+    /// For m > 1/2, the separatrix included.
+    fn hyperbolic<N: Number>(
+        landen: &Landen<N>,
+        elevation: &Elevation<N>,
+        mc: N,
+        aspect: f64,
+    ) -> Self {
+        let (sine, cosine) = elevation.angle(landen, mc);
+        Self {
+            lag: N::Narrow::angle(sine, cosine).two(),
+            excess: -dual_excess(landen, sine, cosine).two(),
+            aspect,
+            theta: Theta::dual(landen.nome.value(), sine.value(), cosine.value()),
+        }
+    }
+}
+
+/// +(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
+fn circular_excess<N: Number>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> N::Narrow {
+    let q = landen.nome;
+    let q2 = q * q;
+    let (up1, down1) = (rho, q * epsilon);
+    let (up2, down2) = (q2 * (rho * rho), q2 * (down1 * down1));
+    let up3 = up2 * up1 * (q2 * q2);
+    let down3 = down2 * down1 * (q2 * q2);
+    let (x, r, e) = (q.leading(), rho.leading(), epsilon.leading());
+    let x3 = x * x * x;
+    let up4 = up3.leading() * x3 * x3 * r;
+    let down4 = down3.leading() * x3 * x3 * x * e;
+    let half = N::Narrow::from_double(4.0 * (up4 - down4))
+        .add_alike(up3.add_alike(-down3) * N::Narrow::from_double(3.0))
+        .add_alike(up2.add_alike(-down2).scaled(2.0))
+        .add_alike(up1.add_alike(-down1));
+    let denominator = N::Narrow::from_double(up4 + down4)
+        .add_alike(up3.add_alike(down3))
+        .add_alike(up2.add_alike(down2))
+        .add_alike(up1.add_alike(down1))
+        .add_alike(N::Narrow::from_double(1.0));
+    (landen.mean * half.scaled(2.0)).quotient(denominator)
 }
 
 /// The constants of a motion in which Ω moves in the body.
@@ -109,14 +291,14 @@ impl<const W: usize> Work<W> {
             ..
         } = &body.constants;
         for i in 0..W {
-            let [high, low] = lanes::product(*rate, times[i]);
+            let [high, low] = product(*rate, times[i]);
             let u = DoubleDouble::sum(high, start.high());
             let low = u.low() + (low + start.low());
             self.places.put(i, modulus, [u.high(), low]);
         }
         for i in 0..W {
             let quarters = self.places.quarters[i];
-            let [high, low] = lanes::phase(*turning_rate, times[i], turning.lag, quarters);
+            let [high, low] = phase(*turning_rate, times[i], turning.lag, quarters);
             (self.sine[i], self.cosine[i]) = sine_cosine([0.5 * high, 0.5 * low]);
         }
         self.turn(body);
@@ -275,7 +457,7 @@ impl Moving {
             work.places.put_from_afar(0, modulus, u);
             let lag = turning.lag * DoubleDouble::from(work.places.quarters[0]);
             let half = (*turning_rate * DoubleDouble::from(t) - lag).scaled(0.5);
-            (work.sine[0], work.cosine[0]) = half_turn(half, t, *turning_rate)?;
+            (work.sine[0], work.cosine[0]) = turned(half, t)?;
             work.turn(self);
         }
         Ok(work.state(0, self))
@@ -333,14 +515,5 @@ impl Constants {
             }
         };
         magnitude * self.rate.high().signum()
-    }
-}
-
-/// Sine and cosine of half the angle turned about L until time t at about this rate.
-pub(super) fn half_turn(half: DoubleDouble, t: f64, rate: DoubleDouble) -> Result<(f64, f64)> {
-    if half.high().abs() <= GREATEST_ANGLE {
-        Ok(sine_cosine_of_any(half))
-    } else {
-        Err(too_long(t, 2.0 * GREATEST_ANGLE / rate.high().abs()))
     }
 }

@@ -1,11 +1,9 @@
-//! From moments and angular momentum to the constants of the motion, in 106 bits and without a cancellation (tutorial 6.6).
+//! From moments and a start to the regime and the constants of the motion, in 106 bits and without a cancellation (tutorial 6.3, 6.6).
 
-use super::evaluation::Constants;
-use super::separation::{differences, rounded_separation, separation};
-use super::start::{Digits, Renumbering, Start, ascending};
-use super::turning::Turning;
-use crate::elliptic::descent::{Descent, Squares};
+use super::evaluation::{Constants, Renumbering, Turning};
+use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Which};
+use crate::error::{Error, Result};
 use crate::precise::{
     DoubleDouble, Extended, Number, Words, exponent_of, power_of_two_below, shifted,
 };
@@ -30,6 +28,217 @@ pub enum Regime {
     AroundLargest,
     /// L² = 2EI₂ exactly: one half turn over, from the middle axis to the middle axis, and no return (6.6).
     Separatrix,
+}
+
+/// To how many digits the constants are formed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Digits {
+    /// One double: for the first few radians.
+    Sixteen,
+    /// Two doubles: for ever.
+    ThirtyTwo,
+}
+
+/// How a motion starts: the components along the body's axes of what was given, exact as they stand.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Start {
+    /// L, kg m²/s.
+    AngularMomentum([f64; 3]),
+    /// Ω, rad/s.
+    Omega([f64; 3]),
+}
+
+impl Start {
+    /// What it is.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::AngularMomentum(_) => "a component of the angular momentum",
+            Self::Omega(_) => "a component of the angular velocity",
+        }
+    }
+
+    /// What was given.
+    pub(super) fn components(self) -> [f64; 3] {
+        match self {
+            Self::AngularMomentum(components) | Self::Omega(components) => components,
+        }
+    }
+
+    /// L, to 106 bits: the product of a moment and an angular velocity is not rounded.
+    pub(super) fn angular_momentum<N: Number>(self, moments: [f64; 3]) -> [N; 3] {
+        match self {
+            Self::AngularMomentum([x, y, z]) => {
+                [N::from_double(x), N::from_double(y), N::from_double(z)]
+            }
+            Self::Omega([x, y, z]) => [
+                N::from_double(x).times(moments[0]),
+                N::from_double(y).times(moments[1]),
+                N::from_double(z).times(moments[2]),
+            ],
+        }
+    }
+
+    /// Whether a component of I Ω is not zero, though as a double it may be.
+    pub(super) fn vanishes_by_rounding(self, moments: [f64; 3]) -> bool {
+        match self {
+            Self::AngularMomentum(_) => false,
+            Self::Omega(omega) => omega
+                .iter()
+                .zip(moments)
+                .any(|(component, moment)| *component != 0.0 && moment != 0.0),
+        }
+    }
+
+    /// L and Ω as doubles.
+    pub(super) fn both(self, moments: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+        match self {
+            Self::AngularMomentum(l) => (l, ratio(l, moments)),
+            Self::Omega([x, y, z]) => {
+                let l = [moments[0] * x, moments[1] * y, moments[2] * z];
+                (l, [x, y, z])
+            }
+        }
+    }
+
+    /// The same quantity with other components.
+    pub(super) fn with(self, components: [f64; 3]) -> Self {
+        match self {
+            Self::AngularMomentum(_) => Self::AngularMomentum(components),
+            Self::Omega(_) => Self::Omega(components),
+        }
+    }
+
+    /// A body on a line must not spin about that line, nor be a line in only one of two directions.
+    pub(super) fn refuse_impossible_rod(&self, moments: [f64; 3]) -> Result<()> {
+        let [first, middle, last] = ascending(moments);
+        if moments[first] > 0.0 {
+            return Ok(());
+        }
+        if let Start::AngularMomentum(l) = self {
+            for (moment, component) in moments.iter().zip(l) {
+                if *moment == 0.0 && *component != 0.0 {
+                    return Err(Error::Condition {
+                        condition: "the angular momentum about an axis whose moment is zero must be zero",
+                        value: *component,
+                    });
+                }
+            }
+        }
+        let gap = moments[last] - moments[middle];
+        if gap > 8.0 * f64::EPSILON * moments[last] {
+            return Err(Error::Condition {
+                condition: "if one moment is zero, the difference of the other two must be zero",
+                value: gap,
+            });
+        }
+        Ok(())
+    }
+}
+
+/// L_i/I_i; zero along an axis whose moment is zero.
+#[inline]
+pub(super) fn ratio(l: [f64; 3], moments: [f64; 3]) -> [f64; 3] {
+    core::array::from_fn(|k| {
+        if moments[k] == 0.0 {
+            0.0
+        } else {
+            l[k] / moments[k]
+        }
+    })
+}
+
+/// The order of the moments, ascending.
+pub(super) fn ascending(moments: [f64; 3]) -> [usize; 3] {
+    let mut order = [0, 1, 2];
+    order.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
+    order
+}
+
+/// 1/I_i − 1/I_j all multiplied by I₁I₂I₃, from exact differences: c₁ = I₁(I₃ − I₂), c₂ = I₂(I₃ − I₁), c₃ = I₃(I₂ − I₁),
+/// for ascending moments.
+pub(super) fn differences<N: Number>(i: [f64; 3]) -> [N; 3] {
+    [
+        N::difference(i[2], i[1]).times(i[0]),
+        N::difference(i[2], i[0]).times(i[1]),
+        N::difference(i[1], i[0]).times(i[2]),
+    ]
+}
+
+/// (L² − 2EI₂) I₁I₃ = c₁ L₃² − c₃ L₁²: its sign decides about which axis L goes, its size how close the separatrix is.
+pub(super) fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start) -> N {
+    let x = order.map(|k| start.components()[k]);
+    let l: [N; 3] = start.with(x).angular_momentum(i);
+    let c = differences::<N>(i);
+    let third = c[0] * l[2].square();
+    let first = c[2] * l[0].square();
+    let difference = third - first;
+    let scale = third.times(1.0 / 1024.0);
+    if difference.magnitude().exceeds(scale) {
+        return difference;
+    }
+    // More than ten of the 106 bits have cancelled; from the exact products none is lost.
+    N::from_extended(match start {
+        Start::AngularMomentum(_) => {
+            exact_difference([i[0], i[2], i[1], x[2]], [i[2], i[1], i[0], x[0]])
+        }
+        Start::Omega(_) => exact_difference([i[2], i[2], i[1], x[2]], [i[0], i[1], i[0], x[0]])
+            .times(i[0])
+            .times(i[2]),
+    })
+}
+
+/// The same rounded to a double.
+pub(super) fn rounded_separation(i: [f64; 3], order: [usize; 3], start: Start) -> f64 {
+    separation::<DoubleDouble>(i, order, start).value()
+}
+
+/// a (b − c) d² for the first four less the same for the second four, to 106 bits whatever cancels.
+fn exact_difference(minuend: [f64; 4], subtrahend: [f64; 4]) -> Extended {
+    let (third, exponent) = expansion(minuend);
+    let (first, other) = expansion(subtrahend);
+    let shift = Extended::power_of_two(other - exponent);
+    let mut terms = [0.0; 32];
+    for k in 0..16 {
+        terms[k] = third[k];
+        terms[k + 16] = -first[k] * shift;
+    }
+    // Error-free sums leave ever smaller remainders in front: after four rounds nothing of the first 200 bits is missing.
+    for _ in 0..4 {
+        for k in 1..32 {
+            let sum = DoubleDouble::sum(terms[k], terms[k - 1]);
+            terms[k] = sum.high();
+            terms[k - 1] = sum.low();
+        }
+    }
+    let total = terms.iter().fold(DoubleDouble::from(0.0), |sum, term| {
+        sum + DoubleDouble::from(*term)
+    });
+    let mut result = Extended::from(total);
+    if !result.is_zero() {
+        result.exponent += exponent;
+    }
+    result
+}
+
+/// a (b − c) d² as sixteen doubles and a power of two, exactly.
+fn expansion([a, b, c, d]: [f64; 4]) -> ([f64; 16], i32) {
+    let (a, d) = (Extended::from_double(a), Extended::from_double(d));
+    let difference = Extended::difference(b, c);
+    let square = DoubleDouble::product(d.digits.high(), d.digits.high());
+    let mut terms = [0.0; 16];
+    let mut place = 0;
+    for part in [difference.digits.high(), difference.digits.low()] {
+        let product = DoubleDouble::product(a.digits.high(), part);
+        for x in [product.high(), product.low()] {
+            for y in [square.high(), square.low()] {
+                let exact = DoubleDouble::product(x, y);
+                terms[place] = exact.high();
+                terms[place + 1] = exact.low();
+                place += 2;
+            }
+        }
+    }
+    (terms, a.exponent + difference.exponent + 2 * d.exponent)
 }
 
 /// 2⁻²⁰⁰: the fourth power of what is above it is a normal double.

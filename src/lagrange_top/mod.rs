@@ -13,26 +13,19 @@
 //! | 7.5 | the spin with which a top sleeps, and how far a kick tilts it | [`sleeping_threshold`], [`tilt_after_kick`] |
 //! | 7.6 | the spherical pendulum and its turning ellipse | [`pendulum_between`], [`pendulum_from_integrals`], [`apsides`] |
 
-mod angles;
-mod dip;
 mod evaluation;
-mod kinds;
 mod motion;
-mod pendulum;
-mod precession;
 mod preparation;
 mod roots;
-mod sleeping;
-mod turning;
+mod special;
 
 pub use crate::frame::EulerAngles;
-pub use dip::{Cycloid, Dip, dip};
 pub use evaluation::State;
-pub use kinds::{Nutation, Roots};
 pub use motion::LagrangeTop;
-pub use pendulum::{Apsides, apsides, pendulum_between, pendulum_from_integrals};
-pub use precession::{
-    FastSpin, PurePrecession, fast_spin, least_axial_angular_momentum, pure_precession,
-};
 pub(crate) use preparation::Exact;
-pub use sleeping::{sleeping_threshold, tilt_after_kick};
+pub use roots::{Nutation, Roots};
+pub use special::{
+    Apsides, Cycloid, Dip, FastSpin, PurePrecession, apsides, dip, fast_spin,
+    least_axial_angular_momentum, pendulum_between, pendulum_from_integrals, pure_precession,
+    sleeping_threshold, tilt_after_kick,
+};

@@ -2,13 +2,11 @@
 
 use nalgebra::Quaternion;
 
-use super::evaluation::{Body, Constants, Pull};
-use super::kinds::{Nutation, Roots, kind};
-use super::roots::{Cubic, Distances, Integrals};
-use super::turning::{Complex, Parameter};
-use crate::elliptic::descent::{Descent, Squares};
+use super::evaluation::{Body, Complex, Constants, Parameter, Pull};
+use super::roots::{Cubic, Distances, Integrals, Nutation, Roots, kind};
+use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Which};
-use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::error::{Error, Result, positive, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{
     DoubleDouble, Extended, Number, Words, exponent_of, power_of_two_below, shifted,
@@ -27,26 +25,6 @@ pub(super) enum Motion {
     /// The axis stays: upright, hanging, or at rest without gravity.
     Still,
     Moving(Constants),
-}
-
-impl Body {
-    pub(super) fn new(transverse: f64, axial: f64, weight_moment: f64) -> Result<Self> {
-        positive("the transverse moment", transverse)?;
-        not_negative("the axial moment", axial)?;
-        if axial * 0.5 > transverse * (1.0 + 4.0 * f64::EPSILON) {
-            return Err(Error::TriangleInequality {
-                smallest: transverse,
-                middle: transverse,
-                largest: axial,
-            });
-        }
-        finite("the weight moment Mgl", weight_moment)?;
-        Ok(Self {
-            transverse,
-            axial,
-            weight_moment,
-        })
-    }
 }
 
 /// What is decided once.
@@ -104,11 +82,7 @@ pub(super) fn prepare<N: Number<Narrow = DoubleDouble>>(
     attitude: &Attitude,
     exact: &Exact,
 ) -> Result<Prepared> {
-    let pull = if weight_moment < 0.0 {
-        Pull::Up
-    } else {
-        Pull::Down
-    };
+    let pull = Pull::of(weight_moment);
     let q = seen(pull, attitude.quaternion().into_inner());
     let weight = match pull {
         Pull::Down => exact.weight_moment,
@@ -155,19 +129,16 @@ pub(super) fn prepare<N: Number<Narrow = DoubleDouble>>(
     let rise = o2 * z1 - o1 * z2;
     let ratio = Extended::from_double(axial).quotient(Extended::from_double(transverse));
     let spin = N::from_extended(ratio) * o3;
-    let still = if swing.is_zero() {
-        let threshold = gravity.times(4.0);
-        if gravity.is_zero() {
-            Some(Nutation::Spinning)
-        } else if above_bottom.is_zero() {
-            Some(Nutation::Hanging)
-        } else if below_top.is_zero() {
-            Some(Nutation::Sleeping {
-                stable: !threshold.exceeds(spin.square()),
-            })
-        } else {
-            None
-        }
+    let still = if !swing.is_zero() {
+        None
+    } else if gravity.is_zero() {
+        Some(Nutation::Spinning)
+    } else if above_bottom.is_zero() {
+        Some(Nutation::Hanging)
+    } else if below_top.is_zero() {
+        Some(Nutation::Sleeping {
+            stable: !gravity.times(4.0).exceeds(spin.square()),
+        })
     } else {
         None
     };
@@ -180,11 +151,6 @@ pub(super) fn prepare<N: Number<Narrow = DoubleDouble>>(
         drift,
         spin,
     };
-    let d = cubic.solve();
-    let roots = Roots::of(&d, gravity);
-    if let Some(kind) = still {
-        return Ok((kind, roots, Motion::Still));
-    }
     let top = Top {
         pull,
         exponent,
@@ -193,9 +159,8 @@ pub(super) fn prepare<N: Number<Narrow = DoubleDouble>>(
         axial_rate: o3,
         rise,
     };
-    let constants = top.constants(&d, q, omega / unit)?;
-    let kind = kind(spin, cubic.drifts(&d), &d);
-    Ok((kind, roots, Motion::Moving(constants)))
+    let d = cubic.solve();
+    top.prepared(still, &d, cubic.drifts(&d), (q, omega / unit))
 }
 
 /// What a top keeps: L₃, L_vert, and twice the energy above that of the same spin with C right above the pivot, and right below.
@@ -211,11 +176,7 @@ pub(super) struct Kept {
 pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prepared)>> {
     let number = Extended::from_double;
     let transverse = number(body.transverse);
-    let pull = if body.weight_moment < 0.0 {
-        Pull::Up
-    } else {
-        Pull::Down
-    };
+    let pull = Pull::of(body.weight_moment);
     // Seen upside down, the vertical is the other one.
     let l_vert = match pull {
         Pull::Down => kept.l_vert,
@@ -306,7 +267,6 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
         omega: BodyVector::from_components(scaled.map(|x| shifted(x, exponent)).into()),
         attitude: Attitude::from_quaternion(cosine, sine, 0.0, 0.0)?,
     };
-    let roots = Roots::of(&d, gravity);
     let upright = integrals.difference.is_zero() && integrals.above_top.is_zero();
     let hanging = integrals.sum.is_zero() && integrals.above_bottom.is_zero();
     let still = if still_without_gravity {
@@ -318,9 +278,6 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
     } else {
         None
     };
-    if let Some(kind) = still {
-        return Ok(Some((start, (kind, roots, Motion::Still))));
-    }
     let top = Top {
         pull,
         exponent,
@@ -331,9 +288,7 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
     };
     let q = seen(pull, start.attitude.quaternion().into_inner());
     let scaled = BodyVector::from_components(scaled.into());
-    let constants = top.constants(&d, q, scaled)?;
-    let kind = kind(spin, drifts, &d);
-    Ok(Some((start, (kind, roots, Motion::Moving(constants)))))
+    Ok(Some((start, top.prepared(still, &d, drifts, (q, scaled))?)))
 }
 
 /// Gravity that pulls up is gravity that pulls down, seen upside down.
@@ -355,6 +310,24 @@ struct Top<N> {
 }
 
 impl<N: Number<Narrow = DoubleDouble>> Top<N> {
+    /// What is decided from the roots, the drifts at them, and the attitude as seen and Ω at time 0.
+    fn prepared(
+        &self,
+        still: Option<Nutation>,
+        d: &Distances<N>,
+        drifts: [N; 2],
+        (q, omega): (Quaternion<f64>, BodyVector),
+    ) -> Result<Prepared> {
+        let roots = Roots::of(d, self.gravity);
+        Ok(match still {
+            Some(kind) => (kind, roots, Motion::Still),
+            None => {
+                let constants = self.constants(d, q, omega)?;
+                (kind(self.spin, drifts, d), roots, Motion::Moving(constants))
+            }
+        })
+    }
+
     /// The constants in seconds; the attitude as seen, and Ω, at time 0.
     fn constants(
         &self,
@@ -410,11 +383,10 @@ impl<N: Number<Narrow = DoubleDouble>> Top<N> {
             Parameter::new(&descent, &upper, senses[1]),
         ];
         // The phases: α at u = K, where 1 + h is greatest, β at u = 0.
-        let over = |x: N, y: N| if x.is_zero() { x } else { x.quotient(y) };
         let excess = self.axial_rate - self.spin;
         let halves = [
-            (excess + over(d.sum, bottom2)).times(0.5),
-            (over(d.difference, top1) - excess).times(0.5),
+            (excess + d.sum.quotient(bottom2)).times(0.5),
+            (d.difference.quotient(top1) - excess).times(0.5),
         ];
         let turning = lambda.narrow();
         let rates = core::array::from_fn(|k| {

@@ -1,11 +1,101 @@
-//! The cubic of the tilt and its roots, with every difference that matters formed without a subtraction (tutorial 7.2).
+//! What the axis does, and between which heights: the cubic of the tilt and its roots, with every difference that matters formed without a subtraction
+//! (tutorial 7.2, 7.5).
 //!
 //! h'² = f(h) for h = cos θ, f(h) = 2g (h − h₁)(h − h₂)(h − h₃), g = Mgl/I₁, and the motion stays in h₁ ≤ h ≤ h₂ ≤ 1 ≤ h₃.
 //! One root stands alone, whichever is farther from h₂; Newton's method finds it from outside. The other two come from a
 //! quadratic whose discriminant is a sum of squares: about the present tilt if they are h₁ and h₂, about the upright
 //! position if they are h₂ and h₃. The distances from ±1 come from f(±1) = −((L_vert ∓ L₃)/I₁)².
 
-use crate::precise::Number;
+use crate::precise::{Number, Words};
+
+/// What kind of motion the axis makes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Nutation {
+    /// φ' keeps its sign (7.2, picture k).
+    Waves,
+    /// φ' vanishes at the upper turning point: released from rest, say (7.4, picture l).
+    Cusps,
+    /// φ' changes its sign in between (7.2, picture m).
+    Loops,
+    /// The tilt stays (7.3, picture n).
+    PurePrecession,
+    /// Upright (7.5).
+    Sleeping {
+        /// Whether it stays so when disturbed: L₃² ≥ 4I₁Mgl.
+        stable: bool,
+    },
+    /// Falls from the upright position, or rises to it, in infinite time (7.5).
+    Waking,
+    /// Hanging straight down.
+    Hanging,
+    /// L₃ = 0: a spherical pendulum (7.6).
+    SphericalPendulum,
+    /// L₃ = L_vert = 0: a pendulum in one plane (7.6).
+    PlanePendulum,
+    /// No gravity and no swing: the body turns about its own axis.
+    Spinning,
+}
+
+/// The roots of the cubic, h₁ ≤ h₂ ≤ 1 ≤ h₃, with their distances from ±1 (7.2). With gravity upwards, those of −h.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roots {
+    /// h₁, the lower turning point of cos θ.
+    pub h1: f64,
+    /// h₂, the upper one.
+    pub h2: f64,
+    /// h₃; infinite without gravity.
+    pub h3: f64,
+    /// 1 − h₁ and 1 − h₂.
+    pub one_less: [f64; 2],
+    /// 1 + h₁ and 1 + h₂.
+    pub one_more: [f64; 2],
+    /// h₃ − 1; infinite without gravity.
+    pub third_less_one: f64,
+}
+
+impl Roots {
+    pub(super) fn new(one_less: [f64; 2], one_more: [f64; 2], third_less_one: f64) -> Self {
+        let root = |k: usize| 0.5 * (one_more[k] - one_less[k]);
+        Self {
+            h1: root(0),
+            h2: root(1),
+            h3: 1.0 + third_less_one,
+            one_less,
+            one_more,
+            third_less_one,
+        }
+    }
+
+    pub(super) fn of<N: Number>(d: &Distances<N>, gravity: N) -> Self {
+        let value = |x: N| x.narrow().value();
+        let third = if gravity.is_zero() {
+            f64::INFINITY
+        } else {
+            value(d.third[0].quotient(gravity.times(2.0)))
+        };
+        Self::new(d.top.map(value), d.bottom.map(value), third)
+    }
+}
+
+/// Decided by exact zeros and signs; φ' has the sign of (L_vert − L₃h)/I₁, given at both turning points.
+pub(super) fn kind<N: Number>(spin: N, [lower, upper]: [N; 2], d: &Distances<N>) -> Nutation {
+    if d.third[3].is_zero() {
+        Nutation::Waking
+    } else if spin.is_zero() && d.sum.is_zero() {
+        Nutation::PlanePendulum
+    } else if d.band.is_zero() {
+        Nutation::PurePrecession
+    } else if spin.is_zero() {
+        Nutation::SphericalPendulum
+    } else if upper.is_zero() {
+        Nutation::Cusps
+    } else if upper.leading() * lower.leading() < 0.0 {
+        Nutation::Loops
+    } else {
+        Nutation::Waves
+    }
+}
 
 /// What the cubic is made of, everything divided by I₁.
 #[derive(Debug, Clone, Copy)]
@@ -86,21 +176,12 @@ impl<N: Number> Cubic<N> {
 
     /// `third` is 2g (h₃ − h): h₁ and h₂ are the roots of d² − s d + p about the start.
     fn near_the_start(&self, two_g: N, [f0, f1]: [N; 2], third: N) -> Distances<N> {
-        let zero = N::from_double(0.0);
-        let p = if f0.is_zero() {
-            zero
-        } else {
-            -f0.quotient(third)
-        };
+        let p = -f0.quotient(third);
         let s = (f1 - two_g * p).quotient(third);
         let band = s.square().add_alike(p.times(-4.0)).square_root();
         // The greater of the two in size is a sum; the other is the product over it.
         let far = band.add_alike(s.magnitude()).times(0.5);
-        let near = if far.is_zero() {
-            zero
-        } else {
-            (-p).quotient(far)
-        };
+        let near = (-p).quotient(far);
         let (to_upper, to_lower) = if s.leading() < 0.0 {
             (near, far)
         } else {
@@ -113,21 +194,13 @@ impl<N: Number> Cubic<N> {
         let from_bottom = third.add_alike(two_g * self.above_bottom);
         // Of 1 − h₂ and h₃ − 1 the greater directly, the other from the product of all three distances from 1.
         let direct = self.below_top - to_upper;
-        let product = if difference.is_zero() {
-            zero
-        } else {
-            difference.square().quotient(top1)
-        };
+        let product = difference.square().quotient(top1);
         let (top2, from_top) = if (third * direct).exceeds(from_top * top1) {
             (direct, product.quotient(direct))
         } else {
             (product.quotient(from_top), from_top)
         };
-        let bottom1 = if sum.is_zero() {
-            zero
-        } else {
-            sum.square().quotient(bottom2 * from_bottom)
-        };
+        let bottom1 = sum.square().quotient(bottom2 * from_bottom);
         Distances {
             top: [top1, top2],
             bottom: [bottom1, bottom2],
@@ -161,11 +234,7 @@ impl<N: Number> Cubic<N> {
         let ([top1, top2], third) = (d.top, d.third[0]);
         // The greater of the two directly; their product with 2g (h₃ − h) is h'².
         let third = third.add_alike(two_g * self.below_top);
-        let product = if self.rise.is_zero() {
-            N::from_double(0.0)
-        } else {
-            self.rise.square().quotient(third)
-        };
+        let product = self.rise.square().quotient(third);
         let (up, down) = (self.below_top - top2, top1 - self.below_top);
         let (to_upper, to_lower) = if up.exceeds(down) {
             (up, product.quotient(up))
@@ -229,11 +298,7 @@ impl<N: Number> Integrals<N> {
 
     /// 1 + h₁, from the product of all three distances from −1.
     fn over_the_bottom(&self, bottom2: N, from_bottom: N) -> N {
-        if self.sum.is_zero() {
-            self.sum
-        } else {
-            self.sum.square().quotient(bottom2 * from_bottom)
-        }
+        self.sum.square().quotient(bottom2 * from_bottom)
     }
 
     /// h₁ stands alone: 1 − h₂ and h₃ − 1 are the roots of a quadratic about 1.
@@ -242,25 +307,13 @@ impl<N: Number> Integrals<N> {
         let top1 = greatest_root([
             -quadratic.quotient(two_g),
             -linear.quotient(two_g),
-            if constant.is_zero() {
-                zero
-            } else {
-                constant.quotient(two_g)
-            },
+            constant.quotient(two_g),
         ]);
-        let product = if constant.is_zero() {
-            zero
-        } else {
-            constant.quotient(two_g * top1)
-        };
+        let product = constant.quotient(two_g * top1);
         let gap = (linear * top1 - constant).quotient(two_g * top1.square());
         let far_apart = gap.square().add_alike(product.times(4.0)).square_root();
         let far = far_apart.add_alike(gap.magnitude()).times(0.5);
-        let near = if product.is_zero() {
-            zero
-        } else {
-            product.quotient(far)
-        };
+        let near = product.quotient(far);
         let (top2, beyond) = if gap.leading() < 0.0 {
             (far, near)
         } else {
@@ -314,11 +367,7 @@ impl<N: Number> Integrals<N> {
         let from_bottom = y.add_alike(two_g.times(2.0));
         let below_horizon = s.exceeds(two);
         let (sum, product) = if below_horizon {
-            let product = if self.sum.is_zero() {
-                zero
-            } else {
-                self.sum.square().quotient(from_bottom)
-            };
+            let product = self.sum.square().quotient(from_bottom);
             let slope = self.above_bottom + self.sum * self.spin - self.gravity * product;
             (slope.times(2.0).quotient(from_bottom), product)
         } else {
@@ -338,19 +387,12 @@ impl<N: Number> Integrals<N> {
             zero
         };
         let far = sum.add_alike(band).times(0.5);
-        let over = |product: N, far: N| {
-            if product.is_zero() {
-                product
-            } else {
-                product.quotient(far)
-            }
-        };
         let (top, bottom) = if below_horizon {
-            let bottom1 = over(product, far);
+            let bottom1 = product.quotient(far);
             let top1 = two - bottom1;
-            ([top1, over(p, top1)], [bottom1, far])
+            ([top1, p.quotient(top1)], [bottom1, far])
         } else {
-            let top2 = over(p, far);
+            let top2 = p.quotient(far);
             let bottom2 = two - top2;
             (
                 [far, top2],

@@ -1,4 +1,7 @@
-//! Two words without a branch, for numbers whose size is known to be far from the ends of the doubles: for one as for several side by side.
+//! Pieces without a branch, for one number as for several side by side: two words of a size far from the ends of the doubles, angles
+//! less their right angles, sine and cosine, their hyperbolic sisters, the arctangent, powers of two.
+
+use super::DoubleDouble;
 
 /// Upper 26 bits and the rest, for numbers below 10³⁰⁰ (Veltkamp).
 #[inline(always)]
@@ -35,4 +38,209 @@ pub(crate) fn root(high: f64, low: f64) -> (f64, f64) {
     let root = high.sqrt();
     let (square, error) = exact_product(root, root);
     (root, (((high - square) - error) + low) * (0.5 / root))
+}
+
+/// 2²⁵: with 27 bits of K the product still fits 53.
+pub(crate) const EXACT_COUNT: f64 = 33_554_432.0;
+
+/// π/2 in three words, of which the first two are so short that a count times either is exact.
+pub(crate) const QUARTER_PARTS: [f64; 3] = [
+    1.570_796_310_901_641_8,
+    1.589_325_471_229_585_7e-8,
+    6.123_233_995_736_766e-17,
+];
+
+/// `high + low` less the nearest multiple of a unit in three words, at most [`EXACT_COUNT`] of them, and that multiple with [`ROUNDER`] added.
+#[inline(always)]
+pub(crate) fn reduced([high, low]: [f64; 2], inverse: f64, parts: [f64; 3]) -> (f64, [f64; 2]) {
+    let rounded = high * inverse + ROUNDER;
+    let count = rounded - ROUNDER;
+    // The first difference is exact: its terms are within a factor of two, or the count is zero.
+    let first = high - count * parts[0];
+    let rest = DoubleDouble::difference(first, count * parts[1]);
+    let low = rest.low() + (low - count * parts[2]);
+    // In order, unless what is left is so small that it does not matter.
+    let (high, low) = ordered_sum(rest.high(), low);
+    (rounded, [high, low])
+}
+
+/// Sine and cosine of an angle of two words, at most [`EXACT_COUNT`] right angles.
+#[inline(always)]
+pub(crate) fn sine_cosine(angle: [f64; 2]) -> (f64, f64) {
+    let (rounded, [high, low]) = reduced(angle, core::f64::consts::FRAC_2_PI, QUARTER_PARTS);
+    let (sine, cosine) = small_sine_cosine(high, low);
+    in_quadrant(rounded.to_bits(), sine, cosine)
+}
+
+/// Sine and cosine after as many right angles as the lowest bits say.
+#[inline(always)]
+pub(crate) fn in_quadrant(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
+    let odd = (bits & 1).wrapping_neg();
+    let (s, c) = (sine.to_bits(), cosine.to_bits());
+    // Exchanged by the bits in which they differ.
+    let exchange = (s ^ c) & odd;
+    // Quadrants 2 and 3 turn the sign of the sine, 1 and 2 that of the cosine.
+    let sign = (bits << 62) & (1 << 63);
+    (
+        f64::from_bits(s ^ exchange ^ sign),
+        f64::from_bits(c ^ exchange ^ sign ^ (bits << 63)),
+    )
+}
+
+/// Chebyshev fit of (sin x − x)/x³ in x² for |x| ≤ 0.789, error 1.3·10⁻¹⁷ of x.
+const SINE: [f64; 6] = [
+    -0.166_666_666_666_666_66,
+    0.008_333_333_333_330_837,
+    -0.000_198_412_698_365_912_97,
+    2.755_731_601_618_121_8e-6,
+    -2.505_111_392_607_282e-8,
+    1.591_684_419_161_689e-10,
+];
+
+/// Chebyshev fit of (cos x − 1 + x²/2)/x⁴ in x² for |x| ≤ 0.789, error 5·10⁻¹⁹.
+const COSINE: [f64; 6] = [
+    0.041_666_666_666_666_664,
+    -0.001_388_888_888_888_732_8,
+    2.480_158_729_866_104_3e-5,
+    -2.755_731_721_769_733_4e-7,
+    2.087_613_505_850_708e-9,
+    -1.138_182_847_267_891_7e-11,
+];
+
+/// Taylor coefficients of (sinh x − x)/x³ in x²; the first one left out is 10⁻¹⁷ at 0.36.
+const HYPERBOLIC_SINE: [f64; 6] = [
+    1.0 / 6.0,
+    1.0 / 120.0,
+    1.0 / 5040.0,
+    1.0 / 362_880.0,
+    1.0 / 39_916_800.0,
+    1.0 / 6_227_020_800.0,
+];
+
+/// Taylor coefficients of (cosh x − 1 − x²/2)/x⁴ in x².
+const HYPERBOLIC_COSINE: [f64; 5] = [
+    1.0 / 24.0,
+    1.0 / 720.0,
+    1.0 / 40_320.0,
+    1.0 / 3_628_800.0,
+    1.0 / 479_001_600.0,
+];
+
+/// Chebyshev fit of (atan t − t)/t³ in t² for t up to tan π/8, error 6·10⁻¹⁸ of t.
+const ARCTANGENT: [f64; 11] = [
+    -0.333_333_333_333_333_3,
+    0.199_999_999_999_955_16,
+    -0.142_857_142_846_656_8,
+    0.111_111_110_151_870_2,
+    -0.090_909_045_753_064_9,
+    0.076_921_831_253_768_92,
+    -0.066_645_105_255_089_38,
+    0.058_581_409_048_663_28,
+    -0.050_854_078_345_894_84,
+    0.039_230_447_784_793_09,
+    -0.019_175_404_711_104_935,
+];
+
+/// Chebyshev fit of (asin x − x)/x³ in x² for |x| ≤ 0.0871, error 7·10⁻¹⁸ of x.
+const ARCSINE: [f64; 5] = [
+    0.166_666_666_666_667_55,
+    0.074_999_999_994_259_78,
+    0.044_642_863_181_299_57,
+    0.030_379_722_913_968_35,
+    0.022_705_166_415_250_826,
+];
+
+/// Horner's rule, for more than four coefficients on the even and on the odd ones side by side: what counts is how
+/// long each operation waits for the one before.
+#[inline(always)]
+pub(crate) fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
+    if N <= 4 {
+        let mut sum = coefficients[N - 1];
+        for i in (0..N - 1).rev() {
+            sum = sum * x + coefficients[i];
+        }
+        return sum;
+    }
+    let x2 = x * x;
+    let (mut one, mut other) = (coefficients[N - 1], coefficients[N - 2]);
+    for i in (0..N - 2).rev().step_by(2) {
+        one = one * x2 + coefficients[i];
+        if i > 0 {
+            other = other * x2 + coefficients[i - 1];
+        }
+    }
+    if N.is_multiple_of(2) {
+        other + one * x
+    } else {
+        one + other * x
+    }
+}
+
+/// Sine and cosine of `high + low`, for |high| ≤ 0.789 and `low` below an ulp of it.
+#[inline(always)]
+pub(crate) fn small_sine_cosine(high: f64, low: f64) -> (f64, f64) {
+    let x2 = high * high;
+    let half = 0.5 * x2;
+    let sine = high + (high * x2 * polynomial(&SINE, x2) + low * (1.0 - half));
+    let leading = 1.0 - half;
+    let trailing = ((1.0 - leading) - half) + (x2 * x2 * polynomial(&COSINE, x2) - high * low);
+    (sine, leading + trailing)
+}
+
+/// Hyperbolic sine and cosine of `high + low`, for |high| ≤ 0.36; the cosine less 1.
+#[inline(always)]
+pub(crate) fn small_hyperbolic(high: f64, low: f64) -> (f64, f64) {
+    let x2 = high * high;
+    let half = 0.5 * x2;
+    let sine = high + (high * x2 * polynomial(&HYPERBOLIC_SINE, x2) + low * (1.0 + half));
+    let cosine = half + (x2 * x2 * polynomial(&HYPERBOLIC_COSINE, x2) + high * low);
+    (sine, cosine)
+}
+
+/// The angle in 0…π/2 whose sine and cosine are these, neither negative.
+#[inline(always)]
+pub(crate) fn angle(sine: f64, cosine: f64) -> f64 {
+    // tan of half the angle, or of half the rest to π/2.
+    let t = lesser(sine, cosine) / (1.0 + greater(sine, cosine));
+    let t2 = t * t;
+    let twice = 2.0 * t + 2.0 * (t * t2) * polynomial(&ARCTANGENT, t2);
+    if sine <= cosine {
+        twice
+    } else {
+        core::f64::consts::FRAC_PI_2 - twice
+    }
+}
+
+/// Arcsine of |x| ≤ 0.087.
+#[inline(always)]
+pub(crate) fn small_arcsine(x: f64) -> f64 {
+    let x2 = x * x;
+    x + x * x2 * polynomial(&ARCSINE, x2)
+}
+
+/// 1.5·2⁵²: added to a number below 2⁵¹ it rounds it to an integer, which then stands in the lowest bits.
+pub(crate) const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
+/// 2^n for an integer n in −1022…1023 that [`ROUNDER`] has been added to.
+#[inline(always)]
+pub(crate) fn power_of_two(rounded: f64) -> f64 {
+    f64::from_bits((rounded.to_bits().wrapping_add(1023)) << 52)
+}
+
+/// The lesser of two numbers, neither of which is not-a-number: one instruction.
+#[inline(always)]
+pub(crate) fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two numbers, neither of which is not-a-number.
+#[inline(always)]
+pub(crate) fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// `a` where the bits of `mask` are ones, `b` where they are zeros.
+#[inline(always)]
+pub(crate) fn select(mask: u64, a: f64, b: f64) -> f64 {
+    f64::from_bits((a.to_bits() & mask) | (b.to_bits() & !mask))
 }

@@ -1,0 +1,457 @@
+//! The motions that have formulas of their own (tutorial 7.3 to 7.6): pure precession, slow and fast; how far a top sinks that is let go at rest;
+//! the spin with which it sleeps, and how far a kick tilts it; the spherical pendulum, a top without spin, and its ellipse that turns.
+//!
+//! Every difference that can cancel is formed in 106 bits with exponents of any size, and only results are rounded.
+
+use std::f64::consts::PI;
+
+use super::motion::LagrangeTop;
+use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::frame::{Attitude, BodyVector};
+use crate::precise::{Extended, Number};
+
+/// The rates dφ/dt at which the axis can go round at one tilt without nutation, rad/s (7.3).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PurePrecession {
+    /// L₃² < 4I₁Mgl cos θ, or a horizontal axis without spin: no rate keeps this tilt.
+    None,
+    /// One rate: a horizontal axis, or equality in the condition, where both have met.
+    One(f64),
+    /// Two rates, the slower in size and the faster; of opposite sign below the horizon.
+    Two {
+        /// The one that gravity causes, Mgl/L₃ in the limit of fast spin.
+        slow: f64,
+        /// The one that needs no gravity, L₃/(I₁cos θ) in the limit.
+        fast: f64,
+    },
+    /// Neither spin nor gravity, and a horizontal axis: every rate will do.
+    Any,
+}
+
+/// Both rates of pure precession: the roots w of I₁cos θ w² − L₃w + Mgl = 0 (7.3).
+///
+/// `transverse` is I₁ about the pivot (kg m²), `weight_moment` Mgl (N m, of either sign), `l3` = I₃Ω₃ (kg m²/s), `height` = cos θ
+/// of the tilt. The faster root is a sum, the slower the quotient Mgl/(I₁cos θ·fast): nothing cancels. At the poles, where
+/// nothing precesses, these are the rates of a vanishing tilt (7.5).
+///
+/// Domain: all finite numbers with I₁ > 0 and |cos θ| ≤ 1. Each rate is right to one unit in the last place, next to the
+/// double root as well; the condition is decided in 106 bits, so it is exact for numbers of 35 bits. A rate beyond the greatest
+/// double is returned as infinite. Cost: a square root and two divisions of 106 bits.
+///
+/// # Errors
+/// [`Error::NotFinite`], [`Error::NotPositive`] for I₁, [`Error::OutOfRange`] for cos θ.
+///
+/// ```
+/// use spinning_bodies::lagrange_top::{PurePrecession, pure_precession};
+/// let PurePrecession::Two { slow, fast } = pure_precession(1.0, 1.0, 3.0, 0.5)? else { panic!() };
+/// assert!((slow - (3.0 - 7f64.sqrt())).abs() < 3e-16 && (fast - (3.0 + 7f64.sqrt())).abs() < 1e-15);
+/// assert_eq!(pure_precession(1.0, 1.0, 1.4, 0.5)?, PurePrecession::None);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn pure_precession(
+    transverse: f64,
+    weight_moment: f64,
+    l3: f64,
+    height: f64,
+) -> Result<PurePrecession> {
+    let [leading, weight, l3] = quadratic(transverse, weight_moment, l3, height)?;
+    let discriminant = l3.square() - (leading * weight).times(4.0);
+    let rounded = |x: Extended| x.narrow().value();
+    Ok(if leading.is_zero() {
+        match (l3.is_zero(), weight.is_zero()) {
+            (true, true) => PurePrecession::Any,
+            (true, false) => PurePrecession::None,
+            (false, _) => PurePrecession::One(rounded(weight.quotient(l3))),
+        }
+    } else if discriminant.is_zero() {
+        PurePrecession::One(rounded(l3.quotient(leading).times(0.5)))
+    } else if discriminant.leading() < 0.0 {
+        PurePrecession::None
+    } else {
+        // Of the sign of L₃: a sum of two numbers of one sign.
+        let root = discriminant.square_root();
+        let far = (l3.magnitude() + root).times(0.5);
+        let far = if l3.leading() < 0.0 { -far } else { far };
+        PurePrecession::Two {
+            slow: rounded(weight.quotient(far)),
+            fast: rounded(far.quotient(leading)),
+        }
+    })
+}
+
+/// The least |L₃| with which a top can precess purely at this tilt: 2√(I₁Mgl cos θ), kg m²/s; zero for a centre of mass that hangs (7.3).
+///
+/// Arguments as for [`pure_precession`]. One rounding, at any scale; infinite beyond the greatest double. Cost: a square root of 106 bits.
+///
+/// # Errors
+/// As [`pure_precession`].
+///
+/// ```
+/// use spinning_bodies::lagrange_top::least_axial_angular_momentum;
+/// assert_eq!(least_axial_angular_momentum(1.0, 8.0, 0.5)?, 4.0);
+/// assert_eq!(least_axial_angular_momentum(1.0, 8.0, -0.5)?, 0.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn least_axial_angular_momentum(
+    transverse: f64,
+    weight_moment: f64,
+    height: f64,
+) -> Result<f64> {
+    let [leading, weight, _] = quadratic(transverse, weight_moment, 0.0, height)?;
+    let product = (leading * weight).times(4.0);
+    if product.leading() <= 0.0 {
+        return Ok(0.0);
+    }
+    Ok(product.square_root().narrow().value())
+}
+
+/// What the two rates become when spin overwhelms gravity (7.3).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FastSpin {
+    /// Mgl/L₃, rad/s: too small by the part x in the first order.
+    pub slow: f64,
+    /// L₃/(I₁cos θ), rad/s: too large by the part x; infinite for a horizontal axis.
+    pub fast: f64,
+    /// x = I₁Mgl cos θ/L₃², no unit; pure precession needs x ≤ ¼.
+    pub x: f64,
+}
+
+/// Mgl/L₃ and L₃/(I₁cos θ), the large-spin limits of both rates, with the number x that says how far off they are (7.3).
+///
+/// Arguments as for [`pure_precession`]. The rates themselves are slow·(1 + x + 2x² + 5x³ + …) and fast·(1 − x − x² − 2x³ − …),
+/// convergent for |x| ≤ ¼. One rounding each. Cost: a few divisions.
+///
+/// # Errors
+/// As [`pure_precession`]; [`Error::Condition`] without spin, where there is no such limit.
+pub fn fast_spin(transverse: f64, weight_moment: f64, l3: f64, height: f64) -> Result<FastSpin> {
+    let [leading, weight, momentum] = quadratic(transverse, weight_moment, l3, height)?;
+    if momentum.is_zero() {
+        return Err(Error::Condition {
+            condition: "the axial angular momentum must not be zero",
+            value: l3,
+        });
+    }
+    let fast = if leading.is_zero() {
+        l3.signum() * f64::INFINITY
+    } else {
+        momentum.quotient(leading).narrow().value()
+    };
+    Ok(FastSpin {
+        slow: weight.quotient(momentum).narrow().value(),
+        fast,
+        x: (leading * weight)
+            .quotient(momentum.square())
+            .narrow()
+            .value(),
+    })
+}
+
+/// I₁cos θ, Mgl and L₃ after their checks.
+fn quadratic(transverse: f64, weight_moment: f64, l3: f64, height: f64) -> Result<[Extended; 3]> {
+    positive("the transverse moment", transverse)?;
+    finite("the weight moment Mgl", weight_moment)?;
+    finite("the axial angular momentum", l3)?;
+    within("the height cos θ", height, -1.0, 1.0)?;
+    let leading = Extended::from_double(transverse) * Extended::from_double(height);
+    Ok([
+        leading,
+        Extended::from_double(weight_moment),
+        Extended::from_double(l3),
+    ])
+}
+
+/// How far a top sinks that is let go at rest, spinning (7.4).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dip {
+    /// h₁ = cos θ at the lowest point; the start is h₂.
+    pub lowest_height: f64,
+    /// θ at the lowest point, radians.
+    pub lowest_tilt: f64,
+    /// By how much θ has grown there, radians.
+    pub depth: f64,
+    /// The curve that the trace tends to for fast spin.
+    pub cycloid: Cycloid,
+}
+
+/// θ − θ₀ = a(1 − cos u) against φ sin θ₀ = a(u − sin u), the limit of fast spin (7.4).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cycloid {
+    /// a = I₁Mgl sin θ₀/L₃², radians: the radius of the wheel that draws the curve.
+    pub radius: f64,
+    /// sin θ₀: azimuths are wider than the arcs by its reciprocal.
+    pub sine: f64,
+}
+
+impl Cycloid {
+    /// θ − θ₀ and φ, radians, when the wheel has turned by u (one turn is one nutation).
+    ///
+    /// Few units in the last place, for small u too. Not a number if u is not finite. Cost: a sine and a cosine.
+    pub fn at(&self, u: f64) -> [f64; 2] {
+        let half = (0.5 * u).sin();
+        [
+            2.0 * self.radius * half * half,
+            self.radius * less_its_sine(u) / self.sine,
+        ]
+    }
+}
+
+/// u − sin u.
+fn less_its_sine(u: f64) -> f64 {
+    // For |u| ≤ 1 twelve terms of the series leave less than 10⁻²⁸ of the sum; beyond, the difference loses three bits at most.
+    if u.abs() > 1.0 {
+        return u - u.sin();
+    }
+    let square = u * u;
+    let tail = (2..14).rev().fold(0.0, |sum, k| {
+        let n = f64::from(2 * k);
+        (1.0 - sum) * square / (n * (n + 1.0))
+    });
+    u * square / 6.0 * (1.0 - tail)
+}
+
+/// The lowest point of a top let go at rest at the tilt θ₀ with the angular momentum L₃ about its axis (7.4).
+///
+/// h₁ = λ − √(λ² − 2λh₀ + 1) with λ = L₃²/(4I₁Mgl): the start is the upper root h₂, so whatever comes next is lower. The dip
+/// h₀ − h₁ is the positive root of d² + 2(λ − h₀)d = sin²θ₀, 1 − h₁ is 1 − h₀ plus that, and 1 + h₁ = 2λ(1 + h₀)/(1 + λ + √…).
+///
+/// Domain: I₁, Mgl > 0, any finite L₃ (without spin it falls through the lowest point, θ = π), 0 < θ₀ < π. Few units in the
+/// last place, for the depth too however small. Cost: two square roots of 106 bits, a few sines.
+///
+/// # Errors
+/// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::OutOfRange`] for θ₀.
+///
+/// ```
+/// use spinning_bodies::lagrange_top::dip;
+/// // With L₃ = 2 from 60°: to the horizontal.
+/// let sunk = dip(1.0, 1.0, 2.0, std::f64::consts::FRAC_PI_3)?;
+/// assert!(sunk.lowest_height.abs() < 3e-16 && (sunk.depth.to_degrees() - 30.0).abs() < 1e-13);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Dip> {
+    positive("the transverse moment", transverse)?;
+    positive("the weight moment Mgl", weight_moment)?;
+    finite("the axial angular momentum", l3)?;
+    positive("the tilt", tilt)?;
+    if tilt >= PI {
+        return Err(Error::OutOfRange {
+            quantity: "the tilt",
+            value: tilt,
+            least: 0.0,
+            greatest: PI,
+        });
+    }
+    let number = Extended::from_double;
+    let (s, c) = (0.5 * tilt).sin_cos();
+    let [below, above] = [s, c].map(|x| number(x).square().times(2.0)); // 1 ∓ cos θ₀
+    let product = number(transverse) * number(weight_moment);
+    let square = number(l3).square();
+    let lambda = square.quotient(product.times(4.0));
+    let one = number(1.0);
+    // λ − h₀ = (λ − 1) + (1 − h₀), and the root of its square and sin²θ₀.
+    let lead = lambda - one + below;
+    let sine2 = below * above;
+    let root = (lead.square() + sine2).square_root();
+    let fall = if lead.leading() < 0.0 {
+        root - lead
+    } else {
+        sine2.quotient(root + lead)
+    };
+    let one_less = below + fall;
+    let whole = one + lambda + root;
+    let one_more = (lambda * above).times(2.0).quotient(whole);
+    let [less, more] = [one_less, one_more].map(|x| x.narrow().value());
+    let lowest_tilt = 2.0 * less.sqrt().atan2(more.sqrt());
+    // cos θ₀ − cos θ₁ = 2 sin((θ₁ − θ₀)/2) sin((θ₁ + θ₀)/2).
+    let middle = (0.5 * (tilt + lowest_tilt)).sin();
+    let half = (0.5 * fall.narrow().value() / middle).min(1.0);
+    let sine = tilt.sin();
+    Ok(Dip {
+        lowest_height: 0.5 * (more - less),
+        lowest_tilt,
+        depth: 2.0 * half.asin(),
+        cycloid: Cycloid {
+            radius: if square.is_zero() {
+                f64::INFINITY
+            } else {
+                product.quotient(square).narrow().value() * sine
+            },
+            sine,
+        },
+    })
+}
+
+/// The least spin Ω₃ with which a top sleeps, 2√(I₁Mgl)/I₃, rad/s (7.5).
+///
+/// The top sleeps if Ω₃² ≥ 4I₁Mgl/I₃². The tutorial displays >; at equality f = −2I₁Mgl(1 − h)³ is still negative below h = 1,
+/// and the top is still stable. Domain: I₁, I₃ > 0, Mgl ≥ 0. One rounding. Cost: a square root.
+///
+/// # Errors
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative).
+///
+/// ```
+/// assert_eq!(spinning_bodies::lagrange_top::sleeping_threshold(1.0, 0.5, 1.0)?, 4.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn sleeping_threshold(transverse: f64, axial: f64, weight_moment: f64) -> Result<f64> {
+    positive("the transverse moment", transverse)?;
+    positive("the axial moment", axial)?;
+    not_negative("the weight moment Mgl", weight_moment)?;
+    if weight_moment == 0.0 {
+        return Ok(0.0);
+    }
+    let number = Extended::from_double;
+    let root = (number(transverse) * number(weight_moment)).square_root();
+    Ok(root.times(2.0).quotient(number(axial)).narrow().value())
+}
+
+/// The greatest tilt, radians, of an upright top with L₃ that is kicked sideways with `kick` rad/s (7.5).
+///
+/// With u = 1 − cos θ: −2gu² + (4g − ε² − l²)u + 2ε² = 0, g = Mgl/I₁, l = L₃/I₁, ε the kick. So the tilt is proportional to ε
+/// above the threshold l² = 4g, to √ε on it, and below it never less than that of cos θ = l²/2g − 1.
+///
+/// Domain: I₁ > 0, Mgl ≥ 0, L₃ and kick finite. Few units in the last place, next to the threshold too. An upright top that is
+/// not kicked stays. Cost: one square root of 106 bits.
+///
+/// # Errors
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative).
+///
+/// ```
+/// use spinning_bodies::lagrange_top::tilt_after_kick;
+/// assert!(tilt_after_kick(1.0, 1.0, 2.5, 0.01)? < 0.0134);
+/// assert!(tilt_after_kick(1.0, 1.0, 1.9, 0.01)? > 0.635);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) -> Result<f64> {
+    positive("the transverse moment", transverse)?;
+    not_negative("the weight moment Mgl", weight_moment)?;
+    finite("the axial angular momentum", l3)?;
+    finite("the kick", kick)?;
+    if kick == 0.0 {
+        return Ok(0.0);
+    }
+    let number = Extended::from_double;
+    let gravity = number(weight_moment).quotient(number(transverse));
+    let spin2 = number(l3).quotient(number(transverse)).square();
+    let kick2 = number(kick).square();
+    let linear = gravity.times(4.0) - kick2 - spin2;
+    let product = (gravity * kick2).times(16.0);
+    let root = (linear.square() + product).square_root();
+    // u, and 2 − u from the product of the roots of its own equation: both without a difference.
+    let one_less = if linear.leading() > 0.0 {
+        (linear + root).quotient(gravity.times(4.0))
+    } else {
+        kick2.times(4.0).quotient(root - linear)
+    };
+    let sum = gravity.times(4.0) + kick2 + spin2 + root;
+    let one_more = spin2.times(4.0).quotient(sum);
+    let quotient = if one_more.is_zero() {
+        return Ok(PI);
+    } else {
+        one_less.quotient(one_more).square_root()
+    };
+    Ok(2.0 * quotient.narrow().value().atan())
+}
+
+/// The spherical pendulum that swings between two angles from the downward vertical, radians, from the smaller (7.6).
+///
+/// A Lagrange top with I₁ = 1 and without spin; `gravity` is Mgl/I₁ (s⁻²), which is g over the length for a bob. At the start
+/// φ'² = gravity·sin²b/(sin²a cos((b−a)/2) cos((b+a)/2)). Equal angles make it a conical pendulum.
+///
+/// Domain: 4.5·10⁻³⁰⁸ ≤ a ≤ b, a + b < π (the two turning points of a pendulum have their middle below the pivot), gravity > 0.
+///
+/// # Errors
+/// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::OutOfRange`] for a and b.
+pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<LagrangeTop> {
+    positive("the smaller angle", inner)?;
+    finite("the greater angle", outer)?;
+    positive("gravity over length", gravity)?;
+    let (half_sum, half_difference) = (0.5 * (inner + outer), 0.5 * (outer - inner));
+    if outer < inner || half_sum >= 0.5 * PI {
+        return Err(Error::OutOfRange {
+            quantity: "the greater angle",
+            value: outer,
+            least: inner,
+            greatest: PI - inner,
+        });
+    }
+    // The start is half the angle, which must have its digits.
+    let least = 2.0 * f64::MIN_POSITIVE;
+    if inner < least {
+        return Err(Error::OutOfRange {
+            quantity: "the smaller angle",
+            value: inner,
+            least,
+            greatest: 0.5 * PI,
+        });
+    }
+    let across = outer.sin() * (gravity.sqrt() / (half_difference.cos() * half_sum.cos()).sqrt());
+    let (s, c) = (0.5 * inner).sin_cos();
+    let attitude = Attitude::from_quaternion(s, c, 0.0, 0.0)?;
+    LagrangeTop::new(
+        1.0,
+        1.0,
+        gravity,
+        BodyVector::new(0.0, across, 0.0),
+        attitude,
+    )
+}
+
+/// The spherical pendulum with these integrals (7.6): L_vert/I₁ (rad/s) and the energy over I₁ (s⁻²), zero at rest at the height of the pivot, under
+/// `gravity` Mgl/I₁ (s⁻²), which is g over the length for a bob. It starts where it is lowest.
+///
+/// A Lagrange top with I₁ = 1 and without spin. With L_vert = 0 a plane pendulum, which at energy = gravity, exactly, climbs to the upright position for ever
+/// ([`Nutation::Waking`](super::Nutation::Waking)). Small swings, whose energy is next to −gravity, are better told by their angles
+/// ([`pendulum_between`]). Domain: gravity > 0, each energy that a motion with this L_vert has. Cost: that of [`LagrangeTop::from_integrals`].
+///
+/// # Errors
+/// [`Error::NotFinite`], [`Error::NotPositive`] for gravity, [`Error::Condition`] for an energy below that of the conical pendulum with this L_vert.
+///
+/// ```
+/// use spinning_bodies::lagrange_top::{Nutation, pendulum_from_integrals};
+/// let climbing = pendulum_from_integrals(0.0, 9.81, 9.81)?;
+/// assert_eq!(climbing.kind(), Nutation::Waking);
+/// // 1 − h = 2 sech²(√g t).
+/// let state = climbing.at(50.0)?;
+/// assert!((state.one_less / (2.0 / (9.81f64.sqrt() * 50.0).cosh().powi(2)) - 1.0).abs() < 1e-12);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn pendulum_from_integrals(l_vert: f64, energy: f64, gravity: f64) -> Result<LagrangeTop> {
+    positive("gravity over length", gravity)?;
+    LagrangeTop::from_integrals(1.0, 1.0, gravity, 0.0, l_vert, energy)
+}
+
+/// By how much the ellipse of a spherical pendulum turns from one greatest swing to the next (7.6).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Apsides {
+    /// Azimuth gained from one smallest angle to the next less π, radians.
+    pub advance: f64,
+    /// (3/8)ab·π, radians: the same for small swings.
+    pub small_swing: f64,
+}
+
+/// The advance of the apsides of a spherical pendulum between the angles a ≤ b, exactly and by the small-swing law (3/8)ab·π (7.6).
+///
+/// Both angles in radians from the downward vertical; the ellipse turns the way the bob goes. Independent of gravity. The exact
+/// advance is a difference from π, with an absolute error of some 10⁻¹⁵ rad. The law falls short by the part b²/6 or so.
+/// Domain as [`pendulum_between`]. Cost: one Lagrange top prepared.
+///
+/// # Errors
+/// As [`pendulum_between`].
+///
+/// ```
+/// let turn = spinning_bodies::lagrange_top::apsides(0.05, 0.1)?;
+/// assert!((turn.advance.to_degrees() - 0.337984).abs() < 1e-6);
+/// assert!((turn.small_swing.to_degrees() - 0.3375).abs() < 1e-12);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn apsides(inner: f64, outer: f64) -> Result<Apsides> {
+    let top = pendulum_between(inner, outer, 1.0)?;
+    let turned = top.precession_per_nutation().ok_or(Error::Condition {
+        condition: "the pendulum must swing with a period",
+        value: outer,
+    })?;
+    Ok(Apsides {
+        advance: turned.abs() - PI,
+        small_swing: 0.375 * inner * outer * PI,
+    })
+}

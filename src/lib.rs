@@ -2,29 +2,31 @@
 //!
 //! The companion library of the book *Spinning Bodies*. Its modules follow the sections of the tutorial:
 //!
-//! | section | module | what it computes |
-//! |---|---|---|
-//! | 1.1 | [`phenomena`] | turning round at angular momentum zero |
-//! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule |
-//! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem |
-//! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them |
-//! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids |
-//! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks |
-//! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other |
-//! | 4.6 | [`superball`] | bounces that keep the energy, exactly and after any number of them |
-//! | 4.7 | [`tippe_top`] | bodies that stand on a table: tippe top, egg, chiral top, rattleback |
-//! | 4.9 | [`yo_yo`] | down, turn, sleep, and up again |
-//! | 4.10 | [`falling_strip`] | flutter and tumbling of a strip in a fluid |
-//! | 5 | [`euler_equations`] | Euler's equations, with torque and about any point; the heavy tops with a further integral |
-//! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants |
-//! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis |
-//! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum |
-//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice |
-//! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner |
-//! | | [`scene`] | a body, how it is held, its effects; the plan that follows, the motion and its ledger |
-//! | | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn |
-//! | | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix |
-//! | | [`error`] | the one error type |
+//! | section | module | what it computes | how exactly |
+//! |---|---|---|---|
+//! | 1.1 | [`phenomena`] | turning round at angular momentum zero | quadratures to rounding; with air or friction, steps to the accuracy asked |
+//! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule | closed forms; principal axes that do not cancel |
+//! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem | rounding |
+//! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them | sums in 106 bits |
+//! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids | closed form |
+//! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks | closed form |
+//! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other | closed form from event to event |
+//! | 4.6 | [`superball`] | bounces that keep the energy | exact in fractions; closed form after any number of bounces |
+//! | 4.7 | [`tippe_top`] | bodies that stand on a table: tippe top, egg, chiral top, rattleback | thresholds in closed form; motions by steps, to the accuracy asked |
+//! | 4.9 | [`yo_yo`] | down, turn, sleep, and up again | closed form; with losses, steps to the accuracy asked |
+//! | 4.10 | [`falling_strip`] | flutter and tumbling of a strip in a fluid | steps to the accuracy asked; the model is fitted to experiments |
+//! | 5 | [`euler_equations`] | Euler's equations, with torque and about any point; the heavy tops with a further integral | rounding |
+//! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants | rounding; the truncation is the model |
+//! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis | the last digits of the doubles given, at any time, separatrix included |
+//! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum | the last digits, at any time, asleep or nearly |
+//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | errors grow with time, and are stated; beside a double root by power series, or refused |
+//! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner | rounding |
+//! |  | [`scene`] | a body, how it is held, its effects; the plan that follows, the motion and its ledger | within the accuracy asked, or refused; an estimate with every answer |
+//! |  | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn | their order; |L| kept to rounding by the geometric ones |
+//! |  | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix | half a unit in the last place for integrals, four for functions |
+//! |  | [`error`] | the one error type |  |
+//!
+//! What was measured, and against what, stands on the front page of each module and with each function.
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 

@@ -214,6 +214,7 @@ chapters! {
         "tests/hard_cases/",
         "figures/src/hard_cases.rs",
     ],
+    gallery: "gallery" [],
     errata: "errata" [],
     claims: "claims" [],
     colophon: "colophon" [],

@@ -4,6 +4,7 @@ use crate::drawings::{self, Drawing};
 use crate::error::one_line;
 use crate::ledger::Ledger;
 use crate::paths::workspace_root;
+use crate::pictures::{Copying, Form};
 use crate::progress::watched;
 use crate::scenes::output::{Format, Motion};
 use crate::scenes::scan::{Over, Scan, Tell};
@@ -103,7 +104,8 @@ Examples:
   cargo run -- figures
   cargo run -- figures --list spool-dial
   cargo run -- figures spool-dial --set axle=0.6,tension=0.5 --theme dark
-  cargo run -- figures spool-dial --set axle=0.6 --data dial.csv --out elsewhere";
+  cargo run -- figures spool-dial --set axle=0.6 --data dial.csv --out elsewhere
+  cargo run --features book/pictures -- figures polhodes nutations --as pdf --out elsewhere";
 
 const ACCURACY: &str = "\
 Errors are those at the end of the run: the angle between the attitudes in radians, and the relative error of the
@@ -152,7 +154,7 @@ enum Command {
         #[arg(value_name = "NAME")]
         names: Vec<String>,
         /// Lists the figures instead of drawing them; of those named, what may be chosen
-        #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent"])]
+        #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
         list: bool,
         /// Numbers of one figure, other than the book's
         #[arg(
@@ -171,7 +173,13 @@ enum Command {
         /// No paper behind the drawing
         #[arg(long, conflicts_with = "check")]
         transparent: bool,
-        /// Folder for the SVG files [default: figures/svg in the workspace; the current folder for a drawing unlike the book's]
+        /// Form of the files; all but svg need a build with `--features book/pictures` [default: svg]
+        #[arg(long = "as", value_enum, value_name = "FORM", conflicts_with = "check")]
+        form: Option<Form>,
+        /// Width of a PDF in points, 432 by itself, or of a PNG in dots, 1200 by itself
+        #[arg(long, value_name = "N", requires = "form", value_parser = clap::value_parser!(u16).range(16..=16384))]
+        width: Option<u16>,
+        /// Folder for the files [default: figures/svg in the workspace; the current folder for a drawing unlike the book's]
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
         /// Writes nothing; compares fresh drawings with the files, one canvas unit allowed
@@ -278,7 +286,7 @@ fn obey(command: Option<Command>) -> Result<()> {
             can_be_written_into(&svg)?;
             can_be_written_into(&root.join("book"))?;
             let drawings = draw(&drawings::chosen(&[])?, &Values::default())?;
-            let changed = drawings::write(&drawings, Look::default(), &svg)?;
+            let changed = drawings::write(&drawings, Copying::default(), &svg)?;
             say(&report(&drawings, changed, &svg))?;
             print_book(&root, &drawings).map(drop)
         }
@@ -294,17 +302,23 @@ fn obey(command: Option<Command>) -> Result<()> {
             data,
             theme,
             transparent,
+            form,
+            width,
             out,
             check,
             ..
         }) => {
             let entries = drawings::chosen(&names)?;
-            let look = Look {
-                theme: theme.map_or(Theme::Light, |Colours(theme)| theme),
-                transparent,
+            let copying = Copying {
+                look: Look {
+                    theme: theme.map_or(Theme::Light, |Colours(theme)| theme),
+                    transparent,
+                },
+                form: form.unwrap_or_default(),
+                width,
             };
             let values = drawings::values(&entries, &set)?;
-            let as_in_the_book = values == Values::default() && look == Look::default();
+            let as_in_the_book = values == Values::default() && copying == Copying::default();
             let standard = if as_in_the_book {
                 svg
             } else {
@@ -330,7 +344,7 @@ fn obey(command: Option<Command>) -> Result<()> {
                     folder.display()
                 ));
             }
-            let changed = drawings::write(&drawings, look, &folder)?;
+            let changed = drawings::write(&drawings, copying, &folder)?;
             if let ([drawing], false) = (&drawings[..], set.is_empty()) {
                 let Figure { claim, details, .. } = &drawing.figure;
                 say(&format!("{claim} {details}\n"))?;

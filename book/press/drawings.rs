@@ -1,5 +1,6 @@
 //! Draws the figures, writes their files, and compares a fresh drawing with the committed one.
 
+use crate::pictures::{self, Copying};
 use crate::writer::write_if_changed;
 use crate::{Error, Result};
 use figures::{Entry, Figure, Look, Values};
@@ -144,16 +145,14 @@ pub fn draw(
         .collect()
 }
 
-/// Writes `FOLDER/NAME.svg` for each drawing; files whose bytes would not change are left alone. Returns how many
+/// Writes `FOLDER/NAME.svg`, or another form, for each drawing; files whose bytes would not change are left alone. Returns how many
 /// changed.
-pub fn write(drawings: &[Drawing], look: Look, folder: &Path) -> Result<usize> {
+pub fn write(drawings: &[Drawing], copying: Copying, folder: &Path) -> Result<usize> {
     let mut changed = 0;
     for drawing in drawings {
-        let path = folder.join(format!("{}.svg", drawing.entry.name));
-        changed += usize::from(write_if_changed(
-            &path,
-            drawing.figure.file(look).as_bytes(),
-        )?);
+        let name = format!("{}.{}", drawing.entry.name, copying.form.ending());
+        let bytes = pictures::file(&drawing.figure, copying)?;
+        changed += usize::from(write_if_changed(&folder.join(name), &bytes)?);
     }
     Ok(changed)
 }

@@ -8,6 +8,7 @@
 //! | [`interrupt`] | what is half-written goes when a signal ends it |
 //! | [`progress`] | how far a long run is |
 //! | [`drawings`] | draws the figures, writes and compares their files |
+//! | [`pictures`] | figures as PDF and PNG |
 //! | [`formulas`] | LaTeX to HTML, at build time |
 //! | [`pieces`] | what is put into the pages after mdBook wrote them |
 //! | [`typesetter`] | formulas, figures and claim tags of one chapter |
@@ -30,6 +31,7 @@ pub mod formulas;
 pub mod interrupt;
 pub mod ledger;
 pub mod paths;
+pub mod pictures;
 pub mod pieces;
 pub mod progress;
 pub mod scenes;

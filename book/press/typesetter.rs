@@ -206,6 +206,7 @@ impl<'a> Typesetter<'a> {
         match words.split_whitespace().collect::<Vec<_>>()[..] {
             ["claims"] => Ok(Some(appendix::page(self.ledger))),
             ["figure", name] => self.figure(chapter, name).map(Some),
+            ["gallery"] => self.gallery().map(Some),
             _ => Ok(None),
         }
     }
@@ -238,6 +239,32 @@ impl<'a> Typesetter<'a> {
             "<figure id=\"fig-{name}\">{picture}<figcaption><span class=\"figure-number\">Figure {next}.</span> \
              <strong>{claim}</strong> {details}</figcaption></figure>\n"
         ))
+    }
+
+    /// Every figure, small: its number, its claim, and the command that draws it.
+    fn gallery(&mut self) -> std::result::Result<String, String> {
+        let mut out = String::from("<div class=\"gallery\">\n");
+        for entry in figures::all() {
+            let (name, chapter) = (entry.name, entry.chapter);
+            let drawing = *self.drawings.get(name).ok_or("a figure is not drawn")?;
+            let number = self.numbers.get(name).copied();
+            let number = number.ok_or_else(|| format!("figure '{name}' is in no chapter"))?;
+            // The chapter shows it, too, and the print page shows both: the ids must differ.
+            let svg = inline_svg(&drawing.figure.svg(), &drawing.figure.alt);
+            let svg = svg.replace(&format!("fig-{name}"), &format!("small-{name}"));
+            let picture = self.pieces.keep(svg, "");
+            let claim = self.caption(&drawing.figure.claim)?;
+            let keys = entry.parameters.iter().map(|one| one.key);
+            let keys = match keys.collect::<Vec<_>>()[..] {
+                [] => String::new(),
+                ref keys => format!(" --set {}=…", keys.join("=… --set ")),
+            };
+            out += &format!(
+                "<figure id=\"small-{name}\"><a href=\"{chapter}.html#fig-{name}\">{picture}</a><figcaption>{number}. {claim} \
+                 <code>cargo run -- figures {name}{keys}</code></figcaption></figure>\n"
+            );
+        }
+        Ok(out + "</div>\n")
     }
 
     /// Plain text with `$…$` formulas.

@@ -1,0 +1,111 @@
+//! A figure's file in other forms than SVG: PDF and PNG.
+//!
+//! They are made by resvg and svg2pdf, behind the feature `pictures`, so that whoever builds the book does not build these.
+
+use figures::{Figure, Look};
+
+use crate::{Error, Result};
+
+/// The form of a figure's file.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Form {
+    /// Lines and letters, for the web and for drawing programs.
+    #[default]
+    Svg,
+    /// Lines and letters, for print; the width is in points.
+    Pdf,
+    /// Dots, for slides; the width is in dots.
+    Png,
+}
+
+impl Form {
+    /// How the name of such a file ends.
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Form::Svg => "svg",
+            Form::Pdf => "pdf",
+            Form::Png => "png",
+        }
+    }
+}
+
+/// How a figure is written: its look, its form, and how wide it is if it is no SVG, which has any width.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Copying {
+    /// Colours and paper.
+    pub look: Look,
+    /// Form of the file.
+    pub form: Form,
+    /// Points or dots; by itself 432 points, six inches, or 1200 dots.
+    pub width: Option<u16>,
+}
+
+/// The file of a figure.
+///
+/// # Errors
+/// [`Error::Input`] for another form than SVG in a build without the feature `pictures`; [`Error::Failed`] where no font is installed.
+pub fn file(figure: &Figure, copying: Copying) -> Result<Vec<u8>> {
+    let svg = figure.file(copying.look);
+    match copying.form {
+        Form::Svg => Ok(svg.into_bytes()),
+        form => converted(&svg, form, copying),
+    }
+}
+
+#[cfg(not(feature = "pictures"))]
+fn converted(_: &str, form: Form, _: Copying) -> Result<Vec<u8>> {
+    let form = form.ending();
+    Err(Error::Input(format!(
+        "--as {form}: this build writes SVG only, expected `cargo run --features book/pictures -- figures NAME --as {form}`"
+    )))
+}
+
+#[cfg(feature = "pictures")]
+fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
+    use resvg::tiny_skia::{Pixmap, Transform};
+    use svg2pdf::usvg::{Options, Tree};
+
+    let failed = |told: String| Error::Failed(format!("--as {}: {told}", form.ending()));
+    // The paper of an SVG is a style of the page that shows it; these need a sheet.
+    let sheet = match copying.look.transparent {
+        true => String::new(),
+        false => {
+            let paper = copying.look.theme.color(figures::style::Role::Paper);
+            format!("</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{paper}\"/>\n")
+        }
+    };
+    let svg = match sheet.is_empty() {
+        true => svg.to_owned(),
+        false => svg.replacen("</title>\n", &sheet, 1),
+    };
+    let mut options = Options::default();
+    options.fontdb_mut().load_system_fonts();
+    if options.fontdb.is_empty() {
+        return Err(failed(
+            "no font is installed, the letters would be missing".into(),
+        ));
+    }
+    let tree = Tree::from_str(&svg, &options).map_err(|error| failed(error.to_string()))?;
+    let size = tree.size();
+    match form {
+        Form::Pdf => {
+            let width = f32::from(copying.width.unwrap_or(432));
+            // A page has 72 points to the inch.
+            let page = svg2pdf::PageOptions {
+                dpi: 72.0 * size.width() / width,
+            };
+            let settings = svg2pdf::ConversionOptions::default();
+            svg2pdf::to_pdf(&tree, settings, page).map_err(|error| failed(error.to_string()))
+        }
+        _ => {
+            let width = f32::from(copying.width.unwrap_or(1200));
+            let scale = width / size.width();
+            let height = (scale * size.height()).round() as u32;
+            let mut dots = Pixmap::new(width as u32, height)
+                .ok_or_else(|| failed(format!("a picture {width} dots wide cannot be made")))?;
+            let scaled = Transform::from_scale(scale, scale);
+            resvg::render(&tree, scaled, &mut dots.as_mut());
+            dots.encode_png().map_err(|error| failed(error.to_string()))
+        }
+    }
+}

@@ -434,8 +434,9 @@ fn print_book(root: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
 
 fn report(drawings: &[Drawing], changed: usize, folder: &Path) -> String {
     format!(
-        "{} figures in {}, {changed} of them changed\n",
+        "{} figure{} in {}, {changed} changed\n",
         drawings.len(),
+        if drawings.len() == 1 { "" } else { "s" },
         folder.display()
     )
 }

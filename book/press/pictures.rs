@@ -60,6 +60,17 @@ fn converted(_: &str, form: Form, _: Copying) -> Result<Vec<u8>> {
     )))
 }
 
+/// Fonts with serifs, the book's first.
+#[cfg(feature = "pictures")]
+const SERIFS: [&str; 6] = [
+    "Latin Modern Roman",
+    "CMU Serif",
+    "Times New Roman",
+    "Liberation Serif",
+    "DejaVu Serif",
+    "FreeSerif",
+];
+
 #[cfg(feature = "pictures")]
 fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
     use resvg::tiny_skia::{Pixmap, Transform};
@@ -79,12 +90,19 @@ fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
         false => svg.replacen("</title>\n", &sheet, 1),
     };
     let mut options = Options::default();
-    options.fontdb_mut().load_system_fonts();
-    if options.fontdb.is_empty() {
-        return Err(failed(
-            "no font is installed, the letters would be missing".into(),
-        ));
-    }
+    let fonts = options.fontdb_mut();
+    fonts.load_system_fonts();
+    // The figure asks for the type of the book, or for any with serifs; which is installed nobody knows.
+    let there = |name: &&str| {
+        let mut families = fonts.faces().flat_map(|face| &face.families);
+        families.any(|(family, _)| family == name)
+    };
+    let serif = SERIFS.into_iter().find(there).map(str::to_owned);
+    let any = || Some(fonts.faces().next()?.families.first()?.0.clone());
+    let serif = serif.or_else(any);
+    fonts.set_serif_family(
+        serif.ok_or_else(|| failed("no font is installed, the letters would be missing".into()))?,
+    );
     let tree = Tree::from_str(&svg, &options).map_err(|error| failed(error.to_string()))?;
     let size = tree.size();
     match form {

@@ -37,7 +37,12 @@ pub enum Body {}
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Space {}
 
-/// Three components along the axes `Axes`; the unit is that of the quantity it holds.
+/// Three components along the axes `Axes`; the unit is that of the quantity it holds. With the feature `serde`: `[x, y, z]`.
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(bound = "", from = "[f64; 3]", into = "[f64; 3]")
+)]
 pub struct FrameVector<Axes> {
     components: Vector3<f64>,
     axes: PhantomData<Axes>,
@@ -139,6 +144,18 @@ impl<Axes> PartialEq for FrameVector<Axes> {
     }
 }
 
+impl<Axes> From<[f64; 3]> for FrameVector<Axes> {
+    fn from(components: [f64; 3]) -> Self {
+        Self::from_components(components.into())
+    }
+}
+
+impl<Axes> From<FrameVector<Axes>> for [f64; 3] {
+    fn from(vector: FrameVector<Axes>) -> Self {
+        vector.components.into()
+    }
+}
+
 impl<Axes> fmt::Debug for FrameVector<Axes> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let axes = core::any::type_name::<Axes>();
@@ -209,6 +226,7 @@ impl<Axes> core::iter::Sum for FrameVector<Axes> {
 
 /// Euler's angles: the attitude is a turn by ψ about the third axis, by θ about the horizontal, by φ about the vertical.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EulerAngles {
     /// θ, the tilt of the third axis from the vertical, 0 … π.
     pub theta: f64,
@@ -240,8 +258,14 @@ pub(crate) fn finite_vector<Axes>(
     Ok(vector)
 }
 
-/// How the body stands in space: the rotation that turns body axes into space axes, as a unit quaternion.
+/// How the body stands in space: the rotation that turns body axes into space axes, as a unit quaternion. With the feature `serde`:
+/// `[w, x, y, z]`; one of norm 1 is read untouched, any other is normalised, and none at all refused.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "[f64; 4]", into = "[f64; 4]")
+)]
 pub struct Attitude(UnitQuaternion<f64>);
 
 impl Attitude {
@@ -359,6 +383,28 @@ impl Mul for Attitude {
     type Output = Self;
     fn mul(self, first: Self) -> Self {
         Self(self.0 * first.0)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<[f64; 4]> for Attitude {
+    type Error = Error;
+
+    fn try_from([w, x, y, z]: [f64; 4]) -> Result<Self> {
+        let quaternion = Quaternion::new(w, x, y, z);
+        // What was an attitude when it was written is one now, to the bit; where the two ways meet they differ by as much.
+        if (quaternion.norm_squared() - 1.0).abs() < 1e-14 {
+            return Ok(Self::from_unit(quaternion));
+        }
+        Self::from_quaternion(w, x, y, z)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<Attitude> for [f64; 4] {
+    fn from(attitude: Attitude) -> Self {
+        let q = attitude.0;
+        [q.w, q.i, q.j, q.k]
     }
 }
 

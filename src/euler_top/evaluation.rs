@@ -37,6 +37,7 @@ use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words};
 
 /// A free top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
     /// Ω along the body's axes, rad/s.
     pub omega: BodyVector,

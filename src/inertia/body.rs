@@ -9,10 +9,33 @@ use crate::frame::{Attitude, BodyVector};
 
 /// Mass, centre of mass, and the inertia matrix about the centre of mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Written")
+)]
 pub struct MassProperties {
     mass: f64,
     center: BodyVector,
     inertia: InertiaMatrix,
+}
+
+/// A body as it was written, not yet known to be one.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct Written {
+    mass: f64,
+    center: BodyVector,
+    inertia: InertiaMatrix,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Written> for MassProperties {
+    type Error = crate::Error;
+
+    fn try_from(written: Written) -> Result<Self> {
+        Self::new(written.mass, written.center, written.inertia)
+    }
 }
 
 /// Coordinates of centres stay below this, so that turning a body cannot overflow.

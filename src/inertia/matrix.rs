@@ -11,7 +11,29 @@ use crate::frame::{Attitude, BodyVector};
 /// The point is not stored: [`MassProperties`](super::MassProperties) keeps the matrix about the centre of
 /// mass and knows where that is.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "[[f64; 3]; 3]", into = "[[f64; 3]; 3]")
+)]
 pub struct InertiaMatrix(Matrix3<f64>);
+
+#[cfg(feature = "serde")]
+impl TryFrom<[[f64; 3]; 3]> for InertiaMatrix {
+    type Error = Error;
+
+    fn try_from(rows: [[f64; 3]; 3]) -> Result<Self> {
+        // The widest slack of all constructors, that of a mesh: what was written is read.
+        Self::with_slack(rows.into(), super::mesh::SLACK)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<InertiaMatrix> for [[f64; 3]; 3] {
+    fn from(inertia: InertiaMatrix) -> Self {
+        inertia.0.into()
+    }
+}
 
 /// Slack, in units of eps times the largest moment, for matrices that have been rounded entry by entry.
 const SLACK: f64 = 16.0 * f64::EPSILON;

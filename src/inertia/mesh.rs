@@ -15,7 +15,7 @@ pub use icosphere::{Mesh, icosphere};
 use sums::{Scale, Sums, largest_rounding_of_volume, sums};
 
 /// Relative slack in I₁ + I₂ ≥ I₃ for a thin body whose moments come out of sums over many triangles.
-const SLACK: f64 = 1e-12;
+pub(super) const SLACK: f64 = 1e-12;
 
 /// Mass properties of the homogeneous body that a closed triangle mesh encloses (2.6, 2.7).
 ///

@@ -4,7 +4,21 @@ use crate::error::{Error, Result, not_negative};
 
 /// Principal moments I₁ ≤ I₂ ≤ I₃ in kg m², known to belong to some body.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "[f64; 3]")
+)]
 pub struct PrincipalMoments([f64; 3]);
+
+#[cfg(feature = "serde")]
+impl TryFrom<[f64; 3]> for PrincipalMoments {
+    type Error = Error;
+
+    fn try_from([a, b, c]: [f64; 3]) -> Result<Self> {
+        Self::new(a, b, c)
+    }
+}
 
 impl PrincipalMoments {
     /// The three moments in ascending order, checked (2.4).

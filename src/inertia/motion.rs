@@ -8,6 +8,7 @@ use crate::frame::BodyVector;
 ///
 /// All three along the body's axes: metres, m/s, rad/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RigidMotion {
     /// The base point O, m.
     pub base: BodyVector,
@@ -19,6 +20,7 @@ pub struct RigidMotion {
 
 /// Angular momentum about the base point, kg m²/s, in its two parts (2.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AngularMomentumSplit {
     /// M(C−O)∧U, due to the base point's motion; zero if O = C, if U = 0, or if U is parallel to C−O.
     pub of_motion: BodyVector,
@@ -28,6 +30,7 @@ pub struct AngularMomentumSplit {
 
 /// Kinetic energy, J, in its three parts (2.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EnergySplit {
     /// ½M|U|².
     pub of_motion: f64,

@@ -31,6 +31,7 @@ pub enum Method {
 
 /// Kovalevskaya's top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
     /// Ω along the body's axes, rad/s.
     pub omega: BodyVector,

@@ -29,6 +29,7 @@ use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words, power_of_two_belo
 
 /// Lagrange's top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
     /// Ω along the body's axes, rad/s.
     pub omega: BodyVector,

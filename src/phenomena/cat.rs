@@ -32,6 +32,7 @@ pub struct Half {
 
 /// A shape and the rate at which it changes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bend {
     /// γ, angle between the halves' spines, radians: 0 is a straight cat.
     pub angle: f64,

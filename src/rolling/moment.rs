@@ -37,6 +37,7 @@ impl Load {
 
 /// Where the body is and how it moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Moment {
     /// Position of the centre along the table, m.
     pub position: f64,

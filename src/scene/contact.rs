@@ -205,6 +205,7 @@ impl TableTop {
 
 /// How the body is supported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Support {
     /// On the table, slipping.
     Sliding,
@@ -225,6 +226,7 @@ pub struct Phase {
 
 /// A body on a table at one time. The third axis of space points up, the table is the plane z = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
     /// From the body's axes to those of space.
     pub attitude: Attitude,

@@ -116,7 +116,21 @@ macro_rules! numbers {
     ($($(#[$doc:meta])* $effect:ident, $number:ident, $(#[$of:meta])* $check:ident($quantity:literal);)*) => {$(
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq)]
+        #[cfg_attr(
+            feature = "serde",
+            derive(serde::Serialize, serde::Deserialize),
+            serde(try_from = "f64")
+        )]
         pub struct $effect($number);
+
+        #[cfg(feature = "serde")]
+        impl TryFrom<f64> for $effect {
+            type Error = Error;
+
+            fn try_from(value: f64) -> Result<Self> {
+                Self::new(value)
+            }
+        }
 
         impl $effect {
             $(#[$of])*

@@ -48,6 +48,7 @@ impl StruckPlanet {
 
 /// A planet at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Flying {
     /// Turns the planet's axes into those of space.
     pub attitude: Attitude,

@@ -122,6 +122,7 @@ impl Roller {
 
 /// A body on the table at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rolling {
     /// Where it is and how it moves.
     pub moment: Moment,

@@ -99,6 +99,7 @@ impl TuggedSpool {
 
 /// A spool at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spooling {
     /// Where it is and how it moves.
     pub moment: Moment,

@@ -24,6 +24,7 @@ use crate::falling_strip::{AddedMass, Coefficients, Equations, Plate, Rotational
 
 /// The state of a strip.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StripState {
     /// Place of the axis: to the right and up, m.
     pub position: [f64; 2],

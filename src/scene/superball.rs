@@ -86,6 +86,7 @@ impl Superball {
 
 /// A ball at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bouncing {
     /// Where it is and how it moves.
     pub ball: InFlight,

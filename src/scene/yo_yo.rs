@@ -23,6 +23,7 @@ use crate::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
 
 /// What the yo-yo is at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Phase {
     /// On its way down.
     Down,
@@ -40,6 +41,7 @@ pub enum Phase {
 
 /// The state of a yo-yo.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct YoYoState {
     /// What it is at.
     pub phase: Phase,

@@ -10,6 +10,7 @@ use crate::rolling::course::{Coulomb, Course, Load, Moment};
 
 /// A ball in the air, or just after a bounce.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InFlight {
     /// Position along the floor, m.
     pub position: f64,

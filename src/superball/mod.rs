@@ -27,6 +27,7 @@ use crate::precise::DoubleDouble;
 
 /// What a bounce leaves and takes: both in the same unit of speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion<T> {
     /// Horizontal velocity V of the centre.
     pub velocity: T,

@@ -5,6 +5,8 @@ mod euler_top;
 mod inertia;
 mod kovalevskaya_top;
 mod lagrange_top;
+#[cfg(feature = "serde")]
+mod written;
 
 use nalgebra::Vector3;
 use proptest::prelude::*;

@@ -33,6 +33,7 @@ pub struct Cat {
 
 /// A cat at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CatState {
     /// Attitude of the first half, its spine along x.
     pub attitude: Attitude,

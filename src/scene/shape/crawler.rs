@@ -23,6 +23,7 @@ pub struct Crawler {
 
 /// A crawler at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CrawlerState {
     /// Place of the rear foot, m.
     pub rear: f64,

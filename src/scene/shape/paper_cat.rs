@@ -23,6 +23,7 @@ pub struct PaperCat {
 
 /// A paper cat at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PaperCatState {
     /// How far it has fallen, m.
     pub fall: f64,

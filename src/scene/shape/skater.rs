@@ -23,6 +23,7 @@ pub struct Skater {
 
 /// A skater at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SkaterState {
     /// Angle turned, radians.
     pub angle: f64,

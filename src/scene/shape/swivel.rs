@@ -23,6 +23,7 @@ pub struct Swivel {
 
 /// A swivel at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SwivelState {
     /// How far the lower part has turned, radians.
     pub lower: f64,

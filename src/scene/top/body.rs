@@ -14,6 +14,11 @@ use crate::precise::{Extended, Number};
 /// A body may have [axes of its own](Self::along_own_axes) that are not principal ones. Its start and its states are along its own axes, and the third of
 /// them is the one that tilts; inside, a top turns along principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Written", into = "Written")
+)]
 pub struct Body {
     pub(super) mass: f64,
     pub(super) moments: [f64; 3],
@@ -21,6 +26,42 @@ pub struct Body {
     pub(super) center: [f64; 3],
     /// Turns components along the principal axes into those along the body's own, where these are others.
     pub(super) own: Option<UnitQuaternion<f64>>,
+}
+
+/// A body as it is written: what it is made of, not yet known to be a body.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+struct Written {
+    mass: f64,
+    moments: [f64; 3],
+    center: BodyVector,
+    own: Option<Attitude>,
+}
+
+#[cfg(feature = "serde")]
+impl From<Body> for Written {
+    fn from(body: Body) -> Self {
+        Self {
+            mass: body.mass,
+            moments: body.moments,
+            center: body.center.into(),
+            own: body.own.map(Attitude::from),
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Written> for Body {
+    type Error = Error;
+
+    fn try_from(written: Written) -> Result<Self> {
+        let along_principal_axes =
+            Self::new(written.moments)?.with_center_of_mass(written.mass, written.center)?;
+        Ok(Self {
+            own: written.own.map(UnitQuaternion::from),
+            ..along_principal_axes
+        })
+    }
 }
 
 impl Body {
@@ -148,12 +189,18 @@ pub(super) const DOUBTED: f64 = 0.2;
 
 /// How a top starts: its attitude, and Ω or L along the body's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Start {
     pub(super) attitude: Attitude,
     pub(super) spin: Spin,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub(super) enum Spin {
     Omega(BodyVector),
     AngularMomentum(BodyVector),

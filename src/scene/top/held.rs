@@ -12,6 +12,11 @@ use crate::scene::effects::{
 
 /// A top and the effects at work on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Written")
+)]
 pub struct Top {
     pub(super) body: Body,
     pub(super) start: Start,
@@ -22,8 +27,40 @@ pub struct Top {
     pub(super) tip_friction: Option<TipFriction>,
 }
 
+/// A top as it was written, with effects that it may not take.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    body: Body,
+    start: Start,
+    gravity: Option<Gravity>,
+    pivot_friction: Option<PivotFriction>,
+    bearing_friction: Option<BearingFriction>,
+    air_drag: Option<AirDrag>,
+    tip_friction: Option<TipFriction>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Written> for Top {
+    type Error = Error;
+
+    fn try_from(written: Written) -> Result<Self> {
+        let effects = [
+            written.gravity.map(Effect::from),
+            written.pivot_friction.map(Effect::from),
+            written.bearing_friction.map(Effect::from),
+            written.air_drag.map(Effect::from),
+            written.tip_friction.map(Effect::from),
+        ];
+        let alone = Self::of_principal_axes(written.body, written.start)?;
+        effects.into_iter().flatten().try_fold(alone, Self::with)
+    }
+}
+
 /// A top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
     /// How the body stands in space.
     pub attitude: Attitude,
@@ -70,7 +107,11 @@ impl Top {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(body: Body, start: Start) -> Result<Self> {
-        let start = start.inward(&body);
+        Self::of_principal_axes(body, start.inward(&body))
+    }
+
+    /// The same with a start along the principal axes.
+    fn of_principal_axes(body: Body, start: Start) -> Result<Self> {
         start.omega(body.moments)?;
         Ok(Self {
             body,

@@ -400,7 +400,7 @@ pub fn rd(x: f64, y: f64, z: f64) -> Result<f64> {
 /// R_J(x, y, z, p) = (3/2)∫₀^∞ dt/((t+p)√((t+x)(t+y)(t+z))), the principal value for p < 0.
 ///
 /// Symmetric in x, y, z, of degree −3/2. Any arguments whose value has room. Error 0.45 ε at most of 107 rows, principal values included; where it underflows, the nearest subnormal or 0. Where a
-/// principal value passes through zero, about 10⁻²¹ of its two parts is the error instead. Cost 1.2–2.5 µs, and up to 0.1 ms beyond 10^±60. Source as for
+/// principal value passes through zero, about 10⁻²¹ of its two parts is the error instead. Cost 0.9–1.8 µs, and up to 0.1 ms beyond 10^±60. Source as for
 /// [`rf`]; Digital Library of Mathematical Functions, 19.20.14, 19.21.12.
 ///
 /// # Errors

@@ -27,20 +27,20 @@ impl Parameter {
     /// # Errors
     ///
     /// If one is not finite, lies outside 0…1, or if |m + mc − 1| exceeds 4 ε: then they do not belong together.
+    #[inline]
     pub fn new(m: f64, mc: f64) -> Result<Self> {
         let m = within_unit("parameter m", m)?;
         let mc = within_unit("complementary parameter mc", mc)?;
-        let defect = DoubleDouble::sum(m, mc) - DoubleDouble::from(1.0);
-        if defect.value().abs() > 4.0 * f64::EPSILON {
+        if (m + mc - 1.0).abs() > 4.0 * f64::EPSILON {
             return Err(Error::Condition {
                 condition: "m + mc must be 1 to within 4 eps",
                 value: m + mc,
             });
         }
         Ok(if m <= mc {
-            Self::with_lesser_m(DoubleDouble::from(m))
+            Self::exactly(m)
         } else {
-            Self::with_lesser_m(DoubleDouble::from(mc)).exchanged()
+            Self::exactly(mc).exchanged()
         })
     }
 
@@ -52,7 +52,7 @@ impl Parameter {
     /// If m is not finite or lies outside 0…1.
     pub fn from_parameter(m: f64) -> Result<Self> {
         let m = within_unit("parameter m", m)?;
-        Ok(Self::with_lesser_m(DoubleDouble::from(m)))
+        Ok(Self::exactly(m))
     }
 
     /// The parameter from mc = 1 − m, which is taken as exact; m is 1 − mc to 106 bits.
@@ -62,7 +62,7 @@ impl Parameter {
     /// If mc is not finite or lies outside 0…1.
     pub fn from_complement(mc: f64) -> Result<Self> {
         let mc = within_unit("complementary parameter mc", mc)?;
-        Ok(Self::with_lesser_m(DoubleDouble::from(mc)).exchanged())
+        Ok(Self::exactly(mc).exchanged())
     }
 
     /// The parameter m = k² from the modulus k, which is taken as exact; mc = (1 − k)(1 + k).
@@ -84,12 +84,16 @@ impl Parameter {
         Self { m, mc }
     }
 
-    fn with_lesser_m(m: DoubleDouble) -> Self {
-        let mc = DoubleDouble::from(1.0) - m;
-        Self { m, mc }
+    #[inline]
+    fn exactly(m: f64) -> Self {
+        Self {
+            m: DoubleDouble::from(m),
+            mc: DoubleDouble::difference(1.0, m),
+        }
     }
 
     /// The parameter of which m and mc are exchanged: that of K′.
+    #[inline]
     pub fn exchanged(self) -> Self {
         Self {
             m: self.mc,
@@ -117,8 +121,12 @@ impl Parameter {
 }
 
 /// `value`, if it lies in 0…1; −0 becomes 0.
+#[inline]
 fn within_unit(quantity: &'static str, value: f64) -> Result<f64> {
-    Ok(within(quantity, value, 0.0, 1.0)?.abs())
+    if (0.0..=1.0).contains(&value) {
+        return Ok(value.abs());
+    }
+    within(quantity, value, 0.0, 1.0)
 }
 
 /// The factor n of sin² in an integral, together with its complement nc = 1 − n: any finite n.

@@ -32,14 +32,7 @@ impl Corrections {
     #[inline(always)]
     pub(super) fn chosen(series: &Series, bits: u64) -> Self {
         let odd = (bits & 1).wrapping_neg();
-        let choose = |a: &[f64; 4], b: &[f64; 4]| {
-            [
-                select(odd, b[0], a[0]),
-                select(odd, b[1], a[1]),
-                select(odd, b[2], a[2]),
-                select(odd, b[3], a[3]),
-            ]
-        };
+        let choose = |a: &[f64; 4], b: &[f64; 4]| core::array::from_fn(|k| select(odd, b[k], a[k]));
         let Series { even, odd, .. } = series;
         Self {
             denominator: choose(&even.denominator, &odd.denominator),
@@ -106,13 +99,7 @@ fn few_thetas([[p10, p11], [p20, p21]]: [[f64; 2]; 2]) -> [[f64; 4]; 4] {
 /// factor · numerator − denominator.
 #[inline(always)]
 fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 4] {
-    let ([a, b, c, d], [e, f, g, h]) = (numerator, denominator);
-    [
-        factor * a - e,
-        factor * b - f,
-        factor * c - g,
-        factor * d - h,
-    ]
+    core::array::from_fn(|k| factor * numerator[k] - denominator[k])
 }
 
 impl Series {
@@ -376,10 +363,11 @@ impl Theta {
     /// The polynomials next to even multiples of K, or where the mask is ones next to odd ones.
     #[inline(always)]
     pub(crate) fn chosen(&self, mask: u64) -> [[f64; 4]; 2] {
-        let one = |part: usize, k: usize| select(mask, self.odd[part][k], self.even[part][k]);
+        let part =
+            |odd: [f64; 4], even: [f64; 4]| core::array::from_fn(|k| select(mask, odd[k], even[k]));
         [
-            [one(0, 0), one(0, 1), one(0, 2), one(0, 3)],
-            [one(1, 0), one(1, 1), one(1, 2), one(1, 3)],
+            part(self.odd[0], self.even[0]),
+            part(self.odd[1], self.even[1]),
         ]
     }
 }

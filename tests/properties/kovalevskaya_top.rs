@@ -8,7 +8,7 @@ use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, State};
 
 use support::double_double::Dd;
 use support::power_series::{Top, Whole};
-use support::{Uniform, vector};
+use support::{Uniform, samples, vector};
 
 const MOMENTS: [f64; 3] = [2.0, 2.0, 1.0];
 
@@ -96,11 +96,12 @@ fn spread(sorted: &[f64]) -> [f64; 3] {
 
 #[test]
 fn four_hundred_random_starts() {
-    let ([motion, attitude], separated) = several(400, 1889, 1.5);
+    let starts = samples(100, 400);
+    let ([motion, attitude], separated) = several(starts, 1889, 1.5);
     let (motion, attitude) = (spread(&motion), spread(&attitude));
     println!("separated {separated}; motion {motion:?}; attitude {attitude:?}");
     // The others are too near a double root.
-    assert_eq!(separated, 397);
+    assert!(separated + 3 >= starts as usize, "{separated} of {starts}");
     // Observed: 1.3e-15, 4.2e-15, 1.4e-14 for Ω and z, 2.3e-15, 6.0e-15, 1.7e-14 rad for the attitude.
     assert!(motion[0] < 3e-15 && motion[1] < 1e-14 && motion[2] < 8e-14);
     assert!(attitude[0] < 4e-15 && attitude[1] < 1e-14 && attitude[2] < 8e-14);
@@ -117,7 +118,7 @@ fn the_attitude_at_distant_times() {
         lever,
     };
     let mut worst = times.map(|_| Vec::new());
-    let (mut by_series, starts) = (0, 60);
+    let (mut by_series, starts) = (0, samples(20, 60));
     for _ in 0..starts {
         let [omega, up] = start(&mut draw, 1.5);
         let top = KovalevskayaTop::with_up(MOMENTS, vector(lever), vector(omega), vector(up))
@@ -140,7 +141,7 @@ fn the_attitude_at_distant_times() {
     let found = worst.each_ref().map(|list| spread(list));
     println!("{by_series}: {found:?}");
     // One is too near a double root.
-    assert_eq!(by_series, starts - 1);
+    assert!(by_series + 1 >= starts, "{by_series} of {starts}");
     // Observed: 7e-16, 2.4e-15, 4.7e-15 at t = 1; 2.5e-15, 6e-15, 1.6e-14 at t = 10; 2.1e-14, 5.5e-14, 6.2e-14 at t = 100.
     for ([_, most, all], allowed) in
         found
@@ -153,12 +154,12 @@ fn the_attitude_at_distant_times() {
 
 #[test]
 fn fast_and_slow_starts() {
-    // Observed:
+    let starts = samples(50, 150);
     for (seed, spin, most) in [(1888, 6.0, 2e-12), (1893, 0.2, 2e-13)] {
-        let ([motion, attitude], separated) = several(150, seed, spin);
+        let ([motion, attitude], separated) = several(starts, seed, spin);
         let (motion, attitude) = (spread(&motion), spread(&attitude));
         println!("spin {spin}: separated {separated}; motion {motion:?}; attitude {attitude:?}");
-        assert!(separated >= 145, "{separated}");
+        assert!(30 * separated >= 29 * starts as usize, "{separated}");
         assert!(motion[2] < most && attitude[2] < most);
     }
 }
@@ -324,7 +325,7 @@ fn judged(starts: impl IntoParallelIterator<Item = u64>) -> (usize, usize, f64, 
 
 #[test]
 fn every_answer_keeps_what_is_stated_or_is_refused() {
-    let (kept, refused, worst, amiss) = judged((0..2000).step_by(41).collect::<Vec<_>>());
+    let (kept, refused, worst, amiss) = judged((0..2000).step_by(101).collect::<Vec<_>>());
     println!("{kept} kept, {refused} refused, the worst at {worst} of what is stated");
     assert!(amiss.is_empty(), "{}", amiss.join("\n"));
     assert!(refused < kept / 20, "{refused} of {kept} refused");

@@ -14,7 +14,9 @@ mod scan;
 mod scene_prices;
 mod scenes;
 
+use press::drawings::{self, Drawing};
 use std::process::Output;
+use std::sync::OnceLock;
 
 /// A scene file.
 const RACKET: &str = "
@@ -28,6 +30,14 @@ omega = [0.01, 1.0, 0.01]
 until = 10.0
 samples = 11
 ";
+
+/// All figures as they are printed, drawn once.
+fn drawings() -> &'static [Drawing] {
+    static DRAWINGS: OnceLock<Vec<Drawing>> = OnceLock::new();
+    DRAWINGS.get_or_init(|| {
+        drawings::draw(figures::all(), &figures::Values::default(), |_| ()).unwrap()
+    })
+}
 
 /// No fault, or all of them.
 fn none(faults: &[String]) {

@@ -1,7 +1,6 @@
 //! A number that stands in the prose and beside a figure is one number.
 
 use press::chapters::CHAPTERS;
-use press::drawings;
 use press::ledger::markdown_options;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
@@ -157,7 +156,6 @@ fn parts(source: &str) -> [String; 3] {
 #[test]
 fn prose_and_figures_say_the_same_number() {
     let root = press::paths::workspace_root().unwrap();
-    let drawings = drawings::draw(figures::all(), &figures::Values::default(), |_| ()).unwrap();
     let mut used = vec![false; DIFFERENT.len()];
     let mut faults = Vec::new();
     for chapter in CHAPTERS {
@@ -173,7 +171,10 @@ fn prose_and_figures_say_the_same_number() {
             }
         }
         let shown = |name: &str| source.contains(&format!("{{{{figure {name}}}}}"));
-        for drawing in drawings.iter().filter(|drawing| shown(drawing.entry.name)) {
+        for drawing in super::drawings()
+            .iter()
+            .filter(|drawing| shown(drawing.entry.name))
+        {
             let figure = &drawing.figure;
             for text in [&figure.claim, &figure.details, &figure.alt] {
                 beside += &format!(" {text}");

@@ -1,9 +1,9 @@
 //! Builds the book and reads every page of it, as a browser without a network would.
 
-use super::none;
+use super::{drawings, none};
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
-use press::{binding, drawings};
+use press::binding;
 use scraper::{Html, Selector};
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -11,13 +11,6 @@ use std::sync::OnceLock;
 
 fn root() -> PathBuf {
     press::paths::workspace_root().unwrap()
-}
-
-fn drawings() -> &'static [drawings::Drawing] {
-    static DRAWINGS: OnceLock<Vec<drawings::Drawing>> = OnceLock::new();
-    DRAWINGS.get_or_init(|| {
-        drawings::draw(figures::all(), &figures::Values::default(), |_| ()).unwrap()
-    })
 }
 
 fn build(name: &str) -> PathBuf {
@@ -44,8 +37,10 @@ fn files(folder: &Path, found: &mut BTreeMap<PathBuf, Vec<u8>>, base: &Path) {
     }
 }
 
-/// Name, text and parse tree of every page.
-fn pages() -> Vec<(String, String, Html)> {
+/// Name, text and parse tree.
+type Page = (String, String, Html);
+
+fn pages() -> Vec<Page> {
     let mut all = BTreeMap::new();
     files(book(), &mut all, book());
     let mut pages = Vec::new();
@@ -60,9 +55,20 @@ fn pages() -> Vec<(String, String, Html)> {
     pages
 }
 
+/// Reading the pages takes longer than all that is asked of them: they are read once.
 #[test]
-fn every_link_leads_somewhere_within_the_book() {
+fn every_page_is_sound() {
     let pages = pages();
+    every_link_leads_somewhere_within_the_book(&pages);
+    nothing_is_fetched_from_a_network(&pages);
+    every_picture_says_what_is_seen(&pages);
+    figures_are_numbered_in_reading_order(&pages);
+    every_page_forbids_other_hosts(&pages);
+    nothing_is_left_unset(&pages);
+    no_line_of_code_is_wider_than_the_column(&pages);
+}
+
+fn every_link_leads_somewhere_within_the_book(pages: &[Page]) {
     let ids: BTreeMap<&str, HashSet<&str>> = pages
         .iter()
         .map(|(name, _, tree)| {
@@ -76,7 +82,7 @@ fn every_link_leads_somewhere_within_the_book() {
         .collect();
     let linked = Selector::parse("[href], [src]").unwrap();
     let mut faults = Vec::new();
-    for (name, _, tree) in &pages {
+    for (name, _, tree) in pages {
         for element in tree.select(&linked) {
             for link in ["href", "src"].iter().filter_map(|key| element.attr(key)) {
                 if link.contains("://") || link.starts_with("//") {
@@ -102,8 +108,7 @@ fn every_link_leads_somewhere_within_the_book() {
     none(&faults);
 }
 
-#[test]
-fn nothing_is_fetched_from_a_network() {
+fn nothing_is_fetched_from_a_network(pages: &[Page]) {
     let mut all = BTreeMap::new();
     files(book(), &mut all, book());
     let mut faults = Vec::new();
@@ -121,7 +126,7 @@ fn nothing_is_fetched_from_a_network() {
     // mdBook's script calls the playground of the language as soon as a page holds one such block.
     let playground =
         Selector::parse(".playground, script[src*='//'], script[src*='MathJax']").unwrap();
-    for (name, _, tree) in pages() {
+    for (name, _, tree) in pages {
         if tree.select(&playground).next().is_some() {
             faults.push(format!("{name}: a script that calls a network service"));
         }
@@ -129,14 +134,13 @@ fn nothing_is_fetched_from_a_network() {
     none(&faults);
 }
 
-#[test]
-fn every_picture_says_what_is_seen() {
+fn every_picture_says_what_is_seen(pages: &[Page]) {
     // A root sign in a caption is drawn as well, and its formula is said in words of its own.
     let pictures = Selector::parse("figure svg:not(.hide-tail > svg), main img").unwrap();
     let figure = Selector::parse("main figure[id^='fig-']").unwrap();
     let mut faults = Vec::new();
     let mut figures_seen = 0;
-    for (name, _, tree) in pages() {
+    for (name, _, tree) in pages {
         figures_seen += tree.select(&figure).count();
         for picture in tree.select(&pictures) {
             let said = picture.attr("aria-label").or(picture.attr("alt"));
@@ -150,11 +154,10 @@ fn every_picture_says_what_is_seen() {
     assert_eq!(figures_seen, 2 * figures::all().len());
 }
 
-#[test]
-fn figures_are_numbered_in_reading_order() {
+fn figures_are_numbered_in_reading_order(pages: &[Page]) {
     let number = Selector::parse("main .figure-number").unwrap();
-    let (_, _, print) = pages()
-        .into_iter()
+    let (_, _, print) = pages
+        .iter()
         .find(|(name, ..)| name == "print.html")
         .unwrap();
     let numbers: Vec<String> = print.select(&number).map(|e| e.text().collect()).collect();
@@ -164,12 +167,11 @@ fn figures_are_numbered_in_reading_order() {
     assert_eq!(numbers, expected);
 }
 
-#[test]
-fn every_page_forbids_other_hosts() {
+fn every_page_forbids_other_hosts(pages: &[Page]) {
     let policy = Selector::parse("head meta[http-equiv='Content-Security-Policy']").unwrap();
     let script = Selector::parse("script:not([src])").unwrap();
     let mut faults = Vec::new();
-    for (name, _, tree) in pages() {
+    for (name, _, tree) in pages {
         let policy = tree
             .select(&policy)
             .next()
@@ -206,10 +208,9 @@ fn the_search_index_is_small_and_holds_words() {
     }
 }
 
-#[test]
-fn nothing_is_left_unset() {
+fn nothing_is_left_unset(pages: &[Page]) {
     let mut faults = Vec::new();
-    for (name, text, tree) in pages() {
+    for (name, text, tree) in pages {
         for left in ["data-piece", "katex-error", "{{figure", "{{#", "{{claims"] {
             if text.contains(left) {
                 faults.push(format!("{name}: '{left}'"));
@@ -315,11 +316,10 @@ fn a_missing_include_fails_the_build() {
 const COLUMN: usize = 97;
 const FOLDED: usize = 87;
 
-#[test]
-fn no_line_of_code_is_wider_than_the_column() {
+fn no_line_of_code_is_wider_than_the_column(pages: &[Page]) {
     let code = Selector::parse("main pre > code").unwrap();
     let mut faults = Vec::new();
-    for (name, _, tree) in pages() {
+    for (name, _, tree) in pages {
         if name == "print.html" {
             continue;
         }

@@ -7,6 +7,7 @@ use crate::paths::workspace_root;
 use crate::pictures::{Copying, Form};
 use crate::progress::watched;
 use crate::scenes::output::{Format, Motion};
+use crate::scenes::plot::{self, Panel};
 use crate::scenes::scan::{Over, Scan, Tell};
 use crate::writer::{Target, can_be_written_into, folder_of, say};
 use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes, watch};
@@ -80,7 +81,9 @@ Solvers: {solvers}.
 Examples:
   cargo run -- scene book/scenes/racket.toml
   cargo run -- scene --keys roller    the keys of a kind; `--keys shapes` those of bodies by what they are
-  cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json"
+  cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json
+  cargo run -- scene tippe-top --plot tilt,energy --output motion.svg
+  cargo run -- scene racket --plot omega1:omega2 --output polhode.svg"
     )
 }
 
@@ -204,11 +207,14 @@ enum Command {
         #[arg(required_unless_present = "keys")]
         file: Option<PathBuf>,
         /// Prints the keys that a kind of scene has, and reads no file
-        #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "format", "output"])]
+        #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "plot", "format", "output"])]
         keys: Option<String>,
         /// The numbers of a row after the time; a name that is none has them all listed [default: the usual ones of the kind]
         #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
         columns: Vec<String>,
+        /// Draws a picture instead: a panel for each COLUMN against time, or X:Y for one column against another
+        #[arg(long, value_name = "WHAT,…", value_delimiter = ',', conflicts_with_all = ["columns", "format"])]
+        plot: Vec<Panel>,
         /// How the motion is written [default: as the name of the output ends; csv]
         #[arg(long, value_enum)]
         format: Option<Format>,
@@ -374,18 +380,22 @@ fn obey(command: Option<Command>) -> Result<()> {
         Some(Command::Scene {
             file,
             columns,
+            plot,
             format,
             output,
             ..
         }) => {
             let file = scene_file(&root, file.unwrap_or_default())?;
-            let format = Format::of(format, output.as_deref())?;
             let target = Target::new(output.as_deref(), Some(&file))?;
             let (name, text) = scenes::source(&file)?;
             let (mut scene, request) = scenes::parse(&name, &text)?;
+            let (option, columns) = match plot.is_empty() {
+                true => ("--columns", columns),
+                false => ("--plot", plot::columns(&plot)),
+            };
             if !columns.is_empty() {
                 let told = files::telling(scene, &columns);
-                scene = told.map_err(|told| Error::Input(format!("--columns: {name} {told}")))?;
+                scene = told.map_err(|told| Error::Input(format!("{option}: {name} {told}")))?;
             }
             let motion = Motion {
                 name: &name,
@@ -393,6 +403,12 @@ fn obey(command: Option<Command>) -> Result<()> {
                 request: &request,
                 progress: &Progress::default(),
             };
+            if !plot.is_empty() {
+                let form = plot::form(output.as_deref())?;
+                let picture = plot::plot(&motion, &plot, form)?;
+                return target.write(|to| to.write_all(&picture));
+            }
+            let format = Format::of(format, output.as_deref())?;
             target.write(|to| format.write(&motion, to))
         }
         Some(Command::Scan {

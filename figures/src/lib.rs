@@ -18,6 +18,7 @@ mod impacts;
 mod inertia;
 mod kovalevskaya_top;
 mod lagrange_top;
+pub mod own;
 mod parameter;
 mod phenomena;
 mod plot;

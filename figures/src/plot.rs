@@ -1,6 +1,6 @@
 //! Axes of a plain diagram.
 
-use crate::style::{AXIS, Anchor, DATA, HAIR, Pen, Point, Role, label, small, stroke};
+use crate::style::{AXIS, Anchor, DATA, HAIR, Pen, Point, Role, label, number, small, stroke};
 
 /// How numbers become places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,6 +49,43 @@ impl Axis {
             Scale::Log => (value / low).ln() / (high / low).ln(),
         };
         self.ends[0] + share * (self.ends[1] - self.ends[0])
+    }
+
+    /// Round numbers along it and their texts, at least `apart` units from each other.
+    pub fn ticks(&self, apart: f64) -> Vec<(f64, String)> {
+        let [low, high] = self.shown;
+        match self.scale {
+            Scale::Linear => {
+                let least = (high - low).abs() * apart / (self.ends[1] - self.ends[0]).abs();
+                let digits = least.log10().floor();
+                let unit = 10_f64.powf(digits);
+                let rounds = [1.0, 2.0, 5.0, 10.0].map(|k| k * unit);
+                let step = rounds.into_iter().find(|step| *step >= least);
+                let step = step.unwrap_or(rounds[3]);
+                let decimals = (-step.log10().floor()).max(0.0) as usize;
+                let [first, last] = [low.min(high), low.max(high)];
+                ((first / step - 1e-9).ceil() as i64..=(last / step + 1e-9).floor() as i64)
+                    .map(|k| step * k as f64)
+                    .map(|value| (value, number(value, decimals)))
+                    .collect()
+            }
+            Scale::Log => {
+                let decades = low.log10().floor() as i32..=high.log10().floor() as i32;
+                let mut ticks: Vec<(f64, String)> = Vec::new();
+                for decade in decades {
+                    for digit in [1.0, 2.0, 5.0] {
+                        let value = digit * 10_f64.powi(decade);
+                        let clear = ticks
+                            .last()
+                            .is_none_or(|last| (self.at(value) - self.at(last.0)).abs() >= apart);
+                        if (low..=high).contains(&value) && clear {
+                            ticks.push((value, number(value, -decade.min(0) as usize)));
+                        }
+                    }
+                }
+                ticks
+            }
+        }
     }
 }
 
@@ -108,6 +145,12 @@ impl Frame {
         );
     }
 
+    /// The axes with round numbers at their ticks, and what they show.
+    pub fn draw_round(&self, pen: &mut Pen, names: [&str; 2]) {
+        let (x, y) = (self.x.ticks(70.0), self.y.ticks(45.0));
+        self.draw(pen, &texts(&x), &texts(&y), names);
+    }
+
     /// A small panel whose upper left corner is given, both axes logarithmic: its name, the numbers at the ends of each axis, and ticks.
     pub fn panel(
         pen: &mut Pen,
@@ -145,6 +188,14 @@ impl Frame {
         }
         Self { x, y }
     }
+}
+
+/// Ticks as [`Frame::draw`] takes them.
+pub fn texts(ticks: &[(f64, String)]) -> Vec<(f64, &str)> {
+    ticks
+        .iter()
+        .map(|(at, text)| (*at, text.as_str()))
+        .collect()
 }
 
 /// A line of data with a disc at each point.

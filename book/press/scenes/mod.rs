@@ -8,6 +8,7 @@
 //! | [`scan`] | one file, some of its numbers varied, on all cores |
 
 pub mod output;
+pub mod plot;
 pub mod prices;
 pub mod scan;
 

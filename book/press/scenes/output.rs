@@ -120,6 +120,17 @@ impl Motion<'_> {
         self.request.times().len() > PART
     }
 
+    /// The whole motion at once, with a bar for whoever waits.
+    ///
+    /// # Errors
+    /// As for [`run`](super::run).
+    pub fn table(&self) -> Result<Table> {
+        let request = self.request.of_times(self.request.times());
+        let request = request.watched(self.progress);
+        let how_far = || how_far(self.progress);
+        watched(how_far, || super::run(self.name, self.scene, &request))
+    }
+
     /// Hands on the motion in parts, with what is told so far.
     fn each(
         &self,

@@ -1,0 +1,99 @@
+//! A motion as a diagram: `--plot`.
+
+use std::path::Path;
+
+use figures::own::{Quantity, diagram};
+
+use super::output::Motion;
+use crate::pictures::{Copying, Form, file};
+use crate::{Error, Result};
+
+/// More rows than a picture can show.
+const MOST: usize = 100_000;
+
+/// What is drawn in a panel: `COLUMN` against time, or `X:Y`, the second against the first.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Panel {
+    across: String,
+    up: String,
+}
+
+impl std::str::FromStr for Panel {
+    type Err = String;
+
+    fn from_str(text: &str) -> std::result::Result<Self, String> {
+        let (across, up) = text.split_once(':').unwrap_or(("t", text));
+        if across.is_empty() || up.is_empty() || up.contains(':') {
+            return Err("expected COLUMN, or X:Y for one against another".into());
+        }
+        Ok(Self {
+            across: across.into(),
+            up: up.into(),
+        })
+    }
+}
+
+/// The columns that the panels need.
+pub fn columns(panels: &[Panel]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for name in panels.iter().flat_map(|panel| [&panel.across, &panel.up]) {
+        if name != "t" && !names.contains(name) {
+            names.push(name.clone());
+        }
+    }
+    names
+}
+
+/// The form of the picture that a file's name ends with; SVG on the standard output.
+///
+/// # Errors
+/// [`Error::Input`] for a name that ends otherwise.
+pub fn form(output: Option<&Path>) -> Result<Form> {
+    let Some(output) = output else {
+        return Ok(Form::Svg);
+    };
+    let ending = output.extension().unwrap_or_default().to_ascii_lowercase();
+    let forms = [Form::Svg, Form::Pdf, Form::Png];
+    let found = forms.into_iter().find(|form| ending == form.ending());
+    found.ok_or_else(|| {
+        Error::Input(format!(
+            "{}: what is drawn is a picture, and its name should end with `.svg`, `.pdf` or `.png`",
+            output.display()
+        ))
+    })
+}
+
+/// Runs the scene, which tells the [`columns`] of the panels, and draws them.
+///
+/// # Errors
+/// [`Error::Input`] for more rows than can be drawn; what [`run`](super::run) says.
+pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>> {
+    let rows = motion.request.times().len();
+    if rows > MOST {
+        return Err(Error::Input(format!(
+            "--plot: {} asks for {rows} rows, expected at most {MOST}: set [run] samples",
+            motion.name
+        )));
+    }
+    let table = motion.table()?;
+    let quantity = |name: &str| {
+        let place = table.columns.iter().position(|column| column.name == name);
+        let value = |(t, row): (f64, Vec<f64>)| place.map_or(t, |place| row[place]);
+        let column = place.map(|place| table.columns[place]);
+        Quantity {
+            name: column.map_or("t", |column| column.name),
+            unit: column.map_or("s", |column| column.unit),
+            goes_round: column.is_some_and(|column| column.goes_round),
+            values: table.rows().map(value).collect(),
+        }
+    };
+    let pairs = panels
+        .iter()
+        .map(|panel| [quantity(&panel.across), quantity(&panel.up)]);
+    let figure = diagram(motion.name, &pairs.collect::<Vec<_>>());
+    let copying = Copying {
+        form,
+        ..Copying::default()
+    };
+    file(&figure, copying)
+}

@@ -386,6 +386,10 @@ fn obey(command: Option<Command>) -> Result<()> {
             ..
         }) => {
             let file = scene_file(&root, file.unwrap_or_default())?;
+            let (format, form) = match plot.is_empty() {
+                true => (Format::of(format, output.as_deref())?, Form::Svg),
+                false => (Format::Csv, plot::form(output.as_deref())?),
+            };
             let target = Target::new(output.as_deref(), Some(&file))?;
             let (name, text) = scenes::source(&file)?;
             let (mut scene, request) = scenes::parse(&name, &text)?;
@@ -404,11 +408,9 @@ fn obey(command: Option<Command>) -> Result<()> {
                 progress: &Progress::default(),
             };
             if !plot.is_empty() {
-                let form = plot::form(output.as_deref())?;
                 let picture = plot::plot(&motion, &plot, form)?;
                 return target.write(|to| to.write_all(&picture));
             }
-            let format = Format::of(format, output.as_deref())?;
             target.write(|to| format.write(&motion, to))
         }
         Some(Command::Scan {

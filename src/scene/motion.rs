@@ -21,9 +21,9 @@ pub struct Request {
 }
 
 impl Request {
-    /// The same at some of its times.
+    /// The same at other times.
     ///
-    /// `times` are some of its own, one at least.
+    /// `times` are one at least, and within its own.
     pub fn of_times(&self, times: &[f64]) -> Self {
         let Self {
             accuracy,

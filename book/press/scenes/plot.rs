@@ -11,6 +11,9 @@ use crate::{Error, Result};
 /// More rows than a picture can show.
 const MOST: usize = 100_000;
 
+/// So many rows make a smooth line: a scene that asks for fewer is drawn at as many, evenly from its first time to its last.
+const SMOOTH: usize = 2001;
+
 /// What is drawn in a panel: `COLUMN` against time, or `X:Y`, the second against the first.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Panel {
@@ -75,6 +78,19 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
             motion.name
         )));
     }
+    let times = motion.request.times();
+    let request = match (times, times.len() < SMOOTH) {
+        ([first, .., last], true) => {
+            let share = |k: usize| k as f64 / (SMOOTH - 1) as f64;
+            let times = (0..SMOOTH).map(|k| first + share(k) * (last - first));
+            motion.request.of_times(&times.collect::<Vec<_>>())
+        }
+        _ => motion.request.clone(),
+    };
+    let motion = Motion {
+        request: &request,
+        ..*motion
+    };
     let table = motion.table()?;
     let quantity = |name: &str| {
         let place = table.columns.iter().position(|column| column.name == name);
@@ -90,7 +106,8 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
     let pairs = panels
         .iter()
         .map(|panel| [quantity(&panel.across), quantity(&panel.up)]);
-    let figure = diagram(motion.name, &pairs.collect::<Vec<_>>());
+    let title = Path::new(motion.name).file_stem().unwrap_or_default();
+    let figure = diagram(&title.to_string_lossy(), &pairs.collect::<Vec<_>>());
     let copying = Copying {
         form,
         ..Copying::default()

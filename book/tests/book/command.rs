@@ -130,6 +130,43 @@ fn a_figure_is_drawn_as_it_is_wanted() {
 }
 
 #[test]
+fn a_motion_is_drawn() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let path = folder.path().join("racket.svg");
+    let output = ["--output", path.to_str().unwrap()];
+    let wanted = ["scene", "racket", "--plot", "omega1:omega2,energy"];
+    let done = book(&[&wanted[..], &output].concat());
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let svg = std::fs::read_to_string(&path).unwrap();
+    for label in ["omega1, rad/s", "omega2, rad/s", "t, s", "change of energy"] {
+        assert!(svg.contains(&format!(">{label}")), "{label}");
+    }
+    // The polhode is smooth and the colour of Ω, although the file asks for a hundred times.
+    let polhode = svg.split("<polyline").find(|line| line.contains("#0b6bcb"));
+    assert!(polhode.unwrap().split(' ').count() > 1000);
+    for (wrong, told) in [
+        (&["--plot", "omg1"][..], "has no column `omg1` to tell"),
+        (&["--plot", "omega1:"], "expected COLUMN, or X:Y"),
+        (
+            &["--plot", "tilt", "--format", "csv"],
+            "cannot be used with",
+        ),
+        (
+            &["--plot", "tilt", "--output", "x.csv"],
+            "`.svg`, `.pdf` or `.png`",
+        ),
+    ] {
+        let refused = book(&[&["scene", "racket"], wrong].concat());
+        let refusal = text(&refused.stderr);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(
+            refusal.contains(told) && refusal.lines().count() == 1,
+            "{refusal}"
+        );
+    }
+}
+
+#[test]
 fn a_wrong_number_of_a_figure_is_refused_by_name() {
     for (set, told) in [
         (

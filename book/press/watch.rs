@@ -16,6 +16,9 @@ use std::time::{Duration, Instant, SystemTime};
 /// folders and virtual machines each need care of their own.
 const PAUSE: Duration = Duration::from_millis(200);
 
+/// Files that have not changed for so long are saved.
+const SETTLED: Duration = Duration::from_millis(40);
+
 /// What pages are made of, and whether it is compiled in, so that only another run has it.
 const SOURCES: [(&str, bool); 10] = [
     ("book/src", false),
@@ -40,7 +43,17 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
     say("watching; Ctrl-C ends it\n")?;
     loop {
         std::thread::sleep(PAUSE);
-        let now = files(root);
+        let mut now = files(root);
+        // A file may be seen half-saved: empty first, then full.
+        while now != printed {
+            std::thread::sleep(SETTLED);
+            let later = files(root);
+            let settled = later == now;
+            now = later;
+            if settled {
+                break;
+            }
+        }
         let gone = printed.keys().filter(|file| !now.contains_key(*file));
         let fresh = now
             .iter()

@@ -293,7 +293,11 @@ fn the_friction_that_jams_a_sliding_rod() {
             let exact = (Dd::from(kappa) + cosine * cosine) / (sine * cosine);
             let found = painleve_friction(kappa, tilt).unwrap();
             let off = (Dd::from(found) - exact) / exact;
-            observed!(off.value().abs() / f64::EPSILON, 1.0..=2.0, "{kappa} {tilt}");
+            observed!(
+                off.value().abs() / f64::EPSILON,
+                1.0..=2.0,
+                "{kappa} {tilt}"
+            );
             assert!(found > least * (1.0 - 1e-15), "{kappa} {tilt}");
         }
     }

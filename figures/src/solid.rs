@@ -29,6 +29,39 @@ impl View {
         }
     }
 
+    /// The view from `azimuth` and `elevation` with the points as large as they can be in a box (left, top, right, bottom) at
+    /// not more than `most` units to one, in its middle.
+    pub fn fitted(
+        [azimuth, elevation]: [f64; 2],
+        points: &[Vector3<f64>],
+        [left, top, right, bottom]: [f64; 4],
+        most: f64,
+    ) -> Self {
+        let plain = Self::new(azimuth, elevation, [0.0; 2], 1.0);
+        let (mut least, mut greatest) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for point in points.iter().map(|point| plain.project(point)) {
+            for k in 0..2 {
+                least[k] = least[k].min(point[k]);
+                greatest[k] = greatest[k].max(point[k]);
+            }
+        }
+        let room = [right - left, bottom - top];
+        let scale = (0..2).fold(most, |scale, k| {
+            scale.min(room[k] / (greatest[k] - least[k]))
+        });
+        let middle = |k: usize| 0.5 * (least[k] + greatest[k]) * scale;
+        let center = [
+            0.5 * (left + right) - middle(0),
+            0.5 * (top + bottom) - middle(1),
+        ];
+        Self::new(azimuth, elevation, center, scale)
+    }
+
+    /// Units of the design to one.
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// Where a point of space is drawn.
     pub fn project(&self, point: &Vector3<f64>) -> Point {
         [

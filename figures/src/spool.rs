@@ -66,7 +66,7 @@ fn tugged(pen: &mut Pen, spool: &Spool, x: f64, angle: f64) -> Result<()> {
     pen.ring(center, RADIUS, stroke(Role::Ink, DATA));
     pen.ring(center, r, stroke(Role::Ink, SECONDARY));
     let shown = (foot[0] - x).abs() < 105.0;
-    let end = if shown { foot } else { along(touch, -118.0) };
+    let end = if shown { foot } else { along(touch, -98.0) };
     pen.line(&[touch, end], stroke(Role::Ink, AXIS).dotted());
     pen.arrow(touch, along(touch, 98.0), stroke(Role::Ink, 2.6));
     pen.disc(center, 2.2, Role::Ink, 1.0);
@@ -178,6 +178,8 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
         .into_iter()
         .map(|angle| Ok(vec![angle.to_degrees(), spool.foot_of_the_line(angle)?]))
         .collect::<Result<Vec<_>>>()?;
+    // A level tug has no foot.
+    let rows = rows.into_iter().filter(|row| row[1].is_finite());
     Ok(made.data("tug", &["angle (°)", "foot of the line (m)"], rows))
 }
 

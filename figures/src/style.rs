@@ -454,9 +454,43 @@ pub fn arc(center: Point, radius: f64, from: f64, to: f64) -> Vec<Point> {
         .collect()
 }
 
+/// The one of these points that is nearest.
+pub fn nearest(to: Point, points: impl IntoIterator<Item = Point>) -> Option<Point> {
+    let off = |p: &Point| (p[0] - to[0]).hypot(p[1] - to[1]);
+    let points = points.into_iter();
+    points.min_by(|a, b| off(a).total_cmp(&off(b)))
+}
+
+/// Places as near to these as may be, in their order and no nearer to each other than `apart`.
+pub fn spread<const N: usize>(places: [f64; N], apart: f64) -> [f64; N] {
+    let mut order: [usize; N] = core::array::from_fn(|k| k);
+    order.sort_by(|&a, &b| places[a].total_cmp(&places[b]));
+    let mut moved = places;
+    // Pairs that are too near give way by halves, round after round.
+    for _ in 0..50 {
+        for pair in order.windows(2) {
+            let [below, above] = [pair[0], pair[1]];
+            let way = 0.5 * (apart - (moved[above] - moved[below])).max(0.0);
+            moved[below] -= way;
+            moved[above] += way;
+        }
+    }
+    moved
+}
+
 /// A number with `digits` decimals and a true minus sign.
 pub fn number(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");
     let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
     text.replace('-', if zero { "" } else { "\u{2212}" })
+}
+
+/// A number as a slider leaves it: four figures, no last zeros.
+pub fn brief(value: f64) -> String {
+    let digits = (3.0 - value.abs().max(1e-9).log10().floor()).max(0.0) as usize;
+    let text = number(value, digits);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
 }

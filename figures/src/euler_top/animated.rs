@@ -29,7 +29,7 @@ const STILL: usize = 75;
 /// The graph of Ω₂ below: left, right, middle, half height.
 const GRAPH: [f64; 4] = [70.0, 530.0, 372.0, 30.0];
 
-/// One racket, thrown and caught for ever.
+/// One racket, thrown and caught for ever. Constant: only this throw closes its loop.
 pub fn animated() -> Result<Figure> {
     let throw = Throw::aimed()?;
     let period = throw.top.period();
@@ -239,11 +239,7 @@ fn racket(svg: &mut String, back: &str) {
     draw(all(&throat), 2.2, "");
     draw(head, 3.4, "");
     draw(path(&grip), 10.0, "");
-    draw(
-        path(&vec![mark, mark]),
-        12.0,
-        &format!(" stroke=\"{}\"", Role::Omega.paint()),
-    );
+    draw(path(&vec![mark, mark]), 12.0, "");
 }
 
 /// The map from the plane of the racket to the canvas.

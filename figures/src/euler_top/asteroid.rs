@@ -4,26 +4,44 @@ use core::f64::consts::TAU;
 
 use nalgebra::{Rotation3, Vector3};
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::toutatis::{DAY, top};
-use spinning_bodies::frame::BodyVector;
+use spinning_bodies::euler_top::toutatis::{DAY, MOMENTS, OMEGA};
+use spinning_bodies::euler_top::{EulerTop, State};
+use spinning_bodies::frame::{Attitude, BodyVector};
 
-use crate::Figure;
 use crate::solid::{View, ellipse, segment};
 use crate::style::{
-    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Role, SECONDARY, Words, figure, label, nearest, number, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// How long it is followed, days, and points drawn in a day.
-const DAYS: u32 = 60;
+/// Points drawn in a day.
 const A_DAY: u32 = 24;
 /// Dots, one a day.
 const DOTS: usize = 8;
+
+const DAYS: Parameter = Parameter::new("days", "t", "how long it is followed", [10.0, 150.0], 60.0)
+    .unit("days")
+    .whole();
+const ROLL: Parameter = Parameter::new(
+    "roll",
+    r"\Omega_{\text{long}}",
+    "angular velocity about the long axis on 9 November 1992",
+    [30.0, 200.0],
+    98.709,
+)
+.unit("° a day");
+/// What may be chosen; the other two components of Ω and the moments are those of Toutatis.
+pub const TOUTATIS: &[Parameter] = &[DAYS, ROLL];
+
 /// How far the arrow of L reaches beyond the sphere.
 const BEYOND: f64 = 1.22;
 
 /// Where the long and the short axis point for two months.
-pub fn two_axes_in_the_sky() -> Result<Figure> {
-    let asteroid = top()?;
+pub fn two_axes_in_the_sky(values: &Values) -> Result<Figure> {
+    let (days, roll) = (values.of(&DAYS), values.of(&ROLL));
+    let [first, second, _] = OMEGA.map(|rate| rate.to_radians() / DAY);
+    let omega = BodyVector::new(first, second, -roll.to_radians() / DAY);
+    let asteroid = EulerTop::from_omega(MOMENTS, omega, Attitude::identity())?;
     let l = asteroid.angular_momentum_in_space().components();
     let upright = Rotation3::rotation_between(&l, &Vector3::z()).unwrap_or_default();
     // The end of the long axis that stands on the side of L, and one end of the short axis.
@@ -31,11 +49,11 @@ pub fn two_axes_in_the_sky() -> Result<Figure> {
         BodyVector::new(0.0, 0.0, -1.0),
         BodyVector::new(0.0, 1.0, 0.0),
     ];
-    let steps = (0..=DAYS * A_DAY).map(|k| f64::from(k) * DAY / f64::from(A_DAY));
+    let times = (0..=days as u32 * A_DAY).map(|k| f64::from(k) / f64::from(A_DAY));
+    let steps = times.clone().map(|day| day * DAY);
     let states = asteroid.states(steps).collect::<Result<Vec<_>>>()?;
     let [long, short] = ends.map(|end| -> Vec<Vector3<f64>> {
-        let in_the_sky =
-            |a: &spinning_bodies::euler_top::State| upright * a.attitude.to_space(end).components();
+        let in_the_sky = |a: &State| upright * a.attitude.to_space(end).components();
         states.iter().map(in_the_sky).collect()
     });
     let angle = |a: &Vector3<f64>| a.z.acos().to_degrees();
@@ -46,28 +64,54 @@ pub fn two_axes_in_the_sky() -> Result<Figure> {
         TAU / asteroid.mean_precession_rate() / DAY,
     ];
 
+    let name = match roll == ROLL.default {
+        true => "Toutatis",
+        false => "A body with the moments of Toutatis",
+    };
+    // The first few turns of the one that end within a fiftieth of whole turns of the other.
+    let [long_turn, short_turn] = [periods[0].max(periods[1]), periods[0].min(periods[1])];
+    let fit = (1..=6).map(|turns| (turns, f64::from(turns) * long_turn / short_turn));
+    let fit = fit.map(|(turns, others)| (turns, others, (others - others.round()).abs()));
+    let claim = match fit.clone().find(|(.., off)| *off < 0.02) {
+        None => format!("{name} has two periods, and they do not fit together."),
+        Some((turns, others, _)) => format!(
+            "{name} has two periods that nearly fit together: {turns} of the longer {} as long as {} of the shorter.",
+            if turns == 1 { "is" } else { "are" },
+            number(others, 0)
+        ),
+    };
     let words = Words {
-        claim: "Toutatis has two periods, and they do not fit together.".to_owned(),
+        claim,
         details: format!(
-            "Where its long axis (in ink, a dot a day in the first week) and its short axis (thin) point for {DAYS} days from 9 November 1992, on a sphere with \
-             $L$ upright. The long axis keeps between {} and {} degrees from $L$ and goes round in {} days; about it \
-             the body rolls in {} days, and the short axis draws a net without end, from {} to {} degrees.",
+            "Where its long axis (thick, a dot a day in the first week) and its short axis (thin) point for {days} days from 9 November 1992, on a sphere with \
+             $L$ upright. The long axis keeps between {}° and {}° from $L$ and goes round in {} days; about it \
+             the body rolls in {} days, and the short axis draws a net, from {}° to {}°.{}",
             number(lowest(&long), 1),
             number(highest(&long), 1),
             number(periods[1], 2),
             number(periods[0], 2),
             number(lowest(&short), 1),
             number(highest(&short), 1),
+            match roll == ROLL.default {
+                true => String::new(),
+                false => format!(
+                    " It starts with {roll}° a day about its long axis; Toutatis had {}°.",
+                    ROLL.default
+                ),
+            },
         ),
         alt: format!(
-            "A sphere with the angular momentum pointing up. The long axis of the asteroid runs round it in a circle of latitude, always \
-             {} degrees from the top, {} times in {DAYS} days. The short axis draws loops from high in the north to the far south; no loop falls \
-             on another, and in the end a fine net covers a broad belt of the sphere.",
+            "A sphere with the angular momentum pointing up. The long axis of the asteroid runs round it nearly in a circle of latitude, {} to \
+             {} degrees from the top, {} times in {days} days. The short axis draws loops between {} and {} degrees, which in time make a fine net \
+             over a belt of the sphere.",
+            number(lowest(&long), 0),
             number(highest(&long), 0),
-            number(f64::from(DAYS) / periods[1], 0),
+            number(days / periods[1], 0),
+            number(lowest(&short), 0),
+            number(highest(&short), 0),
         ),
     };
-    Ok(figure("toutatis", 400.0, words, |pen| {
+    let made = figure("toutatis", 392.0, words, |pen| {
         let view = View::new(0.5, 0.42, [300.0, 218.0], 160.0);
         let facing = |p: &Vector3<f64>| p.dot(&view.toward) >= 0.0;
         let u = view.toward.cross(&Vector3::z()).normalize();
@@ -86,12 +130,12 @@ pub fn two_axes_in_the_sky() -> Result<Figure> {
         for piece in behind {
             pen.line(&piece, stroke(Role::Ink, SECONDARY).alpha(0.3));
         }
-        for piece in seen {
-            pen.line(&piece, stroke(Role::Omega, AXIS));
+        for piece in &seen {
+            pen.line(piece, stroke(Role::Muted, AXIS));
         }
         pen.outline(&outline, stroke(Role::Ink, SECONDARY));
-        for piece in ring {
-            pen.line(&piece, stroke(Role::Ink, SECONDARY));
+        for piece in &ring {
+            pen.line(piece, stroke(Role::Ink, DATA));
         }
         for day in long
             .iter()
@@ -113,27 +157,36 @@ pub fn two_axes_in_the_sky() -> Result<Figure> {
             "*L*",
             label(Role::AngularMomentum),
         );
-        let remarks: [(Point, Anchor, &str, Role, Point, Point); 2] = [
+        // Leaders go to what is nearest.
+        let remarks = [
             (
                 [112.0, 96.0],
                 Anchor::End,
                 "long axis",
-                Role::Ink,
                 [116.0, 92.0],
-                [176.0, 119.0],
+                &ring,
             ),
             (
-                [500.0, 318.0],
+                [500.0, 326.0],
                 Anchor::Start,
                 "short axis",
-                Role::Omega,
-                [496.0, 313.0],
-                [420.0, 270.0],
+                [496.0, 321.0],
+                &seen,
             ),
         ];
-        for (at, anchor, text, role, from, to) in remarks {
-            pen.line(&[from, to], stroke(role, HAIR));
-            pen.text(at, anchor, text, small(role));
+        for (at, anchor, text, from, pieces) in remarks {
+            if let Some(to) = nearest(from, pieces.iter().flatten().copied()) {
+                pen.line(&[from, to], stroke(Role::Ink, HAIR));
+            }
+            pen.text(at, anchor, text, small(Role::Ink));
         }
-    }))
+    });
+    let columns = ["time (days)", "from L (°)", "about L (°)"];
+    let rows = |axis: &[Vector3<f64>]| -> Vec<Vec<f64>> {
+        let row = |(day, a): (f64, &Vector3<f64>)| vec![day, angle(a), a.y.atan2(a.x).to_degrees()];
+        times.clone().zip(axis).map(row).collect()
+    };
+    Ok(made
+        .data("long axis", &columns, rows(&long))
+        .data("short axis", &columns, rows(&short)))
 }

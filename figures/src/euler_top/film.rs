@@ -1,10 +1,12 @@
 //! The racket's flip as a film strip (tutorial 6.3).
 
 use spinning_bodies::Result;
+use spinning_bodies::euler_top::State;
 
-use super::racket::{MOMENTS, Throw, draw, view};
-use crate::Figure;
-use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, label, number, small, stroke};
+use super::racket::{Face, MOMENTS, TURNS, Throw, draw, face, view};
+use super::triple;
+use crate::style::{AXIS, Anchor, DATA, Role, Words, brief, figure, label, number, small, stroke};
+use crate::{Figure, Parameter, Values};
 
 /// Pictures, the first and the last included.
 const FRAMES: usize = 9;
@@ -12,45 +14,88 @@ const FRAMES: usize = 9;
 const ROWS: [f64; 2] = [116.0, 304.0];
 const SCALE: f64 = 172.0;
 
+const HANDLE: Parameter = Parameter::new(
+    "handle",
+    "I_1",
+    "moment about the handle",
+    [1.15, 3.0],
+    1e3 * MOMENTS[0],
+)
+.unit("g m²");
+const SPIN: Parameter = Parameter::new(
+    "turns",
+    r"\Omega_2",
+    "spin about the middle axis at the throw",
+    [0.3, 3.0],
+    TURNS,
+)
+.unit("turns/s");
+const OFF: Parameter = Parameter::new(
+    "off",
+    r"\epsilon",
+    "angle between L and the middle axis at the throw",
+    [0.05, 20.0],
+    0.916,
+)
+.unit("°")
+.logarithmic();
+/// What may be chosen.
+pub const FILM: &[Parameter] = &[HANDLE, SPIN, OFF];
+
 /// Two throws, a degree apart.
-pub fn film() -> Result<Figure> {
-    let thrown = Throw::aimed()?;
-    let exact = Throw::new(0.0)?;
+pub fn film(values: &Values) -> Result<Figure> {
+    let [handle, turns, degrees] = [HANDLE, SPIN, OFF].map(|one| values.of(&one));
+    let moments = [1e-3 * handle, MOMENTS[1], MOMENTS[2]];
+    let thrown = Throw::off(moments, turns, degrees.to_radians())?;
+    let exact = Throw::off(moments, turns, 0.0)?;
     let time = |k: usize| thrown.flip_time() * k as f64 / (FRAMES - 1) as f64;
-    let attitudes = (0..FRAMES)
-        .map(|k| {
-            Ok([
-                exact.top.at(time(k))?.attitude,
-                thrown.top.at(time(k))?.attitude,
-            ])
-        })
+    let states = (0..FRAMES)
+        .map(|k| Ok([exact.top.at(time(k))?, thrown.top.at(time(k))?]))
         .collect::<Result<Vec<_>>>()?;
-    let degrees = thrown.tilt().to_degrees();
-    let words = Words {
-        claim: "Spun about its middle axis, a racket makes half a twist with every somersault."
+    let somersaults = thrown.somersaults();
+    let whole = (somersaults - 1.0).abs() < 0.01;
+    let counted = number(somersaults, 2);
+    let off = brief(degrees);
+    let claim = match whole {
+        true => "Spun about its middle axis, a racket makes half a twist with every somersault."
             .to_owned(),
+        false => format!(
+            "Spun {off} degrees off its middle axis, this racket makes half a twist in {counted} somersaults."
+        ),
+    };
+    let brings = match whole {
+        true => "brings the handle back and the other face to the front".to_owned(),
+        false => format!("turns the handle {counted} times over, and $x_2$ to the other side"),
+    };
+    let last = states[FRAMES - 1].map(|state| face(&state.attitude, &view([0.0; 2], SCALE)));
+    let told = last.map(|face| match face {
+        Face::Front => "bare",
+        Face::Back => "filled",
+    });
+    let words = Words {
+        claim,
         details: format!(
-            "Two throws at one turn a second, seen at {FRAMES} equal times. Above, exactly about the middle axis $x_2$: nothing else happens, \
-             and no hand can do it. Below, with $L$ {} degrees off that axis: half a period of $\\Omega$, {} s, brings the handle \
-             back and the other face to the front. One face is filled; the dot is the end of $x_2$, to which $\\Omega$ points at the throw. \
-             $I = ({}, {}, {})$ kg m².",
-            number(degrees, 2),
+            "Two throws at {} seen at {FRAMES} equal times. Above, exactly about the middle axis $x_2$: nothing else happens, \
+             and no hand can do it. Below, with $L$ {off} degrees off that axis: half a period of $\\Omega$, {} s, {brings}. \
+             One face is filled; the dot is the end of $x_2$, to which $\\Omega$ points at the throw. $I = {}$ g m².",
+            match turns {
+                1.0 => "one turn a second".to_owned(),
+                _ => format!("{} turns a second", brief(turns)),
+            },
             number(thrown.flip_time(), 3),
-            MOMENTS[0],
-            MOMENTS[1],
-            MOMENTS[2],
+            triple(moments.map(|moment| 1e3 * moment)),
         ),
         alt: format!(
             "Two rows of {FRAMES} pictures of a tennis racket turning head over handle. In the upper row it turns in one plane and \
-             ends as it began, the bare face to the front, the dot on the right. In the lower row, thrown {} degrees \
-             differently, it twists half-way through about its handle and ends with the filled face to the front and the dot on \
+             ends, after {counted} turns, with its {} face to the front and the dot on the right. In the lower row, thrown {off} degrees \
+             differently, it twists half-way through about its handle and ends with its {} face to the front and the dot on \
              the left.",
-            number(degrees, 1),
+            told[0], told[1],
         ),
     };
-    Ok(figure("racket-flip", 424.0, words, |pen| {
+    let made = figure("racket-flip", 424.0, words, |pen| {
         let x = |k: usize| 40.0 + 62.5 * k as f64;
-        let off = format!("thrown with *L* {}° off it", number(degrees, 1));
+        let off = format!("thrown with *L* {off}° off it");
         for (y, text) in ROWS.into_iter().zip(["thrown exactly about *x*_{2}", &off]) {
             pen.text([10.0, y - 88.0], Anchor::Start, text, small(Role::Ink));
             pen.line(
@@ -65,16 +110,26 @@ pub fn film() -> Result<Figure> {
                 label(Role::AngularMomentum),
             );
         }
-        for (k, pair) in attitudes.iter().enumerate() {
-            for (attitude, y) in pair.iter().zip(ROWS) {
-                draw(pen, &view([x(k), y], SCALE), attitude, 1.0);
+        for (k, pair) in states.iter().enumerate() {
+            for (state, y) in pair.iter().zip(ROWS) {
+                draw(pen, &view([x(k), y], SCALE), &state.attitude, 1.0);
             }
-            let text = if k == 0 {
-                "0".to_owned()
-            } else {
-                format!("{} s", number(time(k), 2))
+            let text = match k {
+                0 => "0".to_owned(),
+                _ => format!("{} s", number(time(k), 2)),
             };
             pen.text([x(k), 410.0], Anchor::Middle, &text, small(Role::Ink));
         }
-    }))
+    });
+    let columns = ["time (s)", "Ω₁ (rad/s)", "Ω₂ (rad/s)", "Ω₃ (rad/s)"];
+    let rows = |which: usize| {
+        let row = |(k, pair): (usize, &[State; 2])| {
+            let omega = pair[which].omega;
+            vec![time(k), omega.x(), omega.y(), omega.z()]
+        };
+        states.iter().enumerate().map(row).collect::<Vec<_>>()
+    };
+    Ok(made
+        .data("exactly about the middle axis", &columns, rows(0))
+        .data("off it", &columns, rows(1)))
 }

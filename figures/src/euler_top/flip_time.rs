@@ -1,18 +1,15 @@
 //! How long a racket waits before it flips, over sixteen decades of the distance from the separatrix (tutorial 6.3, 6.7).
 
-use core::f64::consts::LN_10;
-
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::EulerTop;
-use spinning_bodies::euler_top::stability::saddle;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::PrincipalMoments;
 
-use crate::Figure;
+use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
+use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small,
-    stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, label, number,
+    small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
 /// What well-known libraries answer: measured, with the scripts, in the folder of the table.
 const PEERS: &str = include_str!("../../../tests/reference/peers/flip_time.csv");
@@ -73,104 +70,268 @@ fn peers(table: &str) -> Vec<Peer> {
 const DECADES: i32 = 16;
 /// Left, right, bottom, top of the frame.
 const FRAME: [f64; 4] = [70.0, 560.0, 330.0, 30.0];
-/// The longest time on the axis, s.
-const LONGEST: f64 = 140.0;
 
-fn place(exponent: f64, time: f64) -> Point {
-    let [left, right, bottom, top] = FRAME;
-    [
-        left + (right - left) * exponent / f64::from(DECADES),
-        bottom - (bottom - top) * time / LONGEST,
-    ]
+const SPIN: Parameter = Parameter::new(
+    "spin",
+    r"\Omega_2",
+    "angular velocity about the middle axis",
+    [0.2, 20.0],
+    1.0,
+)
+.unit("rad/s")
+.logarithmic();
+const DISTANCE: Parameter = Parameter::new(
+    "distance",
+    r"\epsilon",
+    "distance from the middle axis at the throw",
+    [1e-16, 1.0],
+    1e-2,
+)
+.logarithmic()
+.dragged(
+    |values| match Course::of(values) {
+        Ok(course) => course.place(course.marked),
+        Err(_) => [FRAME[0], FRAME[2]],
+    },
+    |point, _| {
+        let [left, right, ..] = FRAME;
+        10f64.powf(-f64::from(DECADES) * (point[0] - left) / (right - left))
+    },
+);
+/// What may be chosen; the handle is the ring on the line.
+pub const FLIP_TIME: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, SPIN, DISTANCE];
+
+/// Times of the flip, each with the decades that the throw is below 1.
+struct Course {
+    moments: [f64; 3],
+    spin: f64,
+    line: Vec<[f64; 2]>,
+    marked: [f64; 2],
+    /// The longest time on the axis, s.
+    longest: f64,
+}
+
+impl Course {
+    fn of(values: &Values) -> Result<Self> {
+        let (moments, spin) = (moments(values), values.of(&SPIN));
+        let time = |exponent: f64| -> Result<[f64; 2]> {
+            let tilt = spin * 10f64.powf(-exponent);
+            let omega = BodyVector::new(tilt, spin, tilt);
+            let top = top_of(moments, omega, Attitude::identity())?;
+            // On the separatrix there is no flip to draw.
+            let time = Some(0.5 * top.period()).filter(|time| time.is_finite());
+            Ok([exponent, time.unwrap_or_default()])
+        };
+        let line = (0..=DECADES)
+            .map(|k| time(f64::from(k)))
+            .collect::<Result<Vec<_>>>()?;
+        Ok(Self {
+            moments,
+            spin,
+            marked: time(-values.of(&DISTANCE).log10())?,
+            longest: match line[DECADES as usize][1] {
+                0.0 => 100.0 / spin,
+                most => 1.06 * most,
+            },
+            line,
+        })
+    }
+
+    fn place(&self, [exponent, time]: [f64; 2]) -> Point {
+        let [left, right, bottom, top] = FRAME;
+        [
+            left + (right - left) * exponent / f64::from(DECADES),
+            bottom - (bottom - top) * time / self.longest,
+        ]
+    }
+
+    fn axes(&self, pen: &mut Pen) {
+        let [left, right, bottom, top] = FRAME;
+        pen.line(
+            &[[left, top], [left, bottom], [right, bottom]],
+            stroke(Role::Ink, AXIS),
+        );
+        for (time, text) in Axis::linear([0.0, self.longest], [bottom, top]).ticks(60.0) {
+            let y = self.place([0.0, time])[1];
+            pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
+            pen.text([left - 9.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
+        }
+        for exponent in [0, 4, 8, 12, 16] {
+            let x = self.place([f64::from(exponent), 0.0])[0];
+            pen.line(&[[x, bottom], [x, bottom + 5.0]], stroke(Role::Ink, AXIS));
+            let text = if exponent == 0 {
+                "1".to_owned()
+            } else {
+                format!("10^{{\u{2212}{exponent}}}")
+            };
+            pen.text([x, bottom + 25.0], Anchor::Middle, &text, small(Role::Ink));
+        }
+        pen.text(
+            [left + 10.0, top - 6.0],
+            Anchor::Start,
+            "time between flips, s",
+            label(Role::Ink),
+        );
+        pen.text(
+            [right, bottom + 48.0],
+            Anchor::End,
+            "distance *ε* from the middle axis",
+            label(Role::Ink),
+        );
+    }
+}
+
+/// Three figures of a time.
+fn seconds(time: f64) -> String {
+    let digits = (2.0 - time.log10().floor()).clamp(0.0, 6.0);
+    number(time, digits as usize)
 }
 
 /// Every decade closer costs the same.
-pub fn flip_time() -> Result<Figure> {
-    let moments = [1.0, 2.0, 3.0];
-    let time = |exponent: f64| -> Result<f64> {
-        let tilt = 10f64.powf(-exponent);
-        let omega = BodyVector::new(tilt, 1.0, tilt);
-        Ok(0.5 * EulerTop::from_omega(moments, omega, Attitude::identity())?.period())
-    };
-    let line = (0..=DECADES)
-        .map(|k| Ok(place(f64::from(k), time(f64::from(k))?)))
-        .collect::<Result<Vec<_>>>()?;
-    let [i1, i2, i3] = moments;
-    let rate = saddle(&PrincipalMoments::new(i1, i2, i3)?, 1.0)?.rate;
-    let decade = 2.0 * LN_10 / rate;
-    let turns = |t: f64| t / core::f64::consts::TAU;
-    let (near, far) = (time(f64::from(DECADES))?, time(2.0)?);
-    let (stubborn, silent): (Vec<Peer>, Vec<Peer>) =
-        peers(PEERS).into_iter().partition(Peer::goes_on);
+pub fn flip_time(values: &Values) -> Result<Figure> {
+    let course = Course::of(values)?;
+    let (line, spin) = (&course.line, course.spin);
+    // So far out the line is straight to the last digit printed: 2 ln 10/√λ.
+    let decade = line[DECADES as usize][1] - line[DECADES as usize - 1][1];
+    let turns = |t: f64| t * spin / core::f64::consts::TAU;
+    let near = line[DECADES as usize][1];
+    // The answers of others were measured for one body at one speed.
+    let measured = [SMALLEST, MIDDLE, LARGEST, SPIN]
+        .iter()
+        .all(|one| values.of(one) == one.default);
+    let others = if measured { peers(PEERS) } else { Vec::new() };
+    let (stubborn, silent): (Vec<Peer>, Vec<Peer>) = others.into_iter().partition(Peer::goes_on);
     let end = silent.iter().filter_map(|peer| peer.answers.last()).next();
     let longest = stubborn
         .iter()
         .flat_map(|peer| &peer.answers)
         .fold(0.0, |most: f64, answer| most.max(answer[1]));
-    let words = Words {
-        claim: "Each decade closer to the middle axis buys the same few seconds before the flip; the usual formulas give up \
-                half-way."
-            .to_owned(),
+    let (others_give_up, others_measured, others_seen) = match measured {
+        true => (
+            "; the usual formulas give up half-way",
+            "Measured: the formulas of 6.6 in doubles with the functions of SciPy, GSL, Boost and libstdc++, and two integrators \
+             with tolerance $10^{-12}$, each from its last answer that is right to a thousandth.",
+            format!(
+                " The answers of well-known libraries end with a cross near ten to the minus {}, where the formulas of 6.6 return no \
+                 number any more; two integrators leave the line there and never see a racket wait for more than {} seconds.",
+                number(end.map_or(f64::NAN, |answer| answer[0]), 1),
+                number(longest.ceil(), 0),
+            ),
+        ),
+        false => (
+            "",
+            "How far others follow was measured for the body and the spin of the book only.",
+            String::new(),
+        ),
+    };
+    let never = near == 0.0;
+    let words = match never {
+        true => Words {
+            claim: "Equal parts of spin about the first and the third axis put this body on its separatrix: it swings over once and never flips again.".to_owned(),
+            details: format!(
+                "For $I = {}$ the throw $\\Omega(0) = {}\\,(\\epsilon, 1, \\epsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\epsilon$, {} as well: \
+                 the time from flip to flip is infinite. Move a moment a little, and the line is there.{}",
+                triple(course.moments),
+                brief(spin),
+                scientific(values.of(&DISTANCE)),
+                remark(course.moments),
+            ),
+            alt: format!(
+                "Empty axes for the time between two flips against the distance from the middle axis: for the moments {} there is no second flip.",
+                triple(course.moments)
+            ),
+        },
+        false => Words {
+        claim: format!(
+            "Each decade closer to the middle axis buys the same {} seconds before the flip{others_give_up}.",
+            seconds(decade)
+        ),
         details: format!(
-            "Time from flip to flip, half the period of $\\Omega$, for $I = (1, 2, 3)$ and $\\Omega(0) = (\\epsilon, 1, \\epsilon)$. \
-             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {}$ s: {} s at a hundredth off the axis, {} s or {} turns at $10^{{-{DECADES}}}$. \
-             Measured: the formulas of 6.6 in doubles with the functions of SciPy, GSL, Boost and libstdc++, and two integrators \
-             with tolerance $10^{{-12}}$, each from its last answer that is right to a thousandth.",
+            "Time from flip to flip, half the period of $\\Omega$, for $I = {}$ and $\\Omega(0) = {}\\,(\\epsilon, 1, \\epsilon)$ rad/s. \
+             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {}$ s: {} s at $\\epsilon = {}$, the ring, {} s or {} turns at $10^{{-{DECADES}}}$. \
+             {others_measured}{}",
+            triple(course.moments),
+            brief(spin),
             number(decade, 3),
-            number(far, 2),
-            number(near, 2),
+            seconds(course.marked[1]),
+            scientific(values.of(&DISTANCE)),
+            seconds(near),
             number(turns(near), 1),
+            remark(course.moments),
         ),
         alt: format!(
             "The time between two flips against the initial distance from the middle axis, on a logarithmic axis over {DECADES} decades: \
-             a straight line, up by {} seconds for every factor of ten, to {} seconds at ten to the minus {DECADES}. The answers of \
-             well-known libraries end with a cross near ten to the minus {}, where the formulas of 6.6 return no number any \
-             more; two integrators leave the line there and never see a racket wait for more than {} seconds.",
-            number(decade, 1),
-            number(near, 0),
-            number(end.map_or(f64::NAN, |answer| answer[0]), 1),
-            number(longest.ceil(), 0),
+             a straight line, up by {} seconds for every factor of ten, to {} seconds at ten to the minus {DECADES}.{others_seen}",
+            seconds(decade),
+            seconds(near),
         ),
-    };
-    Ok(figure("flip-time", 392.0, words, |pen| {
-        axes(pen);
-        pen.line(&line, stroke(Role::Omega, DATA));
-        for (k, point) in line.iter().enumerate() {
-            if k > 0 {
-                pen.disc(*point, 3.0, Role::Omega, 1.0);
-            }
+    }};
+    let made = figure("flip-time", 392.0, words, |pen| {
+        course.axes(pen);
+        if never {
+            return;
         }
-        let (a, b) = (line[11], line[12]);
+        let points: Vec<Point> = line.iter().map(|&at| course.place(at)).collect();
+        pen.line(&points, stroke(Role::Ink, DATA));
+        for point in &points[1..] {
+            pen.disc(*point, 3.0, Role::Ink, 1.0);
+        }
+        pen.ring(course.place(course.marked), 7.0, stroke(Role::Ink, DATA));
+        let (a, b) = (points[11], points[12]);
         pen.line(&[a, [b[0], a[1]], b], stroke(Role::Muted, AXIS));
         pen.text(
             [b[0] + 6.0, 0.5 * (a[1] + b[1]) + 9.0],
             Anchor::Start,
-            &format!("{} s a decade", number(decade, 2)),
+            &format!("{} s a decade", seconds(decade)),
             small(Role::Ink),
         );
         for peer in stubborn.iter().chain(&silent) {
-            let points: Vec<Point> = peer.answers.iter().map(|a| place(a[0], a[1])).collect();
-            pen.line(&points, stroke(Role::Ink, SECONDARY).dashed());
+            let points: Vec<Point> = peer.answers.iter().map(|&at| course.place(at)).collect();
+            pen.line(&points, stroke(Role::Muted, SECONDARY).dashed());
             if let (Some(end), false) = (points.last(), peer.goes_on()) {
                 cross(pen, *end);
             }
         }
-        let first = |name: &str| name.split(' ').next().map(str::to_owned);
-        let last = |name: &str| name.split(' ').next_back().map(str::to_owned);
-        let lines = [
-            ([294.0, 282.0], "no number beyond the cross:".to_owned()),
-            ([294.0, 301.0], listed(&silent, first)),
-            ([372.0, 214.0], "integrators lose the axis:".to_owned()),
-            ([372.0, 233.0], listed(&stubborn, last)),
-        ];
-        for (at, line) in lines {
-            pen.text(at, Anchor::Start, &line, small(Role::Ink));
-        }
-        if let Some(end) = end {
-            let [x, y] = place(end[0], end[1]);
+        if let Some(&end) = end {
+            let first = |name: &str| name.split(' ').next().map(str::to_owned);
+            let last = |name: &str| name.split(' ').next_back().map(str::to_owned);
+            let lines = [
+                ([294.0, 282.0], "no number beyond the cross:".to_owned()),
+                ([294.0, 301.0], listed(&silent, first)),
+                ([372.0, 214.0], "integrators lose the axis:".to_owned()),
+                ([372.0, 233.0], listed(&stubborn, last)),
+            ];
+            for (at, line) in lines {
+                pen.text(at, Anchor::Start, &line, small(Role::Ink));
+            }
+            let [x, y] = course.place(end);
             pen.line(&[[x, y + 8.0], [x, 266.0]], stroke(Role::Ink, HAIR));
         }
+    });
+    let row = |&[exponent, time]: &[f64; 2]| vec![10f64.powf(-exponent), time];
+    let columns = ["distance (ratio)", "time between flips (s)"];
+    let made = made.data("exact", &columns, line.iter().map(row)).data(
+        "ring",
+        &columns,
+        [row(&course.marked)],
+    );
+    let others = stubborn.iter().chain(&silent);
+    Ok(others.fold(made, |made, peer| {
+        made.data(peer.name.as_str(), &columns, peer.answers.iter().map(row))
     }))
+}
+
+/// A small number as LaTeX.
+fn scientific(value: f64) -> String {
+    if value >= 1e-3 {
+        return brief(value);
+    }
+    let exponent = value.log10().floor();
+    let digits = brief(value / 10f64.powf(exponent));
+    match digits.as_str() {
+        "1" => format!("10^{{{exponent}}}"),
+        _ => format!("{digits}\\cdot 10^{{{exponent}}}"),
+    }
 }
 
 /// A part of each name, without repetitions.
@@ -195,44 +356,4 @@ fn cross(pen: &mut Pen, at: Point) {
             stroke(Role::Ink, DATA),
         );
     }
-}
-
-fn axes(pen: &mut Pen) {
-    let [left, right, bottom, top] = FRAME;
-    pen.line(
-        &[[left, top], [left, bottom], [right, bottom]],
-        stroke(Role::Ink, AXIS),
-    );
-    for time in [0.0, 40.0, 80.0, 120.0] {
-        let y = place(0.0, time)[1];
-        pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
-        pen.text(
-            [left - 9.0, y + 5.0],
-            Anchor::End,
-            &number(time, 0),
-            small(Role::Ink),
-        );
-    }
-    for exponent in [0, 4, 8, 12, 16] {
-        let x = place(f64::from(exponent), 0.0)[0];
-        pen.line(&[[x, bottom], [x, bottom + 5.0]], stroke(Role::Ink, AXIS));
-        let text = if exponent == 0 {
-            "1".to_owned()
-        } else {
-            format!("10^{{\u{2212}{exponent}}}")
-        };
-        pen.text([x, bottom + 22.0], Anchor::Middle, &text, small(Role::Ink));
-    }
-    pen.text(
-        [left + 10.0, top + 6.0],
-        Anchor::Start,
-        "time between flips, s",
-        label(Role::Ink),
-    );
-    pen.text(
-        [right, bottom + 46.0],
-        Anchor::End,
-        "distance *ε* from the middle axis",
-        label(Role::Ink),
-    );
 }

@@ -1,5 +1,12 @@
 //! Euler's top (tutorial 6): the rolling ellipsoid, the polhodes, the racket, and the wandering pole.
 
+use spinning_bodies::Result;
+use spinning_bodies::euler_top::EulerTop;
+use spinning_bodies::frame::{Attitude, BodyVector};
+
+use crate::style::brief;
+use crate::{Parameter, Values};
+
 mod animated;
 mod asteroid;
 mod film;
@@ -11,10 +18,52 @@ mod solution;
 mod wobble;
 
 pub use animated::animated;
-pub use asteroid::two_axes_in_the_sky;
-pub use film::film;
-pub use flip_time::flip_time;
-pub use poinsot::rolling_ellipsoid;
-pub use polhodes::polhodes;
-pub use solution::solution;
-pub use wobble::{polar_circles, precession_cones};
+pub use asteroid::{TOUTATIS, two_axes_in_the_sky};
+pub use film::{FILM, film};
+pub use flip_time::{FLIP_TIME, flip_time};
+pub use poinsot::{POINSOT, rolling_ellipsoid};
+pub use polhodes::{POLHODES, polhodes};
+pub use solution::{SOLUTION, solution};
+pub use wobble::{CIRCLES, CONES, polar_circles, precession_cones};
+
+const SMALLEST: Parameter = Parameter::new(
+    "smallest",
+    "I_1",
+    "smallest principal moment",
+    [0.2, 1.4],
+    1.0,
+)
+.unit("kg m²");
+const MIDDLE: Parameter =
+    Parameter::new("middle", "I_2", "middle principal moment", [1.5, 2.5], 2.0).unit("kg m²");
+const LARGEST: Parameter = Parameter::new(
+    "largest",
+    "I_3",
+    "largest principal moment",
+    [2.6, 5.0],
+    3.0,
+)
+.unit("kg m²");
+
+fn moments(values: &Values) -> [f64; 3] {
+    [SMALLEST, MIDDLE, LARGEST].map(|moment| values.of(&moment))
+}
+
+/// The top with these moments, whether a body has them or not.
+fn top_of(moments: [f64; 3], omega: BodyVector, attitude: Attitude) -> Result<EulerTop> {
+    EulerTop::beyond_bodies_from_omega(moments, omega, attitude)
+}
+
+/// What a caption adds about moments that no body has.
+fn remark([i1, i2, i3]: [f64; 3]) -> &'static str {
+    // Sliders stop at decimals, whose sums are rounded.
+    match i1 + i2 < i3 * (1.0 - 1e-12) {
+        true => " No body has such moments, for $I_1 + I_2 < I_3$; Euler's equations do not mind.",
+        false => "",
+    }
+}
+
+/// Three numbers as they are printed in a caption.
+fn triple(numbers: [f64; 3]) -> String {
+    format!("({})", numbers.map(brief).join(", "))
+}

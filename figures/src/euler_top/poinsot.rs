@@ -4,33 +4,74 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::{EulerTop, Poinsot};
+use spinning_bodies::euler_top::{Poinsot, Sector};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 
-use crate::Figure;
+use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::solid::{View, ellipse, ellipsoid_hides};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, number,
-    small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, nearest,
+    number, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
-/// Angular velocity at time zero, along the body's axes.
-const OMEGA: [f64; 3] = [1.3, 0.5, 0.5];
+const FIRST: Parameter = component(
+    "first",
+    r"\Omega_1",
+    "angular velocity about the axis of the smallest moment",
+    1.3,
+);
+const SECOND: Parameter = component(
+    "second",
+    r"\Omega_2",
+    "angular velocity about the middle axis",
+    0.5,
+);
+const THIRD: Parameter = component(
+    "third",
+    r"\Omega_3",
+    "angular velocity about the axis of the largest moment",
+    0.5,
+);
+/// What may be chosen: the moments, and the angular velocity at time zero along the body's axes.
+pub const POINSOT: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, FIRST, SECOND, THIRD];
+
+/// A component of the angular velocity.
+const fn component(
+    key: &'static str,
+    symbol: &'static str,
+    meaning: &'static str,
+    default: f64,
+) -> Parameter {
+    Parameter::new(key, symbol, meaning, [0.1, 2.0], default).unit("rad/s")
+}
+
 /// When the picture is taken, in periods of the polhode.
 const NOW: f64 = 0.5;
 /// Periods of the polhode that the herpolhode has behind it, and before it.
 const BEFORE: f64 = 1.0;
 const AFTER: f64 = 2.5;
 /// Points of a curve for each period.
-const STEPS: usize = 120;
-/// Half sides of the plane.
-const SHEET: [f64; 2] = [1.5, 1.3];
+const STEPS: usize = 160;
+/// Half sides of the plane, in units of the distance; no less than room for the herpolhode.
+const SHEET: [f64; 2] = [1.13, 0.98];
+/// Where the picture stands, and how high L reaches over the plane, in distances.
+const ROOM: [f64; 4] = [26.0, 14.0, 574.0, 452.0];
+const HIGH: f64 = 0.72;
+/// From where it is seen: azimuth and elevation.
+const DIRECTION: [f64; 2] = [-1.05, 0.54];
+/// The azimuth of the point of contact in that view, whatever the body.
+const BESIDE: f64 = -1.6167773521573177;
 
 /// Everything along the axes of space, the third of them along L.
 struct Scene {
     view: View,
+    /// By how much the sheet and the eye have turned with the point of contact.
+    turn: f64,
     semi: [f64; 3],
+    sector: Sector,
+    /// Half sides of the plane.
+    sheet: [f64; 2],
     distance: f64,
     attitude: Attitude,
     contact: Vector3<f64>,
@@ -41,10 +82,12 @@ struct Scene {
 }
 
 /// The ellipsoid of inertia rolls on the invariable plane.
-pub fn rolling_ellipsoid() -> Result<Figure> {
-    let omega = BodyVector::new(OMEGA[0], OMEGA[1], OMEGA[2]);
-    let l = BodyVector::from_components(Vector3::from(MOMENTS).component_mul(&omega.components()));
-    let picture = Poinsot::new(MOMENTS, l)?;
+pub fn rolling_ellipsoid(values: &Values) -> Result<Figure> {
+    let moments = moments(values);
+    let start_omega = [FIRST, SECOND, THIRD].map(|one| values.of(&one));
+    let omega = BodyVector::from_components(start_omega.into());
+    let l = BodyVector::from_components(Vector3::from(moments).component_mul(&omega.components()));
+    let picture = Poinsot::new(moments, l)?;
     // L upright.
     let upright = Vector3::z();
     let tilt = l.components().angle(&upright);
@@ -52,8 +95,12 @@ pub fn rolling_ellipsoid() -> Result<Figure> {
         BodyVector::from_components(l.components().cross(&upright)),
         tilt,
     )?;
-    let top = EulerTop::from_omega(MOMENTS, omega, start)?;
-    let period = top.period();
+    let top = top_of(moments, omega, start)?;
+    // On the separatrix there is no period; the picture shows a while of the one half turn.
+    let period = match top.period() {
+        period if period.is_finite() => period,
+        _ => 8.0 * TAU / omega.norm(),
+    };
     let contact = |t: f64| -> Result<Vector3<f64>> {
         let state = top.at(t)?;
         Ok(state.attitude.to_space(state.omega).components())
@@ -71,12 +118,19 @@ pub fn rolling_ellipsoid() -> Result<Figure> {
         .map(|t| Ok((to_space(top.at(t)?.omega), contact(t)?)))
         .collect::<Result<Vec<_>>>()?;
     let [inner, outer] = picture.herpolhode_radii();
-    let scene = Scene {
-        view: View::new(-1.05, 0.54, [300.0, 296.0], 140.0),
+    let touch = contact(NOW * period)?;
+    let turn = touch.y.atan2(touch.x) - BESIDE;
+    let distance = picture.plane_distance();
+    let room = 1.2 * outer / distance / SHEET[1];
+    let mut scene = Scene {
+        view: View::new(DIRECTION[0] + turn, DIRECTION[1], [0.0; 2], 1.0),
+        turn,
         semi: picture.semi_axes(),
-        distance: picture.plane_distance(),
+        sector: picture.sector(),
+        sheet: SHEET.map(|half| half * distance * room.max(1.0)),
+        distance,
         attitude: now.attitude,
-        contact: contact(NOW * period)?,
+        contact: touch,
         polhode: (0..=240)
             .map(|k| to_space(picture.polhode(TAU * f64::from(k) / 240.0)))
             .collect(),
@@ -87,6 +141,16 @@ pub fn rolling_ellipsoid() -> Result<Figure> {
             dots.iter().map(|d| d.1).collect(),
         ],
     };
+    let mut points = scene.outline();
+    points.extend(scene.corners());
+    points.push(Vector3::z() * scene.tip());
+    let direction = [DIRECTION[0] + turn, DIRECTION[1]];
+    scene.view = View::fitted(direction, &points, ROOM, f64::INFINITY);
+    let about = match scene.sector {
+        Sector::AroundSmallest => "the axis of the smallest moment, the long one",
+        Sector::AroundLargest => "the axis of the largest moment, the short one",
+        _ => "both ends of the middle axis, on the separatrix",
+    };
 
     let words = Words {
         claim: "The free top moves as if its ellipsoid of inertia were rolling on a plane that stands still."
@@ -95,28 +159,40 @@ pub fn rolling_ellipsoid() -> Result<Figure> {
             "The ellipsoid $\\Theta$ hangs by its centre $O$ and presses from below against the glass plane $\\Pi$, at distance \
              $2E/\\lvert L\\rvert = {}$. The point of contact is $\\Omega$; it runs along the polhode on the body and the herpolhode \
              on the plane, which stays between {} and {} from the foot of $L$. Dots at equal times: equal lengths on both \
-             curves. $I = (1, 2, 3)$, $\\Omega = ({}, {}, {})$.",
-            number(scene.distance, 4),
+             curves. The polhode goes round {about}. $I = {}$ kg m², $\\Omega = {}$ rad/s.{}",
+            number(distance, 4),
             number(inner, 4),
             number(outer, 4),
-            OMEGA[0],
-            OMEGA[1],
-            OMEGA[2],
+            triple(moments),
+            triple(start_omega),
+            remark(moments),
         ),
         alt: format!(
             "An ellipsoid with a fine net of meridians touches a horizontal glass plane from below in one point, the tip of the \
-             angular velocity. Round the end of its longest axis runs a closed curve, the polhode; on the plane the point \
+             angular velocity. Round {about}, runs a closed curve, the polhode; on the plane the point \
              of contact winds round and round between two circles of radius {} and {} about the vertical angular \
              momentum: the herpolhode. One curve rolls on the other.",
             number(inner, 3),
             number(outer, 3),
         ),
     };
-    Ok(figure("poinsot-ellipsoid", 466.0, words, |pen| {
+    let made = figure("poinsot-ellipsoid", 466.0, words, |pen| {
         scene.body(pen);
         scene.plane(pen, [inner, outer]);
         scene.labels(pen);
-    }))
+    });
+    let columns = ["Ω_x (rad/s)", "Ω_y (rad/s)", "Ω_z, along L (rad/s)"];
+    let rows = |curve: &[Vector3<f64>]| -> Vec<Vec<f64>> {
+        curve.iter().map(|p| vec![p.x, p.y, p.z]).collect()
+    };
+    Ok(made
+        .data(
+            "polhode, as the body stands",
+            &columns,
+            rows(&scene.polhode),
+        )
+        .data("herpolhode, behind", &columns, rows(&scene.past))
+        .data("herpolhode, ahead", &columns, rows(&scene.future)))
 }
 
 impl Scene {
@@ -136,7 +212,23 @@ impl Scene {
         !ellipsoid_hides(&self.semi.into(), &body(p), &body(&self.view.toward))
     }
 
-    /// The net: circles about x₁, the axis that the polhode goes round, and ellipses through its ends.
+    /// A point of the plane, along the sides of the sheet.
+    fn on_the_plane(&self, x: f64, y: f64) -> Vector3<f64> {
+        let (s, c) = self.turn.sin_cos();
+        Vector3::new(c * x - s * y, s * x + c * y, self.distance)
+    }
+
+    fn corners(&self) -> [Vector3<f64>; 4] {
+        let [a, b] = self.sheet;
+        [[-a, -b], [a, -b], [a, b], [-a, b]].map(|[x, y]| self.on_the_plane(x, y))
+    }
+
+    /// How high the arrow of L reaches.
+    fn tip(&self) -> f64 {
+        self.distance * (1.0 + HIGH)
+    }
+
+    /// The net: circles about the axis that the polhode goes round, and ellipses through its ends.
     fn net(&self) -> Vec<(Vec<Vector3<f64>>, f64)> {
         let semi = Vector3::from(self.semi);
         let curve = |center: Vector3<f64>, u: Vector3<f64>, v: Vector3<f64>| {
@@ -145,7 +237,10 @@ impl Scene {
                 .map(|p| self.space(p.component_mul(&semi)))
                 .collect::<Vec<_>>()
         };
-        let (x, y, z) = (Vector3::y(), Vector3::z(), Vector3::x());
+        let (x, y, z) = match self.sector {
+            Sector::AroundLargest => (Vector3::x(), Vector3::y(), Vector3::z()),
+            _ => (Vector3::y(), Vector3::z(), Vector3::x()),
+        };
         let mut net = Vec::new();
         for k in -5..=5 {
             let (s, c) = (f64::from(k) * TAU / 24.0).sin_cos();
@@ -159,7 +254,7 @@ impl Scene {
         net
     }
 
-    fn outline(&self) -> Vec<Point> {
+    fn outline(&self) -> Vec<Vector3<f64>> {
         let semi = Vector3::from(self.semi);
         let toward = self
             .attitude
@@ -170,12 +265,12 @@ impl Scene {
         let v = n.cross(&u);
         let rim = ellipse(Vector3::zeros(), u, v, 240);
         rim.into_iter()
-            .map(|p| self.view.project(&self.space(p.component_mul(&semi))))
+            .map(|p| self.space(p.component_mul(&semi)))
             .collect()
     }
 
     fn body(&self, pen: &mut Pen) {
-        let outline = self.outline();
+        let outline = self.view.trace(&self.outline());
         pen.fill(&outline, Role::Shade, 1.0);
         for (curve, strength) in self.net() {
             let [seen, _] = self.view.split(&curve, |p| self.seen(p));
@@ -209,16 +304,15 @@ impl Scene {
     }
 
     fn plane(&self, pen: &mut Pen, radii: [f64; 2]) {
-        let at = |x: f64, y: f64| Vector3::new(x, y, self.distance);
-        let [a, b] = SHEET;
-        let sheet = self
-            .view
-            .trace(&[at(-a, -b), at(a, -b), at(a, b), at(-a, b)]);
+        let at = |x: f64, y: f64| self.on_the_plane(x, y);
+        let [a, b] = self.sheet;
+        let sheet = self.view.trace(&self.corners());
         pen.fill(&sheet, Role::Ink, 0.05);
-        for k in -20..=20 {
-            let x = 0.25 * f64::from(k);
+        let mesh = a / 6.0;
+        for k in -6..=6 {
+            let x = mesh * f64::from(k);
             for (inside, from, to) in [
-                (x.abs() < a, at(x, -b), at(x, b)),
+                (x.abs() < 0.999 * a, at(x, -b), at(x, b)),
                 (x.abs() < b, at(-a, x), at(a, x)),
             ] {
                 if inside {
@@ -248,7 +342,7 @@ impl Scene {
             pen.disc(self.view.project(dot), 2.4, Role::Omega, 1.0);
         }
         let foot = self.view.project(&at(0.0, 0.0));
-        let tip = self.view.project(&(Vector3::z() * (self.distance + 1.0)));
+        let tip = self.view.project(&(Vector3::z() * self.tip()));
         pen.disc(foot, 2.0, Role::AngularMomentum, 1.0);
         pen.arrow(foot, tip, stroke(Role::AngularMomentum, 2.6));
     }
@@ -261,7 +355,13 @@ impl Scene {
             contact,
             stroke(Role::Omega, DATA),
         );
-        let tip = self.view.project(&(Vector3::z() * (self.distance + 1.0)));
+        let tip = self.view.project(&(Vector3::z() * self.tip()));
+        // The lower right of the body, and the left corner of the sheet.
+        let outline = self.view.trace(&self.outline());
+        let lower = |a: &&Point, b: &&Point| (a[0] + a[1]).total_cmp(&(b[0] + b[1]));
+        let corner = outline.iter().max_by(lower).copied().unwrap_or(center);
+        let [a, b] = self.sheet.map(|half| -0.82 * half);
+        let inside = self.view.project(&self.on_the_plane(a, b));
         for (at, anchor, text, role) in [
             (
                 [contact[0] - 3.0, contact[1] + 26.0],
@@ -281,31 +381,49 @@ impl Scene {
                 "*O*",
                 Role::Ink,
             ),
-            ([508.0, 424.0], Anchor::Start, "*Θ*", Role::Ink),
-            ([84.0, 160.0], Anchor::Start, "*Π*", Role::Ink),
+            (
+                [corner[0] + 12.0, corner[1] + 16.0],
+                Anchor::Start,
+                "*Θ*",
+                Role::Ink,
+            ),
+            (
+                [inside[0], inside[1] + 5.0],
+                Anchor::Middle,
+                "*Π*",
+                Role::Ink,
+            ),
         ] {
             pen.text(at, anchor, text, label(role));
         }
-        for (at, anchor, text, role, from, to) in [
+        let seen: Vec<Vector3<f64>> = self
+            .polhode
+            .iter()
+            .filter(|p| self.seen(p))
+            .copied()
+            .collect();
+        for (at, anchor, text, role, from, curve) in [
             (
-                [136.0, 62.0],
-                Anchor::End,
+                [488.0, 40.0],
+                Anchor::Start,
                 "herpolhode",
                 Role::Omega,
-                [139.0, 62.0],
-                [238.0, 104.0],
+                [484.0, 37.0],
+                &self.past,
             ),
             (
-                [84.0, 374.0],
+                [84.0, 404.0],
                 Anchor::End,
                 "polhode",
                 Role::Ink,
-                [88.0, 369.0],
-                [152.0, 322.0],
+                [88.0, 399.0],
+                &seen,
             ),
         ] {
             pen.text(at, anchor, text, small(role));
-            pen.line(&[from, to], stroke(role, HAIR));
+            if let Some(to) = nearest(from, self.view.trace(curve)) {
+                pen.line(&[from, to], stroke(role, HAIR));
+            }
         }
     }
 }

@@ -4,43 +4,109 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::{EulerTop, Poinsot, separatrix_slope};
+use spinning_bodies::euler_top::{EulerTop, Poinsot, Sector, separatrix_slope};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
-use crate::Figure;
+use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, triple};
 use crate::solid::{View, ellipse, ellipsoid_hides};
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number, small,
-    stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, brief, figure, label,
+    number, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
-/// Where a polhode crosses the plane of x₁ and x₃: degrees from x₁ in the circle that the ellipse is stretched from.
-/// The separatrix is at 45.
-const CROSSINGS: [f64; 8] = [8.0, 18.0, 29.0, 41.0, 49.0, 61.0, 72.0, 82.0];
+/// Where polhodes cross the plane of x₁ and x₃: shares of the way from x₁, and from x₃, to the separatrix, in the circle that
+/// the ellipse is stretched from.
+const SHARES: [f64; 4] = [8.0 / 45.0, 18.0 / 45.0, 29.0 / 45.0, 41.0 / 45.0];
 /// Time between two dots, in units of a radian over √(2E/I₂).
 const STEP: f64 = 0.5;
+const DIRECTION: [f64; 2] = [0.98, 0.36];
+/// Where the ellipsoid and its axes are drawn: left, top, right, bottom.
+const ROOM: [f64; 4] = [130.0, 24.0, 470.0, 436.0];
+/// How far the axes reach beyond the ellipsoid, in its longest half axis.
+const REACH: [f64; 3] = [0.21, 0.36, 0.21];
+
+const CROSSING: Parameter = Parameter::new(
+    "crossing",
+    r"\alpha",
+    "where your polhode crosses the plane of x₁ and x₃: from x₁, 0, to x₃, 90, in the circle that the ellipse is stretched from",
+    [1.0, 89.0],
+    23.0,
+)
+.unit("°")
+.dragged(
+    |values| {
+        let (_, view, arms) = stage(values);
+        let (sin, cos) = values.of(&CROSSING).to_radians().sin_cos();
+        view.project(&(arms[0] * cos + arms[2] * sin))
+    },
+    |point, values| {
+        let (_, view, arms) = stage(values);
+        let [origin, right, up] = [Vector3::zeros(), arms[0], arms[2]].map(|p| view.project(&p));
+        let from = |p: Point| [p[0] - origin[0], p[1] - origin[1]];
+        let (p, u, v) = (from(point), from(right), from(up));
+        // p = u cos α + v sin α.
+        let [cos, sin] = [p[0] * v[1] - p[1] * v[0], u[0] * p[1] - u[1] * p[0]];
+        let turn = (u[0] * v[1] - u[1] * v[0]).signum();
+        (sin * turn).atan2(cos * turn).to_degrees()
+    },
+);
+/// What may be chosen; the handle stands on the thick polhode.
+pub const POLHODES: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, CROSSING];
+
+/// The half axes of the ellipsoid, how it is seen, and its axes.
+fn stage(values: &Values) -> (Vector3<f64>, View, [Vector3<f64>; 3]) {
+    let semi = Vector3::from(moments(values).map(f64::sqrt));
+    let arms = [0, 1, 2].map(|k| Vector3::ith(k, semi[k]));
+    let mut points: Vec<Vector3<f64>> = arms.iter().flat_map(|arm| [*arm, -arm]).collect();
+    points.extend(rim(
+        &semi,
+        &View::new(DIRECTION[0], DIRECTION[1], [0.0; 2], 1.0),
+    ));
+    points.extend([0, 1, 2].map(|k| Vector3::ith(k, semi[k] + REACH[k] * semi[2])));
+    (
+        semi,
+        View::fitted(DIRECTION, &points, ROOM, f64::INFINITY),
+        arms,
+    )
+}
+
+/// The outline of an ellipsoid, a curve on it.
+fn rim(semi: &Vector3<f64>, view: &View) -> Vec<Vector3<f64>> {
+    let n = view.toward.component_div(semi).normalize();
+    let u = n.cross(&Vector3::z()).normalize();
+    let v = n.cross(&u);
+    ellipse(
+        Vector3::zeros(),
+        u.component_mul(semi),
+        v.component_mul(semi),
+        240,
+    )
+}
 
 /// A polhode of L on the ellipsoid of constant energy, and its dots.
 struct Curve {
+    semi: Vector3<f64>,
     points: Vec<Vector3<f64>>,
     dots: Vec<Vector3<f64>>,
+    sector: Sector,
+    /// In radians over √(2E/I₂).
+    period: f64,
 }
 
 impl Curve {
     /// The polhode through the point at `crossing` in the plane of x₁ and x₃, 2E = 1.
-    fn new(crossing: f64, signs: [f64; 2]) -> Result<Self> {
-        let semi = MOMENTS.map(f64::sqrt);
+    fn new(moments: [f64; 3], crossing: f64, signs: [f64; 2]) -> Result<Self> {
+        let semi = moments.map(f64::sqrt);
         let (sin, cos) = crossing.to_radians().sin_cos();
         let l = BodyVector::new(signs[0] * semi[0] * cos, 0.0, signs[1] * semi[2] * sin);
-        let picture = Poinsot::new(MOMENTS, l)?;
-        let omega =
-            BodyVector::from_components(l.components().component_div(&Vector3::from(MOMENTS)));
-        let top = EulerTop::from_omega(MOMENTS, omega, Attitude::identity())?;
+        let picture = Poinsot::new(moments, l)?;
+        let top = EulerTop::beyond_bodies(moments, l, Attitude::identity())?;
         // Half a period each way; the separatrix would take for ever.
         let step = STEP * semi[1];
         let most = (0.5 * top.period() / step).min(16.0) as i32;
         Ok(Self {
+            semi: semi.into(),
             points: (0..=180)
                 .map(|k| {
                     picture
@@ -51,12 +117,13 @@ impl Curve {
             dots: (-most..=most)
                 .map(|k| Ok(top.at(step * f64::from(k))?.angular_momentum.components()))
                 .collect::<Result<_>>()?,
+            sector: picture.sector(),
+            period: top.period() / semi[1],
         })
     }
 
     fn draw(&self, pen: &mut Pen, view: &View, style: Stroke, dot: (Role, f64)) {
-        let semi = Vector3::from(MOMENTS.map(f64::sqrt));
-        let shown = |p: &Vector3<f64>| !ellipsoid_hides(&semi, p, &view.toward);
+        let shown = |p: &Vector3<f64>| !ellipsoid_hides(&self.semi, p, &view.toward);
         let [seen, hidden] = view.split(&self.points, shown);
         for piece in hidden {
             pen.line(&piece, stroke(dot.0, HAIR).alpha(0.3));
@@ -72,9 +139,8 @@ impl Curve {
 
 /// What is seen of the sector about x₁ (about −x₁ if `side` is −1), which reaches from −x₂ to x₂ and up to `crossing` from
 /// the equator, on the sphere that the ellipsoid is stretched from.
-fn sector(view: &View, crossing: f64, side: f64) -> Vec<Point> {
-    let semi = Vector3::from(MOMENTS.map(f64::sqrt));
-    let toward = view.toward.component_div(&semi).normalize();
+fn sector(view: &View, semi: &Vector3<f64>, crossing: f64, side: f64) -> Vec<Point> {
+    let toward = view.toward.component_div(semi).normalize();
     let edge = |end: f64| {
         (-90..=90)
             .map(|k| f64::from(k).to_radians().sin_cos())
@@ -99,121 +165,143 @@ fn sector(view: &View, crossing: f64, side: f64) -> Vec<Point> {
     there.append(&mut along);
     there
         .iter()
-        .map(|p| view.project(&p.component_mul(&semi)))
+        .map(|p| view.project(&p.component_mul(semi)))
         .collect()
 }
 
 /// Polhodes on the ellipsoid of constant energy, with dots at equal times.
-pub fn polhodes() -> Result<Figure> {
-    let slope = separatrix_slope(MOMENTS)?;
+pub fn polhodes(values: &Values) -> Result<Figure> {
+    let moments = moments(values);
+    let (semi, view, arms) = stage(values);
+    let slope = separatrix_slope(moments)?;
     // From Omega to the circle that the ellipse of L is stretched from.
-    let crossing = (slope * (MOMENTS[2] / MOMENTS[0]).sqrt())
-        .atan()
-        .to_degrees();
-    let view = View::new(0.98, 0.36, [300.0, 232.0], 116.0);
+    let parting = (slope * (moments[2] / moments[0]).sqrt()).atan();
+    let crossing = parting.to_degrees();
     let sides = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
     let mut family = Vec::new();
-    for angle in CROSSINGS {
+    for share in SHARES {
         // One of each pair of signs lies on the same curve.
-        let opposite = if angle < crossing {
-            [-1.0, 1.0]
-        } else {
-            [1.0, -1.0]
-        };
-        for signs in [[1.0, 1.0], opposite] {
-            family.push(Curve::new(angle, signs)?);
+        for (angle, opposite) in [
+            (share * crossing, [-1.0, 1.0]),
+            (90.0 - share * (90.0 - crossing), [1.0, -1.0]),
+        ] {
+            for signs in [[1.0, 1.0], opposite] {
+                family.push(Curve::new(moments, angle, signs)?);
+            }
         }
     }
     let separatrix = sides
         .into_iter()
-        .map(|signs| Curve::new(crossing, signs))
+        .map(|signs| Curve::new(moments, crossing, signs))
         .collect::<Result<Vec<_>>>()?;
+    let angle = values.of(&CROSSING);
+    let yours = Curve::new(moments, angle, [1.0, 1.0])?;
+    let period = number(yours.period / TAU, 2);
+    let about = match yours.sector {
+        Sector::AroundSmallest => format!("goes round $x_1$ in {period}"),
+        Sector::AroundLargest => format!("goes round $x_3$ in {period}"),
+        _ => "lies on the separatrix, and takes longer than any number of".to_owned(),
+    };
 
     let words = Words {
         claim: "Round the first and the third axis a polhode stays close; next to the second it dawdles, then swings over to the \
                 other side."
             .to_owned(),
         details: format!(
-            "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = (1, 2, 3)$. Dots at equal times, {} \
+            "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {}$. Dots at equal times, {} \
              of a radian at the rate $\\sqrt{{2E/I_2}}$. The separatrix, in ink, is two plane ellipses \
-             $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ shaded.",
+             $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ shaded. \
+             The thick polhode, from the ring at {}° between $x_1$ and $x_3$ where the separatrix is at {}°, {about} turns at that rate.{}",
+            triple(moments),
             number(STEP, 1),
             number(slope, 4),
+            brief(angle),
+            number(crossing, 1),
+            remark(moments),
         ),
-        alt: "An ellipsoid with its longest axis upright, covered by closed curves: flat rings round the upright third axis, upright \
-              rings round the first axis on the left. Two crossing ellipses, the separatrix, part them and meet on the second \
-              axis, which points at the reader's right. Dots at equal times are wide apart where a curve swings across and \
-              crowd together next to the crossing: there the top dawdles, and from there it swings over to the other side."
-            .to_owned(),
+        alt: format!(
+            "An ellipsoid with its longest axis upright, its half axes as the roots of {}, covered by closed curves: flat rings round the upright third axis, upright \
+             rings round the first axis on the left. Two crossing ellipses, the separatrix, part them and meet on the second \
+             axis, which points at the reader's right. Dots at equal times are wide apart where a curve swings across and \
+             crowd together next to the crossing: there the top dawdles, and from there it swings over to the other side. One curve, {} degrees from the \
+             first axis, is thick.",
+            triple(moments),
+            brief(angle),
+        ),
     };
-    Ok(figure("polhodes", 448.0, words, |pen| {
-        let semi = Vector3::from(MOMENTS.map(f64::sqrt));
-        let n = view.toward.component_div(&semi).normalize();
-        let u = n.cross(&Vector3::z()).normalize();
-        let v = n.cross(&u);
-        let outline = view.trace(&ellipse(
-            Vector3::zeros(),
-            u.component_mul(&semi),
-            v.component_mul(&semi),
-            240,
-        ));
+    let made = figure("polhodes", 448.0, words, |pen| {
+        let outline = view.trace(&rim(&semi, &view));
         pen.fill(&outline, Role::Shade, 1.0);
         for side in [1.0, -1.0] {
-            pen.fill(&sector(&view, crossing.to_radians(), side), Role::Ink, 0.1);
+            pen.fill(&sector(&view, &semi, parting, side), Role::Ink, 0.1);
         }
         pen.outline(&outline, stroke(Role::Ink, SECONDARY));
+        let role = Role::AngularMomentum;
         for curve in &family {
-            let role = Role::AngularMomentum;
-            curve.draw(pen, &view, stroke(role, SECONDARY), (role, 2.3));
+            curve.draw(pen, &view, stroke(role, AXIS), (role, 2.0));
         }
         for curve in &separatrix {
             curve.draw(pen, &view, stroke(Role::Ink, SECONDARY), (Role::Ink, 2.3));
         }
+        yours.draw(pen, &view, stroke(role, 2.8), (role, 3.6));
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let ring = view.project(&(arms[0] * cos + arms[2] * sin));
+        pen.disc(ring, 6.0, Role::Paper, 1.0);
+        pen.ring(ring, 6.0, stroke(role, DATA));
         for (k, name) in ["*x*_{1}", "*x*_{2}", "*x*_{3}"].iter().enumerate() {
-            let direction = Vector3::ith(k, 1.0);
-            let reach = [0.36, 0.62, 0.36][k];
-            let from = view.project(&(direction * semi[k]));
-            let to = view.project(&(direction * (semi[k] + reach)));
-            pen.arrow(from, to, stroke(Role::Ink, AXIS));
-            let beyond = view.project(&(direction * (semi[k] + reach + 0.14)));
-            let at = if k == 2 {
-                [to[0] + 14.0, to[1] + 10.0]
-            } else {
-                [beyond[0], beyond[1] + 5.0]
+            let reach = Vector3::ith(k, semi[k] + REACH[k] * semi[2]);
+            let to = view.project(&reach);
+            pen.arrow(view.project(&arms[k]), to, stroke(Role::Ink, AXIS));
+            let beyond = view.project(&(reach * (1.0 + 0.085 * semi[2] / semi[k])));
+            let at = match k {
+                2 => [to[0] + 14.0, to[1] + 10.0],
+                _ => [beyond[0], beyond[1] + 5.0],
             };
             pen.text(at, Anchor::Middle, name, label(Role::Ink));
         }
-        for (at, anchor, lines, role, from, to) in [
+        // On the separatrix between −x₂ and the upper crossing, next to x₂ on it, and on the first ring about x₁.
+        let on = |along: f64, sign: f64| {
+            let (s, c) = along.sin_cos();
+            let (high, wide) = parting.sin_cos();
+            view.project(&Vector3::new(wide * c, s, sign * high * c).component_mul(&semi))
+        };
+        let remarks = [
             (
                 [150.0, 76.0],
                 Anchor::End,
                 &["separatrix"][..],
-                Role::Ink,
                 [154.0, 72.0],
-                [203.0, 113.0],
+                on(-0.45, 1.0),
             ),
             (
-                [458.0, 352.0],
+                [478.0, 352.0],
                 Anchor::Start,
                 &["next to *x*_{2}", "it dawdles"][..],
-                Role::Ink,
-                [452.0, 343.0],
-                [388.0, 276.0],
+                [472.0, 346.0],
+                on(1.32, -1.0),
             ),
             (
-                [128.0, 356.0],
+                [112.0, 366.0],
                 Anchor::End,
                 &["far from it", "it hurries"][..],
-                Role::AngularMomentum,
-                [132.0, 359.0],
-                [245.0, 341.0],
+                [116.0, 366.0],
+                on(0.0, -1.0),
             ),
-        ] {
+        ];
+        for (at, anchor, lines, from, to) in remarks {
             for (k, line) in lines.iter().enumerate() {
                 let y = at[1] + 19.0 * k as f64;
-                pen.text([at[0], y], anchor, line, small(role));
+                pen.text([at[0], y], anchor, line, small(Role::Ink));
             }
-            pen.line(&[from, to], stroke(role, HAIR));
+            pen.line(&[from, to], stroke(Role::Ink, HAIR));
         }
+    });
+    let columns = ["L₁ (√(2E kg m²))", "L₂ (√(2E kg m²))", "L₃ (√(2E kg m²))"];
+    let named = family.iter().map(|curve| ("polhode", curve));
+    let named = named.chain(separatrix.iter().map(|curve| ("separatrix", curve)));
+    let named = named.chain([("thick polhode", &yours)]);
+    Ok(named.enumerate().fold(made, |made, (k, (name, curve))| {
+        let rows = curve.points.iter().map(|p| vec![p.x, p.y, p.z]);
+        made.data(format!("{name} {}", k + 1), &columns, rows)
     }))
 }

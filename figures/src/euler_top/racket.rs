@@ -7,12 +7,16 @@ use spinning_bodies::Result;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
+use super::top_of;
 use crate::solid::View;
 use crate::style::{DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, stroke};
 
 /// Principal moments of a racket, kg m²: about the handle, across the handle in the plane of the strings, across the strings
 /// (Ashbaugh, Chicone, Cushman 1991).
 pub const MOMENTS: [f64; 3] = [0.00121, 0.01638, 0.01748];
+
+/// Turns a second about the middle axis in the book's throw.
+pub const TURNS: f64 = 1.0;
 
 /// A throw and the motion after it. Space axes: x towards the reader, y to the right, z up; L along y.
 #[derive(Debug, Clone, Copy)]
@@ -24,16 +28,22 @@ pub struct Throw {
 }
 
 impl Throw {
-    /// Upright, one turn a second about the middle axis and `twist` rad/s about the handle.
-    pub fn new(twist: f64) -> Result<Self> {
-        let omega = BodyVector::new(twist, TAU, 0.0);
+    /// Upright, so many turns a second about the middle axis and L so far off it, radians.
+    pub fn off(moments: [f64; 3], turns: f64, tilt: f64) -> Result<Self> {
+        let twist = moments[1] / moments[0] * TAU * turns * tilt.tan();
+        Self::new(moments, turns, twist)
+    }
+
+    /// Upright, so many turns a second about the middle axis and `twist` rad/s about the handle.
+    fn new(moments: [f64; 3], turns: f64, twist: f64) -> Result<Self> {
+        let omega = BodyVector::new(twist, TAU * turns, 0.0);
         // x₁ up, x₂ to the right, x₃ away from the reader; then L exactly to the right.
         let upright = Attitude::from_quaternion(1.0, 0.0, -1.0, 0.0)?;
-        let lean = (MOMENTS[0] * twist).atan2(MOMENTS[1] * TAU);
+        let lean = (moments[0] * twist).atan2(moments[1] * omega.y());
         let straight = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), lean)?;
         let start = (upright.quaternion() * straight.quaternion()).into_inner();
         let start = Attitude::from_quaternion(start.w, start.i, start.j, start.k)?;
-        let top = EulerTop::from_omega(MOMENTS, omega, start)?;
+        let top = top_of(moments, omega, start)?;
         Ok(Self { top, omega })
     }
 
@@ -44,13 +54,13 @@ impl Throw {
         let (mut less, mut more) = (0.5, 3.0);
         for _ in 0..60 {
             let middle = 0.5 * (less + more);
-            if Self::new(middle)?.overshoot()? > 0.0 {
+            if Self::new(MOMENTS, TURNS, middle)?.overshoot()? > 0.0 {
                 less = middle;
             } else {
                 more = middle;
             }
         }
-        Self::new(0.5 * (less + more))
+        Self::new(MOMENTS, TURNS, 0.5 * (less + more))
     }
 
     /// Time from one side of the flip to the other, s.
@@ -68,9 +78,9 @@ impl Throw {
         Ok(handle.x().atan2(handle.z()))
     }
 
-    /// Angle between L and the middle axis at the throw, radians.
-    pub fn tilt(&self) -> f64 {
-        (MOMENTS[0] * self.omega.x()).atan2(MOMENTS[1] * self.omega.y())
+    /// Somersaults of the handle in that time. L is next to the middle axis, on the side of the handle, which goes round it.
+    pub fn somersaults(&self) -> f64 {
+        self.top.mean_precession_rate() * self.flip_time() / TAU
     }
 }
 
@@ -188,5 +198,5 @@ pub fn draw(pen: &mut Pen, view: &View, attitude: &Attitude, strength: f64) {
     }
     pen.outline(&head, style(DATA));
     pen.line(&trace(&parts.grip), style(5.0));
-    pen.disc(at(&parts.mark), 3.4, Role::Omega, strength);
+    pen.disc(at(&parts.mark), 4.0, Role::Ink, strength);
 }

@@ -1,95 +1,171 @@
 //! The three components of Ω against time, close to the separatrix (tutorial 6.6).
 
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::EulerTop;
-use spinning_bodies::euler_top::stability::saddle;
+use spinning_bodies::euler_top::Regime;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::PrincipalMoments;
 
-use crate::Figure;
+use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
+use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, brief, figure, label, number, small, spread,
+    stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
-/// Ω at time zero: next to the middle axis, on the side of the third.
-const OMEGA: [f64; 3] = [0.01, 1.0, 0.01];
-const STEPS: usize = 400;
-/// Left and right end of the time axis, height of zero, units to one rad/s.
-const FRAME: [f64; 4] = [52.0, 520.0, 148.0, 78.0];
+const FIRST: Parameter = Parameter::new(
+    "first",
+    r"\Omega_1(0)",
+    "angular velocity about the axis of the smallest moment at the start",
+    [1e-4, 2.0],
+    0.01,
+)
+.unit("rad/s")
+.logarithmic();
+const THIRD: Parameter = Parameter::new(
+    "third",
+    r"\Omega_3(0)",
+    "angular velocity about the axis of the largest moment at the start",
+    [1e-4, 2.0],
+    0.01,
+)
+.unit("rad/s")
+.logarithmic();
+/// What may be chosen; about the middle axis the start has 1 rad/s.
+pub const SOLUTION: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, FIRST, THIRD];
+
+const STEPS: usize = 480;
+/// Periods looked at: the curves end where Ω₂ vanishes in the last half of one.
+const LENGTH: f64 = 1.5;
+/// Left and right end of the time axis, height of zero, half the height of the picture.
+const FRAME: [f64; 4] = [52.0, 540.0, 114.0, 84.0];
+/// A rest is longer than a swing if Ω₂ is nearly at its greatest for more than half of the time.
+const NEARLY: f64 = 0.9;
 
 /// Ω₂ is nearly a square wave, Ω₁ and Ω₃ are pulses.
-pub fn solution() -> Result<Figure> {
-    let omega = BodyVector::new(OMEGA[0], OMEGA[1], OMEGA[2]);
-    let top = EulerTop::from_omega(MOMENTS, omega, Attitude::identity())?;
-    let period = top.period();
-    let [i1, i2, i3] = MOMENTS;
-    let rate = saddle(&PrincipalMoments::new(i1, i2, i3)?, OMEGA[1])?.rate;
-    let length = 1.25 * period;
-    let [left, right, zero, unit] = FRAME;
-    let x = |t: f64| left + (right - left) * t / length;
-    let states = top
-        .states((0..=STEPS).map(|k| length * k as f64 / STEPS as f64))
+pub fn solution(values: &Values) -> Result<Figure> {
+    let start = [values.of(&FIRST), 1.0, values.of(&THIRD)];
+    let moments = moments(values);
+    let omega = BodyVector::new(start[0], start[1], start[2]);
+    let top = top_of(moments, omega, Attitude::identity())?;
+    // On the separatrix there is no period; sixty seconds show the one swing.
+    let period = Some(top.period()).filter(|period| period.is_finite());
+    let step = period.map_or(60.0, |period| LENGTH * period) / STEPS as f64;
+    let mut states = top
+        .states((0..=STEPS).map(|k| step * k as f64))
+        .map(|state| Ok(<[f64; 3]>::from(state?.omega.components())))
         .collect::<Result<Vec<_>>>()?;
-    let curve = |k: usize| -> Vec<Point> {
-        (0..=STEPS)
-            .map(|n| {
-                let value = states[n].omega.components()[k];
-                [x(length * n as f64 / STEPS as f64), zero - unit * value]
-            })
-            .collect()
+    let greatest = |k: usize| {
+        states
+            .iter()
+            .map(|omega| omega[k].abs())
+            .fold(0.0, f64::max)
+    };
+    let (most, largest) = (greatest(1), [0, 1, 2].map(greatest));
+    let largest = largest.into_iter().fold(0.0, f64::max);
+    let in_a_period = &states[..(STEPS as f64 / LENGTH) as usize];
+    let near = in_a_period
+        .iter()
+        .filter(|omega| omega[1].abs() > NEARLY * most);
+    let percent = 100 * near.count() / in_a_period.len();
+    let rests = percent > 50;
+    if let Some(last) = (1..=STEPS).rfind(|&k| states[k - 1][1] * states[k][1] <= 0.0)
+        && period.is_some()
+    {
+        states.truncate(last + 1);
+    }
+    let kept = match top.regime() {
+        Regime::AroundSmallest => 0,
+        _ => 2,
+    };
+    let [name, turned] = [["\\Omega_1", "\\Omega_3"], ["\\Omega_3", "\\Omega_1"]][kept / 2];
+    let functions = ["dn", "sn", "cn"];
+    let [first, third] = [functions[kept], functions[2 - kept]];
+    let about = ["first", "second", "third"][kept];
+    let course = match period {
+        Some(period) => format!(
+            "$\\Omega_2$ goes as sn, $\\Omega_1$ as {first}, $\\Omega_3$ as {third}. Period {} s; after half of it ${turned}$ and $\\Omega_2$ have changed \
+             sign and ${name}$ has its old value.",
+            number(period, 3),
+        ),
+        None => "The start is on the separatrix: one swing, and no period.".to_owned(),
+    };
+    let claim = match (period, rests) {
+        (None, _) => "On the separatrix the top swings over at most once and then rests about its middle axis for ever.".to_owned(),
+        (_, true) => "Next to the separatrix the top rests about its middle axis and swings over in between.".to_owned(),
+        (_, false) => format!("Far from the separatrix the top goes round its {about} axis, and nothing rests."),
     };
     let words = Words {
-        claim:
-            "Next to the separatrix the top rests about its middle axis and swings over in between."
-                .to_owned(),
+        claim,
         details: format!(
-            "Components of $\\Omega$ in the body for $I = (1, 2, 3)$, $\\Omega(0) = ({}, {}, {})$: $\\Omega_2$ goes as sn, $\\Omega_1$ as cn, \
-             $\\Omega_3$ as dn. Period {} s; after half of it $\\Omega_1$ and $\\Omega_2$ have changed sign and $\\Omega_3$ has its old value. \
-             A swing lasts a few times $1/\\sqrt{{\\lambda}} = {}$ s, however long the rests.",
-            OMEGA[0],
-            OMEGA[1],
-            OMEGA[2],
-            number(period, 3),
-            number(1.0 / rate, 3),
+            "Components of $\\Omega$ in the body for $I = {}$, $\\Omega(0) = {}$: {course} {percent} % of the time $\\Omega_2$ is within a tenth of its \
+             greatest size, {} rad/s.{}",
+            triple(moments),
+            triple(start),
+            brief(most),
+            remark(moments),
         ),
         alt: format!(
-            "Three curves over one and a quarter periods of {} seconds. The second component of the angular velocity is almost a square wave between \
-             plus one and minus one. The first component is a pulse at every jump, up and down in turn; the third a smaller \
-             pulse that is always positive. Between the pulses both are nearly zero: the top seems to rotate steadily about \
-             its middle axis.",
-            number(period, 1),
+            "Three curves over a little more than {}. The second component of the angular velocity is {} between plus and minus {}. The {} component \
+             keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down in \
+             turn. {}",
+            period.map_or("one swing".to_owned(), |period| format!(
+                "a period of {} seconds",
+                number(period, 1)
+            )),
+            if rests {
+                "almost a square wave"
+            } else {
+                "a wave"
+            },
+            brief(most),
+            about,
+            match rests {
+                true =>
+                    "Between these pulses both are small: the top seems to rotate steadily about its middle axis.",
+                false => "No part of the curves is level for long.",
+            },
         ),
     };
-    Ok(figure("euler-solution", 300.0, words, |pen| {
+    let [left, right, zero, half] = FRAME;
+    let length = step * (states.len() - 1) as f64;
+    let x = |t: f64| left + (right - left) * t / length;
+    let y = |value: f64| zero - half * value / largest;
+    let curve = |k: usize| -> Vec<Point> {
+        let places = states.iter().enumerate();
+        places
+            .map(|(n, omega)| [x(step * n as f64), y(omega[k])])
+            .collect()
+    };
+    let made = figure("euler-solution", 256.0, words, |pen| {
+        let [over, bottom] = [zero - half - 12.0, zero + half + 14.0];
         pen.line(&[[left, zero], [right, zero]], stroke(Role::Ink, HAIR));
         pen.line(
-            &[[left, zero - unit * 1.25], [left, zero + unit * 1.35]],
+            &[[left, over], [left, bottom], [right, bottom]],
             stroke(Role::Ink, AXIS),
         );
-        for (value, text) in [(1.0, "1"), (0.0, "0"), (-1.0, "\u{2212}1")] {
-            let y = zero - unit * value;
+        for (value, text) in
+            Axis::linear([-largest, largest], [zero + half, zero - half]).ticks(50.0)
+        {
+            let y = y(value);
             pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
-            pen.text([left - 9.0, y + 5.0], Anchor::End, text, small(Role::Ink));
+            pen.text([left - 9.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
         }
-        let bottom = zero + unit * 1.35;
-        pen.line(&[[left, bottom], [right, bottom]], stroke(Role::Ink, AXIS));
+        let whole = period.unwrap_or(length);
         for (share, text) in [(0.0, "0"), (0.5, "half a period"), (1.0, "a period")] {
-            let at = x(share * period);
+            let at = x(share * whole);
             pen.line(&[[at, bottom], [at, bottom + 5.0]], stroke(Role::Ink, AXIS));
             if share > 0.0 {
-                pen.line(
-                    &[[at, zero - unit * 1.25], [at, bottom]],
-                    stroke(Role::Muted, AXIS).dotted(),
-                );
+                let line = [[at, over], [at, bottom]];
+                pen.line(&line, stroke(Role::Muted, AXIS).dotted());
+                let time = format!("{} s", number(share * whole, 2));
+                pen.text([at, bottom + 38.0], Anchor::Middle, &time, small(Role::Ink));
             }
-            let time = if share > 0.0 {
-                format!("{} s", number(share * period, 2))
+            let text = if period.is_some() || share == 0.0 {
+                text
             } else {
-                String::new()
+                ""
             };
             pen.text([at, bottom + 21.0], Anchor::Middle, text, small(Role::Ink));
-            pen.text([at, bottom + 38.0], Anchor::Middle, &time, small(Role::Ink));
         }
         let styles = [
             stroke(Role::Omega, SECONDARY).dashed(),
@@ -99,13 +175,20 @@ pub fn solution() -> Result<Figure> {
         for (k, style) in styles.into_iter().enumerate() {
             pen.line(&curve(k), style);
         }
-        let swing = x(0.25 * period);
-        for (at, anchor, text) in [
-            ([x(0.0) + 8.0, zero - unit - 8.0], Anchor::Start, "*Ω*_{2}"),
-            ([swing - 30.0, zero + unit * 0.85], Anchor::End, "*Ω*_{1}"),
-            ([swing + 24.0, zero - unit * 0.42], Anchor::Start, "*Ω*_{3}"),
-        ] {
-            pen.text(at, anchor, text, label(Role::Omega));
+        let ends = states
+            .last()
+            .copied()
+            .unwrap_or(start)
+            .map(|value| y(value) + 5.0);
+        for (y, name) in spread(ends, 19.0).into_iter().zip(["1", "2", "3"]) {
+            let text = format!("*Ω*_{{{name}}}");
+            pen.text([right + 8.0, y], Anchor::Start, &text, label(Role::Omega));
         }
-    }))
+    });
+    let rows = states
+        .iter()
+        .enumerate()
+        .map(|(n, [first, second, third])| vec![step * n as f64, *first, *second, *third]);
+    let columns = ["time (s)", "Ω₁ (rad/s)", "Ω₂ (rad/s)", "Ω₃ (rad/s)"];
+    Ok(made.data("top", &columns, rows))
 }

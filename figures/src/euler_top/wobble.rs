@@ -4,262 +4,402 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::{SymmetricTop, earth};
+use spinning_bodies::euler_top::{Cones, Shape, SymmetricTop, earth};
 use spinning_bodies::frame::BodyVector;
 
-use crate::Figure;
 use crate::solid::{View, ellipse, hull};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, arc, figure, label, number,
-    polar, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, arc, brief, figure, label,
+    number, polar, small, spread, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
 const CENTER: Point = [206.0, 208.0];
 /// Days between two dots.
 const STEP: f64 = 30.0;
 
-/// One pole: its angle from the start at each dot, after the whole race, and how it is drawn.
+const RIGID: Parameter = Parameter::new(
+    "rigid",
+    r"T_0",
+    "period of the wobble of a rigid body of these moments, I₁/(I₃ − I₁) of its days",
+    [100.0, 600.0],
+    earth::RIGID_TUTORIAL_PERIOD,
+)
+.unit("days")
+.whole();
+const OBSERVED: Parameter = Parameter::new(
+    "observed",
+    "T",
+    "period of the wobble that is observed",
+    [100.0, 600.0],
+    earth::CHANDLER_TUTORIAL_PERIOD,
+)
+.unit("days")
+.whole();
+/// What may be chosen in the race of the poles.
+pub const CIRCLES: &[Parameter] = &[RIGID, OBSERVED];
+
+/// One pole: how far it goes in a day, and how it is drawn. Angles from the start.
 struct Lane {
     radius: f64,
-    angles: Vec<f64>,
-    period: f64,
+    /// Radians a day.
+    rate: f64,
     outside: bool,
 }
 
 impl Lane {
-    /// The pole of a top whose axial over transverse moment is `ratio`, turning once a day, for `days` days.
-    fn new(ratio: f64, radius: f64, days: f64, outside: bool) -> Result<Self> {
-        let top = SymmetricTop::new(1.0, ratio)?;
-        let omega = BodyVector::new(1e-6, 0.0, TAU);
-        let angle = |t: f64| {
-            let now = top.omega_at(omega, t);
-            now.y().atan2(now.x()).rem_euclid(TAU)
-        };
-        let dots = (days / STEP).round() as u32;
+    /// The pole of a top that turns once a day and wobbles in `period` days.
+    fn new(period: f64, radius: f64, outside: bool) -> Result<Self> {
+        let top = SymmetricTop::new(1.0, 1.0 + 1.0 / period)?;
         Ok(Self {
             radius,
-            angles: (0..=dots).map(|k| angle(STEP * f64::from(k))).collect(),
-            period: top.wobble_period(omega.z()),
+            rate: top.wobble_rate(TAU),
             outside,
         })
     }
 
-    fn draw(&self, pen: &mut Pen) {
-        let start = core::f64::consts::FRAC_PI_2;
-        let (last, done) = (
-            self.angles[self.angles.len() - 1],
-            self.angles[self.angles.len() - 2],
-        );
-        // A full turn ends where it began; an angle cannot tell.
-        let reached = if last < done { TAU } else { last };
+    fn at(&self, out: f64, angle: f64) -> Point {
+        polar(CENTER, self.radius + out, START + angle)
+    }
+
+    /// The way of so many days, at most once round; `lines` are angles that numbers keep off.
+    fn draw(&self, pen: &mut Pen, days: f64, lines: [f64; 2]) {
+        let reached = (self.rate * days).min(TAU);
         pen.ring(CENTER, self.radius, stroke(Role::Ink, HAIR).alpha(0.45));
-        pen.arc(
-            CENTER,
-            self.radius,
-            start,
-            start + reached,
-            stroke(Role::Omega, DATA),
-        );
-        for (k, &angle) in self.angles.iter().enumerate() {
-            let at = polar(CENTER, self.radius, start + angle);
-            let named = k % 2 == 0 && !(k == 0 || k == self.angles.len() - 1);
-            pen.disc(at, if named { 4.2 } else { 3.0 }, Role::Omega, 1.0);
+        let style = stroke(Role::Omega, DATA);
+        pen.arc(CENTER, self.radius, START, START + reached, style);
+        let dots = (0..).map(|k| (k, self.rate * STEP * f64::from(k)));
+        for (k, angle) in dots.take_while(|(_, angle)| *angle < reached + 1e-6) {
+            let near = |line: &f64| (0.5 * (angle - line)).sin().abs() < 0.11;
+            let named = k % 2 == 0 && !lines.iter().any(near);
+            pen.disc(
+                self.at(0.0, angle),
+                if named { 4.2 } else { 3.0 },
+                Role::Omega,
+                1.0,
+            );
             if named {
-                let out = if self.outside { 19.0 } else { -19.0 };
-                let spot = polar(CENTER, self.radius + out, start + angle);
-                let day = number(STEP * k as f64, 0);
-                pen.text(
-                    [spot[0], spot[1] + 4.8],
-                    Anchor::Middle,
-                    &day,
-                    small(Role::Omega),
-                );
+                let [x, y] = self.at(if self.outside { 20.0 } else { -20.0 }, angle);
+                let day = number(STEP * f64::from(k), 0);
+                pen.text([x, y + 4.8], Anchor::Middle, &day, small(Role::Omega));
             }
         }
     }
 }
 
-/// Two poles race for 300 days: that of a rigid Earth is home, that of the real one is not.
-pub fn polar_circles() -> Result<Figure> {
-    let days = earth::RIGID_TUTORIAL_PERIOD;
-    let rigid = Lane::new(earth::TUTORIAL_AXIAL_OVER_TRANSVERSE, 112.0, days, false)?;
-    // The top that would wobble at the observed rate: same law, its moments read off the period.
-    let ratio = 1.0 + 1.0 / earth::CHANDLER_TUTORIAL_PERIOD;
-    let real = Lane::new(ratio, 152.0, days, true)?;
-    let lag = 360.0 - real.angles[real.angles.len() - 1].to_degrees();
+/// Where the race starts: at the top.
+const START: f64 = core::f64::consts::FRAC_PI_2;
 
+/// Two poles race until that of a rigid Earth is home; that of the real one is not.
+pub fn polar_circles(values: &Values) -> Result<Figure> {
+    let [days, period] = [RIGID, OBSERVED].map(|one| values.of(&one));
+    let (rigid, real) = (
+        Lane::new(days, 112.0, false)?,
+        Lane::new(period, 152.0, true)?,
+    );
+    let reached = real.rate * days;
+    // What it still has to go, if anything.
+    let lag = TAU - reached;
+    let degrees = number(lag.abs().to_degrees(), 0);
+    let [claim, behind, seen] = match lag {
+        _ if degrees == "0" => [
+            "A pole that wobbles as that of a rigid body walks beside it.".to_owned(),
+            "at the same place".to_owned(),
+            "back at the start too".to_owned(),
+        ],
+        _ if lag > 0.0 => [
+            "The pole of the real Earth circles more slowly than that of a rigid one.".to_owned(),
+            format!("{degrees} degrees behind"),
+            format!("still {degrees} degrees short"),
+        ],
+        _ => [
+            "This pole circles faster than that of a rigid body: no body that gives way does so."
+                .to_owned(),
+            format!("{degrees} degrees ahead"),
+            format!("{degrees} degrees beyond it"),
+        ],
+    };
     let words = Words {
-        claim: "The pole of the real Earth circles more slowly than that of a rigid one."
-            .to_owned(),
+        claim,
         details: format!(
             "Path of the axis of rotation over the ground about the axis of figure, seen from above the north pole; a dot \
-             every {STEP} days, for {} days. Inner circle: rigid, $I_3/I_1 = 301/300$, period {} days. Outer circle: the \
-             observed Chandler wobble at the tutorial's round {} days, {} degrees behind. The size of a circle is free; \
+             every {STEP} days, for {days} days. Inner circle: rigid, $I_3/I_1 = {}/{days}$, period {days} days. Outer circle: an \
+             observed wobble{} of {period} days, {behind}. The size of a circle is free; \
              the pace is not.",
-            number(days, 0),
-            number(rigid.period, 0),
-            number(real.period, 0),
-            number(lag, 0),
+            days + 1.0,
+            match period == OBSERVED.default {
+                true => ", Chandler's at the tutorial's round figure",
+                false => "",
+            },
         ),
         alt: format!(
             "Two concentric circles round the pole of figure, walked anticlockwise from the top like lanes of a race \
-             track, with a dot every thirty days. After {} days the inner runner, the rigid Earth, is back at the start; \
-             the outer one, the real Earth with its period of {} days, is still {} degrees short.",
-            number(days, 0),
-            number(real.period, 0),
-            number(lag, 0),
+             track, with a dot every thirty days. After {days} days the inner runner, the rigid Earth, is back at the start; \
+             the outer one, with its period of {period} days, is {seen}.",
         ),
     };
-
-    Ok(figure("polar-circles", 404.0, words, |pen| {
-        let start = core::f64::consts::FRAC_PI_2;
-        // What is missing.
-        let end = start + real.angles[real.angles.len() - 1];
-        let mut gap = arc(CENTER, 152.0, end, start + TAU);
-        gap.push(CENTER);
-        pen.fill(&gap, Role::Ink, 0.06);
-        pen.line(
-            &[CENTER, polar(CENTER, 172.0, start)],
-            stroke(Role::Ink, AXIS),
-        );
-        pen.line(
-            &[CENTER, polar(CENTER, 172.0, end)],
-            stroke(Role::Ink, AXIS).dotted(),
-        );
-        rigid.draw(pen);
-        real.draw(pen);
+    let made = figure("polar-circles", 392.0, words, |pen| {
+        let end = START + reached;
+        // What is missing, or too much.
+        if lag.abs() > 1e-6 {
+            let [from, to] = match lag > 0.0 {
+                true => [end, START + TAU],
+                false => [START, START + (-lag).min(TAU)],
+            };
+            let mut gap = arc(CENTER, 152.0, from, to);
+            gap.push(CENTER);
+            pen.fill(&gap, Role::Ink, 0.06);
+        }
+        let sides = [
+            (START, stroke(Role::Ink, AXIS)),
+            (end, stroke(Role::Ink, AXIS).dotted()),
+        ];
+        for (angle, style) in sides {
+            pen.line(&[CENTER, polar(CENTER, 172.0, angle)], style);
+        }
+        rigid.draw(pen, days, [0.0, reached]);
+        real.draw(pen, days, [0.0, reached]);
         // The axis of figure, end on.
         pen.ring(CENTER, 6.0, stroke(Role::Ink, SECONDARY));
         pen.disc(CENTER, 2.0, Role::Ink, 1.0);
-        pen.text(
-            [CENTER[0] - 12.0, CENTER[1] + 5.0],
-            Anchor::End,
-            "*x*_{3}",
-            label(Role::Ink),
-        );
-        let home = polar(CENTER, 112.0, start);
-        let short = polar(CENTER, 152.0, end);
-        for at in [home, short] {
+        // On the side of the axis that the dotted line does not take.
+        let side = if (reached - 0.25 * TAU).sin().abs() < 0.3 && reached.sin() > 0.0 {
+            1.0
+        } else {
+            -1.0
+        };
+        let anchor = if side < 0.0 {
+            Anchor::End
+        } else {
+            Anchor::Start
+        };
+        let name = [CENTER[0] + 12.0 * side, CENTER[1] + 5.0];
+        pen.text(name, anchor, "*x*_{3}", label(Role::Ink));
+        for at in [rigid.at(0.0, 0.0), real.at(0.0, reached)] {
             pen.ring(at, 8.0, stroke(Role::Omega, SECONDARY));
         }
         pen.text([CENTER[0], 26.0], Anchor::Middle, "start", small(Role::Ink));
         let x = 400.0;
-        let note = |pen: &mut Pen, y: f64, head: &str, tail: &str| {
-            pen.text([x, y], Anchor::Start, head, label(Role::Omega).strong());
-            pen.text([x, y + 20.0], Anchor::Start, tail, small(Role::Ink));
+        let told = match lag {
+            _ if degrees == "0" => "outer lane, home as well".to_owned(),
+            _ if lag > 0.0 => format!("outer lane, {degrees}° to go"),
+            _ => format!("outer lane, {degrees}° beyond"),
         };
-        pen.text(
-            [x, 106.0],
-            Anchor::Start,
-            &format!("after {} days", number(days, 0)),
-            label(Role::Ink),
-        );
-        note(
-            pen,
-            148.0,
-            &format!("rigid: {} days", number(rigid.period, 0)),
-            "inner lane, back home",
-        );
-        note(
-            pen,
-            204.0,
-            &format!("observed: {} days", number(real.period, 0)),
-            &format!("outer lane, {}° to go", number(lag, 0)),
-        );
-    }))
+        let after = format!("after {days} days");
+        pen.text([x, 156.0], Anchor::Start, &after, label(Role::Ink));
+        for (y, head, tail) in [
+            (
+                198.0,
+                format!("rigid: {days} days"),
+                "inner lane, back home",
+            ),
+            (254.0, format!("observed: {period} days"), told.as_str()),
+        ] {
+            pen.text([x, y], Anchor::Start, &head, label(Role::Omega).strong());
+            pen.text([x, y + 20.0], Anchor::Start, tail, small(Role::Ink));
+        }
+    });
+    let columns = ["time (days)", "angle about the axis of figure (°)"];
+    let dots = (0..)
+        .map(|k| STEP * f64::from(k))
+        .take_while(|day| *day <= days);
+    let row = |lane: &Lane| {
+        let rate = lane.rate;
+        dots.clone()
+            .map(move |day| vec![day, (rate * day).to_degrees()])
+    };
+    Ok(made
+        .data("rigid", &columns, row(&rigid))
+        .data("observed", &columns, row(&real)))
 }
 
-/// Length of the sides of the cones, units.
-const SIDE: f64 = 196.0;
+const FLAT: Parameter = Parameter::new(
+    "flat",
+    "I_3/I_1",
+    "moment about the axis over that across it, left body",
+    [1.0, 2.0],
+    1.7,
+);
+const LONG: Parameter = Parameter::new(
+    "long",
+    "I_3/I_1",
+    "moment about the axis over that across it, right body",
+    [0.05, 1.0],
+    0.5,
+);
+const LEAN: Parameter = Parameter::new(
+    "lean",
+    r"\Omega_\perp/\Omega_3",
+    "angular velocity across the axis over that about it",
+    [0.1, 1.2],
+    0.56,
+);
+/// What may be chosen in the rolling cones.
+pub const CONES: &[Parameter] = &[FLAT, LONG, LEAN];
+
+/// Where the two bodies are drawn: left, top, right, bottom.
+const PANELS: [[f64; 4]; 2] = [[20.0, 36.0, 288.0, 262.0], [312.0, 36.0, 580.0, 262.0]];
+/// Length of the arrows, and where their letters stand, in sides of the cones.
+const ARROW: f64 = 1.2;
+const LETTER: f64 = 1.31;
 
 /// A flat and a long body: the cone of the axis of rotation in the body rolls on the one in space.
-pub fn precession_cones() -> Result<Figure> {
-    let omega = BodyVector::new(0.56, 0.0, 1.0);
-    let (flat, long) = (SymmetricTop::new(1.0, 1.7)?, SymmetricTop::new(1.0, 0.5)?);
+pub fn precession_cones(values: &Values) -> Result<Figure> {
+    let omega = BodyVector::new(values.of(&LEAN), 0.0, 1.0);
+    let [flat, long] = [FLAT, LONG].map(|ratio| SymmetricTop::new(1.0, values.of(&ratio)));
+    let (flat, long) = (flat?, long?);
     let (flat_cones, long_cones) = (flat.cones(omega)?, long.cones(omega)?);
     let degrees = |angle: f64| number(angle.to_degrees(), 1);
-
+    let round = [&flat, &long].map(|top| top.shape() == Shape::Spherical);
+    let claim = match round {
+        [false, false] => {
+            "A body cone rolls on a space cone: round it if the body is flat, on its outside if it is long."
+        }
+        [true, false] => {
+            "A body cone rolls on a space cone, on its outside if the body is long; of a round body the space cone is a line, and nothing rolls."
+        }
+        [false, true] => {
+            "A body cone rolls on a space cone, round it if the body is flat; of a round body the space cone is a line, and nothing rolls."
+        }
+        [true, true] => "Of a round body the space cone is a line along L, and nothing rolls.",
+    };
     let words = Words {
-        claim: "A body cone rolls on a space cone: round it if the body is flat, on its outside if it is long.".to_owned(),
+        claim: claim.to_owned(),
         details: format!(
             "The cones of a free symmetric top touch along $\\Omega$; the space cone, about $L$, stands still. Half-angles of \
-             body cone and space cone: {} and {} degrees for $I_3/I_1 = {}$, {} and {} degrees for $I_3/I_1 = {}$, both with \
+             body cone and space cone: {}° and {}° for $I_3/I_1 = {}$, {}° and {}° for $I_3/I_1 = {}$, both with \
              $\\Omega_\\perp/\\Omega_3 = {}$.",
             degrees(flat_cones.body),
             degrees(flat_cones.space),
-            flat.axial(),
+            brief(flat.axial()),
             degrees(long_cones.body),
             degrees(long_cones.space),
-            long.axial(),
-            omega.x(),
+            brief(long.axial()),
+            brief(omega.x()),
         ),
         alt: format!(
-            "Two pairs of cones with a common tip. Left, a flat body: the wide cone of {} degrees about the body's axis \
-             surrounds the narrow cone of {} degrees about the vertical angular momentum. Right, a long body: the two cones \
+            "Two pairs of cones with a common tip. Left, a body with a moment ratio of {}: the wide cone of {} degrees about the body's axis \
+             surrounds the narrow cone of {} degrees about the vertical angular momentum. Right, a body with a ratio of {}: the two cones, of {} and {} degrees, \
              stand side by side. Each pair touches along the angular velocity, so one cone rolls on the other.",
+            brief(flat.axial()),
             degrees(flat_cones.body),
             degrees(flat_cones.space),
+            brief(long.axial()),
+            degrees(long_cones.body),
+            degrees(long_cones.space),
         ),
     };
+    let pairs = [
+        Pair::new("flat", &flat_cones, -1.0),
+        Pair::new("long", &long_cones, 1.0),
+    ];
+    // One scale for both.
+    let views =
+        [0, 1].map(|k| View::fitted(DIRECTION, &pairs[k].reach(), PANELS[k], f64::INFINITY));
+    let scale = views[0].scale().min(views[1].scale());
+    let made = figure("precession-cones", 320.0, words, |pen| {
+        for (pair, panel) in pairs.iter().zip(PANELS) {
+            pair.draw(pen, &View::fitted(DIRECTION, &pair.reach(), panel, scale));
+            let middle = 0.5 * (panel[0] + panel[2]);
+            let ratio = if pair.side < 0.0 { &flat } else { &long };
+            let name = match ratio.shape() {
+                Shape::Spherical => "round",
+                _ => pair.name,
+            };
+            let name = format!("{name}, *I*_{{3}}/*I*_{{1}} = {}", brief(ratio.axial()));
+            pen.text([middle, 286.0], Anchor::Middle, &name, label(Role::Ink));
+            let body = format!("body cone {}°", degrees(pair.cones.body));
+            let space = format!("space cone {}°", degrees(pair.cones.space));
+            pen.text([middle - 8.0, 308.0], Anchor::End, &body, small(Role::Ink));
+            let role = Role::AngularMomentum;
+            pen.text([middle + 8.0, 308.0], Anchor::Start, &space, small(role));
+        }
+    });
+    let columns = [
+        "I3/I1 (ratio)",
+        "body cone (°)",
+        "space cone (°)",
+        "axis from L (°)",
+    ];
+    let row = |top: &SymmetricTop, cones: &Cones| {
+        let angles = [cones.body, cones.space, cones.nutation].map(f64::to_degrees);
+        [vec![top.axial(), angles[0], angles[1], angles[2]]]
+    };
+    Ok(made.data("left", &columns, row(&flat, &flat_cones)).data(
+        "right",
+        &columns,
+        row(&long, &long_cones),
+    ))
+}
 
-    Ok(figure("precession-cones", 372.0, words, |pen| {
-        let panels = [
-            (&flat_cones, -1.0, [166.0, 300.0], "flat"),
-            (&long_cones, 1.0, [372.0, 300.0], "long"),
+/// From where the cones are seen: azimuth and elevation.
+const DIRECTION: [f64; 2] = [-core::f64::consts::FRAC_PI_2, 0.3];
+
+/// Both cones of a body.
+struct Pair<'a> {
+    name: &'static str,
+    cones: &'a Cones,
+    side: f64,
+    /// Axis of the body, L and Ω, of length one.
+    axis: Vector3<f64>,
+    l: Vector3<f64>,
+    omega: Vector3<f64>,
+}
+
+impl<'a> Pair<'a> {
+    /// L upright; Ω on the right of it, the axis beyond L if the body is flat, beyond Ω if it is long.
+    fn new(name: &'static str, cones: &'a Cones, side: f64) -> Self {
+        let tilted = |angle: f64| Vector3::new(angle.sin(), 0.0, angle.cos());
+        Self {
+            name,
+            cones,
+            side,
+            axis: tilted(side * cones.nutation),
+            l: tilted(0.0),
+            omega: tilted(cones.space),
+        }
+    }
+
+    /// What has to find room.
+    fn reach(&self) -> Vec<Vector3<f64>> {
+        let mut points = rim(&self.axis, self.cones.body);
+        points.extend(rim(&self.l, self.cones.space));
+        points.extend([self.axis, self.l, self.omega].map(|v| v * LETTER));
+        points.push(Vector3::zeros());
+        points
+    }
+
+    fn draw(&self, pen: &mut Pen, view: &View) {
+        cone(pen, view, &self.axis, self.cones.body, Role::Ink);
+        cone(pen, view, &self.l, self.cones.space, Role::AngularMomentum);
+        let tip = view.project(&Vector3::zeros());
+        let arrows = [
+            (self.axis, "*x*_{3}", Role::Ink, SECONDARY),
+            (self.l, "*L*", Role::AngularMomentum, DATA),
+            (self.omega, "*Ω*", Role::Omega, 2.8),
         ];
-        for (cones, side, tip, name) in panels {
-            // L upright; Omega on the right of it, the axis beyond L if the body is flat, beyond Omega if it is long.
-            let view = View::new(-core::f64::consts::FRAC_PI_2, 0.3, tip, SIDE);
-            let tilted = |angle: f64| Vector3::new(angle.sin(), 0.0, angle.cos());
-            let (l, spin, axis) = (
-                tilted(0.0),
-                tilted(cones.space),
-                tilted(side * cones.nutation),
-            );
-            cone(pen, &view, &axis, cones.body, Role::Ink);
-            cone(pen, &view, &l, cones.space, Role::AngularMomentum);
-            for (vector, text, role, width) in [
-                (axis, "*x*_{3}", Role::Ink, SECONDARY),
-                (l, "*L*", Role::AngularMomentum, DATA),
-                (spin, "*Ω*", Role::Omega, 2.8),
-            ] {
-                let end = view.project(&(vector * 1.2));
-                pen.arrow(tip, end, stroke(role, width));
-                let beyond = view.project(&(vector * 1.29));
-                pen.text(
-                    [beyond[0], beyond[1] + 5.0],
-                    Anchor::Middle,
-                    text,
-                    label(role),
-                );
-            }
-            pen.text(
-                [tip[0], tip[1] + 40.0],
-                Anchor::Middle,
-                name,
-                label(Role::Ink),
-            );
+        let letters = arrows.map(|(vector, ..)| view.project(&(vector * LETTER)));
+        // Arrows side by side have letters side by side.
+        let across = spread(letters.map(|at| at[0]), 24.0);
+        for ((vector, text, role, width), (x, at)) in
+            arrows.into_iter().zip(across.into_iter().zip(letters))
+        {
+            pen.arrow(tip, view.project(&(vector * ARROW)), stroke(role, width));
+            pen.text([x, at[1] + 5.0], Anchor::Middle, text, label(role));
         }
-        for (at, anchor, text, role) in [
-            ([84.0, 290.0], Anchor::End, "body cone", Role::Ink),
-            (
-                [324.0, 240.0],
-                Anchor::End,
-                "space cone",
-                Role::AngularMomentum,
-            ),
-            ([470.0, 306.0], Anchor::Start, "body cone", Role::Ink),
-        ] {
-            pen.text(at, anchor, text, small(role));
-        }
-    }))
+    }
+}
+
+/// The rim of a cone with its tip in the origin.
+fn rim(axis: &Vector3<f64>, half_angle: f64) -> Vec<Vector3<f64>> {
+    let across = Vector3::y().cross(axis).normalize();
+    let (s, c) = half_angle.sin_cos();
+    ellipse(axis * c, across * s, Vector3::y() * s, 180)
 }
 
 /// A cone with its tip in the origin, seen from outside.
 fn cone(pen: &mut Pen, view: &View, axis: &Vector3<f64>, half_angle: f64, role: Role) {
-    let across = Vector3::y().cross(axis).normalize();
-    let (s, c) = half_angle.sin_cos();
-    let rim = view.trace(&ellipse(axis * c, across * s, Vector3::y() * s, 180));
+    let rim = view.trace(&rim(axis, half_angle));
     let mut outline = rim.clone();
     outline.push(view.project(&Vector3::zeros()));
     let outline = hull(&outline);

@@ -184,7 +184,7 @@ fn tops() -> Result<[Loop; 4]> {
     ])
 }
 
-/// Waves, cusps, loops, and none of them.
+/// Waves, cusps, loops, and none of them. Constant: the spins are those that close the loops.
 pub fn top_animated() -> Result<Figure> {
     let tops = tops()?;
     let [waves, cusps, loops, pure] = &tops;

@@ -6,17 +6,54 @@ use spinning_bodies::Result;
 use spinning_bodies::lagrange_top::{Cycloid, dip};
 
 use super::{launch, nose};
-use crate::Figure;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, brief, figure, label, number, small,
+    spread, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// cos θ at the release: 60 degrees.
-const HEIGHT: f64 = 0.5;
-/// L₃ of the rows, and where the tilt of the release is drawn.
-const ROWS: [(f64, f64); 3] = [(3.0, 46.0), (5.0, 164.0), (10.0, 276.0)];
-/// Where the arches begin, and units to the radius of the rolling circle.
+const TILT: Parameter = Parameter::new(
+    "tilt",
+    r"\theta_0",
+    "tilt at the release",
+    [5.0, 175.0],
+    60.0,
+)
+.unit("°");
+const SPINS: [Parameter; 3] = [
+    Parameter::new(
+        "upper",
+        "L_3",
+        "axial momentum of the upper top",
+        [1.0, 20.0],
+        3.0,
+    ),
+    Parameter::new(
+        "middle",
+        "L_3",
+        "axial momentum of the top in the middle",
+        [1.0, 20.0],
+        5.0,
+    ),
+    Parameter::new(
+        "lower",
+        "L_3",
+        "axial momentum of the lower top",
+        [1.0, 20.0],
+        10.0,
+    ),
+];
+/// What may be chosen.
+pub const CYCLOIDS: &[Parameter] = &[TILT, SPINS[0], SPINS[1], SPINS[2]];
+
+/// Where the arches begin and how far they may go, and how deep they may go together, units.
 const LEFT: f64 = 84.0;
+const RIGHT: f64 = 570.0;
+const DEPTH: f64 = 230.0;
+/// The level of the first release, and what stands between two rows.
+const FIRST: f64 = 40.0;
+const BETWEEN: f64 = 42.0;
+/// Units to the radius of the rolling circle, at most.
 const UNIT: f64 = 34.0;
 const ARCHES: u32 = 2;
 const STEPS: u32 = 240;
@@ -24,19 +61,17 @@ const STEPS: u32 = 240;
 /// One top against its cycloid.
 struct Row {
     axial: f64,
-    from: f64,
     /// φ sin θ₀ and θ − θ₀ in units of the radius, step by step.
     trace: Vec<Point>,
     /// The cycloid of the limit in the same units.
     limit: Vec<Point>,
-    /// The greatest difference over the first arch in each of them.
-    off: [f64; 2],
+    /// The greatest difference over the first arch.
+    off: f64,
 }
 
 impl Row {
-    fn new(axial: f64, from: f64) -> Result<Self> {
-        let top = launch(HEIGHT, 0.0, axial)?;
-        let tilt = HEIGHT.acos();
+    fn new(axial: f64, tilt: f64) -> Result<Self> {
+        let top = launch(tilt.cos(), 0.0, axial)?;
         let cycloid = dip(1.0, 1.0, axial, tilt)?.cycloid;
         let shown = |[down, azimuth]: [f64; 2]| {
             let Cycloid { radius, sine } = cycloid;
@@ -56,83 +91,121 @@ impl Row {
         let limit: Vec<Point> = (0..=STEPS * ARCHES)
             .map(|k| shown(cycloid.at(TAU * f64::from(k) / f64::from(STEPS))))
             .collect();
-        let off = core::array::from_fn(|c| {
-            let arch = trace.iter().zip(&limit).take(STEPS as usize + 1);
-            arch.map(|(trace, limit)| (trace[c] - limit[c]).abs())
-                .fold(0.0, f64::max)
-        });
+        let arch = trace.iter().zip(&limit).take(STEPS as usize + 1);
+        let off = arch
+            .flat_map(|(trace, limit)| [trace[0] - limit[0], trace[1] - limit[1]])
+            .fold(0.0, |most: f64, off| most.max(off.abs()));
         Ok(Self {
             axial,
-            from,
             trace,
             limit,
             off,
         })
     }
 
-    fn place(&self, [along, down]: Point) -> Point {
-        [LEFT + UNIT * along, self.from + UNIT * down]
+    /// How far to the right and how far down both curves go.
+    fn reach(&self) -> Point {
+        let all = self.trace.iter().chain(&self.limit);
+        all.fold([0.0; 2], |most: Point, at| {
+            [most[0].max(at[0]), most[1].max(at[1])]
+        })
     }
 }
 
 /// Three tops, three cycloids.
-pub fn cycloids() -> Result<Figure> {
-    let rows = ROWS
+pub fn cycloids(values: &Values) -> Result<Figure> {
+    let degrees = values.of(&TILT);
+    let rows = SPINS
         .iter()
-        .map(|(axial, from)| Row::new(*axial, *from))
+        .map(|spin| Row::new(values.of(spin), degrees.to_radians()))
         .collect::<Result<Vec<_>>>()?;
-    let greatest = |row: &Row| row.off[0].max(row.off[1]);
-    let fastest = Row::new(20.0, 0.0)?;
-    let words = Words {
-        claim: "Released from rest the nose follows a cycloid, the better the faster the spin.".to_owned(),
-        details: format!(
-            "Tilt downwards, $\\varphi\\sin\\theta_0$ to the right, in units of the wheel's radius $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$; $\\theta_0 = 60°$, \
-             $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. The nose leaves the cycloid \
-             by {}$\\,a$ at most for $L_3 = 3$, {} for 5, {} for 10, {} for 20.",
-            number(greatest(&rows[0]), 2),
-            number(greatest(&rows[1]), 3),
-            number(greatest(&rows[2]), 4),
-            number(greatest(&fastest), 4),
-        ),
-        alt: "Three rows, each with two arches of a top's nose hanging from the level of its release, and a dashed cycloid. The slow top \
-              dips below its cycloid and gets ahead of it; the second is closer; for the third the two curves \
-              can hardly be told apart. All touch the upper level in upright cusps, where the dots crowd."
-            .to_owned(),
+    let mut order: Vec<&Row> = rows.iter().collect();
+    order.sort_by(|a, b| a.axial.total_cmp(&b.axial));
+    let better = order.windows(2).all(|pair| pair[1].off <= pair[0].off);
+    let told = |row: &Row| {
+        let digits = (1.0 - row.off.log10().floor()).clamp(0.0, 6.0);
+        number(row.off, digits as usize)
     };
-    Ok(figure("cycloid", 384.0, words, |pen| {
-        for row in &rows {
-            let end = row.place([TAU * f64::from(ARCHES) + 1.65, 0.0]);
-            pen.line(&[row.place([0.0, 0.0]), end], stroke(Role::Ink, HAIR));
-            let lowest = row.place([0.0, 2.0]);
-            pen.line(
-                &[lowest, [end[0], lowest[1]]],
-                stroke(Role::Muted, AXIS).dotted(),
-            );
-            for (height, text) in [(0.0, "*θ*_{0}"), (2.0, "+2*a*")] {
-                let [x, y] = row.place([0.0, height]);
-                pen.text([x - 10.0, y + 5.0], Anchor::End, text, small(Role::Ink));
+    let claim = match (better, order[2].off < 1.0) {
+        (true, true) => "Released from rest the nose follows a cycloid, the better the faster the spin.".to_owned(),
+        (false, true) => "Released from rest the nose follows a cycloid, but of these three the fastest is not the best at it.".to_owned(),
+        (_, false) => format!(
+            "Released from rest the nose comes back to upright cusps, but none of these tops is fast enough for a cycloid: the best leaves it by {} radii.",
+            told(order[2])
+        ),
+    };
+    let words = Words {
+        claim,
+        details: format!(
+            "Tilt downwards, $\\varphi\\sin\\theta_0$ to the right, in units of the wheel's radius $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$; $\\theta_0 = {}°$, \
+             $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. The nose leaves the cycloid \
+             by {}$\\,a$ at most for $L_3 = {}$, {} for {}, {} for {}.",
+            brief(degrees),
+            told(order[0]),
+            brief(order[0].axial),
+            told(order[1]),
+            brief(order[1].axial),
+            told(order[2]),
+            brief(order[2].axial),
+        ),
+        alt: format!(
+            "Three rows, each with two arches of a top's nose hanging from the level of its release at {} degrees, and a dashed cycloid. The axial \
+             momenta are {}, {} and {} from top to bottom. The slower a top, the further it leaves its cycloid, by {} radii at most. All touch the upper \
+             level in upright cusps, where the dots crowd.",
+            brief(degrees),
+            brief(rows[0].axial),
+            brief(rows[1].axial),
+            brief(rows[2].axial),
+            told(order[0]),
+        ),
+    };
+    let reaches = [0, 1, 2].map(|k: usize| rows[k].reach());
+    let [along, down] = reaches.into_iter().fold([0.0; 2], |sum: Point, reach| {
+        [sum[0].max(reach[0]), sum[1] + reach[1].max(2.0)]
+    });
+    let unit = UNIT.min((RIGHT - LEFT) / along).min(DEPTH / down);
+    let made = figure("cycloid", 384.0, words, |pen| {
+        let mut from = FIRST;
+        for (row, [_, depth]) in rows.iter().zip(reaches) {
+            let place = |&[along, down]: &Point| [LEFT + unit * along, from + unit * down];
+            let lowest = place(&[0.0, 2.0]);
+            pen.line(&[[LEFT, from], [RIGHT, from]], stroke(Role::Ink, HAIR));
+            let dotted = stroke(Role::Muted, AXIS).dotted();
+            pen.line(&[lowest, [RIGHT, lowest[1]]], dotted);
+            let levels = spread([from, lowest[1]], 18.0);
+            for (y, text) in levels.into_iter().zip(["*θ*_{0}", "+2*a*"]) {
+                pen.text([LEFT - 10.0, y + 5.0], Anchor::End, text, small(Role::Ink));
             }
-            let limit: Vec<Point> = row.limit.iter().map(|p| row.place(*p)).collect();
+            let limit: Vec<Point> = row.limit.iter().map(place).collect();
             pen.line(&limit, stroke(Role::Ink, SECONDARY).dashed());
-            let trace: Vec<Point> = row.trace.iter().map(|p| row.place(*p)).collect();
+            let trace: Vec<Point> = row.trace.iter().map(place).collect();
             pen.line(&trace, stroke(Role::Ink, DATA));
             for point in trace.iter().step_by(STEPS as usize / 8) {
                 pen.disc(*point, 3.0, Role::Ink, 1.0);
             }
             pen.text(
-                [LEFT, row.from - 14.0],
+                [LEFT, from - 14.0],
                 Anchor::Start,
-                &format!("*L*_{{3}} = {}", number(row.axial, 0)),
+                &format!("*L*_{{3}} = {}", brief(row.axial)),
                 label(Role::AngularMomentum),
             );
+            from += unit * depth.max(2.0) + BETWEEN;
         }
-        let row = &rows[2];
-        let [x, y] = row.place([TAU, 2.0]);
-        pen.text(
-            [x, y + 26.0],
-            Anchor::Middle,
-            "*φ* sin *θ*_{0}",
-            label(Role::Ink),
-        );
+        let under = [RIGHT, from - BETWEEN + 26.0];
+        pen.text(under, Anchor::End, "*φ* sin *θ*_{0}", label(Role::Ink));
+    });
+    let columns = [
+        "φ sin θ₀ (radii of the wheel)",
+        "θ − θ₀ (radii of the wheel)",
+    ];
+    Ok(rows.iter().fold(made, |made, row| {
+        let name = brief(row.axial);
+        let rows = |curve: &[Point]| curve.iter().map(|at| at.to_vec()).collect::<Vec<_>>();
+        made.data(format!("top with L3 = {name}"), &columns, rows(&row.trace))
+            .data(
+                format!("cycloid for L3 = {name}"),
+                &columns,
+                rows(&row.limit),
+            )
     }))
 }

@@ -15,11 +15,11 @@ mod sleeping;
 mod waking;
 
 pub use animated::top_animated;
-pub use cycloid::cycloids;
-pub use nutations::nutations;
-pub use rates::precession_rates;
-pub use sleeping::sleeping_threshold;
-pub use waking::waking;
+pub use cycloid::{CYCLOIDS, cycloids};
+pub use nutations::{NUTATIONS, nutations};
+pub use rates::{RATES, precession_rates};
+pub use sleeping::{SLEEPING, sleeping_threshold};
+pub use waking::{WAKING, waking};
 
 /// A top whose axis is at its turning point cos θ = `height`, going round the vertical at the rate φ′ = `pace`.
 fn launch(height: f64, pace: f64, axial: f64) -> Result<LagrangeTop> {

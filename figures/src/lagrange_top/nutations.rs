@@ -2,15 +2,15 @@
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::lagrange_top::LagrangeTop;
+use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
 
 use super::{launch, nose, pure_rates};
-use crate::Figure;
 use crate::solid::{View, ellipse};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number,
     small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
 /// cos θ of every start: 60 degrees.
 const HEIGHT: f64 = 0.5;
@@ -21,6 +21,34 @@ const UNIT: Point = [70.0, 112.0];
 const REACH: [f64; 3] = [-2.95, 5.35, 4.15];
 /// Radius of a sphere.
 const RADIUS: f64 = 52.0;
+
+const VERTICAL: Parameter = Parameter::new(
+    "vertical",
+    r"L_{\text{vert}}",
+    "vertical angular momentum of your top",
+    [-2.9, 5.3],
+    -0.5,
+)
+.dragged(
+    |values| yours(values).center(),
+    |point, _| (point[0] - ORIGIN[0]) / UNIT[0],
+);
+const AXIAL: Parameter = Parameter::new(
+    "axial",
+    "L_3",
+    "axial angular momentum of your top",
+    [0.0, 4.1],
+    1.5,
+)
+.dragged(
+    |values| yours(values).center(),
+    |point, _| (ORIGIN[1] - point[1]) / UNIT[1],
+);
+/// What may be chosen: the ring on the map is the handle of both.
+pub const NUTATIONS: &[Parameter] = &[VERTICAL, AXIAL];
+
+/// The sphere of the top whose momenta are chosen: its centre and radius.
+const YOURS: (Point, f64) = ([529.0, 409.0], 56.0);
 
 /// A sphere on the map.
 struct Globe {
@@ -43,28 +71,62 @@ fn vertical(pace: f64, axial: f64) -> f64 {
     pace * (1.0 - HEIGHT * HEIGHT) + axial * HEIGHT
 }
 
+/// What the nose of a top draws.
+struct Trace {
+    /// Seconds, and where the nose is.
+    points: Vec<(f64, Vector3<f64>)>,
+    /// Heights of the turning circles.
+    heights: [f64; 2],
+    /// From where the middle of the trace is seen.
+    azimuth: f64,
+    kind: Nutation,
+}
+
 impl Globe {
-    fn top(&self) -> Result<LagrangeTop> {
+    /// φ′ at the start.
+    fn pace(&self) -> f64 {
         let [vertical, axial] = self.momenta;
-        launch(
-            HEIGHT,
-            (vertical - axial * HEIGHT) / (1.0 - HEIGHT * HEIGHT),
-            axial,
-        )
+        (vertical - axial * HEIGHT) / (1.0 - HEIGHT * HEIGHT)
+    }
+
+    fn top(&self) -> Result<LagrangeTop> {
+        launch(HEIGHT, self.pace(), self.momenta[1])
     }
 
     fn center(&self) -> Point {
         place(self.momenta[0], self.momenta[1])
     }
 
+    fn trace(&self) -> Result<Trace> {
+        let top = self.top()?;
+        let roots = top.roots();
+        let circle = self.cycles == 1.0 || top.kind() == Nutation::PurePrecession;
+        let time = match circle {
+            true => core::f64::consts::TAU / self.pace().abs(),
+            false => self.cycles * top.period(),
+        };
+        // A top that falls from the upright position takes for ever.
+        let time = if time.is_finite() { time } else { 20.0 };
+        let points = (0..=600)
+            .map(|k| time * f64::from(k) / 600.0)
+            .map(|t| Ok((t, nose(&top, t)?)))
+            .collect::<Result<Vec<_>>>()?;
+        let turned = top.precession_per_nutation().unwrap_or_default() * self.cycles;
+        Ok(Trace {
+            points,
+            heights: [roots.h1, roots.h2],
+            azimuth: if circle { 0.0 } else { 0.5 * turned },
+            kind: top.kind(),
+        })
+    }
+
     /// The sphere, its turning circles and the trace.
-    fn draw(&self, pen: &mut Pen, trace: &[Vector3<f64>], heights: [f64; 2], azimuth: f64) {
-        let center = self.center();
-        let view = View::new(azimuth, 0.5, center, RADIUS);
+    fn draw(&self, pen: &mut Pen, trace: &Trace, (center, radius): (Point, f64)) {
+        let view = View::new(trace.azimuth, 0.5, center, radius);
         let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
-        pen.disc(center, RADIUS, Role::Shade, 1.0);
-        pen.ring(center, RADIUS, stroke(Role::Ink, AXIS));
-        for h in heights {
+        pen.disc(center, radius, Role::Shade, 1.0);
+        pen.ring(center, radius, stroke(Role::Ink, AXIS));
+        for h in trace.heights {
             let r = (1.0 - h * h).max(0.0).sqrt();
             let circle = ellipse(Vector3::z() * h, Vector3::x() * r, Vector3::y() * r, 120);
             let [front, _] = view.split(&circle, seen);
@@ -72,22 +134,42 @@ impl Globe {
                 pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.6));
             }
         }
-        let [front, back] = view.split(trace, seen);
+        let points: Vec<Vector3<f64>> = trace.points.iter().map(|(_, nose)| *nose).collect();
+        let [front, back] = view.split(&points, seen);
         for piece in back {
             pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.5));
         }
         for piece in front {
             pen.line(&piece, stroke(Role::Ink, DATA));
         }
-        let [x, y] = self.beside;
-        for (k, line) in self.name.split('\n').enumerate() {
-            pen.text(
-                [center[0] + x, center[1] + y + 17.0 * k as f64],
-                self.anchor,
-                line,
-                label(Role::Ink),
-            );
-        }
+        let at = [center[0] + self.beside[0], center[1] + self.beside[1]];
+        pen.text(at, self.anchor, self.name, label(Role::Ink));
+    }
+}
+
+/// The top whose momenta are chosen.
+fn yours(values: &Values) -> Globe {
+    Globe {
+        name: "yours",
+        momenta: [values.of(&VERTICAL), values.of(&AXIAL)],
+        cycles: 3.0,
+        beside: [0.0, -YOURS.1 - 9.0],
+        anchor: Anchor::Middle,
+    }
+}
+
+/// What the caption calls a motion.
+fn told(kind: Nutation, pace: f64) -> &'static str {
+    match kind {
+        Nutation::Waves if pace < 0.0 => "waves, backwards",
+        Nutation::Waves => "waves",
+        Nutation::Cusps => "cusps",
+        Nutation::Loops => "loops",
+        Nutation::PurePrecession => "a circle",
+        Nutation::SphericalPendulum => "a spherical pendulum",
+        Nutation::PlanePendulum => "a pendulum in one plane",
+        Nutation::Waking => "the way up to the upright position and back, for ever",
+        _ => "a point",
     }
 }
 
@@ -131,8 +213,8 @@ fn globes() -> Result<Vec<Globe>> {
             "fast circle",
             [vertical(fast, 2.0), 2.0],
             1.0,
-            [8.0, below],
-            Anchor::Start,
+            [12.0, below],
+            Anchor::End,
         ),
         globe("loops", [3.25, 3.6], 5.0, [0.0, above], Anchor::Middle),
         globe("waves", [4.6, 3.05], 2.5, [0.0, above], Anchor::Middle),
@@ -190,53 +272,44 @@ fn borders() -> Result<[(Vec<Point>, bool); 6]> {
 }
 
 /// The kinds of nutation on the map of the two momenta.
-pub fn nutations() -> Result<Figure> {
+pub fn nutations(values: &Values) -> Result<Figure> {
     let globes = globes()?;
     let drawn = globes
         .iter()
-        .map(|globe| {
-            let top = globe.top()?;
-            let roots = top.roots();
-            let pace = (globe.momenta[0] - globe.momenta[1] * HEIGHT) / (1.0 - HEIGHT * HEIGHT);
-            let time = if globe.cycles == 1.0 {
-                core::f64::consts::TAU / pace
-            } else {
-                globe.cycles * top.period()
-            };
-            let trace = (0..=600)
-                .map(|k| nose(&top, time * f64::from(k) / 600.0))
-                .collect::<Result<Vec<_>>>()?;
-            // Seen from where the middle of the trace is.
-            let turned = top.precession_per_nutation().unwrap_or_default() * globe.cycles;
-            let azimuth = if globe.cycles == 1.0 {
-                0.0
-            } else {
-                0.5 * turned
-            };
-            Ok((trace, [roots.h1, roots.h2], azimuth))
-        })
+        .map(Globe::trace)
         .collect::<Result<Vec<_>>>()?;
-    let [slow, fast] = [4, 5].map(|k: usize| {
-        (globes[k].momenta[0] - globes[k].momenta[1] * HEIGHT) / (1.0 - HEIGHT * HEIGHT)
-    });
+    let [slow, fast] = [4, 5].map(|k: usize| globes[k].pace());
+    let yours = yours(values);
+    let own = yours.trace()?;
+    let [vertical, axial] = yours.momenta.map(|momentum| number(momentum, 2));
+    let kind = told(own.kind, yours.pace());
+    let tilts = own
+        .heights
+        .map(|height| number(height.clamp(-1.0, 1.0).acos().to_degrees(), 1));
     let words = Words {
-        claim: "Two momenta decide whether the nose draws waves, cusps, loops or a circle.".to_owned(),
+        claim: "Two momenta decide whether the nose draws waves, cusps, loops or a circle."
+            .to_owned(),
         details: format!(
             "The tutorial's pictures k, l, m and n, each at its place: every top starts 60° from the vertical, where its tilt turns, with \
              $I_1 = Mg\\ell = 1$. Dashed: cusps. Orange: pure precession, slow ({} at $L_3 = 3$) on the left branch and fast ({} at \
-             $L_3 = 2$) on the right. Dotted: the nose passes the top or the bottom of its sphere.",
+             $L_3 = 2$) on the right. Dotted: the nose passes the top or the bottom of its sphere. The ring is yours, $L_{{\\text{{vert}}}} = {vertical}$ and \
+             $L_3 = {axial}$: it draws {kind}, between {}° and {}°.",
             number(slow, 4),
             number(fast, 4),
+            tilts[1],
+            tilts[0],
         ),
-        alt: "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \
-              the trace of the nose of a top that starts 60 degrees from the vertical. From left to right: backward waves, loops, \
-              cusps on a dashed line, waves, a circle of slow precession on one branch of a solid curve, loops and waves between \
-              the branches, a circle of fast precession on the other branch; at the bottom, without axial momentum, a spherical \
-              pendulum. Loops shrink to cusps where the dashed line is crossed and open to waves beyond."
-            .to_owned(),
+        alt: format!(
+            "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \
+             the trace of the nose of a top that starts 60 degrees from the vertical. From left to right: backward waves, loops, \
+             cusps on a dashed line, waves, a circle of slow precession on one branch of a solid curve, loops and waves between \
+             the branches, a circle of fast precession on the other branch; at the bottom, without axial momentum, a spherical \
+             pendulum. Loops shrink to cusps where the dashed line is crossed and open to waves beyond. A ring at {vertical} and {axial} \
+             has its sphere apart: the nose draws {kind}.",
+        ),
     };
     let borders = borders()?;
-    Ok(figure("nutations", 574.0, words, |pen| {
+    let made = figure("nutations", 566.0, words, |pen| {
         let [left, right, top] = REACH;
         let ink = stroke(Role::Ink, AXIS);
         let axis = |from: Point, to: Point| -> Vec<Point> {
@@ -297,16 +370,34 @@ pub fn nutations() -> Result<Figure> {
             };
             clear(pen, points, &globes, style);
         }
-        for (globe, (trace, heights, azimuth)) in globes.iter().zip(&drawn) {
-            globe.draw(pen, trace, *heights, *azimuth);
+        for (globe, trace) in globes.iter().zip(&drawn) {
+            globe.draw(pen, trace, (globe.center(), RADIUS));
         }
+        yours.draw(pen, &own, YOURS);
+        let [x, y] = YOURS.0;
+        let rings = [yours.center(), [x - 32.0, y - YOURS.1 - 14.0]];
+        for at in rings {
+            pen.disc(at, 6.0, Role::Paper, 1.0);
+            pen.ring(at, 6.0, stroke(Role::Ink, DATA));
+            pen.disc(at, 2.0, Role::Ink, 1.0);
+        }
+    });
+    let columns = ["time (√(I1/Mgl))", "tilt (°)", "azimuth (°)"];
+    let named = globes.iter().zip(&drawn).chain([(&yours, &own)]);
+    Ok(named.fold(made, |made, (globe, trace)| {
+        let [vertical, axial] = globe.momenta;
+        let name = format!("{}, Lvert = {vertical}, L3 = {axial}", globe.name);
+        let rows = trace.points.iter().map(|(t, nose)| {
+            let tilt = nose.x.hypot(nose.y).atan2(nose.z);
+            vec![*t, tilt.to_degrees(), nose.y.atan2(nose.x).to_degrees()]
+        });
+        made.data(name, &columns, rows)
     }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use spinning_bodies::lagrange_top::Nutation;
 
     /// Just left and right of every border on the map, the library tells another kind.
     #[test]

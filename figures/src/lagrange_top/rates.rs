@@ -6,16 +6,57 @@ use spinning_bodies::lagrange_top::Nutation;
 use spinning_bodies::{Error, Result};
 
 use super::{launch, pure_rates};
-use crate::Figure;
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, Words, brief, figure, label, number, small, spread,
+    stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// L₃ of the curves, and how they are drawn.
-const SPINS: [(f64, f64); 3] = [(1.2, 1.2), (2.0, 2.0), (3.0, 2.8)];
+/// L₃ of the curves; each has its handle where its fast branch ends, for a hanging axis.
+const SPINS: [Parameter; 3] = [
+    Parameter::new(
+        "thin",
+        "L_3",
+        "axial momentum of the thin curve",
+        [0.4, 3.3],
+        1.2,
+    )
+    .dragged(|values| hanging(values.of(&SPINS[0])), spin_at),
+    Parameter::new(
+        "middle",
+        "L_3",
+        "axial momentum of the middle curve",
+        [0.4, 3.3],
+        2.0,
+    )
+    .dragged(|values| hanging(values.of(&SPINS[1])), spin_at),
+    Parameter::new(
+        "thick",
+        "L_3",
+        "axial momentum of the thick curve",
+        [0.4, 3.3],
+        3.0,
+    )
+    .dragged(|values| hanging(values.of(&SPINS[2])), spin_at),
+];
+/// What may be chosen.
+pub const RATES: &[Parameter] = &SPINS;
+
 /// Left, right, bottom, top of the frame, and the rates there.
-const FRAME: [f64; 4] = [62.0, 556.0, 340.0, 26.0];
+const FRAME: [f64; 4] = [62.0, 540.0, 332.0, 40.0];
 const SHOWN: [f64; 2] = [-3.6, 6.2];
+
+/// The fast rate w of a hanging axis: w² + L₃w = 1.
+fn hanging(axial: f64) -> Point {
+    let rates = pure_rates(-1.0, axial).unwrap_or_default();
+    place(PI, rates[1])
+}
+
+fn spin_at(point: Point, _: &Values) -> f64 {
+    let [_, _, bottom, top] = FRAME;
+    let rate = SHOWN[0] + (SHOWN[1] - SHOWN[0]) * (bottom - point[1]) / (bottom - top);
+    1.0 / rate - rate
+}
 
 fn place(tilt: f64, rate: f64) -> Point {
     let [left, right, bottom, top] = FRAME;
@@ -25,7 +66,7 @@ fn place(tilt: f64, rate: f64) -> Point {
     ]
 }
 
-/// A branch as tops that really precess at a constant tilt: the rates the library reports.
+/// A branch as tops that really precess at a constant tilt: tilts and the rates that the library reports.
 fn branch(axial: f64, which: usize, tilts: [f64; 2]) -> Result<Vec<Point>> {
     const STEPS: u32 = 240;
     let mut points = Vec::new();
@@ -50,7 +91,7 @@ fn branch(axial: f64, which: usize, tilts: [f64; 2]) -> Result<Vec<Point>> {
                 greatest: tilts[1],
             });
         }
-        points.push(place(tilt, told));
+        points.push([tilt, told]);
     }
     Ok(points)
 }
@@ -61,35 +102,76 @@ fn least_tilt(axial: f64) -> f64 {
 }
 
 /// Two rates at every tilt for a fast top; for a slow one they meet and cease.
-pub fn precession_rates() -> Result<Figure> {
+pub fn precession_rates(values: &Values) -> Result<Figure> {
+    let spins = [0, 1, 2].map(|k: usize| values.of(&SPINS[k]));
     let mut curves = Vec::new();
-    for (axial, width) in SPINS {
+    for (axial, width) in spins.into_iter().zip([1.2, 2.0, 2.8]) {
         let from = least_tilt(axial);
-        curves.push((width, false, branch(axial, 0, [from, PI])?));
-        curves.push((width, true, branch(axial, 1, [from, 0.5 * PI])?));
-        curves.push((width, true, branch(axial, 1, [0.5 * PI, PI])?));
+        let name = brief(axial);
+        let branches = [
+            ("slow", 0, [from, PI]),
+            ("fast", 1, [from, 0.5 * PI]),
+            ("fast, hanging", 1, [0.5 * PI, PI]),
+        ];
+        for (branch_name, which, tilts) in branches {
+            let name = format!("{branch_name}, L3 = {name}");
+            curves.push((name, width, which == 1, branch(axial, which, tilts)?));
+        }
     }
-    let slowest = SPINS[0].0;
-    let end = least_tilt(slowest);
-    let [slow, fast] = pure_rates(0.5, 3.0)?;
-    let words = Words {
-        claim: "A tilted top can precess slowly or fast; if its spin is too slow and its axis too steep, not at all.".to_owned(),
-        details: format!(
-            "Rates of pure precession against the tilt for $L_3 = {}$, 2 and 3, $I_1 = Mg\\ell = 1.$ Slow solid, fast dashed: {} and {} for \
-             $L_3 = 3$ at 60°. Dotted: where the two meet; for $L_3 = {}$ that is at {}°, and a steeper axis has no rate at all.",
-            number(slowest, 1),
-            number(slow, 4),
-            number(fast, 4),
-            number(slowest, 1),
-            number(end.to_degrees(), 2),
+    let ends = spins.map(|axial| (axial, least_tilt(axial)));
+    let slow: Vec<&(f64, f64)> = ends.iter().filter(|(axial, _)| *axial < 2.0).collect();
+    let told: Vec<String> = slow
+        .iter()
+        .map(|(axial, end)| {
+            format!(
+                "{}° for $L_3 = {}$",
+                number(end.to_degrees(), 2),
+                brief(*axial)
+            )
+        })
+        .collect();
+    let (claim, meeting) = match told[..] {
+        [] => (
+            "Spun fast enough, a top can precess slowly or fast at every tilt.",
+            "These three spin fast enough for all tilts: below $L_3 = 2$ the two branches would meet on the dotted line.".to_owned(),
         ),
-        alt: "Rates of precession against the tilt from 0 to 180 degrees. For each of three spins a slow branch, low and nearly level, falls \
-              gently to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. \
-              For the greatest spin both branches reach the upright axis. For the middle one they just meet there. For the least they \
-              meet at a tilt of about 69 degrees, on a dotted curve, and to the left of it there is nothing."
-            .to_owned(),
+        _ => (
+            "A tilted top can precess slowly or fast; if its spin is too slow and its axis too steep, not at all.",
+            format!("Dotted: where the two meet, at {}; a steeper axis has no rate at all.", told.join(", ")),
+        ),
     };
-    Ok(figure("precession-rates", 400.0, words, |pen| {
+    let [first, second, third] = spins.map(brief);
+    let height: f64 = 0.5;
+    let rates = pure_rates(height, spins[2])?;
+    let example = match rates[0].is_finite() {
+        true => format!("{} and {}", number(rates[0], 4), number(rates[1], 4)),
+        false => "none".to_owned(),
+    };
+    let words = Words {
+        claim: claim.to_owned(),
+        details: format!(
+            "Rates of pure precession against the tilt for $L_3 = {first}$ (thin), {second} and {third} (thick), $I_1 = Mg\\ell = 1.$ Slow solid, fast dashed: {example} \
+             for $L_3 = {third}$ at {}°. {meeting}",
+            number(height.acos().to_degrees(), 0),
+        ),
+        alt: format!(
+            "Rates of precession against the tilt from 0 to 180 degrees for the axial momenta {first}, {second} and {third}. For each a slow branch, low and nearly \
+             level, falls gently to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. {}",
+            match told[..] {
+                [] => "All of them reach the upright axis.".to_owned(),
+                _ => format!(
+                    "Both branches of a spin below 2 meet on a dotted curve, at {} degrees for the slowest; to the left of it there is nothing.",
+                    number(
+                        slow.iter()
+                            .map(|(_, end)| end.to_degrees())
+                            .fold(0.0, f64::max),
+                        0
+                    )
+                ),
+            },
+        ),
+    };
+    let made = figure("precession-rates", 384.0, words, |pen| {
         axes(pen);
         let meeting: Vec<Point> = (0..=300)
             .map(|k| 0.5 * PI * f64::from(k) / 300.0)
@@ -98,28 +180,53 @@ pub fn precession_rates() -> Result<Figure> {
             .map(|(tilt, rate)| place(tilt, rate))
             .collect();
         pen.line(&meeting, stroke(Role::Muted, 1.6).dotted());
-        for (width, fast, points) in &curves {
+        for (_, width, fast, points) in &curves {
             let style = stroke(Role::Ink, *width);
-            pen.line(points, if *fast { style.dashed() } else { style });
+            let points: Vec<Point> = points
+                .iter()
+                .map(|&[tilt, rate]| place(tilt, rate))
+                .collect();
+            pen.line(&points, if *fast { style.dashed() } else { style });
         }
-        pen.disc(place(end, 2.0 / slowest), 3.6, Role::Ink, 1.0);
-        pen.disc(place(0.0, 1.0), 3.6, Role::Ink, 1.0);
+        for (axial, end) in ends.iter().filter(|(axial, _)| *axial <= 2.0) {
+            pen.disc(place(*end, 2.0 / axial), 3.6, Role::Ink, 1.0);
+        }
+        // The momenta stand where the fast branches leave the picture: cos θ = (L₃w − 1)/w² there.
+        let out = spins.map(|axial| {
+            place(
+                ((axial * SHOWN[1] - 1.0) / SHOWN[1].powi(2)).acos(),
+                SHOWN[1],
+            )[0]
+        });
+        let out = spread(out, 30.0);
+        for (x, axial) in out.into_iter().zip(spins) {
+            let text = number(axial, 2);
+            let text = text.strip_suffix('0').unwrap_or(&text);
+            pen.text(
+                [x, FRAME[3] - 8.0],
+                Anchor::Middle,
+                text,
+                small(Role::AngularMomentum),
+            );
+        }
+        let left = out.into_iter().fold(f64::INFINITY, f64::min);
+        let name = [left - 20.0, FRAME[3] - 8.0];
+        pen.text(name, Anchor::End, "*L*_{3} =", small(Role::AngularMomentum));
         for (tilt, rate, text) in [
-            (4.0, 3.05, "*L*_{3} = 3"),
-            (20.0, 1.75, "2"),
-            (60.5, 2.3, "1.2"),
-            (140.0, 0.85, "slow"),
-            (43.0, 5.4, "fast"),
-            (104.0, -2.7, "fast"),
+            (140.0, 1.2, "slow"),
+            (30.0, 5.4, "fast"),
+            (96.0, -2.7, "fast"),
         ] {
-            let role = if rate > 1.0 && rate < 5.0 {
-                Role::AngularMomentum
-            } else {
-                Role::Ink
-            };
-            let [x, y] = place(f64::to_radians(tilt), rate);
-            pen.text([x, y], Anchor::Start, text, small(role));
+            let at = place(f64::to_radians(tilt), rate);
+            pen.text(at, Anchor::Start, text, small(Role::Ink));
         }
+    });
+    let columns = ["tilt (°)", "rate of precession (√(Mgl/I1))"];
+    Ok(curves.into_iter().fold(made, |made, (name, _, _, points)| {
+        let rows = points
+            .into_iter()
+            .map(|[tilt, rate]| vec![tilt.to_degrees(), rate]);
+        made.data(name, &columns, rows)
     }))
 }
 
@@ -156,8 +263,13 @@ fn axes(pen: &mut Pen) {
     pen.text(
         [left + 10.0, top + 6.0],
         Anchor::Start,
-        "*φ*\u{2032}",
+        "*φ*^{\u{2032}}",
         label(Role::Ink),
     );
-    pen.text([right, bottom + 46.0], Anchor::End, "*θ*", label(Role::Ink));
+    pen.text(
+        [right + 18.0, bottom + 6.0],
+        Anchor::Start,
+        "*θ*",
+        label(Role::Ink),
+    );
 }

@@ -1,31 +1,113 @@
 //! f(h) and its roots while the spin of a sleeping top falls through the threshold (tutorial 7.5).
 
 use spinning_bodies::Result;
-use spinning_bodies::lagrange_top::{LagrangeTop, Roots};
+use spinning_bodies::lagrange_top::{Roots, tilt_after_kick};
 
 use super::launch;
-use crate::Figure;
+use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, label, number, small,
+    spread, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// L₃ of the curves: above the threshold, at it, below it.
-const SPINS: [f64; 5] = [2.4, 2.15, 2.0, 1.85, 1.7];
-/// Angular velocity across the axis after a kick, rad/s.
-const KICK: f64 = 0.01;
-/// Left and right end of the axis of h, height of zero, units to one of f.
-const FRAME: [f64; 4] = [44.0, 556.0, 150.0, 760.0];
-/// The part of the axis of h that is shown.
-const SHOWN: [f64; 2] = [0.4, 1.56];
-/// The greatest |f| shown, below and above zero.
-const CUT: [f64; 2] = [-0.215, 0.145];
+const ABOVE: Parameter = Parameter::new(
+    "above",
+    "L_3",
+    "axial momentum of the fastest top",
+    [2.05, 3.0],
+    2.4,
+);
+const BELOW: Parameter = Parameter::new(
+    "below",
+    "L_3",
+    "axial momentum of the slowest top",
+    [1.2, 1.95],
+    1.7,
+)
+.dragged(
+    |values| Shown::of(values).place(loner(values.of(&BELOW)), 0.0),
+    |point, values| (2.0 * (1.0 + Shown::of(values).height(point[0]))).sqrt(),
+);
+const KICK: Parameter = Parameter::new(
+    "kick",
+    r"\Omega_\perp",
+    "angular velocity across the axis after a kick, in units of the square root of Mgl/I₁",
+    [1e-4, 0.1],
+    0.01,
+)
+.logarithmic();
+/// What may be chosen; the handle is the root of the slowest top.
+pub const SLEEPING: &[Parameter] = &[ABOVE, BELOW, KICK];
 
-fn place(h: f64, f: f64) -> Point {
-    let [left, right, zero, unit] = FRAME;
-    [
-        left + (right - left) * (h - SHOWN[0]) / (SHOWN[1] - SHOWN[0]),
-        zero - unit * f,
-    ]
+/// L₃ at the threshold.
+const THRESHOLD: f64 = 2.0;
+/// Left and right end of the axis of h, height of zero.
+const FRAME: [f64; 3] = [44.0, 556.0, 140.0];
+/// Units above zero that the highest crest takes; how far above and below the curves are drawn.
+const CREST: f64 = 44.0;
+const CUT: [f64; 2] = [-163.0, 110.0];
+
+/// The root that is not the double one of a top that spins upright (7.5): h = L₃²/2I₁Mgl − 1.
+fn loner(axial: f64) -> f64 {
+    0.5 * axial * axial - 1.0
+}
+
+/// The part of the plane of h and f that is shown.
+struct Shown {
+    /// Ends of the axis of h.
+    ends: [f64; 2],
+    /// Units to one of f.
+    unit: f64,
+}
+
+impl Shown {
+    /// From left of the slowest top's root; its crest is 8(1 − root)³/27 high.
+    fn of(values: &Values) -> Self {
+        let root = loner(values.of(&BELOW));
+        let crest = 8.0 / 27.0 * (1.0 - root).powi(3);
+        let left = (root - 0.045).min(0.4);
+        Self {
+            ends: [left, 1.0 + (1.0 - left) * 14.0 / 15.0],
+            unit: (CREST / crest).min(760.0),
+        }
+    }
+
+    fn place(&self, h: f64, f: f64) -> Point {
+        let [left, right, zero] = FRAME;
+        [
+            left + (right - left) * (h - self.ends[0]) / (self.ends[1] - self.ends[0]),
+            zero - self.unit * f,
+        ]
+    }
+
+    /// The inverse along the axis.
+    fn height(&self, x: f64) -> f64 {
+        let [left, right, _] = FRAME;
+        self.ends[0] + (self.ends[1] - self.ends[0]) * (x - left) / (right - left)
+    }
+
+    fn axes(&self, pen: &mut Pen) {
+        let ink = stroke(Role::Ink, AXIS);
+        let [left, right, zero] = FRAME;
+        let [low, high] = CUT.map(|cut| zero - cut);
+        pen.line(&[[left, zero], [right, zero]], ink);
+        pen.line(&[[left, low], [left, high]], ink);
+        let x = self.place(1.0, 0.0)[0];
+        let dotted = stroke(Role::Muted, HAIR).dotted();
+        pen.line(&[[x, low], [x, high]], dotted);
+        for (h, text) in Axis::linear(self.ends, [left, right]).ticks(150.0) {
+            let [x, y] = self.place(h, 0.0);
+            pen.line(&[[x, y], [x, y + 5.0]], ink);
+            if x > left + 5.0 {
+                pen.text([x + 4.0, y + 24.0], Anchor::Start, &text, small(Role::Ink));
+            }
+        }
+        let name = [left + 10.0, high - 6.0];
+        pen.text(name, Anchor::Start, "*f*(*h*)", label(Role::Ink));
+        let name = [right + 9.0, zero + 5.0];
+        pen.text(name, Anchor::Start, "*h*", label(Role::Ink));
+    }
 }
 
 /// f(h) from its roots (7.2), I₁ = Mgl = 1.
@@ -33,125 +115,87 @@ fn cubic(roots: &Roots, h: f64) -> f64 {
     2.0 * (h - roots.h1) * (h - roots.h2) * (h - roots.h3)
 }
 
-/// The root that is not the double one of the sleeping top.
-fn loner(roots: &Roots) -> f64 {
-    if roots.h3 > 1.0 { roots.h3 } else { roots.h1 }
-}
-
-fn kicked(axial: f64, kick: f64) -> Result<LagrangeTop> {
-    use spinning_bodies::frame::{Attitude, BodyVector};
-    let omega = BodyVector::new(kick, 0.0, axial);
-    LagrangeTop::new(1.0, 1.0, 1.0, omega, Attitude::identity())
-}
-
 /// The third root goes through the double one, and the sign of f next to h = 1 changes.
-pub fn sleeping_threshold() -> Result<Figure> {
-    let curves = SPINS
+pub fn sleeping_threshold(values: &Values) -> Result<Figure> {
+    let [above, below, kick] = [ABOVE, BELOW, KICK].map(|one| values.of(&one));
+    let spins = [
+        above,
+        0.5 * (above + THRESHOLD),
+        THRESHOLD,
+        0.5 * (below + THRESHOLD),
+        below,
+    ];
+    let shown = Shown::of(values);
+    let curves = spins
         .iter()
-        .map(|axial| Ok((*axial, launch(1.0, 0.0, *axial)?.roots())))
+        .map(|axial| {
+            let roots = launch(1.0, 0.0, *axial)?.roots();
+            let curve = (0..=600)
+                .map(|k| shown.ends[0] + (shown.ends[1] - shown.ends[0]) * f64::from(k) / 600.0)
+                .map(|h| [h, cubic(&roots, h)])
+                .filter(|[_, f]| (CUT[0]..=CUT[1]).contains(&(shown.unit * f)));
+            Ok((*axial, curve.collect::<Vec<[f64; 2]>>()))
+        })
         .collect::<Result<Vec<_>>>()?;
-    let tilt = |axial: f64| -> Result<f64> {
-        let roots = kicked(axial, KICK)?.roots();
-        // 1 − cos θ without cancellation.
-        Ok(2.0 * (0.5 * roots.one_less[0]).sqrt().asin().to_degrees())
-    };
-    let (above, at, below) = (tilt(2.4)?, tilt(2.0)?, tilt(1.7)?);
+    let tilts = [above, THRESHOLD, below].map(|axial| tilt_after_kick(1.0, 1.0, axial, kick));
+    let [fast, at, slow] = tilts.map(|tilt| tilt.map(|tilt| number(tilt.to_degrees(), 2)));
+    let (fast, at, slow) = (fast?, at?, slow?);
+    let root = number(loner(below), 3);
+    let [above, below] = [above, below].map(brief);
     let words = Words {
         claim: "A top sleeps until its third root has come down past the upright position."
             .to_owned(),
         details: format!(
-            "$f(h)$ of an upright top, $I_1 = Mg\\ell = 1$, as $L_3$ falls from 2.4 to 1.7. The motion needs $f\\ge0$: shaded, the room \
-             below $h = 1$ that opens under the threshold $L_3 = 2$, down to $\\cos\\theta = {}$ for 1.7. A sideways kick of 0.01 tilts the \
-             top by {}° at $L_3 = 2.4$, by {}° at 2 and by {}° at 1.7.",
-            number(loner(&curves[4].1), 3),
-            number(above, 2),
-            number(at, 2),
-            number(below, 2),
+            "$f(h)$ of an upright top, $I_1 = Mg\\ell = 1$, as $L_3$ falls from {above} to {below}. The motion needs $f\\ge0$: shaded, the room \
+             below $h = 1$ that opens under the threshold $L_3 = 2$, thick, down to $\\cos\\theta = {root}$ for {below}. A sideways kick of {} tilts the \
+             top by {fast}° at $L_3 = {above}$, by {at}° at 2 and by {slow}° at {below}.",
+            brief(kick),
         ),
         alt: format!(
             "Five cubics that all touch or cross zero at h = 1. For fast spin the curve touches zero from below at 1 and crosses further right. \
-             As the spin falls the crossing moves left, reaches 1 at the threshold, where the curve has a flat crossing, and goes on to {} for \
-             the slowest top: there the curve is positive between the crossing and 1, and the top falls over as far as that.",
-            number(loner(&curves[4].1), 2),
+             As the spin falls the crossing moves left, reaches 1 at the threshold, where the curve has a flat crossing, and goes on to {root} for \
+             the slowest top, of axial momentum {below}: there the curve is positive between the crossing and 1, and the top falls over as far as that.",
         ),
     };
-    Ok(figure("sleeping-threshold", 352.0, words, |pen| {
-        axes(pen);
-        for (axial, roots) in &curves {
-            let points: Vec<Point> = (0..=600)
-                .map(|k| SHOWN[0] + (SHOWN[1] - SHOWN[0]) * f64::from(k) / 600.0)
-                .map(|h| (h, cubic(roots, h)))
-                .filter(|(_, f)| (CUT[0]..=CUT[1]).contains(f))
-                .map(|(h, f)| place(h, f))
-                .collect();
-            let style = match axial.total_cmp(&2.0) {
+    let made = figure("sleeping-threshold", 332.0, words, |pen| {
+        shown.axes(pen);
+        for (axial, curve) in &curves {
+            let points: Vec<Point> = curve.iter().map(|&[h, f]| shown.place(h, f)).collect();
+            let style = match axial.total_cmp(&THRESHOLD) {
                 core::cmp::Ordering::Greater => stroke(Role::Ink, SECONDARY),
-                core::cmp::Ordering::Equal => stroke(Role::AngularMomentum, 2.6),
+                core::cmp::Ordering::Equal => stroke(Role::Ink, 2.8),
                 core::cmp::Ordering::Less => stroke(Role::Ink, SECONDARY).dashed(),
             };
-            // The room that the top may fall into.
-            let room: Vec<Point> = points
-                .iter()
-                .filter(|p| p[0] <= place(1.0, 0.0)[0] && p[1] <= FRAME[2])
-                .copied()
-                .collect();
-            if *axial < 2.0 {
+            if *axial < THRESHOLD {
+                // The room that the top may fall into.
+                let inside = |p: &&Point| p[0] <= shown.place(1.0, 0.0)[0] && p[1] <= FRAME[2];
+                let room: Vec<Point> = points.iter().filter(inside).copied().collect();
                 pen.fill(&room, Role::Ink, 0.13);
             }
             pen.line(&points, style);
-            let root = loner(roots);
-            if root < SHOWN[1] {
-                pen.disc(place(root, 0.0), 3.6, Role::AngularMomentum, 1.0);
-            }
-            let role = if *axial == 2.0 {
-                Role::AngularMomentum
-            } else {
-                Role::Ink
-            };
-            let digits = number(*axial, if *axial * 10.0 % 1.0 > 0.2 { 2 } else { 1 });
-            if let Some([x, y]) = points.first() {
-                // The number stands at the left end of its curve, that of the last one over its crest.
-                let crest = points.iter().filter(|p| p[0] < place(0.9, 0.0)[0]);
-                let [top_x, top_y] = crest.fold([*x, *y], |a, b| if b[1] < a[1] { *b } else { a });
-                if *x < FRAME[0] + 3.0 && top_y < *y && *axial < 1.8 {
-                    let text = format!("*L*_{{3}} = {digits}");
-                    pen.text([top_x, top_y - 9.0], Anchor::Middle, &text, small(role));
-                } else {
-                    pen.text([x + 8.0, *y], Anchor::Start, &digits, small(role));
-                }
+            let root = loner(*axial);
+            if root < shown.ends[1] {
+                pen.disc(shown.place(root, 0.0), 3.6, Role::Ink, 1.0);
             }
         }
+        // The number stands at the lower end of its curve, that of the last one over its crest.
+        let feet = [0, 1, 2, 3].map(|k: usize| {
+            let foot = curves[k].1.first().map_or([1.0, 0.0], |&at| at);
+            shown.place(foot[0], foot[1])
+        });
+        let across = spread(feet.map(|at| at[0]), 38.0);
+        for (x, axial) in across.into_iter().zip(spins) {
+            let y = FRAME[2] - CUT[0] + 19.0;
+            pen.text([x, y], Anchor::Middle, &brief(axial), small(Role::Ink));
+        }
+        let root = loner(spins[4]);
+        let [x, y] = shown.place((1.0 + 2.0 * root) / 3.0, 8.0 / 27.0 * (1.0 - root).powi(3));
+        let text = format!("*L*_{{3}} = {below}");
+        pen.text([x, y - 9.0], Anchor::Middle, &text, small(Role::Ink));
+    });
+    let columns = ["h = cos θ", "f(h) (Mgl/I1)"];
+    Ok(curves.into_iter().fold(made, |made, (axial, curve)| {
+        let name = format!("L3 = {}", brief(axial));
+        made.data(name, &columns, curve.into_iter().map(Vec::from))
     }))
-}
-
-fn axes(pen: &mut Pen) {
-    let ink = stroke(Role::Ink, AXIS);
-    pen.line(&[place(SHOWN[0], 0.0), place(SHOWN[1], 0.0)], ink);
-    pen.line(&[place(SHOWN[0], CUT[0]), place(SHOWN[0], CUT[1])], ink);
-    pen.line(
-        &[place(1.0, CUT[0]), place(1.0, CUT[1])],
-        stroke(Role::Muted, HAIR).dotted(),
-    );
-    for h in [0.5, 1.0, 1.5] {
-        let [x, y] = place(h, 0.0);
-        pen.line(&[[x, y], [x, y + 5.0]], ink);
-        pen.text(
-            [x + 4.0, y + 24.0],
-            Anchor::Start,
-            &number(h, 1),
-            small(Role::Ink),
-        );
-    }
-    pen.text(
-        [FRAME[0] + 10.0, 34.0],
-        Anchor::Start,
-        "*f*(*h*)",
-        label(Role::Ink),
-    );
-    pen.text(
-        [FRAME[1] + 9.0, FRAME[2] + 5.0],
-        Anchor::Start,
-        "*h*",
-        label(Role::Ink),
-    );
 }

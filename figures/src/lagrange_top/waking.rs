@@ -6,31 +6,51 @@ use spinning_bodies::lagrange_top::{sleeping_threshold, tilt_after_kick};
 use spinning_bodies::scene::top::{Body, Gravity, Start, TipFriction, Top};
 use spinning_bodies::scene::{Request, Scene};
 
-use crate::Figure;
 use crate::plot::{Axis, Frame};
-use crate::style::{Anchor, DATA, Point, Role, SECONDARY, Words, figure, number, small, stroke};
+use crate::style::{
+    Anchor, DATA, Point, Role, SECONDARY, Words, brief, figure, number, small, stroke,
+};
+use crate::{Figure, Parameter, Values};
 
 const MOMENTS: [f64; 3] = [2.0e-4, 2.0e-4, 7.0e-5];
 const WEIGHT_MOMENT: f64 = 0.1 * 9.81 * 0.04;
-/// 12.9 turns a second, upright but for a thousandth of a radian.
+/// A tilt that shows, degrees.
+const AWAKE: f64 = 1.0;
+/// 12.9 turns a second at the start, and where the picture ends, rad/s.
 const SPIN: f64 = 12.9 * core::f64::consts::TAU;
-const TILT: f64 = 0.001;
-const TORQUE: f64 = 6.54e-5;
-const SECONDS: f64 = 3.5;
-const SAMPLES: u32 = 1401;
+const LAST: f64 = 77.5;
+const SAMPLES: u32 = 1001;
+/// The greatest tilt shown, degrees.
+const STEEPEST: f64 = 40.0;
+
+const TILT: Parameter = Parameter::new("tilt", r"\theta", "tilt at the start", [1e-4, 0.02], 0.001)
+    .unit("rad")
+    .logarithmic();
+const TORQUE: Parameter = Parameter::new(
+    "torque",
+    "N",
+    "torque of the friction at the tip",
+    [3e-5, 3e-4],
+    6.54e-5,
+)
+.unit("N m")
+.logarithmic();
+/// What may be chosen.
+pub const WAKING: &[Parameter] = &[TILT, TORQUE];
 
 /// The tilt that gravity allows opens at the threshold; the top notices late.
-pub fn waking() -> Result<Figure> {
+pub fn waking(values: &Values) -> Result<Figure> {
+    let (tilt, torque) = (values.of(&TILT), values.of(&TORQUE));
+    let threshold = sleeping_threshold(MOMENTS[0], MOMENTS[2], WEIGHT_MOMENT)?;
     let body = Body::new(MOMENTS)?.with_center_of_mass(0.1, BodyVector::new(0.0, 0.0, 0.04))?;
-    let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), TILT)?;
+    let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), tilt)?;
     let start = Start::with_omega(BodyVector::new(0.0, 0.0, SPIN), tilted);
     let top = Top::new(body, start)?
         .with(Gravity::new(9.81)?)?
-        .with(TipFriction::new(TORQUE)?)?;
-    let last = f64::from(SAMPLES - 1);
-    let times: Vec<f64> = (0..SAMPLES)
-        .map(|k| SECONDS * f64::from(k) / last)
-        .collect();
+        .with(TipFriction::new(torque)?)?;
+    let seconds = MOMENTS[2] * (SPIN - LAST) / torque;
+    let step = seconds / f64::from(SAMPLES - 1);
+    let times: Vec<f64> = (0..SAMPLES).map(|k| step * f64::from(k)).collect();
     let motion = top.simulate(&Request::at(times)?.to_accuracy(1e-4)?)?;
     let axis = BodyVector::new(0.0, 0.0, 1.0);
     let course: Vec<[f64; 3]> = motion
@@ -42,39 +62,68 @@ pub fn waking() -> Result<Figure> {
             [*t, state.omega.z(), tilt]
         })
         .collect();
-    let threshold = sleeping_threshold(MOMENTS[0], MOMENTS[2], WEIGHT_MOMENT)?;
     let crossed = course.iter().find(|[_, spin, _]| *spin < threshold);
-    let awake = course.iter().find(|[_, _, tilt]| *tilt > 1.0);
-    let [crossed, awake] = [crossed, awake].map(|row| row.copied().unwrap_or([f64::NAN; 3]));
+    let awake = course.iter().find(|[_, _, tilt]| *tilt > AWAKE);
     let deepest = course.iter().map(|row| row[2]).fold(0.0, f64::max);
-    let words = Words {
-        claim: "A sleeping top wakes late: its spin is through the threshold before its tilt shows anything.".to_owned(),
-        details: format!(
-            "The wooden top, upright but for a thousandth of a radian, loses spin to the friction at its tip. Dashed: how far gravity \
-             would let a top of that spin fall. The spin passes the threshold, {} rad/s, after {} s; the tilt passes one degree {} s \
-             later, at {} rad/s, and then runs up to {}° within the picture.",
-            number(threshold, 2),
-            number(crossed[0], 2),
-            number(awake[0] - crossed[0], 2),
-            number(awake[1], 2),
-            number(deepest, 0),
+    let late = crossed
+        .zip(awake)
+        .map(|(crossed, awake)| (awake[0] - crossed[0], awake[1]));
+    let passes = match late {
+        Some((late, spin)) if late > 0.0 => format!(
+            "the tilt passes one degree {} s later, at {} rad/s, and then runs up to {}° within the picture.",
+            number(late, 2),
+            number(spin, 2),
+            number(deepest, 0)
         ),
-        alt: "Tilt of a top against its spin, the spin falling to the right. A dashed curve leaves zero steeply at the threshold, marked by a \
-              dotted upright line. The solid curve of the motion stays at zero through the threshold and beyond it, then climbs steeply \
-              towards the dashed curve."
-            .to_owned(),
+        Some(_) => format!(
+            "the tilt swings past one degree even before, for the top was not upright, and then runs up to {}° within the picture.",
+            number(deepest, 0)
+        ),
+        None => format!(
+            "the tilt is still below one degree, at most {}°, where the picture ends.",
+            number(deepest, 2)
+        ),
+    };
+    let claim = match late {
+        Some((late, _)) if late <= 0.0 => {
+            "A top that starts askew does not sleep, but it falls only after its spin is through the threshold."
+        }
+        Some(_) => {
+            "A sleeping top wakes late: its spin is through the threshold before its tilt shows anything."
+        }
+        None => {
+            "A sleeping top wakes late: its spin is well through the threshold, and its tilt still shows nothing."
+        }
+    };
+    let words = Words {
+        claim: claim.to_owned(),
+        details: format!(
+            "The wooden top, upright but for {} rad, loses spin to the friction at its tip, {} N m. Dashed: how far gravity \
+             would let a top of that spin fall. The spin passes the threshold, {} rad/s, after {} s; {passes}",
+            brief(tilt),
+            short_power(torque),
+            number(threshold, 2),
+            number(crossed.map_or(seconds, |row| row[0]), 2),
+        ),
+        alt: format!(
+            "Tilt of a top against its spin, the spin falling to the right. A dashed curve leaves zero steeply at the threshold, {} radians a second, marked by a \
+             dotted upright line. The solid curve of the motion, begun at a tilt of {} radians, is low through the threshold and reaches {} degrees within the picture.",
+            number(threshold, 2),
+            brief(tilt),
+            number(deepest, 1),
+        ),
     };
     let frame = Frame {
-        x: Axis::linear([81.5, 77.5], [60.0, 580.0]),
-        y: Axis::linear([0.0, 40.0], [300.0, 34.0]),
+        x: Axis::linear([81.5, LAST], [60.0, 580.0]),
+        y: Axis::linear([0.0, STEEPEST], [276.0, 34.0]),
     };
-    let mut allowed: Vec<Point> = Vec::new();
+    let mut allowed = Vec::new();
     for k in 0..=200_u32 {
-        let spin = threshold - (threshold - 77.8) * (f64::from(k) / 200.0).powi(2);
+        let spin = threshold - (threshold - LAST) * (f64::from(k) / 200.0).powi(2);
         let tilt = tilt_after_kick(MOMENTS[0], WEIGHT_MOMENT, MOMENTS[2] * spin, 1e-9)?;
-        allowed.push(frame.at(spin, tilt.to_degrees()));
+        allowed.push([spin, tilt.to_degrees()]);
     }
-    Ok(figure("sleep-ends", 352.0, words, |pen| {
+    let made = figure("sleep-ends", 322.0, words, |pen| {
         frame.draw(
             pen,
             &[(81.0, "81"), (80.0, "80"), (79.0, "79"), (78.0, "78")],
@@ -83,29 +132,39 @@ pub fn waking() -> Result<Figure> {
         );
         let x = frame.x.at(threshold);
         pen.line(
-            &[[x, 34.0], [x, 300.0]],
+            &[[x, 34.0], [x, 276.0]],
             stroke(Role::Muted, SECONDARY).dotted(),
         );
-        pen.text(
-            [x - 6.0, 48.0],
-            Anchor::End,
-            "threshold",
-            small(Role::Muted),
-        );
-        pen.line(&allowed, stroke(Role::Muted, SECONDARY).dashed());
-        let told = frame.at(78.55, 34.0);
+        let told = [x - 6.0, 48.0];
+        pen.text(told, Anchor::End, "threshold", small(Role::Muted));
+        let points: Vec<Point> = allowed
+            .iter()
+            .map(|&[spin, tilt]| frame.at(spin, tilt))
+            .collect();
+        pen.line(&points, stroke(Role::Muted, SECONDARY).dashed());
+        let told = frame.at(78.55, 31.0);
         pen.text(told, Anchor::End, "what gravity allows", small(Role::Muted));
         let points: Vec<Point> = course
             .iter()
-            .filter(|row| row[1] >= 77.5 && row[2] <= 40.0)
+            .take_while(|row| row[1] >= LAST && row[2] <= STEEPEST)
             .map(|row| frame.at(row[1], row[2]))
             .collect();
-        pen.line(&points, stroke(Role::Omega, DATA));
-        pen.text(
-            frame.at(80.9, 1.4),
-            Anchor::Start,
-            "asleep",
-            small(Role::Omega),
-        );
-    }))
+        pen.line(&points, stroke(Role::Ink, DATA));
+        if deepest < STEEPEST && awake.is_none() {
+            let told = frame.at(79.0, 3.5);
+            pen.text(told, Anchor::Middle, "still asleep", small(Role::Ink));
+        } else if tilt < 0.005 {
+            let told = frame.at(80.9, 1.7);
+            pen.text(told, Anchor::Start, "asleep", small(Role::Ink));
+        }
+    });
+    let columns = ["time (s)", "spin (rad/s)", "tilt (°)"];
+    Ok(made.data("top", &columns, course.iter().map(|row| row.to_vec())))
+}
+
+/// A torque as LaTeX.
+fn short_power(value: f64) -> String {
+    let exponent = value.log10().floor();
+    let digits = brief(value / 10f64.powf(exponent));
+    format!("${digits}\\cdot10^{{{exponent}}}$")
 }

@@ -1,6 +1,6 @@
 //! Axes of a plain diagram.
 
-use crate::style::{AXIS, Anchor, DATA, HAIR, Pen, Point, Role, label, number, small, stroke};
+use crate::style::{AXIS, Anchor, DATA, HAIR, Pen, Point, Role, label, short, small, stroke};
 
 /// How numbers become places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,7 +66,7 @@ impl Axis {
                 let [first, last] = [low.min(high), low.max(high)];
                 ((first / step - 1e-9).ceil() as i64..=(last / step + 1e-9).floor() as i64)
                     .map(|k| step * k as f64)
-                    .map(|value| (value, number(value, decimals)))
+                    .map(|value| (value, short(value, decimals)))
                     .collect()
             }
             Scale::Log => {
@@ -79,7 +79,7 @@ impl Axis {
                             .last()
                             .is_none_or(|last| (self.at(value) - self.at(last.0)).abs() >= apart);
                         if (low..=high).contains(&value) && clear {
-                            ticks.push((value, number(value, -decade.min(0) as usize)));
+                            ticks.push((value, short(value, -decade.min(0) as usize)));
                         }
                     }
                 }

@@ -2,71 +2,124 @@
 
 mod slide;
 
-pub use slide::lines;
+pub use slide::{LINES, lines};
 
 use core::f64::consts::FRAC_PI_2;
 
 use spinning_bodies::Result;
 use spinning_bodies::rolling::{RoundBody, factor};
 
-use crate::Figure;
+use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, arc, figure, label, number, polar, small,
+    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, arc, figure, label, polar, short, small,
     stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// Five heights of the cue over the radius, and how they are written.
-const HEIGHTS: [(f64, &str); 5] = [
-    (0.5, "1/2"),
-    (1.0, "1"),
-    (1.2, "6/5"),
-    (1.4, "7/5"),
-    (1.8, "9/5"),
-];
+const KAPPA: Parameter = Parameter::new(
+    "kappa",
+    r"\kappa",
+    "moment of inertia of the ball over MR²",
+    [0.3, 0.65],
+    factor::BALL,
+);
+const CUE: Parameter = Parameter::new(
+    "cue",
+    "H/R",
+    "height of one of the cues above the table, over the radius",
+    [0.4, 1.9],
+    1.2,
+)
+.dragged(cue_place, cue_at);
+
+/// What may be chosen beside the ball and its cues.
+pub const BILLIARD: &[Parameter] = &[CUE, KAPPA];
+
 /// The ball: point of contact and radius, units.
 const CONTACT: Point = [206.0, 318.0];
 const RADIUS: f64 = 121.0;
-/// Where the slip is zero, and the length of V', units.
+/// Where cues begin, and where the slip is zero, units.
+const BUTT: f64 = 46.0;
 const ZERO: f64 = 446.0;
-const SPEED: f64 = 57.0;
+/// Where the spin is shown, units.
+const DIAL: f64 = 348.0;
+/// Two cues are this far from each other, radii.
+const APART: f64 = 0.17;
 
-/// The ball with five cues, and beside it the slip and the spin each of them gives.
-pub fn billiard() -> Result<Figure> {
-    let ball = RoundBody::new(1.0, 1.0, factor::BALL)?;
-    let shots = HEIGHTS
-        .map(|(height, name)| {
-            ball.strike(height, 1.0)
-                .map(|shot| (height, name, shot.slip(), shot.rim_speed()))
-        })
-        .into_iter()
-        .collect::<Result<Vec<_>>>()?;
+fn level(height: f64) -> f64 {
+    CONTACT[1] - RADIUS * height
+}
+
+fn cue_place(values: &Values) -> Point {
+    [BUTT, level(values.of(&CUE))]
+}
+
+fn cue_at(point: Point, _: &Values) -> f64 {
+    (CONTACT[1] - point[1]) / RADIUS
+}
+
+/// The ball with its cues, and beside it the slip and the spin each of them gives.
+pub fn billiard(values: &Values) -> Result<Figure> {
+    let kappa = values.of(&KAPPA);
+    let ball = RoundBody::new(1.0, 1.0, kappa)?;
     let sweet = ball.pure_rolling_height();
-    let slips: Vec<String> = shots.iter().map(|shot| number(shot.2, 2)).collect();
-
+    let mut heights = vec![values.of(&CUE)];
+    for height in [sweet, 1.0, 0.5, (sweet + 0.4).min(1.9)] {
+        if heights.iter().all(|other| (other - height).abs() >= APART) {
+            heights.push(height);
+        }
+    }
+    heights.sort_by(f64::total_cmp);
+    let shots = heights
+        .into_iter()
+        .map(|height| {
+            let shot = ball.strike(height, 1.0)?;
+            Ok([height, shot.slip(), shot.rim_speed()])
+        })
+        .collect::<Result<Vec<_>>>()?;
+    let listed = |k: usize, digits: usize| {
+        let texts: Vec<String> = shots.iter().map(|shot| short(shot[k], digits)).collect();
+        let (last, others) = texts.split_last().unwrap_or((&texts[0], &[]));
+        format!("{} and {last}", others.join(", "))
+    };
+    let which = match kappa == factor::BALL {
+        true => "a billiard ball".to_owned(),
+        false => format!("a ball of inertia factor {}", short(kappa, 3)),
+    };
     let words = Words {
-        claim: "Hit at seven tenths of its height, a billiard ball rolls at once.".to_owned(),
+        claim: format!(
+            "Hit at {} per cent of its height, {which} rolls at once.",
+            short(50.0 * sweet, 1)
+        ),
         details: format!(
-            "Level cue at heights $H/R = 0.5, 1, 1.2, 1.4, 1.8$ above the table. The arrows at the right are the \
+            "Level cues at heights $H/R$ of {} above the table, $\\kappa = I/MR^2 = {}$. The arrows at the right are the \
              velocity of the point of contact just after the stroke, {} of the ball's velocity $V'$: a straight line in \
-             $H$, zero at $H = {}\\,R$. The blue sectors show how far the ball turns while it advances by $R$: by one radian \
+             $H$, zero at $H = (1 + \\kappa)R = {}\\,R$. The blue sectors show how far the ball turns while it advances by $R$: by one radian \
              if it rolls.",
-            slips.join(", "),
-            number(sweet, 1),
+            listed(0, 2),
+            short(kappa, 3),
+            listed(1, 2),
+            short(sweet, 3),
         ),
         alt: format!(
-            "A ball on a table and five level cues at different heights. To the right, at the same heights, arrows for \
-             the slip of the contact point: {} and {} times the ball's speed. Their tips lie on a straight line which \
+            "A ball on a table and level cues at heights of {} radii. To the right, at the same heights, arrows for \
+             the slip of the contact point: {} times the ball's speed. Their tips lie on a straight line which \
              crosses zero at {} radii. Hit lower, the ball skids with too little spin or backspin; higher, with too \
              much.",
-            slips[..4].join(", "),
-            slips[4],
-            number(sweet, 1),
+            listed(0, 2),
+            listed(1, 2),
+            short(sweet, 3),
         ),
     };
 
-    let level = |height: f64| CONTACT[1] - RADIUS * height;
     let center = [CONTACT[0], level(1.0)];
-    Ok(figure("billiard", 362.0, words, |pen| {
+    let (low, high) = (shots[0], shots[shots.len() - 1]);
+    // Units for a slip of V'.
+    let speed = (57.0 * kappa / factor::BALL)
+        .min(128.0 / low[1])
+        .min(62.0 / (-high[1]).max(0.1));
+    let tip = |shot: &[f64; 3]| [ZERO + speed * shot[1], level(shot[0])];
+    let made = figure("billiard", 362.0, words, |pen| {
         pen.line(
             &[[10.0, CONTACT[1]], [590.0, CONTACT[1]]],
             stroke(Role::Ink, SECONDARY),
@@ -75,108 +128,86 @@ pub fn billiard() -> Result<Figure> {
         pen.ring(center, RADIUS, stroke(Role::Ink, DATA));
         // The height of pure rolling goes across.
         pen.line(
-            &[[42.0, level(sweet)], [590.0, level(sweet)]],
+            &[[BUTT, level(sweet)], [590.0, level(sweet)]],
             stroke(Role::Ink, AXIS).dotted(),
         );
         pen.disc(center, 2.5, Role::Ink, 1.0);
         pen.line(&[center, CONTACT], stroke(Role::Ink, AXIS).alpha(0.6));
-        pen.text(
-            [center[0] + 8.0, center[1] + 0.55 * RADIUS],
-            Anchor::Start,
-            "*R*",
-            label(Role::Ink),
-        );
-
+        let beside = [center[0] + 8.0, center[1] + 0.55 * RADIUS];
+        pen.text(beside, Anchor::Start, "*R*", label(Role::Ink));
         pen.line(&[[ZERO, 48.0], [ZERO, CONTACT[1]]], stroke(Role::Ink, AXIS));
-        let tip = |height: f64, slip: f64| [ZERO + SPEED * slip, level(height)];
-        let (low, high) = (shots[0], shots[4]);
-        pen.line(
-            &[tip(low.0, low.2), tip(high.0, high.2)],
-            stroke(Role::Ink, AXIS).dashed(),
-        );
+        pen.line(&[tip(&low), tip(&high)], stroke(Role::Ink, AXIS).dashed());
 
-        for &(height, name, slip, rim_speed) in &shots {
+        for shot in &shots {
+            let [height, slip, rim_speed] = *shot;
             let y = level(height);
             let touch = CONTACT[0] - RADIUS * (1.0 - (height - 1.0).powi(2)).max(0.0).sqrt();
             let rolls = slip.abs() < 1e-9;
-            let width = if rolls { 2.8 } else { SECONDARY };
-            pen.arrow([42.0, y], [touch - 1.0, y], stroke(Role::Ink, width));
-            let lettering = if rolls {
-                label(Role::Ink).strong()
-            } else {
-                small(Role::Ink)
+            let (width, lettering) = match rolls {
+                true => (2.8, label(Role::Ink).strong()),
+                false => (SECONDARY, small(Role::Ink)),
             };
-            pen.text([36.0, y + 5.0], Anchor::End, name, lettering);
+            pen.arrow([BUTT, y], [touch - 1.0, y], stroke(Role::Ink, width));
+            let name = short(height, 2);
+            pen.text([BUTT - 6.0, y + 5.0], Anchor::End, &name, lettering);
 
-            let dial = [360.0, y];
-            pen.ring(dial, 10.8, stroke(Role::Ink, AXIS));
-            let mut sector = arc(dial, 10.8, FRAC_PI_2, FRAC_PI_2 - rim_speed);
-            sector.push(dial);
+            let dial = [DIAL, y];
+            let hand = FRAC_PI_2 - rim_speed;
+            pen.ring(dial, 9.8, stroke(Role::Ink, AXIS));
             if rim_speed != 0.0 {
+                let mut sector = arc(dial, 9.8, FRAC_PI_2, hand);
+                sector.push(dial);
                 pen.fill(&sector, Role::Omega, 0.25);
             }
-            pen.line(
-                &[dial, polar(dial, 10.8, FRAC_PI_2)],
-                stroke(Role::Ink, AXIS),
-            );
-            pen.line(
-                &[dial, polar(dial, 10.8, FRAC_PI_2 - rim_speed)],
-                stroke(Role::Omega, DATA),
-            );
-
-            let end = tip(height, slip);
+            let up = [dial, polar(dial, 9.8, FRAC_PI_2)];
+            pen.line(&up, stroke(Role::Ink, AXIS));
+            pen.line(&[dial, polar(dial, 9.8, hand)], stroke(Role::Omega, DATA));
             if rolls {
-                pen.disc(end, 5.5, Role::Ink, 1.0);
+                pen.disc(tip(shot), 5.5, Role::Ink, 1.0);
             } else {
-                pen.arrow([ZERO, y], end, stroke(Role::Ink, DATA));
+                pen.arrow([ZERO, y], tip(shot), stroke(Role::Ink, DATA));
             }
         }
         pen.text([10.0, 30.0], Anchor::Start, "*H*/*R*", label(Role::Ink));
-        pen.text([360.0, 30.0], Anchor::Middle, "spin", label(Role::Omega));
-        pen.text([ZERO, 30.0], Anchor::Middle, "slip", label(Role::Ink));
+        pen.text([DIAL, 30.0], Anchor::Middle, "spin", label(Role::Omega));
         pen.text(
-            [ZERO + 14.0, level(1.8) + 5.0],
-            Anchor::Start,
-            "turns too fast",
-            small(Role::Ink),
+            [ZERO, 30.0],
+            Anchor::Middle,
+            "slip / *V*\u{2032}",
+            label(Role::Ink),
         );
-        pen.text(
-            [ZERO + 14.0, level(sweet) - 6.0],
-            Anchor::Start,
-            "rolls",
-            label(Role::Ink).strong(),
-        );
-        pen.text(
-            [ZERO + 10.0, level(1.0) + 21.0],
-            Anchor::Start,
-            "turns",
-            small(Role::Ink),
-        );
-        pen.text(
-            [ZERO + 10.0, level(1.0) + 37.0],
-            Anchor::Start,
-            "too slowly",
-            small(Role::Ink),
-        );
-        pen.text(
-            [ZERO + 10.0, level(0.5) + 21.0],
-            Anchor::Start,
-            "turns backwards",
-            small(Role::Ink),
-        );
-        let foot = CONTACT[1] + 9.0;
-        for (k, name) in [
-            (-1.0, "\u{2212}1"),
-            (0.0, "0"),
-            (1.0, "1"),
-            (2.0, "2 *V*\u{2032}"),
+        // Arrows go to the right below the height of rolling, to the left above it: words stand on the other side.
+        let remark = |x: f64, y: f64, anchor| ([x, y], anchor);
+        let slow = level(0.5 * (1.0 + sweet));
+        let back = level(0.5);
+        for ((at, anchor), text) in [
+            (
+                remark(ZERO + 14.0, level(2.0) + 2.0, Anchor::Start),
+                "turns too fast",
+            ),
+            (remark(ZERO - 6.0, slow - 3.0, Anchor::End), "turns"),
+            (remark(ZERO - 6.0, slow + 13.0, Anchor::End), "too slowly"),
+            (remark(ZERO - 6.0, back - 3.0, Anchor::End), "turns"),
+            (remark(ZERO - 6.0, back + 13.0, Anchor::End), "backwards"),
         ] {
-            let x = ZERO + SPEED * k;
-            pen.line(
-                &[[x, CONTACT[1]], [x, CONTACT[1] + 5.0]],
-                stroke(Role::Ink, AXIS),
-            );
-            pen.text([x, foot + 14.0], Anchor::Middle, name, small(Role::Ink));
+            pen.text(at, anchor, text, small(Role::Ink));
         }
-    }))
+        let rolls = [ZERO + 14.0, level(sweet) - 6.0];
+        pen.text(rolls, Anchor::Start, "rolls", label(Role::Ink).strong());
+        let [left, right] = [high[1].min(-1.0), low[1].max(1.0)];
+        let slips = Axis::linear([left, right], [ZERO + speed * left, ZERO + speed * right]);
+        for (slip, text) in slips.ticks(40.0) {
+            let x = slips.at(slip);
+            let mark = [[x, CONTACT[1]], [x, CONTACT[1] + 5.0]];
+            pen.line(&mark, stroke(Role::Ink, AXIS));
+            pen.text(
+                [x, CONTACT[1] + 23.0],
+                Anchor::Middle,
+                &text,
+                small(Role::Ink),
+            );
+        }
+    });
+    let columns = ["height of the cue (R)", "slip (V')", "rim speed (V')"];
+    Ok(made.data("ball", &columns, shots.iter().map(|shot| shot.to_vec())))
 }

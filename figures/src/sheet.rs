@@ -7,23 +7,61 @@ use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment}
 use spinning_bodies::rolling::factor;
 use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
 
-use crate::Figure;
+use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Role, SCALE, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Role, SCALE, SECONDARY, Words, between, figure, label, number, short,
+    small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
+const PULL: Parameter = Parameter::new(
+    "speed",
+    "v",
+    "speed of the sheet once it goes",
+    [1.0, 8.0],
+    3.0,
+)
+.unit("m/s");
+const ON_SHEET: Parameter = Parameter::new(
+    "sheet_friction",
+    r"\mu_1",
+    "coefficient of friction on the sheet",
+    [0.05, 0.8],
+    0.3,
+);
+const ON_TABLE: Parameter = Parameter::new(
+    "table_friction",
+    r"\mu_2",
+    "coefficient of friction on the table",
+    [0.05, 0.8],
+    0.2,
+);
+const KAPPA: Parameter = Parameter::new(
+    "kappa",
+    r"\kappa",
+    "moment of inertia of the ball over MR²",
+    [0.25, 1.0],
+    factor::BALL,
+);
+
+/// What may be chosen in the graphs.
+pub const SPEEDS: &[Parameter] = &[PULL, ON_SHEET, ON_TABLE, KAPPA];
+
+/// The sheet has its speed within this time, s; its edge is so far behind, m.
+const JERK: f64 = 0.02;
 const MARGIN: f64 = 0.15;
 
-/// μ = 0.3 on the sheet and 0.2 on the table, 3 m/s within 0.02 s, edge 15 cm behind.
-fn withdrawn(speeds: &SheetSpeeds) -> Result<Course> {
-    let sheet = Sheet::new(Coulomb::new(0.3)?, speeds.clone(), MARGIN)?;
-    let effects = (Some(Coulomb::new(0.2)?), None, Some(&sheet));
+/// The edge of the sheet is 15 cm behind.
+fn withdrawn(values: &Values, until: f64) -> Result<Course> {
+    let speeds = SheetSpeeds::ramp(values.of(&PULL), JERK)?;
+    let sheet = Sheet::new(Coulomb::new(values.of(&ON_SHEET))?, speeds, MARGIN)?;
+    let table = Coulomb::new(values.of(&ON_TABLE))?;
     Course::new(
-        factor::BALL,
+        values.of(&KAPPA),
         Load::weight(9.81),
-        effects,
+        (Some(table), None, Some(&sheet)),
         Moment::at_rest(),
-        0.4,
+        until,
     )
 }
 
@@ -32,85 +70,127 @@ fn time_of(course: &Course, what: Happening) -> f64 {
 }
 
 /// Velocity, rim speed and slip against time.
-pub fn speeds() -> Result<Figure> {
-    let sheet = SheetSpeeds::ramp(3.0, 0.02)?;
-    let course = withdrawn(&sheet)?;
+pub fn speeds(values: &Values) -> Result<Figure> {
+    let course = withdrawn(values, 10.0)?;
+    let kappa = values.of(&KAPPA);
     let leaves = time_of(&course, Happening::LeavesSheet);
     let stops = course.events().last().map_or(0.0, |event| event.time);
+    let rolls = course
+        .first(Happening::RollingBegins)
+        .filter(|event| event.time < leaves);
     let then = course.at(leaves);
-    let place = course.at(stops).position;
+    let end = course.at(stops);
+    let place = end.position;
+    let still = end.velocity.abs() + end.rim_speed.abs() < 1e-9;
+    let claim = match still {
+        true => "Velocity and spin reach zero in the same instant: the ball stops dead.".to_owned(),
+        false => format!("The ball rolls on with {} m/s.", number(end.velocity, 2)),
+    };
+    let rolling = rolls.map_or(String::new(), |event| {
+        format!(
+            " from {} ms on it rolls there, and friction rests;",
+            number(1e3 * event.time, 0)
+        )
+    });
     let words = Words {
-        claim: "Velocity and spin reach zero in the same instant: the ball stops dead.".to_owned(),
+        claim,
         details: format!(
-            "A sheet jerked away at 3 m/s. On it friction drives the ball forward and spins it backward; off it, after {} ms, the table's friction does \
-             the opposite, in the same proportion. Velocity and rim speed stay in the ratio 2 to −5 throughout, so both are zero after {} ms, {} mm from the start. \
+            "A sheet jerked away at {} m/s, friction $\\mu = {}$ on it and {} on the table, $I = {}\\,MR^2$. On the sheet friction drives the ball forward and spins it backward;{} off it, after {} ms, the table's friction does \
+             the opposite, in the same proportion. Rim speed and velocity stay in the ratio −{} to 1 throughout, so both are zero after {} ms, {} mm from the start. \
              Below: the slip of the contact point over whatever it touches.",
+            short(values.of(&PULL), 2),
+            short(values.of(&ON_SHEET), 2),
+            short(values.of(&ON_TABLE), 2),
+            short(kappa, 3),
+            rolling,
             number(1e3 * leaves, 1),
+            short(1.0 / kappa, 2),
             number(1e3 * stops, 0),
             number(1e3 * place, 1),
         ),
-        alt: format!(
-            "Two graphs against time. Above: velocity rises in a straight line to {} metres a second while the rim speed falls to {}, until the sheet has gone; then both return in straight \
-             lines to zero at the same moment. Below: the slip goes to minus 2.4, jumps to plus 0.6 as the sheet leaves, and ends at zero at that moment.",
-            number(then.velocity, 2),
-            number(then.rim_speed, 2)
-        ),
+        alt: String::new(),
     };
-    let x = |t: f64| 66.0 + 2750.0 * t;
-    let upper = |v: f64| 96.0 - 260.0 * v;
-    let lower = |u: f64| 286.0 - 26.0 * u;
-    Ok(figure("withdrawn-sheet", 380.0, words, |pen| {
+    let until = 1.16 * stops;
+    // What happens, and the moments next to a jump of the slip.
+    let mut corners = vec![0.0, JERK.min(leaves), leaves * (1.0 - 1e-12), until];
+    corners.extend(course.events().iter().map(|event| event.time));
+    corners.sort_by(f64::total_cmp);
+    let slips: Vec<f64> = corners.iter().map(|&t| course.at(t).slip).collect();
+    let least = slips.iter().copied().fold(0.0, f64::min);
+    let most = slips.iter().copied().fold(0.0, f64::max);
+    let words = Words {
+        alt: format!(
+            "Two graphs against time. Above: velocity rises in a straight line to {} metres a second while the rim speed falls to {}; when the sheet has gone, both return in straight \
+             lines to zero at the same moment. Below: the slip goes down to {}, jumps to {} as the sheet leaves, and ends at zero at that moment.",
+            number(then.velocity, 2),
+            number(then.rim_speed, 2),
+            number(least, 1),
+            number(most, 1),
+        ),
+        ..words
+    };
+    let time = Axis::linear([0.0, until], [66.0, 580.0]);
+    let (fastest, slowest) = (then.velocity, then.rim_speed);
+    let high = Axis::linear([slowest, fastest], [210.0, 52.0]);
+    let low = Axis::linear([least, most], [344.0, 254.0]);
+    let (x, upper, lower) = (|t| time.at(t), |v| high.at(v), |u| low.at(u));
+    let bottom = 352.0;
+    let made = figure("withdrawn-sheet", 376.0, words, |pen| {
         let edge = x(leaves);
-        let shade = [[x(0.0), 20.0], [edge, 20.0], [edge, 356.0], [x(0.0), 356.0]];
+        let shade = [
+            [x(0.0), 14.0],
+            [edge, 14.0],
+            [edge, bottom],
+            [x(0.0), bottom],
+        ];
         pen.fill(&shade, Role::Ink, 0.06);
-        pen.text(
-            [0.5 * (x(0.0) + edge), 38.0],
-            Anchor::Middle,
-            "on the sheet",
-            small(Role::Ink),
-        );
-        pen.text(
-            [edge + 10.0, 38.0],
-            Anchor::Start,
-            "on the table",
-            small(Role::Ink),
-        );
-        for y in [upper(0.0), lower(0.0)] {
-            pen.line(&[[x(0.0), y], [x(0.18), y]], stroke(Role::Ink, AXIS));
+        // Beside each other if both fit, else one above the other.
+        let (on, off) = ("on the sheet", "on the table");
+        if edge - x(0.0) > 100.0 {
+            pen.text([x(0.0) + 8.0, 32.0], Anchor::Start, on, small(Role::Ink));
+            pen.text([edge + 10.0, 32.0], Anchor::Start, off, small(Role::Ink));
+        } else {
+            let text = format!("grey: {on}; then {off}");
+            pen.text([edge + 10.0, 32.0], Anchor::Start, &text, small(Role::Ink));
         }
-        pen.line(&[[x(0.0), 20.0], [x(0.0), 356.0]], stroke(Role::Ink, AXIS));
+        for y in [upper(0.0), lower(0.0)] {
+            pen.line(&[[x(0.0), y], [x(until), y]], stroke(Role::Ink, AXIS));
+        }
+        pen.line(&[[x(0.0), 14.0], [x(0.0), bottom]], stroke(Role::Ink, AXIS));
         pen.line(
-            &[[x(stops), 60.0], [x(stops), 356.0]],
+            &[[x(stops), upper(0.0) - 20.0], [x(stops), bottom]],
             stroke(Role::Ink, HAIR).dashed(),
         );
-        for v in [0.0, -0.2, -0.4] {
-            pen.text(
-                [x(0.0) - 8.0, upper(v) + 5.0],
-                Anchor::End,
-                &number(v, 1),
-                small(Role::Ink),
-            );
+        for axis in [&high, &low] {
+            for (value, text) in axis.ticks(26.0) {
+                let y = axis.at(value);
+                pen.line(&[[x(0.0) - 4.0, y], [x(0.0), y]], stroke(Role::Ink, AXIS));
+                pen.text(
+                    [x(0.0) - 8.0, y + 5.0],
+                    Anchor::End,
+                    &text,
+                    small(Role::Ink),
+                );
+            }
         }
-        for u in [0.0, -2.0] {
-            pen.text(
-                [x(0.0) - 8.0, lower(u) + 5.0],
-                Anchor::End,
-                &number(u, 0),
-                small(Role::Ink),
+        pen.text([8.0, 24.0], Anchor::Start, "m/s", small(Role::Ink));
+        let milliseconds = Axis::linear([0.0, 1e3 * until], time.ends);
+        for (t, text) in milliseconds.ticks(80.0).into_iter().skip(1) {
+            let x = milliseconds.at(t);
+            pen.line(
+                &[[x, bottom - 3.0], [x, bottom + 3.0]],
+                stroke(Role::Ink, AXIS),
             );
+            if x < 535.0 {
+                pen.text([x, bottom + 20.0], Anchor::Middle, &text, small(Role::Ink));
+            }
         }
-        pen.text([8.0, 30.0], Anchor::Start, "m/s", small(Role::Ink));
-        for t in [0.05, 0.1, 0.15] {
-            pen.line(&[[x(t), 353.0], [x(t), 359.0]], stroke(Role::Ink, AXIS));
-            pen.text(
-                [x(t), 376.0],
-                Anchor::Middle,
-                &number(1e3 * t, 0),
-                small(Role::Ink),
-            );
-        }
-        pen.text([x(0.18), 376.0], Anchor::End, "ms", small(Role::Ink));
-        let corners = [0.0, leaves, stops, 0.18];
+        pen.text(
+            [x(until), bottom + 20.0],
+            Anchor::End,
+            "ms",
+            small(Role::Ink),
+        );
         let velocity: Vec<_> = corners
             .iter()
             .map(|&t| [x(t), upper(course.at(t).velocity)])
@@ -121,49 +201,67 @@ pub fn speeds() -> Result<Figure> {
             .collect();
         pen.line(&velocity, stroke(Role::Ink, 2.6));
         pen.line(&rim, stroke(Role::Omega, 2.6));
+        // Beside the longer of the two slopes.
+        let after = stops - leaves > leaves;
+        let (from, to, anchor) = match after {
+            true => (leaves, stops, Anchor::Start),
+            false => (leaves, rolls.map_or(0.0, |event| event.time), Anchor::End),
+        };
+        let side = if after { 8.0 } else { -8.0 };
+        let beside = |v: fn(&Moment) -> f64| {
+            let on = |t: f64| [x(t), upper(v(&course.at(t)))];
+            between(on(from), on(to), 0.3)
+        };
+        let [at_v, at_rim] = [beside(|m| m.velocity), beside(|m| m.rim_speed)];
         pen.text(
-            [x(0.092), upper(0.15)],
-            Anchor::Start,
+            [at_v[0] + side, at_v[1] - 6.0],
+            anchor,
             "*V*",
             label(Role::Ink),
         );
         pen.text(
-            [x(0.088), upper(-0.4)],
-            Anchor::Start,
+            [at_rim[0] + side, at_rim[1] + 16.0],
+            anchor,
             "*R*\u{03a9}",
             label(Role::Omega),
         );
         pen.text(
-            [x(stops) + 8.0, upper(0.0) + 22.0],
+            [x(stops) + 6.0, upper(0.0) + 20.0],
             Anchor::Start,
             "both zero",
             small(Role::Ink),
         );
-        let slip = |t: f64| [x(t), lower(course.at(t).slip)];
-        let just = leaves * (1.0 - 1e-12);
-        pen.line(
-            &[
-                slip(0.0),
-                slip(0.02),
-                slip(just),
-                slip(leaves),
-                slip(stops),
-                slip(0.18),
-            ],
-            stroke(Role::Ink, DATA),
-        );
+        let slip: Vec<_> = corners
+            .iter()
+            .zip(&slips)
+            .map(|(&t, &u)| [x(t), lower(u)])
+            .collect();
+        pen.line(&slip, stroke(Role::Ink, DATA));
         pen.text(
-            [x(0.066), lower(-1.4)],
+            [edge + 10.0, lower(0.0) + 24.0],
             Anchor::Start,
             "slip",
             label(Role::Ink),
         );
         pen.line(
-            &[[x(0.0), 232.0], [x(0.18), 232.0]],
+            &[[x(0.0), 232.0], [x(until), 232.0]],
             stroke(Role::Ink, SECONDARY).alpha(0.15),
         );
-    })
-    .value("way", number(1e3 * place, 0)))
+    });
+    let rows = corners.iter().map(|&t| {
+        let m = course.at(t);
+        vec![t, m.velocity, m.rim_speed, m.slip, m.position]
+    });
+    let columns = [
+        "time (s)",
+        "velocity (m/s)",
+        "rim speed (m/s)",
+        "slip (m/s)",
+        "place (m)",
+    ];
+    Ok(made
+        .data("ball", &columns, rows)
+        .value("way", number(1e3 * place, 0)))
 }
 
 const NAME: &str = "sheet-animated";
@@ -177,10 +275,9 @@ const RADIUS: f64 = 44.0;
 const METRE: f64 = 44.0 / 0.02;
 const FIRST: f64 = 352.0;
 
-/// The same in motion.
+/// The same in motion; of the book's numbers, for its film is made of them.
 pub fn animated() -> Result<Figure> {
-    let sheet = SheetSpeeds::ramp(3.0, 0.02)?;
-    let course = withdrawn(&sheet)?;
+    let course = withdrawn(&Values::default(), 0.4)?;
     let place = course.at(LASTS).position;
     let words = Words {
         claim: "The sheet goes, the ball moves a little, and stops dead.".to_owned(),
@@ -256,7 +353,7 @@ pub fn animated() -> Result<Figure> {
     let (thick, thin) = (2.6 * SCALE, 2.0 * SCALE);
     let groups = format!(
         "<defs><clipPath id=\"fig-{NAME}-room\"><path d=\"M80 0H5920V1600H80Z\"/></clipPath></defs>\n\
-         <g clip-path=\"url(#fig-{NAME}-room)\"><g class=\"{paper}\" transform=\"{at2}\"><path d=\"M0 {top:.0}L{long:.0} {top:.0}\" stroke=\"var(--torque, #6b1a6b)\" stroke-width=\"{thick:.0}\"/></g></g>\n\
+         <g clip-path=\"url(#fig-{NAME}-room)\"><g class=\"{paper}\" transform=\"{at2}\"><path d=\"M0 {top:.0}L{long:.0} {top:.0}\" stroke=\"currentColor\" stroke-width=\"{thick:.0}\"/></g></g>\n\
          <g class=\"{ball}\" transform=\"{at0}\"><g class=\"{hand}\" transform=\"{at1}\">\
          <circle r=\"{r:.0}\" fill=\"currentColor\" fill-opacity=\"0.1\" stroke=\"currentColor\" stroke-width=\"{thin:.0}\"/>\
          <path d=\"M0 0L0 -{r:.0}\" stroke=\"var(--omega, #0b6bcb)\" stroke-width=\"{thick:.0}\"/></g></g>\n",

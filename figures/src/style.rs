@@ -488,9 +488,51 @@ pub fn number(value: f64, digits: usize) -> String {
 /// A number as a slider leaves it: four figures, no last zeros.
 pub fn brief(value: f64) -> String {
     let digits = (3.0 - value.abs().max(1e-9).log10().floor()).max(0.0) as usize;
+    short(value, digits)
+}
+
+/// A number with at most `digits` decimals: zeros at its end go.
+pub fn short(value: f64, digits: usize) -> String {
     let text = number(value, digits);
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,
     }
+}
+
+/// Points on a line through these, at most `step` units apart.
+pub fn along(line: &[Point], step: f64) -> Vec<Point> {
+    let piece = |pair: &[Point]| {
+        let (a, b) = (pair[0], pair[1]);
+        let steps = ((b[0] - a[0]).hypot(b[1] - a[1]) / step).ceil().max(1.0);
+        (0..=steps as usize).map(move |k| between(a, b, k as f64 / steps))
+    };
+    line.windows(2).flat_map(piece).collect()
+}
+
+/// Points all over a box of these half sides, at most eight units apart.
+pub fn area(middle: Point, half: [f64; 2]) -> Vec<Point> {
+    let rows = along(
+        &[
+            [middle[0], middle[1] - half[1]],
+            [middle[0], middle[1] + half[1]],
+        ],
+        8.0,
+    );
+    let across = |[x, y]: Point| along(&[[x - half[0], y], [x + half[0], y]], 8.0);
+    rows.into_iter().flat_map(across).collect()
+}
+
+/// Where a label of these half sides has room: the first of the places for its middle that is well clear of everything taken, or the clearest.
+pub fn roomiest(places: impl IntoIterator<Item = Point>, half: [f64; 2], taken: &[Point]) -> Point {
+    let mut best = ([0.0; 2], f64::MIN);
+    for place in places {
+        let apart = |k: usize, point: &Point| (point[k] - place[k]).abs() - half[k];
+        let nearest = taken.iter().map(|p| apart(0, p).max(apart(1, p)));
+        let room = nearest.fold(4.0, f64::min);
+        if room > best.1 {
+            best = (place, room);
+        }
+    }
+    best.0
 }

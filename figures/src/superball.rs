@@ -2,20 +2,45 @@
 
 mod bounces;
 
-pub use bounces::{reflections, three_balls};
+pub use bounces::{REFLECTIONS, THREE_BALLS, reflections, three_balls};
 
 use core::f64::consts::FRAC_PI_2;
 
 use num_rational::Ratio;
 use spinning_bodies::Result;
 use spinning_bodies::rolling::factor;
-use spinning_bodies::superball::{Motion, UnderTable};
+use spinning_bodies::superball::{Motion, Restitution, Surface, UnderTable, bounce_with};
 
-use crate::Figure;
 use crate::style::{
-    AXIS, Anchor, DATA, Fraction, HAIR, Pen, Point, Role, SECONDARY, Words, arc, between, figure,
-    label, polar, small, stroke,
+    AXIS, Anchor, DATA, Fraction, HAIR, Pen, Point, Role, SECONDARY, Words, along, arc, area,
+    between, figure, label, polar, roomiest, short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
+
+const KAPPA: Parameter = Parameter::new(
+    "kappa",
+    r"\kappa",
+    "moment of inertia of the ball over MR²",
+    [0.1, 0.65],
+    factor::BALL,
+);
+const GRIP: Parameter = Parameter::new(
+    "restitution",
+    "e_t",
+    "part of its contact speed that the ball gets back in a bounce",
+    [0.0, 1.0],
+    1.0,
+);
+const SPIN: Parameter = Parameter::new(
+    "spin",
+    r"R\Omega/V",
+    "rim speed of the thrown ball over its speed",
+    [-0.8, 0.8],
+    0.0,
+);
+
+/// What may be chosen of the ball under the table.
+pub const UNDER_THE_TABLE: &[Parameter] = &[KAPPA, GRIP, SPIN];
 
 /// Where the centre first is at bouncing height above the floor, units.
 const FIRST: f64 = 290.0;
@@ -40,70 +65,173 @@ fn place(x: f64, height: f64) -> Point {
     [FIRST + FLIGHT * x, low + (high - low) * height]
 }
 
-/// A fraction for a label: sign, numerator, denominator.
-fn signed(value: Ratio<i128>) -> (&'static str, String, String) {
-    let sign = if *value.numer() < 0 { "\u{2212}" } else { "" };
-    (
-        sign,
-        value.numer().abs().to_string(),
-        value.denom().to_string(),
-    )
+/// A number of few digits as a fraction.
+fn fraction_of(value: f64) -> Option<Ratio<i128>> {
+    let with = |under: u32| {
+        let over = (value * f64::from(under)).round();
+        let near = (value * f64::from(under) - over).abs() < 1e-12;
+        near.then(|| Ratio::new(over as i128, i128::from(under)))
+    };
+    (1..=12).find_map(with)
 }
 
-fn inline(value: Ratio<i128>) -> String {
-    format!("{}/{}", value.numer(), value.denom())
+/// Motions after floor, ceiling and floor.
+fn three_bounces<T: Copy>(
+    thrown: Motion<T>,
+    bounce: impl Fn(Motion<T>, Surface) -> Motion<T>,
+) -> [Motion<T>; 3] {
+    let floor = bounce(thrown, Surface::Floor);
+    let ceiling = bounce(floor, Surface::Ceiling);
+    [floor, ceiling, bounce(ceiling, Surface::Floor)]
+}
+
+/// A number as it is exactly, if that is short, for words.
+fn inline(value: f64, exact: Option<Ratio<i128>>) -> String {
+    let Some(exact) = exact.filter(|exact| *exact.denom() < 1000) else {
+        return short(value, 3);
+    };
+    exact.to_string().replace('-', "\u{2212}")
+}
+
+/// Where the picture ends to the left and to the right: flights.
+const ENDS: [f64; 2] = [-1.36, 1.48];
+
+/// The leg of a path: where it begins, flights, its motion, up or down, and the part of a flight that is drawn.
+struct Leg {
+    from: f64,
+    motion: Motion<f64>,
+    down: bool,
+    end: f64,
+}
+
+impl Leg {
+    fn at(&self, t: f64) -> Point {
+        let height = if self.down { 1.0 - t } else { t };
+        place(self.from + self.motion.velocity * t, height)
+    }
+}
+
+/// The three legs, as far as they are in the picture; beyond the edge of the table the last one goes on.
+fn legs(motions: [Motion<f64>; 3]) -> Vec<Leg> {
+    let mut from = 0.0;
+    let mut legs = Vec::new();
+    for (k, motion) in motions.into_iter().enumerate() {
+        let v = motion.velocity;
+        let free = k == 2 && from + v < EDGE - 0.1;
+        let wanted: f64 = if free { LEAVES } else { 1.0 };
+        let there = if v > 0.0 { ENDS[1] } else { ENDS[0] };
+        let end = if v == 0.0 {
+            wanted
+        } else {
+            wanted.min((there - from) / v)
+        };
+        let down = k == 1;
+        legs.push(Leg {
+            from,
+            motion,
+            down,
+            end,
+        });
+        if end < 1.0 {
+            break;
+        }
+        from += v;
+    }
+    legs
 }
 
 /// The path of a superball thrown under a table, with its spin, and of a ball that takes no spin.
-pub fn under_the_table() -> Result<Figure> {
-    let (zero, one) = (Ratio::from_integer(0_i128), Ratio::from_integer(1));
-    let exact = UnderTable::new(
-        Motion {
-            velocity: one,
-            rim_speed: zero,
-        },
-        Ratio::new(2, 5),
-    );
-    let motions: Vec<Motion<Ratio<i128>>> = exact.take(3).collect();
-    let places: Vec<Ratio<i128>> = exact.positions().take(3).collect();
+pub fn under_the_table(values: &Values) -> Result<Figure> {
+    let (kappa, spin) = (values.of(&KAPPA), values.of(&SPIN));
+    let grip = Restitution::new(1.0, values.of(&GRIP))?.tangential();
     let thrown = Motion {
         velocity: 1.0,
-        rim_speed: 0.0,
+        rim_speed: spin,
     };
-    let float: Vec<Motion<f64>> = UnderTable::new(thrown, factor::BALL).take(3).collect();
-    let bounces: Vec<f64> = UnderTable::new(thrown, factor::BALL)
-        .positions()
-        .take(3)
-        .collect();
+    let motions = three_bounces(thrown, |motion, surface| {
+        bounce_with(motion, surface, kappa, grip)
+    });
+    let exact = (|| {
+        let (kappa, grip) = (fraction_of(kappa)?, fraction_of(grip)?);
+        let thrown = Motion {
+            velocity: Ratio::from_integer(1),
+            rim_speed: fraction_of(spin)?,
+        };
+        Some(three_bounces(thrown, |motion, surface| {
+            bounce_with(motion, surface, kappa, grip)
+        }))
+    })();
     let ghost: Vec<f64> = UnderTable::new(thrown, 0.0).positions().take(2).collect();
-
-    let [v1, v2, v3] = [0, 1, 2].map(|k| inline(motions[k].velocity));
+    let told = |k: usize,
+                of: fn(&Motion<f64>) -> f64,
+                exactly: fn(&Motion<Ratio<i128>>) -> Ratio<i128>| {
+        inline(
+            of(&motions[k]),
+            exact.as_ref().map(|exact| exactly(&exact[k])),
+        )
+    };
+    let [v1, v2, v3] = [0, 1, 2].map(|k| told(k, |m| m.velocity, |m| m.velocity));
+    let [s1, s2, s3] = [0, 1, 2].map(|k| told(k, |m| m.rim_speed, |m| m.rim_speed));
+    let places = [
+        motions[0].velocity,
+        motions[0].velocity + motions[1].velocity,
+    ];
+    let exact_places = exact.map(|m| [m[0].velocity, m[0].velocity + m[1].velocity]);
+    let [x1, x2] = [0, 1].map(|k| inline(places[k], exact_places.map(|exact| exact[k])));
+    let legs = legs(motions);
+    let out = places[1] + motions[2].velocity;
+    let which = match grip == 1.0 {
+        true => "A superball".to_owned(),
+        false => format!(
+            "A ball that gets back {} of its contact speed and is",
+            short(grip, 2)
+        ),
+    };
+    let after = if out < EDGE {
+        "comes back out"
+    } else if motions[2].velocity < 0.0 {
+        "turns back, but not before it has met the table once more"
+    } else {
+        "does not come back: after three bounces it still goes on"
+    };
+    let about_spin = match spin == 0.0 {
+        true => "no spin".to_owned(),
+        false => format!(
+            "rim speed ${}\\,V$",
+            short(spin, 2).replace('\u{2212}', "-")
+        ),
+    };
+    let plain = |text: &str| text.replace('\u{2212}', "-");
     let words = Words {
-        claim: "A superball thrown under a table comes back out.".to_owned(),
+        claim: format!("{which} {after}."),
         details: format!(
-            "Solid ball, thrown with speed $V$ and no spin. After floor, table and floor its velocity is ${v1}$, \
-             ${v2}$ and ${v3}$ of $V$, its rim speed $R\\Omega$ is ${}$, ${}$ and ${}$ of $V$. It meets the table at \
+            "Ball with $I = {}\\,MR^2$, thrown with speed $V$ and {about_spin}. After floor, table and floor its velocity is ${}$, \
+             ${}$ and ${}$ of $V$, its rim speed $R\\Omega$ is ${}$, ${}$ and ${}$ of $V$. It meets the table at \
              ${}$ and the floor again at ${}$ of the way it would have made in one flight. Flashes at equal times, {FLASHES} a flight; the blue hand is fixed to the ball. Dashed: a ball with all its mass in the middle, which takes \
              no spin.",
-            inline(motions[0].rim_speed),
-            inline(motions[1].rim_speed),
-            inline(motions[2].rim_speed),
-            inline(places[0]),
-            inline(places[1]),
+            inline(kappa, fraction_of(kappa)),
+            plain(&v1),
+            plain(&v2),
+            plain(&v3),
+            plain(&s1),
+            plain(&s2),
+            plain(&s3),
+            plain(&x1),
+            plain(&x2),
         ),
         alt: format!(
-            "A table seen from the side. A ball flies in from the upper left, bounces on the floor, on the underside of \
-             the table and on the floor again, and flies out on the side it came from. The legs of the path are \
-             labelled with the velocities {v1}, {v2} and {v3} of V, and a clock hand on the ball shows it turning one \
-             way, then the other. A dashed ghost without spin zigzags straight on under the table."
+            "A table seen from the side. A ball flies in from the upper left and bounces on the floor, on the underside of \
+             the table and on the floor again; it {after}. The legs of the path are \
+             labelled with the velocities {v1}, {v2} and {v3} of V, and a clock hand on the ball shows how it turns. \
+             A dashed ghost without spin zigzags straight on under the table."
         ),
     };
 
-    Ok(figure("superball", 430.0, words, |pen| {
+    let made = figure("superball", 414.0, words, |pen| {
         room(pen);
-        ghost_ball(pen, &ghost);
+        let ghost = ghost_ball(pen, &ghost);
 
-        // In without spin: small dots at the flashes.
+        // In: small dots at the flashes.
         let arrive = [place(-1.36, 1.36), place(0.0, 0.0)];
         pen.line(&arrive, stroke(Role::Ink, SECONDARY));
         for k in 1..=8 {
@@ -116,33 +244,25 @@ pub fn under_the_table() -> Result<Figure> {
             stroke(Role::Ink, DATA),
         );
 
-        // Three legs; the last goes on, for there is no table above it any more.
-        let (mut turned, mut from, mut flash) = (0.0, 0.0, 0_u32);
+        let (mut turned, mut flash) = (0.0, 0_u32);
         let mut flashes: Vec<(Point, f64, f64)> = Vec::new();
         let mut path = vec![place(0.0, 0.0)];
-        for (leg, motion) in float.iter().enumerate() {
-            let end = if leg == 2 { LEAVES } else { 1.0 };
-            let height = |t: f64| if leg == 1 { 1.0 - t } else { t };
-            let spin = motion.rim_speed * FLIGHT / RADIUS;
+        for (k, leg) in legs.iter().enumerate() {
+            let spin = leg.motion.rim_speed * FLIGHT / RADIUS;
             loop {
-                let t = f64::from(flash) / FLASHES - leg as f64;
-                if t >= end.min(1.1) {
+                let t = f64::from(flash) / FLASHES - k as f64;
+                if t >= leg.end.min(1.1) {
                     break;
                 }
                 // The sector is the turn since the flash before, or since the bounce if that is later.
                 let swept = spin * t.min(1.0 / FLASHES);
-                flashes.push((
-                    place(from + motion.velocity * t, height(t)),
-                    turned + spin * t,
-                    swept,
-                ));
+                flashes.push((leg.at(t), turned + spin * t, swept));
                 flash += 1;
             }
-            path.push(place(from + motion.velocity * end, height(end)));
+            path.push(leg.at(leg.end));
             turned += spin;
-            from = bounces[leg];
         }
-        for &corner in &path[..3] {
+        for &corner in &path[..path.len() - 1] {
             pen.ring(corner, RADIUS, stroke(Role::Ink, HAIR).alpha(0.45));
         }
         for &(center, _, _) in &flashes {
@@ -163,14 +283,103 @@ pub fn under_the_table() -> Result<Figure> {
             );
             pen.disc(center, 1.6, Role::Omega, 1.0);
         }
-        pen.arrow(
-            between(path[2], path[3], 0.93),
-            path[3],
-            stroke(Role::Ink, DATA),
-        );
+        let last = path.len() - 1;
+        let tip = between(path[last - 1], path[last], 0.93);
+        pen.arrow(tip, path[last], stroke(Role::Ink, DATA));
 
-        velocities(pen, &motions);
-    }))
+        let mut taken = along(&arrive, 6.0);
+        taken.extend(along(&ghost, 6.0));
+        taken.extend(along(&path, 6.0));
+        taken.extend([CEILING - SLAB, FLOOR].into_iter().flat_map(|y| {
+            let left = if y == FLOOR {
+                10.0
+            } else {
+                place(EDGE, 0.0)[0]
+            };
+            along(&[[left, y], [590.0, y]], 6.0)
+        }));
+        for &(center, _, _) in &flashes {
+            taken.extend(arc(center, RADIUS, 0.0, 6.3));
+        }
+        let at = place(-1.13, 1.19);
+        pen.text([at[0] + 8.0, at[1]], Anchor::Start, "*V*", label(Role::Ink));
+        for (k, leg) in legs.iter().enumerate() {
+            let text = told(k, |m| m.velocity, |m| m.velocity);
+            velocity_label(pen, leg, &text, &mut taken);
+        }
+        let on = |k| between(ghost[0], ghost[1], 0.3 + 0.01 * f64::from(k));
+        let right =
+            |k| [50.0, 65.0, 80.0, 100.0, -50.0, -70.0].map(|far| [on(k)[0] + far, on(k)[1] + 4.0]);
+        let beside = (0..50).flat_map(right);
+        let [x, y] = roomiest(beside, [28.0, 17.0], &taken);
+        pen.text([x, y - 4.0], Anchor::Middle, "without", small(Role::Muted));
+        pen.text([x, y + 13.0], Anchor::Middle, "spin", small(Role::Muted));
+    });
+    let names = [
+        "after the floor",
+        "after the table",
+        "after the floor again",
+    ];
+    let mut made = made;
+    let mut from = 0.0;
+    for (name, motion) in names.into_iter().zip(motions) {
+        let row = vec![from, motion.velocity, motion.rim_speed];
+        made = made.data(
+            name,
+            &["place (flights)", "velocity (V)", "rim speed (V)"],
+            [row],
+        );
+        from += motion.velocity;
+    }
+    Ok(made)
+}
+
+/// The velocity of a leg beside it, where there is room.
+fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) {
+    let (sign, number) = match text.strip_prefix('\u{2212}') {
+        Some(rest) => ("\u{2212}", rest),
+        None => ("", text),
+    };
+    let letters = number.split('/').map(|part| part.chars().count()).max();
+    let half = 5.0 * letters.unwrap_or(0) as f64 + 15.0;
+    let shares = [0.7, 0.6, 0.5, 0.8, 0.4, 0.9, 0.3, 0.2];
+    let beside = |far: f64| {
+        let side = if leg.down {
+            -far
+        } else {
+            far * leg.motion.velocity.signum()
+        };
+        shares.map(|share| {
+            let on = leg.at(share * leg.end);
+            [on[0] + side * (half + RADIUS + 8.0), on[1]]
+        })
+    };
+    let places = [1.0, 1.3, 1.7, -1.0, -1.3, -1.7]
+        .into_iter()
+        .flat_map(beside);
+    let inside = places.filter(|p| (40.0..=560.0).contains(&p[0]) && p[1] > 30.0);
+    let at = roomiest(inside, [half, 20.0], taken);
+    taken.extend(area(at, [half, 20.0]));
+    match number.split_once('/') {
+        Some((over, under)) => {
+            let parts = Fraction {
+                before: sign,
+                over,
+                under,
+                after: "*V*",
+            };
+            pen.fraction(at, parts, label(Role::Ink));
+        }
+        None => {
+            let text = format!("{text} *V*");
+            pen.text(
+                [at[0], at[1] + 5.0],
+                Anchor::Middle,
+                &text,
+                label(Role::Ink),
+            );
+        }
+    }
 }
 
 /// Floor and table.
@@ -197,8 +406,8 @@ fn room(pen: &mut Pen) {
     );
 }
 
-/// The ball that takes no spin.
-fn ghost_ball(pen: &mut Pen, bounces: &[f64]) {
+/// The ball that takes no spin, and its path.
+fn ghost_ball(pen: &mut Pen, bounces: &[f64]) -> Vec<Point> {
     let mut path = vec![place(0.0, 0.0)];
     path.extend(
         bounces
@@ -213,34 +422,5 @@ fn ghost_ball(pen: &mut Pen, bounces: &[f64]) {
     for &corner in &path[1..last] {
         pen.ring(corner, RADIUS, stroke(Role::Muted, HAIR));
     }
-    let at = between(path[0], path[1], 0.42);
-    pen.text(
-        [at[0] + 22.0, at[1] - 2.0],
-        Anchor::Start,
-        "without",
-        small(Role::Muted),
-    );
-    pen.text(
-        [at[0] + 22.0, at[1] + 15.0],
-        Anchor::Start,
-        "spin",
-        small(Role::Muted),
-    );
-}
-
-/// The exact velocities beside the legs of the path.
-fn velocities(pen: &mut Pen, motions: &[Motion<Ratio<i128>>]) {
-    let at = place(-1.13, 1.19);
-    pen.text([at[0] + 8.0, at[1]], Anchor::Start, "*V*", label(Role::Ink));
-    let spots = [place(0.53, 0.72), place(-0.3, 0.76), place(-1.05, 0.45)];
-    for (spot, motion) in spots.into_iter().zip(motions) {
-        let (before, over, under) = signed(motion.velocity);
-        let parts = Fraction {
-            before,
-            over: &over,
-            under: &under,
-            after: "*V*",
-        };
-        pen.fraction(spot, parts, label(Role::Ink));
-    }
+    path
 }

@@ -4,127 +4,214 @@ use spinning_bodies::Result;
 use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
 use spinning_bodies::rolling::{RoundBody, factor};
 
-use crate::Figure;
+use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, DATA, Role, SECONDARY, Words, along, area, between, figure, label, number,
+    roomiest, short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-const HEIGHTS: [(f64, &str); 5] = [
-    (0.2, "1/5"),
-    (0.7, "7/10"),
-    (1.0, "1"),
-    (1.4, "7/5"),
-    (1.8, "9/5"),
-];
+const KAPPA: Parameter = Parameter::new(
+    "kappa",
+    r"\kappa",
+    "moment of inertia of the ball over MR²",
+    [0.3, 0.65],
+    factor::BALL,
+);
+const FRICTION: Parameter = Parameter::new(
+    "friction",
+    r"\mu",
+    "coefficient of friction",
+    [0.05, 0.6],
+    0.2,
+)
+.logarithmic();
+const SPEED: Parameter = Parameter::new(
+    "speed",
+    "V",
+    "velocity of the balls after the stroke",
+    [0.5, 5.0],
+    2.0,
+)
+.unit("m/s");
+const TOP: Parameter = Parameter::new(
+    "top",
+    "H/R",
+    "height of the highest stroke over the radius",
+    [1.6, 2.0],
+    1.8,
+);
+
+/// What may be chosen.
+pub const LINES: &[Parameter] = &[FRICTION, SPEED, TOP, KAPPA];
+
 const LEFT: f64 = 62.0;
 const RIGHT: f64 = 492.0;
-const ZERO: f64 = 196.0;
-const METRE: f64 = 40.0;
-const UNTIL: f64 = 1.0;
+const ZERO: f64 = 190.0;
+const BOTTOM: f64 = 358.0;
 
 /// V and RΩ for five heights of the cue, meeting where rolling begins.
-pub fn lines() -> Result<Figure> {
-    let ball = RoundBody::new(0.17, 0.028_575, factor::BALL)?;
-    let friction = Coulomb::new(0.2)?;
-    let courses = HEIGHTS
+pub fn lines(values: &Values) -> Result<Figure> {
+    let (kappa, speed) = (values.of(&KAPPA), values.of(&SPEED));
+    let ball = RoundBody::new(0.17, 0.028_575, kappa)?;
+    let mu = values.of(&FRICTION);
+    let heights = [0.2, 0.7, 1.0, 1.4, values.of(&TOP)];
+    let shots = heights.map(|height| ball.strike(height, speed));
+    let shots = shots.into_iter().collect::<Result<Vec<_>>>()?;
+    let mut latest: f64 = 0.0;
+    for shot in &shots {
+        latest = latest.max(shot.slide(mu, 9.81)?.time);
+    }
+    let until = 1.144 * latest;
+    let courses = shots
         .iter()
-        .map(|&(height, name)| {
-            let shot = ball.strike(height, 2.0)?;
+        .map(|shot| {
             let start = Moment {
                 slip: shot.slip(),
                 ..Moment::moving(shot.velocity(), shot.rim_speed())
             };
-            let effects = (Some(friction), None, None);
-            let course = Course::new(factor::BALL, Load::weight(9.81), effects, start, UNTIL)?;
-            Ok((name, course))
+            let effects = (Some(Coulomb::new(mu)?), None, None);
+            Course::new(kappa, Load::weight(9.81), effects, start, until)
         })
         .collect::<Result<Vec<_>>>()?;
     let finals: Vec<String> = courses
         .iter()
-        .map(|(_, course)| number(course.at(UNTIL).velocity, 2))
+        .map(|course| number(course.at(until).velocity, 2))
         .collect();
+    let [lowest, highest] = [0, 4].map(|k| shots[k].rim_speed());
+    let sweet = short(ball.pure_rolling_height(), 2);
     let words = Words {
         claim: "Wherever the cue strikes, velocity and rim speed meet, and from then on the ball rolls.".to_owned(),
         details: format!(
-            "Ball struck at heights $H$ to the same velocity of 2 m/s, friction $\\mu = 0.2$. Black: velocity $V$ of the centre; blue: rim \
-             speed $R\\Omega$. They meet at {} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other; \
-             struck above $7R/5$, the ball speeds up.",
-            finals.join(", ")
+            "Ball with $I = {}\\,MR^2$, struck at heights $H$ to the same velocity of {} m/s, friction $\\mu = {}$. Black: velocity $V$ of the centre; blue: rim \
+             speed $R\\Omega$. They meet at {} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other, the last after {} s; \
+             struck above ${sweet}\\,R$, the ball speeds up.",
+            short(kappa, 3),
+            short(speed, 2),
+            short(mu, 3),
+            finals.join(", "),
+            number(latest, 2),
         ),
         alt: format!(
-            "Graph of speed against time. Five blue lines start at rim speeds from minus 4 to plus 4 metres a second, black lines at 2. \
+            "Graph of speed against time. Five blue lines start at rim speeds from {} to {} metres a second, black lines at {}. \
              Each blue line meets the black one at a dot, and both go on level, at {} metres a second.",
+            short(lowest, 2),
+            short(highest, 2),
+            short(speed, 2),
             finals.join(", ")
         ),
     };
-    let at = |t: f64, v: f64| [LEFT + (RIGHT - LEFT) * t / UNTIL, ZERO - METRE * v];
-    Ok(figure("slide-to-roll", 396.0, words, |pen| {
-        pen.line(&[at(0.0, 0.0), at(UNTIL, 0.0)], stroke(Role::Ink, AXIS));
-        pen.line(&[at(0.0, -4.2), at(0.0, 4.3)], stroke(Role::Ink, AXIS));
-        for v in [-4.0, -2.0, 2.0, 4.0] {
-            let [x, y] = at(0.0, v);
-            pen.line(&[[x - 5.0, y], [x, y]], stroke(Role::Ink, AXIS));
+    let greatest = highest.max(-lowest).max(speed);
+    let x = Axis::linear([0.0, until], [LEFT, RIGHT]);
+    let y = Axis::linear(
+        [-1.04 * greatest, 1.04 * greatest],
+        [BOTTOM, 2.0 * ZERO - BOTTOM],
+    );
+    let at = |t: f64, v: f64| [x.at(t), y.at(v)];
+    let made = figure("slide-to-roll", 386.0, words, |pen| {
+        pen.line(&[at(0.0, 0.0), at(until, 0.0)], stroke(Role::Ink, AXIS));
+        pen.line(
+            &[[LEFT, y.ends[0]], [LEFT, y.ends[1]]],
+            stroke(Role::Ink, AXIS),
+        );
+        for (v, text) in y.ticks(38.0) {
+            let level = y.at(v);
+            pen.line(
+                &[[LEFT - 5.0, level], [LEFT, level]],
+                stroke(Role::Ink, AXIS),
+            );
             pen.text(
-                [x - 9.0, y + 5.0],
+                [LEFT - 9.0, level + 5.0],
                 Anchor::End,
-                &number(v, 0),
+                &text,
                 small(Role::Ink),
             );
         }
-        pen.text([LEFT - 9.0, ZERO + 5.0], Anchor::End, "0", small(Role::Ink));
-        pen.text([8.0, 20.0], Anchor::Start, "m/s", small(Role::Ink));
-        for t in [0.25, 0.5, 0.75, 1.0] {
-            let [x, y] = at(t, -4.2);
-            pen.line(&[[x, y - 3.0], [x, y + 3.0]], stroke(Role::Ink, AXIS));
+        pen.text([8.0, 16.0], Anchor::Start, "m/s", small(Role::Ink));
+        for (t, text) in x.ticks(75.0) {
+            let across = x.at(t);
+            pen.line(
+                &[[across, BOTTOM - 3.0], [across, BOTTOM + 3.0]],
+                stroke(Role::Ink, AXIS),
+            );
             pen.text(
-                [x, y + 20.0],
+                [across, BOTTOM + 20.0],
                 Anchor::Middle,
-                &number(t, 2),
+                &text,
                 small(Role::Ink),
             );
         }
         pen.text(
-            [at(UNTIL, 0.0)[0] + 24.0, at(0.0, -4.2)[1] + 20.0],
+            [RIGHT + 24.0, BOTTOM + 20.0],
             Anchor::Start,
             "s",
             small(Role::Ink),
         );
-        for (name, course) in &courses {
+        let (mut name, mut taken) = (BOTTOM, Vec::new());
+        for (course, height) in courses.iter().zip(heights) {
             let start = course.at(0.0);
             let meets = course.events().first().map_or(0.0, |event| event.time);
-            let rolls = course.at(meets);
-            let end = course.at(UNTIL);
-            let meeting = at(meets, rolls.velocity);
+            let rolls = course.at(meets).velocity;
+            let meeting = at(meets, rolls);
             pen.line(
                 &[at(0.0, start.rim_speed), meeting],
                 stroke(Role::Omega, DATA),
             );
             pen.line(&[at(0.0, start.velocity), meeting], stroke(Role::Ink, DATA));
-            pen.line(
-                &[meeting, at(UNTIL, end.velocity)],
-                stroke(Role::Ink, SECONDARY),
-            );
+            pen.line(&[meeting, at(until, rolls)], stroke(Role::Ink, SECONDARY));
             pen.disc(meeting, 4.5, Role::Ink, 1.0);
-            let [x, y] = at(UNTIL, end.velocity);
-            pen.text(
-                [x + 12.0, y + 5.0],
-                Anchor::Start,
-                &format!("*H* = {name} *R*"),
-                small(Role::Ink),
-            );
+            name = (y.at(rolls) + 5.0).min(name - 14.0);
+            let text = format!("*H* = {} *R*", short(height, 2));
+            pen.text([RIGHT + 12.0, name], Anchor::Start, &text, small(Role::Ink));
+            taken.extend(along(
+                &[at(0.0, start.rim_speed), meeting, at(0.0, speed)],
+                4.0,
+            ));
+            taken.extend(along(&[meeting, at(until, rolls)], 4.0));
         }
-        pen.text(
-            at(0.17, 3.3),
-            Anchor::Start,
-            "*R*\u{03a9}, too fast",
-            label(Role::Omega),
+        let meeting = |k: usize| {
+            let event = courses[k].events().first();
+            event.map_or([LEFT, ZERO], |event| at(event.time, event.moment.velocity))
+        };
+        for (k, text, role, half) in [
+            (4, "*R*\u{03a9}, too fast", Role::Omega, 48.0),
+            (0, "*R*\u{03a9}, backspin", Role::Omega, 52.0),
+            (4, "*V*", Role::Ink, 7.0),
+        ] {
+            let start = if text == "*V*" {
+                speed
+            } else {
+                shots[k].rim_speed()
+            };
+            let (from, to) = (at(0.0, start), meeting(k));
+            let places = (2..18).flat_map(|share| {
+                let on = between(from, to, 0.05 * f64::from(share));
+                [[half + 8.0, -12.0], [half + 8.0, 14.0], [0.0, -14.0]]
+                    .map(|[x, y]| [on[0] + x, on[1] + y])
+            });
+            let room = roomiest(
+                places.filter(|p| p[0] > LEFT + half + 6.0),
+                [half, 8.0],
+                &taken,
+            );
+            taken.extend(area(room, [half, 8.0]));
+            pen.text([room[0], room[1] + 5.0], Anchor::Middle, text, label(role));
+        }
+    });
+    let mut made = made;
+    for (course, height) in courses.iter().zip(heights) {
+        let corners = core::iter::once(0.0)
+            .chain(course.events().iter().map(|event| event.time))
+            .chain([until]);
+        let row = |t: f64| {
+            let moment = course.at(t);
+            vec![t, moment.velocity, moment.rim_speed]
+        };
+        made = made.data(
+            format!("H = {} R", short(height, 2)),
+            &["time (s)", "velocity (m/s)", "rim speed (m/s)"],
+            corners.map(row),
         );
-        pen.text(
-            at(0.42, -2.5),
-            Anchor::Start,
-            "*R*\u{03a9}, backspin",
-            label(Role::Omega),
-        );
-        pen.text(at(0.055, 2.28), Anchor::Start, "*V*", label(Role::Ink));
-    }))
+    }
+    Ok(made)
 }

@@ -1,70 +1,118 @@
 //! Bounces as reflections, and paths under the table for three balls (tutorial 4.6).
 
-use spinning_bodies::Result;
-use spinning_bodies::superball::{Motion, UnderTable, return_threshold};
+use core::f64::consts::PI;
 
-use crate::Figure;
+use spinning_bodies::Result;
+use spinning_bodies::rolling::factor;
+use spinning_bodies::superball::{BounceRotation, Motion, UnderTable, return_threshold};
+
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, label, number, polar,
-    small, stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, along, arc, area, between, figure,
+    label, number, polar, roomiest, short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
 const THROWN: Motion<f64> = Motion {
     velocity: 1.0,
     rim_speed: 0.0,
 };
 
+const KAPPA: Parameter = Parameter::new(
+    "kappa",
+    r"\kappa",
+    "moment of inertia of the ball over MR²",
+    [0.05, 0.65],
+    factor::BALL,
+)
+.dragged(mirror_place, kappa_at);
+const BOUNCES: Parameter =
+    Parameter::new("bounces", "n", "bounces that are drawn", [1.0, 12.0], 3.0).whole();
+
+/// What may be chosen of the reflections.
+pub const REFLECTIONS: &[Parameter] = &[KAPPA, BOUNCES];
+
+const CENTER: Point = [300.0, 184.0];
+const SIZE: f64 = 150.0;
+/// The end of a mirror.
+const MIRROR: f64 = 190.0;
+
+fn mirror_place(values: &Values) -> Point {
+    polar(CENTER, MIRROR, values.of(&KAPPA).sqrt().atan())
+}
+
+fn kappa_at(point: Point, _: &Values) -> f64 {
+    ((CENTER[1] - point[1]) / (point[0] - CENTER[0])).powi(2)
+}
+
 /// Each bounce reflects the point (V, √κ RΩ) of the unit circle in one of two lines.
-pub fn reflections() -> Result<Figure> {
-    let kappa: f64 = 0.4;
+pub fn reflections(values: &Values) -> Result<Figure> {
+    let kappa = values.of(&KAPPA);
     let root = kappa.sqrt();
+    let count = values.of(&BOUNCES) as usize;
     let motions: Vec<Motion<f64>> = core::iter::once(THROWN)
-        .chain(UnderTable::new(THROWN, kappa).take(3))
+        .chain(UnderTable::new(THROWN, kappa).take(count))
         .collect();
-    let beta = root.atan();
+    let beta = 0.5 * BounceRotation::new(kappa)?.angle();
     let degrees = number(beta.to_degrees(), 1);
+    let angle = |m: &Motion<f64>| (root * m.rim_speed).atan2(m.velocity);
+    let angles: Vec<f64> = motions.iter().map(angle).collect();
+    let missing = (PI - angles[count].abs()).to_degrees();
+    let last = if missing < 0.05 {
+        "exactly at the opposite point".to_owned()
+    } else if missing > 179.95 {
+        "where it began".to_owned()
+    } else {
+        format!("{}° from the opposite point", number(missing, 1))
+    };
+    let plural = if count == 1 { "" } else { "s" };
+    let listed: Vec<String> = angles
+        .iter()
+        .enumerate()
+        .map(|(n, angle)| format!("{n} at {}", number(angle.to_degrees(), 1)))
+        .collect();
     let words = Words {
         claim: "A bounce is a reflection; floor and ceiling have a mirror each.".to_owned(),
         details: format!(
             "The motion of a superball is a point of a circle: across, the velocity $V$; upward, the spin as $\\sqrt{{\\kappa}}\\,R\\Omega$. The floor reflects it \
-             in the upper dashed line, the ceiling in the lower, both {degrees} degrees from the axis ($\\tan\\beta = \\sqrt{{\\kappa}}$, $\\kappa = 2/5$). \
-             Start at 0, thrown without spin; after floor, ceiling, floor the ball is at 3, almost at the opposite point."
+             in the upper dashed line, the ceiling in the lower, both {degrees} degrees from the axis ($\\tan\\beta = \\sqrt{{\\kappa}}$, $\\kappa = {}$). \
+             Start at 0, thrown without spin; after {count} bounce{plural}, floor first, the ball is at {count}, {last}.",
+            short(kappa, 3)
         ),
         alt: format!(
-            "A circle with two dashed mirror lines at plus and minus {degrees} degrees. Point 0 lies at the right. Reflected in the upper line it goes to 1, at the upper right; in the lower line to 2, \
-             at the lower left; in the upper line again to 3, at the far left, just below the axis."
+            "A circle with two dashed mirror lines at plus and minus {degrees} degrees. Points of the circle, joined by arrows that cross the upper and the lower mirror in turn: {} degrees.",
+            listed.join(", ")
         ),
     };
-    const CENTER: Point = [300.0, 188.0];
-    const SIZE: f64 = 150.0;
-    Ok(figure("bounce-reflections", 376.0, words, |pen| {
+    let point = |m: &Motion<f64>| {
+        [
+            CENTER[0] + SIZE * m.velocity,
+            CENTER[1] - SIZE * root * m.rim_speed,
+        ]
+    };
+    let made = figure("bounce-reflections", 368.0, words, |pen| {
         pen.ring(CENTER, SIZE, stroke(Role::Ink, SECONDARY));
-        pen.line(
-            &[
+        let axes = [
+            [
                 [CENTER[0] - 190.0, CENTER[1]],
                 [CENTER[0] + 190.0, CENTER[1]],
             ],
-            stroke(Role::Ink, AXIS),
-        );
-        pen.line(
-            &[[CENTER[0], 18.0], [CENTER[0], 358.0]],
-            stroke(Role::Ink, AXIS),
-        );
+            [[CENTER[0], 14.0], [CENTER[0], 354.0]],
+        ];
+        let mut taken: Vec<Point> = arc(CENTER, SIZE, 0.0, 2.0 * PI);
+        for axis in axes {
+            pen.line(&axis, stroke(Role::Ink, AXIS));
+            taken.extend(along(&axis, 4.0));
+        }
         pen.text(
             [CENTER[0] + 196.0, CENTER[1] + 5.0],
             Anchor::Start,
             "*V*",
             label(Role::Ink),
         );
-        pen.text(
-            [CENTER[0] + 8.0, 22.0],
-            Anchor::Start,
-            "√κ *R*\u{03a9}",
-            label(Role::Omega),
-        );
         for (angle, name) in [(beta, "floor"), (-beta, "ceiling")] {
-            let ends = [polar(CENTER, 186.0, angle), polar(CENTER, -186.0, angle)];
+            let ends = [polar(CENTER, MIRROR, angle), polar(CENTER, -MIRROR, angle)];
             pen.line(&ends, stroke(Role::Muted, DATA).dashed());
+            taken.extend(along(&ends, 4.0));
             let shift = if angle > 0.0 { -4.0 } else { 16.0 };
             pen.text(
                 [ends[0][0] + 6.0, ends[0][1] + shift],
@@ -73,81 +121,158 @@ pub fn reflections() -> Result<Figure> {
                 label(Role::Muted),
             );
         }
-        let point = |m: &Motion<f64>| {
-            [
-                CENTER[0] + SIZE * m.velocity,
-                CENTER[1] - SIZE * root * m.rim_speed,
-            ]
-        };
         for pair in motions.windows(2) {
             let (from, to) = (point(&pair[0]), point(&pair[1]));
-            pen.arrow(from, between(from, to, 0.965), stroke(Role::Ink, DATA));
+            let tip = between(from, to, 0.965);
+            pen.arrow(from, tip, stroke(Role::Ink, DATA));
+            taken.extend(along(&[from, tip], 4.0));
         }
+        let mut named: Vec<Point> = Vec::new();
         for (n, m) in motions.iter().enumerate() {
             let p = point(m);
             pen.disc(p, 5.5, Role::Ink, 1.0);
-            let out = between(CENTER, p, 1.13);
+            // One name where the ball comes back to an old point.
+            if named
+                .iter()
+                .any(|q| (q[0] - p[0]).hypot(q[1] - p[1]) < 14.0)
+            {
+                continue;
+            }
+            named.push(p);
+            let turns = (0..40).map(|k| {
+                let aside = f64::from((k + 1) / 2) * if k % 2 == 0 { 0.012 } else { -0.012 };
+                polar(CENTER, SIZE + 18.0, angles[n] + aside)
+            });
+            let half = if n > 9 { 12.0 } else { 7.0 };
+            let at = roomiest(turns, [half, 6.0], &taken);
+            taken.extend(area(at, [half, 6.0]));
             pen.text(
-                [out[0], out[1] + if n == 0 { -6.0 } else { 9.0 }],
+                [at[0], at[1] + 5.5],
                 Anchor::Middle,
                 &n.to_string(),
                 label(Role::Ink).strong(),
             );
         }
-    }))
+        let beside = [34.0, -34.0, 52.0, -52.0, 80.0].map(|x| [CENTER[0] + x, 15.0]);
+        let [x, y] = roomiest(beside, [26.0, 8.0], &taken);
+        let spin = "√κ *R*\u{03a9}";
+        pen.text([x, y + 5.0], Anchor::Middle, spin, label(Role::Omega));
+    });
+    let rows = motions
+        .iter()
+        .enumerate()
+        .map(|(n, m)| vec![n as f64, m.velocity, m.rim_speed]);
+    Ok(made.data("ball", &["bounces", "velocity (V)", "rim speed (V)"], rows))
+}
+
+const DENSE: Parameter = Parameter::new(
+    "dense",
+    r"\kappa_1",
+    "moment of inertia of the ball with a dense core over MR²",
+    [0.05, 0.37],
+    1.0 / 3.0,
+)
+.dragged(|values| apex(values.of(&DENSE)), factor_at);
+const HOLLOW: Parameter = Parameter::new(
+    "hollow",
+    r"\kappa_3",
+    "moment of inertia of the hollow ball over MR²",
+    [0.43, 2.0 / 3.0],
+    2.0 / 3.0,
+)
+.dragged(|values| apex(values.of(&HOLLOW)), factor_at);
+
+/// What may be chosen of three balls; their handles are the places where they meet the table.
+pub const THREE_BALLS: &[Parameter] = &[DENSE, HOLLOW];
+
+const FLOOR: f64 = 244.0;
+const CEILING: f64 = 44.0;
+const FIRST: f64 = 352.0;
+const FLIGHT: f64 = 200.0;
+/// What is further to the right is not drawn, flights.
+const RIGHT: f64 = 1.15;
+
+fn place(x: f64, height: f64) -> Point {
+    [FIRST + FLIGHT * x, FLOOR - (FLOOR - CEILING) * height]
+}
+
+/// Where a ball meets the table: (1−κ)/(1+κ) of a flight.
+fn apex(kappa: f64) -> Point {
+    place((1.0 - kappa) / (1.0 + kappa), 1.0)
+}
+
+fn factor_at(point: Point, _: &Values) -> f64 {
+    let x = (point[0] - FIRST) / FLIGHT;
+    (1.0 - x) / (1.0 + x)
+}
+
+/// What becomes of a ball after three bounces, by its turn in the circle of reflections: half of it is the way back.
+fn comes_back(kappa: f64, last: &Motion<f64>) -> Result<&'static str> {
+    let over = (3.0 * BounceRotation::new(kappa)?.angle() - PI).to_degrees();
+    Ok(if last.velocity >= 0.0 {
+        "does not come back"
+    } else if over.abs() < 0.05 {
+        "comes back exactly"
+    } else if over > 0.0 {
+        "turns too far"
+    } else {
+        "turns too little"
+    })
 }
 
 /// Three balls thrown alike.
-pub fn three_balls() -> Result<Figure> {
+pub fn three_balls(values: &Values) -> Result<Figure> {
     let balls = [
-        (1.0 / 3.0, "1/3", stroke(Role::Ink, DATA).dashed()),
-        (0.4, "2/5", stroke(Role::Ink, DATA)),
-        (2.0 / 3.0, "2/3", stroke(Role::Muted, DATA)),
+        (values.of(&DENSE), stroke(Role::Ink, DATA).dashed()),
+        (factor::BALL, stroke(Role::Ink, DATA)),
+        (values.of(&HOLLOW), stroke(Role::Muted, DATA)),
     ];
-    let threshold = number(return_threshold(0.4)?, 3);
-    let hollow = UnderTable::new(THROWN, 2.0 / 3.0)
-        .nth(2)
-        .map_or(f64::NAN, |m| -m.velocity);
-    let last: Vec<String> = balls
-        .iter()
-        .filter_map(|&(kappa, _, _)| UnderTable::new(THROWN, kappa).nth(2))
-        .map(|m| number(m.velocity, 3))
-        .collect();
+    let motions = balls.map(|(kappa, _)| {
+        let mut motions = UnderTable::new(THROWN, kappa);
+        [0; 3].map(|_| motions.next().unwrap_or(THROWN))
+    });
+    let told = |k: usize| comes_back(balls[k].0, &motions[k][2]);
+    let threshold = number(return_threshold(factor::BALL)?, 3);
+    let last = motions.map(|of| number(of[2].velocity, 3)).join(", ");
+    let name = |kappa: f64| match super::fraction_of(kappa) {
+        Some(exact) => exact.to_string(),
+        None => short(kappa, 3),
+    };
+    let names = balls.map(|(kappa, _)| name(kappa));
+    let exactly = match told(0)? {
+        "comes back exactly" => "; the first leaves without spin, on the path it came",
+        _ => "",
+    };
+    let turns = motions.map(|of| number(of[0].velocity, 2)).join(", ");
     let words = Words {
-        claim: "With a dense core it comes back exactly; a hollow one turns too far.".to_owned(),
+        claim: format!(
+            "With a dense core it {}; a hollow one {}.",
+            told(0)?,
+            told(2)?
+        ),
         details: format!(
-            "Balls with $\\kappa = I/MR^2$ of 1/3 (dense core), 2/5 (solid) and 2/3 (shell), thrown alike without spin, drawn without gravity. After floor, ceiling, floor their velocities are \
-             {} of $V$; the first leaves without spin, on the path it came. A solid ball that bounces back less than {threshold} of its contact speed does not return at all.",
-            last.join(", ")
+            "Balls with $\\kappa = I/MR^2$ of {} (dense core), {} (solid) and {} (hollow), thrown alike without spin, drawn without gravity. After floor, ceiling, floor their velocities are \
+             {last} of $V${exactly}. A solid ball that bounces back less than {threshold} of its contact speed does not return at all.",
+            names[0], names[1], names[2],
         ),
         alt: format!(
-            "Zigzag paths between floor and table of three balls thrown from the left at one point of the floor. They run right by 0.5, 0.43 and 0.2 of a flight, come back to the floor, and fly out to the left, \
-             with velocities {} of the first.",
-            last.join(", ")
+            "Zigzag paths between floor and table of three balls thrown from the left at one point of the floor. They go on by {turns} of a flight to the table, come down to the floor, and leave it \
+             with velocities {last} of the first; negative ones lead back out to the left.",
         ),
     };
-    const FLOOR: f64 = 262.0;
-    const CEILING: f64 = 62.0;
-    let place = |x: f64, height: f64| [352.0 + 200.0 * x, FLOOR - (FLOOR - CEILING) * height];
-    Ok(figure("three-superballs", 300.0, words, |pen| {
+    let made = figure("three-superballs", 268.0, words, |pen| {
         pen.line(
             &[[10.0, FLOOR], [590.0, FLOOR]],
             stroke(Role::Ink, SECONDARY),
         );
-        pen.fill(
-            &[
-                [250.0, CEILING - 12.0],
-                [590.0, CEILING - 12.0],
-                [590.0, CEILING],
-                [250.0, CEILING],
-            ],
-            Role::Ink,
-            0.16,
-        );
-        pen.line(
-            &[[250.0, CEILING], [590.0, CEILING]],
-            stroke(Role::Ink, AXIS),
-        );
+        let slab = [
+            [250.0, CEILING - 12.0],
+            [590.0, CEILING - 12.0],
+            [590.0, CEILING],
+            [250.0, CEILING],
+        ];
+        pen.fill(&slab, Role::Ink, 0.16);
+        pen.line(&slab[2..], stroke(Role::Ink, AXIS));
         let arrives = [place(-1.17, 1.17), place(0.0, 0.0)];
         pen.line(&arrives, stroke(Role::Ink, HAIR).dashed());
         pen.arrow(
@@ -155,35 +280,57 @@ pub fn three_balls() -> Result<Figure> {
             place(-0.93, 0.93),
             stroke(Role::Ink, DATA),
         );
-        pen.text(
-            [place(-0.93, 0.93)[0] + 14.0, place(-0.93, 0.93)[1] - 4.0],
-            Anchor::Start,
-            "thrown",
-            small(Role::Ink),
-        );
-        for (k, &(kappa, name, line)) in balls.iter().enumerate() {
-            let ball = UnderTable::new(THROWN, kappa);
-            let xs: Vec<f64> = ball.positions().take(3).collect();
-            let leaves = ball.take(3).last().map_or(0.0, |m| m.velocity);
+        let mut taken = along(&arrives, 4.0);
+        taken.extend(along(&[slab[2], slab[3]], 6.0));
+        taken.extend(along(&[[10.0, FLOOR], [590.0, FLOOR]], 6.0));
+        let mut ends = Vec::new();
+        for (of, (_, line)) in motions.iter().zip(balls) {
             let out = 0.62;
-            let path = [
-                place(0.0, 0.0),
-                place(xs[0], 1.0),
-                place(xs[1], 0.0),
-                place(xs[1] + out * leaves, out),
-            ];
-            pen.line(&path[..3], line);
-            pen.arrow(path[2], path[3], line);
-            let [x, y] = path[3];
-            let shift = [[44.0, 12.0], [2.0, -12.0], [-20.0, -12.0]][k];
-            pen.text(
-                [x + shift[0], y + shift[1]],
-                Anchor::Middle,
-                &format!("κ = {name}"),
-                label(Role::Ink),
-            );
+            let (mut x, mut path) = (0.0, vec![place(0.0, 0.0)]);
+            for (motion, (up, height)) in of.iter().zip([(1.0, 1.0), (1.0, 0.0), (out, out)]) {
+                let next = x + up * motion.velocity;
+                let from = path[path.len() - 1];
+                if next > RIGHT {
+                    let share = (RIGHT - x) / (next - x);
+                    path.push(between(from, place(next, height), share));
+                    break;
+                }
+                path.push(place(next, height));
+                x = next;
+            }
+            let last = path.len() - 1;
+            pen.line(&path[..last], line);
+            pen.arrow(path[last - 1], path[last], line);
+            taken.extend(along(&path, 4.0));
+            ends.push(between(path[last - 1], path[last], 0.9));
         }
-    })
-    .value("threshold", threshold)
-    .value("hollow", number(hollow, 3)))
+        let mut write = |at: Point, text: &str, lettering, wide: f64| {
+            let places = (0..60).flat_map(|k| {
+                let (far, turn) = (1.0 + f64::from(k / 20) * 0.5, f64::from(k % 20) * PI / 10.0);
+                [polar([0.0; 2], 1.0, turn)]
+                    .map(|[x, y]| [at[0] + (wide + 12.0) * far * x, at[1] + 18.0 * far * y])
+            });
+            let inside =
+                places.filter(|p| (wide + 4.0..596.0 - wide).contains(&p[0]) && p[1] > 14.0);
+            let at = roomiest(inside, [wide, 8.0], &taken);
+            taken.extend(area(at, [wide, 8.0]));
+            pen.text([at[0], at[1] + 5.0], Anchor::Middle, text, lettering);
+        };
+        write(place(-0.99, 0.99), "thrown", small(Role::Ink), 25.0);
+        for (end, name) in ends.into_iter().zip(&names) {
+            let text = format!("κ = {name}");
+            write(end, &text, label(Role::Ink), 32.0);
+        }
+    });
+    let hollow = number(-motions[2][2].velocity, 3);
+    let mut made = made.value("threshold", threshold).value("hollow", hollow);
+    for (of, name) in motions.iter().zip(&names) {
+        let rows = of
+            .iter()
+            .zip([1.0, 2.0, 3.0])
+            .map(|(m, n)| vec![n, m.velocity, m.rim_speed]);
+        let columns = ["bounces", "velocity (V)", "rim speed (V)"];
+        made = made.data(format!("κ = {name}"), &columns, rows);
+    }
+    Ok(made)
 }

@@ -10,165 +10,231 @@ use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
 pub use animated::animated;
 
-use crate::Figure;
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, texts};
 use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    Anchor, DATA, Point, Role, SECONDARY, Words, along, area, figure, label, number, roomiest,
+    short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
 const GRAVITY: f64 = 9.81;
-/// Spin left by a turn.
-const RESTITUTION: f64 = 0.9;
 /// Seconds shown.
 const SHOWN: f64 = 12.0;
 
-/// The toy of the chapter: 55 g, radius 29 mm, a metre of string.
-fn toy() -> Result<YoYo> {
-    YoYo::disc(0.055, 0.029, 1.0, 0.005)
+const AXLE: Parameter =
+    Parameter::new("axle", "r", "radius of the axle", [3.0, 9.0], 5.0).unit("mm");
+const LENGTH: Parameter =
+    Parameter::new("length", "L", "length of the string", [0.4, 1.5], 1.0).unit("m");
+const LEFT: Parameter = Parameter::new(
+    "spin_left",
+    "e",
+    "part of the spin that a turn leaves",
+    [0.4, 1.0],
+    0.9,
+);
+const CORE: Parameter = Parameter::new(
+    "thick_axle",
+    "r_1",
+    "radius of the axle under the thick string",
+    [2.0, 5.0],
+    4.0,
+)
+.unit("mm");
+const WOUND: Parameter = Parameter::new(
+    "wound_to",
+    "r_2",
+    "radius of the thick string when it is wound up",
+    [5.5, 20.0],
+    10.0,
+)
+.unit("mm");
+
+/// What may be chosen of a yo-yo let go.
+pub const STRING: &[Parameter] = &[AXLE, LENGTH, LEFT];
+/// What may be chosen of two strings.
+pub const SPEED: &[Parameter] = &[WOUND, CORE, AXLE, LENGTH];
+
+/// The toy of the chapter: 55 g, radius 29 mm, a metre of string on an axle of 5 mm.
+fn toy(values: &Values, axle: &Parameter) -> Result<YoYo> {
+    YoYo::disc(0.055, 0.029, values.of(&LENGTH), values.of(axle) / 1e3)
 }
 
 /// Depth and tension of a yo-yo let go, against time.
-pub fn string() -> Result<Figure> {
-    let toy = toy()?;
+pub fn string(values: &Values) -> Result<Figure> {
+    let (toy, left) = (toy(values, &AXLE)?, values.of(&LEFT));
     let weight = toy.mass() * GRAVITY;
-    let play = Play::new(toy, 0.0)?
-        .with(Gravity::new(GRAVITY)?)?
-        .with(TurnLoss::new(RESTITUTION)?)?;
-    let times: Vec<f64> = (0..=12_000)
-        .map(|k| SHOWN * f64::from(k) / 12_000.0)
-        .collect();
-    let rows = play.simulate(&Request::at(times)?)?.rows;
     let way = Unwinding::new(toy, GRAVITY, 0.0)?;
     let turn = Turn::new(toy, GRAVITY, way.omega(toy.length()))?;
     let peak = turn.at(0.5 * turn.duration())?.tension / weight;
     let falling = toy.tension(0.0, 0.0, GRAVITY) / weight;
+    let play = Play::new(toy, 0.0)?
+        .with(Gravity::new(GRAVITY)?)?
+        .with(TurnLoss::new(left)?)?;
+    let steps = 6000;
+    let times: Vec<f64> = (0..=steps)
+        .map(|k| SHOWN * f64::from(k) / f64::from(steps))
+        .collect();
+    let rows = play.simulate(&Request::at(times)?)?.rows;
 
     let x = Axis::linear([0.0, SHOWN], [66.0, 580.0]);
     let depth = Frame {
         x,
-        y: Axis::linear([1.1, 0.0], [190.0, 40.0]),
+        y: Axis::linear([1.1 * toy.length(), 0.0], [176.0, 36.0]),
     };
     let pull = Frame {
         x,
-        y: Axis::linear([0.0, 25.0], [390.0, 250.0]),
+        y: Axis::linear([0.0, 1.28 * peak], [374.0, 226.0]),
     };
     let mut place: Vec<Point> = Vec::new();
     let mut tension: Vec<Point> = Vec::new();
+    let mut kept: Vec<Vec<f64>> = Vec::new();
     for (t, state) in &rows {
-        let point = depth.at(*t, state.depth);
-        if place.last().is_none_or(|p| point[0] - p[0] >= 1.0) {
-            place.push(point);
+        let at = depth.at(*t, state.depth);
+        if place.last().is_none_or(|p| at[0] - p[0] >= 1.0) {
+            place.push(at);
         }
-        let point = pull.at(*t, state.tension / weight);
-        let far = |p: &Point| point[0] - p[0] >= 1.0 || (point[1] - p[1]).abs() >= 0.5;
+        let at = pull.at(*t, state.tension / weight);
+        let far = |p: &Point| at[0] - p[0] >= 1.0 || (at[1] - p[1]).abs() >= 0.5;
         if tension.last().is_none_or(far) {
-            tension.push(point);
+            tension.push(at);
+            kept.push(vec![*t, state.depth, state.tension]);
         }
     }
+    let milliseconds = 1e3 * turn.duration();
     let words = Words {
-        claim: "On the way down and on the way up the string pulls a little less than the weight; in the turn, for fifteen milliseconds, as hard as fifteen yo-yos."
-            .to_owned(),
+        claim: format!(
+            "On the way down and on the way up the string pulls a little less than the weight; in the turn, for {} milliseconds, as hard as {} yo-yos.",
+            number(milliseconds, 0),
+            number(turn.mean_tension() / weight, 0),
+        ),
         details: format!(
-            "A yo-yo of 55 g and radius 29 mm on a metre of string round an axle of 5 mm, let go. Pull while it winds: ${} mg$. First turn: {} ms, mean \
-             pull ${} mg$, peak ${} mg$. Every turn leaves ${RESTITUTION}$ of the spin.",
+            "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, let go. Pull while it winds: ${} mg$. First turn: {} ms, mean \
+             pull ${} mg$, peak ${} mg$. Every turn leaves ${}$ of the spin.",
+            short(toy.length(), 2),
+            short(1e3 * toy.axle(), 2),
             number(falling, 3),
-            number(1e3 * turn.duration(), 1),
+            number(milliseconds, 1),
             number(turn.mean_tension() / weight, 1),
             number(peak, 1),
+            short(left, 2),
         ),
         alt: format!(
-            "Two diagrams over twelve seconds. Above, the depth: arcs of parabolas that meet in sharp points at one metre, and rise less high \
-             every time. Below, the pull of the string: flat just under one weight, with a needle at each of the sharp points, the first {} \
+            "Two diagrams over {SHOWN} seconds. Above, the depth: arcs of parabolas that meet in sharp points at {} m, and rise {}. \
+             Below, the pull of the string: flat just under one weight, with a needle at each of the sharp points, the first {} \
              weights high.",
+            short(toy.length(), 2),
+            if left < 1.0 {
+                "less high every time"
+            } else {
+                "all the way up every time"
+            },
             number(peak, 0)
         ),
     };
-    Ok(figure("yo-yo-string", 440.0, words, |pen| {
+    let first = way.duration()? + 0.5 * turn.duration();
+    let made = figure("yo-yo-string", 420.0, words, |pen| {
         let seconds = [(0.0, "0"), (3.0, "3"), (6.0, "6"), (9.0, "9"), (12.0, "12")];
-        depth.draw(
-            pen,
-            &[],
-            &[(0.0, "0"), (0.5, "0.5"), (1.0, "1")],
-            ["", "depth, m"],
-        );
+        let mut weights = pull.y.ticks(45.0);
+        weights[0] = (1.0, "1".to_owned());
+        depth.draw(pen, &[], &texts(&depth.y.ticks(45.0)), ["", "depth, m"]);
         pull.draw(
             pen,
             &seconds,
-            &[(1.0, "1"), (10.0, "10"), (20.0, "20")],
+            &texts(&weights),
             ["time, s", "pull, weights"],
         );
         pen.line(&place, stroke(Role::Ink, DATA));
-        pen.line(&tension, stroke(Role::Torque, DATA));
-        let [px, py] = pull.at(rows[1906].0, peak);
-        pen.text(
-            [px + 10.0, py + 6.0],
-            Anchor::Start,
-            "the turn: 15 ms",
-            label(Role::Torque),
-        );
-    }))
+        pen.line(&tension, stroke(Role::Ink, DATA));
+        let [px, py] = pull.at(first, peak);
+        let text = format!("the turn: {} ms", number(milliseconds, 0));
+        pen.text([px - 4.0, py - 8.0], Anchor::Start, &text, label(Role::Ink));
+    });
+    Ok(made.data("yo-yo", &["time (s)", "depth (m)", "pull (N)"], kept))
 }
 
 /// Speed against depth for a thin and a thick string.
-pub fn speed() -> Result<Figure> {
-    let thin = toy()?;
-    let thick = YoYo::disc(0.055, 0.029, 1.0, 0.004)?.wound_to(0.010)?;
-    let ways = [thin, thick].map(|toy| Unwinding::new(toy, GRAVITY, 0.0));
-    let [thin, thick] = ways;
-    let (thin, thick) = (thin?, thick?);
-    let depths = || (0..=400).map(|k| f64::from(k) / 400.0);
-    let fastest = (0..=10_000)
-        .map(|k| f64::from(k) / 10_000.0)
+pub fn speed(values: &Values) -> Result<Figure> {
+    let (thin, thick) = (toy(values, &AXLE)?, toy(values, &CORE)?);
+    let thick = thick.wound_to(values.of(&WOUND) / 1e3)?;
+    let length = thin.length();
+    let thin = Unwinding::new(thin, GRAVITY, 0.0)?;
+    let thick = Unwinding::new(thick, GRAVITY, 0.0)?;
+    let depths = || (0..=400).map(|k| length * f64::from(k) / 400.0);
+    let fastest = (0..=4000)
+        .map(|k| length * f64::from(k) / 4000.0)
         .max_by(|&a, &b| thick.speed(a).total_cmp(&thick.speed(b)))
         .unwrap_or(0.0);
+    let peak = thick.speed(fastest);
     let frame = Frame {
-        x: Axis::linear([0.0, 1.0], [66.0, 570.0]),
-        y: Axis::linear([0.0, 1.25], [310.0, 44.0]),
+        x: Axis::linear([0.0, length], [66.0, 570.0]),
+        y: Axis::linear([0.0, 1.12 * peak.max(thin.speed(length))], [296.0, 40.0]),
     };
     let curve =
         |way: &Unwinding| -> Vec<Point> { depths().map(|x| frame.at(x, way.speed(x))).collect() };
-    let (curves, peak) = ([curve(&thin), curve(&thick)], thick.speed(fastest));
+    let curves = [curve(&thin), curve(&thick)];
+    let claim = match fastest / length {
+        share if share < 0.9 => "On a thick string the yo-yo is fastest well before the end.",
+        share if share < 1.0 => "On a thick string the yo-yo is fastest shortly before the end.",
+        _ => "This string is too thin: the yo-yo is fastest at its end, as on any thin string.",
+    };
     let words = Words {
-        claim: "On a thick string the yo-yo is fastest well before the end.".to_owned(),
+        claim: claim.to_owned(),
         details: format!(
-            "Speed on the way down. Thin string: axle of 5 mm, {} m/s and {} rad/s after a metre, in {} s. Thick string, wound up to 10 mm on an axle of 4 mm: \
+            "Speed on the way down. Thin string: axle of {} mm, {} m/s and {} rad/s after {} m, in {} s. Thick string, wound up to {} mm on an axle of {} mm: \
              fastest with {} m/s at {} m, {} m/s at the end with {} rad/s, in {} s.",
-            number(thin.speed(1.0), 4),
-            number(thin.omega(1.0), 0),
+            short(values.of(&AXLE), 2),
+            number(thin.speed(length), 4),
+            number(thin.omega(length), 0),
+            short(length, 2),
             number(thin.duration()?, 4),
+            short(values.of(&WOUND), 2),
+            short(values.of(&CORE), 2),
             number(peak, 4),
             number(fastest, 3),
-            number(thick.speed(1.0), 3),
-            number(thick.omega(1.0), 0),
+            number(thick.speed(length), 3),
+            number(thick.omega(length), 0),
             number(thick.duration()?, 4),
         ),
         alt: format!(
             "Speed against depth. The curve of the thin string is a parabola on its side that rises to the end. The curve of the thick string \
-             starts steeper, has its maximum at {} metres, and falls off: near the end nearly all the energy is in the spin.",
-            number(fastest, 2)
+             starts steeper, and is highest at {} m{}.",
+            number(fastest, 2),
+            match fastest < length {
+                true => "; then it falls off: near the end nearly all the energy is in the spin",
+                false => ", its end",
+            }
         ),
     };
-    Ok(figure("yo-yo-speed", 360.0, words, |pen| {
-        frame.draw(
-            pen,
-            &[
-                (0.0, "0"),
-                (0.25, "0.25"),
-                (0.5, "0.5"),
-                (0.75, "0.75"),
-                (1.0, "1"),
-            ],
-            &[(0.0, "0"), (0.5, "0.5"), (1.0, "1")],
-            ["depth, m", "speed, m/s"],
-        );
-        pen.line(&curves[0], stroke(Role::Ink, SECONDARY));
-        pen.line(&curves[1], stroke(Role::Omega, DATA));
-        let [x, y] = frame.at(fastest, peak);
-        pen.disc([x, y], 4.0, Role::Omega, 1.0);
-        pen.text([x, y - 12.0], Anchor::Middle, "fastest", small(Role::Omega));
-        let [x, y] = frame.at(0.2, 0.7);
-        pen.text([x, y], Anchor::Start, "thick string", label(Role::Omega));
-        let [x, y] = frame.at(0.6, 0.7);
-        pen.text([x, y], Anchor::Start, "thin string", label(Role::Ink));
-    }))
+    let made = figure("yo-yo-speed", 344.0, words, |pen| {
+        frame.draw_round(pen, ["depth, m", "speed, m/s"]);
+        pen.line(&curves[0], stroke(Role::Ink, SECONDARY).dashed());
+        pen.line(&curves[1], stroke(Role::Ink, DATA));
+        let top = frame.at(fastest, peak);
+        pen.disc(top, 4.0, Role::Ink, 1.0);
+        let mut taken: Vec<Point> = curves.iter().flat_map(|curve| along(curve, 4.0)).collect();
+        let mut beside = |curve: &[Point], text: &str, lettering, half: f64| {
+            let places = curve.iter().skip(60).step_by(4).flat_map(|p| {
+                [[half + 8.0, 16.0], [-half - 8.0, -16.0], [0.0, -18.0]]
+                    .map(|[x, y]| [p[0] + x, p[1] + y])
+            });
+            let inside = places.filter(|p| {
+                (72.0 + half..590.0 - half).contains(&p[0]) && (30.0..280.0).contains(&p[1])
+            });
+            let at = roomiest(inside, [half, 9.0], &taken);
+            taken.extend(area(at, [half, 9.0]));
+            pen.text([at[0], at[1] + 5.0], Anchor::Middle, text, lettering);
+        };
+        beside(&[top; 61], "fastest", small(Role::Ink), 24.0);
+        beside(&curves[1], "thick string", label(Role::Ink), 45.0);
+        beside(&curves[0], "thin string", label(Role::Ink), 42.0);
+    });
+    let columns = ["depth (m)", "speed (m/s)", "angular velocity (rad/s)"];
+    let rows = |way: &Unwinding| -> Vec<Vec<f64>> {
+        depths()
+            .map(|x| vec![x, way.speed(x), way.omega(x)])
+            .collect()
+    };
+    Ok(made
+        .data("thin string", &columns, rows(&thin))
+        .data("thick string", &columns, rows(&thick)))
 }

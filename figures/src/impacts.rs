@@ -5,12 +5,45 @@ use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::impacts::{Meteorite, Planet, strike};
 
-use crate::Figure;
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, number,
-    small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, area, between, figure,
+    label, number, polar, roomiest, short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
+
+const MASS: Parameter = Parameter::new(
+    "mass",
+    "m/M",
+    "mass of the meteorite over that of the planet",
+    [0.001, 0.03],
+    0.01,
+)
+.logarithmic();
+const HEIGHT: Parameter = Parameter::new(
+    "height",
+    "z/R",
+    "height over the equator at which it hits, over the radius",
+    [-0.6, 0.85],
+    0.8,
+);
+const ACROSS: Parameter = Parameter::new(
+    "across",
+    "-v_y",
+    "speed of the meteorite along the circle of latitude, against the turn, radii a second over Ω",
+    [0.0, 40.0],
+    20.0,
+);
+const MOMENT: Parameter = Parameter::new(
+    "moment",
+    "I/MR^2",
+    "moment of inertia of the planet over MR²",
+    [0.2, 0.66],
+    0.4,
+);
+
+/// What may be chosen of planet and meteorite.
+pub const METEORITE: &[Parameter] = &[MASS, HEIGHT, ACROSS, MOMENT];
 
 /// Where the planet is drawn, its radius and the length of Ω = 1, units.
 const CENTER: Point = [254.0, 252.0];
@@ -19,13 +52,14 @@ const SPIN: f64 = 186.0;
 /// The magnifying glass.
 const GLASS: Point = [492.0, 146.0];
 const GLASS_RADIUS: f64 = 74.0;
-const MAGNIFIED: f64 = 24.0;
 
 /// A planet before and after a hit, exactly and in first order.
-pub fn meteorite() -> Result<Figure> {
-    let (mass, moment, small_mass) = (1.0, 0.4, 0.01);
-    let at = BodyVector::new(0.6, 0.0, 0.8);
-    let velocity = BodyVector::new(-10.0, -20.0, 5.0);
+pub fn meteorite(values: &Values) -> Result<Figure> {
+    let (mass, moment, small_mass) = (1.0, values.of(&MOMENT), values.of(&MASS));
+    let height = values.of(&HEIGHT);
+    let out = ((1.0 - height) * (1.0 + height)).sqrt();
+    let at = BodyVector::new(out, 0.0, height);
+    let velocity = BodyVector::new(-10.0, -values.of(&ACROSS), 5.0);
     let before = BodyVector::new(0.0, 0.0, 1.0);
     let planet = Planet::spherical(mass, moment, BodyVector::zero(), before)?;
     let hit = strike(&planet, &Meteorite::new(small_mass, velocity)?, at)?;
@@ -42,26 +76,43 @@ pub fn meteorite() -> Result<Figure> {
         )
     };
     let ascii = |text: String| text.replace('\u{2212}', "-");
+    let claim = match hit.tilt()?.to_degrees() >= 10.0 {
+        true => "A small meteorite can tilt a planet's axis a long way.".to_owned(),
+        false => format!("Hit like this, the planet's axis tilts by {tilt} degrees only."),
+    };
     let words = Words {
-        claim: "A small meteorite can tilt a planet's axis a long way.".to_owned(),
+        claim,
         details: format!(
-            "Uniform ball, $M = {mass}$, $R = 1$, $I = {moment}$; meteorite $m = {small_mass}$ with $v = (-10, -20, 5)$ at \
-             $x = (0.6, 0, 0.8)$, where it sticks. The angular velocity goes from $(0, 0, 1)$ to ${}$, a tilt of \
+            "Ball, $M = {mass}$, $R = 1$, $I = {}$; meteorite $m = {}$ with $v = (-10, {}, 5)$ at \
+             $x = ({}, 0, {})$, where it sticks. The angular velocity goes from $(0, 0, 1)$ to ${}$, a tilt of \
              {tilt} degrees; the first-order formula gives ${}$, off by {} per cent of the change.",
+            short(moment, 3),
+            short(small_mass, 4),
+            ascii(short(velocity.y(), 1)),
+            short(out, 3),
+            ascii(short(height, 3)),
             ascii(triple(after)),
             ascii(triple(rough)),
             number(miss, 1),
         ),
         alt: format!(
-            "A planet with its vertical axis of rotation before the impact, dashed, and the tilted axis after it, {tilt} \
-             degrees away. A meteorite comes in fast from the lower left, grazes the near side and sticks at the upper left of the ball. Under a \
-             magnifying glass the tip of the first-order answer lies just beyond the tip of the exact one."
+            "A planet with its vertical axis of rotation before the impact, dashed, and its axis after it, {tilt} \
+             degrees away. A meteorite comes in and sticks to the ball at {} of its radius over the equator. Under a \
+             magnifying glass the tip of the first-order answer lies beside the tip of the exact one.",
+            short(height, 2),
         ),
     };
 
     let view = View::new(1.4, 0.32, CENTER, RADIUS);
-    let spin = View::new(1.4, 0.32, CENTER, SPIN);
-    Ok(figure("meteorite", 392.0, words, |pen| {
+    // As long as the longest arrow allows.
+    let longest = [before, after, rough].map(|v| {
+        let unit = View::new(1.4, 0.32, [0.0, 0.0], 1.0);
+        let [x, y] = unit.project(&v.components());
+        (x.abs() / 130.0).max(y.abs() / 176.0)
+    });
+    let scale = SPIN.min(1.0 / longest.into_iter().fold(0.0, f64::max));
+    let spin = View::new(1.4, 0.32, CENTER, scale);
+    let made = figure("meteorite", 380.0, words, |pen| {
         pen.disc(CENTER, RADIUS, Role::Shade, 0.8);
         pen.ring(CENTER, RADIUS, stroke(Role::Ink, DATA));
         // Equator and a meridian, so that the ball is seen to be round.
@@ -78,77 +129,98 @@ pub fn meteorite() -> Result<Figure> {
         pen.arrow(CENTER, tips[0], stroke(Role::Omega, SECONDARY).dashed());
         pen.arrow(CENTER, tips[1], stroke(Role::Omega, 2.8));
         pen.disc(CENTER, 3.0, Role::Ink, 1.0);
-        pen.text(
-            [CENTER[0] + 9.0, CENTER[1] + 16.0],
-            Anchor::Start,
-            "*C*",
-            label(Role::Ink),
-        );
-        pen.text(
-            [tips[0][0] + 12.0, tips[0][1] + 10.0],
-            Anchor::Start,
-            "before, *Ω*",
-            label(Role::Omega),
-        );
-        pen.text(
-            [tips[1][0] - 16.0, tips[1][1] - 2.0],
-            Anchor::End,
-            "after, *Ω*\u{2032}",
-            label(Role::Omega),
-        );
-
         let place = view.project(&at.components());
-        let come = view.project(&(at.components() - 0.142 * velocity.components()));
+        let back = velocity.components() / velocity.norm();
+        let start = |far: f64| view.project(&(at.components() - far * back));
+        let inside = |p: Point| (40.0..400.0).contains(&p[0]) && (20.0..364.0).contains(&p[1]);
+        // From as far away as there is room for.
+        let far = (0..60).map(|k| 3.3 - 0.05 * f64::from(k));
+        let far = far.into_iter().find(|far| inside(start(*far)));
+        let come = start(far.unwrap_or(0.3));
         pen.line(&[CENTER, place], stroke(Role::Ink, AXIS).dotted());
         pen.arrow(come, place, stroke(Role::Ink, DATA));
         pen.disc(come, 7.0, Role::Ink, 1.0);
-        pen.text(
-            [come[0] - 12.0, come[1] + 10.0],
-            Anchor::End,
-            "*m*",
-            label(Role::Ink),
-        );
-        let half = between(come, place, 0.4);
-        pen.text(
-            [half[0] - 10.0, half[1] - 6.0],
-            Anchor::End,
-            "*v*",
-            label(Role::Ink),
-        );
-        pen.text(
-            [place[0] - 6.0, place[1] - 7.0],
-            Anchor::End,
-            "*x*",
-            label(Role::Ink),
-        );
+        let mut taken = Vec::new();
+        for line in [
+            [CENTER, tips[0]],
+            [CENTER, tips[1]],
+            [come, place],
+            [CENTER, place],
+        ] {
+            taken.extend(along(&line, 4.0));
+        }
+        taken.extend(area(come, [5.0, 5.0]));
+        taken.extend(area(CENTER, [2.0, 2.0]));
+        let mut name = |at: Point, text: &str, lettering, half: f64| {
+            let far = [1.0, 1.4, 1.9, 2.5];
+            let places = far.into_iter().flat_map(|far| {
+                let (x, y) = (far * (half + 8.0), far * 14.0);
+                [
+                    [-x, 0.0],
+                    [x, 0.0],
+                    [-x, -y],
+                    [x, -y],
+                    [0.0, -y],
+                    [-x, y],
+                    [x, y],
+                    [0.0, y],
+                ]
+                .map(|[dx, dy]| [at[0] + dx, at[1] + dy])
+            });
+            let inside = places.filter(|p| {
+                (half + 4.0..412.0 - half).contains(&p[0]) && (14.0..368.0).contains(&p[1])
+            });
+            let [x, y] = roomiest(inside, [half, 9.0], &taken);
+            taken.extend(area([x, y], [half, 9.0]));
+            pen.text([x, y + 5.0], Anchor::Middle, text, lettering);
+        };
+        name(tips[0], "before, *Ω*", label(Role::Omega), 42.0);
+        name(tips[1], "after, *Ω*\u{2032}", label(Role::Omega), 36.0);
+        name(come, "*m*", label(Role::Ink), 8.0);
+        name(between(come, place, 0.4), "*v*", label(Role::Ink), 5.0);
+        name(place, "*x*", label(Role::Ink), 5.0);
+        name(CENTER, "*C*", label(Role::Ink), 6.0);
 
         glass(pen, tips[1], tips[2]);
-    })
-    .value("tilt", tilt)
-    .value("miss", number(miss, 1)))
+    });
+    let row = |v: BodyVector| vec![v.x(), v.y(), v.z()];
+    let columns = ["Ω_x (Ω)", "Ω_y (Ω)", "Ω_z (Ω)"];
+    Ok(made
+        .data("before", &columns, [row(before)])
+        .data("after", &columns, [row(after)])
+        .data("first order", &columns, [row(rough)])
+        .value("tilt", tilt)
+        .value("miss", number(miss, 1)))
 }
 
 /// The two tips enlarged.
 fn glass(pen: &mut Pen, exact: Point, rough: Point) {
+    let apart = (rough[0] - exact[0]).hypot(rough[1] - exact[1]);
+    // A round number, so that the two tips are well apart and inside.
+    let magnified = [300.0, 200.0, 100.0, 50.0, 24.0, 10.0, 5.0, 2.0]
+        .into_iter()
+        .find(|times| times * apart < 50.0)
+        .unwrap_or(1.0);
     pen.ring(
         exact,
-        GLASS_RADIUS / MAGNIFIED + 3.0,
+        (GLASS_RADIUS / magnified + 3.0).min(14.0),
         stroke(Role::Ink, AXIS),
     );
     let (dx, dy) = (GLASS[0] - exact[0], GLASS[1] - exact[1]);
-    let along = dy.atan2(dx);
-    let start = [exact[0] + 6.1 * along.cos(), exact[1] + 6.1 * along.sin()];
+    let way = dy.atan2(dx);
+    let rim = (GLASS_RADIUS / magnified + 3.0).min(14.0);
+    let start = [exact[0] + rim * way.cos(), exact[1] + rim * way.sin()];
     let stop = [
-        GLASS[0] - GLASS_RADIUS * along.cos(),
-        GLASS[1] - GLASS_RADIUS * along.sin(),
+        GLASS[0] - GLASS_RADIUS * way.cos(),
+        GLASS[1] - GLASS_RADIUS * way.sin(),
     ];
     pen.line(&[start, stop], stroke(Role::Ink, HAIR));
     pen.disc(GLASS, GLASS_RADIUS, Role::Ink, 0.04);
     pen.ring(GLASS, GLASS_RADIUS, stroke(Role::Ink, SECONDARY));
     let enlarged = |p: Point| {
         [
-            GLASS[0] + MAGNIFIED * (p[0] - exact[0]),
-            GLASS[1] + MAGNIFIED * (p[1] - exact[1]),
+            GLASS[0] + magnified * (p[0] - exact[0]),
+            GLASS[1] + magnified * (p[1] - exact[1]),
         ]
     };
     for (tip, style) in [
@@ -165,30 +237,46 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         }
         pen.arrow(on(t), there, style);
     }
-    let (there, rough) = (enlarged(exact), enlarged(rough));
-    pen.text(
-        [there[0] + 10.0, there[1] - 2.0],
-        Anchor::Start,
-        "exact",
-        small(Role::Omega),
-    );
-    pen.text(
-        [rough[0] - 6.0, rough[1] + 4.0],
-        Anchor::End,
-        "first",
-        small(Role::Omega),
-    );
-    pen.text(
-        [rough[0] - 6.0, rough[1] + 20.0],
-        Anchor::End,
-        "order",
-        small(Role::Omega),
-    );
+    let tips = [enlarged(exact), enlarged(rough)];
+    let shaft = |tip: Point, end: Point| {
+        let back = between(CENTER, tip, 0.5);
+        let length = (back[0] - tip[0]).hypot(back[1] - tip[1]).max(1.0);
+        along(
+            &[
+                end,
+                between(
+                    end,
+                    [end[0] + back[0] - tip[0], end[1] + back[1] - tip[1]],
+                    GLASS_RADIUS / length,
+                ),
+            ],
+            4.0,
+        )
+    };
+    let mut taken = shaft(exact, tips[0]);
+    taken.extend(shaft(rough, tips[1]));
+    for (tip, lines) in tips.into_iter().zip([&["exact"][..], &["first", "order"]]) {
+        let half = [20.0, 8.0 * lines.len() as f64];
+        let places = (0..24).flat_map(|k| {
+            [30.0, 38.0, 46.0].map(|far| {
+                let [x, y] = polar([0.0; 2], far, core::f64::consts::TAU * f64::from(k) / 24.0);
+                [tip[0] + x, tip[1] + 0.8 * y]
+            })
+        });
+        let inside =
+            places.filter(|p| (p[0] - GLASS[0]).hypot(p[1] - GLASS[1]) < GLASS_RADIUS - 24.0);
+        let [x, y] = roomiest(inside, half, &taken);
+        taken.extend(area([x, y], half));
+        for (line, text) in lines.iter().enumerate() {
+            let at = [x, y + 13.0 - half[1] + 16.0 * line as f64];
+            pen.text(at, Anchor::Middle, text, small(Role::Omega));
+        }
+    }
     let under = [GLASS[0], GLASS[1] + GLASS_RADIUS + 20.0];
     pen.text(
         under,
         Anchor::Middle,
-        &format!("{} times", number(MAGNIFIED, 0)),
+        &format!("{} times", number(magnified, 0)),
         small(Role::Muted),
     );
 }

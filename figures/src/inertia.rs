@@ -7,19 +7,31 @@ use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inertia, shapes};
 
-use crate::Figure;
 use crate::solid::{View, box_hides, ellipse, ellipsoid_hides, hull, segment};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
-    small, stroke,
+    short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
+
+const LONG: Parameter =
+    Parameter::new("long", "a", "longest edge of the box", [4.0, 9.0], 6.0).unit("m");
+const MIDDLE: Parameter =
+    Parameter::new("middle", "b", "middle edge of the box", [2.0, 4.0], 4.0).unit("m");
+const SHORT: Parameter =
+    Parameter::new("short", "c", "shortest edge of the box", [0.5, 2.0], 2.0).unit("m");
+const MASS: Parameter = Parameter::new("mass", "M", "mass of the box", [0.5, 10.0], 3.0).unit("kg");
+
+/// What may be chosen of the box.
+pub const ELLIPSOID: &[Parameter] = &[LONG, MIDDLE, SHORT, MASS];
 
 /// Strength of lines that lie behind or inside a body.
 const HIDDEN: f64 = 0.26;
 
 /// A box inside its ellipsoid of inertia, with the principal axes and moments.
-pub fn ellipsoid() -> Result<Figure> {
-    let (mass, edges) = (3.0, [6.0, 4.0, 2.0]);
+pub fn ellipsoid(values: &Values) -> Result<Figure> {
+    let mass = values.of(&MASS);
+    let edges = [LONG, MIDDLE, SHORT].map(|edge| values.of(&edge));
     let body = shapes::cuboid(mass, edges)?;
     let principal = body.inertia().principal_axes();
     let moments = principal.moments();
@@ -29,40 +41,48 @@ pub fn ellipsoid() -> Result<Figure> {
     let words = Words {
         claim: "As far as spinning goes, this box is its ellipsoid of inertia.".to_owned(),
         details: format!(
-            "A box of {mass} kg with edges of {}, {} and {} m, and the homogeneous ellipsoid of the same mass and \
+            "A box of {} kg with edges of {}, {} and {} m, and the homogeneous ellipsoid of the same mass and \
              the same inertia: semi-axes {}, {} and {} m, each the half edge times {}. Both have the principal moments \
              $I_1 = {}$, $I_2 = {}$, $I_3 = {}$ kg m²; the long axis has the small moment.",
-            edges[0],
-            edges[1],
-            edges[2],
+            short(mass, 2),
+            short(edges[0], 2),
+            short(edges[1], 2),
+            short(edges[2], 2),
             number(semi[0], 3),
             number(semi[1], 3),
             number(semi[2], 3),
             number(semi[0] / half[0], 3),
-            number(moments[0], 0),
-            number(moments[1], 0),
-            number(moments[2], 0),
+            short(moments[0], 2),
+            short(moments[1], 2),
+            short(moments[2], 2),
         ),
         alt: format!(
             "A rectangular box seen from above a corner. A shaded ellipsoid with the same centre and axes bulges out of \
              every face, while the eight corners stick out of the ellipsoid. Three principal axes leave the tips, \
              labelled with the moments {}, {} and {}: smallest along the longest edge, largest along the shortest.",
-            number(moments[0], 0),
-            number(moments[1], 0),
-            number(moments[2], 0),
+            short(moments[0], 2),
+            short(moments[1], 2),
+            short(moments[2], 2),
         ),
     };
 
     let semi = Vector3::from(semi);
-    let view = View::new(-0.9, 0.46, [300.0, 196.0], 54.0);
-    Ok(figure("ellipsoid-of-inertia", 390.0, words, |pen| {
+    // As large as the tips of the axes allow; the axes stand out by the same length on the page.
+    let reach = [1.2, 1.5, 1.5];
+    let whole = View::new(-0.9, 0.46, [0.0, 0.0], 1.0);
+    let scale = (0..3).map(|k| {
+        let mut unit = Vector3::zeros();
+        unit[k] = 1.0;
+        let [x, y] = whole.project(&unit);
+        let room = (250.0 / x.abs()).min(176.0 / y.abs());
+        (room - 54.0 * reach[k]) / semi[k]
+    });
+    let scale = scale.fold(54.0, f64::min);
+    let reach = reach.map(|far| far * 54.0 / scale);
+    let view = View::new(-0.9, 0.46, [300.0, 190.0], scale);
+    let made = figure("ellipsoid-of-inertia", 382.0, words, |pen| {
         box_with_bulges(pen, &view, &half, &semi);
-        let names = [
-            format!("*I*_{{1}} = {}", number(moments[0], 0)),
-            format!("*I*_{{2}} = {}", number(moments[1], 0)),
-            format!("*I*_{{3}} = {}", number(moments[2], 0)),
-        ];
-        let reach = [1.2, 1.5, 1.5];
+        let names = [0, 1, 2].map(|k| format!("*I*_{{{}}} = {}", k + 1, short(moments[k], 2)));
         let texts: [(f64, f64, Anchor); 3] = [
             (10.0, 5.0, Anchor::Start),
             (-8.0, 14.0, Anchor::End),
@@ -96,6 +116,11 @@ pub fn ellipsoid() -> Result<Figure> {
                 label(Role::Ink),
             );
         }
+    });
+    let rows = |k: usize| vec![edges[k], semi[k], moments[k]];
+    let columns = ["edge (m)", "semi-axis (m)", "moment (kg m²)"];
+    Ok((0..3).fold(made, |made, k| {
+        made.data(format!("axis {}", k + 1), &columns, [rows(k)])
     }))
 }
 
@@ -195,7 +220,7 @@ const MOMENT_SCALE: f64 = 426.0;
 /// Units of the design for an edge of the cube.
 const BODY_SCALE: f64 = 48.0;
 
-/// The moment about every axis of a plane, for a cube and for a brick; the five regular solids below.
+/// The moment about every axis of a plane, for a cube and for a brick; the five regular solids below. A table of seven given bodies: nothing to choose.
 pub fn rosettes() -> Result<Figure> {
     let cube = shapes::cuboid(1.0, [1.0, 1.0, 1.0])?.inertia();
     let brick = shapes::cuboid(1.0, [1.0, 1.0, 2.0])?.inertia();

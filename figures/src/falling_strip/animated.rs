@@ -97,7 +97,7 @@ pub fn animated() -> Result<Figure> {
     let still = figure(NAME, 450.0, words, |pen| {
         for film in &films {
             let path: Vec<Point> = film.pictures.iter().map(|p| p.0).collect();
-            pen.line(&path, stroke(Role::Omega, SECONDARY).alpha(0.6));
+            pen.line(&path, stroke(Role::Muted, SECONDARY).alpha(0.8));
             for ([x, y], angle) in film.pictures.iter().step_by(6) {
                 let (sine, cosine) = angle.sin_cos();
                 let (dx, dy) = (film.half * cosine, film.half * sine);

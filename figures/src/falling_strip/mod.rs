@@ -129,7 +129,7 @@ pub fn paths() -> Result<Figure> {
                 ]
             };
             let center: Vec<Point> = path.iter().map(|y| place(y[0], y[1])).collect();
-            pen.line(&center, stroke(Role::Omega, SECONDARY).alpha(0.7));
+            pen.line(&center, stroke(Role::Muted, SECONDARY).alpha(0.9));
             for y in path.iter().step_by(10) {
                 let (sine, cosine) = y[2].sin_cos();
                 let ends = [1.0, -1.0].map(|s| place(y[0] + s * cosine, y[1] + s * sine));
@@ -215,7 +215,7 @@ pub fn rate() -> Result<Figure> {
             ["width, cm", "turns per second"],
         );
         pen.line(&law, stroke(Role::Muted, SECONDARY).dashed());
-        pen.line(&curve, stroke(Role::Omega, DATA));
+        pen.line(&curve, stroke(Role::Ink, DATA));
         let [x, y] = frame.at(4.6, one / 4.6);
         pen.text(
             [x - 14.0, y + 22.0],
@@ -228,15 +228,15 @@ pub fn rate() -> Result<Figure> {
             [x + 12.0, y - 6.0],
             Anchor::Start,
             "paper, 80 g/m²",
-            label(Role::Omega),
+            label(Role::Ink),
         );
         if let Some(end) = curve.last() {
-            pen.disc(*end, 4.0, Role::Omega, 1.0);
+            pen.disc(*end, 4.0, Role::Ink, 1.0);
             pen.text(
                 [end[0] - 10.0, end[1] + 5.0],
                 Anchor::End,
                 "flutter begins",
-                small(Role::Omega),
+                small(Role::Ink),
             );
         }
     }))

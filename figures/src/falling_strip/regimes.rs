@@ -17,7 +17,7 @@ const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
 const STRIPS: [f64; 4] = [30.0, 15.0, 5.0, 1.0];
 const CENTIMETRE: f64 = 3.0;
 
-/// Regimes against the mass ratio, for both sets of coefficients and for paper.
+/// Regimes against the mass ratio, for both sets of coefficients and for paper. Three hundred long runs: it stays as the book has it.
 pub fn regimes() -> Result<Figure> {
     let ratios: Vec<f64> = (0..=150)
         .map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0))
@@ -105,9 +105,9 @@ pub fn regimes() -> Result<Figure> {
                 };
                 let (left, right) = (edge(from), edge(k));
                 let (role, alpha) = match row[from].regime {
-                    Regime::Steady | Regime::Flutter => (Role::Ink, 0.14),
-                    Regime::Tumble => (Role::Omega, 0.55),
-                    Regime::Mixed => (Role::Torque, 0.35),
+                    Regime::Steady | Regime::Flutter => (Role::Ink, 0.12),
+                    Regime::Tumble => (Role::Ink, 0.62),
+                    Regime::Mixed => (Role::Ink, 0.34),
                 };
                 pen.fill(
                     &[

@@ -4,11 +4,33 @@ use spinning_bodies::Result;
 use spinning_bodies::phenomena::cat::EqualHalves;
 
 use super::body::{DURATION, FORWARD, RATIO, back, cat, draw, pieces, turned, turnover};
-use crate::Figure;
+use crate::plot::Axis;
 use crate::solid::View;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, along, area, figure, label, number,
+    roomiest, short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
+
+const HALVES: Parameter = Parameter::new(
+    "ratio",
+    "I/J",
+    "moment of a half across its spine over that about it",
+    [1.5, 12.0],
+    RATIO,
+)
+.logarithmic();
+const MOST: Parameter = Parameter::new(
+    "most",
+    r"\gamma",
+    "greatest bend forward",
+    [75.0, 135.0],
+    120.0,
+)
+.unit("°");
+
+/// What may be chosen of the bends.
+pub const BACK_BEND: &[Parameter] = &[HALVES, MOST];
 
 const FRAMES: usize = 8;
 const SCALE: f64 = 186.0;
@@ -16,7 +38,7 @@ const SCALE: f64 = 186.0;
 pub const AZIMUTH: f64 = -1.92;
 pub const ELEVATION: f64 = 0.16;
 
-/// On its back, bent, carried round, and on its feet.
+/// On its back, bent, carried round, and on its feet: eight moments of one cat, chosen by hand.
 pub fn cat_film() -> Result<Figure> {
     let fractions: [f64; FRAMES] = [0.0, 0.2, 0.36, 0.45, 0.53, 0.63, 0.8, 1.0];
     let states = turnover(&fractions)?;
@@ -58,84 +80,87 @@ pub fn cat_film() -> Result<Figure> {
 
 const LEFT: f64 = 70.0;
 const RIGHT: f64 = 560.0;
-const BOTTOM: f64 = 330.0;
+const BOTTOM: f64 = 326.0;
 const TOP: f64 = 40.0;
 
-/// Back bend to the right, turn upward.
-fn place(back: f64, turn: f64) -> Point {
-    [
-        LEFT + (RIGHT - LEFT) * back / 90.0,
-        BOTTOM - (BOTTOM - TOP) * (turn - 60.0) / 180.0,
-    ]
-}
-
 /// The turn against the back bend, for five bends forward.
-pub fn back_bend() -> Result<Figure> {
-    let equal = EqualHalves::new(1.0, RATIO)?;
-    let forwards = [60.0_f64, 75.0, 90.0, 105.0, 120.0];
+pub fn back_bend(values: &Values) -> Result<Figure> {
+    let ratio = values.of(&HALVES);
+    let equal = EqualHalves::new(1.0, ratio)?;
+    let most = values.of(&MOST);
+    let forwards = [0.5, 0.625, 0.75, 0.875, 1.0].map(|share| share * most);
     let mut curves = Vec::new();
     for forward in forwards {
-        let turn = |back: f64| -> Result<f64> {
-            let turn = equal.turn_of_uneven_swing(forward.to_radians(), back.to_radians())?;
-            Ok(turn.to_degrees())
-        };
         let points = (0..=120)
             .map(|k| {
                 let back = forward.min(90.0) * f64::from(k) / 120.0;
-                Ok(place(back, turn(back)?))
+                let turn = equal.turn_of_uneven_swing(forward.to_radians(), back.to_radians())?;
+                Ok([back, turn.to_degrees()])
             })
-            .filter(|p| p.as_ref().is_ok_and(|p| p[1] > TOP))
             .collect::<Result<Vec<_>>>()?;
         let needed = equal.back_bend_for_half_turn(forward.to_radians())?;
         curves.push((forward, points, needed.map(f64::to_degrees)));
     }
-    let needed = |k: usize| number(curves[k].2.unwrap_or(f64::NAN), 2);
+    let least = curves[0].1[0][1];
+    let low = (least / 30.0).floor() * 30.0;
+    let x = Axis::linear([0.0, 90.0], [LEFT, RIGHT]);
+    let y = Axis::linear([low, 240.0], [BOTTOM, TOP]);
+    let needed = |k: usize| curves[k].2.map(|back| number(back, 2));
+    let name = |forward: f64| short(forward, 1);
+    let listed: Vec<String> = curves
+        .iter()
+        .filter_map(|(forward, _, back)| Some((forward, (*back)?)))
+        .map(|(forward, back)| {
+            format!(
+                "{}° back after {}° forward",
+                number(back, 2),
+                name(*forward)
+            )
+        })
+        .collect();
+    let half_turns = match listed.is_empty() {
+        true => "None of these bends makes it half a turn".to_owned(),
+        false => format!("Half a turn takes {}", listed.join(", ")),
+    };
+    let names: Vec<String> = forwards.iter().map(|forward| name(*forward)).collect();
     let words = Words {
         claim: "The more a cat bends forward, the less it must bend backward.".to_owned(),
         details: format!(
             "Turn of two cylinders with $I/J = {}$ when the bend swings once round, from $\\gamma$ forward to the back bend half-way. \
-             Half a turn takes {}° back after {}° forward, {}° after {}°, {}° after {}°.",
-            number(RATIO, 0),
-            needed(1),
-            number(curves[1].0, 0),
-            needed(2),
-            number(curves[2].0, 0),
-            needed(4),
-            number(curves[4].0, 0),
+             {half_turns}.",
+            short(ratio, 2),
         ),
-        alt: "Five rising curves of the turn against the bend backward, for 60, 75, 90, 105 and 120 degrees forward. A level line at half a \
-              turn cuts each of them, further to the left the more the cat bends forward."
-            .to_owned(),
+        alt: format!(
+            "Five rising curves of the turn against the bend backward, for {} degrees forward. A level line at half a \
+             turn cuts {} of them, further to the left the more the cat bends forward.",
+            names.join(", "),
+            listed.len(),
+        ),
     };
-    Ok(figure("back-bend", 390.0, words, |pen| {
+    let made = figure("back-bend", 384.0, words, |pen| {
         let axis = stroke(Role::Ink, AXIS);
+        let place = |[back, turn]: Point| [x.at(back), y.at(turn)];
         pen.line(&[[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
         for back in [0.0, 30.0, 60.0, 90.0] {
-            let [x, y] = place(back, 60.0);
-            pen.line(&[[x, y], [x, y + 5.0]], axis);
-            pen.text(
-                [x, y + 22.0],
-                Anchor::Middle,
-                &format!("{}°", number(back, 0)),
-                small(Role::Ink),
-            );
+            let x = x.at(back);
+            pen.line(&[[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
+            let text = format!("{}°", number(back, 0));
+            pen.text([x, BOTTOM + 22.0], Anchor::Middle, &text, small(Role::Ink));
         }
-        for turn in [60.0, 120.0, 180.0, 240.0] {
-            let [x, y] = place(0.0, turn);
-            pen.line(&[[x - 5.0, y], [x, y]], axis);
-            pen.text(
-                [x - 9.0, y + 5.0],
-                Anchor::End,
-                &format!("{}°", number(turn, 0)),
-                small(Role::Ink),
-            );
+        let turns = (0..=4)
+            .map(|k| 60.0 * f64::from(k))
+            .filter(|turn| *turn >= low);
+        for turn in turns {
+            let y = y.at(turn);
+            pen.line(&[[LEFT - 5.0, y], [LEFT, y]], axis);
+            let text = format!("{}°", number(turn, 0));
+            pen.text([LEFT - 9.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
         }
-        let [x, y] = place(90.0, 180.0);
+        let level = y.at(180.0);
         pen.line(
-            &[place(0.0, 180.0), [x, y]],
+            &[[LEFT, level], [RIGHT, level]],
             stroke(Role::Ink, SECONDARY).dashed(),
         );
-        pen.text([x, y - 7.0], Anchor::End, "on its feet", label(Role::Ink));
         pen.text(
             [RIGHT, BOTTOM + 46.0],
             Anchor::End,
@@ -143,43 +168,66 @@ pub fn back_bend() -> Result<Figure> {
             label(Role::Ink),
         );
         pen.text(
-            [LEFT - 40.0, TOP - 14.0],
+            [LEFT - 40.0, TOP - 16.0],
             Anchor::Start,
             "turn",
             label(Role::Ink),
         );
-        for (forward, points, needed) in &curves {
+        let mut taken = vec![];
+        let shown: Vec<Vec<Point>> = curves
+            .iter()
+            .map(|(_, points, _)| {
+                let inside = points.iter().filter(|point| point[1] <= 240.0);
+                inside.map(|point| place(*point)).collect()
+            })
+            .collect();
+        for points in &shown {
             pen.line(points, stroke(Role::Ink, DATA));
-            let [x, y] = points.last().copied().unwrap_or([LEFT, BOTTOM]);
-            let name = number(*forward, 0);
-            if y < TOP + 2.0 {
-                pen.text(
-                    [x, y - 8.0],
-                    Anchor::Middle,
-                    &format!("{name}°"),
-                    small(Role::Ink),
-                );
-            } else {
-                // Under the level line where the curve ends on it.
-                let below = if (y - place(0.0, 180.0)[1]).abs() < 12.0 {
-                    20.0
-                } else {
-                    5.0
-                };
-                pen.text(
-                    [x + 7.0, y + below],
-                    Anchor::Start,
-                    &format!("{name}°"),
-                    small(Role::Ink),
-                );
-            }
-            if let Some(needed) = needed {
-                let [x, y] = place(*needed, 180.0);
-                pen.disc([x, y], 3.6, Role::Ink, 1.0);
-                pen.line(&[[x, y], [x, BOTTOM]], stroke(Role::Ink, HAIR).dotted());
-            }
+            taken.extend(along(points, 4.0));
         }
-    })
-    .value("after-90", needed(2))
-    .value("after-120", needed(4)))
+        taken.extend(along(&[[LEFT, level], [RIGHT, level]], 4.0));
+        let mut write = |places: &mut dyn Iterator<Item = Point>, text: &str, half: f64| {
+            let inside =
+                places.filter(|p| (LEFT + half..596.0 - half).contains(&p[0]) && p[1] > 12.0);
+            let [x, y] = roomiest(inside, [half, 7.0], &taken);
+            taken.extend(area([x, y], [half, 7.0]));
+            pen.text([x, y + 5.0], Anchor::Middle, text, small(Role::Ink));
+        };
+        for ((forward, _, _), points) in curves.iter().zip(&shown) {
+            let [x, y] = points.last().copied().unwrap_or([LEFT, BOTTOM]);
+            let around = [
+                [0.0, -14.0],
+                [25.0, 0.0],
+                [25.0, 14.0],
+                [25.0, -14.0],
+                [-22.0, -12.0],
+            ];
+            write(
+                &mut around.into_iter().map(|[dx, dy]| [x + dx, y + dy]),
+                &format!("{}°", name(*forward)),
+                if forward.fract() == 0.0 { 16.0 } else { 22.0 },
+            );
+        }
+        let beside = (0..40)
+            .flat_map(|k| [-12.0, 14.0].map(|dy| [RIGHT - 40.0 - 10.0 * f64::from(k), level + dy]));
+        write(&mut beside.into_iter(), "on its feet", 38.0);
+        for needed in curves
+            .iter()
+            .filter_map(|(_, _, needed)| *needed)
+            .filter(|back| *back <= 90.0)
+        {
+            let [x, y] = place([needed, 180.0]);
+            pen.disc([x, y], 3.6, Role::Ink, 1.0);
+            pen.line(&[[x, y], [x, BOTTOM]], stroke(Role::Ink, HAIR).dotted());
+        }
+    });
+    let mut made = made
+        .value("after-90", needed(2).unwrap_or_default())
+        .value("after-120", needed(4).unwrap_or_default());
+    for (forward, points, _) in &curves {
+        let columns = ["bend backward (°)", "turn (°)"];
+        let rows = points.iter().map(|point| point.to_vec());
+        made = made.data(format!("{}° forward", name(*forward)), &columns, rows);
+    }
+    Ok(made)
 }

@@ -9,16 +9,50 @@ use spinning_bodies::scene::shape::{self, CrawlerState};
 use spinning_bodies::scene::{Request, Scene};
 
 use super::body::circle;
-use crate::Figure;
+use crate::plot::Axis;
 use crate::solid::hull;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small,
-    stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, area, figure, label,
+    number, roomiest, short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
+
+const LEAN: Parameter = Parameter::new(
+    "lean",
+    "s",
+    "how far the shoulders go out to the right; nine tenths of it to the left",
+    [0.1, 0.45],
+    0.4,
+)
+.unit("m");
+const TRUNK: Parameter =
+    Parameter::new("trunk", "m", "mass of the trunk", [10.0, 80.0], 36.0).unit("kg");
+
+/// What may be chosen of the person on ice.
+pub const ICE: &[Parameter] = &[LEAN, TRUNK];
+
+const GRIP: Parameter = Parameter::new(
+    "friction",
+    r"\mu",
+    "coefficient of friction of the ground",
+    [0.01, 0.6],
+    0.1,
+)
+.logarithmic();
+const REAR: Parameter =
+    Parameter::new("rear", "m_1", "mass of the rear foot", [0.4, 6.0], 3.0).unit("kg");
+const PUSH: Parameter =
+    Parameter::new("push", "t_1", "duration of the push", [0.15, 2.0], 1.0).unit("s");
+const PULL: Parameter =
+    Parameter::new("pull", "t_2", "duration of the pull", [0.1, 1.0], 0.15).unit("s");
+
+/// What may be chosen of the crawler.
+pub const CRAWLER: &[Parameter] = &[GRIP, REAR, PUSH, PULL];
 
 /// A person: feet, knees, hip, shoulders, head, hand and hand, from the feet, m.
 struct Person {
     places: [Point; 7],
+    trunk: f64,
 }
 
 /// Masses of legs, trunk, head and arms, kg, at the middle of what they are.
@@ -33,7 +67,7 @@ const MASSES: [(f64, [usize; 2]); 6] = [
 
 impl Person {
     /// Someone whose hip is out by `hip` and whose shoulders are out by `lean`, arms raised by an angle.
-    fn new(hip: f64, lean: f64, arms: [f64; 2]) -> Self {
+    fn new(trunk: f64, hip: f64, lean: f64, arms: [f64; 2]) -> Self {
         let shoulders = [lean, 1.42];
         let hand = |angle: f64, side: f64| {
             [
@@ -42,6 +76,7 @@ impl Person {
             ]
         };
         Self {
+            trunk,
             places: [
                 [0.0, 0.0],
                 [0.55 * hip + 0.04, 0.47],
@@ -56,6 +91,11 @@ impl Person {
 
     fn parts(&self) -> [Part; 6] {
         MASSES.map(|(mass, [a, b])| {
+            let mass = if mass == TRUNK.default {
+                self.trunk
+            } else {
+                mass
+            };
             let (a, b) = (self.places[a], self.places[b]);
             Part {
                 mass,
@@ -94,12 +134,13 @@ impl Person {
 }
 
 /// Wriggling on ice: before, on the way, and after.
-pub fn ice() -> Result<Figure> {
-    let upright = || Person::new(0.0, 0.0, [0.35, 0.35]);
+pub fn ice(values: &Values) -> Result<Figure> {
+    let (trunk, lean) = (values.of(&TRUNK), values.of(&LEAN));
+    let upright = || Person::new(trunk, 0.0, 0.0, [0.35, 0.35]);
     let poses = [
         upright(),
-        Person::new(0.1, -0.36, [1.7, 0.3]),
-        Person::new(0.0, 0.4, [0.3, 1.9]),
+        Person::new(trunk, 0.25 * lean, -0.9 * lean, [1.7, 0.3]),
+        Person::new(trunk, 0.0, lean, [0.3, 1.9]),
         upright(),
     ];
     let centers = [80.0, 226.0, 372.0, 518.0];
@@ -107,21 +148,30 @@ pub fn ice() -> Result<Figure> {
     for pose in &poses {
         placed.push((feet(&pose.parts(), [0.0, 0.0])?[0], pose.height()?));
     }
+    let slid = [1, 2, 3].map(|k| placed[k].0 - placed[0].0);
+    let mass: f64 = poses[0].parts().iter().map(|part| part.mass).sum();
     let words = Words {
         claim: "However you wriggle, your centre of mass stays on its vertical line.".to_owned(),
         details: format!(
             "Four postures on frictionless ice, each with the centre of mass on the dotted line; for that the feet slide to {} m and to {} m from where they were. \
-             In the old posture they are back in the old place. 72 kg in six parts.",
-            number(placed[1].0 - placed[0].0, 3),
-            number(placed[2].0 - placed[0].0, 3),
+             In the old posture they are back in the old place. {} kg in six parts, {} of them the trunk; shoulders out by {} m and {} m.",
+            number(slid[0], 3),
+            number(slid[1], 3),
+            short(mass, 1),
+            short(trunk, 1),
+            short(0.9 * lean, 2),
+            short(lean, 2),
         ),
-        alt: "A person on ice in four postures: upright, leaning to the left with one arm out, leaning to the right with the other, upright again. A \
-              vertical dotted line runs through the dot of the centre of mass each time; the feet shift to the side and return."
-            .to_owned(),
+        alt: format!(
+            "A person on ice in four postures: upright, leaning to the left with one arm out, leaning to the right with the other, upright again. A \
+             vertical dotted line runs through the dot of the centre of mass each time; the feet shift by {} m and {} m and return.",
+            number(slid[0], 2),
+            number(slid[1], 2),
+        ),
     };
     let ground = 288.0;
     let scale = 138.0;
-    Ok(figure("ice", 340.0, words, |pen| {
+    let made = figure("ice", 340.0, words, |pen| {
         pen.line(
             &[[14.0, ground + 9.0], [586.0, ground + 9.0]],
             stroke(Role::Ink, AXIS),
@@ -151,22 +201,29 @@ pub fn ice() -> Result<Figure> {
             label(Role::Ink),
         );
         pen.text([300.0, 22.0], Anchor::Middle, "*C* stays", label(Role::Ink));
-    }))
+    });
+    let rows = placed.iter().map(|(foot, height)| vec![*foot, *height]);
+    let columns = ["feet from the line (m)", "height of the centre of mass (m)"];
+    Ok(made.data("postures", &columns, rows))
 }
 
-/// What the crawler does: a slow push, a fast pull.
-const STROKES: Strokes = Strokes {
-    gap: 0.25,
-    length: 0.2,
-    push: 1.0,
-    pull: 0.15,
-};
+/// Five rounds of a push and a pull of the feet.
 const CYCLES: f64 = 5.0;
 
-fn crawled(mu: Option<f64>) -> Result<Vec<(f64, CrawlerState)>> {
-    let scene = shape::Crawler::new(crawler::Crawler::new(3.0, 1.0, STROKES)?);
+fn strokes(values: &Values) -> Strokes {
+    Strokes {
+        gap: 0.25,
+        length: 0.2,
+        push: values.of(&PUSH),
+        pull: values.of(&PULL),
+    }
+}
+
+fn crawled(values: &Values, mu: Option<f64>) -> Result<Vec<(f64, CrawlerState)>> {
+    let strokes = strokes(values);
+    let scene = shape::Crawler::new(crawler::Crawler::new(values.of(&REAR), 1.0, strokes)?);
     let times: Vec<f64> = (0..=600)
-        .map(|k| CYCLES * STROKES.cycle() * f64::from(k) / 600.0)
+        .map(|k| CYCLES * strokes.cycle() * f64::from(k) / 600.0)
         .collect();
     let request = Request::at(times)?;
     Ok(match mu {
@@ -180,30 +237,57 @@ fn crawled(mu: Option<f64>) -> Result<Vec<(f64, CrawlerState)>> {
 }
 
 /// A wriggler on ice beside a crawler on ground.
-pub fn crawler() -> Result<Figure> {
+pub fn crawler(values: &Values) -> Result<Figure> {
     let wriggler = Wriggler::random(4);
     let times: Vec<f64> = (0..=500).map(|k| 0.01 * f64::from(k)).collect();
     let (start, scales) = (wriggler.start(), [1.0; 4 * PARTS]);
     let effort = Effort::Tolerance(1e-9);
     let run = order_eight(&wriggler, Kept::Nothing, start, &scales, &times, effort)?;
     let center = wriggler.center(wriggler.start());
-    let (ice, ground) = (crawled(None)?, crawled(Some(0.1))?);
-    let way = |rows: &[(f64, CrawlerState)]| rows.last().map_or(f64::NAN, |(_, s)| s.center);
+    let (mu, strokes) = (values.of(&GRIP), strokes(values));
+    let (ice, ground) = (crawled(values, None)?, crawled(values, Some(mu))?);
+    let way = |rows: &[(f64, CrawlerState)]| rows.last().map_or(0.0, |(_, s)| s.center);
+    let span = CYCLES * strokes.cycle();
+    let far = way(&ground);
+    let claim = match far {
+        far if far > 0.01 => "Without friction nobody gets anywhere, with a little anybody does.",
+        far if far < -0.01 => {
+            "Without friction nobody gets anywhere, with a little anybody does: these strokes lead backward."
+        }
+        _ => {
+            "Without friction nobody gets anywhere, and these strokes do not with friction either."
+        }
+    };
     let words = Words {
-        claim: "Without friction nobody gets anywhere, with a little anybody does.".to_owned(),
+        claim: claim.to_owned(),
         details: format!(
             "Left, seen from above: six parts on ice, pulled about by fifteen muscles for 5 s; the dot is the track of their centre of mass. Right: two feet of \
-             3 kg and 1 kg, pushed apart by 0.2 m in 1 s and pulled together in 0.15 s. On ice the centre (dashed) moves by {} m in \
-             {} s, with a coefficient of friction of 0.1 by {} m: on the slow stroke the heavy foot holds.",
+             {} kg and 1 kg, pushed apart by {} m in {} s and pulled together in {} s. On ice the centre (dashed) moves by {} m in \
+             {} s, with a coefficient of friction of {} by {} m.",
+            short(values.of(&REAR), 2),
+            strokes.length,
+            short(strokes.push, 2),
+            short(strokes.pull, 2),
             number(way(&ice), 1),
-            number(CYCLES * STROKES.cycle(), 2),
-            number(way(&ground), 3),
+            short(span, 2),
+            short(mu, 3),
+            number(far, 3),
         ),
-        alt: "Left, a tangle of six tracks around a single dot. Right, place against time: the feet of the crawler on ice go to and fro about a level \
-              dashed line; on ground both feet and the centre between them climb step by step, the rear foot standing still during each slow stroke."
-            .to_owned(),
+        alt: format!(
+            "Left, a tangle of six tracks around a single dot. Right, place against time: the feet of the crawler on ice go to and fro about a level \
+             dashed line; on ground both feet and the centre between them have gone {} metres after {} seconds.",
+            number(far, 3),
+            short(span, 2),
+        ),
     };
-    Ok(figure("crawler", 346.0, words, |pen| {
+    let feet = ground.iter().flat_map(|(_, s)| [s.rear, s.front]);
+    let (least, most) = feet.fold((0.0, 0.0), |(low, high): (f64, f64), x| {
+        (low.min(x), high.max(x))
+    });
+    let time = Axis::linear([0.0, span], [318.0, 580.0]);
+    let way = Axis::linear([least - 0.02, most], [280.0, 36.0]);
+    let place = |t: f64, x: f64| [time.at(t), way.at(x)];
+    let made = figure("crawler", 340.0, words, |pen| {
         let at = |[x, y]: Point| {
             [
                 146.0 + 118.0 * (x - center[0]),
@@ -225,78 +309,77 @@ pub fn crawler() -> Result<Figure> {
         pen.line(&track, stroke(Role::Ink, DATA));
         pen.disc(at(center), 6.0, Role::Ink, 1.0);
         pen.text(
-            [146.0, 332.0],
+            [146.0, 328.0],
             Anchor::Middle,
             "on ice: *C* is a point",
             label(Role::Ink),
         );
-        let span = CYCLES * STROKES.cycle();
-        let place = |t: f64, x: f64| [318.0 + 262.0 * t / span, 236.0 - 360.0 * x];
-        pen.line(
-            &[place(0.0, -0.13), [580.0, place(0.0, -0.13)[1]]],
-            stroke(Role::Ink, AXIS),
-        );
-        pen.line(
-            &[place(0.0, -0.13), place(0.0, 0.6)],
-            stroke(Role::Ink, AXIS),
-        );
-        for t in [0.0, 2.0, 4.0] {
-            let [x, y] = place(t, -0.13);
+        let corner = [time.ends[0], way.ends[0]];
+        pen.line(&[corner, [580.0, corner[1]]], stroke(Role::Ink, AXIS));
+        pen.line(&[corner, [corner[0], way.ends[1]]], stroke(Role::Ink, AXIS));
+        for (t, text) in time.ticks(70.0) {
+            let (x, y) = (time.at(t), corner[1]);
             pen.line(&[[x, y], [x, y + 5.0]], stroke(Role::Ink, AXIS));
             pen.text(
                 [x, y + 21.0],
                 Anchor::Middle,
-                &format!("{} s", number(t, 0)),
+                &format!("{text} s"),
                 small(Role::Ink),
             );
         }
-        for x in [0.0, 0.2, 0.4] {
-            let [left, y] = place(0.0, x);
+        for (x, text) in way.ticks(45.0) {
+            let (left, y) = (corner[0], way.at(x));
             pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
-            pen.text(
-                [left - 8.0, y + 5.0],
-                Anchor::End,
-                &number(x, 1),
-                small(Role::Ink),
-            );
+            pen.text([left - 8.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
         }
-        pen.text([306.0, 24.0], Anchor::Start, "place, m", small(Role::Ink));
+        pen.text([292.0, 20.0], Anchor::Start, "place, m", small(Role::Ink));
         let curve = |rows: &[(f64, CrawlerState)], which: fn(&CrawlerState) -> f64| -> Vec<Point> {
             rows.iter().map(|(t, s)| place(*t, which(s))).collect()
         };
-        for which in [|s: &CrawlerState| s.rear, |s: &CrawlerState| s.front] {
-            pen.line(&curve(&ground, which), stroke(Role::Ink, SECONDARY));
+        let curves = [
+            curve(&ground, |s| s.rear),
+            curve(&ground, |s| s.front),
+            curve(&ground, |s| s.center),
+            curve(&ice, |s| s.center),
+        ];
+        pen.line(&curves[0], stroke(Role::Ink, SECONDARY));
+        pen.line(&curves[1], stroke(Role::Ink, SECONDARY));
+        pen.line(&curves[2], stroke(Role::Ink, DATA));
+        pen.line(&curves[3], stroke(Role::Ink, SECONDARY).dashed());
+        let mut taken: Vec<Point> = curves.iter().flat_map(|curve| along(curve, 4.0)).collect();
+        for (k, text, half) in [
+            (1, "front foot", 34.0),
+            (0, "rear foot", 32.0),
+            (3, "*C* without friction", 62.0),
+        ] {
+            let beside = [14.0, 18.0, 24.0, 32.0].into_iter().flat_map(|far| {
+                let up = if k == 1 { -far } else { far };
+                curves[k]
+                    .iter()
+                    .step_by(10)
+                    .flat_map(move |p| [[p[0], p[1] + up], [p[0], p[1] - up]])
+            });
+            let inside = beside.filter(|p| {
+                (324.0 + half..590.0 - half).contains(&p[0]) && (24.0..268.0).contains(&p[1])
+            });
+            let [x, y] = roomiest(inside, [half, 7.0], &taken);
+            taken.extend(area([x, y], [half, 7.0]));
+            pen.text([x, y + 5.0], Anchor::Middle, text, small(Role::Ink));
         }
-        pen.line(&curve(&ground, |s| s.center), stroke(Role::Ink, DATA));
-        pen.line(
-            &curve(&ice, |s| s.center),
-            stroke(Role::Ink, SECONDARY).dashed(),
-        );
-        let peak = place(0.95, 0.39);
         pen.text(
-            [peak[0] - 26.0, peak[1] - 12.0],
-            Anchor::Start,
-            "front foot",
-            small(Role::Ink),
-        );
-        let rear = place(0.0, -0.065);
-        pen.text(
-            [rear[0] + 5.0, rear[1] + 18.0],
-            Anchor::Start,
-            "rear foot",
-            small(Role::Ink),
-        );
-        pen.text(
-            [578.0, place(0.0, 0.0)[1] + 18.0],
-            Anchor::End,
-            "*C* without friction",
-            small(Role::Ink),
-        );
-        pen.text(
-            [448.0, 332.0],
+            [448.0, 328.0],
             Anchor::Middle,
             "on ground: stick and slip",
             label(Role::Ink),
         );
-    }))
+    });
+    let columns = ["time (s)", "rear foot (m)", "front foot (m)", "centre (m)"];
+    let rows = |rows: &[(f64, CrawlerState)]| -> Vec<Vec<f64>> {
+        rows.iter()
+            .map(|(t, s)| vec![*t, s.rear, s.front, s.center])
+            .collect()
+    };
+    Ok(made
+        .data("on ice", &columns, rows(&ice))
+        .data("on ground", &columns, rows(&ground)))
 }

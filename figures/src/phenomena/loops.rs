@@ -7,18 +7,30 @@ use spinning_bodies::phenomena::cat::EqualHalves;
 use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_within};
 use spinning_bodies::phenomena::{Swivel, Waist};
 
-use super::body::{FORWARD, RATIO, back};
-use crate::Figure;
+use super::body::RATIO;
+use super::swivel::{IN, LOWER, OUT};
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, label, number, polar,
-    small, stroke,
+    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, area, between, figure, label, number, polar,
+    roomiest, short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-const WAIST: Waist = Waist {
-    upper_arms_out: 2.0,
-    upper_arms_in: 0.7,
-    lower: 0.6,
-};
+const BEND: Parameter = Parameter::new(
+    "forward",
+    r"\gamma",
+    "bend of the cat forward",
+    [70.0, 115.0],
+    90.0,
+)
+.unit("°")
+.dragged(
+    |values| cat_at(values.of(&BEND).to_radians(), 0.0),
+    |point, _| (WIDEST * (point[0] - CENTER[0]) / RADIUS).to_degrees(),
+);
+
+/// What may be chosen of the two loops; the handle is the far end of the cat's.
+pub const SHAPE_LOOPS: &[Parameter] = &[OUT, IN, LOWER, BEND];
+
 /// The swivel's plane: ψ to the right, A upward.
 const LEFT: f64 = 62.0;
 const RIGHT: f64 = 262.0;
@@ -42,33 +54,47 @@ fn cat_at(bend: f64, psi: f64) -> Point {
 }
 
 /// Two planes, two loops.
-pub fn shape_loops() -> Result<Figure> {
-    let plane = Swivel { lower: WAIST.lower };
+pub fn shape_loops(values: &Values) -> Result<Figure> {
+    let waist = Waist {
+        upper_arms_out: values.of(&OUT),
+        upper_arms_in: values.of(&IN),
+        lower: values.of(&LOWER),
+    };
+    let plane = Swivel { lower: waist.lower };
     let cat = EqualHalves::new(1.0, RATIO)?;
-    let back = back()?;
+    let forward = values.of(&BEND).to_radians();
+    // As far as a half turn takes, or as far as forward where that is not enough.
+    let back = cat.back_bend_for_half_turn(forward)?.unwrap_or(forward);
     let path = |s: f64| Step {
-        shape: [0.5 * (FORWARD + back) + 0.5 * (FORWARD - back) * s.cos(), s],
-        rate: [-0.5 * (FORWARD - back) * s.sin(), 1.0],
+        shape: [0.5 * (forward + back) + 0.5 * (forward - back) * s.cos(), s],
+        rate: [-0.5 * (forward - back) * s.sin(), 1.0],
     };
     let turn = turn_within(&cat, path, Hub::Pole)?.to_degrees();
-    let net = WAIST.swivel_angle(FRAC_PI_2)?.to_degrees();
+    let net = waist.swivel_angle(FRAC_PI_2)?.to_degrees();
     let words = Words {
         claim: "The turn is the shaded charge inside the loop of shapes.".to_owned(),
         details: format!(
-            "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$; the rectangle of one cycle holds {}°. \
+            "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$, $B = {}$ kg m²; the rectangle of one cycle, arms out {} kg m² and in {} kg m², holds {}°. \
              Right, the cat seen along its spine: bend $\\gamma$ outward to {}°, direction $\\psi$ around; the loop goes {}° forward and {}° backward, and \
              holds {}°. Neither pace nor path inside a shape matters, only what the loop encloses.",
+            short(waist.lower, 2),
+            short(waist.upper_arms_out, 2),
+            short(waist.upper_arms_in, 2),
             number(net.abs(), 3),
             number(WIDEST.to_degrees(), 0),
-            number(FORWARD.to_degrees(), 0),
+            short(forward.to_degrees(), 1),
             number(back.to_degrees(), 2),
             number(turn.abs(), 4),
         ),
-        alt: "Left, a plane shaded darker towards small moments of inertia, with a rectangular loop run through in four strokes. Right, a disc \
-              shaded evenly in rings, with an oval loop around its centre that reaches far out to one side and little to the other."
-            .to_owned(),
+        alt: format!(
+            "Left, a plane shaded darker towards small moments of inertia, with a rectangular loop run through in four strokes, which holds {} degrees. Right, a disc \
+             shaded in rings, with an oval loop around its centre that reaches out to {} degrees on one side and to {} on the other.",
+            number(net.abs(), 1),
+            short(forward.to_degrees(), 1),
+            number(back.to_degrees(), 1),
+        ),
     };
-    Ok(figure("shape-loops", 350.0, words, |pen| {
+    let made = figure("shape-loops", 344.0, words, |pen| {
         // Densities relative to the greatest shown.
         const BANDS: u32 = 25;
         let least = 0.1;
@@ -109,7 +135,7 @@ pub fn shape_loops() -> Result<Figure> {
             "90°",
             small(Role::Ink),
         );
-        let (out, near) = (WAIST.upper_arms_out, WAIST.upper_arms_in);
+        let (out, near) = (waist.upper_arms_out, waist.upper_arms_in);
         for (upper, name) in [(out, "out"), (near, "in")] {
             let [x, y] = swivel_at(0.0, upper);
             pen.line(&[[x - 5.0, y], [x, y]], axis);
@@ -130,13 +156,14 @@ pub fn shape_loops() -> Result<Figure> {
                 stroke(Role::Ink, DATA),
             );
         }
+        // Inside, or beside a flat rectangle.
         let middle = between(corners[0], corners[2], 0.5);
-        pen.text(
-            [middle[0], middle[1] + 6.0],
-            Anchor::Middle,
-            &format!("{}°", number(net.abs(), 1)),
-            label(Role::Ink),
-        );
+        let (at, anchor) = match corners[3][1] - corners[0][1] > 34.0 {
+            true => ([middle[0], middle[1] + 6.0], Anchor::Middle),
+            false => ([corners[1][0] + 10.0, middle[1] + 6.0], Anchor::Start),
+        };
+        let text = format!("{}°", number(net.abs(), 1));
+        pen.text(at, anchor, &text, label(Role::Ink));
         pen.text(
             [162.0, 334.0],
             Anchor::Middle,
@@ -157,17 +184,6 @@ pub fn shape_loops() -> Result<Figure> {
             pen.fill(&outline, Role::Ink, 0.4 * density(bend) / greatest);
         }
         pen.ring(CENTER, RADIUS, axis);
-        for degrees in [30.0_f64, 60.0, 90.0] {
-            let radius = RADIUS * degrees.to_radians() / WIDEST;
-            pen.ring(CENTER, radius, stroke(Role::Ink, AXIS).alpha(0.5).dotted());
-            let [x, y] = polar(CENTER, radius, -0.62 * PI);
-            pen.text(
-                [x, y + 4.0],
-                Anchor::Middle,
-                &format!("{}°", number(degrees, 0)),
-                small(Role::Ink),
-            );
-        }
         let oval: Vec<Point> = (0..=240)
             .map(|k| {
                 let Step {
@@ -176,8 +192,22 @@ pub fn shape_loops() -> Result<Figure> {
                 cat_at(bend, psi)
             })
             .collect();
+        let mut taken = oval.clone();
+        taken.extend(area(
+            [CENTER[0] + 0.5 * RADIUS, CENTER[1]],
+            [0.5 * RADIUS, 1.0],
+        ));
+        for degrees in [30.0_f64, 60.0, 90.0] {
+            let radius = RADIUS * degrees.to_radians() / WIDEST;
+            pen.ring(CENTER, radius, stroke(Role::Ink, AXIS).alpha(0.5).dotted());
+            let round = (0..40).map(|k| polar(CENTER, radius, -0.62 * PI - 0.12 * f64::from(k)));
+            let [x, y] = roomiest(round, [12.0, 7.0], &taken);
+            taken.extend(area([x, y], [12.0, 7.0]));
+            let text = format!("{}°", number(degrees, 0));
+            pen.text([x, y + 4.0], Anchor::Middle, &text, small(Role::Ink));
+        }
         pen.line(
-            &[cat_at(0.0, 0.0), cat_at(FORWARD, 0.0)],
+            &[cat_at(0.0, 0.0), cat_at(forward, 0.0)],
             stroke(Role::Ink, SECONDARY),
         );
         pen.line(&oval, stroke(Role::Ink, DATA));
@@ -201,5 +231,20 @@ pub fn shape_loops() -> Result<Figure> {
             "the cat",
             label(Role::Ink),
         );
-    }))
+    });
+    // ψ and A of the corners, ψ and γ of the oval.
+    let columns = ["direction (°)", "moment (kg m²)", "bend (°)"];
+    let (out, near) = (waist.upper_arms_out, waist.upper_arms_in);
+    let corners = [[0.0, out], [90.0, out], [90.0, near], [0.0, near]];
+    let bends = (0..=240).map(|k| {
+        let shape = path(TAU * f64::from(k) / 240.0).shape;
+        vec![shape[1].to_degrees(), 0.0, shape[0].to_degrees()]
+    });
+    Ok(made
+        .data(
+            "swivel",
+            &columns,
+            corners.map(|[psi, upper]| vec![psi, upper, 0.0]),
+        )
+        .data("cat", &columns, bends))
 }

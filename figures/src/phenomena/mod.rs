@@ -9,8 +9,8 @@ mod paper;
 mod swivel;
 
 pub(crate) use animated::cat_animated;
-pub(crate) use film::{back_bend, cat_film};
-pub(crate) use ice::{crawler, ice};
-pub(crate) use loops::shape_loops;
-pub(crate) use paper::{paper_cat, paper_cat_fall};
-pub(crate) use swivel::swivel;
+pub(crate) use film::{BACK_BEND, back_bend, cat_film};
+pub(crate) use ice::{CRAWLER, ICE, crawler, ice};
+pub(crate) use loops::{SHAPE_LOOPS, shape_loops};
+pub(crate) use paper::{PAPER_CAT, PAPER_CAT_FALL, paper_cat, paper_cat_fall};
+pub(crate) use swivel::{SWIVEL, swivel};

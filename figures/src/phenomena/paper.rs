@@ -8,18 +8,54 @@ use spinning_bodies::scene::effects::{Air, Gravity};
 use spinning_bodies::scene::shape;
 use spinning_bodies::scene::{Request, Scene};
 
-use crate::Figure;
+use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, label, number, short, small,
+    stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-const CAT: PaperCat = PaperCat::POSTCARD;
-const AIR: f64 = 1.2;
+const LEVER: Parameter = Parameter::new(
+    "lever",
+    "d",
+    "height of the point at which the air pushes over the centre of mass",
+    [2.0, 12.0],
+    6.0,
+)
+.unit("mm");
+const MASS: Parameter = Parameter::new("mass", "m", "mass of the cat", [0.5, 3.0], 1.2).unit("g");
+const THICK: Parameter =
+    Parameter::new("air", r"\rho", "density of the air", [0.6, 2.4], 1.2).unit("kg/m³");
+const SHY: Parameter = Parameter::new(
+    "error",
+    r"\varepsilon",
+    "angle by which it is not upside down when it is let go",
+    [1.0, 60.0],
+    10.0,
+)
+.unit("°")
+.logarithmic();
+
+/// What may be chosen of the paper cat.
+pub const PAPER_CAT: &[Parameter] = &[SHY, LEVER, MASS, THICK];
+/// What may be chosen of its fall.
+pub const PAPER_CAT_FALL: &[Parameter] = &[LEVER, MASS, THICK];
+
 const GRAVITY: f64 = 9.81;
 
-fn released(error: f64) -> Result<shape::PaperCat> {
-    let scene = shape::PaperCat::new(CAT, PI - error)?;
-    scene.with(Air::new(AIR)?)?.with(Gravity::new(GRAVITY)?)
+fn cat(values: &Values) -> PaperCat {
+    PaperCat {
+        mass: values.of(&MASS) / 1e3,
+        lever: values.of(&LEVER) / 1e3,
+        ..PaperCat::POSTCARD
+    }
+}
+
+fn released(values: &Values, error: f64) -> Result<shape::PaperCat> {
+    let scene = shape::PaperCat::new(cat(values), PI - error)?;
+    scene
+        .with(Air::new(values.of(&THICK))?)?
+        .with(Gravity::new(GRAVITY)?)
 }
 
 /// A folded sheet seen from the side: back up at tilt 0, legs at the two ends.
@@ -72,31 +108,42 @@ fn sheet(pen: &mut Pen, center: Point, tilt: f64, forces: bool) {
 }
 
 /// Three tilts in the air, and the sheet to fold.
-pub fn paper_cat() -> Result<Figure> {
-    let error = 10.0_f64.to_radians();
-    let scene = released(error)?;
-    let righted = scene.rights_itself(10.0)?;
-    let fall = righted.map_or(f64::NAN, |r| r.fall);
-    let motion = scene.simulate(&Request::at([0.36, 0.46])?)?;
+pub fn paper_cat(values: &Values) -> Result<Figure> {
+    let error = values.of(&SHY).to_radians();
+    let (cat, air) = (cat(values), values.of(&THICK));
+    let scene = released(values, error)?;
+    let righted = scene.rights_itself(30.0)?;
+    let (time, fall) = righted.map_or((1.0, 0.0), |r| (r.time, r.fall));
+    // On its side, and nearly upright, to the hundredth of a second.
+    let times = [0.68, 0.87].map(|share| (100.0 * share * time).round() / 100.0);
+    let motion = scene.simulate(&Request::at(times)?)?;
     let tilts = [PI - error, motion.rows[0].1.tilt, motion.rows[1].1.tilt];
     let words = Words {
         claim: "The paper cat is turned by the air, like a shuttlecock.".to_owned(),
         details: format!(
             "Its centre of mass lies {} mm below the point at which the air pushes, so weight (down) and drag (up) form a couple that turns the feet down \
-             from every tilt. Let go {}° from upside down, it tilts by {}° after 0.36 s and {}° after 0.46 s, and points its feet down first after {} m of fall. Terminal \
-             speed {} m/s. Lever drawn larger than it is.",
-            number(1000.0 * CAT.lever, 0),
-            number(error.to_degrees(), 0),
+             from every tilt. Let go {}° from upside down, it tilts by {}° after {} s and {}° after {} s, and points its feet down first after {} m of fall. Terminal \
+             speed {} m/s, mass {} g, air of {} kg/m³. Lever drawn larger than it is.",
+            short(values.of(&LEVER), 1),
+            short(error.to_degrees(), 1),
+            number(tilts[1].to_degrees(), 0),
+            number(times[0], 2),
+            number(tilts[2].to_degrees(), 0),
+            number(times[1], 2),
+            number(fall, 3),
+            number(cat.terminal_speed(air, GRAVITY), 3),
+            short(values.of(&MASS), 2),
+            short(air, 2),
+        ),
+        alt: format!(
+            "A cat cut from stiff paper in three positions, tilted by {}, {} and {} degrees. In each an arrow of drag points up from the \
+              middle of its back and an arrow of weight points down from a dot nearer its feet.",
+            number(tilts[0].to_degrees(), 0),
             number(tilts[1].to_degrees(), 0),
             number(tilts[2].to_degrees(), 0),
-            number(fall, 3),
-            number(CAT.terminal_speed(AIR, GRAVITY), 3),
         ),
-        alt: "A cat cut from stiff paper in three positions: nearly upside down, on its side, nearly upright. In each an arrow of drag points up from the \
-              middle of its back and an arrow of weight points down from a dot nearer its feet."
-            .to_owned(),
     };
-    Ok(figure("paper-cat", 280.0, words, |pen| {
+    let made = figure("paper-cat", 280.0, words, |pen| {
         for (tilt, x) in tilts.into_iter().zip([108.0, 312.0, 500.0]) {
             sheet(pen, [x, 132.0], tilt, true);
             pen.text(
@@ -114,7 +161,10 @@ pub fn paper_cat() -> Result<Figure> {
             "drag",
             small(Role::Ink),
         );
-    }))
+    });
+    let rows = [0.0, times[0], times[1]].into_iter().zip(tilts);
+    let rows = rows.map(|(time, tilt)| vec![time, tilt.to_degrees()]);
+    Ok(made.data("paper cat", &["time (s)", "tilt (°)"], rows))
 }
 
 const LEFT: f64 = 66.0;
@@ -122,51 +172,48 @@ const RIGHT: f64 = 566.0;
 const BOTTOM: f64 = 290.0;
 const TOP: f64 = 36.0;
 
-/// Initial error as its logarithm to the right, fall upward.
-fn place(error: f64, fall: f64) -> Point {
-    let decades = (90.0 / error).ln() / LN_10;
-    [
-        LEFT + (RIGHT - LEFT) * decades / 6.0,
-        BOTTOM - (BOTTOM - TOP) * fall / 3.0,
-    ]
-}
-
 /// How far it falls, for errors from 90° to a ten-thousandth of a degree.
-pub fn paper_cat_fall() -> Result<Figure> {
+pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
     let fall = |degrees: f64| -> Result<f64> {
-        let righted = released(degrees.to_radians())?.rights_itself(30.0)?;
-        Ok(righted.map_or(f64::NAN, |r| r.fall))
+        let righted = released(values, degrees.to_radians())?.rights_itself(60.0)?;
+        Ok(righted.map_or(0.0, |r| r.fall))
     };
-    let points = (0..=100)
+    let curve = (0..=100)
         .map(|k| {
             let degrees = 90.0 * (-LN_10 * 6.0 * f64::from(k) / 100.0).exp();
-            Ok(place(degrees, fall(degrees)?))
+            Ok([degrees, fall(degrees)?])
         })
         .collect::<Result<Vec<_>>>()?;
     let marks = [30.0, 10.0, 5.0, 1.0];
-    let falls = [
-        fall(marks[0])?,
-        fall(marks[1])?,
-        fall(marks[2])?,
-        fall(marks[3])?,
-    ];
-    let decade = CAT.fall_per_decade(AIR, GRAVITY);
+    let falls = marks.map(fall).into_iter().collect::<Result<Vec<_>>>()?;
+    let cat = cat(values);
+    let decade = cat.fall_per_decade(values.of(&THICK), GRAVITY);
     let words = Words {
-        claim: "Ten times nearer to upside down costs the paper cat the same fall again.".to_owned(),
+        claim: "Ten times nearer to upside down costs the paper cat the same fall again."
+            .to_owned(),
         details: format!(
             "Height of fall after which the feet first point down, against the angle by which the cat was not upside down. 30°, 10°, 5° and 1° take {}, {}, {} and {} m; \
-             each further factor of ten takes {} m. At 0° it takes for ever.",
+             each further factor of ten takes {} m. At 0° it takes for ever. Lever {} mm, {} g, air of {} kg/m³.",
             number(falls[0], 3),
             number(falls[1], 3),
             number(falls[2], 3),
             number(falls[3], 3),
             number(decade, 3),
+            short(values.of(&LEVER), 1),
+            short(values.of(&MASS), 2),
+            short(values.of(&THICK), 2),
         ),
-        alt: "A curve that soon becomes a straight line: the fall grows evenly with each factor of ten by which the angle of the release comes closer \
-              to upside down."
-            .to_owned(),
+        alt: format!(
+            "A curve that soon becomes a straight line: the fall grows by {} m with each factor of ten by which the angle of the release comes closer \
+              to upside down.",
+            number(decade, 3)
+        ),
     };
-    Ok(figure("paper-cat-fall", 350.0, words, |pen| {
+    let deepest = curve.last().map_or(1.0, |last| last[1]);
+    let x = Axis::log([90.0, 90e-6], [LEFT, RIGHT]);
+    let y = Axis::linear([0.0, 1.06 * deepest], [BOTTOM, TOP]);
+    let place = |[degrees, fall]: Point| [x.at(degrees), y.at(fall)];
+    let made = figure("paper-cat-fall", 344.0, words, |pen| {
         let axis = stroke(Role::Ink, AXIS);
         pen.line(&[[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
         for (degrees, name) in [
@@ -176,19 +223,14 @@ pub fn paper_cat_fall() -> Result<Figure> {
             (0.01, "0.01°"),
             (0.001, "0.001°"),
         ] {
-            let [x, y] = place(degrees, 0.0);
-            pen.line(&[[x, y], [x, y + 5.0]], axis);
-            pen.text([x, y + 22.0], Anchor::Middle, name, small(Role::Ink));
+            let x = x.at(degrees);
+            pen.line(&[[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
+            pen.text([x, BOTTOM + 22.0], Anchor::Middle, name, small(Role::Ink));
         }
-        for fall in [0.0, 1.0, 2.0, 3.0] {
-            let [x, y] = place(90.0, fall);
-            pen.line(&[[x - 5.0, y], [x, y]], axis);
-            pen.text(
-                [x - 9.0, y + 5.0],
-                Anchor::End,
-                &number(fall, 0),
-                small(Role::Ink),
-            );
+        for (fall, text) in y.ticks(50.0) {
+            let y = y.at(fall);
+            pen.line(&[[LEFT - 5.0, y], [LEFT, y]], axis);
+            pen.text([LEFT - 9.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
         }
         pen.text(
             [LEFT - 44.0, TOP - 14.0],
@@ -202,24 +244,24 @@ pub fn paper_cat_fall() -> Result<Figure> {
             "short of upside down by",
             label(Role::Ink),
         );
+        let points: Vec<Point> = curve.iter().map(|point| place(*point)).collect();
         pen.line(&points, stroke(Role::Ink, DATA));
-        for (k, (degrees, fall)) in marks.into_iter().zip(falls).enumerate() {
-            let at = place(degrees, fall);
+        for (k, (&degrees, &fall)) in marks.iter().zip(&falls).enumerate() {
+            let at = place([degrees, fall]);
             pen.disc(at, 4.0, Role::Ink, 1.0);
             // Above and below the curve in turn: the marks are close together.
             let (aside, anchor) = match k % 2 {
                 0 => ([-4.0, -12.0], Anchor::End),
                 _ => ([6.0, 22.0], Anchor::Start),
             };
-            pen.text(
-                [at[0] + aside[0], at[1] + aside[1]],
-                anchor,
-                &number(fall, 3),
-                small(Role::Ink),
-            );
+            let at = [at[0] + aside[0], (at[1] + aside[1]).min(BOTTOM - 8.0)];
+            pen.text(at, anchor, &number(fall, 3), small(Role::Ink));
         }
-    })
-    .value("from-10", number(falls[1], 3))
-    .value("from-1", number(falls[3], 3))
-    .value("decade", number(decade, 3)))
+    });
+    let rows = curve.iter().map(|point| point.to_vec());
+    Ok(made
+        .data("paper cat", &["short of upside down (°)", "fall (m)"], rows)
+        .value("from-10", number(falls[1], 3))
+        .value("from-1", number(falls[3], 3))
+        .value("decade", number(decade, 3)))
 }

@@ -7,20 +7,51 @@ use spinning_bodies::scene::effects::{FourPhases, Pace};
 use spinning_bodies::scene::shape::{self, SwivelState};
 use spinning_bodies::scene::{Request, Scene};
 
-use crate::Figure;
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar, small,
-    stroke,
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar, short,
+    small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-const CHANGE: FourPhases = FourPhases {
-    arms_out: 2.0,
-    arms_in: 0.7,
-    twist: FRAC_PI_2,
-    duration: 4.0,
-    pace: Pace::Even,
-};
-const LOWER: f64 = 0.6;
+pub const OUT: Parameter = Parameter::new(
+    "arms_out",
+    r"A_\mathrm{out}",
+    "moment of the upper body with the arms out",
+    [1.1, 2.4],
+    2.0,
+)
+.unit("kg m²");
+pub const IN: Parameter = Parameter::new(
+    "arms_in",
+    r"A_\mathrm{in}",
+    "moment of the upper body with the arms in",
+    [0.3, 1.0],
+    0.7,
+)
+.unit("kg m²");
+pub const LOWER: Parameter =
+    Parameter::new("lower", "B", "moment of the lower body", [0.1, 2.0], 0.6).unit("kg m²");
+pub const TWIST: Parameter =
+    Parameter::new("twist", r"\Psi", "twist at the waist", [20.0, 110.0], 90.0).unit("°");
+
+/// What may be chosen of the swivel.
+pub const SWIVEL: &[Parameter] = &[OUT, IN, LOWER, TWIST];
+
+fn change(values: &Values) -> FourPhases {
+    let twist = values.of(&TWIST);
+    FourPhases {
+        arms_out: values.of(&OUT),
+        arms_in: values.of(&IN),
+        // The book's is exact.
+        twist: if twist == 90.0 {
+            FRAC_PI_2
+        } else {
+            twist.to_radians()
+        },
+        duration: 4.0,
+        pace: Pace::Even,
+    }
+}
 
 /// An ellipse turned by `angle`, counterclockwise.
 fn ellipse(center: Point, half: [f64; 2], angle: f64) -> Vec<Point> {
@@ -35,8 +66,7 @@ fn ellipse(center: Point, half: [f64; 2], angle: f64) -> Vec<Point> {
 }
 
 /// Someone who looks up the page at angle 0: feet and hip below, shoulders, arms and head above.
-fn person(pen: &mut Pen, center: Point, state: &SwivelState) {
-    let out = state.upper_moment > 0.5 * (CHANGE.arms_out + CHANGE.arms_in);
+fn person(pen: &mut Pen, center: Point, state: &SwivelState, out: bool) {
     let solid = |pen: &mut Pen, outline: &[Point], tone: f64| {
         pen.fill(outline, Role::Paper, 1.0);
         pen.fill(outline, Role::Ink, tone);
@@ -77,24 +107,44 @@ fn person(pen: &mut Pen, center: Point, state: &SwivelState) {
 }
 
 /// Twist, arms in, untwist, arms out.
-pub fn swivel() -> Result<Figure> {
-    let scene = shape::Swivel::new(LOWER, CHANGE.arms_out)?.with(CHANGE)?;
+pub fn swivel(values: &Values) -> Result<Figure> {
+    let (change, lower) = (change(values), values.of(&LOWER));
+    let scene = shape::Swivel::new(lower, change.arms_out)?.with(change)?;
     let motion = scene.simulate(&Request::at([0.0, 1.0, 2.0, 3.0, 4.0])?)?;
-    let states: Vec<SwivelState> = motion.rows.into_iter().map(|(_, s)| s).collect();
+    let rows = motion.rows;
+    let states: Vec<SwivelState> = rows.iter().map(|(_, state)| *state).collect();
     let degrees = |angle: f64| number(angle.to_degrees(), 1);
+    let net = states[4].lower.to_degrees();
+    let claim = match net.abs() >= 1.0 {
+        true => {
+            "Twist with the arms out, untwist with the arms in: you face another way.".to_owned()
+        }
+        false => format!(
+            "Twist with the arms out, untwist with the arms in: you face another way, by {} degrees only.",
+            number(net.abs(), 2)
+        ),
+    };
     let words = Words {
-        claim: "Twist with the arms out, untwist with the arms in: you face another way.".to_owned(),
+        claim,
         details: format!(
-            "Seen from above. The upper body twists by 90° against the lower; the arrows show how far the lower body has turned. Moments 2 and 0.7 kg m² \
-             above, 0.6 kg m² below: the feet go {}° one way, {}° back, and end at {}°. The angular momentum is 0 throughout.",
+            "Seen from above. The upper body twists by {}° against the lower; the arrows show how far the lower body has turned. Moments {} and {} kg m² \
+             above, {} kg m² below: the feet go {}° one way, {}° back, and end at {}°. The angular momentum is 0 throughout.",
+            short(values.of(&TWIST), 1),
+            short(change.arms_out, 2),
+            short(change.arms_in, 2),
+            short(lower, 2),
             degrees(states[1].lower),
             degrees(states[3].lower - states[2].lower),
-            number(states[4].lower.to_degrees(), 3),
+            number(net, 3),
         ),
-        alt: "Five views of a person from above. At first feet and nose point up the page. Arms out, the shoulders have turned left a little and the \
-              feet right a lot. Arms in. Untwisted: the feet have come back, but not the whole way. Arms out again: feet and nose point to \
-              the right of where they began."
-            .to_owned(),
+        alt: format!(
+            "Five views of a person from above. At first feet and nose point up the page. Arms out, the shoulders have turned left by {}° and the \
+              feet right by {}°. Arms in. Untwisted: the feet have come back, but not the whole way. Arms out again: feet and nose point {}° to \
+              the right of where they began.",
+            degrees(states[1].upper),
+            degrees(-states[1].lower),
+            degrees(-states[4].lower),
+        ),
     };
     let centers: [Point; 5] = [
         [100.0, 112.0],
@@ -104,7 +154,7 @@ pub fn swivel() -> Result<Figure> {
         [400.0, 316.0],
     ];
     let names = ["", "1  twist", "2  arms in", "3  untwist", "4  arms out"];
-    Ok(figure("swivel", 430.0, words, |pen| {
+    let made = figure("swivel", 430.0, words, |pen| {
         for ((state, center), name) in states.iter().zip(centers).zip(names) {
             pen.ring(center, 82.0, stroke(Role::Muted, AXIS).alpha(0.6));
             pen.line(
@@ -114,7 +164,8 @@ pub fn swivel() -> Result<Figure> {
                 ],
                 stroke(Role::Muted, AXIS),
             );
-            person(pen, center, state);
+            let out = state.upper_moment > 0.5 * (change.arms_out + change.arms_in);
+            person(pen, center, state, out);
             let tip = FRAC_PI_2 + state.lower;
             if state.lower.abs() > 0.01 {
                 pen.arc_arrow(center, 82.0, FRAC_PI_2, tip, stroke(Role::Omega, DATA));
@@ -142,5 +193,16 @@ pub fn swivel() -> Result<Figure> {
             "angles of the feet",
             small(Role::Omega),
         );
-    }))
+    });
+    let columns = [
+        "time (s)",
+        "lower body (°)",
+        "upper body (°)",
+        "upper moment (kg m²)",
+    ];
+    let rows = rows.iter().map(|(t, state)| {
+        let [lower, upper] = [state.lower, state.upper].map(f64::to_degrees);
+        vec![*t, lower, upper, state.upper_moment]
+    });
+    Ok(made.data("swivel", &columns, rows))
 }

@@ -74,7 +74,7 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
         let mut unit = Vector3::zeros();
         unit[k] = 1.0;
         let [x, y] = whole.project(&unit);
-        let room = (250.0 / x.abs()).min(176.0 / y.abs());
+        let room = (198.0 / x.abs()).min(176.0 / y.abs());
         (room - 54.0 * reach[k]) / semi[k]
     });
     let scale = scale.fold(54.0, f64::min);

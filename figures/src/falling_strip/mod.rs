@@ -79,7 +79,7 @@ const PANELS: [Panel; 6] = [
 /// Design units to half a width of the plate.
 const UNIT: f64 = 9.5;
 
-/// Six ways to fall.
+/// Six ways to fall: mass ratios and moments chosen by hand, for each panel has its own room.
 pub fn paths() -> Result<Figure> {
     let drawn: Vec<(Vec<[f64; 7]>, LongRun)> = PANELS
         .iter()
@@ -148,7 +148,7 @@ pub fn paths() -> Result<Figure> {
     }))
 }
 
-/// Rotation rate of strips of paper against their width.
+/// Rotation rate of strips of paper against their width. Fifty long runs: it stays as the book has it.
 pub fn rate() -> Result<Figure> {
     let widths: Vec<f64> = (0..48)
         .map(|k| 0.5 * 36_f64.powf(f64::from(k) / 47.0))

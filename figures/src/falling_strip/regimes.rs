@@ -124,12 +124,14 @@ pub fn regimes() -> Result<Figure> {
                         Regime::Mixed => "mixed, chaotic",
                         other => other.name(),
                     };
-                    pen.text(
-                        [0.5 * (left + right), y + 30.0],
-                        Anchor::Middle,
-                        name,
-                        small(Role::Ink),
-                    );
+                    // Beside the line of what was measured, not over it.
+                    let at = 0.5 * (left + right);
+                    let at = if (at - middle).abs() < 40.0 {
+                        left + 50.0
+                    } else {
+                        at
+                    };
+                    pen.text([at, y + 30.0], Anchor::Middle, name, small(Role::Ink));
                 }
                 from = k;
             }

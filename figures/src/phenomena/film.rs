@@ -201,6 +201,9 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
                 [25.0, 14.0],
                 [25.0, -14.0],
                 [-22.0, -12.0],
+                [-30.0, 0.0],
+                [0.0, -22.0],
+                [0.0, 18.0],
             ];
             write(
                 &mut around.into_iter().map(|[dx, dy]| [x + dx, y + dy]),

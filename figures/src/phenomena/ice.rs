@@ -262,7 +262,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
         claim: claim.to_owned(),
         details: format!(
             "Left, seen from above: six parts on ice, pulled about by fifteen muscles for 5 s; the dot is the track of their centre of mass. Right: two feet of \
-             {} kg and 1 kg, pushed apart by {} m in {} s and pulled together in {} s. On ice the centre (dashed) moves by {} m in \
+             {} kg and 1 kg, pushed apart by {} m in {} s and pulled together in {} s. On ice the centre $C$ (dashed) moves by {} m in \
              {} s, with a coefficient of friction of {} by {} m.",
             short(values.of(&REAR), 2),
             strokes.length,
@@ -350,7 +350,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
         for (k, text, half) in [
             (1, "front foot", 34.0),
             (0, "rear foot", 32.0),
-            (3, "*C* without friction", 62.0),
+            (3, "*C* on ice", 30.0),
         ] {
             let beside = [14.0, 18.0, 24.0, 32.0].into_iter().flat_map(|far| {
                 let up = if k == 1 { -far } else { far };

@@ -121,12 +121,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             axis,
         );
         pen.text([RIGHT, BOTTOM + 24.0], Anchor::End, "*ψ*", label(Role::Ink));
-        pen.text(
-            [LEFT - 12.0, TOP + 6.0],
-            Anchor::End,
-            "*A*",
-            label(Role::Ink),
-        );
+        pen.text([LEFT, TOP - 9.0], Anchor::Middle, "*A*", label(Role::Ink));
         let corner = swivel_at(FRAC_PI_2, 0.0);
         pen.line(&[corner, [corner[0], corner[1] + 5.0]], axis);
         pen.text(

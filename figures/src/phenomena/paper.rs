@@ -10,8 +10,8 @@ use spinning_bodies::scene::{Request, Scene};
 
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, label, number, short, small,
-    stroke,
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, along, figure, label, number, roomiest,
+    short, small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -83,7 +83,7 @@ fn turned([x, y]: Point, center: Point, tilt: f64) -> Point {
     [center[0] + c * x + s * y, center[1] - s * x + c * y]
 }
 
-fn sheet(pen: &mut Pen, center: Point, tilt: f64, forces: bool) {
+fn sheet(pen: &mut Pen, center: Point, tilt: f64) -> Vec<Point> {
     let mut outline: Vec<Point> = SHEET.to_vec();
     outline.extend([[50.0, -4.0], [-44.0, -4.0], [-48.0, 30.0]]);
     let outline: Vec<Point> = outline
@@ -92,9 +92,6 @@ fn sheet(pen: &mut Pen, center: Point, tilt: f64, forces: bool) {
         .collect();
     pen.fill(&outline, Role::Ink, 0.1);
     pen.outline(&outline, stroke(Role::Ink, SECONDARY));
-    if !forces {
-        return;
-    }
     let push = turned([0.0, -44.0], center, tilt);
     pen.line(&[center, push], stroke(Role::Ink, SECONDARY).dotted());
     pen.arrow([push[0], push[1] + 54.0], push, stroke(Role::Ink, DATA));
@@ -105,6 +102,7 @@ fn sheet(pen: &mut Pen, center: Point, tilt: f64, forces: bool) {
     );
     pen.disc(center, 4.5, Role::Ink, 1.0);
     pen.disc(push, 4.5, Role::Ink, 1.0);
+    outline
 }
 
 /// Three tilts in the air, and the sheet to fold.
@@ -115,7 +113,7 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
     let righted = scene.rights_itself(30.0)?;
     let (time, fall) = righted.map_or((1.0, 0.0), |r| (r.time, r.fall));
     // On its side, and nearly upright, to the hundredth of a second.
-    let times = [0.68, 0.87].map(|share| (100.0 * share * time).round() / 100.0);
+    let times = [0.66, 0.84].map(|share| (100.0 * share * time).round() / 100.0);
     let motion = scene.simulate(&Request::at(times)?)?;
     let tilts = [PI - error, motion.rows[0].1.tilt, motion.rows[1].1.tilt];
     let words = Words {
@@ -144,8 +142,9 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
         ),
     };
     let made = figure("paper-cat", 280.0, words, |pen| {
+        let mut outline = Vec::new();
         for (tilt, x) in tilts.into_iter().zip([108.0, 312.0, 500.0]) {
-            sheet(pen, [x, 132.0], tilt, true);
+            outline = sheet(pen, [x, 132.0], tilt);
             pen.text(
                 [x, 270.0],
                 Anchor::Middle,
@@ -153,7 +152,17 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
                 label(Role::Ink),
             );
         }
-        pen.text([510.0, 178.0], Anchor::Start, "weight", small(Role::Ink));
+        outline.extend(outline.first().copied());
+        let mut taken = along(&outline, 4.0);
+        let push = turned([0.0, -44.0], [500.0, 132.0], tilts[2]);
+        taken.extend(along(&[push, [push[0], push[1] + 54.0]], 4.0));
+        taken.extend(along(&[[500.0, 132.0], [500.0, 186.0]], 4.0));
+        let beside = (0..12).flat_map(|k| {
+            let y = 174.0 + 3.0 * f64::from(k);
+            [[534.0, y], [466.0, y], [546.0, y], [454.0, y]]
+        });
+        let [x, y] = roomiest(beside, [24.0, 7.0], &taken);
+        pen.text([x, y + 5.0], Anchor::Middle, "weight", small(Role::Ink));
         let push = turned([0.0, -44.0], [108.0, 132.0], tilts[0]);
         pen.text(
             [push[0] - 10.0, push[1] + 40.0],

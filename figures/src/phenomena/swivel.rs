@@ -188,7 +188,7 @@ pub fn swivel(values: &Values) -> Result<Figure> {
             );
         }
         pen.text(
-            [590.0, 424.0],
+            [592.0, 396.0],
             Anchor::End,
             "angles of the feet",
             small(Role::Omega),

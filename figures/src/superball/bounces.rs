@@ -26,7 +26,7 @@ const KAPPA: Parameter = Parameter::new(
 )
 .dragged(mirror_place, kappa_at);
 const BOUNCES: Parameter =
-    Parameter::new("bounces", "n", "bounces that are drawn", [1.0, 12.0], 3.0).whole();
+    Parameter::new("bounces", "n", "bounces that are drawn", [1.0, 9.0], 3.0).whole();
 
 /// What may be chosen of the reflections.
 pub const REFLECTIONS: &[Parameter] = &[KAPPA, BOUNCES];
@@ -143,7 +143,7 @@ pub fn reflections(values: &Values) -> Result<Figure> {
                 let aside = f64::from((k + 1) / 2) * if k % 2 == 0 { 0.012 } else { -0.012 };
                 polar(CENTER, SIZE + 18.0, angles[n] + aside)
             });
-            let half = if n > 9 { 12.0 } else { 7.0 };
+            let half = 7.0;
             let at = roomiest(turns, [half, 6.0], &taken);
             taken.extend(area(at, [half, 6.0]));
             pen.text(

@@ -99,7 +99,10 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             })
             .collect::<Result<Vec<_>>>()?;
         let needed = equal.back_bend_for_half_turn(forward.to_radians())?;
-        curves.push((forward, points, needed.map(f64::to_degrees)));
+        // No further back than it is drawn.
+        let needed = needed.map(f64::to_degrees);
+        let needed = needed.filter(|back| *back <= forward.min(90.0));
+        curves.push((forward, points, needed));
     }
     let least = curves[0].1[0][1];
     let low = (least / 30.0).floor() * 30.0;
@@ -107,7 +110,8 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
     let y = Axis::linear([low, 240.0], [BOTTOM, TOP]);
     let needed = |k: usize| curves[k].2.map(|back| number(back, 2));
     let name = |forward: f64| short(forward, 1);
-    let listed: Vec<String> = curves
+    let listed: Vec<String> = [1, 2, 4]
+        .map(|k| &curves[k])
         .iter()
         .filter_map(|(forward, _, back)| Some((forward, (*back)?)))
         .map(|(forward, back)| {
@@ -134,7 +138,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             "Five rising curves of the turn against the bend backward, for {} degrees forward. A level line at half a \
              turn cuts {} of them, further to the left the more the cat bends forward.",
             names.join(", "),
-            listed.len(),
+            curves.iter().filter(|curve| curve.2.is_some()).count(),
         ),
     };
     let made = figure("back-bend", 384.0, words, |pen| {

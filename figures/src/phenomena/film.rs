@@ -112,7 +112,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
     let name = |forward: f64| short(forward, 1);
     let listed: Vec<String> = [1, 2, 4]
         .map(|k| &curves[k])
-        .iter()
+        .into_iter()
         .filter_map(|(forward, _, back)| Some((forward, (*back)?)))
         .map(|(forward, back)| {
             format!(

@@ -8,10 +8,10 @@ use spinning_bodies::euler_top::{Poinsot, Sector};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
-use crate::solid::{View, ellipse, ellipsoid_hides};
+use crate::solid::{View, ellipse, ellipsoid_hides, segment};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, nearest,
-    number, small, stroke,
+    number, polar, small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -360,41 +360,44 @@ impl Scene {
         let outline = self.view.trace(&self.outline());
         let lower = |a: &&Point, b: &&Point| (a[0] + a[1]).total_cmp(&(b[0] + b[1]));
         let corner = outline.iter().max_by(lower).copied().unwrap_or(center);
-        let [a, b] = self.sheet.map(|half| -0.82 * half);
-        let inside = self.view.project(&self.on_the_plane(a, b));
-        for (at, anchor, text, role) in [
-            (
-                [contact[0] - 3.0, contact[1] + 26.0],
-                Anchor::End,
-                "*Ω*",
-                Role::Omega,
-            ),
-            (
-                [tip[0] + 10.0, tip[1] + 12.0],
-                Anchor::Start,
-                "*L*",
-                Role::AngularMomentum,
-            ),
-            (
-                [center[0] - 10.0, center[1] + 14.0],
-                Anchor::End,
-                "*O*",
-                Role::Ink,
-            ),
-            (
-                [corner[0] + 12.0, corner[1] + 16.0],
-                Anchor::Start,
-                "*Θ*",
-                Role::Ink,
-            ),
-            (
-                [inside[0], inside[1] + 5.0],
-                Anchor::Middle,
-                "*Π*",
-                Role::Ink,
-            ),
+        // A letter stands where the curves leave it most room.
+        let arms = [
+            [Vector3::zeros(), self.contact],
+            [Vector3::zeros(), Vector3::z() * self.tip()],
+        ];
+        let arms = arms.iter().flat_map(|[from, to]| segment(*from, *to, 40));
+        let rim = self.corners();
+        let rim = (0..4).flat_map(|k| segment(rim[k], rim[(k + 1) % 4], 40));
+        let curves = [&self.polhode, &self.past, &self.future]
+            .into_iter()
+            .flatten()
+            .copied();
+        let taken = self.view.trace(
+            &arms
+                .chain(rim)
+                .chain(curves)
+                .chain(self.outline())
+                .collect::<Vec<_>>(),
+        );
+        let room = |at: &Point| {
+            nearest(*at, taken.iter().copied()).map_or(0.0, |p| (p[0] - at[0]).hypot(p[1] - at[1]))
+        };
+        let free = |about: Point| {
+            let places = (0..24).map(|k| polar(about, 17.0, TAU * f64::from(k) / 24.0));
+            places
+                .max_by(|p, q| room(p).total_cmp(&room(q)))
+                .unwrap_or(about)
+        };
+        let inside = self.sheet.map(|half| -0.72 * half);
+        let inside = self.view.project(&self.on_the_plane(inside[0], inside[1]));
+        for (at, text, role) in [
+            (free(between(center, contact, 0.84)), "*Ω*", Role::Omega),
+            (free(tip), "*L*", Role::AngularMomentum),
+            (free(center), "*O*", Role::Ink),
+            ([corner[0] + 18.0, corner[1] + 11.0], "*Θ*", Role::Ink),
+            (free(inside), "*Π*", Role::Ink),
         ] {
-            pen.text(at, anchor, text, label(role));
+            pen.text([at[0], at[1] + 5.0], Anchor::Middle, text, label(role));
         }
         let seen: Vec<Vector3<f64>> = self
             .polhode

@@ -2,28 +2,35 @@
 
 mod triangle;
 
-pub use triangle::triangle_of_tops;
+pub use triangle::{TRIANGLE, triangle_of_tops};
 
 use core::f64::consts::PI;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{
-    AxisMoments, Equilibrium, equilibria, fastest_flow, separatrix_slope, streamline,
+    AxisMoments, Equilibrium, Nature, equilibria, fastest_flow, separatrix_slope, streamline,
 };
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::PrincipalMoments;
 
-use crate::Figure;
 use crate::solid::{View, ellipsoid_hides, segment};
 use crate::style::{
     AXIS, Anchor, DATA, Pen, Role, SECONDARY, Words, between, figure, label, number, stroke,
 };
+use crate::{Figure, Parameter, Values};
+
+const I1: Parameter =
+    Parameter::new("first", "I_1", "first moment of inertia", [1.0, 2.0], 1.0).unit("kg m²");
+const I2: Parameter =
+    Parameter::new("second", "I_2", "second moment of inertia", [2.0, 2.9], 2.0).unit("kg m²");
+const I3: Parameter =
+    Parameter::new("third", "I_3", "third moment of inertia", [2.0, 3.0], 3.0).unit("kg m²");
+/// What may be chosen.
+pub const FLOW: &[Parameter] = &[I1, I2, I3];
 
 /// Strength of what lies on the far side of the sphere.
 const BEHIND: f64 = 0.22;
-/// Seconds between two dots.
-const TICK: f64 = 0.8;
 /// Steps of integration between two dots.
 const STEPS: usize = 16;
 
@@ -35,8 +42,13 @@ struct Orbit {
 }
 
 impl Orbit {
-    /// From `start` both ways, until half of the way round `axis` is done, or for `most` ticks.
-    fn new(moments: &AxisMoments, start: BodyVector, axis: usize, most: usize) -> Result<Self> {
+    /// From `start` both ways, until half of the way round `axis` is done, or for `most` ticks (s).
+    fn new(
+        moments: &AxisMoments,
+        start: BodyVector,
+        axis: usize,
+        (tick, most): (f64, usize),
+    ) -> Result<Self> {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let half = |step: f64| -> Result<Vec<Vector3<f64>>> {
             let points = streamline(moments, start, step, most * STEPS)?;
@@ -54,7 +66,7 @@ impl Orbit {
             }
             Ok(path)
         };
-        let step = TICK / STEPS as f64;
+        let step = tick / STEPS as f64;
         let (ahead, back) = (half(step)?, half(-step)?);
         let zero = back.len() - 1;
         let mut curve: Vec<_> = back.into_iter().rev().collect();
@@ -76,10 +88,10 @@ impl Orbit {
         }
     }
 
-    fn draw_dots(&self, pen: &mut Pen, view: &View, radius: f64) {
+    fn draw_dots(&self, pen: &mut Pen, view: &View, radius: f64, saddle: usize) {
         let dots = self.curve[self.zero % STEPS..].iter().step_by(STEPS);
         // At the rim and at the saddle they would be a blot.
-        for dot in dots.filter(|p| p.dot(&view.toward) > 0.1 && p.y.abs() < 0.99) {
+        for dot in dots.filter(|p| p.dot(&view.toward) > 0.1 && p[saddle].abs() < 0.99) {
             pen.disc(view.project(dot), radius, Role::AngularMomentum, 1.0);
         }
     }
@@ -98,10 +110,10 @@ impl Orbit {
             return;
         };
         let at = middle - (middle + STEPS - self.zero % STEPS) % STEPS + STEPS * 5 / 8;
-        let (from, to) = (
-            view.project(&self.curve[at]),
-            view.project(&self.curve[at + 1]),
-        );
+        let (Some(from), Some(to)) = (self.curve.get(at), self.curve.get(at + 1)) else {
+            return;
+        };
+        let (from, to) = (view.project(from), view.project(to));
         let length = (to[0] - from[0]).hypot(to[1] - from[1]);
         pen.arrow(
             between(to, from, 9.0 / length),
@@ -119,57 +131,102 @@ fn off_axis(axis: usize, other: usize, sign: f64, degrees: f64) -> BodyVector {
     BodyVector::new(p[0], p[1], p[2])
 }
 
-/// The flow of L on its sphere for the moments 1, 2, 3.
-pub fn momentum_flow() -> Result<Figure> {
-    let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
-    let sorted = PrincipalMoments::new(1.0, 2.0, 3.0)?;
-    let (still, slope) = (equilibria(&moments), separatrix_slope(&sorted));
-    // Started where they are nearest to the saddle x₂, in front: the odd gap between the last dots lies behind.
+/// The flow of L on its sphere.
+pub fn momentum_flow(values: &Values) -> Result<Figure> {
+    let of = [&I1, &I2, &I3].map(|parameter| values.of(parameter));
+    let moments = AxisMoments::new(of[0], of[1], of[2])?;
+    let sorted = PrincipalMoments::new(of[0], of[1], of[2])?;
+    let still = equilibria(&moments);
+    let mut order = [0, 1, 2];
+    order.sort_by(|j, k| of[*j].total_cmp(&of[*k]));
+    let [small, middle, large] = order;
+    let is = |axis: usize, nature: Nature| still[2 * axis].nature == nature;
+    let parted = is(middle, Nature::Saddle);
+    let fastest = fastest_flow(&sorted);
+    // As many dots to a slow flow as to a quick one.
+    let tick = if fastest > 0.0 {
+        (0.8 / (3.0 * fastest) * 10.0).round() / 10.0
+    } else {
+        1.0
+    };
+
+    // Started where they are nearest to the saddle, in front: the odd gap between the last dots lies behind.
     let mut orbits = Vec::new();
-    for sign in [1.0, -1.0] {
-        for degrees in [14.0, 32.0, 51.0, 71.0] {
-            orbits.push(Orbit::new(&moments, off_axis(0, 1, sign, degrees), 0, 200)?);
-        }
-        for degrees in [20.0, 44.0, 70.0] {
-            orbits.push(Orbit::new(&moments, off_axis(2, 1, sign, degrees), 2, 200)?);
+    for (axis, circles) in [
+        (small, &[14.0, 32.0, 51.0, 71.0][..]),
+        (large, &[20.0, 44.0, 70.0]),
+    ] {
+        for sign in [1.0, -1.0] {
+            for &degrees in circles.iter().filter(|_| is(axis, Nature::Center)) {
+                let start = off_axis(axis, middle, sign, degrees);
+                orbits.push(Orbit::new(&moments, start, axis, (tick, 400))?);
+            }
         }
     }
-    let tilt = slope.atan();
+    let slope = separatrix_slope(&sorted);
     let mut border = Vec::new();
-    for (s, c) in [1.0, -1.0].map(|side| (side * tilt).sin_cos()) {
+    for side in [1.0, -1.0].into_iter().filter(|_| parted) {
+        let tilt = side * slope.atan().to_degrees();
         for sign in [1.0, -1.0] {
-            let start = BodyVector::new(sign * c, 0.0, sign * s);
-            border.push(Orbit::new(&moments, start, 1, 40)?);
+            let start = off_axis(small, large, sign, tilt);
+            border.push(Orbit::new(&moments, start, middle, (tick, 40))?);
         }
     }
 
-    let fastest = fastest_flow(&sorted);
-    let growth = still[2].growth_squared.sqrt();
+    let claim = match orbits.len() {
+        0 => "With three equal moments the angular momentum stays where it is in the body.",
+        _ if parted => {
+            "Without torque the angular momentum flows on a sphere, round four centres and past two saddles."
+        }
+        _ => {
+            "With two equal moments the angular momentum runs round the third axis in circles, and rests where they have their middle."
+        }
+    };
+    let named = |axis: usize| format!("x_{}", axis + 1);
+    let saddles = format!(
+        "Centres about $\\pm {}$ and $\\pm {}$, saddles at $\\pm {}$, from which $L$ departs at first as \
+         $e^{{{}\\,t}}$. The heavy lines are two great circles, $L_{}=\\pm{}L_{}$. The flow is fastest, {} per second, halfway between ${}$ and ${}$.",
+        named(small),
+        named(large),
+        named(middle),
+        number(still[2 * middle].growth_squared.max(0.0).sqrt(), 4),
+        large + 1,
+        number(slope, 4),
+        small + 1,
+        number(fastest, 4),
+        named(small),
+        named(large),
+    );
+    let rest = format!(
+        "Nothing departs from the equator of the equal axes. The flow is nowhere faster than {} per second.",
+        number(fastest, 4)
+    );
+    let seen = match orbits.len() {
+        0 => "No curve is on it.",
+        _ if parted => {
+            "Closed curves circle the axis of the smallest moment and the axis of the largest one. At the axis of the middle moment two heavy great circles cross, \
+             inwards along one, outwards along the other; they divide the sphere into four parts."
+        }
+        _ => "Circles go round the axis whose moment differs from the other two.",
+    };
     let words = Words {
-        claim: "Without torque the angular momentum flows on a sphere, round four centres and past two saddles.".to_owned(),
+        claim: claim.to_owned(),
         details: format!(
-            "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={}$, $I_2={}$, $I_3={}$; a dot every {TICK} seconds. \
-             Centres about $\\pm x_1$ and $\\pm x_3$, saddles at $\\pm x_2$, from which $L$ departs at first as \
-             $e^{{{}\\,t}}$. The heavy lines are two great circles, $L_3=\\pm{}L_1$. The flow is fastest, {} per second, \
-             halfway between $x_1$ and $x_3$.",
-            moments.values()[0],
-            moments.values()[1],
-            moments.values()[2],
-            number(growth, 4),
-            number(slope, 4),
-            number(fastest, 4),
+            "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={}$, $I_2={}$, $I_3={}$; a dot every {tick} seconds. {}",
+            of[0],
+            of[1],
+            of[2],
+            if parted { saddles } else { rest },
         ),
         alt: format!(
-            "A sphere with the three principal axes of a body sticking out. Closed curves circle the axis of the smallest \
-             moment and the axis of the largest one. At the axis of the middle moment two heavy great circles cross, \
-             inwards along one, outwards along the other; they divide the sphere into four parts. Dots every {TICK} seconds \
-             crowd together towards that crossing.",
+            "A sphere with the three principal axes of a body sticking out, moments {}, {} and {}. {seen} Dots stand every {tick} seconds.",
+            of[0], of[1], of[2]
         ),
     };
 
     let center = [300.0, 214.0];
     let view = View::new(1.08, 0.44, center, RADIUS);
-    Ok(figure("momentum-flow", 424.0, words, |pen| {
+    let made = figure("momentum-flow", 424.0, words, |pen| {
         pen.disc(center, RADIUS, Role::Shade, 1.0);
         for orbit in &orbits {
             orbit.draw(pen, &view, SECONDARY);
@@ -179,11 +236,11 @@ pub fn momentum_flow() -> Result<Figure> {
         }
         pen.ring(center, RADIUS, stroke(Role::Ink, AXIS));
         for orbit in &orbits {
-            orbit.draw_dots(pen, &view, 2.6);
+            orbit.draw_dots(pen, &view, 2.6, middle);
             orbit.draw_sense(pen, &view, DATA);
         }
         for line in &border {
-            line.draw_dots(pen, &view, 3.3);
+            line.draw_dots(pen, &view, 3.3, middle);
             line.draw_sense(pen, &view, 2.8);
         }
         axes(pen, &view);
@@ -197,44 +254,61 @@ pub fn momentum_flow() -> Result<Figure> {
                 if seen { 1.0 } else { BEHIND },
             );
         }
-        let remarks = [
-            (
-                [70.0, 274.0],
-                Anchor::Middle,
-                "*x*_{1}",
-                ["smallest", "moment:", "a centre"],
-            ),
-            (
-                [452.0, 346.0],
-                Anchor::Start,
-                "*x*_{2}",
-                ["middle moment:", "a saddle", ""],
-            ),
-            ([290.0, 22.0], Anchor::End, "*x*_{3}", ["", "", ""]),
-        ];
-        for (at, anchor, name, lines) in remarks {
-            pen.text(at, anchor, name, label(Role::Ink));
-            for (k, line) in lines
-                .into_iter()
-                .enumerate()
-                .filter(|(_, line)| !line.is_empty())
-            {
-                let below = at[1] + 22.0 + 19.0 * k as f64;
-                pen.text([at[0], below], anchor, line, label(Role::Ink));
+        for (axis, at, anchor) in [
+            (0, [66.0, 276.0], Anchor::Middle),
+            (1, [452.0, 350.0], Anchor::Start),
+            (2, [290.0, 22.0], Anchor::End),
+        ] {
+            let shares = of.iter().filter(|moment| **moment == of[axis]).count();
+            let size = match shares {
+                1 if axis == small => "smallest moment:",
+                1 if axis == large => "largest moment:",
+                1 => "middle moment:",
+                _ => "equal moments:",
+            };
+            let nature = match still[2 * axis].nature {
+                Nature::Center => "a centre",
+                Nature::Saddle => "a saddle",
+                Nature::Degenerate => "at rest",
+            };
+            let mut line = |dx: f64, dy: f64, anchor: Anchor, text: &str| {
+                pen.text([at[0] + dx, at[1] + dy], anchor, text, label(Role::Ink));
+            };
+            line(0.0, 0.0, anchor, &format!("*x*_{{{}}}", axis + 1));
+            match axis {
+                0 => {
+                    let pieces = size.split(' ').chain([nature]).zip(1_u8..);
+                    pieces.for_each(|(text, k)| line(0.0, 3.0 + 19.0 * f64::from(k), anchor, text));
+                }
+                1 => {
+                    line(0.0, 22.0, anchor, size);
+                    line(0.0, 41.0, anchor, nature);
+                }
+                _ => line(20.0, 0.0, Anchor::Start, &format!("{size} {nature}")),
             }
         }
-        pen.text(
-            [310.0, 22.0],
-            Anchor::Start,
-            "largest moment: a centre",
-            label(Role::Ink),
-        );
-        pen.text(
-            [182.0, 58.0],
-            Anchor::End,
-            "separatrix",
-            label(Role::AngularMomentum),
-        );
+        // Named where it leaves the picture's half of the sphere at the upper left.
+        let front = |p: &&Vector3<f64>| p.dot(&view.toward) > 0.0;
+        let seen = border
+            .iter()
+            .flat_map(|line| line.curve.iter().filter(front));
+        let corner = seen
+            .map(|p| view.project(p))
+            .min_by(|a, b| (a[0] + a[1]).total_cmp(&(b[0] + b[1])));
+        if let Some([x, y]) = corner {
+            let name = label(Role::AngularMomentum);
+            pen.text([x - 8.0, y - 6.0], Anchor::End, "separatrix", name);
+        }
+    });
+    let columns = ["time (s)", "L1", "L2", "L3"];
+    let lines = orbits.iter().map(|line| ("orbit", line));
+    let lines = lines.chain(border.iter().map(|line| ("separatrix", line)));
+    Ok(lines.enumerate().fold(made, |made, (n, (name, line))| {
+        let table = line.curve.iter().enumerate().map(|(k, p)| {
+            let time = (k as f64 - line.zero as f64) * tick / STEPS as f64;
+            vec![time, p.x, p.y, p.z]
+        });
+        made.data(format!("{name} {}", n + 1), &columns, table)
     }))
 }
 

@@ -6,12 +6,12 @@ use spinning_bodies::Result;
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded};
 use crate::style::{
-    Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
 };
 
 /// Whose error.
-const TEXTBOOK: Role = Role::Torque;
-const OURS: Role = Role::AngularMomentum;
+const TEXTBOOK: Role = Role::Muted;
+const OURS: Role = Role::Ink;
 
 /// Errors shown: no less than a tenth of a rounding, and all above one as one: nothing is right then.
 const SHOWN: [f64; 2] = [1e-17, 1.0];
@@ -84,7 +84,7 @@ pub fn tops() -> Result<Figure> {
     let words = Words {
         claim: "The textbook walks uphill, the library on a floor.".to_owned(),
         details: "Six walks of a top to a place where its formula loses digits: relative error against the distance that is left (for the fast top and the slow \
-                  precession, 4 over the spin). Upper line the formula as printed, lower line the library. What reaches the top has not one digit left."
+                  precession, 4 over the spin). Grey the formula as printed, black the library. What reaches the top has not one digit left."
             .to_owned(),
         alt: "Six small panels with logarithmic axes. In each the line of the textbook climbs from 1e-16 to 1 as the distance shrinks, steeply for the sleeping and \
               the fast top; the line of the library stays at 1e-16 throughout."
@@ -138,17 +138,23 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
         }
     }
     Ok(figure(name, 660.0, words, |pen| {
+        // In the order of the places; the walks come in that of the families.
+        walks.sort_by_key(|walk| walk.0);
+        let mut frames = Vec::new();
         for (place, title, steps) in &walks {
             let corner = [
                 54.0 + 290.0 * (place % 2) as f64,
                 44.0 + 212.0 * (place / 2) as f64,
             ];
-            panel(pen, corner, title, steps);
+            frames.push(panel(pen, corner, title, steps));
+        }
+        for (first, last) in frames.iter().zip(frames.iter().skip(4)) {
+            first.panel_names(pen, last, ["distance left", "relative error"]);
         }
     }))
 }
 
-fn panel(pen: &mut Pen, corner: Point, title: &str, steps: &[Comparison]) {
+fn panel(pen: &mut Pen, corner: Point, title: &str, steps: &[Comparison]) -> Frame {
     // The nearest at the right, as far as doubles have a say.
     let frame = Frame::panel(
         pen,
@@ -166,8 +172,9 @@ fn panel(pen: &mut Pen, corner: Point, title: &str, steps: &[Comparison]) {
             .filter(|step| (1e-16..=1.0).contains(&step.nearness))
             .map(|step| frame.at(step.nearness, shown(error(step))))
             .collect();
-        beaded(pen, &line, role);
+        beaded(pen, &line, stroke(role, DATA));
     }
+    frame
 }
 
 const POWERS: [(f64, &str); 3] = [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")];

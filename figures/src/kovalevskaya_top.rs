@@ -1,21 +1,74 @@
 //! Kovalevskaya's scribble, her circle, and the two bands of her polynomial (tutorial 8.2).
 
+use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
-use spinning_bodies::{Error, Result};
 
-use crate::Figure;
+use crate::plot::apart;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, short,
+    stroke,
 };
 
-/// The start of all pictures: c = 1, Ω = (1, ½, 0.3), z = (2, −1, 2)/3.
-fn start() -> Result<TopState> {
+use crate::{Figure, Parameter, Values};
+
+const FIRST: Parameter = Parameter::new(
+    "first",
+    r"\Omega_1",
+    "spin about the first axis at the start",
+    [0.2, 2.0],
+    1.0,
+)
+.unit("rad/s");
+const SECOND: Parameter = Parameter::new(
+    "second",
+    r"\Omega_2",
+    "spin about the second axis at the start",
+    [-1.0, 1.5],
+    0.5,
+)
+.unit("rad/s");
+const THIRD: Parameter = Parameter::new(
+    "third",
+    r"\Omega_3",
+    "spin about the third axis at the start",
+    [-1.5, 1.5],
+    0.3,
+)
+.unit("rad/s");
+const RATIO: Parameter = Parameter::new(
+    "ratio",
+    "I_1/I_3",
+    "ratio of moments in the panel on the right",
+    [1.5, 2.5],
+    1.9,
+);
+/// What may be chosen in the scribble, in the bands and in the map.
+pub const CIRCLE: &[Parameter] = &[FIRST, SECOND, THIRD, RATIO];
+pub const BANDS: &[Parameter] = &[FIRST, SECOND, THIRD];
+pub const CLASSES: &[Parameter] = &[Parameter::new(
+    "size",
+    r"\lvert K\rvert",
+    "Kovalevskaya's constant",
+    [0.05, 1.6],
+    0.6,
+)
+.unit("1/s²")];
+
+/// The start of all pictures: c = 1, z = (2, −1, 2)/3.
+fn start(values: &Values) -> Result<TopState> {
+    let [x, y, z] = [&FIRST, &SECOND, &THIRD].map(|parameter| values.of(parameter));
     Ok(TopState {
-        omega: BodyVector::new(1.0, 0.5, 0.3),
+        omega: BodyVector::new(x, y, z),
         up: BodyVector::new(2.0, -1.0, 2.0).direction("up")?,
     })
+}
+
+fn spun(values: &Values) -> String {
+    let [x, y, z] = [&FIRST, &SECOND, &THIRD]
+        .map(|parameter| short(values.of(parameter), 2).replace('\u{2212}', "-"));
+    format!("$\\Omega=({x}, {y}, {z})$ rad/s")
 }
 
 /// w = Ω₁ + iΩ₂ and K = w² − ζ.
@@ -39,8 +92,9 @@ const PANEL: f64 = 88.0;
 const MIDDLE: f64 = 112.0;
 
 /// What the body does, what her constant does, and what the same expression does for slightly wrong moments.
-pub fn circle() -> Result<Figure> {
-    let at_start = start()?;
+pub fn circle(values: &Values) -> Result<Figure> {
+    let at_start = start(values)?;
+    let ratio = values.of(&RATIO);
     let lever = BodyVector::new(1.0, 0.0, 0.0);
     let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, at_start.omega, at_start.up)?;
     let mut hers = Vec::new();
@@ -48,7 +102,7 @@ pub fn circle() -> Result<Figure> {
         let t = SECONDS * f64::from(n) / f64::from(SAMPLES);
         hers.push(traced(&top.omega_and_up(t)?));
     }
-    let wrong = HeavyTop::new(AxisMoments::new(1.9, 1.9, 1.0)?, lever)?;
+    let wrong = HeavyTop::new(AxisMoments::new(ratio, ratio, 1.0)?, lever)?;
     let mut state = at_start;
     let mut wandering = Vec::new();
     let step = SECONDS / f64::from(SAMPLES) / 8.0;
@@ -62,28 +116,58 @@ pub fn circle() -> Result<Figure> {
     let sizes = || wandering.iter().map(|[x, y]| x.hypot(*y));
     let (least, greatest) = (sizes().fold(k, f64::min), sizes().fold(k, f64::max));
 
+    // The widest gap in what K has seen of its circle, rad.
+    let mut angles: Vec<f64> = hers.iter().map(|p| p[1][1].atan2(p[1][0])).collect();
+    angles.sort_by(f64::total_cmp);
+    let round = angles[0] + core::f64::consts::TAU - angles[angles.len() - 1];
+    let open = angles
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .fold(round, f64::max);
+    let named = short(ratio, 2);
+    let wanders = greatest - least > 1e-3 * greatest;
     let words = Words {
-        claim: "The top scribbles; its constant runs round a circle.".to_owned(),
+        claim: if k > 1e-3 && open < 0.2 {
+            "The top scribbles; its constant runs round a circle.".to_owned()
+        } else if k > 1e-3 {
+            "The top scribbles; its constant runs to and fro on an arc of a circle.".to_owned()
+        } else {
+            "The top scribbles; its constant stands still at the origin.".to_owned()
+        },
         details: format!(
-            "Three drawings of {} s from one start, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
+            "Three drawings of {} s from {}, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
              $K=w^2-(z_1+iz_2)$ of the same motion, always {} from the origin. Right: the same expression if \
-             $I_1=I_2=1.9\\,I_3$; dashed, where it should be. It wanders from {} to {}.",
+             $I_1=I_2={named}\\,I_3$; dashed, where it should be. {}",
             number(SECONDS, 0),
+            spun(values),
             number(k, 4),
-            number(least, 2),
-            number(greatest, 2),
+            if wanders {
+                format!(
+                    "It wanders from {} to {}.",
+                    number(least, 2),
+                    number(greatest, 2)
+                )
+            } else {
+                "It does not wander.".to_owned()
+            },
         ),
         alt: format!(
             "Three panels. Left, a tangle of loops: the horizontal path of the angular velocity in the body. Middle, one clean \
-             circle of radius {}: Kovalevskaya's expression along that motion. Right, a broad smeared ring between radius {} and \
-             {}: the same expression when the first two moments are 1.9 instead of 2 times the third.",
+             circle of radius {}, or a part of it: Kovalevskaya's expression along that motion. Right, {}: the same expression when the first two moments are {named} times the third.",
             number(k, 2),
-            number(least, 2),
-            number(greatest, 2),
+            if wanders {
+                format!(
+                    "a smeared ring between radius {} and {}",
+                    number(least, 2),
+                    number(greatest, 2)
+                )
+            } else {
+                "the same circle".to_owned()
+            },
         ),
     };
 
-    Ok(figure("kovalevskaya-circle", 268.0, words, |pen| {
+    let made = figure("kovalevskaya-circle", 246.0, words, |pen| {
         // Each fills its panel: the scribble is wider to the left than to the right.
         let reach = hers
             .iter()
@@ -96,10 +180,11 @@ pub fn circle() -> Result<Figure> {
         };
         let [scribble, circle, smear] =
             [(0, reach), (1, greatest), (2, greatest)].map(|(n, reach)| place(panels[n], reach));
+        let right = format!("*I*_{{1}} = {named} *I*_{{3}}");
         for (x, text, remark) in [
             (panels[0], "*w*", "what the top does"),
             (panels[1], "*K*", "*I*_{1} = 2 *I*_{3}"),
-            (panels[2], "*K*", "*I*_{1} = 1.9 *I*_{3}"),
+            (panels[2], "*K*", &right),
         ] {
             let [left, right] = [x - PANEL - 6.0, x + PANEL + 6.0];
             pen.line(&[[left, MIDDLE], [right, MIDDLE]], stroke(Role::Ink, HAIR));
@@ -120,39 +205,41 @@ pub fn circle() -> Result<Figure> {
             .map(|(sine, cosine)| smear([k * cosine, k * sine]))
             .collect();
         let path: Vec<Point> = hers.iter().map(|p| circle(p[1])).collect();
-        pen.line(&path, stroke(Role::AngularMomentum, DATA));
+        pen.line(&path, stroke(Role::Ink, DATA));
         let path: Vec<Point> = wandering.iter().map(|p| smear(*p)).collect();
-        pen.line(&path, stroke(Role::AngularMomentum, HAIR).alpha(0.8));
+        pen.line(&path, stroke(Role::Muted, HAIR).alpha(0.8));
         pen.line(&ring, stroke(Role::Ink, SECONDARY).dashed());
-    }))
+    });
+    let time = |n: usize| SECONDS * n as f64 / f64::from(SAMPLES);
+    let columns = ["time (s)", "real part", "imaginary part"];
+    let rows = |pick: &dyn Fn(usize) -> Point| -> Vec<Vec<f64>> {
+        let steps = (0..hers.len()).step_by(10);
+        steps
+            .map(|n| vec![time(n), pick(n)[0], pick(n)[1]])
+            .collect()
+    };
+    Ok(made
+        .data("w", &columns, rows(&|n| hers[n][0]))
+        .data("K", &columns, rows(&|n| hers[n][1]))
+        .data("K of other moments", &columns, rows(&|n| wandering[n])))
 }
 
 /// P(s) with its five roots: s₁ swings in the middle band, s₂ comes from −∞ and goes back.
-pub fn bands() -> Result<Figure> {
-    let at_start = start()?;
+pub fn bands(values: &Values) -> Result<Figure> {
+    let at_start = start(values)?;
     let lever = BodyVector::new(1.0, 0.0, 0.0);
     let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, at_start.omega, at_start.up)?;
     let roots = top.roots();
     let mut real: Vec<f64> = roots.iter().filter(|e| e.im == 0.0).map(|e| e.re).collect();
     real.sort_by(f64::total_cmp);
-    let [first, second, frequencies] = {
-        let [a, b] = top.frequencies().ok_or(Error::Empty {
-            quantity: "the frequencies",
-        })?;
-        [a, b, a / b]
-    };
-    // The band of s₁ is the one in which it is found.
-    let s1 = |t: f64| -> Result<f64> {
-        let variables = top.separation_variables_at(t)?;
-        Ok(variables.ok_or(Error::Empty {
-            quantity: "the separation variables",
-        })?[0])
-    };
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    // Where the two variables are found; the second comes from −∞.
+    let mut found = Vec::new();
     for n in 0..400 {
-        let s = s1(0.1 * f64::from(n))?;
-        (low, high) = (low.min(s), high.max(s));
+        let t = 0.1 * f64::from(n);
+        found.extend(top.separation_variables_at(t)?.map(|s| (t, s)));
     }
+    let ends = |k: usize, pick: fn(f64, f64) -> f64| found.iter().map(|(_, s)| s[k]).reduce(pick);
+    let (low, high, turn) = (ends(0, f64::min), ends(0, f64::max), ends(1, f64::max));
     let value = |s: f64| {
         let product = roots
             .iter()
@@ -160,17 +247,29 @@ pub fn bands() -> Result<Figure> {
         -4.0 * product.re
     };
 
-    let words = Words {
-        claim: "Two quantities swing where a polynomial is positive.".to_owned(),
-        details: format!(
-            "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion of the circle, heights on a logarithmic scale beyond 0.01. $s_1$ swings between \
-             {} and {}, {} times a second; $s_2$ comes from $-\\infty$, turns at {} and goes back, {} times a second. Their ratio is {}.",
+    let moving = low.zip(high).zip(turn).zip(top.frequencies());
+    let told = match moving {
+        Some((((low, high), turn), [first, second])) => format!(
+            "$s_1$ swings between {} and {}, {} times a second; $s_2$ comes from infinitely far below, turns at {} and goes back, {} times a second. Their ratio is {}.",
             number(low, 3),
             number(high, 3),
             number(first, 4),
-            number(real[0], 3),
+            number(turn, 3),
             number(second, 4),
-            number(frequencies, 3),
+            number(first / second, 3)
+        ),
+        None => "Two roots meet, and the two quantities do not swing.".to_owned(),
+    };
+    let words = Words {
+        claim: match moving {
+            Some(_) => "Two quantities swing where a polynomial is positive.".to_owned(),
+            None => {
+                "Where two roots of the polynomial meet, nothing swings between them.".to_owned()
+            }
+        },
+        details: format!(
+            "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {}, heights on a logarithmic scale beyond 0.01. {told}",
+            spun(values),
         ),
         alt: format!(
             "The graph of a polynomial of degree five with {} real roots. It is positive to the left of the smallest root, where \
@@ -180,38 +279,59 @@ pub fn bands() -> Result<Figure> {
         ),
     };
 
-    Ok(figure("kovalevskaya-bands", 250.0, words, |pen| {
-        let (from, to) = (real[0] - 1.1, real[real.len() - 1] + 0.35);
+    // As high as the polynomial is between its outermost roots, and a little more beside them.
+    let (from, to) = (real[0] - 1.1, real[real.len() - 1] + 0.35);
+    let grid: Vec<(f64, f64)> = (0..=600)
+        .map(|n| from + (to - from) * f64::from(n) / 600.0)
+        .map(|s| (s, value(s)))
+        .collect();
+    let made = figure("kovalevskaya-bands", 226.0, words, |pen| {
         let x = |s: f64| 30.0 + 540.0 * (s - from) / (to - from);
-        let y = |p: f64| 132.0 - 13.0 * (p / 0.01).asinh();
-        let graph: Vec<Point> = (0..=600)
-            .map(|n| from + (to - from) * f64::from(n) / 600.0)
-            .map(|s| [x(s), y(value(s))])
-            .filter(|[_, y]| (8.0..=222.0).contains(y))
+        let y = |p: f64| LEVEL - 13.0 * (p / 0.01).asinh();
+        let seen = |p: &&(f64, f64)| (8.0..=216.0).contains(&y(p.1));
+        let graph: Vec<Point> = grid
+            .iter()
+            .filter(seen)
+            .map(|&(s, p)| [x(s), y(p)])
             .collect();
-        pen.line(&[[20.0, 132.0], [580.0, 132.0]], stroke(Role::Ink, AXIS));
-        band(pen, [20.0, x(real[0])], "*s*_{2}");
-        band(pen, [x(low), x(high)], "*s*_{1}");
+        pen.line(&[[20.0, LEVEL], [580.0, LEVEL]], stroke(Role::Ink, AXIS));
+        if let Some((((low, high), turn), _)) = moving {
+            band(pen, [20.0, x(turn)], "*s*_{2}");
+            band(pen, [x(low), x(high)], "*s*_{1}");
+        }
         pen.line(&graph, stroke(Role::Ink, DATA));
         for e in &real {
-            pen.disc([x(*e), 132.0], 3.5, Role::Ink, 1.0);
+            pen.disc([x(*e), LEVEL], 3.5, Role::Ink, 1.0);
         }
-        pen.text([588.0, 128.0], Anchor::End, "*s*", label(Role::Ink));
-        pen.text([116.0, 32.0], Anchor::Start, "*P*(*s*)", label(Role::Ink));
-    }))
+        pen.text([588.0, LEVEL - 8.0], Anchor::End, "*s*", label(Role::Ink));
+        let top = grid
+            .iter()
+            .find(seen)
+            .map_or([0.0; 2], |&(s, p)| [x(s), y(p)]);
+        pen.text(
+            [top[0] + 80.0, (top[1] + 12.0).max(24.0)],
+            Anchor::Start,
+            "*P*(*s*)",
+            label(Role::Ink),
+        );
+    });
+    let rows = grid.iter().map(|&(s, p)| vec![s, p]);
+    Ok(made.data("P", &["s (1/s²)", "P (1/s¹⁰)"], rows))
 }
 
-/// |K| of all motions in the map.
-const SIZE: f64 = 0.6;
+/// The axis of the bands, units.
+const LEVEL: f64 = 124.0;
 
 /// Energy and L_vert² of motions with one |K|, and the curves on which two roots meet.
-pub fn classes() -> Result<Figure> {
+pub fn classes(values: &Values) -> Result<Figure> {
+    let size = values.of(&CLASSES[0]);
     let top = HeavyTop::new(
         AxisMoments::new(2.0, 2.0, 1.0)?,
         BodyVector::new(1.0, 0.0, 0.0),
     )?;
-    let diagram = Diagram::new(1.0, SIZE)?;
-    let (least, greatest, highest) = (-1.1, 2.4, 6.4);
+    let diagram = Diagram::new(1.0, size)?;
+    let (least, greatest) = (-1.1, 2.4);
+    let highest = 1.07 * diagram.shared_upper(greatest);
     // Evenly spread starts with w² − ζ = |K| e^{iα}: ζ follows, and z₃ if ζ is not too long.
     let mut motions = Vec::new();
     for n in 0..8_000 {
@@ -219,7 +339,7 @@ pub fn classes() -> Result<Figure> {
         let [p, q, r] =
             [0.618_033_988_7, 0.414_213_562_4, 0.732_050_807_6].map(|k| 4.4 * spread(k) - 2.2);
         let (sine, cosine) = (core::f64::consts::TAU * spread(0.236_067_977_5)).sin_cos();
-        let zeta = [p * p - q * q - SIZE * cosine, 2.0 * p * q - SIZE * sine];
+        let zeta = [p * p - q * q - size * cosine, 2.0 * p * q - size * sine];
         let rest = 1.0 - zeta[0] * zeta[0] - zeta[1] * zeta[1];
         if rest > 0.0 {
             let state = TopState {
@@ -253,21 +373,21 @@ pub fn classes() -> Result<Figure> {
             "A dot for each of {} starts with $\\lvert K\\rvert={}$, $MgC_1=I_3=1$, at its energy and $L_{{\\text{{vert}}}}^2$. On the straight lines a root \
              of the cubic meets $e_4$ or $e_5$, on the curve two of its own meet: Appelrot's classes two to four.",
             motions.len(),
-            number(SIZE, 1),
+            number(size, 2),
         ),
         alt: "A plane with energy to the right and the square of the vertical angular momentum upwards. Dots fill a region that starts at a \
               lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
             .to_owned(),
     };
 
-    Ok(figure("appelrot-classes", 300.0, words, |pen| {
+    let made = figure("appelrot-classes", 300.0, words, |pen| {
         let place = |[e, h]: Point| {
             let x = 46.0 + 486.0 * (e - least) / (greatest - least);
             [x, 262.0 - 236.0 * h / highest]
         };
-        let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
+        let inside = |point: &Point| inside_of(point, [least, greatest, highest]);
         for motion in motions.iter().filter(|m| inside(m)) {
-            pen.disc(place(*motion), 1.5, Role::Omega, 0.6);
+            pen.disc(place(*motion), 1.5, Role::Ink, 0.45);
         }
         for curve in &curves {
             // A branch may leave the picture and come back.
@@ -284,8 +404,17 @@ pub fn classes() -> Result<Figure> {
             (diagram.shared_lower(greatest), "*e*_{5}"),
         ];
         let own = ends.into_iter().flatten().map(|h| (h, "cubic"));
-        for (h, text) in shared.into_iter().chain(own) {
-            let [x, y] = place([greatest, h]);
+        let named: Vec<(f64, &str)> = shared
+            .into_iter()
+            .chain(own)
+            .filter(|(h, _)| inside(&[greatest, *h]))
+            .collect();
+        let heights: Vec<f64> = named
+            .iter()
+            .map(|(h, _)| place([greatest, *h])[1])
+            .collect();
+        for ((_, text), y) in named.iter().zip(apart(&heights, 18.0, 258.0)) {
+            let x = place([greatest, 0.0])[0];
             pen.text([x + 8.0, y + 5.0], Anchor::Start, text, label(Role::Ink));
         }
         pen.line(&[[46.0, 262.0], [580.0, 262.0]], stroke(Role::Ink, AXIS));
@@ -297,19 +426,28 @@ pub fn classes() -> Result<Figure> {
             "*L*_{vert}^{2}",
             label(Role::Ink),
         );
-    }))
+    });
+    let rows = motions
+        .iter()
+        .filter(|m| inside_of(m, [least, greatest, highest]))
+        .map(|m| m.to_vec());
+    Ok(made.data("starts", &["energy (J)", "L_vert² (J² s²)"], rows))
+}
+
+fn inside_of([e, h]: &Point, [least, greatest, highest]: [f64; 3]) -> bool {
+    (least..=greatest).contains(e) && (0.0..=highest).contains(h)
 }
 
 /// A stretch of the axis with the name of what moves there.
 fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str) {
     pen.line(
-        &[[from, 132.0], [to, 132.0]],
-        stroke(Role::Omega, 7.0).alpha(0.5),
+        &[[from, LEVEL], [to, LEVEL]],
+        stroke(Role::Ink, 7.0).alpha(0.4),
     );
     pen.text(
-        [0.5 * (from + to), 160.0],
+        [0.5 * (from + to), LEVEL + 27.0],
         Anchor::Middle,
         name,
-        label(Role::Omega).strong(),
+        label(Role::Ink).strong(),
     );
 }

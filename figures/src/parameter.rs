@@ -66,6 +66,13 @@ impl Parameter {
         }
     }
 
+    /// The same from `range[0]` to `range[1]`, `default` in the book: for figures that share a meaning.
+    pub const fn between(mut self, range: [f64; 2], default: f64) -> Self {
+        self.range = range;
+        self.default = default;
+        self
+    }
+
     /// The same in a unit.
     pub const fn unit(mut self, unit: &'static str) -> Self {
         self.unit = unit;

@@ -1,6 +1,6 @@
 //! Axes of a plain diagram.
 
-use crate::style::{AXIS, Anchor, DATA, HAIR, Pen, Point, Role, label, short, small, stroke};
+use crate::style::{AXIS, Anchor, HAIR, Pen, Point, Role, Stroke, label, short, small, stroke};
 
 /// How numbers become places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,6 +104,19 @@ impl Frame {
         [self.x.at(x), self.y.at(y)]
     }
 
+    /// A curve, as far as it lies within the frame.
+    pub fn curve(&self, pen: &mut Pen, points: impl Iterator<Item = (f64, f64)>, style: Stroke) {
+        let inside = |value: f64, [low, high]: [f64; 2]| {
+            let slack = 1e-9 * (high - low);
+            value >= low - slack && value <= high + slack
+        };
+        let all: Vec<(f64, f64)> = points.collect();
+        for piece in all.split(|p| !inside(p.0, self.x.shown) || !inside(p.1, self.y.shown)) {
+            let drawn: Vec<Point> = piece.iter().map(|&(x, y)| self.at(x, y)).collect();
+            pen.line(&drawn, style);
+        }
+    }
+
     /// The axes with ticks, a number and its text each, and what they show.
     pub fn draw(
         &self,
@@ -120,7 +133,9 @@ impl Frame {
         for &(value, text) in x_ticks {
             let x = self.x.at(value);
             pen.line(&[[x, bottom], [x, bottom + 5.0]], stroke(Role::Ink, AXIS));
-            pen.text([x, bottom + 20.0], Anchor::Middle, text, small(Role::Muted));
+            // A power reaches higher.
+            let down = if text.contains('^') { 24.0 } else { 20.0 };
+            pen.text([x, bottom + down], Anchor::Middle, text, small(Role::Muted));
         }
         for &(value, text) in y_ticks {
             let y = self.y.at(value);
@@ -131,18 +146,14 @@ impl Frame {
             );
             pen.text([left - 9.0, y + 5.0], Anchor::End, text, small(Role::Muted));
         }
-        pen.text(
-            [right, bottom + 40.0],
-            Anchor::End,
-            x_name,
-            label(Role::Ink),
-        );
-        pen.text(
-            [left - 30.0, top - 12.0],
-            Anchor::Start,
-            y_name,
-            label(Role::Ink),
-        );
+        for (at, anchor, name) in [
+            ([right, bottom + 40.0], Anchor::End, x_name),
+            ([left - 30.0, top - 12.0], Anchor::Start, y_name),
+        ] {
+            if !name.is_empty() {
+                pen.text(at, anchor, name, label(Role::Ink));
+            }
+        }
     }
 
     /// The axes with round numbers at their ticks, and what they show.
@@ -188,6 +199,15 @@ impl Frame {
         }
         Self { x, y }
     }
+
+    /// What a column of small panels shows, at the first and below the last of them.
+    pub fn panel_names(&self, pen: &mut Pen, last: &Self, [x_name, y_name]: [&str; 2]) {
+        let ([_, right], [_, top]) = (self.x.ends, self.y.ends);
+        let bottom = last.y.ends[0];
+        let small = small(Role::Muted);
+        pen.text([right, top - 13.0], Anchor::End, y_name, small);
+        pen.text([right, bottom + 38.0], Anchor::End, x_name, small);
+    }
 }
 
 /// Ticks as [`Frame::draw`] takes them.
@@ -198,10 +218,23 @@ pub fn texts(ticks: &[(f64, String)]) -> Vec<(f64, &str)> {
         .collect()
 }
 
+/// Heights of labels near the wanted ones, in ascending order, at least `gap` apart and none below `lowest` on the page.
+pub fn apart(wanted: &[f64], gap: f64, lowest: f64) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..wanted.len()).collect();
+    order.sort_by(|a, b| wanted[*b].total_cmp(&wanted[*a]));
+    let mut heights = wanted.to_vec();
+    let mut limit = lowest;
+    for k in order {
+        heights[k] = wanted[k].min(limit);
+        limit = heights[k] - gap;
+    }
+    heights
+}
+
 /// A line of data with a disc at each point.
-pub fn beaded(pen: &mut Pen, line: &[Point], role: Role) {
-    pen.line(line, stroke(role, DATA));
+pub fn beaded(pen: &mut Pen, line: &[Point], style: Stroke) {
+    pen.line(line, style);
     for &point in line {
-        pen.disc(point, 2.6, role, 1.0);
+        pen.disc(point, 2.6, style.role(), 1.0);
     }
 }

@@ -1,70 +1,183 @@
 //! The box of gas that proves Pythagoras (tutorial 9.1).
 
+use core::f64::consts::PI;
+
 use spinning_bodies::Result;
 use spinning_bodies::pythagoras::GasBox;
 
-use crate::Figure;
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, label, number, sized,
     stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// Units of the design for a unit of length, and for the force on a side of length one.
-const LENGTH: f64 = 70.0;
-const FORCE: f64 = 20.0;
-/// The hinge, units.
-const HINGE: Point = [152.0, 292.0];
+const AR: Parameter = Parameter::new("ar", "AR", "side from the hinge", [1.0, 5.0], 4.0).dragged(
+    |values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[1]),
+    |point, values| {
+        Drawn::of(values).map_or(f64::NAN, |drawn| (point[0] - drawn.hinge[0]) / drawn.length)
+    },
+);
+const RB: Parameter = Parameter::new("rb", "RB", "the other side at R", [1.0, 5.0], 3.0);
+const ANGLE: Parameter = Parameter::new("angle", r"\gamma", "angle at R", [30.0, 150.0], 90.0)
+    .unit("°")
+    .dragged(
+        |values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[2]),
+        |point, values| {
+            Drawn::of(values).map_or(f64::NAN, |drawn| {
+                let r = drawn.corners()[1];
+                (r[1] - point[1]).atan2(r[0] - point[0]).to_degrees()
+            })
+        },
+    );
+/// What may be chosen; R and B are dragged.
+pub const GAS_BOX: &[Parameter] = &[AR, RB, ANGLE];
+
+/// Units for the force on a side of length one, over those for the length.
+const FORCE: f64 = 2.0 / 7.0;
+
+/// The box, and where it stands in the picture.
+struct Drawn {
+    gas: GasBox,
+    /// A, R and B, in the box's own measure.
+    base: [Point; 3],
+    /// Units of the design for a unit of length.
+    length: f64,
+    /// The hinge, units.
+    hinge: Point,
+}
+
+impl Drawn {
+    /// As large as its arrows and arms allow.
+    fn of(values: &Values) -> Result<Self> {
+        let (ar, rb) = (values.of(&AR), values.of(&RB));
+        let gamma = values.of(&ANGLE).to_radians();
+        let base = [
+            [0.0, 0.0],
+            [ar, 0.0],
+            [ar - rb * gamma.cos(), rb * gamma.sin()],
+        ];
+        let gas = GasBox::from_sides(ar, rb, gamma)?;
+        let mut box_of = [[0.0, 0.0], base[1], base[2]].to_vec();
+        for (k, from) in base.into_iter().enumerate() {
+            let to = base[(k + 1) % 3];
+            let middle = between(from, to, 0.5);
+            box_of.push([
+                middle[0] + FORCE * (to[1] - from[1]),
+                middle[1] - FORCE * (to[0] - from[0]),
+            ]);
+        }
+        let end = |k: usize, pick: fn(f64, f64) -> f64| {
+            box_of.iter().map(|p| p[k]).reduce(pick).unwrap_or(0.0)
+        };
+        let [left, bottom] = [0, 1].map(|k| end(k, f64::min));
+        let [right, top] = [0, 1].map(|k| end(k, f64::max));
+        let length = (436.0 / (right - left))
+            .min(276.0 / (top - bottom))
+            .min(70.0);
+        let middle = 0.5 * length * (right + left);
+        Ok(Self {
+            gas,
+            base,
+            length,
+            hinge: [300.0 - middle, 372.0 + length * bottom],
+        })
+    }
+
+    fn place(&self, p: Point) -> Point {
+        [
+            self.hinge[0] + self.length * p[0],
+            self.hinge[1] - self.length * p[1],
+        ]
+    }
+
+    fn corners(&self) -> [Point; 3] {
+        self.base.map(|p| self.place(p))
+    }
+}
 
 /// A triangular box of gas hinged at A, the forces on its sides, their arms and torques.
-pub fn gas_box() -> Result<Figure> {
-    let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]];
-    let gas = GasBox::new(corners[0], corners[1], corners[2])?;
+pub fn gas_box(values: &Values) -> Result<Figure> {
+    let drawn = Drawn::of(values)?;
+    let gas = drawn.gas;
     let (sides, arms, torques) = (gas.sides(), gas.arms(), gas.side_torques());
     let arms = [arms.ar, arms.rb, arms.ab];
     let torques = [torques.ar, torques.rb, torques.ab];
     let shown = torques.map(halves);
-    let total = halves(torques.iter().sum());
+    let defect = gas.right_angle_defect();
+    let right = defect.abs() < 1e-12 * sides[2] * sides[2];
+    let claim = if right {
+        "A box of gas does not start to turn by itself, and that is the theorem of Pythagoras."
+    } else {
+        "A box of gas does not start to turn by itself, and that is the law of cosines."
+    };
+    let law = if right {
+        "that is $\\tfrac12 AR^2$, $\\tfrac12 RB^2$ and $\\tfrac12 AB^2$ with their signs"
+            .to_owned()
+    } else {
+        format!(
+            "that is $\\tfrac12 AR^2$, $\\tfrac12 RB^2-AR\\cdot RB\\cos\\gamma$ and $\\tfrac12 AB^2$ with their signs, where $AR^2+RB^2-AB^2={}$",
+            halves(defect).replace('\u{2212}', "-")
+        )
+    };
+    let angle = number(values.of(&ANGLE), 0);
+    let side = |k: usize| {
+        let text = number(sides[k], 2);
+        text.strip_suffix(".00").unwrap_or(&text).to_owned()
+    };
+    let way = |torque: f64| {
+        if torque < 0.0 {
+            "clockwise"
+        } else {
+            "anticlockwise"
+        }
+    };
 
     let words = Words {
-        claim:
-            "A box of gas does not start to turn by itself, and that is the theorem of Pythagoras."
-                .to_owned(),
+        claim: claim.to_owned(),
         details: format!(
-            "Sides $AR = {}$, $RB = {}$, $AB = {}$. The gas pushes on each side with a force proportional to its length, \
-             at its middle; the arms about the hinge $A$ are {}, {} and {}, half the side each time. Torques \
-             ${}$, ${}$ and $+{}$, that is $\\tfrac12 AR^2$, $\\tfrac12 RB^2$ and $\\tfrac12 AB^2$ with their signs; the sum \
-             is ${total}$.",
-            number(sides[0], 0),
-            number(sides[1], 0),
-            number(sides[2], 0),
-            number(arms[0], 1),
-            number(arms[1], 1),
-            number(arms[2], 1),
+            "Sides $AR = {}$, $RB = {}$, $AB = {}$, $\\gamma = {angle}°$ at $R$. The gas pushes on each side with a force proportional to its length, \
+             at its middle; the arms about the hinge $A$ are {}, {} and {}{}. Torques \
+             ${}$, ${}$ and ${}$, {law}; the sum is ${}$.",
+            side(0),
+            side(1),
+            side(2),
+            halves(arms[0]),
+            halves(arms[1]),
+            halves(arms[2]),
+            if right {
+                ", half the side each time"
+            } else {
+                ""
+            },
             shown[0].replace('\u{2212}', "-"),
             shown[1].replace('\u{2212}', "-"),
             shown[2],
+            halves(torques.iter().sum()),
         ),
         alt: format!(
-            "A right-angled triangle A R B with the right angle at R and a hinge at A, filled with gas. Small arrows \
-             press on every side; at the middle of each side a large arrow shows the whole force. The forces on the \
-             two legs turn the box clockwise with torques {} and {}, the force on the hypotenuse turns it back with {}. \
-             They cancel, so the squares over the legs make up the square over the hypotenuse.",
-            shown[0], shown[1], shown[2]
+            "A triangle A R B with an angle of {angle} degrees at R and a hinge at A, filled with gas. Small arrows \
+             press on every side; at the middle of each side a large arrow shows the whole force. The force on AR turns the box clockwise with torque {}, that on RB {} \
+             with {}, that on AB turns it back with {}. They cancel{}.",
+            shown[0],
+            way(torques[1]),
+            shown[1],
+            shown[2],
+            if right {
+                ", so the squares over the legs make up the square over the hypotenuse"
+            } else {
+                ""
+            }
         ),
     };
 
-    let place = |p: Point| [HINGE[0] + LENGTH * p[0], HINGE[1] - LENGTH * p[1]];
-    let [a, r, b] = corners.map(place);
-    Ok(figure("gas-box", 392.0, words, |pen| {
+    let corners @ [a, r, b] = drawn.corners();
+    let made = figure("gas-box", 404.0, words, |pen| {
         pen.fill(&[a, r, b], Role::Ink, 0.06);
 
         // Ends of each side, run along with the gas at the left.
         let around = [(a, r, sides[0]), (r, b, sides[1]), (b, a, sides[2])];
         for (from, to, length) in around {
-            let outward = [
-                (from[1] - to[1]) / (LENGTH * length),
-                (to[0] - from[0]) / (LENGTH * length),
-            ];
+            let outward = outward(from, to);
             let count = (2.0 * length) as u32;
             for k in 0..count {
                 let t = (f64::from(k) + 0.5) / f64::from(count);
@@ -83,11 +196,10 @@ pub fn gas_box() -> Result<Figure> {
         }
 
         // Arms: from the hinge to the foot of each line of force.
-        let feet = [
-            between(a, r, 0.5),
-            [a[0], between(r, b, 0.5)[1]],
-            between(b, a, 0.5),
-        ];
+        let (middle, [u, v]) = (between(r, b, 0.5), outward(r, b));
+        let along = (a[0] - middle[0]) * u + (a[1] - middle[1]) * v;
+        let foot = [middle[0] + along * u, middle[1] + along * v];
+        let feet = [between(a, r, 0.5), foot, between(b, a, 0.5)];
         pen.line(
             &[feet[1], between(r, b, 0.5)],
             stroke(Role::Torque, AXIS).dotted(),
@@ -96,76 +208,71 @@ pub fn gas_box() -> Result<Figure> {
             pen.line(&[a, foot], stroke(Role::Torque, 8.0).alpha(0.35));
         }
         pen.outline(&[a, r, b], stroke(Role::Ink, DATA));
-        pen.line(
-            &[
+        if right {
+            let square = [
                 [r[0] - 13.0, r[1]],
                 [r[0] - 13.0, r[1] - 13.0],
                 [r[0], r[1] - 13.0],
-            ],
-            stroke(Role::Ink, AXIS),
-        );
+            ];
+            pen.line(&square, stroke(Role::Ink, AXIS));
+        } else {
+            let to = PI - values.of(&ANGLE).to_radians();
+            pen.arc(r, 20.0, PI, to, stroke(Role::Ink, AXIS));
+        }
 
-        let texts = [
-            (12.0, 2.0, Anchor::Start),
-            (9.0, 7.0, Anchor::Start),
-            (10.0, 2.0, Anchor::Start),
-        ];
         for (k, (from, to, length)) in around.into_iter().enumerate() {
             let middle = between(from, to, 0.5);
-            let outward = [
-                (from[1] - to[1]) / (LENGTH * length),
-                (to[0] - from[0]) / (LENGTH * length),
-            ];
+            let outward = outward(from, to);
+            let reach = FORCE * drawn.length * length;
             let tip = [
-                middle[0] + FORCE * length * outward[0],
-                middle[1] + FORCE * length * outward[1],
+                middle[0] + reach * outward[0],
+                middle[1] + reach * outward[1],
             ];
             pen.arrow(middle, tip, stroke(Role::Ink, 2.8));
             let sign = if torques[k] > 0.0 { "+" } else { "" };
-            let (dx, dy, anchor) = texts[k];
             let text = format!("{sign}{}", shown[k]);
-            pen.text(
-                [tip[0] + dx, tip[1] + dy],
-                anchor,
-                &text,
-                sized(Role::Torque, 20.0),
-            );
+            let (dx, anchor) = match outward[0] {
+                side if side < -0.75 => (-10.0, Anchor::End),
+                _ => (10.0, Anchor::Start),
+            };
+            let at = [tip[0] + dx, tip[1] + 5.0];
+            pen.text(at, anchor, &text, sized(Role::Torque, 20.0));
         }
         // The hinge, and which way each torque turns.
         pen.disc(a, 5.0, Role::Ink, 1.0);
         pen.ring(a, 9.5, stroke(Role::Ink, SECONDARY));
+        // Each corner's letter stands away from the middle of the box.
+        let middle = between(a, between(r, b, 0.5), 2.0 / 3.0);
+        for (corner, name) in corners.into_iter().zip(["*A*", "*R*", "*B*"]) {
+            let away = (corner[0] - middle[0]).hypot(corner[1] - middle[1]);
+            let [x, y] = between(corner, middle, -21.0 / away);
+            pen.text([x, y + 6.0], Anchor::Middle, name, label(Role::Ink));
+        }
+        let sign = |k: usize| match shown[k].strip_prefix('\u{2212}') {
+            Some(rest) => format!("\u{2212} {rest}"),
+            None => format!("+ {}", shown[k]),
+        };
+        let sum = format!("{} {} {} = 0", shown[0], sign(1), sign(2));
         pen.text(
-            [a[0] - 20.0, a[1] + 18.0],
-            Anchor::Middle,
-            "*A*",
-            label(Role::Ink),
-        );
-        pen.text(
-            [r[0] + 14.0, r[1] + 16.0],
-            Anchor::Middle,
-            "*R*",
-            label(Role::Ink),
-        );
-        pen.text(
-            [b[0] + 14.0, b[1] - 4.0],
-            Anchor::Middle,
-            "*B*",
-            label(Role::Ink),
-        );
-        let sum = format!(
-            "{} {} + {} = {total}",
-            shown[0],
-            shown[1].replace('\u{2212}', "\u{2212} "),
-            shown[2]
-        );
-        pen.text(
-            [40.0, 46.0],
+            [30.0, 32.0],
             Anchor::Start,
             "torques about *A*",
             label(Role::Torque),
         );
-        pen.text([40.0, 72.0], Anchor::Start, &sum, sized(Role::Torque, 18.0));
-    }))
+        pen.text([30.0, 58.0], Anchor::Start, &sum, sized(Role::Torque, 18.0));
+    });
+    let columns = ["side", "arm", "torque"];
+    let rows = |k: usize| [vec![sides[k], arms[k], torques[k]]];
+    let made = made
+        .data("AR", &columns, rows(0))
+        .data("RB", &columns, rows(1));
+    Ok(made.data("AB", &columns, rows(2)))
+}
+
+/// The unit vector out of the box across a side that is run along with the gas at the left.
+fn outward(from: Point, to: Point) -> Point {
+    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    [(from[1] - to[1]) / length, (to[0] - from[0]) / length]
 }
 
 /// Whether a point is more than a few units from every side of a triangle, corners anticlockwise on the page.

@@ -128,6 +128,11 @@ impl Stroke {
         self
     }
 
+    /// What it means.
+    pub const fn role(self) -> Role {
+        self.role
+    }
+
     fn paint(self) -> Paint {
         Paint {
             role: self.role,

@@ -63,13 +63,17 @@ pub fn energy_drift() -> Result<Figure> {
                     .phases[0];
                 Ok(())
             })?,
-            Role::Torque,
+            stroke(Role::Muted, DATA),
             "rk4",
         ),
-        (by_steps(&rotations)?, Role::Omega, "rotations-2"),
+        (
+            by_steps(&rotations)?,
+            stroke(Role::Ink, DATA).dashed(),
+            "rotations-2",
+        ),
         (
             by_steps(&discrete)?,
-            Role::AngularMomentum,
+            stroke(Role::Ink, DATA),
             "moser-veselov-2",
         ),
     ];
@@ -119,15 +123,15 @@ pub fn energy_drift() -> Result<Figure> {
             ],
             ["steps", "energy, relative error"],
         );
-        for (line, role, name) in &lines {
+        for (k, (line, style, name)) in lines.iter().enumerate() {
             let places: Vec<Point> = thinned(line)
                 .map(|[x, y]| frame.at(x, y.max(1e-16)))
                 .collect();
-            pen.line(&places, stroke(*role, DATA));
+            pen.line(&places, *style);
             if let Some(end) = places.last() {
-                let beside = if *role == Role::Omega { 22.0 } else { -10.0 };
+                let beside = if k == 1 { 22.0 } else { -10.0 };
                 let at = [end[0] - 6.0, end[1] + beside];
-                named_line(pen, at, Anchor::End, name, *role);
+                named_line(pen, at, Anchor::End, name, style.role());
             }
         }
     }))

@@ -67,46 +67,51 @@ pub fn work() -> Result<Figure> {
     let words = Words {
         claim: "Where there is a closed form, it sits in the corner: one evaluation, all the digits.".to_owned(),
         details: "Ten turns of six tops, error of the attitude in radians against evaluations of the right-hand side (of torques or sine pairs for geometric \
-                  methods). Purple: rk4 (dotted) and dop853. Blue: a geometric method, Moser and Veselov’s of order 10 for free bodies, kicks and exact drifts \
-                  of order 6 for heavy ones. Black: the closed form."
+                  methods). Grey: rk4 (dotted) and dop853. Black line: a geometric method, Moser and Veselov’s of order 10 for free bodies, kicks and exact drifts \
+                  of order 6 for heavy ones. Disc: the closed form."
             .to_owned(),
         alt: "Six small diagrams, error against number of evaluations, both logarithmic: rk4 falls slowly, dop853 steeply, the geometric method steeply too. In five of them \
               a single black disc stands in the lower left corner, at one evaluation and an error near 1e-16: the closed form. In the sixth there is none."
             .to_owned(),
     };
     Ok(figure("accuracy-evaluations", 640.0, words, |pen| {
+        let mut frames = Vec::new();
         for (k, panel) in panels.iter().enumerate() {
             let left = 54.0 + 300.0 * (k % 2) as f64;
             let top = 40.0 + 204.0 * (k / 2) as f64;
-            draw(pen, panel, [left, top]);
+            frames.push(draw(pen, panel, [left, top]));
             if k == 0 {
                 legend(pen, [left, top]);
             }
         }
+        for (first, last) in frames.iter().zip(&frames[4..]) {
+            first.panel_names(pen, last, ["evaluations", "error, rad"]);
+        }
     }))
 }
 
-fn draw(pen: &mut Pen, panel: &Panel, [left, top]: Point) {
-    let Frame { x, y } = panel_axes(pen, panel.name, [left, top], X, &TICKS);
+fn draw(pen: &mut Pen, panel: &Panel, [left, top]: Point) -> Frame {
+    let frame @ Frame { x, y } = panel_axes(pen, panel.name, [left, top], X, &TICKS);
     let place = |line: &[Point]| -> Vec<Point> {
         line.iter()
             .map(|p| [x.at(p[0].min(X[1])), y.at(p[1])])
             .collect()
     };
-    pen.line(&place(&panel.classic), stroke(Role::Torque, DATA).dotted());
-    pen.line(&place(&panel.general), stroke(Role::Torque, DATA));
-    pen.line(&place(&panel.geometric), stroke(Role::Omega, DATA));
+    pen.line(&place(&panel.classic), stroke(Role::Muted, DATA).dotted());
+    pen.line(&place(&panel.general), stroke(Role::Muted, DATA));
+    pen.line(&place(&panel.geometric), stroke(Role::Ink, DATA));
     for point in place(&panel.exact) {
         pen.disc(point, 6.0, Role::Ink, 1.0);
     }
+    frame
 }
 
 /// Names at the lines of the first panel.
 fn legend(pen: &mut Pen, [left, top]: Point) {
     for (x, y, name, role) in [
-        (164.0, 34.0, "rk4", Role::Torque),
-        (174.0, 106.0, GENERAL, Role::Torque),
-        (44.0, 74.0, "geometric", Role::Omega),
+        (164.0, 34.0, "rk4", Role::Muted),
+        (174.0, 106.0, GENERAL, Role::Muted),
+        (44.0, 74.0, "geometric", Role::Ink),
         (18.0, 130.0, "closed form", Role::Ink),
     ] {
         pen.text([left + x, top + y], Anchor::Start, name, small(role));

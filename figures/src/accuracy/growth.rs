@@ -8,7 +8,7 @@ use spinning_bodies::integrators::geometric::Phase;
 use super::{named_line, problem};
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded};
-use crate::style::{Anchor, Point, Role, Words, figure, number};
+use crate::style::{Anchor, DATA, Point, Role, Stroke, Words, figure, number, stroke};
 
 /// How hard a method works.
 enum Hardness {
@@ -16,12 +16,12 @@ enum Hardness {
     Tolerance(f64),
 }
 
-/// A method, how hard it works, for how many powers of ten turns, its colour, and where its name stands beside its last point.
+/// A method, how hard it works, for how many powers of ten turns, its line, and where its name stands beside its last point.
 struct Line {
     method: &'static str,
     hardness: Hardness,
     most: i32,
-    role: Role,
+    style: Stroke,
     aside: [f64; 2],
 }
 
@@ -30,28 +30,28 @@ const LINES: [Line; 4] = [
         method: "rk4",
         hardness: Hardness::StepsATurn(32.0),
         most: 4,
-        role: Role::Torque,
+        style: stroke(Role::Muted, DATA).dotted(),
         aside: [-8.0, -12.0],
     },
     Line {
         method: "dop853",
         hardness: Hardness::Tolerance(1e-11),
         most: 4,
-        role: Role::Torque,
+        style: stroke(Role::Muted, DATA),
         aside: [10.0, 5.0],
     },
     Line {
         method: "rotations-4",
         hardness: Hardness::StepsATurn(8.0),
         most: 6,
-        role: Role::Omega,
+        style: stroke(Role::Ink, DATA).dashed(),
         aside: [-14.0, -10.0],
     },
     Line {
         method: "moser-veselov-10",
         hardness: Hardness::StepsATurn(16.0),
         most: 6,
-        role: Role::AngularMomentum,
+        style: stroke(Role::Ink, DATA),
         aside: [0.0, 52.0],
     },
 ];
@@ -135,7 +135,7 @@ pub fn growth() -> Result<Figure> {
             ["turns", "error, rad"],
         );
         for (line, places) in &lines {
-            beaded(pen, places, line.role);
+            beaded(pen, places, line.style);
             if let Some(point) = places.last() {
                 let at = [point[0] + line.aside[0], point[1] + line.aside[1]];
                 let anchor = if line.aside[0] > 0.0 {
@@ -143,11 +143,11 @@ pub fn growth() -> Result<Figure> {
                 } else {
                     Anchor::End
                 };
-                named_line(pen, at, anchor, line.method, line.role);
+                named_line(pen, at, anchor, line.method, line.style.role());
             }
         }
         let places: Vec<Point> = exact.iter().map(|&[t, e]| frame.at(t, e)).collect();
-        beaded(pen, &places, Role::Ink);
+        beaded(pen, &places, stroke(Role::Ink, 1.5 * DATA));
         if let Some(point) = places.last() {
             named_line(
                 pen,

@@ -9,7 +9,7 @@ use spinning_bodies::integrators::geometric::{
 use super::{named_line, problem};
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded};
-use crate::style::{Anchor, Point, Role, Words, figure};
+use crate::style::{Anchor, DATA, Point, Role, Words, figure, stroke};
 
 /// Errors after ten turns against steps a turn.
 fn line<T: Real>(
@@ -41,17 +41,17 @@ pub fn three_numbers() -> Result<Figure> {
     let lines = [
         (
             line::<f32>(&problem, &method, powers(9))?,
-            Role::Torque,
+            stroke(Role::Muted, DATA),
             "single (f32)",
         ),
         (
             line::<f64>(&problem, &method, powers(9))?,
-            Role::AngularMomentum,
+            stroke(Role::Ink, DATA),
             "double (f64)",
         ),
         (
             line::<DoubleDouble>(&problem, &method, powers(9))?,
-            Role::Omega,
+            stroke(Role::Ink, DATA).dashed(),
             "two doubles",
         ),
     ];
@@ -82,17 +82,13 @@ pub fn three_numbers() -> Result<Figure> {
             ],
             ["steps a turn", "error, rad"],
         );
-        for (line, role, name) in &lines {
+        for (k, (line, style, name)) in lines.iter().enumerate() {
             let places: Vec<Point> = line.iter().map(|&[x, y]| frame.at(x, y)).collect();
-            beaded(pen, &places, *role);
+            beaded(pen, &places, *style);
             if let Some(end) = places.last() {
-                let aside = if *role == Role::Omega {
-                    [-26.0, 4.0]
-                } else {
-                    [0.0, -14.0]
-                };
+                let aside = if k == 2 { [-26.0, 4.0] } else { [0.0, -14.0] };
                 let at = [end[0] + aside[0], end[1] + aside[1]];
-                named_line(pen, at, Anchor::End, name, *role);
+                named_line(pen, at, Anchor::End, name, style.role());
             }
         }
     }))

@@ -81,14 +81,15 @@ pub fn seconds() -> Result<Figure> {
     let words = Words {
         claim: "A thousand turns on a clock: the closed form is exact before a general method has warmed up.".to_owned(),
         details: format!(
-            "Error of the attitude in radians after a thousand turns against time. Purple: the best of the general methods; dotted, rk4. Blue: the best of our own methods \
-             that take steps. Black: the closed form, its preparation included. Kovalevskaya’s top starts with axis 3 level. Measured once, least of repeated runs: {machine}."
+            "Error of the attitude in radians after a thousand turns against time. Grey: the best of the general methods; dotted, rk4. Black line: the best of our own methods \
+             that take steps. Disc: the closed form, its preparation included. Kovalevskaya’s top starts with axis 3 level. Measured once, least of repeated runs: {machine}."
         ),
         alt: "Six small diagrams, error against seconds, both logarithmic. The line of our stepping methods lies to the left of that of the general methods; a black disc, the \
               closed form, lies far to the left of both and at the bottom. The sixth problem has no closed form and no disc."
             .to_owned(),
     };
     Ok(figure("accuracy-seconds", 640.0, words, |pen| {
+        let mut frames = Vec::new();
         for (k, (problem, name)) in PANELS.iter().enumerate() {
             let place = [54.0 + 300.0 * (k % 2) as f64, 40.0 + 204.0 * (k / 2) as f64];
             let of = |keep: &dyn Fn(&str) -> bool| {
@@ -98,17 +99,18 @@ pub fn seconds() -> Result<Figure> {
                 )
             };
             let lines = [
-                (of(&|m| m == "rk4"), stroke(Role::Torque, DATA).dotted()),
+                (of(&|m| m == "rk4"), stroke(Role::Muted, DATA).dotted()),
                 (
                     of(&|m| is_general(m) && m != "rk4"),
-                    stroke(Role::Torque, DATA),
+                    stroke(Role::Muted, DATA),
                 ),
                 (
                     of(&|m| !is_general(m) && m != "exact"),
-                    stroke(Role::Omega, DATA),
+                    stroke(Role::Ink, DATA),
                 ),
             ];
-            let Frame { x, y } = panel_axes(pen, name, place, X, &TICKS);
+            let frame @ Frame { x, y } = panel_axes(pen, name, place, X, &TICKS);
+            frames.push(frame);
             for (line, stroke) in lines {
                 let line: Vec<Point> = line
                     .iter()
@@ -124,14 +126,17 @@ pub fn seconds() -> Result<Figure> {
                 pen.disc([x.at(point[0]), y.at(point[1])], 6.0, Role::Ink, 1.0);
             }
         }
+        for (first, last) in frames.iter().zip(&frames[4..]) {
+            first.panel_names(pen, last, ["time", "error, rad"]);
+        }
     }))
 }
 
 /// Names at the lines of the first panel.
 fn legend(pen: &mut Pen, [left, top]: Point) {
     for (x, y, name, role) in [
-        (90.0, 62.0, "ours", Role::Omega),
-        (176.0, 128.0, "general", Role::Torque),
+        (90.0, 62.0, "ours", Role::Ink),
+        (176.0, 128.0, "general", Role::Muted),
         (52.0, 130.0, "closed form", Role::Ink),
     ] {
         pen.text([left + x, top + y], Anchor::Start, name, small(role));

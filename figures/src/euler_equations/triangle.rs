@@ -7,10 +7,21 @@ use spinning_bodies::euler_top::earth;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{MassProperties, shapes};
 
-use crate::Figure;
 use crate::style::{
-    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, number, stroke,
+    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, between, figure, label, number,
+    roomiest, stroke,
 };
+
+use crate::{Figure, Parameter, Values};
+
+const LENGTH: Parameter =
+    Parameter::new("length", "a", "length of the brick", [20.0, 400.0], 240.0).unit("mm");
+const WIDE_BY: Parameter =
+    Parameter::new("width", "b", "width of the brick", [20.0, 400.0], 115.0).unit("mm");
+const HIGH_BY: Parameter =
+    Parameter::new("height", "c", "height of the brick", [5.0, 400.0], 71.0).unit("mm");
+/// What may be chosen: the edges of the brick.
+pub const TRIANGLE: &[Parameter] = &[LENGTH, WIDE_BY, HIGH_BY];
 
 /// The big triangle: its right angle, the disc, is at `CORNER`; it is `WIDE` wide and `WIDE`/√3 high.
 const CORNER: Point = [572.0, 384.0];
@@ -56,12 +67,13 @@ fn water() -> Result<MassProperties> {
 }
 
 /// All rigid bodies, as far as spinning goes, in one triangle.
-pub fn triangle_of_tops() -> Result<Figure> {
+pub fn triangle_of_tops(values: &Values) -> Result<Figure> {
     let of = |body: MassProperties| body.inertia().principal_axes().moments();
     let millimetres = |edges: [f64; 3]| shapes::cuboid(1.0, edges.map(|edge| edge / 1e3)).map(of);
     let book = millimetres([240.0, 165.0, 30.0])?;
     let phone = millimetres([147.0, 72.0, 8.0])?;
-    let brick = millimetres([240.0, 115.0, 71.0])?;
+    let edges = [&LENGTH, &WIDE_BY, &HIGH_BY].map(|edge| values.of(edge));
+    let brick = millimetres(edges)?;
     let (racket, water) = (of(racket()?), of(water()?));
     let coin = of(shapes::cylinder(1.0, 0.011_6, 0.002_3)?);
     let (rod, disc) = (of(shapes::rod(1.0, 1.0)?), of(shapes::disc(1.0, 1.0)?));
@@ -74,6 +86,8 @@ pub fn triangle_of_tops() -> Result<Figure> {
     let earth = [1.0 - h, 1.0 - h, 1.0];
     // The share of the largest moment goes from a third, the sphere, to a half, the disc.
     let flatness = 6.0 * (shares(earth)[2] - 1.0 / 3.0);
+    let [i1, i2, i3] = shares(brick);
+    let inside = (i2 - i1).min(i3 - i2).min(i1 + i2 - i3) > 0.02;
     let listed = |m: [f64; 3]| shares(m).map(|i| number(i, 3)).join(", ");
 
     let words = Words {
@@ -81,25 +95,30 @@ pub fn triangle_of_tops() -> Result<Figure> {
         details: format!(
             "Principal moments $I_1\\le I_2\\le I_3$, divided by their sum. In every order of the axes, the bodies fill the \
              small triangle, whose corners are rods and whose middle is the sphere; the shaded sixth of it is drawn large. Beyond its \
-             edges there is nothing. The shares of the book are {}; of the telephone {}; of the racket {}; of the brick {}; of a molecule of \
+             edges there is nothing. The shares of the book are {}; of the telephone {}; of the racket {}; of the brick, {} by {} by {} mm, {}; of a molecule of \
              water {}. The Earth is {} of the way from the sphere to the disc, under the same dot as the cube.",
             listed(book),
             listed(phone),
             listed(racket),
+            number(edges[0], 0),
+            number(edges[1], 0),
+            number(edges[2], 0),
             listed(brick),
             listed(water),
             number(flatness, 4),
         ),
-        alt: "A right triangle, the map of all ordered principal moments. Bottom edge, the laminae: from the rod at the left \
+        alt: format!(
+            "A right triangle, the map of all ordered principal moments. Bottom edge, the laminae: from the rod at the left \
               to the disc at the right, with a racket, a telephone, a molecule of water and almost a book on it, and a coin \
               close to the disc. Right edge, the oblate tops: a doughnut low down, and the sphere on top, where cube and Earth \
               sit. Slanting edge, the prolate tops from the rod to the sphere: the ratios four to four to one and two to two \
-              to one, and an egg. A brick lies inside. A small equilateral triangle shows the large one as one of its six \
-              mirror images."
-            .to_owned(),
+              to one, and an egg. A brick lies {}. A small equilateral triangle shows the large one as one of its six \
+              mirror images.",
+            if inside { "inside" } else { "close to an edge" }
+        ),
     };
 
-    Ok(figure("triangle-of-tops", 438.0, words, |pen| {
+    let made = figure("triangle-of-tops", 438.0, words, |pen| {
         let at = |m: [f64; 3]| place(m, CORNER, WIDE);
         let corners = [at(rod), at(disc), at(cube)];
         pen.fill(&corners, Role::Ink, 0.07);
@@ -114,7 +133,6 @@ pub fn triangle_of_tops() -> Result<Figure> {
             ("phone", phone, below, Anchor::Middle),
             ("water", water, below, Anchor::Middle),
             ("book", book, above, Anchor::Middle),
-            ("brick", brick, above, Anchor::Middle),
             ("coin", coin, [-11.0, -1.0], Anchor::End),
             ("doughnut", doughnut, left, Anchor::End),
             ("egg", egg, [-9.0, -7.0], Anchor::End),
@@ -124,6 +142,30 @@ pub fn triangle_of_tops() -> Result<Figure> {
             pen.disc([x, y], 4.4, Role::Ink, 1.0);
             pen.text([x + dx, y + dy], anchor, name, label(Role::Ink));
         }
+        // The brick moves: its name is where it hides nothing.
+        let [x, y] = at(brick);
+        pen.disc([x, y], 5.4, Role::Ink, 1.0);
+        let mut taken = along(&[corners[1], corners[0], corners[2], corners[1]], 6.0);
+        let others = [book, phone, racket, water, coin, doughnut, egg];
+        taken.extend(others.map(at));
+        taken.push([at(book)[0], at(book)[1] - 17.0]);
+        let places = [
+            [0.0, -16.0],
+            [36.0, 0.0],
+            [0.0, 18.0],
+            [-36.0, 0.0],
+            [36.0, -18.0],
+            [-36.0, -18.0],
+            [36.0, -36.0],
+        ];
+        let places = places.map(|[dx, dy]| [(x + dx).min(568.0), y + dy]);
+        let [x, y] = roomiest(places, [22.0, 8.0], &taken);
+        pen.text(
+            [x, y + 5.0],
+            Anchor::Middle,
+            "brick",
+            label(Role::Ink).strong(),
+        );
         for (m, who, ratio) in [
             ([1.0, 4.0, 4.0], "Goryachev, Chaplygin", "4 : 4 : 1"),
             ([1.0, 2.0, 2.0], "Kovalevskaya", "2 : 2 : 1"),
@@ -166,6 +208,21 @@ pub fn triangle_of_tops() -> Result<Figure> {
             Anchor::End,
             "prolate, *I*_{2} = *I*_{3}",
         );
+    });
+    let bodies = [
+        ("book", book),
+        ("telephone", phone),
+        ("brick", brick),
+        ("racket", racket),
+        ("water", water),
+        ("coin", coin),
+        ("egg", egg),
+        ("doughnut", doughnut),
+        ("Earth", earth),
+    ];
+    let columns = ["I1 over the sum", "I2 over the sum", "I3 over the sum"];
+    Ok(bodies.into_iter().fold(made, |made, (name, moments)| {
+        made.data(name, &columns, [shares(moments).to_vec()])
     }))
 }
 

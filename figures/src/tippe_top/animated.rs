@@ -6,11 +6,11 @@ use spinning_bodies::Result;
 use spinning_bodies::scene::contact::State;
 
 use super::ball::{cap_outline, table};
-use super::plot::Frame;
-use super::{run, tippe_scene};
+use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
 use crate::Figure;
+use crate::plot::{Axis, Frame};
 use crate::style::{
-    Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, label, number,
+    Anchor, DATA, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, label, number,
     small, stroke,
 };
 
@@ -23,17 +23,20 @@ const STILL: usize = 100;
 /// The ball: centre, radius, and where C is, over the radius.
 const CENTER: Point = [150.0, 178.0];
 const RADIUS: f64 = 104.0;
-const ALPHA: f64 = 0.3;
 
 const FRAME: Frame = Frame {
-    sides: [340.0, 574.0, 282.0, 30.0],
-    x: [0.0, END],
-    y: [0.0, 180.0],
+    x: Axis::linear([0.0, END], [340.0, 574.0]),
+    y: Axis::linear([0.0, 180.0], [282.0, 34.0]),
 };
 
 /// The whole puzzle in eight seconds.
 pub fn turning_over() -> Result<Figure> {
-    let rows = run(&tippe_scene(155.0)?, END, PICTURES, 1e-3)?;
+    let scene = tippe_scene(
+        &tippe(ALPHA.default, GAMMA.default)?,
+        SPIN.default,
+        VISCOUS.default,
+    )?;
+    let rows = run(&scene, END, PICTURES, 1e-3)?;
     let degrees = |s: &State| s.tilt().to_degrees();
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
     let words = Words {
@@ -53,29 +56,22 @@ pub fn turning_over() -> Result<Figure> {
     let still = figure(NAME, 330.0, words, |pen| {
         table(pen, 18.0, 282.0, CENTER[1] + RADIUS);
         pen.disc(CENTER, RADIUS, Role::Shade, 1.0);
-        FRAME.axes(
+        FRAME.draw(
             pen,
-            &[(0.0, "0"), (2.0, "2"), (4.0, "4"), (6.0, "6"), (8.0, "8 s")],
+            &[(0.0, "0"), (2.0, "2"), (4.0, "4"), (6.0, "6"), (8.0, "8")],
             &[(0.0, "0°"), (90.0, "90°"), (180.0, "180°")],
+            ["time, s", "tilt"],
         );
         FRAME.curve(
             pen,
             rows.iter().map(|(t, s)| (*t, degrees(s))),
             stroke(Role::Ink, DATA),
         );
-        let line = [FRAME.at(0.0, 90.0), FRAME.at(END, 90.0)];
-        pen.line(&line, stroke(Role::Muted, HAIR));
         pen.text(
             FRAME.at(0.3, 96.0),
             Anchor::Start,
             "on its side",
             small(Role::Muted),
-        );
-        pen.text(
-            FRAME.at(0.3, 168.0),
-            Anchor::Start,
-            "tilt",
-            label(Role::Ink),
         );
         spin_arrow(pen);
     });
@@ -133,7 +129,7 @@ fn moving(rows: &[(f64, State)]) -> String {
         .map(|(k, p)| format!("{}{:.0} {:.0}", if k == 0 { "M" } else { "L" }, p[0], p[1]))
         .collect();
     let [x, y] = CENTER.map(|c| c * CANVAS);
-    let (r, c) = (RADIUS * CANVAS, ALPHA * RADIUS * CANVAS);
+    let (r, c) = (RADIUS * CANVAS, ALPHA.default * RADIUS * CANVAS);
     let [dx, dy] = FRAME
         .at(*time, state.tilt().to_degrees())
         .map(|c| c * CANVAS);
@@ -143,8 +139,8 @@ fn moving(rows: &[(f64, State)]) -> String {
          <path d=\"{cap}Z\" fill=\"currentColor\" fill-opacity=\"0.55\"/>\
          <path d=\"M0 {r:.0}L0 -{r:.0}\" stroke=\"currentColor\" stroke-width=\"8\" stroke-dasharray=\"1 36\"/>\
          <circle r=\"32\" fill=\"currentColor\"/>\
-         <circle cy=\"{c:.0}\" r=\"58\" fill=\"var(--angular-momentum, #b85300)\"/></g></g>\n\
-         <g class=\"fig-{NAME}-dot\" transform=\"translate({dx:.0} {dy:.0})\"><circle r=\"52\" fill=\"var(--omega, #0b6bcb)\"/></g>\n",
+         <circle cy=\"{c:.0}\" r=\"58\" fill=\"currentColor\"/></g></g>\n\
+         <g class=\"fig-{NAME}-dot\" transform=\"translate({dx:.0} {dy:.0})\"><circle r=\"52\" fill=\"currentColor\"/></g>\n",
         short(state.tilt().to_degrees(), 2),
     )
 }

@@ -90,7 +90,7 @@ fn view(
         for end in pair {
             let depth = end.dot(&view.toward);
             let at = view.project(end);
-            pen.disc(at, 9.0 + 2.0 * depth, Role::Omega, 1.0);
+            pen.disc(at, 9.0 + 2.0 * depth, Role::Ink, 0.65);
             pen.ring(at, 9.0 + 2.0 * depth, stroke(Role::Ink, AXIS));
         }
         let outer = if pair[0].z >= pair[1].z {
@@ -99,12 +99,16 @@ fn view(
             pair[1]
         };
         let [x, y] = view.project(&outer);
-        pen.text(
-            [x + 15.0, y - 4.0],
-            Anchor::Start,
-            &format!("{}", k + 1),
-            small(Role::Ink),
-        );
+        let (side, anchor) = match x < center[0] {
+            true => (-15.0, Anchor::End),
+            false => (15.0, Anchor::Start),
+        };
+        let name = format!("{}", k + 1);
+        // Beads 1 and 2 may stand side by side: one has its number below it.
+        match k {
+            1 => pen.text([x, y + 29.0], Anchor::Middle, &name, small(Role::Ink)),
+            _ => pen.text([x + side, y - 4.0], anchor, &name, small(Role::Ink)),
+        }
     }
     let k = view.project(&Vector3::zeros());
     let c = view.project(&mass);

@@ -3,87 +3,119 @@
 use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
 
-use super::plot::Frame;
-use super::{CHIRAL_SPIN, chiral_scene, run};
-use crate::Figure;
-use crate::style::{Anchor, DATA, HAIR, Role, Words, figure, label, number, small, stroke};
+use super::{FRICTION, SPIN, chiral_scene, run, tilt_against_time};
+use crate::plot::{Axis, Frame};
+use crate::style::{
+    Anchor, DATA, Point, Role, Words, along, figure, label, number, roomiest, stroke,
+};
+use crate::{Figure, Parameter, Values};
+
+const RELEASE: Parameter =
+    Parameter::new("tilt", r"\theta_0", "tilt at the release", [1.0, 30.0], 3.0).unit("°");
+/// What may be chosen.
+pub const BOTH_SPINS: &[Parameter] = &[
+    SPIN.between([60.0, 200.0], super::CHIRAL_SPIN),
+    RELEASE,
+    FRICTION.between([0.1, 0.6], 0.3),
+];
+
+/// How long the tops are followed, s.
+const END: f64 = 3.0;
 
 /// One body, two answers.
-pub fn both_spins() -> Result<Figure> {
-    let tilt = 3_f64.to_radians();
-    let stays = run(&chiral_scene(CHIRAL_SPIN, tilt, 0.0)?, 3.0, 600, 1e-3)?;
-    let turns = run(&chiral_scene(-CHIRAL_SPIN, tilt, 0.0)?, 3.0, 600, 1e-3)?;
-    let over = |level: f64| passage(&turns, |s| s.tilt().to_degrees(), level).unwrap_or(f64::NAN);
-    let most = stays
-        .iter()
-        .map(|r| r.1.tilt().to_degrees())
-        .fold(0.0, f64::max);
-    let words = Words {
-        claim: "The same top, released the same way: clockwise it turns over, anticlockwise it does not.".to_owned(),
-        details: format!(
-            "Tilt of the chiral top, a ball of $R = 2$ cm with a skew inertia matrix, released at 3° with 132.9 rad/s about the vertical, $\\mu = 0.3$. \
-             Clockwise it is on its side after {} s and ends at {}°. Anticlockwise it stays below {}° for these three seconds.",
-            number(over(90.0), 2),
-            number(turns[turns.len() - 1].1.tilt().to_degrees(), 0),
-            number(most, 1),
-        ),
-        alt: "Tilt in degrees against time up to 3 seconds. Both curves start at 3 degrees. One swings in growing waves, shoots up at 1.5 seconds and \
-              settles near 175 degrees. The other swings to about 10 degrees at first and dies away to 2 degrees."
-            .to_owned(),
-    };
-    Ok(figure("chiral-top", 380.0, words, |pen| {
-        let frame = Frame {
-            sides: [58.0, 572.0, 328.0, 14.0],
-            x: [0.0, 3.0],
-            y: [0.0, 180.0],
-        };
-        frame.axes(
-            pen,
-            &[
-                (0.0, "0"),
-                (0.5, "0.5"),
-                (1.0, "1"),
-                (1.5, "1.5"),
-                (2.0, "2"),
-                (2.5, "2.5"),
-                (3.0, "3 s"),
-            ],
-            &[
-                (0.0, "0°"),
-                (45.0, "45°"),
-                (90.0, "90°"),
-                (135.0, "135°"),
-                (180.0, "180°"),
-            ],
-        );
-        frame.names(pen, "time", "");
-        pen.line(
-            &[frame.at(0.0, 90.0), frame.at(3.0, 90.0)],
-            stroke(Role::Muted, HAIR),
-        );
-        for (rows, role) in [(&turns, Role::Omega), (&stays, Role::AngularMomentum)] {
-            let curve = rows.iter().map(|(t, s)| (*t, s.tilt().to_degrees()));
-            frame.curve(pen, curve, stroke(role, DATA));
+pub fn both_spins(values: &Values) -> Result<Figure> {
+    let [spin, tilt, mu] = [0, 1, 2].map(|k| values.of(&BOTH_SPINS[k]));
+    let runs = [-spin, spin].map(|spin| {
+        let scene = chiral_scene(spin, tilt.to_radians(), 0.0, mu)?;
+        run(&scene, END, 600, 1e-3)
+    });
+    let [clockwise, other] = runs;
+    let runs = [clockwise?, other?];
+    let side = [0, 1].map(|k| passage(&runs[k], |s| s.tilt().to_degrees(), 90.0));
+    let last = [0, 1].map(|k| runs[k][600].1.tilt().to_degrees());
+    let most = [0, 1].map(|k| {
+        let tilts = runs[k].iter().map(|r| r.1.tilt().to_degrees());
+        tilts.fold(0.0, f64::max)
+    });
+    let over = [0, 1].map(|k| side[k].is_some() && last[k] > 150.0);
+    let claim = match over {
+        [true, false] => {
+            "The same top, released the same way: clockwise it turns over, anticlockwise it does not."
         }
-        pen.text(
-            frame.at(1.72, 128.0),
-            Anchor::Start,
-            "clockwise, seen from above",
-            label(Role::Omega),
-        );
-        pen.text(
-            frame.at(1.9, 14.0),
-            Anchor::Start,
-            "anticlockwise",
-            label(Role::AngularMomentum),
-        );
-        pen.text(
-            frame.at(0.05, 95.0),
-            Anchor::Start,
-            "on its side",
-            small(Role::Muted),
-        );
-    })
-    .value("side", number(over(90.0), 2))
-    .value("most", number(most, 1)))
+        [true, true] => "Released like this, the top turns over whichever way it is spun.",
+        [false, true] => {
+            "The same top, released the same way: anticlockwise it turns over, clockwise it does not."
+        }
+        [false, false] => {
+            "Released like this, the top turns over neither way within three seconds."
+        }
+    };
+    let told = ["Clockwise", "Anticlockwise"]
+        .into_iter()
+        .enumerate()
+        .map(|(k, way)| match side[k] {
+            Some(time) => format!(
+                "{way} it is on its side after {} s and ends at {}°.",
+                number(time, 2),
+                number(last[k], 0)
+            ),
+            None => format!(
+                "{way} it stays below {}° for these {END} seconds.",
+                number(most[k], 1)
+            ),
+        });
+    let told = told.collect::<Vec<_>>().join(" ");
+    let words = Words {
+        claim: claim.to_owned(),
+        details: format!(
+            "Tilt of the chiral top, a ball of $R = 2$ cm with a skew inertia matrix, released at {}° with {} rad/s about the vertical, $\\mu = {}$. {told}",
+            number(tilt, 0),
+            number(spin, 1),
+            number(mu, 2),
+        ),
+        alt: format!(
+            "Tilt in degrees against time up to {END} seconds. Both curves, black clockwise and grey anticlockwise, start at {} degrees. {told}",
+            number(tilt, 0)
+        ),
+    };
+    let made = figure("chiral-top", 402.0, words, |pen| {
+        let frame = Frame {
+            x: Axis::linear([0.0, END], [58.0, 572.0]),
+            y: Axis::linear([0.0, 180.0], [350.0, 34.0]),
+        };
+        tilt_against_time(pen, &frame);
+        let styles = [stroke(Role::Ink, DATA), stroke(Role::Muted, DATA)];
+        for (rows, style) in runs.iter().zip(styles) {
+            let curve = rows.iter().map(|(t, s)| (*t, s.tilt().to_degrees()));
+            frame.curve(pen, curve, style);
+        }
+        // Each name at the right, as near to its curve as there is room.
+        let curves = [0, 1].map(|k| -> Vec<Point> {
+            let rows = runs[k].iter().step_by(4);
+            let line: Vec<Point> = rows
+                .map(|(t, s)| frame.at(*t, s.tilt().to_degrees()))
+                .collect();
+            along(&line, 6.0)
+        });
+        let mut taken = curves.concat();
+        let names = ["clockwise, seen from above", "anticlockwise"];
+        for (k, role) in [Role::Ink, Role::Muted].into_iter().enumerate() {
+            let half = [3.9 * names[k].len() as f64, 8.0];
+            let x = 572.0 - half[0];
+            let end = curves[k].last().map_or(0.0, |p| p[1]);
+            let mut heights: Vec<f64> = (0..60).map(|k| 48.0 + 5.0 * f64::from(k)).collect();
+            heights.sort_by(|a, b| (a - end).abs().total_cmp(&(b - end).abs()));
+            let places = heights.into_iter().map(|y| [x, y]);
+            let [x, y] = roomiest(places, half, &taken);
+            taken.extend(along(&[[x - half[0], y], [x + half[0], y]], 6.0));
+            pen.text([572.0, y + 5.0], Anchor::End, names[k], label(role));
+        }
+    });
+    let columns = ["time (s)", "tilt (°)"];
+    let rows = |k: usize| runs[k].iter().map(|(t, s)| vec![*t, s.tilt().to_degrees()]);
+    Ok(made
+        .data("clockwise", &columns, rows(0))
+        .data("anticlockwise", &columns, rows(1))
+        .value("side", number(side[0].unwrap_or(0.0), 2))
+        .value("most", number(most[1], 1)))
 }

@@ -4,20 +4,26 @@ use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::scene::contact::Support;
 
-use super::{run, toy_scene};
-use crate::Figure;
+use super::{ALPHA, FRICTION, SPIN, run, toy_scene};
 use crate::solid::{View, ellipse};
-use crate::style::{AXIS, Anchor, HAIR, Point, Role, Words, figure, label, number, small, stroke};
+use crate::style::{
+    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+};
+use crate::{Figure, Parameter, Values};
 
-/// Spin, rad/s, and offset of the ball drawn: slow enough to be followed with the eye.
-const SPIN: f64 = 200.0;
-const ALPHA: f64 = 0.2;
-const END: f64 = 1.25;
+/// What may be chosen; in the book slow enough to be followed with the eye.
+pub const PATH: &[Parameter] = &[
+    SPIN.between([100.0, 400.0], 200.0),
+    ALPHA.between([0.05, 0.4], 0.2),
+    FRICTION,
+];
 
 /// The point that touches the table walks from the heavy pole to the light one.
-pub fn contact_path() -> Result<Figure> {
-    let scene = toy_scene(ALPHA, SPIN)?;
-    let rows = run(&scene, END, 4000, 1e-3)?;
+pub fn contact_path(values: &Values) -> Result<Figure> {
+    let [spin, alpha, mu] = [0, 1, 2].map(|k| values.of(&PATH[k]));
+    // Four fifths of the time that the estimate allows.
+    let end = 1.25 * (spin / 200.0) / (3.0 * mu);
+    let rows = run(&toy_scene(alpha, spin, mu)?, end, 4000, 1e-3)?;
     let aloft = rows
         .iter()
         .filter(|row| row.1.support == Support::Airborne)
@@ -35,26 +41,39 @@ pub fn contact_path() -> Result<Figure> {
         .sum::<f64>()
         .abs()
         / core::f64::consts::TAU;
-    let last = rows[rows.len() - 1].1;
+    let tilt = rows[rows.len() - 1].1.tilt().to_degrees();
+    let claim = if tilt > 150.0 {
+        "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned()
+    } else {
+        format!(
+            "On the ball, the point of contact walks away from the heavy pole, by {} degrees so far.",
+            number(tilt, 0)
+        )
+    };
     let words = Words {
-        claim: "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned(),
+        claim,
         details: format!(
-            "A ball of $R = 2$ cm, $\\alpha = {}$, $\\mu = \\frac13$, spun about the vertical at {} rad/s: the place that touches the table, seen from \
+            "A ball of $R = 2$ cm, $\\alpha = {}$, $\\mu = {}$, spun about the vertical at {} rad/s: the place that touches the table, seen from \
              the ball, during {} s. The ball turns about the vertical meanwhile, so the path goes round only {} times while the tilt grows to {}°{}.",
-            number(ALPHA, 2),
-            number(SPIN, 0),
-            number(END, 1),
+            number(alpha, 2),
+            number(mu, 3),
+            number(spin, 0),
+            number(end, 2),
             number(turns, 1),
-            number(last.tilt().to_degrees(), 0),
+            number(tilt, 0),
             match aloft {
                 0 => ", and it never leaves the table".to_owned(),
                 _ => format!("; at {aloft} of the samples it is in the air"),
             },
         ),
-        alt: "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, climbs over the equator on the far side, and ends near the north pole in front."
-            .to_owned(),
+        alt: format!(
+            "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {} times and ends {} degrees from there; \
+             behind the ball it is faint.",
+            number(turns, 1),
+            number(tilt, 0)
+        ),
     };
-    Ok(figure("contact-path", 360.0, words, |pen| {
+    let made = figure("contact-path", 360.0, words, |pen| {
         let (center, radius): (Point, f64) = ([300.0, 180.0], 164.0);
         let view = View::new(0.4, 0.3, center, radius);
         let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
@@ -66,31 +85,35 @@ pub fn contact_path() -> Result<Figure> {
         }
         let [front, back] = view.split(&path, seen);
         for piece in back {
-            pen.line(&piece, stroke(Role::Omega, HAIR).alpha(0.45));
+            pen.line(&piece, stroke(Role::Ink, SECONDARY).alpha(0.45));
         }
         for piece in front {
-            pen.line(&piece, stroke(Role::Omega, 1.2));
+            pen.line(&piece, stroke(Role::Ink, 1.2));
         }
         pen.ring(center, radius, stroke(Role::Ink, AXIS));
         let pole = |z: f64| view.project(&Vector3::new(0.0, 0.0, z));
-        pen.line(&[pole(0.0), pole(-ALPHA)], stroke(Role::Ink, AXIS));
+        pen.line(&[pole(0.0), pole(-alpha)], stroke(Role::Ink, AXIS));
         pen.disc(pole(0.0), 3.6, Role::Ink, 1.0);
-        pen.disc(pole(-ALPHA), 3.6, Role::Ink, 1.0);
+        pen.disc(pole(-alpha), 3.6, Role::Ink, 1.0);
         let [x, y] = pole(0.0);
         pen.text([x + 8.0, y], Anchor::Start, "*K*", label(Role::Ink));
-        let [x, y] = pole(-ALPHA);
+        let [x, y] = pole(-alpha);
         pen.text([x + 8.0, y + 12.0], Anchor::Start, "*C*", label(Role::Ink));
         let first = view.project(&path[0]);
-        pen.disc(first, 4.0, Role::Omega, 1.0);
+        pen.disc(first, 4.0, Role::Ink, 1.0);
         pen.text(
             [474.0, 316.0],
             Anchor::Start,
             "starts here",
-            small(Role::Omega),
+            small(Role::Ink),
         );
         pen.line(
             &[[470.0, 312.0], [first[0] + 6.0, first[1]]],
-            stroke(Role::Omega, HAIR),
+            stroke(Role::Ink, HAIR),
         );
-    }))
+    });
+    let columns = ["time (s)", "x over R", "y over R", "z over R"];
+    let table = rows.iter().zip(&path).step_by(10);
+    let table = table.map(|((t, _), p)| vec![*t, p.x, p.y, p.z]);
+    Ok(made.data("contact on the ball", &columns, table))
 }

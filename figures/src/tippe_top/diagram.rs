@@ -3,134 +3,246 @@
 use core::f64::consts::PI;
 
 use spinning_bodies::Result;
+use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
-use super::plot::Frame;
-use super::{run, tippe, tippe_scene};
-use crate::Figure;
+use super::{ALPHA, GAMMA, SPIN, run, tippe, tippe_scene};
+use crate::plot::{Axis, Frame};
 use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, label, number, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// Spins of the runs drawn, rad/s.
-const RUNS: [f64; 3] = [50.0, 70.0, 100.0];
+/// Spins of the other runs drawn, rad/s, and of the fastest top in the picture.
+const SPINS: [f64; 2] = [50.0, 100.0];
+const WIDEST: f64 = 112.0;
+
+const CHOSEN: Parameter = SPIN.between([10.0, 98.0], 70.0).dragged(release, spin_at);
+/// What may be chosen; the start of the run in the middle is dragged.
+pub const DIAGRAM: &[Parameter] = &[CHOSEN, ALPHA.between([0.1, 0.6], 0.3), GAMMA];
+
+/// Energy of a top at this tilt with the Jellett integral of an upright one of this spin, mJ.
+fn energy(top: &TippeTop, tilt: f64, spin: f64) -> f64 {
+    1e3 * top.effective_potential(tilt, top.jellett_of_spin(spin, 0.0))
+}
+
+fn frame(top: &TippeTop) -> Frame {
+    Frame {
+        x: Axis::linear([0.0, WIDEST], [58.0, 560.0]),
+        y: Axis::linear([0.0, 1.03 * energy(top, 0.0, SPINS[1])], [360.0, 34.0]),
+    }
+}
+
+fn chosen(values: &Values) -> Result<TippeTop> {
+    tippe(values.of(&DIAGRAM[1]), values.of(&GAMMA))
+}
+
+fn release(values: &Values) -> Point {
+    let spin = values.of(&CHOSEN);
+    chosen(values).map_or([0.0; 2], |top| {
+        frame(&top).at(spin, energy(&top, 0.0, spin))
+    })
+}
+
+fn spin_at([x, _]: Point, values: &Values) -> f64 {
+    chosen(values).map_or(f64::NAN, |top| {
+        let [left, right] = frame(&top).x.ends;
+        WIDEST * (x - left) / (right - left)
+    })
+}
 
 /// Down the plumb line to the branch of steady states.
-pub fn energy_and_momentum() -> Result<Figure> {
-    let top = tippe()?;
+pub fn energy_and_momentum(values: &Values) -> Result<Figure> {
+    let top = chosen(values)?;
     let unit = top.jellett_of_spin(1.0, 0.0);
-    let energy = |tilt: f64, spin: f64| 1e3 * top.effective_potential(tilt, spin * unit);
-    let (rise, invert) = (
-        top.least_spin_to_rise().unwrap_or(f64::NAN),
-        top.least_spin_to_invert().unwrap_or(f64::NAN),
-    );
+    let (rise, invert) = (top.least_spin_to_rise(), top.least_spin_to_invert());
+    let spins = [SPINS[0], values.of(&CHOSEN), SPINS[1]];
     let mut falls = Vec::new();
-    for spin in RUNS {
-        let rows = run(&tippe_scene(spin)?, 14.0, 28, 1e-2)?;
+    for spin in spins {
+        let rows = run(&tippe_scene(&top, spin, 0.3)?, 14.0, 28, 1e-2)?;
         let path: Vec<(f64, f64)> = rows
             .iter()
             .map(|(_, s)| (s.jellett / unit, 1e3 * s.energy))
             .collect();
-        falls.push((path, rows[rows.len() - 1].1.tilt().to_degrees()));
+        falls.push((path, number(rows[28].1.tilt().to_degrees(), 1)));
     }
+    let named = spins.map(|spin| number(spin, 0));
+    let branch = match (rise, invert) {
+        (Some(rise), Some(invert)) => format!(
+            "The tilted branch leaves the upright one at {} rad/s and reaches the inverted one at {} rad/s.",
+            number(rise, 3),
+            number(invert, 3)
+        ),
+        (Some(rise), None) => format!(
+            "The tilted branch leaves the upright one at {} rad/s and never reaches the inverted one.",
+            number(rise, 3)
+        ),
+        (None, _) => {
+            "No tilted branch leaves the upright one: that is stable at every spin.".to_owned()
+        }
+    };
     let words = Words {
         claim: "Friction takes energy and leaves Jellett's integral alone, so every top falls down a plumb line.".to_owned(),
         details: format!(
-            "Energy of the steady states of the tippe top against Jellett's integral $J$, given as the spin $J/RI_3(1-\\alpha)$ of \
-             the upright top. Solid: stable; dashed: not. The tilted branch leaves the upright one at {} rad/s and reaches the inverted one \
-             at {} rad/s. Orange: three runs released at 0.1 rad, spun at 50, 70 and 100 rad/s; after 14 s they are at {}°, {}° and {}°.",
-            number(rise, 3),
-            number(invert, 3),
-            number(falls[0].1, 1),
-            number(falls[1].1, 1),
-            number(falls[2].1, 1),
+            "Energy of the steady states of a tippe top with $\\alpha = {}$, $I_1/I_3 = {}$ against Jellett's integral $J$, given as the spin \
+             $J/RI_3(1-\\alpha)$ of the upright top. Solid: stable; dashed: not. {branch} Arrows: three runs released at 0.1 rad, spun at {}, {} and {} \
+             rad/s; after 14 s they are at {}°, {}° and {}°.",
+            number(values.of(&DIAGRAM[1]), 2),
+            number(values.of(&GAMMA), 3),
+            named[0],
+            named[1],
+            named[2],
+            falls[0].1,
+            falls[1].1,
+            falls[2].1,
         ),
-        alt: "Energy against spin. Two parabolas: the steep one, upright, is solid up to 28 radians a second and dashed beyond; the flat one, upside \
-              down, is dashed up to 77 and solid beyond. They cross, and a solid curve joins the two ends below both. Three vertical arrows fall from \
-              the upright parabola, two onto the joining curve and one onto the inverted parabola."
-            .to_owned(),
+        alt: format!(
+            "Energy against spin. Two parabolas: the steep one, upright, is solid {}; the flat one, upside down, is {}. {branch} Three vertical arrows fall from \
+             the upright parabola, to tilts of {}, {} and {} degrees.",
+            match rise {
+                Some(rise) => format!("up to {} radians a second and dashed beyond", number(rise, 0)),
+                None => "all the way".to_owned(),
+            },
+            match (invert, top.inversion()) {
+                (Some(invert), _) => format!("dashed up to {} and solid beyond", number(invert, 0)),
+                (None, Inversion::Never) => "solid from where it is steady".to_owned(),
+                (None, _) => "dashed all the way".to_owned(),
+            },
+            falls[0].1,
+            falls[1].1,
+            falls[2].1,
+        ),
     };
-    Ok(figure("tippe-diagram", 402.0, words, |pen| {
-        let frame = Frame {
-            sides: [58.0, 560.0, 350.0, 14.0],
-            x: [0.0, 112.0],
-            y: [0.0, 20.0],
-        };
-        frame.axes(
+    let steady = |tilt: f64| -> Vec<(f64, f64)> {
+        (0..=120)
+            .map(|k| WIDEST * f64::from(k) / 120.0)
+            .map(|spin| (spin, energy(&top, tilt, spin)))
+            .collect()
+    };
+    let tilted: Vec<(f64, f64)> = (0..=240)
+        .filter_map(|k| {
+            let tilt = PI * f64::from(k) / 240.0;
+            let spin = top.steady_jellett(tilt)? / unit;
+            Some((spin, energy(&top, tilt, spin)))
+        })
+        .collect();
+    let made = figure("tippe-diagram", 412.0, words, |pen| {
+        let frame = frame(&top);
+        frame.draw_round(
             pen,
-            &[
-                (0.0, "0"),
-                (25.0, "25"),
-                (50.0, "50"),
-                (75.0, "75"),
-                (100.0, "100 rad/s"),
-            ],
-            &[
-                (0.0, "0"),
-                (5.0, "5"),
-                (10.0, "10"),
-                (15.0, "15"),
-                (20.0, "20 mJ"),
-            ],
+            ["*J*, as the spin of the upright top, rad/s", "energy, mJ"],
         );
-        frame.names(pen, "*J*, as the spin of the upright top", "");
-        let branch = |tilt: f64, from: f64, to: f64| {
-            (0..=120).map(move |k| {
-                let spin = from + (to - from) * f64::from(k) / 120.0;
-                (spin, energy(tilt, spin))
-            })
-        };
         let solid = stroke(Role::Ink, DATA);
         let broken = stroke(Role::Ink, SECONDARY).dashed();
-        frame.curve(pen, branch(0.0, 0.0, rise), solid);
-        frame.curve(pen, branch(0.0, rise, 112.0), broken);
-        frame.curve(pen, branch(PI, 0.0, invert), broken);
-        frame.curve(pen, branch(PI, invert, 112.0), solid);
-        let tilted = (0..=240).filter_map(|k| {
-            let tilt = PI * f64::from(k) / 240.0;
-            let jellett = top.steady_jellett(tilt)?;
-            Some((jellett / unit, energy(tilt, jellett / unit)))
-        });
-        frame.curve(pen, tilted, solid);
-        for spin in [rise, invert] {
-            let tilt = if spin < 50.0 { 0.0 } else { PI };
-            pen.disc(frame.at(spin, energy(tilt, spin)), 4.5, Role::Ink, 1.0);
+        // The head is stable above its own least λ even where nothing that starts upright gets there.
+        let on_head = top.inverted_is_stable_above().map(|jellett| jellett / unit);
+        for (tilt, border, below, above) in
+            [(0.0, rise, solid, broken), (PI, on_head, broken, solid)]
+        {
+            let border = border.unwrap_or(f64::INFINITY);
+            let points = steady(tilt);
+            let edge = (border, energy(&top, tilt, border.min(WIDEST)));
+            let first = points.iter().copied().filter(|p| p.0 < border);
+            frame.curve(
+                pen,
+                first.chain([edge].into_iter().filter(|p| p.0 < WIDEST)),
+                below,
+            );
+            let second = points.iter().copied().filter(|p| p.0 > border);
+            frame.curve(pen, [edge].into_iter().chain(second), above);
+        }
+        // A tilted top is stable where more of J tilts it further.
+        for pair in tilted.windows(2) {
+            let style = if pair[1].0 > pair[0].0 {
+                solid
+            } else {
+                stroke(Role::Ink, SECONDARY).alpha(0.5)
+            };
+            frame.curve(pen, pair.iter().copied(), style);
+        }
+        for (spin, tilt) in [(rise, 0.0), (invert, PI)] {
+            let seen = spin.filter(|spin| *spin < WIDEST);
+            if let Some(spin) = seen {
+                pen.disc(
+                    frame.at(spin, energy(&top, tilt, spin)),
+                    4.5,
+                    Role::Ink,
+                    1.0,
+                );
+            }
         }
         for (path, _) in &falls {
             let drawn: Vec<Point> = path.iter().map(|&(x, y)| frame.at(x, y)).collect();
             let (start, end) = (drawn[0], drawn[drawn.len() - 1]);
-            pen.line(&drawn, stroke(Role::AngularMomentum, DATA));
-            let middle = crate::style::between(start, end, 0.55);
-            pen.arrow(
-                crate::style::between(start, end, 0.5),
-                middle,
-                stroke(Role::AngularMomentum, DATA),
-            );
-            pen.disc(start, 3.0, Role::AngularMomentum, 1.0);
-            pen.disc(end, 5.0, Role::AngularMomentum, 1.0);
+            let heavy = stroke(Role::Muted, 1.4 * DATA);
+            pen.line(&drawn, heavy);
+            if end[1] - start[1] > 20.0 {
+                pen.arrow(between(start, end, 0.5), between(start, end, 0.6), heavy);
+            }
+            pen.disc(start, 3.4, Role::Muted, 1.0);
+            pen.disc(end, 5.0, Role::Muted, 1.0);
         }
-        pen.text(
-            frame.at(72.0, 13.4),
-            Anchor::End,
-            "upright",
-            label(Role::Ink),
-        );
-        pen.text(
-            frame.at(14.0, 6.4),
-            Anchor::Middle,
-            "upside down",
-            label(Role::Ink),
-        );
-        pen.text(
-            frame.at(57.0, 4.2),
-            Anchor::Start,
-            "tilted",
-            label(Role::Ink),
-        );
-        pen.text(
-            frame.at(101.5, 13.0),
-            Anchor::Start,
-            "friction",
-            small(Role::AngularMomentum),
-        );
-    }))
+        let low = |spin: f64| {
+            let near = tilted.iter().filter(|p| (p.0 - spin).abs() < 3.0);
+            near.map(|p| p.1).fold(
+                energy(&top, PI, spin).min(energy(&top, 0.0, spin)),
+                f64::min,
+            )
+        };
+        let (fall, _) = &falls[2];
+        let last = fall.len() - 1;
+        for (at, [dx, dy], anchor, text, lettering) in [
+            (
+                (80.0, energy(&top, 0.0, 80.0)),
+                [-12.0, 0.0],
+                Anchor::End,
+                "upright",
+                label(Role::Ink),
+            ),
+            (
+                (1.0, energy(&top, PI, 1.0)),
+                [6.0, -10.0],
+                Anchor::Start,
+                "upside down",
+                label(Role::Ink),
+            ),
+            (
+                (60.0, low(60.0)),
+                [8.0, 26.0],
+                Anchor::Start,
+                "tilted",
+                label(Role::Ink),
+            ),
+            (
+                (100.0, 0.5 * (fall[0].1 + fall[last].1)),
+                [9.0, 5.0],
+                Anchor::Start,
+                "friction",
+                small(Role::Muted),
+            ),
+        ] {
+            let [x, y] = frame.at(at.0, at.1);
+            // Nothing is tilted where no branch is, and nothing falls that is stable.
+            let there = match text {
+                "tilted" => rise.is_some(),
+                "friction" => frame.y.at(fall[last].1) - frame.y.at(fall[0].1) > 20.0,
+                _ => true,
+            };
+            if there {
+                pen.text([x + dx, y + dy], anchor, text, lettering);
+            }
+        }
+    });
+    let columns = ["J as a spin (rad/s)", "energy (mJ)"];
+    let rows =
+        |curve: &[(f64, f64)]| -> Vec<Vec<f64>> { curve.iter().map(|p| vec![p.0, p.1]).collect() };
+    let made = made
+        .data("upright", &columns, rows(&steady(0.0)))
+        .data("upside down", &columns, rows(&steady(PI)))
+        .data("tilted", &columns, rows(&tilted));
+    Ok(spins
+        .iter()
+        .zip(&falls)
+        .fold(made, |made, (spin, (path, _))| {
+            made.data(format!("run at {spin} rad/s"), &columns, rows(path))
+        }))
 }

@@ -6,18 +6,22 @@ use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
 
 use super::ball::table;
-use super::plot::Frame;
-use super::{egg_scene, run};
-use crate::Figure;
+use super::{FRICTION, TURNS, egg_scene, run};
+use crate::plot::{Axis, Frame};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, label, number, polar, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
 /// Half length and half thickness in the film, units.
 const HALF: [f64; 2] = [51.0, 34.0];
-/// Turns a second of the film, and of the curve.
-const FILM: f64 = 20.0;
-const TURNS: [f64; 7] = [8.0, 9.0, 10.0, 12.0, 14.0, 16.0, 20.0];
+/// What may be chosen in the film.
+pub const FILM: &[Parameter] = &[
+    TURNS.between([8.0, 30.0], 20.0),
+    FRICTION.between([0.05, 0.3], 0.1),
+];
+/// Turns a second of the curve.
+const SPINS: [f64; 7] = [8.0, 9.0, 10.0, 12.0, 14.0, 16.0, 20.0];
 
 /// Degrees from the vertical, whichever end is up.
 fn slope(tilt: f64) -> f64 {
@@ -37,38 +41,64 @@ fn outline(tilt: f64) -> (Vec<Point>, f64) {
 }
 
 /// An egg that was laid down and spun stands up.
-pub fn egg_film() -> Result<Figure> {
-    let rows = run(&egg_scene(FILM)?, 2.5, 500, 1e-2)?;
-    let times = [88.0, 70.0, 50.0, 30.0, 6.0].map(|level| {
-        if level > 87.0 {
-            Some(0.0)
-        } else {
-            passage(&rows, |s| -slope(s.tilt()), -level)
-        }
+pub fn egg_film(values: &Values) -> Result<Figure> {
+    let (turns, mu) = (values.of(&FILM[0]), values.of(&FILM[1]));
+    let rows = run(&egg_scene(turns, mu)?, 2.5 * 0.1 / mu, 500, 1e-2)?;
+    let last = slope(rows[500].1.tilt());
+    let levels = [70.0, 50.0, 30.0, 6.0].map(|level| {
+        let time = passage(&rows, |s| -slope(s.tilt()), -level);
+        time.map(|time| (time, level.to_radians()))
     });
-    let frames: Vec<(f64, f64)> = times
+    let mut frames = vec![(0.0, 88_f64.to_radians())];
+    frames.extend(levels.into_iter().flatten());
+    // One that stops on the way is shown at the end, too.
+    if frames.len() < 5 {
+        frames.push((rows[500].0, last.to_radians()));
+    }
+    let ends = number(last, 0);
+    let claim = match frames.len() {
+        2 => format!(
+            "Laid down and spun so sluggishly, a boiled egg stays down: after {} seconds its axis is {ends} degrees from the vertical.",
+            number(rows[500].0, 1)
+        ),
+        _ if last > 7.0 => format!(
+            "Laid down and spun, a boiled egg rises part of the way in {} seconds, to {ends} degrees from the vertical.",
+            number(rows[500].0, 1)
+        ),
+        _ => "Laid down and spun hard, a boiled egg stands up.".to_owned(),
+    };
+    let times: Vec<String> = frames
         .iter()
-        .zip([88.0_f64, 70.0, 50.0, 30.0, 6.0])
-        .filter_map(|(t, level)| t.map(|t| (t, level.to_radians())))
+        .map(|(time, tilt)| {
+            format!(
+                "{} degrees at {} s",
+                number(tilt.to_degrees(), 0),
+                number(*time, 2)
+            )
+        })
         .collect();
     let words = Words {
-        claim: "Laid down and spun hard, a boiled egg stands up.".to_owned(),
+        claim,
         details: format!(
-            "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {} turns a second, $\\mu = 0.1$, drawn when its long axis first stands at \
+            "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {} turns a second, $\\mu = {}$, drawn when its long axis first stands at \
              the angles marked; the camera goes round with it.",
-            number(FILM, 0),
+            number(turns, 0),
+            number(mu, 2),
         ),
-        alt: "Five pictures of an egg on a table, from left to right lying, raised by twenty degrees, half up, leaning, and standing on its end, \
-              with the times under them."
-            .to_owned(),
+        alt: format!(
+            "Pictures of an egg on a table, from left to right with its long axis this far from the vertical: {}.",
+            times.join(", ")
+        ),
     };
-    Ok(figure("egg-film", 178.0, words, |pen| {
+    let made = figure("egg-film", 178.0, words, |pen| {
         let floor = 128.0;
         table(pen, 8.0, 592.0, floor);
         for (k, &(time, tilt)) in frames.iter().enumerate() {
             one(pen, [66.0 + 117.0 * k as f64, floor], time, tilt);
         }
-    }))
+    });
+    let table = rows.iter().map(|(t, s)| vec![*t, slope(s.tilt())]);
+    Ok(made.data("egg", &["time (s)", "angle from the vertical (°)"], table))
 }
 
 fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
@@ -100,13 +130,13 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
     );
 }
 
-/// A sluggish egg rises part of the way, then rolls.
+/// A sluggish egg rises part of the way, then rolls. Seven runs of eight seconds: a constant figure.
 pub fn how_far_eggs_rise() -> Result<Figure> {
     let one = |turns: f64| -> Result<f64> {
-        let rows = run(&egg_scene(turns)?, 8.0, 8, 1e-2)?;
+        let rows = run(&egg_scene(turns, 0.1)?, 8.0, 8, 1e-2)?;
         Ok(slope(rows[8].1.tilt()))
     };
-    let ends = TURNS.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>()?;
+    let ends = SPINS.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>()?;
     let words = Words {
         claim: "An egg that is spun too sluggishly rises part of the way, or not at all.".to_owned(),
         details: format!(
@@ -120,13 +150,12 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
               at ten turns, and near zero at twenty."
             .to_owned(),
     };
-    Ok(figure("egg-angle", 330.0, words, |pen| {
+    Ok(figure("egg-angle", 348.0, words, |pen| {
         let frame = Frame {
-            sides: [62.0, 572.0, 278.0, 14.0],
-            x: [7.0, 21.0],
-            y: [0.0, 95.0],
+            x: Axis::linear([7.0, 21.0], [62.0, 572.0]),
+            y: Axis::linear([0.0, 95.0], [296.0, 34.0]),
         };
-        frame.axes(
+        frame.draw(
             pen,
             &[
                 (8.0, "8"),
@@ -138,9 +167,9 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
                 (20.0, "20"),
             ],
             &[(0.0, "0°"), (30.0, "30°"), (60.0, "60°"), (90.0, "90°")],
+            ["turns a second", "angle from the vertical"],
         );
-        frame.names(pen, "turns a second", "");
-        let curve = TURNS.iter().copied().zip(ends.iter().copied());
+        let curve = SPINS.iter().copied().zip(ends.iter().copied());
         frame.curve(pen, curve.clone(), stroke(Role::Ink, AXIS).dotted());
         for (turns, end) in curve {
             pen.disc(frame.at(turns, end), 4.6, Role::Ink, 1.0);

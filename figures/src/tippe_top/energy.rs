@@ -1,110 +1,136 @@
 //! The tippe top raises its centre of mass while its energy falls.
 
 use spinning_bodies::Result;
-use spinning_bodies::scene::contact::passage;
+use spinning_bodies::scene::contact::{State, passage};
 
-use super::plot::Frame;
-use super::{run, tippe_scene};
-use crate::Figure;
+use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
+use crate::plot::{Axis, Frame, apart};
 use crate::style::{Anchor, DATA, HAIR, Role, Words, figure, label, number, small, stroke};
+use crate::{Figure, Parameter, Values};
+
+/// What may be chosen.
+pub const ENERGY: &[Parameter] = &[SPIN, VISCOUS, ALPHA.between([0.1, 0.5], 0.3)];
+
+/// How long it is followed, s.
+const END: f64 = 8.0;
 
 /// The centre of mass climbs, and the spin pays for it several times over.
-pub fn height_and_energy() -> Result<Figure> {
-    let rows = run(&tippe_scene(155.0)?, 8.0, 400, 1e-3)?;
+pub fn height_and_energy(values: &Values) -> Result<Figure> {
+    let alpha = values.of(&ENERGY[2]);
+    let (spin, friction) = (values.of(&SPIN), values.of(&VISCOUS));
+    let scene = tippe_scene(&tippe(alpha, GAMMA.default)?, spin, friction)?;
+    let rows = run(&scene, END, 400, 1e-3)?;
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
-    let half = passage(&rows, |s| s.tilt().to_degrees(), 90.0).unwrap_or(f64::NAN);
+    let half = passage(&rows, |s| s.tilt().to_degrees(), 90.0);
     let weight = 0.02 * super::G_TIPPE;
     let gain = weight * (last.position.z() - first.position.z());
+    let loss = first.energy - last.energy;
+    let ends = number(last.tilt().to_degrees(), 0);
+    let paid = if gain > 0.05 * weight * 0.02 * alpha {
+        format!(
+            "its energy falls: the spin pays the climb, and friction takes {} times as much.",
+            number(loss / gain - 1.0, 1)
+        )
+    } else {
+        "what friction takes does not lift it.".to_owned()
+    };
+    let claim = match half {
+        Some(_) if last.tilt() > 3.0 => format!("While the top climbs, {paid}"),
+        Some(_) => format!("While the top climbs to {ends} degrees, {paid}"),
+        None if gain > 0.05 * weight * 0.02 * alpha => {
+            format!("In {END} seconds this top climbs to {ends} degrees only, and {paid}")
+        }
+        None => format!("In {END} seconds this top leans by {ends} degrees at most, and {paid}"),
+    };
+    let side = match half {
+        Some(half) => format!("It lies on its side at {} s", number(half, 2)),
+        None => "It does not get to its side".to_owned(),
+    };
+    let steady = rows
+        .windows(2)
+        .all(|pair| pair[1].1.energy <= pair[0].1.energy * (1.0 + 1e-6));
     let words = Words {
-        claim: "While the top climbs, its energy falls: the spin pays the climb, and friction takes ten times as much.".to_owned(),
+        claim,
         details: format!(
-            "Tippe top of 20 g, $R = 2$ cm, $\\alpha = 0.3$, spun at 155 rad/s about its axis, viscous friction 0.3 s/m. $C$ rises from {} to {} mm, \
-             half of it at {} s; that costs {} mJ. The energy falls from {} to {} mJ, at no instant rising.",
+            "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {}$, spun at {} rad/s about its axis, viscous friction {} s/m. $C$ goes from {} to {} mm. \
+             {side}. The height costs {} mJ. The energy falls from {} to {} mJ{}",
+            number(alpha, 2),
+            number(spin, 0),
+            number(friction, 2),
             number(1e3 * first.position.z(), 2),
             number(1e3 * last.position.z(), 2),
-            number(half, 2),
             number(1e3 * gain, 2),
             number(1e3 * first.energy, 2),
             number(1e3 * last.energy, 2),
+            if steady {
+                ", at no instant rising."
+            } else {
+                "."
+            },
         ),
-        alt: "Two curves against time from 0 to 8 seconds. The upper one, total energy, stays level at 41 millijoules for about four seconds, then \
-              falls steeply to 16 and stays. The lower one, the potential energy, rises in the same two seconds from 3 to 5 millijoules. The gap \
-              between the curves is the kinetic energy."
-            .to_owned(),
+        alt: format!(
+            "Two curves against time from 0 to {END} seconds. The upper one, total energy, falls from {} to {} millijoules. The lower one, dashed, the potential energy, \
+             goes from {} to {}. {side}. The gap between the curves is the kinetic energy.",
+            number(1e3 * first.energy, 1),
+            number(1e3 * last.energy, 1),
+            number(1e3 * weight * first.position.z(), 1),
+            number(1e3 * weight * last.position.z(), 1),
+        ),
     };
-    Ok(figure("tippe-energy", 372.0, words, |pen| {
+    let height = |s: &State| 1e3 * weight * s.position.z();
+    let made = figure("tippe-energy", 380.0, words, |pen| {
+        let top = 1.08 * 1e3 * first.energy;
         let frame = Frame {
-            sides: [62.0, 486.0, 320.0, 16.0],
-            x: [0.0, 8.0],
-            y: [0.0, 45.0],
+            x: Axis::linear([0.0, END], [62.0, 486.0]),
+            y: Axis::linear([0.0, top], [330.0, 34.0]),
         };
-        frame.axes(
-            pen,
-            &[(0.0, "0"), (2.0, "2"), (4.0, "4"), (6.0, "6"), (8.0, "8 s")],
-            &[
-                (0.0, "0"),
-                (10.0, "10"),
-                (20.0, "20"),
-                (30.0, "30"),
-                (40.0, "40 mJ"),
-            ],
-        );
-        frame.names(pen, "time", "");
-        let height = |s: &spinning_bodies::scene::contact::State| 1e3 * weight * s.position.z();
+        frame.draw_round(pen, ["time, s", "energy, mJ"]);
         let mut gap: Vec<_> = rows
             .iter()
             .map(|(t, s)| frame.at(*t, 1e3 * s.energy))
             .collect();
         gap.extend(rows.iter().rev().map(|(t, s)| frame.at(*t, height(s))));
-        pen.fill(&gap, Role::Omega, 0.1);
-        frame.curve(
-            pen,
-            rows.iter().map(|(t, s)| (*t, 1e3 * s.energy)),
-            stroke(Role::Ink, DATA),
-        );
-        frame.curve(
-            pen,
-            rows.iter().map(|(t, s)| (*t, height(s))),
-            stroke(Role::AngularMomentum, DATA),
-        );
-        pen.line(
-            &[frame.at(half, 0.0), frame.at(half, 44.0)],
-            stroke(Role::Muted, HAIR).dotted(),
-        );
-        pen.text(
-            frame.at(half + 0.08, 42.0),
-            Anchor::Start,
-            "on its side",
-            small(Role::Muted),
-        );
-        let right = frame.sides[1] + 8.0;
-        let end = |y: f64| frame.at(0.0, y)[1];
-        pen.text(
-            [right, end(1e3 * last.energy) + 5.0],
-            Anchor::Start,
-            "energy",
-            label(Role::Ink),
-        );
-        pen.text(
-            [right, end(height(&last)) + 1.0],
-            Anchor::Start,
-            "*Mg* × height",
-            label(Role::AngularMomentum),
-        );
-        pen.text(
-            [right, end(height(&last)) + 18.0],
-            Anchor::Start,
-            "of *C*",
-            label(Role::AngularMomentum),
-        );
-        pen.text(
-            frame.at(2.2, 21.0),
-            Anchor::Middle,
-            "in the motion",
-            label(Role::Omega),
-        );
-    })
-    .value("climb", number(1e3 * gain, 2))
-    .value("before", number(1e3 * first.energy, 2))
-    .value("after", number(1e3 * last.energy, 2)))
+        pen.fill(&gap, Role::Ink, 0.08);
+        let energy = rows.iter().map(|(t, s)| (*t, 1e3 * s.energy));
+        frame.curve(pen, energy, stroke(Role::Ink, DATA));
+        let lower = rows.iter().map(|(t, s)| (*t, height(s)));
+        frame.curve(pen, lower, stroke(Role::Ink, DATA).dashed());
+        if let Some(half) = half {
+            let line = [frame.at(half, 0.0), frame.at(half, top)];
+            pen.line(&line, stroke(Role::Muted, HAIR).dotted());
+            let (side, anchor) = if half < 6.0 {
+                (6.0, Anchor::Start)
+            } else {
+                (-6.0, Anchor::End)
+            };
+            let place = [line[1][0] + side, line[1][1] + 8.0];
+            pen.text(place, anchor, "on its side", small(Role::Muted));
+        }
+        let ends = [1e3 * last.energy, height(&last)].map(|y| frame.y.at(y));
+        let places = apart(&ends, 24.0, 308.0);
+        let of = places[1] + 18.0;
+        for (y, text) in [
+            (places[0], "energy"),
+            (places[1], "*Mg* × height"),
+            (of, "of *C*"),
+        ] {
+            pen.text([494.0, y + 5.0], Anchor::Start, text, label(Role::Ink));
+        }
+        // In the early gap, which is the wider one.
+        let early = &rows[95].1;
+        let (upper, lower) = (frame.y.at(1e3 * early.energy), frame.y.at(height(early)));
+        if lower - upper > 30.0 {
+            let place = [frame.x.at(0.15 * END), 0.5 * (upper + lower) + 5.0];
+            pen.text(place, Anchor::Middle, "in the motion", label(Role::Muted));
+        }
+    });
+    let columns = ["time (s)", "energy (mJ)", "potential energy (mJ)"];
+    let table = rows
+        .iter()
+        .map(|(t, s)| vec![*t, 1e3 * s.energy, height(s)]);
+    Ok(made
+        .data("tippe top", &columns, table)
+        .value("climb", number(1e3 * gain, 2))
+        .value("before", number(1e3 * first.energy, 2))
+        .value("after", number(1e3 * last.energy, 2)))
 }

@@ -1,124 +1,180 @@
 //! Growth rates of the chiral top's slow swing against friction.
 
 use spinning_bodies::Result;
-use spinning_bodies::tippe_top::{Regularised, bodies, quasi_steady};
+use spinning_bodies::tippe_top::bodies::{chiral_inertia, eccentric_ball};
+use spinning_bodies::tippe_top::{Regularised, quasi_steady};
 
-use super::G;
-use crate::Figure;
+use super::{ALPHA, G};
+use crate::plot::{Axis, Frame, beaded, texts};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    Anchor, DATA, Point, Role, SECONDARY, Words, along, figure, label, number, roomiest, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// Decades of friction and of rate.
-const MU: [f64; 2] = [-3.0, -0.6];
-const RATE: [f64; 2] = [-6.3, -0.7];
+const RATE_OF_SPIN: Parameter = Parameter::new(
+    "spin",
+    r"\Omega\sqrt{R/g}",
+    "spin in units of the natural rate",
+    [4.0, 12.0],
+    6.0,
+);
+const SKEW: Parameter = Parameter::new(
+    "skew",
+    "s",
+    "skewness of the inertia matrix, over that of the book's top",
+    [0.0, 1.5],
+    1.0,
+);
+/// What may be chosen.
+pub const GROWTH: &[Parameter] = &[RATE_OF_SPIN, SKEW, ALPHA.between([0.15, 0.25], 0.19)];
 
-fn place(mu: f64, rate: f64) -> Point {
-    [
-        74.0 + 480.0 * (mu.log10() - MU[0]) / (MU[1] - MU[0]),
-        340.0 - 324.0 * (rate.log10() - RATE[0]) / (RATE[1] - RATE[0]),
-    ]
-}
+/// Friction and rates shown.
+const MU: [f64; 2] = [1e-3, 0.25];
+const RATE: [f64; 2] = [5e-7, 0.2];
+/// Ratio of neighbouring coefficients of friction.
+const STEP: f64 = 1.258_925_411_794_167_2;
 
 /// Handedness is of second order in friction.
-pub fn growth_rates() -> Result<Figure> {
+pub fn growth_rates(values: &Values) -> Result<Figure> {
     let (natural, speed) = ((G / 0.02).sqrt(), (G * 0.02).sqrt());
-    let body = bodies::chiral_top()?;
+    let (spin, skew, alpha) = (
+        values.of(&RATE_OF_SPIN),
+        values.of(&SKEW),
+        values.of(&GROWTH[2]),
+    );
+    let mut inertia = chiral_inertia();
+    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+        (inertia[(i, j)], inertia[(j, i)]) = (skew * inertia[(i, j)], skew * inertia[(j, i)]);
+    }
+    let body = eccentric_ball(0.02, 0.02, alpha, inertia)?;
     let swing = |mu: f64, sense: f64| -> Result<f64> {
         let law = Regularised::new(mu, 1e-3 * speed)?;
-        Ok(quasi_steady(&body, G, law, sense * 6.0 * natural)?
+        Ok(quasi_steady(&body, G, law, sense * spin * natural)?
             .slow_swing()?
             .growth
             / natural)
     };
-    let mut points = Vec::new();
-    for k in 0..=22 {
-        let mu = 10_f64.powf(-2.9 + 0.1 * f64::from(k));
-        let (plus, minus) = (swing(mu, 1.0)?, swing(mu, -1.0)?);
-        points.push((mu, 0.5 * (minus - plus), 0.5 * (minus + plus)));
-    }
-    let slope = |a: f64, b: f64| (b / a).log10() / 0.1;
-    let (first, second) = (&points[0], &points[1]);
-    let words = Words {
-        claim: "What both spins share grows like the friction; what tells them apart, like its square.".to_owned(),
-        details: format!(
-            "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at $6\\sqrt{{g/R}}$: half the difference \
-             of the two senses and their mean. At the left end the slopes are {} and {}. Dotted: slopes 2 and 1. Where the mean falls off it \
-             changes sign.",
-            number(slope(first.1, second.1), 2),
-            number(slope(first.2, second.2), 2),
+    // Where the top has no such state, nothing is drawn.
+    let both = |mu: f64| Some((mu, swing(mu, 1.0).ok()?, swing(mu, -1.0).ok()?));
+    let points: Vec<(f64, [f64; 2])> = (0..=22)
+        .filter_map(|k| both(10_f64.powf(-2.9) * STEP.powi(k)))
+        .map(|(mu, plus, minus)| (mu, [0.5 * (minus - plus), 0.5 * (minus + plus)]))
+        .collect();
+    let slopes = [0, 1].map(|which| {
+        let pair = points.windows(2).next()?;
+        let (a, b) = (pair[0].1[which], pair[1].1[which]);
+        (a > 1e-8 && b > 1e-8).then(|| (b / a).ln() / (pair[1].0 / pair[0].0).ln())
+    });
+    let near =
+        |slope: Option<f64>, power: f64| slope.is_some_and(|slope| (slope - power).abs() < 0.1);
+    let claim = match slopes {
+        [difference, mean] if near(difference, 2.0) && near(mean, 1.0) => {
+            "What both spins share grows like the friction; what tells them apart, like its square.".to_owned()
+        }
+        [None, _] if skew == 0.0 => "Without skewness in its inertia the top does not tell its two spins apart.".to_owned(),
+        [None, _] => "With little friction this top rather turns over anticlockwise, if at all: the difference has changed its sign.".to_owned(),
+        [Some(_), None] if points.first().is_some_and(|(_, [half, mean])| half.abs() > -mean) => {
+            "With little friction the spins share a swing that dies, and what tells them apart is enough to make one of them grow.".to_owned()
+        }
+        [Some(_), None] => "With little friction the swing dies whichever way the top is spun.".to_owned(),
+        [Some(difference), Some(mean)] => format!(
+            "Even at the least friction shown, what tells the spins apart grows like its power {}, what they share like its power {}.",
+            number(difference, 1),
+            number(mean, 1)
         ),
-        alt: "Two curves on doubly logarithmic axes, friction from 0.001 to 0.2. The half difference of the growth rates follows a line of slope \
-              two over four decades. The mean follows a line of slope one and lies above it for little friction; for friction above \
-              0.01 the difference is the greater."
-            .to_owned(),
     };
-    Ok(figure("chiral-growth", 400.0, words, |pen| {
-        let ink = stroke(Role::Ink, AXIS);
-        let (corner, right, top) = ([74.0, 340.0], 560.0, 16.0);
-        pen.line(&[[corner[0], top], corner, [right, corner[1]]], ink);
-        for (decade, text) in [(-3, "0.001"), (-2, "0.01"), (-1, "0.1")] {
-            let [x, _] = place(10_f64.powi(decade), 1e-3);
-            pen.line(&[[x, 340.0], [x, 345.0]], ink);
-            pen.text([x, 361.0], Anchor::Middle, text, small(Role::Ink));
-        }
-        for decade in -6..=-1 {
-            let [_, y] = place(1e-2, 10_f64.powi(decade));
-            pen.line(&[[69.0, y], [74.0, y]], ink);
-            pen.line(
-                &[[74.0, y], [right, y]],
-                stroke(Role::Muted, HAIR).alpha(0.4),
-            );
-            pen.text(
-                [64.0, y + 5.0],
-                Anchor::End,
-                &format!("10^{{\u{2212}{}}}", -decade),
-                small(Role::Ink),
-            );
-        }
-        pen.text(
-            [right, 384.0],
-            Anchor::End,
-            "friction *μ*",
-            label(Role::Ink),
-        );
-        for (power, at, rate) in [(2.0, first.0, first.1), (1.0, first.0, first.2)] {
-            let far = 10_f64.powf(MU[1]);
-            let end = rate * (far / at).powf(power);
-            pen.line(
-                &[place(at, rate), place(far, end)],
-                stroke(Role::Muted, SECONDARY).dotted(),
-            );
-        }
-        let shown = |value: f64| value > 10_f64.powf(RATE[0]);
-        for (role, pick) in [
-            (
-                Role::Omega,
-                (|p: &(f64, f64, f64)| p.1) as fn(&(f64, f64, f64)) -> f64,
-            ),
-            (Role::AngularMomentum, |p| p.2),
-        ] {
-            for piece in points.split(|p| !shown(pick(p))) {
-                let drawn: Vec<Point> = piece.iter().map(|p| place(p.0, pick(p))).collect();
-                pen.line(&drawn, stroke(role, DATA));
-                for p in drawn {
-                    pen.disc(p, 3.2, role, 1.0);
-                }
+    let told =
+        slopes.map(|slope| slope.map_or("not to be had".to_owned(), |slope| number(slope, 2)));
+    let words = Words {
+        claim,
+        details: format!(
+            "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${}\\sqrt{{g/R}}$, $\\alpha = {}$, the \
+             products of inertia {} times the book's: half the difference of the two senses and their mean. At the left end the slopes are {} and {}. Dotted: slopes 2 and 1. \
+             Where a curve falls off it changes sign.",
+            number(spin, 1),
+            number(alpha, 2),
+            number(skew, 2),
+            told[0],
+            told[1],
+        ),
+        alt: format!(
+            "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates, black, starts with slope {}. The mean, grey, \
+             with slope {}. Dotted lines of slopes two and one for comparison.",
+            told[0], told[1]
+        ),
+    };
+    let made = figure("chiral-growth", 392.0, words, |pen| {
+        let frame = Frame {
+            x: Axis::log(MU, [74.0, 560.0]),
+            y: Axis::log(RATE, [342.0, 16.0]),
+        };
+        let across = [(1e-3, "0.001"), (1e-2, "0.01"), (1e-1, "0.1")];
+        let up: Vec<(f64, String)> = (1..=6)
+            .map(|k| (10_f64.powi(-k), format!("10^{{\u{2212}{k}}}")))
+            .collect();
+        frame.draw(pen, &across, &texts(&up), ["friction *μ*", ""]);
+        let shown = |rate: f64| rate > RATE[0] && rate < RATE[1];
+        let texts_of = ["half the difference", "mean"];
+        let curve = |which: usize| -> Vec<Point> {
+            let seen = points.iter().filter(|p| shown(p.1[which]));
+            seen.map(|p| frame.at(p.0, p.1[which])).collect()
+        };
+        let mut taken: Vec<Point> = [0, 1].iter().flat_map(|k| along(&curve(*k), 8.0)).collect();
+        for (which, power) in [(0, 2.0), (1, 1.0)] {
+            let role = [Role::Ink, Role::Muted][which];
+            let seen = |p: &&(f64, [f64; 2])| shown(p.1[which]);
+            if let Some((mu, rates)) = points.iter().find(seen) {
+                let ray = (0..=20).map(|t| mu * (MU[1] / mu).powf(f64::from(t) / 20.0));
+                let ray = ray.map(|at| (at, rates[which] * (at / mu).powf(power)));
+                let inside: Vec<(f64, f64)> = ray.filter(|p| p.1 < RATE[1]).collect();
+                taken.extend(inside.iter().map(|p| frame.at(p.0, p.1)));
+                let dotted = stroke(Role::Muted, SECONDARY).dotted();
+                frame.curve(pen, inside.into_iter(), dotted);
+            }
+            for piece in points.split(|p| !shown(p.1[which])) {
+                let line: Vec<Point> = piece.iter().map(|p| frame.at(p.0, p.1[which])).collect();
+                beaded(pen, &line, stroke(role, DATA));
             }
         }
-        let at = place(4.5e-3, 3e-5);
-        pen.text(
-            [at[0] + 14.0, at[1] + 40.0],
-            Anchor::Start,
-            "half the difference: slope 2",
-            label(Role::Omega),
-        );
-        let at = place(1.5e-3, 1.4e-4);
-        pen.text(
-            [at[0], at[1] - 14.0],
-            Anchor::Start,
-            "mean: slope 1",
-            label(Role::AngularMomentum),
-        );
-    }))
+        // Each name as near to the middle of its curve as there is room, the steep one rather below it.
+        for which in [0, 1] {
+            let role = [Role::Ink, Role::Muted][which];
+            let text = match slopes[which] {
+                Some(slope) => format!("{}: slope {}", texts_of[which], number(slope, 1)),
+                None => texts_of[which].to_owned(),
+            };
+            let line = curve(which);
+            if line.is_empty() {
+                continue;
+            }
+            let half = [4.2 * text.chars().count() as f64, 8.0];
+            let sides = if which == 0 {
+                [26.0, 44.0, -26.0, -44.0]
+            } else {
+                [-26.0, -44.0, 26.0, 44.0]
+            };
+            let middle = line.len() / 2;
+            let order = (0..line.len()).map(|k| match k % 2 {
+                0 => middle - k / 2,
+                _ => (middle + k / 2 + 1).min(line.len() - 1),
+            });
+            let places = order.flat_map(|k| {
+                let [x, y] = line[k];
+                let x = x.clamp(84.0 + half[0], 556.0 - half[0]);
+                sides.map(|side| [x, (y + side).clamp(26.0, 326.0)])
+            });
+            let [x, y] = roomiest(places, half, &taken);
+            taken.extend(along(&[[x - half[0], y], [x + half[0], y]], 8.0));
+            pen.text([x, y + 5.0], Anchor::Middle, &text, label(role));
+        }
+    });
+    let columns = [
+        "friction",
+        "half the difference over √(g/R)",
+        "mean over √(g/R)",
+    ];
+    let rows = points
+        .iter()
+        .map(|(mu, [half, mean])| vec![*mu, *half, *mean]);
+    Ok(made.data("slow swing", &columns, rows))
 }

@@ -1,63 +1,133 @@
 //! Pictures i and j: why the clay goes up.
 
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
 use spinning_bodies::Result;
 use spinning_bodies::frame::SpaceVector;
+use spinning_bodies::tippe_top::HoopWithClay;
 
-use super::{TOY_SPIN, toy};
-use crate::Figure;
+use super::{ALPHA, TURNS, toy};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
     small, stroke,
 };
+use crate::{Figure, Parameter, Values};
 
-/// Radius of the hoop, units; how far C is from K in the picture, over the radius.
+const OFFSET: Parameter = ALPHA.between([0.25, 0.7], 0.42);
+const LOW: Parameter = Parameter::new(
+    "low",
+    r"\theta_1",
+    "tilt with the clay below the horizontal",
+    [15.0, 80.0],
+    42.0,
+)
+.unit("°")
+.dragged(|values| clay(0, values), |point, _| tilt_at(0, point));
+const HIGH: Parameter = Parameter::new(
+    "high",
+    r"\theta_2",
+    "tilt with the clay above the horizontal",
+    [100.0, 165.0],
+    128.0,
+)
+.unit("°")
+.dragged(|values| clay(1, values), |point, _| tilt_at(1, point));
+/// What may be chosen; the clay is dragged.
+pub const HOOP: &[Parameter] = &[OFFSET, LOW, HIGH, TURNS.between([1.0, 100.0], 50.0)];
+
+/// Radius of the hoop, units.
 const RADIUS: f64 = 104.0;
-const ALPHA: f64 = 0.42;
-/// Level of the table.
-const FLOOR: f64 = 318.0;
+/// Level of the table, and where the hoops stand on it.
+const FLOOR: f64 = 272.0;
+const PLACES: [f64; 2] = [158.0, 446.0];
+/// The estimate holds for slips that keep their direction: εΩ² of so many μg.
+const SURE: f64 = 10.0;
+
+fn center(k: usize) -> Point {
+    [PLACES[k], FLOOR - RADIUS]
+}
+
+/// Where the lump sits on the rim.
+fn clay(k: usize, values: &Values) -> Point {
+    let tilt = values.of([&LOW, &HIGH][k]).to_radians();
+    polar(center(k), RADIUS, 1.5 * PI - tilt)
+}
+
+fn tilt_at(k: usize, point: Point) -> f64 {
+    let [x, y] = center(k);
+    (x - point[0]).atan2(point[1] - y).to_degrees()
+}
 
 /// Friction's torque pushes the clay up, below the horizontal and above it.
-pub fn hoop_with_clay() -> Result<Figure> {
-    let hoop = toy(ALPHA)?;
-    let tilts = [42_f64.to_radians(), 128_f64.to_radians()];
-    let slips = tilts.map(|tilt| hoop.slip(tilt, TOY_SPIN));
+pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
+    let hoop: HoopWithClay = toy(values.of(&OFFSET), 1.0 / 3.0)?;
+    let spin = TAU * values.of(&TURNS);
+    let degrees = [values.of(&LOW), values.of(&HIGH)];
+    let tilts = degrees.map(f64::to_radians);
+    let slips = tilts.map(|tilt| hoop.slip(tilt, spin));
     let torques = tilts.map(|tilt| hoop.torque(tilt));
+    let force = hoop.validity(spin);
+    let claim = if force >= SURE {
+        "Friction at ⊙ pushes the clay up, below the horizontal and above it.".to_owned()
+    } else {
+        format!(
+            "So slow a spin need not push the clay up: it swings the hoop about with {} times the force of friction, and the slip turns with it.",
+            number(force, 2)
+        )
+    };
+    let dips = torques.map(|n| number((n.z() / n.x()).atan().to_degrees(), 0));
+    let named = degrees.map(|tilt| number(tilt, 0));
     let words = Words {
-        claim: "Friction at ⊙ pushes the clay up, below the horizontal and above it.".to_owned(),
+        claim,
         details: format!(
-            "Pictures i and j of the tutorial. The hoop spins about the vertical, anticlockwise from above. At tilts of 42° and 128° the \
+            "Pictures i and j of the tutorial. The hoop spins about the vertical, anticlockwise from above, {} times a second. At tilts of {}° and {}° the \
              contact plunges into the page, with {} and {} m/s in the toy if $CK$ were {} of $R$; so friction comes out of it, and its \
-             torque about $C$ points left and {}° and {}° down. It turns the axis $CK$ away from $L$ both times.",
+             torque $N$ about $C$ points left and {}° and {}° down. It turns the axis $CK$ away from $L$ both times.",
+            number(values.of(&TURNS), 0),
+            named[0],
+            named[1],
             number(slips[0].y(), 2),
             number(slips[1].y(), 2),
-            number(ALPHA, 2),
-            number((torques[0].z() / torques[0].x()).atan().to_degrees(), 0),
-            number((torques[1].z() / torques[1].x()).atan().to_degrees(), 0),
+            number(values.of(&OFFSET), 2),
+            dips[0],
+            dips[1],
         ),
-        alt: "Two hoops on a table, seen along it, each with a lump of clay on its rim. On the left the clay is low and to the left, on the right \
-              high and to the left. K is the hoop's centre, C lies between K and the clay. The vertical arrow L and the axis from C through K \
-              enclose the angle theta. Below K, where the hoop touches the table, friction comes out of the page. \
-              A torque arrow points left from C and slightly down, in both pictures."
-            .to_owned(),
+        alt: format!(
+            "Two hoops on a table, seen along it, each with a lump of clay on its rim. On the left the clay is low and to the left, on the right \
+             high and to the left. K is the hoop's centre, C lies between K and the clay. The vertical arrow L and the axis from C through K \
+             enclose the angle theta, {} and {} degrees. Below K, where the hoop touches the table, friction comes out of the page. \
+             A torque arrow points left from C and slightly down, in both pictures.",
+            named[0], named[1]
+        ),
     };
-    Ok(figure("hoop-with-clay", 366.0, words, |pen| {
+    let made = figure("hoop-with-clay", 314.0, words, |pen| {
         pen.line(
             &[[14.0, FLOOR], [586.0, FLOOR]],
             stroke(Role::Ink, SECONDARY),
         );
-        for (k, x) in [158.0, 446.0].into_iter().enumerate() {
-            one(pen, [x, FLOOR - RADIUS], tilts[k], torques[k]);
+        for k in 0..2 {
+            one(pen, center(k), values.of(&OFFSET), (tilts[k], torques[k]));
         }
-    }))
+    });
+    let columns = [
+        "tilt (°)",
+        "slip (m/s)",
+        "torque to the right (N m)",
+        "torque upwards (N m)",
+    ];
+    let row = |k: usize| vec![degrees[k], slips[k].y(), torques[k].x(), torques[k].z()];
+    Ok(made
+        .data("clay below", &columns, [row(0)])
+        .data("clay above", &columns, [row(1)]))
 }
 
-fn one(pen: &mut Pen, k: Point, tilt: f64, torque: SpaceVector) {
+fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) {
     let (s, c) = tilt.sin_cos();
     let along = |d: f64| [k[0] + d * s, k[1] - d * c];
-    let mass = along(-ALPHA * RADIUS);
+    let mass = along(-alpha * RADIUS);
     pen.ring(k, RADIUS, stroke(Role::Ink, 3.0));
     // The clay: a lump on the inside of the rim, on the side of C.
-    let down = core::f64::consts::FRAC_PI_2 - tilt + core::f64::consts::PI;
+    let down = FRAC_PI_2 - tilt + PI;
     let mut lump = crate::style::arc(k, RADIUS - 1.0, down - 0.34, down + 0.34);
     lump.extend((-20..=20).rev().map(|step| {
         let part = f64::from(step) / 20.0;
@@ -68,8 +138,10 @@ fn one(pen: &mut Pen, k: Point, tilt: f64, torque: SpaceVector) {
         )
     }));
     pen.fill(&lump, Role::Ink, 0.6);
+    // The axis, not through the table.
+    let reach = (1.22 * RADIUS).min(0.96 * RADIUS / (-c).max(1e-3));
     pen.line(
-        &[along(-RADIUS), along(1.22 * RADIUS)],
+        &[along(-RADIUS), along(reach)],
         stroke(Role::Ink, AXIS).dotted(),
     );
     let top = k[1] - 1.22 * RADIUS;
@@ -91,45 +163,44 @@ fn one(pen: &mut Pen, k: Point, tilt: f64, torque: SpaceVector) {
     pen.arc(
         mass,
         34.0,
-        core::f64::consts::FRAC_PI_2 - tilt,
-        core::f64::consts::FRAC_PI_2,
+        FRAC_PI_2 - tilt,
+        FRAC_PI_2,
         stroke(Role::Ink, AXIS),
     );
-    let half = core::f64::consts::FRAC_PI_2 - 0.5 * tilt;
+    let half = FRAC_PI_2 - 0.5 * tilt;
     let [x, y] = polar(mass, 46.0, half);
     pen.text([x, y + 5.0], Anchor::Middle, "*θ*", label(Role::Ink));
     // The torque, in the plane of the picture.
-    let scale = 0.62 * RADIUS / torque.norm();
+    let scale = 0.5 * RADIUS / torque.norm();
     let tip = [mass[0] + scale * torque.x(), mass[1] - scale * torque.z()];
     pen.arrow(mass, tip, stroke(Role::Torque, DATA));
+    // Letters stand off the axis, which falls to the right where the clay is above.
+    let above = tilt > FRAC_PI_2;
+    let [x, y] = crate::style::between(mass, tip, 0.5);
+    let beside = if above { 21.0 } else { -9.0 };
     pen.text(
-        [tip[0] + 4.0, tip[1] + if tilt < 1.5 { -10.0 } else { 22.0 }],
-        Anchor::Start,
+        [x - 4.0, y + beside],
+        Anchor::Middle,
         "*N*",
         label(Role::Torque),
     );
     pen.disc(mass, 4.0, Role::Ink, 1.0);
     pen.disc(k, 4.0, Role::Ink, 1.0);
-    pen.text(
-        [k[0] + 9.0, k[1] + 16.0],
-        Anchor::Start,
-        "*K*",
-        label(Role::Ink),
-    );
-    pen.text(
-        [mass[0] + 8.0, mass[1] + 19.0],
-        Anchor::Start,
-        "*C*",
-        label(Role::Ink),
-    );
+    let [x, y] = match above {
+        true => polar([mass[0], mass[1] + 5.0], 17.0, half),
+        false => [mass[0] + 14.0, mass[1] + 19.0],
+    };
+    pen.text([x, y], Anchor::Middle, "*C*", label(Role::Ink));
+    let y = k[1] + if above { -11.0 } else { 19.0 };
+    pen.text([k[0] + 11.0, y], Anchor::Start, "*K*", label(Role::Ink));
     let foot = [k[0], k[1] + RADIUS];
-    pen.disc(foot, 7.5, Role::Torque, 0.18);
-    pen.ring(foot, 7.5, stroke(Role::Torque, 1.4));
-    pen.disc(foot, 2.2, Role::Torque, 1.0);
+    pen.disc(foot, 7.5, Role::Ink, 0.18);
+    pen.ring(foot, 7.5, stroke(Role::Ink, 1.4));
+    pen.disc(foot, 2.2, Role::Ink, 1.0);
     pen.text(
         [foot[0], foot[1] + 29.0],
         Anchor::Middle,
         "friction, out of the page",
-        small(Role::Torque),
+        small(Role::Ink),
     );
 }

@@ -18,7 +18,7 @@ const END: f64 = 2.5;
 
 /// Whether the top is on its head at the end.
 fn over(sense: f64, tilt: f64, azimuth: f64) -> Result<bool> {
-    let scene = chiral_scene(sense * CHIRAL_SPIN, tilt.to_radians(), azimuth)?;
+    let scene = chiral_scene(sense * CHIRAL_SPIN, tilt.to_radians(), azimuth, 0.3)?;
     let rows = run(&scene, END, 1, 0.1)?;
     Ok(rows[1].1.tilt() > core::f64::consts::FRAC_PI_2)
 }
@@ -32,7 +32,7 @@ fn rings(sense: f64) -> Result<Vec<Vec<bool>>> {
     TILTS.iter().map(ring).collect()
 }
 
-/// How carelessly it may be released.
+/// How carelessly it may be released. Ninety-six runs: a constant figure.
 pub fn outcomes() -> Result<Figure> {
     let (plus, minus) = (rings(1.0)?, rings(-1.0)?);
     let count = |rings: &[Vec<bool>]| rings.iter().flatten().filter(|x| **x).count();
@@ -64,18 +64,12 @@ pub fn outcomes() -> Result<Figure> {
             .to_owned(),
     };
     Ok(figure("chiral-map", 330.0, words, |pen| {
-        target(pen, [155.0, 168.0], &minus, "clockwise", Role::Omega);
-        target(
-            pen,
-            [445.0, 168.0],
-            &plus,
-            "anticlockwise",
-            Role::AngularMomentum,
-        );
+        target(pen, [155.0, 168.0], &minus, "clockwise");
+        target(pen, [445.0, 168.0], &plus, "anticlockwise");
     }))
 }
 
-fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str, role: Role) {
+fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str) {
     let reach = |k: usize| 22.0 + 21.0 * k as f64;
     for (k, ring) in rings.iter().enumerate() {
         pen.ring(center, reach(k), stroke(Role::Muted, HAIR));
@@ -83,7 +77,7 @@ fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str, role: R
             let angle = TAU * j as f64 / f64::from(AZIMUTHS);
             let at = polar(center, reach(k), angle);
             if *over {
-                pen.disc(at, 5.6, role, 1.0);
+                pen.disc(at, 5.6, Role::Ink, 1.0);
             } else {
                 pen.ring(at, 5.0, stroke(Role::Ink, AXIS));
             }
@@ -103,6 +97,6 @@ fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str, role: R
         [center[0], center[1] + reach(5) + 29.0],
         Anchor::Middle,
         name,
-        label(role),
+        label(Role::Ink),
     );
 }

@@ -2,7 +2,7 @@
 //!
 //! Every run is a scene of the library; accuracies are chosen so that no line moves by a tenth of a unit.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
@@ -10,6 +10,10 @@ use spinning_bodies::scene::contact::{State, TableTop};
 use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{HoopWithClay, Start, TippeTop, bodies};
+
+use crate::Parameter;
+use crate::plot::{Frame, texts};
+use crate::style::Pen;
 
 mod animated;
 mod ball;
@@ -22,7 +26,6 @@ mod energy;
 mod growth;
 mod hoop;
 mod map;
-mod plot;
 mod potential;
 mod rattleback;
 mod strobe;
@@ -30,24 +33,22 @@ mod tip_over;
 
 pub use animated::turning_over;
 pub use beads::beads;
-pub use chiral::both_spins;
-pub use contact_path::contact_path;
-pub use diagram::energy_and_momentum;
-pub use egg::{egg_film, how_far_eggs_rise};
-pub use energy::height_and_energy;
-pub use growth::growth_rates;
-pub use hoop::hoop_with_clay;
+pub use chiral::{BOTH_SPINS, both_spins};
+pub use contact_path::{PATH, contact_path};
+pub use diagram::{DIAGRAM, energy_and_momentum};
+pub use egg::{FILM, egg_film, how_far_eggs_rise};
+pub use energy::{ENERGY, height_and_energy};
+pub use growth::{GROWTH, growth_rates};
+pub use hoop::{HOOP, hoop_with_clay};
 pub use map::outcomes;
-pub use potential::effective_potential;
-pub use rattleback::reversals;
-pub use strobe::strobed;
-pub use tip_over::tip_over;
+pub use potential::{POTENTIAL, effective_potential};
+pub use rattleback::{REVERSALS, reversals};
+pub use strobe::{STROBED, strobed};
+pub use tip_over::{TIP_OVER, tip_over};
 
 /// Gravity of the figures, m/s²; the tippe top's own is that of its source.
 const G: f64 = 9.81;
 const G_TIPPE: f64 = 9.82;
-/// Spin of the tutorial's toy: 50 turns a second.
-const TOY_SPIN: f64 = 100.0 * PI;
 /// Spin of the chiral top: six times √(g/R).
 const CHIRAL_SPIN: f64 = 132.9;
 
@@ -62,52 +63,102 @@ fn run(scene: &TableTop, end: f64, samples: u32, accuracy: f64) -> Result<Rows> 
     Ok(motion.rows)
 }
 
-/// The tutorial's toy in formulas.
-fn toy(alpha: f64) -> Result<HoopWithClay> {
-    HoopWithClay::new(0.02, 0.02, alpha, 0.4, 1.0 / 3.0, G)
+const ALPHA: Parameter = Parameter::new(
+    "alpha",
+    r"\alpha",
+    "offset of the centre of mass over the radius",
+    [0.05, 0.7],
+    0.3,
+);
+const GAMMA: Parameter = Parameter::new(
+    "gamma",
+    r"\gamma",
+    "moment of inertia across the axis over that about it",
+    [0.6, 1.5],
+    131.0 / 140.0,
+);
+const TURNS: Parameter =
+    Parameter::new("turns", "n", "spin at the start", [10.0, 100.0], 50.0).unit("turns/s");
+const SPIN: Parameter =
+    Parameter::new("spin", r"\Omega", "spin at the start", [20.0, 200.0], 155.0).unit("rad/s");
+const FRICTION: Parameter = Parameter::new(
+    "friction",
+    r"\mu",
+    "coefficient of friction",
+    [0.1, 1.0],
+    1.0 / 3.0,
+);
+
+const VISCOUS: Parameter = Parameter::new(
+    "friction",
+    "c",
+    "coefficient of viscous friction",
+    [0.1, 1.0],
+    0.3,
+)
+.unit("s/m");
+
+/// Ticks of a tilt.
+const TILTS: [(f64, &str); 5] = [
+    (0.0, "0°"),
+    (45.0, "45°"),
+    (90.0, "90°"),
+    (135.0, "135°"),
+    (180.0, "180°"),
+];
+
+/// The axes of a tilt (°) against time (s).
+fn tilt_against_time(pen: &mut Pen, frame: &Frame) {
+    let names = ["time, s", "tilt"];
+    frame.draw(pen, &texts(&frame.x.ticks(70.0)), &TILTS, names);
+}
+
+/// The tutorial's toy in formulas, with this coefficient of friction.
+fn toy(alpha: f64, mu: f64) -> Result<HoopWithClay> {
+    HoopWithClay::new(0.02, 0.02, alpha, 0.4, mu, G)
 }
 
 /// The tutorial's toy in full, spun about the vertical, 0.1 rad off its rest.
-fn toy_scene(alpha: f64, spin: f64) -> Result<TableTop> {
+fn toy_scene(alpha: f64, spin: f64, mu: f64) -> Result<TableTop> {
     let body = bodies::hoop_with_clay(0.02, 0.02, alpha)?;
     TableTop::new(body, Start::about_vertical(0.1, 0.0, spin)?)
         .with(Gravity::new(G)?)?
-        .with(Regularised::new(1.0 / 3.0, 1e-3)?)
+        .with(Regularised::new(mu, 1e-3)?)
 }
 
-/// The tippe top of Rauch-Wojciechowski and Rutstam in closed form.
-fn tippe() -> Result<TippeTop> {
-    let unit = 0.02 * 0.02 * 0.02;
-    TippeTop::new(0.02, 0.02, 0.3, unit * 131.0 / 350.0, unit * 0.4, G_TIPPE)
+/// The tippe top of Rauch-Wojciechowski and Rutstam, or one of another α and γ, in closed form.
+fn tippe(alpha: f64, gamma: f64) -> Result<TippeTop> {
+    let unit = 0.02 * 0.02 * 0.02 * 0.4;
+    TippeTop::new(0.02, 0.02, alpha, unit * gamma, unit, G_TIPPE)
 }
 
-/// The same in full, spun about its own axis at a tilt of 0.1 rad.
-fn tippe_scene(spin: f64) -> Result<TableTop> {
+/// The same in full, spun about its own axis at a tilt of 0.1 rad, with this viscous friction (s/m).
+fn tippe_scene(top: &TippeTop, spin: f64, friction: f64) -> Result<TableTop> {
     let start = Start::about_third_axis(0.1, 0.0, spin)?;
-    TableTop::new(bodies::tippe_top()?, start)
+    TableTop::new(top.body()?, start)
         .with(Gravity::new(G_TIPPE)?)?
-        .with(Viscous::new(0.3)?)
+        .with(Viscous::new(friction)?)
 }
 
-/// The chiral top, released about the vertical at this tilt and azimuth (rad), μ = 0.3.
-fn chiral_scene(spin: f64, tilt: f64, azimuth: f64) -> Result<TableTop> {
+/// The chiral top, released about the vertical at this tilt and azimuth (rad).
+fn chiral_scene(spin: f64, tilt: f64, azimuth: f64, mu: f64) -> Result<TableTop> {
     let start = Start::about_vertical(tilt, azimuth, spin)?;
     TableTop::new(bodies::chiral_top()?, start)
         .with(Gravity::new(G)?)?
-        .with(Regularised::new(0.3, 1e-3)?)
+        .with(Regularised::new(mu, 1e-3)?)
 }
 
-/// A boiled egg of 60 g, 6 cm long and 4 cm thick, lying but for 2°, spun at so many turns a second, μ = 0.1.
-fn egg_scene(turns: f64) -> Result<TableTop> {
+/// A boiled egg of 60 g, 6 cm long and 4 cm thick, lying but for 2°, spun at so many turns a second.
+fn egg_scene(turns: f64, mu: f64) -> Result<TableTop> {
     let start = Start::about_vertical(88_f64.to_radians(), 0.0, turns * TAU)?;
     TableTop::new(bodies::egg(0.06, 0.03, 0.02)?, start)
         .with(Gravity::new(G)?)?
-        .with(Regularised::new(0.1, 2e-3)?)
+        .with(Regularised::new(mu, 2e-3)?)
 }
 
-/// Kane and Levinson's rattleback, half a degree off about its long axis and about the one across.
-fn stone_scene(spin: f64) -> Result<TableTop> {
-    let half = 0.25_f64.to_radians().tan();
+/// Kane and Levinson's rattleback, so far off level (rad) about its long axis and about the one across.
+fn stone_scene(spin: f64, tilt: f64) -> Result<TableTop> {
+    let half = (0.5 * tilt).tan();
     let attitude = Attitude::from_quaternion(1.0, half, half, 0.0)?;
     let start = Start::spinning(attitude, BodyVector::new(0.0, 0.0, spin))?;
     TableTop::new(bodies::rattleback()?, start)

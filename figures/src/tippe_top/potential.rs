@@ -3,95 +3,152 @@
 use core::f64::consts::PI;
 
 use spinning_bodies::Result;
+use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
-use super::plot::Frame;
-use super::{G_TIPPE, tippe};
-use crate::Figure;
-use crate::style::{Anchor, DATA, Role, Words, figure, label, number, small, stroke};
+use super::{ALPHA, G_TIPPE, GAMMA, SPIN, TILTS, tippe};
+use crate::plot::{Axis, Frame, apart, texts};
+use crate::style::{Anchor, DATA, Point, Role, SECONDARY, Words, figure, number, small, stroke};
+use crate::{Figure, Parameter, Values};
 
-/// Spins of the curves, rad/s.
-const SPINS: [f64; 5] = [20.0, 40.0, 50.0, 65.0, 90.0];
+/// Spins of the other curves, rad/s: the first and the last set the scale.
+const SPINS: [f64; 4] = [20.0, 40.0, 50.0, 90.0];
+
+const CHOSEN: Parameter = SPIN
+    .between([SPINS[0], SPINS[3]], 65.0)
+    .dragged(head, spin_at);
+/// What may be chosen; the end of the heavy curve is dragged.
+pub const POTENTIAL: &[Parameter] = &[CHOSEN, ALPHA, GAMMA];
+
+/// M g R of the top, J.
+const UNIT: f64 = 0.02 * G_TIPPE * 0.02;
+
+/// V(θ) − V(0) over MgR for a spin about the upright axis.
+fn height(top: &TippeTop, spin: f64, tilt: f64) -> f64 {
+    let jellett = top.jellett_of_spin(spin, 0.0);
+    (top.effective_potential(tilt, jellett) - top.effective_potential(0.0, jellett)) / UNIT
+}
+
+/// The diagram: from the deepest place of the fastest top to the highest of the slowest.
+fn frame(top: &TippeTop) -> Frame {
+    let steps = || (0..=60).map(|k| PI * f64::from(k) / 60.0);
+    let low = steps()
+        .map(|tilt| height(top, SPINS[3], tilt))
+        .fold(0.0, f64::min);
+    let high = steps()
+        .map(|tilt| height(top, SPINS[0], tilt))
+        .fold(0.0, f64::max);
+    let room = 0.06 * (high - low);
+    Frame {
+        x: Axis::linear([0.0, 180.0], [58.0, 500.0]),
+        y: Axis::linear([low - room, high + room], [352.0, 36.0]),
+    }
+}
+
+/// Where the heavy curve ends.
+fn head(values: &Values) -> Point {
+    match tippe(values.of(&ALPHA), values.of(&GAMMA)) {
+        Ok(top) => frame(&top).at(180.0, height(&top, values.of(&CHOSEN), PI)),
+        Err(_) => [0.0, 0.0],
+    }
+}
+
+/// The height of the head is that of weight alone less a multiple of the spin's square.
+fn spin_at(point: Point, values: &Values) -> f64 {
+    let Ok(top) = tippe(values.of(&ALPHA), values.of(&GAMMA)) else {
+        return f64::NAN;
+    };
+    let y = frame(&top).y;
+    let share = (point[1] - y.ends[0]) / (y.ends[1] - y.ends[0]);
+    let wanted = y.shown[0] + share * (y.shown[1] - y.shown[0]);
+    let (still, turning) = (height(&top, 0.0, PI), height(&top, 1.0, PI));
+    ((wanted - still) / (turning - still)).max(0.0).sqrt()
+}
 
 /// Spin moves the lowest place from the foot of the ball to its head.
-pub fn effective_potential() -> Result<Figure> {
-    let top = tippe()?;
-    let unit = 0.02 * G_TIPPE * 0.02;
-    let lambda = |spin: f64| top.jellett_of_spin(spin, 0.0);
-    let (rise, invert) = (
-        top.least_spin_to_rise().unwrap_or(f64::NAN),
-        top.least_spin_to_invert().unwrap_or(f64::NAN),
-    );
-    let tilts = SPINS.map(|spin| top.final_tilt(lambda(spin), 1e-3).map(f64::to_degrees));
-    let [_, b, c, d, _] = tilts;
-    let (b, c, d) = (b?, c?, d?);
-    let words = Words {
-        claim: "Spin moves the lowest place from upright to upside down, and friction brings the top there.".to_owned(),
-        details: format!(
-            "Effective potential $V(\\theta)$ of the tippe top less $V(0)$, over $MgR$, for five spins about the upright axis in rad/s, each \
-             with its Jellett integral. Discs: the minima where a top ends, at 0°, {}°, {}°, {}° and 180°. Upright is lost at {} rad/s, the \
-             head is reached from {} rad/s on.",
-            number(b, 1),
-            number(c, 1),
-            number(d, 1),
-            number(rise, 2),
-            number(invert, 2),
+pub fn effective_potential(values: &Values) -> Result<Figure> {
+    let top = tippe(values.of(&ALPHA), values.of(&GAMMA))?;
+    let chosen = values.of(&CHOSEN);
+    let mut spins: Vec<f64> = SPINS.into_iter().chain([chosen]).collect();
+    spins.sort_by(f64::total_cmp);
+    spins.dedup();
+    let ends = spins
+        .iter()
+        .map(|&spin| top.final_tilt(top.jellett_of_spin(spin, 0.0), 1e-3))
+        .collect::<Result<Vec<_>>>()?;
+    let degrees = |tilt: f64| format!("{}°", number(tilt.to_degrees(), 1));
+    let greatest = ends[ends.len() - 1];
+    let rise = top.least_spin_to_rise();
+    let fastest = number(SPINS[3], 0);
+    let claim = match (top.inversion(), top.least_spin_to_invert()) {
+        (Inversion::Never, _) => "However fast this top is spun, the upright place stays a hollow, and friction leaves it there.".to_owned(),
+        _ if greatest < 0.01 => format!(
+            "Spin up to {fastest} rad/s leaves the lowest place upright: this top begins to rise at {} rad/s.",
+            number(rise.unwrap_or(0.0), 1)
         ),
-        alt: "Five curves over the tilt from 0 to 180 degrees, all from the same point at 0. The slowest rises all the way. The next three sink, \
-              have a minimum further and further to the right, and rise again. The fastest falls all the way to 180 degrees. A disc \
-              marks each minimum."
-            .to_owned(),
+        (Inversion::Partial, _) => format!(
+            "Spin moves the lowest place from upright as far as {} at {fastest} rad/s, and at no spin to the head; friction brings the top there.",
+            degrees(greatest)
+        ),
+        (Inversion::Complete, Some(invert)) if invert > SPINS[3] => format!(
+            "Spin moves the lowest place from upright as far as {} at {fastest} rad/s, and to the head at {}; friction brings the top there.",
+            degrees(greatest),
+            number(invert, 1)
+        ),
+        (Inversion::Complete, _) => "Spin moves the lowest place from upright to upside down, and friction brings the top there.".to_owned(),
     };
-    Ok(figure("tippe-potential", 392.0, words, |pen| {
-        let frame = Frame {
-            sides: [58.0, 520.0, 340.0, 14.0],
-            x: [0.0, 180.0],
-            y: [-1.8, 0.6],
-        };
-        frame.axes(
-            pen,
-            &[
-                (0.0, "0°"),
-                (45.0, "45°"),
-                (90.0, "90°"),
-                (135.0, "135°"),
-                (180.0, "180°"),
-            ],
-            &[
-                (-1.5, "−1.5"),
-                (-1.0, "−1"),
-                (-0.5, "−0.5"),
-                (0.0, "0"),
-                (0.5, "0.5"),
-            ],
-        );
-        frame.names(pen, "tilt *θ*", "(*V* − *V* (0))/*MgR*");
-        for spin in SPINS {
-            let jellett = lambda(spin);
-            let height = |tilt: f64| {
-                (top.effective_potential(tilt, jellett) - top.effective_potential(0.0, jellett))
-                    / unit
+    let lost = match rise {
+        Some(rise) => format!("Upright is lost at {} rad/s", number(rise, 2)),
+        None => "Upright is never lost".to_owned(),
+    };
+    let reached = match top.least_spin_to_invert() {
+        Some(invert) => format!("the head is reached from {} rad/s on", number(invert, 2)),
+        None => "the head is never reached".to_owned(),
+    };
+    let listed: Vec<String> = ends.iter().map(|&tilt| degrees(tilt)).collect();
+    let words = Words {
+        claim,
+        details: format!(
+            "Effective potential $V(\\theta)$ of a tippe top with $\\alpha = {}$, $I_1/I_3 = {}$, less $V(0)$, over $MgR$, for {} spins about the upright axis \
+             in rad/s, each with its Jellett integral; heavy: {}. Discs: the minima where a top ends, at {}. {lost}, {reached}.",
+            number(values.of(&ALPHA), 2),
+            number(values.of(&GAMMA), 3),
+            spins.len(),
+            number(chosen, 1),
+            listed.join(", "),
+        ),
+        alt: format!(
+            "Curves over the tilt from 0 to 180 degrees, all from the same point at 0; the faster the spin, the lower the curve. A disc marks the place where a top of each ends: \
+             from the slowest to the fastest at {}.",
+            listed.join(", ")
+        ),
+    };
+    let made = figure("tippe-potential", 400.0, words, |pen| {
+        let frame = frame(&top);
+        let names = ["tilt *θ*", "(*V* − *V* (0))/*MgR*"];
+        frame.draw(pen, &TILTS, &texts(&frame.y.ticks(45.0)), names);
+        let right: Vec<f64> = spins
+            .iter()
+            .map(|&spin| frame.y.at(height(&top, spin, PI)))
+            .collect();
+        let labels = apart(&right, 18.0, 352.0);
+        for (k, &spin) in spins.iter().enumerate() {
+            let (width, role) = match spin == chosen {
+                true => (1.5 * DATA, Role::Ink),
+                false => (SECONDARY, Role::Muted),
             };
-            let curve = (0..=180).map(|k| (f64::from(k), height(PI * f64::from(k) / 180.0)));
-            frame.curve(pen, curve, stroke(Role::Ink, DATA).alpha(0.85));
-            let tilt = top.final_tilt(jellett, 1e-3).unwrap_or(0.0);
-            pen.disc(
-                frame.at(tilt.to_degrees(), height(tilt)),
-                5.0,
-                Role::AngularMomentum,
-                1.0,
-            );
-            let visible = (0..=180)
-                .rev()
-                .find(|k| height(PI * f64::from(*k) / 180.0) >= -1.8);
-            let at = f64::from(visible.unwrap_or(180));
-            let [x, y] = frame.at(at, height(PI * at / 180.0));
+            let curve = (0..=180).map(f64::from);
+            let curve = curve.map(|tilt| (tilt, height(&top, spin, tilt.to_radians())));
+            frame.curve(pen, curve, stroke(role, width));
+            let at = frame.at(ends[k].to_degrees(), height(&top, spin, ends[k]));
+            pen.disc(at, 5.0, Role::Ink, 1.0);
             let text = format!("{} rad/s", number(spin, 0));
-            if at < 179.0 {
-                pen.text([x + 8.0, y - 4.0], Anchor::Start, &text, small(Role::Ink));
-            } else {
-                pen.text([x + 9.0, y + 5.0], Anchor::Start, &text, small(Role::Ink));
-            }
+            pen.text([512.0, labels[k] + 5.0], Anchor::Start, &text, small(role));
         }
-        pen.text(frame.at(64.0, -0.06), Anchor::End, "", label(Role::Ink));
+    });
+    let columns = ["tilt (°)", "(V − V(0))/MgR"];
+    Ok(spins.iter().fold(made, |made, &spin| {
+        let rows = (0..=180).map(f64::from);
+        let rows = rows.map(|tilt| vec![tilt, height(&top, spin, tilt.to_radians())]);
+        made.data(format!("{spin} rad/s"), &columns, rows)
     }))
 }

@@ -1,75 +1,126 @@
 //! The rattleback's two reversals.
 
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
+use spinning_bodies::{Error, Result};
 
-use super::plot::Frame;
-use super::{run, stone_scene};
-use crate::Figure;
+use super::{Rows, SPIN, run, stone_scene};
+use crate::plot::{Axis, Frame};
 use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, label, number, stroke};
+use crate::{Figure, Parameter, Values};
+
+const OFF_LEVEL: Parameter = Parameter::new(
+    "tilt",
+    r"\theta_0",
+    "angle off level at the release",
+    [0.1, 5.0],
+    0.5,
+)
+.unit("°")
+.logarithmic();
+/// What may be chosen.
+pub const REVERSALS: &[Parameter] = &[SPIN.between([1.0, 8.0], 5.0), OFF_LEVEL];
+
+/// How long the stones are followed, s.
+const END: f64 = 14.0;
+
+/// The stone's motion, or as much of it as the table can hold by pure rolling.
+fn followed(spin: f64, tilt: f64) -> Result<Rows> {
+    let scene = stone_scene(spin, tilt)?;
+    match run(&scene, END, 1400, 1e-3) {
+        Err(Error::Integration { time, .. }) => run(&scene, 0.98 * time, 200, 1e-3),
+        rows => rows,
+    }
+}
 
 /// It turns back from one sense quickly, from the other slowly.
-pub fn reversals() -> Result<Figure> {
-    let quick = run(&stone_scene(-5.0)?, 14.0, 1400, 1e-3)?;
-    let slow = run(&stone_scene(5.0)?, 14.0, 1400, 1e-3)?;
+pub fn reversals(values: &Values) -> Result<Figure> {
+    let (spin, tilt) = (values.of(&REVERSALS[0]), values.of(&OFF_LEVEL));
+    let [quick, slow] = [-spin, spin].map(|spin| followed(spin, tilt.to_radians()));
+    let (quick, slow) = (quick?, slow?);
+    let lost = [&quick, &slow].map(|rows| rows.last().map_or(0.0, |row| row.0));
     let back = [
-        passage(&quick, |s| s.spin(), 0.0).unwrap_or(f64::NAN),
-        passage(&slow, |s| -s.spin(), 0.0).unwrap_or(f64::NAN),
+        passage(&quick, |s| s.spin(), 0.0),
+        passage(&slow, |s| -s.spin(), 0.0),
     ];
-    let words = Words {
-        claim: "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it takes four times as long about it.".to_owned(),
-        details: format!(
-            "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±5 rad/s half a degree off level. First reversals \
-             at {} s and {} s.",
-            number(back[0], 2),
-            number(back[1], 2),
+    let claim = match back {
+        _ if lost[0].min(lost[1]) < END => format!(
+            "So far off level and so fast, the stone leaves the table: after {} seconds spun the wrong way, {} the right way.",
+            number(lost[0], 2),
+            number(lost[1], 2)
         ),
-        alt: "Spin against time up to 14 seconds. The curve that starts at minus 5 radians a second trembles, crosses zero before 3 seconds and stays positive for \
-              a long time. The one that starts at plus 5 stays for more than ten seconds and then falls through zero."
+        [Some(wrong), Some(right)] if right > wrong => format!(
+            "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it takes {} times as long about it.",
+            number(right / wrong, 1)
+        ),
+        [Some(_), None] => format!(
+            "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it has not turned back after {END} seconds."
+        ),
+        [None, None] => format!(
+            "So far off level, the stone turns back from neither sense within {END} seconds."
+        ),
+        _ => "So far off level, the stone rocks at once, and turns back from both senses alike."
             .to_owned(),
     };
-    Ok(figure("rattleback", 350.0, words, |pen| {
+    let told = back.map(|time| match time {
+        Some(time) => format!("at {} s", number(time, 2)),
+        None => "not within the picture".to_owned(),
+    });
+    let greatest = quick
+        .iter()
+        .chain(&slow)
+        .map(|(_, s)| s.spin().abs())
+        .fold(spin, f64::max);
+    let words = Words {
+        claim,
+        details: format!(
+            "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±{} rad/s {}° off level. First reversals \
+             {} and {}.",
+            number(spin, 1),
+            number(tilt, 1),
+            told[0],
+            told[1],
+        ),
+        alt: format!(
+            "Spin against time up to {END} seconds. The black curve starts at minus {} radians a second, trembles and crosses zero {}. The grey one starts at plus {} and crosses zero \
+             {}.",
+            number(spin, 1),
+            told[0],
+            number(spin, 1),
+            told[1]
+        ),
+    };
+    let made = figure("rattleback", 372.0, words, |pen| {
         let frame = Frame {
-            sides: [58.0, 572.0, 300.0, 14.0],
-            x: [0.0, 14.0],
-            y: [-7.0, 7.0],
+            x: Axis::linear([0.0, END], [58.0, 572.0]),
+            y: Axis::linear([-1.3 * greatest, 1.3 * greatest], [322.0, 34.0]),
         };
-        frame.axes(
-            pen,
-            &[
-                (0.0, "0"),
-                (2.0, "2"),
-                (4.0, "4"),
-                (6.0, "6"),
-                (8.0, "8"),
-                (10.0, "10"),
-                (12.0, "12"),
-                (14.0, "14 s"),
-            ],
-            &[(-5.0, "−5"), (0.0, "0"), (5.0, "5")],
-        );
-        frame.names(pen, "time", "spin, rad/s");
+        frame.draw_round(pen, ["time, s", "spin, rad/s"]);
         pen.line(
-            &[frame.at(0.0, 0.0), frame.at(14.0, 0.0)],
+            &[frame.at(0.0, 0.0), frame.at(END, 0.0)],
             stroke(Role::Ink, AXIS),
         );
-        for (rows, role) in [(&slow, Role::AngularMomentum), (&quick, Role::Omega)] {
-            let curve = rows.iter().map(|(t, s)| (*t, s.spin().clamp(-7.0, 7.0)));
+        for (rows, role) in [(&slow, Role::Muted), (&quick, Role::Ink)] {
+            let curve = rows.iter().map(|(t, s)| (*t, s.spin()));
             frame.curve(pen, curve, stroke(role, DATA * 0.8));
         }
-        pen.text(
-            frame.at(1.0, -6.2),
-            Anchor::Start,
-            "the wrong way",
-            label(Role::Omega),
-        );
-        pen.text(
-            frame.at(5.2, 6.0),
-            Anchor::Start,
-            "the right way",
-            label(Role::AngularMomentum),
-        );
-    })
-    .value("wrong", number(back[0], 2))
-    .value("right", number(back[1], 2)))
+        let least = 1.22 * greatest;
+        for (at, text, role) in [
+            (-least, "the wrong way", Role::Ink),
+            (least, "the right way", Role::Muted),
+        ] {
+            let [x, y] = frame.at(0.6, at);
+            pen.text([x, y + 5.0], Anchor::Start, text, label(role));
+        }
+    });
+    let columns = ["time (s)", "spin (rad/s)"];
+    let rows = |run: &Rows| {
+        run.iter()
+            .map(|(t, s)| vec![*t, s.spin()])
+            .collect::<Vec<_>>()
+    };
+    Ok(made
+        .data("the wrong way", &columns, rows(&quick))
+        .data("the right way", &columns, rows(&slow))
+        .value("wrong", number(back[0].unwrap_or(0.0), 2))
+        .value("right", number(back[1].unwrap_or(0.0), 2)))
 }

@@ -4,57 +4,82 @@ use spinning_bodies::Result;
 use spinning_bodies::scene::contact::State;
 
 use super::ball::{ball, table};
-use super::{CHIRAL_SPIN, chiral_scene, run};
-use crate::Figure;
+use super::{BOTH_SPINS, chiral_scene, run};
 use crate::style::{Anchor, DATA, Pen, Role, Words, figure, label, number, small, stroke};
+use crate::{Figure, Parameter, Values};
 
-/// Pictures of a row, and seconds between them.
+/// What may be chosen: the release of the figure before, and the time between two pictures.
+pub const STROBED: &[Parameter] = &[
+    BOTH_SPINS[0],
+    BOTH_SPINS[1],
+    BOTH_SPINS[2],
+    Parameter::new(
+        "step",
+        r"\Delta t",
+        "time between two pictures",
+        [0.1, 0.5],
+        0.3,
+    )
+    .unit("s"),
+];
+
+/// Pictures of a row.
 const PICTURES: u32 = 7;
-const STEP: f64 = 0.3;
 const RADIUS: f64 = 36.0;
 
 /// Seven looks at one top, spun one way and the other.
-pub fn strobed() -> Result<Figure> {
-    let tilt = 3_f64.to_radians();
-    let end = STEP * f64::from(PICTURES - 1);
-    let rows = [-1.0, 1.0].map(|sense| {
-        run(
-            &chiral_scene(sense * CHIRAL_SPIN, tilt, 0.0)?,
-            end,
-            PICTURES - 1,
-            1e-2,
-        )
+pub fn strobed(values: &Values) -> Result<Figure> {
+    let [spin, tilt, mu, step] = [0, 1, 2, 3].map(|k| values.of(&STROBED[k]));
+    let end = step * f64::from(PICTURES - 1);
+    let rows = [-spin, spin].map(|spin| {
+        let scene = chiral_scene(spin, tilt.to_radians(), 0.0, mu)?;
+        run(&scene, end, PICTURES - 1, 1e-2)
     });
     let [over, stays] = rows;
-    let (over, stays) = (over?, stays?);
+    let rows = [over?, stays?];
+    let tilts = |k: usize| -> Vec<String> {
+        let tilts = rows[k].iter().map(|(_, s)| s.tilt().to_degrees());
+        tilts.map(|tilt| number(tilt, 0)).collect()
+    };
     let words = Words {
         claim: "Seven looks at one top: clockwise above, anticlockwise below.".to_owned(),
         details: format!(
-            "The runs of the last figure every {} s. The dark cap is on the light side of the ball, so it is on top at the start and at the \
-             bottom at the end of the upper row. Under each ball its tilt.",
-            number(STEP, 1),
+            "The chiral top every {} s, released at {}° with {} rad/s, $\\mu = {}$. The dark cap is on the light side of the ball, so it is on top of one that \
+             stands on its foot and at the bottom of one that has turned over. Under each ball its tilt.",
+            number(step, 2),
+            number(tilt, 0),
+            number(spin, 1),
+            number(mu, 2),
         ),
-        alt: "Two rows of seven balls with a dark cap. In the upper row the cap wobbles, tips to the side in the sixth picture and is at the bottom in \
-              the last. In the lower row it stays on top, but for a small wobble."
-            .to_owned(),
+        alt: format!(
+            "Two rows of seven balls with a dark cap, {} seconds apart. In the upper row the cap is tilted by {} degrees, in the lower row by {}.",
+            number(step, 2),
+            tilts(0).join(", "),
+            tilts(1).join(", ")
+        ),
     };
-    Ok(figure("chiral-strobe", 300.0, words, |pen| {
-        row(pen, &over, 106.0, "clockwise", Role::Omega);
-        row(pen, &stays, 240.0, "anticlockwise", Role::AngularMomentum);
-    }))
+    let made = figure("chiral-strobe", 300.0, words, |pen| {
+        row(pen, &rows[0], 106.0, "clockwise");
+        row(pen, &rows[1], 240.0, "anticlockwise");
+    });
+    let columns = ["time (s)", "tilt (°)"];
+    let table = |k: usize| rows[k].iter().map(|(t, s)| vec![*t, s.tilt().to_degrees()]);
+    Ok(made
+        .data("clockwise", &columns, table(0))
+        .data("anticlockwise", &columns, table(1)))
 }
 
-fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str, role: Role) {
+fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str) {
     table(pen, 8.0, 592.0, floor);
     pen.text(
         [10.0, floor - 2.0 * RADIUS - 14.0],
         Anchor::Start,
         name,
-        label(role),
+        label(Role::Ink),
     );
     let x = 116.0;
     let y = floor - 2.0 * RADIUS - 19.0;
-    let arrow = stroke(role, DATA);
+    let arrow = stroke(Role::Ink, DATA);
     let from = if name.len() > 9 { x + 10.0 } else { x - 22.0 };
     let (a, b) = ([from, y], [from + 34.0, y]);
     if name.len() > 9 {
@@ -73,7 +98,7 @@ fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str, role: Role)
             small(Role::Ink),
         );
         if floor > 200.0 {
-            let text = format!("{} s", number(*time, 1));
+            let text = format!("{} s", number(*time, if *time > 0.0 { 2 } else { 0 }));
             pen.text(
                 [center[0], floor + 42.0],
                 Anchor::Middle,

@@ -1,109 +1,165 @@
 //! The tilt of the hoop with clay against the tutorial's straight line.
 
+use core::f64::consts::{PI, TAU};
+
 use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
 
-use super::plot::Frame;
-use super::{TOY_SPIN, run, toy, toy_scene};
-use crate::Figure;
+use super::{ALPHA, FRICTION, TURNS, run, tilt_against_time, toy, toy_scene};
+use crate::plot::{Axis, Frame};
 use crate::style::{
-    Anchor, DATA, HAIR, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    Anchor, DATA, Role, SECONDARY, Words, between, figure, label, number, short, small, stroke,
 };
+use crate::{Figure, Parameter, Values};
+
+const LIGHT: Parameter = Parameter {
+    key: "light",
+    symbol: r"\alpha_1",
+    meaning: "offset of the centre of mass over the radius, lighter clay",
+    ..ALPHA.between([0.02, 0.08], 0.05)
+};
+const HEAVY: Parameter = Parameter {
+    key: "heavy",
+    symbol: r"\alpha_2",
+    meaning: "offset of the centre of mass over the radius, heavier clay",
+    ..ALPHA.between([0.09, 0.3], 0.1)
+};
+/// What may be chosen.
+pub const TIP_OVER: &[Parameter] = &[LIGHT, HEAVY, TURNS.between([15.0, 80.0], 50.0), FRICTION];
+
+/// Tilt at the release, rad.
+const START: f64 = 0.1;
 
 /// A reckless estimate that is right to a few per cent.
-pub fn tip_over() -> Result<Figure> {
+pub fn tip_over(values: &Values) -> Result<Figure> {
+    let alphas = [values.of(&LIGHT), values.of(&HEAVY)];
+    let (spin, mu) = (TAU * values.of(&TURNS), values.of(&FRICTION));
+    let hoop = toy(alphas[1], mu)?;
+    let rate = hoop.tip_rate(spin);
+    let end = 1.087 * hoop.tip_over_time(spin);
     let runs = [
-        run(&toy_scene(0.05, TOY_SPIN)?, 2.5, 250, 1e-3)?,
-        run(&toy_scene(0.1, TOY_SPIN)?, 2.5, 250, 1e-3)?,
+        run(&toy_scene(alphas[0], spin, mu)?, end, 250, 1e-3)?,
+        run(&toy_scene(alphas[1], spin, mu)?, end, 250, 1e-3)?,
     ];
-    let hoop = toy(0.1)?;
-    let rate = hoop.tip_rate(TOY_SPIN);
-    let mean = |k: usize| -> f64 {
+    // Between 30° and 150°, if it gets there.
+    let mean = |k: usize| -> Option<f64> {
         let at = |level: f64| passage(&runs[k], |s| s.tilt().to_degrees(), level);
-        120.0 / (at(150.0).unwrap_or(f64::NAN) - at(30.0).unwrap_or(f64::NAN))
+        Some(120.0 / (at(150.0)? - at(30.0)?))
     };
-    let words = Words {
-        claim: "The tutorial's straight line has the right slope to a tenth, and the lighter the clay, the better."
-            .to_owned(),
-        details: format!(
-            "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, 50 turns a second, $\\mu = \\frac13$, released at 0.1 rad. \
-             Dashed: the estimate, {}° a second. Between 30° and 150° the full motion makes {}° a second for \
-             $\\alpha = 0.05$ and {}° for $\\alpha = 0.1$. Dotted: the rate that Jellett's integral gives for $\\alpha = 0.1$.",
-            number(rate.to_degrees(), 2),
-            number(mean(0), 1),
-            number(mean(1), 1),
+    let means = [mean(0), mean(1)];
+    let off = means.map(|mean| mean.map(|mean| 100.0 * (mean / rate.to_degrees() - 1.0).abs()));
+    let named = alphas.map(|alpha| short(alpha, 3));
+    let claim = match off {
+        [Some(light), Some(heavy)] if light.max(heavy) < 30.0 => format!(
+            "The tutorial's straight line has the right slope to {} %, and the {} the clay, the better.",
+            number(light.max(heavy), 0),
+            if light < heavy { "lighter" } else { "heavier" }
         ),
-        alt: "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at 2.3 seconds. Two \
-              solid curves of nearly the same slope bend at the end and creep into 180 degrees. The one for the heavier clay is the steeper; the one for the \
-              lighter clay starts a tenth of a second late and then runs almost parallel to the line. A dotted curve runs through the \
-              steeper one."
-            .to_owned(),
+        [Some(light), Some(heavy)] => format!(
+            "Here the tutorial's straight line is wrong by up to {} %: it leaves out that the slip turns.",
+            number(light.max(heavy), 0)
+        ),
+        [None, Some(_)] => format!(
+            "Clay of α = {} is too light to tip the ball over in the time that the tutorial's straight line allows.",
+            named[0]
+        ),
+        [_, None] => "Neither ball keeps up with the tutorial's straight line.".to_owned(),
     };
-    Ok(figure("tip-over", 392.0, words, |pen| {
+    let told = means.map(|mean| match mean {
+        Some(mean) => format!("{}°", number(mean, 1)),
+        None => "too few degrees to tell".to_owned(),
+    });
+    let words = Words {
+        claim,
+        details: format!(
+            "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {} turns a second, $\\mu = {}$, released at {START} rad. \
+             Dashed: the estimate, {}° a second. Between 30° and 150° the full motion makes {} a second for \
+             $\\alpha = {}$ and {} for $\\alpha = {}$. Dotted: the rate that Jellett's integral gives for $\\alpha = {}$.",
+            number(values.of(&TURNS), 0),
+            number(mu, 3),
+            number(rate.to_degrees(), 2),
+            told[0],
+            named[0],
+            told[1],
+            named[1],
+            named[1],
+        ),
+        alt: format!(
+            "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {} seconds. A grey curve, for the lighter clay, starts \
+             late, and a black one, for the heavier clay, climbs beside it; after {} seconds they stand at {} and {} degrees. \
+             A dotted curve is the refined estimate for the heavier clay.",
+            number((PI - START) / rate, 1),
+            number(end, 2),
+            number(runs[0][250].1.tilt().to_degrees(), 0),
+            number(runs[1][250].1.tilt().to_degrees(), 0),
+        ),
+    };
+    let made = figure("tip-over", 404.0, words, |pen| {
         let frame = Frame {
-            sides: [58.0, 580.0, 340.0, 16.0],
-            x: [0.0, 2.5],
-            y: [0.0, 180.0],
+            x: Axis::linear([0.0, end], [58.0, 572.0]),
+            y: Axis::linear([0.0, 180.0], [352.0, 34.0]),
         };
-        frame.axes(
-            pen,
-            &[
-                (0.0, "0"),
-                (0.5, "0.5"),
-                (1.0, "1"),
-                (1.5, "1.5"),
-                (2.0, "2"),
-                (2.5, "2.5 s"),
-            ],
-            &[
-                (0.0, "0°"),
-                (45.0, "45°"),
-                (90.0, "90°"),
-                (135.0, "135°"),
-                (180.0, "180°"),
-            ],
-        );
-        frame.names(pen, "time", "");
-        pen.line(
-            &[frame.at(0.0, 90.0), frame.at(2.5, 90.0)],
-            stroke(Role::Muted, HAIR),
-        );
-        let start = 0.1_f64;
+        tilt_against_time(pen, &frame);
         let line = (0..=1).map(|k| {
-            let t = f64::from(k) * (core::f64::consts::PI - start) / rate;
-            (t, (start + rate * t).to_degrees())
+            let t = f64::from(k) * (PI - START) / rate;
+            (t, (START + rate * t).to_degrees())
         });
         frame.curve(pen, line, stroke(Role::Ink, SECONDARY).dashed());
         let refined = (0..=120).map(|k| {
-            let tilt = start + (core::f64::consts::PI - start) * f64::from(k) / 120.0;
-            (hoop.refined_time(TOY_SPIN, start, tilt), tilt.to_degrees())
+            let tilt = START + (PI - START) * f64::from(k) / 120.0;
+            (hoop.refined_time(spin, START, tilt), tilt.to_degrees())
         });
         frame.curve(pen, refined, stroke(Role::Ink, SECONDARY).dotted());
-        for (rows, role) in runs.iter().zip([Role::Omega, Role::AngularMomentum]) {
+        for (rows, role) in runs.iter().zip([Role::Muted, Role::Ink]) {
             let curve = rows.iter().map(|(t, s)| (*t, s.tilt().to_degrees()));
             frame.curve(pen, curve, stroke(role, DATA));
         }
-        let at = |x: f64, y: f64| frame.at(x, y);
-        pen.text(
-            at(1.52, 146.0),
-            Anchor::End,
-            "*α* = 0.1",
-            label(Role::AngularMomentum),
-        );
-        pen.text(
-            at(1.62, 100.0),
-            Anchor::Start,
-            "*α* = 0.05",
-            label(Role::Omega),
-        );
-        pen.text(
-            at(1.19, 66.0),
-            Anchor::Start,
-            "the estimate, *RμMg*/*IΩ*",
-            small(Role::Ink),
-        );
-    })
-    .value("estimate", number(rate.to_degrees(), 2))
-    .value("light", number(mean(0), 1))
-    .value("heavy", number(mean(1), 1)))
+        // Each name in a free corner, and a hair to its curve.
+        let on = |k: usize, level: f64| {
+            let row = runs[k].iter().find(|(_, s)| s.tilt().to_degrees() >= level);
+            let (t, s) = row.unwrap_or(&runs[k][250]);
+            frame.at(*t, s.tilt().to_degrees())
+        };
+        let estimate = frame.at(56_f64.to_radians() / rate, 56.0 + START.to_degrees());
+        for (place, anchor, on, text, lettering) in [
+            (
+                frame.at(0.42 * end, 158.0),
+                Anchor::End,
+                on(1, 140.0),
+                format!("*α* = {}", named[1]),
+                label(Role::Ink),
+            ),
+            (
+                frame.at(0.76 * end, 66.0),
+                Anchor::Start,
+                on(0, 100.0),
+                format!("*α* = {}", named[0]),
+                label(Role::Muted),
+            ),
+            (
+                frame.at(0.58 * end, 26.0),
+                Anchor::Start,
+                estimate,
+                "the estimate, *RμMg*/*IΩ*".to_owned(),
+                small(Role::Ink),
+            ),
+        ] {
+            let side = if anchor == Anchor::End { 6.0 } else { -6.0 };
+            let from = [place[0] + side, place[1] - 5.0];
+            pen.line(
+                &[from, between(on, from, 0.04)],
+                stroke(Role::Muted, crate::style::HAIR),
+            );
+            pen.text(place, anchor, &text, lettering);
+        }
+    });
+    let columns = ["time (s)", "tilt (°)"];
+    let rows = |k: usize| runs[k].iter().map(|(t, s)| vec![*t, s.tilt().to_degrees()]);
+    let made = made
+        .data(format!("alpha = {}", alphas[0]), &columns, rows(0))
+        .data(format!("alpha = {}", alphas[1]), &columns, rows(1));
+    Ok(made
+        .value("estimate", number(rate.to_degrees(), 2))
+        .value("light", number(means[0].unwrap_or(0.0), 1))
+        .value("heavy", number(means[1].unwrap_or(0.0), 1)))
 }

@@ -195,17 +195,17 @@ fn table() -> String {
     text
 }
 
-/// The committed table is the measured one. `UPDATE_TABLES=1 cargo test --test integrators preservation` writes it.
+/// The committed table is the measured one. `UPDATE_TABLES=1 cargo test --test sections preservation` writes it.
 #[test]
 fn the_table_of_what_is_kept() {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/book/src/tables/integrators.md"
+        "/../../book/src/tables/integrators.md"
     );
     let measured = table();
     println!("{measured}");
     if std::env::var_os("UPDATE_TABLES").is_some() {
-        std::fs::create_dir_all(concat!(env!("CARGO_MANIFEST_DIR"), "/book/src/tables")).unwrap();
+        std::fs::create_dir_all(concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/tables")).unwrap();
         std::fs::write(path, &measured).unwrap();
     }
     let committed = std::fs::read_to_string(path).unwrap_or_default();

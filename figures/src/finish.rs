@@ -182,7 +182,9 @@ fn rich(body: &str, size: f64) -> String {
     let small = (0.76 * size).max(LEAST * SCALE);
     let mut out = String::new();
     let mut italic = false;
-    let mut rest = body;
+    // A prime stands as high as a power: the glyph is made for that.
+    let body = body.replace('\u{2032}', "^{\u{2032}}");
+    let mut rest = body.as_str();
     // Base line offset of the piece before, canvas units; a `tspan` shifts all that follows it.
     let mut offset = 0.0;
     while !rest.is_empty() {

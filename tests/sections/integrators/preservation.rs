@@ -205,7 +205,11 @@ fn the_table_of_what_is_kept() {
     let measured = table();
     println!("{measured}");
     if std::env::var_os("UPDATE_TABLES").is_some() {
-        std::fs::create_dir_all(concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/tables")).unwrap();
+        std::fs::create_dir_all(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../book/src/tables"
+        ))
+        .unwrap();
         std::fs::write(path, &measured).unwrap();
     }
     let committed = std::fs::read_to_string(path).unwrap_or_default();

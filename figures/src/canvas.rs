@@ -1,6 +1,6 @@
 //! What a pen leaves on the canvas, and how a backend of plotters draws it.
 //!
-//! A mark knows its role, not its colour; [`crate::finish`] puts colours in. The backend is called directly, so that a page in a
+//! A mark knows its role, not its colour; the finisher puts colours in. The backend is called directly, so that a page in a
 //! browser needs `plotters-svg` and nothing else of plotters.
 
 use core::convert::Infallible;

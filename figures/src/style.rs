@@ -1,7 +1,7 @@
 //! The one style of all figures: sizes, strokes, colours by role, and the pen that draws with them.
 //!
 //! Coordinates are units of the design, 600 wide, y downwards. A backend wants whole numbers, so the canvas is ten times as large
-//! and its view box is scaled back; [`crate::finish`] does the rest.
+//! and its view box is scaled back; the finisher does the rest.
 
 use plotters_backend::BackendCoord;
 

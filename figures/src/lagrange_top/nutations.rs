@@ -291,7 +291,7 @@ pub fn nutations(values: &Values) -> Result<Figure> {
             .to_owned(),
         details: format!(
             "The tutorial's pictures k, l, m and n, each at its place: every top starts 60° from the vertical, where its tilt turns, with \
-             $I_1 = Mg\\ell = 1$. Dashed: cusps. Orange: pure precession, slow ({} at $L_3 = 3$) on the left branch and fast ({} at \
+             $I_1 = Mg\\ell = 1$. Dashed: cusps. Solid: pure precession, slow ({} at $L_3 = 3$) on the left branch and fast ({} at \
              $L_3 = 2$) on the right. Dotted: the nose passes the top or the bottom of its sphere. The ring is yours, $L_{{\\text{{vert}}}} = {vertical}$ and \
              $L_3 = {axial}$: it draws {kind}, between {}° and {}°.",
             number(slow, 4),
@@ -366,7 +366,7 @@ pub fn nutations(values: &Values) -> Result<Figure> {
             let style = match (k, pole) {
                 (_, true) => stroke(Role::Muted, SECONDARY).dotted(),
                 (0 | 1, _) => stroke(Role::Ink, SECONDARY).dashed(),
-                _ => stroke(Role::AngularMomentum, 1.8),
+                _ => stroke(Role::Ink, 1.8),
             };
             clear(pen, points, &globes, style);
         }

@@ -7,8 +7,8 @@ use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
 
 use crate::plot::apart;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, short,
-    stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, figure, label, number,
+    roomiest, short, stroke,
 };
 
 use crate::{Figure, Parameter, Values};
@@ -295,9 +295,10 @@ pub fn bands(values: &Values) -> Result<Figure> {
             .map(|&(s, p)| [x(s), y(p)])
             .collect();
         pen.line(&[[20.0, LEVEL], [580.0, LEVEL]], stroke(Role::Ink, AXIS));
+        let taken = along(&graph, 6.0);
         if let Some((((low, high), turn), _)) = moving {
-            band(pen, [20.0, x(turn)], "*s*_{2}");
-            band(pen, [x(low), x(high)], "*s*_{1}");
+            band(pen, [20.0, x(turn)], "*s*_{2}", &taken);
+            band(pen, [x(low), x(high)], "*s*_{1}", &taken);
         }
         pen.line(&graph, stroke(Role::Ink, DATA));
         for e in &real {
@@ -438,14 +439,17 @@ fn inside_of([e, h]: &Point, [least, greatest, highest]: [f64; 3]) -> bool {
     (least..=greatest).contains(e) && (0.0..=highest).contains(h)
 }
 
-/// A stretch of the axis with the name of what moves there.
-fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str) {
+/// A stretch of the axis with the name of what moves there, clear of the curve.
+fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str, taken: &[Point]) {
     pen.line(
         &[[from, LEVEL], [to, LEVEL]],
         stroke(Role::Ink, 7.0).alpha(0.4),
     );
+    let middle = 0.5 * (from + to);
+    let places = [22.0, -20.0, 40.0, -38.0, 60.0, -58.0, 80.0].map(|dy| [middle, LEVEL + dy]);
+    let [x, y] = roomiest(places, [12.0, 9.0], taken);
     pen.text(
-        [0.5 * (from + to), LEVEL + 27.0],
+        [x, y + 5.0],
         Anchor::Middle,
         name,
         label(Role::Ink).strong(),

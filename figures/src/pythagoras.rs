@@ -231,11 +231,13 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
             pen.arrow(middle, tip, stroke(Role::Ink, 2.8));
             let sign = if torques[k] > 0.0 { "+" } else { "" };
             let text = format!("{sign}{}", shown[k]);
-            let (dx, anchor) = match outward[0] {
-                side if side < -0.75 => (-10.0, Anchor::End),
-                _ => (10.0, Anchor::Start),
+            let ([dx, dy], anchor) = match outward {
+                [_, down] if down > 0.75 => ([0.0, 22.0], Anchor::Middle),
+                [_, down] if down < -0.75 => ([0.0, -10.0], Anchor::Middle),
+                [side, _] if side < 0.0 => ([-10.0, 5.0], Anchor::End),
+                _ => ([10.0, 5.0], Anchor::Start),
             };
-            let at = [tip[0] + dx, tip[1] + 5.0];
+            let at = [tip[0] + dx, tip[1] + dy];
             pen.text(at, anchor, &text, sized(Role::Torque, 20.0));
         }
         // The hinge, and which way each torque turns.

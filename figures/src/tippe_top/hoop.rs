@@ -191,8 +191,11 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
         false => [mass[0] + 14.0, mass[1] + 19.0],
     };
     pen.text([x, y], Anchor::Middle, "*C*", label(Role::Ink));
-    let y = k[1] + if above { -11.0 } else { 19.0 };
-    pen.text([k[0] + 11.0, y], Anchor::Start, "*K*", label(Role::Ink));
+    let ([dx, dy], anchor) = match above {
+        true => ([-6.0, 22.0], Anchor::End),
+        false => ([11.0, 19.0], Anchor::Start),
+    };
+    pen.text([k[0] + dx, k[1] + dy], anchor, "*K*", label(Role::Ink));
     let foot = [k[0], k[1] + RADIUS];
     pen.disc(foot, 7.5, Role::Ink, 0.18);
     pen.ring(foot, 7.5, stroke(Role::Ink, 1.4));

@@ -73,7 +73,7 @@ fn tugged(pen: &mut Pen, spool: &Spool, x: f64, angle: f64) -> Result<()> {
     pen.disc(contact, 5.0, Role::Torque, 1.0);
     let tip = along(touch, 98.0);
     pen.text(
-        [tip[0] - 2.0, tip[1] - 9.0],
+        [(tip[0] - 2.0).max(24.0), tip[1] - 9.0],
         Anchor::Middle,
         &degrees(angle),
         small(Role::Ink),
@@ -269,9 +269,14 @@ pub fn dial(values: &Values) -> Result<Figure> {
             &format!("θ = {degrees}°"),
             small(Role::Torque),
         );
-        pen.text([145.0, 216.0], Anchor::End, "comes", label(Role::Ink));
+        // The words stand clear of the rays, however long these are.
+        let tip = |k: usize| INNER + unit * rays[k].1.abs();
+        let half = ((critical / PI * 18.0).round() as usize).min(18);
+        let beside = place(tip(half) + 14.0, rays[half].0);
+        pen.text(beside, Anchor::End, "comes", label(Role::Ink));
+        let [x, y] = place(tip(18) + 34.0, PI / 2.0);
         pen.text(
-            [304.0, 96.0],
+            [x + 4.0, y.min(76.0)],
             Anchor::Middle,
             "runs away",
             label(Role::Muted),
@@ -282,14 +287,13 @@ pub fn dial(values: &Values) -> Result<Figure> {
             "follows",
             label(Role::Muted),
         );
-        pen.text([144.0, HUB[1] + 6.0], Anchor::End, "0°", small(Role::Ink));
-        let up = place(INNER + unit * rays[18].1.abs(), PI / 2.0);
-        pen.text(
-            [up[0] + 4.0, up[1] - 8.0],
-            Anchor::End,
-            "90°",
-            small(Role::Ink),
-        );
+        let level = [HUB[0] - tip(0) - 8.0, HUB[1] + 6.0];
+        pen.text(level, Anchor::End, "0°", small(Role::Ink));
+        // Beside the vertical the dotted line takes its place.
+        if critical < 1.35 {
+            let [x, y] = place(tip(18) + 8.0, PI / 2.0);
+            pen.text([x + 4.0, y], Anchor::End, "90°", small(Role::Ink));
+        }
         pen.text(
             [580.0, HUB[1] + 24.0],
             Anchor::End,

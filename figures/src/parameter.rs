@@ -169,11 +169,6 @@ impl Values {
             parameter.key, parameter.unit
         ))
     }
-
-    /// The same with every value as the book has it left out.
-    pub fn are_the_books(&self) -> bool {
-        self.0.is_empty()
-    }
 }
 
 #[cfg(test)]

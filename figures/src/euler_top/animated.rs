@@ -11,6 +11,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::racket::{Face, Flat, Parts, Throw, draw, face, parts, view};
 use crate::Figure;
+use crate::finish::short;
 use crate::solid::View;
 use crate::style::{
     AXIS, Anchor, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, between, figure,
@@ -256,14 +257,4 @@ fn matrix(attitude: &Attitude) -> String {
 
 fn translation(at: &Point) -> String {
     format!("translate({:.0}px,{:.0}px)", at[0] * CANVAS, at[1] * CANVAS)
-}
-
-/// A number without the digits that say nothing.
-fn short(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    match text {
-        "-0" | "" => "0".to_owned(),
-        _ => text.to_owned(),
-    }
 }

@@ -13,6 +13,7 @@ use spinning_bodies::lagrange_top::LagrangeTop;
 
 use super::{launch, launch_body, nose, pure_rates};
 use crate::Figure;
+use crate::finish::short;
 use crate::solid::{View, ellipse};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, Words, figure, label, number,
@@ -287,20 +288,6 @@ fn wheel() -> String {
         .map(|(s, c)| format!("M0 0L{:.0} {:.0}", r * c, r * s))
         .collect();
     path(&rim, 2.4, " fill=\"currentColor\" fill-opacity=\"0.16\"") + &path(&spokes, 1.4, "")
-}
-
-/// A number without the digits that say nothing.
-fn short(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    let text = if digits > 0 {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        &text
-    };
-    match text {
-        "-0" | "" => "0".to_owned(),
-        _ => text.to_owned(),
-    }
 }
 
 #[cfg(test)]

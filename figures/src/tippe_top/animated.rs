@@ -8,6 +8,7 @@ use spinning_bodies::scene::contact::State;
 use super::ball::{cap_outline, table};
 use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
 use crate::Figure;
+use crate::finish::short;
 use crate::plot::{Axis, Frame};
 use crate::style::{
     Anchor, DATA, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, label, number,
@@ -143,15 +144,4 @@ fn moving(rows: &[(f64, State)]) -> String {
          <g class=\"fig-{NAME}-dot\" transform=\"translate({dx:.0} {dy:.0})\"><circle r=\"52\" fill=\"currentColor\"/></g>\n",
         short(state.tilt().to_degrees(), 2),
     )
-}
-
-/// A number without the digits that say nothing.
-fn short(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if matches!(text, "-0" | "") {
-        "0".to_owned()
-    } else {
-        text.to_owned()
-    }
 }

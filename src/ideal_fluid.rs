@@ -20,7 +20,7 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, DMatrix};
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, finite, within};
 
 type C = Complex<f64>;
 
@@ -53,14 +53,7 @@ impl TruncatedFluid {
     /// [`Error::Condition`] for an even size, [`Error::OutOfRange`] for one out of range or for the wave vector zero,
     /// which carries no motion, [`Error::NotFinite`].
     pub fn new(size: usize, modes: &[([i32; 2], C)]) -> Result<Self> {
-        if !(3..=63).contains(&size) {
-            return Err(Error::OutOfRange {
-                quantity: "the size N of the truncation",
-                value: size as f64,
-                least: 3.0,
-                greatest: 63.0,
-            });
-        }
+        within("the size N of the truncation", size as f64, 3.0, 63.0)?;
         if size.is_multiple_of(2) {
             return Err(Error::Condition {
                 condition: "the size N of the truncation must be odd",

@@ -14,7 +14,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::error::{Error, Result, within};
+use crate::error::{Result, within};
 
 /// An oblate spheroid in equilibrium: semi-axes a = b > c, turning about c.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,17 +30,14 @@ impl MaclaurinSpheroid {
     /// Near e = 1 the axis ratio suffers from the rounding of e; use [`MaclaurinSpheroid::from_axis_ratio`] there.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::OutOfRange`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::OutOfRange`](crate::Error::OutOfRange).
     pub fn from_eccentricity(e: f64) -> Result<Self> {
-        let e = within("the eccentricity of a spheroid", e, 0.0, 1.0)?;
-        if e == 1.0 {
-            return Err(Error::OutOfRange {
-                quantity: "the eccentricity of a spheroid that has a volume",
-                value: e,
-                least: 0.0,
-                greatest: 1.0_f64.next_down(),
-            });
-        }
+        let e = within(
+            "the eccentricity of a spheroid",
+            e,
+            0.0,
+            1.0_f64.next_down(),
+        )?;
         Ok(Self {
             eccentricity: e,
             axis_ratio: ((1.0 - e) * (1.0 + e)).sqrt(),
@@ -50,7 +47,7 @@ impl MaclaurinSpheroid {
     /// The spheroid with polar over equatorial axis c/a, dimensionless, 0 < c/a ≤ 1.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::OutOfRange`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::OutOfRange`](crate::Error::OutOfRange).
     pub fn from_axis_ratio(c_over_a: f64) -> Result<Self> {
         let q = within(
             "the axis ratio of a spheroid",
@@ -156,7 +153,7 @@ impl JacobiEllipsoid {
     /// with 20 digits. Cost: about 55 bisections of 221 integrand values.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::OutOfRange`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::OutOfRange`](crate::Error::OutOfRange).
     pub fn from_axis_ratio(b_over_a: f64) -> Result<Self> {
         let middle = within(
             "the axis ratio b/a of a Jacobi ellipsoid",

@@ -3,7 +3,7 @@
 //! Computed here: the rigid period, and the naive lengthening by elasticity. Quoted from geodesy: the ellipticity, the
 //! Love number, the observed period.
 
-use crate::error::{Error, Result, finite, positive, within};
+use crate::error::{Result, finite, positive, within};
 
 /// I₃/I₁ in the tutorial (6.5), dimensionless.
 pub const TUTORIAL_AXIAL_OVER_TRANSVERSE: f64 = 301.0 / 300.0;
@@ -41,7 +41,7 @@ pub const DYNAMICAL_FORM_FACTOR: f64 = 1.082_635_9e-3;
 /// Period of the free wobble of a rigid Earth, in turns of the Earth: 1/(I₃/I₁ − 1) = 1/H − 1 for H = (I₃ − I₁)/I₃ (6.5).
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NotPositive`]; [`Error::OutOfRange`] for H above ½, which no body has (2.4).
+/// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) for H above ½, which no body has (2.4).
 pub fn rigid_period(ellipticity: f64) -> Result<f64> {
     let value = positive("the dynamical ellipticity", ellipticity)?;
     within("the dynamical ellipticity", value, 0.0, 0.5)?;
@@ -63,19 +63,10 @@ pub fn secular_love_number() -> f64 {
 /// fluid core, which shortens it.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NotPositive`] for the period or k_s; [`Error::OutOfRange`] unless 0 ≤ k₂ < k_s.
+/// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for the period or k_s; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ k₂ < k_s.
 pub fn elastic_period(rigid: f64, love_number: f64, secular: f64) -> Result<f64> {
     let rigid = positive("the rigid period", rigid)?;
     let secular = positive("the secular Love number", secular)?;
-    let value = finite("the Love number", love_number)?;
-    if !(0.0..secular).contains(&value) {
-        let quantity = "the Love number";
-        return Err(Error::OutOfRange {
-            quantity,
-            value,
-            least: 0.0,
-            greatest: secular,
-        });
-    }
+    let value = within("the Love number", love_number, 0.0, secular.next_down())?;
     finite("the elastic period", rigid / ((secular - value) / secular))
 }

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::InertiaMatrix;
 use super::matrix::particle_term;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, positive, within};
 use crate::frame::{Attitude, BodyVector};
 
 /// Mass, centre of mass, and the inertia matrix about the centre of mass.
@@ -51,14 +51,12 @@ impl MassProperties {
         positive("the mass", mass)?;
         for coordinate in center.components().iter() {
             let value = finite("a coordinate of the centre of mass", *coordinate)?;
-            if value.abs() > FARTHEST {
-                return Err(Error::OutOfRange {
-                    quantity: "a coordinate of the centre of mass",
-                    value,
-                    least: -FARTHEST,
-                    greatest: FARTHEST,
-                });
-            }
+            within(
+                "a coordinate of the centre of mass",
+                value,
+                -FARTHEST,
+                FARTHEST,
+            )?;
         }
         Ok(Self {
             mass,

@@ -6,7 +6,7 @@
 //! factor, so a box gets three for every axis, and a cylinder gets four for its round directions and three along
 //! its axis: that is why no single denominator serves the cylinder.
 
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Error, Result, finite, not_negative, positive, within};
 
 /// A kind of homogeneous body, for the question whether Routh's rule speaks of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -101,14 +101,12 @@ pub fn moment(mass: f64, form: Form, semi_axes: [f64; 2]) -> Result<f64> {
 /// ```
 pub fn mean_square(semi_axis: f64, dimension: u32) -> Result<f64> {
     not_negative("the semi-axis", semi_axis)?;
-    if dimension == 0 {
-        return Err(Error::OutOfRange {
-            quantity: "the dimension",
-            value: 0.0,
-            least: 1.0,
-            greatest: f64::from(u32::MAX),
-        });
-    }
+    within(
+        "the dimension",
+        f64::from(dimension),
+        1.0,
+        f64::from(u32::MAX),
+    )?;
     finite(
         "the mean square",
         semi_axis * semi_axis / (f64::from(dimension) + 2.0),

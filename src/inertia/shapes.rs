@@ -11,7 +11,7 @@
 //! [`Error::NotFinite`] if a moment overflows.
 
 use super::{InertiaMatrix, MassProperties, PlatonicSolid};
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Error, Result, finite, not_negative, positive, within};
 use crate::frame::BodyVector;
 
 /// The body at the origin whose mass has the means ⟨x²⟩ = f₁a₁², ⟨y²⟩ = f₂a₂², ⟨z²⟩ = f₃a₃².
@@ -120,14 +120,7 @@ pub fn thick_shell(mass: f64, inner: f64, outer: f64) -> Result<MassProperties> 
 fn ratio(inner: f64, outer: f64) -> Result<f64> {
     positive("the outer radius", outer)?;
     not_negative("the inner radius", inner)?;
-    if inner > outer {
-        return Err(Error::OutOfRange {
-            quantity: "the inner radius",
-            value: inner,
-            least: 0.0,
-            greatest: outer,
-        });
-    }
+    within("the inner radius", inner, 0.0, outer)?;
     Ok(inner / outer)
 }
 
@@ -295,14 +288,12 @@ pub fn ellipse_lamina(mass: f64, semi_axes: [f64; 2]) -> Result<MassProperties> 
 /// # Errors
 /// See the [module](self); [`Error::OutOfRange`] for fewer than three sides.
 pub fn regular_polygon_lamina(mass: f64, sides: u32, circumradius: f64) -> Result<MassProperties> {
-    if sides < 3 {
-        return Err(Error::OutOfRange {
-            quantity: "the number of sides",
-            value: f64::from(sides),
-            least: 3.0,
-            greatest: f64::from(u32::MAX),
-        });
-    }
+    within(
+        "the number of sides",
+        f64::from(sides),
+        3.0,
+        f64::from(u32::MAX),
+    )?;
     let sine = (core::f64::consts::PI / f64::from(sides)).sin();
     let round = (0.25 - sine * sine / 6.0, circumradius);
     from_means(mass, [round, round, (0.0, 0.0)])

@@ -7,7 +7,7 @@ use super::preparation::{Exact, FASTEST, Kept, Motion, Start, moderate, prepare,
 use super::roots::{Nutation, Roots};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::{fill, turned};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, finite, within};
 use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
 use crate::frame::{Attitude, BodyVector, EulerAngles};
@@ -80,14 +80,7 @@ impl LagrangeTop {
         for component in omega.components().iter() {
             finite("a component of the angular velocity", *component)?;
         }
-        if omega.norm() > FASTEST {
-            return Err(Error::OutOfRange {
-                quantity: "the angular velocity",
-                value: omega.norm(),
-                least: 0.0,
-                greatest: FASTEST,
-            });
-        }
+        within("the angular velocity", omega.norm(), 0.0, FASTEST)?;
         let (kind, roots, motion) = if moderate(body, omega, &attitude) {
             prepare::<DoubleDouble>(body, omega, &attitude, exact)?
         } else {

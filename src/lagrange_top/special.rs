@@ -232,14 +232,7 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     positive("the weight moment Mgl", weight_moment)?;
     finite("the axial angular momentum", l3)?;
     positive("the tilt", tilt)?;
-    if tilt >= PI {
-        return Err(Error::OutOfRange {
-            quantity: "the tilt",
-            value: tilt,
-            least: 0.0,
-            greatest: PI,
-        });
-    }
+    within("the tilt", tilt, 0.0, PI.next_down())?;
     let number = Extended::from_double;
     let (s, c) = (0.5 * tilt).sin_cos();
     let [below, above] = [s, c].map(|x| number(x).square().times(2.0)); // 1 ∓ cos θ₀
@@ -376,14 +369,7 @@ pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<Lagrange
     }
     // The start is half the angle, which must have its digits.
     let least = 2.0 * f64::MIN_POSITIVE;
-    if inner < least {
-        return Err(Error::OutOfRange {
-            quantity: "the smaller angle",
-            value: inner,
-            least,
-            greatest: 0.5 * PI,
-        });
-    }
+    within("the smaller angle", inner, least, 0.5 * PI)?;
     let across = outer.sin() * (gravity.sqrt() / (half_difference.cos() * half_sum.cos()).sqrt());
     let (s, c) = (0.5 * inner).sin_cos();
     let attitude = Attitude::from_quaternion(s, c, 0.0, 0.0)?;

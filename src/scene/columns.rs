@@ -38,20 +38,23 @@ impl<S> Default for Columns<S> {
 }
 
 impl<S: 'static> Columns<S> {
-    /// The same with another number.
-    pub fn with(
+    /// The same with more numbers: name, unit and meaning of each.
+    pub fn with<const N: usize>(
         mut self,
-        [name, unit, meaning]: [&'static str; 3],
-        of: impl Fn(&S) -> f64 + Send + Sync + 'static,
+        numbers: [[&'static str; 3]; N],
+        of: impl Fn(&S) -> [f64; N] + Clone + Send + Sync + 'static,
     ) -> Self {
-        let column = Column {
-            name,
-            unit,
-            meaning,
-            usual: false,
-            goes_round: false,
-        };
-        self.0.push((column, Box::new(of)));
+        for (k, [name, unit, meaning]) in numbers.into_iter().enumerate() {
+            let column = Column {
+                name,
+                unit,
+                meaning,
+                usual: false,
+                goes_round: false,
+            };
+            let of = of.clone();
+            self.0.push((column, Box::new(move |state| of(state)[k])));
+        }
         self
     }
 
@@ -62,20 +65,18 @@ impl<S: 'static> Columns<S> {
         [unit, meaning]: [&'static str; 2],
         of: impl Fn(&S) -> Vector3<f64> + Clone + Send + Sync + 'static,
     ) -> Self {
-        (0..3).fold(self, |columns, k| {
-            let of = of.clone();
-            columns.with([names[k], unit, meaning], move |state| of(state)[k])
-        })
+        let numbers = names.map(|name| [name, unit, meaning]);
+        self.with(numbers, move |state| of(state).into())
     }
 
     /// The same with the quaternion of an attitude.
     pub fn attitude(self, of: fn(&S) -> Attitude) -> Self {
         let meaning = "attitude, a unit quaternion that turns body axes into space axes";
-        let of = move |state: &S| of(state).quaternion().into_inner();
-        self.with(["qw", "1", meaning], move |state| of(state).w)
-            .vector(["qx", "qy", "qz"], ["1", meaning], move |state| {
-                of(state).imag()
-            })
+        let numbers = ["qw", "qx", "qy", "qz"].map(|name| [name, "1", meaning]);
+        self.with(numbers, move |state| {
+            let q = of(state).quaternion().into_inner();
+            [q.w, q.i, q.j, q.k]
+        })
     }
 
     /// The same with an angular velocity, along the body's axes.
@@ -87,37 +88,21 @@ impl<S: 'static> Columns<S> {
 
     /// The same with the angles of an attitude: tilt, precession, nutation, spin.
     pub fn angles(self, of: fn(&S) -> Attitude) -> Self {
-        let nutation = move |state: &S| of(state).euler_angles().theta;
-        let tilt = ["tilt", "rad", "angle of axis 3 to the vertical"];
-        let theta = [
-            "nutation",
-            "rad",
-            "Euler's angle of axis 3 to the vertical: the tilt",
-        ];
-        let phi = [
-            "precession",
-            "rad",
-            "Euler's angle about the vertical, from x to the line of nodes, −π … π",
-        ];
-        let psi = [
-            "spin",
-            "rad",
-            "Euler's angle about axis 3, from the line of nodes to axis 1, −π … π",
-        ];
-        self.with(tilt, nutation)
-            .with(theta, nutation)
-            .with(phi, move |state| of(state).euler_angles().phi)
-            .going_round()
-            .with(psi, move |state| of(state).euler_angles().psi)
-            .going_round()
-    }
-
-    /// The same, the last of them an angle that goes round.
-    fn going_round(mut self) -> Self {
-        if let Some((column, _)) = self.0.last_mut() {
+        let tilt = "angle of axis 3 to the vertical";
+        let theta = "Euler's angle of axis 3 to the vertical: the tilt";
+        let phi = "Euler's angle about the vertical, from x to the line of nodes, −π … π";
+        let psi = "Euler's angle about axis 3, from the line of nodes to axis 1, −π … π";
+        let names = ["tilt", "nutation", "precession", "spin"];
+        let means = [tilt, theta, phi, psi];
+        let numbers = core::array::from_fn(|k| [names[k], "rad", means[k]]);
+        let mut columns = self.with(numbers, move |state| {
+            let angles = of(state).euler_angles();
+            [angles.theta, angles.theta, angles.phi, angles.psi]
+        });
+        for (column, _) in columns.0.iter_mut().rev().take(2) {
             column.goes_round = true;
         }
-        self
+        columns
     }
 
     /// The same with an angular momentum (kg m²/s, along the axes of space), its size, and its angle to axis 3.
@@ -126,27 +111,20 @@ impl<S: 'static> Columns<S> {
         attitude: fn(&S) -> Attitude,
         l: impl Fn(&S) -> SpaceVector + Clone + Send + Sync + 'static,
     ) -> Self {
-        let unit = "kg m²/s";
-        let (size, leaning) = (l.clone(), l.clone());
-        self.vector(
-            ["lx", "ly", "lz"],
-            [unit, "angular momentum, along the axes of space"],
-            move |state| l(state).components(),
-        )
-        .with(["l", unit, "size of the angular momentum"], move |state| {
-            size(state).norm()
+        let (unit, leaning) = ("kg m²/s", "angle between angular momentum and axis 3");
+        let along = [unit, "angular momentum, along the axes of space"];
+        let (components, size) = (l.clone(), l.clone());
+        self.vector(["lx", "ly", "lz"], along, move |state| {
+            components(state).components()
         })
         .with(
-            [
-                "l_to_axis",
-                "rad",
-                "angle between angular momentum and axis 3",
-            ],
-            move |state| {
-                let along = attitude(state).to_body(leaning(state));
-                along.x().hypot(along.y()).atan2(along.z())
-            },
+            [["l", unit, "size of the angular momentum"]],
+            move |state| [size(state).norm()],
         )
+        .with([["l_to_axis", "rad", leaning]], move |state| {
+            let along = attitude(state).to_body(l(state));
+            [along.x().hypot(along.y()).atan2(along.z())]
+        })
     }
 
     /// These numbers and those.
@@ -181,3 +159,34 @@ impl<S: 'static> Columns<S> {
         self.0.iter().map(|(_, of)| of(state)).collect()
     }
 }
+
+/// Declares a state of numbers, which are its columns: what is said of each is its meaning and, after the last comma, its unit.
+macro_rules! state {
+    (
+        $(#[$about:meta])*
+        $name:ident { $(#[doc = $text:literal] $number:ident,)* }
+        $(#[doc = $more:literal] $field:ident: $type:ty,)*
+    ) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        pub struct $name {
+            $(#[doc = $text] pub $number: f64,)*
+            $(#[doc = $more] pub $field: $type,)*
+        }
+
+        impl $crate::scene::Tabulated for $name {
+            fn columns() -> $crate::scene::Columns<Self> {
+                let told = [$([stringify!($number), $text]),*];
+                let told = told.map(|[name, text]| {
+                    let text = text.trim().trim_end_matches('.');
+                    let (meaning, unit) = text.rsplit_once(", ").unwrap_or((text, "1"));
+                    [name, unit, meaning]
+                });
+                $crate::scene::Columns::default().with(told, |state: &Self| [$(state.$number),*])
+            }
+        }
+    };
+}
+
+pub(crate) use state;

@@ -30,7 +30,7 @@ use nalgebra::Vector3;
 
 use super::columns::Columns;
 use super::effects::Effect;
-use super::engine::{self, Answer, Closed, Ended, Flow, planned, solved, to_accuracy};
+use super::engine::{self, Answer, Ended, Flow, planned, solved, to_accuracy};
 use super::motion::{Account, ledger};
 use super::{Budget, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::{Law, Ledger};
@@ -294,23 +294,18 @@ impl Tabulated for State {
             .vector(["vx", "vy", "vz"], ["m/s", "its velocity"], |state| {
                 state.velocity.components()
             })
-            .with(["slip", "m/s", "speed of the point in contact"], |state| {
-                state.slip.norm()
-            })
-            .with(["reaction", "N", "push of the table, upwards"], |state| {
-                state.reaction
-            })
             .with(
                 [
-                    "energy",
-                    "J",
-                    "kinetic energy, and of the weight above the table",
+                    ["slip", "m/s", "speed of the point in contact"],
+                    ["reaction", "N", "push of the table, upwards"],
+                    [
+                        "energy",
+                        "J",
+                        "kinetic energy, and of the weight above the table",
+                    ],
+                    ["dissipated", "J", "what contact has taken so far"],
                 ],
-                |state| state.energy,
-            )
-            .with(
-                ["dissipated", "J", "what contact has taken so far"],
-                |state| state.dissipated,
+                |s: &Self| [s.slip.norm(), s.reaction, s.energy, s.dissipated],
             )
     }
 }
@@ -771,15 +766,16 @@ impl System<{ NUMBERS + 1 }> for Slowing<'_> {
     }
 }
 
+/// What may be asked for.
+const SOLVERS: &str =
+    "the solver of a body on a table is `exact`, without gravity, or one that steps";
+
 impl Scene for TableTop {
     type State = State;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         let closed = match (self.gravity, self.friction) {
-            (None, _) => Ok(Closed {
-                solver: Solver::Exact,
-                reason: "no gravity, so no contact: closed form",
-            }),
+            (None, _) => Ok((Solver::Exact, "no gravity, so no contact: closed form")),
             (_, Some(Friction::NoSlip)) => Err("pure rolling: take-off is an event"),
             (_, Some(Friction::Coulomb(_))) => {
                 Err("Coulomb friction: slip, roll and take-off are events")
@@ -790,11 +786,7 @@ impl Scene for TableTop {
         if closed.is_err() {
             request.forward()?;
         }
-        planned(
-            request,
-            closed,
-            "the solver of a body on a table is `exact`, without gravity, or one that steps",
-        )
+        planned(request, closed, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
@@ -819,43 +811,41 @@ impl Scene for TableTop {
         Columns::default()
             .angles(|state: &State| state.attitude)
             .with(
-                ["omega", "rad/s", "size of the angular velocity"],
-                |state| state.omega.norm(),
-            )
-            .with(
                 [
-                    "vertical_spin",
-                    "rad/s",
-                    "angular velocity about the vertical",
+                    ["omega", "rad/s", "size of the angular velocity"],
+                    [
+                        "vertical_spin",
+                        "rad/s",
+                        "angular velocity about the vertical",
+                    ],
                 ],
-                State::spin,
+                |state| [state.omega.norm(), state.spin()],
             )
             .angular_momentum(|state| state.attitude, momentum)
             .with(
-                ["friction", "N", "size of the level force of the table"],
-                |state| state.friction,
-            )
-            .with(
-                ["translation", "J", "kinetic energy of the centre of mass"],
-                move |state| 0.5 * body.mass() * state.velocity.dot(&state.velocity),
-            )
-            .with(
-                ["rotation", "J", "kinetic energy about the centre of mass"],
+                [
+                    ["friction", "N", "size of the level force of the table"],
+                    ["translation", "J", "kinetic energy of the centre of mass"],
+                    ["rotation", "J", "kinetic energy about the centre of mass"],
+                    ["potential", "J", "energy of the weight above the table"],
+                    ["jellett", "kg m³/s", "Jellett's integral"],
+                    ["support", "1", "0 sliding, 1 rolling, 2 in the air"],
+                ],
                 move |state| {
                     let l = body.inertia().angular_momentum(state.omega);
-                    0.5 * l.dot(&state.omega)
+                    let translation = 0.5 * body.mass() * state.velocity.dot(&state.velocity);
+                    let rotation = 0.5 * l.dot(&state.omega);
+                    let potential = weight * state.position.z();
+                    let support = f64::from(state.support as u8);
+                    [
+                        state.friction,
+                        translation,
+                        rotation,
+                        potential,
+                        state.jellett,
+                        support,
+                    ]
                 },
-            )
-            .with(
-                ["potential", "J", "energy of the weight above the table"],
-                move |state| weight * state.position.z(),
-            )
-            .with(["jellett", "kg m³/s", "Jellett's integral"], |state| {
-                state.jellett
-            })
-            .with(
-                ["support", "1", "0 sliding, 1 rolling, 2 in the air"],
-                |state| state.support as u8 as f64,
             )
     }
 }

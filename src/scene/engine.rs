@@ -697,29 +697,22 @@ fn stepper(solver: Solver, request: &Request) -> Result<Stepper<'static>> {
     }
 }
 
-/// What a kind of scene can do in closed form, for its plan.
-pub(crate) struct Closed {
-    /// `exact` or `events`.
-    pub solver: Solver,
-    /// Why that will do.
-    pub reason: &'static str,
-}
-
-/// The plan in one sentence: the closed form wherever there is one, otherwise order 8; or what was asked for by name.
+/// The plan in one sentence: the closed form wherever there is one, its solver and why it will do, or why there is none and order 8 steps; or what
+/// was asked for by name.
 ///
 /// # Errors
 /// [`Error::Solver`] says which solvers the kind has.
 pub(crate) fn planned(
     request: &Request,
-    closed: core::result::Result<Closed, &'static str>,
+    closed: core::result::Result<(Solver, &'static str), &'static str>,
     has: &'static str,
 ) -> Result<Plan> {
     const OURS: Solver = Solver::Geometric(Geometric::DormandPrince8);
     let plan = |solver, reason: &str| Ok(Plan::new(solver, reason.to_owned()));
     match (request.choice(), closed) {
-        (Choice::Auto, Ok(closed)) => plan(closed.solver, closed.reason),
+        (Choice::Auto, Ok((solver, reason))) => plan(solver, reason),
         (Choice::Auto, Err(reason)) => plan(OURS, reason),
-        (Choice::Use(solver), Ok(closed)) if solver == closed.solver => plan(solver, closed.reason),
+        (Choice::Use(solver), Ok((known, reason))) if solver == known => plan(solver, reason),
         (Choice::Use(solver @ Solver::General(_)), _) => {
             request.methods()?;
             plan(solver, "asked for")

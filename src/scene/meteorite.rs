@@ -69,12 +69,12 @@ impl Tabulated for Flying {
                 state.center.components()
             })
             .with(
-                [
+                [[
                     "energy",
                     "J",
                     "kinetic energy, before the blow of both bodies",
-                ],
-                |state| state.energy,
+                ]],
+                |state| [state.energy],
             )
     }
 }
@@ -249,8 +249,8 @@ impl Scene for StruckPlanet {
         Columns::default()
             .angles(|state: &Flying| state.attitude)
             .with(
-                ["omega", "rad/s", "size of the angular velocity"],
-                |state| state.omega.norm(),
+                [["omega", "rad/s", "size of the angular velocity"]],
+                |state| [state.omega.norm()],
             )
     }
 }

@@ -3,7 +3,7 @@
 use super::budget::{Budget, Progress};
 use super::plan::{Choice, Plan};
 use crate::conservation::{Law, Ledger};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, finite, within};
 use crate::integrators::{Cost, Effort, GeneralMethods};
 
 /// What is asked of a scene: when, how well, and by which solver.
@@ -77,14 +77,7 @@ impl Request {
     /// # Errors
     /// [`Error::OutOfRange`] outside 1e-15 … 0.1.
     pub fn to_accuracy(mut self, accuracy: f64) -> Result<Self> {
-        if !(1e-15..=0.1).contains(&accuracy) {
-            return Err(Error::OutOfRange {
-                quantity: "the accuracy",
-                value: accuracy,
-                least: 1e-15,
-                greatest: 0.1,
-            });
-        }
+        within("the accuracy", accuracy, 1e-15, 0.1)?;
         (self.accuracy, self.effort) = (accuracy, None);
         Ok(self)
     }

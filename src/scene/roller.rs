@@ -24,7 +24,7 @@
 
 use super::columns::Columns;
 use super::effects::Effect;
-use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
+use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
 use super::motion::{Account, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
@@ -134,42 +134,42 @@ pub struct Rolling {
 
 impl Tabulated for Rolling {
     fn columns() -> Columns<Self> {
-        along(|state: &Self| state.moment)
-            .with(["energy", "J", "kinetic energy"], |state| state.energy)
-            .with(HEAT, |state| state.heat)
+        along(|state: &Self| state.moment).with(ENERGIES, |s| [s.energy, s.heat])
     }
 }
 
-/// The heat of both kinds that roll.
-pub(super) const HEAT: [&str; 3] = [
-    "heat",
-    "J",
-    "heat of friction and rolling resistance so far",
+/// What both kinds that roll tell of their energy.
+pub(super) const ENERGIES: [[&str; 3]; 2] = [
+    ["energy", "J", "kinetic energy"],
+    [
+        "heat",
+        "J",
+        "heat of friction and rolling resistance so far",
+    ],
 ];
 
 /// Where a round body is and how it moves.
 pub(super) fn along<S: 'static>(of: fn(&S) -> Moment) -> Columns<S> {
-    let rim = [
-        "rim_speed",
-        "m/s",
-        "radius times angular velocity, positive as in rolling",
-    ];
-    let slip = [
-        "slip",
-        "m/s",
-        "velocity of the point in contact over the ground under it",
-    ];
-    Columns::default()
-        .with(
+    let rim = "radius times angular velocity, positive as in rolling";
+    let slip = "velocity of the point in contact over the ground under it";
+    Columns::default().with(
+        [
             ["x", "m", "place of the centre along the table"],
-            move |state| of(state).position,
-        )
-        .with(
             ["velocity", "m/s", "velocity of the centre"],
-            move |state| of(state).velocity,
-        )
-        .with(rim, move |state| of(state).rim_speed)
-        .with(slip, move |state| of(state).slip)
+            ["rim_speed", "m/s", rim],
+            ["slip", "m/s", slip],
+        ],
+        move |state| {
+            let Moment {
+                position,
+                velocity,
+                rim_speed,
+                slip,
+                ..
+            } = of(state);
+            [position, velocity, rim_speed, slip]
+        },
+    )
 }
 
 impl Scene for Roller {
@@ -207,34 +207,39 @@ impl Scene for Roller {
 /// What can be told of the moments of a round body.
 pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Columns<S> {
     let (mass, kappa, radius) = (body.mass(), body.inertia_factor(), body.radius());
-    Columns::default()
-        .with(["turned", "rad", "angle turned"], move |state| {
-            of(state).turned / radius
-        })
-        .with(["omega", "rad/s", "angular velocity"], move |state| {
-            of(state).rim_speed / radius
-        })
-        .with(
+    Columns::default().with(
+        [
+            ["turned", "rad", "angle turned"],
+            ["omega", "rad/s", "angular velocity"],
             ["translation", "J", "kinetic energy of the centre"],
-            move |state| 0.5 * mass * of(state).velocity.powi(2),
-        )
-        .with(
             ["rotation", "J", "kinetic energy about the centre"],
-            move |state| 0.5 * mass * kappa * of(state).rim_speed.powi(2),
-        )
-        .with(
             ["driven", "J", "work of tug and moving sheet so far"],
-            move |state| mass * of(state).work,
-        )
-        .with(
             [
                 "l_about_table",
                 "kg m²/s",
                 "angular momentum about the line of contact",
             ],
-            move |state| mass * radius * of(state).about_the_table(kappa),
-        )
+        ],
+        move |state| {
+            let moment = of(state);
+            let translation = 0.5 * mass * moment.velocity.powi(2);
+            let rotation = 0.5 * mass * kappa * moment.rim_speed.powi(2);
+            let about = mass * radius * moment.about_the_table(kappa);
+            let [turned, omega] = [moment.turned, moment.rim_speed].map(|way| way / radius);
+            [
+                turned,
+                omega,
+                translation,
+                rotation,
+                mass * moment.work,
+                about,
+            ]
+        },
+    )
 }
+
+/// What may be asked for.
+const SOLVERS: &str = "the solver of what rolls is `events`, `exact` where no force acts along the table, or one that steps";
 
 /// The plan of what rolls: closed forms from event to event for this reason, or without events.
 pub(super) fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
@@ -244,11 +249,7 @@ pub(super) fn rolling_plan(request: &Request, events: Option<&'static str>) -> R
         _ => Solver::Events,
     };
     let reason = events.unwrap_or("no force along the table: closed form");
-    planned(
-        request,
-        Ok(Closed { solver, reason }),
-        "the solver of what rolls is `events`, `exact` where no force acts along the table, or one that steps",
-    )
+    planned(request, Ok((solver, reason)), SOLVERS)
 }
 
 /// A round body on its table, whatever acts on it: the rolling of [`Roller`] and of the [spool](super::spool).

@@ -20,7 +20,7 @@
 
 use super::columns::Columns;
 use super::effects::Effect;
-use super::roller::{HEAT, OnTable, along, moments, rolling_plan};
+use super::roller::{ENERGIES, OnTable, along, moments, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};
 use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
@@ -116,12 +116,9 @@ pub struct Spooling {
 impl Tabulated for Spooling {
     fn columns() -> Columns<Self> {
         along(|state: &Self| state.moment)
-            .with(["wound", "m", "string wound up so far"], |state| {
-                state.wound
-            })
-            .with(["energy", "J", "kinetic energy"], |state| state.energy)
-            .with(HEAT, |state| state.heat)
-            .with(["work", "J", "work of the tug so far"], |state| state.work)
+            .with([["wound", "m", "string wound up so far"]], |s| [s.wound])
+            .with(ENERGIES, |s| [s.energy, s.heat])
+            .with([["work", "J", "work of the tug so far"]], |s| [s.work])
     }
 }
 

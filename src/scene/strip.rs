@@ -13,9 +13,7 @@
 
 use super::columns::Columns;
 use super::effects::{Effect, Gravity};
-use super::engine::{
-    Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved,
-};
+use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
 use super::motion::{Account, ledger};
 use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
@@ -42,32 +40,26 @@ pub struct StripState {
 
 impl Tabulated for StripState {
     fn columns() -> Columns<Self> {
-        Columns::default()
-            .with(["x", "m", "place, to the right"], |state: &Self| {
-                state.position[0]
-            })
-            .with(["y", "m", "place, up"], |state| state.position[1])
-            .with(
+        Columns::default().with(
+            [
+                ["x", "m", "place, to the right"],
+                ["y", "m", "place, up"],
                 ["angle", "rad", "angle of the chord above the horizontal"],
-                |state| state.angle,
-            )
-            .with(["vx", "m/s", "velocity, to the right"], |state| {
-                state.velocity[0]
-            })
-            .with(["vy", "m/s", "velocity, up"], |state| state.velocity[1])
-            .with(["omega", "rad/s", "angular velocity"], |state| state.omega)
-            .with(
+                ["vx", "m/s", "velocity, to the right"],
+                ["vy", "m/s", "velocity, up"],
+                ["omega", "rad/s", "angular velocity"],
                 [
                     "energy",
                     "J/m",
                     "kinetic energy, of the fluid taken along too, and potential energy",
                 ],
-                |state| state.energy,
-            )
-            .with(
                 ["heat", "J/m", "what drag and damping have taken so far"],
-                |state| state.heat,
-            )
+            ],
+            |s: &Self| {
+                let ([x, y], [vx, vy]) = (s.position, s.velocity);
+                [x, y, s.angle, vx, vy, s.omega, s.energy, s.heat]
+            },
+        )
     }
 }
 
@@ -292,6 +284,9 @@ impl Flow<7> for Strip {
     }
 }
 
+/// What may be asked for.
+const SOLVERS: &str = "the solver of a strip is `exact` in a vacuum, or one that steps";
+
 impl Scene for Strip {
     type State = StripState;
 
@@ -300,18 +295,11 @@ impl Scene for Strip {
             request.forward()?;
         }
         let closed = if self.in_a_vacuum() {
-            Ok(Closed {
-                solver: Solver::Exact,
-                reason: "a vacuum: closed form",
-            })
+            Ok((Solver::Exact, "a vacuum: closed form"))
         } else {
             Err("forces of a fluid: order 8")
         };
-        planned(
-            request,
-            closed,
-            "the solver of a strip is `exact` in a vacuum, or one that steps",
-        )
+        planned(request, closed, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<StripState>> {
@@ -353,22 +341,20 @@ impl Scene for Strip {
     fn further(&self) -> Columns<StripState> {
         let equations = &self.equations;
         let weight = equations.plate.mass() * equations.gravity.unwrap_or(0.0);
-        Columns::default()
-            .with(
+        Columns::default().with(
+            [
                 ["speed", "m/s", "size of the velocity"],
-                |state: &StripState| state.velocity[0].hypot(state.velocity[1]),
-            )
-            .with(
                 [
                     "descent",
                     "rad",
                     "angle of the velocity below the horizontal",
                 ],
-                |state| (-state.velocity[1]).atan2(state.velocity[0]),
-            )
-            .with(
                 ["potential", "J/m", "energy of the weight above the start"],
-                move |state| weight * state.position[1],
-            )
+            ],
+            move |state: &StripState| {
+                let [x, y] = state.velocity;
+                [x.hypot(y), (-y).atan2(x), weight * state.position[1]]
+            },
+        )
     }
 }

@@ -11,7 +11,7 @@
 
 use super::columns::Columns;
 use super::effects::Effect;
-use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
+use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
 use super::motion::{Account, ledger};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
@@ -96,39 +96,37 @@ pub struct Bouncing {
 
 impl Tabulated for Bouncing {
     fn columns() -> Columns<Self> {
-        Columns::default()
-            .with(["x", "m", "place along the floor"], |state: &Self| {
-                state.ball.position
-            })
-            .with(
+        Columns::default().with(
+            [
+                ["x", "m", "place along the floor"],
                 ["height", "m", "lowest point of the ball above the floor"],
-                |state| state.ball.height,
-            )
-            .with(["velocity", "m/s", "velocity along the floor"], |state| {
-                state.ball.motion.velocity
-            })
-            .with(["climb", "m/s", "velocity upward"], |state| {
-                state.ball.climb
-            })
-            .with(
+                ["velocity", "m/s", "velocity along the floor"],
+                ["climb", "m/s", "velocity upward"],
                 [
                     "rim_speed",
                     "m/s",
                     "radius times angular velocity, positive as in rolling",
                 ],
-                |state| state.ball.motion.rim_speed,
-            )
-            .with(["bounces", "1", "bounces so far"], |state| {
-                state.ball.bounces as f64
-            })
-            .with(
+                ["bounces", "1", "bounces so far"],
                 [
                     "energy",
                     "J",
                     "kinetic energy, and of the weight above the floor",
                 ],
-                |state| state.energy,
-            )
+            ],
+            |Self { ball, energy }: &Self| {
+                let [x, height, climb, velocity, rim_speed] = numbers(ball);
+                [
+                    x,
+                    height,
+                    velocity,
+                    climb,
+                    rim_speed,
+                    ball.bounces as f64,
+                    *energy,
+                ]
+            },
+        )
     }
 }
 
@@ -138,6 +136,9 @@ fn numbers(ball: &InFlight) -> [f64; 5] {
     let along = [motion.velocity, motion.rim_speed];
     [ball.position, ball.height, ball.climb, along[0], along[1]]
 }
+
+/// What may be asked for.
+const SOLVERS: &str = "the solver of a superball is `exact` without restitution and grip, `events`, or one that steps";
 
 impl Scene for Superball {
     type State = Bouncing;
@@ -152,11 +153,7 @@ impl Scene for Superball {
             ),
             _ => (Solver::Events, "bounces: closed form from one to the next"),
         };
-        planned(
-            request,
-            Ok(Closed { solver, reason }),
-            "the solver of a superball is `exact` without restitution and grip, `events`, or one that steps",
-        )
+        planned(request, Ok((solver, reason)), SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Bouncing>> {
@@ -205,21 +202,19 @@ impl Scene for Superball {
     fn further(&self) -> Columns<Bouncing> {
         let (mass, kappa) = (self.mass, self.kappa);
         let weight = mass * self.gravity.unwrap_or(0.0);
-        Columns::default()
-            .with(
+        Columns::default().with(
+            [
                 ["translation", "J", "kinetic energy of the centre"],
-                move |state: &Bouncing| {
-                    0.5 * mass * (state.ball.motion.velocity.powi(2) + state.ball.climb.powi(2))
-                },
-            )
-            .with(
                 ["rotation", "J", "kinetic energy about the centre"],
-                move |state| 0.5 * mass * kappa * state.ball.motion.rim_speed.powi(2),
-            )
-            .with(
                 ["potential", "J", "energy of the weight above the floor"],
-                move |state| weight * state.ball.height,
-            )
+            ],
+            move |Bouncing { ball, .. }: &Bouncing| {
+                let [along, rim] = [ball.motion.velocity, ball.motion.rim_speed];
+                let translation = 0.5 * mass * (along.powi(2) + ball.climb.powi(2));
+                let rotation = 0.5 * mass * kappa * rim.powi(2);
+                [translation, rotation, weight * ball.height]
+            },
+        )
     }
 }
 

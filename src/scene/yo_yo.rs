@@ -11,9 +11,9 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::columns::Columns;
+use super::columns::{Columns, state};
 use super::effects::Effect;
-use super::engine::{Answer, Closed, Ended, Flow, OF_CLOSED_FORMS, greater, planned, solved};
+use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, greater, planned, solved};
 use super::motion::{Account, ledger};
 use super::{Budget, Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
@@ -39,52 +39,26 @@ pub enum Phase {
     Caught,
 }
 
-/// The state of a yo-yo.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct YoYoState {
-    /// What it is at.
-    pub phase: Phase,
-    /// Depth below the hand, m.
-    pub depth: f64,
-    /// Velocity downward, m/s.
-    pub velocity: f64,
-    /// Spin, rad/s; its sense never changes.
-    pub omega: f64,
-    /// Pull of the string, N; the blows on falling asleep and on waking are not in it.
-    pub tension: f64,
-    /// Kinetic and potential energy, J; zero at rest at the hand.
-    pub energy: f64,
-    /// Energy lost so far, J.
-    pub heat: f64,
-    /// Work that the hand has done so far, J; catching counts against it.
-    pub work: f64,
-}
-
-impl Tabulated for YoYoState {
-    fn columns() -> Columns<Self> {
-        Columns::default()
-            .with(["depth", "m", "depth below the hand"], |state: &Self| {
-                state.depth
-            })
-            .with(["velocity", "m/s", "velocity downward"], |state| {
-                state.velocity
-            })
-            .with(["omega", "rad/s", "spin"], |state| state.omega)
-            .with(["tension", "N", "pull of the string"], |state| {
-                state.tension
-            })
-            .with(
-                [
-                    "energy",
-                    "J",
-                    "kinetic and potential energy, zero at rest at the hand",
-                ],
-                |state| state.energy,
-            )
-            .with(["heat", "J", "energy lost so far"], |state| state.heat)
-            .with(["work", "J", "work of the hand so far"], |state| state.work)
+state! {
+    /// The state of a yo-yo.
+    YoYoState {
+        /// Depth below the hand, m.
+        depth,
+        /// Velocity downward, m/s.
+        velocity,
+        /// Spin Ω, whose sense never changes, rad/s.
+        omega,
+        /// Pull of the string, without the blows on falling asleep and on waking, N.
+        tension,
+        /// Kinetic and potential energy, zero at rest at the hand, J.
+        energy,
+        /// Energy lost so far, J.
+        heat,
+        /// Work of the hand so far, catching counted against it, J.
+        work,
     }
+    /// What it is at.
+    phase: Phase,
 }
 
 /// A yo-yo, how fast it is thrown, and what acts on it.
@@ -540,6 +514,10 @@ impl Flow<6> for Playing {
     }
 }
 
+/// What may be asked for.
+const SOLVERS: &str =
+    "the solver of a yo-yo is `events` without air, or one that chooses its steps";
+
 impl Scene for Play {
     type State = YoYoState;
 
@@ -553,17 +531,10 @@ impl Scene for Play {
             });
         }
         let closed = match self.air_drag {
-            None => Ok(Closed {
-                solver: Solver::Events,
-                reason: "no air: closed forms from event to event",
-            }),
+            None => Ok((Solver::Events, "no air: closed forms from event to event")),
             Some(_) => Err("resistance of the air: order 8 with events"),
         };
-        planned(
-            request,
-            closed,
-            "the solver of a yo-yo is `events` without air, or one that chooses its steps",
-        )
+        planned(request, closed, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<YoYoState>> {
@@ -597,22 +568,24 @@ impl Scene for Play {
     fn further(&self) -> Columns<YoYoState> {
         let (toy, weight) = (self.toy, self.toy.mass() * self.gravity.unwrap_or(0.0));
         let inertia = toy.inertia();
-        Columns::default()
-            .with(
+        Columns::default().with(
+            [
                 ["potential", "J", "energy of the weight below the hand"],
-                move |state: &YoYoState| -weight * state.depth,
-            )
-            .with(
                 ["rotation", "J", "kinetic energy about the axle"],
-                move |state| 0.5 * inertia * state.omega.powi(2),
-            )
-            .with(
                 [
                     "phase",
                     "1",
                     "0 down, 1 turning, 2 up, 3 asleep, 4 hanging, 5 caught",
                 ],
-                |state| f64::from(state.phase as u8),
-            )
+            ],
+            move |state: &YoYoState| {
+                let rotation = 0.5 * inertia * state.omega.powi(2);
+                [
+                    -weight * state.depth,
+                    rotation,
+                    f64::from(state.phase as u8),
+                ]
+            },
+        )
     }
 }

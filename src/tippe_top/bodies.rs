@@ -4,14 +4,14 @@ use nalgebra::Matrix3;
 
 use super::body::ConvexBody;
 use super::surface::Surface;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Result, positive, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::InertiaMatrix;
 
 /// A ball of radius R with C a distance α R below its centre, and inertia matrix `inertia` in units M R² (third axis along CK).
 ///
 /// # Errors
-/// As for [`ConvexBody::new`] and [`InertiaMatrix::from_matrix`]; [`Error::OutOfRange`] unless 0 ≤ α < 1.
+/// As for [`ConvexBody::new`] and [`InertiaMatrix::from_matrix`]; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ α < 1.
 pub fn eccentric_ball(
     mass: f64,
     radius: f64,
@@ -22,6 +22,16 @@ pub fn eccentric_ball(
     round_ended(mass, radius, alpha, inertia, surface)
 }
 
+/// α, the offset of C over the radius, if 0 ≤ α < 1.
+pub(super) fn offset(alpha: f64) -> Result<f64> {
+    within(
+        "the offset of C over the radius",
+        alpha,
+        0.0,
+        1.0_f64.next_down(),
+    )
+}
+
 fn round_ended(
     mass: f64,
     radius: f64,
@@ -30,14 +40,7 @@ fn round_ended(
     surface: Surface,
 ) -> Result<ConvexBody> {
     let radius = positive("the radius", radius)?;
-    if !(0.0..1.0).contains(&finite("the offset of C over the radius", alpha)?) {
-        return Err(Error::OutOfRange {
-            quantity: "the offset of C over the radius",
-            value: alpha,
-            least: 0.0,
-            greatest: 1.0,
-        });
-    }
+    offset(alpha)?;
     let inertia = InertiaMatrix::from_matrix(inertia * (mass * radius * radius))?;
     let center = BodyVector::new(0.0, 0.0, alpha * radius);
     ConvexBody::new(mass, inertia, surface, center)

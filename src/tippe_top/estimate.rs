@@ -1,6 +1,7 @@
 //! The hoop with clay: the tutorial's estimate of how fast it tips over, and what it leaves out.
 
-use crate::error::{Error, Result, finite, positive};
+use super::bodies::offset;
+use crate::error::{Result, positive};
 use crate::frame::SpaceVector;
 use crate::precise::{Extended, Number};
 
@@ -26,7 +27,7 @@ impl HoopWithClay {
     /// The hoop of this mass (kg), radius (m), α = ε/R, I/(M R²), μ, g (m/s²).
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], also for friction and for R μ M g/I and μ g/R beyond the doubles; [`Error::OutOfRange`] unless 0 ≤ α < 1.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite), also for friction and for R μ M g/I and μ g/R beyond the doubles; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ α < 1.
     pub fn new(
         mass: f64,
         radius: f64,
@@ -38,14 +39,7 @@ impl HoopWithClay {
         let mass = positive("the mass", mass)?;
         let radius = positive("the radius", radius)?;
         let factor = positive("the moment of inertia over M R²", inertia_factor)?;
-        if !(0.0..1.0).contains(&finite("the offset of C over the radius", alpha)?) {
-            return Err(Error::OutOfRange {
-                quantity: "the offset of C over the radius",
-                value: alpha,
-                least: 0.0,
-                greatest: 1.0,
-            });
-        }
+        offset(alpha)?;
         let mu = positive("the coefficient of friction", mu)?;
         let gravity = positive("gravity", gravity)?;
         // Each may leave the range of doubles on the way to a quotient that does not.

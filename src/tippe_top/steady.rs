@@ -5,8 +5,9 @@ use core::f64::consts::PI;
 use nalgebra::{Matrix3, Vector3};
 
 use super::bodies::eccentric_ball;
+use super::bodies::offset;
 use super::body::ConvexBody;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Result, finite, positive};
 use crate::frame::BodyVector;
 
 /// An axisymmetric top on a sphere: mass M, radius R, C at α R from the centre, moments I1 across the axis and I3 about it.
@@ -39,7 +40,7 @@ impl TippeTop {
     /// The top of this mass (kg), radius (m), α, moments I1, I3 about C (kg m²), under gravity g (m/s²).
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::OutOfRange`] unless 0 < α < 1.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 < α < 1.
     pub fn new(
         mass: f64,
         radius: f64,
@@ -48,14 +49,7 @@ impl TippeTop {
         axial: f64,
         gravity: f64,
     ) -> Result<Self> {
-        if finite("the offset of C over the radius", alpha)? >= 1.0 {
-            return Err(Error::OutOfRange {
-                quantity: "the offset of C over the radius",
-                value: alpha,
-                least: 0.0,
-                greatest: 1.0,
-            });
-        }
+        offset(alpha)?;
         Ok(Self {
             mass: positive("the mass", mass)?,
             radius: positive("the radius", radius)?,
@@ -174,7 +168,7 @@ impl TippeTop {
     /// rounding. A start with much energy to spare (a slow top spun about its own tilted axis) may leave that valley.
     ///
     /// # Errors
-    /// [`Error::NotFinite`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
     pub fn final_tilt(&self, jellett: f64, start: f64) -> Result<f64> {
         let lambda = finite("Jellett's integral", jellett)?;
         let start = finite("the tilt at the start", start)?.clamp(0.0, PI);

@@ -179,8 +179,10 @@ fn tables() -> String {
         );
         for column in scene.columns() {
             let bold = if column.usual { "**" } else { "" };
-            let (name, unit, meaning) = (column.name, column.unit, column.meaning);
-            text += &format!("| {bold}`{name}`{bold} | {unit} | {meaning} |\n");
+            let (name, unit) = (column.name, column.unit);
+            let (first, rest) = column.meaning.split_at(1);
+            let first = first.to_uppercase();
+            text += &format!("| {bold}`{name}`{bold} | {unit} | {first}{rest} |\n");
         }
         text += "\n</details>\n\n";
     }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::error::{Error, Result, positive};
+use crate::error::{Result, positive, within};
 use crate::inertia::PlatonicSolid;
 
 /// Vertices and triangles of a mesh.
@@ -13,18 +13,11 @@ pub type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 /// `radius` in metres. The surface lies inside the sphere by a fraction of order 4^-levels. Cost: 20·4^levels steps.
 ///
 /// # Errors
-/// [`Error::NotPositive`] or [`Error::NotFinite`] for the radius, [`Error::OutOfRange`] for more than 10 levels (21 million
+/// [`Error::NotPositive`](crate::Error::NotPositive) or [`Error::NotFinite`](crate::Error::NotFinite) for the radius, [`Error::OutOfRange`](crate::Error::OutOfRange) for more than 10 levels (21 million
 /// triangles).
 pub fn icosphere(levels: u32, radius: f64) -> Result<Mesh> {
     positive("the radius", radius)?;
-    if levels > 10 {
-        return Err(Error::OutOfRange {
-            quantity: "the number of levels",
-            value: f64::from(levels),
-            least: 0.0,
-            greatest: 10.0,
-        });
-    }
+    within("the number of levels", f64::from(levels), 0.0, 10.0)?;
     let solid = PlatonicSolid::Icosahedron;
     let mut vertices: Vec<[f64; 3]> = solid.vertices(1.0)?.into_iter().map(unit).collect();
     let mut triangles = solid.triangles();

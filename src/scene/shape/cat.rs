@@ -15,7 +15,7 @@ use crate::phenomena::holonomy::ShapePlane;
 use crate::phenomena::quadrature::integral;
 use crate::scene::columns::Columns;
 use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Answer, Closed, Flow, planned, solved};
+use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
 use crate::scene::motion::ascending;
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
@@ -49,27 +49,22 @@ pub struct CatState {
 
 impl Tabulated for CatState {
     fn columns() -> Columns<Self> {
+        let size = "size of the angular momentum";
         Columns::default()
             .attitude(|state: &Self| state.attitude)
             .with(
-                ["bend", "rad", "angle between the spines of the halves"],
-                |state| state.bend.angle,
-            )
-            .with(
-                ["direction", "rad", "direction of the bend about the spine"],
-                |state| state.bend.direction,
+                [
+                    ["bend", "rad", "angle between the spines of the halves"],
+                    ["direction", "rad", "direction of the bend about the spine"],
+                ],
+                |state| [state.bend.angle, state.bend.direction],
             )
             .vector(["x", "y", "z"], ["m", "centre of mass"], |state| {
                 state.center.components()
             })
-            .with(
-                [
-                    "angular_momentum",
-                    "kg m²/s",
-                    "size of the angular momentum",
-                ],
-                |state| state.angular_momentum.norm(),
-            )
+            .with([["angular_momentum", "kg m²/s", size]], |state| {
+                [state.angular_momentum.norm()]
+            })
     }
 }
 
@@ -247,23 +242,22 @@ impl Flow<4> for Cat {
     }
 }
 
+/// What may be asked for.
+const SOLVERS: &str = "the solver of a cat is `exact`, if it has equal halves and no angular momentum, or one that steps";
+
 impl Scene for Cat {
     type State = CatState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
         let closed = match self.equal_halves() {
-            Some(_) => Ok(Closed {
-                solver: Solver::Exact,
-                reason: "equal halves without angular momentum: one integral along the path of shapes",
-            }),
+            Some(_) => Ok((
+                Solver::Exact,
+                "equal halves without angular momentum: one integral along the path of shapes",
+            )),
             None => Err("unequal halves or angular momentum: no closed form"),
         };
-        planned(
-            request,
-            closed,
-            "the solver of a cat is `exact`, if it has equal halves and no angular momentum, or one that steps",
-        )
+        planned(request, closed, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<CatState>> {

@@ -7,11 +7,11 @@ use crate::error::{Error, Result, not_negative};
 use crate::integrators::{Cost, Passage, Stop};
 use crate::phenomena::crawler::{self, Foot, Gap, Leg};
 use crate::rolling::course::Coulomb;
-use crate::scene::columns::Columns;
+use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{Answer, Closed, Ended, Flow, planned, solved};
+use crate::scene::engine::{Answer, Ended, Flow, planned, solved};
 use crate::scene::motion::{Account, ledger};
-use crate::scene::{Budget, Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::scene::{Budget, Motion, Plan, Request, Scene, Solver};
 
 /// Two feet and a muscle on the ground, at rest at first.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,41 +21,21 @@ pub struct Crawler {
     gravity: Option<f64>,
 }
 
-/// A crawler at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct CrawlerState {
-    /// Place of the rear foot, m.
-    pub rear: f64,
-    /// Place of the front foot, m.
-    pub front: f64,
-    /// Centre of mass, m.
-    pub center: f64,
-    /// Its velocity, m/s.
-    pub velocity: f64,
-    /// Work of the muscle, J.
-    pub work: f64,
-    /// Heat, J.
-    pub heat: f64,
-}
-
-impl Tabulated for CrawlerState {
-    fn columns() -> Columns<Self> {
-        Columns::default()
-            .with(["rear", "m", "place of the rear foot"], |state: &Self| {
-                state.rear
-            })
-            .with(["front", "m", "place of the front foot"], |state| {
-                state.front
-            })
-            .with(["center", "m", "centre of mass"], |state| state.center)
-            .with(["velocity", "m/s", "its velocity"], |state| state.velocity)
-            .with(["work", "J", "work of the muscle so far"], |state| {
-                state.work
-            })
-            .with(["heat", "J", "heat of the ground so far"], |state| {
-                state.heat
-            })
+state! {
+    /// A crawler at one time.
+    CrawlerState {
+        /// Place of the rear foot, m.
+        rear,
+        /// Place of the front foot, m.
+        front,
+        /// Centre of mass, m.
+        center,
+        /// Its velocity, m/s.
+        velocity,
+        /// Work of the muscle so far, J.
+        work,
+        /// Heat of the ground so far, J.
+        heat,
     }
 }
 
@@ -242,26 +222,22 @@ impl Flow<5> for Crawling {
     }
 }
 
+/// What may be asked for.
+const SOLVERS: &str = "the solver of a crawler is `events` on a rough ground, `exact` on perfect ice, or one that steps";
+
 impl Scene for Crawler {
     type State = CrawlerState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
         let closed = match self.grip() {
-            Some(_) => Closed {
-                solver: Solver::Events,
-                reason: "sliding friction: closed forms from event to event",
-            },
-            None => Closed {
-                solver: Solver::Exact,
-                reason: "no outside force: the centre of mass stays",
-            },
+            Some(_) => (
+                Solver::Events,
+                "sliding friction: closed forms from event to event",
+            ),
+            None => (Solver::Exact, "no outside force: the centre of mass stays"),
         };
-        planned(
-            request,
-            Ok(closed),
-            "the solver of a crawler is `events` on a rough ground, `exact` on perfect ice, or one that steps",
-        )
+        planned(request, Ok(closed), SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<CrawlerState>> {
@@ -321,8 +297,8 @@ impl Scene for Crawler {
 
     fn further(&self) -> Columns<CrawlerState> {
         Columns::default().with(
-            ["gap", "m", "distance of the feet"],
-            |state: &CrawlerState| state.front - state.rear,
+            [["gap", "m", "distance of the feet"]],
+            |state: &CrawlerState| [state.front - state.rear],
         )
     }
 }

@@ -6,11 +6,11 @@ use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::integrators::{Effort, Kept, Leg, Stop};
 use crate::phenomena;
-use crate::scene::columns::Columns;
+use crate::scene::columns::state;
 use crate::scene::effects::Effect;
-use crate::scene::engine::{Answer, Closed, Flow, apart, planned, solved};
+use crate::scene::engine::{Answer, Flow, apart, planned, solved};
 use crate::scene::motion::{Account, ledger};
-use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
 /// A paper cat let go: tilt, air and weight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,37 +21,19 @@ pub struct PaperCat {
     gravity: Option<f64>,
 }
 
-/// A paper cat at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct PaperCatState {
-    /// How far it has fallen, m.
-    pub fall: f64,
-    /// Velocity of fall, m/s.
-    pub velocity: f64,
-    /// Tilt from feet-down, radians.
-    pub tilt: f64,
-    /// Its rate, rad/s.
-    pub tilt_rate: f64,
-    /// Energy lost to the air, J/kg.
-    pub lost: f64,
-}
-
-impl Tabulated for PaperCatState {
-    fn columns() -> Columns<Self> {
-        Columns::default()
-            .with(["fall", "m", "how far it has fallen"], |state: &Self| {
-                state.fall
-            })
-            .with(["velocity", "m/s", "velocity of the fall"], |state| {
-                state.velocity
-            })
-            .with(["tilt", "rad", "tilt from feet-down"], |state| state.tilt)
-            .with(["tilt_rate", "rad/s", "its rate"], |state| state.tilt_rate)
-            .with(
-                ["lost", "J/kg", "energy that the air has taken so far"],
-                |state| state.lost,
-            )
+state! {
+    /// A paper cat at one time.
+    PaperCatState {
+        /// How far it has fallen, m.
+        fall,
+        /// Velocity of the fall, m/s.
+        velocity,
+        /// Tilt from feet-down, rad.
+        tilt,
+        /// Rate of the tilt, rad/s.
+        tilt_rate,
+        /// Energy that the air has taken so far, J/kg.
+        lost,
     }
 }
 
@@ -183,6 +165,9 @@ impl Flow<5> for Falling {
     }
 }
 
+/// What may be asked for.
+const SOLVERS: &str = "the solver of a paper cat is `exact`, if there is no air, or one that steps";
+
 impl Scene for PaperCat {
     type State = PaperCatState;
 
@@ -190,16 +175,9 @@ impl Scene for PaperCat {
         request.forward()?;
         let closed = match self.air {
             Some(_) => Err("air: no closed form"),
-            None => Ok(Closed {
-                solver: Solver::Exact,
-                reason: "no air: a rigid body at rest does not turn",
-            }),
+            None => Ok((Solver::Exact, "no air: a rigid body at rest does not turn")),
         };
-        planned(
-            request,
-            closed,
-            "the solver of a paper cat is `exact`, if there is no air, or one that steps",
-        )
+        planned(request, closed, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<PaperCatState>> {

@@ -5,11 +5,11 @@ use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::skater;
-use crate::scene::columns::Columns;
+use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Answer, Closed, Flow, apart, planned, solved};
+use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, apart, planned, solved};
 use crate::scene::motion::{Account, ledger};
-use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
 /// A skater who spins: a core, two hands, a path for them, and what the ice does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,38 +21,21 @@ pub struct Skater {
     bearing_friction: Option<f64>,
 }
 
-/// A skater at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct SkaterState {
-    /// Angle turned, radians.
-    pub angle: f64,
-    /// Ω, rad/s.
-    pub spin: f64,
-    /// Distance of the hands from the axis, m.
-    pub reach: f64,
-    /// Kinetic energy, J.
-    pub energy: f64,
-    /// Work done by the arms, J.
-    pub work: f64,
-    /// Heat, J.
-    pub heat: f64,
-}
-
-impl Tabulated for SkaterState {
-    fn columns() -> Columns<Self> {
-        Columns::default()
-            .with(["angle", "rad", "angle turned"], |state: &Self| state.angle)
-            .with(["spin", "rad/s", "angular velocity"], |state| state.spin)
-            .with(
-                ["reach", "m", "distance of the hands from the axis"],
-                |state| state.reach,
-            )
-            .with(["energy", "J", "kinetic energy"], |state| state.energy)
-            .with(["work", "J", "work of the arms so far"], |state| state.work)
-            .with(["heat", "J", "heat of the bearing so far"], |state| {
-                state.heat
-            })
+state! {
+    /// A skater at one time.
+    SkaterState {
+        /// Angle turned, rad.
+        angle,
+        /// Angular velocity Ω, rad/s.
+        spin,
+        /// Distance of the hands from the axis, m.
+        reach,
+        /// Kinetic energy, J.
+        energy,
+        /// Work of the arms so far, J.
+        work,
+        /// Heat of the bearing so far, J.
+        heat,
     }
 }
 
@@ -173,6 +156,9 @@ impl Flow<4> for Skater {
     }
 }
 
+/// What may be asked for.
+const SOLVERS: &str = "the solver of a skater is `exact`, if nothing resists, or one that steps";
+
 impl Scene for Skater {
     type State = SkaterState;
 
@@ -180,16 +166,12 @@ impl Scene for Skater {
         request.forward()?;
         let closed = match self.bearing_friction {
             Some(_) => Err("bearing friction: no closed form"),
-            None => Ok(Closed {
-                solver: Solver::Exact,
-                reason: "no torque: spin and moment have a fixed product",
-            }),
+            None => Ok((
+                Solver::Exact,
+                "no torque: spin and moment have a fixed product",
+            )),
         };
-        planned(
-            request,
-            closed,
-            "the solver of a skater is `exact`, if nothing resists, or one that steps",
-        )
+        planned(request, closed, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<SkaterState>> {
@@ -221,13 +203,15 @@ impl Scene for Skater {
 
     fn further(&self) -> Columns<SkaterState> {
         let body = self.body;
-        Columns::default()
-            .with(
+        Columns::default().with(
+            [
                 ["moment", "kg m²", "moment of inertia"],
-                move |state: &SkaterState| body.moment(state.reach),
-            )
-            .with(["l", "kg m²/s", "angular momentum"], move |state| {
-                body.moment(state.reach) * state.spin
-            })
+                ["l", "kg m²/s", "angular momentum"],
+            ],
+            move |state: &SkaterState| {
+                let moment = body.moment(state.reach);
+                [moment, moment * state.spin]
+            },
+        )
     }
 }

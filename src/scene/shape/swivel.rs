@@ -5,11 +5,11 @@ use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::phenomena;
 use crate::phenomena::quadrature::integral;
-use crate::scene::columns::Columns;
+use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Answer, Closed, Flow, planned, solved};
+use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
 use crate::scene::motion::ledger;
-use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
 /// Two parts on one vertical axis, the lower one free to turn on the ice: angular momentum L, a path of shapes, and what the bearing does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,44 +21,19 @@ pub struct Swivel {
     bearing_friction: Option<f64>,
 }
 
-/// A swivel at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct SwivelState {
-    /// How far the lower part has turned, radians.
-    pub lower: f64,
-    /// How far the upper part has turned, radians.
-    pub upper: f64,
-    /// Moment of the upper part, kg m².
-    pub upper_moment: f64,
-    /// Rate of the lower part, rad/s.
-    pub rate: f64,
-    /// L, kg m²/s.
-    pub angular_momentum: f64,
-}
-
-impl Tabulated for SwivelState {
-    fn columns() -> Columns<Self> {
-        Columns::default()
-            .with(
-                ["lower", "rad", "how far the lower part has turned"],
-                |state: &Self| state.lower,
-            )
-            .with(
-                ["upper", "rad", "how far the upper part has turned"],
-                |state| state.upper,
-            )
-            .with(
-                ["upper_moment", "kg m²", "moment of the upper part"],
-                |state| state.upper_moment,
-            )
-            .with(["rate", "rad/s", "rate of the lower part"], |state| {
-                state.rate
-            })
-            .with(
-                ["angular_momentum", "kg m²/s", "angular momentum"],
-                |state| state.angular_momentum,
-            )
+state! {
+    /// A swivel at one time.
+    SwivelState {
+        /// How far the lower part has turned, rad.
+        lower,
+        /// How far the upper part has turned, rad.
+        upper,
+        /// Moment of the upper part, kg m².
+        upper_moment,
+        /// Rate of the lower part, rad/s.
+        rate,
+        /// Angular momentum L, kg m²/s.
+        angular_momentum,
     }
 }
 
@@ -194,6 +169,9 @@ impl Flow<2> for Swivel {
     }
 }
 
+/// What may be asked for.
+const SOLVERS: &str = "the solver of a swivel is `exact`, if nothing resists, or one that steps";
+
 impl Scene for Swivel {
     type State = SwivelState;
 
@@ -201,16 +179,12 @@ impl Scene for Swivel {
         request.forward()?;
         let closed = match self.bearing_friction {
             Some(_) => Err("bearing friction: no closed form"),
-            None => Ok(Closed {
-                solver: Solver::Exact,
-                reason: "no torque: one integral along the path of shapes",
-            }),
+            None => Ok((
+                Solver::Exact,
+                "no torque: one integral along the path of shapes",
+            )),
         };
-        planned(
-            request,
-            closed,
-            "the solver of a swivel is `exact`, if nothing resists, or one that steps",
-        )
+        planned(request, closed, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<SwivelState>> {
@@ -254,8 +228,8 @@ impl Scene for Swivel {
 
     fn further(&self) -> Columns<SwivelState> {
         Columns::default().with(
-            ["twist", "rad", "angle of the upper part on the lower"],
-            |state: &SwivelState| state.upper - state.lower,
+            [["twist", "rad", "angle of the upper part on the lower"]],
+            |state: &SwivelState| [state.upper - state.lower],
         )
     }
 }

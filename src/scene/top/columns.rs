@@ -25,8 +25,8 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
     let columns = Columns::default()
         .angles(|state: &State| state.attitude)
         .with(
-            ["omega", "rad/s", "size of the angular velocity"],
-            |state| state.omega.norm(),
+            [["omega", "rad/s", "size of the angular velocity"]],
+            |state| [state.omega.norm()],
         )
         .vector(
             ["omega_x", "omega_y", "omega_z"],
@@ -34,7 +34,9 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
             |state| state.attitude.to_space(state.omega).components(),
         )
         .angular_momentum(|state| state.attitude, momentum)
-        .with(["kinetic", "J", "kinetic energy"], kinetic);
+        .with([["kinetic", "J", "kinetic energy"]], move |state| {
+            [kinetic(state)]
+        });
     let Ok(conserved) = Conserved::of(&body, top.lever(), &top.start) else {
         return columns;
     };
@@ -46,22 +48,20 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
         let attitude = body.attitude_inward(state.attitude);
         attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
     };
-    let columns = columns
-        .with(
+    let columns = columns.with(
+        [
             ["potential", "J", "energy of the weight above the pivot"],
-            move |state| lever.dot(&up(state)),
-        )
-        .with(
             ["lost", "J", "energy that resistance has taken since time 0"],
-            move |state| first - state.energy,
-        );
+        ],
+        move |state| [lever.dot(&up(state)), first - state.energy],
+    );
     if body.mass == 0.0 {
         return columns;
     }
     let center = BodyVector::from_components(body.center.into());
     let columns = columns.with(
-        ["height", "m", "centre of mass above the pivot"],
-        move |state| center.dot(&up(state)),
+        [["height", "m", "centre of mass above the pivot"]],
+        move |state| [center.dot(&up(state))],
     );
     let Ok(turning) = Turning::new(top, conserved.energy_scale) else {
         return columns;
@@ -88,7 +88,7 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
             force,
         )
         .with(
-            ["force", "N", "size of the force of the pivot"],
-            move |state| size(state).norm(),
+            [["force", "N", "size of the force of the pivot"]],
+            move |state| [size(state).norm()],
         )
 }

@@ -76,12 +76,12 @@ impl Tabulated for State {
             .attitude(|state: &Self| state.attitude)
             .omega(|state| state.omega)
             .with(
-                [
+                [[
                     "energy",
                     "J",
                     "kinetic energy, and of the weight above the pivot",
-                ],
-                |state| state.energy,
+                ]],
+                |state| [state.energy],
             )
     }
 }

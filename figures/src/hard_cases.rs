@@ -137,14 +137,14 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
             walks.push((place, title(&family), family.comparisons()?));
         }
     }
-    Ok(figure(name, 660.0, words, |pen| {
+    Ok(figure(name, 678.0, words, |pen| {
         // In the order of the places; the walks come in that of the families.
         walks.sort_by_key(|walk| walk.0);
         let mut frames = Vec::new();
         for (place, title, steps) in &walks {
             let corner = [
                 54.0 + 290.0 * (place % 2) as f64,
-                44.0 + 212.0 * (place / 2) as f64,
+                62.0 + 212.0 * (place / 2) as f64,
             ];
             frames.push(panel(pen, corner, title, steps));
         }

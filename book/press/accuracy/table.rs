@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
+use lab::accuracy::measured::{Row, TARGETS, ranking};
 use lab::accuracy::{Measurement, Status};
 
 use super::Swept;
-use super::winners::{PEER, Row, ranking};
 
-/// Accuracies at which a winner is named.
-pub const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+/// The method that the others are compared with.
+const PEER: &str = "dop853";
 
 /// The table of a motion: what tells of each method, then the winners, by evaluations where no clock ran; errors below the floor are not known.
 pub fn text(heading: &str, floor: f64, swept: &[Swept]) -> String {

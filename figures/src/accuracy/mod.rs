@@ -1,17 +1,17 @@
 //! What accuracy costs (chapter "What accuracy costs"): orders, long runs, three kinds of numbers, and the price of a digit.
 //!
-//! Everything here but `seconds` is computed when it is drawn.
+//! Everything here but `map` and `seconds`, which are measured, is computed when it is drawn.
 
 mod drift;
-mod evaluations;
 mod growth;
+mod map;
 mod numbers;
 mod orders;
 mod seconds;
 
 pub use drift::energy_drift;
-pub use evaluations::work;
 pub use growth::growth;
+pub use map::map;
 pub use numbers::three_numbers;
 pub use orders::orders;
 pub use seconds::seconds;
@@ -19,7 +19,6 @@ pub use seconds::seconds;
 use lab::accuracy::{Measurement, Problem, Status, Trial, candidates, measure, named};
 use spinning_bodies::Result;
 
-use crate::plot::Frame;
 use crate::style::{Anchor, Pen, Point, Role, label};
 
 /// One problem over one length.
@@ -59,19 +58,3 @@ fn points(rows: &[Measurement], across: impl Fn(&Measurement) -> f64) -> Vec<Poi
 fn named_line(pen: &mut Pen, at: Point, anchor: Anchor, name: &str, role: Role) {
     pen.text(at, anchor, name, label(role));
 }
-
-/// Errors at the ends of the vertical axis of a small panel, rad.
-const Y: [f64; 2] = [1e-16, 1.0];
-
-/// The axes of a small panel whose upper left corner is given: its name, ticks across, errors upward.
-fn panel_axes(
-    pen: &mut Pen,
-    name: &str,
-    corner: Point,
-    across: [f64; 2],
-    ticks: &[(f64, &str)],
-) -> Frame {
-    Frame::panel(pen, name, corner, [across, Y], [ticks, &POWERS])
-}
-
-const POWERS: [(f64, &str); 3] = [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")];

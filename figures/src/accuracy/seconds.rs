@@ -1,61 +1,37 @@
 //! Error against time, as measured on one machine.
 
+use lab::accuracy::measured::{EXACT, MOTIONS, Row, SWEEP, rows};
 use spinning_bodies::Result;
 
-use super::{Y, panel_axes};
 use crate::Figure;
 use crate::plot::Frame;
-use crate::style::{Anchor, DATA, Pen, Point, Role, Words, figure, small, stroke};
+use crate::style::{Anchor, DATA, Pen, Point, Role, Stroke, Words, figure, label, small, stroke};
 
-/// What the command `accuracy --csv` wrote, under a line that names machine and compiler.
-const MEASURED: &str = include_str!("../../../book/src/tables/accuracy.csv");
-
-/// Problem and its name on the figure.
-const PANELS: [(&str, &str); 6] = [
-    ("free-top/1000", "free body"),
-    ("near-separatrix/1000", "beside the separatrix"),
-    ("cusped-top/1000", "top with cusps"),
-    ("near-sleeping/1000", "top, nearly asleep"),
-    ("kovalevskaya-level/1000", "Kovalevskaya’s top"),
-    ("heavy-body/1000", "no closed form"),
-];
 const X: [f64; 2] = [3e-7, 1.0];
-const TICKS: [(f64, &str); 3] = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];
+const TIMES: [(f64, &str); 3] = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];
+/// Errors at the ends of the vertical axis, rad.
+const Y: [f64; 2] = [1e-16, 1.0];
+const ERRORS: [(f64, &str); 3] = [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")];
+/// The geometric methods, for a free body and a heavy one, and the error at which the name stands beside the line, rad.
+const GEOMETRIC: [(&str, f64); 2] = [("moser-veselov-10", 1e-10), ("kick-drift-6", 1e-3)];
 
-/// One measurement, as far as it is drawn.
-struct Row<'a> {
-    problem: &'a str,
-    method: &'a str,
-    error: f64,
-    seconds: f64,
-}
-
-fn rows() -> Vec<Row<'static>> {
-    let lines = MEASURED
-        .lines()
-        .filter(|line| !line.starts_with('#'))
-        .skip(1);
-    let rows = lines.filter_map(|line| {
-        let fields: Vec<&str> = line.split(',').collect();
-        let [problem, method, _, error, _, _, _, seconds, status] = fields[..] else {
-            return None;
-        };
-        let error: f64 = error.parse().ok()?;
-        let seconds = seconds.parse().ok()?;
-        let shown = status == "ok" || status == "floor";
-        (shown && error < Y[1]).then(|| Row {
-            problem,
-            method,
-            error: error.max(Y[0]),
-            seconds,
-        })
-    });
-    rows.collect()
-}
+/// The methods that every motion can be followed by, their lines, and where they stand in the legend.
+const STEPPERS: [(&str, Stroke, Point); 3] = [
+    (
+        "dormand-prince-8",
+        stroke(Role::Ink, DATA).dashed(),
+        [350.0, 22.0],
+    ),
+    ("dop853", stroke(Role::Muted, DATA), [350.0, 48.0]),
+    ("rk4", stroke(Role::Muted, DATA).dotted(), [500.0, 48.0]),
+];
 
 /// The least time for each error or a smaller one: a staircase's corners.
-fn best<'a>(rows: impl Iterator<Item = &'a Row<'static>>) -> Vec<Point> {
-    let mut points: Vec<Point> = rows.map(|row| [row.seconds, row.error]).collect();
+fn best(rows: &[Row<'_>], problem: &str, method: &str) -> Vec<Point> {
+    let wanted = rows.iter().filter(|row| {
+        row.problem == problem && row.method == method && row.error < Y[1] && row.price < X[1]
+    });
+    let mut points: Vec<Point> = wanted.map(|row| [row.price, row.error.max(Y[0])]).collect();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let mut kept: Vec<Point> = Vec::new();
     for point in points {
@@ -66,79 +42,73 @@ fn best<'a>(rows: impl Iterator<Item = &'a Row<'static>>) -> Vec<Point> {
     kept
 }
 
-fn is_general(method: &str) -> bool {
-    matches!(method, "rk4" | "dopri5" | "dop853" | "verner98" | "gauss")
-}
-
-/// Small multiples: what a thousand turns of each top cost on a clock.
+/// Small multiples: what the longest run of each top costs on a clock.
 pub fn seconds() -> Result<Figure> {
-    let rows = rows();
-    let machine = MEASURED
+    let rows = rows(SWEEP);
+    let machine = SWEEP
         .lines()
         .next()
         .unwrap_or_default()
         .trim_start_matches(['#', ' ']);
     let words = Words {
-        claim: "A thousand turns on a clock: the closed form is exact before a general method has warmed up.".to_owned(),
+        claim: "A thousand turns on a clock: the closed form is exact before a method that steps has warmed up.".to_owned(),
         details: format!(
-            "Error of the attitude in radians after a thousand turns against time. Grey: the best of the general methods; dotted, rk4. Black line: the best of our own methods \
-             that take steps. Disc: the closed form, its preparation included. Kovalevskaya’s top starts with axis 3 level. Measured once, least of repeated runs: {machine}."
+            "Error of the attitude in radians after a thousand turns, a hundred of the tippe top, against time. Disc: the closed form, exact, its preparation included. Solid: the \
+             geometric method that is named at its line. Dashed: dormand-prince-8, ours of order 8. Grey: dop853; dotted, rk4. Measured once, least of repeated runs: {machine}."
         ),
-        alt: "Six small diagrams, error against seconds, both logarithmic. The line of our stepping methods lies to the left of that of the general methods; a black disc, the \
-              closed form, lies far to the left of both and at the bottom. The sixth problem has no closed form and no disc."
+        alt: "Eight small diagrams, error against seconds, both logarithmic. The line of the geometric method lies to the left of those of dop853 and rk4, with dormand-prince-8 near \
+              it; a black disc, the closed form, lies far to the left of all and at the bottom. For Kovalevskaya's upright top it lies to the right. The last two motions have no disc."
             .to_owned(),
     };
-    Ok(figure("accuracy-seconds", 640.0, words, |pen| {
+    Ok(figure("accuracy-seconds", 968.0, words, |pen| {
+        legend(pen);
         let mut frames = Vec::new();
-        for (k, (problem, name)) in PANELS.iter().enumerate() {
-            let place = [54.0 + 300.0 * (k % 2) as f64, 40.0 + 204.0 * (k / 2) as f64];
-            let of = |keep: &dyn Fn(&str) -> bool| {
-                best(
-                    rows.iter()
-                        .filter(|row| row.problem == *problem && keep(row.method)),
-                )
-            };
-            let lines = [
-                (of(&|m| m == "rk4"), stroke(Role::Muted, DATA).dotted()),
-                (
-                    of(&|m| is_general(m) && m != "rk4"),
-                    stroke(Role::Muted, DATA),
-                ),
-                (
-                    of(&|m| !is_general(m) && m != "exact"),
-                    stroke(Role::Ink, DATA),
-                ),
+        for (k, (motion, name, [.., turns])) in MOTIONS.into_iter().enumerate() {
+            let corner = [
+                56.0 + 294.0 * (k % 2) as f64,
+                120.0 + 212.0 * (k / 2) as f64,
             ];
-            let frame @ Frame { x, y } = panel_axes(pen, name, place, X, &TICKS);
+            let frame = Frame::panel(pen, name, corner, [X, Y], [&TIMES, &ERRORS]);
+            let run = format!("{motion}/{turns}");
+            let line = |method: &str| -> Vec<Point> {
+                let best = best(&rows, &run, method).into_iter();
+                best.map(|[time, error]| frame.at(time, error)).collect()
+            };
+            for (method, style, _) in STEPPERS {
+                pen.line(&line(method), style);
+            }
+            for (method, named) in GEOMETRIC {
+                let line = line(method);
+                pen.line(&line, stroke(Role::Ink, DATA));
+                let beside = line.iter().rfind(|p| p[1] < frame.y.at(named));
+                if let Some([x, _]) = beside {
+                    let place = [x - 8.0, frame.y.at(named) + 4.0];
+                    pen.text(place, Anchor::End, method, small(Role::Ink));
+                }
+            }
+            for point in line(EXACT) {
+                pen.disc(point, 6.0, Role::Ink, 1.0);
+            }
             frames.push(frame);
-            for (line, stroke) in lines {
-                let line: Vec<Point> = line
-                    .iter()
-                    .filter(|p| p[0] < X[1])
-                    .map(|p| [x.at(p[0]), y.at(p[1])])
-                    .collect();
-                pen.line(&line, stroke);
-            }
-            if k == 0 {
-                legend(pen, place);
-            }
-            for point in of(&|m| m == "exact") {
-                pen.disc([x.at(point[0]), y.at(point[1])], 6.0, Role::Ink, 1.0);
-            }
         }
-        for (first, last) in frames.iter().zip(&frames[4..]) {
+        for (first, last) in frames.iter().zip(&frames[6..]) {
             first.panel_names(pen, last, ["time", "error, rad"]);
         }
     }))
 }
 
-/// Names at the lines of the first panel.
-fn legend(pen: &mut Pen, [left, top]: Point) {
-    for (x, y, name, role) in [
-        (90.0, 62.0, "ours", Role::Ink),
-        (176.0, 128.0, "general", Role::Muted),
-        (52.0, 130.0, "closed form", Role::Ink),
-    ] {
-        pen.text([left + x, top + y], Anchor::Start, name, small(role));
+/// What each line is.
+fn legend(pen: &mut Pen) {
+    pen.disc([72.0, 17.0], 6.0, Role::Ink, 1.0);
+    pen.text(
+        [104.0, 22.0],
+        Anchor::Start,
+        "exact, the closed form",
+        label(Role::Ink),
+    );
+    let solid = ("a geometric method", stroke(Role::Ink, DATA), [104.0, 48.0]);
+    for (name, style, [x, y]) in STEPPERS.into_iter().chain([solid]) {
+        pen.line(&[[x - 48.0, y - 5.0], [x - 12.0, y - 5.0]], style);
+        pen.text([x, y], Anchor::Start, name, label(style.role()));
     }
 }

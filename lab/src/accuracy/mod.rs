@@ -5,6 +5,7 @@
 //! | which motions? | [`problems`]: eight, each over several lengths, with [`Sample`]s of the truth |
 //! | which methods can run one, how hard? | [`candidates`]: closed form, geometric and general methods, each from coarse to the rounding floor |
 //! | how wrong was that, and what did it cost? | [`measure`] one, [`Trial::sweep`] a method: [`Measurement`]s |
+//! | who was cheapest, when it was measured? | [`measured`]: the committed sweep |
 //! | and of a scene of any kind? | [`JudgedScene`]: two methods of different families judge the others |
 //!
 //! Every method is asked through [`Follow`](crate::follow::Follow). The truth is never the same code with a finer step: it is
@@ -25,6 +26,7 @@ mod candidate;
 mod closed_form;
 mod listed;
 mod measure;
+pub mod measured;
 mod order;
 mod problem;
 mod sample;

@@ -1,0 +1,156 @@
+//! Which method gets there first: digits asked by turns followed.
+
+use lab::accuracy::measured::{EXACT, MOTIONS, SWEEP, TARGETS, crossover, ranking, rows};
+use spinning_bodies::Result;
+
+use crate::Figure;
+use crate::style::{
+    Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, label, number, small, stroke,
+};
+
+/// A field, units.
+const FIELD: Point = [86.0, 38.0];
+/// The accuracy at which the crossovers are told.
+const NINE: f64 = 1e-9;
+
+/// Eight maps of twelve fields, the winner's name in each.
+pub fn map() -> Result<Figure> {
+    let rows = rows(SWEEP);
+    let winners = MOTIONS.map(|(motion, name, lengths)| {
+        let first = |turns: u32, target: f64| {
+            let ranked = ranking(&rows, &format!("{motion}/{turns}"), target);
+            ranked.first().map_or("", |row| row.0)
+        };
+        let fields = lengths.map(|turns| TARGETS.map(|target| first(turns, target)));
+        (name, lengths, fields)
+    });
+    let all = || {
+        winners
+            .iter()
+            .flat_map(|(.., fields)| fields.iter().flatten())
+    };
+    let exact = all().filter(|name| **name == EXACT).count();
+    let crossovers: Vec<(&str, f64)> = MOTIONS
+        .iter()
+        .filter_map(|(motion, _, lengths)| {
+            Some((*motion, crossover(&rows, motion, lengths, NINE)?))
+        })
+        .collect();
+    let words = Words {
+        claim: "For a single turn take steps, for more the closed form.".to_owned(),
+        details: format!(
+            "Eight motions, the accuracy of the attitude upward in digits (error in radians), the length of the run to the right. In each field stands the method that \
+             gets there in the least time; exact, on grey, is the closed form, its preparation included: {exact} of {} fields. The heavy line is where it overtakes whatever steps.",
+            all().count()
+        ),
+        alt: format!(
+            "Eight tables of three columns, 1, 10 and 1000 turns, and four rows, 3 to 12 digits. For the four free and symmetric tops all fields of 10 and 1000 turns are exact, and \
+             most of those of one turn are geometric methods. Kovalevskaya's level top is exact at 1000 turns, her upright one nowhere. Where there is no closed form, dormand-prince-8 wins most fields. Exact wins {exact} of all."
+        ),
+    };
+    let mut drawn = figure("accuracy-map", 872.0, words, |pen| {
+        for (k, (name, lengths, fields)) in winners.iter().enumerate() {
+            let corner = [34.0 + 298.0 * (k % 2) as f64, 60.0 + 206.0 * (k / 2) as f64];
+            panel(pen, corner, name, (lengths, fields));
+            if k < 2 {
+                let place = [corner[0] - 30.0, corner[1] - 36.0];
+                pen.text(place, Anchor::Start, "digits", small(Role::Muted));
+            }
+        }
+    });
+    for (motion, turns) in crossovers {
+        let digits = usize::from(turns < 9.95);
+        drawn = drawn.value(motion, number(turns, digits));
+    }
+    Ok(drawn)
+}
+
+/// One motion: a column for each length, a row for each accuracy, the finest on top.
+fn panel(
+    pen: &mut Pen,
+    [left, top]: Point,
+    name: &str,
+    (lengths, fields): (&[u32; 3], &[[&str; 4]; 3]),
+) {
+    let at = |column: usize, row: usize| {
+        [
+            left + FIELD[0] * column as f64,
+            top + FIELD[1] * (4 - row) as f64,
+        ]
+    };
+    pen.text([left, top - 12.0], Anchor::Start, name, label(Role::Ink));
+    for (column, turns) in lengths.iter().enumerate() {
+        let [x, y] = at(column, 0);
+        let unit = if *turns == 1 { "turn" } else { "turns" };
+        let text = format!("{turns} {unit}");
+        pen.text(
+            [x + 0.5 * FIELD[0], y + 18.0],
+            Anchor::Middle,
+            &text,
+            small(Role::Muted),
+        );
+        for (row, winner) in fields[column].iter().enumerate() {
+            let corners = [
+                at(column, row),
+                at(column + 1, row),
+                at(column + 1, row + 1),
+                at(column, row + 1),
+            ];
+            if *winner == EXACT {
+                pen.fill(&corners, Role::Ink, 0.12);
+            }
+            pen.outline(&corners, stroke(Role::Ink, HAIR).alpha(0.4));
+            let middle = [x + 0.5 * FIELD[0], y - FIELD[1] * (row as f64 + 0.5)];
+            written(pen, middle, winner);
+        }
+    }
+    // Between a field that is the closed form's and a neighbour that is not.
+    let differ = |a: &str, b: &str| (a == EXACT) != (b == EXACT);
+    for column in 0..3 {
+        for row in 0..4 {
+            let here = fields[column][row];
+            if column < 2 && differ(here, fields[column + 1][row]) {
+                pen.line(
+                    &[at(column + 1, row), at(column + 1, row + 1)],
+                    stroke(Role::Ink, DATA),
+                );
+            }
+            if row < 3 && differ(here, fields[column][row + 1]) {
+                pen.line(
+                    &[at(column, row + 1), at(column + 1, row + 1)],
+                    stroke(Role::Ink, DATA),
+                );
+            }
+        }
+    }
+    for (row, target) in TARGETS.iter().enumerate() {
+        let place = [left - 7.0, at(0, row)[1] - 0.5 * FIELD[1] + 5.0];
+        pen.text(
+            place,
+            Anchor::End,
+            &number(-target.log10(), 0),
+            small(Role::Muted),
+        );
+    }
+}
+
+/// The name of a method in its field: a long one on two lines.
+fn written(pen: &mut Pen, [x, y]: Point, name: &str) {
+    let lettering = if name == EXACT {
+        small(Role::Ink).strong()
+    } else {
+        small(Role::Ink)
+    };
+    match name.split_once('-') {
+        Some((first, rest)) if rest.contains('-') => {
+            pen.text(
+                [x, y - 3.0],
+                Anchor::Middle,
+                &format!("{first}-"),
+                lettering,
+            );
+            pen.text([x, y + 13.0], Anchor::Middle, rest, lettering);
+        }
+        _ => pen.text([x, y + 5.0], Anchor::Middle, name, lettering),
+    }
+}

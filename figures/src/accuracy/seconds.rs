@@ -65,7 +65,7 @@ pub fn seconds() -> Result<Figure> {
         let mut frames = Vec::new();
         for (k, (motion, name, [.., turns])) in MOTIONS.into_iter().enumerate() {
             let corner = [
-                56.0 + 294.0 * (k % 2) as f64,
+                54.0 + 292.0 * (k % 2) as f64,
                 120.0 + 212.0 * (k / 2) as f64,
             ];
             let frame = Frame::panel(pen, name, corner, [X, Y], [&TIMES, &ERRORS]);

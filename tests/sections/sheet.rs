@@ -3,7 +3,6 @@
 use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
 use proptest::prelude::*;
-use spinning_bodies::Error;
 use spinning_bodies::frame::SpaceVector as V;
 use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
 use spinning_bodies::rolling::course::{
@@ -14,7 +13,7 @@ use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
 use spinning_bodies::rolling::{RoundBody, factor};
 use spinning_bodies::scene::roller::Roller;
 use spinning_bodies::scene::{Choice, Request, Scene, Solver};
-use support::observed;
+use support::{observed, refused};
 
 const G: f64 = 9.81;
 
@@ -339,13 +338,10 @@ fn s4_5_moral_friction_has_no_moment_about_a_point_of_the_table() {
 
 #[test]
 fn sheet_refuses_what_is_no_history() {
-    assert!(matches!(SheetSpeeds::through([]), Err(Error::Empty { .. })));
-    assert!(matches!(
-        SheetSpeeds::through([(1.0, 0.0)]),
-        Err(Error::Condition { .. })
-    ));
+    refused!(SheetSpeeds::through([]), Empty);
+    refused!(SheetSpeeds::through([(1.0, 0.0)]), Condition);
     let back = SheetSpeeds::through([(0.0, 0.0), (1.0, 1.0), (0.5, 1.0)]);
-    assert!(matches!(back, Err(Error::Condition { .. })));
+    refused!(back, Condition);
     assert!(SheetSpeeds::through([(0.0, f64::NAN)]).is_err());
     let speeds = SheetSpeeds::ramp(1.0, 1.0).unwrap();
     assert!(Sheet::new(friction(0.1), speeds.clone(), 0.0).is_err());

@@ -4,7 +4,6 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 
 use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
-use spinning_bodies::Error;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::frame::SpaceVector as V;
 use spinning_bodies::integrators::Method;
@@ -13,7 +12,7 @@ use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Moment};
 use spinning_bodies::rolling::spool::{Spool, Tug, Way};
 use spinning_bodies::scene::spool::TuggedSpool;
 use spinning_bodies::scene::{Choice, Request, Scene, Solver};
-use support::observed;
+use support::{observed, refused};
 
 /// M = 0.2 kg, r = 2 cm, R = 5 cm, κ = 1/2.
 fn spool() -> Spool {
@@ -322,7 +321,7 @@ fn s4_4_a_hard_steep_tug_drags_it_along() {
     let lifted = Tug::new(2.1, angle).unwrap();
     assert!(spool.reaction(lifted, g) < 0.0);
     let refused = spool.course(lifted, g, Some(law), None, 1.0);
-    assert!(matches!(refused, Err(Error::NotPositive { .. })));
+    refused!(refused, NotPositive);
 }
 
 // claim: C4.4-7, C4.4-8, C4.4-9
@@ -386,16 +385,10 @@ fn s4_4_closed_forms_against_dop853() {
 
 #[test]
 fn spool_refuses_what_is_no_tug() {
-    assert!(matches!(Tug::new(-1.0, 0.0), Err(Error::Negative { .. })));
-    assert!(matches!(Tug::new(1.0, -0.1), Err(Error::OutOfRange { .. })));
-    assert!(matches!(Tug::new(1.0, 3.2), Err(Error::OutOfRange { .. })));
-    assert!(matches!(
-        Tug::new(1.0, f64::NAN),
-        Err(Error::NotFinite { .. })
-    ));
+    refused!(Tug::new(-1.0, 0.0), Negative);
+    refused!(Tug::new(1.0, -0.1), OutOfRange);
+    refused!(Tug::new(1.0, 3.2), OutOfRange);
+    refused!(Tug::new(1.0, f64::NAN), NotFinite);
     let body = spool().body();
-    assert!(matches!(
-        Spool::new(body, 0.0),
-        Err(Error::NotPositive { .. })
-    ));
+    refused!(Spool::new(body, 0.0), NotPositive);
 }

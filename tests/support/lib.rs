@@ -43,6 +43,25 @@ macro_rules! observed {
     }};
 }
 
+/// Two numbers, or arrays of them, as close as this in proportion to their size; zero is close to zero alone.
+#[macro_export]
+macro_rules! close {
+    ($found:expr, $exact:expr, $most:expr) => {
+        approx::assert_relative_eq!($found, $exact, max_relative = $most, epsilon = 0.0)
+    };
+}
+
+/// A result that is an error of this kind.
+#[macro_export]
+macro_rules! refused {
+    ($result:expr, $kind:ident) => {
+        assert!(
+            matches!($result, Err(spinning_bodies::Error::$kind { .. })),
+            stringify!($result)
+        )
+    };
+}
+
 /// How many samples to take: so many here, all of them where `REFERENCE_PLATFORM` is set, as in `.ci/run`.
 pub fn samples<T>(here: T, all: T) -> T {
     if std::env::var_os("REFERENCE_PLATFORM").is_some() {
@@ -151,3 +170,32 @@ pub fn slope(points: &[(f64, f64)]) -> f64 {
     let cross: f64 = logs.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
     cross / logs.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
 }
+
+/// The classical Runge–Kutta method: so many steps of this length; `look` sees where each ends.
+pub fn runge_kutta<const N: usize>(
+    rate: impl Fn([f64; N]) -> [f64; N],
+    mut y: [f64; N],
+    (steps, step): (u32, f64),
+    mut look: impl FnMut(&[f64; N]),
+) -> [f64; N] {
+    for _ in 0..steps {
+        let shifted = |k: [f64; N], by: f64| core::array::from_fn(|i| y[i] + by * k[i]);
+        let k1 = rate(y);
+        let k2 = rate(shifted(k1, step / 2.0));
+        let k3 = rate(shifted(k2, step / 2.0));
+        let k4 = rate(shifted(k3, step));
+        y = core::array::from_fn(|i| y[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
+        look(&y);
+    }
+    y
+}
+
+/// The six orders of three things.
+pub const ORDERS: [[usize; 3]; 6] = [
+    [0, 1, 2],
+    [1, 2, 0],
+    [2, 0, 1],
+    [0, 2, 1],
+    [2, 1, 0],
+    [1, 0, 2],
+];

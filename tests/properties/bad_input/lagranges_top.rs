@@ -1,6 +1,7 @@
 //! Lagrange's top.
 
 use super::*;
+use support::refused;
 
 #[test]
 fn pivot_at_the_centre_of_mass_is_a_free_top() -> Result<()> {
@@ -170,10 +171,7 @@ fn what_is_no_body_is_named() {
                 Error::NotFinite { .. }
             ));
         }
-        assert!(matches!(
-            Attitude::from_quaternion(bad, 1.0, 0.0, 0.0),
-            Err(Error::NotFinite { .. })
-        ));
+        refused!(Attitude::from_quaternion(bad, 1.0, 0.0, 0.0), NotFinite);
     }
     assert!(matches!(
         refused([1.0, 0.5, 1.0], [0.0, 1.7e308, 0.0]),
@@ -238,7 +236,7 @@ fn a_time_no_digit_can_tell_is_refused() -> Result<()> {
         ));
     }
     for t in BAD {
-        assert!(matches!(top.at(t), Err(Error::NotFinite { .. })));
+        refused!(top.at(t), NotFinite);
     }
     assert!(top.at(1e15)?.height.abs() <= 1.0);
     assert!(top.at(5e-324)?.height.abs() < 3e-16);
@@ -251,10 +249,7 @@ fn special_motions_name_what_they_refuse() {
         for k in 0..4 {
             let mut x = [1.0, 1.0, 3.0, 0.5];
             x[k] = bad;
-            assert!(matches!(
-                pure_precession(x[0], x[1], x[2], x[3]),
-                Err(Error::NotFinite { .. })
-            ));
+            refused!(pure_precession(x[0], x[1], x[2], x[3]), NotFinite);
             assert!(fast_spin(x[0], x[1], x[2], x[3]).is_err());
             assert!(dip(x[0], x[1], x[2], x[3]).is_err());
             assert!(tilt_after_kick(x[0], x[1], x[2], x[3]).is_err());
@@ -262,18 +257,9 @@ fn special_motions_name_what_they_refuse() {
         assert!(sleeping_threshold(1.0, bad, 1.0).is_err());
         assert!(pendulum_between(bad, 1.0, 1.0).is_err() && apsides(0.1, bad).is_err());
     }
-    assert!(matches!(
-        pure_precession(1.0, 1.0, 3.0, 1.1),
-        Err(Error::OutOfRange { .. })
-    ));
-    assert!(matches!(
-        fast_spin(1.0, 1.0, 0.0, 0.5),
-        Err(Error::Condition { .. })
-    ));
-    assert!(matches!(
-        dip(1.0, 0.0, 1.0, 0.5),
-        Err(Error::NotPositive { .. })
-    ));
+    refused!(pure_precession(1.0, 1.0, 3.0, 1.1), OutOfRange);
+    refused!(fast_spin(1.0, 1.0, 0.0, 0.5), Condition);
+    refused!(dip(1.0, 0.0, 1.0, 0.5), NotPositive);
     for tilt in [0.0, std::f64::consts::PI, -0.5] {
         assert!(dip(1.0, 1.0, 1.0, tilt).is_err(), "let go at {tilt}");
     }

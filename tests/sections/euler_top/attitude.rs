@@ -1,13 +1,14 @@
 //! The attitude: rebuilt from the polhode (6.2), after one period (6.6), and by theta functions (6.8).
 
 use super::common::{
-    at, derivative, difference, euler, example, mean, norm, omega, random_start, step, tilted,
+    at, derivative, difference, euler, example, kept_axis, mean, norm, omega, random_start, step,
+    tilted,
 };
 use nalgebra::Quaternion;
 use spinning_bodies::elliptic::{
     Characteristic, Modulus, Parameter, complete_first, complete_third, incomplete_first,
 };
-use spinning_bodies::euler_top::{EulerTop, Regime};
+use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use support::free_top::Flight;
@@ -197,13 +198,7 @@ fn s6_6_turn_after_one_period() {
     starts.extend((0..24).map(|_| random_start(&mut numbers)));
     for (moments, omega0) in starts {
         let top = tilted(moments, omega0);
-        let mut order = [0, 1, 2];
-        order.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
-        let k = if top.regime() == Regime::AroundLargest {
-            order[2]
-        } else {
-            order[0]
-        };
+        let k = kept_axis(&top);
         let phase = top.geometric_phase().unwrap();
         let l = top.angular_momentum_in_space();
         let dynamical = 2.0 * top.energy() * top.period() / l.norm();

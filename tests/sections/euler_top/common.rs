@@ -1,6 +1,6 @@
 //! What the files of Section 6 share.
 
-use spinning_bodies::euler_top::{EulerTop, State};
+use spinning_bodies::euler_top::{EulerTop, Regime, State};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use support::{R, Uniform, rational, vector};
 
@@ -17,6 +17,17 @@ pub fn tilted(moments: [f64; 3], omega: [f64; 3]) -> EulerTop {
 /// From L, body axes and space axes together at t = 0.
 pub fn thrown(moments: [f64; 3], l: [f64; 3]) -> EulerTop {
     EulerTop::new(moments, vector(l), Attitude::identity()).unwrap()
+}
+
+/// The axis whose component of Ω keeps its sign.
+pub fn kept_axis(top: &EulerTop) -> usize {
+    let moments = top.moments();
+    let mut order = [0, 1, 2];
+    order.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
+    match top.regime() {
+        Regime::AroundLargest => order[2],
+        _ => order[0],
+    }
 }
 
 pub fn at(top: &EulerTop, t: f64) -> State {

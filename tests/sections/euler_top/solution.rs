@@ -1,16 +1,15 @@
 //! Paragraphs 6.4 and 6.6: the sphere, and the generic top in Jacobi's functions.
 
 use super::common::{
-    at, derivative, difference, distance, euler, example, integrals, norm, omega, random_start,
-    rational_moments, step, thrown, tilted,
+    at, derivative, difference, distance, euler, example, integrals, kept_axis, norm, omega,
+    random_start, rational_moments, step, thrown, tilted,
 };
-use approx::assert_relative_eq;
 use spinning_bodies::elliptic::{Modulus, Parameter, complete_first};
 use spinning_bodies::euler_top::{EulerTop, Regime, SymmetricTop};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use support::free_top::Flight;
 use support::inertia::gauss;
-use support::{R, Uniform, exact, observed, ration, rational, relative, vector, within};
+use support::{R, Uniform, close, exact, observed, ration, rational, relative, vector, within};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
@@ -301,13 +300,7 @@ fn s6_6_period_and_half_period() {
         let top = tilted(moments, omega0);
         let size = vector(omega0).norm();
         // What keeps its sign, and the two that change it.
-        let mut order = [0, 1, 2];
-        order.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
-        let kept = if top.regime() == Regime::AroundLargest {
-            order[2]
-        } else {
-            order[0]
-        };
+        let kept = kept_axis(&top);
         let halfway = Flight::from_omega(moments, omega0)
             .fly(top.period() / 2.0)
             .omega();
@@ -483,39 +476,19 @@ fn s6_6_symmetric_limits() {
         };
         let top = tilted([1.0, 1.0 + d, 1.5], [0.5, 0.0, 2.0]);
         let actual = (1.0 + d) - 1.0;
-        assert_relative_eq!(
-            k2(&top) / actual,
-            0.25 / 3.0,
-            max_relative = 2.1 * d + 1e-15,
-            epsilon = 0.0
-        );
+        close!(k2(&top) / actual, 0.25 / 3.0, 2.1 * d + 1e-15);
         let off = (at(&top, 1.7).omega - limit).norm();
         // In first order 1.351 d, of which 1.283 d in Ω₁; as far as rounding of Ω lets one see.
         let slack = d + 4e-16 / d;
-        assert_relative_eq!(
-            off / actual,
-            1.351_068_44,
-            max_relative = slack,
-            epsilon = 0.0
-        );
+        close!(off / actual, 1.351_068_44, slack);
         let first = at(&top, 1.7).omega.x() - limit.x();
-        assert_relative_eq!(
-            first / actual,
-            1.283_253_2,
-            max_relative = slack,
-            epsilon = 0.0
-        );
+        close!(first / actual, 1.283_253_2, slack);
         // The other limit, with 1 and 3 exchanged.
         let top = tilted([1.0, 1.5 - d, 1.5], [2.0, 0.0, 0.5]);
         assert_eq!(top.regime(), Regime::AroundSmallest);
         let actual = 1.5 - (1.5 - d);
         let off = distance(at(&top, 1.7).omega, long_limit);
-        assert_relative_eq!(
-            off / actual,
-            0.585_117_27,
-            max_relative = slack,
-            epsilon = 0.0
-        );
+        close!(off / actual, 0.585_117_27, slack);
     }
     // The limits themselves: 6.5, to rounding, Ω and attitude.
     let top = tilted([1.0, 1.0, 1.5], [0.5, 0.0, 2.0]);

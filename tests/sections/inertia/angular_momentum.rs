@@ -7,7 +7,7 @@ use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PrincipalMoments};
 use support::inertia::particles;
-use support::{R, Uniform, cross, dot, exact, observed, rational, relative, vector};
+use support::{R, Uniform, close, cross, dot, exact, observed, rational, relative, vector};
 
 use super::common::{EPS, OMEGA, POSITIONS, U, add, direct_sums, four_masses, motion_about_origin};
 
@@ -156,21 +156,11 @@ fn s2_2_l_is_not_parallel_to_omega() -> Result<()> {
     let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
     let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
     let angle = inertia.angle_between_l_and_omega(vector([1.0, 1.0, 1.0]))?;
-    assert_relative_eq!(
-        angle,
-        0.387_596_686_655_180_65,
-        max_relative = 2.0 * EPS,
-        epsilon = 0.0
-    );
+    close!(angle, 0.387_596_686_655_180_65, 2.0 * EPS);
     let bound = moments.greatest_angle();
-    assert_relative_eq!(
-        bound,
-        std::f64::consts::FRAC_PI_6,
-        max_relative = EPS,
-        epsilon = 0.0
-    );
+    close!(bound, std::f64::consts::FRAC_PI_6, EPS);
     let attained = inertia.angle_between_l_and_omega(vector(moments.widest_omega()))?;
-    assert_relative_eq!(attained, bound, max_relative = 4.0 * EPS, epsilon = 0.0);
+    close!(attained, bound, 4.0 * EPS);
     let mut uniform = Uniform(26);
     let mut widest = 0.0_f64;
     for _ in 0..20_000 {

@@ -5,7 +5,7 @@ use nalgebra::Matrix3;
 use spinning_bodies::Result;
 use spinning_bodies::inertia::{PlatonicSolid, mesh_mass_properties, shapes};
 use support::inertia::{assert_inertia, circle, cubature, gauss, particles, unit_gauss};
-use support::{Uniform, exact, observed, rational, vector};
+use support::{Uniform, close, exact, observed, rational, vector};
 
 use super::common::EPS;
 
@@ -76,12 +76,7 @@ fn s2_6_cylinder() -> Result<()> {
     let ball = shapes::cylinder(1.0, 1.0, 3.0_f64.sqrt())?
         .inertia()
         .matrix();
-    assert_relative_eq!(
-        ball,
-        Matrix3::identity() * 0.5,
-        max_relative = 2.0 * EPS,
-        epsilon = 0.0
-    );
+    close!(ball, Matrix3::identity() * 0.5, 2.0 * EPS);
     Ok(())
 }
 
@@ -92,12 +87,7 @@ fn s2_6_equilateral_lamina() -> Result<()> {
     let lamina = shapes::triangle_lamina(1.0, [[0.0, 0.0], [1.0, 0.0], [0.5, h]])?;
     let (flat, normal) = (exact(rational(1, 24)), exact(rational(1, 12)));
     assert_inertia(&lamina, [flat, flat, normal, 0.0, 0.0, 0.0]);
-    assert_relative_eq!(
-        lamina.center().y(),
-        h / 3.0,
-        max_relative = EPS,
-        epsilon = 0.0
-    );
+    close!(lamina.center().y(), h / 3.0, EPS);
     let again = shapes::regular_polygon_lamina(1.0, 3, 3.0_f64.sqrt().recip())?;
     assert_inertia(&again, [flat, flat, normal, 0.0, 0.0, 0.0]);
     // A thin prism over the triangle, as a mesh: its thickness t adds t²/12 to the in-plane moments.

@@ -1,10 +1,9 @@
 //! 2.3: kinetic energy in three parts.
 
-use approx::assert_relative_eq;
 use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::InertiaMatrix;
-use support::{Uniform, exact, rational};
+use support::{Uniform, close, exact, rational};
 
 use super::common::{EPS, direct_sums, four_masses, motion_about_origin};
 
@@ -14,37 +13,17 @@ fn s2_3_energy_splits_in_three() -> Result<()> {
     let body = four_masses()?;
     let split = motion_about_origin().energy(&body)?;
     assert_eq!(split.of_motion, 70.0);
-    assert_relative_eq!(split.cross, 72.0, max_relative = 2.0 * EPS, epsilon = 0.0);
-    assert_relative_eq!(
-        split.of_rotation,
-        41.5,
-        max_relative = 2.0 * EPS,
-        epsilon = 0.0
-    );
-    assert_relative_eq!(
-        split.total(),
-        183.5,
-        max_relative = 2.0 * EPS,
-        epsilon = 0.0
-    );
+    close!(split.cross, 72.0, 2.0 * EPS);
+    close!(split.of_rotation, 41.5, 2.0 * EPS);
+    close!(split.total(), 183.5, 2.0 * EPS);
     assert_eq!(direct_sums([rational(0, 1); 3]).1, rational(367, 2));
     // About the centre the cross term is gone and the sum is the same.
     let centered = motion_about_origin()
         .seen_from(body.center())
         .energy(&body)?;
     assert_eq!(centered.cross, 0.0);
-    assert_relative_eq!(
-        centered.of_rotation,
-        exact(rational(251, 20)),
-        max_relative = 4.0 * EPS,
-        epsilon = 0.0
-    );
-    assert_relative_eq!(
-        centered.total(),
-        183.5,
-        max_relative = 4.0 * EPS,
-        epsilon = 0.0
-    );
+    close!(centered.of_rotation, exact(rational(251, 20)), 4.0 * EPS);
+    close!(centered.total(), 183.5, 4.0 * EPS);
     // And where U is perpendicular to Ω∧(C−O), though neither vanishes.
     let mut motion = motion_about_origin();
     motion.velocity = motion.omega;
@@ -68,12 +47,7 @@ fn s2_3_energy_depends_on_direction() -> Result<()> {
     assert!(high <= 1.25 * (1.0 + 8.0 * EPS) && high > 1.245);
     for (k, expected) in [(0, 0.5), (1, 1.0), (2, 1.25)] {
         let e = BodyVector::from_components(axes.axes().column(k).into_owned());
-        assert_relative_eq!(
-            tilted.rotational_energy(e),
-            expected,
-            max_relative = 8.0 * EPS,
-            epsilon = 0.0
-        );
+        close!(tilted.rotational_energy(e), expected, 8.0 * EPS);
     }
     Ok(())
 }

@@ -1,12 +1,11 @@
 //! 2.8: the theorem of parallel axes.
 
-use approx::assert_relative_eq;
 use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, principal_axes_of, shapes};
 use support::inertia::assert_inertia;
-use support::{rational, vector};
+use support::{close, rational, vector};
 
 use super::common::{EPS, MASSES, POSITIONS, four_masses};
 
@@ -61,19 +60,14 @@ fn s2_8_the_theorem_is_needed_after_all() -> Result<()> {
     let about_pivot = ellipsoid.about(vector([0.4_f64.sqrt(), 0.0, 0.0]))?;
     let shifted = [2.4, 2.4, 1.2];
     for (k, expected) in shifted.into_iter().enumerate() {
-        assert_relative_eq!(
-            about_pivot.matrix()[(k, k)],
-            expected,
-            max_relative = 2.0 * EPS,
-            epsilon = 0.0
-        );
+        close!(about_pivot.matrix()[(k, k)], expected, 2.0 * EPS);
     }
     assert_eq!(rational(10, 5) + rational(2, 5), rational(12, 5));
     assert_eq!(rational(4, 5) + rational(2, 5), rational(6, 5));
     // And any second-moment matrix has principal axes, not only an inertia matrix.
     let s = principal_axes_of(&ellipsoid.inertia().second_moments())?;
     for (value, expected) in s.moments().into_iter().zip([0.2, 0.6, 1.8]) {
-        assert_relative_eq!(value, expected, max_relative = 4.0 * EPS, epsilon = 0.0);
+        close!(value, expected, 4.0 * EPS);
     }
     Ok(())
 }

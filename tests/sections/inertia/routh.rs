@@ -1,11 +1,10 @@
 //! 2.7: Routh's rule, where it holds and where it fails.
 
-use approx::assert_relative_eq;
 use nalgebra::{Matrix3, Vector3};
+use spinning_bodies::Result;
 use spinning_bodies::inertia::{InertiaMatrix, routh, shapes};
-use spinning_bodies::{Error, Result};
 use support::inertia::{assert_inertia, circle, cubature, fixed, gauss, unit_gauss};
-use support::{R, exact, rational, vector};
+use support::{R, close, exact, rational, refused, vector};
 
 use super::common::EPS;
 
@@ -63,38 +62,27 @@ fn s2_7_routh_rule_three() -> Result<()> {
         (Rod, [2.0, 0.0], rational(4, 3)),
     ];
     for (form, semi_axes, expected) in cases {
-        assert_relative_eq!(
-            routh::moment(1.0, form, semi_axes)?,
-            exact(expected),
-            max_relative = EPS,
-            epsilon = 0.0
-        );
+        close!(routh::moment(1.0, form, semi_axes)?, exact(expected), EPS);
     }
     let box_entries = cubature([gauss(), gauss(), gauss()], |[a, b, c]| {
         ([2.0 * a, 3.0 * b, 5.0 * c], 1.0)
     });
-    assert_relative_eq!(
-        box_entries[0],
-        exact(rational(34, 3)),
-        max_relative = 16.0 * EPS,
-        epsilon = 0.0
-    );
+    close!(box_entries[0], exact(rational(34, 3)), 16.0 * EPS);
     let flat = cubature([gauss(), gauss(), fixed(0.0)], |[a, b, c]| {
         ([2.0 * a, 3.0 * b, c], 1.0)
     });
-    assert_relative_eq!(
+    close!(
         flat[2],
         routh::moment(1.0, Rectangle, [2.0, 3.0])?,
-        max_relative = 16.0 * EPS,
-        epsilon = 0.0
+        16.0 * EPS
     );
     assert_inertia(&shapes::rectangle_lamina(1.0, [4.0, 6.0])?, flat);
     // About a square's diagonal the moment is Ma²/3; the rule with the half-diagonal, √2 a, would say 2Ma²/3.
     let square = shapes::rectangle_lamina(1.0, [2.0, 2.0])?.inertia();
     let diagonal = square.moment_about(vector([1.0, 1.0, 0.0]))?;
-    assert_relative_eq!(diagonal, 1.0 / 3.0, max_relative = 2.0 * EPS, epsilon = 0.0);
+    close!(diagonal, 1.0 / 3.0, 2.0 * EPS);
     let wrong = routh::moment(1.0, Rectangle, [2.0_f64.sqrt(), 0.0])?;
-    assert_relative_eq!(wrong, 2.0 / 3.0, max_relative = 2.0 * EPS, epsilon = 0.0);
+    close!(wrong, 2.0 / 3.0, 2.0 * EPS);
     Ok(())
 }
 
@@ -135,11 +123,10 @@ fn s2_7_routh_rule_four_and_five() -> Result<()> {
         ellipsoid([2.0, 3.0, 5.0]),
     );
     assert_inertia(&shapes::ball(4.0, 1.5)?, ellipsoid([1.5; 3]));
-    assert_relative_eq!(
+    close!(
         shapes::ball(1.0, 1.0)?.inertia().matrix()[(0, 0)],
         exact(rational(2, 5)),
-        max_relative = EPS,
-        epsilon = 0.0
+        EPS
     );
     Ok(())
 }
@@ -150,22 +137,12 @@ fn s2_7_shells() -> Result<()> {
     let shell = |inner| -> Result<f64> {
         Ok(shapes::thick_shell(1.0, inner, 1.0)?.inertia().matrix()[(2, 2)])
     };
-    assert_relative_eq!(
-        shell(0.5)?,
-        exact(rational(31, 70)),
-        max_relative = 2.0 * EPS,
-        epsilon = 0.0
-    );
+    close!(shell(0.5)?, exact(rational(31, 70)), 2.0 * EPS);
     assert_eq!(
         shell(0.0)?,
         shapes::ball(1.0, 1.0)?.inertia().matrix()[(2, 2)]
     );
-    assert_relative_eq!(
-        shell(1.0)?,
-        exact(rational(2, 3)),
-        max_relative = EPS,
-        epsilon = 0.0
-    );
+    close!(shell(1.0)?, exact(rational(2, 3)), EPS);
     let thin = cubature([fixed(1.0), gauss(), circle()], |[r, u, phi]| {
         let sine = (1.0 - u * u).sqrt();
         ([r * sine * phi.cos(), r * sine * phi.sin(), r * u], 1.0)
@@ -179,12 +156,7 @@ fn s2_7_shells() -> Result<()> {
         // The common factor is left out so that i128 holds the powers.
         let expected =
             rational(2, 5) * (one + s + s * s + s * s * s + s * s * s * s) / (one + s + s * s);
-        assert_relative_eq!(
-            shell(exact(s))?,
-            exact(expected),
-            max_relative = 3.0 * EPS,
-            epsilon = 0.0
-        );
+        close!(shell(exact(s))?, exact(expected), 3.0 * EPS);
     }
     // As printed, at one part in 10⁸: half of the digits are gone.
     let s = 1.0 - 1e-8_f64;
@@ -194,7 +166,7 @@ fn s2_7_shells() -> Result<()> {
     let (inner, outer) = (0.7_f64, 1.2_f64);
     let difference = 0.4 * (outer.powi(5) - inner.powi(5)) / (outer.powi(3) - inner.powi(3));
     let moment = shapes::thick_shell(1.0, inner, outer)?.inertia().matrix()[(0, 0)];
-    assert_relative_eq!(moment, difference, max_relative = 8.0 * EPS, epsilon = 0.0);
+    close!(moment, difference, 8.0 * EPS);
     Ok(())
 }
 
@@ -204,18 +176,10 @@ fn s2_7_where_routh_fails() -> Result<()> {
     use routh::Form::{Cone, CylinderAboutItsAxis, CylinderAcross, Hollow, Triangle};
     for form in [Cone, CylinderAcross, Hollow, Triangle] {
         assert_eq!(form.denominator(), None);
-        assert!(matches!(
-            routh::moment(1.0, form, [1.0, 1.0]),
-            Err(Error::RouthDoesNotApply { .. })
-        ));
+        refused!(routh::moment(1.0, form, [1.0, 1.0]), RouthDoesNotApply);
     }
     let cylinder = shapes::cylinder(1.0, 1.0, 2.0)?.inertia().matrix();
-    assert_relative_eq!(
-        cylinder[(0, 0)],
-        exact(rational(7, 12)),
-        max_relative = EPS,
-        epsilon = 0.0
-    );
+    close!(cylinder[(0, 0)], exact(rational(7, 12)), EPS);
     for denominator in [3, 4, 5] {
         assert_ne!(rational(7, 12), rational(2, denominator));
     }
@@ -226,12 +190,7 @@ fn s2_7_where_routh_fails() -> Result<()> {
     let (radius, height) = (1.25, 3.0);
     let cone = shapes::cone(1.0, radius, height)?;
     let axial = cone.inertia().matrix()[(2, 2)];
-    assert_relative_eq!(
-        axial,
-        exact(rational(3, 10)) * radius * radius,
-        max_relative = 2.0 * EPS,
-        epsilon = 0.0
-    );
+    close!(axial, exact(rational(3, 10)) * radius * radius, 2.0 * EPS);
     let entries = cubature([unit_gauss(), circle(), unit_gauss()], |[r, phi, s]| {
         let rho = radius * r * (1.0 - s);
         (
@@ -269,26 +228,16 @@ fn s2_7_why_three_four_five() -> Result<()> {
                 .sum()
         };
         let quadrature = moment(d + 1) / moment(d - 1) / f64::from(d);
-        assert_relative_eq!(
-            routh::mean_square(1.0, d)?,
-            quadrature,
-            max_relative = 8.0 * EPS,
-            epsilon = 0.0
-        );
-        assert_relative_eq!(
-            routh::mean_square(3.0, d)?,
-            9.0 * quadrature,
-            max_relative = 8.0 * EPS,
-            epsilon = 0.0
-        );
+        close!(routh::mean_square(1.0, d)?, quadrature, 8.0 * EPS);
+        close!(routh::mean_square(3.0, d)?, 9.0 * quadrature, 8.0 * EPS);
     }
     // One term a factor: the cylinder across is disc times rod.
     let cylinder = shapes::cylinder(1.0, 1.5, 4.0)?.inertia().matrix()[(0, 0)];
     let sum = routh::mean_square(1.5, 2)? + routh::mean_square(2.0, 1)?;
-    assert_relative_eq!(cylinder, sum, max_relative = 2.0 * EPS, epsilon = 0.0);
+    close!(cylinder, sum, 2.0 * EPS);
     // The thin shell has a²/d instead: ⟨x²⟩ is half of its moment.
     let shell = shapes::spherical_shell(1.0, 1.0)?.inertia().matrix()[(0, 0)] / 2.0;
-    assert_relative_eq!(shell, 1.0 / 3.0, max_relative = EPS, epsilon = 0.0);
+    close!(shell, 1.0 / 3.0, EPS);
     assert!(routh::mean_square(1.0, 0).is_err());
     Ok(())
 }

@@ -1,12 +1,11 @@
 //! 2.5: different bodies, one inertia.
 
-use approx::assert_relative_eq;
 use nalgebra::Matrix3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{InertiaMatrix, shapes};
 use support::inertia::{assert_inertia, particles};
-use support::{Uniform, vector};
+use support::{Uniform, close, vector};
 
 use super::common::EPS;
 
@@ -38,7 +37,7 @@ fn s2_5_different_bodies_same_inertia() -> Result<()> {
         (4, 1.224_744_871_391_589_1),
     ] {
         let distance = six[n].1[n / 2].abs();
-        assert_relative_eq!(distance, expected, max_relative = EPS, epsilon = 0.0);
+        close!(distance, expected, EPS);
     }
     for list in [six, eight] {
         let body = particles(&list)?;
@@ -50,7 +49,7 @@ fn s2_5_different_bodies_same_inertia() -> Result<()> {
     let shell = shapes::spherical_shell(1.0, radius * 0.6_f64.sqrt())?
         .inertia()
         .matrix();
-    assert_relative_eq!(ball, shell, max_relative = 4.0 * EPS, epsilon = 0.0);
+    close!(ball, shell, 4.0 * EPS);
     Ok(())
 }
 
@@ -86,17 +85,7 @@ fn s2_5_only_the_ellipsoid_is_seen() -> Result<()> {
             })
             .sum()
     };
-    assert_relative_eq!(
-        cubic(&six),
-        13.511_686_548_515_098,
-        max_relative = 8.0 * EPS,
-        epsilon = 0.0
-    );
-    assert_relative_eq!(
-        cubic(&eight),
-        5.468_770_068_329_157,
-        max_relative = 8.0 * EPS,
-        epsilon = 0.0
-    );
+    close!(cubic(&six), 13.511_686_548_515_098, 8.0 * EPS);
+    close!(cubic(&eight), 5.468_770_068_329_157, 8.0 * EPS);
     Ok(())
 }

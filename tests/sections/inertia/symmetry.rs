@@ -1,6 +1,5 @@
 //! 2.6: what an axis of symmetry does; the cube quiz and the Platonic solids.
 
-use approx::assert_relative_eq;
 use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
@@ -8,7 +7,7 @@ use spinning_bodies::inertia::{
     InertiaMatrix, MassProperties, PlatonicSolid, mesh_mass_properties, shapes,
 };
 use support::inertia::{assert_inertia, cubature, gauss, particles};
-use support::{Uniform, exact, observed, rational, relative, vector};
+use support::{Uniform, close, exact, observed, rational, relative, vector};
 
 use super::common::EPS;
 
@@ -134,12 +133,7 @@ fn s2_6_cube_quiz() -> Result<()> {
             [0.3, -0.5, 0.9],
         ] {
             let moment = body.inertia().moment_about(vector(axis))?;
-            assert_relative_eq!(
-                moment,
-                size * exact(factor),
-                max_relative = 8.0 * EPS,
-                epsilon = 0.0
-            );
+            close!(moment, size * exact(factor), 8.0 * EPS);
         }
     }
     // Hollow and wire cubes again, composed of six laminae and of twelve rods.
@@ -185,12 +179,7 @@ fn s2_6_cube_quiz() -> Result<()> {
     let about_edge = shapes::cuboid(mass, [edge; 3])?
         .about(vector([half, half, 0.0]))?
         .moment_about(vector([0.0, 0.0, 1.0]))?;
-    assert_relative_eq!(
-        about_edge,
-        size * 2.0 / 3.0,
-        max_relative = 4.0 * EPS,
-        epsilon = 0.0
-    );
+    close!(about_edge, size * 2.0 / 3.0, 4.0 * EPS);
     Ok(())
 }
 
@@ -213,12 +202,7 @@ fn s2_6_platonic_solids() -> Result<()> {
         0.261_803_398_874_989_5,
     ];
     for ((solid, closed), digits) in PlatonicSolid::ALL.into_iter().zip(closed).zip(digits) {
-        assert_relative_eq!(
-            solid.inertia_factor(),
-            closed,
-            max_relative = 2.0 * EPS,
-            epsilon = 0.0
-        );
+        close!(solid.inertia_factor(), closed, 2.0 * EPS);
         assert_eq!(solid.inertia_factor(), digits);
         let edge = 1.3;
         let vertices = solid.vertices(edge)?;
@@ -227,7 +211,7 @@ fn s2_6_platonic_solids() -> Result<()> {
             for (i, &a) in face.iter().enumerate() {
                 let b = face[(i + 1) % face.len()];
                 let side = vector(vertices[a as usize]) - vector(vertices[b as usize]);
-                assert_relative_eq!(side.norm(), edge, max_relative = 4.0 * EPS, epsilon = 0.0);
+                close!(side.norm(), edge, 4.0 * EPS);
             }
         }
         let body = mesh_mass_properties(&vertices, &solid.triangles(), 1.0)?;

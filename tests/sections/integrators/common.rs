@@ -48,6 +48,14 @@ pub fn free_methods_of(moments: [f64; 3]) -> Vec<Box<dyn Follow>> {
     all
 }
 
+/// Those of a free body, of a heavy top, and of a heavy body without symmetry.
+pub fn all_methods() -> Vec<Box<dyn Follow>> {
+    let mut all = free_methods();
+    all.extend(heavy_methods_of(TOP, LEVER));
+    all.extend(heavy_methods_of(MOMENTS, LEVER));
+    all
+}
+
 /// Splittings first, of orders 2, 4 and 6.
 pub fn heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
     let weight = Weight::new(lever).unwrap();

@@ -11,7 +11,7 @@ use spinning_bodies::lagrange_top::LagrangeTop;
 use super::common::{
     L, LEVER, MOMENTS, TOP, after, distance, free, free_methods, heavy_methods_of, start,
 };
-use support::{slope, vector};
+use support::{ORDERS, slope, vector};
 
 /// Errors below this are rounding: sums without their leftovers have more of it.
 fn floor(method: &dyn Follow) -> f64 {
@@ -192,15 +192,7 @@ fn two_equal_moments_leave_no_error() {
 /// The axes may come in any order, odd ones included.
 #[test]
 fn permuted_moments_turn_the_same_body() {
-    let orders = [
-        [0, 1, 2],
-        [1, 2, 0],
-        [2, 0, 1],
-        [1, 0, 2],
-        [0, 2, 1],
-        [2, 1, 0],
-    ];
-    for order in orders {
+    for order in ORDERS {
         let moments = order.map(|k| MOMENTS[k]);
         let exact = free(moments, &start(), 10.0);
         for method in super::common::free_methods_of(moments) {

@@ -1,11 +1,10 @@
 //! 8.1: bodies that are her top, and where to hold them.
 
-use approx::assert_relative_eq;
 use spinning_bodies::Error;
 use spinning_bodies::euler_equations::Integrability;
 use spinning_bodies::inertia::{PrincipalMoments, shapes};
 use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, ellipsoid};
-use support::{observed, rational, relative, vector};
+use support::{close, observed, rational, relative, vector};
 
 use super::common::{EPS, MOMENTS, Result, points, register};
 
@@ -21,12 +20,7 @@ fn s8_1_ellipsoids_that_are_her_top() -> Result {
     let article = moments([1.0, 3_f64.sqrt(), 3.0], 0.4_f64.sqrt())?;
     let integrated = cubature([1.0, 3_f64.sqrt(), 3.0], 0.4_f64.sqrt());
     for (k, expected) in [2.4, 2.4, 1.2].into_iter().enumerate() {
-        assert_relative_eq!(
-            article[k],
-            expected,
-            max_relative = 2.0 * EPS,
-            epsilon = 0.0
-        );
+        close!(article[k], expected, 2.0 * EPS);
         observed!(relative(integrated[k], expected), 1e-16..=1e-14);
     }
     // The order matters: with the axes exchanged it is another top.
@@ -48,7 +42,7 @@ fn s8_1_ellipsoids_that_are_her_top() -> Result {
     let found = moments([0.5, 1.0, 3_f64.sqrt()], 0.15_f64.sqrt())?;
     let back = ellipsoid(1.0, found[2], 0.15_f64.sqrt())?;
     for (axis, expected) in back.into_iter().zip([0.5, 1.0, 3_f64.sqrt()]) {
-        assert_relative_eq!(axis, expected, max_relative = 3.0 * EPS, epsilon = 0.0);
+        close!(axis, expected, 3.0 * EPS);
     }
     assert!(ellipsoid(1.0, 1.0, 0.5_f64.sqrt()).is_err());
     let top = KovalevskayaTop::with_up(

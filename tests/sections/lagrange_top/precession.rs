@@ -5,7 +5,7 @@ use super::integrator::{Motion, UNIT};
 use spinning_bodies::euler_top::SymmetricTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, least_axial_angular_momentum};
-use support::{R, Uniform, observed, ration, rational, within};
+use support::{R, Uniform, observed, ration, rational, runge_kutta, within};
 
 /// Both roots of I₁h w² − L₃w + Mgl = 0 for the unit top, slow and fast, without cancellation; L₃ > 0.
 fn rates(h: f64, l3: f64) -> [f64; 2] {
@@ -297,15 +297,7 @@ fn dragged(w: f64, l3: f64, drag: f64, time: f64) -> [f64; 2] {
         y[3 + k] = w * (up - h * y[k]) + l3 * y[k];
     }
     let steps = (time * 500.0) as u32;
-    let step = time / f64::from(steps);
-    for _ in 0..steps {
-        let shifted = |k: [f64; 6], by: f64| std::array::from_fn(|i| y[i] + by * k[i]);
-        let k1 = rate(y);
-        let k2 = rate(shifted(k1, step / 2.0));
-        let k3 = rate(shifted(k2, step / 2.0));
-        let k4 = rate(shifted(k3, step));
-        y = std::array::from_fn(|i| y[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
-    }
+    let y = runge_kutta(rate, y, (steps, time / f64::from(steps)), |_| ());
     let [x, yy, z, ..] = y;
     let speed = rate(y)[..3].iter().map(|v| v * v).sum::<f64>().sqrt();
     [z.clamp(-1.0, 1.0).acos().min(x.hypot(yy).atan2(z)), speed]

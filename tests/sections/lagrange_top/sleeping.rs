@@ -4,7 +4,7 @@ use super::common::{AXIAL, at, cubic, is, roots, tilted};
 use super::integrator::{Motion, UNIT};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
-use support::{Uniform, observed, ration, rational, within};
+use support::{Uniform, observed, ration, rational, runge_kutta, within};
 
 /// Upright with L₃ and a kick across the axis.
 fn kicked(l3: f64, kick: f64) -> LagrangeTop {
@@ -263,20 +263,12 @@ fn on_a_peg(spin: f64, friction: f64, time: f64) -> [f64; 2] {
         ]
     };
     let (sine, h) = 0.5_f64.sin_cos();
-    let mut y = [sine, 0.0, h, I3 * spin * sine, 0.0, I3 * spin * h, 0.0, 0.0];
+    let y = [sine, 0.0, h, I3 * spin * sine, 0.0, I3 * spin * h, 0.0, 0.0];
     let tilt = |y: &[f64; 8]| y[0].hypot(y[1]).atan2(y[2]);
     let mut least = tilt(&y);
     let steps = (time * 5000.0) as u32;
     let step = time / f64::from(steps);
-    for _ in 0..steps {
-        let shifted = |k: [f64; 8], by: f64| std::array::from_fn(|i| y[i] + by * k[i]);
-        let k1 = rate(y);
-        let k2 = rate(shifted(k1, step / 2.0));
-        let k3 = rate(shifted(k2, step / 2.0));
-        let k4 = rate(shifted(k3, step));
-        y = std::array::from_fn(|i| y[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
-        least = least.min(tilt(&y));
-    }
+    let y = runge_kutta(rate, y, (steps, step), |y| least = least.min(tilt(y)));
     [tilt(&y), least]
 }
 

@@ -3,13 +3,12 @@
 use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
 use proptest::prelude::*;
-use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
 use spinning_bodies::rolling::{Regime, RoundBody, factor, slide_to_roll};
 use spinning_bodies::scene::roller::Roller;
 use spinning_bodies::scene::{Choice, Request, Scene, Solver};
-use support::{observed, relative};
+use support::{observed, refused, relative};
 
 const MASS: f64 = 0.17;
 const RADIUS: f64 = 0.028_575;
@@ -420,34 +419,13 @@ fn s4_3_picture_d_mark() {
 
 #[test]
 fn rolling_refuses_what_is_no_body_and_no_shot() {
-    assert!(matches!(
-        RoundBody::new(0.0, 1.0, 0.4),
-        Err(Error::NotPositive { .. })
-    ));
-    assert!(matches!(
-        RoundBody::new(1.0, f64::NAN, 0.4),
-        Err(Error::NotFinite { .. })
-    ));
-    assert!(matches!(
-        RoundBody::new(1.0, 1.0, 1.5),
-        Err(Error::OutOfRange { .. })
-    ));
-    assert!(matches!(
-        ball().cue_slip(2.1),
-        Err(Error::OutOfRange { .. })
-    ));
-    assert!(matches!(
-        ball().strike(1.0, -1.0),
-        Err(Error::NotPositive { .. })
-    ));
-    assert!(matches!(
-        slide_to_roll(1.0, 0.0, 0.0, 9.8),
-        Err(Error::NotPositive { .. })
-    ));
-    assert!(matches!(
-        slide_to_roll(1e308, -1e308, 0.1, 9.8),
-        Err(Error::NotFinite { .. })
-    ));
+    refused!(RoundBody::new(0.0, 1.0, 0.4), NotPositive);
+    refused!(RoundBody::new(1.0, f64::NAN, 0.4), NotFinite);
+    refused!(RoundBody::new(1.0, 1.0, 1.5), OutOfRange);
+    refused!(ball().cue_slip(2.1), OutOfRange);
+    refused!(ball().strike(1.0, -1.0), NotPositive);
+    refused!(slide_to_roll(1.0, 0.0, 0.0, 9.8), NotPositive);
+    refused!(slide_to_roll(1e308, -1e308, 0.1, 9.8), NotFinite);
 }
 
 proptest! {

@@ -5,7 +5,6 @@ use std::f64::consts::FRAC_PI_2;
 use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
 use proptest::prelude::*;
-use spinning_bodies::Error;
 use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
 use spinning_bodies::rolling::course::{
     Coulomb, Course, Happening, Load, Moment, RollingResistance,
@@ -15,7 +14,7 @@ use spinning_bodies::rolling::{RoundBody, factor, painleve_friction};
 use spinning_bodies::scene::roller::Roller;
 use spinning_bodies::scene::{Choice, Geometric, Request, Scene, Solver};
 use support::double_double::Dd;
-use support::observed;
+use support::{observed, refused};
 
 const G: f64 = 9.81;
 
@@ -254,23 +253,17 @@ fn s4_3_masse_shots_are_parabolas() {
 
 #[test]
 fn cloth_refuses_what_is_no_motion() {
-    assert!(matches!(Coulomb::new(-0.1), Err(Error::Negative { .. })));
-    assert!(matches!(
-        Coulomb::new(f64::NAN),
-        Err(Error::NotFinite { .. })
-    ));
-    assert!(matches!(
-        Coulomb::with_grip(0.3, 0.2),
-        Err(Error::Condition { .. })
-    ));
+    refused!(Coulomb::new(-0.1), Negative);
+    refused!(Coulomb::new(f64::NAN), NotFinite);
+    refused!(Coulomb::with_grip(0.3, 0.2), Condition);
     assert!(RollingResistance::new(f64::INFINITY).is_err());
     let bad = Moment::moving(f64::NAN, 0.0);
     let run = Course::new(0.4, Load::weight(G), (None, None, None), bad, 1.0);
-    assert!(matches!(run, Err(Error::NotFinite { .. })));
+    refused!(run, NotFinite);
     let start = Moment::moving(1.0, 0.0);
     for (kappa, g) in [(0.0, 1.0), (0.4, 0.0), (0.4, -1.0)] {
         let run = Course::new(kappa, Load::weight(g), (None, None, None), start, 1.0);
-        assert!(matches!(run, Err(Error::NotPositive { .. })));
+        refused!(run, NotPositive);
     }
 }
 

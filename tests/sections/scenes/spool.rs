@@ -1,13 +1,13 @@
 //! The tug, friction and rolling resistance, each absent and at zero.
 
 use lab::general::DifferentialEquations;
-use spinning_bodies::Error;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::RoundBody;
 use spinning_bodies::rolling::spool::Spool;
 use spinning_bodies::scene::effects::{Coulomb, Effect, RollingResistance, Tug};
 use spinning_bodies::scene::spool::{Spooling, TuggedSpool};
 use spinning_bodies::scene::{Choice, Motion, Scene, Solver};
+use support::refused;
 
 use super::roller::{balance, same, times};
 
@@ -57,7 +57,7 @@ fn each_effect_matters_and_fades() {
 #[test]
 fn a_lifted_spool_is_refused() {
     let lifted = reel().with(Tug::new(2.1, 1.4).unwrap());
-    assert!(matches!(lifted, Err(Error::NotPositive { .. })));
+    refused!(lifted, NotPositive);
 }
 
 /// At the critical angle pull and twist balance, and what is left is rounding: that is no reason to refuse an answer.

@@ -3,7 +3,6 @@
 use std::time::Instant;
 
 use lab::general::solve;
-use spinning_bodies::Error;
 use spinning_bodies::falling_strip::{
     AddedMass, Coefficients, Drag, Lift, Plate, RotationalDamping, Sheet,
 };
@@ -11,6 +10,7 @@ use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::scene::effects::{Gravity, TurnLoss};
 use spinning_bodies::scene::strip::{Strip, StripStart, StripState};
 use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver, Tabulated};
+use support::refused;
 
 const START: StripStart = StripStart {
     angle: 0.2,
@@ -291,23 +291,23 @@ fn methods_agree_and_refusals_are_named() {
     }
     for solver in [Solver::Exact, Solver::Events] {
         let refused = scene.plan(&request().by(Choice::Use(solver)));
-        assert!(matches!(refused, Err(Error::Solver { .. })));
+        refused!(refused, Solver);
     }
     let before = Request::at([-1.0]).unwrap();
-    assert!(matches!(scene.plan(&before), Err(Error::OutOfRange { .. })));
+    refused!(scene.plan(&before), OutOfRange);
     let strip = Strip::new(plate(), START).unwrap();
     let driving = Drag {
         mean: 0.5,
         contrast: 1.0,
     };
-    assert!(matches!(strip.with(driving), Err(Error::Negative { .. })));
+    refused!(strip.with(driving), Negative);
     let nonsense = Lift {
         translational: f64::NAN,
         rotational: 1.0,
     };
     assert!(strip.with(nonsense).is_err());
     let stranger = strip.with(TurnLoss::new(0.9).unwrap());
-    assert!(matches!(stranger, Err(Error::Effect { .. })));
+    refused!(stranger, Effect);
     assert!(Plate::new(0.01, 1e-3, 1.2, 2.0, 0.3).is_err());
 }
 

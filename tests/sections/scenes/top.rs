@@ -10,6 +10,7 @@ use spinning_bodies::scene::top::{
     Top,
 };
 use spinning_bodies::scene::{Choice, Geometric, Motion, Request, Scene, Solver};
+use support::refused;
 
 const G: f64 = 9.80665;
 
@@ -221,23 +222,23 @@ fn refusals_name_what_is_wrong() {
         .unwrap();
     let request = Request::at([1.0]).unwrap();
     let exact = heavy.plan(&request.clone().by(Choice::Use(Solver::Exact)));
-    assert!(matches!(exact, Err(Error::Solver { .. })));
+    refused!(exact, Solver);
     let events = heavy.plan(&request.clone().by(Choice::Use(Solver::Events)));
-    assert!(matches!(events, Err(Error::Solver { .. })));
+    refused!(events, Solver);
     for method in [
         Geometric::Rotations(Order::Four),
         Geometric::MoserVeselov(VeselovOrder::Ten),
     ] {
         let free_only = request.clone().by(Choice::Use(Solver::Geometric(method)));
         let refused = heavy.simulate(&free_only);
-        assert!(matches!(refused, Err(Error::Solver { .. })));
+        refused!(refused, Solver);
     }
     let rubbed = heavy.with(PivotFriction::new(0.1).unwrap()).unwrap();
     let kicks = Solver::Geometric(Geometric::KickDrift(Order::Two));
     let refused = rubbed.plan(&request.by(Choice::Use(kicks)));
-    assert!(matches!(refused, Err(Error::Solver { .. })));
+    refused!(refused, Solver);
     let askew = heavy.with(TipFriction::new(0.1).unwrap());
-    assert!(matches!(askew, Err(Error::Condition { .. })));
+    refused!(askew, Condition);
     let foreign = heavy.with(Viscous::new(0.1).unwrap());
     let Err(Error::Effect { effect, .. }) = foreign else {
         panic!("{foreign:?}");

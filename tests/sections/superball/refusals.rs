@@ -1,36 +1,23 @@
 //! What is refused, and that nothing panics.
 
 use proptest::prelude::*;
-use spinning_bodies::Error;
 use spinning_bodies::superball::{
     BounceRotation, Motion, Surface, UnderTable, bounce, checked_bounce, reach, spring_bounce,
 };
 
 use super::common::exact;
-use support::rational;
+use support::{rational, refused};
 
 #[test]
 fn superball_refuses_what_is_no_ball() {
-    assert!(matches!(
-        BounceRotation::new(f64::NAN),
-        Err(Error::NotFinite { .. })
-    ));
-    assert!(matches!(
-        BounceRotation::new(1.1),
-        Err(Error::OutOfRange { .. })
-    ));
-    assert!(matches!(
-        BounceRotation::of_fraction(1, 0),
-        Err(Error::NotPositive { .. })
-    ));
+    refused!(BounceRotation::new(f64::NAN), NotFinite);
+    refused!(BounceRotation::new(1.1), OutOfRange);
+    refused!(BounceRotation::of_fraction(1, 0), NotPositive);
     let start = Motion {
         velocity: 1.0,
         rim_speed: 0.0,
     };
-    assert!(matches!(
-        spring_bounce(start, Surface::Floor, 0.4, -1.0),
-        Err(Error::Negative { .. })
-    ));
+    refused!(spring_bounce(start, Surface::Floor, 0.4, -1.0), Negative);
     let exact_start = exact(rational(1, 1), rational(0, 1));
     assert_eq!(
         checked_bounce(exact_start, Surface::Floor, rational(-1, 1)),

@@ -19,6 +19,14 @@ fn toy(alpha: f64, gravity: f64) -> HoopWithClay {
 
 const SPIN: f64 = 100.0 * PI;
 
+/// The toy with clay, α off its centre, let go at a tilt with a spin about the vertical, under friction 1/3.
+fn rubbed(alpha: f64, (tilt, spin): (f64, f64), gravity: f64) -> TableTop {
+    let toy = bodies::hoop_with_clay(0.02, 0.02, alpha).unwrap();
+    let start = Start::about_vertical(tilt, 0.0, spin).unwrap();
+    let heavy = TableTop::new(toy, start).with(Gravity::new(gravity).unwrap());
+    heavy.unwrap().with(regularised(1.0 / 3.0)).unwrap()
+}
+
 #[test]
 fn s4_7_hoop_with_clay() {
     // claim: C4.7-3
@@ -121,14 +129,7 @@ fn s4_7_tilt_grows_at_about_the_estimated_rate() {
         let hoop = toy(alpha, 10.0);
         let formula = hoop.refined_time(spin, 0.3, PI - 0.3);
         observed!((formula - refined).abs(), 1e-4..=1e-3);
-        let scene = TableTop::new(
-            bodies::hoop_with_clay(0.02, 0.02, alpha).unwrap(),
-            Start::about_vertical(0.3, 0.0, spin).unwrap(),
-        )
-        .with(Gravity::new(10.0).unwrap())
-        .unwrap()
-        .with(regularised(1.0 / 3.0))
-        .unwrap();
+        let scene = rubbed(alpha, (0.3, spin), 10.0);
         let rows = run(&scene, 4.0, 2000, 1e-6);
         let t = |level| passage(&rows, |s| s.tilt(), level).unwrap_or(0.0);
         // The start counts as the first passage, unless the transient dips below it.
@@ -149,14 +150,7 @@ fn s4_7_the_tutorials_estimate_against_the_full_motion() {
     );
     observed!((hoop.tip_over_time(SPIN) - 2.41).abs(), 1e-3..=0.005);
     for (alpha, mean) in [(0.05, 77.2), (0.1, 81.6)] {
-        let scene = TableTop::new(
-            bodies::hoop_with_clay(0.02, 0.02, alpha).unwrap(),
-            Start::about_vertical(0.1, 0.0, SPIN).unwrap(),
-        )
-        .with(Gravity::new(G).unwrap())
-        .unwrap()
-        .with(regularised(1.0 / 3.0))
-        .unwrap();
+        let scene = rubbed(alpha, (0.1, SPIN), G);
         let rows = run(&scene, 2.4, 2400, 1e-6);
         let t = |level| passage(&rows, degrees, level).unwrap();
         let rate = 120.0 / (t(150.0) - t(30.0));
@@ -179,14 +173,7 @@ fn s4_7_the_tutorials_estimate_against_the_full_motion() {
 #[test]
 fn s4_7_jellett_and_the_angular_momentum() {
     // claim: C4.7-7, C4.7-15
-    let scene = TableTop::new(
-        bodies::hoop_with_clay(0.02, 0.02, 0.1).unwrap(),
-        Start::about_vertical(0.3, 0.0, SPIN).unwrap(),
-    )
-    .with(Gravity::new(10.0).unwrap())
-    .unwrap()
-    .with(regularised(1.0 / 3.0))
-    .unwrap();
+    let scene = rubbed(0.1, (0.3, SPIN), 10.0);
     let rows = run(&scene, 1.8, 900, 1e-9);
     let first = rows[0].1.jellett;
     let drift = rows
@@ -216,27 +203,12 @@ fn s4_7_jellett_and_the_angular_momentum() {
 #[test]
 fn s4_7_window_of_validity() {
     // claim: C4.7-11
-    let gravity = Gravity::new(10.0).unwrap();
     // ε Ω² is only three times μ g: no inversion.
     assert!(toy(0.05, 10.0).validity(100.0) < 4.0);
-    let slow = TableTop::new(
-        bodies::hoop_with_clay(0.02, 0.02, 0.05).unwrap(),
-        Start::about_vertical(0.1, 0.0, 100.0).unwrap(),
-    )
-    .with(gravity)
-    .unwrap()
-    .with(regularised(1.0 / 3.0))
-    .unwrap();
+    let slow = rubbed(0.05, (0.1, 100.0), 10.0);
     assert!(most(&run(&slow, 3.0, 600, 1e-6), |s| s.tilt()) < 2.5);
     // ε Ω² is 39 g: the table would have to pull, so the body hops.
-    let fast = TableTop::new(
-        bodies::hoop_with_clay(0.02, 0.02, 0.2).unwrap(),
-        Start::about_vertical(0.1, 0.0, SPIN).unwrap(),
-    )
-    .with(gravity)
-    .unwrap()
-    .with(regularised(1.0 / 3.0))
-    .unwrap();
+    let fast = rubbed(0.2, (0.1, SPIN), 10.0);
     let request = |end: f64| Request::at([end]).unwrap().to_accuracy(1e-3).unwrap();
     let phases = (1..=30).find_map(|i| {
         let phases = fast.phases(&request(0.05 * f64::from(i))).unwrap();

@@ -1,7 +1,7 @@
 //! The superball: parabolas between bounces.
 
 use super::super::random::Random;
-use super::{Scene, Sort};
+use super::{Scene, Sort, told};
 use support::double_double::Dd;
 
 #[derive(Clone, Copy)]
@@ -176,14 +176,11 @@ fn thrown(r: &mut Random, losses: bool) -> Scene {
             (Sort::Speed, fast),
             (Sort::Energy, mass * fast * fast),
         ],
-        columns: vec![
-            ("x", Sort::Length),
-            ("height", Sort::Length),
-            ("velocity", Sort::Speed),
-            ("climb", Sort::Speed),
-            ("rim_speed", Sort::Speed),
-            ("energy", Sort::Energy),
-        ],
+        columns: told(&[
+            (Sort::Length, "x height"),
+            (Sort::Speed, "velocity climb rim_speed"),
+            (Sort::Energy, "energy"),
+        ]),
         truth: Box::new(move |start, times| {
             let state = State {
                 x: Dd::ZERO,

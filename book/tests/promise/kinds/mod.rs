@@ -46,6 +46,13 @@ pub struct Scene {
     pub truth: Box<Truth>,
 }
 
+/// Columns by what they measure.
+fn told(groups: &[(Sort, &'static str)]) -> Vec<(&'static str, Sort)> {
+    let columns =
+        |&(sort, names): &(Sort, &'static str)| names.split(' ').map(move |name| (name, sort));
+    groups.iter().flat_map(columns).collect()
+}
+
 /// A scene and what is asked of it.
 pub struct Case {
     scene: Scene,

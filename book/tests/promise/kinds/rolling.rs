@@ -2,7 +2,7 @@
 
 use super::super::number::Angle;
 use super::super::random::Random;
-use super::{Scene, Sort};
+use super::{Scene, Sort, told};
 use support::double_double::Dd;
 
 /// Forces per mass: a steady push and its moment, the table's reaction, friction when it slides and at most when it holds, and the arm of the
@@ -369,16 +369,13 @@ fn rubbing(r: &mut Random, text: &mut String, always: bool) -> (Option<[Dd; 2]>,
     (friction, resistance)
 }
 
-fn columns(more: &[(&'static str, Sort)]) -> Vec<(&'static str, Sort)> {
-    let mut all = vec![
-        ("x", Sort::Length),
-        ("velocity", Sort::Speed),
-        ("rim_speed", Sort::Speed),
-        ("slip", Sort::Speed),
-        ("energy", Sort::Energy),
-        ("heat", Sort::Energy),
-    ];
-    all.extend(more);
+fn columns(more: &[(Sort, &'static str)]) -> Vec<(&'static str, Sort)> {
+    let mut all = told(&[
+        (Sort::Length, "x"),
+        (Sort::Speed, "velocity rim_speed slip"),
+        (Sort::Energy, "energy heat"),
+    ]);
+    all.extend(told(more));
     all
 }
 
@@ -570,7 +567,7 @@ pub fn spool(r: &mut Random) -> Scene {
         span: fast / gravity * r.scaled(0.1, 100.0),
         start: vec![(v, fast), (rim, fast)],
         sizes: sizes(&body, fast),
-        columns: columns(&[("wound", Sort::Length), ("work", Sort::Energy)]),
+        columns: columns(&[(Sort::Length, "wound"), (Sort::Energy, "work")]),
         truth: Box::new(move |start, times| {
             let rows = table.rows(starting(start[0], start[1]), times);
             let full = |state: &State| {

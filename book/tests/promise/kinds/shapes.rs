@@ -3,7 +3,7 @@
 use super::super::extrapolation::{Place, followed};
 use super::super::number::{Angle, cross, plus, solved, times as scaled, transposed, turned};
 use super::super::random::Random;
-use super::{Scene, Sort};
+use super::{Scene, Sort, told};
 use support::double_double::Dd;
 
 /// A stroke from 0 to 1, at rest at both ends: u³(10 − 15u + 6u²), or the same of u²; and its rate.
@@ -125,12 +125,11 @@ fn swivelling(r: &mut Random, braked: bool) -> Scene {
             (Sort::Rate, 1.0 / duration),
             (Sort::Momentum, lower / duration),
         ],
-        columns: vec![
-            ("lower", Sort::Angle),
-            ("upper", Sort::Angle),
-            ("rate", Sort::Rate),
-            ("angular_momentum", Sort::Momentum),
-        ],
+        columns: told(&[
+            (Sort::Angle, "lower upper"),
+            (Sort::Rate, "rate"),
+            (Sort::Momentum, "angular_momentum"),
+        ]),
         truth: Box::new(move |start, times| {
             let last = times[times.len() - 1];
             let quarter = duration / 4.0;
@@ -213,14 +212,12 @@ fn skating(r: &mut Random, braked: bool) -> Scene {
         span: (begin + duration) * r.scaled(0.05, 10.0),
         start: vec![(reach, 1.0), (spin, spin.abs())],
         sizes: Vec::new(),
-        columns: vec![
-            ("angle", Sort::Angle),
-            ("spin", Sort::Rate),
-            ("reach", Sort::Length),
-            ("energy", Sort::Energy),
-            ("work", Sort::Energy),
-            ("heat", Sort::Energy),
-        ],
+        columns: told(&[
+            (Sort::Angle, "angle"),
+            (Sort::Rate, "spin"),
+            (Sort::Length, "reach"),
+            (Sort::Energy, "energy work heat"),
+        ]),
         truth: Box::new(move |start, times| {
             let (reach, spin) = (start[0], start[1]);
             let rate = |_: usize, t: Dd, y: &[Dd; 3]| {
@@ -431,15 +428,11 @@ fn cat(r: &mut Random, even: bool) -> Scene {
         span: duration * r.within(0.1, 1.3),
         start: attitude.iter().map(|&q| (q, 1.0)).collect(),
         sizes: vec![(Sort::Length, first[3])],
-        columns: vec![
-            ("qw", Sort::Attitude),
-            ("qx", Sort::Attitude),
-            ("qy", Sort::Attitude),
-            ("qz", Sort::Attitude),
-            ("bend", Sort::Angle),
-            ("direction", Sort::Angle),
-            ("z", Sort::Length),
-        ],
+        columns: told(&[
+            (Sort::Attitude, "qw qx qy qz"),
+            (Sort::Angle, "bend direction"),
+            (Sort::Length, "z"),
+        ]),
         truth: Box::new(move |start, times| {
             let rate = |piece: usize, t: Dd, q: &[Dd; 4]| {
                 let bend = path.bend(piece, t).second();
@@ -522,13 +515,13 @@ pub fn paper_cat(r: &mut Random) -> Scene {
             (Sort::Rate, 1.0 / swing),
             (Sort::Energy, (gyration / swing).powi(2)),
         ],
-        columns: vec![
-            ("fall", Sort::Length),
-            ("velocity", Sort::Speed),
-            ("tilt", Sort::Angle),
-            ("tilt_rate", Sort::Rate),
-            ("lost", Sort::Energy),
-        ],
+        columns: told(&[
+            (Sort::Length, "fall"),
+            (Sort::Speed, "velocity"),
+            (Sort::Angle, "tilt"),
+            (Sort::Rate, "tilt_rate"),
+            (Sort::Energy, "lost"),
+        ]),
         truth: Box::new(move |start, times| {
             // It falls and never rises: |v| is v.
             let rate = |_: usize, _: Dd, y: &[Dd; 5]| {
@@ -592,14 +585,11 @@ pub fn crawler(r: &mut Random) -> Scene {
             (Sort::Speed, length / push.min(pull)),
             (Sort::Energy, (rear + front) * fastest * length),
         ],
-        columns: vec![
-            ("rear", Sort::Length),
-            ("front", Sort::Length),
-            ("center", Sort::Length),
-            ("velocity", Sort::Speed),
-            ("work", Sort::Energy),
-            ("heat", Sort::Energy),
-        ],
+        columns: told(&[
+            (Sort::Length, "rear front center"),
+            (Sort::Speed, "velocity"),
+            (Sort::Energy, "work heat"),
+        ]),
         truth: Box::new(move |start, times| {
             Walk {
                 length: start[0],

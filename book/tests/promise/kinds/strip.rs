@@ -3,7 +3,7 @@
 use super::super::extrapolation::{Place, followed};
 use super::super::number::{Angle, PI};
 use super::super::random::Random;
-use super::{Scene, Sort};
+use super::{Scene, Sort, told};
 use support::double_double::Dd;
 
 #[derive(Clone, Copy)]
@@ -221,16 +221,13 @@ fn falling(r: &mut Random, air: bool) -> Scene {
             (Sort::Rate, spin),
             (Sort::Energy, mass * speed * speed),
         ],
-        columns: vec![
-            ("x", Sort::Length),
-            ("y", Sort::Length),
-            ("angle", Sort::Angle),
-            ("vx", Sort::Speed),
-            ("vy", Sort::Speed),
-            ("omega", Sort::Rate),
-            ("energy", Sort::Energy),
-            ("heat", Sort::Energy),
-        ],
+        columns: told(&[
+            (Sort::Length, "x y"),
+            (Sort::Angle, "angle"),
+            (Sort::Speed, "vx vy"),
+            (Sort::Rate, "omega"),
+            (Sort::Energy, "energy heat"),
+        ]),
         truth: Box::new(move |start, times| strip.rows(start, times, &scales)),
     }
 }

@@ -5,7 +5,7 @@ use super::super::number::{
     cross, dot, image, inverse, plus, rotation, solved, times as scaled, turned,
 };
 use super::super::random::Random;
-use super::{Scene, Sort};
+use super::{Scene, Sort, told};
 use support::double_double::Dd;
 
 type Vector = [Dd; 3];
@@ -100,19 +100,12 @@ pub fn meteorite(r: &mut Random) -> Scene {
         span: r.scaled(0.05, 60.0) / (1.0 + kick),
         start: velocity.iter().chain(&omega).map(|&x| (x, 1.0)).collect(),
         sizes: vec![(Sort::Length, 1.0)],
-        columns: vec![
-            ("qw", Sort::Attitude),
-            ("qx", Sort::Attitude),
-            ("qy", Sort::Attitude),
-            ("qz", Sort::Attitude),
-            ("omega1", Sort::Rate),
-            ("omega2", Sort::Rate),
-            ("omega3", Sort::Rate),
-            ("x", Sort::Length),
-            ("y", Sort::Length),
-            ("z", Sort::Length),
-            ("energy", Sort::Energy),
-        ],
+        columns: told(&[
+            (Sort::Attitude, "qw qx qy qz"),
+            (Sort::Rate, "omega1 omega2 omega3"),
+            (Sort::Length, "x y z"),
+            (Sort::Energy, "energy"),
+        ]),
         truth: Box::new(move |start, times| {
             let (velocity, omega) = (
                 [start[0], start[1], start[2]],

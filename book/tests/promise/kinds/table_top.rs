@@ -5,7 +5,7 @@ use super::super::number::{
     cross, dot, image, inverse, plus, rotation, solved, times as scaled, transposed, turned,
 };
 use super::super::random::Random;
-use super::{Scene, Sort};
+use super::{Scene, Sort, told};
 use support::double_double::Dd;
 
 type Vector = [Dd; 3];
@@ -230,23 +230,13 @@ impl Body {
 }
 
 fn columns() -> Vec<(&'static str, Sort)> {
-    vec![
-        ("qw", Sort::Attitude),
-        ("qx", Sort::Attitude),
-        ("qy", Sort::Attitude),
-        ("qz", Sort::Attitude),
-        ("omega1", Sort::Rate),
-        ("omega2", Sort::Rate),
-        ("omega3", Sort::Rate),
-        ("x", Sort::Length),
-        ("y", Sort::Length),
-        ("z", Sort::Length),
-        ("vx", Sort::Speed),
-        ("vy", Sort::Speed),
-        ("vz", Sort::Speed),
-        ("energy", Sort::Energy),
-        ("dissipated", Sort::Energy),
-    ]
+    told(&[
+        (Sort::Attitude, "qw qx qy qz"),
+        (Sort::Rate, "omega1 omega2 omega3"),
+        (Sort::Length, "x y z"),
+        (Sort::Speed, "vx vy vz"),
+        (Sort::Energy, "energy dissipated"),
+    ])
 }
 
 /// Those of a body of this size that turns at this rate.

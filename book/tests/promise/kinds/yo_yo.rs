@@ -3,7 +3,7 @@
 use super::super::extrapolation::{Place, followed};
 use super::super::number::{Angle, PI};
 use super::super::random::Random;
-use super::{Scene, Sort};
+use super::{Scene, Sort, told};
 use support::double_double::Dd;
 
 #[derive(Clone, Copy)]
@@ -339,14 +339,12 @@ fn play(r: &mut Random, air: bool) -> Scene {
             (Sort::Rate, spin),
             (Sort::Energy, fall),
         ],
-        columns: vec![
-            ("depth", Sort::Length),
-            ("velocity", Sort::Speed),
-            ("omega", Sort::Rate),
-            ("energy", Sort::Energy),
-            ("heat", Sort::Energy),
-            ("work", Sort::Energy),
-        ],
+        columns: told(&[
+            (Sort::Length, "depth"),
+            (Sort::Speed, "velocity"),
+            (Sort::Rate, "omega"),
+            (Sort::Energy, "energy heat work"),
+        ]),
         truth: Box::new(move |start, times| toy.rows(start[0], times)),
     }
 }

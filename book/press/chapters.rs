@@ -80,10 +80,12 @@ chapters! {
         "src/inertia/",
         "tests/sections/inertia/",
         "figures/src/inertia.rs",
+        "figures/src/inertia/",
     ],
     conservation: "conservation" [
         "src/conservation/",
         "tests/sections/conservation/",
+        "figures/src/conservation.rs",
     ],
     examples: "examples" [],
     impacts: "impacts" [
@@ -146,6 +148,7 @@ chapters! {
     gyroscope: "gyroscope" [
         "src/lagrange_top/",
         "tests/sections/gyroscope.rs",
+        "figures/src/gyroscope.rs",
     ],
     yo_yo: "yo-yo" [
         "src/yo_yo/",

@@ -7,12 +7,16 @@ use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inertia, shapes};
 
-use crate::solid::{View, box_hides, ellipse, ellipsoid_hides, hull, segment};
+use crate::solid::{HIDDEN, View, box_hides, ellipse, ellipsoid_hides, hull, polyhedron, segment};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
     short, small, stroke,
 };
 use crate::{Figure, Parameter, Values};
+
+mod leaning;
+
+pub use leaning::{LEANING, leaning};
 
 const LONG: Parameter =
     Parameter::new("long", "a", "longest edge of the box", [4.0, 9.0], 6.0).unit("m");
@@ -24,9 +28,6 @@ const MASS: Parameter = Parameter::new("mass", "M", "mass of the box", [0.5, 10.
 
 /// What may be chosen of the box.
 pub const ELLIPSOID: &[Parameter] = &[LONG, MIDDLE, SHORT, MASS];
-
-/// Strength of lines that lie behind or inside a body.
-const HIDDEN: f64 = 0.26;
 
 /// A box inside its ellipsoid of inertia, with the principal axes and moments.
 pub fn ellipsoid(values: &Values) -> Result<Figure> {
@@ -377,11 +378,64 @@ impl Rosette {
     }
 }
 
-/// A regular solid that just fits into a circle, faces towards the eye shaded by their slope.
-fn regular_solid(pen: &mut Pen, solid: PlatonicSolid, center: Point, radius: f64) {
-    let Ok(vertices) = solid.vertices(1.0) else {
-        return;
+/// The three axes of the quiz, without an answer. Constant: a cube is a cube.
+pub fn quiz() -> Result<Figure> {
+    let cube = PlatonicSolid::Cube;
+    let corners = cube.vertices(1.0)?.len();
+    let faces = cube.faces().len();
+    // Euler: corners and faces are two more than edges.
+    let edges = corners + faces - 2;
+    let words = Words {
+        claim: "A cube can be spun through two of its corners, two of its edges or two of its faces."
+            .to_owned(),
+        details: format!(
+            "There are {} axes of the first kind, {} of the second and {} of the third, all through the centre. About which is the cube hardest to turn?",
+            corners / 2,
+            edges / 2,
+            faces / 2,
+        ),
+        alt: "Three equal cubes, each on an axle through its centre with a bent arrow round it. The first axle goes through opposite corners, the second through the midpoints of \
+              opposite edges, the third through the centres of opposite faces. Nothing tells which cube is hardest to turn."
+            .to_owned(),
     };
+    Ok(figure("cube-quiz", 236.0, words, |pen| {
+        let half = Vector3::repeat(0.5);
+        let kinds = [
+            ("corners", [-0.5, 0.5, 0.5]),
+            ("edges", [0.0, 0.5, 0.5]),
+            ("faces", [0.0, 0.0, 0.5]),
+        ];
+        for (k, (name, through)) in kinds.into_iter().enumerate() {
+            let center = [108.0 + 192.0 * k as f64, 108.0];
+            let Some(view) = regular_solid(pen, cube, center, 74.0) else {
+                continue;
+            };
+            let through = Vector3::from(through);
+            let end = through + through.normalize() * 0.5;
+            let line = segment(-end, end, 400);
+            let [seen, hidden] = view.split(&line, |p| !box_hides(&half, p, &view.toward));
+            for piece in hidden {
+                pen.line(&piece, stroke(Role::Ink, AXIS).dotted());
+            }
+            for piece in seen {
+                pen.line(&piece, stroke(Role::Ink, DATA));
+            }
+            // Round the upper end, open towards the back.
+            let level = through.cross(&view.toward).normalize();
+            let (u, v) = (level * 0.2, through.normalize().cross(&level) * 0.2);
+            let rings = ellipse(end - through.normalize() * 0.16, u, v, 60);
+            let rings = view.trace(&rings);
+            pen.line(&rings[24..], stroke(Role::Ink, SECONDARY));
+            pen.arrow(rings[56], rings[60], stroke(Role::Ink, SECONDARY));
+            let text = format!("through {name}");
+            pen.text([center[0], 226.0], Anchor::Middle, &text, label(Role::Ink));
+        }
+    }))
+}
+
+/// A regular solid that just fits into a circle, faces towards the eye shaded by their slope, and how it is seen.
+fn regular_solid(pen: &mut Pen, solid: PlatonicSolid, center: Point, radius: f64) -> Option<View> {
+    let vertices = solid.vertices(1.0).ok()?;
     let corners: Vec<Vector3<f64>> = vertices.into_iter().map(Vector3::from).collect();
     let size = corners.iter().map(Vector3::norm).fold(0.0, f64::max);
     let (azimuth, elevation) = match solid {
@@ -389,20 +443,11 @@ fn regular_solid(pen: &mut Pen, solid: PlatonicSolid, center: Point, radius: f64
         _ => (0.42, 0.36),
     };
     let view = View::new(azimuth, elevation, center, radius / size);
-    let light = Vector3::new(0.25, -0.55, 0.8);
-    for face in solid.faces() {
-        let face: Vec<Vector3<f64>> = face.iter().map(|&k| corners[k as usize]).collect();
-        let normal = (face[1] - face[0]).cross(&(face[2] - face[0])).normalize();
-        let outline = view.trace(&face);
-        if normal.dot(&view.toward) > 0.0 {
-            pen.fill(
-                &outline,
-                Role::Ink,
-                0.03 + 0.17 * (1.0 - normal.dot(&light)) / 2.0,
-            );
-            pen.outline(&outline, stroke(Role::Ink, SECONDARY));
-        } else {
-            pen.outline(&outline, stroke(Role::Ink, HAIR).alpha(HIDDEN));
-        }
-    }
+    let faces: Vec<Vec<Vector3<f64>>> = solid
+        .faces()
+        .iter()
+        .map(|face| face.iter().map(|&k| corners[k as usize]).collect())
+        .collect();
+    polyhedron(pen, &view, &faces);
+    Some(view)
 }

@@ -9,10 +9,12 @@ use spinning_bodies::Result;
 mod accuracy;
 pub mod canvas;
 mod compare;
+mod conservation;
 mod euler_equations;
 mod euler_top;
 mod falling_strip;
 mod finish;
+mod gyroscope;
 mod hard_cases;
 mod impacts;
 mod inertia;
@@ -214,7 +216,7 @@ pub fn all() -> &'static [Entry] {
     &ALL
 }
 
-static ALL: [Entry; 74] = [
+static ALL: [Entry; 78] = [
     constant("cat-animated", "phenomena", phenomena::cat_animated),
     of("ice", "phenomena", phenomena::ICE, phenomena::ice),
     of(
@@ -249,6 +251,8 @@ static ALL: [Entry; 74] = [
         phenomena::PAPER_CAT_FALL,
         phenomena::paper_cat_fall,
     ),
+    constant("cube-quiz", "inertia", inertia::quiz),
+    of("leaning", "inertia", inertia::LEANING, inertia::leaning),
     of(
         "ellipsoid-of-inertia",
         "inertia",
@@ -256,6 +260,12 @@ static ALL: [Entry; 74] = [
         inertia::ellipsoid,
     ),
     constant("cube-rosettes", "inertia", inertia::rosettes),
+    of(
+        "thrown-brick",
+        "conservation",
+        conservation::THROWN_BRICK,
+        conservation::thrown_brick,
+    ),
     of(
         "meteorite",
         "impacts",
@@ -355,6 +365,12 @@ static ALL: [Entry; 74] = [
         "rattleback",
         tippe_top::REVERSALS,
         tippe_top::reversals,
+    ),
+    of(
+        "gyroscope",
+        "gyroscope",
+        gyroscope::GYROSCOPE,
+        gyroscope::gyroscope,
     ),
     of("yo-yo-string", "yo-yo", yo_yo::STRING, yo_yo::string),
     of("yo-yo-speed", "yo-yo", yo_yo::SPEED, yo_yo::speed),

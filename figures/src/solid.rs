@@ -2,7 +2,10 @@
 
 use nalgebra::Vector3;
 
-use crate::style::Point;
+use crate::style::{HAIR, Pen, Point, Role, SECONDARY, stroke};
+
+/// Strength of lines that lie behind or inside a body.
+pub const HIDDEN: f64 = 0.26;
 
 /// An orthographic view of three-dimensional space.
 #[derive(Debug, Clone, Copy)]
@@ -68,6 +71,16 @@ impl View {
             self.center[0] + self.scale * self.right.dot(point),
             self.center[1] - self.scale * self.up.dot(point),
         ]
+    }
+
+    /// The angle α for which u cos α + v sin α is drawn nearest to the direction of a point from the origin, rad.
+    pub fn angle(&self, point: Point, [u, v]: [Vector3<f64>; 2]) -> f64 {
+        let from = |p: Point| [p[0] - self.center[0], p[1] - self.center[1]];
+        let (p, u, v) = (from(point), from(self.project(&u)), from(self.project(&v)));
+        // p = u cos α + v sin α.
+        let [cos, sin] = [p[0] * v[1] - p[1] * v[0], u[0] * p[1] - u[1] * p[0]];
+        let turn = (u[0] * v[1] - u[1] * v[0]).signum();
+        (sin * turn).atan2(cos * turn)
     }
 
     /// The points of a curve, drawn.
@@ -181,4 +194,20 @@ pub fn hull(points: &[Point]) -> Vec<Point> {
     let mut hull = half(&mut sorted.iter());
     hull.extend(half(&mut sorted.iter().rev()));
     hull
+}
+
+/// A body with flat faces, corners anticlockwise as seen from outside: faces towards the eye are shaded by their slope.
+pub fn polyhedron(pen: &mut Pen, view: &View, faces: &[Vec<Vector3<f64>>]) {
+    let light = Vector3::new(0.25, -0.55, 0.8);
+    for face in faces {
+        let normal = (face[1] - face[0]).cross(&(face[2] - face[0])).normalize();
+        let outline = view.trace(face);
+        if normal.dot(&view.toward) > 0.0 {
+            let shade = 0.03 + 0.17 * (1.0 - normal.dot(&light)) / 2.0;
+            pen.fill(&outline, Role::Ink, shade);
+            pen.outline(&outline, stroke(Role::Ink, SECONDARY));
+        } else {
+            pen.outline(&outline, stroke(Role::Ink, HAIR).alpha(HIDDEN));
+        }
+    }
 }

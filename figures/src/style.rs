@@ -383,6 +383,25 @@ impl Pen {
             .push((text, format!(" font-size=\"{size:.0}\"{weight}")));
     }
 
+    /// A name where it has room: the first of the places for its middle that is well clear of everything taken, which its own place then is.
+    pub fn name(
+        &mut self,
+        places: impl IntoIterator<Item = Point>,
+        text: &str,
+        lettering: Lettering,
+        taken: &mut Vec<Point>,
+    ) {
+        let letters = text.chars().filter(|c| !"*_{}^".contains(*c)).count();
+        let half = [
+            0.27 * lettering.size * letters as f64,
+            0.47 * lettering.size,
+        ];
+        let at = roomiest(places, half, taken);
+        taken.extend(area(at, half));
+        let line = [at[0], at[1] + 0.3 * lettering.size];
+        self.text(line, Anchor::Middle, text, lettering);
+    }
+
     /// A stacked fraction with its bar centred on the point, and what stands before and after it.
     pub fn fraction(&mut self, at: Point, parts: Fraction<'_>, lettering: Lettering) {
         let size = lettering.size;

@@ -42,13 +42,7 @@ const CROSSING: Parameter = Parameter::new(
     },
     |point, values| {
         let (_, view, arms) = stage(values);
-        let [origin, right, up] = [Vector3::zeros(), arms[0], arms[2]].map(|p| view.project(&p));
-        let from = |p: Point| [p[0] - origin[0], p[1] - origin[1]];
-        let (p, u, v) = (from(point), from(right), from(up));
-        // p = u cos α + v sin α.
-        let [cos, sin] = [p[0] * v[1] - p[1] * v[0], u[0] * p[1] - u[1] * p[0]];
-        let turn = (u[0] * v[1] - u[1] * v[0]).signum();
-        (sin * turn).atan2(cos * turn).to_degrees()
+        view.angle(point, [arms[0], arms[2]]).to_degrees()
     },
 );
 /// What may be chosen; the handle stands on the thick polhode.

@@ -1,0 +1,255 @@
+//! The gyroscope (tutorial 4.8): torque, the change of L, and the precession that it makes.
+
+use core::f64::consts::{FRAC_PI_6, TAU};
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::conservation::uniform_gravity;
+use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession};
+
+use crate::solid::{View, ellipse, segment};
+use crate::style::{
+    AXIS, DATA, Point, Role, SECONDARY, Words, along, area, figure, label, number, polar, short,
+    small, stroke,
+};
+use crate::{Figure, Parameter, Values};
+
+/// The chapter's toy: mass, kg, place of its centre on the axle, m, radius of the wheel, m, moments about the support, kg m².
+const MASS: f64 = 0.1;
+const ARM: f64 = 0.04;
+const WHEEL: f64 = 0.034_64;
+const ACROSS: f64 = 3e-5 + MASS * ARM * ARM;
+const ALONG: f64 = 6e-5;
+const GRAVITY: f64 = 9.81;
+/// Seconds between both L that are drawn.
+const STEP: f64 = 0.5;
+/// How long an L of one kg m²/s is drawn, m.
+const LENGTH: f64 = 2.2;
+
+const TURNS: Parameter =
+    Parameter::new("turns", "n", "spin of the wheel", [60.0, 150.0], 100.0).unit("turns/s");
+const TILT: Parameter = Parameter::new(
+    "tilt",
+    r"\theta",
+    "angle of the axle from the vertical",
+    [30.0, 120.0],
+    90.0,
+)
+.unit("°")
+.dragged(
+    |values| {
+        let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
+        view().project(&(Vector3::new(sin, 0.0, cos) * HOLD))
+    },
+    |point, _| {
+        let arms = [Vector3::z(), Vector3::x()];
+        view().angle(point, arms).to_degrees()
+    },
+);
+/// What may be chosen; the end of the axle is the handle of its tilt.
+pub const GYROSCOPE: &[Parameter] = &[TURNS, TILT];
+
+/// How far the axle reaches, m.
+const HOLD: f64 = 0.06;
+
+fn view() -> View {
+    View::new(-1.0, 0.36, [250.0, 200.0], 1750.0)
+}
+
+/// The wheel on its axle, L now and a moment later, and the torque that carries the one to the other.
+pub fn gyroscope(values: &Values) -> Result<Figure> {
+    let (turns, tilt) = (values.of(&TURNS), values.of(&TILT).to_radians());
+    let (l3, height) = (ALONG * TAU * turns, tilt.cos());
+    let attitude = Attitude::about_axis(BodyVector::new(0.0, 1.0, 0.0), tilt)?;
+    let center = attitude.to_space(BodyVector::new(0.0, 0.0, ARM));
+    let [pivot, weight] = [0.0, -GRAVITY].map(|z| SpaceVector::new(0.0, 0.0, z));
+    let torque = uniform_gravity(MASS, center, pivot, weight)?
+        .torque
+        .components();
+    let law = MASS * GRAVITY * ARM / l3;
+    let rate = match pure_precession(ACROSS, MASS * GRAVITY * ARM, l3, height)? {
+        PurePrecession::One(rate) | PurePrecession::Two { slow: rate, .. } => rate,
+        PurePrecession::None | PurePrecession::Any => f64::NAN,
+    };
+    let omega = BodyVector::new(-rate * tilt.sin(), 0.0, TAU * turns);
+    let top = LagrangeTop::new(ACROSS, ALONG, MASS * GRAVITY * ARM, omega, attitude)?;
+    let momentum = |time: f64| -> Result<Vector3<f64>> {
+        let state = top.at(time)?;
+        Ok(state.attitude.to_space(state.angular_momentum).components())
+    };
+    let path = (0..=180)
+        .map(|k| momentum(TAU / rate * f64::from(k) / 180.0))
+        .collect::<Result<Vec<_>>>()?;
+    let [now, later] = [path[0], momentum(STEP)?];
+    let percent = 1e2 * (rate / law - 1.0);
+    let level = percent.abs() < 5e-4;
+    let beside = match level {
+        true => "exactly Mgℓ/L₃".to_owned(),
+        false => format!(
+            "{} per cent {} Mgℓ/L₃",
+            number(percent.abs(), 3),
+            if percent > 0.0 {
+                "more than"
+            } else {
+                "less than"
+            }
+        ),
+    };
+    let words = Words {
+        claim: format!(
+            "The weight's torque pushes the tip of L sideways, so the axle goes round instead of down: at {} rad/s, {beside}.",
+            number(rate, 3)
+        ),
+        details: format!(
+            "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {} turns a second, axle {}° from the vertical. Orange: $L$ now and {STEP} s later, \
+             and $dL$, the change; purple: the torque $N$ of the weight for as long. $Mg\\ell/L_3 = {}$ rad/s; once round in {} s. The torque is at right angles to $L$, which turns and does not grow.",
+            short(turns, 1),
+            short(values.of(&TILT), 1),
+            number(law, 4),
+            number(TAU / rate, 2),
+        ),
+        alt: format!(
+            "A wheel on an axle that is held at one end on a stand, {} degrees from the vertical. An orange arrow, the angular momentum, lies along the axle; the weight points down from the \
+             wheel; the purple torque is level and points across the axle, and the orange arrow half a second later has moved that way, along a dotted circle round the vertical.",
+            short(values.of(&TILT), 1)
+        ),
+    };
+    let view = view();
+    let at = |p: &Vector3<f64>| view.project(p);
+    let made = figure("gyroscope", 380.0, words, |pen| {
+        let origin = Vector3::zeros();
+        let axle = Vector3::new(tilt.sin(), 0.0, tilt.cos());
+        let foot = Vector3::new(0.0, 0.0, -0.075);
+        let hub = axle * ARM;
+        let rim = ellipse(
+            hub,
+            Vector3::y() * WHEEL,
+            Vector3::y().cross(&axle) * WHEEL,
+            96,
+        );
+        let tips = [now, later].map(|l| l * LENGTH);
+        let circle: Vec<Vector3<f64>> = path.iter().map(|l| l * LENGTH).collect();
+        let [circle, rim] = [&circle, &rim].map(|curve| view.trace(curve));
+        pen.outline(
+            &view.trace(&ellipse(
+                foot,
+                Vector3::x() * 0.018,
+                Vector3::y() * 0.018,
+                60,
+            )),
+            stroke(Role::Ink, AXIS),
+        );
+        pen.line(&[at(&foot), at(&origin)], stroke(Role::Ink, DATA));
+        pen.line(&circle, stroke(Role::Muted, AXIS).dotted());
+        pen.line(
+            &[at(&origin), at(&(axle * HOLD))],
+            stroke(Role::Ink, SECONDARY),
+        );
+        pen.arrow(
+            at(&origin),
+            at(&tips[1]),
+            stroke(Role::AngularMomentum, DATA).alpha(0.5),
+        );
+        pen.fill(&rim, Role::Ink, 0.14);
+        pen.outline(&rim, stroke(Role::Ink, SECONDARY));
+        for k in 0..3 {
+            let angle = f64::from(k) * 2.0 * FRAC_PI_6;
+            let spoke = Vector3::y() * angle.cos() + Vector3::y().cross(&axle) * angle.sin();
+            let ends = segment(hub - spoke * WHEEL, hub + spoke * WHEEL, 1);
+            pen.line(&view.trace(&ends), stroke(Role::Ink, AXIS).alpha(0.3));
+        }
+        pen.arrow(
+            at(&origin),
+            at(&tips[0]),
+            stroke(Role::AngularMomentum, 2.6),
+        );
+        let down = hub - Vector3::z() * 0.055;
+        pen.arrow(at(&hub), at(&down), stroke(Role::Ink, DATA));
+        let pushed = tips[0] + torque * STEP * LENGTH;
+        pen.arrow(at(&tips[0]), at(&pushed), stroke(Role::Torque, 2.6));
+        pen.arrow(
+            at(&tips[0]),
+            at(&tips[1]),
+            stroke(Role::AngularMomentum, DATA).dashed(),
+        );
+        pen.disc(at(&origin), 4.0, Role::Ink, 1.0);
+
+        let lines = [
+            [origin, tips[0]],
+            [origin, tips[1]],
+            [tips[0], pushed],
+            [tips[0], tips[1]],
+            [hub, down],
+            [origin, foot],
+        ];
+        let mut taken: Vec<Point> = lines
+            .iter()
+            .flat_map(|line| along(&view.trace(line), 4.0))
+            .collect();
+        taken.extend(along(&circle, 4.0));
+        let spokes = rim.iter().flat_map(|end| along(&[at(&hub), *end], 8.0));
+        taken.extend(spokes);
+        taken.extend(area(at(&foot), [30.0, 12.0]));
+        taken.extend(area(at(&down), [5.0, 8.0]));
+        // Each name near its point, in this direction if there is room.
+        let momentum = label(Role::AngularMomentum);
+        let again = format!("once round in {} s", number(TAU / rate, 2));
+        for (by, direction, text, lettering) in [
+            (0.8 * tips[0], -1.2, "*L*", momentum),
+            (tips[1], 0.8, "*L* + *dL*", momentum),
+            (pushed, 0.0, "*N*", label(Role::Torque)),
+            (0.5 * (tips[0] + tips[1]), -1.2, "*dL*", momentum),
+            (down, 0.0, "*Mg*", label(Role::Ink)),
+            (foot, -1.57, &again, small(Role::Ink)),
+        ] {
+            let mut places: Vec<(i32, i32)> = (0..9)
+                .flat_map(|out| (-12..=12).map(move |turned| (out, turned)))
+                .collect();
+            places.sort_by_key(|(out, turned)| 3 * out + 2 * turned.abs());
+            let places = places.into_iter().map(|(out, turned)| {
+                let angle = direction + TAU / 24.0 * f64::from(turned);
+                polar(at(&by), 18.0 + 8.0 * f64::from(out), angle)
+            });
+            let places =
+                places.filter(|p| (44.0..556.0).contains(&p[0]) && (12.0..368.0).contains(&p[1]));
+            pen.name(places, text, lettering, &mut taken);
+        }
+    });
+    let columns = [
+        "time (s)",
+        "L_x (kg m²/s)",
+        "L_y (kg m²/s)",
+        "L_z (kg m²/s)",
+    ];
+    let rows = path.iter().enumerate();
+    Ok(made.data(
+        "tip of L",
+        &columns,
+        rows.map(|(k, l)| vec![TAU / rate * k as f64 / 180.0, l.x, l.y, l.z]),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where L goes, the torque of a weight on a lever sends it, and neither its height nor its length changes.
+    #[test]
+    fn the_weight_moves_l_as_the_lever_says() {
+        for tilt in [30.0_f64, 60.0, 90.0, 120.0] {
+            let values = Values::default().with(&TILT, tilt).expect("a tilt");
+            let rows = gyroscope(&values).expect("a figure").data.rows;
+            let row = |k: usize| rows[k].1.clone();
+            let step = row(2)[0] - row(0)[0];
+            for k in [1, 50, 179] {
+                let moved = (1..=3).map(|i| (row(k + 1)[i] - row(k - 1)[i]) / step);
+                let speed = moved.map(|v| v * v).sum::<f64>().sqrt();
+                // The chord of four degrees is shorter than its arc by 0.0002.
+                let lever = 0.1 * 9.81 * 0.04 * tilt.to_radians().sin();
+                assert!((speed / lever - 0.9998).abs() < 5e-5, "{tilt}: {speed}");
+                assert!((row(k)[3] / row(0)[3] - 1.0).abs() < 1e-9);
+            }
+        }
+    }
+}

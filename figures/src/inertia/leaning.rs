@@ -1,0 +1,199 @@
+//! L leans away from Ω (tutorial 2.2): a box spun about an axis between two of its own.
+
+use core::f64::consts::FRAC_PI_2;
+
+use spinning_bodies::Result;
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::shapes;
+
+use super::{LONG, MIDDLE, SHORT};
+use crate::style::{
+    AXIS, Anchor, Point, Role, SECONDARY, Words, along, area, figure, label, number, polar, short,
+    small, stroke,
+};
+use crate::{Figure, Parameter, Values};
+
+const DIRECTION: Parameter = Parameter::new(
+    "direction",
+    r"\varphi",
+    "direction of Ω, from the long edge to the short one",
+    [0.0, 90.0],
+    20.0,
+)
+.unit("°")
+.dragged(
+    |values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()),
+    |point, _| {
+        let across = CENTER[1] - point[1];
+        across.atan2(point[0] - CENTER[0]).to_degrees()
+    },
+);
+/// What may be chosen; the tip of Ω is the handle of its direction.
+pub const LEANING: &[Parameter] = &[
+    DIRECTION,
+    LONG.between([6.0, 12.0], 10.0),
+    MIDDLE.between([4.0, 6.0], 6.0),
+    SHORT.between([0.5, 4.0], 4.0),
+];
+
+/// The centre of the box, units; units to a metre; how long Ω is drawn, and L along the short edge.
+const CENTER: Point = [204.0, 268.0];
+const METRE: f64 = 26.0;
+const OMEGA: f64 = 196.0;
+const MOMENTUM: f64 = 232.0;
+
+/// Both arrows from one point, and where their tips go when Ω turns.
+pub fn leaning(values: &Values) -> Result<Figure> {
+    let [direction, long, middle, thin] = [0, 1, 2, 3].map(|k| values.of(&LEANING[k]));
+    let body = shapes::cuboid(1.0, [long, middle, thin])?;
+    let inertia = body.inertia();
+    let moments = inertia.principal_axes().principal_moments();
+    let [smallest, _, largest] = moments.values();
+    let [along_long, _, along_thin] = moments.widest_omega();
+    let (worst, at_worst) = (moments.greatest_angle(), along_thin.atan2(along_long));
+    let spin = |angle: f64| BodyVector::new(angle.cos(), 0.0, angle.sin());
+    let momentum = |angle: f64| inertia.angular_momentum(spin(angle));
+    let angle = direction.to_radians();
+    let lean = inertia.angle_between_l_and_omega(spin(angle))?.to_degrees();
+    let (told, shown) = (short(direction, 1), number(lean, 1));
+    let parallel = lean < 0.05;
+    let words = Words {
+        claim: match parallel {
+            true => "Spun about a principal axis, the box has its angular momentum along the axis of rotation.".to_owned(),
+            false => format!(
+                "Spun about an axis {told}° off its long edge, the box has an angular momentum that leans {shown}° away from that axis."
+            ),
+        },
+        details: format!(
+            "A box of 1 kg with edges of {}, {} and {} m, seen along the middle one. Blue: $\\Omega$, always of one length; orange: $L = I\\Omega$. The part of $\\Omega$ \
+             along the short edge counts {} times as much as the part along the long edge, {} against {} kg m². Dotted: where the tips go when $\\Omega$ turns from \
+             the one to the other; $L$ leans furthest, {}°, for $\\Omega$ at {}°.",
+            short(long, 2),
+            short(middle, 2),
+            short(thin, 2),
+            number(largest / smallest, 2),
+            number(largest, 2),
+            number(smallest, 2),
+            number(worst.to_degrees(), 1),
+            number(at_worst.to_degrees(), 1),
+        ),
+        alt: format!(
+            "A rectangle, long side level, and two arrows from its middle. The blue one, the angular velocity, points {told} degrees above the long axis; the orange one, the \
+             angular momentum, {}. Two dotted curves from axis to axis: a quarter of a circle for the blue tip, a quarter of an upright ellipse for the orange one.",
+            match parallel {
+                true => "lies along it".to_owned(),
+                false => format!("stands {shown} degrees nearer to the short axis"),
+            }
+        ),
+    };
+    let tips = [0, 1].map(|which| {
+        move |angle: f64| -> Point {
+            match which {
+                0 => polar(CENTER, OMEGA, angle),
+                _ => {
+                    let l = momentum(angle) / largest * MOMENTUM;
+                    [CENTER[0] + l.x(), CENTER[1] - l.z()]
+                }
+            }
+        }
+    });
+    let made = figure("leaning", 338.0, words, |pen| {
+        let [half, up] = [long, thin].map(|edge| 0.5 * edge * METRE);
+        let [x, y] = CENTER;
+        let corners =
+            [[-half, up], [half, up], [half, -up], [-half, -up]].map(|[dx, dy]| [x + dx, y + dy]);
+        pen.fill(&corners, Role::Ink, 0.08);
+        pen.outline(&corners, stroke(Role::Ink, SECONDARY));
+        let axes = [[[x - 172.0, y], [x + 214.0, y]], [[x, y + 64.0], [x, 14.0]]];
+        for axis in axes {
+            pen.line(&axis, stroke(Role::Ink, AXIS).alpha(0.6));
+        }
+        let mut taken = [&corners[..], &corners[..1]].concat();
+        taken = along(&taken, 4.0);
+        taken.extend(axes.iter().flat_map(|axis| along(axis, 4.0)));
+        let mut arrows = Vec::new();
+        for (tip, role, name) in [
+            (&tips[0], Role::Omega, "*Ω*"),
+            (&tips[1], Role::AngularMomentum, "*L*"),
+        ] {
+            let path: Vec<Point> = (0..=90).map(|k| tip(f64::from(k).to_radians())).collect();
+            pen.line(&path, stroke(role, AXIS).dotted());
+            taken.extend(along(&path, 4.0));
+            arrows.push((tip(angle), role, name));
+        }
+        // The shorter one over the longer one.
+        let length = |tip: &Point| (tip[0] - x).hypot(tip[1] - y);
+        arrows.sort_by(|a, b| length(&b.0).total_cmp(&length(&a.0)));
+        for &(tip, role, _) in &arrows {
+            pen.arrow(CENTER, tip, stroke(role, 2.6));
+            taken.extend(along(&[CENTER, tip], 4.0));
+        }
+        let l = momentum(angle);
+        let leaned = l.z().atan2(l.x());
+        pen.arc(CENTER, 46.0, angle, leaned, stroke(Role::Ink, AXIS));
+        if !parallel {
+            let between = (0..40).map(|k| {
+                let out = 66.0 + 4.0 * f64::from(k);
+                polar(CENTER, out, 0.5 * (angle + leaned))
+            });
+            let text = format!("{shown}°");
+            pen.name(between, &text, label(Role::Ink), &mut taken);
+        }
+        let at = [x + 222.0, y + 5.0];
+        let text = format!("*I*_{{1}} = {} kg m²", number(smallest, 2));
+        pen.text(at, Anchor::Start, &text, small(Role::Ink));
+        let text = format!("*I*_{{3}} = {} kg m²", number(largest, 2));
+        pen.text([x - 10.0, 26.0], Anchor::End, &text, small(Role::Ink));
+        taken.extend(area([x - 80.0, 20.0], [70.0, 10.0]));
+        // Each letter on its side of the angle, if there is room.
+        for (tip, role, name) in arrows {
+            let (first, way) = match role {
+                Role::Omega => (angle - FRAC_PI_2, 1.0),
+                _ => (leaned + FRAC_PI_2, -1.0),
+            };
+            let around =
+                (0..24).map(|k| polar(tip, 20.0, first + way * f64::from(k) * FRAC_PI_2 / 6.0));
+            pen.name(around, name, label(role), &mut taken);
+        }
+    });
+    let columns = [
+        "direction of Ω (°)",
+        "direction of L (°)",
+        "L over Ω (kg m²)",
+    ];
+    let row = |k: i32| {
+        let l = momentum(f64::from(k).to_radians());
+        let leaned = l.z().atan2(l.x()).to_degrees();
+        vec![f64::from(k), leaned, l.norm()]
+    };
+    Ok(made
+        .data("box", &columns, (0..=90).map(row))
+        .value("lean", shown)
+        .value("worst", number(worst.to_degrees(), 1)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    /// Eight equal masses where the rule of Gauss puts them have the inertia of the box, whatever the library says.
+    #[test]
+    fn eight_masses_lean_alike() {
+        for direction in [0.0_f64, 1.0, 30.0, 77.0, 90.0] {
+            let values = Values::default().with(&DIRECTION, direction);
+            let values = values.expect("a direction");
+            let (s, c) = direction.to_radians().sin_cos();
+            let omega = Vector3::new(c, 0.0, s);
+            let l: Vector3<f64> = (0..8)
+                .map(|k| Vector3::from_fn(|i, _| f64::from((k >> i & 1) * 2 - 1)))
+                .map(|x| x.component_mul(&Vector3::new(5.0, 3.0, 2.0)) / 3.0_f64.sqrt())
+                .map(|x| x.cross(&omega.cross(&x)) / 8.0)
+                .sum();
+            let lean = number(l.angle(&omega).to_degrees(), 1);
+            let figure = leaning(&values).expect("a figure");
+            assert_eq!(figure.values[0], ("lean", lean.clone()));
+            assert_eq!(figure.claim.contains("leans"), lean != "0.0", "{lean}");
+        }
+    }
+}

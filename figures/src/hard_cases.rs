@@ -27,9 +27,9 @@ pub fn overview() -> Result<Figure> {
         .map(|family| Ok((family, closest(family, CLOSE)?)));
     let rows: Vec<(&Family, Comparison)> = rows.collect::<Result<_>>()?;
     let worst = rows.iter().fold(0.0_f64, |m, (_, c)| m.max(c.ours));
-    let (top, pitch) = (58.0, 29.0);
-    let bottom = top + pitch * (rows.len() as f64 - 0.3);
-    let axis = Axis::log(SHOWN, [188.0, 580.0]);
+    let (top, pitch) = (66.0, 64.0);
+    let bottom = top + pitch * rows.len() as f64 - 14.0;
+    let axis = Axis::log(SHOWN, [24.0, 580.0]);
     let words = Words {
         claim: "The formula is the same, the digits are not.".to_owned(),
         details: format!(
@@ -38,11 +38,11 @@ pub fn overview() -> Result<Figure> {
             power(worst)
         ),
         alt: format!(
-            "Twelve horizontal lines, one a case, on a logarithmic axis of errors from 1e-17 to 1. The left end of each, the library, lies between 1e-17 and {worst:.0e}. The \
+            "Twelve horizontal lines, one a case, on a logarithmic axis of errors from 1e-17 to 1; above each what is asked and what is lost. The left end of each, the library, lies between 1e-17 and {worst:.0e}. The \
              right end, the textbook, lies anywhere from 1e-13 to beyond 1."
         ),
     };
-    Ok(figure("hard-cases", bottom + 44.0, words, |pen| {
+    Ok(figure("hard-cases", bottom + 58.0, words, |pen| {
         for (value, text) in TICKS {
             let x = axis.at(value);
             pen.line(
@@ -51,6 +51,8 @@ pub fn overview() -> Result<Figure> {
             );
             pen.text([x, bottom + 20.0], Anchor::Middle, text, small(Role::Muted));
         }
+        let place = [580.0, bottom + 44.0];
+        pen.text(place, Anchor::End, "relative error", small(Role::Muted));
         pen.text(
             [axis.at(1e-16), 26.0],
             Anchor::Middle,
@@ -64,14 +66,16 @@ pub fn overview() -> Result<Figure> {
             label(TEXTBOOK).strong(),
         );
         for (n, (family, at)) in rows.iter().enumerate() {
-            let y = top + pitch * n as f64;
+            let y = top + pitch * n as f64 + 36.0;
             let [a, b] = [at.ours, at.textbook].map(|error| [axis.at(shown(error)), y]);
+            let lost = format!("lost: {}", family.lost);
             pen.text(
-                [172.0, y + 5.0],
-                Anchor::End,
-                &title(family),
-                label(Role::Ink),
+                [24.0, y - 30.0],
+                Anchor::Start,
+                family.quantity,
+                small(OURS),
             );
+            pen.text([24.0, y - 12.0], Anchor::Start, &lost, small(TEXTBOOK));
             pen.line(&[a, b], stroke(Role::Muted, SECONDARY).alpha(0.7));
             pen.disc(a, 4.5, OURS, 1.0);
             pen.disc(b, 4.5, TEXTBOOK, 1.0);
@@ -111,7 +115,7 @@ pub fn bodies() -> Result<Figure> {
         details: "Six more walks: relative error against the distance that is left. For the long time and the bounces that is 1 over the time or their number, \
                   for the mesh the size of the body over its distance from the origin."
             .to_owned(),
-        alt: "Six small panels with logarithmic axes: long time, quarter period, far mesh, needle, small turn, many bounces. The line of the textbook climbs from \
+        alt: "Six small panels with logarithmic axes: an ordinary top after a long time, a superball after many bounces, dn next to a quarter period, a small angle, a moment of a distant body, a needle. The line of the textbook climbs from \
               1e-16 towards 1 in each; the line of the library stays at 1e-16."
             .to_owned(),
     };
@@ -137,32 +141,32 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
             walks.push((place, title(&family), family.comparisons()?));
         }
     }
-    Ok(figure(name, 678.0, words, |pen| {
+    Ok(figure(name, 786.0, words, |pen| {
         // In the order of the places; the walks come in that of the families.
         walks.sort_by_key(|walk| walk.0);
         let mut frames = Vec::new();
         for (place, title, steps) in &walks {
             let corner = [
                 54.0 + 290.0 * (place % 2) as f64,
-                62.0 + 212.0 * (place / 2) as f64,
+                98.0 + 250.0 * (place / 2) as f64,
             ];
             frames.push(panel(pen, corner, title, steps));
         }
         for (first, last) in frames.iter().zip(frames.iter().skip(4)) {
-            first.panel_names(pen, last, ["distance left", "relative error"]);
+            first.panel_names(pen, last, 78.0, ["distance left", "relative error"]);
         }
     }))
 }
 
-fn panel(pen: &mut Pen, corner: Point, title: &str, steps: &[Comparison]) -> Frame {
+fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -> Frame {
     // The nearest at the right, as far as doubles have a say.
-    let frame = Frame::panel(
-        pen,
-        title,
-        corner,
-        [[1.0, 1e-16], SHOWN],
-        [&POWERS, &POWERS],
-    );
+    let (last, before) = title.split_last().expect("a title has a line");
+    for (k, line) in before.iter().rev().enumerate() {
+        let place = [corner[0], corner[1] - 34.0 - 20.0 * k as f64];
+        pen.text(place, Anchor::Start, line, label(Role::Ink));
+    }
+    let across = [[1.0, 1e-16], SHOWN];
+    let frame = Frame::panel(pen, last, corner, across, [&POWERS, &POWERS]);
     for (error, role) in [
         ((|step| step.textbook) as fn(&Comparison) -> f64, TEXTBOOK),
         (|step| step.ours, OURS),
@@ -206,8 +210,18 @@ fn shown(error: f64) -> f64 {
     }
 }
 
-fn title(family: &Family) -> String {
-    family.name.replace('-', " ")
+/// What is asked, in lines that fit over a small panel.
+fn title(family: &Family) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in family.quantity.split(' ') {
+        let line = &lines[lines.len() - 1];
+        if line.chars().count() + word.chars().count() > 25 {
+            lines.push(String::new());
+        }
+        let last = lines.len() - 1;
+        lines[last] = format!("{} {word}", lines[last]).trim_start().to_owned();
+    }
+    lines
 }
 
 /// A small number as a formula: 2.9·10⁻¹⁶.

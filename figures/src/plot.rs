@@ -200,13 +200,12 @@ impl Frame {
         Self { x, y }
     }
 
-    /// What a column of small panels shows, at the first and below the last of them.
-    pub fn panel_names(&self, pen: &mut Pen, last: &Self, [x_name, y_name]: [&str; 2]) {
+    /// What a column of small panels shows, below the last of them and so far above the first, where its name leaves room.
+    pub fn panel_names(&self, pen: &mut Pen, last: &Self, above: f64, [x_name, y_name]: [&str; 2]) {
         let ([left, right], [_, top]) = (self.x.ends, self.y.ends);
         let bottom = last.y.ends[0];
         let small = small(Role::Muted);
-        // On a line of its own: the name of the panel may be long.
-        pen.text([left - 30.0, top - 38.0], Anchor::Start, y_name, small);
+        pen.text([left - 30.0, top - above], Anchor::Start, y_name, small);
         pen.text([right, bottom + 38.0], Anchor::End, x_name, small);
     }
 }

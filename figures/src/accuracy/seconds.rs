@@ -92,7 +92,7 @@ pub fn seconds() -> Result<Figure> {
             frames.push(frame);
         }
         for (first, last) in frames.iter().zip(&frames[6..]) {
-            first.panel_names(pen, last, ["time", "error, rad"]);
+            first.panel_names(pen, last, 38.0, ["time", "error, rad"]);
         }
     }))
 }

@@ -9,6 +9,8 @@ pub(super) const SMALL_TURN: Family = Family {
     paragraph: "2.2",
     quantity: "the angle between two attitudes that are almost the same",
     lost: "the arc cosine of almost 1",
+    printed: r"2\arccos q_0",
+    cure: r"2\arctan\tfrac{\lVert\mathbf q\rVert}{\lvert q_0\rvert}",
     textbook: |inputs| {
         let q = turned(inputs)?.quaternion();
         Ok(vec![2.0 * q.w.abs().acos()])

@@ -8,6 +8,8 @@ pub(super) const QUARTER_PERIOD: Family = Family {
     paragraph: "6.6",
     quantity: "dn(u, k) next to a quarter period, k² near 1",
     lost: "1 − k² sn²",
+    printed: r"\sqrt{1-k^2\,\mathrm{sn}^2u}",
+    cure: r"\mathrm{dn}(u;\,1-k^2)",
     textbook: |inputs| {
         let [u, mc] = numbers(inputs)?;
         let k2 = 1.0 - mc;

@@ -11,6 +11,8 @@ pub(super) const NEAR_SEPARATRIX: Family = Family {
     paragraph: "6.6",
     quantity: "Ω during the first flip of a top that starts next to the separatrix",
     lost: "L² − 2EI₂, and with it 1 − k²",
+    printed: r"L^2-2EI_2",
+    cure: r"\tfrac{I_3-I_2}{I_3}L_3^2-\tfrac{I_2-I_1}{I_1}L_1^2",
     textbook: printed,
     ours: exact,
 };
@@ -20,6 +22,8 @@ pub(super) const NEAR_AXIS: Family = Family {
     paragraph: "6.6",
     quantity: "the wobble Ω₁, Ω₂ of a top that spins almost about its third axis",
     lost: "2EI₃ − L²",
+    printed: r"2EI_3-L^2",
+    cure: r"\tfrac{I_3-I_1}{I_1}L_1^2+\tfrac{I_3-I_2}{I_2}L_2^2",
     textbook: |inputs| wobble(printed, inputs),
     ours: |inputs| wobble(exact, inputs),
 };
@@ -27,8 +31,10 @@ pub(super) const NEAR_AXIS: Family = Family {
 pub(super) const NEARLY_SPHERE: Family = Family {
     name: "nearly-sphere",
     paragraph: "6.6",
-    quantity: "Ω of a body that is almost a sphere, after a third of a turn of its slow wobble",
+    quantity: "Ω of a body that is almost a sphere, after a third of its slow wobble",
     lost: "2EI₃ − L² and L² − 2EI₁",
+    printed: r"2EI_3-L^2,\;L^2-2EI_1",
+    cure: r"\tfrac{I_3-I_1}{I_1}L_1^2+\tfrac{I_3-I_2}{I_2}L_2^2,\;\tfrac{I_2-I_1}{I_2}L_2^2+\tfrac{I_3-I_1}{I_3}L_3^2",
     textbook: printed,
     ours: exact,
 };
@@ -38,6 +44,8 @@ pub(super) const LONG_TIME: Family = Family {
     paragraph: "6.6",
     quantity: "Ω of an ordinary top after a long time",
     lost: "the phase, a rounded rate times the time",
+    printed: r"\varphi=\lambda t",
+    cure: r"\varphi=(\lambda+\delta)\,t\bmod 4K",
     textbook: printed,
     ours: exact,
 };

@@ -12,6 +12,8 @@ pub(super) const FAR_MESH: Family = Family {
     paragraph: "2.8",
     quantity: "a moment about the centre, of a tetrahedron far from the origin",
     lost: "the moment about the origin less Mr²",
+    printed: r"I_O-Mr^2",
+    cure: r"\text{sums of }\mathbf r-\mathbf r_0,\;\mathbf r_0\text{ a corner}",
     textbook: steiner,
     ours: |inputs| {
         let properties = mesh_mass_properties(&corners(numbers(inputs)?), &FACES, 1.0)?;
@@ -25,6 +27,8 @@ pub(super) const NEEDLE: Family = Family {
     paragraph: "2.4",
     quantity: "the least principal moment of a needle",
     lost: "the cosines of a cubic whose roots are not of one size",
+    printed: r"\tfrac13\operatorname{tr}I+2p\cos\tfrac{\psi+2\pi}3",
+    cure: r"\tfrac{\det I}{I_2I_3}",
     textbook: |inputs| Ok(vec![least_root(&matrix(numbers(inputs)?))]),
     ours: |inputs| {
         Ok(vec![

@@ -11,6 +11,8 @@ pub(super) const SLEEPING_TOP: Family = Family {
     paragraph: "7.5",
     quantity: "1 − cos θ at both turning points of a top that is almost upright",
     lost: "1 − h, h being a root of the cubic",
+    printed: r"1-h_1,\;1-h_2",
+    cure: r"(1-h_1)(1-h_2)=\tfrac{(L_{\text{vert}}-L_3)^2}{2I_1Mgl\,(h_3-1)}",
     textbook: |inputs| {
         let top = Almost::upright(numbers(inputs)?);
         let [low, high, _] = top.roots();
@@ -30,6 +32,8 @@ pub(super) const FAST_TOP: Family = Family {
     paragraph: "7.4",
     quantity: "how far a fast top sinks that is let go at rest",
     lost: "the difference of two angles",
+    printed: r"\arccos h_1-\theta_0",
+    cure: r"2\arcsin\tfrac{h_0-h_1}{2\sin\frac12(\theta_0+\theta_1)},\;h_0-h_1=\tfrac{\sin^2\theta_0}{a+\sqrt{a^2+\sin^2\theta_0}}",
     textbook: |inputs| {
         let [i1, weight, l3, tilt] = numbers(inputs)?;
         let height = tilt.cos();
@@ -49,6 +53,8 @@ pub(super) const SLOW_PRECESSION: Family = Family {
     paragraph: "7.3",
     quantity: "the slow rate of pure precession of a fast top",
     lost: "L₃ less almost L₃",
+    printed: r"\tfrac{L_3-\sqrt{L_3^2-4I_1Mgl\,h}}{2I_1h}",
+    cure: r"\tfrac{2Mgl}{L_3+\sqrt{L_3^2-4I_1Mgl\,h}}",
     textbook: |inputs| {
         let [i1, weight, l3, height] = numbers(inputs)?;
         let root = (l3 * l3 - 4.0 * i1 * weight * height).sqrt();

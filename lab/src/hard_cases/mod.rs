@@ -55,6 +55,10 @@ pub struct Family {
     pub quantity: &'static str,
     /// Where the textbook's digits go.
     pub lost: &'static str,
+    /// Where it happens in the formula as printed, in the language of KaTeX.
+    pub printed: &'static str,
+    /// What stands there in the library, likewise.
+    pub cure: &'static str,
     /// As printed, each operation rounded.
     pub textbook: Formula,
     /// The library's way.

@@ -8,6 +8,8 @@ pub(super) const MANY_BOUNCES: Family = Family {
     paragraph: "4.6",
     quantity: "velocity and spin of a homogeneous superball after n bounces",
     lost: "n times a rounded angle",
+    printed: r"\cos n\alpha,\;\sin n\alpha",
+    cure: r"A^n=(A^{n/2})^2",
     textbook: |inputs| {
         let [bounces] = numbers(inputs)?;
         let kappa = 0.4_f64;

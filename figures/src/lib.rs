@@ -216,7 +216,7 @@ pub fn all() -> &'static [Entry] {
     &ALL
 }
 
-static ALL: [Entry; 78] = [
+static ALL: [Entry; 83] = [
     constant("cat-animated", "phenomena", phenomena::cat_animated),
     of("ice", "phenomena", phenomena::ICE, phenomena::ice),
     of(
@@ -347,6 +347,12 @@ static ALL: [Entry; 78] = [
         tippe_top::both_spins,
     ),
     of(
+        "chiral-twins",
+        "chiral-top",
+        tippe_top::TWINS,
+        tippe_top::twins,
+    ),
+    of(
         "chiral-strobe",
         "chiral-top",
         tippe_top::STROBED,
@@ -367,14 +373,21 @@ static ALL: [Entry; 78] = [
         tippe_top::reversals,
     ),
     of(
+        "rattleback-stone",
+        "rattleback",
+        tippe_top::STONE,
+        tippe_top::two_pairs_of_axes,
+    ),
+    of(
         "gyroscope",
         "gyroscope",
         gyroscope::GYROSCOPE,
         gyroscope::gyroscope,
     ),
-    of("yo-yo-string", "yo-yo", yo_yo::STRING, yo_yo::string),
-    of("yo-yo-speed", "yo-yo", yo_yo::SPEED, yo_yo::speed),
     constant("yo-yo-animated", "yo-yo", yo_yo::animated),
+    of("yo-yo-speed", "yo-yo", yo_yo::SPEED, yo_yo::speed),
+    of("yo-yo-turn", "yo-yo", yo_yo::TURN, yo_yo::turn),
+    of("yo-yo-string", "yo-yo", yo_yo::STRING, yo_yo::string),
     constant("strip-animated", "falling-strip", falling_strip::animated),
     constant("strip-paths", "falling-strip", falling_strip::paths),
     constant("strip-regimes", "falling-strip", falling_strip::regimes),
@@ -436,11 +449,24 @@ static ALL: [Entry; 78] = [
         euler_top::two_axes_in_the_sky,
     ),
     of(
+        "wooden-top",
+        "lagrange-top",
+        lagrange_top::WOODEN,
+        lagrange_top::wooden_top,
+    ),
+    of(
+        "wooden-top-let-go",
+        "lagrange-top",
+        lagrange_top::WOODEN,
+        lagrange_top::let_go,
+    ),
+    of(
         "nutations",
         "lagrange-top",
         lagrange_top::NUTATIONS,
         lagrange_top::nutations,
     ),
+    constant("top-animated", "lagrange-top", lagrange_top::top_animated),
     of(
         "sleeping-threshold",
         "lagrange-top",
@@ -465,7 +491,6 @@ static ALL: [Entry; 78] = [
         lagrange_top::RATES,
         lagrange_top::precession_rates,
     ),
-    constant("top-animated", "lagrange-top", lagrange_top::top_animated),
     of(
         "kovalevskaya-circle",
         "kovalevskaya-top",

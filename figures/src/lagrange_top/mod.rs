@@ -13,6 +13,7 @@ mod nutations;
 mod rates;
 mod sleeping;
 mod waking;
+mod wooden;
 
 pub use animated::top_animated;
 pub use cycloid::{CYCLOIDS, cycloids};
@@ -20,6 +21,7 @@ pub use nutations::{NUTATIONS, nutations};
 pub use rates::{RATES, precession_rates};
 pub use sleeping::{SLEEPING, sleeping_threshold};
 pub use waking::{WAKING, waking};
+pub use wooden::{WOODEN, let_go, wooden_top};
 
 /// A top whose axis is at its turning point cos θ = `height`, going round the vertical at the rate φ′ = `pace`.
 fn launch(height: f64, pace: f64, axial: f64) -> Result<LagrangeTop> {

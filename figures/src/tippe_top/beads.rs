@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::Attitude;
-use spinning_bodies::tippe_top::{beads as places, bodies};
+use spinning_bodies::tippe_top::{ConvexBody, beads as places, bodies};
 
 use crate::Figure;
 use crate::solid::{View, ellipse};
@@ -13,16 +13,19 @@ use crate::style::{
 
 const RADIUS: f64 = 122.0;
 
+/// Both beads of each rod, with C between them: in units of R, seen from K.
+pub fn inside(body: &ConvexBody) -> Result<[[Vector3<f64>; 2]; 3]> {
+    let pairs = places(body.mass(), body.inertia(), &Attitude::identity())?;
+    let mass = -body.center().components() / 0.02;
+    let pairs = pairs.map(|p| [mass + p.components() / 0.02, mass - p.components() / 0.02]);
+    Ok(pairs)
+}
+
 /// Three rods, six beads, one ball.
 pub fn beads() -> Result<Figure> {
     let body = bodies::chiral_top()?;
     let pairs = places(body.mass(), body.inertia(), &Attitude::identity())?;
-    // In units of R, seen from K.
-    let mass = -body.center().components() / 0.02;
-    let beads: Vec<[Vector3<f64>; 2]> = pairs
-        .iter()
-        .map(|p| [mass + p.components() / 0.02, mass - p.components() / 0.02])
-        .collect();
+    let beads = inside(&body)?;
     let farthest = beads
         .iter()
         .flatten()
@@ -45,13 +48,12 @@ pub fn beads() -> Result<Figure> {
             .to_owned(),
     };
     Ok(figure("chiral-beads", 300.0, words, |pen| {
-        view(pen, [150.0, 136.0], 0.95, &beads, mass);
+        view(pen, ([150.0, 136.0], RADIUS), 0.95, &beads);
         view(
             pen,
-            [450.0, 136.0],
+            ([450.0, 136.0], RADIUS),
             0.95 + core::f64::consts::FRAC_PI_2,
             &beads,
-            mass,
         );
         pen.text(
             [150.0, 288.0],
@@ -68,18 +70,18 @@ pub fn beads() -> Result<Figure> {
     }))
 }
 
-fn view(
+/// The ball of this radius, seen from `azimuth`.
+pub fn view(
     pen: &mut Pen,
-    center: Point,
+    (center, radius): (Point, f64),
     azimuth: f64,
-    beads: &[[Vector3<f64>; 2]],
-    mass: Vector3<f64>,
+    beads: &[[Vector3<f64>; 2]; 3],
 ) {
-    let view = View::new(azimuth, 0.12, center, RADIUS);
-    pen.disc(center, RADIUS, Role::Shade, 0.6);
+    let view = View::new(azimuth, 0.12, center, radius);
+    pen.disc(center, radius, Role::Shade, 0.6);
     let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 96);
     pen.line(&view.trace(&equator), stroke(Role::Muted, HAIR));
-    pen.ring(center, RADIUS, stroke(Role::Ink, AXIS));
+    pen.ring(center, radius, stroke(Role::Ink, AXIS));
     let axis = [
         view.project(&Vector3::new(0.0, 0.0, -1.0)),
         view.project(&Vector3::new(0.0, 0.0, 1.0)),
@@ -90,8 +92,9 @@ fn view(
         for end in pair {
             let depth = end.dot(&view.toward);
             let at = view.project(end);
-            pen.disc(at, 9.0 + 2.0 * depth, Role::Ink, 0.65);
-            pen.ring(at, 9.0 + 2.0 * depth, stroke(Role::Ink, AXIS));
+            let size = (9.0 + 2.0 * depth) * radius / RADIUS;
+            pen.disc(at, size, Role::Ink, 0.65);
+            pen.ring(at, size, stroke(Role::Ink, AXIS));
         }
         let outer = if pair[0].z >= pair[1].z {
             pair[0]
@@ -111,7 +114,7 @@ fn view(
         }
     }
     let k = view.project(&Vector3::zeros());
-    let c = view.project(&mass);
+    let c = view.project(&(0.5 * (beads[0][0] + beads[0][1])));
     pen.disc(k, 3.2, Role::Ink, 1.0);
     pen.disc(c, 3.2, Role::Ink, 1.0);
     pen.text(

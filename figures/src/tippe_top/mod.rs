@@ -9,7 +9,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::scene::contact::{State, TableTop};
 use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::scene::{Request, Scene};
-use spinning_bodies::tippe_top::{HoopWithClay, Start, TippeTop, bodies};
+use spinning_bodies::tippe_top::{ConvexBody, HoopWithClay, Start, TippeTop, bodies};
 
 use crate::Parameter;
 use crate::plot::{Frame, texts};
@@ -28,8 +28,10 @@ mod hoop;
 mod map;
 mod potential;
 mod rattleback;
+mod stone;
 mod strobe;
 mod tip_over;
+mod twins;
 
 pub use animated::turning_over;
 pub use beads::beads;
@@ -43,8 +45,10 @@ pub use hoop::{HOOP, hoop_with_clay};
 pub use map::outcomes;
 pub use potential::{POTENTIAL, effective_potential};
 pub use rattleback::{REVERSALS, reversals};
+pub use stone::{STONE, two_pairs_of_axes};
 pub use strobe::{STROBED, strobed};
 pub use tip_over::{TIP_OVER, tip_over};
+pub use twins::{TWINS, twins};
 
 /// Gravity of the figures, m/s²; the tippe top's own is that of its source.
 const G: f64 = 9.81;
@@ -142,8 +146,13 @@ fn tippe_scene(top: &TippeTop, spin: f64, friction: f64) -> Result<TableTop> {
 
 /// The chiral top, released about the vertical at this tilt and azimuth (rad).
 fn chiral_scene(spin: f64, tilt: f64, azimuth: f64, mu: f64) -> Result<TableTop> {
+    body_scene(bodies::chiral_top()?, spin, tilt, azimuth, mu)
+}
+
+/// The same with another body.
+fn body_scene(body: ConvexBody, spin: f64, tilt: f64, azimuth: f64, mu: f64) -> Result<TableTop> {
     let start = Start::about_vertical(tilt, azimuth, spin)?;
-    TableTop::new(bodies::chiral_top()?, start)
+    TableTop::new(body, start)
         .with(Gravity::new(G)?)?
         .with(Regularised::new(mu, 1e-3)?)
 }

@@ -1,6 +1,7 @@
 //! The yo-yo (tutorial 4.9).
 
 mod animated;
+mod turn;
 
 use spinning_bodies::Result;
 use spinning_bodies::scene::effects::{Gravity, TurnLoss};
@@ -9,6 +10,7 @@ use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
 pub use animated::animated;
+pub use turn::{TURN, turn};
 
 use crate::plot::{Axis, Frame, texts};
 use crate::style::{

@@ -1,0 +1,211 @@
+//! The wooden top of the chapter's puzzle (tutorial 7.4): tilted, spun, held still; and let go.
+
+use nalgebra::Vector3;
+use spinning_bodies::Result;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::lagrange_top::LagrangeTop;
+
+use super::nose;
+use crate::solid::{View, ellipse};
+use crate::style::{
+    AXIS, DATA, Point, Role, SECONDARY, Words, along, area, figure, label, number, polar, short,
+    small, stroke,
+};
+use crate::{Figure, Parameter, Values};
+
+/// Moments, kg m², mass, kg, and the height of C above the tip, m.
+const ACROSS: f64 = 2e-4;
+const ALONG: f64 = 7e-5;
+const MASS: f64 = 0.1;
+const ARM: f64 = 0.04;
+const GRAVITY: f64 = 9.81;
+/// How far the nose is from the tip, m, and how long it is followed, s.
+const NOSE: f64 = 0.085;
+const SHOWN: f64 = 1.0;
+
+const TILT: Parameter = Parameter::new(
+    "tilt",
+    r"\theta_0",
+    "tilt of the top that is held",
+    [10.0, 45.0],
+    30.0,
+)
+.unit("°")
+.dragged(
+    |values| {
+        let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
+        view().project(&(Vector3::new(0.0, -sin, cos) * NOSE))
+    },
+    |point, _| {
+        view()
+            .angle(point, [Vector3::z(), -Vector3::y()])
+            .to_degrees()
+    },
+);
+const TURNS: Parameter =
+    Parameter::new("turns", "n", "spin of the top", [20.0, 60.0], 30.0).unit("turns/s");
+/// What may be chosen; the nose is the handle of the tilt.
+pub const WOODEN: &[Parameter] = &[TILT, TURNS];
+
+fn view() -> View {
+    View::new(-0.35, 0.5, [292.0, 350.0], 3300.0)
+}
+
+/// The top and its motion from rest of the axis.
+fn launched(values: &Values) -> Result<LagrangeTop> {
+    let (tilt, turns) = (values.of(&TILT).to_radians(), values.of(&TURNS));
+    let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), tilt)?;
+    let spin = BodyVector::new(0.0, 0.0, core::f64::consts::TAU * turns);
+    LagrangeTop::new(ACROSS, ALONG, MASS * GRAVITY * ARM, spin, tilted)
+}
+
+/// What all captions say of it.
+fn described(values: &Values) -> String {
+    format!(
+        "A wooden top of 100 g, its centre of mass 4 cm above the tip, $I_1 = 2 \\cdot 10^{{-4}}$ and $I_3 = 7 \\cdot 10^{{-5}}$ kg m², tilted by {}° and spun at {} turns a second; \
+         the disc is the thin one of the same $I_3$.",
+        short(values.of(&TILT), 1),
+        short(values.of(&TURNS), 1)
+    )
+}
+
+/// The question: which way?
+pub fn wooden_top(values: &Values) -> Result<Figure> {
+    let words = Words {
+        claim: "A spinning top leans, and a finger holds its axis still.".to_owned(),
+        details: format!(
+            "{} Which way does the nose go when the finger lets go?",
+            described(values)
+        ),
+        alt: format!(
+            "A disc on an axle that stands on its tip, {} degrees off the vertical, which is dotted. From the nose four dashed arrows with question marks: up, down, to one side, to the other.",
+            short(values.of(&TILT), 1)
+        ),
+    };
+    drawn("wooden-top", values, words, false)
+}
+
+/// The answer: the path of the nose.
+pub fn let_go(values: &Values) -> Result<Figure> {
+    let top = launched(values)?;
+    let lowest = top.at(0.5 * top.period())?.height.acos().to_degrees();
+    let further = top.precession_per_nutation().unwrap_or(0.0).to_degrees();
+    let words = Words {
+        claim: format!(
+            "Let go, the nose falls by {}°, turns aside, and is back at the height of the finger after {} s, {}° further round.",
+            number(lowest - values.of(&TILT), 2),
+            number(top.period(), 4),
+            number(further, 2)
+        ),
+        details: format!(
+            "{} The nose for {SHOWN} s, a dot every hundredth of a second: it stands still in the cusps. Dotted: the heights between which it nods.",
+            described(values)
+        ),
+        alt: format!(
+            "The same top, and the path of its nose: arches that hang from one level circle and meet in upright cusps, {} of them in a full turn. In the cusps the dots crowd.",
+            number(360.0 / further, 1)
+        ),
+    };
+    drawn("wooden-top-let-go", values, words, true)
+}
+
+fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Result<Figure> {
+    let (top, view) = (launched(values)?, view());
+    let noses = (0..=2000)
+        .map(|k| nose(&top, SHOWN * f64::from(k) / 2000.0))
+        .collect::<Result<Vec<_>>>()?;
+    let held = noses[0];
+    let roots = top.roots();
+    let made = figure(name, 392.0, words, |pen| {
+        let at = |p: &Vector3<f64>| view.project(p);
+        let [foot, hub, tip] = [0.0, ARM, NOSE].map(|out| held * out);
+        let rim = (2.0 * ALONG / MASS).sqrt();
+        let level = held.cross(&Vector3::z()).normalize();
+        let rim = ellipse(hub, level * rim, held.cross(&level) * rim, 120);
+        let rim = view.trace(&rim);
+        let upright = [foot, Vector3::z() * NOSE].map(|p| at(&p));
+        pen.line(&upright, stroke(Role::Muted, AXIS).dotted());
+        pen.line(&[at(&foot), at(&hub)], stroke(Role::Ink, DATA));
+        pen.fill(&rim, Role::Ink, 0.1);
+        pen.outline(&rim, stroke(Role::Ink, SECONDARY));
+        pen.line(&[at(&hub), at(&tip)], stroke(Role::Ink, DATA));
+        pen.disc(at(&foot), 3.0, Role::Ink, 1.0);
+        let mut taken: Vec<Point> = along(&rim, 4.0);
+        taken.extend(along(&[at(&foot), at(&tip)], 4.0));
+        taken.extend(along(&upright, 4.0));
+        if path {
+            let line: Vec<Point> = noses.iter().map(|p| at(&(p * NOSE))).collect();
+            for height in [roots.h1, roots.h2] {
+                let out = NOSE * (1.0 - height * height).sqrt();
+                let circle = ellipse(
+                    Vector3::z() * NOSE * height,
+                    Vector3::x() * out,
+                    Vector3::y() * out,
+                    180,
+                );
+                pen.line(&view.trace(&circle), stroke(Role::Muted, AXIS).dotted());
+            }
+            pen.line(&line, stroke(Role::Ink, SECONDARY));
+            taken.extend(line.iter().step_by(4));
+            for dot in line.iter().step_by(20) {
+                pen.disc(*dot, 2.4, Role::Ink, 1.0);
+            }
+        } else {
+            let (aside, down) = (level * 0.02, held.cross(&level) * 0.02);
+            for way in [aside, -aside, down, -down] {
+                let [from, to] = [0.3, 1.0].map(|share| at(&(tip + way * share)));
+                pen.arrow(from, to, stroke(Role::Ink, SECONDARY).dashed());
+                taken.extend(along(&[from, to], 4.0));
+                let beyond = (0..24).map(|k| polar(to, 14.0, 0.262 * f64::from(k)));
+                pen.name(beyond, "?", label(Role::Ink), &mut taken);
+            }
+        }
+        taken.extend(area(at(&tip), [6.0, 6.0]));
+        let tilt = format!("{}°", short(values.of(&TILT), 1));
+        let between = (0..40).map(|k| at(&((Vector3::z() + held) * (0.01 + 0.001 * f64::from(k)))));
+        pen.name(between, &tilt, small(Role::Ink), &mut taken);
+        pen.disc(at(&tip), 5.0, Role::Ink, 1.0);
+    });
+    let columns = ["time (s)", "tilt (°)", "azimuth (°)"];
+    let shown = if path { noses.len() } else { 1 };
+    let rows = noses.iter().take(shown).enumerate().map(|(k, nose)| {
+        let tilt = nose.x.hypot(nose.y).atan2(nose.z);
+        vec![
+            SHOWN * k as f64 / 2000.0,
+            tilt.to_degrees(),
+            nose.y.atan2(nose.x).to_degrees(),
+        ]
+    });
+    Ok(made.data("nose", &columns, rows))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Newton in space, e' = L ∧ e / I₁ and L' = Mgl z ∧ e, by the midpoint rule: the nose is where the figure has it.
+    #[test]
+    fn small_steps_draw_the_same_arches() {
+        let figure = let_go(&Values::default()).expect("a figure");
+        let weight = 0.1 * 9.81 * 0.04;
+        let (sin, cos) = 30_f64.to_radians().sin_cos();
+        let mut e = Vector3::new(0.0, -sin, cos);
+        let mut l = e * 7e-5 * 60.0 * core::f64::consts::PI;
+        let rate = |e: Vector3<f64>, l: Vector3<f64>| {
+            (l.cross(&e) / 2e-4, Vector3::z().cross(&e) * weight)
+        };
+        let steps = 50;
+        let step = 0.5 / 1000.0 / f64::from(steps);
+        for (_, row) in figure.data.rows.iter().take(1000) {
+            let azimuth = e.y.atan2(e.x).to_degrees();
+            let tilt = e.x.hypot(e.y).atan2(e.z).to_degrees();
+            let off = (row[1] - tilt).hypot((row[2] - azimuth + 540.0).rem_euclid(360.0) - 180.0);
+            assert!(off < 1e-4, "{row:?}: {tilt} {azimuth}");
+            for _ in 0..steps {
+                let (turn, push) = rate(e, l);
+                let (turn, push) = rate(e + 0.5 * step * turn, l + 0.5 * step * push);
+                (e, l) = (e + step * turn, l + step * push);
+            }
+        }
+    }
+}

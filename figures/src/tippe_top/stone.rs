@@ -1,0 +1,224 @@
+//! The rattleback from above: the axes of its belly, and those of its inertia, which are out of line with them.
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use nalgebra::Matrix3;
+use spinning_bodies::Result;
+use spinning_bodies::frame::BodyVector;
+use spinning_bodies::inertia::InertiaMatrix;
+use spinning_bodies::tippe_top::{ConvexBody, Surface, rolling_growth_rates};
+
+use super::{G, SPIN};
+use crate::style::{
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number, polar,
+    short, small, stroke,
+};
+use crate::{Figure, Parameter, Values};
+
+const PRODUCT: Parameter = Parameter::new(
+    "product",
+    "I_{12}/M",
+    "product of inertia over the mass",
+    [-2.0, 2.0],
+    -0.2,
+)
+.unit("cm²");
+/// What may be chosen.
+pub const STONE: &[Parameter] = &[PRODUCT, SPIN.between([1.0, 8.0], 5.0)];
+
+/// Half axes of the belly, m; its middle on the page, units to a metre.
+const BELLY: [f64; 3] = [0.2, 0.03, 0.02];
+const MIDDLE: Point = [300.0, 82.0];
+const METRE: f64 = 1250.0;
+/// The lens at the tip: its middle, radius, and how much larger it shows.
+const LENS: (Point, f64, f64) = ([494.0, 232.0], 74.0, 8.0);
+
+/// The stone of Kane and Levinson with this product of inertia (m²).
+fn stone(product: f64) -> Result<ConvexBody> {
+    let inertia = Matrix3::new(2e-4, product, 0.0, product, 16e-4, 0.0, 0.0, 0.0, 17e-4);
+    let surface = Surface::ellipsoid(BELLY)?;
+    let up = BodyVector::new(0.0, 0.0, 0.01);
+    ConvexBody::new(1.0, InertiaMatrix::from_matrix(inertia)?, surface, up)
+}
+
+/// Its outline with both pairs of axes, the tip enlarged.
+pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
+    let (product, spin) = (values.of(&PRODUCT), values.of(&STONE[1]));
+    let body = stone(1e-4 * product)?;
+    let axes = body.inertia().principal_axes().axes();
+    let angle = (axes[(1, 0)] / axes[(0, 0)]).atan();
+    let growth = |spin: f64| -> Result<f64> { Ok(rolling_growth_rates(&body, G, spin)?[0].growth) };
+    let rates = [growth(-spin)?, growth(spin)?];
+    let (fast, slow) = (rates[0].max(rates[1]), rates[0].min(rates[1]));
+    let out = number(angle.abs().to_degrees(), 2);
+    let none = 1e-4;
+    let told = rates.map(|rate| match rate > none {
+        true => format!(
+            "grows at {} per second",
+            number(rate, if rate < 0.995 { 4 } else { 3 })
+        ),
+        false => "does not grow".to_owned(),
+    });
+    let claim = match (fast > none, slow > none) {
+        (true, true) => format!(
+            "The stone's axes of inertia stand {out}° out of line with those of its belly, and rattling grows {} times as fast in one sense of spin as in the other.",
+            number(fast / slow, 1)
+        ),
+        (true, false) => format!(
+            "The stone's axes of inertia stand {out}° out of line with those of its belly, and rattling grows in one sense of spin only."
+        ),
+        _ if angle == 0.0 => "With its axes of inertia in line with those of its belly, rattling grows in neither sense of spin.".to_owned(),
+        _ => format!("At this spin rattling grows in neither sense, though the stone's axes stand {out}° out of line."),
+    };
+    let words = Words {
+        claim,
+        details: format!(
+            "Kane and Levinson's stone from above, half axes 20 and 3 cm, to scale. Dashed: the axes of the belly; solid: the principal axes of inertia, from moments of 2 and 16 cm² and a \
+             product of ${}$ cm² a unit mass; in the lens the tip, {} times as large. Steady spin of {} rad/s in pure rolling: clockwise rattling {}, anticlockwise it {}.",
+            short(product, 2).replace('\u{2212}', "-"),
+            LENS.2,
+            short(spin, 2),
+            told[0],
+            told[1],
+        ),
+        alt: format!(
+            "The outline of a long stone from above with two crosses of axes through its middle, one dashed along the outline and one solid, turned by {out} degrees. A lens enlarges the tip, \
+             where the dashed axis meets the outline and the solid one {}. Two bent arrows tell what each sense of spin does: clockwise rattling {}, anticlockwise it {}.",
+            match angle == 0.0 {
+                true => "lies on it",
+                false => "passes beside it",
+            },
+            told[0],
+            told[1]
+        ),
+    };
+    let made = figure("rattleback-stone", 322.0, words, |pen| {
+        let belly = stroke(Role::Ink, SECONDARY).dashed();
+        let inertia = stroke(Role::Ink, DATA);
+        let outline: Vec<Point> = (0..=720)
+            .map(|k| (TAU * f64::from(k) / 720.0).sin_cos())
+            .map(|(s, c)| [METRE * BELLY[0] * c, METRE * BELLY[1] * s])
+            .collect();
+        let placed: Vec<Point> = outline
+            .iter()
+            .map(|p| [MIDDLE[0] + p[0], MIDDLE[1] - p[1]])
+            .collect();
+        pen.fill(&placed, Role::Ink, 0.08);
+        pen.outline(&placed, stroke(Role::Ink, SECONDARY));
+        let cross = |pen: &mut Pen, turned: f64, style: Stroke| {
+            for (turned, half) in [(turned, 284.0), (turned + FRAC_PI_2, 70.0)] {
+                pen.line(
+                    &[
+                        polar(MIDDLE, half, turned + PI),
+                        polar(MIDDLE, half, turned),
+                    ],
+                    style,
+                );
+            }
+        };
+        cross(pen, 0.0, belly);
+        cross(pen, angle, inertia);
+        pen.disc(MIDDLE, 3.5, Role::Ink, 1.0);
+        lens(pen, &outline, angle, [belly, inertia]);
+        for (k, (way, text)) in [("clockwise", &told[0]), ("anticlockwise", &told[1])]
+            .into_iter()
+            .enumerate()
+        {
+            let center = [54.0, 204.0 + 74.0 * k as f64];
+            let (from, to) = [(2.6, 0.5), (0.5, 2.6)][k];
+            pen.arc_arrow(
+                [center[0], center[1] + 6.0],
+                24.0,
+                from,
+                to,
+                stroke(Role::Ink, DATA),
+            );
+            pen.text(
+                [center[0] + 44.0, center[1] - 4.0],
+                Anchor::Start,
+                way,
+                label(Role::Ink),
+            );
+            let text = format!("rattling {text}");
+            pen.text(
+                [center[0] + 44.0, center[1] + 18.0],
+                Anchor::Start,
+                &text,
+                small(Role::Ink),
+            );
+        }
+    });
+    let columns = [
+        "angle (°)",
+        "growth clockwise (1/s)",
+        "growth anticlockwise (1/s)",
+    ];
+    let row = vec![angle.to_degrees(), rates[0], rates[1]];
+    Ok(made.data("stone", &columns, [row]).value("angle", out))
+}
+
+/// The tip enlarged, with both axes that leave it.
+fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke; 2]) {
+    let (center, radius, times) = LENS;
+    let tip = METRE * BELLY[0];
+    // The tip stands right of the middle of the lens.
+    let place = |p: &Point| {
+        [
+            center[0] + 0.4 * radius + times * (p[0] - tip),
+            center[1] - times * p[1],
+        ]
+    };
+    let within = |p: &Point| (p[0] - center[0]).hypot(p[1] - center[1]) < radius - 1.0;
+    let axis = |turned: f64| -> Vec<Point> {
+        (-400..=400)
+            .map(|k| tip + 0.05 * f64::from(k))
+            .map(|x| [x, x * turned.tan()])
+            .collect()
+    };
+    pen.disc([MIDDLE[0] + tip, MIDDLE[1]], 3.5, Role::Ink, 1.0);
+    pen.ring(center, radius, stroke(Role::Muted, AXIS));
+    let to = [MIDDLE[0] + tip, MIDDLE[1] + 8.0];
+    pen.line(
+        &[to, [to[0] - 4.0, center[1] - radius]],
+        stroke(Role::Muted, AXIS).dotted(),
+    );
+    let curves = [
+        (outline.to_vec(), stroke(Role::Ink, SECONDARY)),
+        (axis(0.0), belly),
+        (axis(angle), inertia),
+    ];
+    for (curve, style) in curves {
+        let placed: Vec<Point> = curve.iter().map(place).collect();
+        for piece in placed.split(|p| !within(p)) {
+            pen.line(piece, style);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The stone of the book is the library's, its axes are those of a two by two matrix, and its mirror image does the opposite.
+    #[test]
+    fn the_stone_is_the_one_of_the_chapter() {
+        let stones = [-0.2, 0.0, 0.2].map(|product| {
+            let values = Values::default()
+                .with(&PRODUCT, product)
+                .expect("a product");
+            two_pairs_of_axes(&values).expect("a figure").data.rows[0]
+                .1
+                .clone()
+        });
+        let [book, straight, image] = &stones;
+        let angle = 0.5 * (2.0 * 0.2 / 14.0_f64).atan().to_degrees();
+        assert!((book[0] - angle).abs() < 1e-13, "{}", book[0]);
+        // Kane and Levinson's stone: the rates that the chapter asserts of the library's body.
+        assert!((book[1] - 2.121).abs() < 6e-4 && (book[2] - 0.2025).abs() < 6e-4);
+        assert!(straight[0] == 0.0 && straight[1].abs().max(straight[2].abs()) < 1e-5);
+        assert!((image[0] + book[0]).abs() < 1e-13);
+        for k in [1, 2] {
+            assert!((image[3 - k] - book[k]).abs() < 1e-6, "{image:?}");
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! The chiral top beside its mirror image, both spun clockwise.
+
+use spinning_bodies::Result;
+use spinning_bodies::scene::contact::passage;
+use spinning_bodies::tippe_top::bodies;
+
+use super::ball::{ball, table};
+use super::beads::{inside, view};
+use super::{BOTH_SPINS, body_scene, run};
+use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, label, number, small, stroke};
+use crate::{Figure, Parameter, Values};
+
+/// What may be chosen: the release of the figure with both spins.
+pub const TWINS: &[Parameter] = BOTH_SPINS;
+
+/// How long the tops are followed, s; pictures of each; radius of a picture.
+const END: f64 = 3.0;
+const PICTURES: usize = 4;
+const RADIUS: f64 = 30.0;
+
+/// One spin, a body and its mirror image, two answers.
+pub fn twins(values: &Values) -> Result<Figure> {
+    let [spin, tilt, mu] = [0, 1, 2].map(|k| values.of(&TWINS[k]));
+    let top = bodies::chiral_top()?;
+    let tops = [top, top.mirrored()];
+    let [own, image] = tops.map(|body| inside(&body));
+    let rods = [own?, image?];
+    let runs = tops.map(|body| {
+        run(
+            &body_scene(body, -spin, tilt.to_radians(), 0.0, mu)?,
+            END,
+            600,
+            1e-3,
+        )
+    });
+    let [first, second] = runs;
+    let runs = [first?, second?];
+    let side = [0, 1].map(|k| passage(&runs[k], |s| s.tilt().to_degrees(), 90.0));
+    let most = [0, 1].map(|k| {
+        let tilts = runs[k].iter().map(|r| r.1.tilt().to_degrees());
+        tilts.fold(0.0, f64::max)
+    });
+    let claim = match side.map(|time| time.is_some()) {
+        [true, false] => {
+            "Spun the same way, the top goes over on its head, and its mirror image does not."
+        }
+        [false, true] => {
+            "Spun the same way, the top stays on its foot, and its mirror image goes over."
+        }
+        [true, true] => "Released like this, the top and its mirror image both go over.",
+        [false, false] => {
+            "Released like this, neither the top nor its mirror image goes over within three seconds."
+        }
+    };
+    let told = [0, 1].map(|k| match side[k] {
+        Some(time) => format!("is on its side after {} s", number(time, 2)),
+        None => format!("stays below {}°", number(most[k], 1)),
+    });
+    let words = Words {
+        claim: claim.to_owned(),
+        details: format!(
+            "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {} rad/s and {}° from the vertical, $\\mu = {}$, every {} s. \
+             The top {}, its image {}.",
+            number(spin, 1),
+            number(tilt, 0),
+            number(mu, 2),
+            number(END / (PICTURES - 1) as f64, 0),
+            told[0],
+            told[1],
+        ),
+        alt: format!(
+            "Left and right of a dotted line two transparent balls, each with three crossed rods that lean opposite ways. Below each a row of {PICTURES} balls with a dark cap, from release to {END} \
+             seconds later. The top on the left {}, its mirror image on the right {}.",
+            told[0], told[1]
+        ),
+    };
+    let made = figure("chiral-twins", 346.0, words, |pen| {
+        pen.line(
+            &[[300.0, 12.0], [300.0, 334.0]],
+            stroke(Role::Muted, AXIS).dotted(),
+        );
+        let names = ["the top", "its mirror image"];
+        for k in [0, 1] {
+            let middle = 152.0 + 296.0 * k as f64;
+            view(pen, ([middle, 90.0], 78.0), 0.0, &rods[k]);
+            pen.text([middle, 198.0], Anchor::Middle, names[k], label(Role::Ink));
+            let floor = 290.0;
+            table(pen, middle - 136.0, middle + 136.0, floor);
+            for picture in 0..PICTURES {
+                let (time, state) = &runs[k][picture * 600 / (PICTURES - 1)];
+                let x = middle + 68.0 * (picture as f64 - 1.5);
+                ball(pen, &state.attitude, [x, floor - RADIUS], RADIUS, 0.6);
+                let tilt = format!("{}°", number(state.tilt().to_degrees(), 0));
+                pen.text([x, floor + 20.0], Anchor::Middle, &tilt, small(Role::Ink));
+                let time = format!("{} s", number(*time, 0));
+                pen.text([x, floor + 42.0], Anchor::Middle, &time, small(Role::Muted));
+            }
+            // Clockwise, seen from above: the near side goes to the left.
+            let [from, to] = [middle + 18.0, middle - 18.0].map(|x| [x, 212.0]);
+            pen.arrow(from, to, stroke(Role::Ink, DATA));
+        }
+    });
+    let columns = ["time (s)", "tilt (°)"];
+    let rows = |k: usize| runs[k].iter().map(|(t, s)| vec![*t, s.tilt().to_degrees()]);
+    Ok(made
+        .data("the top", &columns, rows(0))
+        .data("its mirror image", &columns, rows(1)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::both_spins;
+    use super::*;
+
+    /// In a mirror that stands on the table the image spins the other way: its curve is that of the top spun anticlockwise.
+    #[test]
+    fn the_image_does_what_the_top_does_the_other_way() {
+        let values = Values::default();
+        let [one, two] = [twins, both_spins].map(|draw| draw(&values).expect("a figure").data.rows);
+        assert_eq!(one.len(), two.len());
+        for (a, b) in one.iter().zip(&two) {
+            assert!(
+                (a.1[1] - b.1[1]).abs() < 1e-2,
+                "{} {:?} {:?}",
+                a.0,
+                a.1,
+                b.1
+            );
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! The yo-yo's turn at the end of its string (tutorial 4.9), in five pictures.
+
+use spinning_bodies::Result;
+use spinning_bodies::yo_yo::{Turn, TurnState, Unwinding};
+
+use super::{AXLE, GRAVITY, LENGTH, toy};
+use crate::style::{
+    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, figure, label, number, polar, short, small,
+    stroke,
+};
+use crate::{Figure, Parameter, Values};
+
+/// What may be chosen.
+pub const TURN: &[Parameter] = &[AXLE, LENGTH];
+
+/// Design units to a metre; the end of the string above the page's bottom half; the longest arrow.
+const METRE: f64 = 1650.0;
+const END: f64 = 136.0;
+const LONGEST: f64 = 76.0;
+
+/// Disc, thread and pull at five equal steps of the turn.
+pub fn turn(values: &Values) -> Result<Figure> {
+    let toy = toy(values, &AXLE)?;
+    let weight = toy.mass() * GRAVITY;
+    let way = Unwinding::new(toy, GRAVITY, 0.0)?;
+    let turn = Turn::new(toy, GRAVITY, way.omega(toy.length()))?;
+    let at = |share: f64| -> Result<(f64, TurnState)> {
+        let time = share * turn.duration();
+        Ok((time, turn.at(time)?))
+    };
+    let pictures = (0..5)
+        .map(|k| at(f64::from(k) / 4.0))
+        .collect::<Result<Vec<_>>>()?;
+    let peak = pictures[2].1.tension;
+    let told = pictures.iter().map(|(_, s)| number(s.tension / weight, 1));
+    let pulls: Vec<String> = told.collect();
+    let words = Words {
+        claim: format!(
+            "In {} milliseconds the centre swings half round the end of the thread: the velocity is reversed, the sense of the spin is not.",
+            number(1e3 * turn.duration(), 1)
+        ),
+        details: format!(
+            "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; bars: the pull of the string, \
+             {} times the weight. The spin is {} rad/s at both ends and {} at the bottom.",
+            short(toy.length(), 2),
+            short(1e3 * toy.axle(), 2),
+            pulls.join(", "),
+            number(turn.omega(), 1),
+            number(turn.fastest(), 1),
+        ),
+        alt: format!(
+            "Five pictures of a disc on a thread. In the first the axle hangs on the right of the thread and moves down, in the third it is below the end of the thread and moves to the left, in the \
+             last it is on the left and moves up. A blue arrow shows the spin, clockwise in all five. The bar of the pull is short, longer, longest at {} weights, and shorter again.",
+            number(peak / weight, 1)
+        ),
+    };
+    let made = figure("yo-yo-turn", 276.0, words, |pen| {
+        for (k, (time, state)) in pictures.iter().enumerate() {
+            let (sin, cos) = state.angle.sin_cos();
+            let end = [64.0 + 118.0 * k as f64, END];
+            let arm = METRE * toy.axle();
+            let center = [end[0] + arm * cos, end[1] + arm * sin];
+            let radius = METRE * 0.029;
+            pen.disc(center, radius, Role::Ink, 0.1);
+            pen.ring(center, radius, stroke(Role::Ink, SECONDARY));
+            pen.ring(center, arm, stroke(Role::Ink, AXIS));
+            pen.line(&[[end[0], 12.0], end], stroke(Role::Ink, AXIS));
+            pen.disc(end, 3.0, Role::Ink, 1.0);
+            let pull = LONGEST * state.tension / peak;
+            pen.line(&[end, [end[0], end[1] - pull]], stroke(Role::Ink, 5.0));
+            // The centre goes round the end of the thread.
+            let speed = 0.5 * LONGEST * state.omega / turn.fastest();
+            let velocity = [center[0] - speed * sin, center[1] + speed * cos];
+            pen.arrow(center, velocity, stroke(Role::Ink, SECONDARY));
+            let around = [0.9, -0.7].map(|turned| turned - state.angle);
+            pen.arc_arrow(
+                center,
+                0.8 * radius,
+                around[0],
+                around[1],
+                stroke(Role::Omega, DATA),
+            );
+            let row = |pen: &mut crate::style::Pen, y: f64, text: &str, role| {
+                let at: Point = [64.0 + 118.0 * k as f64, y];
+                pen.text(at, Anchor::Middle, text, small(role));
+            };
+            row(
+                pen,
+                232.0,
+                &format!("{} ms", number(1e3 * time, 1)),
+                Role::Muted,
+            );
+            row(pen, 256.0, &format!("pull {} *Mg*", pulls[k]), Role::Ink);
+        }
+        let first = [64.0 + METRE * toy.axle(), END];
+        let name = polar(first, 0.8 * METRE * 0.029 + 18.0, 0.8);
+        pen.text(name, Anchor::Start, "*Ω*", label(Role::Omega));
+    });
+    let columns = [
+        "time (s)",
+        "angle (rad)",
+        "depth (m)",
+        "velocity downward (m/s)",
+        "spin (rad/s)",
+        "pull (N)",
+    ];
+    let rows = (0..=200)
+        .map(|k| {
+            let (time, s) = at(f64::from(k) / 200.0)?;
+            Ok(vec![time, s.angle, s.depth, s.velocity, s.omega, s.tension])
+        })
+        .collect::<Result<Vec<_>>>()?;
+    Ok(made.data("turn", &columns, rows))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Newton: the pull less the weight, added up, is the momentum that was reversed; and no joule is lost on the way.
+    #[test]
+    fn the_pull_reverses_the_momentum() {
+        for axle in [3.0, 5.0, 9.0] {
+            let values = Values::default().with(&AXLE, axle).expect("an axle");
+            let rows = turn(&values).expect("a figure").data.rows;
+            let row = |k: usize| &rows[k].1;
+            let step = row(1)[0] - row(0)[0];
+            let sum: f64 =
+                (1..200).map(|k| row(k)[5]).sum::<f64>() + 0.5 * (row(0)[5] + row(200)[5]);
+            let impulse = step * sum - 0.055 * 9.81 * row(200)[0];
+            let reversed = 0.055 * (row(0)[3] - row(200)[3]);
+            // Two hundred steps of the trapezoidal rule.
+            assert!(
+                (impulse / reversed - 1.0).abs() < 3e-5,
+                "{impulse} {reversed}"
+            );
+            let energy = |k: usize| {
+                let speed = axle / 1e3 * row(k)[4];
+                0.055
+                    * (0.5 * speed * speed + 0.25 * (0.029 * row(k)[4]).powi(2) - 9.81 * row(k)[2])
+            };
+            let lost = (0..=200).map(|k| (energy(k) - energy(0)).abs());
+            assert!(lost.fold(0.0, f64::max) < 1e-15);
+        }
+    }
+}

@@ -51,6 +51,13 @@ fn main() -> Result<()> {
     Ok(())
 }
 
+/// The attitude of the free body in closed form.
+fn exact_attitude(t: f64) -> Result<nalgebra::UnitQuaternion<f64>> {
+    let l = BodyVector::from_components(START.into());
+    let top = EulerTop::new(MOMENTS, l, Attitude::identity())?;
+    Ok(top.at(t)?.attitude.quaternion())
+}
+
 fn free_methods() -> Result<Vec<Box<dyn Integrator>>> {
     let mut all: Vec<Box<dyn Integrator>> = Vec::new();
     for order in Order::ALL {
@@ -109,12 +116,7 @@ fn steps() -> Result<()> {
         l: START,
         q: UPRIGHT,
     };
-    let exact = EulerTop::new(
-        MOMENTS,
-        BodyVector::new(1.8, 0.4, -0.9),
-        Attitude::identity(),
-    )?;
-    let exact = exact.at(t)?.attitude.quaternion();
+    let exact = exact_attitude(t)?;
     let exact = [exact.w, exact.i, exact.j, exact.k];
     println!(
         "free body 0.6, 0.8, 1.0: ns a step, and the attitude's error at t = 10 with 1000 steps"
@@ -232,12 +234,7 @@ fn order_eight() -> Result<()> {
         Box::new(DormandPrince8::new(MOMENTS, weight)?),
     ];
     let t = 50.0;
-    let exact = EulerTop::new(
-        MOMENTS,
-        BodyVector::new(1.8, 0.4, -0.9),
-        Attitude::identity(),
-    )?;
-    let exact = exact.at(t)?.attitude.quaternion();
+    let exact = exact_attitude(t)?;
     let truth = DormandPrince8::new(MOMENTS, weight)?;
     let truth = truth.follow(&start, &[t], Effort::Tolerance(1e-15))?;
     println!(

@@ -197,20 +197,16 @@ fn figures_are_written_to_the_folder_asked_for() {
     let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
     let out = folder.path().join("svg");
     for entry in figures::all().iter().take(1) {
-        let output = book(&["figures", entry.name, "--out", out.to_str().unwrap()]);
+        let into = out.to_str().unwrap();
+        let check = || book(&["figures", entry.name, "--check", "--out", into]);
+        let output = book(&["figures", entry.name, "--out", into]);
         assert_eq!(output.status.code(), Some(0));
         let names: Vec<_> = std::fs::read_dir(&out)
             .unwrap()
             .map(|file| file.unwrap().file_name().into_string().unwrap())
             .collect();
         assert_eq!(names, [format!("{}.svg", entry.name)]);
-        let output = book(&[
-            "figures",
-            entry.name,
-            "--check",
-            "--out",
-            out.to_str().unwrap(),
-        ]);
+        let output = check();
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
 
         let path = out.join(&names[0]);
@@ -220,13 +216,7 @@ fn figures_are_written_to_the_folder_asked_for() {
             1,
         );
         std::fs::write(&path, spoilt).unwrap();
-        let output = book(&[
-            "figures",
-            entry.name,
-            "--check",
-            "--out",
-            out.to_str().unwrap(),
-        ]);
+        let output = check();
         assert_eq!(output.status.code(), Some(1));
         assert!(text(&output.stderr).contains(entry.name));
     }

@@ -297,25 +297,24 @@ fn near_threshold(r: &mut Random) -> Draft {
     draft
 }
 
-fn asleep(r: &mut Random) -> Draft {
-    let tilt = if r.percent(40) {
-        0.0
-    } else {
-        r.scaled(1e-16, 1e-3)
+/// On its axis, exactly upright so many times in a hundred, otherwise tilted within this range.
+fn nearly_upright(r: &mut Random, exactly: u64, [least, greatest]: [f64; 2]) -> Draft {
+    let tilt = match r.percent(exactly) {
+        true => 0.0,
+        false => r.scaled(least, greatest),
     };
-    let mut draft = on_axis(r, [0.0; 3], 1.0, tilt);
+    on_axis(r, [0.0; 3], 1.0, tilt)
+}
+
+fn asleep(r: &mut Random) -> Draft {
+    let mut draft = nearly_upright(r, 40, [1e-16, 1e-3]);
     let multiple = r.scaled(1.0, 100.0);
     spun(&mut draft, multiple);
     draft
 }
 
 fn waking(r: &mut Random) -> Draft {
-    let tilt = if r.percent(10) {
-        0.0
-    } else {
-        r.scaled(1e-15, 1e-1)
-    };
-    let mut draft = on_axis(r, [0.0; 3], 1.0, tilt);
+    let mut draft = nearly_upright(r, 10, [1e-15, 1e-1]);
     let multiple = r.within(0.0, 1.0);
     spun(&mut draft, multiple);
     if r.percent(50) {

@@ -453,26 +453,39 @@ pub fn roller(r: &mut Random) -> Scene {
     }
 }
 
+/// A speed, and a start with such speeds so many times in a hundred, otherwise at rest: lines of the file, and numbers.
+fn rolled(
+    r: &mut Random,
+    moving: u64,
+    [least, greatest]: [f64; 2],
+    part: f64,
+    (gravity, text): (f64, &mut String),
+) -> (f64, [f64; 2]) {
+    let moves = r.percent(moving);
+    let fast = r.scaled(least, greatest);
+    let speeds = match moves {
+        true => [0; 2].map(|_| fast * r.within(-part, part)),
+        false => [0.0; 2],
+    };
+    let [v, rim] = speeds;
+    *text += &format!(
+        "[initial]\nvelocity = {v:?}\nrim_speed = {rim:?}\n[effects]\ngravity = {gravity:?}\n"
+    );
+    (fast, speeds)
+}
+
 pub fn sheet(r: &mut Random) -> Scene {
     let body = body(r);
     let mut text = head("roller", &body);
     let gravity = body.gravity;
-    let moves = r.percent(30);
-    let fast = r.scaled(0.3, 5.0);
-    let [v, rim] = if moves {
-        [fast * r.within(-0.5, 0.5), fast * r.within(-0.5, 0.5)]
-    } else {
-        [0.0; 2]
-    };
-    text += &format!(
-        "[initial]\nvelocity = {v:?}\nrim_speed = {rim:?}\n[effects]\ngravity = {gravity:?}\n"
-    );
+    let speeds = [0.3, 5.0];
+    let (fast, [v, rim]) = rolled(r, 30, speeds, 0.5, (gravity, &mut text));
     let (friction, resistance) = rubbing(r, &mut text, true);
     let mu = r.scaled(0.05, 0.8);
     let count = 2 + r.whole(3);
     let (mut times, mut speeds) = (
         vec![0.0],
-        vec![if moves {
+        vec![if [v, rim] != [0.0; 2] {
             fast * r.within(-1.0, 1.0)
         } else {
             0.0
@@ -526,16 +539,8 @@ pub fn spool(r: &mut Random) -> Scene {
     let ratio = r.within(0.05, 1.0);
     let axle = body.radius * ratio;
     text += &format!("axle = {axle:?}\n");
-    let moves = r.percent(50);
-    let fast = r.scaled(0.1, 5.0);
-    let [v, rim] = if moves {
-        [fast * r.within(-1.0, 1.0), fast * r.within(-1.0, 1.0)]
-    } else {
-        [0.0; 2]
-    };
-    text += &format!(
-        "[initial]\nvelocity = {v:?}\nrim_speed = {rim:?}\n[effects]\ngravity = {gravity:?}\n"
-    );
+    let speeds = [0.1, 5.0];
+    let (fast, [v, rim]) = rolled(r, 50, speeds, 1.0, (gravity, &mut text));
     let (friction, resistance) = rubbing(r, &mut text, false);
     let tug = r.percent(85).then(|| {
         let angle = r.within(0.0, core::f64::consts::PI);

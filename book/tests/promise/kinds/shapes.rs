@@ -71,6 +71,15 @@ fn pieced<const N: usize>(
     rows
 }
 
+fn braking(coefficient: Option<f64>) -> String {
+    coefficient.map_or(String::new(), |c| format!("bearing_friction = {c:?}\n"))
+}
+
+/// How a stroke is spread over its time.
+fn pace_named(late: bool) -> &'static str {
+    if late { "late" } else { "even" }
+}
+
 fn swivelling(r: &mut Random, braked: bool) -> Scene {
     let [lower, out] = [0; 2].map(|_| r.scaled(0.1, 3.0));
     let inside = out * r.within(0.1, 1.0);
@@ -88,11 +97,9 @@ fn swivelling(r: &mut Random, braked: bool) -> Scene {
         "kind = \"swivel\"\n[body]\nlower = {lower:?}\nupper = {out:?}\n[initial]\nangular_momentum = {l:?}\n[effects]\n"
     );
     let brake = braked.then(|| lower / duration * r.scaled(1e-3, 1.0));
-    if let Some(c) = brake {
-        text += &format!("bearing_friction = {c:?}\n");
-    }
+    text += &braking(brake);
     if moves {
-        let pace = if late { "late" } else { "even" };
+        let pace = pace_named(late);
         text += &format!(
             "[effects.four_phases]\narms_out = {out:?}\narms_in = {inside:?}\ntwist = {twist:?}\nduration = {duration:?}\npace = \"{pace}\"\n"
         );
@@ -184,11 +191,9 @@ fn skating(r: &mut Random, braked: bool) -> Scene {
         "kind = \"skater\"\n[body]\ncore = {core:?}\nhand = {hand:?}\n[initial]\nreach = {reach:?}\nspin = {spin:?}\n[effects]\n"
     );
     let brake = braked.then(|| core / (begin + duration) * r.scaled(1e-3, 1.0));
-    if let Some(c) = brake {
-        text += &format!("bearing_friction = {c:?}\n");
-    }
+    text += &braking(brake);
     if moves {
-        let pace = if late { "late" } else { "even" };
+        let pace = pace_named(late);
         text += &format!(
             "[effects.draw]\nto = {to:?}\nbegin = {begin:?}\nduration = {duration:?}\npace = \"{pace}\"\n"
         );

@@ -12,7 +12,10 @@ use crate::style::{
     AXIS, Anchor, DATA, Point, Role, Words, along, figure, label, number, polar, short, small,
     stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[of("thrown-brick", THROWN_BRICK, thrown_brick)];
 
 /// A brick, kg and m.
 const MASS: f64 = 3.0;

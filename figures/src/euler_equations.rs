@@ -2,8 +2,6 @@
 
 mod triangle;
 
-pub use triangle::{TRIANGLE, triangle_of_tops};
-
 use core::f64::consts::PI;
 
 use nalgebra::Vector3;
@@ -18,7 +16,17 @@ use crate::solid::{View, ellipsoid_hides, segment};
 use crate::style::{
     AXIS, Anchor, DATA, Pen, Role, SECONDARY, Words, between, figure, label, number, stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    of("momentum-flow", FLOW, momentum_flow),
+    of(
+        "triangle-of-tops",
+        triangle::TRIANGLE,
+        triangle::triangle_of_tops,
+    ),
+];
 
 const I1: Parameter =
     Parameter::new("first", "I_1", "first moment of inertia", [1.0, 2.0], 1.0).unit("kg m²");

@@ -13,7 +13,10 @@ use crate::style::{
     AXIS, DATA, Point, Role, SECONDARY, Words, along, area, figure, label, number, polar, short,
     small, stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[of("gyroscope", GYROSCOPE, gyroscope)];
 
 /// The chapter's toy: mass, kg, place of its centre on the axle, m, radius of the wheel, m, moments about the support, kg m².
 const MASS: f64 = 0.1;

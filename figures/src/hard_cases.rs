@@ -3,11 +3,18 @@
 use lab::hard_cases::{Comparison, Family, families};
 use spinning_bodies::Result;
 
-use crate::Figure;
 use crate::plot::{Axis, Frame, beaded};
 use crate::style::{
     Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
 };
+use crate::{Entry, Figure, constant};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    constant("hard-cases", overview),
+    constant("hard-cases-tops", tops),
+    constant("hard-cases-bodies", bodies),
+];
 
 /// Whose error.
 const TEXTBOOK: Role = Role::Muted;

@@ -10,7 +10,10 @@ use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, area, between, figure,
     label, number, polar, roomiest, short, small, stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[of("meteorite", METEORITE, meteorite)];
 
 const MASS: Parameter = Parameter::new(
     "mass",

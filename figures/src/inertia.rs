@@ -12,11 +12,17 @@ use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
     short, small, stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, constant, of};
 
 mod leaning;
 
-pub use leaning::{LEANING, leaning};
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    constant("cube-quiz", quiz),
+    of("leaning", leaning::LEANING, leaning::leaning),
+    of("ellipsoid-of-inertia", ELLIPSOID, ellipsoid),
+    constant("cube-rosettes", rosettes),
+];
 
 const LONG: Parameter =
     Parameter::new("long", "a", "longest edge of the box", [4.0, 9.0], 6.0).unit("m");

@@ -11,7 +11,14 @@ use crate::style::{
     roomiest, short, stroke,
 };
 
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    of("kovalevskaya-circle", CIRCLE, circle),
+    of("kovalevskaya-bands", BANDS, bands),
+    of("appelrot-classes", CLASSES, classes),
+];
 
 const FIRST: Parameter = Parameter::new(
     "first",

@@ -2,6 +2,8 @@
 //!
 //! A figure takes values from the library and draws them; it computes no physics itself.
 
+use std::sync::LazyLock;
+
 use plotters_backend::{DrawingBackend, DrawingErrorKind};
 use plotters_svg::SVGBackend;
 use spinning_bodies::Result;
@@ -184,14 +186,10 @@ impl Entry {
     }
 }
 
-const fn constant(
-    name: &'static str,
-    chapter: &'static str,
-    draw: fn() -> Result<Figure>,
-) -> Entry {
+const fn constant(name: &'static str, draw: fn() -> Result<Figure>) -> Entry {
     Entry {
         name,
-        chapter,
+        chapter: "",
         parameters: &[],
         draw: Draw::Constant(draw),
     }
@@ -199,13 +197,12 @@ const fn constant(
 
 const fn of(
     name: &'static str,
-    chapter: &'static str,
     parameters: &'static [Parameter],
     draw: fn(&Values) -> Result<Figure>,
 ) -> Entry {
     Entry {
         name,
-        chapter,
+        chapter: "",
         parameters,
         draw: Draw::Of(draw),
     }
@@ -213,316 +210,38 @@ const fn of(
 
 /// All figures, in the order of the book.
 pub fn all() -> &'static [Entry] {
+    static ALL: LazyLock<Vec<Entry>> = LazyLock::new(|| {
+        let of_chapter = |(chapter, entries): &(&'static str, &[Entry])| {
+            let shown = |entry: &Entry| Entry { chapter, ..*entry };
+            entries.iter().map(shown).collect::<Vec<_>>()
+        };
+        CHAPTERS.iter().flat_map(of_chapter).collect()
+    });
     &ALL
 }
 
-static ALL: [Entry; 83] = [
-    constant("cat-animated", "phenomena", phenomena::cat_animated),
-    of("ice", "phenomena", phenomena::ICE, phenomena::ice),
-    of(
-        "crawler",
-        "phenomena",
-        phenomena::CRAWLER,
-        phenomena::crawler,
-    ),
-    of("swivel", "phenomena", phenomena::SWIVEL, phenomena::swivel),
-    constant("cat-film", "phenomena", phenomena::cat_film),
-    of(
-        "shape-loops",
-        "phenomena",
-        phenomena::SHAPE_LOOPS,
-        phenomena::shape_loops,
-    ),
-    of(
-        "back-bend",
-        "phenomena",
-        phenomena::BACK_BEND,
-        phenomena::back_bend,
-    ),
-    of(
-        "paper-cat",
-        "phenomena",
-        phenomena::PAPER_CAT,
-        phenomena::paper_cat,
-    ),
-    of(
-        "paper-cat-fall",
-        "phenomena",
-        phenomena::PAPER_CAT_FALL,
-        phenomena::paper_cat_fall,
-    ),
-    constant("cube-quiz", "inertia", inertia::quiz),
-    of("leaning", "inertia", inertia::LEANING, inertia::leaning),
-    of(
-        "ellipsoid-of-inertia",
-        "inertia",
-        inertia::ELLIPSOID,
-        inertia::ellipsoid,
-    ),
-    constant("cube-rosettes", "inertia", inertia::rosettes),
-    of(
-        "thrown-brick",
-        "conservation",
-        conservation::THROWN_BRICK,
-        conservation::thrown_brick,
-    ),
-    of(
-        "meteorite",
-        "impacts",
-        impacts::METEORITE,
-        impacts::meteorite,
-    ),
-    of("billiard", "rolling", rolling::BILLIARD, rolling::billiard),
-    of("slide-to-roll", "rolling", rolling::LINES, rolling::lines),
-    of("spool", "spool", spool::THREE_TUGS, spool::three_tugs),
-    of("spool-dial", "spool", spool::DIAL, spool::dial),
-    of("withdrawn-sheet", "sheet", sheet::SPEEDS, sheet::speeds),
-    constant("sheet-animated", "sheet", sheet::animated),
-    of(
-        "superball",
-        "superball",
-        superball::UNDER_THE_TABLE,
-        superball::under_the_table,
-    ),
-    of(
-        "three-superballs",
-        "superball",
-        superball::THREE_BALLS,
-        superball::three_balls,
-    ),
-    of(
-        "bounce-reflections",
-        "superball",
-        superball::REFLECTIONS,
-        superball::reflections,
-    ),
-    constant("tippe-top-animated", "tippe-top", tippe_top::turning_over),
-    of(
-        "egg-film",
-        "tippe-top",
-        tippe_top::FILM,
-        tippe_top::egg_film,
-    ),
-    of(
-        "hoop-with-clay",
-        "tippe-top",
-        tippe_top::HOOP,
-        tippe_top::hoop_with_clay,
-    ),
-    of(
-        "tip-over",
-        "tippe-top",
-        tippe_top::TIP_OVER,
-        tippe_top::tip_over,
-    ),
-    of(
-        "contact-path",
-        "tippe-top",
-        tippe_top::PATH,
-        tippe_top::contact_path,
-    ),
-    of(
-        "tippe-energy",
-        "tippe-top",
-        tippe_top::ENERGY,
-        tippe_top::height_and_energy,
-    ),
-    of(
-        "tippe-potential",
-        "tippe-top",
-        tippe_top::POTENTIAL,
-        tippe_top::effective_potential,
-    ),
-    of(
-        "tippe-diagram",
-        "tippe-top",
-        tippe_top::DIAGRAM,
-        tippe_top::energy_and_momentum,
-    ),
-    constant("egg-angle", "tippe-top", tippe_top::how_far_eggs_rise),
-    of(
-        "chiral-top",
-        "chiral-top",
-        tippe_top::BOTH_SPINS,
-        tippe_top::both_spins,
-    ),
-    of(
-        "chiral-twins",
-        "chiral-top",
-        tippe_top::TWINS,
-        tippe_top::twins,
-    ),
-    of(
-        "chiral-strobe",
-        "chiral-top",
-        tippe_top::STROBED,
-        tippe_top::strobed,
-    ),
-    constant("chiral-map", "chiral-top", tippe_top::outcomes),
-    of(
-        "chiral-growth",
-        "chiral-top",
-        tippe_top::GROWTH,
-        tippe_top::growth_rates,
-    ),
-    constant("chiral-beads", "chiral-top", tippe_top::beads),
-    of(
-        "rattleback",
-        "rattleback",
-        tippe_top::REVERSALS,
-        tippe_top::reversals,
-    ),
-    of(
-        "rattleback-stone",
-        "rattleback",
-        tippe_top::STONE,
-        tippe_top::two_pairs_of_axes,
-    ),
-    of(
-        "gyroscope",
-        "gyroscope",
-        gyroscope::GYROSCOPE,
-        gyroscope::gyroscope,
-    ),
-    constant("yo-yo-animated", "yo-yo", yo_yo::animated),
-    of("yo-yo-speed", "yo-yo", yo_yo::SPEED, yo_yo::speed),
-    of("yo-yo-turn", "yo-yo", yo_yo::TURN, yo_yo::turn),
-    of("yo-yo-string", "yo-yo", yo_yo::STRING, yo_yo::string),
-    constant("strip-animated", "falling-strip", falling_strip::animated),
-    constant("strip-paths", "falling-strip", falling_strip::paths),
-    constant("strip-regimes", "falling-strip", falling_strip::regimes),
-    constant("strip-rate", "falling-strip", falling_strip::rate),
-    of(
-        "momentum-flow",
-        "euler-equations",
-        euler_equations::FLOW,
-        euler_equations::momentum_flow,
-    ),
-    of(
-        "triangle-of-tops",
-        "euler-equations",
-        euler_equations::TRIANGLE,
-        euler_equations::triangle_of_tops,
-    ),
-    of(
-        "poinsot-ellipsoid",
-        "euler-top",
-        euler_top::POINSOT,
-        euler_top::rolling_ellipsoid,
-    ),
-    of(
-        "polhodes",
-        "euler-top",
-        euler_top::POLHODES,
-        euler_top::polhodes,
-    ),
-    of("racket-flip", "euler-top", euler_top::FILM, euler_top::film),
-    constant("racket-flip-animated", "euler-top", euler_top::animated),
-    of(
-        "flip-time",
-        "euler-top",
-        euler_top::FLIP_TIME,
-        euler_top::flip_time,
-    ),
-    of(
-        "polar-circles",
-        "euler-top",
-        euler_top::CIRCLES,
-        euler_top::polar_circles,
-    ),
-    of(
-        "precession-cones",
-        "euler-top",
-        euler_top::CONES,
-        euler_top::precession_cones,
-    ),
-    of(
-        "euler-solution",
-        "euler-top",
-        euler_top::SOLUTION,
-        euler_top::solution,
-    ),
-    of(
-        "toutatis",
-        "euler-top",
-        euler_top::TOUTATIS,
-        euler_top::two_axes_in_the_sky,
-    ),
-    of(
-        "wooden-top",
-        "lagrange-top",
-        lagrange_top::WOODEN,
-        lagrange_top::wooden_top,
-    ),
-    of(
-        "wooden-top-let-go",
-        "lagrange-top",
-        lagrange_top::WOODEN,
-        lagrange_top::let_go,
-    ),
-    of(
-        "nutations",
-        "lagrange-top",
-        lagrange_top::NUTATIONS,
-        lagrange_top::nutations,
-    ),
-    constant("top-animated", "lagrange-top", lagrange_top::top_animated),
-    of(
-        "sleeping-threshold",
-        "lagrange-top",
-        lagrange_top::SLEEPING,
-        lagrange_top::sleeping_threshold,
-    ),
-    of(
-        "sleep-ends",
-        "lagrange-top",
-        lagrange_top::WAKING,
-        lagrange_top::waking,
-    ),
-    of(
-        "cycloid",
-        "lagrange-top",
-        lagrange_top::CYCLOIDS,
-        lagrange_top::cycloids,
-    ),
-    of(
-        "precession-rates",
-        "lagrange-top",
-        lagrange_top::RATES,
-        lagrange_top::precession_rates,
-    ),
-    of(
-        "kovalevskaya-circle",
-        "kovalevskaya-top",
-        kovalevskaya_top::CIRCLE,
-        kovalevskaya_top::circle,
-    ),
-    of(
-        "kovalevskaya-bands",
-        "kovalevskaya-top",
-        kovalevskaya_top::BANDS,
-        kovalevskaya_top::bands,
-    ),
-    of(
-        "appelrot-classes",
-        "kovalevskaya-top",
-        kovalevskaya_top::CLASSES,
-        kovalevskaya_top::classes,
-    ),
-    of(
-        "gas-box",
-        "pythagoras",
-        pythagoras::GAS_BOX,
-        pythagoras::gas_box,
-    ),
-    constant("scene-prices", "scenes", scenes::prices),
-    constant("accuracy-map", "accuracy", accuracy::map),
-    constant("accuracy-seconds", "accuracy", accuracy::seconds),
-    constant("accuracy-orders", "accuracy", accuracy::orders),
-    constant("accuracy-numbers", "accuracy", accuracy::three_numbers),
-    constant("accuracy-growth", "accuracy", accuracy::growth),
-    constant("accuracy-drift", "accuracy", accuracy::energy_drift),
-    constant("hard-cases", "hard-cases", hard_cases::overview),
-    constant("hard-cases-tops", "hard-cases", hard_cases::tops),
-    constant("hard-cases-bodies", "hard-cases", hard_cases::bodies),
+/// The figures of each chapter that has any, in the order of the book.
+const CHAPTERS: [(&str, &[Entry]); 22] = [
+    ("phenomena", phenomena::FIGURES),
+    ("inertia", inertia::FIGURES),
+    ("conservation", conservation::FIGURES),
+    ("impacts", impacts::FIGURES),
+    ("rolling", rolling::FIGURES),
+    ("spool", spool::FIGURES),
+    ("sheet", sheet::FIGURES),
+    ("superball", superball::FIGURES),
+    ("tippe-top", tippe_top::TIPPE_TOP),
+    ("chiral-top", tippe_top::CHIRAL_TOP),
+    ("rattleback", tippe_top::RATTLEBACK),
+    ("gyroscope", gyroscope::FIGURES),
+    ("yo-yo", yo_yo::FIGURES),
+    ("falling-strip", falling_strip::FIGURES),
+    ("euler-equations", euler_equations::FIGURES),
+    ("euler-top", euler_top::FIGURES),
+    ("lagrange-top", lagrange_top::FIGURES),
+    ("kovalevskaya-top", kovalevskaya_top::FIGURES),
+    ("pythagoras", pythagoras::FIGURES),
+    ("scenes", scenes::FIGURES),
+    ("accuracy", accuracy::FIGURES),
+    ("hard-cases", hard_cases::FIGURES),
 ];

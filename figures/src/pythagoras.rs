@@ -9,7 +9,10 @@ use crate::style::{
     AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, label, number, sized,
     stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[of("gas-box", GAS_BOX, gas_box)];
 
 const AR: Parameter = Parameter::new("ar", "AR", "side from the hinge", [1.0, 5.0], 4.0).dragged(
     |values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[1]),

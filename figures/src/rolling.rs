@@ -2,8 +2,6 @@
 
 mod slide;
 
-pub use slide::{LINES, lines};
-
 use core::f64::consts::FRAC_PI_2;
 
 use spinning_bodies::Result;
@@ -14,7 +12,13 @@ use crate::style::{
     AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, arc, figure, label, polar, short, small,
     stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    of("billiard", BILLIARD, billiard),
+    of("slide-to-roll", slide::LINES, slide::lines),
+];
 
 const KAPPA: Parameter = Parameter::new(
     "kappa",

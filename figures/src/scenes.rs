@@ -2,8 +2,11 @@
 
 use spinning_bodies::Result;
 
-use crate::Figure;
 use crate::style::{Anchor, HAIR, Pen, Role, SECONDARY, Words, figure, label, small, stroke};
+use crate::{Entry, Figure, constant};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[constant("scene-prices", prices)];
 
 /// Counted by the benches, checked by the tests of the book.
 const PRICES: &str = include_str!("../../book/src/tables/scene-prices.csv");

@@ -12,7 +12,13 @@ use crate::style::{
     AXIS, Anchor, DATA, HAIR, Role, SCALE, SECONDARY, Words, between, figure, label, number, short,
     small, stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, constant, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    of("withdrawn-sheet", SPEEDS, speeds),
+    constant("sheet-animated", animated),
+];
 
 const PULL: Parameter = Parameter::new(
     "speed",

@@ -10,7 +10,13 @@ use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
     small, stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    of("spool", THREE_TUGS, three_tugs),
+    of("spool-dial", DIAL, dial),
+];
 
 const AXLE: Parameter = Parameter::new(
     "axle",

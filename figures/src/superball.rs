@@ -2,8 +2,6 @@
 
 mod bounces;
 
-pub use bounces::{REFLECTIONS, THREE_BALLS, reflections, three_balls};
-
 use core::f64::consts::FRAC_PI_2;
 
 use num_rational::Ratio;
@@ -15,7 +13,22 @@ use crate::style::{
     AXIS, Anchor, DATA, Fraction, HAIR, Pen, Point, Role, SECONDARY, Words, along, arc, area,
     between, figure, label, polar, roomiest, short, small, stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    of("superball", UNDER_THE_TABLE, under_the_table),
+    of(
+        "three-superballs",
+        bounces::THREE_BALLS,
+        bounces::three_balls,
+    ),
+    of(
+        "bounce-reflections",
+        bounces::REFLECTIONS,
+        bounces::reflections,
+    ),
+];
 
 const KAPPA: Parameter = Parameter::new(
     "kappa",

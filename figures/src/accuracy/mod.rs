@@ -9,17 +9,22 @@ mod numbers;
 mod orders;
 mod seconds;
 
-pub use drift::energy_drift;
-pub use growth::growth;
-pub use map::map;
-pub use numbers::three_numbers;
-pub use orders::orders;
-pub use seconds::seconds;
-
 use lab::accuracy::{Measurement, Problem, Status, Trial, candidates, measure, named};
 use spinning_bodies::Result;
 
 use crate::style::{Anchor, Pen, Point, Role, label};
+
+use crate::{Entry, constant};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    constant("accuracy-map", map::map),
+    constant("accuracy-seconds", seconds::seconds),
+    constant("accuracy-orders", orders::orders),
+    constant("accuracy-numbers", numbers::three_numbers),
+    constant("accuracy-growth", growth::growth),
+    constant("accuracy-drift", drift::energy_drift),
+];
 
 /// One problem over one length.
 fn problem(name: &str) -> Result<Problem> {

@@ -5,7 +5,7 @@ use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use crate::style::brief;
-use crate::{Parameter, Values};
+use crate::{Entry, Parameter, Values, constant, of};
 
 mod animated;
 mod asteroid;
@@ -17,14 +17,26 @@ mod racket;
 mod solution;
 mod wobble;
 
-pub use animated::animated;
-pub use asteroid::{TOUTATIS, two_axes_in_the_sky};
-pub use film::{FILM, film};
-pub use flip_time::{FLIP_TIME, flip_time};
-pub use poinsot::{POINSOT, rolling_ellipsoid};
-pub use polhodes::{POLHODES, polhodes};
-pub use solution::{SOLUTION, solution};
-pub use wobble::{CIRCLES, CONES, polar_circles, precession_cones};
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    of(
+        "poinsot-ellipsoid",
+        poinsot::POINSOT,
+        poinsot::rolling_ellipsoid,
+    ),
+    of("polhodes", polhodes::POLHODES, polhodes::polhodes),
+    of("racket-flip", film::FILM, film::film),
+    constant("racket-flip-animated", animated::animated),
+    of("flip-time", flip_time::FLIP_TIME, flip_time::flip_time),
+    of("polar-circles", wobble::CIRCLES, wobble::polar_circles),
+    of("precession-cones", wobble::CONES, wobble::precession_cones),
+    of("euler-solution", solution::SOLUTION, solution::solution),
+    of(
+        "toutatis",
+        asteroid::TOUTATIS,
+        asteroid::two_axes_in_the_sky,
+    ),
+];
 
 const SMALLEST: Parameter = Parameter::new(
     "smallest",

@@ -6,14 +6,19 @@ mod regimes;
 use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
 
-pub use animated::animated;
-pub use regimes::regimes;
-
-use crate::Figure;
 use crate::plot::{Axis, Frame};
 use crate::style::{
     Anchor, DATA, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
 };
+use crate::{Entry, Figure, constant};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    constant("strip-animated", animated::animated),
+    constant("strip-paths", paths),
+    constant("strip-regimes", regimes::regimes),
+    constant("strip-rate", rate),
+];
 
 /// Long runs of all these mass ratios.
 fn scan(ratios: &[f64], coefficients: Coefficients) -> Result<Vec<LongRun>> {

@@ -15,13 +15,23 @@ mod sleeping;
 mod waking;
 mod wooden;
 
-pub use animated::top_animated;
-pub use cycloid::{CYCLOIDS, cycloids};
-pub use nutations::{NUTATIONS, nutations};
-pub use rates::{RATES, precession_rates};
-pub use sleeping::{SLEEPING, sleeping_threshold};
-pub use waking::{WAKING, waking};
-pub use wooden::{WOODEN, let_go, wooden_top};
+use crate::{Entry, constant, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    of("wooden-top", wooden::WOODEN, wooden::wooden_top),
+    of("wooden-top-let-go", wooden::WOODEN, wooden::let_go),
+    of("nutations", nutations::NUTATIONS, nutations::nutations),
+    constant("top-animated", animated::top_animated),
+    of(
+        "sleeping-threshold",
+        sleeping::SLEEPING,
+        sleeping::sleeping_threshold,
+    ),
+    of("sleep-ends", waking::WAKING, waking::waking),
+    of("cycloid", cycloid::CYCLOIDS, cycloid::cycloids),
+    of("precession-rates", rates::RATES, rates::precession_rates),
+];
 
 /// A top whose axis is at its turning point cos θ = `height`, going round the vertical at the rate φ′ = `pace`.
 fn launch(height: f64, pace: f64, axial: f64) -> Result<LagrangeTop> {

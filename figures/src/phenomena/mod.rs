@@ -8,6 +8,21 @@ mod loops;
 mod paper;
 mod swivel;
 
+use crate::{Entry, constant, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    constant("cat-animated", cat_animated),
+    of("ice", ICE, ice),
+    of("crawler", CRAWLER, crawler),
+    of("swivel", SWIVEL, swivel),
+    constant("cat-film", cat_film),
+    of("shape-loops", SHAPE_LOOPS, shape_loops),
+    of("back-bend", BACK_BEND, back_bend),
+    of("paper-cat", PAPER_CAT, paper_cat),
+    of("paper-cat-fall", PAPER_CAT_FALL, paper_cat_fall),
+];
+
 pub(crate) use animated::cat_animated;
 pub(crate) use film::{BACK_BEND, back_bend, cat_film};
 pub(crate) use ice::{CRAWLER, ICE, crawler, ice};

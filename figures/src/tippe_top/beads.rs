@@ -87,12 +87,13 @@ pub fn view(
         view.project(&Vector3::new(0.0, 0.0, 1.0)),
     ];
     pen.line(&axis, stroke(Role::Muted, SECONDARY).dotted());
+    let scale = radius / RADIUS;
     for (k, pair) in beads.iter().enumerate() {
         pen.line(&view.trace(pair), stroke(Role::Ink, SECONDARY));
         for end in pair {
             let depth = end.dot(&view.toward);
             let at = view.project(end);
-            let size = (9.0 + 2.0 * depth) * radius / RADIUS;
+            let size = (9.0 + 2.0 * depth) * scale;
             pen.disc(at, size, Role::Ink, 0.65);
             pen.ring(at, size, stroke(Role::Ink, AXIS));
         }
@@ -103,8 +104,8 @@ pub fn view(
         };
         let [x, y] = view.project(&outer);
         let (side, anchor) = match x < center[0] {
-            true => (-15.0, Anchor::End),
-            false => (15.0, Anchor::Start),
+            true => (-15.0 * scale, Anchor::End),
+            false => (15.0 * scale, Anchor::Start),
         };
         let name = format!("{}", k + 1);
         // Beads 1 and 2 may stand side by side: one has its number below it.

@@ -11,9 +11,9 @@ use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, HoopWithClay, Start, TippeTop, bodies};
 
-use crate::Parameter;
 use crate::plot::{Frame, texts};
 use crate::style::Pen;
+use crate::{Entry, Parameter, constant, of};
 
 mod animated;
 mod ball;
@@ -33,22 +33,48 @@ mod strobe;
 mod tip_over;
 mod twins;
 
-pub use animated::turning_over;
-pub use beads::beads;
-pub use chiral::{BOTH_SPINS, both_spins};
-pub use contact_path::{PATH, contact_path};
-pub use diagram::{DIAGRAM, energy_and_momentum};
-pub use egg::{FILM, egg_film, how_far_eggs_rise};
-pub use energy::{ENERGY, height_and_energy};
-pub use growth::{GROWTH, growth_rates};
-pub use hoop::{HOOP, hoop_with_clay};
-pub use map::outcomes;
-pub use potential::{POTENTIAL, effective_potential};
-pub use rattleback::{REVERSALS, reversals};
-pub use stone::{STONE, two_pairs_of_axes};
-pub use strobe::{STROBED, strobed};
-pub use tip_over::{TIP_OVER, tip_over};
-pub use twins::{TWINS, twins};
+pub use chiral::BOTH_SPINS;
+
+/// The figures of the chapter on the tippe top, in its order.
+pub const TIPPE_TOP: &[Entry] = &[
+    constant("tippe-top-animated", animated::turning_over),
+    of("egg-film", egg::FILM, egg::egg_film),
+    of("hoop-with-clay", hoop::HOOP, hoop::hoop_with_clay),
+    of("tip-over", tip_over::TIP_OVER, tip_over::tip_over),
+    of(
+        "contact-path",
+        contact_path::PATH,
+        contact_path::contact_path,
+    ),
+    of("tippe-energy", energy::ENERGY, energy::height_and_energy),
+    of(
+        "tippe-potential",
+        potential::POTENTIAL,
+        potential::effective_potential,
+    ),
+    of(
+        "tippe-diagram",
+        diagram::DIAGRAM,
+        diagram::energy_and_momentum,
+    ),
+    constant("egg-angle", egg::how_far_eggs_rise),
+];
+
+/// Those of the chapter on the chiral top, in its order.
+pub const CHIRAL_TOP: &[Entry] = &[
+    of("chiral-top", chiral::BOTH_SPINS, chiral::both_spins),
+    of("chiral-twins", twins::TWINS, twins::twins),
+    of("chiral-strobe", strobe::STROBED, strobe::strobed),
+    constant("chiral-map", map::outcomes),
+    of("chiral-growth", growth::GROWTH, growth::growth_rates),
+    constant("chiral-beads", beads::beads),
+];
+
+/// Those of the chapter on the rattleback, in its order.
+pub const RATTLEBACK: &[Entry] = &[
+    of("rattleback", rattleback::REVERSALS, rattleback::reversals),
+    of("rattleback-stone", stone::STONE, stone::two_pairs_of_axes),
+];
 
 /// Gravity of the figures, m/s²; the tippe top's own is that of its source.
 const G: f64 = 9.81;

@@ -82,7 +82,7 @@ pub fn twins(values: &Values) -> Result<Figure> {
         let names = ["the top", "its mirror image"];
         for k in [0, 1] {
             let middle = 152.0 + 296.0 * k as f64;
-            view(pen, ([middle, 90.0], 78.0), 0.0, &rods[k]);
+            view(pen, ([middle, 90.0], 78.0), [0.95, -0.95][k], &rods[k]);
             pen.text([middle, 198.0], Anchor::Middle, names[k], label(Role::Ink));
             let floor = 290.0;
             table(pen, middle - 136.0, middle + 136.0, floor);
@@ -109,7 +109,7 @@ pub fn twins(values: &Values) -> Result<Figure> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::both_spins;
+    use super::super::chiral::both_spins;
     use super::*;
 
     /// In a mirror that stands on the table the image spins the other way: its curve is that of the top spun anticlockwise.

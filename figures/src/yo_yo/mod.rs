@@ -9,15 +9,20 @@ use spinning_bodies::scene::yo_yo::Play;
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
-pub use animated::animated;
-pub use turn::{TURN, turn};
-
 use crate::plot::{Axis, Frame, texts};
 use crate::style::{
     Anchor, DATA, Point, Role, SECONDARY, Words, along, area, figure, label, number, roomiest,
     short, small, stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Entry, Figure, Parameter, Values, constant, of};
+
+/// The figures of the chapter, in its order.
+pub const FIGURES: &[Entry] = &[
+    constant("yo-yo-animated", animated::animated),
+    of("yo-yo-speed", SPEED, speed),
+    of("yo-yo-turn", turn::TURN, turn::turn),
+    of("yo-yo-string", STRING, string),
+];
 
 const GRAVITY: f64 = 9.81;
 /// Seconds shown.

@@ -9,8 +9,7 @@ use spinning_bodies::inertia::{PlatonicSolid, shapes};
 
 use crate::solid::{View, polyhedron};
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, Words, along, figure, label, number, polar, short, small,
-    stroke,
+    AXIS, Anchor, DATA, Point, Role, Words, figure, label, number, polar, short, small, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -26,16 +25,14 @@ const THROWN: f64 = 2.15;
 /// Pictures of the brick.
 const PICTURES: u32 = 7;
 
-const OFF: Parameter = Parameter::new(
-    "off",
-    r"\alpha",
-    "angle of Ω from the middle axis at the throw, towards the long one",
-    [0.0, 90.0],
-    20.0,
-)
-.unit("°");
-const TURNS: Parameter =
-    Parameter::new("turns", "n", "spin at the throw", [0.5, 3.0], 1.5).unit("turns/s");
+const OFF: Parameter = Parameter::new("off", r"\alpha")
+    .meaning("angle of Ω from the middle axis at the throw, towards the long one")
+    .between([0.0, 90.0], 20.0)
+    .unit("°");
+const TURNS: Parameter = Parameter::new("turns", "n")
+    .meaning("spin at the throw")
+    .between([0.5, 3.0], 1.5)
+    .unit("turns/s");
 /// What may be chosen.
 pub const THROWN_BRICK: &[Parameter] = &[OFF, TURNS];
 
@@ -100,7 +97,6 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let made = figure("thrown-brick", 420.0, words, |pen| {
         let path: Vec<Point> = rows.iter().map(|row| page.project(&row[0])).collect();
         pen.line(&path, stroke(Role::Muted, AXIS).dotted());
-        let mut taken = along(&path, 4.0);
         let mut arrows = Vec::new();
         for k in 0..PICTURES {
             let at = (180 / (PICTURES - 1) * k) as usize;
@@ -128,8 +124,6 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
             let tips =
                 [l.normalize() * 0.36, omega * (0.34 / greatest)].map(|tip| view.project(&tip));
             arrows.push((center, tips));
-            taken.extend(faces.iter().flat_map(|face| along(&view.trace(face), 4.0)));
-            taken.extend(tips.iter().flat_map(|tip| along(&[center, *tip], 4.0)));
         }
         let roles = [
             (Role::AngularMomentum, 2.6, "*L*"),
@@ -143,7 +137,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
         for (_, tips) in arrows.iter().step_by(3) {
             for (tip, (role, _, name)) in tips.iter().zip(roles) {
                 let around = (0..24).map(|k| polar(*tip, 17.0, 0.262 * f64::from(k)));
-                pen.name(around, name, label(role), &mut taken);
+                pen.name(around, name, label(role));
             }
         }
         let text = format!("{} s", short(FLIGHT, 2));

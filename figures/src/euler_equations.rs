@@ -28,12 +28,18 @@ pub const FIGURES: &[Entry] = &[
     ),
 ];
 
-const I1: Parameter =
-    Parameter::new("first", "I_1", "first moment of inertia", [1.0, 2.0], 1.0).unit("kg m²");
-const I2: Parameter =
-    Parameter::new("second", "I_2", "second moment of inertia", [2.0, 2.9], 2.0).unit("kg m²");
-const I3: Parameter =
-    Parameter::new("third", "I_3", "third moment of inertia", [2.0, 3.0], 3.0).unit("kg m²");
+const I1: Parameter = Parameter::new("first", "I_1")
+    .meaning("first moment of inertia")
+    .between([1.0, 2.0], 1.0)
+    .unit("kg m²");
+const I2: Parameter = Parameter::new("second", "I_2")
+    .meaning("second moment of inertia")
+    .between([2.0, 2.9], 2.0)
+    .unit("kg m²");
+const I3: Parameter = Parameter::new("third", "I_3")
+    .meaning("third moment of inertia")
+    .between([2.0, 3.0], 3.0)
+    .unit("kg m²");
 /// What may be chosen.
 pub const FLOW: &[Parameter] = &[I1, I2, I3];
 

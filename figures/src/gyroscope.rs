@@ -10,8 +10,7 @@ use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession
 
 use crate::solid::{View, ellipse, segment};
 use crate::style::{
-    AXIS, DATA, Point, Role, SECONDARY, Words, along, area, figure, label, number, polar, short,
-    small, stroke,
+    AXIS, DATA, Role, SECONDARY, Words, figure, label, number, polar, short, small, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -30,26 +29,24 @@ const STEP: f64 = 0.5;
 /// How long an L of one kg m²/s is drawn, m.
 const LENGTH: f64 = 2.2;
 
-const TURNS: Parameter =
-    Parameter::new("turns", "n", "spin of the wheel", [60.0, 150.0], 100.0).unit("turns/s");
-const TILT: Parameter = Parameter::new(
-    "tilt",
-    r"\theta",
-    "angle of the axle from the vertical",
-    [30.0, 120.0],
-    90.0,
-)
-.unit("°")
-.dragged(
-    |values| {
-        let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
-        view().project(&(Vector3::new(sin, 0.0, cos) * HOLD))
-    },
-    |point, _| {
-        let arms = [Vector3::z(), Vector3::x()];
-        view().angle(point, arms).to_degrees()
-    },
-);
+const TURNS: Parameter = Parameter::new("turns", "n")
+    .meaning("spin of the wheel")
+    .between([60.0, 150.0], 100.0)
+    .unit("turns/s");
+const TILT: Parameter = Parameter::new("tilt", r"\theta")
+    .meaning("angle of the axle from the vertical")
+    .between([30.0, 120.0], 90.0)
+    .unit("°")
+    .dragged(
+        |values| {
+            let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
+            view().project(&(Vector3::new(sin, 0.0, cos) * HOLD))
+        },
+        |point, _| {
+            let arms = [Vector3::z(), Vector3::x()];
+            view().angle(point, arms).to_degrees()
+        },
+    );
 /// What may be chosen; the end of the axle is the handle of its tilt.
 pub const GYROSCOPE: &[Parameter] = &[TURNS, TILT];
 
@@ -160,7 +157,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
             let angle = f64::from(k) * 2.0 * FRAC_PI_6;
             let spoke = Vector3::y() * angle.cos() + Vector3::y().cross(&axle) * angle.sin();
             let ends = segment(hub - spoke * WHEEL, hub + spoke * WHEEL, 1);
-            pen.line(&view.trace(&ends), stroke(Role::Ink, AXIS).alpha(0.3));
+            pen.line(&view.trace(&ends), stroke(Role::Ink, AXIS).alpha(0.4));
         }
         pen.arrow(
             at(&origin),
@@ -178,23 +175,6 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         );
         pen.disc(at(&origin), 4.0, Role::Ink, 1.0);
 
-        let lines = [
-            [origin, tips[0]],
-            [origin, tips[1]],
-            [tips[0], pushed],
-            [tips[0], tips[1]],
-            [hub, down],
-            [origin, foot],
-        ];
-        let mut taken: Vec<Point> = lines
-            .iter()
-            .flat_map(|line| along(&view.trace(line), 4.0))
-            .collect();
-        taken.extend(along(&circle, 4.0));
-        let spokes = rim.iter().flat_map(|end| along(&[at(&hub), *end], 8.0));
-        taken.extend(spokes);
-        taken.extend(area(at(&foot), [30.0, 12.0]));
-        taken.extend(area(at(&down), [5.0, 8.0]));
         // Each name near its point, in this direction if there is room.
         let momentum = label(Role::AngularMomentum);
         let again = format!("once round in {} s", number(TAU / rate, 2));
@@ -216,7 +196,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
             });
             let places =
                 places.filter(|p| (44.0..556.0).contains(&p[0]) && (12.0..368.0).contains(&p[1]));
-            pen.name(places, text, lettering, &mut taken);
+            pen.name(places, text, lettering);
         }
     });
     let columns = [

@@ -15,35 +15,17 @@ use crate::{Entry, Figure, Parameter, Values, of};
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[of("meteorite", METEORITE, meteorite)];
 
-const MASS: Parameter = Parameter::new(
-    "mass",
-    "m/M",
-    "mass of the meteorite over that of the planet",
-    [0.001, 0.03],
-    0.01,
-)
-.logarithmic();
-const HEIGHT: Parameter = Parameter::new(
-    "height",
-    "z/R",
-    "height over the equator at which it hits, over the radius",
-    [-0.6, 0.85],
-    0.8,
-);
-const ACROSS: Parameter = Parameter::new(
-    "across",
-    "-v_y",
-    "speed of the meteorite along the circle of latitude, against the turn, radii a second over Ω",
-    [0.0, 40.0],
-    20.0,
-);
-const MOMENT: Parameter = Parameter::new(
-    "moment",
-    "I/MR^2",
-    "moment of inertia of the planet over MR²",
-    [0.2, 0.66],
-    0.4,
-);
+const MASS: Parameter = Parameter::new("mass", "m/M")
+    .meaning("mass of the meteorite over that of the planet")
+    .between([0.001, 0.03], 0.01)
+    .logarithmic();
+const HEIGHT: Parameter = Parameter::new("height", "z/R")
+    .meaning("height over the equator at which it hits, over the radius")
+    .between([-0.6, 0.85], 0.8);
+const ACROSS: Parameter = Parameter::new("across", "-v_y").meaning("speed of the meteorite along the circle of latitude, against the turn, radii a second over Ω").between([0.0, 40.0], 20.0);
+const MOMENT: Parameter = Parameter::new("moment", "I/MR^2")
+    .meaning("moment of inertia of the planet over MR²")
+    .between([0.2, 0.66], 0.4);
 
 /// What may be chosen of planet and meteorite.
 pub const METEORITE: &[Parameter] = &[MASS, HEIGHT, ACROSS, MOMENT];
@@ -143,17 +125,6 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         pen.line(&[CENTER, place], stroke(Role::Ink, AXIS).dotted());
         pen.arrow(come, place, stroke(Role::Ink, DATA));
         pen.disc(come, 7.0, Role::Ink, 1.0);
-        let mut taken = Vec::new();
-        for line in [
-            [CENTER, tips[0]],
-            [CENTER, tips[1]],
-            [come, place],
-            [CENTER, place],
-        ] {
-            taken.extend(along(&line, 4.0));
-        }
-        taken.extend(area(come, [5.0, 5.0]));
-        taken.extend(area(CENTER, [2.0, 2.0]));
         let mut name = |at: Point, text: &str, lettering, half: f64| {
             let far = [1.0, 1.4, 1.9, 2.5];
             let places = far.into_iter().flat_map(|far| {
@@ -173,9 +144,7 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
             let inside = places.filter(|p| {
                 (half + 4.0..412.0 - half).contains(&p[0]) && (14.0..368.0).contains(&p[1])
             });
-            let [x, y] = roomiest(inside, [half, 9.0], &taken);
-            taken.extend(area([x, y], [half, 9.0]));
-            pen.text([x, y + 5.0], Anchor::Middle, text, lettering);
+            pen.name(inside, text, lettering);
         };
         name(tips[0], "before, *Ω*", label(Role::Omega), 42.0);
         name(tips[1], "after, *Ω*\u{2032}", label(Role::Omega), 36.0);

@@ -24,13 +24,22 @@ pub const FIGURES: &[Entry] = &[
     constant("cube-rosettes", rosettes),
 ];
 
-const LONG: Parameter =
-    Parameter::new("long", "a", "longest edge of the box", [4.0, 9.0], 6.0).unit("m");
-const MIDDLE: Parameter =
-    Parameter::new("middle", "b", "middle edge of the box", [2.0, 4.0], 4.0).unit("m");
-const SHORT: Parameter =
-    Parameter::new("short", "c", "shortest edge of the box", [0.5, 2.0], 2.0).unit("m");
-const MASS: Parameter = Parameter::new("mass", "M", "mass of the box", [0.5, 10.0], 3.0).unit("kg");
+const LONG: Parameter = Parameter::new("long", "a")
+    .meaning("longest edge of the box")
+    .between([4.0, 9.0], 6.0)
+    .unit("m");
+const MIDDLE: Parameter = Parameter::new("middle", "b")
+    .meaning("middle edge of the box")
+    .between([2.0, 4.0], 4.0)
+    .unit("m");
+const SHORT: Parameter = Parameter::new("short", "c")
+    .meaning("shortest edge of the box")
+    .between([0.5, 2.0], 2.0)
+    .unit("m");
+const MASS: Parameter = Parameter::new("mass", "M")
+    .meaning("mass of the box")
+    .between([0.5, 10.0], 3.0)
+    .unit("kg");
 
 /// What may be chosen of the box.
 pub const ELLIPSOID: &[Parameter] = &[LONG, MIDDLE, SHORT, MASS];

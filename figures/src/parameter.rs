@@ -46,27 +46,27 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// A number from `range[0]` to `range[1]`, `default` in the book; a ratio by equal differences unless said otherwise.
-    pub const fn new(
-        key: &'static str,
-        symbol: &'static str,
-        meaning: &'static str,
-        range: [f64; 2],
-        default: f64,
-    ) -> Self {
+    /// A ratio by equal differences, unless said otherwise; its meaning and its range are to be told.
+    pub const fn new(key: &'static str, symbol: &'static str) -> Self {
         Self {
             key,
             symbol,
-            meaning,
+            meaning: "",
             unit: "",
-            range,
+            range: [0.0, 1.0],
             spacing: Spacing::Linear,
-            default,
+            default: 0.0,
             handle: None,
         }
     }
 
-    /// The same from `range[0]` to `range[1]`, `default` in the book: for figures that share a meaning.
+    /// The same, and what it is.
+    pub const fn meaning(mut self, meaning: &'static str) -> Self {
+        self.meaning = meaning;
+        self
+    }
+
+    /// The same from `range[0]` to `range[1]`, `default` in the book; again for figures that share a meaning.
     pub const fn between(mut self, range: [f64; 2], default: f64) -> Self {
         self.range = range;
         self.default = default;
@@ -175,7 +175,9 @@ impl Values {
 mod tests {
     use super::*;
 
-    const RATIO: Parameter = Parameter::new("ratio", "r", "a ratio", [0.5, 8.0], 2.0);
+    const RATIO: Parameter = Parameter::new("ratio", "r")
+        .meaning("a ratio")
+        .between([0.5, 8.0], 2.0);
 
     #[test]
     fn a_value_is_the_default_until_it_is_chosen() {

@@ -20,35 +20,19 @@ pub const FIGURES: &[Entry] = &[
     constant("sheet-animated", animated),
 ];
 
-const PULL: Parameter = Parameter::new(
-    "speed",
-    "v",
-    "speed of the sheet once it goes",
-    [1.0, 8.0],
-    3.0,
-)
-.unit("m/s");
-const ON_SHEET: Parameter = Parameter::new(
-    "sheet_friction",
-    r"\mu_1",
-    "coefficient of friction on the sheet",
-    [0.05, 0.8],
-    0.3,
-);
-const ON_TABLE: Parameter = Parameter::new(
-    "table_friction",
-    r"\mu_2",
-    "coefficient of friction on the table",
-    [0.05, 0.8],
-    0.2,
-);
-const KAPPA: Parameter = Parameter::new(
-    "kappa",
-    r"\kappa",
-    "moment of inertia of the ball over MR²",
-    [0.25, 1.0],
-    factor::BALL,
-);
+const PULL: Parameter = Parameter::new("speed", "v")
+    .meaning("speed of the sheet once it goes")
+    .between([1.0, 8.0], 3.0)
+    .unit("m/s");
+const ON_SHEET: Parameter = Parameter::new("sheet_friction", r"\mu_1")
+    .meaning("coefficient of friction on the sheet")
+    .between([0.05, 0.8], 0.3);
+const ON_TABLE: Parameter = Parameter::new("table_friction", r"\mu_2")
+    .meaning("coefficient of friction on the table")
+    .between([0.05, 0.8], 0.2);
+const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
+    .meaning("moment of inertia of the ball over MR²")
+    .between([0.25, 1.0], factor::BALL);
 
 /// What may be chosen in the graphs.
 pub const SPEEDS: &[Parameter] = &[PULL, ON_SHEET, ON_TABLE, KAPPA];

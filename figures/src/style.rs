@@ -383,23 +383,61 @@ impl Pen {
             .push((text, format!(" font-size=\"{size:.0}\"{weight}")));
     }
 
-    /// A name where it has room: the first of the places for its middle that is well clear of everything taken, which its own place then is.
+    /// A name where it has room: at the first of the places for its middle that is well clear of all lines, discs and words so far.
     pub fn name(
         &mut self,
         places: impl IntoIterator<Item = Point>,
         text: &str,
         lettering: Lettering,
-        taken: &mut Vec<Point>,
     ) {
-        let letters = text.chars().filter(|c| !"*_{}^".contains(*c)).count();
-        let half = [
-            0.27 * lettering.size * letters as f64,
-            0.47 * lettering.size,
-        ];
-        let at = roomiest(places, half, taken);
-        taken.extend(area(at, half));
-        let line = [at[0], at[1] + 0.3 * lettering.size];
+        let size = lettering.size;
+        let at = roomiest(places, half_of(text, size), &self.taken());
+        let line = [at[0], at[1] + LOWER * size];
         self.text(line, Anchor::Middle, text, lettering);
+    }
+
+    /// Points all over what a name must not touch. Circles and what is faint go below a name without harm.
+    fn taken(&self) -> Vec<Point> {
+        let units = |&(x, y): &BackendCoord| [f64::from(x) / SCALE, f64::from(y) / SCALE];
+        let strong = |paint: &Paint| paint.alpha >= 0.4;
+        let mut taken = Vec::new();
+        for (mark, _) in &self.marks {
+            match mark {
+                Mark::Path(points, paint) if strong(paint) => {
+                    let points: Vec<Point> = points.iter().map(units).collect();
+                    taken.extend(along(&points, 4.0));
+                }
+                Mark::Polygon(points, paint) if strong(paint) => {
+                    taken.extend(points.iter().map(units))
+                }
+                Mark::Circle {
+                    center,
+                    radius,
+                    paint,
+                    filled: true,
+                } if strong(paint) => {
+                    taken.extend(area(units(center), [f64::from(*radius) / SCALE; 2]));
+                }
+                Mark::Text {
+                    at,
+                    anchor,
+                    body,
+                    size,
+                    ..
+                } => {
+                    let (size, [x, y]) = (size / SCALE, units(at));
+                    let half = half_of(body, size);
+                    let x = match anchor {
+                        Anchor::Start => x + half[0],
+                        Anchor::Middle => x,
+                        Anchor::End => x - half[0],
+                    };
+                    taken.extend(area([x, y - LOWER * size], half));
+                }
+                _ => (),
+            }
+        }
+        taken
     }
 
     /// A stacked fraction with its bar centred on the point, and what stands before and after it.
@@ -449,6 +487,15 @@ pub struct Fraction<'a> {
     pub under: &'a str,
     /// Letter or words after it.
     pub after: &'a str,
+}
+
+/// How far the middle of letters is above their base line, in their size.
+const LOWER: f64 = 0.3;
+
+/// Half width and half height of a text of this size, near enough.
+fn half_of(text: &str, size: f64) -> [f64; 2] {
+    let letters = text.chars().filter(|c| !"*_{}^".contains(*c)).count();
+    [(0.25 * letters as f64 + 0.15) * size, 0.47 * size]
 }
 
 /// Length and half width of an arrow's head.

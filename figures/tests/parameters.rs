@@ -92,7 +92,7 @@ fn parameters_are_well_formed() {
         let letters = |c: char| c.is_ascii_lowercase() || c == '_';
         assert!(one.key.chars().all(letters), "{about}");
         assert!(
-            !one.symbol.is_empty() && !one.meaning.ends_with('.'),
+            ![one.symbol, one.meaning].contains(&"") && !one.meaning.ends_with('.'),
             "{about}"
         );
         let same = entry.parameters.iter().filter(|other| other.key == one.key);

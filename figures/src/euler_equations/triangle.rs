@@ -14,12 +14,18 @@ use crate::style::{
 
 use crate::{Figure, Parameter, Values};
 
-const LENGTH: Parameter =
-    Parameter::new("length", "a", "length of the brick", [20.0, 400.0], 240.0).unit("mm");
-const WIDE_BY: Parameter =
-    Parameter::new("width", "b", "width of the brick", [20.0, 400.0], 115.0).unit("mm");
-const HIGH_BY: Parameter =
-    Parameter::new("height", "c", "height of the brick", [5.0, 400.0], 71.0).unit("mm");
+const LENGTH: Parameter = Parameter::new("length", "a")
+    .meaning("length of the brick")
+    .between([20.0, 400.0], 240.0)
+    .unit("mm");
+const WIDE_BY: Parameter = Parameter::new("width", "b")
+    .meaning("width of the brick")
+    .between([20.0, 400.0], 115.0)
+    .unit("mm");
+const HIGH_BY: Parameter = Parameter::new("height", "c")
+    .meaning("height of the brick")
+    .between([5.0, 400.0], 71.0)
+    .unit("mm");
 /// What may be chosen: the edges of the brick.
 pub const TRIANGLE: &[Parameter] = &[LENGTH, WIDE_BY, HIGH_BY];
 

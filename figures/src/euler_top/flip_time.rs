@@ -71,33 +71,25 @@ const DECADES: i32 = 16;
 /// Left, right, bottom, top of the frame.
 const FRAME: [f64; 4] = [70.0, 560.0, 330.0, 30.0];
 
-const SPIN: Parameter = Parameter::new(
-    "spin",
-    r"\Omega_2",
-    "angular velocity about the middle axis",
-    [0.2, 20.0],
-    1.0,
-)
-.unit("rad/s")
-.logarithmic();
-const DISTANCE: Parameter = Parameter::new(
-    "distance",
-    r"\epsilon",
-    "distance from the middle axis at the throw",
-    [1e-16, 1.0],
-    1e-2,
-)
-.logarithmic()
-.dragged(
-    |values| match Course::of(values) {
-        Ok(course) => course.place(course.marked),
-        Err(_) => [FRAME[0], FRAME[2]],
-    },
-    |point, _| {
-        let [left, right, ..] = FRAME;
-        10f64.powf(-f64::from(DECADES) * (point[0] - left) / (right - left))
-    },
-);
+const SPIN: Parameter = Parameter::new("spin", r"\Omega_2")
+    .meaning("angular velocity about the middle axis")
+    .between([0.2, 20.0], 1.0)
+    .unit("rad/s")
+    .logarithmic();
+const DISTANCE: Parameter = Parameter::new("distance", r"\epsilon")
+    .meaning("distance from the middle axis at the throw")
+    .between([1e-16, 1.0], 1e-2)
+    .logarithmic()
+    .dragged(
+        |values| match Course::of(values) {
+            Ok(course) => course.place(course.marked),
+            Err(_) => [FRAME[0], FRAME[2]],
+        },
+        |point, _| {
+            let [left, right, ..] = FRAME;
+            10f64.powf(-f64::from(DECADES) * (point[0] - left) / (right - left))
+        },
+    );
 /// What may be chosen; the handle is the ring on the line.
 pub const FLIP_TIME: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, SPIN, DISTANCE];
 

@@ -38,24 +38,18 @@ pub const FIGURES: &[Entry] = &[
     ),
 ];
 
-const SMALLEST: Parameter = Parameter::new(
-    "smallest",
-    "I_1",
-    "smallest principal moment",
-    [0.2, 1.4],
-    1.0,
-)
-.unit("kg m²");
-const MIDDLE: Parameter =
-    Parameter::new("middle", "I_2", "middle principal moment", [1.5, 2.5], 2.0).unit("kg m²");
-const LARGEST: Parameter = Parameter::new(
-    "largest",
-    "I_3",
-    "largest principal moment",
-    [2.6, 5.0],
-    3.0,
-)
-.unit("kg m²");
+const SMALLEST: Parameter = Parameter::new("smallest", "I_1")
+    .meaning("smallest principal moment")
+    .between([0.2, 1.4], 1.0)
+    .unit("kg m²");
+const MIDDLE: Parameter = Parameter::new("middle", "I_2")
+    .meaning("middle principal moment")
+    .between([1.5, 2.5], 2.0)
+    .unit("kg m²");
+const LARGEST: Parameter = Parameter::new("largest", "I_3")
+    .meaning("largest principal moment")
+    .between([2.6, 5.0], 3.0)
+    .unit("kg m²");
 
 fn moments(values: &Values) -> [f64; 3] {
     [SMALLEST, MIDDLE, LARGEST].map(|moment| values.of(&moment))

@@ -43,7 +43,10 @@ const fn component(
     meaning: &'static str,
     default: f64,
 ) -> Parameter {
-    Parameter::new(key, symbol, meaning, [0.1, 2.0], default).unit("rad/s")
+    Parameter::new(key, symbol)
+        .meaning(meaning)
+        .between([0.1, 2.0], default)
+        .unit("rad/s")
 }
 
 /// When the picture is taken, in periods of the polhode.

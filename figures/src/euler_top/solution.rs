@@ -12,24 +12,16 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const FIRST: Parameter = Parameter::new(
-    "first",
-    r"\Omega_1(0)",
-    "angular velocity about the axis of the smallest moment at the start",
-    [1e-4, 2.0],
-    0.01,
-)
-.unit("rad/s")
-.logarithmic();
-const THIRD: Parameter = Parameter::new(
-    "third",
-    r"\Omega_3(0)",
-    "angular velocity about the axis of the largest moment at the start",
-    [1e-4, 2.0],
-    0.01,
-)
-.unit("rad/s")
-.logarithmic();
+const FIRST: Parameter = Parameter::new("first", r"\Omega_1(0)")
+    .meaning("angular velocity about the axis of the smallest moment at the start")
+    .between([1e-4, 2.0], 0.01)
+    .unit("rad/s")
+    .logarithmic();
+const THIRD: Parameter = Parameter::new("third", r"\Omega_3(0)")
+    .meaning("angular velocity about the axis of the largest moment at the start")
+    .between([1e-4, 2.0], 0.01)
+    .unit("rad/s")
+    .logarithmic();
 /// What may be chosen; about the middle axis the start has 1 rad/s.
 pub const SOLUTION: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, FIRST, THIRD];
 

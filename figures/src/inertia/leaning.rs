@@ -8,26 +8,21 @@ use spinning_bodies::inertia::shapes;
 
 use super::{LONG, MIDDLE, SHORT};
 use crate::style::{
-    AXIS, Anchor, Point, Role, SECONDARY, Words, along, area, figure, label, number, polar, short,
-    small, stroke,
+    AXIS, Anchor, Point, Role, SECONDARY, Words, figure, label, number, polar, short, small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
-const DIRECTION: Parameter = Parameter::new(
-    "direction",
-    r"\varphi",
-    "direction of Ω, from the long edge to the short one",
-    [0.0, 90.0],
-    20.0,
-)
-.unit("°")
-.dragged(
-    |values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()),
-    |point, _| {
-        let across = CENTER[1] - point[1];
-        across.atan2(point[0] - CENTER[0]).to_degrees()
-    },
-);
+const DIRECTION: Parameter = Parameter::new("direction", r"\varphi")
+    .meaning("direction of Ω, from the long edge to the short one")
+    .between([0.0, 90.0], 20.0)
+    .unit("°")
+    .dragged(
+        |values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()),
+        |point, _| {
+            let across = CENTER[1] - point[1];
+            across.atan2(point[0] - CENTER[0]).to_degrees()
+        },
+    );
 /// What may be chosen; the tip of Ω is the handle of its direction.
 pub const LEANING: &[Parameter] = &[
     DIRECTION,
@@ -86,17 +81,13 @@ pub fn leaning(values: &Values) -> Result<Figure> {
             }
         ),
     };
-    let tips = [0, 1].map(|which| {
-        move |angle: f64| -> Point {
-            match which {
-                0 => polar(CENTER, OMEGA, angle),
-                _ => {
-                    let l = momentum(angle) / largest * MOMENTUM;
-                    [CENTER[0] + l.x(), CENTER[1] - l.z()]
-                }
-            }
-        }
-    });
+    let tips = |angle: f64| -> [Point; 2] {
+        let l = momentum(angle) / largest * MOMENTUM;
+        [
+            polar(CENTER, OMEGA, angle),
+            [CENTER[0] + l.x(), CENTER[1] - l.z()],
+        ]
+    };
     let made = figure("leaning", 338.0, words, |pen| {
         let [half, up] = [long, thin].map(|edge| 0.5 * edge * METRE);
         let [x, y] = CENTER;
@@ -108,25 +99,18 @@ pub fn leaning(values: &Values) -> Result<Figure> {
         for axis in axes {
             pen.line(&axis, stroke(Role::Ink, AXIS).alpha(0.6));
         }
-        let mut taken = [&corners[..], &corners[..1]].concat();
-        taken = along(&taken, 4.0);
-        taken.extend(axes.iter().flat_map(|axis| along(axis, 4.0)));
         let mut arrows = Vec::new();
-        for (tip, role, name) in [
-            (&tips[0], Role::Omega, "*Ω*"),
-            (&tips[1], Role::AngularMomentum, "*L*"),
-        ] {
-            let path: Vec<Point> = (0..=90).map(|k| tip(f64::from(k).to_radians())).collect();
-            pen.line(&path, stroke(role, AXIS).dotted());
-            taken.extend(along(&path, 4.0));
-            arrows.push((tip(angle), role, name));
+        let names = [(Role::Omega, "*Ω*"), (Role::AngularMomentum, "*L*")];
+        for (k, (role, name)) in names.into_iter().enumerate() {
+            let path = (0..=90).map(|degrees| tips(f64::from(degrees).to_radians())[k]);
+            pen.line(&path.collect::<Vec<_>>(), stroke(role, AXIS).dotted());
+            arrows.push((tips(angle)[k], role, name));
         }
         // The shorter one over the longer one.
         let length = |tip: &Point| (tip[0] - x).hypot(tip[1] - y);
         arrows.sort_by(|a, b| length(&b.0).total_cmp(&length(&a.0)));
         for &(tip, role, _) in &arrows {
             pen.arrow(CENTER, tip, stroke(role, 2.6));
-            taken.extend(along(&[CENTER, tip], 4.0));
         }
         let l = momentum(angle);
         let leaned = l.z().atan2(l.x());
@@ -137,14 +121,13 @@ pub fn leaning(values: &Values) -> Result<Figure> {
                 polar(CENTER, out, 0.5 * (angle + leaned))
             });
             let text = format!("{shown}°");
-            pen.name(between, &text, label(Role::Ink), &mut taken);
+            pen.name(between, &text, label(Role::Ink));
         }
         let at = [x + 222.0, y + 5.0];
         let text = format!("*I*_{{1}} = {} kg m²", number(smallest, 2));
         pen.text(at, Anchor::Start, &text, small(Role::Ink));
         let text = format!("*I*_{{3}} = {} kg m²", number(largest, 2));
         pen.text([x - 10.0, 26.0], Anchor::End, &text, small(Role::Ink));
-        taken.extend(area([x - 80.0, 20.0], [70.0, 10.0]));
         // Each letter on its side of the angle, if there is room.
         for (tip, role, name) in arrows {
             let (first, way) = match role {
@@ -153,7 +136,7 @@ pub fn leaning(values: &Values) -> Result<Figure> {
             };
             let around =
                 (0..24).map(|k| polar(tip, 20.0, first + way * f64::from(k) * FRAC_PI_2 / 6.0));
-            pen.name(around, name, label(role), &mut taken);
+            pen.name(around, name, label(role));
         }
     });
     let columns = [

@@ -12,36 +12,20 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const TILT: Parameter = Parameter::new(
-    "tilt",
-    r"\theta_0",
-    "tilt at the release",
-    [5.0, 175.0],
-    60.0,
-)
-.unit("°");
+const TILT: Parameter = Parameter::new("tilt", r"\theta_0")
+    .meaning("tilt at the release")
+    .between([5.0, 175.0], 60.0)
+    .unit("°");
 const SPINS: [Parameter; 3] = [
-    Parameter::new(
-        "upper",
-        "L_3",
-        "axial momentum of the upper top",
-        [1.0, 20.0],
-        3.0,
-    ),
-    Parameter::new(
-        "middle",
-        "L_3",
-        "axial momentum of the top in the middle",
-        [1.0, 20.0],
-        5.0,
-    ),
-    Parameter::new(
-        "lower",
-        "L_3",
-        "axial momentum of the lower top",
-        [1.0, 20.0],
-        10.0,
-    ),
+    Parameter::new("upper", "L_3")
+        .meaning("axial momentum of the upper top")
+        .between([1.0, 20.0], 3.0),
+    Parameter::new("middle", "L_3")
+        .meaning("axial momentum of the top in the middle")
+        .between([1.0, 20.0], 5.0),
+    Parameter::new("lower", "L_3")
+        .meaning("axial momentum of the lower top")
+        .between([1.0, 20.0], 10.0),
 ];
 /// What may be chosen.
 pub const CYCLOIDS: &[Parameter] = &[TILT, SPINS[0], SPINS[1], SPINS[2]];

@@ -8,8 +8,7 @@ use spinning_bodies::lagrange_top::LagrangeTop;
 use super::nose;
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, DATA, Point, Role, SECONDARY, Words, along, area, figure, label, number, polar, short,
-    small, stroke,
+    AXIS, DATA, Point, Role, SECONDARY, Words, figure, label, number, polar, short, small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -23,27 +22,25 @@ const GRAVITY: f64 = 9.81;
 const NOSE: f64 = 0.085;
 const SHOWN: f64 = 1.0;
 
-const TILT: Parameter = Parameter::new(
-    "tilt",
-    r"\theta_0",
-    "tilt of the top that is held",
-    [10.0, 45.0],
-    30.0,
-)
-.unit("°")
-.dragged(
-    |values| {
-        let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
-        view().project(&(Vector3::new(0.0, -sin, cos) * NOSE))
-    },
-    |point, _| {
-        view()
-            .angle(point, [Vector3::z(), -Vector3::y()])
-            .to_degrees()
-    },
-);
-const TURNS: Parameter =
-    Parameter::new("turns", "n", "spin of the top", [20.0, 60.0], 30.0).unit("turns/s");
+const TILT: Parameter = Parameter::new("tilt", r"\theta_0")
+    .meaning("tilt of the top that is held")
+    .between([10.0, 45.0], 30.0)
+    .unit("°")
+    .dragged(
+        |values| {
+            let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
+            view().project(&(Vector3::new(0.0, -sin, cos) * NOSE))
+        },
+        |point, _| {
+            view()
+                .angle(point, [Vector3::z(), -Vector3::y()])
+                .to_degrees()
+        },
+    );
+const TURNS: Parameter = Parameter::new("turns", "n")
+    .meaning("spin of the top")
+    .between([20.0, 60.0], 30.0)
+    .unit("turns/s");
 /// What may be chosen; the nose is the handle of the tilt.
 pub const WOODEN: &[Parameter] = &[TILT, TURNS];
 
@@ -130,9 +127,7 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
         pen.outline(&rim, stroke(Role::Ink, SECONDARY));
         pen.line(&[at(&hub), at(&tip)], stroke(Role::Ink, DATA));
         pen.disc(at(&foot), 3.0, Role::Ink, 1.0);
-        let mut taken: Vec<Point> = along(&rim, 4.0);
-        taken.extend(along(&[at(&foot), at(&tip)], 4.0));
-        taken.extend(along(&upright, 4.0));
+        pen.disc(at(&tip), 5.0, Role::Ink, 1.0);
         if path {
             let line: Vec<Point> = noses.iter().map(|p| at(&(p * NOSE))).collect();
             for height in [roots.h1, roots.h2] {
@@ -146,7 +141,6 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
                 pen.line(&view.trace(&circle), stroke(Role::Muted, AXIS).dotted());
             }
             pen.line(&line, stroke(Role::Ink, SECONDARY));
-            taken.extend(line.iter().step_by(4));
             for dot in line.iter().step_by(20) {
                 pen.disc(*dot, 2.4, Role::Ink, 1.0);
             }
@@ -155,16 +149,13 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
             for way in [aside, -aside, down, -down] {
                 let [from, to] = [0.3, 1.0].map(|share| at(&(tip + way * share)));
                 pen.arrow(from, to, stroke(Role::Ink, SECONDARY).dashed());
-                taken.extend(along(&[from, to], 4.0));
                 let beyond = (0..24).map(|k| polar(to, 14.0, 0.262 * f64::from(k)));
-                pen.name(beyond, "?", label(Role::Ink), &mut taken);
+                pen.name(beyond, "?", label(Role::Ink));
             }
         }
-        taken.extend(area(at(&tip), [6.0, 6.0]));
         let tilt = format!("{}°", short(values.of(&TILT), 1));
         let between = (0..40).map(|k| at(&((Vector3::z() + held) * (0.01 + 0.001 * f64::from(k)))));
-        pen.name(between, &tilt, small(Role::Ink), &mut taken);
-        pen.disc(at(&tip), 5.0, Role::Ink, 1.0);
+        pen.name(between, &tilt, small(Role::Ink));
     });
     let columns = ["time (s)", "tilt (°)", "azimuth (°)"];
     let shown = if path { noses.len() } else { 1 };

@@ -7,27 +7,19 @@ use super::body::{DURATION, FORWARD, RATIO, back, cat, draw, pieces, turned, tur
 use crate::plot::Axis;
 use crate::solid::View;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, along, area, figure, label, number,
-    roomiest, short, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, figure, label, number, short, small,
+    stroke,
 };
 use crate::{Figure, Parameter, Values};
 
-const HALVES: Parameter = Parameter::new(
-    "ratio",
-    "I/J",
-    "moment of a half across its spine over that about it",
-    [1.5, 12.0],
-    RATIO,
-)
-.logarithmic();
-const MOST: Parameter = Parameter::new(
-    "most",
-    r"\gamma",
-    "greatest bend forward",
-    [75.0, 135.0],
-    120.0,
-)
-.unit("°");
+const HALVES: Parameter = Parameter::new("ratio", "I/J")
+    .meaning("moment of a half across its spine over that about it")
+    .between([1.5, 12.0], RATIO)
+    .logarithmic();
+const MOST: Parameter = Parameter::new("most", r"\gamma")
+    .meaning("greatest bend forward")
+    .between([75.0, 135.0], 120.0)
+    .unit("°");
 
 /// What may be chosen of the bends.
 pub const BACK_BEND: &[Parameter] = &[HALVES, MOST];
@@ -177,7 +169,6 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             "turn",
             label(Role::Ink),
         );
-        let mut taken = vec![];
         let shown: Vec<Vec<Point>> = curves
             .iter()
             .map(|(_, points, _)| {
@@ -187,15 +178,11 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             .collect();
         for points in &shown {
             pen.line(points, stroke(Role::Ink, DATA));
-            taken.extend(along(points, 4.0));
         }
-        taken.extend(along(&[[LEFT, level], [RIGHT, level]], 4.0));
         let mut write = |places: &mut dyn Iterator<Item = Point>, text: &str, half: f64| {
             let inside =
                 places.filter(|p| (LEFT + half..596.0 - half).contains(&p[0]) && p[1] > 12.0);
-            let [x, y] = roomiest(inside, [half, 7.0], &taken);
-            taken.extend(area([x, y], [half, 7.0]));
-            pen.text([x, y + 5.0], Anchor::Middle, text, small(Role::Ink));
+            pen.name(inside, text, small(Role::Ink));
         };
         for ((forward, _, _), points) in curves.iter().zip(&shown) {
             let [x, y] = points.last().copied().unwrap_or([LEFT, BOTTOM]);

@@ -12,39 +12,39 @@ use super::body::circle;
 use crate::plot::Axis;
 use crate::solid::hull;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, area, figure, label,
-    number, roomiest, short, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, short,
+    small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
-const LEAN: Parameter = Parameter::new(
-    "lean",
-    "s",
-    "how far the shoulders go out to the right; nine tenths of it to the left",
-    [0.1, 0.45],
-    0.4,
-)
-.unit("m");
-const TRUNK: Parameter =
-    Parameter::new("trunk", "m", "mass of the trunk", [10.0, 80.0], 36.0).unit("kg");
+const LEAN: Parameter = Parameter::new("lean", "s")
+    .meaning("how far the shoulders go out to the right; nine tenths of it to the left")
+    .between([0.1, 0.45], 0.4)
+    .unit("m");
+const TRUNK: Parameter = Parameter::new("trunk", "m")
+    .meaning("mass of the trunk")
+    .between([10.0, 80.0], 36.0)
+    .unit("kg");
 
 /// What may be chosen of the person on ice.
 pub const ICE: &[Parameter] = &[LEAN, TRUNK];
 
-const GRIP: Parameter = Parameter::new(
-    "friction",
-    r"\mu",
-    "coefficient of friction of the ground",
-    [0.01, 0.6],
-    0.1,
-)
-.logarithmic();
-const REAR: Parameter =
-    Parameter::new("rear", "m_1", "mass of the rear foot", [0.4, 6.0], 3.0).unit("kg");
-const PUSH: Parameter =
-    Parameter::new("push", "t_1", "duration of the push", [0.15, 2.0], 1.0).unit("s");
-const PULL: Parameter =
-    Parameter::new("pull", "t_2", "duration of the pull", [0.1, 1.0], 0.15).unit("s");
+const GRIP: Parameter = Parameter::new("friction", r"\mu")
+    .meaning("coefficient of friction of the ground")
+    .between([0.01, 0.6], 0.1)
+    .logarithmic();
+const REAR: Parameter = Parameter::new("rear", "m_1")
+    .meaning("mass of the rear foot")
+    .between([0.4, 6.0], 3.0)
+    .unit("kg");
+const PUSH: Parameter = Parameter::new("push", "t_1")
+    .meaning("duration of the push")
+    .between([0.15, 2.0], 1.0)
+    .unit("s");
+const PULL: Parameter = Parameter::new("pull", "t_2")
+    .meaning("duration of the pull")
+    .between([0.1, 1.0], 0.15)
+    .unit("s");
 
 /// What may be chosen of the crawler.
 pub const CRAWLER: &[Parameter] = &[GRIP, REAR, PUSH, PULL];
@@ -346,7 +346,6 @@ pub fn crawler(values: &Values) -> Result<Figure> {
         pen.line(&curves[1], stroke(Role::Ink, SECONDARY));
         pen.line(&curves[2], stroke(Role::Ink, DATA));
         pen.line(&curves[3], stroke(Role::Ink, SECONDARY).dashed());
-        let mut taken: Vec<Point> = curves.iter().flat_map(|curve| along(curve, 4.0)).collect();
         for (k, text, half) in [
             (1, "front foot", 34.0),
             (0, "rear foot", 32.0),
@@ -362,9 +361,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
             let inside = beside.filter(|p| {
                 (324.0 + half..590.0 - half).contains(&p[0]) && (24.0..268.0).contains(&p[1])
             });
-            let [x, y] = roomiest(inside, [half, 7.0], &taken);
-            taken.extend(area([x, y], [half, 7.0]));
-            pen.text([x, y + 5.0], Anchor::Middle, text, small(Role::Ink));
+            pen.name(inside, text, small(Role::Ink));
         }
         pen.text(
             [448.0, 328.0],

@@ -10,23 +10,19 @@ use spinning_bodies::phenomena::{Swivel, Waist};
 use super::body::RATIO;
 use super::swivel::{IN, LOWER, OUT};
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, area, between, figure, label, number, polar,
-    roomiest, short, small, stroke,
+    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, label, number, polar,
+    short, small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
-const BEND: Parameter = Parameter::new(
-    "forward",
-    r"\gamma",
-    "bend of the cat forward",
-    [70.0, 115.0],
-    90.0,
-)
-.unit("°")
-.dragged(
-    |values| cat_at(values.of(&BEND).to_radians(), 0.0),
-    |point, _| (WIDEST * (point[0] - CENTER[0]) / RADIUS).to_degrees(),
-);
+const BEND: Parameter = Parameter::new("forward", r"\gamma")
+    .meaning("bend of the cat forward")
+    .between([70.0, 115.0], 90.0)
+    .unit("°")
+    .dragged(
+        |values| cat_at(values.of(&BEND).to_radians(), 0.0),
+        |point, _| (WIDEST * (point[0] - CENTER[0]) / RADIUS).to_degrees(),
+    );
 
 /// What may be chosen of the two loops; the handle is the far end of the cat's.
 pub const SHAPE_LOOPS: &[Parameter] = &[OUT, IN, LOWER, BEND];
@@ -187,26 +183,19 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
                 cat_at(bend, psi)
             })
             .collect();
-        let mut taken = oval.clone();
-        taken.extend(area(
-            [CENTER[0] + 0.5 * RADIUS, CENTER[1]],
-            [0.5 * RADIUS, 1.0],
-        ));
-        for degrees in [30.0_f64, 60.0, 90.0] {
-            let radius = RADIUS * degrees.to_radians() / WIDEST;
-            pen.ring(CENTER, radius, stroke(Role::Ink, AXIS).alpha(0.5).dotted());
-            let round = (0..40).map(|k| polar(CENTER, radius, -0.62 * PI - 0.12 * f64::from(k)));
-            let [x, y] = roomiest(round, [12.0, 7.0], &taken);
-            taken.extend(area([x, y], [12.0, 7.0]));
-            let text = format!("{}°", number(degrees, 0));
-            pen.text([x, y + 4.0], Anchor::Middle, &text, small(Role::Ink));
-        }
         pen.line(
             &[cat_at(0.0, 0.0), cat_at(forward, 0.0)],
             stroke(Role::Ink, SECONDARY),
         );
         pen.line(&oval, stroke(Role::Ink, DATA));
         pen.arrow(oval[52], oval[60], stroke(Role::Ink, DATA));
+        for degrees in [30.0_f64, 60.0, 90.0] {
+            let radius = RADIUS * degrees.to_radians() / WIDEST;
+            pen.ring(CENTER, radius, stroke(Role::Ink, AXIS).alpha(0.5).dotted());
+            let round = (0..40).map(|k| polar(CENTER, radius, -0.62 * PI - 0.12 * f64::from(k)));
+            let text = format!("{}°", number(degrees, 0));
+            pen.name(round, &text, small(Role::Ink));
+        }
         pen.disc(CENTER, 3.6, Role::Ink, 1.0);
         pen.text(
             [CENTER[0] + RADIUS + 5.0, CENTER[1] - 8.0],

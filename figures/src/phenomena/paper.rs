@@ -15,26 +15,23 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const LEVER: Parameter = Parameter::new(
-    "lever",
-    "d",
-    "height of the point at which the air pushes over the centre of mass",
-    [2.0, 12.0],
-    6.0,
-)
-.unit("mm");
-const MASS: Parameter = Parameter::new("mass", "m", "mass of the cat", [0.5, 3.0], 1.2).unit("g");
-const THICK: Parameter =
-    Parameter::new("air", r"\rho", "density of the air", [0.6, 2.4], 1.2).unit("kg/m³");
-const SHY: Parameter = Parameter::new(
-    "error",
-    r"\varepsilon",
-    "angle by which it is not upside down when it is let go",
-    [1.0, 60.0],
-    10.0,
-)
-.unit("°")
-.logarithmic();
+const LEVER: Parameter = Parameter::new("lever", "d")
+    .meaning("height of the point at which the air pushes over the centre of mass")
+    .between([2.0, 12.0], 6.0)
+    .unit("mm");
+const MASS: Parameter = Parameter::new("mass", "m")
+    .meaning("mass of the cat")
+    .between([0.5, 3.0], 1.2)
+    .unit("g");
+const THICK: Parameter = Parameter::new("air", r"\rho")
+    .meaning("density of the air")
+    .between([0.6, 2.4], 1.2)
+    .unit("kg/m³");
+const SHY: Parameter = Parameter::new("error", r"\varepsilon")
+    .meaning("angle by which it is not upside down when it is let go")
+    .between([1.0, 60.0], 10.0)
+    .unit("°")
+    .logarithmic();
 
 /// What may be chosen of the paper cat.
 pub const PAPER_CAT: &[Parameter] = &[SHY, LEVER, MASS, THICK];

@@ -6,41 +6,25 @@ use spinning_bodies::rolling::{RoundBody, factor};
 
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, Role, SECONDARY, Words, along, area, between, figure, label, number,
-    roomiest, short, small, stroke,
+    AXIS, Anchor, DATA, Role, SECONDARY, Words, between, figure, label, number, short, small,
+    stroke,
 };
 use crate::{Figure, Parameter, Values};
 
-const KAPPA: Parameter = Parameter::new(
-    "kappa",
-    r"\kappa",
-    "moment of inertia of the ball over MR²",
-    [0.3, 0.65],
-    factor::BALL,
-);
-const FRICTION: Parameter = Parameter::new(
-    "friction",
-    r"\mu",
-    "coefficient of friction",
-    [0.05, 0.6],
-    0.2,
-)
-.logarithmic();
-const SPEED: Parameter = Parameter::new(
-    "speed",
-    "V",
-    "velocity of the balls after the stroke",
-    [0.5, 5.0],
-    2.0,
-)
-.unit("m/s");
-const TOP: Parameter = Parameter::new(
-    "top",
-    "H/R",
-    "height of the highest stroke over the radius",
-    [1.6, 2.0],
-    1.8,
-);
+const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
+    .meaning("moment of inertia of the ball over MR²")
+    .between([0.3, 0.65], factor::BALL);
+const FRICTION: Parameter = Parameter::new("friction", r"\mu")
+    .meaning("coefficient of friction")
+    .between([0.05, 0.6], 0.2)
+    .logarithmic();
+const SPEED: Parameter = Parameter::new("speed", "V")
+    .meaning("velocity of the balls after the stroke")
+    .between([0.5, 5.0], 2.0)
+    .unit("m/s");
+const TOP: Parameter = Parameter::new("top", "H/R")
+    .meaning("height of the highest stroke over the radius")
+    .between([1.6, 2.0], 1.8);
 
 /// What may be chosen.
 pub const LINES: &[Parameter] = &[FRICTION, SPEED, TOP, KAPPA];
@@ -147,7 +131,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
             "s",
             small(Role::Ink),
         );
-        let (mut name, mut taken) = (BOTTOM, Vec::new());
+        let mut name = BOTTOM;
         for (course, height) in courses.iter().zip(heights) {
             let start = course.at(0.0);
             let meets = course.events().first().map_or(0.0, |event| event.time);
@@ -163,11 +147,6 @@ pub fn lines(values: &Values) -> Result<Figure> {
             name = (y.at(rolls) + 5.0).min(name - 14.0);
             let text = format!("*H* = {} *R*", short(height, 2));
             pen.text([RIGHT + 12.0, name], Anchor::Start, &text, small(Role::Ink));
-            taken.extend(along(
-                &[at(0.0, start.rim_speed), meeting, at(0.0, speed)],
-                4.0,
-            ));
-            taken.extend(along(&[meeting, at(until, rolls)], 4.0));
         }
         let meeting = |k: usize| {
             let event = courses[k].events().first();
@@ -189,13 +168,11 @@ pub fn lines(values: &Values) -> Result<Figure> {
                 [[half + 8.0, -12.0], [half + 8.0, 14.0], [0.0, -14.0]]
                     .map(|[x, y]| [on[0] + x, on[1] + y])
             });
-            let room = roomiest(
+            pen.name(
                 places.filter(|p| p[0] > LEFT + half + 6.0),
-                [half, 8.0],
-                &taken,
+                text,
+                label(role),
             );
-            taken.extend(area(room, [half, 8.0]));
-            pen.text([room[0], room[1] + 5.0], Anchor::Middle, text, label(role));
         }
     });
     let mut made = made;

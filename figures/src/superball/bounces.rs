@@ -7,8 +7,8 @@ use spinning_bodies::rolling::factor;
 use spinning_bodies::superball::{BounceRotation, Motion, UnderTable, return_threshold};
 
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, along, arc, area, between, figure,
-    label, number, polar, roomiest, short, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, label, number, polar,
+    short, small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -17,16 +17,14 @@ const THROWN: Motion<f64> = Motion {
     rim_speed: 0.0,
 };
 
-const KAPPA: Parameter = Parameter::new(
-    "kappa",
-    r"\kappa",
-    "moment of inertia of the ball over MR²",
-    [0.05, 0.65],
-    factor::BALL,
-)
-.dragged(mirror_place, kappa_at);
-const BOUNCES: Parameter =
-    Parameter::new("bounces", "n", "bounces that are drawn", [1.0, 9.0], 3.0).whole();
+const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
+    .meaning("moment of inertia of the ball over MR²")
+    .between([0.05, 0.65], factor::BALL)
+    .dragged(mirror_place, kappa_at);
+const BOUNCES: Parameter = Parameter::new("bounces", "n")
+    .meaning("bounces that are drawn")
+    .between([1.0, 9.0], 3.0)
+    .whole();
 
 /// What may be chosen of the reflections.
 pub const REFLECTIONS: &[Parameter] = &[KAPPA, BOUNCES];
@@ -98,10 +96,8 @@ pub fn reflections(values: &Values) -> Result<Figure> {
             ],
             [[CENTER[0], 14.0], [CENTER[0], 354.0]],
         ];
-        let mut taken: Vec<Point> = arc(CENTER, SIZE, 0.0, 2.0 * PI);
         for axis in axes {
             pen.line(&axis, stroke(Role::Ink, AXIS));
-            taken.extend(along(&axis, 4.0));
         }
         pen.text(
             [CENTER[0] + 196.0, CENTER[1] + 5.0],
@@ -112,7 +108,6 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         for (angle, name) in [(beta, "floor"), (-beta, "ceiling")] {
             let ends = [polar(CENTER, MIRROR, angle), polar(CENTER, -MIRROR, angle)];
             pen.line(&ends, stroke(Role::Muted, DATA).dashed());
-            taken.extend(along(&ends, 4.0));
             let shift = if angle > 0.0 { -4.0 } else { 16.0 };
             pen.text(
                 [ends[0][0] + 6.0, ends[0][1] + shift],
@@ -125,7 +120,6 @@ pub fn reflections(values: &Values) -> Result<Figure> {
             let (from, to) = (point(&pair[0]), point(&pair[1]));
             let tip = between(from, to, 0.965);
             pen.arrow(from, tip, stroke(Role::Ink, DATA));
-            taken.extend(along(&[from, tip], 4.0));
         }
         let mut named: Vec<Point> = Vec::new();
         for (n, m) in motions.iter().enumerate() {
@@ -143,20 +137,10 @@ pub fn reflections(values: &Values) -> Result<Figure> {
                 let aside = f64::from((k + 1) / 2) * if k % 2 == 0 { 0.012 } else { -0.012 };
                 polar(CENTER, SIZE + 18.0, angles[n] + aside)
             });
-            let half = 7.0;
-            let at = roomiest(turns, [half, 6.0], &taken);
-            taken.extend(area(at, [half, 6.0]));
-            pen.text(
-                [at[0], at[1] + 5.5],
-                Anchor::Middle,
-                &n.to_string(),
-                label(Role::Ink).strong(),
-            );
+            pen.name(turns, &n.to_string(), label(Role::Ink).strong());
         }
         let beside = [34.0, -34.0, 52.0, -52.0, 80.0].map(|x| [CENTER[0] + x, 15.0]);
-        let [x, y] = roomiest(beside, [26.0, 8.0], &taken);
-        let spin = "√κ *R*\u{03a9}";
-        pen.text([x, y + 5.0], Anchor::Middle, spin, label(Role::Omega));
+        pen.name(beside, "√κ *R*\u{03a9}", label(Role::Omega));
     });
     let rows = motions
         .iter()
@@ -165,22 +149,14 @@ pub fn reflections(values: &Values) -> Result<Figure> {
     Ok(made.data("ball", &["bounces", "velocity (V)", "rim speed (V)"], rows))
 }
 
-const DENSE: Parameter = Parameter::new(
-    "dense",
-    r"\kappa_1",
-    "moment of inertia of the ball with a dense core over MR²",
-    [0.05, 0.37],
-    1.0 / 3.0,
-)
-.dragged(|values| apex(values.of(&DENSE)), factor_at);
-const HOLLOW: Parameter = Parameter::new(
-    "hollow",
-    r"\kappa_3",
-    "moment of inertia of the hollow ball over MR²",
-    [0.43, 2.0 / 3.0],
-    2.0 / 3.0,
-)
-.dragged(|values| apex(values.of(&HOLLOW)), factor_at);
+const DENSE: Parameter = Parameter::new("dense", r"\kappa_1")
+    .meaning("moment of inertia of the ball with a dense core over MR²")
+    .between([0.05, 0.37], 1.0 / 3.0)
+    .dragged(|values| apex(values.of(&DENSE)), factor_at);
+const HOLLOW: Parameter = Parameter::new("hollow", r"\kappa_3")
+    .meaning("moment of inertia of the hollow ball over MR²")
+    .between([0.43, 2.0 / 3.0], 2.0 / 3.0)
+    .dragged(|values| apex(values.of(&HOLLOW)), factor_at);
 
 /// What may be chosen of three balls; their handles are the places where they meet the table.
 pub const THREE_BALLS: &[Parameter] = &[DENSE, HOLLOW];
@@ -280,9 +256,6 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
             place(-0.93, 0.93),
             stroke(Role::Ink, DATA),
         );
-        let mut taken = along(&arrives, 4.0);
-        taken.extend(along(&[slab[2], slab[3]], 6.0));
-        taken.extend(along(&[[10.0, FLOOR], [590.0, FLOOR]], 6.0));
         let mut ends = Vec::new();
         for (of, (_, line)) in motions.iter().zip(balls) {
             let out = 0.62;
@@ -301,7 +274,6 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
             let last = path.len() - 1;
             pen.line(&path[..last], line);
             pen.arrow(path[last - 1], path[last], line);
-            taken.extend(along(&path, 4.0));
             ends.push(between(path[last - 1], path[last], 0.9));
         }
         let mut write = |at: Point, text: &str, lettering, wide: f64| {
@@ -312,9 +284,7 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
             });
             let inside =
                 places.filter(|p| (wide + 4.0..596.0 - wide).contains(&p[0]) && p[1] > 14.0);
-            let at = roomiest(inside, [wide, 8.0], &taken);
-            taken.extend(area(at, [wide, 8.0]));
-            pen.text([at[0], at[1] + 5.0], Anchor::Middle, text, lettering);
+            pen.name(inside, text, lettering);
         };
         write(place(-0.99, 0.99), "thrown", small(Role::Ink), 25.0);
         for (end, name) in ends.into_iter().zip(&names) {

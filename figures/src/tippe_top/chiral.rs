@@ -10,8 +10,10 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const RELEASE: Parameter =
-    Parameter::new("tilt", r"\theta_0", "tilt at the release", [1.0, 30.0], 3.0).unit("°");
+const RELEASE: Parameter = Parameter::new("tilt", r"\theta_0")
+    .meaning("tilt at the release")
+    .between([1.0, 30.0], 3.0)
+    .unit("°");
 /// What may be chosen.
 pub const BOTH_SPINS: &[Parameter] = &[
     SPIN.between([60.0, 200.0], super::CHIRAL_SPIN),

@@ -15,14 +15,10 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const PRODUCT: Parameter = Parameter::new(
-    "product",
-    "I_{12}/M",
-    "product of inertia over the mass",
-    [-2.0, 2.0],
-    -0.2,
-)
-.unit("cm²");
+const PRODUCT: Parameter = Parameter::new("product", "I_{12}/M")
+    .meaning("product of inertia over the mass")
+    .between([-2.0, 2.0], -0.2)
+    .unit("cm²");
 /// What may be chosen.
 pub const STONE: &[Parameter] = &[PRODUCT, SPIN.between([1.0, 8.0], 5.0)];
 

@@ -13,14 +13,10 @@ pub const STROBED: &[Parameter] = &[
     BOTH_SPINS[0],
     BOTH_SPINS[1],
     BOTH_SPINS[2],
-    Parameter::new(
-        "step",
-        r"\Delta t",
-        "time between two pictures",
-        [0.1, 0.5],
-        0.3,
-    )
-    .unit("s"),
+    Parameter::new("step", r"\Delta t")
+        .meaning("time between two pictures")
+        .between([0.1, 0.5], 0.3)
+        .unit("s"),
 ];
 
 /// Pictures of a row.

@@ -11,8 +11,7 @@ use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
 use crate::plot::{Axis, Frame, texts};
 use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, along, area, figure, label, number, roomiest,
-    short, small, stroke,
+    Anchor, DATA, Point, Role, SECONDARY, Words, figure, label, number, short, small, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, constant, of};
 
@@ -28,33 +27,25 @@ const GRAVITY: f64 = 9.81;
 /// Seconds shown.
 const SHOWN: f64 = 12.0;
 
-const AXLE: Parameter =
-    Parameter::new("axle", "r", "radius of the axle", [3.0, 9.0], 5.0).unit("mm");
-const LENGTH: Parameter =
-    Parameter::new("length", "L", "length of the string", [0.4, 1.5], 1.0).unit("m");
-const LEFT: Parameter = Parameter::new(
-    "spin_left",
-    "e",
-    "part of the spin that a turn leaves",
-    [0.4, 1.0],
-    0.9,
-);
-const CORE: Parameter = Parameter::new(
-    "thick_axle",
-    "r_1",
-    "radius of the axle under the thick string",
-    [2.0, 5.0],
-    4.0,
-)
-.unit("mm");
-const WOUND: Parameter = Parameter::new(
-    "wound_to",
-    "r_2",
-    "radius of the thick string when it is wound up",
-    [5.5, 20.0],
-    10.0,
-)
-.unit("mm");
+const AXLE: Parameter = Parameter::new("axle", "r")
+    .meaning("radius of the axle")
+    .between([3.0, 9.0], 5.0)
+    .unit("mm");
+const LENGTH: Parameter = Parameter::new("length", "L")
+    .meaning("length of the string")
+    .between([0.4, 1.5], 1.0)
+    .unit("m");
+const LEFT: Parameter = Parameter::new("spin_left", "e")
+    .meaning("part of the spin that a turn leaves")
+    .between([0.4, 1.0], 0.9);
+const CORE: Parameter = Parameter::new("thick_axle", "r_1")
+    .meaning("radius of the axle under the thick string")
+    .between([2.0, 5.0], 4.0)
+    .unit("mm");
+const WOUND: Parameter = Parameter::new("wound_to", "r_2")
+    .meaning("radius of the thick string when it is wound up")
+    .between([5.5, 20.0], 10.0)
+    .unit("mm");
 
 /// What may be chosen of a yo-yo let go.
 pub const STRING: &[Parameter] = &[AXLE, LENGTH, LEFT];
@@ -218,7 +209,6 @@ pub fn speed(values: &Values) -> Result<Figure> {
         pen.line(&curves[1], stroke(Role::Ink, DATA));
         let top = frame.at(fastest, peak);
         pen.disc(top, 4.0, Role::Ink, 1.0);
-        let mut taken: Vec<Point> = curves.iter().flat_map(|curve| along(curve, 4.0)).collect();
         let mut beside = |curve: &[Point], text: &str, lettering, half: f64| {
             let places = curve.iter().skip(60).step_by(4).flat_map(|p| {
                 [[half + 8.0, 16.0], [-half - 8.0, -16.0], [0.0, -18.0]]
@@ -227,9 +217,7 @@ pub fn speed(values: &Values) -> Result<Figure> {
             let inside = places.filter(|p| {
                 (72.0 + half..590.0 - half).contains(&p[0]) && (30.0..280.0).contains(&p[1])
             });
-            let at = roomiest(inside, [half, 9.0], &taken);
-            taken.extend(area(at, [half, 9.0]));
-            pen.text([at[0], at[1] + 5.0], Anchor::Middle, text, lettering);
+            pen.name(inside, text, lettering);
         };
         beside(&[top; 61], "fastest", small(Role::Ink), 24.0);
         beside(&curves[1], "thick string", label(Role::Ink), 45.0);

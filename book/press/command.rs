@@ -4,8 +4,9 @@ use crate::drawings::{self, Drawing};
 use crate::error::one_line;
 use crate::ledger::Ledger;
 use crate::paths::workspace_root;
-use crate::pictures::{Copying, Form};
+use crate::pictures::{self, Copying, Form};
 use crate::progress::watched;
+use crate::scenes::film::{self, Seen, Stills};
 use crate::scenes::output::{Format, Motion};
 use crate::scenes::plot::{self, Panel};
 use crate::scenes::scan::{Over, Scan, Tell};
@@ -83,7 +84,10 @@ Examples:
   cargo run -- scene --keys roller    the keys of a kind; `--keys shapes` those of bodies by what they are
   cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json
   cargo run -- scene tippe-top --plot tilt,energy --output motion.svg
-  cargo run -- scene racket --plot omega1:omega2 --output polhode.svg"
+  cargo run -- scene racket --plot omega1:omega2 --output polhode.svg
+  cargo run -- scene racket --film --speed 0.5 --output racket.svg
+  cargo run --features book/pictures -- scene racket --frames stills 250 --as png
+  ffmpeg -framerate 25 -i stills/%03d.png -pix_fmt yuv420p racket.mp4    makes a video of them"
     )
 }
 
@@ -97,7 +101,9 @@ Examples:
   cargo run -- scan racket --over initial.omega.0=0.001..0.1:25
   cargo run -- scan heavy-body --over effects.gravity=0..20:21 --over initial.omega.2=1..20:20
   cargo run -- scan racket --over initial.omega.0=1e-8..1e-1:8:log --tell crossing:omega2=0
-  cargo run -- scan tippe-top --over body.mass=0.01..0.04,body.radius=0.01..0.04:4 --tell greatest:tilt,last:energy";
+  cargo run -- scan tippe-top --over body.mass=0.01..0.04,body.radius=0.01..0.04:4 --tell greatest:tilt,last:energy
+  cargo run -- scan racket --over initial.omega.0=1e-8..1e-1:40:log --plot crossing:omega2=0 --output flip.svg
+  cargo run -- scan strip --over initial.angle=0..1.5:30 --over body.width=0.01..0.05:30 --plot x --output map.svg";
 
 const FIGURES: &str = "\
 Many figures are functions of numbers that may be chosen: `--list NAME` tells them, their ranges and what the book shows. The caption
@@ -129,7 +135,8 @@ velocities or else velocities, over the greatest of the motion.
 Examples:
   cargo run --release -- accuracy --scene near-separatrix/1000
   cargo run --release -- accuracy --csv mine.csv
-  cargo run --release -- accuracy --scene strip";
+  cargo run --release -- accuracy --scene strip
+  cargo run --release -- accuracy --scene racket --plot --output racket.svg";
 
 /// The colours of a figure's file.
 #[derive(Debug, Clone, Copy)]
@@ -207,7 +214,7 @@ enum Command {
         #[arg(required_unless_present = "keys")]
         file: Option<PathBuf>,
         /// Prints the keys that a kind of scene has, and reads no file
-        #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "plot", "format", "output"])]
+        #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "plot", "film", "frames", "format", "output"])]
         keys: Option<String>,
         /// The numbers of a row after the time; a name that is none has them all listed [default: the usual ones of the kind]
         #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
@@ -215,6 +222,18 @@ enum Command {
         /// Draws a picture instead: a panel for each COLUMN against time, or X:Y for one column against another
         #[arg(long, value_name = "WHAT,…", value_delimiter = ',', conflicts_with_all = ["columns", "format"])]
         plot: Vec<Panel>,
+        /// Films the moving body instead: one SVG that plays wherever a browser shows it
+        #[arg(long, conflicts_with_all = ["columns", "plot", "format"])]
+        film: bool,
+        /// Seconds of the motion in a second of the film [default: so that it takes ten seconds]
+        #[arg(long, value_name = "RATE", requires = "film")]
+        speed: Option<f64>,
+        /// Draws N pictures of the moving body into a new folder, at equal steps of time
+        #[arg(long, num_args = 2, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
+        frames: Vec<OsString>,
+        /// Form of these pictures; all but svg need a build with `--features book/pictures` [default: svg]
+        #[arg(long = "as", value_enum, value_name = "FORM", requires = "frames")]
+        form: Option<Form>,
         /// How the motion is written [default: as the name of the output ends; csv]
         #[arg(long, value_enum)]
         format: Option<Format>,
@@ -234,6 +253,9 @@ enum Command {
         /// What is told of a motion: COLUMN, first:COLUMN, least:COLUMN, greatest:COLUMN, crossing:COLUMN=LEVEL [default: its last row]
         #[arg(long, value_name = "WHAT,…", value_delimiter = ',')]
         tell: Vec<Tell>,
+        /// Draws one number instead, told as for --tell: a line over one --over, a map over two
+        #[arg(long, value_name = "WHAT", conflicts_with_all = ["tell", "format"])]
+        plot: Option<Tell>,
         /// How it is written [default: as the name of the output ends; csv]
         #[arg(long, value_enum)]
         format: Option<Format>,
@@ -250,6 +272,12 @@ enum Command {
         /// Also writes one row a measurement
         #[arg(long, value_name = "FILE")]
         csv: Option<PathBuf>,
+        /// Draws the errors against what they cost instead, of the one motion that --scene names
+        #[arg(long, requires = "scene")]
+        plot: bool,
+        /// Where to draw; without it, standard output
+        #[arg(long, value_name = "FILE", requires = "plot")]
+        output: Option<PathBuf>,
     },
     /// Lists every claim of the tutorial, its verdict, and where it is computed
     Claims,
@@ -381,21 +409,31 @@ fn obey(command: Option<Command>) -> Result<()> {
             file,
             columns,
             plot,
+            film,
+            speed,
+            frames,
+            form: as_form,
             format,
             output,
             ..
         }) => {
             let file = scene_file(&root, file.unwrap_or_default())?;
-            let (format, form) = match plot.is_empty() {
-                true => (Format::of(format, output.as_deref())?, Form::Svg),
-                false => (Format::Csv, plot::form(output.as_deref())?),
+            let (format, form) = match (film, plot.is_empty()) {
+                (true, _) => (Format::Csv, plot::form(output.as_deref(), &[Form::Svg])?),
+                (false, true) => (Format::of(format, output.as_deref())?, Form::Svg),
+                (false, false) => (Format::Csv, plot::form(output.as_deref(), &Form::ALL)?),
             };
+            let stills = Stills::of(&frames)?;
             let target = Target::new(output.as_deref(), Some(&file))?;
             let (name, text) = scenes::source(&file)?;
             let (mut scene, request) = scenes::parse(&name, &text)?;
-            let (option, columns) = match plot.is_empty() {
-                true => ("--columns", columns),
-                false => ("--plot", plot::columns(&plot)),
+            let option = if film { "--film" } else { "--frames" };
+            let seen = (film || stills.is_some()).then(|| Seen::of(option, &name, &text));
+            let seen = seen.transpose()?;
+            let (option, columns) = match (&seen, plot.is_empty()) {
+                (Some(_), _) => (option, film::columns(&scene)),
+                (None, true) => ("--columns", columns),
+                (None, false) => ("--plot", plot::columns(&plot)),
             };
             if !columns.is_empty() {
                 let told = files::telling(scene, &columns);
@@ -407,8 +445,15 @@ fn obey(command: Option<Command>) -> Result<()> {
                 request: &request,
                 progress: &Progress::default(),
             };
-            if !plot.is_empty() {
-                let picture = plot::plot(&motion, &plot, form)?;
+            if let (Some(stills), Some(seen)) = (stills, &seen) {
+                return say(&stills.draw(&motion, seen, as_form.unwrap_or_default())?);
+            }
+            let picture = match (&seen, plot.is_empty()) {
+                (Some(seen), _) => Some(film::film(&motion, seen, speed)?),
+                (None, true) => None,
+                (None, false) => Some(plot::plot(&motion, &plot, form)?),
+            };
+            if let Some(picture) = picture {
                 return target.write(|to| to.write_all(&picture));
             }
             target.write(|to| format.write(&motion, to))
@@ -417,12 +462,20 @@ fn obey(command: Option<Command>) -> Result<()> {
             file,
             over,
             tell,
+            plot,
             format,
             output,
         }) => {
             let file = scene_file(&root, file)?;
-            let format = Format::of(format, output.as_deref())?;
+            let (format, form) = match plot {
+                None => (Format::of(format, output.as_deref())?, None),
+                Some(_) => (
+                    Format::Csv,
+                    Some(plot::form(output.as_deref(), &Form::ALL)?),
+                ),
+            };
             let target = Target::new(output.as_deref(), Some(&file))?;
+            let tell = plot.map_or(tell, |plot| vec![plot]);
             let scan = Scan::new(&file, over, tell)?;
             let (done, points) = (AtomicUsize::new(0), scan.points());
             let how_far = || {
@@ -433,12 +486,33 @@ fn obey(command: Option<Command>) -> Result<()> {
             let count = || {
                 done.fetch_add(1, Ordering::Relaxed);
             };
+            if let Some(form) = form {
+                let figure = watched(how_far, || scan.picture(count))?;
+                let picture = pictures::file(&figure, Copying::of(form))?;
+                return target.write(|to| to.write_all(&picture));
+            }
             let (text, ran) = watched(how_far, || scan.run(format, count));
             target.write(|to| to.write_all(text.as_bytes()))?;
             ran
         }
-        Some(Command::Accuracy { scene, csv }) => {
-            say(&accuracy::run(&root, scene.as_deref(), csv.as_deref())?)
+        Some(Command::Accuracy {
+            scene,
+            csv,
+            plot,
+            output,
+        }) => {
+            let csv = csv.as_deref();
+            let Some(scene) = scene.as_deref().filter(|_| plot) else {
+                return say(&accuracy::run(&root, scene.as_deref(), csv)?.text);
+            };
+            let form = plot::form(output.as_deref(), &Form::ALL)?;
+            let target = Target::new(
+                output.as_deref(),
+                scenes::file(&root, Path::new(scene)).as_deref(),
+            )?;
+            let figure = accuracy::picture(&root, scene, csv)?;
+            let picture = pictures::file(&figure, Copying::of(form))?;
+            target.write(|to| to.write_all(&picture))
         }
         Some(Command::Claims) => say(&appendix::table(&Ledger::read(&root)?)),
     }

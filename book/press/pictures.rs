@@ -19,6 +19,9 @@ pub enum Form {
 }
 
 impl Form {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Svg, Self::Pdf, Self::Png];
+
     /// How the name of such a file ends.
     pub const fn ending(self) -> &'static str {
         match self {
@@ -38,6 +41,16 @@ pub struct Copying {
     pub form: Form,
     /// Points or dots; by itself 432 points, six inches, or 1200 dots.
     pub width: Option<u16>,
+}
+
+impl Copying {
+    /// On light paper, in this form.
+    pub fn of(form: Form) -> Self {
+        Self {
+            form,
+            ..Self::default()
+        }
+    }
 }
 
 /// The file of a figure.

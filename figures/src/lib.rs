@@ -15,6 +15,7 @@ mod conservation;
 mod euler_equations;
 mod euler_top;
 mod falling_strip;
+pub mod film;
 mod finish;
 mod gyroscope;
 mod hard_cases;
@@ -80,6 +81,15 @@ impl Figure {
                 .expect("a string takes every letter");
         }
         finish::finish(self, &raw)
+    }
+
+    /// What was drawn, without the document around it.
+    pub(crate) fn elements(&self) -> String {
+        let svg = self.svg();
+        let inside = svg
+            .split_once("</title>\n")
+            .map_or("", |(_, inside)| inside);
+        inside.trim_end().trim_end_matches("</svg>").to_owned()
     }
 
     /// Draws the marks on any backend of plotters, in the colours that stand for their roles.

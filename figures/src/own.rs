@@ -1,19 +1,23 @@
 //! Diagrams of the reader's own motions: one number against another, a panel each.
 
 use crate::Figure;
-use crate::plot::{Axis, Frame};
-use crate::style::{AXIS, DATA, Point, Role, Words, figure, number, stroke};
+use crate::plot::{Axis, Frame, Scale, apart, texts};
+use crate::style::{
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+};
 
 /// The values of a quantity along a motion.
 #[derive(Debug, Clone)]
 pub struct Quantity {
     /// As a scene calls it: `tilt`, `omega1`, …
-    pub name: &'static str,
-    /// Its unit; `1` for a pure number.
+    pub name: String,
+    /// Its unit; `1` for a pure number, nothing where it is not known.
     pub unit: &'static str,
     /// Whether it is an angle told between −π and π: a line that goes once round is broken there.
     pub goes_round: bool,
-    /// The values, one a row.
+    /// Whether it goes up by equal ratios.
+    pub logarithmic: bool,
+    /// The values, one a row; what is no number is not drawn.
     pub values: Vec<f64>,
 }
 
@@ -34,6 +38,13 @@ fn extent(values: &[f64]) -> [f64; 2] {
 impl Quantity {
     fn drawn(&self) -> Drawn {
         let [low, high] = extent(&self.values);
+        if self.logarithmic {
+            return Drawn {
+                label: self.name.clone(),
+                values: self.values.clone(),
+                shown: [low, high],
+            };
+        }
         let greatest = low.abs().max(high.abs());
         let first = self.values.first().copied().unwrap_or(0.0);
         let hardly = high > low && high - low < 1e-6 * greatest;
@@ -57,15 +68,22 @@ impl Quantity {
         let [low, high] = extent(&values);
         let air = if high > low { 0.06 * (high - low) } else { 1.0 };
         let unit = match (power, self.unit) {
-            (0.0, "1") => String::new(),
+            (0.0, "1" | "") => String::new(),
             (0.0, unit) => format!(", {unit}"),
-            (_, "1") => format!(", 10^{{{power}}}"),
+            (_, "1" | "") => format!(", 10^{{{power}}}"),
             (_, unit) => format!(", 10^{{{power}}} {unit}"),
         };
         Drawn {
             label: format!("{before}{}{}", self.name, unit.replace('-', "\u{2212}")),
             values,
             shown: [low - air, high + air],
+        }
+    }
+
+    fn axis(&self, shown: [f64; 2], ends: [f64; 2]) -> Axis {
+        match self.logarithmic {
+            true => Axis::log(shown, ends),
+            false => Axis::linear(shown, ends),
         }
     }
 
@@ -80,7 +98,7 @@ impl Quantity {
     }
 }
 
-/// A diagram of the motion called `title`: in each panel a quantity to the right and one upward, with as many values as each other.
+/// A diagram of what `title` says: in each panel a quantity to the right and one upward, with as many values as each other.
 pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
     let named = |[x, y]: &[Quantity; 2]| format!("{} against {}", y.name, x.name);
     let names: Vec<String> = panels.iter().map(named).collect();
@@ -97,7 +115,7 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
     let told: Vec<String> = panels.iter().map(told).collect();
     let details = format!("{}.", told.join("; ").replace(" ;", ";").trim_end());
     let words = Words {
-        claim: format!("The motion of {title}: {}.", names.join(", ")),
+        claim: format!("{title}: {}.", names.join(", ")),
         alt: format!(
             "{} panels, below each other: {}. {details}",
             panels.len(),
@@ -112,8 +130,9 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
         for (k, [x, y]) in panels.iter().enumerate() {
             let top = 36.0 + k as f64 * (height + gap);
             let (across, up) = (x.drawn(), y.drawn());
-            // Time begins at its beginning.
-            let shown = if x.name == "t" {
+            // Time begins at its beginning, and so does a number that is varied.
+            let varied = x.unit.is_empty();
+            let shown = if x.name == "t" || varied {
                 extent(&across.values)
             } else {
                 across.shown
@@ -124,10 +143,12 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
                 across.shown
             };
             let frame = Frame {
-                x: Axis::linear(shown, [84.0, 582.0]),
+                x: x.axis(shown, [84.0, 582.0]),
                 y: Axis::linear(up.shown, [top + height, top]),
             };
-            frame.draw_round(pen, [&across.label, &up.label]);
+            let (x_ticks, y_ticks) = (ticks(&frame.x, 70.0), ticks(&frame.y, 45.0));
+            let names = [across.label.as_str(), &up.label];
+            frame.draw(pen, &texts(&x_ticks), &texts(&y_ticks), names);
             let [low, high] = up.shown;
             if low < 0.0 && high > 0.0 {
                 let zero = [frame.at(shown[0], 0.0), frame.at(shown[1], 0.0)];
@@ -135,11 +156,18 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
             }
             let mut line: Vec<Point> = Vec::new();
             let mut before = None;
+            let few = varied && across.values.len() <= FEW;
             for (&x, &y_there) in across.values.iter().zip(&up.values) {
                 let jumps = before.is_some_and(|last: f64| (y_there - last).abs() > 3.2);
-                if y.goes_round && jumps {
+                if (y.goes_round && jumps) || y_there.is_nan() {
                     pen.line(&line, stroke(y.role(), DATA));
                     line.clear();
+                }
+                if y_there.is_nan() {
+                    continue;
+                }
+                if few {
+                    pen.disc(frame.at(x, y_there), 3.0, y.role(), 1.0);
                 }
                 line.push(frame.at(x, y_there));
                 before = Some(y_there);
@@ -155,6 +183,233 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
             rows,
         )
     })
+}
+
+/// So many points of a varied number have a disc each.
+const FEW: usize = 60;
+
+/// A map of what `title` says: a number in steps of ink over two that are varied, the second running fastest in its values.
+pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
+    let drawn = told.drawn();
+    let there = || drawn.values.iter().copied().filter(|value| !value.is_nan());
+    let [low, high] = extent(&there().collect::<Vec<_>>());
+    let step = |value: f64| {
+        let share = (value - low) / (high - low) * f64::from(STEPS);
+        if share.is_nan() {
+            0
+        } else {
+            (share as u32).min(STEPS - 1)
+        }
+    };
+    let shade = |step: u32| (5.0 + 10.0 * f64::from(step)) / 100.0;
+    let refused = drawn.values.len() - there().count();
+    let [across, up] = [x, y].map(|axis| axis.values.len());
+    let [least, greatest] = extent(&told.values).map(short);
+    let unit = if told.unit == "1" { "" } else { told.unit };
+    let left_out = match refused {
+        0 => String::new(),
+        _ => format!(
+            "; {refused} of {} points have none, and are crossed out",
+            told.values.len()
+        ),
+    };
+    let details = format!("From {least} to {greatest} {unit}")
+        .trim_end()
+        .to_owned()
+        + &left_out
+        + ".";
+    let words = Words {
+        claim: format!("{title}: {} over {} and {}.", told.name, x.name, y.name),
+        alt: format!(
+            "A map of {across} by {up} fields, the darker the greater {}. {details}",
+            told.name
+        ),
+        details,
+    };
+    let made = figure("plot", 470.0, words, |pen| {
+        // The middles of the fields are where the numbers are.
+        let [(left, right), (bottom, top)] = [(84.0, 462.0), (400.0, 40.0)];
+        let axis = |of: &Quantity, [from, to]: [f64; 2]| {
+            let half = 0.5 * (to - from) / of.values.len() as f64;
+            of.axis(extent(&of.values), [from + half, to - half])
+        };
+        let frame = Frame {
+            x: axis(x, [left, right]),
+            y: axis(y, [bottom, top]),
+        };
+        let field = |i: usize, j: usize| {
+            let x = |i: usize| left + (right - left) * i as f64 / across as f64;
+            let y = |j: usize| bottom + (top - bottom) * j as f64 / up as f64;
+            [
+                [x(i), y(j)],
+                [x(i + 1), y(j)],
+                [x(i + 1), y(j + 1)],
+                [x(i), y(j + 1)],
+            ]
+        };
+        for (k, &value) in drawn.values.iter().enumerate() {
+            let corners = field(k / up, k % up);
+            match value.is_nan() {
+                true => pen.line(&[corners[0], corners[2]], stroke(Role::Muted, AXIS)),
+                false => pen.fill(&corners, Role::Ink, shade(step(value))),
+            }
+        }
+        let bare = Frame {
+            x: Axis {
+                ends: [left, right],
+                ..frame.x
+            },
+            y: Axis {
+                ends: [bottom, top],
+                ..frame.y
+            },
+        };
+        bare.draw(pen, &[], &[], [&x.name, &y.name]);
+        for (value, text) in ticks(&frame.x, 70.0) {
+            pen.text(
+                [frame.x.at(value), bottom + 20.0],
+                Anchor::Middle,
+                &text,
+                small(Role::Muted),
+            );
+        }
+        for (value, text) in ticks(&frame.y, 45.0) {
+            pen.text(
+                [left - 9.0, frame.y.at(value) + 5.0],
+                Anchor::End,
+                &text,
+                small(Role::Muted),
+            );
+        }
+        pen.text(
+            [592.0, top - 12.0],
+            Anchor::End,
+            &drawn.label,
+            label(Role::Ink),
+        );
+        for step in 0..STEPS {
+            let height = |step: u32| bottom + (top - bottom) * f64::from(step) / f64::from(STEPS);
+            let [from, to] = [height(step), height(step + 1)];
+            let corners = [[480.0, from], [500.0, from], [500.0, to], [480.0, to]];
+            pen.fill(&corners, Role::Ink, shade(step));
+            let value = low + (high - low) * f64::from(step) / f64::from(STEPS);
+            pen.text(
+                [506.0, from + 5.0],
+                Anchor::Start,
+                &short(value),
+                small(Role::Muted),
+            );
+        }
+        pen.text(
+            [506.0, top + 5.0],
+            Anchor::Start,
+            &short(high),
+            small(Role::Muted),
+        );
+    });
+    let rows = told.values.iter().enumerate();
+    let rows = rows.map(|(k, &value)| vec![x.values[k / up], y.values[k % up], value]);
+    made.data(told.name.clone(), &["across", "up", "told"], rows)
+}
+
+/// Steps of ink.
+const STEPS: u32 = 8;
+
+/// What a method pays, and the error that is left.
+pub type Curve = (String, Vec<Point>);
+
+/// The diagram of a motion: what each method pays to be how exact, each named at its end.
+pub fn prices(title: &str, [price, error]: [&str; 2], curves: &[Curve]) -> Figure {
+    let curves: Vec<Curve> = curves
+        .iter()
+        .map(|(name, points)| (name.clone(), corners(points)))
+        .filter(|(_, points)| !points.is_empty())
+        .collect();
+    let all = |k: usize| {
+        curves
+            .iter()
+            .flat_map(|curve| &curve.1)
+            .map(move |point| point[k])
+    };
+    let [least, most] = extent(&all(0).collect::<Vec<_>>());
+    let [best, worst] = extent(&all(1).collect::<Vec<_>>());
+    let words = Words {
+        claim: format!("{title}: what an error costs, method by method."),
+        details: format!("{error} against {price}."),
+        alt: format!(
+            "{} falling curves of {error} against {price}, both logarithmic, each with the name of its method at its end.",
+            curves.len()
+        ),
+    };
+    let height = 150.0 + 16.0 * curves.len().max(14) as f64;
+    let bottom = height - 60.0;
+    let frame = Frame {
+        x: Axis::log([0.7 * least, 1.4 * most], [74.0, 420.0]),
+        y: Axis::log([0.4 * best, 2.5 * worst], [bottom, 44.0]),
+    };
+    let made = figure("plot", height, words, |pen| {
+        let (x, y) = (ticks(&frame.x, 50.0), ticks(&frame.y, 40.0));
+        frame.draw(pen, &texts(&x), &texts(&y), [price, error]);
+        let lines: Vec<Vec<Point>> = curves
+            .iter()
+            .map(|(_, points)| points.iter().map(|&[x, y]| frame.at(x, y)).collect())
+            .collect();
+        let ends: Vec<Point> = lines.iter().map(|line| line[line.len() - 1]).collect();
+        let wanted: Vec<f64> = ends.iter().map(|end| end[1]).collect();
+        let heights = apart(&wanted, 16.0, bottom);
+        for (k, ((name, _), line)) in curves.iter().zip(&lines).enumerate() {
+            let role = if k % 2 == 0 { Role::Ink } else { Role::Muted };
+            let style = stroke(role, SECONDARY);
+            let style = match k / 2 % 3 {
+                0 => style,
+                1 => style.dashed(),
+                _ => style.dotted(),
+            };
+            pen.line(line, style);
+            pen.disc(ends[k], 2.6, role, 1.0);
+            let beside = [438.0, heights[k]];
+            pen.line(&[ends[k], beside], stroke(Role::Muted, HAIR).alpha(0.5));
+            pen.text([442.0, heights[k] + 5.0], Anchor::Start, name, small(role));
+        }
+    });
+    curves.into_iter().fold(made, |made, (name, points)| {
+        made.data(name, &["price", "error"], points.into_iter().map(Vec::from))
+    })
+}
+
+/// The corners of a staircase: those that no cheaper one is as exact as. What has no error has the rounding of one.
+fn corners(points: &[Point]) -> Vec<Point> {
+    let drawn = points
+        .iter()
+        .filter(|[price, error]| *price > 0.0 && error.is_finite());
+    let mut points: Vec<Point> = drawn
+        .map(|&[price, error]| [price, error.max(1e-17)])
+        .collect();
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut best = f64::INFINITY;
+    points.retain(|point| {
+        let better = point[1] < best;
+        best = best.min(point[1]);
+        better
+    });
+    points
+}
+
+/// Round numbers along an axis and their texts, so far apart; powers of ten along one that has several.
+fn ticks(axis: &Axis, apart: f64) -> Vec<(f64, String)> {
+    let [low, high] = axis.shown.map(f64::log10);
+    if axis.scale == Scale::Linear || high - low < 2.0 {
+        return axis.ticks(apart);
+    }
+    let length = (axis.ends[1] - axis.ends[0]).abs();
+    let every = ((high - low) * apart / length).ceil().max(1.0) as usize;
+    (low.ceil() as i32..=high.floor() as i32)
+        .step_by(every)
+        .map(|power| {
+            let text = format!("10^{{{power}}}").replace('-', "\u{2212}");
+            (10_f64.powi(power), text)
+        })
+        .collect()
 }
 
 /// A number in four digits.
@@ -173,12 +428,13 @@ fn short(value: f64) -> String {
 mod tests {
     use super::*;
 
-    fn quantity(name: &'static str, values: &[f64]) -> Quantity {
+    fn quantity(name: &str, values: &[f64]) -> Quantity {
         let values = values.to_vec();
         Quantity {
-            name,
+            name: name.to_owned(),
             unit: "J",
             goes_round: false,
+            logarithmic: false,
             values,
         }
     }
@@ -199,7 +455,10 @@ mod tests {
             goes_round: true,
             ..quantity("phi", &[3.0, -3.0, -2.0])
         };
-        let made = diagram("a.toml", &[[time.clone(), tilt], [time.clone(), time]]);
+        let made = diagram(
+            "The motion of a.toml",
+            &[[time.clone(), tilt], [time.clone(), time]],
+        );
         assert!(
             made.claim
                 .starts_with("The motion of a.toml: phi against t")
@@ -207,5 +466,17 @@ mod tests {
         assert_eq!(made.data.rows.len(), 6);
         // The line of phi is broken where it goes round: one point is left alone and draws nothing.
         assert!(!made.svg().contains("NaN"));
+    }
+
+    #[test]
+    fn what_is_dearer_and_no_better_is_left_out() {
+        let points = [
+            [4.0, 1e-3],
+            [1.0, 1e-1],
+            [2.0, 1e-3],
+            [8.0, 0.0],
+            [9.0, f64::NAN],
+        ];
+        assert_eq!(corners(&points), [[1.0, 1e-1], [2.0, 1e-3], [8.0, 1e-17]]);
     }
 }

@@ -10,8 +10,10 @@ pub const HIDDEN: f64 = 0.26;
 /// An orthographic view of three-dimensional space.
 #[derive(Debug, Clone, Copy)]
 pub struct View {
-    right: Vector3<f64>,
-    up: Vector3<f64>,
+    /// Unit vector to the right of the paper.
+    pub right: Vector3<f64>,
+    /// Unit vector upward on the paper.
+    pub up: Vector3<f64>,
     /// Unit vector towards the eye.
     pub toward: Vector3<f64>,
     center: Point,
@@ -58,6 +60,14 @@ impl View {
             0.5 * (top + bottom) - middle(1),
         ];
         Self::new(azimuth, elevation, center, scale)
+    }
+
+    /// The same with this point of space in this place of the paper.
+    pub fn centered_on(mut self, point: &Vector3<f64>, place: Point) -> Self {
+        let [x, y] = self.project(point);
+        self.center[0] += place[0] - x;
+        self.center[1] += place[1] - y;
+        self
     }
 
     /// Units of the design to one.

@@ -283,6 +283,15 @@ impl Pen {
         self.filled(|paint| Mark::Polygon(trace(points), paint), role, alpha);
     }
 
+    /// A polygon that hides what is behind it, with its outline.
+    pub fn sheet(&mut self, points: &[Point], outline: Stroke) {
+        self.fill(points, Role::Paper, 1.0);
+        if let Some((_, extra)) = self.marks.last_mut() {
+            let (paint, width) = (outline.role.paint(), outline.width * SCALE);
+            *extra = format!(" stroke=\"{paint}\" stroke-width=\"{width:.0}\"");
+        }
+    }
+
     /// A filled disc.
     pub fn disc(&mut self, center: Point, radius: f64, role: Role, alpha: f64) {
         let disc = |paint| Mark::Circle {

@@ -14,6 +14,8 @@ use std::io::Write as _;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
+use figures::Figure;
+use figures::own::{Curve, prices};
 use lab::accuracy::{JudgedScene, Measurement, NAMES, Problem, Trial, candidates, named, problems};
 use spinning_bodies::scene::Solver;
 
@@ -38,11 +40,11 @@ pub struct Swept {
     pub left_out: usize,
 }
 
-/// Measures a problem (or its lengths, or a scene file), or all of them; writes the CSV file, and gives the tables.
+/// Measures a problem (or its lengths, or a scene file), or all of them; writes the CSV file, and gives the tables and curves.
 ///
 /// # Errors
 /// [`Error::Input`] for an unknown name, a scene that cannot be measured, or a file that cannot be there; [`Error::File`].
-pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<String> {
+pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Report> {
     let file = scene.and_then(|name| scenes::file(root, Path::new(name)));
     Format::of(Some(Format::Csv), csv)?;
     let target = csv.map(|path| Target::new(Some(path), file.as_deref()));
@@ -71,7 +73,7 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Strin
     if let Some(target) = target {
         target.write(|to| to.write_all(format!("{HEADER}\n{}", report.rows).as_bytes()))?;
     }
-    Ok(report.text)
+    Ok(report)
 }
 
 /// What the command prints, and the rows of its CSV file.
@@ -81,6 +83,8 @@ pub struct Report {
     pub text: String,
     /// Below the [`HEADER`].
     pub rows: String,
+    /// What each method pays, and the error that is left.
+    pub curves: Vec<Curve>,
 }
 
 impl Report {
@@ -88,7 +92,30 @@ impl Report {
         self.text.push_str(&table::text(heading, floor, swept));
         self.rows
             .extend(swept.iter().flat_map(|s| &s.rows).map(line));
+        let curve = |one: &Swept| (one.method.clone(), table::points(&one.rows));
+        self.curves.extend(swept.iter().map(curve));
     }
+}
+
+/// Measures one motion, as [`run`] does, and draws what each method pays for an error.
+///
+/// # Errors
+/// [`Error::Input`] for several motions; those of [`run`].
+pub fn picture(root: &Path, scene: &str, csv: Option<&Path>) -> Result<Figure> {
+    if named(scene).map_err(broken)?.len() > 1 {
+        let told = format!("--plot: {scene} has several lengths, expected one, such as {scene}/10");
+        return Err(Error::Input(told));
+    }
+    let report = run(root, Some(scene), csv)?;
+    let price = match cfg!(debug_assertions) {
+        true => "evaluations",
+        false => "time, s",
+    };
+    let title = match scene.strip_suffix(".toml") {
+        Some(path) => path.rsplit('/').next().unwrap_or(path),
+        None => scene,
+    };
+    Ok(prices(title, [price, "error"], &report.curves))
 }
 
 fn warn_of_debug() {

@@ -79,6 +79,15 @@ fn price(row: &Measurement) -> f64 {
     row.seconds.unwrap_or(row.evaluations as f64)
 }
 
+/// What was paid at each effort that ran, one evaluation at least where no clock ran, and the error that was left.
+pub fn points(rows: &[Measurement]) -> Vec<[f64; 2]> {
+    let kept = rows
+        .iter()
+        .filter(|row| matches!(row.status, Status::Ok | Status::Floor));
+    let paid = |row: &Measurement| row.seconds.unwrap_or(row.evaluations.max(1) as f64);
+    kept.map(|row| [paid(row), worst(row)]).collect()
+}
+
 /// The greater of both errors, if there are two.
 fn worst(row: &Measurement) -> f64 {
     row.error_attitude.max(row.error_omega)

@@ -3,10 +3,13 @@
 //!
 //! | module | what it does |
 //! |---|---|
+//! | [`film`] | the body itself, moving |
 //! | [`output`] | CSV and JSON |
+//! | [`plot`] | numbers as diagrams |
 //! | [`prices`] | what each effect costs |
 //! | [`scan`] | one file, some of its numbers varied, on all cores |
 
+pub mod film;
 pub mod output;
 pub mod plot;
 pub mod prices;

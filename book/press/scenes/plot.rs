@@ -47,21 +47,25 @@ pub fn columns(panels: &[Panel]) -> Vec<String> {
     names
 }
 
-/// The form of the picture that a file's name ends with; SVG on the standard output.
+/// The form of the picture, of these, that a file's name ends with; the first on the standard output.
 ///
 /// # Errors
 /// [`Error::Input`] for a name that ends otherwise.
-pub fn form(output: Option<&Path>) -> Result<Form> {
+pub fn form(output: Option<&Path>, forms: &[Form]) -> Result<Form> {
     let Some(output) = output else {
-        return Ok(Form::Svg);
+        return Ok(forms[0]);
     };
     let ending = output.extension().unwrap_or_default().to_ascii_lowercase();
-    let forms = [Form::Svg, Form::Pdf, Form::Png];
-    let found = forms.into_iter().find(|form| ending == form.ending());
-    found.ok_or_else(|| {
+    let found = forms.iter().find(|form| ending == form.ending());
+    found.copied().ok_or_else(|| {
+        let endings: Vec<String> = forms
+            .iter()
+            .map(|form| format!("`.{}`", form.ending()))
+            .collect();
         Error::Input(format!(
-            "{}: what is drawn is a picture, and its name should end with `.svg`, `.pdf` or `.png`",
-            output.display()
+            "{}: what is drawn is a picture, and its name should end with {}",
+            output.display(),
+            endings.join(" or ")
         ))
     })
 }
@@ -97,9 +101,10 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
         let value = |(t, row): (f64, Vec<f64>)| place.map_or(t, |place| row[place]);
         let column = place.map(|place| table.columns[place]);
         Quantity {
-            name: column.map_or("t", |column| column.name),
+            name: name.to_owned(),
             unit: column.map_or("s", |column| column.unit),
             goes_round: column.is_some_and(|column| column.goes_round),
+            logarithmic: false,
             values: table.rows().map(value).collect(),
         }
     };
@@ -107,10 +112,7 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
         .iter()
         .map(|panel| [quantity(&panel.across), quantity(&panel.up)]);
     let title = Path::new(motion.name).file_stem().unwrap_or_default();
-    let figure = diagram(&title.to_string_lossy(), &pairs.collect::<Vec<_>>());
-    let copying = Copying {
-        form,
-        ..Copying::default()
-    };
-    file(&figure, copying)
+    let title = format!("The motion of {}", title.display());
+    let figure = diagram(&title, &pairs.collect::<Vec<_>>());
+    file(&figure, Copying::of(form))
 }

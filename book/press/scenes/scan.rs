@@ -6,9 +6,11 @@ use std::io::Write;
 use std::path::Path;
 use std::str::FromStr;
 
+use figures::Figure;
+use figures::own::{Quantity, diagram, map};
 use rayon::prelude::*;
 use serde_json::{Value as Json, json};
-use spinning_bodies::scene::{AnyScene, Request, files};
+use spinning_bodies::scene::{AnyScene, Column, Request, files};
 
 use super::output::Format;
 use super::{parse, source};
@@ -24,8 +26,9 @@ pub struct Over {
     logarithmic: bool,
 }
 
-/// Most scenes of a scan.
+/// Most scenes of a scan, and fields of a map.
 const MOST: usize = 1_000_000;
+const MOST_FIELDS: usize = 10_000;
 
 impl FromStr for Over {
     type Err = String;
@@ -174,12 +177,15 @@ pub struct Scan {
     overs: Vec<Over>,
     /// Nothing: the last row.
     tells: Vec<Tell>,
-    /// The names of the columns that are told.
-    columns: Vec<String>,
+    /// The columns that are told.
+    columns: Vec<Column>,
 }
 
 /// What is told of a point, a number that is not there being none, or why there is nothing.
 type Outcome = Result<Vec<Option<f64>>>;
+
+/// The varied numbers of a point, and what came of them.
+type Point<'a> = (Vec<(&'a str, f64)>, Outcome);
 
 impl Scan {
     /// The scan of a file.
@@ -209,9 +215,9 @@ impl Scan {
         let scene = match named.is_empty() {
             true => scene,
             false => files::telling(scene, &named)
-                .map_err(|told| Error::Input(format!("--tell: {name} {told}")))?,
+                .map_err(|told| Error::Input(format!("--tell, --plot: {name} {told}")))?,
         };
-        let columns = scene.told().map(|column| column.name.to_owned()).collect();
+        let columns = scene.told().collect();
         Ok(Self {
             name,
             text,
@@ -242,7 +248,8 @@ impl Scan {
             text = set(&self.name, &text, path, value)?;
         }
         let (scene, request) = parse(&self.name, &text)?;
-        let scene = scene.telling(&self.columns)?;
+        let names: Vec<&str> = self.columns.iter().map(|column| column.name).collect();
+        let scene = scene.telling(&names)?;
         let motion = super::run(&self.name, &scene, &request)?;
         let mut rows: Vec<(f64, Vec<f64>)> = motion.rows().collect();
         rows.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -278,17 +285,15 @@ impl Scan {
     fn heads(&self) -> Vec<String> {
         if self.tells.is_empty() {
             let time = std::iter::once("t".to_owned());
-            return time.chain(self.columns.iter().cloned()).collect();
+            let names = self.columns.iter().map(|column| column.name.to_owned());
+            return time.chain(names).collect();
         }
         self.tells.iter().map(Tell::to_string).collect()
     }
 
-    /// Runs the scene at every point of the grid, on all cores, and gives the text of what is told, and whether any point could be run. `done` is called
-    /// after each. Warnings go to standard error.
-    ///
-    /// CSV: a line a point, the varied numbers, what is told, and `ok` or why there is nothing. JSON: an object with the rows, and apart from them what was
-    /// refused.
-    pub fn run(&self, format: Format, done: impl Fn() + Sync) -> (String, Result<()>) {
+    /// Runs the scene at every point of the grid, on all cores, and tells how that went: whether any point could be run. `done` is called after each.
+    /// Warnings go to standard error.
+    fn ran(&self, done: impl Fn() + Sync) -> (Vec<Point<'_>>, Result<()>) {
         self.warn();
         let points = (0..self.points()).into_par_iter().map(|point| {
             let varied = self.varied(point);
@@ -296,7 +301,7 @@ impl Scan {
             done();
             (varied, outcome)
         });
-        let points: Vec<(Vec<(&str, f64)>, Outcome)> = points.collect();
+        let points: Vec<Point<'_>> = points.collect();
         let refusals = points
             .iter()
             .filter_map(|(_, outcome)| outcome.as_ref().err());
@@ -315,6 +320,15 @@ impl Scan {
             }
             _ => Ok(()),
         };
+        (points, ran)
+    }
+
+    /// Runs it and gives the text of what is told, and whether any point could be run. `done` is called after each point.
+    ///
+    /// CSV: a line a point, the varied numbers, what is told, and `ok` or why there is nothing. JSON: an object with the rows, and apart from them what was
+    /// refused.
+    pub fn run(&self, format: Format, done: impl Fn() + Sync) -> (String, Result<()>) {
+        let (points, ran) = self.ran(done);
         let text = match format {
             Format::Csv => self.csv(&points),
             Format::Json => self.json(&points),
@@ -322,7 +336,67 @@ impl Scan {
         (text, ran)
     }
 
-    fn csv(&self, points: &[(Vec<(&str, f64)>, Outcome)]) -> String {
+    /// Runs it and draws the first number that is told: over one range a line, over two a map.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for more ranges or too large a map, [`Error::Failed`] if no point could be run.
+    pub fn picture(&self, done: impl Fn() + Sync) -> Result<Figure> {
+        let refused = |told: String| Err(Error::Input(format!("--plot: {told}")));
+        let count = self.points();
+        match self.overs.len() {
+            1 => (),
+            2 if count > MOST_FIELDS => {
+                return refused(format!(
+                    "expected at most {MOST_FIELDS} points for a map, got {count}"
+                ));
+            }
+            2 => (),
+            more => return refused(format!("expected one --over, or two for a map, got {more}")),
+        }
+        let (points, ran) = self.ran(done);
+        ran?;
+        let value = |(_, outcome): &Point<'_>| {
+            let told = outcome
+                .as_ref()
+                .ok()
+                .and_then(|told| told.first().copied()?);
+            told.unwrap_or(f64::NAN)
+        };
+        // A crossing is told by its time.
+        let times = |tell: &Tell| matches!(tell.what, What::Crossing(_));
+        let column = self
+            .columns
+            .first()
+            .filter(|_| !self.tells.iter().any(times));
+        let told = Quantity {
+            name: self.heads().swap_remove(0),
+            unit: column.map_or("s", |column| column.unit),
+            goes_round: column.is_some_and(|column| column.goes_round),
+            logarithmic: false,
+            values: points.iter().map(value).collect(),
+        };
+        let axis = |over: &Over| {
+            let first = |place: usize| over.values(place).next();
+            Quantity {
+                name: over.paths().next().unwrap_or_default().to_owned(),
+                unit: "",
+                goes_round: false,
+                logarithmic: over.logarithmic,
+                values: (0..over.count)
+                    .filter_map(first)
+                    .map(|(_, value)| value)
+                    .collect(),
+            }
+        };
+        let title = Path::new(&self.name).file_stem().unwrap_or_default();
+        let title = format!("Many motions of {}", title.display());
+        Ok(match &self.overs[..] {
+            [x, y] => map(&title, &[axis(x), axis(y)], &told),
+            overs => diagram(&title, &[[axis(&overs[0]), told]]),
+        })
+    }
+
+    fn csv(&self, points: &[Point<'_>]) -> String {
         let heads = self.heads();
         let paths = self.overs.iter().flat_map(Over::paths).map(str::to_owned);
         let all = paths.chain(heads.iter().cloned());
@@ -352,7 +426,7 @@ impl Scan {
         text
     }
 
-    fn json(&self, points: &[(Vec<(&str, f64)>, Outcome)]) -> String {
+    fn json(&self, points: &[Point<'_>]) -> String {
         let heads = self.heads();
         let (mut rows, mut refused) = (Vec::new(), Vec::new());
         for (varied, outcome) in points {

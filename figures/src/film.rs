@@ -1,0 +1,486 @@
+//! The reader's own motions as pictures of the body itself: a still at a time, and a film of many.
+
+use core::f64::consts::TAU;
+use core::fmt::Write as _;
+
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+use crate::Figure;
+use crate::finish::short;
+use crate::plot::Axis;
+use crate::solid::{View, hull};
+use crate::style::{
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, brief, figure, label, number, small,
+    stroke,
+};
+
+/// A point or a vector: m along the body's axes or those of space, z upward; or rad/s, or kg m²/s.
+type Vector = Vector3<f64>;
+
+/// What is drawn of a body, along its own axes from the point whose place is told.
+///
+/// It is the convex hull of ellipsoids, which may be flat or points, with lines on its surface and lines that nothing hides.
+#[derive(Debug, Clone, Default)]
+pub struct Body {
+    /// Middle and half axes of each.
+    rounds: Vec<(Vector, Matrix3<f64>)>,
+    /// Places with the outward normals of the two faces that meet there: what looks away from the eye on both sides is hidden.
+    edges: Vec<Vec<[Vector; 3]>>,
+    bars: Vec<[Vector; 2]>,
+}
+
+impl Body {
+    /// An ellipsoid with these half axes, the columns, three ellipses on it, and a ring about the end of the third.
+    pub fn ellipsoid(middle: Vector, half: Matrix3<f64>) -> Self {
+        let [a, b, c] = [0, 1, 2].map(|k| half.column(k).into_owned());
+        let across = [b.cross(&c), c.cross(&a), a.cross(&b)];
+        let ring = |[i, j]: [usize; 2], share: f64| {
+            let k = 3 - i - j;
+            let off = (1.0 - share * share).max(0.0).sqrt();
+            round_about(|angle| {
+                let (s, c) = angle.sin_cos();
+                let [x, y] = [share * c, share * s];
+                let normal = across[i] * x + across[j] * y + across[k] * off;
+                let place = half.column(i) * x + half.column(j) * y + half.column(k) * off;
+                [middle + place, normal, normal]
+            })
+        };
+        // A small ring tells one end of the third axis from the other.
+        let rings = [([0, 1], 1.0), ([1, 2], 1.0), ([2, 0], 1.0), ([0, 1], 0.3)];
+        Self {
+            rounds: vec![(middle, half)],
+            edges: rings.map(|(plane, share)| ring(plane, share)).into(),
+            ..Self::default()
+        }
+    }
+
+    /// What is turned about the third axis: its radius at heights (m), in ascending order. A line on the highest face shows how it turns.
+    pub fn turned(profile: &[[f64; 2]]) -> Self {
+        let disc = |&[z, radius]: &[f64; 2]| {
+            let half = Matrix3::from_diagonal(&Vector::new(radius, radius, 0.0));
+            (Vector::new(0.0, 0.0, z), half)
+        };
+        let [Some(&low), Some(&high)] = [profile.first(), profile.last()] else {
+            return Self::default();
+        };
+        let rim = |[z, radius]: [f64; 2], face: Vector| {
+            round_about(|angle| {
+                let (s, c) = angle.sin_cos();
+                let side = Vector::new(c, s, 0.0);
+                [side * radius + Vector::z() * z, face, side]
+            })
+        };
+        let place = |share: f64| Vector::new(share * high[1], 0.0, high[0]);
+        let mark = [place(0.0), place(1.0)].map(|place| [place, Vector::z(), Vector::z()]);
+        Self {
+            rounds: profile.iter().map(disc).collect(),
+            edges: vec![rim(low, -Vector::z()), rim(high, Vector::z()), mark.into()],
+            ..Self::default()
+        }
+    }
+
+    /// A box with these edges, m.
+    pub fn cuboid(edges: Vector) -> Self {
+        let signs = [-1.0, 1.0];
+        let corner = |s: [f64; 3]| edges.component_mul(&Vector::from(s)) * 0.5;
+        let corners = signs.map(|x| signs.map(|y| signs.map(|z| corner([x, y, z]))));
+        let mut lines = Vec::new();
+        for axis in 0..3 {
+            for (p, q) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+                let [mut from, mut u, mut v] = [[0.0; 3]; 3];
+                (from[(axis + 1) % 3], from[(axis + 2) % 3]) = (p, q);
+                (u[(axis + 1) % 3], v[(axis + 2) % 3]) = (p, q);
+                let end = |sign: f64| {
+                    let mut at = from;
+                    at[axis] = sign;
+                    [corner(at), u.into(), v.into()]
+                };
+                lines.push(signs.map(end).into());
+            }
+        }
+        let point = |place: &Vector| (*place, Matrix3::zeros());
+        Self {
+            rounds: corners
+                .as_flattened()
+                .as_flattened()
+                .iter()
+                .map(point)
+                .collect(),
+            edges: lines,
+            ..Self::default()
+        }
+    }
+
+    /// The same with a bar between two points, thin enough to be seen always.
+    #[must_use]
+    pub fn bar(mut self, from: Vector, to: Vector) -> Self {
+        self.bars.push([from, to]);
+        self
+    }
+
+    /// The same body in another place of its axes.
+    #[must_use]
+    pub fn moved(mut self, by: Vector) -> Self {
+        let edges = self.edges.iter_mut().flatten().map(|[place, ..]| place);
+        let rounds = self.rounds.iter_mut().map(|(middle, _)| middle);
+        let bars = self.bars.as_flattened_mut().iter_mut();
+        edges
+            .chain(rounds)
+            .chain(bars)
+            .for_each(|place| *place += by);
+        self
+    }
+
+    /// How far it reaches from its point, m.
+    pub fn reach(&self) -> f64 {
+        let rounds = self
+            .rounds
+            .iter()
+            .map(|(middle, half)| middle.norm() + half.norm());
+        let bars = self.bars.as_flattened().iter().map(Vector::norm);
+        rounds.chain(bars).fold(0.0, f64::max)
+    }
+
+    /// The point of the hull that is farthest in this direction.
+    fn farthest(&self, direction: &Vector) -> Option<Vector> {
+        let point = |(middle, half): &(Vector, Matrix3<f64>)| {
+            let share = half.tr_mul(direction);
+            let length = share.norm();
+            let beyond = if length > 0.0 {
+                half * (share / length)
+            } else {
+                Vector::zeros()
+            };
+            middle + beyond
+        };
+        let points = self.rounds.iter().map(point);
+        points.max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction)))
+    }
+
+    fn draw(&self, pen: &mut Pen, view: &View, shot: &Shot) {
+        let space = |place: &Vector| shot.place + shot.attitude * place;
+        for bar in &self.bars {
+            pen.line(
+                &view.trace(&bar.map(|end| space(&end))),
+                stroke(Role::Ink, DATA),
+            );
+        }
+        let outline: Vec<Point> = (0..CORNERS)
+            .filter_map(|k| {
+                let (s, c) = (TAU * f64::from(k) / f64::from(CORNERS)).sin_cos();
+                let direction = view.right * c + view.up * s;
+                let point = self.farthest(&(shot.attitude.inverse() * direction))?;
+                Some(view.project(&space(&point)))
+            })
+            .collect();
+        let outline = hull(&outline);
+        pen.sheet(&outline, stroke(Role::Ink, SECONDARY));
+        let toward = shot.attitude.inverse() * view.toward;
+        for edge in &self.edges {
+            let seen = |[_, a, b]: &[Vector; 3]| a.dot(&toward).max(b.dot(&toward)) > 0.0;
+            for piece in edge.split(|point| !seen(point)) {
+                let places: Vec<Vector> = piece.iter().map(|[place, ..]| space(place)).collect();
+                pen.line(&view.trace(&places), stroke(Role::Ink, AXIS));
+            }
+        }
+    }
+}
+
+/// Corners of an outline, and of an ellipse on the surface.
+const CORNERS: u32 = 36;
+const INNER: u32 = 24;
+
+fn round_about<T>(at: impl Fn(f64) -> T) -> Vec<T> {
+    let angles = (0..=INNER).map(|k| TAU * f64::from(k) / f64::from(INNER));
+    angles.map(at).collect()
+}
+
+/// A body at a time.
+#[derive(Debug, Clone, Copy)]
+pub struct Shot {
+    /// s.
+    pub time: f64,
+    /// Of the point from which the body is drawn, m.
+    pub place: Vector,
+    /// From the body's axes to those of space.
+    pub attitude: UnitQuaternion<f64>,
+    /// Angular velocity along the axes of space, rad/s.
+    pub omega: Vector,
+    /// Angular momentum along the axes of space, kg m²/s, if it is told.
+    pub angular_momentum: Option<Vector>,
+}
+
+/// What stands still in space beside the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Surroundings {
+    /// Points of space.
+    Space,
+    /// The point about which the body turns.
+    Pivot,
+    /// A floor at height 0.
+    Floor,
+    /// A floor at height 0, and a ceiling at this one, m.
+    Under(f64),
+    /// A string from the origin to the body.
+    String,
+}
+
+/// A motion that can be seen.
+#[derive(Debug)]
+pub struct Film<'a> {
+    /// What the motion is called.
+    pub title: &'a str,
+    /// What moves.
+    pub body: Body,
+    /// What it is drawn as: `a ball`.
+    pub drawn_as: &'a str,
+    /// What does not.
+    pub surroundings: Surroundings,
+    /// Seconds of the motion in a second of the film.
+    pub speed: f64,
+    /// The body at times that follow each other evenly, one at least.
+    pub shots: Vec<Shot>,
+}
+
+const HEIGHT: f64 = 420.0;
+const MIDDLE: Point = [300.0, 206.0];
+/// Of the longest arrow of a film, units.
+const ARROW: f64 = 150.0;
+/// From where it is seen: a little from the right and from above.
+const DIRECTION: [f64; 2] = [-1.2, 0.3];
+/// A way longer than so many bodies is followed.
+const FOLLOWED: f64 = 9.0;
+
+/// What the arrows and the view have in common.
+struct Scenery {
+    view: View,
+    followed: bool,
+    longest: [f64; 2],
+}
+
+impl Film<'_> {
+    fn scenery(&self) -> Scenery {
+        let reach = self.body.reach().max(f64::MIN_POSITIVE);
+        let mut seen: Vec<Vector> = self.shots.iter().map(|shot| shot.place).collect();
+        match self.surroundings {
+            Surroundings::String => seen.push(Vector::zeros()),
+            Surroundings::Under(ceiling) => {
+                seen.extend([0.0, ceiling].map(|z| Vector::new(seen[0].x, seen[0].y, z)));
+            }
+            _ => (),
+        }
+        let far = |axis: Vector| {
+            let along = || seen.iter().map(|place| place.dot(&axis));
+            along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
+        };
+        let way = [Vector::x(), Vector::y(), Vector::z()].map(far);
+        let bounded = matches!(
+            self.surroundings,
+            Surroundings::Under(_) | Surroundings::String
+        );
+        let followed = !bounded && way.into_iter().fold(0.0, f64::max) > FOLLOWED * reach;
+        let view = match followed {
+            true => View::new(DIRECTION[0], DIRECTION[1], MIDDLE, 72.0 / reach),
+            false => {
+                let plain = View::new(DIRECTION[0], DIRECTION[1], [0.0; 2], 1.0);
+                let sides = [plain.right, plain.up].map(|side| side * reach);
+                let around = |place: &Vector| {
+                    let place = *place;
+                    sides.map(|side| [place + side, place - side])
+                };
+                let corners: Vec<_> = seen.iter().flat_map(around).flatten().collect();
+                View::fitted(
+                    DIRECTION,
+                    &corners,
+                    [60.0, 56.0, 540.0, 356.0],
+                    118.0 / reach,
+                )
+            }
+        };
+        let longest = |of: fn(&Shot) -> f64| self.shots.iter().map(of).fold(0.0, f64::max);
+        Scenery {
+            view,
+            followed,
+            longest: [
+                longest(|shot| shot.omega.norm()),
+                longest(|shot| shot.angular_momentum.map_or(0.0, |l| l.norm())),
+            ],
+        }
+    }
+
+    /// What stands still in space.
+    fn draw_around(&self, pen: &mut Pen, scenery: &Scenery, shot: &Shot) {
+        let Scenery { view, followed, .. } = scenery;
+        let floor = match self.surroundings {
+            Surroundings::Space => false,
+            Surroundings::Floor => true,
+            Surroundings::Pivot => {
+                return pen.disc(view.project(&shot.place), 3.2, Role::Ink, 1.0);
+            }
+            Surroundings::String => {
+                let ends = [Vector::zeros(), shot.place];
+                return pen.line(&view.trace(&ends), stroke(Role::Ink, AXIS));
+            }
+            Surroundings::Under(ceiling) => {
+                for height in [0.0, ceiling] {
+                    let [_, y] = view.project(&Vector::z().scale(height));
+                    pen.line(&[[24.0, y], [576.0, y]], stroke(Role::Muted, SECONDARY));
+                }
+                return;
+            }
+        };
+        // Points of space at round distances: on the floor, or in the plane of the motion.
+        let step = self.step();
+        let near = if *followed {
+            shot.place
+        } else {
+            self.shots[0].place
+        };
+        let round = |along: f64| (along / step).round() * step;
+        for (i, j) in (-4..=4).flat_map(|i| (-3..=3).map(move |j| (i, j))) {
+            let [across, on] = [f64::from(i), f64::from(j)].map(|k| k * step);
+            let x = round(near.x) + across;
+            let place = match floor {
+                true => Vector::new(x, round(near.y) + on, 0.0),
+                false => Vector::new(x, near.y, round(near.z) + on),
+            };
+            let [x, y] = view.project(&place);
+            if (20.0..580.0).contains(&x) && (20.0..372.0).contains(&y) {
+                pen.disc([x, y], 1.6, Role::Muted, 1.0);
+            }
+        }
+    }
+
+    /// The round distance between the points of space, m.
+    fn step(&self) -> f64 {
+        let ticks = Axis::linear([0.0, 16.0 * self.body.reach()], [0.0, 16.0]).ticks(1.6);
+        ticks.get(1).map_or(1.0, |tick| tick.0)
+    }
+
+    fn draw(&self, pen: &mut Pen, scenery: &Scenery, shot: &Shot) {
+        let view = match scenery.followed {
+            true => scenery.view.centered_on(&shot.place, MIDDLE),
+            false => scenery.view,
+        };
+        let scenery = Scenery { view, ..*scenery };
+        self.draw_around(pen, &scenery, shot);
+        let vectors = [
+            (Some(shot.omega), Role::Omega, "Ω"),
+            (shot.angular_momentum, Role::AngularMomentum, "L"),
+        ];
+        let arrow = |pen: &mut Pen, behind: bool| {
+            for ((vector, role, name), longest) in vectors.into_iter().zip(scenery.longest) {
+                let Some(vector) = vector.filter(|v| (v.dot(&view.toward) < 0.0) == behind) else {
+                    continue;
+                };
+                let from = view.project(&shot.place);
+                let far = view.project(&(shot.place + vector * (1.0 / view.scale())));
+                let share = ARROW / longest;
+                let way = [0, 1].map(|k| (far[k] - from[k]) * share);
+                let length = way[0].hypot(way[1]);
+                if longest > 0.0 && length > 2.0 {
+                    let tip = [from[0] + way[0], from[1] + way[1]];
+                    pen.arrow(from, tip, stroke(role, DATA));
+                    let beyond = |k: usize| tip[k] + 12.0 * way[k] / length;
+                    let [x, y] = [beyond(0), beyond(1) + 6.0];
+                    // Where both point the same way, each name has a side.
+                    let x = if role == Role::Omega {
+                        x + 7.0
+                    } else {
+                        x - 7.0
+                    };
+                    pen.text([x, y], Anchor::Middle, name, label(role));
+                }
+            }
+        };
+        arrow(pen, true);
+        self.body.draw(pen, &view, shot);
+        arrow(pen, false);
+        let time = format!("{} s", number(shot.time, self.decimals()));
+        pen.text(
+            [24.0, HEIGHT - 14.0],
+            Anchor::Start,
+            &time,
+            small(Role::Ink),
+        );
+    }
+
+    /// Decimals that tell two pictures apart.
+    fn decimals(&self) -> usize {
+        let times = self.shots.first().zip(self.shots.get(1));
+        let step = times.map_or(1.0, |(a, b)| (b.time - a.time).abs());
+        (-step.log10().floor()).clamp(0.0, 9.0) as usize
+    }
+
+    fn words(&self) -> Words {
+        let (first, last) = (self.shots[0].time, self.shots[self.shots.len() - 1].time);
+        let span = format!("{} s to {} s", brief(first), brief(last));
+        Words {
+            claim: format!("{} from {span}.", self.title),
+            details: String::new(),
+            alt: format!(
+                "The motion {}, drawn as {}, from {span}.",
+                self.title, self.drawn_as
+            ),
+        }
+    }
+
+    fn draw_words(&self, pen: &mut Pen, pace: &str) {
+        let told = format!("{}{pace}", self.drawn_as);
+        pen.text(
+            [576.0, HEIGHT - 14.0],
+            Anchor::End,
+            &told,
+            small(Role::Muted),
+        );
+    }
+
+    /// A picture for each time.
+    pub fn stills(&self) -> impl Iterator<Item = Figure> {
+        let scenery = self.scenery();
+        self.shots.iter().map(move |shot| {
+            figure(NAME, HEIGHT, self.words(), |pen| {
+                self.draw_words(pen, "");
+                self.draw(pen, &scenery, shot);
+            })
+        })
+    }
+
+    /// All of them after each other, for this long (s), and again from the beginning. It holds still under the pointer, and shows its middle to who wants nothing
+    /// to move.
+    pub fn film(&self, seconds: f64) -> Figure {
+        let count = self.shots.len();
+        let pace = match brief(self.speed).as_str() {
+            "1" => ", in real time".to_owned(),
+            speed => format!(", at {speed} of real time"),
+        };
+        let empty = figure(NAME, HEIGHT, self.words(), |pen| {
+            self.draw_words(pen, &pace)
+        });
+        let mut moving = format!(
+            "<style>@keyframes fig-{NAME}{{0%{{visibility:visible}}{}%{{visibility:hidden}}}}\
+             .fig-{NAME}{{visibility:hidden;animation:fig-{NAME} {seconds}s step-end infinite}}\
+             #fig-{NAME}-svg:hover .fig-{NAME}{{animation-play-state:paused}}\
+             @media (prefers-reduced-motion:reduce){{{STILL}}}@media print{{{STILL}}}</style>\n",
+            short(100.0 / count as f64, 4)
+        );
+        let scenery = self.scenery();
+        for (k, shot) in self.shots.iter().enumerate() {
+            let picture = figure(NAME, HEIGHT, self.words(), |pen| {
+                self.draw(pen, &scenery, shot)
+            });
+            let middle = if k == count / 2 { " still" } else { "" };
+            let delay = short(seconds * k as f64 / count as f64, 3);
+            let _ = writeln!(
+                moving,
+                "<g class=\"fig-{NAME}{middle}\" style=\"animation-delay:{delay}s\">{}</g>",
+                picture.elements()
+            );
+        }
+        empty.moving(&moving)
+    }
+}
+
+const NAME: &str = "film";
+/// The style of who wants nothing to move.
+const STILL: &str = ".fig-film{animation:none}.fig-film.still{visibility:visible}";

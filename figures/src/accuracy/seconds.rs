@@ -77,17 +77,26 @@ pub fn seconds() -> Result<Figure> {
             for (method, style, _) in STEPPERS {
                 pen.line(&line(method), style);
             }
-            for (method, named) in GEOMETRIC {
-                let line = line(method);
-                pen.line(&line, stroke(Role::Ink, DATA));
-                let beside = line.iter().rfind(|p| p[1] < frame.y.at(named));
-                if let Some([x, _]) = beside {
-                    let place = [x - 8.0, frame.y.at(named) + 4.0];
-                    pen.text(place, Anchor::End, method, small(Role::Ink));
-                }
+            for (method, _) in GEOMETRIC {
+                pen.line(&line(method), stroke(Role::Ink, DATA));
             }
             for point in line(EXACT) {
                 pen.disc(point, 6.0, Role::Ink, 1.0);
+            }
+            for (method, named) in GEOMETRIC {
+                let beside = frame.y.at(named);
+                if let Some(&[x, _]) = line(method).iter().rfind(|p| p[1] < beside) {
+                    // To the left of its line and to the right of the axis, as high as there is room.
+                    let half = 4.0 * method.len() as f64 + 8.0;
+                    let places = (0..60).map(|k| {
+                        let left = x - half - 4.0 * f64::from(k / 6);
+                        [
+                            left.max(frame.x.ends[0] + half),
+                            beside + 9.0 * f64::from(k % 6),
+                        ]
+                    });
+                    pen.name(places, method, small(Role::Ink));
+                }
             }
             frames.push(frame);
         }

@@ -1,12 +1,13 @@
 //! Builds the book, whole or not at all: for the command, and as a renderer for mdBook's own.
 
-use crate::drawings::Drawing;
+use crate::drawings::{self, Drawing};
 use crate::error::one_line;
 use crate::interrupt::{Unfinished, without_interruption};
 use crate::ledger::Ledger;
 use crate::typesetter::{Typesetter, without_code};
 use crate::writer::{folder_of, followed};
 use crate::{Error, Result};
+use figures::on_your_table::Paper;
 use mdbook_driver::MDBook;
 use mdbook_driver::book::{BookItem, Chapter};
 use mdbook_driver::config::Config;
@@ -110,6 +111,9 @@ fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> 
     indexed.map_err(wrong)?;
     book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
     typesetter.into_pieces().fill_folder(folder)?;
+    for paper in Paper::ALL {
+        drawings::sheets(paper, &folder.join("sheets"))?;
+    }
 
     // Once more without code, for the search index: it would hold every hidden line.
     book.book

@@ -15,7 +15,10 @@ pub struct Chapter {
 /// What the foot of a page says of its files, by the folder they are in.
 const FOOT: [(&str, &[&str]); 4] = [
     ("Computed in", &["src/", "lab/src/"]),
-    ("tested in", &["tests/", "lab/tests/", "book/tests/"]),
+    (
+        "tested in",
+        &["tests/", "lab/tests/", "book/tests/", "figures/tests/"],
+    ),
     ("drawn in", &["figures/src/"]),
     ("to play with:", &["book/scenes/"]),
 ];
@@ -197,6 +200,13 @@ chapters! {
         "figures/src/pythagoras.rs",
     ],
     further_reading: "further-reading" [],
+    on_your_table: "on-your-table" [
+        "src/falling_strip/",
+        "src/phenomena/paper_cat.rs",
+        "src/tippe_top/",
+        "figures/src/on_your_table/",
+        "figures/tests/on_your_table.rs",
+    ],
     scenes: "scenes" [
         "src/scene/",
         "tests/sections/scenes/",

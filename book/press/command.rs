@@ -13,6 +13,7 @@ use crate::scenes::scan::{Over, Scan, Tell};
 use crate::writer::{Target, can_be_written_into, folder_of, say};
 use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes, watch};
 use clap::{Parser, Subcommand};
+use figures::on_your_table::Paper;
 use figures::{Entry, Figure, Look, Theme, Values};
 use indicatif::{ProgressBar, ProgressStyle};
 use spinning_bodies::scene::{Progress, Solver, files};
@@ -41,6 +42,7 @@ Examples:
   cargo run -- figures --check           do the committed figures still look the same?
   cargo run -- book --open               builds the book and opens it in the browser
   cargo run -- book --watch              prints the pages again whenever a chapter is saved
+  cargo run -- sheets --paper letter     things to cut out and to print, at true size
   cargo run -- scene book/scenes/racket.toml    simulates a scene file; `scene --help` shows one
   cargo run --release -- accuracy --scene free-top    error against time, on your machine
   cargo run -- claims                    every claim of the tutorial and where it is computed
@@ -155,6 +157,20 @@ impl clap::ValueEnum for Colours {
     }
 }
 
+/// A size of paper.
+#[derive(Debug, Clone, Copy)]
+struct Size(Paper);
+
+impl clap::ValueEnum for Size {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self(Paper::A4), Self(Paper::Letter)]
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        Some(clap::builder::PossibleValue::new(self.0.name()))
+    }
+}
+
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Draws all figures, or those named, as SVG
@@ -195,6 +211,15 @@ enum Command {
         /// Writes nothing; compares fresh drawings with the files, one canvas unit allowed
         #[arg(long)]
         check: bool,
+    },
+    /// Writes strips and a cat of paper to cut out at true size, as SVG, and a chiral top for a printer of solids, as STL
+    Sheets {
+        /// The size of the paper
+        #[arg(long, value_enum, default_value = "a4")]
+        paper: Size,
+        /// Folder for the files
+        #[arg(long, value_name = "DIR", default_value = ".")]
+        out: PathBuf,
     },
     /// Builds the book only
     Book {
@@ -384,6 +409,15 @@ fn obey(command: Option<Command>) -> Result<()> {
                 say(&format!("{claim} {details}\n"))?;
             }
             say(&report(&drawings, changed, &folder))
+        }
+        Some(Command::Sheets {
+            paper: Size(paper),
+            out,
+        }) => {
+            can_be_written_into(&out)?;
+            drawings::sheets(paper, &out)?
+                .iter()
+                .try_for_each(|path| say(&format!("{}\n", path.display())))
         }
         Some(Command::Book { open, watch }) => {
             can_be_written_into(&root.join("book"))?;

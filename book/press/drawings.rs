@@ -3,8 +3,9 @@
 use crate::pictures::{self, Copying};
 use crate::writer::write_if_changed;
 use crate::{Error, Result};
+use figures::on_your_table::Paper;
 use figures::{Entry, Figure, Look, Values};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -28,6 +29,23 @@ pub fn chosen(names: &[String]) -> Result<Vec<Entry>> {
         .map(|name| {
             let found = all.iter().find(|entry| entry.name == name);
             found.copied().ok_or_else(|| unknown_figure(name))
+        })
+        .collect()
+}
+
+/// Writes the things of the page "On your table" for this paper into a folder, and returns where they are.
+///
+/// # Errors
+/// [`Error::Failed`] for what the library refuses, and those of writing.
+pub fn sheets(paper: Paper, folder: &Path) -> Result<Vec<PathBuf>> {
+    let sheets = figures::on_your_table::sheets(paper);
+    let sheets = sheets.map_err(|error| Error::Failed(format!("on your table: {error}")))?;
+    sheets
+        .iter()
+        .map(|sheet| {
+            let path = folder.join(&sheet.name);
+            write_if_changed(&path, &sheet.contents)?;
+            Ok(path)
         })
         .collect()
 }

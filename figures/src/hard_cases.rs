@@ -6,6 +6,7 @@ use spinning_bodies::Result;
 use crate::plot::{Axis, Frame, beaded};
 use crate::style::{
     Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    wrapped,
 };
 use crate::{Entry, Figure, constant};
 
@@ -145,7 +146,7 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
     let mut walks = Vec::new();
     for family in families() {
         if let Some(place) = names.iter().position(|&name| name == family.name) {
-            walks.push((place, title(&family), family.comparisons()?));
+            walks.push((place, wrapped(family.quantity, 26), family.comparisons()?));
         }
     }
     Ok(figure(name, 786.0, words, |pen| {
@@ -215,20 +216,6 @@ fn shown(error: f64) -> f64 {
     } else {
         error.clamp(SHOWN[0], SHOWN[1])
     }
-}
-
-/// What is asked, in lines that fit over a small panel.
-fn title(family: &Family) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in family.quantity.split(' ') {
-        let line = &lines[lines.len() - 1];
-        if line.chars().count() + word.chars().count() > 25 {
-            lines.push(String::new());
-        }
-        let last = lines.len() - 1;
-        lines[last] = format!("{} {word}", lines[last]).trim_start().to_owned();
-    }
-    lines
 }
 
 /// A small number as a formula: 2.9·10⁻¹⁶.

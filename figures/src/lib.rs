@@ -23,6 +23,7 @@ mod impacts;
 mod inertia;
 mod kovalevskaya_top;
 mod lagrange_top;
+pub mod on_your_table;
 pub mod own;
 mod parameter;
 mod phenomena;
@@ -231,7 +232,7 @@ pub fn all() -> &'static [Entry] {
 }
 
 /// The figures of each chapter that has any, in the order of the book.
-const CHAPTERS: [(&str, &[Entry]); 22] = [
+const CHAPTERS: [(&str, &[Entry]); 23] = [
     ("phenomena", phenomena::FIGURES),
     ("inertia", inertia::FIGURES),
     ("conservation", conservation::FIGURES),
@@ -251,6 +252,7 @@ const CHAPTERS: [(&str, &[Entry]); 22] = [
     ("lagrange-top", lagrange_top::FIGURES),
     ("kovalevskaya-top", kovalevskaya_top::FIGURES),
     ("pythagoras", pythagoras::FIGURES),
+    ("on-your-table", on_your_table::FIGURES),
     ("scenes", scenes::FIGURES),
     ("accuracy", accuracy::FIGURES),
     ("hard-cases", hard_cases::FIGURES),

@@ -580,6 +580,21 @@ pub fn short(value: f64, digits: usize) -> String {
     }
 }
 
+/// A text in lines of at most so many letters.
+pub fn wrapped(text: &str, letters: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= letters => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// Points on a line through these, at most `step` units apart.
 pub fn along(line: &[Point], step: f64) -> Vec<Point> {
     let piece = |pair: &[Point]| {

@@ -1,0 +1,183 @@
+//! A chiral top to print: a ball of plastic with a hollow that stands askew in it.
+
+use nalgebra::{Matrix3, Vector3};
+use spinning_bodies::Result;
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::inertia::mesh::{Mesh, icosphere};
+use spinning_bodies::inertia::{MassProperties, mesh_mass_properties};
+use spinning_bodies::scene::contact::{State, TableTop, passage};
+use spinning_bodies::scene::effects::{Gravity, Regularised};
+use spinning_bodies::scene::{Request, Scene};
+use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
+
+use crate::Figure;
+use crate::style::{
+    AXIS, Anchor, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+};
+
+/// Radius of the ball, m.
+const RADIUS: f64 = 0.03;
+/// Polylactide without gaps, kg/m³.
+const DENSITY: f64 = 1240.0;
+/// The hollow, an ellipsoid: its semi-axes and how far it stands above the centre of the ball, in radii, and its attitude w x y z.
+const SEMI_AXES: [f64; 3] = [0.78, 0.615, 0.835];
+const HEIGHT: f64 = 0.154;
+const ATTITUDE: [f64; 4] = [0.382, -0.609, -0.228, -0.656];
+/// Ten thousand triangles: the facets lie within a twentieth of a millimetre of the ball.
+const LEVELS: u32 = 4;
+
+/// Spin, rad/s, tilt of the release, rad, friction, and for how long the top is followed, s.
+const SPIN: f64 = 180.0;
+const TILT: f64 = 0.0873;
+const FRICTION: f64 = 0.3;
+const END: f64 = 5.0;
+
+/// The ellipsoid as a map of the unit sphere, in radii.
+fn hollow() -> Result<Matrix3<f64>> {
+    let [w, x, y, z] = ATTITUDE;
+    let attitude = Attitude::from_quaternion(w, x, y, z)?;
+    let columns = [0, 1, 2].map(|k| {
+        let mut axis = [0.0; 3];
+        axis[k] = SEMI_AXES[k];
+        attitude
+            .to_space(BodyVector::new(axis[0], axis[1], axis[2]))
+            .components()
+    });
+    Ok(Matrix3::from_columns(&columns))
+}
+
+/// The ball and, with its faces turned inward, the hollow, m.
+fn mesh() -> Result<Mesh> {
+    let (mut vertices, mut triangles) = icosphere(LEVELS, RADIUS)?;
+    let (inner, faces) = icosphere(LEVELS, 1.0)?;
+    let first = vertices.len() as u32;
+    let map = hollow()?;
+    vertices.extend(inner.into_iter().map(|v| -> [f64; 3] {
+        let place = map * Vector3::from(v) + HEIGHT * Vector3::z();
+        (RADIUS * place).into()
+    }));
+    triangles.extend(
+        faces
+            .into_iter()
+            .map(|[a, b, c]| [a, c, b].map(|n| first + n)),
+    );
+    Ok((vertices, triangles))
+}
+
+fn properties() -> Result<MassProperties> {
+    let (vertices, triangles) = mesh()?;
+    mesh_mass_properties(&vertices, &triangles, DENSITY)
+}
+
+/// The printer's file, binary, in millimetres.
+pub fn stl() -> Result<Vec<u8>> {
+    let (vertices, triangles) = mesh()?;
+    let mut bytes = format!(
+        "{:80}",
+        "chiral top of Spinning Bodies, in mm, print it solid"
+    )
+    .into_bytes();
+    bytes.extend((triangles.len() as u32).to_le_bytes());
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|n| 1e3 * Vector3::from(vertices[n as usize]));
+        let normal = (b - a).cross(&(c - a)).normalize();
+        let coordinates = [normal, a, b, c].into_iter().flat_map(|v| [v.x, v.y, v.z]);
+        bytes.extend(coordinates.flat_map(|x| (x as f32).to_le_bytes()));
+        bytes.extend([0; 2]);
+    }
+    Ok(bytes)
+}
+
+/// Tilts of the printed top, spun so.
+fn run(spin: f64) -> Result<Vec<(f64, State)>> {
+    let properties = properties()?;
+    let center = properties.center() * -1.0;
+    let surface = Surface::sphere(RADIUS)?;
+    let body = ConvexBody::new(properties.mass(), properties.inertia(), surface, center)?;
+    let top = TableTop::new(body, Start::about_vertical(TILT, 0.0, spin)?);
+    let top = top.with(Gravity::new(9.81)?)?;
+    let top = top.with(Regularised::new(FRICTION, 1e-3)?)?;
+    let times: Vec<f64> = (0..=1000).map(|k| 1e-3 * END * f64::from(k)).collect();
+    Ok(top.simulate(&Request::at(times)?.to_accuracy(1e-3)?)?.rows)
+}
+
+/// The printed top, cut open along its axis in two planes.
+pub fn section() -> Result<Figure> {
+    let map = hollow()?;
+    let (vertices, _) = mesh()?;
+    let inner = &vertices[vertices.len() / 2..];
+    let reach = inner.iter().map(|v| Vector3::from(*v).norm());
+    let wall = 1e3 * (RADIUS - reach.fold(0.0, f64::max));
+    let properties = properties()?;
+    let low = -1e3 * properties.center().z();
+    let degrees = |state: &State| state.tilt().to_degrees();
+    let [clockwise, other] = [run(-SPIN)?, run(SPIN)?];
+    let side = passage(&clockwise, degrees, 90.0).unwrap_or(f64::INFINITY);
+    let last = clockwise.last().map_or(0.0, |row| degrees(&row.1));
+    let most = other.iter().map(|row| degrees(&row.1)).fold(0.0, f64::max);
+    let turns = number(SPIN / core::f64::consts::TAU, 0);
+    let words = Words {
+        claim: "A ball of one plastic with a hollow askew is a chiral top.".to_owned(),
+        details: format!(
+            "The printed top in two sections along $CK$, at right angles to each other: $R = {}$ mm, the wall at its thinnest {} mm, $C$ {} mm below the centre $K$, {} g of \
+             polylactide. Released at {}° with {turns} turns a second, $\\mu = {FRICTION}$: clockwise it is on its side after {} s, anticlockwise it stays below {}° for {END} seconds.",
+            number(1e3 * RADIUS, 0),
+            number(wall, 1),
+            number(low, 1),
+            number(1e3 * properties.mass(), 0),
+            number(TILT.to_degrees(), 0),
+            number(side, 1),
+            number(most, 0),
+        ),
+        alt: "Two circles, each with a large white ellipse inside that nearly touches it and leans. In both the centre of mass C lies a little below the centre K of the circle."
+            .to_owned(),
+    };
+    let drawn = figure("printed-top", 300.0, words, |pen| {
+        let inverse = (map * map.transpose()).try_inverse();
+        for (k, across) in [Vector3::x(), Vector3::y()].into_iter().enumerate() {
+            let center = [150.0 + 300.0 * k as f64, 138.0];
+            let scale = 122.0;
+            let along = |angle: f64| angle.cos() * across + angle.sin() * Vector3::z();
+            let outline: Vec<Point> = (0..120)
+                .map(|n| core::f64::consts::TAU * f64::from(n) / 120.0)
+                .filter_map(|angle| {
+                    let way = along(angle);
+                    let reach = scale / (way.dot(&(inverse? * way))).sqrt();
+                    let [x, y] = [reach * angle.cos(), reach * angle.sin() + scale * HEIGHT];
+                    Some([center[0] + x, center[1] - y])
+                })
+                .collect();
+            cut(pen, center, scale, &outline, 1e-3 * low / RADIUS);
+        }
+    });
+    Ok(drawn
+        .value("mass", number(1e3 * properties.mass(), 0))
+        .value("wall", number(wall, 1))
+        .value("turns", turns)
+        .value("side", number(side, 1))
+        .value("last", number(last, 0))
+        .value("most", number(most, 0)))
+}
+
+/// A ball cut through, its hollow, K and C.
+fn cut(pen: &mut Pen, center: Point, scale: f64, hollow: &[Point], low: f64) {
+    pen.disc(center, scale, Role::Ink, 0.16);
+    pen.ring(center, scale, stroke(Role::Ink, SECONDARY));
+    pen.fill(hollow, Role::Paper, 1.0);
+    pen.outline(hollow, stroke(Role::Ink, SECONDARY));
+    let [x, y] = center;
+    pen.line(
+        &[[x, y - scale - 8.0], [x, y + scale + 8.0]],
+        stroke(Role::Muted, AXIS).dotted(),
+    );
+    for (name, down, aside, anchor) in [
+        ("*K*", 0.0, -9.0, Anchor::End),
+        ("*C*", low, 9.0, Anchor::Start),
+    ] {
+        let at = [x, y + scale * down];
+        pen.disc(at, 3.5, Role::Ink, 1.0);
+        pen.text([x + aside, at[1] + 5.0], anchor, name, label(Role::Ink));
+    }
+    let foot = [x, y + scale + 30.0];
+    pen.text(foot, Anchor::Middle, "foot", small(Role::Muted));
+}

@@ -69,7 +69,7 @@ pub fn file(figure: &Figure, copying: Copying) -> Result<Vec<u8>> {
 fn converted(_: &str, form: Form, _: Copying) -> Result<Vec<u8>> {
     let form = form.ending();
     Err(Error::Input(format!(
-        "--as {form}: this build writes SVG only, expected `cargo run --features book/pictures -- figures NAME --as {form}`"
+        "{form}: this build writes SVG only, expected one with the feature: `cargo run --features book/pictures -- …`"
     )))
 }
 

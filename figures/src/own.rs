@@ -3,7 +3,7 @@
 use crate::Figure;
 use crate::plot::{Axis, Frame, Scale, apart, texts};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, brief, figure, label, small, stroke,
 };
 
 /// The values of a quantity along a motion.
@@ -412,14 +412,11 @@ fn ticks(axis: &Axis, apart: f64) -> Vec<(f64, String)> {
         .collect()
 }
 
-/// A number in four digits.
+/// A number in four digits, however large or small.
 fn short(value: f64) -> String {
     match value.abs() {
         0.0 => "0".into(),
-        size if (1e-3..1e5).contains(&size) => {
-            let decimals = (3.0 - size.log10().floor()).clamp(0.0, 6.0) as usize;
-            number(value, decimals)
-        }
+        size if (1e-3..1e5).contains(&size) => brief(value),
         _ => format!("{value:.3e}").replace('-', "\u{2212}"),
     }
 }

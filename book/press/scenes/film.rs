@@ -173,7 +173,10 @@ impl Seen {
             .fold(0.0, f64::max);
         // A superball has a speed of its rim but no radius.
         let radius = match self.kind {
-            "superball" => 0.06 * self.ceiling.unwrap_or(highest).max(f64::MIN_POSITIVE),
+            "superball" => match 0.06 * self.ceiling.unwrap_or(highest) {
+                0.0 => 0.05,
+                radius => radius,
+            },
             _ => self.body.radius.unwrap_or(1.0),
         };
         let spin = |row: &[f64]| match self.kind {

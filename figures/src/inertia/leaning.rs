@@ -120,8 +120,13 @@ pub fn leaning(values: &Values) -> Result<Figure> {
                 let out = 66.0 + 4.0 * f64::from(k);
                 polar(CENTER, out, 0.5 * (angle + leaned))
             });
+            // Beside a narrow angle, if not within.
+            let beside = (0..30).map(|k| {
+                let [x, y] = polar(CENTER, 60.0 + 4.0 * f64::from(k), angle);
+                [x + 32.0, y]
+            });
             let text = format!("{shown}°");
-            pen.name(between, &text, label(Role::Ink));
+            pen.name(between.chain(beside), &text, label(Role::Ink));
         }
         let at = [x + 222.0, y + 5.0];
         let text = format!("*I*_{{1}} = {} kg m²", number(smallest, 2));

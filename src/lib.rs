@@ -19,7 +19,7 @@
 //! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants | rounding; the truncation is the model |
 //! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis | the last digits of the doubles given, at any time, separatrix included |
 //! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum | the last digits, at any time, asleep or nearly |
-//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | errors grow with time, and are stated; beside a double root by power series, or refused |
+//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | errors grow with time, and are stated; at a double root by elliptic functions for starts with axis 3 upright, by power series for others, or refused |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner | rounding |
 //! |  | [`scene`] | a body, how it is held, its effects; the plan that follows, the motion and its ledger | within the accuracy asked, or refused; an estimate with every answer |
 //! |  | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn | their order; |L| kept to rounding by the geometric ones |

@@ -19,6 +19,8 @@ use crate::frame::{Attitude, BodyVector, SpaceVector};
 pub enum AttitudeMethod {
     /// By [`AttitudeSeries`], at any time at the same cost.
     Series,
+    /// z along axis 3 at the start: algebraic in Ω and z, at any time at the same cost.
+    Algebraic,
     /// Step by step from time 0, Ω and z in 106 bits: the motion is not separated, for this reason.
     Stepped(Reason),
     /// Step by step from time 0: the motion is separated, but so near to a double root that neither the periods of the curve can be had nor, with half a
@@ -162,6 +164,7 @@ impl KovalevskayaTop {
     pub fn attitude_method(&self) -> AttitudeMethod {
         match &self.motion {
             Motion::Free(_) => AttitudeMethod::FreeTop,
+            Motion::Upright(_) => AttitudeMethod::Algebraic,
             Motion::Stepped(reason) => AttitudeMethod::Stepped(*reason),
             Motion::Separated(_) if self.attitude_series().is_some() => AttitudeMethod::Series,
             Motion::Separated(_) => AttitudeMethod::ManyTerms,

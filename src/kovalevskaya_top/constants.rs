@@ -89,8 +89,13 @@ impl Constants {
             }
             first = first - wide(step);
         }
-        let square = first * first;
-        let spread = g2 - square.times(3.0);
+        self.beside(first)
+    }
+
+    /// All five, from one of the cubic's.
+    fn beside(&self, first: Wide) -> [Root; 5] {
+        let [g2, _] = self.invariants();
+        let spread = g2 - (first * first).times(3.0);
         let middle = first.scaled(-0.5);
         let half = Root::magnitude(spread).square_root().scaled(0.5);
         let [second, third] = if spread.high() < 0.0 {
@@ -102,16 +107,25 @@ impl Constants {
             [middle + half, middle - half].map(Root::on_axis)
         };
         let fourth = (self.l1 + self.k).scaled(0.5);
-        let fifth = (self.l1 - self.k).scaled(0.5);
         [
             Root::on_axis(first),
             second,
             third,
             Root::on_axis(fourth),
-            Root::on_axis(fifth),
+            Root::on_axis(self.fifth()),
         ]
     }
     // ANCHOR_END: roots
+
+    /// e₅.
+    fn fifth(&self) -> Wide {
+        (self.l1 - self.k).scaled(0.5)
+    }
+
+    /// The five roots where e₅ is known to be one of the cubic's: that one first.
+    pub fn roots_with_fifth(&self) -> [Root; 5] {
+        self.beside(self.fifth())
+    }
 }
 
 /// A root of P(s) = −4(s−e₁)(s−e₂)(s−e₃)(s−e₄)(s−e₅).
@@ -122,7 +136,7 @@ pub(super) struct Root {
 }
 
 impl Root {
-    fn on_axis(real: Wide) -> Self {
+    pub fn on_axis(real: Wide) -> Self {
         Self {
             real,
             imaginary: wide(0.0),

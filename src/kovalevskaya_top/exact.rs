@@ -38,35 +38,24 @@ const TRIAL: f64 = 3.0;
 impl Exact {
     /// Roots, band, quadratures, signs and phases of a start; tried at the start and at a later time against the power series.
     pub fn find(constants: &Constants, wide: &WidePhase, whole: &Carried) -> Result<Self, Reason> {
-        let (start, _) = whole;
         let variables = Variables::of(constants, wide);
         let separation = Separation::prepare(constants, variables.s1).ok_or(Reason::DoubleRoot)?;
         let mut exact = Self {
-            reconstruction: Reconstruction::prepare(constants, &separation),
+            reconstruction: Reconstruction::prepare(constants, &separation.roots),
             separation,
             origin: [0.0; 2],
             trial: Vec::new(),
         };
         let guess = exact.separation.first_phases(&variables, constants.l1);
-        let phases = exact.choose_branch(constants, start, guess);
+        let phases = exact.choose_branch(constants, &whole.0, guess);
         exact.origin = exact.separation.abel(phases);
-        let trusted = (TRUSTED[0] / constants.c.value().min(1.0)).min(TRUSTED[1]);
-        let mut worst = distance(&exact.state(constants, 0.0), start);
-        let (mut carried, mut t) = (*whole, 0.0);
-        while t < TRIAL && worst <= trusted {
-            let series = Series::at(constants.c.value(), &carried);
-            let step = series.reach.min(TRIAL - t);
-            carried = series.after(step);
-            t += step;
-            worst = worst.max(distance(&exact.state(constants, t), &carried.0));
-            exact.trial.push((t, carried));
-        }
-        if worst <= trusted {
-            Ok(exact)
-        } else if exact.separation.narrowest() < 1e-6 {
-            Err(Reason::DoubleRoot)
-        } else {
-            Err(Reason::Cancellation(worst))
+        match tried(constants, whole, |t| exact.state(constants, t)) {
+            Ok(trial) => {
+                exact.trial = trial;
+                Ok(exact)
+            }
+            Err(_) if exact.separation.narrowest() < 1e-6 => Err(Reason::DoubleRoot),
+            Err(worst) => Err(Reason::Cancellation(worst)),
         }
     }
 
@@ -154,7 +143,32 @@ fn halved(separation: &Separation, sums: [f64; 2]) -> [f64; 2] {
     })
 }
 
-fn distance(a: &Phase, b: &Phase) -> f64 {
+/// States with attitudes by power series soon after time 0, from which the formula for Ω and z does not differ; or by how much it does.
+pub(super) fn tried(
+    constants: &Constants,
+    start: &Carried,
+    state: impl Fn(f64) -> Phase,
+) -> Result<Vec<(f64, Carried)>, f64> {
+    let c = constants.c.value();
+    let trusted = (TRUSTED[0] / c.min(1.0)).min(TRUSTED[1]);
+    let mut worst = distance(&state(0.0), &start.0);
+    let (mut carried, mut t, mut trial) = (*start, 0.0, Vec::new());
+    while t < TRIAL && worst <= trusted {
+        let series = Series::at(c, &carried);
+        let step = series.reach.min(TRIAL - t);
+        carried = series.after(step);
+        t += step;
+        worst = worst.max(distance(&state(t), &carried.0));
+        trial.push((t, carried));
+    }
+    if worst <= trusted {
+        Ok(trial)
+    } else {
+        Err(worst)
+    }
+}
+
+pub(super) fn distance(a: &Phase, b: &Phase) -> f64 {
     let difference = (0..6).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
     // What is not a number is no agreement.
     if difference.is_nan() {

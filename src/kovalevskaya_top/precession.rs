@@ -212,7 +212,7 @@ fn settled(known: f64, rough: f64, advance: [f64; 2]) -> f64 {
 }
 
 /// ξ₃, η₁² and η₂² as they follow from an attitude: the horizontal parts of the body's axes.
-fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
+pub(super) fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
     let third = 2.0 * Number::new(q.i * q.k + q.w * q.j, q.j * q.k - q.w * q.i);
     let axis1 = Number::new(
         1.0 - 2.0 * (q.j * q.j + q.k * q.k),

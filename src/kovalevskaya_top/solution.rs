@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, Matrix3, Vector3};
 
-use super::constants::{Constants, Phase};
+use super::constants::{Constants, Phase, Root};
 use super::separation::{Local, Phases, Separation};
 
 type Number = Complex<f64>;
@@ -18,21 +18,21 @@ const I: Number = Number::new(0.0, 1.0);
 /// which is linear in Π = x₁x₂ = p² + q², in p = (x₁+x₂)/2, and in q/cos(f₂/2), q = (x₁−x₂)/2i.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Reconstruction {
-    alpha: [Number; 3],
-    beta: [Number; 3],
-    shifted: [Number; 3],
+    pub alpha: [Number; 3],
+    pub beta: [Number; 3],
+    pub shifted: [Number; 3],
     /// Which sign each of the three square roots has.
     pub signs: [f64; 3],
 }
 
 impl Reconstruction {
-    pub fn prepare(constants: &Constants, separation: &Separation) -> Self {
+    pub fn prepare(constants: &Constants, roots: &[Root; 5]) -> Self {
         let b = constants.b().value();
         let mut alpha = [Number::default(); 3];
         let mut beta = alpha;
         let mut shifted = alpha;
         for j in 0..3 {
-            let root = &separation.roots[j];
+            let root = &roots[j];
             let twice = root.real.scaled(2.0) - constants.l1;
             let imaginary = root.imaginary.scaled(2.0);
             shifted[j] = Number::new(twice.value(), imaginary.value());

@@ -47,6 +47,10 @@ impl<'a> Walk<'a> {
         if t == 0.0 {
             return Ok(self.top.placed(&self.top.start));
         }
+        if let Motion::Upright(upright) = &self.top.motion {
+            let time = self.top.inward_time(t, LONGEST)?;
+            return Ok(self.top.placed(&upright.carried(&self.top.constants, time)));
+        }
         if let Some(series) = self.top.theta_series() {
             return series.at(t);
         }

@@ -26,7 +26,7 @@ fn parts(state: &State) -> [f64; 6] {
 }
 
 /// Largest difference of a component of Ω and z, and the angle between the attitudes.
-fn errors(state: &State, expected: &Whole) -> [f64; 2] {
+pub(super) fn errors(state: &State, expected: &Whole) -> [f64; 2] {
     let differences = parts(state)
         .into_iter()
         .zip(expected)

@@ -5,4 +5,5 @@ mod free_top;
 mod inertia;
 mod kovalevskaya;
 mod kovalevskaya_attitude;
+mod kovalevskaya_double_root;
 mod lagrange_top;

@@ -19,7 +19,7 @@ const TRUTH: &str = include_str!("../../../tests/reference/accuracy.csv");
 /// | `near-separatrix` | the period hangs on the logarithm of 6e-8, and what goes wrong at one flip is there at all that follow |
 /// | `cusped-top` | the axis comes to rest at every cusp |
 /// | `near-sleeping` | upright but for a thousandth, it falls and rises again: near the pole, and near the waking separatrix |
-/// | `kovalevskaya` | no axis of symmetry; axis 3 upright at the start, so that two roots of her polynomial are one, and theta functions out of reach |
+/// | `kovalevskaya` | no axis of symmetry; axis 3 upright at the start, so that two roots of her polynomial are one |
 /// | `kovalevskaya-level` | no axis of symmetry; an ordinary start, axis 3 level |
 /// | `heavy-body` | no closed form. Regular: starts 1e-9 apart are 3e-8 apart after 300 turns, in proportion to the time, as on a torus |
 /// | `tippe-top` | friction: nothing is kept; a tilt grows until the top stands on its head |

@@ -381,14 +381,11 @@ impl Film<'_> {
                 if longest > 0.0 && length > 2.0 {
                     let tip = [from[0] + way[0], from[1] + way[1]];
                     pen.arrow(from, tip, stroke(role, DATA));
-                    let beyond = |k: usize| tip[k] + 12.0 * way[k] / length;
-                    let [x, y] = [beyond(0), beyond(1) + 6.0];
-                    // Where both point the same way, each name has a side.
-                    let x = if role == Role::Omega {
-                        x + 7.0
-                    } else {
-                        x - 7.0
-                    };
+                    // Where both point the same way, each name has a side of its own.
+                    let [along, across] = [12.0, if role == Role::Omega { 9.0 } else { -9.0 }];
+                    let [dx, dy] = way.map(|part| part / length);
+                    let x = tip[0] + along * dx - across * dy;
+                    let y = tip[1] + along * dy + across * dx + 6.0;
                     pen.text([x, y], Anchor::Middle, name, label(role));
                 }
             }

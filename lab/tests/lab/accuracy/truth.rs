@@ -136,7 +136,7 @@ fn every_sample_keeps_what_the_motion_keeps() {
 
 #[test]
 fn the_closed_forms_agree_with_the_table() {
-    // Observed over the run: 5.5e-16 free and symmetric, a million turns included; Kovalevskaya's top 1.6e-15, 6.8e-15, 2.2e-12.
+    // Observed over the run: 5.5e-16 free and symmetric, a million turns included; Kovalevskaya's top upright 6.2e-15, 3.3e-14, 4.7e-12, its rates being doubles.
     for problem in problems().unwrap() {
         let methods = candidates(&problem).unwrap();
         let Some(exact) = methods.iter().find(|m| m.name() == "exact") else {
@@ -151,10 +151,12 @@ fn the_closed_forms_agree_with_the_table() {
             found.omega
         );
         let bar = match problem.name() {
-            "kovalevskaya/1000" | "kovalevskaya-level/1000" => 4e-12,
-            "kovalevskaya/10" => 2e-14,
+            "kovalevskaya/1000" => 9e-12,
+            "kovalevskaya-level/1000" => 4e-12,
+            "kovalevskaya/10" => 6e-14,
             "kovalevskaya-level/10" => 4e-14,
-            "kovalevskaya/1" | "kovalevskaya-level/1" => 4e-15,
+            "kovalevskaya/1" => 9e-15,
+            "kovalevskaya-level/1" => 4e-15,
             _ => 8e-16,
         };
         assert!(found.attitude < bar && found.omega < bar, "{found:?}");

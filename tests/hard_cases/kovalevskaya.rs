@@ -55,36 +55,42 @@ fn compared(top: &KovalevskayaTop, times: &[f64]) -> [f64; 2] {
     })
 }
 
+/// Kind of start, top, time, and the state there: a line of either table.
+pub(super) fn row(line: &str) -> (&str, KovalevskayaTop, f64, Whole) {
+    let cells: Vec<&str> = line.split(',').collect();
+    let given: Vec<f64> = cells[1..11].iter().map(|x| hexadecimal(x)).collect();
+    let &[axial, c1, c2, o1, o2, o3, u1, u2, u3, t] = &given[..] else {
+        panic!("{line}");
+    };
+    let top = KovalevskayaTop::with_up(
+        [2.0 * axial, 2.0 * axial, axial],
+        BodyVector::new(c1, c2, 0.0),
+        BodyVector::new(o1, o2, o3),
+        BodyVector::new(u1, u2, u3),
+    )
+    .expect("a top");
+    let decimals: Vec<f64> = cells[11..]
+        .iter()
+        .map(|x| x.parse().expect("a decimal"))
+        .collect();
+    let expected: Whole = decimals.try_into().expect("ten numbers");
+    (cells[0], top, t, expected)
+}
+
 #[test]
 fn table_of_thirty_digits() {
     let table = include_str!("../reference/kovalevskaya.csv");
     let (mut rows, mut by_series) = (0, 0);
     for line in table.lines().skip(1) {
-        let cells: Vec<&str> = line.split(',').collect();
-        let given: Vec<f64> = cells[1..11].iter().map(|x| hexadecimal(x)).collect();
-        let &[axial, c1, c2, o1, o2, o3, u1, u2, u3, t] = &given[..] else {
-            panic!("{line}");
-        };
-        let top = KovalevskayaTop::with_up(
-            [2.0 * axial, 2.0 * axial, axial],
-            BodyVector::new(c1, c2, 0.0),
-            BodyVector::new(o1, o2, o3),
-            BodyVector::new(u1, u2, u3),
-        )
-        .expect("a top");
-        let decimals: Vec<f64> = cells[11..]
-            .iter()
-            .map(|x| x.parse().expect("a decimal"))
-            .collect();
-        let expected: Whole = decimals.try_into().expect("ten numbers");
-        let weak = cells[0] == "weak gravity";
+        let (kind, top, t, expected) = row(line);
+        let weak = kind == "weak gravity";
         let check = |by: &str, state: State, allowed: f64| {
             let [motion, attitude] = errors(&state, &expected);
-            println!("{} {t} {by}: {motion:e} {attitude:e}", cells[0]);
+            println!("{} {t} {by}: {motion:e} {attitude:e}", kind);
             assert!(
                 motion < allowed && attitude < allowed,
                 "{} {t} {by}: {motion:e} {attitude:e}",
-                cells[0]
+                kind
             );
         };
         // Observed at t = 1, 10, 100: 2e-15, 5e-15, 5e-14 for Ω and z, 2e-15, 5e-15, 6e-14 rad for the attitude. With gravity a hundred

@@ -40,11 +40,11 @@ const TILT: Parameter = Parameter::new("tilt", r"\theta")
     .dragged(
         |values| {
             let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
-            view().project(&(Vector3::new(sin, 0.0, cos) * HOLD))
+            view(values).project(&(Vector3::new(sin, 0.0, cos) * HOLD))
         },
-        |point, _| {
+        |point, values| {
             let arms = [Vector3::z(), Vector3::x()];
-            view().angle(point, arms).to_degrees()
+            view(values).angle(point, arms).to_degrees()
         },
     );
 /// What may be chosen; the end of the axle is the handle of its tilt.
@@ -52,9 +52,18 @@ pub const GYROSCOPE: &[Parameter] = &[TURNS, TILT];
 
 /// How far the axle reaches, m.
 const HOLD: f64 = 0.06;
+/// From how far above it is seen, radians, and units a metre.
+const SEEN: f64 = 0.36;
+const SCALE: f64 = 1750.0;
 
-fn view() -> View {
-    View::new(-1.0, 0.36, [250.0, 200.0], 1750.0)
+/// From a little above; the support stands as low as the highest of the wheel and the tip's circle wants it.
+fn view(values: &Values) -> View {
+    let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
+    let length = LENGTH * ALONG * TAU * values.of(&TURNS);
+    let (rise, depth) = (SEEN.cos(), SEEN.sin());
+    let circle = length * (cos * rise + sin * depth);
+    let wheel = ARM * cos * rise + WHEEL;
+    View::new(-1.0, SEEN, [250.0, 36.0 + SCALE * circle.max(wheel)], SCALE)
 }
 
 /// The wheel on its axle, L now and a moment later, and the torque that carries the one to the other.
@@ -115,9 +124,12 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
             short(values.of(&TILT), 1)
         ),
     };
-    let view = view();
+    let view = view(values);
+    let lowest = path.iter().map(|l| view.project(&(l * LENGTH))[1]);
+    let stand = view.project(&Vector3::zeros())[1] + 180.0;
+    let height = lowest.map(|y| y + 40.0).fold(stand, f64::max);
     let at = |p: &Vector3<f64>| view.project(p);
-    let made = figure("gyroscope", 380.0, words, |pen| {
+    let made = figure("gyroscope", height, words, |pen| {
         let origin = Vector3::zeros();
         let axle = Vector3::new(tilt.sin(), 0.0, tilt.cos());
         let foot = Vector3::new(0.0, 0.0, -0.075);
@@ -194,8 +206,8 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
                 let angle = direction + TAU / 24.0 * f64::from(turned);
                 polar(at(&by), 18.0 + 8.0 * f64::from(out), angle)
             });
-            let places =
-                places.filter(|p| (44.0..556.0).contains(&p[0]) && (12.0..368.0).contains(&p[1]));
+            let places = places
+                .filter(|p| (44.0..556.0).contains(&p[0]) && (12.0..height - 12.0).contains(&p[1]));
             pen.name(places, text, lettering);
         }
     });

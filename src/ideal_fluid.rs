@@ -83,11 +83,6 @@ impl TruncatedFluid {
         Ok(fluid)
     }
 
-    /// N.
-    pub const fn size(&self) -> usize {
-        self.size
-    }
-
     /// ω_m, 1/s; the wave vector is taken modulo N.
     pub fn vorticity(&self, m: [i32; 2]) -> C {
         self.modes[self.place(m)]
@@ -160,7 +155,7 @@ impl TruncatedFluid {
     }
 
     /// The matrix W = Σ ω_m J_m, Hermitian and of trace zero.
-    pub fn matrix(&self, root: SquareRoot) -> DMatrix<C> {
+    pub(crate) fn matrix(&self, root: SquareRoot) -> DMatrix<C> {
         let mut w = DMatrix::from_element(self.size, self.size, C::ZERO);
         for (m, value) in self.each() {
             for (row, column, phase) in self.generator(m, root) {

@@ -216,11 +216,6 @@ impl Strike {
         self.velocity_after
     }
 
-    /// Impulse that the meteorite gave to the planet, M(V' − V), newton seconds.
-    pub fn impulse(&self) -> BodyVector {
-        self.impulse
-    }
-
     /// Kinetic energy turned into heat, joules, never negative beyond rounding: ½⟨w, J⟩, half the closing velocity times
     /// the impulse. No large energies are subtracted, and the value is the same in every frame.
     pub fn energy_lost(&self) -> f64 {

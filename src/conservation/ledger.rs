@@ -87,7 +87,7 @@ impl Entry {
     }
 
     /// Latest value recorded, as [`Entry::first`]; not finite if a record was refused.
-    pub fn last(&self) -> f64 {
+    pub(crate) fn last(&self) -> f64 {
         match self.last {
             Value::Scalar(value) => value,
             vector => vector.magnitude(),
@@ -108,11 +108,6 @@ impl Entry {
         } else {
             self.drift / self.scale
         }
-    }
-
-    /// What relative drift is measured against: the length of the first value, or the scale given at opening.
-    pub fn scale(&self) -> f64 {
-        self.scale
     }
 
     /// Number of the record with the largest violation; 0 is the opening.
@@ -251,7 +246,7 @@ impl Ledger {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for `first`, [`Error::NotPositive`] for the scale.
-    pub fn open_vector_scaled<Axes>(
+    pub(crate) fn open_vector_scaled<Axes>(
         &mut self,
         name: &'static str,
         first: FrameVector<Axes>,

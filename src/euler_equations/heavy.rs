@@ -74,11 +74,6 @@ impl HeavyTop {
         self.kind
     }
 
-    /// Moments about O.
-    pub const fn moments(&self) -> AxisMoments {
-        self.moments
-    }
-
     /// The rates ∂Ω/∂t and ∂z/∂t: Euler's equations with N = z∧MgC, and ∂z/∂t = z∧Ω (5.1, 8.1).
     ///
     /// Cost: [`rate`] and two vector products. No errors.

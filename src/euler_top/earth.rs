@@ -27,16 +27,16 @@ pub const SIDEREAL_DAY: f64 = 86_164.090_5 / 86_400.0;
 pub const LOVE_NUMBER: f64 = 0.30;
 
 /// Mean rotation rate, rad/s (quoted).
-pub const ROTATION_RATE: f64 = 7.292_115e-5;
+pub(crate) const ROTATION_RATE: f64 = 7.292_115e-5;
 
 /// GM of the Earth, m³/s² (quoted).
-pub const GRAVITATIONAL_PARAMETER: f64 = 3.986_004_418e14;
+pub(crate) const GRAVITATIONAL_PARAMETER: f64 = 3.986_004_418e14;
 
 /// Equatorial radius, m (quoted).
-pub const EQUATORIAL_RADIUS: f64 = 6_378_136.6;
+pub(crate) const EQUATORIAL_RADIUS: f64 = 6_378_136.6;
 
 /// J₂ = (I₃ − I₁)/(Ma²), dimensionless (quoted: from satellite orbits).
-pub const DYNAMICAL_FORM_FACTOR: f64 = 1.082_635_9e-3;
+pub(crate) const DYNAMICAL_FORM_FACTOR: f64 = 1.082_635_9e-3;
 
 /// Period of the free wobble of a rigid Earth, in turns of the Earth: 1/(I₃/I₁ − 1) = 1/H − 1 for H = (I₃ − I₁)/I₃ (6.5).
 ///

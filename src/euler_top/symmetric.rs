@@ -70,11 +70,6 @@ impl SymmetricTop {
         })
     }
 
-    /// I₁ = I₂, kg m².
-    pub fn transverse(&self) -> f64 {
-        self.transverse
-    }
-
     /// I₃, kg m².
     pub fn axial(&self) -> f64 {
         self.axial

@@ -159,7 +159,7 @@ pub struct Equations {
 
 impl Equations {
     /// Those of a plate on which nothing acts.
-    pub const fn new(plate: Plate) -> Self {
+    pub(crate) const fn new(plate: Plate) -> Self {
         Self {
             plate,
             gravity: None,
@@ -260,14 +260,14 @@ impl Equations {
     // ANCHOR_END: rate
 
     /// Kinetic energy, the fluid's included, J/m.
-    pub fn kinetic_energy(&self, state: &[f64; 7]) -> f64 {
+    pub(crate) fn kinetic_energy(&self, state: &[f64; 7]) -> f64 {
         let masses = self.masses();
         let [.., u, w, omega, _] = *state;
         0.5 * (masses.along * u * u + masses.across * w * w + masses.moment * omega * omega)
     }
 
     /// Momentum of plate and fluid in the axes of space (right, up), kg/s.
-    pub fn impulse(&self, state: &[f64; 7]) -> [f64; 2] {
+    pub(crate) fn impulse(&self, state: &[f64; 7]) -> [f64; 2] {
         let masses = self.masses();
         let (sine, cosine) = state[2].sin_cos();
         let (along, across) = (masses.along * state[3], masses.across * state[4]);

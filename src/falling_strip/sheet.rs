@@ -58,13 +58,8 @@ impl Sheet {
         4.0 * self.areal_density / (PI * self.fluid_density * self.width)
     }
 
-    /// √(σ/(ρ w)) = √(π I*/4), dimensionless: the number by which the experiments are sorted.
-    pub fn froude(&self) -> f64 {
-        (self.areal_density / (self.fluid_density * self.width)).sqrt()
-    }
-
     /// g, m/s².
-    pub const fn gravity(&self) -> f64 {
+    pub(crate) const fn gravity(&self) -> f64 {
         self.gravity
     }
 
@@ -74,7 +69,7 @@ impl Sheet {
     }
 
     /// Half the width, the length of the theory, m.
-    pub fn half_chord(&self) -> f64 {
+    pub(crate) fn half_chord(&self) -> f64 {
         0.5 * self.width
     }
 

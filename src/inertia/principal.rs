@@ -37,7 +37,7 @@ impl PrincipalAxes {
     }
 
     /// The rotation that turns components along the principal axes into those along the axes of the matrix.
-    pub fn turn(&self) -> UnitQuaternion<f64> {
+    pub(crate) fn turn(&self) -> UnitQuaternion<f64> {
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.axes))
     }
 

@@ -104,7 +104,7 @@ impl Cat {
     }
 
     /// The closed form, if the halves are equal.
-    pub fn equal_halves(&self) -> Option<EqualHalves> {
+    pub(crate) fn equal_halves(&self) -> Option<EqualHalves> {
         let [first, second] = self.halves;
         (first == second).then_some(EqualHalves::of(first.axial, first.transverse))
     }

@@ -43,7 +43,7 @@ impl Strokes {
     }
 
     /// When the piece of the motion with this number begins, s; there are four a cycle.
-    pub fn beginning(&self, number: u64) -> f64 {
+    pub(crate) fn beginning(&self, number: u64) -> f64 {
         let within = match number % 4 {
             0 => 0.0,
             1 => 0.5 * self.push,
@@ -54,7 +54,7 @@ impl Strokes {
     }
 
     /// The piece in which a time (s) lies.
-    pub fn piece_at(&self, time: f64) -> u64 {
+    pub(crate) fn piece_at(&self, time: f64) -> u64 {
         // One less than the whole cycles make: they are rounded.
         let mut number = (4 * (time / self.cycle()) as u64).saturating_sub(1);
         while self.beginning(number + 1) < time {
@@ -74,7 +74,7 @@ impl Strokes {
     }
 
     /// The gap at a time within the piece of this number.
-    pub fn at(&self, number: u64, time: f64) -> Gap {
+    pub(crate) fn at(&self, number: u64, time: f64) -> Gap {
         let acceleration = self.acceleration(number);
         let (since, left) = (
             time - self.beginning(number),
@@ -108,7 +108,7 @@ pub enum Foot {
 
 impl Foot {
     /// The sign of its velocity.
-    pub const fn sign(self) -> f64 {
+    pub(crate) const fn sign(self) -> f64 {
         match self {
             Self::Holds => 0.0,
             Self::Forward => 1.0,
@@ -158,12 +158,12 @@ impl Crawler {
     }
 
     /// Masses of rear and front foot, kg.
-    pub const fn masses(&self) -> [f64; 2] {
+    pub(crate) const fn masses(&self) -> [f64; 2] {
         self.masses
     }
 
     /// What the muscle does.
-    pub const fn strokes(&self) -> &Strokes {
+    pub(crate) const fn strokes(&self) -> &Strokes {
         &self.strokes
     }
 
@@ -172,7 +172,7 @@ impl Crawler {
     }
 
     /// Places of rear and front foot, m.
-    pub fn feet(&self, center: f64, gap: f64) -> [f64; 2] {
+    pub(crate) fn feet(&self, center: f64, gap: f64) -> [f64; 2] {
         let [rear, front] = self.masses;
         [
             center - front / self.mass() * gap,
@@ -181,7 +181,7 @@ impl Crawler {
     }
 
     /// Kinetic energy, J.
-    pub fn energy(&self, velocity: f64, gap_rate: f64) -> f64 {
+    pub(crate) fn energy(&self, velocity: f64, gap_rate: f64) -> f64 {
         let [v, w] = self.feet(velocity, gap_rate);
         0.5 * (self.masses[0] * v * v + self.masses[1] * w * w)
     }
@@ -190,7 +190,7 @@ impl Crawler {
     ///
     /// `feet` says which feet were slipping so far; `sliding` is μg (m/s²) of a foot that slips, `holding` the same of one at rest: it holds if
     /// the force that this takes is no more than that times its mass, and otherwise sets off against it.
-    pub fn leg(&self, feet: [Foot; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
+    pub(crate) fn leg(&self, feet: [Foot; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
         let [rear, front] = self.masses;
         let alpha = gap.acceleration;
         let feet = match feet {
@@ -247,13 +247,13 @@ impl Crawler {
     }
 
     /// Force of the muscle, N, that presses the front foot forward and the rear foot back.
-    pub fn muscle(&self, leg: &Leg) -> f64 {
+    pub(crate) fn muscle(&self, leg: &Leg) -> f64 {
         let [rear, front] = self.masses;
         front * (leg.center + rear / self.mass() * leg.acceleration) - leg.ground[1]
     }
 
     /// Heat, W, at these velocities of the feet.
-    pub fn heating(&self, leg: &Leg, velocities: [f64; 2]) -> f64 {
+    pub(crate) fn heating(&self, leg: &Leg, velocities: [f64; 2]) -> f64 {
         let foot = |k: usize| {
             if leg.feet[k] == Foot::Holds {
                 0.0
@@ -266,7 +266,7 @@ impl Crawler {
 
     /// How fast a foot slips on, m/s and m/s², if it slows down: only such a foot can come to rest, and none while the other one holds. Then it
     /// goes with the stroke and rests where the stroke turns, not before.
-    pub fn slowing(
+    pub(crate) fn slowing(
         &self,
         leg: &Leg,
         foot: usize,
@@ -280,7 +280,7 @@ impl Crawler {
     }
 
     /// Centre, velocity, impulse, heat and work after `time` in a leg that begins with these and with this gap.
-    pub fn after(&self, leg: &Leg, from: &[f64; 5], gap: &Gap, time: f64) -> [f64; 5] {
+    pub(crate) fn after(&self, leg: &Leg, from: &[f64; 5], gap: &Gap, time: f64) -> [f64; 5] {
         let [center, velocity, impulse, heat, work] = *from;
         let advance = (velocity + 0.5 * leg.center * time) * time;
         let opened = (gap.rate + 0.5 * leg.acceleration * time) * time;
@@ -294,7 +294,7 @@ impl Crawler {
     }
 
     /// The velocity of the centre that leaves this foot at rest, m/s.
-    pub fn holding(&self, foot: usize, gap_rate: f64) -> f64 {
+    pub(crate) fn holding(&self, foot: usize, gap_rate: f64) -> f64 {
         let [rear, front] = self.masses;
         if foot == 0 {
             front / self.mass() * gap_rate

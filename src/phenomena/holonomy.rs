@@ -39,7 +39,7 @@ pub enum Hub {
 /// The turn −∮ a dψ along a closed smooth path, s from 0 to 2π, radians. Observed error: 2e-16 of ∮ |a ψ′| ds.
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) as [`periodic`].
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if 2^16 points do not settle it.
 pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result<f64> {
     let rate = |s: f64| {
         let step = path(s);

@@ -102,11 +102,6 @@ impl Wriggler {
         }
     }
 
-    /// The masses, kg.
-    pub const fn masses(&self) -> &[f64; PARTS] {
-        &self.masses
-    }
-
     /// The state at time 0: at rest.
     pub const fn start(&self) -> &[f64; 4 * PARTS] {
         &self.start

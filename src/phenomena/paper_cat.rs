@@ -58,7 +58,7 @@ impl PaperCat {
     }
 
     /// Deceleration by the air, m/s², at this velocity of fall: q/m.
-    pub fn drag(&self, air: f64, velocity: f64) -> f64 {
+    pub(crate) fn drag(&self, air: f64, velocity: f64) -> f64 {
         self.grip(air) * velocity * velocity.abs() / self.mass
     }
 

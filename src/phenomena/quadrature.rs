@@ -35,7 +35,7 @@ pub fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64) -> Re
 ///
 /// # Errors
 /// [`Error::NotFinite`]; [`Error::Accuracy`] if 2^16 points do not settle it.
-pub fn periodic(f: impl Fn(f64) -> f64, period: f64) -> Result<f64> {
+pub(crate) fn periodic(f: impl Fn(f64) -> f64, period: f64) -> Result<f64> {
     finite("the period", period)?;
     let mean = |points: u32, shift: f64| -> (f64, f64) {
         let values = (0..points).map(|k| f(period * (f64::from(k) + shift) / f64::from(points)));

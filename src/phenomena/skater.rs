@@ -22,18 +22,13 @@ impl Skater {
         })
     }
 
-    /// Moment of the core, kg m².
-    pub const fn core(&self) -> f64 {
-        self.core
-    }
-
     /// Mass of one hand, kg.
-    pub const fn hand(&self) -> f64 {
+    pub(crate) const fn hand(&self) -> f64 {
         self.hand
     }
 
     /// Moment of inertia with the hands at this distance (m) from the axis, kg m²: I = I_core + 2mr².
-    pub fn moment(&self, reach: f64) -> f64 {
+    pub(crate) fn moment(&self, reach: f64) -> f64 {
         self.core + 2.0 * self.hand * reach * reach
     }
 
@@ -70,12 +65,18 @@ impl Skater {
     }
 
     /// Angular acceleration, rad/s², while the hands move at `reach_rate` (m/s): IΩ′ = −4 m r r′ Ω, Coriolis' force on two hands.
-    pub fn acceleration(&self, spin: f64, reach: f64, reach_rate: f64) -> f64 {
+    pub(crate) fn acceleration(&self, spin: f64, reach: f64, reach_rate: f64) -> f64 {
         -4.0 * self.hand * reach * reach_rate * spin / self.moment(reach)
     }
 
     /// Power of both arms, W: force along the arm 2m(r″ − rΩ²) times r′. The second term is the pull against the centrifugal force.
-    pub fn power(&self, spin: f64, reach: f64, reach_rate: f64, reach_acceleration: f64) -> f64 {
+    pub(crate) fn power(
+        &self,
+        spin: f64,
+        reach: f64,
+        reach_rate: f64,
+        reach_acceleration: f64,
+    ) -> f64 {
         2.0 * self.hand * (reach_acceleration - reach * spin * spin) * reach_rate
     }
 

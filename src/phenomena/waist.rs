@@ -79,7 +79,7 @@ pub struct Swivel {
 
 impl Swivel {
     /// Rate of the lower part, rad/s, at angular momentum L: β′ = (L − Aψ′)/(A + B). What L does and what the shape does, one beside the other.
-    pub fn rate(&self, angular_momentum: f64, upper: f64, twist_rate: f64) -> f64 {
+    pub(crate) fn rate(&self, angular_momentum: f64, upper: f64, twist_rate: f64) -> f64 {
         angular_momentum / (upper + self.lower) - self.turn_back(upper) * twist_rate
     }
 }

@@ -126,7 +126,7 @@ impl Course {
     }
 
     /// How many closed forms it is made of.
-    pub fn stretches(&self) -> usize {
+    pub(crate) fn stretches(&self) -> usize {
         self.stretches.len()
     }
 }

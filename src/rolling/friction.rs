@@ -37,12 +37,12 @@ impl Coulomb {
     }
 
     /// Coefficient while the contact slips.
-    pub const fn kinetic(&self) -> f64 {
+    pub(crate) const fn kinetic(&self) -> f64 {
         self.kinetic
     }
 
     /// Greatest ratio of friction to reaction while it sticks.
-    pub const fn grip(&self) -> f64 {
+    pub(crate) const fn grip(&self) -> f64 {
         self.grip
     }
 }
@@ -67,7 +67,7 @@ impl RollingResistance {
     }
 
     /// Lever arm of the reaction over the radius.
-    pub const fn arm(&self) -> f64 {
+    pub(crate) const fn arm(&self) -> f64 {
         self.arm
     }
 }

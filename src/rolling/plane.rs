@@ -84,11 +84,6 @@ impl Slide {
         self.rolling
     }
 
-    /// Friction per mass while it slides, m/s²: a constant vector.
-    pub fn friction(&self) -> [f64; 2] {
-        self.friction
-    }
-
     /// Place of the centre, m, and the motion, at a time (s, 0 or later) since the stroke.
     pub fn at(&self, t: f64) -> ([f64; 2], InPlane) {
         let sliding = t.min(self.time);

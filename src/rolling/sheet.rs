@@ -95,7 +95,7 @@ impl Sheet {
     }
 
     /// How fast it goes.
-    pub fn speeds(&self) -> &SheetSpeeds {
+    pub(crate) fn speeds(&self) -> &SheetSpeeds {
         &self.speeds
     }
 

@@ -214,7 +214,7 @@ impl RoundBody {
 
 impl Shot {
     /// What was struck.
-    pub fn body(&self) -> RoundBody {
+    pub(crate) fn body(&self) -> RoundBody {
         self.body
     }
 

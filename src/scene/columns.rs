@@ -39,7 +39,7 @@ impl<S> Default for Columns<S> {
 
 impl<S: 'static> Columns<S> {
     /// The same with more numbers: name, unit and meaning of each.
-    pub fn with<const N: usize>(
+    pub(crate) fn with<const N: usize>(
         mut self,
         numbers: [[&'static str; 3]; N],
         of: impl Fn(&S) -> [f64; N] + Clone + Send + Sync + 'static,
@@ -59,7 +59,7 @@ impl<S: 'static> Columns<S> {
     }
 
     /// The same with three components of one vector.
-    pub fn vector(
+    pub(crate) fn vector(
         self,
         names: [&'static str; 3],
         [unit, meaning]: [&'static str; 2],
@@ -70,7 +70,7 @@ impl<S: 'static> Columns<S> {
     }
 
     /// The same with the quaternion of an attitude.
-    pub fn attitude(self, of: fn(&S) -> Attitude) -> Self {
+    pub(crate) fn attitude(self, of: fn(&S) -> Attitude) -> Self {
         let meaning = "attitude, a unit quaternion that turns body axes into space axes";
         let numbers = ["qw", "qx", "qy", "qz"].map(|name| [name, "1", meaning]);
         self.with(numbers, move |state| {
@@ -80,14 +80,14 @@ impl<S: 'static> Columns<S> {
     }
 
     /// The same with an angular velocity, along the body's axes.
-    pub fn omega(self, of: fn(&S) -> BodyVector) -> Self {
+    pub(crate) fn omega(self, of: fn(&S) -> BodyVector) -> Self {
         let names = ["omega1", "omega2", "omega3"];
         let what = ["rad/s", "angular velocity, along the body's axes"];
         self.vector(names, what, move |state| of(state).components())
     }
 
     /// The same with the angles of an attitude: tilt, precession, nutation, spin.
-    pub fn angles(self, of: fn(&S) -> Attitude) -> Self {
+    pub(crate) fn angles(self, of: fn(&S) -> Attitude) -> Self {
         let tilt = "angle of axis 3 to the vertical";
         let theta = "Euler's angle of axis 3 to the vertical: the tilt";
         let phi = "Euler's angle about the vertical, from x to the line of nodes, −π … π";
@@ -106,7 +106,7 @@ impl<S: 'static> Columns<S> {
     }
 
     /// The same with an angular momentum (kg m²/s, along the axes of space), its size, and its angle to axis 3.
-    pub fn angular_momentum(
+    pub(crate) fn angular_momentum(
         self,
         attitude: fn(&S) -> Attitude,
         l: impl Fn(&S) -> SpaceVector + Clone + Send + Sync + 'static,
@@ -128,7 +128,7 @@ impl<S: 'static> Columns<S> {
     }
 
     /// These numbers and those.
-    pub fn and(mut self, further: Self) -> Self {
+    pub(crate) fn and(mut self, further: Self) -> Self {
         self.0.extend(further.0);
         self
     }

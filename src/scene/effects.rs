@@ -142,7 +142,7 @@ macro_rules! numbers {
             }
 
             /// That number.
-            pub const fn value(self) -> f64 {
+            pub(crate) const fn value(self) -> f64 {
                 self.0
             }
         }

@@ -163,12 +163,12 @@ impl Request {
     }
 
     /// The relative accuracy asked for; infinite where one run is.
-    pub const fn accuracy(&self) -> f64 {
+    pub(crate) const fn accuracy(&self) -> f64 {
         self.accuracy
     }
 
     /// Who chooses the solver.
-    pub const fn choice(&self) -> Choice {
+    pub(crate) const fn choice(&self) -> Choice {
         self.choice
     }
 }

@@ -91,15 +91,6 @@ impl Roller {
         Ok(self)
     }
 
-    /// Everything that happens up to a time (s), as closed forms from event to event.
-    ///
-    /// # Errors
-    /// As [`Course::new`].
-    pub fn course(&self, until: f64) -> Result<Course> {
-        let table = self.table(until)?;
-        Course::under(&table.laws, table.start, until)
-    }
-
     fn table(&self, span: f64) -> Result<OnTable<'_>> {
         let effects = (self.friction, self.resistance, self.sheet.as_ref());
         let laws = Laws::new(

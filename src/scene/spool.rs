@@ -23,7 +23,7 @@ use super::effects::Effect;
 use super::roller::{ENERGIES, OnTable, along, moments, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};
-use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
+use crate::rolling::course::{Coulomb, Load, Moment, RollingResistance};
 use crate::rolling::spool::Spool;
 use crate::rolling::stretch::Laws;
 
@@ -75,14 +75,6 @@ impl TuggedSpool {
             other => return Err(other.refused("a spool", "tug, friction, rolling_resistance")),
         }
         Ok(self)
-    }
-
-    /// Everything that happens up to a time (s), as closed forms from event to event.
-    ///
-    /// # Errors
-    /// As [`Course::new`].
-    pub fn course(&self, until: f64) -> Result<Course> {
-        Course::under(&self.table(until)?.laws, self.start, until)
     }
 
     fn table(&self, span: f64) -> Result<OnTable<'static>> {

@@ -78,7 +78,7 @@ impl Superball {
     ///
     /// # Errors
     /// As [`Flight::new`].
-    pub fn flight(&self) -> Result<Flight> {
+    pub(crate) fn flight(&self) -> Result<Flight> {
         let effects = (self.gravity, self.restitution, self.friction);
         Flight::new(self.kappa, self.room, effects, self.start)
     }

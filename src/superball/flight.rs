@@ -35,7 +35,7 @@ impl InFlight {
     }
 
     /// Energy per mass, ½(V² + V_z² + κ(RΩ)²) + g·height, J/kg.
-    pub fn energy(&self, kappa: f64, gravity: f64) -> f64 {
+    pub(crate) fn energy(&self, kappa: f64, gravity: f64) -> f64 {
         0.5 * (self.motion.energy(kappa) + self.climb * self.climb) + gravity * self.height
     }
 }
@@ -99,7 +99,7 @@ impl Flight {
     }
 
     /// Acceleration of gravity, m/s², 0 if there is none.
-    pub fn gravity(&self) -> f64 {
+    pub(crate) fn gravity(&self) -> f64 {
         self.gravity.unwrap_or(0.0)
     }
 
@@ -114,7 +114,7 @@ impl Flight {
     }
 
     /// Whether the energy is kept and the bounces are reflections, so that [`Self::exact`] speaks of it.
-    pub fn is_elastic(&self) -> bool {
+    pub(crate) fn is_elastic(&self) -> bool {
         self.losses.is_none() && self.grip.is_none()
     }
 

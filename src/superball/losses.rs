@@ -28,7 +28,7 @@ impl Restitution {
     }
 
     /// e_n.
-    pub fn normal(&self) -> f64 {
+    pub(crate) fn normal(&self) -> f64 {
         self.normal
     }
 

@@ -334,7 +334,7 @@ impl BounceRotation {
     ///
     /// The sum of a geometric series of rotations: with gⁿ = p + q√−κ it is ½(p − 1 + q)V + ½(κq − p + 1)RΩ, so it never leaves
     /// [`reach`]. Error and cost as [`Self::after`].
-    pub fn place(&self, start: Motion<f64>, bounces: u64) -> f64 {
+    pub(crate) fn place(&self, start: Motion<f64>, bounces: u64) -> f64 {
         let [p, q] = self.power(bounces);
         let kappa = self.kappa.value();
         0.5 * ((p - 1.0 + q) * start.velocity + (kappa * q - p + 1.0) * start.rim_speed)

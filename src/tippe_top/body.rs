@@ -62,7 +62,7 @@ impl ConvexBody {
     }
 
     /// The surface.
-    pub const fn surface(&self) -> &Surface {
+    pub(crate) const fn surface(&self) -> &Surface {
         &self.surface
     }
 
@@ -99,13 +99,13 @@ impl ConvexBody {
     ///
     /// Constant under any force at the contact if the body has an inertial axis of symmetry through K
     /// (see [`has_jellett_integral`](Self::has_jellett_integral)).
-    pub fn jellett(&self, up: BodyVector, omega: BodyVector) -> f64 {
+    pub(crate) fn jellett(&self, up: BodyVector, omega: BodyVector) -> f64 {
         let l = self.inertia * omega.components();
         -l.dot(&self.arm(&up.components()))
     }
 
     /// Whether the surface is a sphere about a point of an inertial axis of symmetry, to rounding (tutorial 4.7; Jellett 1872).
-    pub fn has_jellett_integral(&self) -> bool {
+    pub(crate) fn has_jellett_integral(&self) -> bool {
         if self.surface.radius().is_none() {
             return false;
         }

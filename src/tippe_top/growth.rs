@@ -6,7 +6,6 @@ use super::body::ConvexBody;
 use super::equations::Table;
 use super::friction::Friction;
 use crate::error::{Error, Result, finite, positive};
-use crate::frame::BodyVector;
 
 /// An eigenvalue (1/s): the perturbation grows with `growth` and turns with `frequency` in the body's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -128,21 +127,9 @@ fn tangent(up: &Vector3<f64>, [a, b]: [f64; 2]) -> Vector3<f64> {
 }
 
 impl QuasiSteady {
-    /// The vertical in the body's axes.
-    pub const fn up(&self) -> BodyVector {
-        BodyVector::from_components(self.up)
-    }
-
     /// Tilt of the third axis, rad.
     pub fn tilt(&self) -> f64 {
         self.up.x.hypot(self.up.y).atan2(self.up.z)
-    }
-
-    /// Slip of the point in contact, m/s.
-    pub fn slip(&self) -> f64 {
-        let level = tangent(&self.up, self.level);
-        let omega = self.up * self.spin;
-        self.table.sliding(&self.up, &omega, &level).slip.norm()
     }
 
     /// The rate at which the spin changes in this state, rad/s².

@@ -113,7 +113,7 @@ impl TippeTop {
 
     /// The rate of precession φ̇ (rad/s) of the steady state at tilt θ strictly between 0 and π, φ̇² = M g α R/(I3 α − (I3 − I1) cos θ),
     /// if there is one: no slip, C at rest, Ω = φ̇ (z − α e).
-    pub fn steady_precession(&self, tilt: f64) -> Option<f64> {
+    pub(crate) fn steady_precession(&self, tilt: f64) -> Option<f64> {
         let steadying = self.steadying(tilt.cos());
         let pull = self.mass * self.gravity * self.alpha * self.radius;
         (steadying > 0.0).then(|| (pull / steadying).sqrt())

@@ -41,7 +41,7 @@ impl Surface {
 
     /// The same surface turned within the body: `turn` takes directions of the old one into directions of the new.
     #[must_use]
-    pub fn turned(&self, turn: &Attitude) -> Self {
+    pub(crate) fn turned(&self, turn: &Attitude) -> Self {
         match self.0 {
             Shape::Sphere { .. } => *self,
             Shape::Ellipsoid { squares } => {
@@ -64,7 +64,7 @@ impl Surface {
     }
 
     /// Radius (m), if the surface is a sphere.
-    pub const fn radius(&self) -> Option<f64> {
+    pub(crate) const fn radius(&self) -> Option<f64> {
         match self.0 {
             Shape::Sphere { radius } => Some(radius),
             Shape::Ellipsoid { .. } => None,

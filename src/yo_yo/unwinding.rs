@@ -160,16 +160,6 @@ impl Unwinding {
         })
     }
 
-    /// Depth of the upper end, m: 0 for a yo-yo that has speed at the hand.
-    pub const fn top(&self) -> f64 {
-        self.top
-    }
-
-    /// Energy, J.
-    pub const fn energy(&self) -> f64 {
-        self.energy
-    }
-
     /// |V|, m/s, at a depth between the upper end and the end of the string.
     pub fn speed(&self, depth: f64) -> f64 {
         self.omega(depth) * self.toy.radius(depth)

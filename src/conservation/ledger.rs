@@ -37,8 +37,6 @@ pub struct Entry {
     extreme: f64,
     scale: f64,
     drift: f64,
-    worst_record: u64,
-    records: u64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,20 +108,9 @@ impl Entry {
         }
     }
 
-    /// Number of the record with the largest violation; 0 is the opening.
-    pub fn worst_record(&self) -> u64 {
-        self.worst_record
-    }
-
-    /// How many values were recorded after the first.
-    pub fn records(&self) -> u64 {
-        self.records
-    }
-
     /// Books `value`; the largest component that is not finite comes back as an error, after the drift has
     /// been made infinite, so that a caller who drops the error still cannot report a clean run.
     fn book(&mut self, value: Value) -> Result<()> {
-        self.records += 1;
         self.last = value;
         let drift = if value.is_finite() {
             self.violation(value)
@@ -132,7 +119,6 @@ impl Entry {
         };
         if drift > self.drift {
             self.drift = drift;
-            self.worst_record = self.records;
         }
         for component in value.components() {
             finite(self.name, component)?;
@@ -182,7 +168,6 @@ impl Entry {
 /// }
 /// // 5.5 J lies below the first value and is a violation all the same: half a joule came from nowhere.
 /// assert_eq!(ledger.entries()[0].absolute_drift(), 0.5);
-/// assert_eq!(ledger.entries()[0].worst_record(), 3);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -286,24 +271,14 @@ impl Ledger {
         &self.entries
     }
 
-    /// The lines whose relative drift exceeds `bound` (dimensionless, may be 0).
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] or [`Error::Negative`] for the bound: "within NaN" is not an answer.
-    pub fn violations(&self, bound: f64) -> Result<impl Iterator<Item = &Entry>> {
-        let bound = not_negative("the bound on relative drift", bound)?;
-        Ok(self
-            .entries
-            .iter()
-            .filter(move |entry| entry.relative_drift() > bound))
-    }
-
     /// Whether every quantity obeyed its law to within the relative drift `bound`.
     ///
     /// # Errors
-    /// As [`Ledger::violations`].
+    /// [`Error::NotFinite`] or [`Error::Negative`] for the bound: "within NaN" is not an answer.
     pub fn is_kept_within(&self, bound: f64) -> Result<bool> {
-        Ok(self.violations(bound)?.next().is_none())
+        let bound = not_negative("the bound on relative drift", bound)?;
+        let mut entries = self.entries.iter();
+        Ok(entries.all(|entry| entry.relative_drift() <= bound))
     }
 
     fn push(&mut self, name: &'static str, law: Law, first: Value, scale: f64) {
@@ -315,8 +290,6 @@ impl Ledger {
             extreme: first.components()[0],
             scale,
             drift: 0.0,
-            worst_record: 0,
-            records: 0,
         });
     }
 

@@ -97,19 +97,9 @@ impl Particles {
         &self.particles
     }
 
-    /// Total mass M, kg.
-    pub fn mass(&self) -> f64 {
-        self.mass
-    }
-
     /// Centre of mass C = Σmx/M, m.
     pub fn center(&self) -> SpaceVector {
         self.center
-    }
-
-    /// Velocity of the centre of mass V = Σmv/M, m/s.
-    pub fn center_velocity(&self) -> SpaceVector {
-        self.velocity
     }
 
     /// Momentum P = Σmv (tutorial 2.2), kg m/s.

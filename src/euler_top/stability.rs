@@ -221,6 +221,6 @@ pub fn flip_time_asymptote(moments: &PrincipalMoments, omega: BodyVector) -> Res
 }
 
 fn checked(moments: &PrincipalMoments) -> Result<[f64; 3]> {
-    positive("the smallest moment", moments.smallest())?;
+    positive("the smallest moment", moments.values()[0])?;
     Ok(moments.values())
 }

@@ -68,21 +68,6 @@ impl PrincipalMoments {
         self.0
     }
 
-    /// I₁, kg m².
-    pub const fn smallest(&self) -> f64 {
-        self.0[0]
-    }
-
-    /// I₂, kg m².
-    pub const fn middle(&self) -> f64 {
-        self.0[1]
-    }
-
-    /// I₃, kg m².
-    pub const fn largest(&self) -> f64 {
-        self.0[2]
-    }
-
     /// The greatest angle that L can make with Ω, radians: arccos(2√(I₁I₃)/(I₁+I₃)) (2.2).
     ///
     /// Attained in the plane of axes 1 and 3, where tan² of the angle between Ω and axis 1 is I₁/I₃

@@ -66,7 +66,6 @@ fn s3_3_energy_with_heat() {
     // The books balance to rounding all the way, 291 000 steps. The last, overshooting step can return at most
     // (μgh)² of kinetic energy, far below the bound.
     assert!(ledger.is_kept_within(1e-11).unwrap(), "{ledger}");
-    assert_eq!(ledger.entries()[0].records(), ledger.entries()[2].records());
 }
 
 // claim: C3.4-1

@@ -93,7 +93,7 @@ fn s6_1_constants_of_the_motion() {
             state.attitude,
             state.omega,
             SpaceVector::zero(),
-            thrown.center_velocity() - v,
+            (1.0 / 7.0) * thrown.momentum() - v,
         );
         observed!(along.momentum().norm(), 0.0..=4.5e-16); // observed none
         let l = along.angular_momentum_about(SpaceVector::zero());

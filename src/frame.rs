@@ -56,11 +56,23 @@ pub type SpaceVector = FrameVector<Space>;
 
 impl<Axes> FrameVector<Axes> {
     /// The vector with these three components.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// let omega = BodyVector::new(0.0, 3.0, 4.0);
+    /// assert_eq!((omega.y(), omega.norm()), (3.0, 5.0));
+    /// ```
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
         Self::from_components(Vector3::new(x, y, z))
     }
 
     /// The vector with the components of an ordinary `Vector3`.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// let vector = BodyVector::from_components(nalgebra::Vector3::new(1.0, 2.0, 3.0));
+    /// assert_eq!(vector, BodyVector::new(1.0, 2.0, 3.0));
+    /// ```
     pub const fn from_components(components: Vector3<f64>) -> Self {
         Self {
             components,
@@ -69,46 +81,93 @@ impl<Axes> FrameVector<Axes> {
     }
 
     /// The zero vector.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// assert_eq!(BodyVector::zero().norm(), 0.0);
+    /// ```
     pub const fn zero() -> Self {
         Self::new(0.0, 0.0, 0.0)
     }
 
     /// The components, stripped of their axes.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// assert_eq!(BodyVector::new(1.0, 2.0, 3.0).components().sum(), 6.0);
+    /// ```
     pub const fn components(&self) -> Vector3<f64> {
         self.components
     }
 
     /// First component.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// assert_eq!(BodyVector::new(1.0, 2.0, 3.0).x(), 1.0);
+    /// ```
     pub fn x(&self) -> f64 {
         self.components.x
     }
 
     /// Second component.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// assert_eq!(BodyVector::new(1.0, 2.0, 3.0).y(), 2.0);
+    /// ```
     pub fn y(&self) -> f64 {
         self.components.y
     }
 
     /// Third component.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// assert_eq!(BodyVector::new(1.0, 2.0, 3.0).z(), 3.0);
+    /// ```
     pub fn z(&self) -> f64 {
         self.components.z
     }
 
     /// Scalar product ⟨a, b⟩.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// assert_eq!(BodyVector::new(1.0, 2.0, 3.0).dot(&BodyVector::new(3.0, 2.0, 1.0)), 10.0);
+    /// ```
     pub fn dot(&self, other: &Self) -> f64 {
         self.components.dot(&other.components)
     }
 
     /// Vector product a ∧ b.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// let (x, y) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(0.0, 1.0, 0.0));
+    /// assert_eq!(x.cross(&y), BodyVector::new(0.0, 0.0, 1.0));
+    /// ```
     pub fn cross(&self, other: &Self) -> Self {
         Self::from_components(self.components.cross(&other.components))
     }
 
     /// Length, without overflow or underflow on the way.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// assert!((BodyVector::new(3e200, 0.0, 4e200).norm() / 5e200 - 1.0).abs() < 1e-15);
+    /// ```
     pub fn norm(&self) -> f64 {
         self.x().hypot(self.y()).hypot(self.z())
     }
 
     /// Whether all three components are finite.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// assert!(BodyVector::new(0.0, 1e308, 0.0).is_finite());
+    /// assert!(!BodyVector::new(0.0, f64::NAN, 0.0).is_finite());
+    /// ```
     pub fn is_finite(&self) -> bool {
         self.components.iter().all(|c| c.is_finite())
     }
@@ -117,6 +176,13 @@ impl<Axes> FrameVector<Axes> {
     ///
     /// # Errors
     /// [`Error::NotFinite`] and [`Error::ZeroVector`], with `quantity` as its name.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::BodyVector;
+    /// assert_eq!(BodyVector::new(0.0, 0.0, 1e-300).direction("the axis")?, BodyVector::new(0.0, 0.0, 1.0));
+    /// assert!(BodyVector::zero().direction("the axis").is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn direction(&self, quantity: &'static str) -> Result<Self> {
         for component in self.components.iter() {
             finite(quantity, *component)?;
@@ -270,6 +336,12 @@ pub struct Attitude(UnitQuaternion<f64>);
 
 impl Attitude {
     /// Body axes and space axes coincide.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+    /// let up = Attitude::identity().to_space(BodyVector::new(0.0, 0.0, 1.0));
+    /// assert_eq!(up, SpaceVector::new(0.0, 0.0, 1.0));
+    /// ```
     pub fn identity() -> Self {
         Self(UnitQuaternion::identity())
     }
@@ -278,6 +350,14 @@ impl Attitude {
     ///
     /// # Errors
     /// [`Error::NotFinite`] if a component is not finite, [`Error::ZeroVector`] if all are zero.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::Attitude;
+    /// // Of any length but zero.
+    /// assert_eq!(Attitude::from_quaternion(2.0, 0.0, 0.0, 0.0)?, Attitude::identity());
+    /// assert!(Attitude::from_quaternion(0.0, 0.0, 0.0, 0.0).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_quaternion(w: f64, x: f64, y: f64, z: f64) -> Result<Self> {
         for component in [w, x, y, z] {
             finite("a quaternion component", component)?;
@@ -303,6 +383,14 @@ impl Attitude {
     ///
     /// # Errors
     /// [`Error::NotFinite`] and [`Error::ZeroVector`] for an axis or angle that is none.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+    /// let quarter = Attitude::about_axis(BodyVector::new(0.0, 0.0, 5.0), std::f64::consts::FRAC_PI_2)?;
+    /// let x = quarter.to_space(BodyVector::new(1.0, 0.0, 0.0));
+    /// assert!((x - SpaceVector::new(0.0, 1.0, 0.0)).norm() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn about_axis(axis: BodyVector, angle: f64) -> Result<Self> {
         let axis = axis.direction("the axis of rotation")?;
         let angle = finite("the angle of rotation", angle)?;
@@ -314,6 +402,14 @@ impl Attitude {
     ///
     /// # Errors
     /// [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, EulerAngles};
+    /// let attitude = Attitude::from_euler_angles(EulerAngles { theta: 0.5, phi: 1.0, psi: 2.0 })?;
+    /// let angles = attitude.euler_angles();
+    /// assert!((angles.theta - 0.5).abs() + (angles.phi - 1.0).abs() + (angles.psi - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_euler_angles(EulerAngles { theta, phi, psi }: EulerAngles) -> Result<Self> {
         let mut half = [0.0; 3];
         for (half, angle) in half.iter_mut().zip([theta, phi, psi]) {
@@ -327,22 +423,50 @@ impl Attitude {
     }
 
     /// The rotation that turns space axes into body axes.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// let attitude = Attitude::about_axis(BodyVector::new(1.0, 2.0, 3.0), 0.7)?;
+    /// assert!((attitude.inverse().quaternion() * attitude.quaternion()).angle() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     #[must_use]
     pub fn inverse(&self) -> Self {
         Self(self.0.inverse())
     }
 
     /// The quaternion.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// let quaternion = Attitude::about_axis(BodyVector::new(0.0, 1.0, 0.0), 1.0)?.quaternion();
+    /// assert!((quaternion.w - 0.5_f64.cos()).abs() + (quaternion.j - 0.5_f64.sin()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn quaternion(&self) -> UnitQuaternion<f64> {
         self.0
     }
 
     /// The same vector, by its components along the axes of space.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+    /// let half = Attitude::from_quaternion(0.0, 1.0, 0.0, 0.0)?; // half a turn about x
+    /// assert_eq!(half.to_space(BodyVector::new(1.0, 2.0, 3.0)), SpaceVector::new(1.0, -2.0, -3.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn to_space(&self, vector: BodyVector) -> SpaceVector {
         SpaceVector::from_components(self.0 * vector.components())
     }
 
     /// The same vector, by its components along the axes of the body.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+    /// let half = Attitude::from_quaternion(0.0, 1.0, 0.0, 0.0)?; // half a turn about x
+    /// assert_eq!(half.to_body(SpaceVector::new(1.0, 2.0, 3.0)), BodyVector::new(1.0, -2.0, -3.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn to_body(&self, vector: SpaceVector) -> BodyVector {
         BodyVector::from_components(self.0.inverse_transform_vector(&vector.components()))
     }
@@ -351,6 +475,14 @@ impl Attitude {
     ///
     /// Next to θ = 0 only φ + ψ means anything, next to π only φ − ψ: it is exact to rounding, while their difference, or sum, loses what the
     /// attitude has lost of it; with θ = 0 or π exactly it counts as zero. Cost: three arctangents.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// // Tilted about the horizontal, then not turned: θ alone.
+    /// let angles = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.25)?.euler_angles();
+    /// assert!((angles.theta - 0.25).abs() < 1e-16 && angles.phi + angles.psi == 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn euler_angles(&self) -> EulerAngles {
         let q = self.0.quaternion();
         let half_sum = q.k.atan2(q.w);
@@ -363,6 +495,13 @@ impl Attitude {
     }
 
     /// Angle of the rotation between two attitudes, radians, in 0…π; accurate for small angles.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// let turned = Attitude::about_axis(BodyVector::new(1.0, 2.0, 2.0), 1e-9)?;
+    /// assert!((Attitude::identity().angle_to(&turned) - 1e-9).abs() < 1e-24);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angle_to(&self, other: &Self) -> f64 {
         let difference = self.0.inverse() * other.0;
         2.0 * difference.imag().norm().atan2(difference.w.abs())
@@ -425,6 +564,13 @@ impl From<Attitude> for UnitQuaternion<f64> {
 ///
 /// `rate_seen_from_body` is ∂A/∂t, the rate of A's body components; `omega` is Ω in rad/s. The result is
 /// dA/dt, the rate an observer at rest sees, written along the body's axes.
+///
+/// ```
+/// use spinning_bodies::frame::{BodyVector, rate_seen_from_space};
+/// // What is fixed in the body moves in space: Ω ∧ A.
+/// let (omega, arm) = (BodyVector::new(0.0, 0.0, 2.0), BodyVector::new(1.0, 0.0, 0.0));
+/// assert_eq!(rate_seen_from_space(BodyVector::zero(), omega, arm), BodyVector::new(0.0, 2.0, 0.0));
+/// ```
 pub fn rate_seen_from_space(
     rate_seen_from_body: BodyVector,
     omega: BodyVector,
@@ -438,6 +584,13 @@ pub fn rate_seen_from_space(
 /// `rate_seen_from_space` is dA/dt, the rate an observer at rest sees, written along the axes of
 /// space, as are `omega` and `vector`. The result is ∂A/∂t, the rate a rider on the body sees, still written
 /// along the axes of space.
+///
+/// ```
+/// use spinning_bodies::frame::{SpaceVector, rate_seen_from_body};
+/// // What is fixed in space moves backwards for the body.
+/// let (omega, star) = (SpaceVector::new(0.0, 0.0, 2.0), SpaceVector::new(1.0, 0.0, 0.0));
+/// assert_eq!(rate_seen_from_body(SpaceVector::zero(), omega, star), SpaceVector::new(0.0, -2.0, 0.0));
+/// ```
 pub fn rate_seen_from_body(
     rate_seen_from_space: SpaceVector,
     omega: SpaceVector,

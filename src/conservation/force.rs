@@ -14,6 +14,16 @@ pub struct ForceAndTorque {
 
 impl ForceAndTorque {
     /// The same forces seen from a point farther along by `offset` (metres): F stays, N becomes N − offset∧F.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::uniform_gravity, frame::SpaceVector};
+    /// let down = SpaceVector::new(0.0, 0.0, -10.0);
+    /// let center = SpaceVector::new(2.0, 0.0, 0.0);
+    /// let here = uniform_gravity(3.0, center, SpaceVector::zero(), down)?;
+    /// // Seen from the centre of mass there is no torque.
+    /// assert_eq!(here.about(center).torque, SpaceVector::zero());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn about(&self, offset: SpaceVector) -> Self {
         Self {
             force: self.force,
@@ -31,6 +41,14 @@ impl ForceAndTorque {
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) or [`Error::NotFinite`](crate::Error::NotFinite) for the
 /// mass, `NotFinite` for a vector.
+///
+/// ```
+/// use spinning_bodies::{conservation::uniform_gravity, frame::SpaceVector};
+/// let down = SpaceVector::new(0.0, 0.0, -10.0);
+/// let pull = uniform_gravity(3.0, SpaceVector::new(2.0, 0.0, 0.0), SpaceVector::zero(), down)?;
+/// assert_eq!((pull.force.z(), pull.torque.y()), (-30.0, 60.0));
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn uniform_gravity(
     mass: f64,
     center: SpaceVector,
@@ -53,6 +71,14 @@ pub fn uniform_gravity(
 /// `torque` N is the total outside torque about O in N m, `momentum` P in kg m/s. The extra term vanishes exactly
 /// if U is parallel to P: for O at rest, for O = C, and for the contact point of a body that rolls straight.
 /// L is taken with velocities relative to axes at rest. Not finite if an argument is not.
+///
+/// ```
+/// use spinning_bodies::{conservation::angular_momentum_rate, frame::SpaceVector};
+/// // No torque, and yet L about a point that moves across the momentum changes.
+/// let (moving, momentum) = (SpaceVector::new(1.0, 0.0, 0.0), SpaceVector::new(0.0, 2.0, 0.0));
+/// let rate = angular_momentum_rate(SpaceVector::zero(), moving, momentum);
+/// assert_eq!(rate, SpaceVector::new(0.0, 0.0, -2.0));
+/// ```
 pub fn angular_momentum_rate(
     torque: SpaceVector,
     point_velocity: SpaceVector,

@@ -67,16 +67,41 @@ impl Value {
 
 impl Entry {
     /// Name of the quantity.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// assert_eq!(ledger.entries()[0].name(), "energy");
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn name(&self) -> &'static str {
         self.name
     }
 
     /// What the quantity is allowed to do.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// assert_eq!(ledger.entries()[0].law(), Law::Conserved);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn law(&self) -> Law {
         self.law
     }
 
     /// First value recorded: the quantity itself, for a vector its length. Unit of the quantity.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// ledger.record(energy, 5.0)?;
+    /// assert_eq!(ledger.entries()[0].first(), 4.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn first(&self) -> f64 {
         match self.first {
             Value::Scalar(value) => value,
@@ -94,12 +119,30 @@ impl Entry {
 
     /// Largest violation so far, in the unit of the quantity; see [`Law`]. Never NaN: a value that was not
     /// finite makes it infinite, for good.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// ledger.record(energy, 5.0)?;
+    /// assert_eq!(ledger.entries()[0].absolute_drift(), 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn absolute_drift(&self) -> f64 {
         self.drift
     }
 
     /// [`Entry::absolute_drift`] over the scale of the quantity, dimensionless. Never NaN: a quantity that
     /// starts at zero without a scale of its own has relative drift 0 until it moves, and infinity then.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// ledger.record(energy, 5.0)?;
+    /// assert_eq!(ledger.entries()[0].relative_drift(), 0.25);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn relative_drift(&self) -> f64 {
         if self.drift == 0.0 {
             0.0
@@ -177,6 +220,11 @@ pub struct Ledger {
 
 impl Ledger {
     /// A ledger without accounts.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::Ledger;
+    /// assert!(Ledger::new().entries().is_empty());
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
@@ -186,6 +234,15 @@ impl Ledger {
     ///
     /// # Errors
     /// [`Error::NotFinite`] with the name of the quantity.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// ledger.record(energy, 5.0)?;
+    /// assert!(ledger.is_kept_within(0.25)? && !ledger.is_kept_within(0.2)?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn open(&mut self, name: &'static str, law: Law, first: f64) -> Result<ScalarAccount> {
         finite(name, first)?;
         self.push(name, law, Value::Scalar(first), first.abs());
@@ -197,6 +254,17 @@ impl Ledger {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for `first`, [`Error::NotPositive`] for the scale.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// // A heat that starts at zero, beside the 4 J of the run.
+    /// let heat = ledger.open_scaled("heat", Law::NonDecreasing, 0.0, 4.0)?;
+    /// ledger.record(heat, 1.0)?;
+    /// ledger.record(heat, 0.5)?;
+    /// assert_eq!(ledger.entries()[0].relative_drift(), 0.125);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn open_scaled(
         &mut self,
         name: &'static str,
@@ -215,6 +283,15 @@ impl Ledger {
     ///
     /// # Errors
     /// [`Error::NotFinite`] with the name of the quantity, also if its length overflows.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::Ledger, frame::SpaceVector};
+    /// let mut ledger = Ledger::new();
+    /// let l = ledger.open_vector("angular momentum", SpaceVector::new(3.0, 0.0, 4.0))?;
+    /// ledger.record_vector(l, SpaceVector::new(3.0, 1.0, 4.0))?;
+    /// assert_eq!(ledger.entries()[0].relative_drift(), 0.2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn open_vector<Axes>(
         &mut self,
         name: &'static str,
@@ -248,6 +325,17 @@ impl Ledger {
     /// # Errors
     /// [`Error::NotFinite`] if it is none, and the account keeps an infinite drift;
     /// [`Error::Condition`] if the account belongs to another ledger.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// ledger.record(energy, 5.0)?;
+    /// // What is no number is refused, and the books are spoilt for good.
+    /// assert!(ledger.record(energy, f64::NAN).is_err());
+    /// assert_eq!(ledger.entries()[0].relative_drift(), f64::INFINITY);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn record(&mut self, account: ScalarAccount, value: f64) -> Result<()> {
         let entry = self.entry_mut(account.0, |v| matches!(v, Value::Scalar(_)))?;
         entry.book(Value::Scalar(value))
@@ -257,6 +345,16 @@ impl Ledger {
     ///
     /// # Errors
     /// As [`Ledger::record`].
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::Ledger, frame::SpaceVector};
+    /// let mut ledger = Ledger::new();
+    /// let l = ledger.open_vector("angular momentum", SpaceVector::new(1.0, 0.0, 0.0))?;
+    /// // It turned, and its length did not change: that is a drift.
+    /// ledger.record_vector(l, SpaceVector::new(0.0, 1.0, 0.0))?;
+    /// assert!((ledger.entries()[0].relative_drift() - 2.0_f64.sqrt()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn record_vector<Axes>(
         &mut self,
         account: VectorAccount,
@@ -267,6 +365,14 @@ impl Ledger {
     }
 
     /// All lines, in the order of opening.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// assert_eq!(ledger.entries().len(), 1);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn entries(&self) -> &[Entry] {
         &self.entries
     }
@@ -275,6 +381,15 @@ impl Ledger {
     ///
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::Negative`] for the bound: "within NaN" is not an answer.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// let mut ledger = Ledger::new();
+    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// ledger.record(energy, 4.0 + 4e-15)?;
+    /// assert!(ledger.is_kept_within(1e-14)? && !ledger.is_kept_within(0.0)?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn is_kept_within(&self, bound: f64) -> Result<bool> {
         let bound = not_negative("the bound on relative drift", bound)?;
         let mut entries = self.entries.iter();

@@ -26,6 +26,15 @@ pub struct EnergyParts {
 
 impl EnergyParts {
     /// The kinetic energy.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// // ½(1² + 5²).
+    /// assert_eq!(pair.energy_split().total(), 13.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn total(&self) -> f64 {
         self.translational + self.relative
     }
@@ -42,6 +51,15 @@ pub struct AngularMomentumParts {
 
 impl AngularMomentumParts {
     /// The angular momentum.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// let origin = SpaceVector::zero();
+    /// assert_eq!(pair.angular_momentum_split(origin).total(), pair.angular_momentum_about(origin));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn total(&self) -> SpaceVector {
         self.orbital + self.spin
     }
@@ -62,6 +80,15 @@ impl Particles {
     /// # Errors
     /// [`Error::Empty`]; [`Error::NotPositive`] for a mass; [`Error::NotFinite`] for a mass, position, velocity,
     /// or if the totals overflow.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// assert_eq!(pair.center(), SpaceVector::new(1.0, 0.0, 0.0));
+    /// assert!(Particles::new([]).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(particles: impl Into<Vec<Particle>>) -> Result<Self> {
         let particles = particles.into();
         if particles.is_empty() {
@@ -93,16 +120,40 @@ impl Particles {
     }
 
     /// The particles.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// assert_eq!(pair.particles().len(), 2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn particles(&self) -> &[Particle] {
         &self.particles
     }
 
     /// Centre of mass C = Σmx/M, m.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// assert_eq!(pair.center(), SpaceVector::new(1.0, 0.0, 0.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn center(&self) -> SpaceVector {
         self.center
     }
 
     /// Momentum P = Σmv (tutorial 2.2), kg m/s.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// assert_eq!(pair.momentum(), SpaceVector::new(0.0, 6.0, 0.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn momentum(&self) -> SpaceVector {
         self.particles.iter().map(|p| p.mass * p.velocity).sum()
     }
@@ -110,6 +161,15 @@ impl Particles {
     /// Angular momentum about `point`, L = Σ(x−O)∧mv (tutorial 2.2), kg m²/s.
     ///
     /// Far from the origin the offsets are subtracted before the product, so the error is that of the positions.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// // −1·1 + 3·5.
+    /// assert_eq!(pair.angular_momentum_about(SpaceVector::zero()).z(), 14.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_momentum_about(&self, point: SpaceVector) -> SpaceVector {
         self.particles
             .iter()
@@ -120,6 +180,15 @@ impl Particles {
     /// Angular momentum about `point`, split into that of the centre of mass and that about it (tutorial 2.2).
     ///
     /// The spin is summed from relative positions and relative velocities: a fast or distant swarm keeps its digits.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// let parts = pair.angular_momentum_split(SpaceVector::zero());
+    /// assert_eq!((parts.orbital.z(), parts.total().z()), (6.0, 14.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_momentum_split(&self, point: SpaceVector) -> AngularMomentumParts {
         let spin = self
             .particles
@@ -135,6 +204,15 @@ impl Particles {
     /// Kinetic energy ½Σmv², split into that of the centre of mass and that relative to it (tutorial 2.3).
     ///
     /// Both parts are sums of squares, neither is a difference of the other two.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// let parts = pair.energy_split();
+    /// assert_eq!((parts.translational, parts.relative), (9.0, 4.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy_split(&self) -> EnergyParts {
         let relative = self.particles.iter().map(|p| {
             let v = p.velocity - self.velocity;
@@ -152,6 +230,16 @@ impl Particles {
     ///
     /// # Errors
     /// [`Error::NotFinite`] if the field or a total is not finite.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// let down = SpaceVector::new(0.0, 0.0, -10.0);
+    /// let pull = pair.force_and_torque(SpaceVector::zero(), |particle| particle.mass * down)?;
+    /// assert_eq!((pull.force.z(), pull.torque.y()), (-20.0, 20.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn force_and_torque(
         &self,
         point: SpaceVector,
@@ -179,6 +267,16 @@ impl Particles {
     ///
     /// # Errors
     /// [`Error::NotFinite`] if a force or the total is not finite. Cost: one call for each of the n(n−1)/2 pairs.
+    ///
+    /// ```
+    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
+    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
+    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
+    /// // Equal, opposite and along the line between them: no torque.
+    /// let torque = pair.internal_torque(|a, b| 3.0 * (b.position - a.position))?;
+    /// assert_eq!(torque, SpaceVector::zero());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn internal_torque(
         &self,
         mut force_on_first: impl FnMut(&Particle, &Particle) -> SpaceVector,

@@ -26,11 +26,25 @@ pub struct CompensatedSum {
 
 impl CompensatedSum {
     /// The empty sum, zero.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::CompensatedSum;
+    /// assert_eq!(CompensatedSum::new().value(), 0.0);
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
 
     /// Adds a term.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::CompensatedSum;
+    /// let mut sum = CompensatedSum::new();
+    /// for term in [1.0, 1e100, 1.0, -1e100] {
+    ///     sum.add(term);
+    /// }
+    /// assert_eq!(sum.value(), 2.0);
+    /// ```
     pub fn add(&mut self, term: f64) {
         let sum = self.sum + term;
         // The smaller summand is the one whose digits are lost.
@@ -43,6 +57,13 @@ impl CompensatedSum {
     }
 
     /// The sum so far.
+    ///
+    /// ```
+    /// use spinning_bodies::conservation::CompensatedSum;
+    /// let mut sum = CompensatedSum::new();
+    /// sum.extend([0.1; 10]);
+    /// assert_eq!(sum.value(), 1.0);
+    /// ```
     pub fn value(&self) -> f64 {
         if self.sum.is_finite() {
             self.sum + self.lost

@@ -377,6 +377,13 @@ pub fn rf(x: f64, y: f64, z: f64) -> Result<f64> {
 /// # Errors
 ///
 /// If x is negative, y is zero, or one is not finite.
+///
+/// ```
+/// use spinning_bodies::elliptic::carlson::rc;
+/// assert!((rc(0.0, 1.0)? - std::f64::consts::FRAC_PI_2).abs() < 3e-16);
+/// assert!((rc(2.0, 1.0)? - 1.0_f64.asinh()).abs() < 3e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rc(x: f64, y: f64) -> Result<f64> {
     let x = not_negative("argument x", x)?.abs();
     let y = not_zero(finite("argument y", y)?)?;
@@ -391,6 +398,13 @@ pub fn rc(x: f64, y: f64) -> Result<f64> {
 /// # Errors
 ///
 /// If x or y is negative, both are zero, z is not positive, or one is not finite; [`Error::NotFinite`] for a value beyond the greatest double.
+///
+/// ```
+/// use spinning_bodies::elliptic::carlson::rd;
+/// // All arguments alike: the power alone.
+/// assert!((rd(4.0, 4.0, 4.0)? - 0.125).abs() < 1e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rd(x: f64, y: f64, z: f64) -> Result<f64> {
     let a = arguments(x, y, positive("argument z", z)?)?;
     at_most_one_zero(&a[..2])?;
@@ -407,6 +421,14 @@ pub fn rd(x: f64, y: f64, z: f64) -> Result<f64> {
 ///
 /// If one of x, y, z is negative, two of them are zero, p is zero, or one is not finite; [`Error::NotFinite`] for a value beyond the
 /// greatest double.
+///
+/// ```
+/// use spinning_bodies::elliptic::carlson::rj;
+/// assert!((rj(4.0, 4.0, 4.0, 4.0)? - 0.125).abs() < 1e-16);
+/// // With p = z it is R_D.
+/// assert!((rj(1.0, 2.0, 3.0, 3.0)? / spinning_bodies::elliptic::carlson::rd(1.0, 2.0, 3.0)? - 1.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
     let [x, y, z] = arguments(x, y, z)?;
     at_most_one_zero(&[x, y, z])?;

@@ -69,6 +69,14 @@ fn second(parameter: Characteristic) -> Dd {
 /// # Errors
 ///
 /// As for [`complete_first`].
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, complete_b, complete_d, complete_first};
+/// // B + D = K.
+/// let half = Parameter::from_parameter(0.5)?;
+/// assert!((complete_b(half)? + complete_d(half)? - complete_first(half)?).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn complete_d(parameter: impl Into<Characteristic>) -> Result<f64> {
     let parameter = real(parameter.into())?;
     Ok(second_kind(parameter)[1].value())
@@ -81,6 +89,13 @@ pub fn complete_d(parameter: impl Into<Characteristic>) -> Result<f64> {
 /// # Errors
 ///
 /// As for [`complete_first`].
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, complete_b};
+/// assert_eq!(complete_b(Parameter::from_parameter(0.0)?)?, std::f64::consts::FRAC_PI_4);
+/// assert_eq!(complete_b(Parameter::from_parameter(1.0)?)?, 1.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn complete_b(parameter: impl Into<Characteristic>) -> Result<f64> {
     let parameter = real(parameter.into())?;
     Ok(second_kind(parameter)[0].value())
@@ -533,6 +548,13 @@ pub fn incomplete_first(phi: f64, parameter: impl Into<Characteristic>) -> Resul
 /// # Errors
 ///
 /// As for [`incomplete_first`].
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, incomplete_second};
+/// // At m = 1 it is sin φ.
+/// assert!((incomplete_second(0.5, Parameter::from_parameter(1.0)?)? - 0.5_f64.sin()).abs() < 1e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn incomplete_second(phi: f64, parameter: impl Into<Characteristic>) -> Result<f64> {
     at_angle(Kind::Second, phi, parameter.into())
 }
@@ -550,6 +572,15 @@ pub fn incomplete_second(phi: f64, parameter: impl Into<Characteristic>) -> Resu
 /// # Errors
 ///
 /// At n = 1, where it is infinite, and for m > 1, where it is not real.
+///
+/// ```
+/// use spinning_bodies::elliptic::{Characteristic, Parameter, complete_third};
+/// // At m = 0 it is π/(2√(1 − n)).
+/// let round = Parameter::from_parameter(0.0)?;
+/// let integral = complete_third(Characteristic::from_characteristic(0.75)?, round)?;
+/// assert!((integral - std::f64::consts::PI).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn complete_third(
     characteristic: Characteristic,
     parameter: impl Into<Characteristic>,
@@ -569,6 +600,15 @@ pub fn complete_third(
 /// # Errors
 ///
 /// If φ is not finite or beyond 2⁵³, if n sin²φ = 1, or if m sin² exceeds 1 on the way to φ.
+///
+/// ```
+/// use spinning_bodies::elliptic::{Characteristic, Parameter, incomplete_third};
+/// // At m = 0 it is arctan(√(1 − n) tan φ)/√(1 − n).
+/// let (n, round) = (Characteristic::from_characteristic(-3.0)?, Parameter::from_parameter(0.0)?);
+/// let integral = incomplete_third(std::f64::consts::FRAC_PI_4, n, round)?;
+/// assert!((integral - 0.5 * 2.0_f64.atan()).abs() < 2e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn incomplete_third(
     phi: f64,
     characteristic: Characteristic,
@@ -590,6 +630,13 @@ fn complement(x: f64) -> Dd {
 /// # Errors
 ///
 /// If x is not finite or lies outside −1…1.
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, inverse_sn};
+/// // At m = 1, sn u = tanh u.
+/// assert!((inverse_sn(0.5, Parameter::from_parameter(1.0)?)? - 0.5_f64.atanh()).abs() < 2e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn inverse_sn(x: f64, parameter: Parameter) -> Result<f64> {
     let x = within("value of sn", x, -1.0, 1.0)?;
     let c2 = complement(x);
@@ -605,6 +652,12 @@ pub fn inverse_sn(x: f64, parameter: Parameter) -> Result<f64> {
 /// # Errors
 ///
 /// If x is not finite or lies outside −1…1.
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, inverse_cn};
+/// assert!((inverse_cn(0.5, Parameter::from_parameter(0.0)?)? - 0.5_f64.acos()).abs() < 3e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn inverse_cn(x: f64, parameter: Parameter) -> Result<f64> {
     let x = within("value of cn", x, -1.0, 1.0)?;
     let s2 = complement(x);
@@ -634,6 +687,12 @@ fn reflected(u: Dd, negative: bool, parameter: Parameter) -> f64 {
 /// # Errors
 ///
 /// If x or y is not finite, or both are zero.
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, inverse_cn_sn};
+/// assert!((inverse_cn_sn(-1.0, 1.0, Parameter::from_parameter(0.0)?)? - 3.0 * std::f64::consts::FRAC_PI_4).abs() < 5e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
     let x = finite("x along cn", x)?;
     let y = finite("y along sn", y)?;
@@ -666,6 +725,13 @@ pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
 /// # Errors
 ///
 /// If x is not finite or lies outside √mc…1.
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, inverse_dn};
+/// // At m = 1, dn u = 1/cosh u.
+/// assert!((inverse_dn(0.5, Parameter::from_parameter(1.0)?)? - 2.0_f64.acosh()).abs() < 3e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn inverse_dn(x: f64, parameter: Parameter) -> Result<f64> {
     let least = parameter.mc().sqrt();
     let x = within("value of dn", x, least, 1.0)?;

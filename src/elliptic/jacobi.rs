@@ -59,6 +59,13 @@ impl Modulus {
     /// # Errors
     ///
     /// If u is not finite, or greater than 2⁵³ quarter periods.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::{Modulus, Parameter};
+    /// let (sn, cn, dn) = Modulus::new(Parameter::from_parameter(0.64)?).sn_cn_dn(0.7)?;
+    /// assert!((sn * sn + cn * cn - 1.0).abs() < 1e-15 && (dn * dn + 0.64 * sn * sn - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn sn_cn_dn(&self, u: f64) -> Result<(f64, f64, f64)> {
         // Written out in place, so that the compiler leaves the amplitude away.
         let Jacobi { sn, cn, dn, .. } = self.evaluate(u)?;
@@ -168,6 +175,14 @@ impl Modulus {
 /// # Errors
 ///
 /// If u is not finite, or greater than 2⁵³ quarter periods.
+///
+/// ```
+/// use spinning_bodies::elliptic::{Parameter, sn_cn_dn};
+/// // At m = 0 they are sine, cosine and 1.
+/// let (sn, cn, dn) = sn_cn_dn(0.5, Parameter::from_parameter(0.0)?)?;
+/// assert!((sn - 0.5_f64.sin()).abs() + (cn - 0.5_f64.cos()).abs() < 2e-16 && dn == 1.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn sn_cn_dn(u: f64, parameter: Parameter) -> Result<(f64, f64, f64)> {
     let Jacobi { sn, cn, dn, .. } = Modulus::prepared(parameter).evaluate(u)?;
     Ok((sn, cn, dn))

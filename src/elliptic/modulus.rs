@@ -63,6 +63,13 @@ pub(super) struct Reduction {
 
 impl Modulus {
     /// The modulus prepared for many arguments. Any parameter will do, the ends m = 0 and m = 1 included.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::{Modulus, Parameter};
+    /// let modulus = Modulus::new(Parameter::from_parameter(1.0)?);
+    /// assert!((modulus.sn_cn_dn(0.5)?.0 - 0.5_f64.tanh()).abs() < 1e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(parameter: Parameter) -> Self {
         Self::prepared(parameter)
     }
@@ -166,12 +173,25 @@ impl Modulus {
     }
 
     /// The parameter this was prepared for.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::{Modulus, Parameter};
+    /// let half = Parameter::from_parameter(0.5)?;
+    /// assert_eq!(Modulus::new(half).parameter(), half);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn parameter(&self) -> Parameter {
         self.parameter
     }
 
     /// The quarter period K = ∫₀^{π/2} dθ/√(1 − m sin²θ), rounded once from more than 100 bits; π/2 at m = 0,
     /// infinite at mc = 0.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::{Modulus, Parameter};
+    /// assert_eq!(Modulus::new(Parameter::from_parameter(0.5)?).quarter_period(), 1.854_074_677_301_371_9);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn quarter_period(&self) -> f64 {
         self.quarter.high()
     }

@@ -27,6 +27,13 @@ impl Parameter {
     /// # Errors
     ///
     /// If one is not finite, lies outside 0…1, or if |m + mc − 1| exceeds 4 ε: then they do not belong together.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Parameter;
+    /// let beside_the_separatrix = Parameter::new(1.0, 1e-20)?;
+    /// assert_eq!(beside_the_separatrix.mc(), 1e-20);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     #[inline]
     pub fn new(m: f64, mc: f64) -> Result<Self> {
         let m = within_unit("parameter m", m)?;
@@ -50,6 +57,12 @@ impl Parameter {
     /// # Errors
     ///
     /// If m is not finite or lies outside 0…1.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Parameter;
+    /// assert_eq!(Parameter::from_parameter(0.25)?.mc(), 0.75);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_parameter(m: f64) -> Result<Self> {
         let m = within_unit("parameter m", m)?;
         Ok(Self::exactly(m))
@@ -60,6 +73,12 @@ impl Parameter {
     /// # Errors
     ///
     /// If mc is not finite or lies outside 0…1.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Parameter;
+    /// assert_eq!(Parameter::from_complement(1e-300)?.mc(), 1e-300);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_complement(mc: f64) -> Result<Self> {
         let mc = within_unit("complementary parameter mc", mc)?;
         Ok(Self::exactly(mc).exchanged())
@@ -70,6 +89,12 @@ impl Parameter {
     /// # Errors
     ///
     /// If k is not finite or lies outside 0…1.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Parameter;
+    /// assert_eq!(Parameter::from_modulus(0.5)?.m(), 0.25);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_modulus(k: f64) -> Result<Self> {
         let k = within_unit("modulus k", k)?;
         let mc = DoubleDouble::difference(1.0, k) * DoubleDouble::sum(1.0, k);
@@ -93,6 +118,12 @@ impl Parameter {
     }
 
     /// The parameter of which m and mc are exchanged: that of K′.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Parameter;
+    /// assert_eq!(Parameter::from_parameter(0.25)?.exchanged().m(), 0.75);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     #[inline]
     pub fn exchanged(self) -> Self {
         Self {
@@ -102,11 +133,23 @@ impl Parameter {
     }
 
     /// The parameter m, rounded to a double.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Parameter;
+    /// assert_eq!(Parameter::from_complement(0.25)?.m(), 0.75);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn m(self) -> f64 {
         self.m.value()
     }
 
     /// The complement mc = 1 − m, rounded to a double.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Parameter;
+    /// assert_eq!(Parameter::from_modulus(0.5)?.mc(), 0.75);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mc(self) -> f64 {
         self.mc.value()
     }
@@ -146,6 +189,13 @@ impl Characteristic {
     /// # Errors
     ///
     /// If one is not finite, or if n + nc differs from 1 by more than 4 ε of the greater.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Characteristic;
+    /// let n = Characteristic::new(1.0, 1e-20)?;
+    /// assert_eq!(n.nc(), 1e-20);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(n: f64, nc: f64) -> Result<Self> {
         let n = finite("characteristic n", n)?;
         let nc = finite("complementary characteristic nc", nc)?;
@@ -168,6 +218,12 @@ impl Characteristic {
     /// # Errors
     ///
     /// If n is not finite.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Characteristic;
+    /// assert_eq!(Characteristic::from_characteristic(0.25)?.nc(), 0.75);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_characteristic(n: f64) -> Result<Self> {
         let n = finite("characteristic n", n)?;
         Ok(Self {
@@ -181,6 +237,12 @@ impl Characteristic {
     /// # Errors
     ///
     /// If nc is not finite.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Characteristic;
+    /// assert_eq!(Characteristic::from_complement(1e-20)?.nc(), 1e-20);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_complement(nc: f64) -> Result<Self> {
         let nc = finite("complementary characteristic nc", nc)?;
         Ok(Self {
@@ -190,11 +252,23 @@ impl Characteristic {
     }
 
     /// The characteristic n, rounded to a double.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Characteristic;
+    /// assert_eq!(Characteristic::from_complement(0.25)?.n(), 0.75);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn n(self) -> f64 {
         self.n.value()
     }
 
     /// The complement nc = 1 − n, rounded to a double.
+    ///
+    /// ```
+    /// use spinning_bodies::elliptic::Characteristic;
+    /// assert_eq!(Characteristic::from_characteristic(-3.0)?.nc(), 4.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn nc(self) -> f64 {
         self.nc.value()
     }

@@ -124,6 +124,14 @@ pub struct Ensemble {
 
 impl Ensemble {
     /// These bodies. Nothing is prepared anew: 1 kB a body.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::{Ensemble, EulerTop}, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.01, 1.0, 0.01);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// assert_eq!(Ensemble::new(vec![top; 3]).tops().len(), 3);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(tops: Vec<EulerTop>) -> Self {
         Self { tops }
     }
@@ -153,6 +161,15 @@ impl Ensemble {
     }
 
     /// The bodies, in the order they were given.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::{Ensemble, EulerTop}, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.01, 1.0, 0.01);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// let period = top.period();
+    /// assert_eq!(Ensemble::new(vec![top]).tops()[0].period(), period);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn tops(&self) -> &[EulerTop] {
         &self.tops
     }
@@ -165,6 +182,17 @@ impl Ensemble {
     /// # Errors
     /// [`Error::Condition`] if there is not one place for each body; that of the first body whose [`EulerTop::at`]
     /// refuses the time, the states being partly written.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::{Ensemble, EulerTop}, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.01, 1.0, 0.01);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// let mut states = [top.at(0.0)?];
+    /// let alone = top.at(5.0)?;
+    /// Ensemble::new(vec![top]).states_at(5.0, &mut states)?;
+    /// assert_eq!(states[0], alone);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn states_at(&self, t: f64, states: &mut [State]) -> Result<()> {
         same_length(self.tops.len(), states.len())?;
         for (top, state) in self.tops.iter().zip(states) {

@@ -42,6 +42,13 @@ pub(crate) const DYNAMICAL_FORM_FACTOR: f64 = 1.082_635_9e-3;
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) for H above ½, which no body has (2.4).
+///
+/// ```
+/// use spinning_bodies::euler_top::earth::{DYNAMICAL_ELLIPTICITY, rigid_period};
+/// assert_eq!(rigid_period(1.0 / 305.0)?.round(), 304.0);
+/// assert!((rigid_period(DYNAMICAL_ELLIPTICITY)? - 304.5).abs() < 0.5);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rigid_period(ellipticity: f64) -> Result<f64> {
     let value = positive("the dynamical ellipticity", ellipticity)?;
     within("the dynamical ellipticity", value, 0.0, 0.5)?;
@@ -51,6 +58,11 @@ pub fn rigid_period(ellipticity: f64) -> Result<f64> {
 /// Secular Love number k_s = 3 J₂ GM/(a³Ω²), dimensionless: the k₂ of an Earth that gave way as a fluid does.
 ///
 /// About 0.94 from the constants above.
+///
+/// ```
+/// let secular = spinning_bodies::euler_top::earth::secular_love_number();
+/// assert!((secular - 0.94).abs() < 0.01);
+/// ```
 pub fn secular_love_number() -> f64 {
     let speed_squared = (EQUATORIAL_RADIUS * ROTATION_RATE).powi(2);
     3.0 * DYNAMICAL_FORM_FACTOR * (GRAVITATIONAL_PARAMETER / EQUATORIAL_RADIUS) / speed_squared
@@ -64,6 +76,13 @@ pub fn secular_love_number() -> f64 {
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for the period or k_s; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ k₂ < k_s.
+///
+/// ```
+/// use spinning_bodies::euler_top::earth::elastic_period;
+/// // A body that yields by half of what a fluid would takes twice as long.
+/// assert_eq!(elastic_period(300.0, 0.25, 0.5)?, 600.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn elastic_period(rigid: f64, love_number: f64, secular: f64) -> Result<f64> {
     let rigid = positive("the rigid period", rigid)?;
     let secular = positive("the secular Love number", secular)?;

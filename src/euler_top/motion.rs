@@ -48,6 +48,15 @@ impl EulerTop {
     /// [`Error::NotFinite`], also if Ω or the rate of the motion would leave the range of doubles; [`Error::Negative`] and
     /// [`Error::TriangleInequality`] for moments that no body has (2.4);
     /// [`Error::Condition`] for an angular momentum about an axis whose moment is zero.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let l = BodyVector::new(0.01, 2.0, 0.03);
+    /// let top = EulerTop::new([1.0, 2.0, 3.0], l, Attitude::identity())?;
+    /// // L along the axes of space is what it was.
+    /// assert!((top.at(1e6)?.attitude.to_space(top.at(1e6)?.angular_momentum) - top.angular_momentum_in_space()).norm() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(
         moments: [f64; 3],
         angular_momentum: BodyVector,
@@ -63,6 +72,14 @@ impl EulerTop {
     ///
     /// # Errors
     /// As for [`new`](Self::new); [`Error::Condition`] if I Ω is below the range of doubles.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.01, 1.0, 0.01);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// assert!((top.at(0.0)?.angular_momentum.y() - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_omega(moments: [f64; 3], omega: BodyVector, attitude: Attitude) -> Result<Self> {
         PrincipalMoments::new(moments[0], moments[1], moments[2])?;
         Self::beyond_bodies_from_omega(moments, omega, attitude)
@@ -76,6 +93,15 @@ impl EulerTop {
     ///
     /// # Errors
     /// As for [`new`](Self::new).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let l = BodyVector::new(0.01, 2.0, 0.03);
+    /// let step = EulerTop::for_one_step([1.0, 2.0, 3.0], l, Attitude::identity())?.at(0.1)?;
+    /// let exact = EulerTop::new([1.0, 2.0, 3.0], l, Attitude::identity())?.at(0.1)?;
+    /// assert!(step.attitude.angle_to(&exact.attitude) < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn for_one_step(
         moments: [f64; 3],
         angular_momentum: BodyVector,
@@ -91,6 +117,13 @@ impl EulerTop {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`] for a moment, [`Error::Condition`] if one moment is zero and L has a component
     /// about that axis, or the other two moments differ.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let l = BodyVector::new(1.0, 2.0, 3.0);
+    /// assert!(EulerTop::new([1.0, 2.0, 5.0], l, Attitude::identity()).is_err());
+    /// assert!(EulerTop::beyond_bodies([1.0, 2.0, 5.0], l, Attitude::identity()).is_ok());
+    /// ```
     pub fn beyond_bodies(
         moments: [f64; 3],
         angular_momentum: BodyVector,
@@ -296,11 +329,28 @@ impl EulerTop {
     }
 
     /// What kind of motion it is, decided once from exact differences.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::{EulerTop, Regime}, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.01, 1.0, 0.01);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// // I₁(I₂ − I₁)Ω₁² < I₃(I₃ − I₂)Ω₃².
+    /// assert_eq!(top.regime(), Regime::AroundLargest);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn regime(&self) -> Regime {
         self.regime
     }
 
     /// The principal moments, kg m², in the order they were given.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.01, 1.0, 0.01);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// assert_eq!(top.moments(), [1.0, 2.0, 3.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn moments(&self) -> [f64; 3] {
         self.moments
     }
@@ -352,6 +402,14 @@ impl EulerTop {
     ///
     /// # Errors
     /// As for [`at`](Self::at).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.0, 0.0, 2.0);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// assert_eq!(top.omega_at(1e9)?, omega);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn omega_at(&self, t: f64) -> Result<BodyVector> {
         Ok(self.at(t)?.omega)
     }
@@ -360,6 +418,15 @@ impl EulerTop {
     ///
     /// # Errors
     /// Each as for [`at`](Self::at).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.01, 1.0, 0.01);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// let states: Result<Vec<_>, _> = top.states([0.0, 0.5, 1.0]).collect();
+    /// assert_eq!(states?[2], top.at(1.0)?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn states(
         &self,
         times: impl IntoIterator<Item = f64>,
@@ -368,6 +435,15 @@ impl EulerTop {
     }
 
     /// Kinetic energy ½⟨Ω, L⟩, J: constant (6.1).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(2.0, 1.0, 2.0);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// // ½(1·4 + 2·1 + 3·4).
+    /// assert_eq!(top.energy(), 9.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy(&self) -> f64 {
         let l: [f64; 3] = self.angular_momentum.components().into();
         let omega = ratio(l, self.moments);
@@ -375,6 +451,14 @@ impl EulerTop {
     }
 
     /// L along the axes of space, kg m²/s: constant (6.1).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector, SpaceVector}};
+    /// let omega = BodyVector::new(2.0, 1.0, 2.0);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// assert_eq!(top.angular_momentum_in_space(), SpaceVector::new(2.0, 2.0, 6.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_momentum_in_space(&self) -> SpaceVector {
         // Rotating adds products up, which may overflow or underflow before the result does.
         let unit = power_of_two_below(self.angular_momentum.components().amax());
@@ -387,6 +471,15 @@ impl EulerTop {
     /// Period of Ω in the body, 4K/λ, s: the polhode run through once (6.6). The attitude does not return with it.
     ///
     /// Infinite where Ω stays, and on the separatrix. Error: 2 ulp.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.1, 0.2, 1.0);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// let later = top.omega_at(top.period())?;
+    /// assert!((later - omega).norm() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn period(&self) -> f64 {
         match &self.motion {
             Motion::Steady { .. } => f64::INFINITY,
@@ -414,6 +507,15 @@ impl EulerTop {
     /// Mean rate, rad/s, at which the axis that L circles goes round L in space, right-handed about L (6.5, 6.8).
     ///
     /// |L|/I₁ for a symmetric top. Where Ω stays: the rate 2E/|L| at which the body turns about L; 0 at rest. Error: 2 ulp.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// // Nearly about axis 3 that is I₃Ω₃/√(I₁I₂), for a symmetric body |L|/I₁.
+    /// let omega = BodyVector::new(1e-9, 0.0, 1.0);
+    /// let top = EulerTop::from_omega([1.0, 1.0, 1.5], omega, Attitude::identity())?;
+    /// assert!((top.mean_precession_rate() - 1.5).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mean_precession_rate(&self) -> f64 {
         match &self.motion {
             Motion::Steady { rate, .. } => rate.value(),
@@ -422,6 +524,16 @@ impl EulerTop {
     }
 
     /// By how much the body has turned about L when Ω has returned, in Montgomery's two terms (6.8); none where Ω has no period.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let omega = BodyVector::new(0.1, 0.2, 1.0);
+    /// let top = EulerTop::from_omega([1.0, 2.0, 3.0], omega, Attitude::identity())?;
+    /// let phase = top.geometric_phase().unwrap();
+    /// let turned = Attitude::about_axis(top.at(0.0)?.angular_momentum, phase.dynamical + phase.geometric)?;
+    /// assert!(top.at(top.period())?.attitude.angle_to(&turned) < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn geometric_phase(&self) -> Option<GeometricPhase> {
         match &self.motion {
             Motion::Moving(Moving { constants, .. }) if self.regime != Regime::Separatrix => {
@@ -492,6 +604,14 @@ impl FreeBody {
     }
 
     /// The motion along the principal axes: period, regime, integrals.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::FreeBody, frame::{Attitude, BodyVector}, inertia::InertiaMatrix};
+    /// let inertia = InertiaMatrix::diagonal(3.0, 1.0, 2.0)?;
+    /// let body = FreeBody::new(&inertia, BodyVector::new(1.0, 2.0, 3.0), Attitude::identity())?;
+    /// assert_eq!(body.principal().energy(), 12.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn principal(&self) -> &EulerTop {
         &self.principal
     }
@@ -500,6 +620,16 @@ impl FreeBody {
     ///
     /// # Errors
     /// As for [`EulerTop::at`].
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::FreeBody, frame::{Attitude, BodyVector}, inertia::InertiaMatrix};
+    /// let inertia = InertiaMatrix::diagonal(3.0, 1.0, 2.0)?;
+    /// let body = FreeBody::new(&inertia, BodyVector::new(1.0, 2.0, 3.0), Attitude::identity())?;
+    /// let omega = body.at(100.0)?.omega;
+    /// // The energy 12.5 J is kept.
+    /// assert!((inertia.rotational_energy(omega) - 12.5).abs() < 1e-13);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn at(&self, t: f64) -> Result<State> {
         let state = self.principal.at(t)?;
         let outward = |v: BodyVector| BodyVector::from_components(self.own * v.components());

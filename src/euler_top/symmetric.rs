@@ -42,6 +42,14 @@ impl SymmetricTop {
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::NotPositive`] for I₁, [`Error::Negative`] for I₃ (zero is a thin rod);
     /// [`Error::TriangleInequality`] if I₃ > 2I₁ by more than four units in the last place, which no body has (2.4).
+    ///
+    /// ```
+    /// use spinning_bodies::euler_top::symmetric::SymmetricTop;
+    /// assert_eq!(SymmetricTop::new(1.0, 1.5)?.axial(), 1.5);
+    /// // No body: I₃ > 2I₁.
+    /// assert!(SymmetricTop::new(1.0, 2.5).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(transverse: f64, axial: f64) -> Result<Self> {
         let transverse = positive("the transverse moment", transverse)?;
         let axial = not_negative("the axial moment", axial)?;
@@ -71,11 +79,23 @@ impl SymmetricTop {
     }
 
     /// I₃, kg m².
+    ///
+    /// ```
+    /// use spinning_bodies::euler_top::symmetric::SymmetricTop;
+    /// assert_eq!(SymmetricTop::new(1.0, 1.5)?.axial(), 1.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn axial(&self) -> f64 {
         self.axial
     }
 
     /// Oblate, spherical or prolate.
+    ///
+    /// ```
+    /// use spinning_bodies::euler_top::symmetric::{Shape, SymmetricTop};
+    /// assert_eq!(SymmetricTop::new(1.0, 1.5)?.shape(), Shape::Oblate);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn shape(&self) -> Shape {
         self.shape
     }
@@ -83,6 +103,13 @@ impl SymmetricTop {
     /// Rate at which Ω circles the axis, seen from the body: Ω₃(I₃/I₁ − 1), rad/s; positive means with the spin (6.5).
     ///
     /// The difference of the moments is taken exactly: one unit in the last place, however nearly spherical the body is.
+    ///
+    /// ```
+    /// use spinning_bodies::euler_top::symmetric::SymmetricTop;
+    /// // A thrown plate, I₃ = 2I₁: as fast as it spins, seen from the plate.
+    /// assert_eq!(SymmetricTop::new(1.0, 2.0)?.wobble_rate(3.0), 3.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn wobble_rate(&self, omega3: f64) -> f64 {
         self.excess.value() * omega3
     }
@@ -90,17 +117,31 @@ impl SymmetricTop {
     /// Period of that circle, seen from the body: 2π/|Ω₃(I₃/I₁ − 1)|, s, whatever Ω₁ and Ω₂ (6.5).
     ///
     /// Infinite for a spherical top and for one that does not spin. Two units in the last place.
+    ///
+    /// ```
+    /// use spinning_bodies::euler_top::symmetric::SymmetricTop;
+    /// assert_eq!(SymmetricTop::new(1.0, 1.5)?.wobble_period(2.0), 2.0 * std::f64::consts::PI);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn wobble_period(&self, omega3: f64) -> f64 {
         core::f64::consts::TAU / self.wobble_rate(omega3).abs()
     }
 
-    // ANCHOR: omega-at
     /// Angular velocity after `t` seconds, in body axes: Ω₁ + iΩ₂ turned by the angle Ω₃(I₃/I₁ − 1)t, Ω₃ unchanged (6.5).
     ///
     /// The angle is formed and reduced in 106 bits: its error is 2⁻¹⁰² of the angle, below a unit in the last place for
     /// a million million turns, where a plain product would be wrong by eps times the angle. Observed: 2 units in the last place
     /// of the transverse part up to t = 10¹². Cost: about 90 additions and multiplications, one sine, one cosine.
     /// What is not finite, or overflows as an angle, gives components that are not.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::symmetric::SymmetricTop, frame::BodyVector};
+    /// let top = SymmetricTop::new(1.0, 2.0)?;
+    /// let start = BodyVector::new(0.1, 0.0, std::f64::consts::PI);
+    /// // Half a turn of the plate, half a turn of Ω about its axis.
+    /// assert!((top.omega_at(start, 1.0) - BodyVector::new(-0.1, 0.0, std::f64::consts::PI)).norm() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn omega_at(&self, omega0: BodyVector, t: f64) -> BodyVector {
         let (sin, cos) = self.wobble_angle(omega0.z(), t).sin_cos();
         BodyVector::new(
@@ -109,7 +150,6 @@ impl SymmetricTop {
             omega0.z(),
         )
     }
-    // ANCHOR_END: omega-at
 
     /// Attitude after `t` seconds, from body axes along the space axes at t = 0: the turn |L|t/I₁ about L after the turn
     /// −Ω₃(I₃/I₁ − 1)t about x₃ (6.5, seen from space).
@@ -119,6 +159,16 @@ impl SymmetricTop {
     ///
     /// # Errors
     /// [`Error::NotFinite`] if Ω or t is not, or an angle overflows.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::symmetric::SymmetricTop, frame::BodyVector};
+    /// use spinning_bodies::frame::Attitude;
+    /// // About its axis it simply spins.
+    /// let attitude = SymmetricTop::new(1.0, 1.5)?.attitude_at(BodyVector::new(0.0, 0.0, 2.0), 0.7)?;
+    /// let spun = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), 1.4)?;
+    /// assert!(attitude.angle_to(&spun) < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn attitude_at(&self, omega0: BodyVector, t: f64) -> Result<Attitude> {
         finite("the time", t)?;
         let l = BodyVector::new(
@@ -148,6 +198,14 @@ impl SymmetricTop {
     }
 
     /// Rate at which the axis of symmetry circles L, seen from space: |L|/I₁, rad/s (6.5). Two units in the last place.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::symmetric::SymmetricTop, frame::BodyVector};
+    /// // A plate thrown almost flat wobbles twice as fast as it spins.
+    /// let rate = SymmetricTop::new(1.0, 2.0)?.axis_rate_in_space(BodyVector::new(1e-9, 0.0, 3.0));
+    /// assert!((rate - 6.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn axis_rate_in_space(&self, omega: BodyVector) -> f64 {
         BodyVector::new(
             omega.x(),
@@ -164,6 +222,14 @@ impl SymmetricTop {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::ZeroVector`] for Ω.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::symmetric::SymmetricTop, frame::BodyVector};
+    /// // L = (1, 0, 1.5) for Ω = (1, 0, 1).
+    /// let cones = SymmetricTop::new(1.0, 1.5)?.cones(BodyVector::new(1.0, 0.0, 1.0))?;
+    /// assert!((cones.nutation - (1.0_f64 / 1.5).atan()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn cones(&self, omega: BodyVector) -> Result<Cones> {
         let direction = omega.direction("the angular velocity")?;
         let (across, along) = (direction.x().hypot(direction.y()), direction.z());

@@ -47,6 +47,14 @@ impl MassProperties {
     /// # Errors
     /// [`Error::NotPositive`] or [`Error::NotFinite`] for the mass, [`Error::OutOfRange`] or [`Error::NotFinite`] for a
     /// centre whose coordinates exceed 1e307 m.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::{InertiaMatrix, MassProperties}};
+    /// let inertia = InertiaMatrix::diagonal(13.0, 10.0, 5.0)?;
+    /// let body = MassProperties::new(12.0, BodyVector::new(0.0, 0.0, 1.0), inertia)?;
+    /// assert_eq!((body.mass(), body.center().z(), body.inertia()), (12.0, 1.0, inertia));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(mass: f64, center: BodyVector, inertia: InertiaMatrix) -> Result<Self> {
         positive("the mass", mass)?;
         for coordinate in center.components().iter() {
@@ -69,6 +77,15 @@ impl MassProperties {
     ///
     /// # Errors
     /// As [`new`](Self::new).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::MassProperties};
+    /// let particle = MassProperties::particle(2.0, BodyVector::new(0.0, 3.0, 0.0))?;
+    /// // About itself it has no moment, about the origin mr².
+    /// assert_eq!(particle.inertia().matrix()[(0, 0)], 0.0);
+    /// assert_eq!(particle.about(BodyVector::zero())?.matrix()[(0, 0)], 18.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn particle(mass: f64, position: BodyVector) -> Result<Self> {
         Self::new(mass, position, InertiaMatrix::diagonal(0.0, 0.0, 0.0)?)
     }
@@ -116,16 +133,34 @@ impl MassProperties {
     }
 
     /// Mass, kg.
+    ///
+    /// ```
+    /// assert_eq!(spinning_bodies::inertia::shapes::ball(5.0, 2.0)?.mass(), 5.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Centre of mass, m, from the origin of the body's axes.
+    ///
+    /// ```
+    /// // A cone's centre is where its shape puts the origin.
+    /// let cone = spinning_bodies::inertia::shapes::cone(10.0, 1.0, 2.0)?;
+    /// assert_eq!(cone.center().components().norm(), 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn center(&self) -> BodyVector {
         self.center
     }
 
     /// Inertia matrix about the centre of mass, kg m².
+    ///
+    /// ```
+    /// let ball = spinning_bodies::inertia::shapes::ball(5.0, 2.0)?;
+    /// assert_eq!(ball.inertia().matrix().diagonal().as_slice(), [8.0; 3]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn inertia(&self) -> InertiaMatrix {
         self.inertia
     }
@@ -134,6 +169,14 @@ impl MassProperties {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for the point or on overflow.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::shapes};
+    /// // A rod about its end: Ml²/3.
+    /// let end = shapes::rod(3.0, 2.0)?.about(BodyVector::new(0.0, 0.0, 1.0))?;
+    /// assert!((end.matrix()[(0, 0)] - 4.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn about(&self, point: BodyVector) -> Result<InertiaMatrix> {
         self.inertia
             .shifted_from_center(self.mass, self.center - point)
@@ -143,11 +186,26 @@ impl MassProperties {
     ///
     /// # Errors
     /// As [`new`](Self::new).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::shapes};
+    /// let ball = shapes::ball(5.0, 2.0)?.moved(BodyVector::new(0.0, 0.0, 3.0))?;
+    /// assert_eq!((ball.center().z(), ball.inertia().matrix()[(0, 0)]), (3.0, 8.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn moved(&self, displacement: BodyVector) -> Result<Self> {
         Self::new(self.mass, self.center + displacement, self.inertia)
     }
 
     /// The same body turned about the origin of its axes: centre R c, inertia matrix R I Rᵀ.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, inertia::shapes};
+    /// let quarter = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), std::f64::consts::FRAC_PI_2)?;
+    /// let brick = shapes::cuboid(12.0, [1.0, 2.0, 3.0])?.turned(&quarter);
+    /// assert!((brick.inertia().matrix()[(0, 0)] - 10.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn turned(&self, attitude: &Attitude) -> Self {
         let center = attitude.to_space(self.center).components();
         Self {

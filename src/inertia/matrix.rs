@@ -48,6 +48,14 @@ impl InertiaMatrix {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotSymmetric`], [`Error::Negative`], [`Error::TriangleInequality`].
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// use nalgebra::Matrix3;
+    /// assert!(InertiaMatrix::from_matrix(Matrix3::from_diagonal(&[1.0, 2.0, 3.0].into())).is_ok());
+    /// // No body: I₁ + I₂ < I₃.
+    /// assert!(InertiaMatrix::from_matrix(Matrix3::from_diagonal(&[1.0, 1.0, 3.0].into())).is_err());
+    /// ```
     pub fn from_matrix(matrix: Matrix3<f64>) -> Result<Self> {
         Self::with_slack(matrix, SLACK)
     }
@@ -95,6 +103,13 @@ impl InertiaMatrix {
     ///
     /// # Errors
     /// As [`PrincipalMoments::new`](super::PrincipalMoments::new), and [`Error::NotFinite`] if the trace overflows.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// assert_eq!(InertiaMatrix::diagonal(2.0, 3.0, 4.0)?.matrix().trace(), 9.0);
+    /// assert!(InertiaMatrix::diagonal(1.0, 1.0, 3.0).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn diagonal(i1: f64, i2: f64, i3: f64) -> Result<Self> {
         super::PrincipalMoments::new(i1, i2, i3)?;
         finite("the trace of the inertia matrix", i1 + i2 + i3)?;
@@ -107,6 +122,13 @@ impl InertiaMatrix {
     ///
     /// # Errors
     /// [`Error::Negative`] or [`Error::NotFinite`] for the mass, the position or an overflow.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
+    /// let matrix = InertiaMatrix::of_particle(2.0, BodyVector::new(1.0, 0.0, 2.0))?.matrix();
+    /// assert_eq!((matrix[(0, 0)], matrix[(1, 1)], matrix[(0, 2)]), (8.0, 10.0, -4.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn of_particle(mass: f64, position: BodyVector) -> Result<Self> {
         not_negative("the mass", mass)?;
         for coordinate in position.components().iter() {
@@ -119,6 +141,14 @@ impl InertiaMatrix {
     ///
     /// # Errors
     /// As [`from_matrix`](Self::from_matrix).
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// use nalgebra::Matrix3;
+    /// let inertia = InertiaMatrix::from_second_moments(Matrix3::from_diagonal(&[1.0, 2.0, 3.0].into()))?;
+    /// assert_eq!(inertia, InertiaMatrix::diagonal(5.0, 4.0, 3.0)?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_second_moments(second_moments: Matrix3<f64>) -> Result<Self> {
         let [x, y, z] = [0, 1, 2].map(|i| second_moments[(i, i)]);
         let mut matrix = -second_moments;
@@ -137,11 +167,25 @@ impl InertiaMatrix {
     }
 
     /// The matrix, kg m², along the body's axes.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// let matrix = InertiaMatrix::diagonal(2.0, 3.0, 4.0)?.matrix();
+    /// assert_eq!((matrix[(1, 1)], matrix[(0, 1)]), (3.0, 0.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn matrix(&self) -> Matrix3<f64> {
         self.0
     }
 
     /// The second moments S = ∫x xᵀρ = ½tr(I)δ − I, kg m² (2.5, 2.7).
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// let moments = InertiaMatrix::diagonal(5.0, 4.0, 3.0)?.second_moments();
+    /// assert_eq!(moments.diagonal().as_slice(), [1.0, 2.0, 3.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn second_moments(&self) -> Matrix3<f64> {
         let [a, b, c] = [0, 1, 2].map(|i| 0.5 * self.0[(i, i)]);
         let mut moments = -self.0;
@@ -151,11 +195,26 @@ impl InertiaMatrix {
     }
 
     /// Angular momentum L = IΩ about the reference point, kg m²/s; `omega` in rad/s (2.2).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// let l = inertia.angular_momentum(BodyVector::new(1.0, 1.0, 0.0));
+    /// assert_eq!(l, BodyVector::new(1.0, 2.0, 0.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_momentum(&self, omega: BodyVector) -> BodyVector {
         BodyVector::from_components(self.0 * omega.components())
     }
 
     /// Rotational energy ½⟨IΩ, Ω⟩, J; `omega` in rad/s (2.3).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// assert_eq!(inertia.rotational_energy(BodyVector::new(2.0, 0.0, 2.0)), 8.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rotational_energy(&self, omega: BodyVector) -> f64 {
         0.5 * self.angular_momentum(omega).dot(&omega)
     }
@@ -164,6 +223,13 @@ impl InertiaMatrix {
     ///
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::ZeroVector`] for the axis.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// assert!((inertia.moment_about(BodyVector::new(1.0, 1.0, 1.0))? - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn moment_about(&self, axis: BodyVector) -> Result<f64> {
         let e = axis.direction("the axis")?.components();
         Ok(e.dot(&(self.0 * e)))
@@ -176,6 +242,15 @@ impl InertiaMatrix {
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::ZeroVector`] for `omega`; [`Error::ZeroVector`] if L vanishes, as for a
     /// rod that turns about itself.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
+    /// // L = (1, 2, 0) and Ω = (1, 1, 0): tan of the angle is 1/3.
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// let angle = inertia.angle_between_l_and_omega(BodyVector::new(1.0, 1.0, 0.0))?;
+    /// assert!((angle - (1.0_f64 / 3.0).atan()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angle_between_l_and_omega(&self, omega: BodyVector) -> Result<f64> {
         let omega = omega.direction("the angular velocity")?;
         let l = self
@@ -191,6 +266,14 @@ impl InertiaMatrix {
     ///
     /// # Errors
     /// As [`of_particle`](Self::of_particle).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
+    /// let rod = InertiaMatrix::diagonal(1.0, 1.0, 0.0)?; // 3 kg, 2 m
+    /// let end = rod.shifted_from_center(3.0, BodyVector::new(0.0, 0.0, 1.0))?;
+    /// assert_eq!(end, InertiaMatrix::diagonal(4.0, 4.0, 0.0)?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn shifted_from_center(&self, mass: f64, offset: BodyVector) -> Result<Self> {
         Self::checked(self.0 + Self::of_particle(mass, offset)?.0)
     }
@@ -199,6 +282,14 @@ impl InertiaMatrix {
     ///
     /// Equally: the same matrix by its components along the axes of space. Exactly symmetric.
     /// Cost: 50 multiplications.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, inertia::InertiaMatrix};
+    /// let quarter = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), std::f64::consts::FRAC_PI_2)?;
+    /// let turned = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?.rotated(&quarter);
+    /// assert!((turned.matrix()[(0, 0)] - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rotated(&self, attitude: &Attitude) -> Self {
         let r = attitude.quaternion().to_rotation_matrix();
         Self(symmetrised(&(r.matrix() * self.0 * r.matrix().transpose())))
@@ -212,6 +303,15 @@ impl InertiaMatrix {
     ///
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::ZeroVector`] for the axis, [`Error::OutOfRange`] for order 0.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
+    /// // Threefold symmetry makes the two moments across the axis equal.
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// let mean = inertia.averaged_over_rotations(BodyVector::new(0.0, 0.0, 1.0), 3)?;
+    /// assert!((mean.matrix() - InertiaMatrix::diagonal(1.5, 1.5, 3.0)?.matrix()).amax() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn averaged_over_rotations(&self, axis: BodyVector, order: u32) -> Result<Self> {
         let e = axis.direction("the axis")?.components();
         match order {
@@ -240,6 +340,15 @@ impl InertiaMatrix {
     /// Torque about the reference point, N m, of a field of force that is linear in position (2.5).
     ///
     /// The force on a particle m at x is m·A x, A in s⁻². N = ∫x∧(Ax)ρ needs nothing of the body but this matrix.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
+    /// use nalgebra::Matrix3;
+    /// // A pull to the middle in proportion to the distance turns nothing.
+    /// let torque = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?.torque_in_linear_field(&-Matrix3::identity());
+    /// assert_eq!(torque, BodyVector::zero());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn torque_in_linear_field(&self, field: &Matrix3<f64>) -> BodyVector {
         // (A S)_kj = ∫(Ax)_k x_j ρ.
         let m = field * self.second_moments();
@@ -253,6 +362,15 @@ impl InertiaMatrix {
     /// Principal moments, ascending, and principal axes (2.4).
     ///
     /// See [`PrincipalAxes`] for what is promised of them. Cost: 0.1 µs.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// use nalgebra::Matrix3;
+    /// let matrix = Matrix3::new(2.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 4.0);
+    /// let moments = InertiaMatrix::from_matrix(matrix)?.principal_axes().moments();
+    /// assert!((moments[0] - 1.0).abs() < 1e-15 && (moments[1] - 3.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn principal_axes(&self) -> PrincipalAxes {
         symmetric_axes(&self.0).not_negative()
     }

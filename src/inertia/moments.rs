@@ -64,6 +64,12 @@ impl PrincipalMoments {
     }
 
     /// I₁ ≤ I₂ ≤ I₃, kg m².
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::PrincipalMoments;
+    /// assert_eq!(PrincipalMoments::new(3.0, 1.0, 2.0)?.values(), [1.0, 2.0, 3.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn values(&self) -> [f64; 3] {
         self.0
     }
@@ -74,6 +80,14 @@ impl PrincipalMoments {
     /// ([`Self::widest_omega`]); zero if all moments are equal, a right angle for a rod. Computed as
     /// an arctangent of (I₃−I₁) and 2√(I₁I₃), so that it keeps its digits when the moments nearly agree.
     /// Cost: two roots and an arctangent.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::PrincipalMoments;
+    /// // A cube and a rod.
+    /// assert_eq!(PrincipalMoments::new(1.0, 1.0, 1.0)?.greatest_angle(), 0.0);
+    /// assert_eq!(PrincipalMoments::new(0.0, 1.0, 1.0)?.greatest_angle(), std::f64::consts::FRAC_PI_2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn greatest_angle(&self) -> f64 {
         let [i1, _, i3] = self.0;
         (0.5 * (i3 - i1)).atan2(i1.sqrt() * i3.sqrt())
@@ -82,6 +96,13 @@ impl PrincipalMoments {
     /// The unit angular velocity, along the principal axes, at which L leans furthest from Ω (2.2).
     ///
     /// (√I₃, 0, √I₁)/√(I₁+I₃); the first axis if all moments are zero.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::PrincipalMoments;
+    /// let [x, y, z] = PrincipalMoments::new(1.0, 2.0, 3.0)?.widest_omega();
+    /// assert!((x - 0.75_f64.sqrt()).abs() < 1e-15 && y == 0.0 && (z - 0.5).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn widest_omega(&self) -> [f64; 3] {
         let [i1, _, i3] = self.0;
         let (root1, root3) = (i1.sqrt(), i3.sqrt());

@@ -42,11 +42,24 @@ pub struct EnergySplit {
 
 impl RigidMotion {
     /// Velocity of the body's point at `x`, m/s: U + Ω∧(x−O) (2.2).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
+    /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::new(1.0, 0.0, 0.0), omega: BodyVector::new(0.0, 0.0, 2.0) };
+    /// assert_eq!(motion.velocity_at(BodyVector::new(0.0, 0.5, 0.0)), BodyVector::zero());
+    /// ```
     pub fn velocity_at(&self, x: BodyVector) -> BodyVector {
         self.velocity + self.omega.cross(&(x - self.base))
     }
 
     /// The same motion told from another base point: U changes by Ω∧P, Ω does not change (2.2).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
+    /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::new(1.0, 0.0, 0.0), omega: BodyVector::new(0.0, 0.0, 2.0) };
+    /// let contact = motion.seen_from(BodyVector::new(0.0, 0.5, 0.0));
+    /// assert_eq!((contact.velocity, contact.omega), (BodyVector::zero(), motion.omega));
+    /// ```
     pub fn seen_from(&self, base: BodyVector) -> Self {
         Self {
             base,
@@ -56,6 +69,13 @@ impl RigidMotion {
     }
 
     /// Momentum of the body, kg m/s: mass times velocity of its centre (2.1).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
+    /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::new(2.0, 0.0, 0.0), omega: BodyVector::zero() };
+    /// assert_eq!(motion.momentum(&shapes::ball(5.0, 2.0)?), BodyVector::new(10.0, 0.0, 0.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn momentum(&self, body: &MassProperties) -> BodyVector {
         body.mass() * self.velocity_at(body.center())
     }
@@ -64,6 +84,13 @@ impl RigidMotion {
     ///
     /// # Errors
     /// As [`MassProperties::about`] for the base point.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
+    /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::zero(), omega: BodyVector::new(0.0, 0.0, 2.0) };
+    /// assert_eq!(motion.angular_momentum(&shapes::ball(5.0, 2.0)?)?.total().z(), 16.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_momentum(&self, body: &MassProperties) -> Result<AngularMomentumSplit> {
         let arm = body.center() - self.base;
         Ok(AngularMomentumSplit {
@@ -76,6 +103,13 @@ impl RigidMotion {
     ///
     /// # Errors
     /// As [`MassProperties::about`] for the base point.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
+    /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::zero(), omega: BodyVector::new(0.0, 0.0, 2.0) };
+    /// assert_eq!(motion.energy(&shapes::ball(5.0, 2.0)?)?.total(), 16.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy(&self, body: &MassProperties) -> Result<EnergySplit> {
         let arm = body.center() - self.base;
         Ok(EnergySplit {
@@ -88,6 +122,14 @@ impl RigidMotion {
 
 impl AngularMomentumSplit {
     /// The sum of both parts, kg m²/s.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
+    /// let motion = RigidMotion { base: BodyVector::new(0.0, 1.0, 0.0), velocity: BodyVector::new(1.0, 0.0, 0.0), omega: BodyVector::zero() };
+    /// // 5 kg flying past at a distance of 1 m, 1 m/s.
+    /// assert_eq!(motion.angular_momentum(&shapes::ball(5.0, 2.0)?)?.total().z(), 5.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn total(&self) -> BodyVector {
         self.of_motion + self.of_rotation
     }
@@ -95,6 +137,14 @@ impl AngularMomentumSplit {
 
 impl EnergySplit {
     /// The sum of the three parts, J.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
+    /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::new(2.0, 0.0, 0.0), omega: BodyVector::new(0.0, 0.0, 1.0) };
+    /// // ½·5·2² + ½·8·1².
+    /// assert_eq!(motion.energy(&shapes::ball(5.0, 2.0)?)?.total(), 14.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn total(&self) -> f64 {
         self.of_motion + self.cross + self.of_rotation
     }

@@ -37,6 +37,12 @@ impl PlatonicSolid {
     /// Moment of inertia about every axis through the centre, over mass times edge squared (2.6).
     ///
     /// 1/20, 1/6, 1/10, (95+39√5)/300, (3+√5)/20: correctly rounded constants.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::PlatonicSolid;
+    /// assert!((PlatonicSolid::Cube.inertia_factor() - 1.0 / 6.0).abs() < 1e-16);
+    /// assert!((PlatonicSolid::Octahedron.inertia_factor() - 0.1).abs() < 1e-16);
+    /// ```
     pub const fn inertia_factor(self) -> f64 {
         match self {
             Self::Tetrahedron => 1.0 / 20.0,
@@ -48,6 +54,12 @@ impl PlatonicSolid {
     }
 
     /// The faces, each a cycle of vertex numbers, counter-clockwise seen from outside.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::PlatonicSolid;
+    /// assert_eq!(PlatonicSolid::Dodecahedron.faces().len(), 12);
+    /// assert!(PlatonicSolid::Dodecahedron.faces().iter().all(|face| face.len() == 5));
+    /// ```
     pub const fn faces(self) -> &'static [&'static [u32]] {
         match self {
             Self::Tetrahedron => TETRAHEDRON_FACES,
@@ -59,6 +71,11 @@ impl PlatonicSolid {
     }
 
     /// The faces cut into triangles, as [`mesh_mass_properties`](super::mesh_mass_properties) wants them.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::PlatonicSolid;
+    /// assert_eq!(PlatonicSolid::Cube.triangles().len(), 12);
+    /// ```
     pub fn triangles(self) -> Vec<[u32; 3]> {
         let fan = |face: &&'static [u32]| {
             let face = *face;

@@ -27,11 +27,26 @@ pub struct PrincipalAxes {
 
 impl PrincipalAxes {
     /// The principal moments, ascending, kg m².
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// assert_eq!(InertiaMatrix::diagonal(3.0, 2.0, 4.0)?.principal_axes().moments(), [2.0, 3.0, 4.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn moments(&self) -> [f64; 3] {
         self.moments
     }
 
     /// The principal axes as columns, unit vectors in the order of the moments, right-handed.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// let axes = InertiaMatrix::diagonal(3.0, 2.0, 4.0)?.principal_axes().axes();
+    /// // The smallest moment is about the second of the body's axes; the three are right-handed.
+    /// assert_eq!(axes[(1, 0)].abs(), 1.0);
+    /// assert!((axes.determinant() - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn axes(&self) -> Matrix3<f64> {
         self.axes
     }
@@ -43,6 +58,13 @@ impl PrincipalAxes {
 
     /// The moments as [`PrincipalMoments`](super::PrincipalMoments), pulled onto I₁ ≥ 0 and I₁ + I₂ ≥ I₃
     /// where rounding carried them across.
+    ///
+    /// ```
+    /// use spinning_bodies::inertia::InertiaMatrix;
+    /// let moments = InertiaMatrix::diagonal(3.0, 2.0, 4.0)?.principal_axes().principal_moments();
+    /// assert_eq!(moments.values(), [2.0, 3.0, 4.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn principal_moments(&self) -> super::PrincipalMoments {
         super::PrincipalMoments::nearest(self.moments)
     }
@@ -61,6 +83,15 @@ impl PrincipalAxes {
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotSymmetric`] (mirror entries must agree exactly).
+///
+/// ```
+/// use spinning_bodies::inertia::principal_axes_of;
+/// use nalgebra::Matrix3;
+/// let stress = Matrix3::new(0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+/// let [least, middle, most] = principal_axes_of(&stress)?.moments();
+/// assert!((least + 1.0).abs() < 1e-15 && middle.abs() < 1e-15 && (most - 1.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn principal_axes_of(matrix: &Matrix3<f64>) -> Result<PrincipalAxes> {
     for entry in matrix.iter() {
         finite("an entry of the matrix", *entry)?;

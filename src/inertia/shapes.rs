@@ -30,6 +30,13 @@ fn from_means(mass: f64, means: [(f64, f64); 3]) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let brick = shapes::cuboid(12.0, [1.0, 2.0, 3.0])?;
+/// assert_eq!(brick.inertia().matrix().diagonal().as_slice(), [13.0, 10.0, 5.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn cuboid(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
     from_means(mass, edges.map(|edge| (1.0 / 3.0, 0.5 * edge)))
 }
@@ -40,6 +47,13 @@ pub fn cuboid(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moment = shapes::hollow_box(18.0, [1.0, 1.0, 1.0])?.inertia().matrix()[(0, 0)];
+/// assert!((moment - 5.0).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn hollow_box(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
     let shares = others(edges, |a, b, c| 1.0 / (1.0 + a / b + a / c))?;
     from_means(mass, combine(edges, shares))
@@ -51,6 +65,13 @@ pub fn hollow_box(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moment = shapes::wire_box(18.0, [1.0, 1.0, 1.0])?.inertia().matrix()[(0, 0)];
+/// assert!((moment - 7.0).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn wire_box(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
     let shares = others(edges, |a, b, c| 1.0 / (1.0 + 0.5 * a / (0.5 * b + 0.5 * c)))?;
     from_means(mass, combine(edges, shares))
@@ -74,6 +95,13 @@ fn combine(edges: [f64; 3], at_ends: [f64; 3]) -> [(f64, f64); 3] {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moment = shapes::hollow_cube(18.0, 2.0)?.inertia().matrix()[(2, 2)];
+/// assert!((moment - 20.0).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn hollow_cube(mass: f64, edge: f64) -> Result<MassProperties> {
     hollow_box(mass, [edge; 3])
 }
@@ -82,6 +110,13 @@ pub fn hollow_cube(mass: f64, edge: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moment = shapes::wire_cube(18.0, 2.0)?.inertia().matrix()[(2, 2)];
+/// assert!((moment - 28.0).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn wire_cube(mass: f64, edge: f64) -> Result<MassProperties> {
     wire_box(mass, [edge; 3])
 }
@@ -90,6 +125,12 @@ pub fn wire_cube(mass: f64, edge: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// assert_eq!(shapes::ball(5.0, 2.0)?.inertia().matrix()[(0, 0)], 8.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn ball(mass: f64, radius: f64) -> Result<MassProperties> {
     from_means(mass, [(0.2, radius); 3])
 }
@@ -98,6 +139,12 @@ pub fn ball(mass: f64, radius: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// assert_eq!(shapes::spherical_shell(3.0, 2.0)?.inertia().matrix()[(0, 0)], 8.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn spherical_shell(mass: f64, radius: f64) -> Result<MassProperties> {
     from_means(mass, [(1.0 / 3.0, radius); 3])
 }
@@ -109,6 +156,14 @@ pub fn spherical_shell(mass: f64, radius: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self); `outer` must be positive, and [`Error::OutOfRange`] unless 0 ≤ `inner` ≤ `outer`.
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// // Without a cavity it is the ball, with one of the whole radius the shell.
+/// assert_eq!(shapes::thick_shell(5.0, 0.0, 2.0)?, shapes::ball(5.0, 2.0)?);
+/// assert!((shapes::thick_shell(3.0, 2.0, 2.0)?.inertia().matrix()[(0, 0)] - 8.0).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn thick_shell(mass: f64, inner: f64, outer: f64) -> Result<MassProperties> {
     let s = ratio(inner, outer)?;
     let numerator = 1.0 + s * (1.0 + s * (1.0 + s * (1.0 + s)));
@@ -128,6 +183,13 @@ fn ratio(inner: f64, outer: f64) -> Result<f64> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moments = shapes::ellipsoid(5.0, [1.0, 2.0, 3.0])?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [13.0, 10.0, 5.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn ellipsoid(mass: f64, semi_axes: [f64; 3]) -> Result<MassProperties> {
     from_means(mass, semi_axes.map(|a| (0.2, a)))
 }
@@ -136,6 +198,13 @@ pub fn ellipsoid(mass: f64, semi_axes: [f64; 3]) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moments = shapes::cylinder(12.0, 1.0, 3.0)?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [12.0, 12.0, 6.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn cylinder(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
     elliptic_cylinder(mass, [radius; 2], height)
 }
@@ -144,6 +213,13 @@ pub fn cylinder(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moments = shapes::elliptic_cylinder(12.0, [1.0, 2.0], 1.0)?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [13.0, 4.0, 15.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn elliptic_cylinder(mass: f64, [a, b]: [f64; 2], height: f64) -> Result<MassProperties> {
     from_means(mass, [(0.25, a), (0.25, b), (1.0 / 3.0, 0.5 * height)])
 }
@@ -152,6 +228,13 @@ pub fn elliptic_cylinder(mass: f64, [a, b]: [f64; 2], height: f64) -> Result<Mas
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moments = shapes::cylindrical_shell(12.0, 1.0, 2.0)?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [10.0, 10.0, 12.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn cylindrical_shell(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
     let round = (0.5, radius);
     from_means(mass, [round, round, (1.0 / 3.0, 0.5 * height)])
@@ -161,6 +244,12 @@ pub fn cylindrical_shell(mass: f64, radius: f64, height: f64) -> Result<MassProp
 ///
 /// # Errors
 /// As [`thick_shell`].
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// assert_eq!(shapes::tube(2.0, 1.0, 2.0, 5.0)?.inertia().matrix()[(2, 2)], 5.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn tube(mass: f64, inner: f64, outer: f64, height: f64) -> Result<MassProperties> {
     let s = ratio(inner, outer)?;
     let round = (0.25 * (1.0 + s * s), outer);
@@ -171,6 +260,13 @@ pub fn tube(mass: f64, inner: f64, outer: f64, height: f64) -> Result<MassProper
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moments = shapes::rod(12.0, 2.0)?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [4.0, 4.0, 0.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rod(mass: f64, length: f64) -> Result<MassProperties> {
     let thin = (0.0, 0.0);
     from_means(mass, [thin, thin, (1.0 / 3.0, 0.5 * length)])
@@ -180,6 +276,13 @@ pub fn rod(mass: f64, length: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moments = shapes::hoop(2.0, 3.0)?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [9.0, 9.0, 18.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn hoop(mass: f64, radius: f64) -> Result<MassProperties> {
     cylindrical_shell(mass, radius, 0.0)
 }
@@ -188,6 +291,13 @@ pub fn hoop(mass: f64, radius: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moments = shapes::disc(4.0, 1.0)?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [1.0, 1.0, 2.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn disc(mass: f64, radius: f64) -> Result<MassProperties> {
     cylinder(mass, radius, 0.0)
 }
@@ -198,6 +308,13 @@ pub fn disc(mass: f64, radius: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let cone = shapes::cone(10.0, 1.0, 2.0)?;
+/// assert!((cone.inertia().matrix()[(2, 2)] - 3.0).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn cone(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
     let round = (0.15, radius);
     from_means(mass, [round, round, (0.15, 0.5 * height)])
@@ -211,6 +328,14 @@ pub fn cone(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self); the radius must be positive, and [`Error::OutOfRange`] unless −R < `cut` ≤ R.
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// // Half a ball about its axis: as the whole one of the same mass; its centre lies 3R/8 below the plane.
+/// let half = shapes::ball_without_cap(5.0, 8.0, 0.0)?;
+/// assert!((half.inertia().matrix()[(2, 2)] - 128.0).abs() < 1e-12);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn ball_without_cap(mass: f64, radius: f64, cut: f64) -> Result<MassProperties> {
     positive("the radius", radius)?;
     let s = 1.0 + finite("the height of the cut", cut)? / radius;
@@ -237,6 +362,14 @@ pub fn ball_without_cap(mass: f64, radius: f64, cut: f64) -> Result<MassProperti
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// // Flat: the moment about the normal is the sum of the other two.
+/// let moments = shapes::racket(0.3, 0.13, 0.4)?.inertia().principal_axes().moments();
+/// assert!((moments[2] - moments[0] - moments[1]).abs() < 1e-15 * moments[2]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn racket(mass: f64, head: f64, handle: f64) -> Result<MassProperties> {
     positive("the radius of the head", head)?;
     not_negative("the length of the handle", handle)?;
@@ -260,6 +393,13 @@ pub fn racket(mass: f64, head: f64, handle: f64) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self); [`Error::OutOfRange`] unless 0 ≤ `tube_radius` ≤ `ring_radius`.
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moment = shapes::torus(4.0, 2.0, 1.0)?.inertia().matrix()[(2, 2)];
+/// assert_eq!(moment, 19.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn torus(mass: f64, ring_radius: f64, tube_radius: f64) -> Result<MassProperties> {
     let s = ratio(tube_radius, ring_radius)?;
     let round = (0.5 + 0.375 * s * s, ring_radius);
@@ -270,6 +410,13 @@ pub fn torus(mass: f64, ring_radius: f64, tube_radius: f64) -> Result<MassProper
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moments = shapes::rectangle_lamina(12.0, [1.0, 2.0])?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [4.0, 1.0, 5.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rectangle_lamina(mass: f64, edges: [f64; 2]) -> Result<MassProperties> {
     cuboid(mass, [edges[0], edges[1], 0.0])
 }
@@ -278,6 +425,13 @@ pub fn rectangle_lamina(mass: f64, edges: [f64; 2]) -> Result<MassProperties> {
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let moments = shapes::ellipse_lamina(4.0, [1.0, 2.0])?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [4.0, 1.0, 5.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn ellipse_lamina(mass: f64, semi_axes: [f64; 2]) -> Result<MassProperties> {
     let [a, b] = semi_axes;
     from_means(mass, [(0.25, a), (0.25, b), (0.0, 0.0)])
@@ -287,6 +441,14 @@ pub fn ellipse_lamina(mass: f64, semi_axes: [f64; 2]) -> Result<MassProperties> 
 ///
 /// # Errors
 /// See the [module](self); [`Error::OutOfRange`] for fewer than three sides.
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// // A square of edge 1, M(a² + b²)/12 about the normal.
+/// let square = shapes::regular_polygon_lamina(6.0, 4, 0.5_f64.sqrt())?;
+/// assert!((square.inertia().matrix()[(2, 2)] - 1.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn regular_polygon_lamina(mass: f64, sides: u32, circumradius: f64) -> Result<MassProperties> {
     within(
         "the number of sides",
@@ -306,6 +468,14 @@ pub fn regular_polygon_lamina(mass: f64, sides: u32, circumradius: f64) -> Resul
 ///
 /// # Errors
 /// See the [module](self). A flat triangle is a rod and allowed.
+///
+/// ```
+/// use spinning_bodies::inertia::shapes;
+/// let triangle = shapes::triangle_lamina(36.0, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?;
+/// assert!((triangle.inertia().matrix()[(0, 0)] - 2.0).abs() < 1e-14);
+/// assert!((triangle.center().x() - 1.0 / 3.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn triangle_lamina(mass: f64, corners: [[f64; 2]; 3]) -> Result<MassProperties> {
     positive("the mass", mass)?;
     for coordinate in corners.as_flattened() {
@@ -331,6 +501,13 @@ pub fn triangle_lamina(mass: f64, corners: [[f64; 2]; 3]) -> Result<MassProperti
 ///
 /// # Errors
 /// See the [module](self).
+///
+/// ```
+/// use spinning_bodies::inertia::{PlatonicSolid, shapes};
+/// let cube = shapes::platonic(PlatonicSolid::Cube, 6.0, 1.0)?;
+/// assert!((cube.inertia().matrix()[(0, 0)] - 1.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn platonic(solid: PlatonicSolid, mass: f64, edge: f64) -> Result<MassProperties> {
     from_means(mass, [(0.5 * solid.inertia_factor(), edge); 3])
 }

@@ -223,22 +223,56 @@ impl LagrangeTop {
 
     /// What kind of motion the axis makes, decided once. With gravity upwards, the kind of the same motion seen upside down:
     /// the axis that points down is then the sleeping one.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::{LagrangeTop, Nutation}};
+    /// // Spun, and let go at rest.
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// assert_eq!(top.kind(), Nutation::Cusps);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn kind(&self) -> Nutation {
         self.kind
     }
 
     /// L₃ = I₃Ω₃, kg m²/s: constant (7.2).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// assert_eq!(top.axial_angular_momentum(), 0.5 * 9.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn axial_angular_momentum(&self) -> f64 {
         self.body.axial * self.omega.z()
     }
 
     /// L_vert, the component of L along the vertical, kg m²/s: constant (7.2).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// assert!((top.vertical_angular_momentum() - 4.5 * 0.5_f64.cos()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn vertical_angular_momentum(&self) -> f64 {
         let l = self.body.angular_momentum(self.omega);
         self.attitude.to_space(l).z()
     }
 
     /// E = ½⟨Ω, L⟩ + Mgl cos θ, J: constant (7.2).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// // ½I₃Ω₃² + Mgl cos θ.
+    /// assert!((top.energy() - 20.25 - 0.5_f64.cos()).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy(&self) -> f64 {
         let [x, y, z]: [f64; 3] = self.omega.components().into();
         let q = self.attitude.quaternion();
@@ -257,6 +291,15 @@ impl LagrangeTop {
     }
 
     /// The roots of the cubic.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// // The upper turning point is where it was let go.
+    /// assert!((top.roots().h2 - 0.5_f64.cos()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn roots(&self) -> Roots {
         self.roots
     }
@@ -269,6 +312,17 @@ impl LagrangeTop {
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods or 2⁶² radians.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// // I₃Ω₃ stays, and after a period the axis is as high as it was.
+    /// let later = top.at(top.period())?;
+    /// assert_eq!(later.omega.z(), 9.0);
+    /// assert!((later.up.z() - 0.5_f64.cos()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn at(&self, t: f64) -> Result<State> {
         let t = finite("the time", t)?;
         match &self.motion {
@@ -291,6 +345,17 @@ impl LagrangeTop {
     ///
     /// # Errors
     /// Each as for [`at`](Self::at).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// let heights = top.states([0.0, 0.1, 0.2]).map(|state| Ok(state?.up.z()));
+    /// let heights: Vec<f64> = heights.collect::<Result<_, spinning_bodies::Error>>()?;
+    /// // Let go, it falls.
+    /// assert!(heights[0] > heights[1]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn states(
         &self,
         times: impl IntoIterator<Item = f64>,
@@ -329,6 +394,15 @@ impl LagrangeTop {
     }
 
     /// Period of the nutation, 2K/λ, s; infinite where the tilt stays or never returns.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// // A fast top nods with L₃/I₁, nearly.
+    /// assert!((top.period() * 4.5 / std::f64::consts::TAU - 1.0).abs() < 0.1);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn period(&self) -> f64 {
         match &self.motion {
             Motion::Still => f64::INFINITY,
@@ -341,6 +415,15 @@ impl LagrangeTop {
 
 impl LagrangeTop {
     /// The parameter m = k² of the elliptic functions that the tilt runs through, and its complement (7.2); none where the tilt stays.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// let m = top.parameter().unwrap();
+    /// assert!(m.m() > 0.0 && m.m() < 0.1 && (m.m() + m.mc() - 1.0).abs() < 1e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn parameter(&self) -> Option<Parameter> {
         match &self.motion {
             Motion::Still => None,
@@ -349,6 +432,15 @@ impl LagrangeTop {
     }
 
     /// By how much the axis goes round the vertical in one period of nutation, radians (7.2); none where there is no period.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// let (turn, rate) = (top.precession_per_nutation().unwrap(), top.mean_precession_rate().unwrap());
+    /// assert!((turn / top.period() - rate).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn precession_per_nutation(&self) -> Option<f64> {
         match &self.motion {
             Motion::Moving(constants) if constants.modulus.quarter_period().is_finite() => {
@@ -363,11 +455,29 @@ impl LagrangeTop {
     }
 
     /// Mean rate at which the axis goes round the vertical, rad/s (7.2); none where there is no period.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// // Mgl/L₃ for a fast top.
+    /// assert!((top.mean_precession_rate().unwrap() * 4.5 - 1.0).abs() < 0.1);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mean_precession_rate(&self) -> Option<f64> {
         Some(self.precession_per_nutation()? / self.period())
     }
 
     /// The two tilts between which the axis moves, radians, the smaller first (7.2); equal where the tilt stays.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// let [least, most] = top.turning_angles();
+    /// assert!((least - 0.5).abs() < 1e-15 && most > least);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn turning_angles(&self) -> [f64; 2] {
         let Roots {
             one_less, one_more, ..

@@ -123,6 +123,12 @@ pub struct FastSpin {
 ///
 /// # Errors
 /// As [`pure_precession`]; [`Error::Condition`] without spin, where there is no such limit.
+///
+/// ```
+/// let limits = spinning_bodies::lagrange_top::fast_spin(1.0, 2.0, 10.0, 0.5)?;
+/// assert_eq!((limits.slow, limits.fast, limits.x), (0.2, 20.0, 0.01));
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn fast_spin(transverse: f64, weight_moment: f64, l3: f64, height: f64) -> Result<FastSpin> {
     let [leading, weight, momentum] = quadratic(transverse, weight_moment, l3, height)?;
     if momentum.is_zero() {
@@ -186,6 +192,13 @@ impl Cycloid {
     /// θ − θ₀ and φ, radians, when the wheel has turned by u (one turn is one nutation).
     ///
     /// Few units in the last place, for small u too. Not a number if u is not finite. Cost: a sine and a cosine.
+    ///
+    /// ```
+    /// use spinning_bodies::lagrange_top::Cycloid;
+    /// // Half a turn of the wheel: at the lowest point, and half way on.
+    /// let [fall, turn] = Cycloid { radius: 1e-3, sine: 0.5 }.at(std::f64::consts::PI);
+    /// assert!((fall - 2e-3).abs() < 1e-18 && (turn - 2e-3 * std::f64::consts::PI).abs() < 1e-17);
+    /// ```
     pub fn at(&self, u: f64) -> [f64; 2] {
         let half = (0.5 * u).sin();
         [
@@ -354,6 +367,16 @@ pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) 
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::OutOfRange`] for a and b.
+///
+/// ```
+/// use spinning_bodies::lagrange_top::{Nutation, pendulum_between};
+/// let pendulum = pendulum_between(0.2, 0.5, 9.81)?;
+/// assert_eq!(pendulum.kind(), Nutation::SphericalPendulum);
+/// let pi = std::f64::consts::PI;
+/// let [least, most] = pendulum.turning_angles();
+/// assert!((least - (pi - 0.5)).abs() + (most - (pi - 0.2)).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<LagrangeTop> {
     positive("the smaller angle", inner)?;
     finite("the greater angle", outer)?;

@@ -43,6 +43,15 @@ impl Course {
     /// # Errors
     /// [`Error::NotPositive`] for the reaction or κ; [`Error::NotFinite`], also where a place, a speed or the heat leaves the range of doubles;
     /// [`Error::Integration`] after a million events.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
+    /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
+    /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
+    /// assert!((course.at(3.0).velocity - 5.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(
         kappa: f64,
         load: Load,
@@ -99,11 +108,29 @@ impl Course {
     }
 
     /// The body at the time `t` (s), 0 up to the end of the course; outside, the nearest of the two stretches is continued.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
+    /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
+    /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
+    /// assert!((course.at(0.5).velocity - 6.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn at(&self, t: f64) -> Moment {
         Moment::of(&self.state(t))
     }
 
     /// From the sheet's edge to the point of contact at the time `t` (s), m; negative: the body is off the sheet. None without a sheet.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
+    /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
+    /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
+    /// assert_eq!(course.margin(1.0), None);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn margin(&self, t: f64) -> Option<f64> {
         self.has_sheet.then(|| self.state(t)[7])
     }
@@ -116,11 +143,30 @@ impl Course {
     }
 
     /// What happens, in order.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
+    /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
+    /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
+    /// assert!((course.events()[0].time - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn events(&self) -> &[Event] {
         &self.events
     }
 
     /// The first of a kind.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
+    /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
+    /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
+    /// let rolls = course.first(Happening::RollingBegins).unwrap();
+    /// assert!((rolls.moment.position - 6.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn first(&self, what: Happening) -> Option<&Event> {
         self.events.iter().find(|event| event.what == what)
     }

@@ -16,6 +16,12 @@ impl Coulomb {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::Coulomb;
+    /// assert!(Coulomb::new(0.2).is_ok());
+    /// assert!(Coulomb::new(-0.2).is_err());
+    /// ```
     pub fn new(coefficient: f64) -> Result<Self> {
         Self::with_grip(coefficient, coefficient)
     }
@@ -24,6 +30,13 @@ impl Coulomb {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::Condition`] if the grip is less than the sliding friction.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::Coulomb;
+    /// assert!(Coulomb::with_grip(0.2, 0.3).is_ok());
+    /// // What holds worse than it slips is no contact.
+    /// assert!(Coulomb::with_grip(0.3, 0.2).is_err());
+    /// ```
     pub fn with_grip(kinetic: f64, grip: f64) -> Result<Self> {
         let kinetic = not_negative("the coefficient of friction", kinetic)?;
         let grip = not_negative("the coefficient of static friction", grip)?;
@@ -61,6 +74,11 @@ impl RollingResistance {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::RollingResistance;
+    /// assert!(RollingResistance::new(0.01).is_ok() && RollingResistance::new(-0.01).is_err());
+    /// ```
     pub fn new(arm: f64) -> Result<Self> {
         let arm = not_negative("the coefficient of rolling resistance", arm)?;
         Ok(Self { arm })

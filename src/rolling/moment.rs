@@ -26,6 +26,10 @@ pub struct Load {
 
 impl Load {
     /// Weight alone, for gravity g (m/s²).
+    ///
+    /// ```
+    /// assert_eq!(spinning_bodies::rolling::course::Load::weight(9.81).reaction, 9.81);
+    /// ```
     pub const fn weight(gravity: f64) -> Self {
         Self {
             push: 0.0,
@@ -58,12 +62,22 @@ pub struct Moment {
 
 impl Moment {
     /// At rest at the origin.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::Moment;
+    /// assert_eq!(Moment::at_rest().energy(0.4), 0.0);
+    /// ```
     pub const fn at_rest() -> Self {
         Self::moving(0.0, 0.0)
     }
 
     /// At the origin with this velocity and rim speed (m/s), over ground at rest. Where the slip is known better than as the difference of
     /// the two, set it.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::Moment;
+    /// assert_eq!(Moment::moving(3.0, 1.0).slip, 2.0);
+    /// ```
     pub const fn moving(velocity: f64, rim_speed: f64) -> Self {
         let slip = velocity - rim_speed;
         Self::of(&[0.0, velocity, rim_speed, slip, 0.0, 0.0, 0.0, 0.0])
@@ -99,11 +113,21 @@ impl Moment {
     }
 
     /// Kinetic energy per mass, ½(V² + κ(RΩ)²), J/kg.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::Moment;
+    /// assert_eq!(Moment::moving(3.0, 1.0).energy(0.5), 4.75);
+    /// ```
     pub fn energy(&self, kappa: f64) -> f64 {
         0.5 * (self.velocity * self.velocity + kappa * self.rim_speed * self.rim_speed)
     }
 
     /// Angular momentum about the line of contact over MR: V + κRΩ, m/s. No friction changes it.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::course::Moment;
+    /// assert_eq!(Moment::moving(3.0, 1.0).about_the_table(0.5), 3.5);
+    /// ```
     pub fn about_the_table(&self, kappa: f64) -> f64 {
         self.velocity + kappa * self.rim_speed
     }

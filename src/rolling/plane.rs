@@ -28,6 +28,11 @@ pub struct Slide {
 
 impl InPlane {
     /// Velocity of the contact point over the cloth, V − W.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::plane::InPlane;
+    /// assert_eq!(InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] }.slip(), [7.0, -7.0]);
+    /// ```
     pub fn slip(&self) -> [f64; 2] {
         [0, 1].map(|i| self.velocity[i] - self.rim_velocity[i])
     }
@@ -35,6 +40,15 @@ impl InPlane {
 
 impl RoundBody {
     /// The velocity that a ball ends up rolling with: (V + κW)/(1+κ), m/s, whatever rubs it in whatever manner (4.3, 4.5).
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
+    /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
+    /// let [x, y] = ball.eventual_velocity(&start);
+    /// assert!((x - 5.0).abs() + (y - 2.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn eventual_velocity(&self, motion: &InPlane) -> [f64; 2] {
         let kappa = self.inertia_factor();
         [0, 1].map(|i| {
@@ -46,6 +60,16 @@ impl RoundBody {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
+    /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
+    /// let slide = ball.slide_in_plane(start, 0.2, 10.0)?;
+    /// // 2|u|/(7μg).
+    /// assert!((slide.time() - 2.0_f64.sqrt()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn slide_in_plane(&self, start: InPlane, friction: f64, gravity: f64) -> Result<Slide> {
         let strength = positive("the coefficient of friction", friction)?
             * positive("the acceleration of gravity", gravity)?;
@@ -75,16 +99,44 @@ impl RoundBody {
 
 impl Slide {
     /// When rolling begins, s.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
+    /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
+    /// assert!((ball.slide_in_plane(start, 0.2, 10.0)?.time() - 2.0_f64.sqrt()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn time(&self) -> f64 {
         self.time
     }
 
     /// The velocity of rolling, m/s.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
+    /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
+    /// let [x, y] = ball.slide_in_plane(start, 0.2, 10.0)?.rolling();
+    /// assert!((x - 5.0).abs() + (y - 2.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rolling(&self) -> [f64; 2] {
         self.rolling
     }
 
     /// Place of the centre, m, and the motion, at a time (s, 0 or later) since the stroke.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
+    /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
+    /// let slide = ball.slide_in_plane(start, 0.2, 10.0)?;
+    /// // A parabola: on the way the mean of the first and the last velocity.
+    /// let (place, motion) = slide.at(slide.time());
+    /// assert!((place[0] - 6.0 * slide.time()).abs() < 1e-14 && motion.slip()[0].abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn at(&self, t: f64) -> ([f64; 2], InPlane) {
         let sliding = t.min(self.time);
         let (v, f) = (self.start.velocity, self.friction);

@@ -20,6 +20,13 @@ impl SheetSpeeds {
     ///
     /// # Errors
     /// [`Error::Empty`]; [`Error::NotFinite`]; [`Error::Condition`] unless the times start at 0 and never go back.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::sheet::SheetSpeeds;
+    /// assert_eq!(SheetSpeeds::through([(0.0, 0.0), (1.0, 2.0), (3.0, 0.0)])?.at(2.0), 1.0);
+    /// assert!(SheetSpeeds::through([(1.0, 2.0), (0.0, 0.0)]).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn through(points: impl Into<Vec<(f64, f64)>>) -> Result<Self> {
         let points = points.into();
         let Some(&(first, _)) = points.first() else {
@@ -50,11 +57,24 @@ impl SheetSpeeds {
     ///
     /// # Errors
     /// As [`Self::through`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::sheet::SheetSpeeds;
+    /// let speeds = SheetSpeeds::ramp(2.0, 1.0)?;
+    /// assert_eq!((speeds.at(0.5), speeds.at(7.0)), (1.0, 2.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn ramp(speed: f64, time: f64) -> Result<Self> {
         Self::through([(0.0, 0.0), (time, speed)])
     }
 
     /// The speed at a time, m/s; at a jerk the one after it.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::sheet::SheetSpeeds;
+    /// assert_eq!(SheetSpeeds::ramp(2.0, 4.0)?.at(1.0), 0.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn at(&self, t: f64) -> f64 {
         let after = self.points.partition_point(|point| point.0 <= t);
         match (
@@ -68,6 +88,12 @@ impl SheetSpeeds {
     }
 
     /// The points.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::sheet::SheetSpeeds;
+    /// assert_eq!(SheetSpeeds::through([(0.0, 0.0), (1.0, 2.0)])?.points().len(), 2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn points(&self) -> &[(f64, f64)] {
         &self.points
     }
@@ -86,6 +112,13 @@ impl Sheet {
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`] for the margin.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{course::Coulomb, sheet::{Sheet, SheetSpeeds}};
+    /// let speeds = SheetSpeeds::ramp(2.0, 1.0)?;
+    /// assert!(Sheet::new(Coulomb::new(0.3)?, speeds, 0.5).is_ok());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(friction: Coulomb, speeds: SheetSpeeds, margin: f64) -> Result<Self> {
         Ok(Self {
             friction,
@@ -123,6 +156,13 @@ impl RoundBody {
     ///
     /// # Errors
     /// [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
+    /// assert!((ball.carried_by_sheet(7.0)? - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn carried_by_sheet(&self, acceleration: f64) -> Result<f64> {
         let acceleration = finite("the sheet's acceleration", acceleration)?;
         Ok(self.inertia_factor() / self.pure_rolling_height() * acceleration)

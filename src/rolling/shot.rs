@@ -64,6 +64,12 @@ impl RoundBody {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) if κ > 1, more than the rim itself has.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// assert!(RoundBody::new(1.0, 0.03, factor::HOOP).is_ok());
+    /// assert!(RoundBody::new(1.0, 0.0, factor::HOOP).is_err());
+    /// ```
     pub fn new(mass: f64, radius: f64, inertia_factor: f64) -> Result<Self> {
         positive("the inertia factor", inertia_factor)?;
         let inertia_factor = within("the inertia factor", inertia_factor, 0.0, 1.0)?;
@@ -75,21 +81,49 @@ impl RoundBody {
     }
 
     /// Mass, kg.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert_eq!(ball.mass(), 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Radius of the rolling circle, m.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert_eq!(ball.radius(), 0.03);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
     /// κ = I/(MR²), dimensionless.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert_eq!(ball.inertia_factor(), 0.4);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn inertia_factor(&self) -> f64 {
         self.inertia_factor
     }
 
     /// Height of the stroke that gives pure rolling, in radii: H/R = 1 + κ (4.3). Exact to half a unit in the last place.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert_eq!(ball.pure_rolling_height(), 1.4);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn pure_rolling_height(&self) -> f64 {
         1.0 + self.inertia_factor
     }
@@ -100,6 +134,14 @@ impl RoundBody {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) if the cue misses, H outside 0…2R.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// // Struck through the centre it does not turn at all.
+    /// assert!((ball.cue_slip(1.0)? - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     // ANCHOR: cue-slip
     pub fn cue_slip(&self, height_over_radius: f64) -> Result<f64> {
         let height = height_on_body(height_over_radius)?;
@@ -113,6 +155,13 @@ impl RoundBody {
     ///
     /// # Errors
     /// As [`Self::cue_slip`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert!((ball.eventual_speed(0.7)? - 0.5).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn eventual_speed(&self, height_over_radius: f64) -> Result<f64> {
         Ok(height_on_body(height_over_radius)? / self.pure_rolling_height())
     }
@@ -121,6 +170,13 @@ impl RoundBody {
     ///
     /// # Errors
     /// As [`Self::cue_slip`]; [`Error::NotPositive`](crate::Error::NotPositive) if the velocity is not.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{Regime, RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert_eq!(ball.strike(1.0, 7.0)?.regime(), Regime::SkidsBackward);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn strike(&self, height_over_radius: f64, velocity: f64) -> Result<Shot> {
         let velocity = positive("the velocity after the stroke", velocity)?;
         let relative = self.cue_slip(height_over_radius)?;
@@ -153,6 +209,14 @@ impl RoundBody {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) for a number that is not, or a result that overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// let slide = ball.slide_to_roll(7.0, 0.0, 0.2, 10.0)?;
+    /// assert!((slide.time - 1.0).abs() + (slide.speed - 5.0).abs() + (slide.distance - 6.0).abs() + (slide.heat - 7.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn slide_to_roll(
         &self,
         velocity: f64,
@@ -171,6 +235,15 @@ impl RoundBody {
     ///
     /// # Errors
     /// As [`Self::slide_to_roll`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// // Back spin of 100 rad/s.
+    /// let slide = ball.slide_of_spin(4.0, -100.0, 0.2, 10.0)?;
+    /// assert!((slide.time - 1.0).abs() + (slide.speed - 2.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn slide_of_spin(
         &self,
         velocity: f64,
@@ -219,21 +292,49 @@ impl Shot {
     }
 
     /// How the body leaves the cue.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{Regime, RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert_eq!(ball.strike(ball.pure_rolling_height(), 1.0)?.regime(), Regime::PureRolling);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn regime(&self) -> Regime {
         self.regime
     }
 
     /// Velocity of the centre V', m/s.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert_eq!(ball.strike(1.2, 7.0)?.velocity(), 7.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn velocity(&self) -> f64 {
         self.velocity
     }
 
     /// Rim speed RΩ' = (H−R)V'/(κR), m/s; negative for a stroke below the centre.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert!((ball.strike(1.2, 7.0)?.rim_speed() - 3.5).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rim_speed(&self) -> f64 {
         (self.height_over_radius - 1.0) / self.body.inertia_factor * self.velocity
     }
 
     /// Velocity of the contact point V' − RΩ', m/s, from the height of the stroke.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// assert!((ball.strike(1.2, 7.0)?.slip() - 3.5).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn slip(&self) -> f64 {
         self.slip
     }
@@ -243,6 +344,14 @@ impl Shot {
     ///
     /// # Errors
     /// As [`RoundBody::slide_to_roll`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, factor};
+    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// let slide = ball.strike(1.0, 7.0)?.slide(0.2, 10.0)?;
+    /// assert!((slide.time - 1.0).abs() + (slide.speed - 5.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn slide(&self, friction: f64, gravity: f64) -> Result<SlideToRoll> {
         // The angular momentum about the table is the stroke's: struck at the table's level the body stops dead.
         let speed = self.velocity * self.height_over_radius / self.body.pure_rolling_height();
@@ -265,6 +374,12 @@ fn height_on_body(height_over_radius: f64) -> Result<f64> {
 ///
 /// # Errors
 /// As [`RoundBody::slide_to_roll`].
+///
+/// ```
+/// let slide = spinning_bodies::rolling::slide_to_roll(7.0, 0.0, 0.2, 10.0)?;
+/// assert!((slide.time - 1.0).abs() + (slide.heat - 7.0).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn slide_to_roll(
     velocity: f64,
     rim_speed: f64,

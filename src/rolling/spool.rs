@@ -37,6 +37,11 @@ impl Tug {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative); [`Error::OutOfRange`](crate::Error::OutOfRange) for the angle.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::spool::Tug;
+    /// assert!(Tug::new(1.2, 0.5).is_ok() && Tug::new(1.2, 4.0).is_err());
+    /// ```
     pub fn new(tension: f64, angle: f64) -> Result<Self> {
         Ok(Self {
             tension: not_negative("the tension", tension)?,
@@ -45,11 +50,23 @@ impl Tug {
     }
 
     /// Tension, N.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::spool::Tug;
+    /// assert_eq!(Tug::new(1.2, 0.5)?.tension(), 1.2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn tension(&self) -> f64 {
         self.tension
     }
 
     /// Angle above the horizontal, rad.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::spool::Tug;
+    /// assert_eq!(Tug::new(1.2, 0.5)?.angle(), 0.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angle(&self) -> f64 {
         self.angle
     }
@@ -65,6 +82,13 @@ impl Spool {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the axle.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// assert_eq!(spool.ratio(), 0.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(body: RoundBody, axle: f64) -> Result<Self> {
         let axle = positive("the radius of the axle", axle)?;
         Ok(Self {
@@ -74,26 +98,63 @@ impl Spool {
     }
 
     /// What rolls.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// assert_eq!(spool.body().mass(), 2.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn body(&self) -> RoundBody {
         self.body
     }
 
     /// r/R, dimensionless.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// assert_eq!(spool.ratio(), 0.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn ratio(&self) -> f64 {
         self.ratio
     }
 
     /// The tug's moment about the centre, −rT, N m, the same at every angle; positive the way of rolling forward (4.4).
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let tug = Tug::new(1.2, 0.0)?;
+    /// assert_eq!(spool.moment_about_centre(tug), -0.6);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn moment_about_centre(&self, tug: Tug) -> f64 {
         -self.ratio * self.body.radius() * tug.tension
     }
 
     /// The tug's moment about the point of contact, T(R cos θ − r), N m (4.4): friction has none there.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let tug = Tug::new(1.2, 0.0)?;
+    /// assert_eq!(spool.moment_about_contact(tug), 0.6);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn moment_about_contact(&self, tug: Tug) -> f64 {
         self.body.radius() * tug.tension * (tug.angle.cos() - self.ratio)
     }
 
     /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; none if r > R (4.4).
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// assert!((spool.critical_angle().unwrap() - std::f64::consts::FRAC_PI_3).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn critical_angle(&self) -> Option<f64> {
         (self.ratio <= 1.0).then(|| self.ratio.acos())
     }
@@ -102,6 +163,13 @@ impl Spool {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) outside 0…π.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Way}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// assert_eq!((spool.way(1.0)?, spool.way(1.1)?), (Way::WindsUp, Way::PaysOut));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn way(&self, angle: f64) -> Result<Way> {
         let angle = tug_angle(angle)?;
         Ok(match self.critical_angle() {
@@ -111,8 +179,16 @@ impl Spool {
         })
     }
 
-    // ANCHOR: rolling-acceleration
     /// Acceleration while it rolls, T(cos θ − r/R)/(M(1+κ)), m/s², positive along +x (4.4).
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let tug = Tug::new(1.2, 0.0)?;
+    /// assert!((spool.rolling_acceleration(tug) - 0.2).abs() < 1e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    // ANCHOR: rolling-acceleration
     pub fn rolling_acceleration(&self, tug: Tug) -> f64 {
         let whole = self.body.mass() * self.body.pure_rolling_height();
         tug.tension * (tug.angle.cos() - self.ratio) / whole
@@ -120,6 +196,15 @@ impl Spool {
     // ANCHOR_END: rolling-acceleration
 
     /// Friction on the spool while it rolls, −T(r/R + κ cos θ)/(1+κ), N, positive along +x (4.4).
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let tug = Tug::new(1.2, 0.0)?;
+    /// // Tug and friction together make it roll: 1.2 N − 0.8 N = 2 kg · 0.2 m/s².
+    /// assert!((spool.rolling_friction(tug) + 0.8).abs() < 2e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rolling_friction(&self, tug: Tug) -> f64 {
         -tug.tension * self.needed(tug.angle)
     }
@@ -130,6 +215,15 @@ impl Spool {
     }
 
     /// Reaction of the table, Mg − T sin θ, N; negative: the spool is in the air.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// // Straight up.
+    /// let tug = Tug::new(5.0, std::f64::consts::FRAC_PI_2)?;
+    /// assert_eq!(spool.reaction(tug, 10.0), 15.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn reaction(&self, tug: Tug, gravity: f64) -> f64 {
         self.body.mass() * gravity - tug.tension * tug.angle.sin()
     }
@@ -139,6 +233,14 @@ impl Spool {
     ///
     /// # Errors
     /// As [`Self::way`]; [`Error::Negative`](crate::Error::Negative) for μ; [`Error::NotPositive`](crate::Error::NotPositive) for g.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// // f = T/1.5 at most 0.2 · 20 N.
+    /// assert!((spool.largest_gentle_tension(0.0, 0.2, 10.0)? - 6.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn largest_gentle_tension(&self, angle: f64, friction: f64, gravity: f64) -> Result<f64> {
         let angle = tug_angle(angle)?;
         let friction = not_negative("the coefficient of friction", friction)?;
@@ -151,6 +253,14 @@ impl Spool {
     ///
     /// # Errors
     /// As [`Self::way`]; [`Error::NotPositive`](crate::Error::NotPositive) for g.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// assert_eq!(spool.lift_off_tension(std::f64::consts::FRAC_PI_2, 10.0)?, 20.0);
+    /// assert_eq!(spool.lift_off_tension(0.0, 10.0)?, f64::INFINITY);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn lift_off_tension(&self, angle: f64, gravity: f64) -> Result<f64> {
         let weight = self.body.mass() * positive("the acceleration of gravity", gravity)?;
         Ok(weight / tug_angle(angle)?.sin())
@@ -162,6 +272,14 @@ impl Spool {
     ///
     /// # Errors
     /// As [`Self::way`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// // Straight up, from the side of the axle.
+    /// assert!((spool.foot_of_the_line(std::f64::consts::FRAC_PI_2)? - 0.5).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn foot_of_the_line(&self, angle: f64) -> Result<f64> {
         let (sin, cos) = tug_angle(angle)?.sin_cos();
         Ok(self.body.radius() * (self.ratio - cos) / sin)
@@ -171,6 +289,15 @@ impl Spool {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction: the tug lifts the spool.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let tug = Tug::new(1.2, 0.0)?;
+    /// let load = spool.load(tug, 10.0)?;
+    /// assert_eq!((load.push, load.twist, load.reaction), (0.6, -0.3, 10.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn load(&self, tug: Tug, gravity: f64) -> Result<Load> {
         let gravity = positive("the acceleration of gravity", gravity)?;
         let pull = tug.tension / self.body.mass();
@@ -189,6 +316,17 @@ impl Spool {
     ///
     /// # Errors
     /// As [`Self::load`] and [`Course::new`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::course::Coulomb;
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let tug = Tug::new(1.2, 0.0)?;
+    /// let course = spool.course(tug, 10.0, Some(Coulomb::new(0.3)?), None, 2.0)?;
+    /// // 0.2 m/s² for two seconds.
+    /// assert!((course.at(2.0).velocity - 0.4).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn course(
         &self,
         tug: Tug,
@@ -204,11 +342,30 @@ impl Spool {
     }
 
     /// Length of string on the axle since the start, m, from what the rim has turned: positive is wound up.
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::course::Moment;
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let moment = Moment { turned: 0.4, ..Moment::at_rest() };
+    /// assert_eq!(spool.wound(&moment), 0.2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn wound(&self, moment: &Moment) -> f64 {
         self.ratio * moment.turned
     }
 
     /// Speed of the hand along the tug, V cos θ − (r/R)RΩ, m/s; T times this is the power of the tug (4.4).
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::course::Moment;
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let tug = Tug::new(1.2, 0.0)?;
+    /// // Rolling at 0.4 m/s, it winds up half of that.
+    /// assert_eq!(spool.hand_speed(tug, &Moment::moving(0.4, 0.4)), 0.2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn hand_speed(&self, tug: Tug, moment: &Moment) -> f64 {
         moment.velocity * tug.angle.cos() - self.ratio * moment.rim_speed
     }

@@ -69,6 +69,16 @@ impl Flight {
     /// # Errors
     /// [`Error::OutOfRange`] for κ or a start outside the room; [`Error::NotPositive`] for the room; [`Error::Negative`] for gravity;
     /// [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::superball::{Motion, flight::{Flight, InFlight}};
+    /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
+    /// let start = InFlight { position: 0.0, height: 4.905, climb: 0.0, motion, bounces: 0 };
+    /// // Without gravity it goes straight on.
+    /// let flight = Flight::new(0.4, f64::INFINITY, (None, None, None), start)?;
+    /// assert_eq!(flight.exact(3.0)?.position, 3.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(
         kappa: f64,
         room: f64,
@@ -235,6 +245,16 @@ impl Flight {
     /// # Errors
     /// [`Error::Condition`] if the ball is not elastic, or lies on the floor and would slip; [`Error::NotFinite`], [`Error::Negative`] for the
     /// time; [`Error::NotFinite`] for a place that no double can hold; [`Error::OutOfRange`] beyond 2⁵³ flights, which a double does not count.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::{Motion, flight::{Flight, InFlight}};
+    /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
+    /// let start = InFlight { position: 0.0, height: 1.0, climb: -1.0, motion, bounces: 0 };
+    /// let flight = Flight::new(0.4, 1.0, (None, None, None), start)?;
+    /// // The floor after a second leaves 3/7 of the velocity.
+    /// assert!((flight.exact(1.5)?.position - (1.0 + 0.5 * 3.0 / 7.0)).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn exact(&self, t: f64) -> Result<InFlight> {
         self.after_flights(not_negative("the time", t)?)?.checked()
     }
@@ -332,6 +352,17 @@ impl Flight {
     ///
     /// # Errors
     /// [`Error::Integration`] after ten million bounces below the ceiling.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::{Motion, Restitution, flight::{Flight, InFlight}};
+    /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
+    /// let start = InFlight { position: 0.0, height: 4.905, climb: 0.0, motion, bounces: 0 };
+    /// let lossy = Restitution::new(0.5, 1.0)?;
+    /// let flight = Flight::new(0.4, f64::INFINITY, (Some(9.81), Some(lossy), None), start)?;
+    /// // A second of fall, and then 1 + ½ + ¼ + … seconds.
+    /// assert!((flight.last_contact()?.unwrap() - 3.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn last_contact(&self) -> Result<Option<f64>> {
         Ok(self.pile()?.map(|(_, _, last)| last))
     }
@@ -372,6 +403,17 @@ impl Flight {
     /// # Errors
     /// [`Error::Integration`] after ten million bounces; [`Error::Condition`] for times after the last bounce of a ball with e_t = 1 that cannot
     /// slip, whose contact speed is reversed infinitely often and has no last value.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::{Motion, Restitution, flight::{Flight, InFlight}};
+    /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
+    /// let start = InFlight { position: 0.0, height: 4.905, climb: 0.0, motion, bounces: 0 };
+    /// let lossy = Restitution::new(0.5, 1.0)?;
+    /// let flight = Flight::new(0.4, f64::INFINITY, (Some(9.81), Some(lossy), None), start)?;
+    /// // From the floor at 4.905 m/s, half a second on.
+    /// assert!((flight.followed(&[1.5])?[0].height - 1.22625).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn followed(&self, times: &[f64]) -> Result<Vec<InFlight>> {
         let samples: Vec<(f64, Option<u64>)> = times.iter().map(|&t| (t, None)).collect();
         self.sampled(&samples)

@@ -20,6 +20,13 @@ impl Restitution {
     ///
     /// # Errors
     /// [`Error::OutOfRange`], [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::superball::Restitution;
+    /// assert_eq!(Restitution::new(0.9, 0.6)?.tangential(), 0.6);
+    /// assert!(Restitution::new(1.1, 0.6).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(normal: f64, tangential: f64) -> Result<Self> {
         Ok(Self {
             normal: within("the coefficient of restitution", normal, 0.0, 1.0)?,
@@ -33,6 +40,12 @@ impl Restitution {
     }
 
     /// e_t.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::Restitution;
+    /// assert_eq!(Restitution::new(0.9, 0.6)?.tangential(), 0.6);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn tangential(&self) -> f64 {
         self.tangential
     }
@@ -91,6 +104,14 @@ impl Restitution {
 /// A bounce that leaves the part `restitution` of the contact speed, reversed: V' = V − κ(1+e_t)u/(1+κ), RΩ' = RΩ ± (1+e_t)u/(1+κ) (4.6).
 ///
 /// At e_t = 1 it is [`bounce`](super::bounce) to the bit. Energy κu²(1−e_t²)/(1+κ) (in the unit of [`Motion::energy`]) is lost. Panics as [`bounce`](super::bounce).
+///
+/// ```
+/// use spinning_bodies::superball::{Motion, Surface, bounce_with};
+/// let thrown = Motion { velocity: 1.0_f64, rim_speed: 0.0 };
+/// // Nothing of the contact speed is left: it rolls, V = RΩ.
+/// let after = bounce_with(thrown, Surface::Floor, 0.4, 0.0);
+/// assert!((after.velocity - after.rim_speed).abs() < 1e-15 && (after.velocity - 5.0 / 7.0).abs() < 1e-15);
+/// ```
 pub fn bounce_with<T: Num + Copy>(
     before: Motion<T>,
     surface: Surface,
@@ -111,6 +132,15 @@ pub fn bounce_with<T: Num + Copy>(
 /// not enough it slips, and takes the kinetic coefficient times it.
 ///
 /// `pressed` is (1+e_n)|V_z|. At grazing incidence V_z is small and every ball slips.
+///
+/// ```
+/// use spinning_bodies::{rolling::course::Coulomb, superball::{Motion, Surface, gripping_bounce}};
+/// let thrown = Motion { velocity: 1.0, rim_speed: 0.0 };
+/// // Too little grip: friction takes μ times the normal impulse from the velocity.
+/// let slippery = gripping_bounce(thrown, Surface::Floor, 0.4, 1.0, Coulomb::new(0.1)?, 2.0);
+/// assert!((slippery.velocity - 0.8).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn gripping_bounce(
     before: Motion<f64>,
     surface: Surface,
@@ -146,6 +176,17 @@ fn kicked<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T, turned: 
 /// # Errors
 /// [`Error::NotPositive`], [`Error::NotFinite`] for κ; [`Error::OutOfRange`] above 2/3, the thin shell's, where V₃ is no longer monotone;
 /// [`Error::Condition`] below 0.0718, where the superball itself does not come back.
+///
+/// ```
+/// use spinning_bodies::superball::{Motion, Surface, bounce_with, return_threshold};
+/// let (kappa, threshold) = (0.4, return_threshold(0.4)?);
+/// let mut motion = Motion { velocity: 1.0, rim_speed: 0.0 };
+/// for surface in [Surface::Floor, Surface::Ceiling, Surface::Floor] {
+///     motion = bounce_with(motion, surface, kappa, threshold);
+/// }
+/// assert!(motion.velocity.abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn return_threshold(kappa: f64) -> Result<f64> {
     positive("the inertia factor", kappa)?;
     within("the inertia factor", kappa, 0.0, 2.0 / 3.0)?;

@@ -46,6 +46,11 @@ pub enum Surface {
 
 impl Surface {
     /// The other one.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::Surface;
+    /// assert_eq!(Surface::Floor.opposite(), Surface::Ceiling);
+    /// ```
     pub fn opposite(self) -> Self {
         match self {
             Self::Floor => Self::Ceiling,
@@ -56,6 +61,12 @@ impl Surface {
 
 impl<T: Num + Copy> Motion<T> {
     /// Velocity of the contact point: V − RΩ at the floor, V + RΩ at the ceiling (4.6).
+    ///
+    /// ```
+    /// use spinning_bodies::superball::{Motion, Surface};
+    /// let rolling = Motion { velocity: 2.0, rim_speed: 2.0 };
+    /// assert_eq!((rolling.contact_speed(Surface::Floor), rolling.contact_speed(Surface::Ceiling)), (0.0, 4.0));
+    /// ```
     pub fn contact_speed(&self, surface: Surface) -> T {
         match surface {
             Surface::Floor => self.velocity - self.rim_speed,
@@ -64,6 +75,11 @@ impl<T: Num + Copy> Motion<T> {
     }
 
     /// Horizontal and rotational kinetic energy per half mass: V² + κ(RΩ)², the quantity every bounce keeps (4.6).
+    ///
+    /// ```
+    /// use spinning_bodies::superball::Motion;
+    /// assert_eq!(Motion { velocity: 2.0, rim_speed: 3.0 }.energy(0.5), 8.5);
+    /// ```
     pub fn energy(&self, kappa: T) -> T {
         self.velocity * self.velocity + kappa * self.rim_speed * self.rim_speed
     }
@@ -81,6 +97,13 @@ impl<T: Num + Copy> Motion<T> {
 ///
 /// With `f64` nothing panics. Fractions of fixed-width integers panic at κ = −1 and on overflow, as all their arithmetic
 /// does; [`checked_bounce`] does not.
+///
+/// ```
+/// use spinning_bodies::superball::{Motion, Surface, bounce};
+/// // A hoop, κ = 1, exchanges velocity and rim speed.
+/// let after = bounce(Motion { velocity: 1.0, rim_speed: 0.0 }, Surface::Floor, 1.0);
+/// assert_eq!(after, Motion { velocity: 0.0, rim_speed: 1.0 });
+/// ```
 pub fn bounce<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T) -> Motion<T> {
     // ANCHOR: bounce
     let one = T::one();
@@ -100,6 +123,14 @@ pub fn bounce<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T) -> M
 /// [`bounce`] for fractions of fixed-width integers: `None` where a numerator or denominator would overflow, or κ = −1.
 ///
 /// For `Ratio<i128>` and κ = 2/5 the denominators are powers of seven, and the first 43 bounces fit.
+///
+/// ```
+/// use num_rational::Ratio;
+/// use spinning_bodies::superball::{Motion, Surface, checked_bounce};
+/// let thrown = Motion { velocity: Ratio::new(1_i64, 1), rim_speed: Ratio::new(0, 1) };
+/// let after = checked_bounce(thrown, Surface::Floor, Ratio::new(2, 5)).unwrap();
+/// assert_eq!((after.velocity, after.rim_speed), (Ratio::new(3, 7), Ratio::new(10, 7)));
+/// ```
 pub fn checked_bounce<T>(before: Motion<T>, surface: Surface, kappa: T) -> Option<Motion<T>>
 where
     T: Num + Copy + CheckedAdd + CheckedSub + CheckedMul + CheckedDiv,
@@ -125,6 +156,11 @@ where
 /// The matrix of a bounce on the column (V, RΩ): [[1−κ, ±2κ], [±2, −(1−κ)]]/(1+κ), plus at the floor (4.6).
 ///
 /// Rows first. For the ball [[3, ±4], [±10, −3]]/7. Determinant −1, square 1: a reflection. Panics as [`bounce`].
+///
+/// ```
+/// use spinning_bodies::superball::{Surface, bounce_matrix};
+/// assert_eq!(bounce_matrix(Surface::Floor, 1.0), [[0.0, 1.0], [1.0, 0.0]]);
+/// ```
 pub fn bounce_matrix<T: Num + Copy>(surface: Surface, kappa: T) -> [[T; 2]; 2] {
     let (zero, one) = (T::zero(), T::one());
     let two = one + one;
@@ -138,6 +174,13 @@ pub fn bounce_matrix<T: Num + Copy>(surface: Surface, kappa: T) -> [[T; 2]; 2] {
 }
 
 /// Impulse of friction FΔt per mass in one bounce: −2κ/(1+κ) times the speed of the contact point (4.6). Panics as [`bounce`].
+///
+/// ```
+/// use spinning_bodies::superball::{Motion, Surface, friction_impulse};
+/// // −4/7 of the contact speed for a ball: V' = 3/7.
+/// let impulse = friction_impulse(Motion { velocity: 1.0_f64, rim_speed: 0.0 }, Surface::Floor, 0.4);
+/// assert!((impulse + 4.0 / 7.0).abs() < 1e-15);
+/// ```
 pub fn friction_impulse<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T) -> T {
     let slip = before.contact_speed(surface);
     T::zero() - (slip + slip) * kappa / (T::one() + kappa)
@@ -160,6 +203,14 @@ pub struct UnderTable<T> {
 
 impl<T: Num + Copy> UnderTable<T> {
     /// A ball of inertia factor `kappa` that is thrown with motion `start` and meets the floor first.
+    ///
+    /// ```
+    /// use num_rational::Ratio;
+    /// use spinning_bodies::superball::{Motion, UnderTable};
+    /// let thrown = Motion { velocity: Ratio::new(1_i64, 1), rim_speed: Ratio::new(0, 1) };
+    /// let mut places = UnderTable::new(thrown, Ratio::new(2, 5)).positions();
+    /// assert_eq!(places.next(), Some(Ratio::new(3, 7)));
+    /// ```
     pub fn new(start: Motion<T>, kappa: T) -> Self {
         Self {
             motion: start,
@@ -176,6 +227,14 @@ impl<T: Num + Copy> UnderTable<T> {
     ///
     /// In units of (speed) × (flight time): x_n is the sum of the velocities after bounces 1…n. All flights between floor and
     /// ceiling take the same time, with gravity too, because the way up is the way down reversed.
+    ///
+    /// ```
+    /// use num_rational::Ratio;
+    /// use spinning_bodies::superball::{Motion, UnderTable};
+    /// let thrown = Motion { velocity: Ratio::new(1_i64, 1), rim_speed: Ratio::new(0, 1) };
+    /// let places: Vec<_> = UnderTable::new(thrown, Ratio::new(2, 5)).positions().take(3).collect();
+    /// assert_eq!(places, [Ratio::new(3, 7), Ratio::new(-10, 49), Ratio::new(-403, 343)]);
+    /// ```
     pub fn positions(self) -> Positions<T> {
         Positions {
             motions: self,
@@ -252,6 +311,12 @@ where
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for κ.
+///
+/// ```
+/// let [least, most] = spinning_bodies::superball::reach(0.4)?;
+/// assert!((least + 1.0 + most).abs() < 1e-15 && (most - 0.5 * (3.5_f64.sqrt() - 1.0)).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn reach(kappa: f64) -> Result<[f64; 2]> {
     let kappa = positive("the inertia factor", kappa)?;
     let half_width = 0.5 * (1.0 + kappa.recip()).sqrt();
@@ -279,6 +344,12 @@ impl BounceRotation {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) outside 0…1.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::BounceRotation;
+    /// assert_eq!(BounceRotation::new(1.0)?.angle(), std::f64::consts::FRAC_PI_2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(kappa: f64) -> Result<Self> {
         Self::of(DoubleDouble::from(kappa))
     }
@@ -287,6 +358,13 @@ impl BounceRotation {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the denominator is zero; [`Error::OutOfRange`](crate::Error::OutOfRange) outside 0…1.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::BounceRotation;
+    /// let turn = BounceRotation::of_fraction(2, 5)?.angle();
+    /// assert!((turn.cos() - 3.0 / 7.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn of_fraction(numerator: u32, denominator: u32) -> Result<Self> {
         let denominator = positive("the denominator", f64::from(denominator))?;
         Self::of(DoubleDouble::from(f64::from(numerator)) / DoubleDouble::from(denominator))
@@ -301,6 +379,13 @@ impl BounceRotation {
     }
 
     /// Angle δ of one bounce, radians: cos δ = (1−κ)/(1+κ), formed as 2 arctan √κ. One unit in the last place.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::BounceRotation;
+    /// // κ = 1/3: a third of a half turn.
+    /// assert!((BounceRotation::of_fraction(1, 3)?.angle() - std::f64::consts::FRAC_PI_3).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angle(&self) -> f64 {
         2.0 * self.kappa.value().sqrt().atan()
     }
@@ -311,6 +396,13 @@ impl BounceRotation {
     /// Error: about n·2⁻¹⁰² in phase plus two units in the last place of the larger part. Observed for n = 10¹²: 3e-16. The energy is
     /// right to a few roundings for every n. Cost: at most 128 products of two pairs, whatever n. A start that is not
     /// finite gives a motion that is not.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::{BounceRotation, Motion};
+    /// let after = BounceRotation::of_fraction(2, 5)?.after(Motion { velocity: 1.0, rim_speed: 0.0 }, 3);
+    /// assert!((after.velocity + 333.0 / 343.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn after(&self, start: Motion<f64>, bounces: u64) -> Motion<f64> {
         let [p, q] = self.power(bounces);
         let kappa = self.kappa.value();
@@ -378,6 +470,14 @@ pub struct SpringBounce {
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for κ; [`Error::Negative`](crate::Error::Negative) for the tuning.
+///
+/// ```
+/// use spinning_bodies::superball::{Motion, Surface, spring_bounce};
+/// let thrown = Motion { velocity: 1.0, rim_speed: 0.0 };
+/// let tuned = spring_bounce(thrown, Surface::Floor, 0.4, 1.0)?;
+/// assert!((tuned.motion.velocity - 3.0 / 7.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn spring_bounce(
     before: Motion<f64>,
     surface: Surface,

@@ -9,6 +9,14 @@ use crate::error::{Error, Result, finite};
 ///
 /// # Errors
 /// [`Error::AtPlace`] for a corner whose coordinates are no numbers.
+///
+/// ```
+/// use spinning_bodies::inertia::mesh::mesh_of_stl;
+/// let text = "solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop";
+/// let (vertices, triangles) = mesh_of_stl(text.as_bytes())?;
+/// assert_eq!((vertices.len(), triangles), (3, vec![[0, 1, 2]]));
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
     let count = bytes.get(80..84).and_then(|count| count.try_into().ok());
     let count = count.map_or(0, |count| u32::from_le_bytes(count) as usize);
@@ -50,6 +58,13 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
 ///
 /// # Errors
 /// [`Error::AtPlace`] for a vertex whose coordinates are no numbers, and for a face whose vertices are not numbered.
+///
+/// ```
+/// use spinning_bodies::inertia::mesh::mesh_of_obj;
+/// let (vertices, triangles) = mesh_of_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")?;
+/// assert_eq!((vertices.len(), triangles), (4, vec![[0, 1, 2], [0, 2, 3]]));
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for line in text.lines() {

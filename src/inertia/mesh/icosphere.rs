@@ -15,6 +15,12 @@ pub type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) or [`Error::NotFinite`](crate::Error::NotFinite) for the radius, [`Error::OutOfRange`](crate::Error::OutOfRange) for more than 10 levels (21 million
 /// triangles).
+///
+/// ```
+/// let (vertices, triangles) = spinning_bodies::inertia::mesh::icosphere(2, 1.5)?;
+/// assert_eq!((vertices.len(), triangles.len()), (162, 320));
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn icosphere(levels: u32, radius: f64) -> Result<Mesh> {
     positive("the radius", radius)?;
     within("the number of levels", f64::from(levels), 0.0, 10.0)?;

@@ -6,7 +6,7 @@ use crate::ledger::Ledger;
 use crate::paths::workspace_root;
 use crate::pictures::{self, Copying, Form};
 use crate::progress::watched;
-use crate::scenes::film::{self, Seen, Stills};
+use crate::scenes::film::{self, Stills};
 use crate::scenes::output::{Format, Motion};
 use crate::scenes::plot::{self, Panel};
 use crate::scenes::scan::{Over, Scan, Tell};
@@ -461,13 +461,14 @@ fn obey(command: Option<Command>) -> Result<()> {
             let target = Target::new(output.as_deref(), Some(&file))?;
             let (name, text) = scenes::source(&file)?;
             let (mut scene, request) = scenes::parse(&name, &text)?;
-            let option = if film { "--film" } else { "--frames" };
-            let seen = (film || stills.is_some()).then(|| Seen::of(option, &name, &text));
-            let seen = seen.transpose()?;
-            let (option, columns) = match (&seen, plot.is_empty()) {
-                (Some(_), _) => (option, film::columns(&scene)),
-                (None, true) => ("--columns", columns),
-                (None, false) => ("--plot", plot::columns(&plot)),
+            let filmed = film || stills.is_some();
+            let (option, columns) = match (filmed, plot.is_empty()) {
+                (true, _) => {
+                    let all = scene.columns().iter().map(|column| column.name.to_owned());
+                    ("--film", all.collect())
+                }
+                (false, true) => ("--columns", columns),
+                (false, false) => ("--plot", plot::columns(&plot)),
             };
             if !columns.is_empty() {
                 let told = files::telling(scene, &columns);
@@ -479,18 +480,15 @@ fn obey(command: Option<Command>) -> Result<()> {
                 request: &request,
                 progress: &Progress::default(),
             };
-            if let (Some(stills), Some(seen)) = (stills, &seen) {
-                return say(&stills.draw(&motion, seen, as_form.unwrap_or_default())?);
+            if let Some(stills) = stills {
+                return say(&stills.draw(&motion, as_form.unwrap_or_default())?);
             }
-            let picture = match (&seen, plot.is_empty()) {
-                (Some(seen), _) => Some(film::film(&motion, seen, speed)?),
-                (None, true) => None,
-                (None, false) => Some(plot::plot(&motion, &plot, form)?),
+            let picture = match (film, plot.is_empty()) {
+                (true, _) => film::film(&motion, speed)?,
+                (false, true) => return target.write(|to| format.write(&motion, to)),
+                (false, false) => plot::plot(&motion, &plot, form)?,
             };
-            if let Some(picture) = picture {
-                return target.write(|to| to.write_all(&picture));
-            }
-            target.write(|to| format.write(&motion, to))
+            target.write(|to| to.write_all(&picture))
         }
         Some(Command::Scan {
             file,

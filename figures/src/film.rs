@@ -3,7 +3,8 @@
 use core::f64::consts::TAU;
 use core::fmt::Write as _;
 
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Vector3};
+use spinning_bodies::scene::sight::{Around, Sight, Solid};
 
 use crate::Figure;
 use crate::finish::short;
@@ -17,21 +18,33 @@ use crate::style::{
 /// A point or a vector: m along the body's axes or those of space, z upward; or rad/s, or kg m²/s.
 type Vector = Vector3<f64>;
 
-/// What is drawn of a body, along its own axes from the point whose place is told.
+/// What is drawn of a solid, along its own axes.
 ///
-/// It is the convex hull of ellipsoids, which may be flat or points, with lines on its surface and lines that nothing hides.
-#[derive(Debug, Clone, Default)]
-pub struct Body {
+/// It is the convex hull of ellipsoids, which may be flat or points, with lines on its surface; or a bar.
+#[derive(Default)]
+struct Body {
     /// Middle and half axes of each.
     rounds: Vec<(Vector, Matrix3<f64>)>,
     /// Places with the outward normals of the two faces that meet there: what looks away from the eye on both sides is hidden.
     edges: Vec<Vec<[Vector; 3]>>,
-    bars: Vec<[Vector; 2]>,
+    bar: Option<Vector>,
 }
 
 impl Body {
-    /// An ellipsoid with these half axes, the columns, three ellipses on it, and a ring about the end of the third.
-    pub fn ellipsoid(middle: Vector, half: Matrix3<f64>) -> Self {
+    fn of(solid: &Solid) -> Self {
+        match solid {
+            Solid::Ellipsoid(half) => Self::ellipsoid(*half),
+            Solid::Turned(profile) => Self::turned(profile),
+            Solid::Cuboid(edges) => Self::cuboid(edges),
+            Solid::Bar(to) => Self {
+                bar: Some(*to),
+                ..Self::default()
+            },
+        }
+    }
+
+    /// Three ellipses on it, and a ring about the end of the third.
+    fn ellipsoid(half: Matrix3<f64>) -> Self {
         let [a, b, c] = [0, 1, 2].map(|k| half.column(k).into_owned());
         let across = [b.cross(&c), c.cross(&a), a.cross(&b)];
         let ring = |[i, j]: [usize; 2], share: f64| {
@@ -42,20 +55,20 @@ impl Body {
                 let [x, y] = [share * c, share * s];
                 let normal = across[i] * x + across[j] * y + across[k] * off;
                 let place = half.column(i) * x + half.column(j) * y + half.column(k) * off;
-                [middle + place, normal, normal]
+                [place, normal, normal]
             })
         };
         // A small ring tells one end of the third axis from the other.
         let rings = [([0, 1], 1.0), ([1, 2], 1.0), ([2, 0], 1.0), ([0, 1], 0.3)];
         Self {
-            rounds: vec![(middle, half)],
+            rounds: vec![(Vector::zeros(), half)],
             edges: rings.map(|(plane, share)| ring(plane, share)).into(),
-            ..Self::default()
+            bar: None,
         }
     }
 
-    /// What is turned about the third axis: its radius at heights (m), in ascending order. A line on the highest face shows how it turns.
-    pub fn turned(profile: &[[f64; 2]]) -> Self {
+    /// A line over the highest face and down the side shows how it turns.
+    fn turned(profile: &[[f64; 2]]) -> Self {
         let disc = |&[z, radius]: &[f64; 2]| {
             let half = Matrix3::from_diagonal(&Vector::new(radius, radius, 0.0));
             (Vector::new(0.0, 0.0, z), half)
@@ -72,15 +85,22 @@ impl Body {
         };
         let place = |share: f64| Vector::new(share * high[1], 0.0, high[0]);
         let mark = [place(0.0), place(1.0)].map(|place| [place, Vector::z(), Vector::z()]);
+        let side = profile
+            .iter()
+            .map(|&[z, radius]| [Vector::new(radius, 0.0, z), Vector::x(), Vector::x()]);
         Self {
             rounds: profile.iter().map(disc).collect(),
-            edges: vec![rim(low, -Vector::z()), rim(high, Vector::z()), mark.into()],
-            ..Self::default()
+            edges: vec![
+                rim(low, -Vector::z()),
+                rim(high, Vector::z()),
+                mark.into(),
+                side.collect(),
+            ],
+            bar: None,
         }
     }
 
-    /// A box with these edges, m.
-    pub fn cuboid(edges: Vector) -> Self {
+    fn cuboid(edges: &Vector) -> Self {
         let signs = [-1.0, 1.0];
         let corner = |s: [f64; 3]| edges.component_mul(&Vector::from(s)) * 0.5;
         let corners = signs.map(|x| signs.map(|y| signs.map(|z| corner([x, y, z]))));
@@ -98,47 +118,24 @@ impl Body {
                 lines.push(signs.map(end).into());
             }
         }
-        let point = |place: &Vector| (*place, Matrix3::zeros());
+        let corners = corners.as_flattened().as_flattened().iter();
         Self {
-            rounds: corners
-                .as_flattened()
-                .as_flattened()
-                .iter()
-                .map(point)
-                .collect(),
+            rounds: corners.map(|place| (*place, Matrix3::zeros())).collect(),
             edges: lines,
-            ..Self::default()
+            bar: None,
         }
     }
 
-    /// The same with a bar between two points, thin enough to be seen always.
-    #[must_use]
-    pub fn bar(mut self, from: Vector, to: Vector) -> Self {
-        self.bars.push([from, to]);
-        self
-    }
-
-    /// The same body in another place of its axes.
-    #[must_use]
-    pub fn moved(mut self, by: Vector) -> Self {
-        let edges = self.edges.iter_mut().flatten().map(|[place, ..]| place);
-        let rounds = self.rounds.iter_mut().map(|(middle, _)| middle);
-        let bars = self.bars.as_flattened_mut().iter_mut();
-        edges
-            .chain(rounds)
-            .chain(bars)
-            .for_each(|place| *place += by);
-        self
-    }
-
-    /// How far it reaches from its point, m.
-    pub fn reach(&self) -> f64 {
-        let rounds = self
-            .rounds
-            .iter()
-            .map(|(middle, half)| middle.norm() + half.norm());
-        let bars = self.bars.as_flattened().iter().map(Vector::norm);
-        rounds.chain(bars).fold(0.0, f64::max)
+    /// How far it reaches from its origin, m.
+    fn reach(&self) -> f64 {
+        // Flat discs lie across the way to their middle.
+        let rounds = self.rounds.iter().map(|(middle, half)| {
+            let radii = half.column_iter().map(|axis| axis.norm());
+            middle.norm().hypot(radii.fold(0.0, f64::max))
+        });
+        rounds
+            .chain(self.bar.map(|to| to.norm()))
+            .fold(0.0, f64::max)
     }
 
     /// The point of the hull that is farthest in this direction.
@@ -157,25 +154,24 @@ impl Body {
         points.max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction)))
     }
 
-    fn draw(&self, pen: &mut Pen, view: &View, shot: &Shot) {
-        let space = |place: &Vector| shot.place + shot.attitude * place;
-        for bar in &self.bars {
-            pen.line(
-                &view.trace(&bar.map(|end| space(&end))),
-                stroke(Role::Ink, DATA),
-            );
+    fn draw(&self, pen: &mut Pen, view: &View, stands: &Isometry3<f64>) {
+        let space = |place: &Vector| stands.translation.vector + stands.rotation * place;
+        if let Some(to) = self.bar {
+            let ends = [Vector::zeros(), to].map(|end| space(&end));
+            return pen.line(&view.trace(&ends), stroke(Role::Ink, DATA));
         }
+        let inward = stands.rotation.inverse();
         let outline: Vec<Point> = (0..CORNERS)
             .filter_map(|k| {
                 let (s, c) = (TAU * f64::from(k) / f64::from(CORNERS)).sin_cos();
                 let direction = view.right * c + view.up * s;
-                let point = self.farthest(&(shot.attitude.inverse() * direction))?;
+                let point = self.farthest(&(inward * direction))?;
                 Some(view.project(&space(&point)))
             })
             .collect();
         let outline = hull(&outline);
         pen.sheet(&outline, stroke(Role::Ink, SECONDARY));
-        let toward = shot.attitude.inverse() * view.toward;
+        let toward = inward * view.toward;
         for edge in &self.edges {
             let seen = |[_, a, b]: &[Vector; 3]| a.dot(&toward).max(b.dot(&toward)) > 0.0;
             for piece in edge.split(|point| !seen(point)) {
@@ -184,6 +180,14 @@ impl Body {
             }
         }
     }
+}
+
+/// How far it is drawn from the point that is followed, m.
+fn reach(sight: &Sight) -> f64 {
+    let solids = sight.solids.iter().map(|(solid, stands)| {
+        (stands.translation.vector - sight.place).norm() + Body::of(solid).reach()
+    });
+    solids.fold(0.0, f64::max)
 }
 
 /// Corners of an outline, and of an ellipse on the surface.
@@ -195,51 +199,15 @@ fn round_about<T>(at: impl Fn(f64) -> T) -> Vec<T> {
     angles.map(at).collect()
 }
 
-/// A body at a time.
-#[derive(Debug, Clone, Copy)]
-pub struct Shot {
-    /// s.
-    pub time: f64,
-    /// Of the point from which the body is drawn, m.
-    pub place: Vector,
-    /// From the body's axes to those of space.
-    pub attitude: UnitQuaternion<f64>,
-    /// Angular velocity along the axes of space, rad/s.
-    pub omega: Vector,
-    /// Angular momentum along the axes of space, kg m²/s, if it is told.
-    pub angular_momentum: Option<Vector>,
-}
-
-/// What stands still in space beside the body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Surroundings {
-    /// Points of space.
-    Space,
-    /// The point about which the body turns.
-    Pivot,
-    /// A floor at height 0.
-    Floor,
-    /// A floor at height 0, and a ceiling at this one, m.
-    Under(f64),
-    /// A string from the origin to the body.
-    String,
-}
-
 /// A motion that can be seen.
 #[derive(Debug)]
 pub struct Film<'a> {
     /// What the motion is called.
     pub title: &'a str,
-    /// What moves.
-    pub body: Body,
-    /// What it is drawn as: `a ball`.
-    pub drawn_as: &'a str,
-    /// What does not.
-    pub surroundings: Surroundings,
     /// Seconds of the motion in a second of the film.
     pub speed: f64,
-    /// The body at times that follow each other evenly, one at least.
-    pub shots: Vec<Shot>,
+    /// What is seen at times (s) that follow each other evenly, one at least.
+    pub shots: Vec<(f64, Sight)>,
 }
 
 const HEIGHT: f64 = 420.0;
@@ -260,11 +228,12 @@ struct Scenery {
 
 impl Film<'_> {
     fn scenery(&self) -> Scenery {
-        let reach = self.body.reach().max(f64::MIN_POSITIVE);
-        let mut seen: Vec<Vector> = self.shots.iter().map(|shot| shot.place).collect();
-        match self.surroundings {
-            Surroundings::String => seen.push(Vector::zeros()),
-            Surroundings::Under(ceiling) => {
+        let reach = self.reach();
+        let around = self.shots[0].1.around;
+        let mut seen: Vec<Vector> = self.shots.iter().map(|(_, sight)| sight.place).collect();
+        match around {
+            Around::String => seen.push(Vector::zeros()),
+            Around::Under(ceiling) => {
                 seen.extend([0.0, ceiling].map(|z| Vector::new(seen[0].x, seen[0].y, z)));
             }
             _ => (),
@@ -274,10 +243,7 @@ impl Film<'_> {
             along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
         };
         let way = [Vector::x(), Vector::y(), Vector::z()].map(far);
-        let bounded = matches!(
-            self.surroundings,
-            Surroundings::Under(_) | Surroundings::String
-        );
+        let bounded = matches!(around, Around::Under(_) | Around::String);
         let followed = !bounded && way.into_iter().fold(0.0, f64::max) > FOLLOWED * reach;
         let view = match followed {
             true => View::new(DIRECTION[0], DIRECTION[1], MIDDLE, 72.0 / reach),
@@ -293,35 +259,44 @@ impl Film<'_> {
                     DIRECTION,
                     &corners,
                     [60.0, 56.0, 540.0, 356.0],
-                    118.0 / reach,
+                    92.0 / reach,
                 )
             }
         };
-        let longest = |of: fn(&Shot) -> f64| self.shots.iter().map(of).fold(0.0, f64::max);
+        let longest = |of: fn(&Sight) -> f64| {
+            let lengths = self.shots.iter().map(|(_, sight)| of(sight));
+            lengths.fold(0.0, f64::max)
+        };
         Scenery {
             view,
             followed,
             longest: [
-                longest(|shot| shot.omega.norm()),
-                longest(|shot| shot.angular_momentum.map_or(0.0, |l| l.norm())),
+                longest(|sight| sight.omega.norm()),
+                longest(|sight| sight.angular_momentum.map_or(0.0, |l| l.norm())),
             ],
         }
     }
 
+    /// How far the body reaches from the point that is followed, m.
+    fn reach(&self) -> f64 {
+        let reaches = self.shots.iter().map(|(_, sight)| reach(sight));
+        reaches.fold(f64::MIN_POSITIVE, f64::max)
+    }
+
     /// What stands still in space.
-    fn draw_around(&self, pen: &mut Pen, scenery: &Scenery, shot: &Shot) {
+    fn draw_around(&self, pen: &mut Pen, scenery: &Scenery, sight: &Sight) {
         let Scenery { view, followed, .. } = scenery;
-        let floor = match self.surroundings {
-            Surroundings::Space => false,
-            Surroundings::Floor => true,
-            Surroundings::Pivot => {
-                return pen.disc(view.project(&shot.place), 3.2, Role::Ink, 1.0);
+        let floor = match sight.around {
+            Around::Space => false,
+            Around::Floor => true,
+            Around::Pivot => {
+                return pen.disc(view.project(&sight.place), 3.2, Role::Ink, 1.0);
             }
-            Surroundings::String => {
-                let ends = [Vector::zeros(), shot.place];
+            Around::String => {
+                let ends = [Vector::zeros(), sight.place];
                 return pen.line(&view.trace(&ends), stroke(Role::Ink, AXIS));
             }
-            Surroundings::Under(ceiling) => {
+            Around::Under(ceiling) => {
                 for height in [0.0, ceiling] {
                     let [_, y] = view.project(&Vector::z().scale(height));
                     pen.line(&[[24.0, y], [576.0, y]], stroke(Role::Muted, SECONDARY));
@@ -332,9 +307,9 @@ impl Film<'_> {
         // Points of space at round distances: on the floor, or in the plane of the motion.
         let step = self.step();
         let near = if *followed {
-            shot.place
+            sight.place
         } else {
-            self.shots[0].place
+            self.shots[0].1.place
         };
         let round = |along: f64| (along / step).round() * step;
         for (i, j) in (-4..=4).flat_map(|i| (-3..=3).map(move |j| (i, j))) {
@@ -353,28 +328,28 @@ impl Film<'_> {
 
     /// The round distance between the points of space, m.
     fn step(&self) -> f64 {
-        let ticks = Axis::linear([0.0, 16.0 * self.body.reach()], [0.0, 16.0]).ticks(1.6);
+        let ticks = Axis::linear([0.0, 16.0 * self.reach()], [0.0, 16.0]).ticks(1.6);
         ticks.get(1).map_or(1.0, |tick| tick.0)
     }
 
-    fn draw(&self, pen: &mut Pen, scenery: &Scenery, shot: &Shot) {
+    fn draw(&self, pen: &mut Pen, scenery: &Scenery, (time, sight): &(f64, Sight)) {
         let view = match scenery.followed {
-            true => scenery.view.centered_on(&shot.place, MIDDLE),
+            true => scenery.view.centered_on(&sight.place, MIDDLE),
             false => scenery.view,
         };
         let scenery = Scenery { view, ..*scenery };
-        self.draw_around(pen, &scenery, shot);
+        self.draw_around(pen, &scenery, sight);
         let vectors = [
-            (Some(shot.omega), Role::Omega, "Ω"),
-            (shot.angular_momentum, Role::AngularMomentum, "L"),
+            (Some(sight.omega), Role::Omega, "Ω"),
+            (sight.angular_momentum, Role::AngularMomentum, "L"),
         ];
         let arrow = |pen: &mut Pen, behind: bool| {
             for ((vector, role, name), longest) in vectors.into_iter().zip(scenery.longest) {
                 let Some(vector) = vector.filter(|v| (v.dot(&view.toward) < 0.0) == behind) else {
                     continue;
                 };
-                let from = view.project(&shot.place);
-                let far = view.project(&(shot.place + vector * (1.0 / view.scale())));
+                let from = view.project(&sight.place);
+                let far = view.project(&(sight.place + vector * (1.0 / view.scale())));
                 let share = ARROW / longest;
                 let way = [0, 1].map(|k| (far[k] - from[k]) * share);
                 let length = way[0].hypot(way[1]);
@@ -391,9 +366,14 @@ impl Film<'_> {
             }
         };
         arrow(pen, true);
-        self.body.draw(pen, &view, shot);
+        let depth = |stands: &Isometry3<f64>| stands.translation.vector.dot(&view.toward);
+        let mut solids: Vec<_> = sight.solids.iter().collect();
+        solids.sort_by(|(_, a), (_, b)| depth(a).total_cmp(&depth(b)));
+        for (solid, stands) in solids {
+            Body::of(solid).draw(pen, &view, stands);
+        }
         arrow(pen, false);
-        let time = format!("{} s", number(shot.time, self.decimals()));
+        let time = format!("{} s", number(*time, self.decimals()));
         pen.text(
             [24.0, HEIGHT - 14.0],
             Anchor::Start,
@@ -405,25 +385,25 @@ impl Film<'_> {
     /// Decimals that tell two pictures apart.
     fn decimals(&self) -> usize {
         let times = self.shots.first().zip(self.shots.get(1));
-        let step = times.map_or(1.0, |(a, b)| (b.time - a.time).abs());
+        let step = times.map_or(1.0, |(a, b)| (b.0 - a.0).abs());
         (-step.log10().floor()).clamp(0.0, 9.0) as usize
     }
 
     fn words(&self) -> Words {
-        let (first, last) = (self.shots[0].time, self.shots[self.shots.len() - 1].time);
+        let (first, last) = (self.shots[0].0, self.shots[self.shots.len() - 1].0);
         let span = format!("{} s to {} s", brief(first), brief(last));
         Words {
             claim: format!("{} from {span}.", self.title),
             details: String::new(),
             alt: format!(
                 "The motion {}, drawn as {}, from {span}.",
-                self.title, self.drawn_as
+                self.title, self.shots[0].1.drawn_as
             ),
         }
     }
 
     fn draw_words(&self, pen: &mut Pen, pace: &str) {
-        let told = format!("{}{pace}", self.drawn_as);
+        let told = format!("{}{pace}", self.shots[0].1.drawn_as);
         pen.text(
             [576.0, HEIGHT - 14.0],
             Anchor::End,

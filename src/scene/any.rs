@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::columns::{Column, Columns};
+use super::sight::{Look, Sight, Told};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::conservation::Ledger;
 use crate::error::Result;
@@ -30,6 +31,7 @@ pub struct AnyScene {
     columns: Vec<Column>,
     told: Vec<usize>,
     simulation: Box<Simulation>,
+    look: Option<Look>,
 }
 
 impl core::fmt::Debug for AnyScene {
@@ -72,7 +74,23 @@ impl AnyScene {
                 let motion = scene.simulate(request)?;
                 Ok(Table::of(motion, Arc::clone(&tellers), told))
             }),
+            look: None,
         }
+    }
+
+    /// The same with what it looks like.
+    #[must_use]
+    pub fn looking(self, look: Look) -> Self {
+        Self {
+            look: Some(look),
+            ..self
+        }
+    }
+
+    /// What it looks like at a row of a table, by the numbers that the table tells; nothing for a scene that knows no [`Look`]: one from a file does.
+    pub fn sight(&self, columns: &[Column], row: &[f64]) -> Option<Sight> {
+        let look = self.look.as_ref()?;
+        Some(look(&Told { columns, row }))
     }
 
     /// What it can tell: the usual numbers first.

@@ -58,6 +58,8 @@ pub struct Flying {
     pub center: SpaceVector,
     /// Kinetic energy of planet and meteorite, J.
     pub energy: f64,
+    /// Angular momentum of what turns as one body about its own centre of mass, kg m²/s: of the planet, after the blow of both.
+    pub angular_momentum: SpaceVector,
 }
 
 impl Tabulated for Flying {
@@ -151,6 +153,7 @@ impl Free {
             omega: BodyVector::from_components(self.turn * state.omega.components()),
             center: common - attitude.to_space(self.common),
             energy,
+            angular_momentum: spin,
         };
         let kept = Kept {
             momentum,
@@ -252,6 +255,7 @@ impl Scene for StruckPlanet {
                 [["omega", "rad/s", "size of the angular velocity"]],
                 |state| [state.omega.norm()],
             )
+            .angular_momentum(|state| state.attitude, |state| state.angular_momentum)
     }
 }
 

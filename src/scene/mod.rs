@@ -31,6 +31,7 @@ mod motion;
 mod plan;
 pub mod roller;
 pub mod shape;
+pub mod sight;
 pub mod spool;
 pub mod strip;
 pub mod superball;

@@ -210,6 +210,7 @@ pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Colu
                 "kg m²/s",
                 "angular momentum about the line of contact",
             ],
+            ["l", "kg m²/s", "angular momentum about the centre"],
         ],
         move |state| {
             let moment = of(state);
@@ -224,6 +225,7 @@ pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Colu
                 rotation,
                 mass * moment.work,
                 about,
+                mass * kappa * radius * moment.rim_speed,
             ]
         },
     )

@@ -577,6 +577,7 @@ impl Scene for Play {
                     "1",
                     "0 down, 1 turning, 2 up, 3 asleep, 4 hanging, 5 caught",
                 ],
+                ["l", "kg m²/s", "angular momentum about the axle"],
             ],
             move |state: &YoYoState| {
                 let rotation = 0.5 * inertia * state.omega.powi(2);
@@ -584,6 +585,7 @@ impl Scene for Play {
                     -weight * state.depth,
                     rotation,
                     f64::from(state.phase as u8),
+                    inertia * state.omega,
                 ]
             },
         )

@@ -146,6 +146,19 @@ fn angular_momentum_stays_and_leans() {
     }
 }
 
+/// What turns in a plane has L = 2 · rotation/Ω about its centre.
+#[test]
+fn angular_momentum_in_a_plane_is_that_of_the_rotation() {
+    let times: Vec<f64> = (1..20).map(|n| 0.05 * f64::from(n)).collect();
+    for file in ["billiard-shot", "spool", "yo-yo"] {
+        for [l, rotation, omega] in rows(file, ["l", "rotation", "omega"], &times) {
+            let twice = 2.0 * rotation;
+            assert!(twice > 0.0, "{file}");
+            assert!((l * omega - twice).abs() <= 1e-15 * twice, "{file}");
+        }
+    }
+}
+
 #[test]
 fn every_column_has_a_name_of_its_own_a_unit_and_a_meaning() {
     for priced in PRICED {

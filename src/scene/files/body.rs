@@ -2,12 +2,13 @@
 
 use core::f64::consts::{PI, TAU};
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 use toml::Spanned;
 use toml::de::DeValue;
 
 use super::keys::Bound::{From, NotNegative, Positive};
 use super::keys::{Key, KeyRow};
+use super::look::Outline;
 use super::reader::{Place, Reader, Section, Table, Value};
 use super::values::{Word, section};
 use crate::error::Result;
@@ -15,6 +16,7 @@ use crate::frame::BodyVector;
 use crate::inertia::mesh::{mesh_of_obj, mesh_of_stl};
 use crate::inertia::{InertiaMatrix, MassProperties, mesh_mass_properties, shapes};
 use crate::rolling::factor;
+use crate::scene::sight::Solid;
 use crate::tippe_top::Surface;
 
 section! {
@@ -67,6 +69,21 @@ impl Matter {
         }
     }
 
+    /// What is drawn of the body, along its axes from their origin.
+    pub fn outline(&self, body: &MassProperties) -> Outline {
+        match &self.shape {
+            Some(shape) if !shape.solids.is_empty() => Outline {
+                drawn_as: "its shape",
+                solids: shape.solids.clone(),
+            },
+            _ => {
+                let about_origin = body.about(BodyVector::zero()).unwrap_or(body.inertia());
+                let center = body.center().components();
+                Outline::of_inertia(about_origin.second_moments(), body.mass(), center)
+            }
+        }
+    }
+
     fn shaped(&self, file: &Reader<'_>, shape: &Shape) -> Option<MassProperties> {
         let mass = match (self.mass, self.density, shape.measure) {
             (Some(mass), None, _) => mass,
@@ -114,6 +131,8 @@ pub(super) struct Shape {
     measure: Option<f64>,
     /// The surface it can stand on, about its origin.
     pub surface: Option<Result<Surface>>,
+    /// What is drawn of it, each from its place; nothing of a mesh.
+    solids: Vec<(Solid, Vector3<f64>)>,
 }
 
 impl Shape {
@@ -122,7 +141,18 @@ impl Shape {
             made: Box::new(made),
             measure: Some(measure),
             surface: None,
+            solids: Vec::new(),
         }
+    }
+
+    /// The same with one more solid from this place.
+    fn drawn(mut self, solid: Solid, place: Vector3<f64>) -> Self {
+        self.solids.push((solid, place));
+        self
+    }
+
+    fn centered(self, solid: Solid) -> Self {
+        self.drawn(solid, Vector3::zeros())
     }
 
     fn on(self, surface: Result<Surface>) -> Self {
@@ -157,16 +187,16 @@ macro_rules! shapes {
 }
 
 shapes! {
-    "ball", Radius, |_, Radius { radius: r }| Some(Shape::new(4.0 / 3.0 * PI * r * r * r, move |m| shapes::ball(m, r)).on(Surface::sphere(r)));
-    "shell", Radius, |_, Radius { radius: r }| Some(Shape::new(4.0 * PI * r * r, move |m| shapes::spherical_shell(m, r)).on(Surface::sphere(r)));
-    "hoop", Radius, |_, Radius { radius: r }| Some(Shape::new(TAU * r, move |m| shapes::hoop(m, r)));
-    "disc", Radius, |_, Radius { radius: r }| Some(Shape::new(PI * r * r, move |m| shapes::disc(m, r)));
-    "cylinder", Cylinder, |_, Cylinder { radius: r, height: h }| Some(Shape::new(PI * r * r * h, move |m| shapes::cylinder(m, r, h)));
+    "ball", Radius, |_, Radius { radius: r }| Some(round(r, 4.0 / 3.0 * PI * r * r * r, move |m| shapes::ball(m, r)));
+    "shell", Radius, |_, Radius { radius: r }| Some(round(r, 4.0 * PI * r * r, move |m| shapes::spherical_shell(m, r)));
+    "hoop", Radius, |_, Radius { radius: r }| Some(Shape::new(TAU * r, move |m| shapes::hoop(m, r)).centered(Solid::wheel(r, 0.0)));
+    "disc", Radius, |_, Radius { radius: r }| Some(Shape::new(PI * r * r, move |m| shapes::disc(m, r)).centered(Solid::wheel(r, 0.0)));
+    "cylinder", Cylinder, |_, Cylinder { radius: r, height: h }| Some(Shape::new(PI * r * r * h, move |m| shapes::cylinder(m, r, h)).centered(Solid::wheel(r, h)));
     "cone", Cone, |_, Cone { radius: r, height: h }| Some(cone(r, h));
-    "cuboid", Cuboid, |_, Cuboid { edges }| Some(Shape::new(edges.iter().product(), move |m| shapes::cuboid(m, edges)));
+    "cuboid", Cuboid, |_, Cuboid { edges }| Some(Shape::new(edges.iter().product(), move |m| shapes::cuboid(m, edges)).centered(Solid::Cuboid(edges.into())));
     "ellipsoid", Ellipsoid, |_, Ellipsoid { semi_axes }| Some(ellipsoid(semi_axes));
     "egg", Egg, |_, Egg { long, short }| Some(ellipsoid([short, short, long]));
-    "racket", Racket, |_, Racket { head, handle }| Some(Shape::new(TAU * head + handle, move |m| shapes::racket(m, head, handle)));
+    "racket", Racket, |_, Racket { head, handle }| Some(racket(head, handle));
     "ball-without-cap", WithoutCap, without_cap;
     "ball-with-weight", WithWeight, with_weight;
     "beads", Beads, beads;
@@ -216,9 +246,26 @@ section! {
 fn cone(radius: f64, height: f64) -> Shape {
     let volume = PI / 3.0 * radius * radius * height;
     let center = BodyVector::new(0.0, 0.0, 0.75 * height);
-    Shape::new(volume, move |mass| {
-        shapes::cone(mass, radius, height)?.moved(center)
-    })
+    let made = move |mass| shapes::cone(mass, radius, height)?.moved(center);
+    let tip_and_base = vec![[0.0, 0.0], [height, radius]];
+    Shape::new(volume, made).centered(Solid::Turned(tip_and_base))
+}
+
+fn round(
+    radius: f64,
+    measure: f64,
+    made: impl Fn(f64) -> Result<MassProperties> + 'static,
+) -> Shape {
+    let shape = Shape::new(measure, made).on(Surface::sphere(radius));
+    shape.centered(Solid::ball(radius))
+}
+
+fn racket(head: f64, handle: f64) -> Shape {
+    let made = move |mass| shapes::racket(mass, head, handle);
+    let [rim, shaft] = [head, handle].map(|length| Vector3::x() * -length);
+    Shape::new(TAU * head + handle, made)
+        .centered(Solid::wheel(head, 0.0))
+        .drawn(Solid::Bar(shaft), rim)
 }
 
 section! {
@@ -242,7 +289,9 @@ section! {
 fn ellipsoid(semi_axes: [f64; 3]) -> Shape {
     let volume = 4.0 / 3.0 * PI * semi_axes.iter().product::<f64>();
     let made = move |mass| shapes::ellipsoid(mass, semi_axes);
-    Shape::new(volume, made).on(Surface::ellipsoid(semi_axes))
+    let half = Matrix3::from_diagonal(&semi_axes.into());
+    let shape = Shape::new(volume, made).on(Surface::ellipsoid(semi_axes));
+    shape.centered(Solid::Ellipsoid(half))
 }
 
 section! {
@@ -263,8 +312,13 @@ fn without_cap(file: &Reader<'_>, WithoutCap { radius, cut }: WithoutCap) -> Opt
     file.right("body.cut", shapes::ball_without_cap(1.0, radius, cut))?;
     let height = radius + cut;
     let volume = PI * height * height * (radius - height / 3.0);
+    let level = |k: u32| {
+        let z = -radius + height * 0.5 * (1.0 - (PI * f64::from(k) / 16.0).cos());
+        [z, (radius * radius - z * z).max(0.0).sqrt()]
+    };
     let made = move |mass| shapes::ball_without_cap(mass, radius, cut);
-    Some(Shape::new(volume, made).on(Surface::sphere(radius)))
+    let shape = Shape::new(volume, made).on(Surface::sphere(radius));
+    Some(shape.centered(Solid::Turned((0..=16).map(level).collect())))
 }
 
 section! {
@@ -296,7 +350,8 @@ fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
     };
     // The density is that of the ball.
     let whole = 4.0 / 3.0 * PI * radius * radius * radius / (1.0 - weight);
-    Some(Shape::new(whole, made).on(Surface::sphere(radius)))
+    let to_weight = Solid::Bar(weight_at.components());
+    Some(round(radius, whole, made).centered(to_weight))
 }
 
 section! {
@@ -314,6 +369,9 @@ fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
         return file.wrong("body.places, body.parts", told);
     }
     let all: f64 = parts.iter().sum();
+    let at: Vec<Vector3<f64>> = places.iter().map(|&place| place.into()).collect();
+    let weighed = at.iter().zip(&parts).map(|(at, part)| at * (part / all));
+    let center: Vector3<f64> = weighed.sum();
     let made = move |mass: f64| {
         let beads = places.iter().zip(&parts);
         let bead = |(&[x, y, z], part): (&[f64; 3], &f64)| {
@@ -321,10 +379,12 @@ fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
         };
         MassProperties::compose(&beads.map(bead).collect::<Result<Vec<_>>>()?)
     };
-    Some(Shape {
+    let beads = Shape {
         measure: None,
         ..Shape::new(0.0, made)
-    })
+    };
+    let bar = |shape: Shape, bead: Vector3<f64>| shape.drawn(Solid::Bar(bead - center), center);
+    Some(at.into_iter().fold(beads, bar))
 }
 
 section! {
@@ -375,19 +435,29 @@ impl<T: Section> Value for Shapeless<T> {
     }
 }
 
-/// What rolls: the shapes of which only I/MR² matters.
+/// What rolls: I/MR², and how wide it is drawn, in radii, unless it is a ball.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Round(f64);
+pub(super) struct Round(f64, Option<f64>);
 
 impl Word for Round {
     fn words() -> Vec<(&'static str, Self)> {
         vec![
-            ("ball", Self(factor::BALL)),
-            ("shell", Self(factor::SHELL)),
-            ("cylinder", Self(factor::DISC)),
-            ("disc", Self(factor::DISC)),
-            ("hoop", Self(factor::HOOP)),
+            ("ball", Self(factor::BALL, None)),
+            ("shell", Self(factor::SHELL, None)),
+            ("cylinder", Self(factor::DISC, Some(2.0))),
+            ("disc", Self(factor::DISC, Some(0.3))),
+            ("hoop", Self(factor::HOOP, Some(0.3))),
         ]
+    }
+}
+
+impl Round {
+    /// What is drawn of it.
+    pub fn outline(shape: Option<Self>, radius: f64) -> Outline {
+        match shape.and_then(|Self(_, width)| width) {
+            None => Outline::new("a ball", Solid::ball(radius)),
+            Some(width) => Outline::new("a wheel", Solid::wheel(radius, width * radius)),
+        }
     }
 }
 
@@ -403,6 +473,6 @@ pub(super) fn inertia_factor(
             file.wrong("body.inertia_factor", told)
         }
         (Some(factor), None) => Some(factor),
-        (None, shape) => Some(shape.map_or(factor::BALL, |Round(factor)| factor)),
+        (None, shape) => Some(shape.map_or(factor::BALL, |Round(factor, _)| factor)),
     }
 }

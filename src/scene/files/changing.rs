@@ -3,18 +3,22 @@
 
 use core::f64::consts::PI;
 
+use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
+
 use super::keys::Bound::{From, NotNegative, Positive};
+use super::look::{Outline, about, free, still};
 use super::reader::Reader;
 use super::values::{Flat, keys, section};
 use super::{listed, with};
 use crate::frame::Attitude;
 use crate::phenomena;
-use crate::phenomena::cat::Half;
+use crate::phenomena::cat::{Bend, Half};
 use crate::phenomena::crawler::Strokes;
 use crate::scene::effects::{
     Air, BearingFriction, Coulomb, Draw, FourPhases, Gravity, Pace, Turnover,
 };
 use crate::scene::shape::{Cat, Crawler, PaperCat, Skater, Swivel};
+use crate::scene::sight::{Around, Look, Sight, Solid};
 
 section! {
     /// `[body]` of a swivel.
@@ -50,16 +54,39 @@ pub fn swivel(
     body: SwivelBody,
     initial: SwivelInitial,
     effects: SwivelEffects,
-) -> Option<Swivel> {
+) -> Option<(Swivel, Look)> {
     let scene = file.right("body.lower", Swivel::new(body.lower, body.upper))?;
     let l = initial.angular_momentum;
     let scene = file.right("initial.angular_momentum", scene.with_angular_momentum(l))?;
-    with(
+    let scene = with(
         file,
         scene,
         listed![effects.four_phases, effects.bearing_friction],
         Swivel::with,
-    )
+    )?;
+    // A disc of 1 kg with a moment.
+    let radius = |moment: f64| (2.0 * moment).sqrt();
+    let lower = radius(body.lower);
+    let look: Look = Box::new(move |told| {
+        let [lower_turn, upper_turn, moment, rate, l] =
+            told.vector(["lower", "upper", "upper_moment", "rate", "angular_momentum"]);
+        let [below, above] = [0.2, 0.6].map(|part| Vector3::z() * (part * lower));
+        let disc = |radius: f64, place: Vector3<f64>, turn: f64| {
+            let solid = Solid::wheel(radius, 0.3 * lower);
+            (solid, Isometry3::new(place, Vector3::z() * turn))
+        };
+        let discs = vec![
+            disc(lower, below, lower_turn),
+            disc(radius(moment), above, upper_turn),
+        ];
+        let drawn_as = "two discs of 1 kg with its moments, Ω that of the lower";
+        Sight {
+            omega: Vector3::z() * rate,
+            angular_momentum: Some(Vector3::z() * l),
+            ..still(drawn_as, Around::Floor, above, discs)
+        }
+    });
+    Some((scene, look))
 }
 
 section! {
@@ -96,17 +123,45 @@ pub fn skater(
     body: SkaterBody,
     initial: SkaterInitial,
     effects: SkaterEffects,
-) -> Option<Skater> {
+) -> Option<(Skater, Look)> {
     let person = phenomena::skater::Skater::new(body.core, body.hand);
     let person = file.right("body.hand", person)?;
     let scene = Skater::new(person, initial.reach, initial.spin);
     let scene = file.right("initial.reach", scene)?;
-    with(
+    let scene = with(
         file,
         scene,
         listed![effects.draw, effects.bearing_friction],
         Skater::with,
-    )
+    )?;
+    // Where both hands would have the moment of the core.
+    let girth = (0.5 * body.core / body.hand.max(0.02 * body.core)).sqrt();
+    let look: Look = Box::new(move |told| {
+        let [angle, spin, reach, l] = told.vector(["angle", "spin", "reach", "l"]);
+        let shoulders = Vector3::z() * (0.6 * girth);
+        let turned = about(Vector3::z(), angle);
+        let hand = |side: f64| {
+            Isometry3::from_parts(
+                (shoulders + turned * Vector3::x() * (side * reach)).into(),
+                turned,
+            )
+        };
+        let core = Isometry3::new(Vector3::z() * (0.2 * girth), Vector3::z() * angle);
+        let arms = Solid::Bar(Vector3::x() * (-2.0 * reach));
+        let solids = vec![
+            (Solid::wheel(girth, 0.4 * girth), core),
+            (arms, hand(1.0)),
+            (Solid::ball(0.12 * girth), hand(1.0)),
+            (Solid::ball(0.12 * girth), hand(-1.0)),
+        ];
+        let drawn_as = "the core as wide as hands of its moment would be apart";
+        Sight {
+            omega: Vector3::z() * spin,
+            angular_momentum: Some(Vector3::z() * l),
+            ..still(drawn_as, Around::Floor, shoulders, solids)
+        }
+    });
+    Some((scene, look))
 }
 
 section! {
@@ -144,7 +199,7 @@ pub fn cat(
     body: CatBody,
     initial: CatInitial,
     effects: CatEffects,
-) -> Option<Cat> {
+) -> Option<(Cat, Look)> {
     let halves = [0, 1].map(|k| Half {
         mass: body.mass[k],
         axial: body.axial[k],
@@ -154,12 +209,63 @@ pub fn cat(
     let animal = phenomena::cat::Cat::new(halves);
     let animal = file.right("body.axial, body.transverse", animal)?;
     let scene = Cat::new(animal, initial.attitude);
-    with(
+    let scene = with(
         file,
         scene,
         listed![effects.turnover, effects.gravity],
         Cat::with,
-    )
+    )?;
+    let outlines = halves.map(|half| {
+        let Half {
+            mass,
+            axial,
+            transverse,
+            ..
+        } = half;
+        let length = (6.0 * (2.0 * transverse - axial) / mass).sqrt();
+        Solid::wheel((2.0 * axial / mass).sqrt(), length)
+    });
+    // The axis of a cylinder is its third, the spine the first; their faces look out, the line on them is at the belly, which is +y.
+    let [first, second] = [-1.0, 1.0].map(|out| {
+        let axes = Matrix3::new(0.0, 0.0, out, 1.0, 0.0, 0.0, 0.0, out, 0.0);
+        UnitQuaternion::from_matrix(&axes)
+    });
+    let free = free(Outline::new("", Solid::ball(0.0)), Around::Space);
+    let look: Look = Box::new(move |told| {
+        let [angle, direction] = told.vector(["bend", "direction"]);
+        let bend = Bend {
+            angle,
+            direction,
+            ..Bend::default()
+        };
+        let sight = free(told);
+        let body = sight.solids[0].1;
+        let [joint, a, b] = animal.places(&bend).map(|place| place.components());
+        let relative = bend.relative().quaternion();
+        let half = |k: usize, place: Vector3<f64>, turn: UnitQuaternion<f64>| {
+            (
+                outlines[k].clone(),
+                body * Isometry3::from_parts(place.into(), turn),
+            )
+        };
+        let bar = |to: Vector3<f64>| {
+            (
+                Solid::Bar(to - joint),
+                body * Isometry3::translation(joint.x, joint.y, joint.z),
+            )
+        };
+        Sight {
+            drawn_as: "two cylinders with its masses and moments, Ω that of the front",
+            solids: vec![
+                bar(a),
+                bar(b),
+                half(0, a, first),
+                half(1, b, relative * second),
+            ],
+            ..sight
+        }
+    });
+    Some((scene, look))
 }
 
 /// What `[body]` does not say is as for a cat cut from a postcard.
@@ -194,14 +300,34 @@ pub fn paper_cat(
     sheet: phenomena::PaperCat,
     initial: PaperCatInitial,
     effects: PaperCatEffects,
-) -> Option<PaperCat> {
+) -> Option<(PaperCat, Look)> {
     let scene = file.right("body", PaperCat::new(sheet, initial.tilt))?;
-    with(
+    let scene = with(
         file,
         scene,
         listed![effects.air, effects.gravity],
         PaperCat::with,
-    )
+    )?;
+    let edge = sheet.area.sqrt();
+    let lever = Vector3::z() * sheet.lever;
+    let flat = Solid::Cuboid(Vector3::new(edge, edge, 0.01 * edge));
+    let outline = Outline::new("a square of its area", flat)
+        .moved(lever)
+        .and(Solid::Bar(lever));
+    let look: Look = Box::new(move |told| {
+        let [fall, tilt, rate] = told.vector(["fall", "tilt", "tilt_rate"]);
+        let moment = sheet.mass * sheet.gyration.powi(2);
+        Sight {
+            omega: Vector3::y() * rate,
+            angular_momentum: Some(Vector3::y() * (moment * rate)),
+            ..outline.sight(
+                Around::Space,
+                Vector3::z() * -fall,
+                about(Vector3::y(), tilt),
+            )
+        }
+    });
+    Some((scene, look))
 }
 
 section! {
@@ -242,16 +368,42 @@ pub fn crawler(
     body: CrawlerBody,
     _: CrawlerInitial,
     effects: CrawlerEffects,
-) -> Option<Crawler> {
+) -> Option<(Crawler, Look)> {
     let [rear, front] = body.masses;
     let animal = phenomena::crawler::Crawler::new(rear, front, body.strokes.0);
+    let largest = 0.25 * body.strokes.0.gap;
+    let radii = body
+        .masses
+        .map(|mass| largest * (mass / rear.max(front)).cbrt());
+    let look: Look = Box::new(move |told| {
+        let [rear, front, center] = told.vector(["rear", "front", "center"]);
+        let foot = |k: usize, x: f64| {
+            let place = Vector3::new(x, 0.0, radii[k]);
+            (
+                Solid::ball(radii[k]),
+                Isometry3::new(place, Vector3::zeros()),
+            )
+        };
+        let feet = [foot(0, rear), foot(1, front)];
+        let [from, to] = [&feet[0], &feet[1]].map(|(_, stands)| stands.translation.vector);
+        let muscle = (Solid::Bar(to - from), feet[0].1);
+        let solids = core::iter::once(muscle).chain(feet).collect();
+        let place = Vector3::new(center, 0.0, largest);
+        still(
+            "two feet, as large as balls of their masses",
+            Around::Floor,
+            place,
+            solids,
+        )
+    });
     let keys = "body.length, body.push, body.pull";
     let scene = Crawler::new(file.right(keys, animal)?);
     let Some(table) = effects.ground_friction else {
-        return Some(scene);
+        return Some((scene, look));
     };
     let friction = Coulomb::new(table.coefficient).and_then(|friction| scene.with(friction));
     let scene = file.right("effects.ground_friction.coefficient", friction)?;
     let weight = Gravity::new(table.gravity).and_then(|gravity| scene.with(gravity));
-    file.right("effects.ground_friction.gravity", weight)
+    let scene = file.right("effects.ground_friction.gravity", weight)?;
+    Some((scene, look))
 }

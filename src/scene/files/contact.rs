@@ -1,7 +1,10 @@
 //! `kind = "meteorite"`, `"roller"`, `"spool"`, `"superball"`: what strikes, skids, rolls and bounces (4.2 to 4.6).
 
+use nalgebra::Vector3;
+
 use super::body::{Matter, Round, inertia_factor};
 use super::keys::Bound::{From, NotNegative, Positive};
+use super::look::{Outline, free, rolling};
 use super::reader::Reader;
 use super::values::{Flat, section};
 use super::{listed, with};
@@ -13,6 +16,7 @@ use crate::rolling::spool::Spool;
 use crate::scene::effects::{Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug};
 use crate::scene::meteorite::StruckPlanet;
 use crate::scene::roller::Roller;
+use crate::scene::sight::{Around, Look, Sight, Solid};
 use crate::scene::spool::TuggedSpool;
 use crate::scene::superball::Superball;
 use crate::superball::Motion;
@@ -110,7 +114,8 @@ pub fn roller(
     body: RoundKeys,
     initial: RollerInitial,
     effects: RollerEffects,
-) -> Option<Roller> {
+) -> Option<(Roller, Look)> {
+    let look = on_the_table(Round::outline(body.shape, body.radius), body.radius);
     let body = body.made(file);
     let friction = effects.friction.0.listed(file);
     let sheet = sheet(file, &effects);
@@ -137,7 +142,14 @@ pub fn roller(
         }
     };
     let scene = with(file, scene?, friction?, Roller::with)?;
-    with(file, scene, listed![sheet?], Roller::with)
+    Some((with(file, scene, listed![sheet?], Roller::with)?, look))
+}
+
+fn on_the_table(body: Outline, radius: f64) -> Look {
+    rolling(body, Around::Floor, move |told| {
+        let [x, turned] = told.vector(["x", "turned"]);
+        ([x, radius], turned)
+    })
 }
 
 section! {
@@ -167,7 +179,7 @@ pub fn spool(
     body: SpoolBody,
     initial: SpoolInitial,
     effects: SpoolEffects,
-) -> Option<TuggedSpool> {
+) -> Option<(TuggedSpool, Look)> {
     let (radius, axle) = (body.round.0.radius, body.axle);
     let body = body.round.0.made(file);
     let friction = effects.friction.0.listed(file);
@@ -192,7 +204,9 @@ pub fn spool(
         None => scene,
     };
     let scene = with(file, scene, friction?, TuggedSpool::with)?;
-    Some(scene.moving(initial.velocity, initial.rim_speed))
+    let outline = Outline::new("a spool", Solid::wheel(radius, 1.2 * radius));
+    let scene = scene.moving(initial.velocity, initial.rim_speed);
+    Some((scene, on_the_table(outline, radius)))
 }
 
 section! {
@@ -226,7 +240,7 @@ pub fn superball(
     body: SuperballBody,
     initial: SuperballInitial,
     effects: SuperballEffects,
-) -> Option<Superball> {
+) -> Option<(Superball, Look)> {
     let start = InFlight {
         position: 0.0,
         height: initial.height,
@@ -262,12 +276,38 @@ pub fn superball(
         Some(grip) => file.right("effects.grip", Coulomb::new(grip)).map(Some),
         None => Some(None),
     };
-    with(
+    let g = effects.gravity.map_or(0.0, Gravity::value);
+    let ball = with(
         file,
         ball,
         listed![effects.gravity, restitution?, grip?],
         Superball::with,
-    )
+    )?;
+    // It has a speed of its rim but no radius: one that goes well with the room it has.
+    let climbed = if g > 0.0 {
+        0.5 * initial.climb.powi(2) / g
+    } else {
+        0.0
+    };
+    let room = effects.ceiling.unwrap_or(initial.height + climbed);
+    let radius = if room > 0.0 { 0.06 * room } else { 0.05 };
+    let around = effects.ceiling.map_or(Around::Floor, |ceiling| {
+        Around::Under(ceiling + 2.0 * radius)
+    });
+    let outline = Round::outline(body.shape, radius);
+    let flies = rolling(outline, around, move |told| {
+        let [x, height] = told.vector(["x", "height"]);
+        ([x, height + radius], 0.0)
+    });
+    let look: Look = Box::new(move |told| {
+        let [rim] = told.vector(["rim_speed"]);
+        Sight {
+            turned: false,
+            omega: Vector3::y() * (rim / radius),
+            ..flies(told)
+        }
+    });
+    Some((ball, look))
 }
 
 section! {
@@ -295,14 +335,16 @@ pub fn meteorite(
     body: MeteoriteBody,
     initial: MeteoriteInitial,
     effects: MeteoriteEffects,
-) -> Option<StruckPlanet> {
+) -> Option<(StruckPlanet, Look)> {
     let zero = BodyVector::zero;
     let velocity = initial.velocity.unwrap_or_else(zero);
     let omega = initial.omega.unwrap_or_else(zero);
     let solid = body.matter.0.about_center(file)?;
+    let outline = body.matter.0.outline(&solid);
+    let look = free(outline.moved(-solid.center().components()), Around::Space);
     let planet = Planet::new(solid.mass(), solid.inertia(), velocity, omega);
     let planet = StruckPlanet::new(file.right("body.moments", planet)?);
-    match (
+    let planet = match (
         effects.impact_mass,
         effects.impact_velocity,
         effects.impact_at,
@@ -310,12 +352,13 @@ pub fn meteorite(
         (Some(mass), Some(velocity), Some(at)) => {
             let keys = "effects.impact_mass, effects.impact_velocity";
             let meteorite = file.right(keys, Meteorite::new(mass, velocity))?;
-            file.right("effects.impact_at", planet.with(Impact { meteorite, at }))
+            file.right("effects.impact_at", planet.with(Impact { meteorite, at }))?
         }
-        (None, None, None) => Some(planet),
+        (None, None, None) => planet,
         _ => {
             let keys = "effects.impact_mass, effects.impact_velocity, effects.impact_at";
-            file.wrong(keys, " belong together")
+            return file.wrong(keys, " belong together");
         }
-    }
+    };
+    Some((planet, look))
 }

@@ -20,6 +20,7 @@
 //! | `values` | what may stand after a key; how tables are declared |
 //! | `run` | times, accuracy, solver, columns |
 //! | `body` | a body by what it is |
+//! | `look` | how it is drawn |
 //! | one a kind | the tables of that kind, and the scene made of them |
 //!
 //! A new kind brings its tables, a function that makes its scene of them, and a line in `KINDS`.
@@ -28,6 +29,7 @@ mod body;
 mod changing;
 mod contact;
 mod keys;
+mod look;
 mod reader;
 mod run;
 mod strip;
@@ -44,6 +46,7 @@ pub use run::telling;
 use toml::de::{DeTable, DeValue};
 
 use super::effects::Effect;
+use super::sight::Look;
 use super::{AnyScene, Request, Scene};
 use keys::Key;
 use reader::{Reader, Section, Table, Value, find};
@@ -116,14 +119,14 @@ impl Word for Kind {
 const TITLE: Key = Key::new("title", "a title in quotes");
 const KIND: Key = Key::new("kind", "");
 
-/// What makes a scene of the three tables of its kind.
-type Made<B, I, E, S> = fn(&Reader<'_>, B, I, E) -> Option<S>;
+/// What makes a scene of the three tables of its kind, and says what it looks like.
+type Made<B, I, E, S> = fn(&Reader<'_>, B, I, E) -> Option<(S, Look)>;
 
 /// The scene that the tables of a file make, and what is asked of it. Every table is read before anything is given up.
 fn scene<B: Section, I: Section, E: Section, S>(
     reader: &Reader<'_>,
     made: Made<B, I, E, S>,
-) -> Option<(S, Run, Request)> {
+) -> Option<((S, Look), Run, Request)> {
     let file = Table::whole(reader);
     file.value::<Option<String>>(&TITLE, None);
     file.entry(KIND.name);
@@ -142,8 +145,9 @@ fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 's
     reader: &Reader<'_>,
     made: Made<B, I, E, S>,
 ) -> Option<(AnyScene, Request)> {
-    let (scene, run, request) = scene(reader, made)?;
-    let scene = run.told(reader, AnyScene::scene(Box::new(scene)))?;
+    let ((scene, look), run, request) = scene(reader, made)?;
+    let scene = AnyScene::scene(Box::new(scene)).looking(look);
+    let scene = run.told(reader, scene)?;
     Some((scene, request))
 }
 

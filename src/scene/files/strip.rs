@@ -1,11 +1,15 @@
 //! `kind = "strip"`: a strip that falls through a fluid, or through none (4.10).
 
+use nalgebra::Vector3;
+
 use super::keys::Bound::{NotNegative, Positive};
+use super::look::{Outline, about};
 use super::reader::Reader;
 use super::values::{keys, section};
 use super::{listed, with};
 use crate::falling_strip::Plate;
 use crate::scene::effects::{AddedMass, Drag, Gravity, Lift, RotationalDamping};
+use crate::scene::sight::{Around, Look, Sight, Solid};
 use crate::scene::strip::{Strip, StripStart};
 
 section! {
@@ -38,7 +42,12 @@ section! {
     }
 }
 
-pub fn strip(file: &Reader<'_>, body: Body, start: StripStart, effects: Effects) -> Option<Strip> {
+pub fn strip(
+    file: &Reader<'_>,
+    body: Body,
+    start: StripStart,
+    effects: Effects,
+) -> Option<(Strip, Look)> {
     let plate = |thickness| {
         let factor = body.inertia_factor.unwrap_or(1.0 / 3.0);
         let mass = body.areal_density * body.width;
@@ -61,10 +70,21 @@ pub fn strip(file: &Reader<'_>, body: Body, start: StripStart, effects: Effects)
     let damping = effects.rotational_damping;
     let damping = damping.map(|[linear, quadratic]| RotationalDamping { linear, quadratic });
     let added = effects.added_mass.map(|factor| AddedMass { factor });
-    with(
+    let scene = with(
         file,
         scene,
         listed![effects.gravity, lift, drag, damping, added],
         Strip::with,
-    )
+    )?;
+    let edges = Vector3::new(1.0, 2.0, body.thickness_ratio.max(0.02)) * body.width;
+    let outline = Outline::new("a strip, its length cut short", Solid::Cuboid(edges));
+    let look: Look = Box::new(move |told| {
+        let [x, z, angle, omega] = told.vector(["x", "y", "angle", "omega"]);
+        let attitude = about(Vector3::y(), -angle);
+        Sight {
+            omega: Vector3::y() * -omega,
+            ..outline.sight(Around::Space, Vector3::new(x, 0.0, z), attitude)
+        }
+    });
+    Some((scene, look))
 }

@@ -1,13 +1,17 @@
 //! `kind = "table-top"`: a body that stands on a table (4.7).
 
+use nalgebra::{Matrix3, Vector3};
+
 use super::body::{Matter, Shapeless};
 use super::keys::Bound::{NotNegative, Positive};
+use super::look::{Outline, about, free};
 use super::reader::Reader;
 use super::values::{Flat, Word, section};
 use super::{listed, with};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::scene::contact::TableTop;
 use crate::scene::effects::{Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous};
+use crate::scene::sight::{Around, Look, Solid};
 use crate::tippe_top::{ConvexBody, Start, Surface};
 
 section! {
@@ -72,8 +76,8 @@ pub fn table_top(
     body: Body,
     initial: Initial,
     effects: Effects,
-) -> Option<TableTop> {
-    let body = made(file, &body);
+) -> Option<(TableTop, Look)> {
+    let made = made(file, &body);
     let start = start(file, &initial);
     let law = law(file, &effects);
     let gravity = effects.gravity.map(Gravity::new).transpose();
@@ -85,16 +89,18 @@ pub fn table_top(
         }
     };
     let resistance = file.right("effects.rolling_resistance", resistance);
-    let scene = TableTop::new(body?, start?);
-    with(
+    let (body, outline) = made?;
+    let scene = TableTop::new(body, start?);
+    let scene = with(
         file,
         scene,
         listed![gravity?, law?, resistance?],
         TableTop::with,
-    )
+    )?;
+    Some((scene, free(outline, Around::Floor)))
 }
 
-fn made(file: &Reader<'_>, body: &Body) -> Option<ConvexBody> {
+fn made(file: &Reader<'_>, body: &Body) -> Option<(ConvexBody, Outline)> {
     let matter = &body.matter.0;
     let solid = matter.about_center(file);
     let Some(shape) = &matter.shape else {
@@ -103,7 +109,7 @@ fn made(file: &Reader<'_>, body: &Body) -> Option<ConvexBody> {
         let center = stands_on.surface_center.unwrap_or_else(BodyVector::zero);
         let made = ConvexBody::new(solid.mass(), solid.inertia(), surface, center);
         let key = matter.moments.map_or("body.inertia", |_| "body.moments");
-        return file.right(key, made);
+        return Some((file.right(key, made)?, stands_on.outline()));
     };
     match &shape.surface {
         None => {
@@ -113,8 +119,22 @@ fn made(file: &Reader<'_>, body: &Body) -> Option<ConvexBody> {
         Some(surface) => {
             let (solid, surface) = (solid?, file.right("body.shape", surface.clone())?);
             let made = ConvexBody::new(solid.mass(), solid.inertia(), surface, -solid.center());
-            file.right("body.shape", made)
+            let outline = matter.outline(&solid).moved(-solid.center().components());
+            Some((file.right("body.shape", made)?, outline))
         }
+    }
+}
+
+impl StandsOn {
+    /// Its surface about its centre, and a bar to that from C.
+    fn outline(&self) -> Outline {
+        let half = self.semi_axes.unwrap_or([self.radius.unwrap_or(1.0); 3]);
+        let turn = about(Vector3::z(), self.surface_turn).to_rotation_matrix();
+        let surface = Solid::Ellipsoid(turn * Matrix3::from_diagonal(&half.into()));
+        let center = self.surface_center.unwrap_or_else(BodyVector::zero);
+        Outline::new("its surface", surface)
+            .moved(center.components())
+            .and(Solid::Bar(center.components()))
     }
 }
 

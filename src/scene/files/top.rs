@@ -1,11 +1,14 @@
 //! `kind = "top"`, or no kind: a body with a fixed point.
 
 use super::body::{Inertia, Matter};
+use super::look::{Outline, free};
 use super::reader::Reader;
 use super::values::{Flat, section};
 use super::{listed, with};
 use crate::frame::{Attitude, BodyVector};
+use crate::inertia::InertiaMatrix;
 use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
+use crate::scene::sight::{Around, Look};
 use crate::scene::top::{Body as TopBody, Start, Top};
 
 section! {
@@ -33,14 +36,20 @@ section! {
     }
 }
 
-pub fn top(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) -> Option<Top> {
-    let body = made(file, &body, effects.gravity.is_some());
+pub fn top(
+    file: &Reader<'_>,
+    body: Body,
+    initial: Initial,
+    effects: Effects,
+) -> Option<(Top, Look)> {
+    let made = made(file, &body, effects.gravity.is_some());
     let start = start(file, &initial);
     let key = match initial.omega {
         Some(_) => "initial.omega",
         None => "initial.angular_momentum",
     };
-    let top = file.right(key, Top::new(body?, start?))?;
+    let (body, outline) = made?;
+    let top = file.right(key, Top::new(body, start?))?;
     let top = with(
         file,
         top,
@@ -52,45 +61,58 @@ pub fn top(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) ->
         ],
         Top::with,
     )?;
-    match effects.tip_friction {
+    let top = match effects.tip_friction {
         Some(friction) => file.right(
             "effects.tip_friction, body.moments, body.center_of_mass",
             top.with(friction),
-        ),
-        None => Some(top),
-    }
+        )?,
+        None => top,
+    };
+    Some((top, free(outline, Around::Pivot)))
 }
 
-fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<TopBody> {
+fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<(TopBody, Outline)> {
     let matter = &body.matter.0;
-    let (made, key) = match matter.inertia(file)? {
+    let (made, inertia, key) = match matter.inertia(file)? {
         Inertia::Shape(_) if body.center_of_mass.is_some() => {
             let told = " follows from `shape` and `pivot`";
             return file.wrong("body.center_of_mass", told);
         }
         Inertia::Shape(solid) => {
             let pivot = body.pivot.unwrap_or(solid.center());
-            return file.right("body.pivot, body.shape", TopBody::held_at(&solid, pivot));
+            let outline = matter.outline(&solid).moved(-pivot.components());
+            let held = TopBody::held_at(&solid, pivot);
+            return Some((file.right("body.pivot, body.shape", held)?, outline));
         }
         _ if body.pivot.is_some() => return file.wrong("body.pivot", " goes with `shape`"),
         Inertia::Moments([0.0, 0.0, 0.0]) => {
             let told = " must not all be zero: what has no inertia does not turn";
             return file.wrong("body.moments", told);
         }
-        Inertia::Moments(moments) => (TopBody::new(moments), "body.moments"),
-        Inertia::Matrix(matrix) => (TopBody::along_own_axes(&matrix), "body.inertia"),
+        Inertia::Moments([a, b, c]) => {
+            let made = TopBody::new([a, b, c]);
+            (made, InertiaMatrix::diagonal(a, b, c), "body.moments")
+        }
+        Inertia::Matrix(matrix) => {
+            let made = TopBody::along_own_axes(&matrix);
+            (made, Ok(matrix), "body.inertia")
+        }
     };
-    let made = file.right(key, made)?;
+    let (made, inertia) = (file.right(key, made)?, file.right(key, inertia)?);
+    let outline = |mass, center: BodyVector| {
+        Outline::of_inertia(inertia.second_moments(), mass, center.components())
+    };
     match (matter.mass, body.center_of_mass) {
         (Some(mass), Some(center)) => {
             let made = made.with_center_of_mass(mass, center);
-            file.right("body.center_of_mass", made)
+            let made = file.right("body.center_of_mass", made)?;
+            Some((made, outline(mass, center)))
         }
         (None, _) if heavy => {
             let told = " is missing: gravity acts on the centre of mass, a mass in kg is expected";
             file.wrong("body.mass", told)
         }
-        _ => Some(made),
+        (mass, _) => Some((made, outline(mass.unwrap_or(1.0), BodyVector::zero()))),
     }
 }
 

@@ -1,10 +1,12 @@
 //! `kind = "yo-yo"`: a yo-yo, let go or thrown (4.9).
 
 use super::keys::Bound::{NotNegative, Positive};
+use super::look::{Outline, rolling};
 use super::reader::Reader;
 use super::values::section;
 use super::{listed, with};
 use crate::scene::effects::{AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss};
+use crate::scene::sight::{Around, Look, Sight, Solid};
 use crate::scene::yo_yo::Play;
 use crate::yo_yo::YoYo;
 
@@ -35,8 +37,26 @@ section! {
     }
 }
 
-pub fn yo_yo(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) -> Option<Play> {
-    let scene = file.right("initial.throw", Play::new(toy(file, &body)?, initial.throw))?;
+pub fn yo_yo(
+    file: &Reader<'_>,
+    body: Body,
+    initial: Initial,
+    effects: Effects,
+) -> Option<(Play, Look)> {
+    let toy = toy(file, &body)?;
+    // That of the disc of this mass and inertia, if no other is given.
+    let of_disc = (2.0 * toy.inertia() / toy.mass()).sqrt();
+    let radius = body.radius.unwrap_or(of_disc);
+    let outline = Outline::new("a yo-yo", Solid::wheel(radius, 0.8 * radius));
+    let hangs = rolling(outline, Around::String, |told| {
+        let [depth] = told.vector(["depth"]);
+        ([0.0, -depth], 0.0)
+    });
+    let look: Look = Box::new(move |told| Sight {
+        turned: false,
+        ..hangs(told)
+    });
+    let scene = file.right("initial.throw", Play::new(toy, initial.throw))?;
     let effects = listed![
         effects.gravity,
         effects.turn_loss,
@@ -45,7 +65,7 @@ pub fn yo_yo(file: &Reader<'_>, body: Body, initial: Initial, effects: Effects) 
         effects.axle_friction,
         effects.air_drag,
     ];
-    with(file, scene, effects, Play::with)
+    Some((with(file, scene, effects, Play::with)?, look))
 }
 
 fn toy(file: &Reader<'_>, body: &Body) -> Option<YoYo> {

@@ -7,7 +7,7 @@ use spinning_bodies::inertia::shapes;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::meteorite::StruckPlanet;
 use spinning_bodies::scene::{Choice, Request, Scene, Solver};
-use support::refused;
+use support::{observed, refused};
 
 use super::roller::{balance, same};
 
@@ -69,6 +69,26 @@ fn free_before_and_after() {
         .map(|(a, b)| (a.1.omega - b.1.omega).norm())
         .fold(0.0, f64::max);
     assert!(little > 0.0 && little < 1e-9, "{little:e}");
+}
+
+/// L = I·Ω about the centre of mass: of the brick before the blow; after it the meteorite, too, goes round the common centre, as the reduced mass at its place.
+#[test]
+fn angular_momentum_is_inertia_times_omega() {
+    let struck = StruckPlanet::new(planet()).with(impact(0.7)).unwrap();
+    let motion = struck.simulate(&times()).unwrap();
+    let (at, reduced) = (impact(0.7).at, 5.0 * 0.7 / 5.7);
+    let mut off = 0.0_f64;
+    for (t, state) in &motion.rows {
+        let mut l = planet().inertia().angular_momentum(state.omega);
+        if *t >= 0.0 {
+            l += reduced * at.cross(&state.omega.cross(&at));
+        }
+        let expected = state.attitude.to_space(l);
+        off = off.max((state.angular_momentum - expected).norm() / expected.norm());
+    }
+    observed!(off, 1e-16..=3e-15);
+    let [before, after] = [1, 2].map(|row| motion.rows[row].1.angular_momentum);
+    assert!((after - before).norm() > before.norm(), "the blow is felt");
 }
 
 #[test]

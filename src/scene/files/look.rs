@@ -1,0 +1,128 @@
+//! Bodies as they look: what is drawn of them, and how the numbers of a motion move it.
+
+use core::f64::consts::FRAC_PI_2;
+
+use nalgebra::{Isometry3, Matrix3, Quaternion, UnitQuaternion, Vector3};
+
+use crate::inertia::principal_axes_of;
+use crate::scene::sight::{Around, Look, Sight, Solid, Told};
+
+type Vector = Vector3<f64>;
+
+/// A body along its axes: solids, each with the place of its origin.
+#[derive(Debug, Clone)]
+pub(super) struct Outline {
+    pub drawn_as: &'static str,
+    pub solids: Vec<(Solid, Vector)>,
+}
+
+impl Outline {
+    /// One solid about the origin.
+    pub fn new(drawn_as: &'static str, solid: Solid) -> Self {
+        Self {
+            drawn_as,
+            solids: vec![(solid, Vector::zeros())],
+        }
+    }
+
+    /// The homogeneous ellipsoid of this mass and these second moments about the origin, whose centre is there, and a bar to it.
+    pub fn of_inertia(second_moments: Matrix3<f64>, mass: f64, center: Vector) -> Self {
+        let about_center = second_moments - center * center.transpose() * mass;
+        let half = principal_axes_of(&about_center).map(|axes| {
+            let half = |moment: f64| (5.0 * moment.max(0.0) / mass).sqrt();
+            axes.axes() * Matrix3::from_diagonal(&axes.moments().map(half).into())
+        });
+        let ellipsoid = Solid::Ellipsoid(half.unwrap_or_else(|_| Matrix3::identity()));
+        Self::new("its ellipsoid of inertia", ellipsoid)
+            .moved(center)
+            .and(Solid::Bar(center))
+    }
+
+    /// The same with another solid about the origin.
+    pub fn and(mut self, solid: Solid) -> Self {
+        self.solids.push((solid, Vector::zeros()));
+        self
+    }
+
+    /// The same in another place of its axes.
+    pub fn moved(mut self, by: Vector) -> Self {
+        for (_, place) in &mut self.solids {
+            *place += by;
+        }
+        self
+    }
+
+    /// The body with its origin there.
+    pub fn sight(&self, around: Around, place: Vector, attitude: UnitQuaternion<f64>) -> Sight {
+        let stands = Isometry3::from_parts(place.into(), attitude);
+        let solids = self.solids.iter().map(|(solid, origin)| {
+            let origin = Isometry3::translation(origin.x, origin.y, origin.z);
+            (solid.clone(), stands * origin)
+        });
+        still(self.drawn_as, around, place, solids.collect())
+    }
+}
+
+/// Solids as they stand, from which nothing is told of how they turn.
+pub(super) fn still(
+    drawn_as: &'static str,
+    around: Around,
+    place: Vector,
+    solids: Vec<(Solid, Isometry3<f64>)>,
+) -> Sight {
+    Sight {
+        drawn_as,
+        solids,
+        turned: true,
+        around,
+        place,
+        omega: Vector::zeros(),
+        angular_momentum: None,
+    }
+}
+
+/// A body that tells its attitude.
+pub(super) fn free(body: Outline, around: Around) -> Look {
+    Box::new(move |told| {
+        let [w, x, y, z] = told.vector(["qw", "qx", "qy", "qz"]);
+        let attitude = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z));
+        let place = told.vector(["x", "y", "z"]);
+        let omega = Vector::from(told.vector(["omega1", "omega2", "omega3"]));
+        Sight {
+            omega: attitude * omega,
+            angular_momentum: momentum(told),
+            ..body.sight(around, place.into(), attitude)
+        }
+    })
+}
+
+/// L along the axes of space.
+pub(super) fn momentum(told: &Told<'_>) -> Option<Vector> {
+    told.number("lx")?;
+    Some(told.vector(["lx", "ly", "lz"]).into())
+}
+
+/// A body that turns in the plane of x and z, about the axis y: its place and its angle (m, rad).
+///
+/// The third axis of what rolls lies along y.
+pub(super) fn rolling(
+    body: Outline,
+    around: Around,
+    at: impl Fn(&Told<'_>) -> ([f64; 2], f64) + Send + Sync + 'static,
+) -> Look {
+    Box::new(move |told| {
+        let ([x, z], angle) = at(told);
+        let attitude = about(Vector::y(), angle) * about(Vector::x(), -FRAC_PI_2);
+        let [omega, l] = told.vector(["omega", "l"]);
+        Sight {
+            omega: Vector::y() * omega,
+            angular_momentum: Some(Vector::y() * l),
+            ..body.sight(around, Vector::new(x, 0.0, z), attitude)
+        }
+    })
+}
+
+/// A turn about an axis, rad.
+pub(super) fn about(axis: Vector, angle: f64) -> UnitQuaternion<f64> {
+    UnitQuaternion::from_scaled_axis(axis * angle)
+}

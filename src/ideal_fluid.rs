@@ -52,6 +52,15 @@ impl TruncatedFluid {
     /// # Errors
     /// [`Error::Condition`] for an even size, [`Error::OutOfRange`] for one out of range or for the wave vector zero,
     /// which carries no motion, [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use nalgebra::Complex;
+    /// use spinning_bodies::ideal_fluid::TruncatedFluid;
+    /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
+    /// // The mirror image comes along.
+    /// assert_eq!(wave.vorticity([-1, 0]), Complex::new(1.0, 0.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(size: usize, modes: &[([i32; 2], C)]) -> Result<Self> {
         within("the size N of the truncation", size as f64, 3.0, 63.0)?;
         if size.is_multiple_of(2) {
@@ -84,11 +93,27 @@ impl TruncatedFluid {
     }
 
     /// ω_m, 1/s; the wave vector is taken modulo N.
+    ///
+    /// ```
+    /// use nalgebra::Complex;
+    /// use spinning_bodies::ideal_fluid::TruncatedFluid;
+    /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
+    /// assert_eq!(wave.vorticity([6, 0]), wave.vorticity([1, 0]));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn vorticity(&self, m: [i32; 2]) -> C {
         self.modes[self.place(m)]
     }
 
     /// The vorticity at a point of the square, 1/s: Σ ω_m e^{i⟨m, x⟩} over |m₁|, |m₂| ≤ (N−1)/2. Cost: N² sines.
+    ///
+    /// ```
+    /// use nalgebra::Complex;
+    /// use spinning_bodies::ideal_fluid::TruncatedFluid;
+    /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
+    /// assert!((wave.vorticity_at([1.0, 0.3]) - 2.0 * 1.0_f64.cos()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn vorticity_at(&self, x: [f64; 2]) -> f64 {
         self.each()
             .map(|(m, value)| {
@@ -120,6 +145,15 @@ impl TruncatedFluid {
     /// dω_m/dt for every mode, 1/s², as the fluid whose modes are the rates: Zeitlin's sine bracket, term by term (5.2).
     ///
     /// Kept beside the matrix form as the independent statement of the equations. Cost: N⁴ sines.
+    ///
+    /// ```
+    /// use nalgebra::Complex;
+    /// use spinning_bodies::ideal_fluid::TruncatedFluid;
+    /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
+    /// // A single wave stands still.
+    /// assert_eq!(wave.rate().energy(), 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     // ANCHOR: bracket
     pub fn rate(&self) -> Self {
         let n = self.size as f64;
@@ -144,12 +178,28 @@ impl TruncatedFluid {
     // ANCHOR_END: bracket
 
     /// Energy ½ Σ |ω_m|²/|m|², per unit mass and area of the square.
+    ///
+    /// ```
+    /// use nalgebra::Complex;
+    /// use spinning_bodies::ideal_fluid::TruncatedFluid;
+    /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
+    /// assert_eq!(wave.energy(), 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy(&self) -> f64 {
         let terms = self.each().map(|(m, w)| w.norm_sqr() / length_squared(m));
         0.5 * terms.sum::<f64>()
     }
 
     /// Enstrophy Σ |ω_m|², 1/s²: tr W²/N.
+    ///
+    /// ```
+    /// use nalgebra::Complex;
+    /// use spinning_bodies::ideal_fluid::TruncatedFluid;
+    /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
+    /// assert_eq!(wave.enstrophy(), 2.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn enstrophy(&self) -> f64 {
         self.each().map(|(_, w)| w.norm_sqr()).sum()
     }
@@ -166,6 +216,14 @@ impl TruncatedFluid {
     }
 
     /// tr Wᵖ/N, kept by the fluid for every p ≥ 1: the Casimir invariants (5.2). With the opposite root it is not, from p = 3 on.
+    ///
+    /// ```
+    /// use nalgebra::Complex;
+    /// use spinning_bodies::ideal_fluid::{SquareRoot, TruncatedFluid};
+    /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
+    /// assert!((wave.trace_of_power(2, SquareRoot::OfUnity) - wave.enstrophy()).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn trace_of_power(&self, power: u32, root: SquareRoot) -> f64 {
         let w = self.matrix(root);
         let mut product = DMatrix::<C>::identity(self.size, self.size);
@@ -238,6 +296,17 @@ impl TruncatedFluid {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for the step, [`Error::Condition`] if the iteration does not settle; the fluid is then unchanged.
+    ///
+    /// ```
+    /// use nalgebra::Complex;
+    /// use spinning_bodies::ideal_fluid::TruncatedFluid;
+    /// let modes = [([1, 0], Complex::new(1.0, 0.0)), ([1, 1], Complex::new(0.5, 0.2))];
+    /// let mut fluid = TruncatedFluid::new(5, &modes)?;
+    /// let energy = fluid.energy();
+    /// fluid.advance(0.5)?;
+    /// assert!((fluid.energy() - energy).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     // ANCHOR: advance
     pub fn advance(&mut self, step: f64) -> Result<()> {
         finite("the step", step)?;

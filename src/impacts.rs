@@ -41,6 +41,14 @@ impl Planet {
     /// # Errors
     /// [`Error::NotPositive`] for the mass or if the inertia has a vanishing moment (a needle, a point),
     /// [`Error::NotFinite`] for anything.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Planet, inertia::InertiaMatrix};
+    /// let inertia = InertiaMatrix::diagonal(4.0, 4.0, 5.0)?;
+    /// let planet = Planet::new(10.0, inertia, BodyVector::zero(), BodyVector::new(0.0, 0.0, 1.0))?;
+    /// assert_eq!(planet.inertia(), inertia);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(
         mass: f64,
         inertia: InertiaMatrix,
@@ -64,6 +72,13 @@ impl Planet {
     ///
     /// # Errors
     /// As [`Planet::new`].
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// assert_eq!(planet.inertia().matrix()[(1, 1)], 4.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn spherical(
         mass: f64,
         moment: f64,
@@ -76,21 +91,49 @@ impl Planet {
     }
 
     /// Mass M, kg.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// assert_eq!(planet.mass(), 10.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Inertia matrix I about the centre.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// assert_eq!(planet.inertia().matrix().trace(), 12.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn inertia(&self) -> InertiaMatrix {
         self.inertia
     }
 
     /// Velocity V of the centre before the impact, m/s.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// assert_eq!(planet.velocity(), BodyVector::zero());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn velocity(&self) -> BodyVector {
         self.velocity
     }
 
     /// Angular velocity Ω before the impact, rad/s.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// assert_eq!(planet.omega(), BodyVector::zero());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn omega(&self) -> BodyVector {
         self.omega
     }
@@ -108,6 +151,12 @@ impl Meteorite {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the mass, [`Error::NotFinite`] for both.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Meteorite};
+    /// assert!(Meteorite::new(10.0, BodyVector::zero()).is_ok());
+    /// assert!(Meteorite::new(0.0, BodyVector::zero()).is_err());
+    /// ```
     pub fn new(mass: f64, velocity: BodyVector) -> Result<Self> {
         Ok(Self {
             mass: positive("the meteorite's mass", mass)?,
@@ -116,11 +165,24 @@ impl Meteorite {
     }
 
     /// Mass m, kg.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Meteorite};
+    /// assert_eq!(Meteorite::new(10.0, BodyVector::zero())?.mass(), 10.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Velocity v, m/s.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Meteorite};
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
+    /// assert_eq!(meteorite.velocity().y(), 2.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn velocity(&self) -> BodyVector {
         self.velocity
     }
@@ -192,32 +254,89 @@ pub fn strike(planet: &Planet, meteorite: &Meteorite, at: BodyVector) -> Result<
 
 impl Strike {
     /// The planet before the impact.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// assert_eq!(*hit.planet(), planet);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn planet(&self) -> &Planet {
         &self.planet
     }
 
     /// The meteorite before the impact.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// assert_eq!(*hit.meteorite(), meteorite);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn meteorite(&self) -> &Meteorite {
         &self.meteorite
     }
 
     /// The point of impact x, metres from C.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// assert_eq!(hit.at(), BodyVector::new(1.0, 0.0, 0.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn at(&self) -> BodyVector {
         self.at
     }
 
     /// Angular velocity Ω' after the impact, rad/s.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// // 5 kg m² from the two bodies' reduced mass: (4 + 5)Ω' = 5·2.
+    /// assert!((hit.omega_after().z() - 10.0 / 9.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn omega_after(&self) -> BodyVector {
         self.omega_after
     }
 
     /// Velocity V' of the planet's own centre C after the impact, m/s.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// // 10 kg got the impulse 5(2 − 10/9) N s across.
+    /// assert!((hit.velocity_after().y() - 4.0 / 9.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn velocity_after(&self) -> BodyVector {
         self.velocity_after
     }
 
     /// Kinetic energy turned into heat, joules, never negative beyond rounding: ½⟨w, J⟩, half the closing velocity times
     /// the impulse. No large energies are subtracted, and the value is the same in every frame.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(0.0, 2.0, 0.0))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// // 20 J before, 10 J of the common motion and 50/9 J of turning after.
+    /// assert!((hit.energy_lost() - 40.0 / 9.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy_lost(&self) -> f64 {
         self.energy_lost
     }
@@ -227,6 +346,15 @@ impl Strike {
     ///
     /// # Errors
     /// [`Error::ZeroVector`] for a hit at the centre.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// assert_eq!(hit.closing_speed()?, 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn closing_speed(&self) -> Result<f64> {
         let outward = self.at.direction("the point of impact")?;
         Ok(-outward.dot(&(self.meteorite.velocity - self.planet.velocity)))
@@ -238,6 +366,16 @@ impl Strike {
     ///
     /// # Errors
     /// [`Error::ZeroVector`] if the planet does not spin before or after.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::new(0.0, 0.0, 1.0))?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(0.0, 1.0, -1.8))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// // 1 rad/s about y comes to 1 rad/s about z.
+    /// assert!((hit.tilt()? - std::f64::consts::FRAC_PI_4).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn tilt(&self) -> Result<f64> {
         let before = self
             .planet
@@ -257,6 +395,16 @@ impl Strike {
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// // 10/9 rad/s is right: a meteorite as heavy as the planet is no small one.
+    /// assert_eq!(hit.first_order()?.z(), 5.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn first_order(&self) -> Result<BodyVector> {
         self.approximation(self.meteorite.velocity)
     }
@@ -265,6 +413,16 @@ impl Strike {
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
+    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+    /// // The planet was at rest.
+    /// assert_eq!(hit.first_order_at_rest()?, hit.first_order()?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn first_order_at_rest(&self) -> Result<BodyVector> {
         self.approximation(self.meteorite.velocity - self.planet.velocity)
     }
@@ -297,6 +455,12 @@ fn solve(matrix: &Matrix3<f64>, right: Vector3<f64>) -> Result<BodyVector> {
 ///
 /// # Errors
 /// [`Error::NotPositive`], [`Error::OutOfRange`] for a tilt outside 0…π, [`Error::NotFinite`].
+///
+/// ```
+/// use spinning_bodies::impacts::grazing_mass_ratio;
+/// assert!((grazing_mass_ratio(0.4, 1.0, 8.0, std::f64::consts::PI)? - 0.1).abs() < 1e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn grazing_mass_ratio(
     inertia_factor: f64,
     rim_speed: f64,
@@ -334,6 +498,11 @@ pub mod uranus {
     ///
     /// # Errors
     /// None in practice: the arguments are the constants of this module.
+    ///
+    /// ```
+    /// assert!((spinning_bodies::impacts::uranus::mass_ratio()? - 0.041).abs() < 5e-4);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mass_ratio() -> crate::Result<f64> {
         let rim_speed = RADIUS * core::f64::consts::TAU / PERIOD;
         super::grazing_mass_ratio(INERTIA_FACTOR, rim_speed, ESCAPE_SPEED, OBLIQUITY)

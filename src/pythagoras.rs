@@ -71,6 +71,13 @@ impl GasBox {
     /// # Errors
     /// [`Error::NotFinite`] for a corner or an edge; [`Error::Condition`] if the corners lie on a line, as far as
     /// 100 bits can tell.
+    ///
+    /// ```
+    /// use spinning_bodies::pythagoras::GasBox;
+    /// let gas = GasBox::new([0.0, 0.0], [3.0, 0.0], [3.0, 4.0])?;
+    /// assert_eq!(gas.sides(), [3.0, 4.0, 5.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(a: [f64; 2], r: [f64; 2], b: [f64; 2]) -> Result<Self> {
         let spans = [r[0] - a[0], r[1] - a[1], b[0] - r[0], b[1] - r[1]];
         let mut size: f64 = 0.0;
@@ -109,6 +116,13 @@ impl GasBox {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 < γ < π; otherwise as [`Self::new`].
+    ///
+    /// ```
+    /// use spinning_bodies::pythagoras::GasBox;
+    /// let gas = GasBox::from_sides(3.0, 4.0, std::f64::consts::FRAC_PI_2)?;
+    /// assert!((gas.sides()[2] - 5.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_sides(ar: f64, rb: f64, gamma: f64) -> Result<Self> {
         let ar = positive("the side AR", ar)?;
         let rb = positive("the side RB", rb)?;
@@ -117,11 +131,25 @@ impl GasBox {
     }
 
     /// Which way round the corners run.
+    ///
+    /// ```
+    /// use spinning_bodies::pythagoras::{GasBox, Orientation};
+    /// let gas = GasBox::new([0.0, 0.0], [3.0, 0.0], [3.0, 4.0])?;
+    /// assert_eq!(gas.orientation(), Orientation::Anticlockwise);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn orientation(&self) -> Orientation {
         self.orientation
     }
 
     /// The lengths AR, RB, AB, m. Two units in the last place.
+    ///
+    /// ```
+    /// use spinning_bodies::pythagoras::GasBox;
+    /// let gas = GasBox::new([0.0, 0.0], [3.0, 0.0], [3.0, 4.0])?;
+    /// assert_eq!(gas.sides(), [3.0, 4.0, 5.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn sides(&self) -> [f64; 3] {
         [self.ar, self.rb, self.ab()].map(|edge| length(edge) * self.unit)
     }
@@ -131,6 +159,15 @@ impl GasBox {
     ///
     /// Each is one product of exact edges: a unit in the last place, needles included, and RB at its change of sign is right to
     /// 2⁻¹⁰⁰ AR·RB.
+    ///
+    /// ```
+    /// use spinning_bodies::pythagoras::GasBox;
+    /// let gas = GasBox::new([0.0, 0.0], [3.0, 0.0], [3.0, 4.0])?;
+    /// // ½·9 and ½·16 one way, ½·25 the other.
+    /// let torques = gas.side_torques();
+    /// assert_eq!((torques.ar, torques.rb, torques.ab), (-4.5, -8.0, 12.5));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     // ANCHOR: side-torques
     pub fn side_torques(&self) -> SideTorques {
         let sense = match self.orientation {
@@ -148,6 +185,14 @@ impl GasBox {
     // ANCHOR_END: side-torques
 
     /// Lever arms about A: torque over side (9.1, 9.2). Accuracy as [`Self::side_torques`].
+    ///
+    /// ```
+    /// use spinning_bodies::pythagoras::GasBox;
+    /// let gas = GasBox::new([0.0, 0.0], [3.0, 0.0], [3.0, 4.0])?;
+    /// let arms = gas.arms();
+    /// assert_eq!((arms.ar, arms.rb, arms.ab), (1.5, 2.0, 2.5));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn arms(&self) -> Arms {
         Arms {
             ar: 0.5 * length(self.ar) * self.unit,
@@ -159,11 +204,25 @@ impl GasBox {
     /// AR² + RB² − AB² = 2 AR·RB cos γ, m²: zero at a right angle, the whole of the cosine law otherwise (9.2).
     ///
     /// Not a difference of squares: −2 (R−A)·(B−R) with exact edges and 106-bit products, right to 2⁻¹⁰⁰ AR·RB for any triangle.
+    ///
+    /// ```
+    /// use spinning_bodies::pythagoras::GasBox;
+    /// let gas = GasBox::new([0.0, 0.0], [3.0, 0.0], [3.0, 4.0])?;
+    /// assert_eq!(gas.right_angle_defect(), 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn right_angle_defect(&self) -> f64 {
         dot(self.ar, self.rb).value() * -2.0 * self.unit * self.unit
     }
 
     /// Angle γ at R, radians, in 0…π. From its sine and cosine together, so accurate near 0, π/2 and π alike; a few units in the last place.
+    ///
+    /// ```
+    /// use spinning_bodies::pythagoras::GasBox;
+    /// let gas = GasBox::new([0.0, 0.0], [3.0, 0.0], [3.0, 4.0])?;
+    /// assert_eq!(gas.angle_at_r(), std::f64::consts::FRAC_PI_2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angle_at_r(&self) -> f64 {
         self.area.atan2(-dot(self.ar, self.rb).value())
     }
@@ -186,6 +245,12 @@ impl GasBox {
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 ≤ γ ≤ π.
+///
+/// ```
+/// use spinning_bodies::pythagoras::opposite_side;
+/// assert!((opposite_side(1.0, 1.0, std::f64::consts::FRAC_PI_3)? - 1.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn opposite_side(ar: f64, rb: f64, gamma: f64) -> Result<f64> {
     let ar = positive("the side AR", ar)?;
     let rb = positive("the side RB", rb)?;
@@ -202,6 +267,13 @@ pub fn opposite_side(ar: f64, rb: f64, gamma: f64) -> Result<f64> {
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`] for a side.
+///
+/// ```
+/// use spinning_bodies::pythagoras::reversal_angle;
+/// assert!((reversal_angle(1.0, 1.0)?.unwrap() - std::f64::consts::FRAC_PI_3).abs() < 1e-15);
+/// assert_eq!(reversal_angle(1.0, 3.0)?, None);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
     let ar = positive("the side AR", ar)?;
     let rb = positive("the side RB", rb)?;
@@ -216,6 +288,14 @@ pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
 ///
 /// # Errors
 /// [`Error::Condition`] for fewer than three vertices; [`Error::NotFinite`] for a coordinate or a torque that overflows.
+///
+/// ```
+/// use spinning_bodies::pythagoras::polygon_torques;
+/// // A gas turns no closed box.
+/// let torques = polygon_torques(&[[0.0, 0.0], [2.0, 0.0], [3.0, 1.0], [1.0, 4.0]], [0.3, 0.7])?;
+/// assert!(torques.iter().sum::<f64>().abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn polygon_torques(vertices: &[[f64; 2]], hinge: [f64; 2]) -> Result<Vec<f64>> {
     if vertices.len() < 3 {
         let condition = "a polygon must have at least three vertices";
@@ -250,6 +330,14 @@ fn side_torque(from: [f64; 2], to: [f64; 2], hinge: [f64; 2]) -> Result<f64> {
 ///
 /// # Errors
 /// [`Error::NotFinite`] for an edge or an area; [`Error::Condition`] if the volume is zero.
+///
+/// ```
+/// use spinning_bodies::pythagoras::tetrahedron_areas;
+/// let corner = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// // Three right-angled faces and the fourth: areas squared, ¼ + ¼ + ¼ = ¾.
+/// assert_eq!(tetrahedron_areas(corner)?[0].map(|area| area * area).iter().sum::<f64>(), 0.75);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn tetrahedron_areas(vertices: [[f64; 3]; 4]) -> Result<[[f64; 3]; 4]> {
     let volume = triple(edges_from(vertices, 0)?);
     if volume == 0.0 {

@@ -31,6 +31,12 @@ impl MaclaurinSpheroid {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::OutOfRange`](crate::Error::OutOfRange).
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
+    /// assert!((MaclaurinSpheroid::from_eccentricity(0.6)?.axis_ratio() - 0.8).abs() < 1e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_eccentricity(e: f64) -> Result<Self> {
         let e = within(
             "the eccentricity of a spheroid",
@@ -48,6 +54,12 @@ impl MaclaurinSpheroid {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::OutOfRange`](crate::Error::OutOfRange).
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
+    /// assert!((MaclaurinSpheroid::from_axis_ratio(0.8)?.eccentricity() - 0.6).abs() < 2e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_axis_ratio(c_over_a: f64) -> Result<Self> {
         let q = within(
             "the axis ratio of a spheroid",
@@ -59,11 +71,23 @@ impl MaclaurinSpheroid {
     }
 
     /// Eccentricity e of the meridian.
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
+    /// assert_eq!(MaclaurinSpheroid::from_eccentricity(0.6)?.eccentricity(), 0.6);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn eccentricity(&self) -> f64 {
         self.eccentricity
     }
 
     /// Polar over equatorial axis c/a = √(1 − e²).
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
+    /// assert_eq!(MaclaurinSpheroid::from_axis_ratio(0.8)?.axis_ratio(), 0.8);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn axis_ratio(&self) -> f64 {
         self.axis_ratio
     }
@@ -76,6 +100,14 @@ impl MaclaurinSpheroid {
     ///
     /// Domain: all spheroids; 0 for the sphere, → πq for the disc. Observed error: at most 4 ulp against 30 digits
     /// over e from 10⁻⁸ to 1 − 10⁻⁹. Cost: at most 36 terms of a series, 2 for e < 10⁻⁴.
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
+    /// // Newton's 8e²/15 for a star that is nearly round.
+    /// let rotation = MaclaurinSpheroid::from_eccentricity(1e-4)?.rotation();
+    /// assert!((rotation / (8e-8 / 15.0) - 1.0).abs() < 1e-8);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rotation(&self) -> f64 {
         // ANCHOR: maclaurin
         let (e, q) = (self.eccentricity, self.axis_ratio);
@@ -88,6 +120,14 @@ impl MaclaurinSpheroid {
     /// Kinetic over gravitational energy T/|W| = (3/(2e²))[1 − e√(1−e²)/arcsin e] − 1, dimensionless, 0…½.
     ///
     /// Computed as Ω²e/(4q arcsin e), the same by algebra and free of the subtraction. Observed error: at most 4 ulp, over the same e.
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
+    /// // From 0 for the sphere to ½ for the disc.
+    /// assert_eq!(MaclaurinSpheroid::from_eccentricity(0.0)?.energy_ratio(), 0.0);
+    /// assert!((MaclaurinSpheroid::from_axis_ratio(1e-9)?.energy_ratio() - 0.5).abs() < 1e-8);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy_ratio(&self) -> f64 {
         let (e, q) = (self.eccentricity, self.axis_ratio);
         if e == 0.0 {
@@ -100,6 +140,14 @@ impl MaclaurinSpheroid {
     /// Angular momentum L/√(GM³ā), dimensionless, with ā = (a²c)^{1/3}: (√3/5)(a/ā)² Ω/√(πGρ).
     ///
     /// It grows with e without bound, although Ω does not: faster and faster stars of one density turn slower.
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
+    /// // Beyond the fastest star there is more angular momentum and less rotation.
+    /// let (fastest, flatter) = (MaclaurinSpheroid::fastest(), MaclaurinSpheroid::from_axis_ratio(0.1)?);
+    /// assert!(flatter.angular_momentum() > fastest.angular_momentum() && flatter.rotation() < fastest.rotation());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_momentum(&self) -> f64 {
         3.0_f64.sqrt() / 5.0 * self.axis_ratio.cbrt().powi(-2) * self.rotation().sqrt()
     }
@@ -108,6 +156,11 @@ impl MaclaurinSpheroid {
     ///
     /// With t = e/√(1−e²) the derivative vanishes where (9+t²) arctan t = t(9+7t²)/(1+t²); found by bisection to the
     /// last place of t, not by searching for the highest value, which would lose half the digits. Cost: 60 arctangents.
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
+    /// assert!((MaclaurinSpheroid::fastest().eccentricity() - 0.929_955_685_456_233).abs() < 1e-15);
+    /// ```
     pub fn fastest() -> Self {
         let slope = |t: f64| (9.0 + t * t) * t.atan() - t * (9.0 + 7.0 * t * t) / (1.0 + t * t);
         Self::from_tangent(bisect(slope, 2.0, 3.0))
@@ -117,6 +170,12 @@ impl MaclaurinSpheroid {
     ///
     /// The condition a⁴A₁₁ = c²A₃, i.e. [`JacobiEllipsoid`]'s at b = a, is solved for c/a. Beyond it a star with any
     /// viscosity prefers to be a Jacobi ellipsoid: same angular momentum, less energy. Observed error: none in e, the double nearest the true value.
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
+    /// let branch = MaclaurinSpheroid::at_jacobi_bifurcation();
+    /// assert!((branch.eccentricity() - 0.812_670_010_611_743).abs() < 1e-15);
+    /// ```
     pub fn at_jacobi_bifurcation() -> Self {
         Self::from_ratio(equilibrium_axis_ratio(1.0))
     }
@@ -154,6 +213,13 @@ impl JacobiEllipsoid {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::OutOfRange`](crate::Error::OutOfRange).
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::{JacobiEllipsoid, MaclaurinSpheroid};
+    /// let (round, branch) = (JacobiEllipsoid::from_axis_ratio(1.0)?, MaclaurinSpheroid::at_jacobi_bifurcation());
+    /// assert!((round.rotation() - branch.rotation()).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn from_axis_ratio(b_over_a: f64) -> Result<Self> {
         let middle = within(
             "the axis ratio b/a of a Jacobi ellipsoid",
@@ -168,17 +234,40 @@ impl JacobiEllipsoid {
     }
 
     /// The semi-axes over the longest one: (1, b/a, c/a), dimensionless.
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::JacobiEllipsoid;
+    /// let [a, b, c] = JacobiEllipsoid::from_axis_ratio(0.5)?.axes();
+    /// assert!(a == 1.0 && b == 0.5 && c < b);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn axes(&self) -> [f64; 3] {
         [1.0, self.middle, self.shortest]
     }
 
     /// Ω²/(πGρ) = 2B₁₂ = 2abc ∫₀^∞ u du/(Δ(a²+u)(b²+u)), Δ² = (a²+u)(b²+u)(c²+u), dimensionless.
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::JacobiEllipsoid;
+    /// // The longer, the slower.
+    /// let [stout, slender] = [JacobiEllipsoid::from_axis_ratio(0.9)?, JacobiEllipsoid::from_axis_ratio(0.3)?];
+    /// assert!(slender.rotation() < stout.rotation());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rotation(&self) -> f64 {
         let axes = self.axes();
         2.0 * potential_integral(axes, |u, [a, b, _]| u / ((a + u) * (b + u)))
     }
 
     /// Angular momentum L/√(GM³ā), ā = (abc)^{1/3}, dimensionless: (√3/10)((a²+b²)/ā²) Ω/√(πGρ).
+    ///
+    /// ```
+    /// use spinning_bodies::rotating_fluid::JacobiEllipsoid;
+    /// // The longer, the more angular momentum.
+    /// let [stout, slender] = [JacobiEllipsoid::from_axis_ratio(0.9)?, JacobiEllipsoid::from_axis_ratio(0.3)?];
+    /// assert!(slender.angular_momentum() > stout.angular_momentum());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_momentum(&self) -> f64 {
         let [a, b, c] = self.axes();
         let mean = (a * b * c).cbrt();

@@ -10,6 +10,14 @@ use crate::inertia::PrincipalMoments;
 ///
 /// Component 1 is (I₂ − I₃)/(I₂I₃) · L₂L₃, and cyclic. Domain: any vector. The result is at right angles to L and to Ω, so |L| and
 /// E stay. Error: each component to 3 ulp, without cancellation for nearly equal moments. Cost: six divisions. No errors.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::{AxisMoments, flow}, frame::BodyVector};
+/// let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
+/// let rate = flow(&moments, BodyVector::new(1.0, 0.0, 1.0));
+/// assert!((rate - BodyVector::new(0.0, 2.0 / 3.0, 0.0)).norm() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn flow(moments: &AxisMoments, l: BodyVector) -> BodyVector {
     let [i1, i2, i3] = moments.values();
     BodyVector::new(
@@ -45,6 +53,14 @@ pub struct Equilibrium {
 ///
 /// Domain: any moments. If moments are equal there are more equilibria than these six, and those on the shared circle are
 /// called degenerate. Error: the growth to 4 ulp, as long as its square can be held in a double. Cost: a few divisions.
+///
+/// ```
+/// use spinning_bodies::euler_equations::{AxisMoments, Nature, equilibria};
+/// let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
+/// let saddles = equilibria(&moments).iter().filter(|place| place.nature == Nature::Saddle).count();
+/// assert_eq!(saddles, 2);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
     let i = moments.values();
     core::array::from_fn(|n| {
@@ -71,6 +87,12 @@ pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
 ///
 /// For the sorted moments; dimensionless. Domain: 0 if I₂ = I₁, infinite if I₂ = I₃, not a number for a sphere, which has no
 /// separatrix. Error: 3 ulp. Cost: two divisions and a root. No errors.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::separatrix_slope, inertia::PrincipalMoments};
+/// assert!((separatrix_slope(&PrincipalMoments::new(1.0, 2.0, 3.0)?) - 3.0_f64.sqrt()).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn separatrix_slope(moments: &PrincipalMoments) -> f64 {
     let [i1, i2, i3] = moments.values();
     (i3 / i1 * ((i2 - i1) / (i3 - i2))).sqrt()
@@ -79,6 +101,12 @@ pub fn separatrix_slope(moments: &PrincipalMoments) -> f64 {
 /// Greatest |∂L/∂t| on the sphere |L| = 1, in units 1/(kg m²): ½(1/I₁ − 1/I₃), halfway between axes 1 and 3 (5.1).
 ///
 /// L∧I⁻¹L is longest where the middle component vanishes; the middle moment plays no part. Zero for a sphere, infinite for a rod. Error: 3 ulp.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::fastest_flow, inertia::PrincipalMoments};
+/// assert!((fastest_flow(&PrincipalMoments::new(1.0, 2.0, 3.0)?) - 1.0 / 3.0).abs() < 1e-16);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn fastest_flow(moments: &PrincipalMoments) -> f64 {
     let [i1, _, i3] = moments.values();
     0.5 * ((i3 - i1) / i1 / i3)
@@ -91,6 +119,15 @@ pub fn fastest_flow(moments: &PrincipalMoments) -> f64 {
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite) for a start or a step that is none.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::{AxisMoments, streamline}, frame::BodyVector};
+/// let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
+/// let line = streamline(&moments, BodyVector::new(0.6, 0.0, 0.8), 0.1, 50)?;
+/// assert_eq!(line.len(), 51);
+/// assert!((line[50].norm() - 1.0).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn streamline(
     moments: &AxisMoments,
     start: BodyVector,

@@ -60,6 +60,13 @@ impl HeavyTop {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for the lever.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, Integrability}, frame::BodyVector};
+    /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(0.0, 0.0, 3.0))?;
+    /// assert_eq!(top.kind(), Integrability::Lagrange(2));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(moments: AxisMoments, lever: BodyVector) -> Result<Self> {
         finite_vector("the lever MgC", lever)?;
         Ok(Self {
@@ -70,6 +77,14 @@ impl HeavyTop {
     }
 
     /// Which further integral it has, if any.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, Integrability}, frame::BodyVector};
+    /// // Two moments twice the third, and C across: Kovalevskaya's.
+    /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(3.0, 0.0, 0.0))?;
+    /// assert_eq!(top.kind(), Integrability::Kovalevskaya(2));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn kind(&self) -> Integrability {
         self.kind
     }
@@ -77,6 +92,15 @@ impl HeavyTop {
     /// The rates ∂Ω/∂t and ∂z/∂t: Euler's equations with N = z∧MgC, and ∂z/∂t = z∧Ω (5.1, 8.1).
     ///
     /// Cost: [`rate`] and two vector products. No errors.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, TopState}, frame::BodyVector};
+    /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(0.0, 0.0, 3.0))?;
+    /// let state = TopState { omega: BodyVector::new(1.0, 0.0, 2.0), up: BodyVector::new(0.6, 0.0, 0.8) };
+    /// // z' = z ∧ Ω.
+    /// assert!((top.rate(&state).up - BodyVector::new(0.0, 0.8 - 1.2, 0.0)).norm() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rate(&self, state: &TopState) -> TopState {
         TopState {
             omega: rate(&self.moments, state.omega, state.up.cross(&self.lever)),
@@ -87,6 +111,15 @@ impl HeavyTop {
     /// The state one step of `step` seconds later, by the classical Runge–Kutta method.
     ///
     /// Error O(step⁵) a step; it keeps no invariant by construction, so their drift measures it. Cost: four [`rate`](Self::rate)s.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, TopState}, frame::BodyVector};
+    /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(0.0, 0.0, 3.0))?;
+    /// let state = TopState { omega: BodyVector::new(1.0, 0.0, 2.0), up: BodyVector::new(0.6, 0.0, 0.8) };
+    /// let later = top.step(&state, 1e-3);
+    /// assert!((top.energy(&later) - top.energy(&state)).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn step(&self, state: &TopState, step: f64) -> TopState {
         unpack(&runge_kutta(|y| self.packed_rate(y), &pack(state), step))
     }
@@ -96,11 +129,29 @@ impl HeavyTop {
     }
 
     /// Energy ½⟨IΩ, Ω⟩ + ⟨MgC, z⟩, J.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, TopState}, frame::BodyVector};
+    /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(0.0, 0.0, 3.0))?;
+    /// let state = TopState { omega: BodyVector::new(1.0, 0.0, 2.0), up: BodyVector::new(0.6, 0.0, 0.8) };
+    /// // ½(2·1 + 1·4) + 3·0.8.
+    /// assert!((top.energy(&state) - 5.4).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy(&self, state: &TopState) -> f64 {
         self.moments.energy(state.omega) + self.lever.dot(&state.up)
     }
 
     /// L_vert = ⟨IΩ, z⟩, kg m²/s: gravity has no torque about the vertical.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, TopState}, frame::BodyVector};
+    /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(0.0, 0.0, 3.0))?;
+    /// let state = TopState { omega: BodyVector::new(1.0, 0.0, 2.0), up: BodyVector::new(0.6, 0.0, 0.8) };
+    /// // 2·0.6 + 2·0.8.
+    /// assert!((top.vertical_angular_momentum(&state) - 2.8).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn vertical_angular_momentum(&self, state: &TopState) -> f64 {
         self.moments.angular_momentum(state.omega).dot(&state.up)
     }
@@ -110,6 +161,16 @@ impl HeavyTop {
     /// Euler |L|²; spherical inertia ⟨L, MgC⟩; Lagrange L₃; Kovalevskaya |w² − cζ|² with w = Ω₁+iΩ₂, ζ = z₁+iz₂,
     /// c = Mg(C₁+iC₂)/I₃; Goryachev–Chaplygin Ω₃(Ω₁²+Ω₂²) − (Mg/I₃)(C₁Ω₁+C₂Ω₂)z₃. The axis called 3 is the
     /// one that [`Integrability`] names. Cost: a few multiplications.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, TopState}, frame::BodyVector};
+    /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(0.0, 0.0, 3.0))?;
+    /// let state = TopState { omega: BodyVector::new(1.0, 0.0, 2.0), up: BodyVector::new(0.6, 0.0, 0.8) };
+    /// // Lagrange's: L₃, at rest.
+    /// let integral = top.further_integral(&state).unwrap();
+    /// assert_eq!((integral.value, integral.rate), (2.0, 0.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn further_integral(&self, state: &TopState) -> Option<Integral> {
         let l = self.moments.angular_momentum(state.omega);
         let moments = self.moments.values();
@@ -153,6 +214,15 @@ impl HeavyTop {
     /// # Errors
     /// [`Error::NotPositive`] for duration or step, [`Error::NotFinite`] for the start or if the motion is lost,
     /// [`Error::OutOfRange`] for more than 10⁹ steps.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, TopState}, frame::BodyVector};
+    /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(0.0, 0.0, 3.0))?;
+    /// let state = TopState { omega: BodyVector::new(1.0, 0.0, 2.0), up: BodyVector::new(0.6, 0.0, 0.8) };
+    /// // A regular motion: neighbours part in proportion to the time, and the mean rate is small.
+    /// assert!(top.lyapunov_exponent(&state, 50.0, 0.01)? < 0.2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn lyapunov_exponent(&self, start: &TopState, duration: f64, step: f64) -> Result<f64> {
         positive("the duration", duration)?;
         positive("the step", step)?;

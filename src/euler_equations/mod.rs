@@ -54,23 +54,50 @@ impl AxisMoments {
     }
 
     /// I₁, I₂, I₃, kg m².
+    ///
+    /// ```
+    /// use spinning_bodies::euler_equations::AxisMoments;
+    /// assert_eq!(AxisMoments::new(3.0, 1.0, 2.0)?.values(), [3.0, 1.0, 2.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn values(&self) -> [f64; 3] {
         self.0
     }
 
     /// Angular momentum L = IΩ, kg m²/s; `omega` in rad/s (2.2).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::AxisMoments, frame::BodyVector};
+    /// let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
+    /// assert_eq!(moments.angular_momentum(BodyVector::new(1.0, 1.0, 1.0)), BodyVector::new(1.0, 2.0, 3.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_momentum(&self, omega: BodyVector) -> BodyVector {
         let [i1, i2, i3] = self.0;
         BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z())
     }
 
     /// Angular velocity I⁻¹L, rad/s; `l` in kg m²/s (2.2).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::AxisMoments, frame::BodyVector};
+    /// let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
+    /// assert_eq!(moments.angular_velocity(BodyVector::new(1.0, 1.0, 6.0)), BodyVector::new(1.0, 0.5, 2.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_velocity(&self, l: BodyVector) -> BodyVector {
         let [i1, i2, i3] = self.0;
         BodyVector::new(l.x() / i1, l.y() / i2, l.z() / i3)
     }
 
     /// Rotational energy ½⟨IΩ, Ω⟩, J; `omega` in rad/s (2.3). Without torque it is constant, and so is |L| (5.1).
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::AxisMoments, frame::BodyVector};
+    /// let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
+    /// assert_eq!(moments.energy(BodyVector::new(2.0, 1.0, 2.0)), 9.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy(&self, omega: BodyVector) -> f64 {
         0.5 * self.angular_momentum(omega).dot(&omega)
     }
@@ -112,6 +139,15 @@ pub fn rate(moments: &AxisMoments, omega: BodyVector, torque: BodyVector) -> Bod
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for a rod or a particle.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::rate_in_any_axes, frame::BodyVector, inertia::InertiaMatrix};
+/// // Along principal axes I₁Ω₁' = (I₂ − I₃)Ω₂Ω₃.
+/// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+/// let rate = rate_in_any_axes(&inertia, BodyVector::new(0.0, 2.0, 3.0), BodyVector::zero())?;
+/// assert_eq!(rate, BodyVector::new(-6.0, 0.0, 0.0));
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rate_in_any_axes(
     inertia: &InertiaMatrix,
     omega: BodyVector,
@@ -133,6 +169,15 @@ pub fn rate_in_any_axes(
 /// The same change as [`rate`], seen from space: `omega` and `torque` along the axes of space, the moments along those
 /// of the body, which stands at `attitude`. That the answer is [`rate`]'s, only turned, is the transport theorem for
 /// Ω∧Ω = 0. Error: two more rotations, 1e-15 relative observed. Cost: three rotations. No errors.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::{AxisMoments, rate_in_space}, frame::{Attitude, SpaceVector}};
+/// let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
+/// // While the axes agree the two rates do, too: Ω ∧ Ω = 0.
+/// let rate = rate_in_space(&moments, &Attitude::identity(), SpaceVector::new(0.0, 2.0, 3.0), SpaceVector::zero());
+/// assert_eq!(rate, SpaceVector::new(-6.0, 0.0, 0.0));
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rate_in_space(
     moments: &AxisMoments,
     attitude: &Attitude,
@@ -173,6 +218,17 @@ pub enum ReferencePoint {
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite) for the point, [`Error::NotPositive`](crate::Error::NotPositive) if a moment about it is zero.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::{ReferencePoint, rate_about}, frame::BodyVector, inertia::shapes};
+/// // A rod of 3 kg and 2 m, held at its end and pulled: Ml²/3 = 4 kg m².
+/// let (rod, end) = (shapes::rod(3.0, 2.0)?, ReferencePoint::Pivot(BodyVector::new(0.0, 0.0, -1.0)));
+/// let torque = BodyVector::new(8.0, 0.0, 0.0);
+/// assert!(rate_about(&rod, end, BodyVector::zero(), torque).is_err(), "along itself it has no moment");
+/// let brick = shapes::cuboid(12.0, [1.0, 2.0, 3.0])?;
+/// assert_eq!(rate_about(&brick, ReferencePoint::Center, BodyVector::zero(), torque)?.x(), 8.0 / 13.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rate_about(
     body: &MassProperties,
     reference: ReferencePoint,
@@ -197,6 +253,13 @@ pub fn rate_about(
 ///
 /// `momentum` in kg m/s, `force` in N, `omega` in rad/s. A free body's P is constant in space and turns backwards for
 /// the rider. Cost: one vector product. No errors.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::momentum_rate, frame::BodyVector};
+/// // No force: seen from a turning body the momentum goes round the other way.
+/// let rate = momentum_rate(BodyVector::new(2.0, 0.0, 0.0), BodyVector::new(0.0, 0.0, 3.0), BodyVector::zero());
+/// assert_eq!(rate, BodyVector::new(0.0, -6.0, 0.0));
+/// ```
 pub fn momentum_rate(momentum: BodyVector, omega: BodyVector, force: BodyVector) -> BodyVector {
     force - omega.cross(&momentum)
 }
@@ -205,6 +268,14 @@ pub fn momentum_rate(momentum: BodyVector, omega: BodyVector, force: BodyVector)
 ///
 /// dU/dt = A − ∂Ω/∂t∧d − Ω∧(Ω∧d), where A = F/M is the centre's acceleration and d = C − O in metres, the transport
 /// theorem twice. Cost: three vector products. No errors.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::acceleration, frame::BodyVector};
+/// // The centre lies half a metre along x, and the body turns at 2 rad/s: Ω²r towards the centre.
+/// let omega = BodyVector::new(0.0, 0.0, 2.0);
+/// let inward = acceleration(BodyVector::zero(), omega, BodyVector::zero(), BodyVector::new(0.5, 0.0, 0.0));
+/// assert_eq!(inward, BodyVector::new(2.0, 0.0, 0.0));
+/// ```
 pub fn acceleration(
     of_center: BodyVector,
     omega: BodyVector,
@@ -217,6 +288,11 @@ pub fn acceleration(
 /// dq/dt for the attitude's quaternion q: ½ qΩ, components w, x, y, z (2.2, 5.1).
 ///
 /// The basis vectors turn with the body, de/dt = Ω∧e, in the form that integrators take. Cost: twelve multiplications.
+///
+/// ```
+/// use spinning_bodies::{euler_equations::quaternion_rate, frame::BodyVector};
+/// assert_eq!(quaternion_rate([1.0, 0.0, 0.0, 0.0], BodyVector::new(2.0, 4.0, 6.0)), [0.0, 1.0, 2.0, 3.0]);
+/// ```
 pub fn quaternion_rate(quaternion: [f64; 4], omega: BodyVector) -> [f64; 4] {
     let [w, x, y, z] = quaternion;
     let (o1, o2, o3) = (omega.x(), omega.y(), omega.z());

@@ -30,6 +30,14 @@ impl SpringBody {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the stiffness or for a lamina, whose pairs coincide; [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, SpringBody}, frame::BodyVector};
+    /// let moments = AxisMoments::new(2.0, 2.5, 3.0)?;
+    /// let body = SpringBody::new(moments, 1e4, BodyVector::new(0.0, 0.0, 1.0))?;
+    /// assert!((body.omega()?.z() - 1.0).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(moments: AxisMoments, stiffness: f64, omega: BodyVector) -> Result<Self> {
         positive("the stiffness", stiffness)?;
         crate::frame::finite_vector("the angular velocity", omega)?;
@@ -61,6 +69,16 @@ impl SpringBody {
     ///
     /// # Errors
     /// [`Error::NotFinite`] if the step was too long and the body flew apart.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, SpringBody}, frame::BodyVector};
+    /// let moments = AxisMoments::new(2.0, 2.5, 3.0)?;
+    /// let mut body = SpringBody::new(moments, 1e4, BodyVector::new(0.0, 0.0, 1.0))?;
+    /// body.advance(0.1, 200)?;
+    /// // Stiff as it is, it keeps turning about its own axis.
+    /// assert!((body.omega()?.z() - 1.0).abs() < 1e-2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn advance(&mut self, duration: f64, steps: u32) -> Result<()> {
         finite("the duration", duration)?;
         let h = duration / f64::from(steps.max(1));
@@ -106,6 +124,14 @@ impl SpringBody {
     ///
     /// # Errors
     /// [`Error::ZeroVector`] if the body has collapsed.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_equations::{AxisMoments, SpringBody}, frame::BodyVector};
+    /// let moments = AxisMoments::new(2.0, 2.5, 3.0)?;
+    /// let body = SpringBody::new(moments, 1e4, BodyVector::new(0.5, 0.0, 1.0))?;
+    /// assert!((body.omega()? - BodyVector::new(0.5, 0.0, 1.0)).norm() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn omega(&self) -> Result<BodyVector> {
         let l: Vector3<f64> = (0..6)
             .map(|k| self.positions[k].cross(&self.velocities[k]) * self.mass)

@@ -85,6 +85,11 @@ impl Start {
     };
 
     /// The same seen in a mirror.
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Start;
+    /// assert_eq!(Start::TILTED.mirrored().tilt, -0.2);
+    /// ```
     pub fn mirrored(self) -> Self {
         Self {
             tilt: -self.tilt,
@@ -115,6 +120,11 @@ pub enum Regime {
 
 impl Regime {
     /// One word.
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Regime;
+    /// assert_eq!(Regime::Flutter.name(), "flutter");
+    /// ```
     pub const fn name(self) -> &'static str {
         match self {
             Self::Steady => "steady",
@@ -146,6 +156,13 @@ pub struct LongRun {
 
 impl LongRun {
     /// Angle of the path below the horizontal, rad.
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::{Coefficients, Fall, Start};
+    /// let run = Fall::new(3.0, Coefficients::PUBLISHED)?.long_run(Start::TILTED, 100.0, 100.0)?;
+    /// assert!(run.glide_angle() > 0.0 && run.glide_angle() < std::f64::consts::FRAC_PI_2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn glide_angle(&self) -> f64 {
         self.descent.atan2(self.drift.abs())
     }
@@ -176,6 +193,12 @@ impl Fall {
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for the mass ratio or the inertia factor;
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for a coefficient that drives what it should brake.
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::{Coefficients, Fall};
+    /// assert!(Fall::new(1.0, Coefficients::PUBLISHED).is_ok());
+    /// assert!(Fall::new(0.0, Coefficients::PUBLISHED).is_err());
+    /// ```
     pub fn new(mass_ratio: f64, coefficients: Coefficients) -> Result<Self> {
         let mass_ratio = positive("the mass ratio of the plate", mass_ratio)?;
         // a = 1, π ρ a² = 1, m = I*, and with m g = 1 the speed √(I* a g) is 1.
@@ -199,6 +222,16 @@ impl Fall {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Integration`](crate::Error::Integration).
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::{Coefficients, Fall, Start};
+    /// // Let go, it falls; its mirror image goes the other way.
+    /// let fall = Fall::new(1.0, Coefficients::PUBLISHED)?;
+    /// let [one, other] = [Start::TILTED, Start::TILTED.mirrored()].map(|start| fall.path(start, &[5.0]));
+    /// let ([x, y, ..], [mirrored, ..]) = (one?[0], other?[0]);
+    /// assert!(y < 0.0 && (x + mirrored).abs() < 1e-9);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn path(&self, start: Start, times: &[f64]) -> Result<Vec<[f64; 7]>> {
         let [u, w] = start.velocity;
         let state = [0.0, 0.0, start.tilt, u, w, start.omega, 0.0];
@@ -224,6 +257,13 @@ impl Fall {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) and [`Error::NotFinite`](crate::Error::NotFinite) for the times;
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) beyond 200 000 units; as [`path`](Self::path).
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::{Coefficients, Fall, Regime, Start};
+    /// let light = Fall::new(1.0, Coefficients::PUBLISHED)?;
+    /// assert_eq!(light.long_run(Start::TILTED, 100.0, 100.0)?.regime, Regime::Flutter);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn long_run(&self, start: Start, run_up: f64, window: f64) -> Result<LongRun> {
         let run_up = positive("the run-up", run_up)?;
         let window = positive("the window", window)?;

@@ -27,6 +27,12 @@ impl Sheet {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`].
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Sheet;
+    /// assert_eq!(Sheet::new(0.04, 0.08, 1.2, 9.81)?, Sheet::of_paper(0.04)?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(width: f64, areal_density: f64, fluid_density: f64, gravity: f64) -> Result<Self> {
         Ok(Self {
             width: positive("the width of the strip", width)?,
@@ -40,6 +46,14 @@ impl Sheet {
     ///
     /// # Errors
     /// As [`new`](Self::new), for the width.
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Sheet;
+    /// let strip = Sheet::of_paper(0.04)?;
+    /// // 4σ/(πρw).
+    /// assert!((strip.mass_ratio() - 0.32 / (std::f64::consts::PI * 0.048)).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn of_paper(width: f64) -> Result<Self> {
         Self::new(width, 0.08, 1.2, 9.81)
     }
@@ -48,12 +62,27 @@ impl Sheet {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`].
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Sheet;
+    /// let strip = Sheet::of_paper(0.04)?;
+    /// assert!((strip.width_for(strip.mass_ratio())? - 0.04).abs() < 1e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn width_for(&self, mass_ratio: f64) -> Result<f64> {
         Ok(4.0 * self.areal_density
             / (PI * self.fluid_density * positive("the mass ratio", mass_ratio)?))
     }
 
     /// I* = 4σ/(π ρ w): the mass of the strip over that of the air cylinder around it. Dimensionless.
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Sheet;
+    /// // Half the width, twice the ratio.
+    /// let [wide, narrow] = [Sheet::of_paper(0.04)?, Sheet::of_paper(0.02)?];
+    /// assert!((narrow.mass_ratio() / wide.mass_ratio() - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mass_ratio(&self) -> f64 {
         4.0 * self.areal_density / (PI * self.fluid_density * self.width)
     }
@@ -64,6 +93,13 @@ impl Sheet {
     }
 
     /// The speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width.
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Sheet;
+    /// let strip = Sheet::of_paper(0.04)?;
+    /// assert!((strip.speed() - (2.0 * 0.08 * 9.81 / (std::f64::consts::PI * 1.2)).sqrt()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn speed(&self) -> f64 {
         (2.0 * self.areal_density * self.gravity / (PI * self.fluid_density)).sqrt()
     }
@@ -74,6 +110,13 @@ impl Sheet {
     }
 
     /// The time of the theory, a/U, s.
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Sheet;
+    /// let strip = Sheet::of_paper(0.04)?;
+    /// assert!((strip.time() * strip.speed() - 0.02).abs() < 1e-17);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn time(&self) -> f64 {
         self.half_chord() / self.speed()
     }
@@ -82,6 +125,14 @@ impl Sheet {
     ///
     /// # Errors
     /// As [`Plate::new`].
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Sheet;
+    /// let strip = Sheet::of_paper(0.04)?;
+    /// let plate = strip.plate()?;
+    /// assert!((plate.mass() / plate.displaced_mass() - strip.mass_ratio()).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn plate(&self) -> Result<Plate> {
         let mass = self.areal_density * self.width;
         Plate::new(self.half_chord(), mass, self.fluid_density, 0.0, 1.0 / 3.0)

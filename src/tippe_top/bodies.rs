@@ -12,6 +12,13 @@ use crate::inertia::InertiaMatrix;
 ///
 /// # Errors
 /// As for [`ConvexBody::new`] and [`InertiaMatrix::from_matrix`]; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ α < 1.
+///
+/// ```
+/// use spinning_bodies::tippe_top::bodies;
+/// let ball = bodies::eccentric_ball(0.02, 0.02, 0.3, nalgebra::Matrix3::identity() * 0.4)?;
+/// assert_eq!(ball.center().z(), 0.3 * 0.02);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn eccentric_ball(
     mass: f64,
     radius: f64,
@@ -50,6 +57,12 @@ fn round_ended(
 ///
 /// # Errors
 /// As for [`eccentric_ball`].
+///
+/// ```
+/// use spinning_bodies::tippe_top::bodies;
+/// assert_eq!(bodies::hoop_with_clay(1.0, 0.5, 0.2)?.center().z(), 0.1);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn hoop_with_clay(mass: f64, radius: f64, alpha: f64) -> Result<ConvexBody> {
     eccentric_ball(mass, radius, alpha, Matrix3::identity() * 0.4)
 }
@@ -58,6 +71,12 @@ pub fn hoop_with_clay(mass: f64, radius: f64, alpha: f64) -> Result<ConvexBody> 
 ///
 /// # Errors
 /// None for these parameters.
+///
+/// ```
+/// use spinning_bodies::tippe_top::bodies;
+/// assert_eq!(bodies::tippe_top()?.mass(), 0.02);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn tippe_top() -> Result<ConvexBody> {
     let moments = nalgebra::Vector3::new(131.0 / 350.0, 131.0 / 350.0, 0.4);
     eccentric_ball(0.02, 0.02, 0.3, Matrix3::from_diagonal(&moments))
@@ -67,6 +86,14 @@ pub fn tippe_top() -> Result<ConvexBody> {
 ///
 /// # Errors
 /// As for [`ConvexBody::new`].
+///
+/// ```
+/// use spinning_bodies::tippe_top::bodies;
+/// // M(a² + b²)/5 across, 2Mb²/5 along.
+/// let moments = bodies::egg(5.0, 2.0, 1.0)?.inertia().matrix().diagonal();
+/// assert_eq!(moments.as_slice(), [5.0, 5.0, 2.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn egg(mass: f64, long: f64, short: f64) -> Result<ConvexBody> {
     let surface = Surface::ellipsoid([short, short, long])?;
     let across = mass * (long * long + short * short) / 5.0;
@@ -76,6 +103,10 @@ pub fn egg(mass: f64, long: f64, short: f64) -> Result<ConvexBody> {
 }
 
 /// The inertia matrix of [`chiral_top`], in units M R².
+///
+/// ```
+/// assert!((spinning_bodies::tippe_top::bodies::chiral_inertia().trace() - 1.43).abs() < 1e-15);
+/// ```
 pub fn chiral_inertia() -> Matrix3<f64> {
     Matrix3::new(
         0.480, 0.017, -0.008, 0.017, 0.420, 0.008, -0.008, 0.008, 0.530,
@@ -88,6 +119,14 @@ pub fn chiral_inertia() -> Matrix3<f64> {
 ///
 /// # Errors
 /// None for these parameters.
+///
+/// ```
+/// use spinning_bodies::tippe_top::{bodies, chirality_index};
+/// let top = bodies::chiral_top()?;
+/// let (here, there) = (chirality_index(top.inertia(), top.center())?, chirality_index(top.mirrored().inertia(), top.center())?);
+/// assert!(here != 0.0 && here == -there);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn chiral_top() -> Result<ConvexBody> {
     eccentric_ball(0.02, 0.02, 0.19, chiral_inertia())
 }
@@ -97,6 +136,13 @@ pub fn chiral_top() -> Result<ConvexBody> {
 ///
 /// # Errors
 /// As for [`eccentric_ball`].
+///
+/// ```
+/// use spinning_bodies::tippe_top::bodies;
+/// let top = bodies::celt_ended_top(0.288, [0.351, 0.550, 0.505], 0.745, 0.144)?;
+/// assert_eq!(top, bodies::celt_ended_top_1()?);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn celt_ended_top(alpha: f64, moments: [f64; 3], delta: f64, e: f64) -> Result<ConvexBody> {
     let radius = 0.02;
     let axes = [radius * (1.0 + e), radius * (1.0 - e), radius];
@@ -110,6 +156,12 @@ pub fn celt_ended_top(alpha: f64, moments: [f64; 3], delta: f64, e: f64) -> Resu
 ///
 /// # Errors
 /// None for these parameters.
+///
+/// ```
+/// use spinning_bodies::tippe_top::bodies;
+/// assert!((bodies::celt_ended_top_1()?.center().z() - 0.288 * 0.02).abs() < 1e-17);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn celt_ended_top_1() -> Result<ConvexBody> {
     celt_ended_top(0.288, [0.351, 0.550, 0.505], 0.745, 0.144)
 }
@@ -118,6 +170,12 @@ pub fn celt_ended_top_1() -> Result<ConvexBody> {
 ///
 /// # Errors
 /// None for these parameters.
+///
+/// ```
+/// use spinning_bodies::tippe_top::bodies;
+/// assert!((bodies::celt_ended_top_2()?.center().z() - 0.265 * 0.02).abs() < 1e-17);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn celt_ended_top_2() -> Result<ConvexBody> {
     celt_ended_top(0.265, [0.261, 0.507, 0.406], 0.845, 0.129)
 }
@@ -127,6 +185,12 @@ pub fn celt_ended_top_2() -> Result<ConvexBody> {
 ///
 /// # Errors
 /// None for these parameters.
+///
+/// ```
+/// use spinning_bodies::tippe_top::bodies;
+/// assert_eq!(bodies::rattleback()?.center().z(), 0.01);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rattleback() -> Result<ConvexBody> {
     let inertia = Matrix3::new(2e-4, -2e-5, 0.0, -2e-5, 16e-4, 0.0, 0.0, 0.0, 17e-4);
     let inertia = InertiaMatrix::from_matrix(inertia)?;

@@ -25,6 +25,15 @@ impl ConvexBody {
     /// # Errors
     /// [`Error::NotPositive`] for the mass; [`Error::NotFinite`]; [`Error::Condition`] for a body all on one line, whose spin about
     /// it no torque could be held to.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::{ConvexBody, Surface}};
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// let body = ConvexBody::new(4.0, inertia, Surface::sphere(1.0)?, BodyVector::new(0.0, 0.0, 0.25))?;
+    /// // Standing upright C is R − a above the table.
+    /// assert_eq!(body.lowest_point(BodyVector::new(0.0, 0.0, 1.0))?.z(), -0.75);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(
         mass: f64,
         inertia: InertiaMatrix,
@@ -52,11 +61,27 @@ impl ConvexBody {
     }
 
     /// Mass, kg.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::{ConvexBody, Surface}};
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// let body = ConvexBody::new(4.0, inertia, Surface::sphere(1.0)?, BodyVector::new(0.0, 0.0, 0.25))?;
+    /// assert_eq!(body.mass(), 4.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Inertia matrix about C, kg m².
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::{ConvexBody, Surface}};
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// let body = ConvexBody::new(4.0, inertia, Surface::sphere(1.0)?, BodyVector::new(0.0, 0.0, 0.25))?;
+    /// assert_eq!(*body.inertia(), inertia);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn inertia(&self) -> &InertiaMatrix {
         &self.about_c
     }
@@ -67,11 +92,28 @@ impl ConvexBody {
     }
 
     /// CK, from the centre of mass to the centre of the surface, m.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::{ConvexBody, Surface}};
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// let body = ConvexBody::new(4.0, inertia, Surface::sphere(1.0)?, BodyVector::new(0.0, 0.0, 0.25))?;
+    /// assert_eq!(body.center().z(), 0.25);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn center(&self) -> BodyVector {
         BodyVector::from_components(self.center)
     }
 
     /// The mirror image: in the plane through the body's first and third axis. A chiral body is not a turned copy of its own.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::{ConvexBody, Surface}};
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// let body = ConvexBody::new(4.0, inertia, Surface::sphere(1.0)?, BodyVector::new(0.0, 0.0, 0.25))?;
+    /// // This one is its own mirror image.
+    /// assert_eq!(body.mirrored(), body);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let mut image = *self;
@@ -85,6 +127,14 @@ impl ConvexBody {
     }
 
     /// CR, from C to the lowest point (m), if the upward vertical is `up`; its normal component is minus the height of C.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::{ConvexBody, Surface}};
+    /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+    /// let body = ConvexBody::new(4.0, inertia, Surface::sphere(1.0)?, BodyVector::new(0.0, 0.0, 0.25))?;
+    /// assert_eq!(body.lowest_point(BodyVector::new(0.0, 0.0, -1.0))?.z(), 1.25);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn lowest_point(&self, up: BodyVector) -> Result<BodyVector> {
         let up = up.direction("the vertical")?;
         Ok(BodyVector::from_components(self.arm(&up.components())))
@@ -159,6 +209,13 @@ impl Start {
     ///
     /// # Errors
     /// [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, tippe_top::Start};
+    /// let start = Start::spinning(Attitude::identity(), BodyVector::new(0.0, 0.0, 5.0))?;
+    /// assert_eq!(start.velocity.norm(), 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn spinning(attitude: Attitude, omega: BodyVector) -> Result<Self> {
         finite_vector("the angular velocity", omega)?;
         Ok(Self {
@@ -173,6 +230,13 @@ impl Start {
     ///
     /// # Errors
     /// [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::Start;
+    /// let start = Start::about_vertical(0.1, 0.0, 5.0)?;
+    /// assert!((start.attitude.to_space(start.omega).z() - 5.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn about_vertical(tilt: f64, azimuth: f64, spin: f64) -> Result<Self> {
         let (attitude, up) = tilted(tilt, azimuth)?;
         Self::spinning(attitude, up * finite("the spin", spin)?)
@@ -182,6 +246,12 @@ impl Start {
     ///
     /// # Errors
     /// [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::Start;
+    /// assert_eq!(Start::about_third_axis(0.1, 0.0, 5.0)?.omega.z(), 5.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn about_third_axis(tilt: f64, azimuth: f64, spin: f64) -> Result<Self> {
         let (attitude, _) = tilted(tilt, azimuth)?;
         let spin = finite("the spin", spin)?;
@@ -189,6 +259,14 @@ impl Start {
     }
 
     /// The mirror image, with [`ConvexBody::mirrored`]: the same motion in a mirror.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::Start;
+    /// let start = Start::about_third_axis(0.1, 0.0, 5.0)?;
+    /// assert_eq!(start.mirrored().omega.z(), -5.0);
+    /// assert_eq!(start.mirrored().mirrored(), start);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     #[must_use]
     pub fn mirrored(&self) -> Self {
         // A turn by q about an axis becomes the turn by −q about the mirrored axis.

@@ -20,6 +20,14 @@ use crate::inertia::InertiaMatrix;
 ///
 /// # Errors
 /// [`Error::ZeroVector`](crate::Error::ZeroVector), [`Error::NotFinite`](crate::Error::NotFinite) for the axis.
+///
+/// ```
+/// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::chirality_index};
+/// // Not chiral: the axis is a principal one.
+/// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
+/// assert_eq!(chirality_index(&inertia, BodyVector::new(0.0, 0.0, 1.0))?, 0.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn chirality_index(inertia: &InertiaMatrix, axis: BodyVector) -> Result<f64> {
     let k = axis.direction("the axis CK")?.components();
     let matrix = inertia.matrix();
@@ -34,6 +42,15 @@ pub fn chirality_index(inertia: &InertiaMatrix, axis: BodyVector) -> Result<f64>
 ///
 /// # Errors
 /// As for [`quasi_steady`].
+///
+/// ```
+/// use spinning_bodies::tippe_top::{Regularised, bodies, swings_of_both_senses};
+/// let law = Regularised::new(0.3, 1e-3)?;
+/// // A round tippe top rises whichever way it spins.
+/// let [one, other] = swings_of_both_senses(&bodies::tippe_top()?, 9.81, law, 150.0)?;
+/// assert!(one.growth > 0.0 && (one.growth / other.growth - 1.0).abs() < 1e-6);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn swings_of_both_senses(
     body: &ConvexBody,
     gravity: f64,
@@ -51,6 +68,16 @@ pub fn swings_of_both_senses(
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the mass.
+///
+/// ```
+/// use spinning_bodies::{frame::Attitude, inertia::InertiaMatrix, tippe_top::beads};
+/// let inertia = InertiaMatrix::diagonal(5.0, 4.0, 3.0)?;
+/// // Two beads of 1 kg at each place: their second moments are ½tr I together.
+/// let places = beads(6.0, &inertia, &Attitude::identity())?;
+/// let sum: f64 = places.iter().map(|place| 2.0 * place.dot(place)).sum();
+/// assert!((sum - 6.0).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn beads(mass: f64, inertia: &InertiaMatrix, mixing: &Attitude) -> Result<[BodyVector; 3]> {
     let mass = positive("the mass", mass)?;
     let axes = inertia.principal_axes();

@@ -28,6 +28,13 @@ impl HoopWithClay {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite), also for friction and for R μ M g/I and μ g/R beyond the doubles; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ α < 1.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert_eq!(hoop.friction(), 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(
         mass: f64,
         radius: f64,
@@ -59,11 +66,25 @@ impl HoopWithClay {
     }
 
     /// f = μ M g, N.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert_eq!(hoop.friction(), 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn friction(&self) -> f64 {
         self.friction
     }
 
     /// CO, from C to the point of contact, in the picture's axes, m: r = ε e − R z.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert_eq!(hoop.arm(0.0).z(), -0.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn arm(&self, tilt: f64) -> SpaceVector {
         let (sin, cos) = tilt.sin_cos();
         let offset = self.alpha * self.radius;
@@ -71,28 +92,64 @@ impl HoopWithClay {
     }
 
     /// Velocity of the point of contact, Ω∧r (m/s) for spin Ω (rad/s) up: into the page, with Ω ε sin θ. The motion of C is left out.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert_eq!(hoop.slip(std::f64::consts::FRAC_PI_2, 2.0).y(), 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn slip(&self, tilt: f64, spin: f64) -> SpaceVector {
         SpaceVector::new(0.0, 0.0, spin).cross(&self.arm(tilt))
     }
 
     /// Torque of friction about C (N m), with friction out of the page: N = −f (R − ε cos θ) x − f ε sin θ z.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert_eq!(hoop.torque(0.0).x(), -0.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn torque(&self, tilt: f64) -> SpaceVector {
         self.arm(tilt)
             .cross(&SpaceVector::new(0.0, -self.friction(), 0.0))
     }
 
     /// The tutorial's estimate dθ/dt ≈ R μ M g/(I Ω), rad/s. Domain: Ω > 0 with ε Ω² ≫ μ g.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert_eq!(hoop.tip_rate(4.0), 0.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn tip_rate(&self, spin: f64) -> f64 {
         self.tipping / spin
     }
 
     /// The tutorial's time to tip over, π I Ω/(R μ M g), s.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert_eq!(hoop.tip_over_time(4.0), 2.0 * std::f64::consts::PI);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn tip_over_time(&self, spin: f64) -> f64 {
         core::f64::consts::PI / self.tip_rate(spin)
     }
 
     /// dθ/dt with L as Jellett's integral J lets it fall, f (R − ε cos θ)²/J, rad/s; J = I Ω (R − ε cos θ₀) for spin Ω about the vertical at
     /// tilt θ₀.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// // Upright the arm is R − ε alone, half of what the estimate takes.
+    /// assert_eq!(hoop.refined_rate(4.0, 0.0, 0.0), 0.25);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn refined_rate(&self, spin: f64, start: f64, tilt: f64) -> f64 {
         let arm = |tilt: f64| 1.0 - self.alpha * tilt.cos();
         self.tip_rate(spin) * (arm(tilt) / arm(start)) * arm(tilt)
@@ -101,6 +158,14 @@ impl HoopWithClay {
     /// Time from tilt θ₀, where the spin about the vertical is Ω, to tilt θ₁ with [`refined_rate`](Self::refined_rate): s.
     ///
     /// In closed form; from 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// let (time, pi) = (hoop.refined_time(4.0, 0.0, std::f64::consts::PI), std::f64::consts::PI);
+    /// assert!((time / hoop.tip_over_time(4.0) - 1.5_f64.powf(-1.5) * 0.5_f64.powf(-0.5)).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn refined_time(&self, spin: f64, start: f64, end: f64) -> f64 {
         let a = self.alpha;
         let square = (1.0 - a) * (1.0 + a);
@@ -114,16 +179,37 @@ impl HoopWithClay {
     }
 
     /// |L| at tilt θ₁ over |L| at θ₀, by Jellett's integral: (1 − α cos θ₀)/(1 − α cos θ₁).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert!((hoop.spin_ratio(0.0, std::f64::consts::PI) - 1.0 / 3.0).abs() < 1e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn spin_ratio(&self, start: f64, end: f64) -> f64 {
         (1.0 - self.alpha * start.cos()) / (1.0 - self.alpha * end.cos())
     }
 
     /// ε Ω²/(μ g): the estimate needs this large, so that slip keeps its direction.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert_eq!(hoop.validity(4.0), 8.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn validity(&self, spin: f64) -> f64 {
         self.alpha * spin * (spin / self.grip)
     }
 
     /// −½ M Ω² ε² sin² θ (J): least at the horizontal. Centrifugal force alone would bring C there from both sides, and no higher.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::HoopWithClay;
+    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
+    /// assert_eq!(hoop.centrifugal_potential(std::f64::consts::FRAC_PI_2, 2.0), -0.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn centrifugal_potential(&self, tilt: f64, spin: f64) -> f64 {
         let arm = self.alpha * self.radius * tilt.sin() * spin;
         -0.5 * self.mass * arm * arm

@@ -18,6 +18,11 @@ impl Regularised {
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative), [`Error::NotPositive`](crate::Error::NotPositive),
     /// [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::Regularised;
+    /// assert!(Regularised::new(0.3, 1e-3).is_ok() && Regularised::new(0.3, 0.0).is_err());
+    /// ```
     pub fn new(mu: f64, epsilon: f64) -> Result<Self> {
         let mu = not_negative("the coefficient of friction", mu)?;
         let epsilon = positive("the slip scale of friction", epsilon)?;
@@ -36,6 +41,11 @@ impl Viscous {
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative), [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::Viscous;
+    /// assert!(Viscous::new(0.1).is_ok() && Viscous::new(-0.1).is_err());
+    /// ```
     pub fn new(coefficient: f64) -> Result<Self> {
         let coefficient = not_negative("the viscous coefficient of friction", coefficient)?;
         Ok(Self { coefficient })
@@ -139,6 +149,11 @@ impl Resistance {
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative), [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::Resistance;
+    /// assert!(Resistance::new(1e-3, 0.0).is_ok() && Resistance::new(-1e-3, 0.0).is_err());
+    /// ```
     pub fn new(rolling: f64, pivoting: f64) -> Result<Self> {
         Ok(Self {
             rolling: not_negative("the resistance to rolling", rolling)?,

@@ -33,6 +33,14 @@ pub struct QuasiSteady {
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Condition`] where Newton's method finds no such state.
+///
+/// ```
+/// use spinning_bodies::tippe_top::{Regularised, bodies, quasi_steady};
+/// let state = quasi_steady(&bodies::tippe_top()?, 9.81, Regularised::new(0.3, 1e-3)?, 150.0)?;
+/// // A round top can stand upright.
+/// assert!(state.tilt() < 1e-9);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn quasi_steady(
     body: &ConvexBody,
     gravity: f64,
@@ -128,11 +136,27 @@ fn tangent(up: &Vector3<f64>, [a, b]: [f64; 2]) -> Vector3<f64> {
 
 impl QuasiSteady {
     /// Tilt of the third axis, rad.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::{Regularised, bodies, quasi_steady};
+    /// let state = quasi_steady(&bodies::chiral_top()?, 9.81, Regularised::new(0.3, 1e-3)?, 150.0)?;
+    /// // Nearly upright, and not quite: the axis of inertia is skew.
+    /// assert!(state.tilt() > 0.0 && state.tilt() < 0.2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn tilt(&self) -> f64 {
         self.up.x.hypot(self.up.y).atan2(self.up.z)
     }
 
     /// The rate at which the spin changes in this state, rad/s².
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::{Regularised, bodies, quasi_steady};
+    /// let state = quasi_steady(&bodies::chiral_top()?, 9.81, Regularised::new(0.3, 1e-3)?, 150.0)?;
+    /// // Friction takes from the spin.
+    /// assert!(state.spin_rate() < 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn spin_rate(&self) -> f64 {
         let level = tangent(&self.up, self.level);
         let omega = self.up * self.spin;
@@ -149,6 +173,14 @@ impl QuasiSteady {
     ///
     /// # Errors
     /// [`Error::Condition`] if the eigenvalues cannot be found.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::{Regularised, bodies, quasi_steady};
+    /// let state = quasi_steady(&bodies::chiral_top()?, 9.81, Regularised::new(0.3, 1e-3)?, 150.0)?;
+    /// let rates = state.growth_rates()?;
+    /// assert!(rates.windows(2).all(|pair| pair[0].growth >= pair[1].growth));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn growth_rates(&self) -> Result<[Rate; 6]> {
         let body = &self.table.body;
         let speed = body.speed_scale(self.table.gravity);
@@ -189,6 +221,15 @@ impl QuasiSteady {
     ///
     /// # Errors
     /// As for [`growth_rates`](Self::growth_rates).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::{Regularised, bodies, quasi_steady};
+    /// let state = quasi_steady(&bodies::chiral_top()?, 9.81, Regularised::new(0.3, 1e-3)?, 150.0)?;
+    /// // Of the six the one that goes round slowest.
+    /// let least = state.slow_swing()?.frequency.abs();
+    /// assert!(state.growth_rates()?.iter().all(|rate| rate.frequency.abs() >= least));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn slow_swing(&self) -> Result<Rate> {
         let [first, rest @ ..] = self.growth_rates()?;
         let slower = |a: Rate, b: Rate| {
@@ -254,6 +295,15 @@ fn jacobian<const N: usize>(
 ///
 /// # Errors
 /// [`Error::Condition`] if spin about the third axis is not steady, or the eigenvalues cannot be found.
+///
+/// ```
+/// use spinning_bodies::tippe_top::{bodies, rolling_growth_rates};
+/// // The rattleback: stable one way round, unstable the other.
+/// let stone = bodies::rattleback()?;
+/// let [one, other] = [5.0, -5.0].map(|spin| rolling_growth_rates(&stone, 9.81, spin).map(|rates| rates[0].growth));
+/// assert!(one? != other?);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Result<[Rate; 4]> {
     let table = Table {
         body: *body,

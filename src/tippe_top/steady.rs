@@ -41,6 +41,14 @@ impl TippeTop {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 < α < 1.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// assert_eq!(top.body()?.mass(), 0.02);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(
         mass: f64,
         radius: f64,
@@ -64,6 +72,14 @@ impl TippeTop {
     ///
     /// # Errors
     /// As for [`ConvexBody::new`]; moments that no body has.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// assert_eq!(top.body()?.center().z(), 0.3 * 0.02);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn body(&self) -> Result<ConvexBody> {
         let unit = self.mass * self.radius * self.radius;
         let moments = Vector3::new(self.transverse, self.transverse, self.axial) / unit;
@@ -76,6 +92,14 @@ impl TippeTop {
     }
 
     /// What spin can do to it.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::{Inversion, TippeTop};
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// assert_eq!(top.inversion(), Inversion::Complete);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn inversion(&self) -> Inversion {
         let gamma = self.transverse / self.axial;
         if gamma <= 1.0 - self.alpha {
@@ -88,6 +112,15 @@ impl TippeTop {
     }
 
     /// λ = R I3 ω (cos θ − α) for spin ω (rad/s) about the axis at tilt θ: J s m.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// let jellett = 0.02 * 0.4 * unit * 100.0 * (1.0 - 0.3);
+    /// assert!((top.jellett_of_spin(100.0, 0.0) / jellett - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn jellett_of_spin(&self, spin: f64, tilt: f64) -> f64 {
         self.radius * self.axial * spin * (tilt.cos() - self.alpha)
     }
@@ -104,6 +137,16 @@ impl TippeTop {
     }
 
     /// V(θ), the least energy at tilt θ and Jellett's integral λ: J.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// // Without spin it is the height of C alone: 2MgRα from upright to inverted.
+    /// let lift = top.effective_potential(std::f64::consts::PI, 0.0) - top.effective_potential(0.0, 0.0);
+    /// assert!((lift / (2.0 * 0.02 * 9.81 * 0.02 * 0.3) - 1.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn effective_potential(&self, tilt: f64, jellett: f64) -> f64 {
         let cos = tilt.cos();
         let spin = jellett / self.radius;
@@ -120,6 +163,18 @@ impl TippeTop {
     }
 
     /// λ = R φ̇ D(θ) of the steady state at tilt θ, if there is one.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// // There the effective potential is flat.
+    /// let (tilt, step) = (1.0, 1e-4);
+    /// let jellett = top.steady_jellett(tilt).unwrap();
+    /// let [below, here, above] = [tilt - step, tilt, tilt + step].map(|tilt| top.effective_potential(tilt, jellett));
+    /// assert!((above - below).abs() < 1e-7 * here);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn steady_jellett(&self, tilt: f64) -> Option<f64> {
         let inertia = self.effective_inertia(tilt.cos());
         self.steady_precession(tilt)
@@ -127,6 +182,15 @@ impl TippeTop {
     }
 
     /// The vertical and Ω (rad/s) in the body's axes in the steady state at tilt θ, if there is one.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// let (up, _) = top.steady_state(1.0).unwrap();
+    /// assert!((up.z() - 1.0_f64.cos()).abs() < 1e-15 && (up.norm() - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn steady_state(&self, tilt: f64) -> Option<(BodyVector, BodyVector)> {
         let rate = self.steady_precession(tilt)?;
         let up = BodyVector::new(tilt.sin(), 0.0, tilt.cos());
@@ -135,22 +199,58 @@ impl TippeTop {
     }
 
     /// Least λ at which the top does not stay upright with C low, if any: λ² = M g R³ I3 α (1−α)⁴/(γ − 1 + α).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// let (jellett, spin) = (top.upright_is_lost_above().unwrap(), top.least_spin_to_rise().unwrap());
+    /// assert!((top.jellett_of_spin(spin, 0.0) / jellett - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn upright_is_lost_above(&self) -> Option<f64> {
         self.steady_jellett(0.0)
     }
 
     /// Least λ at which the top stands on its head, if any: √(M g R³ I3 α) (1+α)²/√(1 + α − γ).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// let (jellett, spin) = (top.inverted_is_stable_above().unwrap(), top.least_spin_to_invert().unwrap());
+    /// assert!((top.jellett_of_spin(spin, 0.0) / jellett - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn inverted_is_stable_above(&self) -> Option<f64> {
         self.steady_jellett(PI)
     }
 
     /// Least spin (rad/s) about the upright axis at which it rises, if any.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// assert!(top.least_spin_to_rise().unwrap() < top.least_spin_to_invert().unwrap());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn least_spin_to_rise(&self) -> Option<f64> {
         let unit = self.jellett_of_spin(1.0, 0.0);
         self.upright_is_lost_above().map(|jellett| jellett / unit)
     }
 
     /// Least spin (rad/s) about the upright axis at which it turns over completely, if any.
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// let spin = top.least_spin_to_invert().unwrap();
+    /// let ends = top.final_tilt(top.jellett_of_spin(1.01 * spin, 0.0), 0.0)?;
+    /// assert_eq!(ends, std::f64::consts::PI);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn least_spin_to_invert(&self) -> Option<f64> {
         let unit = self.jellett_of_spin(1.0, 0.0);
         match self.inversion() {
@@ -169,6 +269,16 @@ impl TippeTop {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::TippeTop;
+    /// let unit = 0.02 * 0.02 * 0.02; // MR²
+    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
+    /// // A little too slow to stand on its head: it ends short of that.
+    /// let spin = 0.99 * top.least_spin_to_invert().unwrap();
+    /// assert!(top.final_tilt(top.jellett_of_spin(spin, 0.0), 0.0)? < std::f64::consts::PI);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn final_tilt(&self, jellett: f64, start: f64) -> Result<f64> {
         let lambda = finite("Jellett's integral", jellett)?;
         let start = finite("the tilt at the start", start)?.clamp(0.0, PI);

@@ -20,6 +20,11 @@ impl Surface {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::Surface;
+    /// assert!(Surface::sphere(0.02).is_ok() && Surface::sphere(0.0).is_err());
+    /// ```
     pub fn sphere(radius: f64) -> Result<Self> {
         let radius = positive("the radius of the surface", radius)?;
         Ok(Self(Shape::Sphere { radius }))
@@ -29,6 +34,11 @@ impl Surface {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::tippe_top::Surface;
+    /// assert!(Surface::ellipsoid([0.2, 0.03, 0.02]).is_ok() && Surface::ellipsoid([0.2, 0.03, 0.0]).is_err());
+    /// ```
     pub fn ellipsoid(semi_axes: [f64; 3]) -> Result<Self> {
         for axis in semi_axes {
             positive("a semi-axis of the surface", axis)?;

@@ -43,6 +43,13 @@ impl YoYo {
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive);
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for an axle thicker than half the length of the string.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert!((toy.inertia_factor() - 3.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(mass: f64, inertia: f64, length: f64, axle: f64) -> Result<Self> {
         let length = positive("the length of the string", length)?;
         let axle = positive("the radius of the axle", axle)?;
@@ -60,6 +67,12 @@ impl YoYo {
     ///
     /// # Errors
     /// As [`new`](Self::new).
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// assert!((YoYo::disc(2.0, 0.1, 1.0, 0.01)?.inertia() - 0.01).abs() < 1e-17);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn disc(mass: f64, radius: f64, length: f64, axle: f64) -> Result<Self> {
         let radius = positive("the radius of the yo-yo", radius)?;
         Self::new(mass, 0.5 * mass * radius * radius, length, axle)
@@ -71,6 +84,13 @@ impl YoYo {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) below the radius of the axle or beyond half the length.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let thick = YoYo::new(1.0, 3e-4, 1.0, 0.01)?.wound_to(0.02)?;
+    /// assert_eq!((thick.radius(0.0), thick.radius(1.0)), (0.02, 0.01));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn wound_to(mut self, radius: f64) -> Result<Self> {
         let most = 0.5 * self.length;
         within("the radius of the wound string", radius, self.axle, most)?;
@@ -87,26 +107,61 @@ impl YoYo {
     }
 
     /// Mass, kg.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert_eq!(toy.mass(), 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Moment of inertia about the axle, kg m².
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert_eq!(toy.inertia(), 3e-4);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn inertia(&self) -> f64 {
         self.inertia
     }
 
     /// Length of the string, m.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert_eq!(toy.length(), 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn length(&self) -> f64 {
         self.length
     }
 
     /// Radius of the axle, m.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert_eq!(toy.axle(), 0.01);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn axle(&self) -> f64 {
         self.axle
     }
 
     /// I/(m r²) with the radius of the bare axle, dimensionless.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert!((toy.inertia_factor() - 3.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn inertia_factor(&self) -> f64 {
         self.inertia / (self.mass * self.axle * self.axle)
     }
@@ -147,6 +202,13 @@ impl YoYo {
     }
 
     /// The radius at which the string leaves, m, at a depth between 0 and the length of the string.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert_eq!(toy.radius(0.7), 0.01);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn radius(&self, depth: f64) -> f64 {
         self.radius_squared(depth.clamp(0.0, self.length)).sqrt()
     }
@@ -154,6 +216,13 @@ impl YoYo {
     /// Downward acceleration, m/s², at this depth and spin (rad/s): the same on the way down and on the way up.
     ///
     /// (g r² − q k² ω²/2)/(r² + k²) with q = −d(r²)/dx; on a thin string g/(1 + I/(m r²)).
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert!((toy.acceleration(0.5, 100.0, 8.0) - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn acceleration(&self, depth: f64, omega: f64, gravity: f64) -> f64 {
         let square = self.radius_squared(depth.clamp(0.0, self.length));
         let brake = 0.5 * self.thinning() * self.gyration_squared() * omega * omega;
@@ -163,6 +232,13 @@ impl YoYo {
     /// Tension of the string m(g − a), N, while it unwinds or winds.
     ///
     /// As m(g k² + q k² ω²/2)/(r² + k²): nothing cancels.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert!((toy.tension(0.5, 100.0, 8.0) - 6.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn tension(&self, depth: f64, omega: f64, gravity: f64) -> f64 {
         let square = self.radius_squared(depth.clamp(0.0, self.length));
         let pull = gravity + 0.5 * self.thinning() * omega * omega;
@@ -170,6 +246,13 @@ impl YoYo {
     }
 
     /// ½(I + m r²)ω², J, with the radius at this depth.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::YoYo;
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert!((toy.kinetic_energy(0.5, 100.0) - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn kinetic_energy(&self, depth: f64, omega: f64) -> f64 {
         let square = self.radius_squared(depth.clamp(0.0, self.length));
         0.5 * (self.inertia + self.mass * square) * omega * omega

@@ -6,6 +6,15 @@ use super::YoYo;
 /// c ω² of the air (`air` = c, kg m²): I ω' = −torque − c ω², and zero once it has stopped.
 ///
 /// Linear, hyperbolic, or a tangent, by what is zero. No error; not a number if an argument is none. All arguments not negative.
+///
+/// ```
+/// use spinning_bodies::yo_yo::{YoYo, sleeping_spin};
+/// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+/// // 3 mN m over 0.3 g m²: 10 rad/s every second.
+/// assert!((sleeping_spin(&toy, 100.0, 1.0, 3e-3, 0.0) - 90.0).abs() < 1e-13);
+/// assert_eq!(sleeping_spin(&toy, 100.0, 11.0, 3e-3, 0.0), 0.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn sleeping_spin(toy: &YoYo, omega: f64, time: f64, torque: f64, air: f64) -> f64 {
     let inertia = toy.inertia();
     if air == 0.0 {
@@ -28,6 +37,13 @@ pub fn sleeping_spin(toy: &YoYo, omega: f64, time: f64, torque: f64, air: f64) -
 /// Spin, rad/s, after a jerk has made the string grip: I ω = (I + m r²)ω'.
 ///
 /// The angular momentum about the string's end is kept while the centre, at rest till then, is caught up into the motion; a fraction 1/(1 + I/(m r²)) of the energy is lost.
+///
+/// ```
+/// use spinning_bodies::yo_yo::{YoYo, spin_after_waking};
+/// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+/// assert!((spin_after_waking(&toy, 100.0) - 75.0).abs() < 1e-13);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn spin_after_waking(toy: &YoYo, omega: f64) -> f64 {
     let factor = toy.inertia_factor();
     omega * (factor / (1.0 + factor))

@@ -44,6 +44,15 @@ impl Turn {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::Negative`]; [`Error::Condition`] if the yo-yo comes with less than it would
     /// have after a fall of one radius of the axle: then it swings rather than turns.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Turn, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// assert!(Turn::new(toy, 8.0, 200.0).is_ok());
+    /// // Too slow to be carried round.
+    /// assert!(Turn::new(toy, 8.0, 10.0).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(toy: YoYo, gravity: f64, omega: f64) -> Result<Self> {
         let omega = positive("the spin at the end of the string", omega)?;
         let gravity = not_negative("gravity", gravity)?;
@@ -70,26 +79,68 @@ impl Turn {
     }
 
     /// n = m g r/(I + m r²), 1/s²: half of ω'² that a fall by the axle's radius gives.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Turn, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let turn = Turn::new(toy, 8.0, 200.0)?;
+    /// assert!((turn.pull() - 200.0).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn pull(&self) -> f64 {
         self.pull
     }
 
     /// Spin at its beginning and at its end, rad/s.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Turn, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let turn = Turn::new(toy, 8.0, 200.0)?;
+    /// assert_eq!(turn.omega(), 200.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn omega(&self) -> f64 {
         self.omega
     }
 
     /// Spin at the lowest point, rad/s.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Turn, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let turn = Turn::new(toy, 8.0, 200.0)?;
+    /// assert!((turn.fastest() - 40_400.0_f64.sqrt()).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn fastest(&self) -> f64 {
         self.fastest
     }
 
     /// How long it takes, s: π/ω, a little less.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Turn, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let turn = Turn::new(toy, 8.0, 200.0)?;
+    /// let even = std::f64::consts::PI / 200.0;
+    /// assert!(turn.duration() < even && turn.duration() > 0.99 * even);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn duration(&self) -> f64 {
         2.0 * self.half
     }
 
     /// Mean pull of the string during the turn, N: the weight and twice the momentum over the duration.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Turn, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let turn = Turn::new(toy, 8.0, 200.0)?;
+    /// // The weight, and the momentum of 2 N s turned round.
+    /// assert!((turn.mean_tension() - 8.0 - 4.0 / turn.duration()).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mean_tension(&self) -> f64 {
         let momentum = self.toy.mass() * self.toy.axle() * self.omega;
         self.toy.mass() * self.gravity + 2.0 * momentum / self.duration()
@@ -98,6 +149,14 @@ impl Turn {
     /// The same at constant spin, N: m g + (2/π) m r ω², which for a yo-yo let go at the hand is m g [1 + (4/π)(l/r)/(1 + I/(m r²))].
     ///
     /// Leaves out gravity's part in the turn; too small by a fraction of the order n/ω² = r/(2l).
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Turn, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let turn = Turn::new(toy, 8.0, 200.0)?;
+    /// assert!((turn.mean_tension_at_constant_spin() - 8.0 - 800.0 / std::f64::consts::PI).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mean_tension_at_constant_spin(&self) -> f64 {
         let centripetal = self.toy.axle() * self.omega * self.omega;
         self.toy.mass() * (self.gravity + core::f64::consts::FRAC_2_PI * centripetal)
@@ -107,6 +166,15 @@ impl Turn {
     ///
     /// # Errors
     /// [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Turn, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let turn = Turn::new(toy, 8.0, 200.0)?;
+    /// let lowest = turn.at(0.5 * turn.duration())?;
+    /// assert!((lowest.depth - 1.01).abs() < 1e-15 && (lowest.omega - turn.fastest()).abs() < 1e-11);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn at(&self, time: f64) -> Result<TurnState> {
         let since_middle = time.clamp(0.0, self.duration()) - self.half;
         let jacobi = self.modulus.jacobi(0.5 * self.fastest * since_middle)?;
@@ -129,6 +197,16 @@ impl Turn {
     ///
     /// The spin grows by Δ = ω c d/(2 − c d/2), c = (π/2) r/(r² + I/m), and the energy by (I + m r²)(ωΔ + Δ²/2): for a small lift
     /// (π/4) m r ω² d. Leaves out gravity's part in the turn; observed error 0.4 per cent for lifts up to 1 cm. For lifts below 2/c.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Turn, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let turn = Turn::new(toy, 8.0, 200.0)?;
+    /// assert_eq!(turn.work_of_lift(0.0), 0.0);
+    /// // Far more than the weight alone would ask.
+    /// assert!(turn.work_of_lift(0.01) > 10.0 * 8.0 * 0.01);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn work_of_lift(&self, lift: f64) -> f64 {
         let r = self.toy.axle();
         let square = r * r + self.toy.gyration_squared();

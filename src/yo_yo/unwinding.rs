@@ -139,6 +139,14 @@ impl Unwinding {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::Condition`] if it has not energy enough to be anywhere above the end of the
     /// string, or, without gravity, none.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let way = Unwinding::new(toy, 8.0, 0.0)?; // 8 m/s²/(1 + 3)
+    /// assert!((way.duration()? - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(toy: YoYo, gravity: f64, energy: f64) -> Result<Self> {
         let gravity = not_negative("gravity", gravity)?;
         let energy = finite("the energy of the yo-yo", energy)?;
@@ -161,11 +169,27 @@ impl Unwinding {
     }
 
     /// |V|, m/s, at a depth between the upper end and the end of the string.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let way = Unwinding::new(toy, 8.0, 0.0)?; // 8 m/s²/(1 + 3)
+    /// assert!((way.speed(1.0) - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn speed(&self, depth: f64) -> f64 {
         self.omega(depth) * self.toy.radius(depth)
     }
 
     /// Spin, rad/s, at such a depth.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let way = Unwinding::new(toy, 8.0, 0.0)?; // 8 m/s²/(1 + 3)
+    /// assert!((way.omega(1.0) - 200.0).abs() < 1e-13);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn omega(&self, depth: f64) -> f64 {
         // From rest the fall below the upper end is what counts.
         let fall = if self.energy < 0.0 {
@@ -181,6 +205,14 @@ impl Unwinding {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside the way.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let way = Unwinding::new(toy, 8.0, 0.0)?; // 8 m/s²/(1 + 3)
+    /// assert!((way.time_at(0.25)? - 0.5).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn time_at(&self, depth: f64) -> Result<f64> {
         within("the depth of the yo-yo", depth, self.top, self.toy.length)?;
         Ok(match self.law {
@@ -219,6 +251,14 @@ impl Unwinding {
     ///
     /// # Errors
     /// None that [`new`](Self::new) has not reported; [`Error::NotFinite`] where the time overflows.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let way = Unwinding::new(toy, 8.0, 0.0)?; // 8 m/s²/(1 + 3)
+    /// assert!((way.duration()? - 1.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn duration(&self) -> Result<f64> {
         finite("the time of the way down", self.time_at(self.toy.length)?)
     }
@@ -229,6 +269,14 @@ impl Unwinding {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside the way.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let way = Unwinding::new(toy, 8.0, 0.0)?; // 8 m/s²/(1 + 3)
+    /// assert!((way.depth_at(0.5)? - 0.25).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn depth_at(&self, time: f64) -> Result<f64> {
         let duration = self.duration()?;
         if within("the time on the way down", time, 0.0, duration)? == duration {
@@ -254,6 +302,14 @@ impl Unwinding {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth that is not on the string.
+    ///
+    /// ```
+    /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// // As fast as a fall from the hand makes it.
+    /// assert!(Unwinding::energy_at(&toy, 8.0, 0.25, 1.0)?.abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy_at(toy: &YoYo, gravity: f64, depth: f64, speed: f64) -> Result<f64> {
         within("the depth of the yo-yo", depth, 0.0, toy.length)?;
         finite("the speed of the yo-yo", speed)?;

@@ -1,9 +1,8 @@
-//! The attitude at any time: by theta functions, and where those are out of reach walked for a short time and by a double series for a long one (8.2).
+//! The attitude at any time: by theta functions, and where those are out of reach walked (8.2).
 
 use nalgebra::Quaternion;
 
 use super::exact::{Exact, Reason};
-use super::grid::OnGrid;
 use super::precession::Precession;
 use super::taylor::{Carried, about_third};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
@@ -23,18 +22,10 @@ pub enum AttitudeMethod {
     Algebraic,
     /// Step by step from time 0, Ω and z in 106 bits: the motion is not separated, for this reason.
     Stepped(Reason),
-    /// Step by step from time 0: the motion is separated, but so near to a double root that neither the periods of the curve can be had nor, with half a
-    /// second's work, a double Fourier series.
+    /// Step by step from time 0: the motion is separated, but so near to a double root that the theta functions lose digits.
     ManyTerms,
     /// C = O: the exact free top of section 6.
     FreeTop,
-}
-
-/// The angle about the vertical: by theta functions, or on a grid where the periods of the curve cannot be had.
-#[derive(Debug, Clone, Copy)]
-enum Azimuth<'a> {
-    Theta(&'a Precession),
-    OnGrid(&'a OnGrid),
 }
 
 /// Ω, z and the attitude of a separated motion at any time at the same cost (8.2).
@@ -43,13 +34,12 @@ enum Azimuth<'a> {
 /// this is Kötter's quadrature of 1893. The sums have 260 terms in the median of 100 random starts, 850 in the worst, since the terms fall like a Gauss curve.
 /// The constants a come from one integral to the point s = l² − l₁ of the curve w² = P(s), l and l₁ being L_vert/2 and E/3 in units of I₃, and α = l − ½ (a mean).
 ///
-/// Where two roots that s₁ and s₂ do not come to are one or nearly, the periods of the curve are infinite or out of reach; there e(v₁,v₂), a unit vector across z that is smooth all
-/// over the torus, and the angle at which it is seen are Fourier series in two angles. The error is in proportion to time, [as that of Ω and z](super).
+/// The error is in proportion to time, [as that of Ω and z](super).
 #[derive(Debug, Clone, Copy)]
 pub struct AttitudeSeries<'a> {
     top: &'a KovalevskayaTop,
     exact: &'a Exact,
-    azimuth: Azimuth<'a>,
+    precession: &'a Precession,
 }
 
 impl AttitudeSeries<'_> {
@@ -65,11 +55,8 @@ impl AttitudeSeries<'_> {
     }
 
     pub(super) fn carried(&self, time: f64) -> Carried {
-        let constants = &self.top.constants;
-        match self.azimuth {
-            Azimuth::Theta(precession) => precession.carried(constants, self.exact, time),
-            Azimuth::OnGrid(grid) => grid.carried(constants, self.exact, time),
-        }
+        self.precession
+            .carried(&self.top.constants, self.exact, time)
     }
 
     /// c₀, the mean rate at which the body goes round the vertical, rad/s.
@@ -78,27 +65,20 @@ impl AttitudeSeries<'_> {
     /// [`frequencies`](KovalevskayaTop::frequencies) (times 2π) may be added to c₀, since a body that passes through the vertical can be counted as going round
     /// on either side; this is the rate of the direction from which the third axis goes round least on the torus.
     pub fn mean_precession_rate(&self) -> f64 {
-        let mean = match self.azimuth {
-            Azimuth::Theta(precession) => precession.mean(),
-            Azimuth::OnGrid(grid) => grid.mean(),
-        };
-        mean * self.top.unit
+        self.precession.mean() * self.top.unit
     }
 
-    /// Terms of the theta functions, or of the double Fourier series.
+    /// Terms of the theta functions.
     pub fn terms(&self) -> usize {
-        match self.azimuth {
-            Azimuth::Theta(precession) => precession.terms(),
-            Azimuth::OnGrid(grid) => grid.terms(),
-        }
+        self.precession.terms()
     }
 }
 
 impl KovalevskayaTop {
     /// Ω, z and attitude at time t (s).
     ///
-    /// The angle about the vertical takes one more quadrature, by [`attitude_series`](Self::attitude_series). Cost: 4 µs whatever the time, after 0.1 ms of
-    /// preparation at the first call. Where the theta functions are out of reach, times up to 256 units of the motion are walked: on each short stretch the
+    /// The angle about the vertical takes one more quadrature, by [`attitude_series`](Self::attitude_series). Cost: 4 µs whatever the time, after 0.2 ms of
+    /// preparation at the first call. Where the theta functions are out of reach, times up to 4096 units of the motion are walked: on each short stretch the
     /// attitude follows from the power series of the exact Ω, and its tilt from the exact z, so that only the angle collects errors; 40 µs a unit. Where the motion
     /// is not separated, Ω and z are walked, too, in 106 bits from the very doubles given; 0.4 ms a unit. Error: [`stated_error`](Self::stated_error).
     ///
@@ -133,30 +113,15 @@ impl KovalevskayaTop {
 
     /// Ω, z and attitude at any time at the same cost; nothing where [`attitude_method`](Self::attitude_method) is another.
     ///
-    /// Prepared when first asked for, and kept. Cost, over 100 random starts: 0.1 ms in the median, 0.35 ms at most in 95 per cent, 0.5 ms in the worst; where it has to be a double
-    /// Fourier series, 0.03 s and more, about half a second at most.
+    /// Prepared when first asked for, and kept. Cost, over 300 random starts: 0.15 ms in the median, 0.22 ms at most in 95 per cent, 0.9 ms in the worst.
     pub fn attitude_series(&self) -> Option<AttitudeSeries<'_>> {
-        self.theta_series().or_else(|| {
-            let exact = self.separated()?;
-            let prepare = || OnGrid::prepare(&self.constants, exact, &self.start).map(Box::new);
-            let on_grid = self.prepared.on_grid.get_or_init(prepare).as_deref()?;
-            Some(AttitudeSeries {
-                top: self,
-                exact,
-                azimuth: Azimuth::OnGrid(on_grid),
-            })
-        })
-    }
-
-    /// The same by theta functions alone, which are prepared sooner than a state is walked to.
-    pub(super) fn theta_series(&self) -> Option<AttitudeSeries<'_>> {
         let exact = self.separated()?;
         let prepare = || Precession::prepare(&self.constants, exact).map(Box::new);
-        let theta = self.prepared.theta.get_or_init(prepare).as_deref()?;
+        let precession = self.prepared.theta.get_or_init(prepare).as_deref()?;
         Some(AttitudeSeries {
             top: self,
             exact,
-            azimuth: Azimuth::Theta(theta),
+            precession,
         })
     }
 

@@ -151,9 +151,10 @@ impl Root {
         self.imaginary.high() == 0.0
     }
 
-    /// `self` − `other`, rounded once; `other` real.
+    /// `self` − `other`, rounded once.
     pub fn from(&self, other: &Self) -> Complex<f64> {
-        Complex::new((self.real - other.real).value(), self.imaginary.value())
+        let [re, im] = [self.real - other.real, self.imaginary - other.imaginary];
+        Complex::new(re.value(), im.value())
     }
 
     pub fn value(&self) -> Complex<f64> {

@@ -93,17 +93,6 @@ impl Exact {
         self.state_of_sums(constants, [self.origin[0], self.origin[1] + t])
     }
 
-    /// The phases if they advanced uniformly: what they are on average.
-    pub fn uniform_phases(&self, t: f64) -> Phases {
-        self.separation
-            .uniform([self.origin[0], self.origin[1] + t])
-    }
-
-    /// The state where both uniform phases have these values.
-    pub fn state_on_torus(&self, constants: &Constants, uniform: Phases) -> Phase {
-        self.state_of_sums(constants, self.separation.sums(uniform))
-    }
-
     /// Turns of the two phases if they advanced evenly, halved, from 0 to 1: a state returns when one of these gains 1.
     pub fn halved(&self, t: f64) -> Phases {
         halved(&self.separation, [self.origin[0], self.origin[1] + t])

@@ -13,8 +13,7 @@
 //! * `upright`: elliptic functions for a start with z exactly along axis 3, where two of the roots are one;
 //! * `taylor`: the same motion by power series in 106 bits, where her road is closed or loses digits;
 //! * `periods`, `theta`, `factors`, `precession`: the attitude, which takes one more quadrature, by theta functions of two variables at any time at the same cost;
-//! * `torus`, `fourier`, `grid`: the same quadrature as a Fourier series in two angles, where the curve's periods are out of reach, and
-//!   `walk`: from stretch to stretch, where that is too;
+//! * `walk`: the same quadrature from stretch to stretch, where two roots are one to 10 digits;
 //! * [`Kind`], [`Diagram`]: the motions with a double root.
 //!
 //! Error of Ω and z, observed over 1000 random starts with |Ω_i| ≤ 1.5, c = 1, up to time 10, against power series with 24 digits: half
@@ -26,11 +25,11 @@
 //! her road loses digits all the same, Ω and z are walked in 106 bits, and beside them goes what a walk in doubles would be off by, which shows how much is amplified: beyond 10¹⁷ times the answer is an error
 //! that says when. [`KovalevskayaTop::stated_error`] is the error stated for every answer.
 //!
-//! What is prepared has bounds: 2¹⁰ terms of four series, half a second for a double Fourier series, 4096 units of time of a walk.
+//! What is prepared has bounds: 2¹⁰ terms of four series, 4096 units of time of a walk.
 //!
 //! Attitude ([`AttitudeSeries`]), against 24 digits: over the same 1000 starts up to time 10 half below 2.5e-15 rad, 95 per cent below 6.4e-15, the worst 7e-14; over 60 of them at
 //! time 100 half below 2.1e-14, the worst 6e-14: in proportion to time, for the frequencies are rounded.
-//! All of these have theta functions: over 100 of them 0.1 ms to prepare in the median, 0.35 ms at most in 95 per cent, 0.5 ms in the worst, after 0.17 ms for the top itself; then
+//! All of these have theta functions: 0.15 ms to prepare in the median, 0.22 ms at most in 95 per cent, after 0.17 ms for the top itself; then
 //! 4 µs a state, 7 µs, 17 µs.
 //!
 //! z exactly along axis 3 at the start (`upright`), against a table of 30 digits for 39 starts up to time 60: half below 6e-15, the worst 2.3e-13 for Ω and z and 1.2e-13 rad, both with |Ω| near 4.
@@ -42,8 +41,6 @@ mod classes;
 mod constants;
 mod exact;
 mod factors;
-mod fourier;
-mod grid;
 mod periods;
 mod precession;
 mod separation;
@@ -53,7 +50,6 @@ mod taylor;
 mod theta;
 pub mod toda;
 mod top;
-mod torus;
 mod upright;
 mod walk;
 

@@ -1,12 +1,11 @@
-//! The rest of the curve w² = P(s): the gaps between its bands, its period matrix, and the point that the vertical belongs to (8.2).
-
-use core::f64::consts::{PI, TAU};
+//! The rest of the curve w² = P(s): its period matrix, and the point that the vertical belongs to (8.2).
 
 use nalgebra::Complex;
 
-use super::constants::Constants;
+use super::constants::{Constants, Root};
 use super::separation::Separation;
-use super::series::{Quadratures, mean};
+
+type Number = Complex<f64>;
 
 /// A half period ½(n + τm) of the curve, n and m even or odd.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -61,9 +60,8 @@ impl Curve {
     // ANCHOR: curve
     /// Gaps and cuts in turn from −∞: the cut of s₂, a gap, a band, and if all roots are real another gap and another band.
     ///
-    /// Z is where s = l² − l₁, P(s) = −l²(m²−k²)²/4 with m = 3l₁ − 2l²; it lies in a gap between s₂ and s₁. None if a quadrature needs too many terms.
+    /// Z is where s = l² − l₁, P(s) = −l²(m²−k²)²/4 with m = 3l₁ − 2l²; it lies in a gap between s₂ and s₁. None beside a double root.
     pub fn prepare(constants: &Constants, separation: &Separation) -> Option<Self> {
-        // Two roots in one or nearly, as when z starts along axis 3: a period is infinite.
         if separation.narrowest() < DOUBLE {
             return None;
         }
@@ -79,26 +77,34 @@ impl Curve {
         } else {
             0
         };
-        let gap = Quadratures::prepare(LONGEST_GAP, separation.gap([real[base], real[base + 1]]))?;
-        let round = |place: usize| {
-            let means = if place == base {
-                gap.means
-            } else {
-                mean(separation.gap([real[place], real[place + 1]]))?
-            };
-            Some(separation.normalized(means.map(|x| TAU * x)))
+        let apart = separation.apart();
+        let imaginary = |from: usize, to: &[Number; 5]| {
+            // From the real root next to it, either complex one is seen under the way at no more than a right angle.
+            let step = if twisted { 0.25 } else { 0.5 };
+            let integrals = straight(separation, &apart[from], from, to, step);
+            separation.normalized(integrals.map(|x| 2.0 * x.im))
         };
-        let across_near = upward(round(0)?, 1);
-        let first = if twisted {
-            to_the_complex(separation, real[2])?
-        } else {
-            round(2)?
-        };
-        let first = upward(first, 0);
-        let second = if far {
-            across_near
-        } else {
-            [first[0] + across_near[0], first[1] + across_near[1]]
+        let over_gap =
+            |from: usize, to: usize, sign: usize| upward(imaginary(real[from], &apart[to]), sign);
+        let plus = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
+        let across = || over_gap(0, real[1], 1);
+        // The upper one of two complex roots, and how many real ones are to its left: only where that is one it is seen under the near gap.
+        let upper = (0..5).find(|&i| separation.roots[i].imaginary.high() > 0.0);
+        let left = upper.map(|upper| real.iter().filter(|&&i| apart[upper][i].re > 0.0).count());
+        let [first, second] = match upper.zip(left) {
+            None => {
+                let [first, near] = [over_gap(2, real[3], 0), across()];
+                [first, if far { near } else { plus(first, near) }]
+            }
+            Some((upper, 0)) => {
+                let second = over_gap(0, upper, 1);
+                [plus(second, across().map(|x| -x)), second]
+            }
+            Some((upper, 1)) => [over_gap(1, upper, 0), over_gap(0, upper, 1)],
+            Some((upper, left)) => {
+                let first = over_gap(left - 1, upper, 0);
+                [first, plus(first, across())]
+            }
         };
         let y = [[first[0], first[1]], [first[1], second[1]]];
         let steps = [
@@ -116,15 +122,19 @@ impl Curve {
         };
         let place = |root: usize| real.iter().position(|&r| r == root);
         let between = to(place(3)?).plus(to(place(4)?));
-        let [up, down] = [over(real[base]), -over(real[base + 1])].map(|x| x.max(0.0).sqrt());
-        let inside = separation.normalized(gap.whole(2.0 * up.atan2(down)));
-        let Half { n, m } = to(base).plus(to(place(4)?));
+        // From the end that is nearer, or on this side of the complex roots; which sign the roots have is open as long as the half periods are.
+        let middle = 0.5 * apart[real[base + 1]][real[base]].re;
+        let middle = upper.map_or(middle, |upper| apart[real[base + 1]][upper].re);
+        let nearer = base + usize::from(-over(real[base + 1]) < middle);
+        let z = separation.roots.map(|root| Root::on_axis(s).from(&root));
+        let inside = imaginary(real[nearer], &z);
+        let Half { n, m } = to(nearer).plus(to(place(4)?));
         let twist = if twisted { 0.5 } else { 0.0 };
         let [n, m] = [n, m].map(|x| x.map(f64::from));
         let point = [
             // A quarter of a turn of each besides: v is counted from where s₁ = A and s₂ = C.
             [0, 1].map(|i| 0.25 * (1.0 + n[i] + twist * (m[0] + m[1]))),
-            [0, 1].map(|i| 0.5 * inside[i] + 0.25 * (y[i][0] * m[0] + y[i][1] * m[1])),
+            [0, 1].map(|i| 0.25 * inside[i] + 0.25 * (y[i][0] * m[0] + y[i][1] * m[1])),
         ];
         Some(Self {
             y,
@@ -165,11 +175,8 @@ impl Curve {
     }
 }
 
-/// Where roots are as near as this, as a part of the greatest distance, the rate α loses digits: observed 4e-14 too great at 3e-7.
-const DOUBLE: f64 = 1e-5;
-
-/// Longest series for a gap; where it takes more, two roots nearly meet.
-const LONGEST_GAP: usize = 1 << 14;
+/// Where roots are as near as this, as a part of the greatest distance, the theta functions are small against their terms: observed 1e-12 rad at 1e-11.
+const DOUBLE: f64 = 1e-10;
 
 /// With the sign that makes this component positive.
 fn upward(vector: [f64; 2], component: usize) -> [f64; 2] {
@@ -177,41 +184,45 @@ fn upward(vector: [f64; 2], component: usize) -> [f64; 2] {
     vector.map(|x| sign * x)
 }
 
-/// The imaginary part of twice the normalized integrals from a real root to one of the two complex ones, straight.
+/// ∫ds/√P and ∫(s−σ)ds/√P straight from a root to a place, of which the distances from all roots are given.
 ///
-/// s = mean + half·cos x.
-fn to_the_complex(separation: &Separation, from: usize) -> Option<[f64; 2]> {
-    let roots = &separation.roots;
-    let to = (0..3).find(|&i| roots[i].imaginary.high() > 0.0)?;
-    let other = (0..3).find(|&i| roots[i].imaginary.high() < 0.0)?;
-    let half = 0.5 * roots[to].from(&roots[from]);
-    let mean_place = separation.over_middle(from) + half;
-    let rest: Vec<usize> = (0..5).filter(|i| ![from, to].contains(i)).collect();
-    // Distances of the middle from the other three, from differences that are rounded once.
-    let apart: Vec<Complex<f64>> = rest
-        .iter()
-        .map(|&i| {
-            if i == other {
-                Complex::new(-half.re, 3.0 * half.im)
-            } else {
-                half - roots[i].from(&roots[from])
-            }
-        })
-        .collect();
-    let outer: Complex<f64> = apart.iter().map(|x| x.sqrt()).product();
-    let integrals = mean(|x| {
-        let ahead = half * x.cos();
-        // Each quotient stays on a line through 1, away from the cut of the root.
-        let inner: Complex<f64> = apart.iter().map(|x| root(1.0 + ahead / x)).product();
-        let value = (outer * inner).inv();
-        let next = (mean_place + ahead) * value;
-        [value.im, next.im]
-    })?;
-    Some(separation.normalized(integrals.map(|x| PI * x)))
+/// With s = (root + e^x place)/(1 + e^x) every root beyond the ends is at Im x = ±π, however near it is to an end, and one that sees the way at an angle φ at ±(π−φ): the
+/// trapezoidal rule errs by e^{−2π(π−φ)/step}, and what is left out is e^{−40}. Each s − e is a sum of two distances of one sign, rounded once.
+fn straight(
+    separation: &Separation,
+    start: &[Number; 5],
+    from: usize,
+    place: &[Number; 5],
+    step: f64,
+) -> [Number; 2] {
+    let (first, length) = (separation.over_middle(from), place[from]);
+    let (mut sums, mut last) = ([Number::default(); 2], Number::default());
+    let most = (80.0 / step) as i32;
+    for n in -most..=most {
+        let g = (step * f64::from(n)).exp();
+        let [near, far] = [1.0 / (1.0 + g), g / (1.0 + g)];
+        let product: Number = start
+            .iter()
+            .zip(place)
+            .map(|(u, t)| u * near + t * far)
+            .product();
+        // The root that continues the one before.
+        let next = root(product);
+        last = if (next * last.conj()).re < 0.0 {
+            -next
+        } else {
+            next
+        };
+        // √P = 2i√Π(s−e).
+        let value = length * (near * far) / (last * Number::new(0.0, 2.0));
+        sums[0] += value;
+        sums[1] += value * (first + length * far);
+    }
+    sums.map(|sum| sum * step)
 }
 
 /// The root with a positive real part, straight from the parts: twice as fast as by way of the angle.
-fn root(z: Complex<f64>) -> Complex<f64> {
+fn root(z: Number) -> Number {
     let norm = (z.re * z.re + z.im * z.im).sqrt();
     let large = (0.5 * (norm + z.re.abs())).sqrt();
     let small = 0.5 * z.im.abs() / large;
@@ -220,5 +231,5 @@ fn root(z: Complex<f64>) -> Complex<f64> {
     } else {
         (large, small)
     };
-    Complex::new(re, im.copysign(z.im))
+    Number::new(re, im.copysign(z.im))
 }

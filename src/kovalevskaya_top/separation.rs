@@ -1,5 +1,6 @@
 //! Her separation variables s₁, s₂, the two phases that run through them, and the time (8.2).
 
+use core::cmp::Ordering;
 use core::f64::consts::TAU;
 
 use nalgebra::Complex;
@@ -90,18 +91,13 @@ impl Separation {
         Some(separation)
     }
 
-    /// Terms of the four series, which is what a state costs.
-    pub fn terms(&self) -> usize {
-        2 * (self.first.len() + self.second.len())
-    }
-
-    /// The smallest distance of two roots, as a part of the greatest.
+    /// The smallest distance of two roots, as a part of the greatest; e₄ and e₅ may meet at no loss.
     pub fn narrowest(&self) -> f64 {
         let values = self.roots.map(|root| root.value());
         let mut least = f64::INFINITY;
         let mut greatest = f64::MIN_POSITIVE;
         for (i, a) in values.iter().enumerate() {
-            for b in &values[..i] {
+            for b in &values[..i.min(3)] {
                 least = least.min((a - b).norm());
                 greatest = greatest.max((a - b).norm());
             }
@@ -179,11 +175,6 @@ impl Separation {
         [m1 * f1 - m2 * f2 + (a1 - a2), n1 * f1 - n2 * f2 + (b1 - b2)]
     }
 
-    /// The uniform phases where the sums have these values: linear in time.
-    pub fn uniform(&self, sums: [f64; 2]) -> Phases {
-        self.linear(sums).0
-    }
-
     /// The phases if both sums only grew, and the determinant of that linear part.
     fn linear(&self, [a, b]: [f64; 2]) -> (Phases, f64) {
         let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
@@ -193,12 +184,6 @@ impl Separation {
             (a1 * b - b1 * a) / determinant,
         ];
         (phases, determinant)
-    }
-
-    /// The two sums where the uniform phases have these values.
-    pub fn sums(&self, [u1, u2]: Phases) -> [f64; 2] {
-        let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
-        [a1 * u1 - a2 * u2, b1 * u1 - b2 * u2]
     }
 
     /// The phases at which both sums have these values.
@@ -289,29 +274,20 @@ impl Separation {
         self.from_ends[0][root].re + self.half_way
     }
 
-    /// ds/√|P| and (s−σ)ds/√|P| over df in a gap between two roots, where P < 0; s = low + (high−low) sin²(f/2).
-    pub fn gap(&self, [low, high]: [usize; 2]) -> impl Fn(f64) -> [f64; 2] + use<> {
-        let [from_low, from_high] =
-            [low, high].map(|end| self.roots.map(|root| root.from(&self.roots[end])));
-        let (start, width) = (self.over_middle(low), from_low[high].re);
-        move |f| {
-            let (sine, cosine) = (0.5 * f).sin_cos();
-            let (up, down) = (width * sine * sine, width * cosine * cosine);
-            // From the end that is nearer, as in the band.
-            let apart = |i: usize| {
-                if up < down {
-                    up - from_low[i]
-                } else {
-                    -down - from_high[i]
+    /// The distances e_i − e_j of all roots, each rounded once. Where two are one, they are taken apart by what no digit of the motion shows.
+    pub fn apart(&self) -> [[Complex<f64>; 5]; 5] {
+        const NOTHING: f64 = 1e-40;
+        let rank = |i: usize| self.in_order().iter().position(|&j| j == i);
+        core::array::from_fn(|i| {
+            core::array::from_fn(|j| {
+                let distance = self.roots[i].from(&self.roots[j]);
+                match rank(i).cmp(&rank(j)) {
+                    _ if distance.norm() > NOTHING || i == j => distance,
+                    Ordering::Less => Complex::from(-NOTHING),
+                    _ => Complex::from(NOTHING),
                 }
-            };
-            let product: Complex<f64> = (0..5)
-                .filter(|i| ![low, high].contains(i))
-                .map(apart)
-                .product();
-            let value = 0.5 / product.re.abs().sqrt();
-            [value, (start + up) * value]
-        }
+            })
+        })
     }
 
     /// The mean over time of 1/((s₁−c)(s₂−c)), c between s₂ and s₁.
@@ -340,7 +316,7 @@ impl Separation {
 
     /// ∫ds/√P and ∫(s−σ)ds/√P in turns of the two phases.
     pub fn normalized(&self, integrals: [f64; 2]) -> Phases {
-        self.uniform(integrals).map(|u| u / TAU)
+        self.linear(integrals).0.map(|u| u / TAU)
     }
 
     /// Turns of the two phases per unit of time: a₁n₁ = a₂n₂, b₁n₁ − b₂n₂ = 1.

@@ -75,11 +75,6 @@ impl<const N: usize> Quadratures<N> {
         }
     }
 
-    /// How many terms each has.
-    pub fn len(&self) -> usize {
-        self.sines.len()
-    }
-
     /// How far the integrals can be from their growing parts.
     pub fn bounds(&self) -> [f64; N] {
         let sum = |i: usize| self.sines.iter().map(|b| b[i].abs()).sum();
@@ -163,7 +158,7 @@ pub(super) fn mean<const N: usize>(functions: impl Fn(f64) -> [f64; N]) -> Optio
 const LONGEST_MEAN: usize = 1 << 14;
 
 /// e^{−2πij/n} for the first half of j.
-pub(super) fn roots_of_unity(n: usize) -> Vec<Complex<f64>> {
+fn roots_of_unity(n: usize) -> Vec<Complex<f64>> {
     let turn = -core::f64::consts::TAU / n as f64;
     // Each from its own angle: a recurrence would lose a digit over long series.
     let root = |j: usize| {
@@ -174,7 +169,7 @@ pub(super) fn roots_of_unity(n: usize) -> Vec<Complex<f64>> {
 }
 
 /// The fast Fourier transform of n = 2ᵐ values in place (Cooley and Tukey), with the roots of unity for n.
-pub(super) fn transform(values: &mut [Complex<f64>], roots: &[Complex<f64>]) {
+fn transform(values: &mut [Complex<f64>], roots: &[Complex<f64>]) {
     let n = values.len();
     let bits = n.trailing_zeros();
     for i in 0..n {

@@ -40,6 +40,9 @@ impl Theta {
             (c * y1 - b * y2) / determinant,
             (a * y2 - b * y1) / determinant,
         ];
+        if !center.iter().all(|x| x.is_finite()) {
+            return None;
+        }
         // a d₁² + 2b d₁d₂ + c d₂² = (determinant/c) d₁² + c (d₂ + b d₁/c)².
         let least = determinant / c;
         let row = |n1: i32| -> Option<Row> {

@@ -7,7 +7,6 @@ use nalgebra::Complex;
 use super::classes::{Kind, classify};
 use super::constants::{Constants, Phase, WidePhase};
 use super::exact::{Exact, Reason};
-use super::grid::OnGrid;
 use super::precession::Precession;
 use super::separation::Variables;
 use super::taylor::{Carried, about_third, shortest};
@@ -61,7 +60,6 @@ pub struct Integrals {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Prepared {
     pub theta: OnceLock<Option<Box<Precession>>>,
-    pub on_grid: OnceLock<Option<Box<OnGrid>>>,
 }
 
 impl PartialEq for Prepared {

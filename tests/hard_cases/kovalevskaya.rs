@@ -104,7 +104,9 @@ fn table_of_thirty_digits() {
             check("at", top.at(t).expect("a state"), leapt);
         }
         if let Some(series) = top.attitude_series() {
-            check("series", series.at(t).expect("a state"), leapt);
+            // With K = 0 only the azimuth of axis 3 tells the angle, and it passes near the vertical: 1.0e-13 rad.
+            let steep = if kind == "K = 0" { 2e-13 } else { 0.0 };
+            check("series", series.at(t).expect("a state"), leapt + steep);
             by_series += 1;
         }
         rows += 1;

@@ -71,7 +71,7 @@ impl Entry {
     /// ```
     /// use spinning_bodies::conservation::{Law, Ledger};
     /// let mut ledger = Ledger::new();
-    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// ledger.open("energy", Law::Conserved, 4.0)?;
     /// assert_eq!(ledger.entries()[0].name(), "energy");
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -84,7 +84,7 @@ impl Entry {
     /// ```
     /// use spinning_bodies::conservation::{Law, Ledger};
     /// let mut ledger = Ledger::new();
-    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// ledger.open("energy", Law::Conserved, 4.0)?;
     /// assert_eq!(ledger.entries()[0].law(), Law::Conserved);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -369,7 +369,7 @@ impl Ledger {
     /// ```
     /// use spinning_bodies::conservation::{Law, Ledger};
     /// let mut ledger = Ledger::new();
-    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
+    /// ledger.open("energy", Law::Conserved, 4.0)?;
     /// assert_eq!(ledger.entries().len(), 1);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

@@ -44,7 +44,7 @@ impl RigidMotion {
     /// Velocity of the body's point at `x`, m/s: U + Ω∧(x−O) (2.2).
     ///
     /// ```
-    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
+    /// use spinning_bodies::{frame::BodyVector, inertia::RigidMotion};
     /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::new(1.0, 0.0, 0.0), omega: BodyVector::new(0.0, 0.0, 2.0) };
     /// assert_eq!(motion.velocity_at(BodyVector::new(0.0, 0.5, 0.0)), BodyVector::zero());
     /// ```
@@ -55,7 +55,7 @@ impl RigidMotion {
     /// The same motion told from another base point: U changes by Ω∧P, Ω does not change (2.2).
     ///
     /// ```
-    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
+    /// use spinning_bodies::{frame::BodyVector, inertia::RigidMotion};
     /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::new(1.0, 0.0, 0.0), omega: BodyVector::new(0.0, 0.0, 2.0) };
     /// let contact = motion.seen_from(BodyVector::new(0.0, 0.5, 0.0));
     /// assert_eq!((contact.velocity, contact.omega), (BodyVector::zero(), motion.omega));

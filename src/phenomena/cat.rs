@@ -64,6 +64,12 @@ impl Bend {
     }
 
     /// The attitude of the second half against the first.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::Attitude, phenomena::cat::Bend};
+    /// let bend = Bend { angle: 0.5, ..Bend::default() };
+    /// assert!((bend.relative().angle_to(&Attitude::identity()) - 0.5).abs() < 1e-15);
+    /// ```
     pub fn relative(&self) -> Attitude {
         let axis = Unit::new_unchecked(self.axis());
         Attitude::from_unit(*UnitQuaternion::from_axis_angle(&axis, self.angle).quaternion())
@@ -81,6 +87,13 @@ impl Cat {
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::TriangleInequality`] for moments that no body has.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::cat::{Cat, Half};
+    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
+    /// assert!(Cat::new([half; 2]).is_ok());
+    /// assert!(Cat::new([half, Half { axial: 0.07, ..half }]).is_err());
+    /// ```
     pub fn new(halves: [Half; 2]) -> Result<Self> {
         for half in &halves {
             positive("the mass of a half", half.mass)?;
@@ -99,6 +112,14 @@ impl Cat {
     }
 
     /// The halves.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::cat::{Cat, Half};
+    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
+    /// let cat = Cat::new([half; 2])?;
+    /// assert_eq!(cat.halves()[1], half);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn halves(&self) -> &[Half; 2] {
         &self.halves
     }
@@ -110,6 +131,15 @@ impl Cat {
     }
 
     /// Place of the joint and of the two halves' centres from the common centre of mass, m, along the first half's axes.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::cat::{Bend, Cat, Half};
+    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
+    /// let (cat, straight) = (Cat::new([half; 2])?, Bend::default());
+    /// let [joint, front, rear] = cat.places(&straight);
+    /// assert_eq!((joint.norm(), front.x(), rear.x()), (0.0, -0.2, 0.2));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn places(&self, bend: &Bend) -> [BodyVector; 3] {
         let [first, second] = self.halves;
         let mass = first.mass + second.mass;
@@ -124,6 +154,16 @@ impl Cat {
     /// Angular momentum about the centre of mass, along the first half's axes, when that half turns at `omega`.
     ///
     /// Summed over the halves: each its own moments, and its mass at its place. This is what the ledger of a fall records.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, phenomena::cat::{Bend, Cat, Half}};
+    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
+    /// let (cat, straight) = (Cat::new([half; 2])?, Bend::default());
+    /// // A straight cat about its spine: twice the moment of a half.
+    /// let l = cat.angular_momentum(&straight, BodyVector::new(1.0, 0.0, 0.0));
+    /// assert!((l - BodyVector::new(0.02, 0.0, 0.0)).norm() < 1e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_momentum(&self, bend: &Bend, omega: BodyVector) -> BodyVector {
         let omega = omega.components();
         let other = omega + bend.rate();
@@ -145,6 +185,15 @@ impl Cat {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a shape that is none.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, phenomena::cat::{Bend, Cat, Half}};
+    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
+    /// let (cat, straight) = (Cat::new([half; 2])?, Bend::default());
+    /// let omega = cat.angular_velocity(&straight, BodyVector::new(0.02, 0.0, 0.0))?;
+    /// assert!((omega.x() - 1.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn angular_velocity(&self, bend: &Bend, momentum: BodyVector) -> Result<BodyVector> {
         let [first, second] = &self.halves;
         let (e, u) = (Vector3::x(), bend.spine());
@@ -208,6 +257,11 @@ impl EqualHalves {
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::TriangleInequality`].
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// assert!(EqualHalves::new(0.02, 0.02).is_ok() && EqualHalves::new(0.05, 0.02).is_err());
+    /// ```
     pub fn new(axial: f64, transverse: f64) -> Result<Self> {
         let half = Half {
             mass: 1.0,
@@ -240,6 +294,14 @@ impl EqualHalves {
     }
 
     /// f(γ): how far the frame of the bend turns in space a radian of ψ.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
+    /// // cos(γ/2) for halves as round as balls.
+    /// assert!((cat.frame_turn(1.0) - 0.5_f64.cos()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn frame_turn(&self, angle: f64) -> f64 {
         self.axial * (0.5 * angle).cos() / self.stiffness(angle)
     }
@@ -250,12 +312,29 @@ impl EqualHalves {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for γ outside 0…π.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
+    /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
+    /// // Two right angles for a bend of two thirds of them.
+    /// assert!((cat.turn_per_swing(third)? - std::f64::consts::PI).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn turn_per_swing(&self, angle: f64) -> Result<f64> {
         Ok(TAU * self.turn_back(bendable(angle)?))
     }
 
     /// The bend γ, radians, that turns the cat by exactly half a turn: with c = cos(γ/2) and a = I/J,
     /// c = a/(√(1 + a(a − 1)) + 1), in J/I, which is at most 2.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
+    /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
+    /// assert!((cat.half_turn_bend() - third).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn half_turn_bend(&self) -> f64 {
         let ratio = self.axial / self.transverse;
         // Written so that a = 1 is no exception: there c = 1/2.
@@ -267,6 +346,14 @@ impl EqualHalves {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for bends outside 0…π.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
+    /// // An even swing is one of them.
+    /// assert!((cat.turn_of_uneven_swing(1.0, 1.0)? - cat.turn_per_swing(1.0)?).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn turn_of_uneven_swing(&self, forward: f64, back: f64) -> Result<f64> {
         let (forward, back) = (bendable(forward)?, bendable(back)?);
         periodic(
@@ -280,6 +367,16 @@ impl EqualHalves {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a bend outside 0…π.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
+    /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
+    /// assert!((cat.back_bend_for_half_turn(third)?.unwrap() - third).abs() < 1e-13);
+    /// // Who bends forward a little only never turns over.
+    /// assert_eq!(cat.back_bend_for_half_turn(0.1)?, None);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn back_bend_for_half_turn(&self, forward: f64) -> Result<Option<f64>> {
         let excess =
             |back: f64| Ok::<f64, Error>(self.turn_of_uneven_swing(forward, back)? - 0.5 * TAU);

@@ -38,6 +38,12 @@ pub struct Gap {
 
 impl Strokes {
     /// Duration of a cycle, s.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::crawler::Strokes;
+    /// let strokes = Strokes { gap: 0.1, length: 0.05, push: 0.2, pull: 0.3 };
+    /// assert_eq!(strokes.cycle(), 0.5);
+    /// ```
     pub fn cycle(&self) -> f64 {
         self.push + self.pull
     }
@@ -143,6 +149,12 @@ impl Crawler {
     ///
     /// # Errors
     /// [`NotPositive`](crate::Error::NotPositive), [`NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::crawler::{Crawler, Strokes};
+    /// let strokes = Strokes { gap: 0.1, length: 0.05, push: 0.2, pull: 0.3 };
+    /// assert!(Crawler::new(1.0, 2.0, strokes).is_ok() && Crawler::new(0.0, 2.0, strokes).is_err());
+    /// ```
     pub fn new(rear: f64, front: f64, strokes: Strokes) -> Result<Self> {
         positive("the least gap", strokes.gap)?;
         positive("the length of a stroke", strokes.length)?;

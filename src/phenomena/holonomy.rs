@@ -12,9 +12,23 @@ use crate::error::{Result, finite};
 /// A shape plane (x, ψ) and the law by which the body turns back when ψ grows.
 pub trait ShapePlane {
     /// a(x): radians of turn lost a radian of ψ.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::{cat::EqualHalves, holonomy::ShapePlane};
+    /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
+    /// assert!((cat.turn_back(1.0) - (1.0 - 0.5_f64.cos())).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn turn_back(&self, x: f64) -> f64;
 
     /// a′(x): the curvature, density of the turn over the plane, with respect to dx dψ.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::{cat::EqualHalves, holonomy::ShapePlane};
+    /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
+    /// assert!((cat.curvature(1.0) - 0.5 * 0.5_f64.sin()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn curvature(&self, x: f64) -> f64;
 }
 
@@ -40,6 +54,16 @@ pub enum Hub {
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if 2^16 points do not settle it.
+///
+/// ```
+/// use spinning_bodies::phenomena::{cat::EqualHalves, holonomy::{Step, turn_along}};
+/// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
+/// // The bend carried once round: half a turn.
+/// let third = 2.0 * std::f64::consts::FRAC_PI_3;
+/// let turn = turn_along(&cat, |s| Step { shape: [third, s], rate: [0.0, 1.0] })?;
+/// assert!((turn + std::f64::consts::PI).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result<f64> {
     let rate = |s: f64| {
         let step = path(s);
@@ -55,6 +79,15 @@ pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result
 ///
 /// # Errors
 /// As [`turn_along`].
+///
+/// ```
+/// use spinning_bodies::phenomena::{cat::EqualHalves, holonomy::{Hub, Step, turn_within}};
+/// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
+/// let third = 2.0 * std::f64::consts::FRAC_PI_3;
+/// let turn = turn_within(&cat, |s| Step { shape: [third, s], rate: [0.0, 1.0] }, Hub::Pole)?;
+/// assert!((turn + std::f64::consts::PI).abs() < 1e-14);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn turn_within(plane: &impl ShapePlane, path: impl Fn(f64) -> Step, hub: Hub) -> Result<f64> {
     finite("the turn along a path", path(0.0).shape[0])?;
     let ray = |s: f64| {

@@ -19,6 +19,14 @@ pub struct Part {
 ///
 /// # Errors
 /// [`Error::Empty`] without parts; [`Error::NotPositive`] for a mass; [`Error::NotFinite`].
+///
+/// ```
+/// use spinning_bodies::phenomena::ice::{Part, feet};
+/// // The upper part leans a metre to the right, the feet go to the left of a centre that stays.
+/// let parts = [Part { mass: 1.0, from_feet: [0.0, 0.0] }, Part { mass: 3.0, from_feet: [1.0, 0.0] }];
+/// assert_eq!(feet(&parts, [0.0, 0.0])?, [-0.75, 0.0]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn feet(parts: &[Part], center: [f64; 2]) -> Result<[f64; 2]> {
     let mut mass = 0.0;
     let mut moment = [0.0; 2];
@@ -67,6 +75,11 @@ const DAMPING: f64 = 8.0;
 
 impl Wriggler {
     /// A wriggler of this seed, at rest: masses of 5 to 15 kg on a circle of radius 0.5 m, muscles at 2 to 8 rad/s.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::ice::Wriggler;
+    /// assert_eq!(Wriggler::random(7), Wriggler::random(7));
+    /// ```
     pub fn random(seed: u64) -> Self {
         let mut state = seed;
         let mut next = || {
@@ -103,11 +116,25 @@ impl Wriggler {
     }
 
     /// The state at time 0: at rest.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::ice::Wriggler;
+    /// // At rest: the second half of the numbers are velocities.
+    /// assert!(Wriggler::random(7).start()[12..].iter().all(|&rate| rate == 0.0));
+    /// ```
     pub const fn start(&self) -> &[f64; 4 * PARTS] {
         &self.start
     }
 
     /// The centre of mass, m.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::ice::Wriggler;
+    /// let body = Wriggler::random(7);
+    /// // It starts within its own circle of half a metre.
+    /// let [x, y] = body.center(body.start());
+    /// assert!(x.hypot(y) < 0.5);
+    /// ```
     pub fn center(&self, state: &[f64; 4 * PARTS]) -> [f64; 2] {
         let mass: f64 = self.masses.iter().sum();
         core::array::from_fn(|axis| {

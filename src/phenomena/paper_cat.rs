@@ -37,6 +37,12 @@ impl PaperCat {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite); the lever may have any sign.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::PaperCat;
+    /// assert!(PaperCat::POSTCARD.checked().is_ok());
+    /// assert!(PaperCat { mass: 0.0, ..PaperCat::POSTCARD }.checked().is_err());
+    /// ```
     pub fn checked(self) -> Result<Self> {
         positive("the mass", self.mass)?;
         positive("the area", self.area)?;
@@ -53,6 +59,12 @@ impl PaperCat {
     }
 
     /// The speed, m/s, at which air of density `air` (kg/m³) carries the weight under gravity `g` (m/s²): √(2mg/ρSC).
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::PaperCat;
+    /// let speed = PaperCat::POSTCARD.terminal_speed(1.2, 9.81);
+    /// assert!((speed * speed - 2.0 * 1.2e-3 * 9.81 / (1.2 * 40e-4 * 1.2)).abs() < 1e-14);
+    /// ```
     pub fn terminal_speed(&self, air: f64, g: f64) -> f64 {
         (self.mass * g / self.grip(air)).sqrt()
     }
@@ -63,6 +75,12 @@ impl PaperCat {
     }
 
     /// Angular acceleration by the air, rad/s².
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::PaperCat;
+    /// // Tilted one way, it is turned the other.
+    /// assert!(PaperCat::POSTCARD.righting(1.2, 2.0, 0.1, 0.0) < 0.0);
+    /// ```
     pub fn righting(&self, air: f64, velocity: f64, tilt: f64, tilt_rate: f64) -> f64 {
         let per_moment = self.grip(air) * velocity.abs() / (self.mass * self.gyration.powi(2));
         -per_moment * (self.lever * velocity * tilt.sin() + self.damping * tilt_rate)
@@ -70,6 +88,13 @@ impl PaperCat {
 
     /// Fall, m, that each factor of ten in the initial error costs a cat that is nearly upside down, at terminal speed:
     /// v_t ln 10/λ, where λ is the rate at which the error grows, mk²λ² + c v_t λ = mgd.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::PaperCat;
+    /// // Better aimed by a factor of ten, it falls so much further upside down.
+    /// let fall = PaperCat::POSTCARD.fall_per_decade(1.2, 9.81);
+    /// assert!(fall > 0.0 && fall < 1.0);
+    /// ```
     pub fn fall_per_decade(&self, air: f64, g: f64) -> f64 {
         let speed = self.terminal_speed(air, g);
         let moment = self.mass * self.gyration.powi(2);
@@ -81,6 +106,12 @@ impl PaperCat {
     }
 
     /// Velocity (m/s) and fall (m) after a time (s) from rest in this air: v = v_t tanh(gt/v_t), z = (v_t²/g) ln cosh(gt/v_t).
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::PaperCat;
+    /// let [velocity, depth] = PaperCat::POSTCARD.fall(1.2, 9.81, 1e-3);
+    /// assert!((velocity / 9.81e-3 - 1.0).abs() < 1e-4 && (depth / 4.905e-6 - 1.0).abs() < 1e-4);
+    /// ```
     pub fn fall(&self, air: f64, g: f64, time: f64) -> [f64; 2] {
         let speed = self.terminal_speed(air, g);
         let x = (g * time / speed).abs();

@@ -11,6 +11,12 @@ use crate::error::{Error, Result, finite};
 /// # Errors
 /// [`Error::NotFinite`] for the ends and for values of f; [`Error::Accuracy`] after 40 halvings; [`Error::OutOfRange`] after a million
 /// evaluations, with the place up to which the integral is settled.
+///
+/// ```
+/// use spinning_bodies::phenomena::quadrature::integral;
+/// assert!((integral(f64::sin, 0.0, std::f64::consts::PI, 0.0)? - 2.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64) -> Result<f64> {
     finite("the beginning of an integral", from)?;
     finite("the end of an integral", to)?;

@@ -15,6 +15,11 @@ impl Skater {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the core, [`Error::Negative`](crate::Error::Negative) for the hands,
     /// [`Error::NotFinite`](crate::Error::NotFinite) for both.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::skater::Skater;
+    /// assert!(Skater::new(1.0, 2.0).is_ok() && Skater::new(0.0, 2.0).is_err());
+    /// ```
     pub fn new(core: f64, hand: f64) -> Result<Self> {
         Ok(Self {
             core: positive("the moment of inertia of the core", core)?,
@@ -37,6 +42,14 @@ impl Skater {
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) if the core alone has more;
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the hands have no mass.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::skater::Skater;
+    /// let skater = Skater::new(1.0, 2.0)?;
+    /// // 1 + 2·2·1² kg m².
+    /// assert_eq!(skater.reach(5.0)?, 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn reach(&self, moment: f64) -> Result<f64> {
         let hand = positive("the mass of a hand", self.hand)?;
         let rest = not_negative(
@@ -47,6 +60,13 @@ impl Skater {
     }
 
     /// Angular velocity, rad/s, at angular momentum `l` (kg m²/s) with the hands at this distance: Ω = L/I.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::skater::Skater;
+    /// let skater = Skater::new(1.0, 2.0)?;
+    /// assert_eq!(skater.spin(10.0, 1.0), 2.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn spin(&self, l: f64, reach: f64) -> f64 {
         l / self.moment(reach)
     }
@@ -56,6 +76,14 @@ impl Skater {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) if it overflows.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::skater::Skater;
+    /// let skater = Skater::new(1.0, 2.0)?;
+    /// // ½L²(½ − ⅕).
+    /// assert!((skater.work(10.0, 1.0, 0.5)? - 15.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn work(&self, l: f64, from: f64, to: f64) -> Result<f64> {
         let (spin, other) = (self.spin(l, from), self.spin(l, to));
         finite(
@@ -81,6 +109,13 @@ impl Skater {
     }
 
     /// Kinetic energy, J, of turning and of the hands' motion along the arms: IΩ²/2 + m r′².
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::skater::Skater;
+    /// let skater = Skater::new(1.0, 2.0)?;
+    /// assert_eq!(skater.energy(2.0, 1.0, 0.5), 10.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy(&self, spin: f64, reach: f64, reach_rate: f64) -> f64 {
         0.5 * self.moment(reach) * spin * spin + self.hand * reach_rate * reach_rate
     }

@@ -25,6 +25,14 @@ impl Waist {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for an upper moment,
     /// [`Error::Negative`](crate::Error::Negative) for the lower, [`Error::NotFinite`](crate::Error::NotFinite) for any.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::Waist;
+    /// let waist = Waist { upper_arms_out: 3.0, upper_arms_in: 1.0, lower: 1.0 };
+    /// // −1·(3 − 1)/(4·2).
+    /// assert_eq!(waist.swivel_angle(1.0)?, -0.25);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn swivel_angle(&self, twist: f64) -> Result<f64> {
         let outstretched = positive("the upper moment with arms out", self.upper_arms_out)?;
         let folded = positive("the upper moment with arms in", self.upper_arms_in)?;
@@ -44,6 +52,13 @@ impl Waist {
     ///
     /// # Errors
     /// As [`swivel_angle`](Self::swivel_angle).
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::Waist;
+    /// let waist = Waist { upper_arms_out: 3.0, upper_arms_in: 1.0, lower: 1.0 };
+    /// assert_eq!(waist.phases(1.0)?, [-0.75, 0.5]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn phases(&self, twist: f64) -> Result<[f64; 2]> {
         let outstretched = positive("the upper moment with arms out", self.upper_arms_out)?;
         let folded = positive("the upper moment with arms in", self.upper_arms_in)?;
@@ -61,6 +76,13 @@ impl Waist {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for an upper moment.
+    ///
+    /// ```
+    /// use spinning_bodies::phenomena::Waist;
+    /// let waist = Waist { upper_arms_out: 3.0, upper_arms_in: 1.0, lower: 1.0 };
+    /// assert!((waist.best_lower()? - 3.0_f64.sqrt()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn best_lower(&self) -> Result<f64> {
         let outstretched = positive("the upper moment with arms out", self.upper_arms_out)?;
         let folded = positive("the upper moment with arms in", self.upper_arms_in)?;

@@ -45,7 +45,7 @@ impl Course {
     /// [`Error::Integration`] after a million events.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
     /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
     /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
     /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
@@ -110,7 +110,7 @@ impl Course {
     /// The body at the time `t` (s), 0 up to the end of the course; outside, the nearest of the two stretches is continued.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
     /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
     /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
     /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
@@ -124,7 +124,7 @@ impl Course {
     /// From the sheet's edge to the point of contact at the time `t` (s), m; negative: the body is off the sheet. None without a sheet.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
     /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
     /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
     /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
@@ -145,7 +145,7 @@ impl Course {
     /// What happens, in order.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
     /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
     /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
     /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;

@@ -84,7 +84,7 @@ impl Spool {
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the axle.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!(spool.ratio(), 0.5);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -100,7 +100,7 @@ impl Spool {
     /// What rolls.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!(spool.body().mass(), 2.0);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -112,7 +112,7 @@ impl Spool {
     /// r/R, dimensionless.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!(spool.ratio(), 0.5);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -150,7 +150,7 @@ impl Spool {
     /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; none if r > R (4.4).
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert!((spool.critical_angle().unwrap() - std::f64::consts::FRAC_PI_3).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -235,7 +235,7 @@ impl Spool {
     /// As [`Self::way`]; [`Error::Negative`](crate::Error::Negative) for μ; [`Error::NotPositive`](crate::Error::NotPositive) for g.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// // f = T/1.5 at most 0.2 · 20 N.
     /// assert!((spool.largest_gentle_tension(0.0, 0.2, 10.0)? - 6.0).abs() < 1e-14);
@@ -255,7 +255,7 @@ impl Spool {
     /// As [`Self::way`]; [`Error::NotPositive`](crate::Error::NotPositive) for g.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!(spool.lift_off_tension(std::f64::consts::FRAC_PI_2, 10.0)?, 20.0);
     /// assert_eq!(spool.lift_off_tension(0.0, 10.0)?, f64::INFINITY);
@@ -274,7 +274,7 @@ impl Spool {
     /// As [`Self::way`].
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// // Straight up, from the side of the axle.
     /// assert!((spool.foot_of_the_line(std::f64::consts::FRAC_PI_2)? - 0.5).abs() < 1e-15);
@@ -344,7 +344,7 @@ impl Spool {
     /// Length of string on the axle since the start, m, from what the rim has turned: positive is wound up.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
     /// use spinning_bodies::rolling::course::Moment;
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let moment = Moment { turned: 0.4, ..Moment::at_rest() };

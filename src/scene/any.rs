@@ -94,11 +94,27 @@ impl AnyScene {
     }
 
     /// What it can tell: the usual numbers first.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, roller::Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// let scene = AnyScene::scene(Box::new(ball));
+    /// assert!(scene.columns().iter().any(|column| column.name == "velocity" && column.unit == "m/s"));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn columns(&self) -> &[Column] {
         &self.columns
     }
 
     /// What it tells, in the order of a row.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, roller::Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// let scene = AnyScene::scene(Box::new(ball));
+    /// assert!(scene.told().all(|column| column.usual));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn told(&self) -> impl Iterator<Item = Column> {
         self.told.iter().map(|&place| self.columns[place])
     }
@@ -107,6 +123,15 @@ impl AnyScene {
     ///
     /// # Errors
     /// The first name that is none.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// let scene = AnyScene::scene(Box::new(ball));
+    /// let table = scene.telling(&["velocity"]).unwrap().simulate(&Request::at([2.0])?)?;
+    /// assert_eq!(table.row(0), (2.0, vec![1.5]));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn telling<N: AsRef<str>>(
         mut self,
         names: &[N],
@@ -126,6 +151,15 @@ impl AnyScene {
     ///
     /// # Errors
     /// As for [`Scene::simulate`].
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// let scene = AnyScene::scene(Box::new(ball));
+    /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
+    /// assert_eq!(table.rows().count(), 2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn simulate(&self, request: &Request) -> Result<Table> {
         (self.simulation)(request, &self.told)
     }
@@ -177,16 +211,43 @@ impl Table {
     ///
     /// # Panics
     /// If there are not so many rows.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// let scene = AnyScene::scene(Box::new(ball));
+    /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
+    /// assert_eq!(table.row(1).0, 2.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn row(&self, place: usize) -> (f64, Vec<f64>) {
         (self.row)(place)
     }
 
     /// All rows, in the order asked for.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// let scene = AnyScene::scene(Box::new(ball));
+    /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
+    /// assert!(table.rows().map(|(time, _)| time).eq([0.0, 2.0]));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rows(&self) -> impl Iterator<Item = (f64, Vec<f64>)> {
         (0..self.count).map(|place| self.row(place))
     }
 
     /// A number that is none, with its column and its time (s).
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// let scene = AnyScene::scene(Box::new(ball));
+    /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
+    /// assert_eq!(table.not_finite(), None);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn not_finite(&self) -> Option<(&'static str, f64, f64)> {
         self.rows().find_map(|(t, row)| {
             let mut pairs = self.columns.iter().zip(row);
@@ -199,6 +260,16 @@ impl Table {
     ///
     /// # Errors
     /// The first name that is no column of the table.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// let scene = AnyScene::scene(Box::new(ball));
+    /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
+    /// assert_eq!(table.numbers(["t", "velocity"]).unwrap(), [[0.0, 1.5], [2.0, 1.5]]);
+    /// assert!(table.numbers(["nothing"]).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn numbers<const N: usize>(
         &self,
         names: [&str; N],

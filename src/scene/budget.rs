@@ -24,21 +24,62 @@ struct Numbers {
 
 impl Progress {
     /// Evaluations of the equations so far; a state that a closed form gives counts as one.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::scene::{Progress, Request, Scene, top::{Body, Start, Top}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let progress = Progress::default();
+    /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
+    /// // A state of a closed form counts as one.
+    /// assert_eq!(progress.evaluations(), 2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn evaluations(&self) -> u64 {
         self.0.evaluations.load(Ordering::Relaxed)
     }
 
     /// How many there may be.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::scene::{Progress, Request, Scene, top::{Body, Start, Top}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let progress = Progress::default();
+    /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
+    /// assert_eq!(progress.most(), 100);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn most(&self) -> u64 {
         self.0.most.load(Ordering::Relaxed)
     }
 
     /// The time that the motion has reached, s.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::scene::{Progress, Request, Scene, top::{Body, Start, Top}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let progress = Progress::default();
+    /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
+    /// assert_eq!(progress.time(), 5.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn time(&self) -> f64 {
         f64::from_bits(self.0.time.load(Ordering::Relaxed))
     }
 
     /// The time furthest from the start that was asked for, s.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::scene::{Progress, Request, Scene, top::{Body, Start, Top}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let progress = Progress::default();
+    /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
+    /// assert_eq!(progress.until(), 5.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn until(&self) -> f64 {
         f64::from_bits(self.0.until.load(Ordering::Relaxed))
     }

@@ -54,6 +54,14 @@ pub struct TableTop {
 
 impl TableTop {
     /// The body, touching the table, without any effect: a free body.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::contact::TableTop;
+    /// use spinning_bodies::tippe_top::{Start, bodies};
+    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+    /// assert_eq!(scene.body().mass(), 0.02);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn new(body: ConvexBody, start: Start) -> Self {
         Self {
             body,
@@ -68,6 +76,16 @@ impl TableTop {
     ///
     /// # Errors
     /// [`Error::Effect`] for one that means nothing here; [`Error::NotPositive`] for gravity that does not press the body to the table.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::{contact::TableTop, effects::{Gravity, TurnLoss}};
+    /// use spinning_bodies::tippe_top::{Start, bodies};
+    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+    /// assert!(scene.with(Gravity::new(9.81)?).is_ok());
+    /// // What has no meaning for a body on a table is refused by name.
+    /// assert!(scene.with(TurnLoss::new(0.9)?).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         let some = |law: Friction| law.acts().then_some(law);
         match effect.into() {
@@ -86,6 +104,14 @@ impl TableTop {
     }
 
     /// The mirror image of body and start, with the same effects.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::contact::TableTop;
+    /// use spinning_bodies::tippe_top::{Start, bodies};
+    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+    /// assert_eq!(scene.mirrored().start().omega.z(), -155.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     #[must_use]
     pub fn mirrored(mut self) -> Self {
         self.body = self.body.mirrored();
@@ -94,11 +120,27 @@ impl TableTop {
     }
 
     /// The body.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::contact::TableTop;
+    /// use spinning_bodies::tippe_top::{Start, bodies};
+    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+    /// assert_eq!(*scene.body(), bodies::tippe_top()?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn body(&self) -> &ConvexBody {
         &self.body
     }
 
     /// The start.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::contact::TableTop;
+    /// use spinning_bodies::tippe_top::{Start, bodies};
+    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+    /// assert_eq!(scene.start().omega.z(), 155.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn start(&self) -> &Start {
         &self.start
     }
@@ -107,6 +149,15 @@ impl TableTop {
     ///
     /// # Errors
     /// As for [`simulate`](Scene::simulate).
+    ///
+    /// ```
+    /// use spinning_bodies::scene::{Request, contact::{Support, TableTop}, effects::{Gravity, Viscous}};
+    /// use spinning_bodies::tippe_top::{Start, bodies};
+    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+    /// let scene = scene.with(Gravity::new(9.82)?)?.with(Viscous::new(0.3)?)?;
+    /// assert_eq!(scene.phases(&Request::at([0.1])?.to_accuracy(1e-8)?)?[0].support, Support::Sliding);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn phases(&self, request: &Request) -> Result<Vec<Phase>> {
         let answer = self.answer(request, &self.plan(request)?)?;
         let mut phases: Vec<Phase> = Vec::new();
@@ -256,23 +307,62 @@ pub struct State {
 
 impl State {
     /// The upward vertical in the body's axes.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::{Request, Scene, contact::TableTop};
+    /// use spinning_bodies::tippe_top::{Start, bodies};
+    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+    /// let state = scene.simulate(&Request::at([0.0])?)?.rows[0].1;
+    /// assert!((state.up().z() - 0.1_f64.cos()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn up(&self) -> BodyVector {
         self.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
     }
 
     /// Angle between the body's third axis and the vertical, rad, 0…π; accurate at both ends.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::{Request, Scene, contact::TableTop};
+    /// use spinning_bodies::tippe_top::{Start, bodies};
+    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+    /// let state = scene.simulate(&Request::at([0.0])?)?.rows[0].1;
+    /// assert!((state.tilt() - 0.1).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn tilt(&self) -> f64 {
         let up = self.up();
         up.x().hypot(up.y()).atan2(up.z())
     }
 
     /// Angular velocity about the vertical, rad/s.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::{Request, Scene, contact::TableTop};
+    /// use spinning_bodies::tippe_top::{Start, bodies};
+    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+    /// let state = scene.simulate(&Request::at([0.0])?)?.rows[0].1;
+    /// assert!((state.spin() - 155.0 * 0.1_f64.cos()).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn spin(&self) -> f64 {
         self.omega.dot(&self.up())
     }
 }
 
 /// When `quantity` first rises through `level` (s), by linear interpolation between rows in ascending order of time, if it does.
+///
+/// ```
+/// use spinning_bodies::scene::{Request, Scene, contact::{TableTop, passage}, effects::{Gravity, Viscous}};
+/// use spinning_bodies::tippe_top::{Start, bodies};
+/// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
+/// let scene = scene.with(Gravity::new(9.82)?)?.with(Viscous::new(0.3)?)?;
+/// let times: Vec<f64> = (0..81).map(|k| 0.1 * f64::from(k)).collect();
+/// let rows = scene.simulate(&Request::at(times)?.to_accuracy(1e-8)?)?.rows;
+/// // When C is above the centre: it turns over within eight seconds.
+/// assert!(passage(&rows, |state| state.tilt(), 1.6).is_some());
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn passage(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64, level: f64) -> Option<f64> {
     rows.windows(2).find_map(|pair| {
         let [(t0, a), (t1, b)] = pair else {

@@ -153,10 +153,20 @@ numbers! {
     /// Uniform gravity, down the space z axis.
     Gravity, f64,
     /// Gravity of this strength, m/s². A top also takes none at all and one that pulls up; what needs a floor does not.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::Gravity;
+    /// assert!(Gravity::new(0.1).is_ok() && Gravity::new(f64::NAN).is_err());
+    /// ```
     finite("gravity");
     /// Friction at the pivot in proportion to the turning: torque −cΩ (7.5).
     PivotFriction, f64,
     /// The coefficient c, N m s.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::PivotFriction;
+    /// assert!(PivotFriction::new(0.1).is_ok() && PivotFriction::new(-0.1).is_err());
+    /// ```
     not_negative("pivot friction");
     /// Viscous friction of a bearing: torque −cΩ, of a top −c(Ω₁, Ω₂, 0) (7.4).
     ///
@@ -164,10 +174,20 @@ numbers! {
     /// has the last word, small as it may be: L falls by exactly c times the angle turned (1.1).
     BearingFriction, f64,
     /// The coefficient c, N m s.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::BearingFriction;
+    /// assert!(BearingFriction::new(0.1).is_ok() && BearingFriction::new(-0.1).is_err());
+    /// ```
     not_negative("bearing friction");
     /// Drag of the air in proportion to the square of the turning: torque −k|Ω|Ω (4.9, 7.5).
     AirDrag, f64,
     /// The coefficient k, N m s², which is kg m².
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::AirDrag;
+    /// assert!(AirDrag::new(0.1).is_ok() && AirDrag::new(-0.1).is_err());
+    /// ```
     not_negative("air drag");
     /// Dry friction at the tip, against the spin alone: torque −N sgn(Ω₃) about the third axis (7.5).
     ///
@@ -175,27 +195,57 @@ numbers! {
     /// stopped, which no other body's would.
     TipFriction, f64,
     /// The torque N, N m.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::TipFriction;
+    /// assert!(TipFriction::new(0.1).is_ok() && TipFriction::new(-0.1).is_err());
+    /// ```
     not_negative("tip friction");
     /// Air at rest, in which a cat of paper falls (1.1).
     Air, f64,
     /// Its density, kg/m³.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::Air;
+    /// assert!(Air::new(0.1).is_ok() && Air::new(-0.1).is_err());
+    /// ```
     not_negative("the density of the air");
     /// Every turn of a yo-yo leaves this part of the spin (4.9).
     TurnLoss, f64,
     /// Spin after over spin before, 0…1.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::TurnLoss;
+    /// assert!(TurnLoss::new(0.1).is_ok() && TurnLoss::new(1.5).is_err());
+    /// ```
     part("the restitution of the turn");
     /// The hand does this much work at every turn of a yo-yo, by being raised a little while the string pulls hardest (4.9): see
     /// [`Turn::work_of_lift`](crate::yo_yo::Turn::work_of_lift).
     Hand, f64,
     /// The work, J.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::Hand;
+    /// assert!(Hand::new(0.1).is_ok() && Hand::new(-0.1).is_err());
+    /// ```
     not_negative("the work of the hand");
     /// The string of a yo-yo ends in a loop: it falls asleep at the lowest point, and a jerk wakes it (4.9).
     Sleep, f64,
     /// How long it is left asleep, s.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::Sleep;
+    /// assert!(Sleep::new(0.1).is_ok() && Sleep::new(-0.1).is_err());
+    /// ```
     not_negative("the duration of the sleep");
     /// Friction of that loop on the axle (4.9).
     AxleFriction, f64,
     /// A constant torque, N m.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::effects::AxleFriction;
+    /// assert!(AxleFriction::new(0.1).is_ok() && AxleFriction::new(-0.1).is_err());
+    /// ```
     not_negative("the friction of the axle");
 }
 

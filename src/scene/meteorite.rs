@@ -26,6 +26,14 @@ pub struct StruckPlanet {
 
 impl StruckPlanet {
     /// The planet left alone.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::Planet, scene::{Request, Scene, meteorite::StruckPlanet}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::new(0.0, 0.0, 1.0))?;
+    /// let motion = StruckPlanet::new(planet).simulate(&Request::at([5.0])?)?;
+    /// assert_eq!(motion.rows[0].1.omega.z(), 1.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn new(planet: Planet) -> Self {
         Self {
             planet,
@@ -37,6 +45,17 @@ impl StruckPlanet {
     ///
     /// # Errors
     /// [`Error::Effect`] for any other effect.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Impact, Meteorite, Planet}, scene::{Request, Scene, meteorite::StruckPlanet}};
+    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::new(0.0, 0.0, 1.0))?;
+    /// let meteorite = Meteorite::new(10.0, BodyVector::new(0.0, 3.0, 0.0))?;
+    /// let impact = Impact { meteorite, at: BodyVector::new(1.0, 0.0, 0.0) };
+    /// let motion = StruckPlanet::new(planet).with(impact)?.simulate(&Request::at([5.0])?)?;
+    /// // 9 ΔΩ = 5·(3 − 1).
+    /// assert!((motion.rows[0].1.omega.z() - (1.0 + 10.0 / 9.0)).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Impact(impact) => self.impact = Some(impact),

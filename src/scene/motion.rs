@@ -24,6 +24,13 @@ impl Request {
     /// The same at other times.
     ///
     /// `times` are one at least, and within its own.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::Request;
+    /// let request = Request::at([0.0, 1.0])?.to_accuracy(1e-6)?;
+    /// assert_eq!(request.of_times(&[0.5]).times(), [0.5]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn of_times(&self, times: &[f64]) -> Self {
         let Self {
             accuracy,
@@ -50,6 +57,13 @@ impl Request {
     ///
     /// # Errors
     /// [`Error::Empty`]; [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::scene::Request;
+    /// assert_eq!(Request::at([0.0, 1.0])?.times(), [0.0, 1.0]);
+    /// assert!(Request::at([]).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn at(times: impl Into<Vec<f64>>) -> Result<Self> {
         let times = times.into();
         if times.is_empty() {
@@ -76,6 +90,13 @@ impl Request {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside 1e-15 … 0.1.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::Request;
+    /// assert!(Request::at([1.0])?.to_accuracy(1e-6).is_ok());
+    /// assert!(Request::at([1.0])?.to_accuracy(0.0).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn to_accuracy(mut self, accuracy: f64) -> Result<Self> {
         within("the accuracy", accuracy, 1e-15, 0.1)?;
         (self.accuracy, self.effort) = (accuracy, None);
@@ -84,12 +105,30 @@ impl Request {
 
     /// The same in one run at this effort, for which nothing vouches: its error estimate is infinite, no accuracy is asked for and no ledger judged.
     /// Closed forms have no use for the effort and tell their error as ever.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::{integrators::Effort, scene::{Request, Scene, effects::AirDrag, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let dragged = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.with(AirDrag::new(0.01)?)?;
+    /// let motion = dragged.simulate(&Request::at([1.0])?.in_one_run(Effort::Tolerance(1e-8)))?;
+    /// // Nothing vouches for one run.
+    /// assert_eq!(motion.error_estimate, f64::INFINITY);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn in_one_run(mut self, effort: Effort) -> Self {
         (self.accuracy, self.effort) = (f64::INFINITY, Some(effort));
         self
     }
 
     /// The same by this solver.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::{Choice, Request};
+    /// let request = Request::at([1.0])?.by(Choice::Auto);
+    /// assert_eq!(request.times(), [1.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn by(mut self, choice: Choice) -> Self {
         self.choice = choice;
         self
@@ -99,12 +138,32 @@ impl Request {
     pub const MOST_EVALUATIONS: u64 = 200_000_000;
 
     /// The same with another budget of evaluations.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::scene::{Request, Scene, effects::AirDrag, top::{Body, Start, Top}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// // Ten evaluations are too few for a second of friction.
+    /// let dragged = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.with(AirDrag::new(0.01)?)?;
+    /// assert!(dragged.simulate(&Request::at([1.0])?.within(10)).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn within(mut self, evaluations: u64) -> Self {
         self.most = evaluations;
         self
     }
 
     /// The same with someone who watches.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::scene::{Progress, Request, Scene, top::{Body, Start, Top}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let progress = Progress::default();
+    /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
+    /// assert_eq!(progress.evaluations(), 2);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn watched(mut self, progress: &Progress) -> Self {
         self.progress = Some(progress.clone());
         self
@@ -130,11 +189,23 @@ impl Request {
     }
 
     /// The time furthest from the start, s.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::Request;
+    /// assert_eq!(Request::at([1.0, -3.0])?.furthest(), -3.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn furthest(&self) -> f64 {
         self.furthest
     }
 
     /// The times, s.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::Request;
+    /// assert_eq!(Request::at([1.0, -3.0])?.times(), [1.0, -3.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn times(&self) -> &[f64] {
         &self.times
     }
@@ -261,6 +332,15 @@ pub(crate) fn ascending(times: &[f64]) -> Vec<usize> {
 ///
 /// # Errors
 /// [`Error::Ledger`] names the quantity that drifted most.
+///
+/// ```
+/// use spinning_bodies::{conservation::{Law, Ledger}, scene::balanced};
+/// let mut ledger = Ledger::new();
+/// let energy = ledger.open("energy", Law::Conserved, 1.0)?;
+/// ledger.record(energy, 1.0 + 1e-9)?;
+/// assert!(balanced(ledger.clone(), 1e-10).is_ok() && balanced(ledger, 1e-12).is_err());
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn balanced(ledger: Ledger, accuracy: f64) -> Result<Ledger> {
     let allowed = (100.0 * accuracy).max(1e-11);
     let worst = ledger

@@ -54,6 +54,11 @@ impl Geometric {
     ];
 
     /// The name by which it is asked for.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::Geometric;
+    /// assert_eq!(Geometric::ALL[0].name(), "rotations-2");
+    /// ```
     pub const fn name(self) -> &'static str {
         match self {
             Self::Rotations(Order::Two) => "rotations-2",
@@ -74,6 +79,11 @@ impl Geometric {
 
 impl Solver {
     /// All of them.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::Solver;
+    /// assert!(Solver::all().any(|solver| solver.name() == "rotations-2"));
+    /// ```
     pub fn all() -> impl Iterator<Item = Self> {
         let general = Method::ALL.into_iter().map(Self::General);
         let geometric = Geometric::ALL.into_iter().map(Self::Geometric);
@@ -84,6 +94,14 @@ impl Solver {
     }
 
     /// The name by which it is asked for in a scene file.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::Solver;
+    /// // Every name is another.
+    /// let mut names: Vec<_> = Solver::all().map(Solver::name).collect();
+    /// names.sort();
+    /// assert!(names.windows(2).all(|pair| pair[0] != pair[1]));
+    /// ```
     pub const fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",

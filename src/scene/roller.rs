@@ -53,6 +53,15 @@ impl Roller {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for gravity; [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Scene, roller::Roller}};
+    /// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+    /// // Without friction it keeps its velocity.
+    /// let motion = Roller::new(ball, 10.0, 7.0, 0.0)?.simulate(&Request::at([2.0])?)?;
+    /// assert_eq!(motion.rows[0].1.moment.velocity, 7.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(body: RoundBody, gravity: f64, velocity: f64, rim_speed: f64) -> Result<Self> {
         Ok(Self {
             body,
@@ -71,6 +80,15 @@ impl Roller {
     ///
     /// # Errors
     /// As [`Self::new`].
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Scene, effects::Coulomb, roller::Roller}};
+    /// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+    /// let struck = Roller::after(&ball.strike(1.0, 7.0)?, 10.0)?.with(Coulomb::new(0.2)?)?;
+    /// let motion = struck.simulate(&Request::at([2.0])?)?;
+    /// assert!((motion.rows[0].1.moment.velocity - 5.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn after(shot: &Shot, gravity: f64) -> Result<Self> {
         let mut roller = Self::new(shot.body(), gravity, shot.velocity(), shot.rim_speed())?;
         roller.start.slip = shot.slip();
@@ -81,6 +99,16 @@ impl Roller {
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other effect.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Scene, effects::Coulomb, roller::Roller}};
+    /// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+    /// let sliding = Roller::new(ball, 10.0, 7.0, 0.0)?.with(Coulomb::new(0.2)?)?;
+    /// let motion = sliding.simulate(&Request::at([0.5])?)?;
+    /// // μg = 2 m/s².
+    /// assert!((motion.rows[0].1.moment.velocity - 6.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Coulomb(law) => self.friction = Some(law),

@@ -44,6 +44,14 @@ impl TuggedSpool {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for gravity.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, spool::Spool}, scene::{Request, Scene, spool::TuggedSpool}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let motion = TuggedSpool::new(spool, 10.0)?.simulate(&Request::at([2.0])?)?;
+    /// assert_eq!(motion.rows[0].1.moment.velocity, 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(spool: Spool, gravity: f64) -> Result<Self> {
         let gravity = positive("the acceleration of gravity", gravity)?;
         Ok(Self {
@@ -57,6 +65,14 @@ impl TuggedSpool {
     }
 
     /// The same with a velocity and a rim speed (m/s) to begin with.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, spool::Spool}, scene::{Request, Scene, spool::TuggedSpool}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let motion = TuggedSpool::new(spool, 10.0)?.moving(1.5, 1.5).simulate(&Request::at([2.0])?)?;
+    /// assert_eq!(motion.rows[0].1.moment.velocity, 1.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn moving(mut self, velocity: f64, rim_speed: f64) -> Self {
         self.start = Moment::moving(velocity, rim_speed);
         self
@@ -67,6 +83,16 @@ impl TuggedSpool {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction if the tug lifts the spool; [`Error::Effect`](crate::Error::Effect) for any
     /// other effect.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, spool::Spool}, scene::{Request, Scene, effects::{Coulomb, Tug}, spool::TuggedSpool}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let tugged = TuggedSpool::new(spool, 10.0)?.with(Tug::new(1.2, 0.0)?)?.with(Coulomb::new(0.3)?)?;
+    /// let motion = tugged.simulate(&Request::at([2.0])?)?;
+    /// // 0.2 m/s² for two seconds.
+    /// assert!((motion.rows[0].1.moment.velocity - 0.4).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Tug(tug) => self.load = self.spool.load(tug, self.gravity)?,

@@ -98,6 +98,16 @@ impl Strip {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Sheet;
+    /// use spinning_bodies::scene::{Request, Scene, strip::{Strip, StripStart}};
+    /// // Without an effect it flies straight on.
+    /// let start = StripStart { velocity: [1.0, 0.5], ..StripStart::default() };
+    /// let motion = Strip::new(Sheet::of_paper(0.02)?.plate()?, start)?.simulate(&Request::at([2.0])?)?;
+    /// assert!((motion.rows[0].1.velocity[0] - 1.0).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(plate: Plate, start: StripStart) -> Result<Self> {
         for component in start.velocity {
             finite("the velocity at the start", component)?;
@@ -112,6 +122,16 @@ impl Strip {
     ///
     /// # Errors
     /// As [`Strip::new`], [`Strip::with`] and [`Plate::new`].
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::{Coefficients, Sheet};
+    /// use spinning_bodies::scene::{Request, Scene, strip::{Strip, StripStart}};
+    /// let strip = Strip::in_air(&Sheet::of_paper(0.02)?, StripStart { angle: 0.2, ..StripStart::default() }, Coefficients::PAPER)?;
+    /// let motion = strip.simulate(&Request::at([0.1])?.to_accuracy(1e-9)?)?;
+    /// // It falls, and less than it would without air.
+    /// assert!(motion.rows[0].1.velocity[1] < 0.0 && motion.rows[0].1.velocity[1] > -0.981);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn in_air(sheet: &Sheet, start: StripStart, coefficients: Coefficients) -> Result<Self> {
         let a = sheet.half_chord();
         let displaced = sheet.plate()?.displaced_mass();
@@ -135,6 +155,15 @@ impl Strip {
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other; [`Error::NotFinite`](crate::Error::NotFinite);
     /// [`Error::Negative`](crate::Error::Negative) for what should brake and would drive.
+    ///
+    /// ```
+    /// use spinning_bodies::falling_strip::Sheet;
+    /// use spinning_bodies::scene::{Request, Scene, effects::Gravity, strip::{Strip, StripStart}};
+    /// let strip = Strip::new(Sheet::of_paper(0.02)?.plate()?, StripStart::default())?.with(Gravity::new(10.0)?)?;
+    /// let motion = strip.simulate(&Request::at([0.5])?)?;
+    /// assert!((motion.rows[0].1.velocity[1] + 5.0).abs() < 1e-9);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         let equations = &mut self.equations;
         match effect.into() {
@@ -155,6 +184,16 @@ impl Strip {
     }
 
     /// The equations.
+    ///
+    /// ```
+    /// use spinning_bodies::{falling_strip::Sheet, scene::strip::{Strip, StripStart}};
+    /// let plate = Sheet::of_paper(0.02)?.plate()?;
+    /// let one = Strip::new(plate, StripStart::default())?;
+    /// let other = Strip::new(plate, StripStart { angle: 0.3, ..StripStart::default() })?;
+    /// // They do not depend on the start.
+    /// assert_eq!(one.equations(), other.equations());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn equations(&self) -> &Equations {
         &self.equations
     }

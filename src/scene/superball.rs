@@ -39,6 +39,17 @@ impl Superball {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the mass; the rest is examined when it runs.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::{Motion, flight::InFlight};
+    /// use spinning_bodies::scene::{Request, Scene, superball::Superball};
+    /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
+    /// let start = InFlight { position: 0.0, height: 1.0, climb: -1.0, motion, bounces: 0 };
+    /// // Down for a second; the floor leaves 3/7 of its velocity.
+    /// let ball = Superball::new(0.1, 0.4, start)?.simulate(&Request::at([1.5])?)?.rows[0].1.ball;
+    /// assert!((ball.motion.velocity - 3.0 / 7.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(mass: f64, kappa: f64, start: InFlight) -> Result<Self> {
         Ok(Self {
             mass: positive("the mass", mass)?,
@@ -52,6 +63,17 @@ impl Superball {
     }
 
     /// The same under a ceiling: `room` (m) from floor to ceiling less the ball's diameter.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::{Motion, flight::InFlight};
+    /// use spinning_bodies::scene::{Request, Scene, superball::Superball};
+    /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
+    /// let start = InFlight { position: 0.0, height: 1.0, climb: -1.0, motion, bounces: 0 };
+    /// let ball = Superball::new(0.1, 0.4, start)?.under(1.0).simulate(&Request::at([3.5])?)?.rows[0].1.ball;
+    /// // Floor, ceiling, floor: it comes back.
+    /// assert!(ball.bounces == 3 && (ball.motion.velocity + 333.0 / 343.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn under(mut self, room: f64) -> Self {
         self.room = room;
         self
@@ -61,6 +83,17 @@ impl Superball {
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for gravity; [`Error::Effect`](crate::Error::Effect) for any other effect.
+    ///
+    /// ```
+    /// use spinning_bodies::superball::{Motion, flight::InFlight};
+    /// use spinning_bodies::scene::{Request, Scene, effects::Gravity, superball::Superball};
+    /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
+    /// let start = InFlight { position: 0.0, height: 1.0, climb: -1.0, motion, bounces: 0 };
+    /// let falling = Superball::new(0.1, 0.4, start)?.with(Gravity::new(10.0)?)?;
+    /// let ball = falling.simulate(&Request::at([0.1])?)?.rows[0].1.ball;
+    /// assert!((ball.climb + 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Gravity(gravity) => {

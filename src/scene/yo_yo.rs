@@ -90,6 +90,15 @@ impl Play {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`].
+    ///
+    /// ```
+    /// use spinning_bodies::{scene::{Request, Scene, yo_yo::Play}, yo_yo::YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?;
+    /// // Without gravity, thrown at 1 m/s: so far in half a second.
+    /// let motion = Play::new(toy, 1.0)?.simulate(&Request::at([0.5])?)?;
+    /// assert!((motion.rows[0].1.depth - 0.5).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(toy: YoYo, throw: f64) -> Result<Self> {
         Ok(Self {
             toy,
@@ -107,6 +116,14 @@ impl Play {
     ///
     /// # Errors
     /// [`Error::Effect`] for any other; [`Error::NotPositive`] for a gravity that does not pull down.
+    ///
+    /// ```
+    /// use spinning_bodies::{scene::{Request, Scene, effects::Gravity, yo_yo::Play}, yo_yo::YoYo};
+    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
+    /// let motion = Play::new(toy, 0.0)?.with(Gravity::new(8.0)?)?.simulate(&Request::at([0.5])?)?;
+    /// assert!((motion.rows[0].1.depth - 0.25).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Gravity(gravity) => self.gravity = Some(positive("gravity", gravity.value())?),

@@ -162,7 +162,7 @@ impl HoopWithClay {
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;
     /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
-    /// let (time, pi) = (hoop.refined_time(4.0, 0.0, std::f64::consts::PI), std::f64::consts::PI);
+    /// let time = hoop.refined_time(4.0, 0.0, std::f64::consts::PI);
     /// assert!((time / hoop.tip_over_time(4.0) - 1.5_f64.powf(-1.5) * 0.5_f64.powf(-0.5)).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

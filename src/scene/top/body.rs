@@ -69,6 +69,14 @@ impl Body {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`], [`Error::TriangleInequality`].
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let motion = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([10.0])?)?;
+    /// assert_eq!(motion.rows[0].1.energy, 6.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(moments: [f64; 3]) -> Result<Self> {
         let [i1, i2, i3] = moments;
         for moment in moments {
@@ -119,6 +127,13 @@ impl Body {
     ///
     /// # Errors
     /// As for [`new`](Self::new); [`Error::NotFinite`] for the point.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, inertia::shapes, scene::top::Body};
+    /// // Any body, held anywhere but where it would have no moment.
+    /// assert!(Body::held_at(&shapes::cuboid(12.0, [1.0, 2.0, 3.0])?, BodyVector::new(0.0, 0.0, -1.5)).is_ok());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn held_at(body: &MassProperties, pivot: BodyVector) -> Result<Self> {
         let held = Self::along_own_axes(&body.about(pivot)?)?;
         held.with_center_of_mass(body.mass(), body.center() - pivot)
@@ -128,6 +143,16 @@ impl Body {
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Negative`] for the mass.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, effects::Gravity, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let body = Body::new([1.0, 1.0, 0.5])?.with_center_of_mass(2.0, BodyVector::new(0.0, 0.0, 0.1))?;
+    /// let motion = Top::new(body, start)?.with(Gravity::new(10.0)?)?.simulate(&Request::at([0.0])?)?;
+    /// // ½·½·2² J of turning and 2 kg · 10 m/s² · 0.1 m of height.
+    /// assert!((motion.rows[0].1.energy - 3.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with_center_of_mass(self, mass: f64, center: BodyVector) -> Result<Self> {
         let center = self.inward(finite_vector("the centre of mass", center)?);
         let [x, y, z]: [f64; 3] = center.components().into();
@@ -208,6 +233,14 @@ pub(super) enum Spin {
 
 impl Start {
     /// Turning with Ω, rad/s.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let motion = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([0.0])?)?;
+    /// assert_eq!(motion.rows[0].1.omega.z(), 2.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn with_omega(omega: BodyVector, attitude: Attitude) -> Self {
         Self {
             attitude,
@@ -216,6 +249,14 @@ impl Start {
     }
 
     /// Turning with L, kg m²/s. The closed forms take it as it is, without a division.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, top::{Body, Start, Top}}};
+    /// let start = Start::with_angular_momentum(BodyVector::new(0.0, 0.0, 6.0), Attitude::identity());
+    /// let motion = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([0.0])?)?;
+    /// assert!((motion.rows[0].1.omega.z() - 2.0).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn with_angular_momentum(l: BodyVector, attitude: Attitude) -> Self {
         Self {
             attitude,

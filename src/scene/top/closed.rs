@@ -152,6 +152,14 @@ impl ClosedForm {
     ///
     /// # Errors
     /// Those of the solution.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let form = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.closed_form()?.unwrap();
+    /// assert!((form.at(1e6)?.1 - BodyVector::new(0.0, 0.0, 2.0)).norm() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     #[inline]
     pub fn at(&self, t: f64) -> Result<(Attitude, BodyVector)> {
         match self {

@@ -129,6 +129,15 @@ impl Top {
     /// # Errors
     /// [`Error::Effect`] for one that has no meaning for a top. [`Error::Condition`] for tip friction unless I₁ = I₂ and C lies on the third axis: of
     /// another body the spin would not stay stopped; for bearing friction of a body whose own axes are not principal ones.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{effects::{AirDrag, TurnLoss}, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let free = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?;
+    /// assert!(free.with(AirDrag::new(1e-6)?).is_ok());
+    /// assert!(free.with(TurnLoss::new(0.9)?).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Gravity(gravity) => self.gravity = Some(gravity),
@@ -162,6 +171,15 @@ impl Top {
     ///
     /// # Errors
     /// Those of the solution.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{effects::AirDrag, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let free = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?;
+    /// assert!(free.closed_form()?.is_some());
+    /// assert!(free.with(AirDrag::new(1e-6)?)?.closed_form()?.is_none());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn closed_form(&self) -> Result<Option<ClosedForm>> {
         if self.resisting().next().is_some() {
             return Ok(None);

@@ -44,6 +44,8 @@ impl CompensatedSum {
     ///     sum.add(term);
     /// }
     /// assert_eq!(sum.value(), 2.0);
+    /// sum.add(f64::INFINITY);
+    /// assert_eq!(sum.value(), f64::INFINITY);
     /// ```
     pub fn add(&mut self, term: f64) {
         let sum = self.sum + term;
@@ -60,9 +62,11 @@ impl CompensatedSum {
     ///
     /// ```
     /// use spinning_bodies::conservation::CompensatedSum;
+    /// let tenths = || std::iter::repeat_n(0.1, 1_000_000);
     /// let mut sum = CompensatedSum::new();
-    /// sum.extend([0.1; 10]);
-    /// assert_eq!(sum.value(), 1.0);
+    /// sum.extend(tenths());
+    /// assert_eq!(sum.value(), 100_000.0);
+    /// assert!((tenths().sum::<f64>() - 100_000.0).abs() > 1e-6);
     /// ```
     pub fn value(&self) -> f64 {
         if self.sum.is_finite() {

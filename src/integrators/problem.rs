@@ -5,6 +5,12 @@ use crate::error::Result;
 /// Equations y' = f(t, y) for N numbers.
 pub trait System<const N: usize> {
     /// f(t, y). May be called at states that the motion never reaches; a result that is not finite makes the step fail.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::System;
+    /// let swing = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
+    /// assert_eq!(System::rate(&swing, 0.0, &[1.0, 2.0]), [2.0, -1.0]);
+    /// ```
     fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N];
 
     /// Told of the time after every step.
@@ -54,6 +60,11 @@ impl Method {
     ];
 
     /// The name by which it is asked for.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::Method;
+    /// assert_eq!(Method::Dop853.name(), "dop853");
+    /// ```
     pub const fn name(self) -> &'static str {
         match self {
             Self::Rk4 => "rk4",
@@ -65,6 +76,11 @@ impl Method {
     }
 
     /// Whether the step is chosen by an error estimate, and [`Effort::Tolerance`] asked for; if not, [`Effort::Step`].
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::Method;
+    /// assert!(Method::Dop853.is_adaptive() && !Method::Rk4.is_adaptive());
+    /// ```
     pub const fn is_adaptive(self) -> bool {
         !matches!(self, Self::Rk4 | Self::Gauss)
     }
@@ -107,6 +123,12 @@ pub struct Solution<const N: usize> {
 /// A quantity whose zero ends a run.
 pub trait Event<const N: usize> {
     /// g(t, y); the run ends where it falls through zero.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::Event;
+    /// let height = |_: f64, y: &[f64; 2]| y[0];
+    /// assert_eq!(Event::value(&height, 0.0, &[1.0, 2.0]), 1.0);
+    /// ```
     fn value(&self, t: f64, y: &[f64; N]) -> f64;
 }
 

@@ -8,6 +8,18 @@ use crate::precise::DoubleDouble;
 /// A number: `f32`, `f64` or [`DoubleDouble`].
 ///
 /// The methods are written once for all three, so that what rounding does to one of them can be seen by changing nothing else.
+///
+/// ```
+/// use spinning_bodies::integrators::geometric::{DoubleDouble, Real};
+/// let (one, three) = (DoubleDouble::from_double(1.0), DoubleDouble::from_double(3.0));
+/// assert!((three.reciprocal() * three - one).to_double().abs() < 1e-30);
+/// assert!((three.square_root() * three.square_root() - three).to_double().abs() < 1e-30);
+/// let (sine, versine) = 1e-9_f64.turn();
+/// assert!(sine == 1e-9 && (versine / 5e-19 - 1.0).abs() < 1e-15);
+/// assert_eq!(0.0_f64.turn_of_square(), (1.0, 0.5));
+/// let (sine, cosine) = f64::sine_and_cosine(0.5_f64.two_words());
+/// assert!((sine - 0.5_f64.sin()).abs() + (cosine - 0.5_f64.cos()).abs() < 2e-16);
+/// ```
 pub trait Real:
     Copy
     + Debug

@@ -37,6 +37,11 @@ impl VeselovOrder {
     }
 
     /// As a number.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::VeselovOrder;
+    /// assert_eq!(VeselovOrder::ALL.map(VeselovOrder::number), [2, 4, 6, 10]);
+    /// ```
     pub const fn number(self) -> u32 {
         2 + 2 * self.terms() as u32
     }
@@ -60,6 +65,18 @@ impl MoserVeselov {
     ///
     /// # Errors
     /// Those of the moments.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{Integrator, MoserVeselov, Phase, VeselovOrder};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// let method = MoserVeselov::new([1.0, 2.0, 2.5], VeselovOrder::ALL[3])?;
+    /// let mut run = method.start(&start, 0.02)?;
+    /// run.advance(500)?;
+    /// // |L| stays.
+    /// assert!((run.phase()?.angular_momentum().norm() / start.angular_momentum().norm() - 1.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(moments: [f64; 3], order: VeselovOrder) -> Result<Self> {
         Ok(Self {
             moments: checked_moments(moments)?,
@@ -111,6 +128,17 @@ impl GroupMidpoint {
     ///
     /// # Errors
     /// Those of the moments.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{GroupMidpoint, Integrator, Phase};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// let method = GroupMidpoint::new([1.0, 2.0, 2.5])?;
+    /// let mut run = method.start(&start, 0.02)?;
+    /// run.advance(500)?;
+    /// assert!((run.phase()?.angular_momentum().norm() / start.angular_momentum().norm() - 1.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(moments: [f64; 3]) -> Result<Self> {
         Ok(Self {
             moments: checked_moments(moments)?,

@@ -18,6 +18,17 @@ pub struct Course {
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`] for times and step; [`Error::Integration`] where the method cannot; those of `watch`, which end the run.
+///
+/// ```
+/// use spinning_bodies::frame::{Attitude, BodyVector};
+/// use spinning_bodies::{euler_top::EulerTop, integrators::geometric::{FreeSplitting, Order, Phase, follow}};
+/// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+/// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Six)?;
+/// let course = follow(&method, &start, &[1.0, -1.0], 0.01, &mut |_, _| Ok(()))?;
+/// let exact = EulerTop::new([1.0, 2.0, 2.5], start.angular_momentum(), Attitude::identity())?;
+/// assert!((course.phases[0].angular_momentum() - exact.at(1.0)?.angular_momentum).norm() < 1e-10);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn follow(
     method: &dyn Integrator,
     start: &Phase,

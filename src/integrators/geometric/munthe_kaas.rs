@@ -22,6 +22,17 @@ impl<N> MuntheKaas<N> {
     ///
     /// # Errors
     /// Those of the moments.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{Integrator, MuntheKaas, Nothing, Phase};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// let method = MuntheKaas::new([1.0, 2.0, 2.5], Nothing)?;
+    /// let mut run = method.start(&start, 0.01)?;
+    /// run.advance(100)?;
+    /// assert!((run.phase()?.angular_momentum().norm() / start.angular_momentum().norm() - 1.0).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(moments: [f64; 3], torque: N) -> Result<Self> {
         Ok(Self {
             inverse: checked_moments(moments)?.map(|moment| 1.0 / moment),

@@ -24,6 +24,11 @@ impl Order {
     pub const ALL: [Self; 3] = [Self::Two, Self::Four, Self::Six];
 
     /// As a number.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Order;
+    /// assert_eq!(Order::Six.number(), 6);
+    /// ```
     pub const fn number(self) -> u32 {
         match self {
             Self::Two => 2,
@@ -96,6 +101,12 @@ impl FreeSplitting {
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive),
     /// [`Error::TriangleInequality`](crate::Error::TriangleInequality).
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::{FreeSplitting, Order};
+    /// assert!(FreeSplitting::new([1.0, 2.0, 2.5], Order::Four).is_ok());
+    /// assert!(FreeSplitting::new([1.0, -2.0, 2.5], Order::Four).is_err());
+    /// ```
     pub fn new(moments: [f64; 3], order: Order) -> Result<Self> {
         let axes = Axes::new(moments)?;
         Ok(Self { axes, order })
@@ -156,6 +167,18 @@ impl<N> HeavySplitting<N> {
     ///
     /// # Errors
     /// Those of the moments.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{HeavySplitting, Integrator, Order, Phase, Weight};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// let method = HeavySplitting::new([1.0, 1.0, 0.5], Weight::new([0.0, 0.0, 1.0])?, Order::Four)?;
+    /// let mut run = method.start(&start, 0.01)?;
+    /// run.advance(1000)?;
+    /// // A symmetric top keeps L₃.
+    /// assert!((run.phase()?.l[2] - 0.3).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(moments: [f64; 3], torque: N, order: Order) -> Result<Self> {
         let mut axes = Axes::new(moments)?;
         // Of two equal moments.

@@ -17,6 +17,13 @@ pub struct Phase<T = f64> {
 
 impl Phase {
     /// With this L and attitude.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::Phase;
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// assert_eq!((start.l, start.q), ([0.1, 2.0, 0.3], [1.0, 0.0, 0.0, 0.0]));
+    /// ```
     pub fn new(l: BodyVector, attitude: &Attitude) -> Self {
         let q = attitude.quaternion();
         Self {
@@ -26,6 +33,13 @@ impl Phase {
     }
 
     /// L along the body's axes.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::Phase;
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// assert_eq!(start.angular_momentum().y(), 2.0);
+    /// ```
     pub fn angular_momentum(&self) -> BodyVector {
         let [x, y, z] = self.l;
         BodyVector::new(x, y, z)
@@ -35,6 +49,14 @@ impl Phase {
     ///
     /// # Errors
     /// [`Error::NotFinite`] and [`Error::ZeroVector`] for a quaternion that is none.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::Phase;
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// assert_eq!(start.attitude()?, Attitude::identity());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn attitude(&self) -> Result<Attitude> {
         let [w, x, y, z] = self.q;
         Attitude::from_quaternion(w, x, y, z)
@@ -43,6 +65,13 @@ impl Phase {
 
 impl<T: Real> Phase<T> {
     /// The same in other numbers.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{DoubleDouble, Phase};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// assert_eq!(start.cast::<DoubleDouble>().cast::<f64>(), start);
+    /// ```
     pub fn cast<U: Real>(&self) -> Phase<U> {
         Phase {
             l: self.l.map(|x| U::from_double(x.to_double())),
@@ -51,6 +80,13 @@ impl<T: Real> Phase<T> {
     }
 
     /// The upward unit vector z along the body's axes: the third row of the rotation matrix, divided by |q|² ≈ 1.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::Phase;
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// assert_eq!(start.up(), [0.0, 0.0, 1.0]);
+    /// ```
     #[inline(always)]
     pub fn up(&self) -> [T; 3] {
         let [w, x, y, z] = self.q;
@@ -76,9 +112,23 @@ impl<T: Real> Phase<T> {
 /// A method with steps of one length.
 pub trait Integrator<T: Real = f64> {
     /// Its name, as in the tables.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, Order};
+    /// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Four)?;
+    /// assert!(!Integrator::<f64>::name(&method).is_empty());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn name(&self) -> String;
 
     /// The order p: the error of a run is proportional to stepᵖ.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, Order};
+    /// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Four)?;
+    /// assert_eq!(Integrator::<f64>::order(&method), 4);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn order(&self) -> u32;
 
     /// The method at work: from this phase by steps of `step` seconds, negative ones backwards. What all steps share is made here, once.
@@ -86,6 +136,16 @@ pub trait Integrator<T: Real = f64> {
     /// # Errors
     /// [`Error::NotFinite`] for phase and step, [`Error::ZeroVector`] for a quaternion that is none; [`Error::Integration`] for a step that the
     /// method cannot take.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, Order, Phase};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Four)?;
+    /// assert_eq!(method.start(&start, 0.02)?.phase()?, start);
+    /// assert!(method.start(&start, f64::NAN).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>>;
 }
 
@@ -95,12 +155,35 @@ pub trait Stepper<T: Real = f64> {
     ///
     /// # Errors
     /// [`Error::Integration`] where an implicit step has no solution.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, Order, Phase};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Four)?;
+    /// let mut run = method.start(&start, 0.02)?;
+    /// run.advance(50)?;
+    /// assert_eq!(run.cost().steps, 50);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn advance(&mut self, steps: u64) -> Result<()>;
 
     /// One step.
     ///
     /// # Errors
     /// As for [`advance`](Self::advance).
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, Order, Phase};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Four)?;
+    /// let (mut one, mut many) = (method.start(&start, 0.02)?, method.start(&start, 0.02)?);
+    /// one.step()?;
+    /// many.advance(1)?;
+    /// assert_eq!(one.phase()?, many.phase()?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn step(&mut self) -> Result<()> {
         self.advance(1)
     }
@@ -110,9 +193,29 @@ pub trait Stepper<T: Real = f64> {
     ///
     /// # Errors
     /// [`Error::NotFinite`].
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, Order, Phase};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Four)?;
+    /// assert_eq!(method.start(&start, 0.02)?.phase()?, start);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn phase(&self) -> Result<Phase<T>>;
 
     /// What it has cost so far: sine pairs, torques or Newton's rounds, whichever the method lives by; and steps.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, Order, Phase};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Four)?;
+    /// let mut run = method.start(&start, 0.02)?;
+    /// run.step()?;
+    /// assert_eq!(run.cost().steps, 1);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn cost(&self) -> Cost;
 }
 

@@ -10,6 +10,15 @@ pub trait Torque<T: Real> {
     const ACTS: bool = true;
 
     /// The torque here.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::geometric::{Phase, Torque, Weight};
+    /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
+    /// // z ∧ MgC for a body that stands upright.
+    /// assert_eq!(Weight::new([2.0, 0.0, 0.0])?.torque(&start), [0.0, 2.0, 0.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn torque(&self, phase: &Phase<T>) -> [T; 3];
 }
 
@@ -44,6 +53,11 @@ impl Weight {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Weight;
+    /// assert!(Weight::new([0.0, 0.0, 1.0]).is_ok() && Weight::new([0.0, 0.0, f64::NAN]).is_err());
+    /// ```
     pub fn new(lever: [f64; 3]) -> Result<Self> {
         for component in lever {
             finite("the lever MgC", component)?;

@@ -39,6 +39,18 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
     /// nothing, or there are more than 2·10⁸ of them; those of [`System::reached`].
     ///
     /// Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.5, II.6 and II.10.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::{Effort, Kept, Leg, Stop};
+    /// // A swing that is let go at 1 passes through zero after a quarter period.
+    /// let swing = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
+    /// let leg = Leg { system: &swing, kept: Kept::Nothing, start: (0.0, &[1.0, 0.0]), scales: &[1.0; 2], times: &[], end: 9.0 };
+    /// let height = |_: f64, y: &[f64; 2]| y[0];
+    /// let passage = leg.follow(Some(&height), Effort::Tolerance(1e-13))?;
+    /// assert_eq!(passage.stopped, Stop::AtTheEvent);
+    /// assert!((passage.time - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn follow(
         &self,
         event: Option<&dyn Event<N>>,

@@ -1,7 +1,7 @@
-//! The ledger of conserved quantities: what it measures, what it refuses, and the sum that feeds it.
+//! The ledger of conserved quantities: what it measures, and what it refuses.
 
 use spinning_bodies::Error;
-use spinning_bodies::conservation::{CompensatedSum, Law, Ledger};
+use spinning_bodies::conservation::{Law, Ledger};
 use spinning_bodies::frame::SpaceVector as V;
 use support::{close, refused};
 
@@ -75,23 +75,4 @@ fn ledger_measures_each_law_its_own_way() {
     turning.record_vector(l, V::new(0.0, 1.0, 0.0)).unwrap();
     close!(turning.entries()[0].relative_drift(), 2.0_f64.sqrt(), 3e-16);
     assert!(turning.to_string().starts_with("L "));
-}
-
-#[test]
-fn compensated_sum_keeps_what_a_plain_sum_loses() {
-    // 1 + 10¹⁶·… : the classic of Neumaier, which Kahan's own version gets wrong.
-    let mut sum = CompensatedSum::new();
-    sum.extend([1.0, 1e100, 1.0, -1e100]);
-    assert_eq!(sum.value(), 2.0);
-    let plain: f64 = std::iter::repeat_n(0.1, 1_000_000).sum();
-    sum = CompensatedSum::new();
-    sum.extend(std::iter::repeat_n(0.1, 1_000_000));
-    assert_eq!(sum.value(), 100_000.0);
-    assert!(
-        (plain - 100_000.0).abs() > 1e-6,
-        "the plain sum is off by {}",
-        plain - 1e5
-    );
-    sum.add(f64::INFINITY);
-    assert_eq!(sum.value(), f64::INFINITY);
 }

@@ -160,15 +160,3 @@ fn s6_6_a_refused_body_is_named_by_its_place() {
         assert!(released_states(&[good; 12], t, &mut states).is_err());
     }
 }
-
-#[test]
-fn s6_6_an_ensemble_of_released_bodies_has_its_tops() {
-    let mut numbers = Uniform(75);
-    let releases = any_releases(20, &mut numbers);
-    let ensemble = Ensemble::released(releases.clone()).unwrap();
-    assert_eq!(ensemble.tops().len(), 20);
-    for (top, release) in ensemble.tops().iter().zip(&releases) {
-        let again = EulerTop::new(release.moments, release.angular_momentum, release.attitude);
-        assert_eq!(*top, again.unwrap());
-    }
-}

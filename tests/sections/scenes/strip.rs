@@ -1,13 +1,11 @@
 //! The falling strip. Every effect has a place of its own, so the order of listing cannot matter.
 
-use std::time::Instant;
-
 use lab::general::solve;
 use spinning_bodies::falling_strip::{
     AddedMass, Coefficients, Drag, Lift, Plate, RotationalDamping, Sheet,
 };
 use spinning_bodies::integrators::{Effort, Method};
-use spinning_bodies::scene::effects::{Gravity, TurnLoss};
+use spinning_bodies::scene::effects::{Effect, Gravity, TurnLoss};
 use spinning_bodies::scene::strip::{Strip, StripStart, StripState};
 use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver, Tabulated};
 use support::refused;
@@ -54,58 +52,50 @@ fn apart(a: &Motion<StripState>, b: &Motion<StripState>) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-#[test]
-fn leaving_any_effect_out_changes_the_fall() {
-    let bare = Strip::new(plate(), START).unwrap();
-    let g = bare.with(gravity()).unwrap();
-    let gl = g.with(LIFT).unwrap();
-    let gld = gl.with(DRAG).unwrap();
-    let gldr = gld.with(DAMPING).unwrap();
-    let all = run(&gldr.with(ADDED).unwrap());
-    let weightless = bare.with(LIFT).unwrap().with(DRAG).unwrap();
-    let weightless = weightless.with(DAMPING).unwrap();
-    let weightless = run(&weightless.with(ADDED).unwrap());
-    let liftless = g.with(DRAG).unwrap().with(DAMPING).unwrap();
-    let dragless = gl.with(DAMPING).unwrap();
-    for other in [
-        weightless,
-        run(&liftless.with(ADDED).unwrap()),
-        run(&dragless.with(ADDED).unwrap()),
-        run(&gld.with(ADDED).unwrap()),
-        run(&gldr),
-    ] {
-        assert!(apart(&all, &other) > 0.05, "{}", apart(&all, &other));
-    }
+/// The effects, each with this much of it.
+fn effects(part: f64) -> [Effect; 5] {
+    let lift = Lift {
+        translational: part * LIFT.translational,
+        rotational: part * LIFT.rotational,
+    };
+    let drag = Drag {
+        mean: part * DRAG.mean,
+        contrast: part * DRAG.contrast,
+    };
+    let damping = RotationalDamping {
+        linear: part * DAMPING.linear,
+        quadratic: part * DAMPING.quadratic,
+    };
+    let weight = Gravity::new(part * 9.81).unwrap();
+    let added = AddedMass { factor: part };
+    [
+        weight.into(),
+        lift.into(),
+        drag.into(),
+        damping.into(),
+        added.into(),
+    ]
 }
 
 #[test]
-fn an_effect_of_size_zero_is_no_effect_bit_for_bit() {
-    let g = Strip::new(plate(), START).unwrap().with(gravity()).unwrap();
-    let base = g.with(DRAG).unwrap();
-    let reference = numbers(&run(&base));
-    let lift = Lift {
-        translational: 0.0,
-        rotational: 0.0,
+fn leaving_an_effect_out_changes_the_fall_and_its_zero_changes_no_bit() {
+    let bare = Strip::new(plate(), START).unwrap();
+    let with = |effects: &[Effect]| {
+        let add = |strip: Strip, effect: &Effect| strip.with(effect.clone()).unwrap();
+        effects.iter().fold(bare, add)
     };
-    assert_eq!(reference, numbers(&run(&base.with(lift).unwrap())));
-    let damping = RotationalDamping {
-        linear: 0.0,
-        quadratic: 0.0,
-    };
-    let undamped = base.with(damping).unwrap();
-    assert_eq!(reference, numbers(&run(&undamped)));
-    let added = AddedMass { factor: 0.0 };
-    assert_eq!(reference, numbers(&run(&base.with(added).unwrap())));
-    let base = g.with(LIFT).unwrap();
-    let drag = Drag {
-        mean: 0.0,
-        contrast: 0.0,
-    };
-    let dragless = base.with(drag).unwrap();
-    assert_eq!(numbers(&run(&base)), numbers(&run(&dragless)));
-    let floating = Strip::new(plate(), START).unwrap().with(DRAG).unwrap();
-    let none = floating.with(Gravity::new(0.0).unwrap()).unwrap();
-    assert_eq!(numbers(&run(&floating)), numbers(&run(&none)));
+    let all = run(&with(&effects(1.0)));
+    for (left_out, zero) in effects(0.0).into_iter().enumerate() {
+        let mut others = effects(1.0).to_vec();
+        others.remove(left_out);
+        let absent = with(&others);
+        let without = run(&absent);
+        assert!(apart(&all, &without) > 0.05, "{}", apart(&all, &without));
+        assert_eq!(
+            numbers(&without),
+            numbers(&run(&absent.with(zero).unwrap()))
+        );
+    }
 }
 
 #[test]
@@ -309,16 +299,4 @@ fn methods_agree_and_refusals_are_named() {
     let stranger = strip.with(TurnLoss::new(0.9).unwrap());
     refused!(stranger, Effect);
     assert!(Plate::new(0.01, 1e-3, 1.2, 2.0, 0.3).is_err());
-}
-
-#[test]
-#[ignore = "prints times; for a release build"]
-fn what_it_costs() {
-    let sheet = Sheet::of_paper(0.02).unwrap();
-    let scene = Strip::in_air(&sheet, START, Coefficients::PAPER).unwrap();
-    let times: Vec<f64> = (0..200).map(|k| f64::from(k) * 0.01).collect();
-    let request = Request::at(times).unwrap().to_accuracy(1e-9).unwrap();
-    let clock = Instant::now();
-    let motion = scene.simulate(&request).unwrap();
-    println!("{:?} {:?}", clock.elapsed(), motion.cost);
 }

@@ -1,11 +1,9 @@
 //! The yo-yo. Every effect has a place of its own, so the order of listing cannot matter.
 
 use crate::yo_yo::{thick, toy};
-use std::time::Instant;
-
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::effects::{
-    AddedMass, AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss,
+    AddedMass, AirDrag, AxleFriction, Effect, Gravity, Hand, Sleep, TurnLoss,
 };
 use spinning_bodies::scene::yo_yo::{Phase, Play, YoYoState};
 use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver, Tabulated};
@@ -58,45 +56,42 @@ fn drift(motion: &Motion<YoYoState>) -> f64 {
 fn every_effect_changes_the_motion() {
     let bare = Play::new(toy(), 1.0).unwrap();
     let plain = bare.with(gravity()).unwrap();
-    let reference = run(&plain, 12.0);
-    assert!(apart(&reference, &run(&bare, 12.0)) > 0.1);
-    let lossy = plain.with(TurnLoss::new(0.9).unwrap()).unwrap();
-    assert!(apart(&reference, &run(&lossy, 12.0)) > 0.1);
-    let lossy = Play::new(toy(), 0.0).unwrap().with(gravity()).unwrap();
-    let lossy = lossy.with(TurnLoss::new(0.9).unwrap()).unwrap();
-    let helped = lossy.with(Hand::new(0.1).unwrap()).unwrap();
-    assert!(apart(&run(&lossy, 12.0), &run(&helped, 12.0)) > 0.1);
+    let loss = TurnLoss::new(0.9).unwrap();
+    let let_go = Play::new(toy(), 0.0).unwrap().with(gravity()).unwrap();
     let sleeper = plain.with(Sleep::new(2.0).unwrap()).unwrap();
-    let asleep = run(&sleeper, 12.0);
-    assert!(apart(&reference, &asleep) > 0.1);
-    let rubbing = sleeper.with(AxleFriction::new(5e-4).unwrap()).unwrap();
-    assert!(apart(&asleep, &run(&rubbing, 12.0)) > 0.1);
-    let draggy = plain.with(AirDrag::new(1e-8).unwrap()).unwrap();
-    assert!(apart(&reference, &run(&draggy, 12.0)) > 0.1);
+    for (without, effect) in [
+        (bare, Effect::from(gravity())),
+        (plain, loss.into()),
+        (let_go.with(loss).unwrap(), Hand::new(0.1).unwrap().into()),
+        (plain, Sleep::new(2.0).unwrap().into()),
+        (sleeper, AxleFriction::new(5e-4).unwrap().into()),
+        (plain, AirDrag::new(1e-8).unwrap().into()),
+    ] {
+        let with = without.with(effect).unwrap();
+        assert!(apart(&run(&without, 12.0), &run(&with, 12.0)) > 0.1);
+    }
 }
 
 #[test]
 fn an_effect_of_size_zero_is_no_effect() {
     let plain = Play::new(thick(), 0.0).unwrap().with(gravity()).unwrap();
-    let reference = numbers(&run(&plain, 12.0));
-    let whole = plain.with(TurnLoss::new(1.0).unwrap()).unwrap();
-    assert_eq!(reference, numbers(&run(&whole, 12.0)));
-    let still = plain.with(Hand::new(0.0).unwrap()).unwrap();
-    assert_eq!(reference, numbers(&run(&still, 12.0)));
     let sleeper = plain.with(Sleep::new(2.0).unwrap()).unwrap();
-    let smooth = sleeper.with(AxleFriction::new(0.0).unwrap()).unwrap();
-    assert_eq!(numbers(&run(&sleeper, 12.0)), numbers(&run(&smooth, 12.0)));
+    for (without, nothing) in [
+        (plain, Effect::from(TurnLoss::new(1.0).unwrap())),
+        (plain, Hand::new(0.0).unwrap().into()),
+        (sleeper, AxleFriction::new(0.0).unwrap().into()),
+    ] {
+        let with = without.with(nothing).unwrap();
+        assert_eq!(numbers(&run(&without, 12.0)), numbers(&run(&with, 12.0)));
+    }
     // A sleep of no length still costs what the loop and the jerk take: it is the loop that is the effect.
     let nap = plain.with(Sleep::new(0.0).unwrap()).unwrap();
     assert!(apart(&run(&plain, 12.0), &run(&nap, 12.0)) > 0.05);
     // Air of resistance zero is integrated instead of solved.
     let airless = plain.with(AirDrag::new(0.0).unwrap()).unwrap();
-    let request = Request::at(times(12.0))
-        .unwrap()
-        .to_accuracy(1e-12)
-        .unwrap();
-    let error = apart(&run(&plain, 12.0), &airless.simulate(&request).unwrap());
-    println!("{error:e}");
+    let request = Request::at(times(12.0)).unwrap();
+    let airless = airless.simulate(&request.to_accuracy(1e-12).unwrap());
+    let error = apart(&run(&plain, 12.0), &airless.unwrap());
     assert!(error < 1e-10, "{error:e}");
 }
 
@@ -113,38 +108,19 @@ fn the_closed_forms_and_the_general_integration_agree() {
         for throw in [0.0, 0.5] {
             let plain = Play::new(toy, throw).unwrap().with(gravity()).unwrap();
             let plain = plain.with(TurnLoss::new(0.9).unwrap()).unwrap();
-            let loop_end = plain
-                .with(Sleep::new(1.5).unwrap())
-                .unwrap()
-                .with(AxleFriction::new(1e-4).unwrap())
-                .unwrap()
-                .with(Hand::new(0.05).unwrap())
-                .unwrap();
-            let pairs = [
-                (
-                    plain.simulate(&request).unwrap(),
-                    plain.simulate(&request.clone().by(general)).unwrap(),
-                ),
-                (
-                    loop_end.simulate(&request).unwrap(),
-                    loop_end.simulate(&request.clone().by(general)).unwrap(),
-                ),
-            ];
-            for (exact, stepped) in &pairs {
+            let loop_end = plain.with(Sleep::new(1.5).unwrap()).unwrap();
+            let loop_end = loop_end.with(AxleFriction::new(1e-4).unwrap()).unwrap();
+            let loop_end = loop_end.with(Hand::new(0.05).unwrap()).unwrap();
+            for play in [plain, loop_end] {
+                let exact = play.simulate(&request).unwrap();
+                let stepped = play.simulate(&request.clone().by(general)).unwrap();
                 assert_eq!(exact.plan.solver, Solver::Events);
-                worst = worst.max(apart(exact, stepped));
-                let tension = exact
-                    .rows
-                    .iter()
-                    .zip(&stepped.rows)
-                    .map(|((_, a), (_, b))| {
-                        if a.phase == b.phase {
-                            (a.tension - b.tension).abs()
-                        } else {
-                            0.0
-                        }
-                    });
-                let tension = tension.fold(0.0, f64::max);
+                worst = worst.max(apart(&exact, &stepped));
+                let pairs = exact.rows.iter().zip(&stepped.rows);
+                let tension = pairs
+                    .filter(|((_, a), (_, b))| a.phase == b.phase)
+                    .map(|((_, a), (_, b))| (a.tension - b.tension).abs())
+                    .fold(0.0, f64::max);
                 // Newtons, of up to 15. Observed: 3e-10.
                 assert!(tension < 1e-8, "{tension:e}");
             }
@@ -259,23 +235,4 @@ fn requests_that_it_cannot_fulfil_are_refused() {
         .unwrap();
     assert_eq!(motion.rows[0].1, sorted.rows[2].1);
     assert_eq!(motion.rows[1].1, sorted.rows[0].1);
-}
-
-#[test]
-#[ignore = "prints times; for a release build"]
-fn what_it_costs() {
-    let plain = Play::new(thick(), 1.0).unwrap().with(gravity()).unwrap();
-    let lossy = plain.with(TurnLoss::new(0.9).unwrap()).unwrap();
-    let airy = lossy.with(AirDrag::new(1e-8).unwrap()).unwrap();
-    let request = Request::at(times(20.0)).unwrap().to_accuracy(1e-9).unwrap();
-    let clock = Instant::now();
-    let closed = lossy.simulate(&request).unwrap();
-    let first = clock.elapsed();
-    let airy = airy.simulate(&request).unwrap();
-    println!(
-        "closed {first:?} {:?}, air {:?} {:?}",
-        closed.cost,
-        clock.elapsed() - first,
-        airy.cost
-    );
 }

@@ -67,7 +67,7 @@ impl Body {
         }
     }
 
-    /// A line over the highest face and down the side shows how it turns.
+    /// A line over both faces and down the side shows how it turns.
     fn turned(profile: &[[f64; 2]]) -> Self {
         let disc = |&[z, radius]: &[f64; 2]| {
             let half = Matrix3::from_diagonal(&Vector::new(radius, radius, 0.0));
@@ -83,8 +83,9 @@ impl Body {
                 [side * radius + Vector::z() * z, face, side]
             })
         };
-        let place = |share: f64| Vector::new(share * high[1], 0.0, high[0]);
-        let mark = [place(0.0), place(1.0)].map(|place| [place, Vector::z(), Vector::z()]);
+        let mark = |[z, radius]: [f64; 2], face: Vector| {
+            [0.0, radius].map(|x| [Vector::new(x, 0.0, z), face, face])
+        };
         let side = profile
             .iter()
             .map(|&[z, radius]| [Vector::new(radius, 0.0, z), Vector::x(), Vector::x()]);
@@ -93,7 +94,8 @@ impl Body {
             edges: vec![
                 rim(low, -Vector::z()),
                 rim(high, Vector::z()),
-                mark.into(),
+                mark(low, -Vector::z()).into(),
+                mark(high, Vector::z()).into(),
                 side.collect(),
             ],
             bar: None,
@@ -211,11 +213,18 @@ pub struct Film<'a> {
 }
 
 const HEIGHT: f64 = 420.0;
-const MIDDLE: Point = [300.0, 206.0];
+const MIDDLE: Point = [300.0, 200.0];
 /// Of the longest arrow of a film, units.
 const ARROW: f64 = 150.0;
 /// From where it is seen: a little from the right and from above.
 const DIRECTION: [f64; 2] = [-1.2, 0.3];
+/// By how much arrows may be shortened to stay within the picture.
+const LEAST: f64 = 0.3;
+/// An arrow shorter than this has no name, units.
+const NAMED: f64 = 14.0;
+/// The sines of the angles below which one arrow covers the other, and which of them is on the left does not matter.
+const COVERED: f64 = 0.08;
+const SAME: f64 = 0.03;
 /// A way longer than so many bodies is followed.
 const FOLLOWED: f64 = 9.0;
 
@@ -223,7 +232,26 @@ const FOLLOWED: f64 = 9.0;
 struct Scenery {
     view: View,
     followed: bool,
-    longest: [f64; 2],
+    /// Of the picture that an arrow takes for a unit of what it stands for.
+    shares: [f64; 2],
+}
+
+/// The vectors of which there are arrows, and what stands at their tips.
+fn vectors(sight: &Sight) -> [Vector; 2] {
+    [sight.omega, sight.angular_momentum.unwrap_or_default()]
+}
+
+const NAMES: [(Role, &str); 2] = [(Role::Omega, "Ω"), (Role::AngularMomentum, "L")];
+
+impl Scenery {
+    /// The arrows of a sight on the paper, from their beginning.
+    fn ways(&self, sight: &Sight) -> [Point; 2] {
+        let vectors = vectors(sight);
+        [0, 1].map(|k| {
+            let vector = vectors[k] * self.shares[k];
+            [self.view.right.dot(&vector), -self.view.up.dot(&vector)]
+        })
+    }
 }
 
 impl Film<'_> {
@@ -258,23 +286,37 @@ impl Film<'_> {
                 View::fitted(
                     DIRECTION,
                     &corners,
-                    [60.0, 56.0, 540.0, 356.0],
+                    [60.0, 56.0, 540.0, 346.0],
                     92.0 / reach,
                 )
             }
         };
-        let longest = |of: fn(&Sight) -> f64| {
-            let lengths = self.shots.iter().map(|(_, sight)| of(sight));
-            lengths.fold(0.0, f64::max)
-        };
-        Scenery {
+        let mut scenery = Scenery {
             view,
             followed,
-            longest: [
-                longest(|sight| sight.omega.norm()),
-                longest(|sight| sight.angular_momentum.map_or(0.0, |l| l.norm())),
-            ],
+            shares: [0, 1].map(|k| {
+                let lengths = self.shots.iter().map(|(_, sight)| vectors(sight)[k].norm());
+                let longest = lengths.fold(0.0, f64::max);
+                if longest > 0.0 { ARROW / longest } else { 0.0 }
+            }),
+        };
+        // No arrow leaves the picture.
+        let mut within: f64 = 1.0;
+        for (_, sight) in &self.shots {
+            let [x, y] = if followed {
+                MIDDLE
+            } else {
+                view.project(&sight.place)
+            };
+            for [dx, dy] in scenery.ways(sight) {
+                for (way, from, most) in [(dx, x, 572.0), (dy, y, 366.0)] {
+                    let room = if way > 0.0 { most - from } else { from - 28.0 };
+                    within = within.min(room / way.abs());
+                }
+            }
         }
+        scenery.shares = scenery.shares.map(|share| share * within.max(LEAST));
+        scenery
     }
 
     /// How far the body reaches from the point that is followed, m.
@@ -320,7 +362,7 @@ impl Film<'_> {
                 false => Vector::new(x, near.y, round(near.z) + on),
             };
             let [x, y] = view.project(&place);
-            if (20.0..580.0).contains(&x) && (20.0..372.0).contains(&y) {
+            if (20.0..580.0).contains(&x) && (20.0..366.0).contains(&y) {
                 pen.disc([x, y], 1.6, Role::Muted, 1.0);
             }
         }
@@ -339,43 +381,64 @@ impl Film<'_> {
         };
         let scenery = Scenery { view, ..*scenery };
         self.draw_around(pen, &scenery, sight);
-        let vectors = [
-            (Some(sight.omega), Role::Omega, "Ω"),
-            (sight.angular_momentum, Role::AngularMomentum, "L"),
-        ];
-        let arrow = |pen: &mut Pen, behind: bool| {
-            for ((vector, role, name), longest) in vectors.into_iter().zip(scenery.longest) {
-                let Some(vector) = vector.filter(|v| (v.dot(&view.toward) < 0.0) == behind) else {
-                    continue;
-                };
-                let from = view.project(&sight.place);
-                let far = view.project(&(sight.place + vector * (1.0 / view.scale())));
-                let share = ARROW / longest;
-                let way = [0, 1].map(|k| (far[k] - from[k]) * share);
-                let length = way[0].hypot(way[1]);
-                if longest > 0.0 && length > 2.0 {
-                    let tip = [from[0] + way[0], from[1] + way[1]];
-                    pen.arrow(from, tip, stroke(role, DATA));
-                    // Where both point the same way, each name has a side of its own.
-                    let [along, across] = [12.0, if role == Role::Omega { 9.0 } else { -9.0 }];
-                    let [dx, dy] = way.map(|part| part / length);
-                    let x = tip[0] + along * dx - across * dy;
-                    let y = tip[1] + along * dy + across * dx + 6.0;
-                    pen.text([x, y], Anchor::Middle, name, label(role));
-                }
-            }
+        let from = view.project(&sight.place);
+        let ways = scenery.ways(sight);
+        let [omega, l] = ways;
+        let sizes = omega[0].hypot(omega[1]) * l[0].hypot(l[1]);
+        let sine = (omega[0] * l[1] - omega[1] * l[0]) / sizes;
+        let same = sizes > 0.0 && omega[0] * l[0] + omega[1] * l[1] > 0.0;
+        // Where one covers the other they go side by side, and each name has a side of its own.
+        let apart = if same {
+            (1.0 - sine.abs() / COVERED).max(0.0)
+        } else {
+            0.0
         };
-        arrow(pen, true);
+        let side = if sine > SAME { -1.0 } else { 1.0 };
+        let [behind, before] = [true, false].map(|behind| {
+            let each = vectors(sight).into_iter().zip(ways).zip(NAMES);
+            let drawn = each.filter_map(|((vector, way), (role, name))| {
+                let length = way[0].hypot(way[1]);
+                if length <= 2.0 || (vector.dot(&view.toward) < 0.0) != behind {
+                    return None;
+                }
+                let [dx, dy] = way.map(|part| part / length);
+                let side = if role == Role::Omega { -side } else { side };
+                let beside = |along: f64, across: f64| {
+                    let across = side * across;
+                    [
+                        from[0] + along * dx + across * dy,
+                        from[1] + along * dy - across * dx,
+                    ]
+                };
+                let ends = [0.0, length].map(|along| beside(along, 2.5 * apart));
+                let [x, y] = beside(length + 12.0, 9.0 + 2.5 * apart);
+                let name = if length > NAMED { name } else { "" };
+                Some((ends, role, name, [x, y + 6.0]))
+            });
+            drawn.collect::<Vec<_>>()
+        });
+        for ([from, tip], role, ..) in &behind {
+            pen.arrow(*from, *tip, stroke(*role, DATA));
+        }
         let depth = |stands: &Isometry3<f64>| stands.translation.vector.dot(&view.toward);
         let mut solids: Vec<_> = sight.solids.iter().collect();
         solids.sort_by(|(_, a), (_, b)| depth(a).total_cmp(&depth(b)));
         for (solid, stands) in solids {
             Body::of(solid).draw(pen, &view, stands);
         }
-        arrow(pen, false);
+        // What the body hides of an arrow is dashed.
+        for (ends, role, ..) in &behind {
+            pen.line(ends, stroke(*role, SECONDARY).dashed());
+        }
+        for ([from, tip], role, ..) in &before {
+            pen.arrow(*from, *tip, stroke(*role, DATA));
+        }
+        for (_, role, name, place) in behind.into_iter().chain(before) {
+            pen.text(place, Anchor::Middle, name, label(role));
+        }
         let time = format!("{} s", number(*time, self.decimals()));
         pen.text(
-            [24.0, HEIGHT - 14.0],
+            [24.0, HEIGHT - 12.0],
             Anchor::Start,
             &time,
             small(Role::Ink),
@@ -386,7 +449,14 @@ impl Film<'_> {
     fn decimals(&self) -> usize {
         let times = self.shots.first().zip(self.shots.get(1));
         let step = times.map_or(1.0, |(a, b)| (b.0 - a.0).abs());
-        (-step.log10().floor()).clamp(0.0, 9.0) as usize
+        let decimals = (-step.log10().floor()).clamp(0.0, 9.0) as usize;
+        // One more where the step is no round number.
+        let shown: f64 = number(step, decimals).parse().unwrap_or(0.0);
+        if (shown - step).abs() > 0.05 * step {
+            decimals + 1
+        } else {
+            decimals
+        }
     }
 
     fn words(&self) -> Words {
@@ -403,13 +473,10 @@ impl Film<'_> {
     }
 
     fn draw_words(&self, pen: &mut Pen, pace: &str) {
-        let told = format!("{}{pace}", self.shots[0].1.drawn_as);
-        pen.text(
-            [576.0, HEIGHT - 14.0],
-            Anchor::End,
-            &told,
-            small(Role::Muted),
-        );
+        let drawn_as = self.shots[0].1.drawn_as;
+        let muted = small(Role::Muted);
+        pen.text([576.0, HEIGHT - 32.0], Anchor::End, pace, muted);
+        pen.text([576.0, HEIGHT - 12.0], Anchor::End, drawn_as, muted);
     }
 
     /// A picture for each time.
@@ -428,8 +495,8 @@ impl Film<'_> {
     pub fn film(&self, seconds: f64) -> Figure {
         let count = self.shots.len();
         let pace = match brief(self.speed).as_str() {
-            "1" => ", in real time".to_owned(),
-            speed => format!(", at {speed} of real time"),
+            "1" => "in real time".to_owned(),
+            speed => format!("at {speed} of real time"),
         };
         let empty = figure(NAME, HEIGHT, self.words(), |pen| {
             self.draw_words(pen, &pace)

@@ -209,6 +209,7 @@ impl Stills {
         // An empty folder gives way.
         let _ = std::fs::remove_dir(folder);
         beside.become_file(folder).map_err(Error::file(folder))?;
-        Ok(format!("{count} stills in {}\n", folder.display()))
+        let stills = if *count == 1 { "still" } else { "stills" };
+        Ok(format!("{count} {stills} in {}\n", folder.display()))
     }
 }

@@ -140,21 +140,15 @@ pub fn skater(
         let [angle, spin, reach, l] = told.vector(["angle", "spin", "reach", "l"]);
         let shoulders = Vector3::z() * (0.6 * girth);
         let turned = about(Vector3::z(), angle);
-        let hand = |side: f64| {
-            Isometry3::from_parts(
-                (shoulders + turned * Vector3::x() * (side * reach)).into(),
-                turned,
-            )
-        };
+        let arms = Isometry3::from_parts(shoulders.into(), turned);
         let core = Isometry3::new(Vector3::z() * (0.2 * girth), Vector3::z() * angle);
-        let arms = Solid::Bar(Vector3::x() * (-2.0 * reach));
-        let solids = vec![
-            (Solid::wheel(girth, 0.4 * girth), core),
-            (arms, hand(1.0)),
-            (Solid::ball(0.12 * girth), hand(1.0)),
-            (Solid::ball(0.12 * girth), hand(-1.0)),
-        ];
-        let drawn_as = "the core as wide as hands of its moment would be apart";
+        let mut solids = vec![(Solid::wheel(girth, 0.4 * girth), core)];
+        for side in [-reach, reach] {
+            let hand = arms * Isometry3::translation(side, 0.0, 0.0);
+            solids.push((Solid::Bar(Vector3::x() * side), arms));
+            solids.push((Solid::ball(0.12 * girth), hand));
+        }
+        let drawn_as = "hands, and a core on whose rim they would have its moment";
         Sight {
             omega: Vector3::z() * spin,
             angular_momentum: Some(Vector3::z() * l),
@@ -248,17 +242,17 @@ pub fn cat(
                 body * Isometry3::from_parts(place.into(), turn),
             )
         };
-        let bar = |to: Vector3<f64>| {
-            (
-                Solid::Bar(to - joint),
-                body * Isometry3::translation(joint.x, joint.y, joint.z),
-            )
+        let spine = |from: Vector3<f64>| {
+            let stands = body * Isometry3::translation(from.x, from.y, from.z);
+            (Solid::Bar(joint - from), stands)
         };
         Sight {
             drawn_as: "two cylinders with its masses and moments, Ω that of the front",
+            // It is let go from rest: what is told of L is rounding.
+            angular_momentum: None,
             solids: vec![
-                bar(a),
-                bar(b),
+                spine(a),
+                spine(b),
                 half(0, a, first),
                 half(1, b, relative * second),
             ],

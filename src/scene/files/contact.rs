@@ -204,7 +204,12 @@ pub fn spool(
         None => scene,
     };
     let scene = with(file, scene, friction?, TuggedSpool::with)?;
-    let outline = Outline::new("a spool", Solid::wheel(radius, 1.2 * radius));
+    let side = |at: f64| {
+        let rim = Solid::wheel(radius, 0.1 * radius);
+        (rim, Vector3::z() * (at * radius))
+    };
+    let mut outline = Outline::new("a spool", Solid::wheel(axle, radius));
+    outline.solids.extend([side(-0.5), side(0.5)]);
     let scene = scene.moving(initial.velocity, initial.rim_speed);
     Some((scene, on_the_table(outline, radius)))
 }

@@ -60,8 +60,12 @@ impl Precession {
             advance,
         };
         precession.rates = [0, 1].map(|side| {
-            let rough = precession.mean_rate(side, &witnesses);
-            known.map_or(rough, |known| settled(known, rough, advance))
+            let (rough, scatter) = precession.mean_rate(side, &witnesses);
+            let known = known.map(|known| settled(known, rough, advance));
+            // Beside a double root the integrals may lose digits, and the states know better.
+            known
+                .filter(|known| (known - rough).abs() <= 16.0 * scatter)
+                .unwrap_or(rough)
         });
         precession.set_out(constants, exact).then_some(precession)
     }
@@ -123,18 +127,21 @@ impl Precession {
     }
 
     /// α from one of the two products, each witness trusted as far as its quotient is well-conditioned.
-    fn mean_rate(&self, side: usize, witnesses: &[Witness]) -> f64 {
-        let (mut sum, mut weights) = (0.0, 0.0);
-        for witness in witnesses {
+    /// And how far one of them is from it, roughly.
+    fn mean_rate(&self, side: usize, witnesses: &[Witness]) -> (f64, f64) {
+        let seen = witnesses.iter().map(|witness| {
             let turning: f64 = self.products[side]
                 .iter()
                 .map(|factor| factor.turning(witness.z, self.advance))
                 .sum();
             let weight = witness.heights[side].powi(2);
-            sum += weight * (witness.rates[side] + 2.0 * turning);
-            weights += weight;
-        }
-        sum / weights
+            [1.0, witness.rates[side] + 2.0 * turning].map(|x| weight * x)
+        });
+        let seen: Vec<[f64; 2]> = seen.collect();
+        let weights: f64 = seen.iter().map(|x| x[0]).sum();
+        let mean = seen.iter().map(|x| x[1]).sum::<f64>() / weights;
+        let off: f64 = seen.iter().map(|x| (x[1] - x[0] * mean).abs()).sum();
+        (mean, off / weights)
     }
 
     /// G₊G₋.

@@ -6,7 +6,7 @@ use core::f64::consts::TAU;
 use nalgebra::Complex;
 
 use super::constants::{Constants, Root, WidePhase};
-use super::series::{LONGEST, Quadratures, mean};
+use super::series::{LONGEST, Quadratures};
 use crate::precise::DoubleDouble;
 
 /// The phases f₁, f₂: s₁ = A + (B−A) sin²(f₁/2), s₂ = C − m tan²(f₂/2) with m = B − C.
@@ -175,36 +175,28 @@ impl Separation {
         [m1 * f1 - m2 * f2 + (a1 - a2), n1 * f1 - n2 * f2 + (b1 - b2)]
     }
 
-    /// The phases if both sums only grew, and the determinant of that linear part.
-    fn linear(&self, [a, b]: [f64; 2]) -> (Phases, f64) {
+    /// The phases if both sums only grew.
+    fn linear(&self, [a, b]: [f64; 2]) -> Phases {
         let ([a1, b1], [a2, b2]) = (self.first.means, self.second.means);
         let determinant = b1 * a2 - a1 * b2;
-        let phases = [
+        [
             (a2 * b - b2 * a) / determinant,
             (a1 * b - b1 * a) / determinant,
-        ];
-        (phases, determinant)
+        ]
     }
 
-    /// The phases at which both sums have these values.
+    /// The phases at which both sums have these values, by Newton's method from the linear part.
     ///
-    /// By Newton's method, and where that does not settle, one phase inside the other.
+    /// The map is one to one on the whole plane: its determinant (s₁ − s₂)w/√G is positive. A step after which the sums were no closer is halved.
     pub fn phases(&self, target: [f64; 2]) -> Phases {
-        self.newton(target).unwrap_or_else(|| self.nested(target))
-    }
-
-    /// Newton's method from the linear part; nothing if the sums do not come closer with a sixteenth of a step.
-    ///
-    /// The map is one to one on the whole plane: its determinant (s₁ − s₂)w/√G is positive.
-    fn newton(&self, target: [f64; 2]) -> Option<Phases> {
-        let (mut phases, _) = self.linear(target);
+        let mut phases = self.linear(target);
         let missing = |phases: Phases| {
             let sums = self.abel(phases);
             [target[0] - sums[0], target[1] - sums[1]]
         };
         let size = |x: [f64; 2]| x[0].abs().max(x[1].abs());
         let mut rest = missing(phases);
-        for _ in 0..30 {
+        for _ in 0..100 {
             let local = self.local(phases);
             let [_, cosine] = local.half[1];
             // df₁ = √G (b − s₂a)/(s₁ − s₂), df₂ = (b − s₁a)/(w(s₁ − s₂)), s less σ and both with the cosine² taken out.
@@ -215,54 +207,22 @@ impl Separation {
             ];
             let rounding = 64.0 * f64::EPSILON * size(phases);
             if size(step) < 1e-10 + rounding {
-                return Some([phases[0] + step[0], phases[1] + step[1]]);
+                return [phases[0] + step[0], phases[1] + step[1]];
             }
             let moved = |share: f64| [phases[0] + share * step[0], phases[1] + share * step[1]];
-            (phases, rest) = [1.0, 0.5, 0.25, 0.0625]
-                .into_iter()
-                .map(|share| (moved(share), missing(moved(share))))
-                .find(|(_, left)| size(*left) < size(rest))?;
+            // The phases stray by a turn or two at most; between two roots that nearly meet a step may be by far too long.
+            let longest = (1.0 / size(step)).min(1.0);
+            let closer = (0..HALVINGS)
+                .map(|n| moved(longest * 0.5_f64.powi(n)))
+                .map(|phases| (phases, missing(phases)))
+                .find(|(_, left)| size(*left) < size(rest));
+            // Nothing comes closer than rounding lets it.
+            let Some(next) = closer else { break };
+            (phases, rest) = next;
         }
-        None
+        phases
     }
     // ANCHOR_END: abel
-
-    /// The same by two searches that cannot fail.
-    ///
-    /// With σ between C and A, ∫(s₁−σ)ds₁/√P and ∫(σ−s₂)ds₂/√P both increase; so f₂ is a decreasing function of f₁ by the sum of
-    /// these two, and the other sum increases with f₁.
-    fn nested(&self, target: [f64; 2]) -> Phases {
-        let slopes = |f1: f64, f2: f64| {
-            let local = self.local([f1, f2]);
-            let [_, cosine] = local.half[1];
-            let first = [1.0, self.above(&local)].map(|x| x / local.root_g);
-            let second = [cosine * cosine, self.below(&local)].map(|x| x / local.root_h);
-            [first, second]
-        };
-        let [p1, q1] = self.first.bounds();
-        let [p2, q2] = self.second.bounds();
-        let inner_mean = -self.second.means[1];
-        let second = |f1: f64| {
-            let rest = target[1] - self.first.whole(f1)[1];
-            let guess = rest / inner_mean;
-            let bound = q2 / inner_mean;
-            increasing([guess - bound, guess + bound], |f2| {
-                let value = -self.second.whole(f2)[1] - rest;
-                (value, slopes(f1, f2)[1][1])
-            })
-        };
-        let ([guess, _], determinant) = self.linear(target);
-        // Each sum differs from its mean part by at most this; both are linear in the phases.
-        let [a2, b2] = self.second.means.map(f64::abs);
-        let bound = (a2 * (q1 + q2) + b2 * (p1 + p2)) / determinant;
-        let f1 = increasing([guess - bound, guess + bound], |f1| {
-            let f2 = second(f1);
-            let [[a1_slope, v1], [a2_slope, v2]] = slopes(f1, f2);
-            let value = self.first.whole(f1)[0] - self.second.whole(f2)[0] - target[0];
-            (value, a1_slope + a2_slope * v1 / v2)
-        });
-        [f1, second(f1)]
-    }
 
     /// The real roots in ascending order.
     pub fn in_order(&self) -> Vec<usize> {
@@ -296,7 +256,7 @@ impl Separation {
     pub fn third_kind(&self, c: DoubleDouble) -> Option<f64> {
         let [from_a, from_b, from_c] = self.ends.map(|end| (c - self.roots[end].real).value());
         let [turns1, turns2] = self.frequencies();
-        let [first, second] = mean(|f| {
+        let means = Quadratures::prepare(LONGEST_MEAN, |f| {
             let local = self.local([f, f]);
             let [[s, k], [sine, cosine]] = local.half;
             let above = if s * s < 0.5 {
@@ -311,18 +271,18 @@ impl Separation {
                 square * square / (local.root_h * below),
             ]
         })?;
+        let [first, second] = means.means;
         Some(-TAU * (turns1 * first + turns2 * second))
     }
 
     /// ∫ds/√P and ∫(s−σ)ds/√P in turns of the two phases.
     pub fn normalized(&self, integrals: [f64; 2]) -> Phases {
-        self.linear(integrals).0.map(|u| u / TAU)
+        self.linear(integrals).map(|u| u / TAU)
     }
 
     /// Turns of the two phases per unit of time: a₁n₁ = a₂n₂, b₁n₁ − b₂n₂ = 1.
     pub fn frequencies(&self) -> [f64; 2] {
-        let (turns, _) = self.linear([0.0, 1.0 / TAU]);
-        turns
+        self.linear([0.0, 1.0 / TAU])
     }
 
     /// Increase of the four integrals in a whole turn of a phase: real periods of the curve w² = P(s).
@@ -364,29 +324,11 @@ fn in_order(roots: &[Root; 5]) -> Vec<usize> {
     real
 }
 
-/// The zero of an increasing function with its slope, in an interval that contains it: Newton's steps, and halves where they leave it.
-fn increasing([mut low, mut high]: [f64; 2], function: impl Fn(f64) -> (f64, f64)) -> f64 {
-    let mut x = 0.5 * (low + high);
-    for _ in 0..100 {
-        let (value, slope) = function(x);
-        if value < 0.0 {
-            low = x;
-        } else {
-            high = x;
-        }
-        let newton = x - value / slope;
-        let next = if newton > low && newton < high {
-            newton
-        } else {
-            0.5 * (low + high)
-        };
-        if (next - x).abs() <= 2.0 * f64::EPSILON * x.abs().max(1e-3) {
-            return next;
-        }
-        x = next;
-    }
-    x
-}
+/// Most terms of a mean.
+const LONGEST_MEAN: usize = 1 << 14;
+
+/// How often a step of Newton's method is halved at most.
+const HALVINGS: i32 = 20;
 
 /// s₁, and s₂ as the quotient that q = 0 makes infinite: s₂ = l₁/2 − numerator/8q².
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -75,12 +75,6 @@ impl<const N: usize> Quadratures<N> {
         }
     }
 
-    /// How far the integrals can be from their growing parts.
-    pub fn bounds(&self) -> [f64; N] {
-        let sum = |i: usize| self.sines.iter().map(|b| b[i].abs()).sum();
-        core::array::from_fn(sum)
-    }
-
     /// The integrals from 0 to `f`, less the parts that grow: Σ bₙ sin nf by Clenshaw's recurrence.
     pub fn periodic(&self, f: f64) -> [f64; N] {
         let (sine, cosine) = f.sin_cos();
@@ -90,12 +84,6 @@ impl<const N: usize> Quadratures<N> {
             (last, one_before) = (next, last);
         }
         last.map(|x| x * sine)
-    }
-
-    /// The integrals from 0 to `f`.
-    pub fn whole(&self, f: f64) -> [f64; N] {
-        let periodic = self.periodic(f);
-        core::array::from_fn(|i| self.means[i] * f + periodic[i])
     }
 }
 
@@ -122,40 +110,6 @@ fn cosine_coefficients<const N: usize>(ordinates: &[[f64; N]]) -> [Vec<f64>; N] 
     }
     series
 }
-
-/// The mean over 0 ≤ f ≤ π of functions that are even and of period 2π: the trapezoidal rule, doubled until it stays; none if that takes too many ordinates.
-pub(super) fn mean<const N: usize>(functions: impl Fn(f64) -> [f64; N]) -> Option<[f64; N]> {
-    let sum = |terms: &mut dyn Iterator<Item = f64>| {
-        let mut sums = [0.0; N];
-        for f in terms {
-            for (sum, x) in sums.iter_mut().zip(functions(f)) {
-                *sum += x;
-            }
-        }
-        sums
-    };
-    let ends = sum(&mut [0.0, PI].into_iter());
-    let mut n = 16;
-    let inner = sum(&mut (1..n).map(|j| PI * j as f64 / n as f64));
-    let mut sums: [f64; N] = core::array::from_fn(|i| 0.5 * ends[i] + inner[i]);
-    while n <= LONGEST_MEAN {
-        let between = sum(&mut (0..n).map(|j| PI * (j as f64 + 0.5) / n as f64));
-        // The error is squared as the number is doubled.
-        let largest = sums.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let stays = (0..N).all(|i| (between[i] - sums[i]).abs() <= 1e-9 * largest);
-        for (sum, x) in sums.iter_mut().zip(between) {
-            *sum += x;
-        }
-        n *= 2;
-        if stays {
-            return Some(sums.map(|sum| sum / n as f64));
-        }
-    }
-    None
-}
-
-/// Most ordinates of a mean.
-const LONGEST_MEAN: usize = 1 << 14;
 
 /// e^{−2πij/n} for the first half of j.
 fn roots_of_unity(n: usize) -> Vec<Complex<f64>> {

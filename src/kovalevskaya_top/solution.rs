@@ -1,6 +1,6 @@
 //! From the two phases back to Ω and z: Kötter's linear system, and its first two time derivatives (8.2).
 
-use nalgebra::{Complex, Matrix3, Vector3};
+use nalgebra::Complex;
 
 use super::constants::{Constants, Phase, Root};
 use super::separation::{Local, Phases, Separation};
@@ -9,18 +9,21 @@ type Number = Complex<f64>;
 
 const I: Number = Number::new(0.0, 1.0);
 
-/// What the linear system needs besides the phases.
+/// The linear system, solved by Cramer's rule.
 ///
 /// For each of the three roots e of the cubic, with e′ = 2e − l₁, α = 2√(l₁+e), β = √(d+e′²) and αβ = b, every state obeys
 ///
-/// 2(x₁−x₂) √((s₁−e)(s₂−e)) = α(x₁x₂ − e′) + β(x₁+x₂),
+/// 2(x₁−x₂) √((s₁−e)(s₂−e)) = α(x₁x₂ − e′) + β(x₁+x₂).
 ///
-/// which is linear in Π = x₁x₂ = p² + q², in p = (x₁+x₂)/2, and in q/cos(f₂/2), q = (x₁−x₂)/2i.
+/// With Q the vector of the three roots of products, N = α×β, M = αe′×α and O = αe′×β this is x₁−x₂ = −N·αe′/2N·Q, x₁+x₂ = −M·Q/N·Q and x₁x₂ = O·Q/N·Q.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Reconstruction {
-    pub alpha: [Number; 3],
-    pub beta: [Number; 3],
-    pub shifted: [Number; 3],
+    /// N, M and O.
+    pub rows: [[Number; 3]; 3],
+    /// M×N.
+    pub minors: [Number; 3],
+    /// q N·Q.
+    pub side: Number,
     /// Which sign each of the three square roots has.
     pub signs: [f64; 3],
 }
@@ -28,14 +31,11 @@ pub(super) struct Reconstruction {
 impl Reconstruction {
     pub fn prepare(constants: &Constants, roots: &[Root; 5]) -> Self {
         let b = constants.b().value();
-        let mut alpha = [Number::default(); 3];
-        let mut beta = alpha;
-        let mut shifted = alpha;
+        let [mut alpha, mut beta, mut right] = [[Number::default(); 3]; 3];
         for j in 0..3 {
             let root = &roots[j];
             let twice = root.real.scaled(2.0) - constants.l1;
             let imaginary = root.imaginary.scaled(2.0);
-            shifted[j] = Number::new(twice.value(), imaginary.value());
             let first = Number::new((constants.l1 + root.real).value(), root.imaginary.value());
             let square = twice * twice - imaginary * imaginary + constants.d;
             let second = Number::new(square.value(), (twice * imaginary).scaled(2.0).value());
@@ -46,11 +46,17 @@ impl Reconstruction {
             } else if beta[j].norm() > 0.0 {
                 alpha[j] = b / beta[j];
             }
+            right[j] = alpha[j] * Number::new(twice.value(), imaginary.value());
         }
+        let [n, m, o] = [
+            cross(&alpha, &beta),
+            cross(&right, &alpha),
+            cross(&right, &beta),
+        ];
         Self {
-            alpha,
-            beta,
-            shifted,
+            side: 0.25 * I * dot(&n, &right),
+            minors: cross(&m, &n),
+            rows: [n, m, o],
             signs: [1.0; 3],
         }
     }
@@ -60,51 +66,41 @@ impl Reconstruction {
         let local = separation.local(phases);
         let flow = Flow::at(separation, &local);
         let [_, [sine, cosine]] = local.half;
-        let mut matrix = Matrix3::<Number>::zeros();
-        let mut sides = [Vector3::<Number>::zeros(); 3];
+        let [mut q, mut q1, mut q2] = [[Number::default(); 3]; 3];
         for j in 0..3 {
-            let roots = flow
+            [q[j], q1[j], q2[j]] = flow
                 .product(separation, &local, j)
-                .map(|q| q * self.signs[j]);
-            // Rows of one size: a pair of complex roots has conjugate rows.
-            let scale = 1.0 / (self.alpha[j].norm() + self.beta[j].norm()).max(f64::MIN_POSITIVE);
-            let row = [self.alpha[j], 2.0 * self.beta[j], -4.0 * I * roots[0]];
-            for (column, entry) in row.into_iter().enumerate() {
-                matrix[(j, column)] = entry * scale;
-            }
-            sides[0][j] = self.alpha[j] * self.shifted[j] * scale;
-            sides[1][j] = 4.0 * I * roots[1] * scale;
-            sides[2][j] = 4.0 * I * roots[2] * scale;
+                .map(|x| x * self.signs[j]);
         }
-        let system = matrix.lu();
-        let Some([x, y, y_rate]) = solve(&system, &sides) else {
-            return [f64::NAN; 6];
-        };
-        // M x = s₀ gives (Π, p, q̂); M y = s₁ gives y = x′/(q̂ cos), and once more M y′ = s₂ + cos·y₃·s₁.
-        let [squares, p, q_hat] = x;
-        let [_, p_rate, q_rate] = y;
-        let r = 2.0 * p_rate;
-        let r_rate = 2.0 * (y_rate[1] + cosine * q_rate * p_rate);
-        let q = q_hat * cosine;
-        let dq = q_hat * (q_rate * cosine * cosine - 0.5 * sine * flow.rates[1]);
+        let [n, m, o] = &self.rows;
+        let bottom = dot(n, &q);
+        // Derivatives over cos(f₂/2): of the logarithm of N·Q, and (M·Q′)(N·Q) − (M·Q)(N·Q′).
+        let growth = dot(n, &q1) / bottom;
+        let wronskian = dot(&self.minors, &cross(&q1, &q));
+        let wronskian_rate = dot(&self.minors, &cross(&q2, &q));
+        let share = -1.0 / (bottom * self.side);
+        let r = (wronskian * share).re;
+        let r_rate = ((wronskian_rate - wronskian * growth * cosine) * share).re;
+        let side = self.side / bottom;
+        let q_rate = (side * (-0.5 * sine * flow.rates[1] - cosine * cosine * growth)).re;
+        let p = -0.5 * (dot(m, &q) / bottom).re;
+        let squares = (dot(o, &q) / bottom).re;
         let c = constants.c.value();
-        let z3 = (2.0 * dq + r * p) / c;
-        let z2 = -r_rate / c;
         let z1 = (6.0 * constants.l1.value() - 2.0 * squares - r * r) / (2.0 * c);
-        [p, q, r, z1, z2, z3]
+        let z3 = (2.0 * q_rate + r * p) / c;
+        [p, side.re * cosine, r, z1, -r_rate / c, z3]
     }
 }
 
-fn solve(
-    system: &nalgebra::LU<Number, nalgebra::Const<3>, nalgebra::Const<3>>,
-    sides: &[Vector3<Number>; 3],
-) -> Option<[[f64; 3]; 3]> {
-    let mut solutions = [[0.0; 3]; 3];
-    for (solution, side) in solutions.iter_mut().zip(sides) {
-        let complex = system.solve(side)?;
-        *solution = core::array::from_fn(|i| complex[i].re);
-    }
-    Some(solutions)
+pub(super) fn cross(a: &[Number; 3], b: &[Number; 3]) -> [Number; 3] {
+    [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}
+
+pub(super) fn dot(a: &[Number; 3], b: &[Number; 3]) -> Number {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// How fast the phases and their functions change.

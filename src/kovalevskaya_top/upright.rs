@@ -30,7 +30,7 @@ use super::constants::{Constants, Phase, Root, WidePhase};
 use super::exact::{distance, tried};
 use super::precession::horizontal;
 use super::separation::Variables;
-use super::solution::Reconstruction;
+use super::solution::{Reconstruction, dot};
 use super::taylor::{Carried, about_third, project, shortest};
 
 type Number = Complex<f64>;
@@ -275,29 +275,17 @@ impl Upright {
         apart: Number,
         choice: u8,
     ) {
-        let Reconstruction {
-            alpha,
-            beta,
-            shifted,
-            ..
-        } = system;
         let signs = [0, 1, 2].map(|bit| if choice >> bit & 1 == 0 { 1.0 } else { -1.0 });
-        let right = [0, 1, 2].map(|j| alpha[j] * shifted[j]);
-        let [n, m, o] = [
-            cross(alpha, beta),
-            cross(&right, alpha),
-            cross(&right, beta),
-        ];
         let factors = [first, second, third];
-        self.rows = [n, m, o].map(|row| [0, 1, 2].map(|j| row[j] * factors[j] * signs[j]));
-        let [bc, ca, ab] = cross(&m, &n);
+        let row = |row: [Number; 3]| [0, 1, 2].map(|j| row[j] * factors[j] * signs[j]);
+        self.rows = system.rows.map(row);
+        let [bc, ca, ab] = system.minors;
         self.wronskians = [
             bc * second * third * apart * signs[1] * signs[2],
             -ab * first * second * second * signs[0] * signs[1],
             ca * first * third * third * signs[0] * signs[2],
         ];
-        let side: Number = (0..3).map(|j| n[j] * right[j]).sum();
-        self.side = I * side * 0.25;
+        self.side = system.side;
     }
 
     /// Ω and z.
@@ -322,9 +310,8 @@ impl Upright {
         let [a, b, upper] = self.places;
         let roots = [single(0), both(a, -1.0), both(b, -1.0)];
         let wronskians = [both(upper, 1.0), single(a), single(b)];
-        let sum = |row: &[Number; 3], of: &[[Number; 2]; 3]| {
-            [0, 1].map(|i| (0..3).map(|j| row[j] * of[j][i]).sum::<Number>())
-        };
+        let sum =
+            |row: &[Number; 3], of: &[[Number; 2]; 3]| [0, 1].map(|i| dot(row, &of.map(|x| x[i])));
         let bottom = sum(&self.rows[0], &roots);
         // A quotient by the first row, and its rate.
         let over = |[x, x_rate]: [Number; 2]| {
@@ -423,13 +410,6 @@ impl Upright {
         let Quaternion { coords } = about_third(angle) * upright;
         (state, [coords.w, coords.x, coords.y, coords.z])
     }
-}
-
-fn cross(a: &[Number; 3], b: &[Number; 3]) -> [Number; 3] {
-    [0, 1, 2].map(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
 }
 
 /// ∫ds/√Q from −∞, by Carlson's duplication: R_F of the distances to the three roots, also where they are complex.

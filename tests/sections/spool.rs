@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 
 use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
+use spinning_bodies::Result;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::frame::SpaceVector as V;
 use spinning_bodies::integrators::Method;
@@ -127,13 +128,13 @@ fn found_by_trying(place: impl Fn(f64) -> f64) -> f64 {
 
 // claim: C4.4-3
 #[test]
-fn s4_4_critical_angle_by_simulation() {
+fn s4_4_critical_angle_by_simulation() -> Result<()> {
     let mut worst = [0.0_f64; 2];
     for ratio in [0.01, 0.1, 0.25, 0.4, 0.5, 0.75, 0.9, 0.99] {
         for kappa in [0.2, 0.5, 1.0] {
-            let body = RoundBody::new(0.2, 0.05, kappa).unwrap();
-            let spool = Spool::new(body, ratio * 0.05).unwrap();
-            let law = Coulomb::new(0.5).unwrap();
+            let body = RoundBody::new(0.2, 0.05, kappa)?;
+            let spool = Spool::new(body, ratio * 0.05)?;
+            let law = Coulomb::new(0.5)?;
             let by_events = found_by_trying(|angle| {
                 let hand = Tug::new(0.3, angle).unwrap();
                 run(spool, hand, 9.81, law, 1.0).at(1.0).position
@@ -168,24 +169,18 @@ fn s4_4_critical_angle_by_simulation() {
         7e-6..=5e-5
     );
     // r → 0: 90°. r > R, an axle on rails: away even from a level tug.
-    let body = RoundBody::new(0.2, 0.05, 0.5).unwrap();
-    let thin = Spool::new(body, 1e-12).unwrap();
+    let body = RoundBody::new(0.2, 0.05, 0.5)?;
+    let thin = Spool::new(body, 1e-12)?;
     observed!(
         (thin.critical_angle().unwrap() - FRAC_PI_2).abs(),
         6e-12..=1e-10
     );
-    let on_rails = Spool::new(body, 0.06).unwrap();
+    let on_rails = Spool::new(body, 0.06)?;
     assert_eq!(on_rails.critical_angle(), None);
-    assert_eq!(on_rails.way(0.0).unwrap(), Way::PaysOut);
-    let end = run(
-        on_rails,
-        tug(0.3, 0.0),
-        9.81,
-        Coulomb::new(0.5).unwrap(),
-        1.0,
-    )
-    .at(1.0);
+    assert_eq!(on_rails.way(0.0)?, Way::PaysOut);
+    let end = run(on_rails, tug(0.3, 0.0), 9.81, Coulomb::new(0.5)?, 1.0).at(1.0);
     assert!(end.position < 0.0);
+    Ok(())
 }
 
 // claim: C4.4-4
@@ -265,20 +260,14 @@ fn s4_4_what_gently_means() {
 }
 
 #[test]
-fn s4_4_static_friction_lets_go() {
+fn s4_4_static_friction_lets_go() -> Result<()> {
     // Grip 0.5, sliding 0.3: below the grip it rolls for ever, above it slips and rubs with the smaller coefficient.
     let (spool, g) = (unit(), 9.8);
-    let law = Coulomb::with_grip(0.3, 0.5).unwrap();
-    let held = spool.largest_gentle_tension(FRAC_PI_6, 0.5, g).unwrap();
-    let rolls = run(
-        spool,
-        Tug::new(0.999 * held, FRAC_PI_6).unwrap(),
-        g,
-        law,
-        1.0,
-    );
+    let law = Coulomb::with_grip(0.3, 0.5)?;
+    let held = spool.largest_gentle_tension(FRAC_PI_6, 0.5, g)?;
+    let rolls = run(spool, Tug::new(0.999 * held, FRAC_PI_6)?, g, law, 1.0);
     assert!(rolls.events().is_empty());
-    let hand = Tug::new(1.001 * held, FRAC_PI_6).unwrap();
+    let hand = Tug::new(1.001 * held, FRAC_PI_6)?;
     let slips = run(spool, hand, g, law, 1.0).at(1.0);
     let reaction = spool.reaction(hand, g);
     let a = hand.tension() * FRAC_PI_6.cos() - 0.3 * reaction;
@@ -294,6 +283,7 @@ fn s4_4_static_friction_lets_go() {
         slips.energy(0.5),
         max_relative = 1e-13
     );
+    Ok(())
 }
 
 #[test]

@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
-use spinning_bodies::Error;
 use spinning_bodies::integrators::{Effort, Kept, Leg, order_eight};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
+use spinning_bodies::{Error, Result};
 use support::observed;
 
 const G: f64 = 9.81;
@@ -91,18 +91,18 @@ fn s4_9_the_toy_of_the_book() {
 
 // claim: C4.9-1
 #[test]
-fn s4_9_the_thick_string_in_closed_form() {
+fn s4_9_the_thick_string_in_closed_form() -> Result<()> {
     // Against the equations of motion by order 8: depth, velocity. a(x, ω) is the acceleration of the physics, V = r ω.
     for toy in [
         thick(),
         toy(),
-        toy().wound_to(0.0050001).unwrap(),
-        toy().wound_to(0.1).unwrap(),
+        toy().wound_to(0.0050001)?,
+        toy().wound_to(0.1)?,
     ] {
         for (gravity, throw) in [(G, 0.0), (G, 0.3), (G, 3.0), (0.0, 1.0), (1e-3, 1.0)] {
-            let energy = Unwinding::energy_at(&toy, gravity, 0.0, throw).unwrap();
-            let way = Unwinding::new(toy, gravity, energy).unwrap();
-            let duration = way.duration().unwrap();
+            let energy = Unwinding::energy_at(&toy, gravity, 0.0, throw)?;
+            let way = Unwinding::new(toy, gravity, energy)?;
+            let duration = way.duration()?;
             let system = |_: f64, y: &[f64; 2]| {
                 let omega = y[1] / toy.radius(y[0]);
                 [y[1], toy.acceleration(y[0], omega, gravity)]
@@ -111,8 +111,8 @@ fn s4_9_the_thick_string_in_closed_form() {
             let effort = Effort::Tolerance(1e-14);
             let start = [0.0, throw];
             let run = order_eight(&system, Kept::Nothing, &start, &[1.0; 2], &times, effort);
-            for (t, y) in times.iter().zip(run.unwrap().states) {
-                let depth = way.depth_at(*t).unwrap();
+            for (t, y) in times.iter().zip(run?.states) {
+                let depth = way.depth_at(*t)?;
                 // Observed: 4e-14, the error of order 8.
                 let bound = 2e-13;
                 assert!(
@@ -121,17 +121,14 @@ fn s4_9_the_thick_string_in_closed_form() {
                     y[0]
                 );
                 assert!((way.speed(depth) - y[1]).abs() < 5.0 * bound);
-                close(way.time_at(depth).unwrap(), *t, 1e-14);
+                close(way.time_at(depth)?, *t, 1e-14);
             }
         }
     }
     // The thin string is the limit of the thick one. Observed: as far apart as the strings are thick.
-    let nearly = toy().wound_to(0.005 * (1.0 + 1e-13)).unwrap();
-    close(
-        let_go(nearly).duration().unwrap(),
-        let_go(toy()).duration().unwrap(),
-        1e-12,
-    );
+    let nearly = toy().wound_to(0.005 * (1.0 + 1e-13))?;
+    close(let_go(nearly).duration()?, let_go(toy()).duration()?, 1e-12);
+    Ok(())
 }
 
 // claim: C4.9-1

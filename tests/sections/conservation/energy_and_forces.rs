@@ -1,6 +1,7 @@
 //! 3.3, 3.4: energy with heat; why equal and opposite is not enough.
 
 use num_rational::Ratio;
+use spinning_bodies::Result;
 use spinning_bodies::conservation::{CompensatedSum, Law, Ledger, Particle, Particles};
 use support::{observed, relative};
 
@@ -8,7 +9,7 @@ use super::common::{Flight, V};
 
 // claim: C3.3-1
 #[test]
-fn s3_3_energy_with_heat() {
+fn s3_3_energy_with_heat() -> Result<()> {
     // Exactly, as fractions: sliding ends when the speed V₀ − τ meets the rim speed τ/κ, τ = μgt.
     type Q = Ratio<i128>;
     for (kappa, kept, heat) in [
@@ -39,13 +40,9 @@ fn s3_3_energy_with_heat() {
     let kinetic = |v: f64, omega: f64| 0.5 * mass * v * v + 0.5 * inertia * omega * omega;
     let e0 = kinetic(v, omega);
     let mut ledger = Ledger::new();
-    let with_heat = ledger.open("energy with heat", Law::Conserved, e0).unwrap();
-    let without = ledger
-        .open("kinetic energy", Law::NonIncreasing, e0)
-        .unwrap();
-    let warm = ledger
-        .open_scaled("heat", Law::NonDecreasing, 0.0, e0)
-        .unwrap();
+    let with_heat = ledger.open("energy with heat", Law::Conserved, e0)?;
+    let without = ledger.open("kinetic energy", Law::NonIncreasing, e0)?;
+    let warm = ledger.open_scaled("heat", Law::NonDecreasing, 0.0, e0)?;
     let h = 1e-6;
     while v - radius * omega > 0.0 {
         let friction = mu * mass * g;
@@ -54,18 +51,17 @@ fn s3_3_energy_with_heat() {
         omega += h * friction * radius / inertia;
         // The trapezoidal rule is exact for a slip speed that falls linearly.
         heat.add(friction * h * 0.5 * (slip + v - radius * omega));
-        ledger
-            .record(with_heat, kinetic(v, omega) + heat.value())
-            .unwrap();
-        ledger.record(without, kinetic(v, omega)).unwrap();
-        ledger.record(warm, heat.value()).unwrap();
+        ledger.record(with_heat, kinetic(v, omega) + heat.value())?;
+        ledger.record(without, kinetic(v, omega))?;
+        ledger.record(warm, heat.value())?;
     }
     // Sliding is left one step late at most: μgh/V₀ = 1e-6 of the speed. Observed 4e-7 and 1e-7.
     observed!(relative(v / v0, 5.0 / 7.0), 2e-7..=1e-6);
     observed!(relative(heat.value() / e0, 2.0 / 7.0), 1e-13..=5e-12);
     // The books balance to rounding all the way, 291 000 steps. The last, overshooting step can return at most
     // (μgh)² of kinetic energy, far below the bound.
-    assert!(ledger.is_kept_within(1e-11).unwrap(), "{ledger}");
+    assert!(ledger.is_kept_within(1e-11)?, "{ledger}");
+    Ok(())
 }
 
 // claim: C3.4-1

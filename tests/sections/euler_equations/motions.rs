@@ -2,6 +2,7 @@
 
 use nalgebra::{Complex, Matrix3, Vector3};
 use proptest::prelude::*;
+use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{
     AxisMoments, HeavyTop, ReferencePoint, SpringBody, TopState, acceleration, equilibria, flow,
     momentum_rate, quaternion_rate, rate, rate_about, rate_in_any_axes, rate_in_space, streamline,
@@ -222,16 +223,15 @@ fn s5_1_against_newton() {
 }
 
 #[test]
-fn s5_1_any_reference_point() {
+fn s5_1_any_reference_point() -> Result<()> {
     let inertia =
-        InertiaMatrix::from_matrix(Matrix3::new(4.0, 0.5, -0.3, 0.5, 5.0, 0.2, -0.3, 0.2, 6.0))
-            .unwrap();
-    let body = MassProperties::new(2.0, BodyVector::new(0.3, -0.2, 0.5), inertia).unwrap();
+        InertiaMatrix::from_matrix(Matrix3::new(4.0, 0.5, -0.3, 0.5, 5.0, 0.2, -0.3, 0.2, 6.0))?;
+    let body = MassProperties::new(2.0, BodyVector::new(0.3, -0.2, 0.5), inertia)?;
     let (force, torque) = (
         BodyVector::new(1.0, 4.0, -2.0),
         BodyVector::new(0.3, 0.1, -0.7),
     );
-    let about_center = rate_about(&body, ReferencePoint::Center, OMEGA, torque).unwrap();
+    let about_center = rate_about(&body, ReferencePoint::Center, OMEGA, torque)?;
     // Any point of the body, with its own acceleration and the force's torque about it.
     let point = BodyVector::new(-1.0, 0.7, 0.4);
     let offset = body.center() - point;
@@ -241,7 +241,7 @@ fn s5_1_any_reference_point() {
         acceleration: carried,
     };
     let about_point = torque + offset.cross(&force);
-    let same = rate_about(&body, reference, OMEGA, about_point).unwrap();
+    let same = rate_about(&body, reference, OMEGA, about_point)?;
     observed!(
         (same - about_center).norm(),
         2e-16..=2e-15,
@@ -249,11 +249,11 @@ fn s5_1_any_reference_point() {
         (same - about_center).norm()
     );
     // Leaving the last term out is wrong, and by a lot.
-    let wrong = rate_about(&body, ReferencePoint::Pivot(point), OMEGA, about_point).unwrap();
+    let wrong = rate_about(&body, ReferencePoint::Pivot(point), OMEGA, about_point)?;
     assert!((wrong - about_center).norm() > 0.1);
     // If the force is such that the point does stay where it is, the pivot's equation is the centre's, whose
     // torque now includes that of the bearing.
-    let rate_pivot = rate_about(&body, ReferencePoint::Pivot(point), OMEGA, torque).unwrap();
+    let rate_pivot = rate_about(&body, ReferencePoint::Pivot(point), OMEGA, torque)?;
     let center_accelerates = rate_pivot.cross(&offset) + OMEGA.cross(&OMEGA.cross(&offset));
     let bearing = 2.0 * center_accelerates;
     let from_center = rate_about(
@@ -261,8 +261,7 @@ fn s5_1_any_reference_point() {
         ReferencePoint::Center,
         OMEGA,
         torque - offset.cross(&bearing),
-    )
-    .unwrap();
+    )?;
     observed!(
         (from_center - rate_pivot).norm(),
         2e-16..=2e-15,
@@ -273,9 +272,8 @@ fn s5_1_any_reference_point() {
     let rod = MassProperties::new(
         3.0,
         BodyVector::new(0.0, -0.5, 0.0),
-        InertiaMatrix::diagonal(0.25, 0.01, 0.25).unwrap(),
-    )
-    .unwrap();
+        InertiaMatrix::diagonal(0.25, 0.01, 0.25)?,
+    )?;
     let theta: f64 = 0.4;
     let weight = BodyVector::new(-theta.sin(), -theta.cos(), 0.0) * (3.0 * 9.81);
     let pull = rod.center().cross(&weight);
@@ -284,10 +282,10 @@ fn s5_1_any_reference_point() {
         ReferencePoint::Pivot(BodyVector::zero()),
         BodyVector::zero(),
         pull,
-    )
-    .unwrap();
+    )?;
     let expected = -3.0 * 9.81 * 0.5 * theta.sin();
     observed!(relative(swing.z(), expected), 0.0..=4e-16);
+    Ok(())
 }
 
 proptest! {

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use spinning_bodies::Result;
 use spinning_bodies::phenomena::PaperCat;
 use spinning_bodies::scene::effects::{Air, Gravity};
 use spinning_bodies::scene::{Request, Scene, shape};
@@ -9,10 +10,10 @@ use support::{observed, relative};
 
 // claim: C1.1-9, C1.1-13
 #[test]
-fn s1_1_the_paper_cat_needs_air() {
+fn s1_1_the_paper_cat_needs_air() -> Result<()> {
     let cat = PaperCat::POSTCARD;
-    let g = Gravity::new(9.81).unwrap();
-    let air = Air::new(1.2).unwrap();
+    let g = Gravity::new(9.81)?;
+    let air = Air::new(1.2)?;
     observed!((cat.terminal_speed(1.2, 9.81) - 2.022).abs(), 8e-5..=5e-4);
     // The torque of the air points to upright from every tilt, and is zero at the two ends.
     for k in 1..180 {
@@ -29,9 +30,9 @@ fn s1_1_the_paper_cat_needs_air() {
         (179.0, 1.291_469),
     ] {
         let tilt = f64::to_radians(degrees);
-        let scene = shape::PaperCat::new(cat, tilt).unwrap().with(g).unwrap();
-        let airy = scene.with(air).unwrap();
-        let righted = airy.rights_itself(10.0).unwrap().unwrap();
+        let scene = shape::PaperCat::new(cat, tilt)?.with(g)?;
+        let airy = scene.with(air)?;
+        let righted = airy.rights_itself(10.0)?.unwrap();
         observed!(
             (righted.fall - fall).abs(),
             1e-7..=1e-6,
@@ -39,8 +40,8 @@ fn s1_1_the_paper_cat_needs_air() {
             righted.fall
         );
         // In a vacuum it lands as it was let go.
-        assert_eq!(scene.rights_itself(10.0).unwrap(), None);
-        let motion = scene.simulate(&Request::at([0.5]).unwrap()).unwrap();
+        assert_eq!(scene.rights_itself(10.0)?, None);
+        let motion = scene.simulate(&Request::at([0.5])?)?;
         assert_eq!(motion.rows[0].1.tilt, tilt);
         observed!(
             relative(motion.rows[0].1.fall, 0.5 * 9.81 * 0.25),
@@ -48,13 +49,8 @@ fn s1_1_the_paper_cat_needs_air() {
         );
     }
     // Upright is the only rest that lasts: it gets there and stays.
-    let scene = shape::PaperCat::new(cat, 3.0)
-        .unwrap()
-        .with(air)
-        .unwrap()
-        .with(g)
-        .unwrap();
-    let motion = scene.simulate(&Request::at([30.0]).unwrap()).unwrap();
+    let scene = shape::PaperCat::new(cat, 3.0)?.with(air)?.with(g)?;
+    let motion = scene.simulate(&Request::at([30.0])?)?;
     observed!(
         motion.rows[0].1.tilt.abs(),
         0.0..=1e-8,
@@ -65,6 +61,7 @@ fn s1_1_the_paper_cat_needs_air() {
     let [velocity, fall] = cat.fall(1.2, 9.81, 30.0);
     observed!(relative(motion.rows[0].1.velocity, velocity), 0.0..=1e-10);
     observed!(relative(motion.rows[0].1.fall, fall), 0.0..=1e-10);
+    Ok(())
 }
 
 // claim: C1.1-9

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, FRAC_PI_8};
 
+use spinning_bodies::Result;
 use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_along, turn_within};
 use spinning_bodies::phenomena::{Swivel, Waist};
 use spinning_bodies::scene::effects::{FourPhases, Pace, RoundTrip};
@@ -59,25 +60,20 @@ fn s1_1_the_swivel_turns_further_than_it_turns_back() {
 
 // claim: C1.1-5
 #[test]
-fn s1_1_the_sense_of_the_swivel() {
+fn s1_1_the_sense_of_the_swivel() -> Result<()> {
     // Anticlockwise is positive: twist that way with the arms out, and the net turn is clockwise.
-    assert!(DEFAULT.swivel_angle(1.0).unwrap() < 0.0);
+    assert!(DEFAULT.swivel_angle(1.0)? < 0.0);
     let swapped = Waist {
         upper_arms_out: DEFAULT.upper_arms_in,
         upper_arms_in: DEFAULT.upper_arms_out,
         ..DEFAULT
     };
     observed!(
-        relative(
-            swapped.swivel_angle(1.0).unwrap(),
-            -DEFAULT.swivel_angle(1.0).unwrap()
-        ),
+        relative(swapped.swivel_angle(1.0)?, -DEFAULT.swivel_angle(1.0)?),
         0.0..=3e-16
     );
-    assert_eq!(
-        DEFAULT.swivel_angle(-1.0).unwrap(),
-        -DEFAULT.swivel_angle(1.0).unwrap()
-    );
+    assert_eq!(DEFAULT.swivel_angle(-1.0)?, -DEFAULT.swivel_angle(1.0)?);
+    Ok(())
 }
 
 // claim: C1.1-6
@@ -114,13 +110,13 @@ fn ellipse(s: f64) -> Step {
 
 // claim: C1.1-7
 #[test]
-fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
+fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
     let plane = Swivel { lower: 1.0 };
     // 2π(1 − 3/√8).
     let truth = -0.381_139_100_057_962_9;
-    let along = turn_along(&plane, ellipse).unwrap();
-    let within = turn_within(&plane, ellipse, Hub::Point([2.0, 0.0])).unwrap();
-    let aside = turn_within(&plane, ellipse, Hub::Point([1.4, 0.3])).unwrap();
+    let along = turn_along(&plane, ellipse)?;
+    let within = turn_within(&plane, ellipse, Hub::Point([2.0, 0.0]))?;
+    let aside = turn_within(&plane, ellipse, Hub::Point([1.4, 0.3]))?;
     // Observed: 1.5e-16, 3e-16, 6e-16.
     for value in [along, within, aside] {
         observed!(relative(value, truth), 0.0..=2e-15);
@@ -134,10 +130,7 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
             ..step
         }
     };
-    observed!(
-        relative(turn_along(&plane, late).unwrap(), truth),
-        0.0..=2e-15
-    );
+    observed!(relative(turn_along(&plane, late)?, truth), 0.0..=2e-15);
     for duration in [0.3, 60.0] {
         for pace in [Pace::Even, Pace::Late] {
             let round = RoundTrip {
@@ -147,8 +140,8 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
                 duration,
                 pace,
             };
-            let scene = shape::Swivel::new(1.0, 3.0).unwrap().with(round).unwrap();
-            let motion = scene.simulate(&Request::at([duration]).unwrap()).unwrap();
+            let scene = shape::Swivel::new(1.0, 3.0)?.with(round)?;
+            let motion = scene.simulate(&Request::at([duration])?)?;
             let turn = motion.rows[0].1.lower;
             // Observed: 3e-15.
             observed!(relative(turn, truth), 3e-16..=1e-14);
@@ -162,15 +155,13 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() {
             ..step
         }
     };
-    observed!(
-        relative(turn_along(&plane, back).unwrap(), -truth),
-        0.0..=2e-15
-    );
+    observed!(relative(turn_along(&plane, back)?, -truth), 0.0..=2e-15);
     let line = |s: f64| Step {
         shape: [2.0 + s.sin(), s.sin()],
         rate: [s.cos(), s.cos()],
     };
-    observed!(turn_along(&plane, line).unwrap().abs(), 0.0..=1e-15);
+    observed!(turn_along(&plane, line)?.abs(), 0.0..=1e-15);
+    Ok(())
 }
 
 // claim: C1.1-12

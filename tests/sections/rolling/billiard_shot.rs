@@ -3,6 +3,7 @@
 use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
 use proptest::prelude::*;
+use spinning_bodies::Result;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
 use spinning_bodies::rolling::{Regime, RoundBody, factor, slide_to_roll};
@@ -234,18 +235,14 @@ fn s4_3_eventual_rolling_speed() {
 
 // claim: C4.3-5
 #[test]
-fn s4_3_where_and_when_rolling_sets_in() {
+fn s4_3_where_and_when_rolling_sets_in() -> Result<()> {
     // R = 28.575 mm, μ = 0.2, V' = 2 m/s, g = 9.81: time and distance for three heights, to five digits.
     for (height, time, distance) in [
         (0.7, 0.50968, 0.76453),
         (1.0, 0.29125, 0.49928),
         (1.6, 0.14562, 0.31205),
     ] {
-        let slide = ball()
-            .strike(height, 2.0)
-            .unwrap()
-            .slide(0.2, GRAVITY)
-            .unwrap();
+        let slide = ball().strike(height, 2.0)?.slide(0.2, GRAVITY)?;
         assert_relative_eq!(slide.time, time, max_relative = 0.0, epsilon = 5.1e-6);
         assert_relative_eq!(
             slide.distance,
@@ -256,7 +253,7 @@ fn s4_3_where_and_when_rolling_sets_in() {
     }
     // 2|V − RΩ|/(7μg) for the ball; the final speed keeps V + κRΩ, and the heat is the energy that is missing.
     let (v, w) = (2.0, -5.5);
-    let slide = slide_to_roll(v, w, FRICTION, GRAVITY).unwrap();
+    let slide = slide_to_roll(v, w, FRICTION, GRAVITY)?;
     observed!(
         relative(slide.time, 2.0 * 7.5 / (7.0 * FRICTION * GRAVITY)),
         0.0..=4.5e-16
@@ -266,6 +263,7 @@ fn s4_3_where_and_when_rolling_sets_in() {
     let energy = |v: f64, w: f64| 0.5 * (v * v + 0.4 * w * w);
     let lost = energy(v, w) - energy(slide.speed, slide.speed);
     observed!(relative(slide.heat, lost), 0.0..=4.5e-16);
+    Ok(())
 }
 
 // claim: C4.3-3
@@ -291,7 +289,7 @@ fn s4_3_near_pure_rolling_nothing_cancels() {
 
 /// V = RΩ to the last place of the product, not to the last of the numbers; the times by exact fractions of the doubles given.
 #[test]
-fn s4_3_next_to_rolling_the_spin_says_how_near() {
+fn s4_3_next_to_rolling_the_spin_says_how_near() -> Result<()> {
     let known = [
         (1.0, 0.0286, 34.96503496503497, 9.391176134514211e-18),
         (1.0, 0.028575, 34.99562554680665, 2.6395336946191e-18),
@@ -300,12 +298,10 @@ fn s4_3_next_to_rolling_the_spin_says_how_near() {
         (1.3, 0.11, 11.818181818181818, 2.9248498338616327e-18),
     ];
     for (v, radius, omega, time) in known {
-        let ball = RoundBody::new(MASS, radius, factor::BALL).unwrap();
-        let slide = ball.slide_of_spin(v, omega, FRICTION, GRAVITY).unwrap();
+        let ball = RoundBody::new(MASS, radius, factor::BALL)?;
+        let slide = ball.slide_of_spin(v, omega, FRICTION, GRAVITY)?;
         observed!(relative(slide.time, time), 0.0..=7e-16);
-        let rounded = ball
-            .slide_to_roll(v, radius * omega, FRICTION, GRAVITY)
-            .unwrap();
+        let rounded = ball.slide_to_roll(v, radius * omega, FRICTION, GRAVITY)?;
         assert_eq!(rounded.time, 0.0);
     }
     assert!(
@@ -313,17 +309,16 @@ fn s4_3_next_to_rolling_the_spin_says_how_near() {
             .slide_of_spin(1.0, f64::NAN, FRICTION, GRAVITY)
             .is_err()
     );
-    let same = ball()
-        .slide_of_spin(2.0, -4.0 / RADIUS, FRICTION, GRAVITY)
-        .unwrap();
-    let other = ball().slide_to_roll(2.0, -4.0, FRICTION, GRAVITY).unwrap();
+    let same = ball().slide_of_spin(2.0, -4.0 / RADIUS, FRICTION, GRAVITY)?;
+    let other = ball().slide_to_roll(2.0, -4.0, FRICTION, GRAVITY)?;
     assert_relative_eq!(same.time, other.time, max_relative = 4e-16);
     assert_relative_eq!(same.speed, other.speed, max_relative = 1e-15);
+    Ok(())
 }
 
 /// V + κRΩ = 0, up to the rounding of the product: it stops, and does not creep.
 #[test]
-fn s4_3_what_stops_is_at_rest() {
+fn s4_3_what_stops_is_at_rest() -> Result<()> {
     for (rim, kappa) in [
         (-2.5, 0.4),
         (-7.1, 0.4),
@@ -333,42 +328,30 @@ fn s4_3_what_stops_is_at_rest() {
         (-3.0, 0.3),
     ] {
         let v: f64 = -(kappa * rim);
-        let body = RoundBody::new(MASS, RADIUS, kappa).unwrap();
-        assert_eq!(
-            body.slide_to_roll(v, rim, FRICTION, GRAVITY).unwrap().speed,
-            0.0
-        );
-        let law = Coulomb::new(FRICTION).unwrap();
+        let body = RoundBody::new(MASS, RADIUS, kappa)?;
+        assert_eq!(body.slide_to_roll(v, rim, FRICTION, GRAVITY)?.speed, 0.0);
+        let law = Coulomb::new(FRICTION)?;
         let effects = (Some(law), None, None);
         let load = Load::weight(GRAVITY);
         let start = Moment::moving(v, rim);
-        let course = Course::new(kappa, load, effects, start, 9.0).unwrap();
+        let course = Course::new(kappa, load, effects, start, 9.0)?;
         let end = course.at(9.0);
         assert_eq!((end.velocity, end.rim_speed, end.slip), (0.0, 0.0, 0.0));
         assert_eq!(course.events().last().unwrap().what, Happening::Rest);
-        let roller = Roller::new(body, GRAVITY, v, rim)
-            .unwrap()
-            .with(law)
-            .unwrap();
+        let roller = Roller::new(body, GRAVITY, v, rim)?.with(law)?;
         let by = Choice::Use(Solver::General(Method::Dop853));
-        let run = roller
-            .simulate(
-                &Request::at([9.0])
-                    .unwrap()
-                    .by(by)
-                    .with_methods(&DifferentialEquations),
-            )
-            .unwrap();
+        let run = roller.simulate(
+            &Request::at([9.0])?
+                .by(by)
+                .with_methods(&DifferentialEquations),
+        )?;
         let end = run.rows[0].1.moment;
         assert_eq!((end.velocity, end.rim_speed, end.slip), (0.0, 0.0, 0.0));
     }
     // A stroke at the table's level, which no cue makes, gives the ball no angular momentum about the table.
-    let dead = ball()
-        .strike(0.0, 2.0)
-        .unwrap()
-        .slide(FRICTION, GRAVITY)
-        .unwrap();
+    let dead = ball().strike(0.0, 2.0)?.slide(FRICTION, GRAVITY)?;
     assert_eq!(dead.speed, 0.0);
+    Ok(())
 }
 
 /// Static friction holds up to its limit and at it; kinetic friction would not.

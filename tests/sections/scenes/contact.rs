@@ -1,7 +1,6 @@
 //! Bodies on a table.
 
 use nalgebra::Matrix3;
-use spinning_bodies::Error;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::integrators::Method;
@@ -12,6 +11,7 @@ use spinning_bodies::scene::effects::{
 };
 use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver};
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface, bodies};
+use spinning_bodies::{Error, Result};
 use support::refused;
 
 const G: f64 = 9.81;
@@ -128,9 +128,9 @@ fn without_friction_energy_and_vertical_momentum_stay() {
 }
 
 #[test]
-fn energy_lost_is_what_the_contact_has_taken() {
+fn energy_lost_is_what_the_contact_has_taken() -> Result<()> {
     let times: Vec<f64> = (0..=50).map(|i| 0.02 * f64::from(i)).collect();
-    let table = skew().with(gravity()).unwrap();
+    let table = skew().with(gravity())?;
     let check = |motion: Motion<State>| {
         let (first, last) = (motion.rows[0].1, motion.rows[50].1);
         let lost = first.energy - last.energy;
@@ -138,28 +138,17 @@ fn energy_lost_is_what_the_contact_has_taken() {
         assert!(lost > 1e-5 * first.energy);
         assert!((last.dissipated - lost).abs() < 1e-9 * first.energy);
     };
+    check(motion(&table.with(Viscous::new(0.3)?)?, &times, 1e-10));
     check(motion(
-        &table.with(Viscous::new(0.3).unwrap()).unwrap(),
+        &table.with(Regularised::new(0.3, 1e-3)?)?,
         &times,
         1e-10,
     ));
-    check(motion(
-        &table.with(Regularised::new(0.3, 1e-3).unwrap()).unwrap(),
-        &times,
-        1e-10,
-    ));
-    check(motion(
-        &table.with(Coulomb::new(0.3).unwrap()).unwrap(),
-        &times,
-        1e-8,
-    ));
-    let resisting = Resistance::new(1e-4, 1e-4).unwrap();
-    check(motion(&table.with(resisting).unwrap(), &times, 1e-10));
-    check(motion(
-        &table.with(NoSlip).unwrap().with(resisting).unwrap(),
-        &times,
-        1e-10,
-    ));
+    check(motion(&table.with(Coulomb::new(0.3)?)?, &times, 1e-8));
+    let resisting = Resistance::new(1e-4, 1e-4)?;
+    check(motion(&table.with(resisting)?, &times, 1e-10));
+    check(motion(&table.with(NoSlip)?.with(resisting)?, &times, 1e-10));
+    Ok(())
 }
 
 #[test]
@@ -262,7 +251,7 @@ fn a_smoothed_law_tends_to_coulombs() {
 }
 
 #[test]
-fn a_body_hops_rather_than_be_pulled() {
+fn a_body_hops_rather_than_be_pulled() -> Result<()> {
     // Thrown up by its own eccentric mass: spun about a level axis fast enough, it leaves the table and comes back.
     let table = rocking(90.0);
     let times: Vec<f64> = (0..=400).map(|i| 1e-3 * f64::from(i)).collect();
@@ -283,43 +272,29 @@ fn a_body_hops_rather_than_be_pulled() {
         );
         assert!(phases >= 3 && aloft > 10);
     };
-    let request = Request::at(times.clone())
-        .unwrap()
-        .to_accuracy(1e-8)
-        .unwrap();
-    let rough = table.with(Viscous::new(0.3).unwrap()).unwrap();
-    check(
-        rough.simulate(&request).unwrap(),
-        rough.phases(&request).unwrap().len(),
-    );
-    let dry = table.with(Coulomb::new(0.3).unwrap()).unwrap();
-    check(
-        dry.simulate(&request).unwrap(),
-        dry.phases(&request).unwrap().len(),
-    );
-    check(
-        table.simulate(&request).unwrap(),
-        table.phases(&request).unwrap().len(),
-    );
+    let request = Request::at(times.clone())?.to_accuracy(1e-8)?;
+    let rough = table.with(Viscous::new(0.3)?)?;
+    check(rough.simulate(&request)?, rough.phases(&request)?.len());
+    let dry = table.with(Coulomb::new(0.3)?)?;
+    check(dry.simulate(&request)?, dry.phases(&request)?.len());
+    check(table.simulate(&request)?, table.phases(&request)?.len());
+    Ok(())
 }
 
 #[test]
-fn pure_rolling_ends_where_nothing_presses_and_a_level_force_is_needed() {
+fn pure_rolling_ends_where_nothing_presses_and_a_level_force_is_needed() -> Result<()> {
     let body = rocker();
-    let attitude = Start::about_vertical(0.0, 0.0, 0.0).unwrap().attitude;
-    let start = Start::spinning(attitude, BodyVector::new(0.0, 90.0, 0.0)).unwrap();
-    let scene = TableTop::new(body, start)
-        .with(gravity())
-        .unwrap()
-        .with(NoSlip)
-        .unwrap();
-    let request = Request::at([0.4]).unwrap().to_accuracy(1e-8).unwrap();
+    let attitude = Start::about_vertical(0.0, 0.0, 0.0)?.attitude;
+    let start = Start::spinning(attitude, BodyVector::new(0.0, 90.0, 0.0))?;
+    let scene = TableTop::new(body, start).with(gravity())?.with(NoSlip)?;
+    let request = Request::at([0.4])?.to_accuracy(1e-8)?;
     let refused = scene.simulate(&request).unwrap_err();
     let Error::Integration { reason, time } = refused else {
         panic!("{refused}");
     };
     // Within the first turn, and not after a hundred thousand changes.
     assert!(reason.contains("pure rolling") && time < std::f64::consts::TAU / 90.0);
+    Ok(())
 }
 
 #[test]
@@ -344,25 +319,20 @@ fn what_cannot_be_run_is_refused() {
 }
 
 #[test]
-fn other_methods_agree() {
-    let scene = skew()
-        .with(gravity())
-        .unwrap()
-        .with(Viscous::new(0.3).unwrap())
-        .unwrap();
+fn other_methods_agree() -> Result<()> {
+    let scene = skew().with(gravity())?.with(Viscous::new(0.3)?)?;
     let best = end(&scene, 0.3, 1e-9);
     for method in [Method::Dopri5, Method::Verner98] {
         let by = Choice::Use(Solver::General(method));
-        let request = Request::at([0.3])
-            .unwrap()
-            .to_accuracy(1e-8)
-            .unwrap()
+        let request = Request::at([0.3])?
+            .to_accuracy(1e-8)?
             .with_methods(&lab::general::DifferentialEquations)
             .by(by);
-        let other = scene.simulate(&request).unwrap();
+        let other = scene.simulate(&request)?;
         assert_eq!(other.plan.solver, Solver::General(method));
         assert!(angle(&best, &other.rows[0].1) < 1e-7, "{method:?}");
     }
+    Ok(())
 }
 
 /// Kane and Levinson's rattleback, half a degree off about both of its level axes, against its sense.
@@ -391,12 +361,8 @@ fn a_rattleback_slips_and_rolls_hundreds_of_times_on_a_small_budget() {
 }
 
 #[test]
-fn where_it_slips_and_rolls_a_smoothed_law_tends_to_coulombs_too() {
-    let dry = end(
-        &rattleback().with(Coulomb::new(0.2).unwrap()).unwrap(),
-        0.6,
-        1e-9,
-    );
+fn where_it_slips_and_rolls_a_smoothed_law_tends_to_coulombs_too() -> Result<()> {
+    let dry = end(&rattleback().with(Coulomb::new(0.2)?)?, 0.6, 1e-9);
     let bent = |slip: f64| {
         let law = Regularised::new(0.2, slip).unwrap();
         angle(&end(&rattleback().with(law).unwrap(), 0.6, 1e-9), &dry)
@@ -405,6 +371,7 @@ fn where_it_slips_and_rolls_a_smoothed_law_tends_to_coulombs_too() {
     println!("{far:e} {near:e}");
     // A smoothed law creeps where Coulomb's rolls: first order in ε.
     assert!(near < 0.4 * far && near < 1e-2, "{far:e} {near:e}");
+    Ok(())
 }
 
 /// To one digit the steps are off by more than the slip at which it counts as none: it has to come to rest all the same.

@@ -2,7 +2,6 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use spinning_bodies::Error;
 use spinning_bodies::frame::{Attitude, SpaceVector};
 use spinning_bodies::integrators::Method;
 use spinning_bodies::phenomena::cat::{Cat, Half};
@@ -13,6 +12,7 @@ use spinning_bodies::scene::effects::{
 };
 use spinning_bodies::scene::shape;
 use spinning_bodies::scene::{Choice, Geometric, Request, Scene, Solver, Tabulated};
+use spinning_bodies::{Error, Result};
 use support::refused;
 
 const GENERAL: Choice = Choice::Use(Solver::General(Method::Dop853));
@@ -144,32 +144,26 @@ fn the_skater_by_the_closed_form_and_by_forces() {
 }
 
 #[test]
-fn a_skater_without_effects_spins_evenly_and_friction_matters() {
+fn a_skater_without_effects_spins_evenly_and_friction_matters() -> Result<()> {
     let asked = request(2.0, 1e-10);
-    let still = shape::Skater::new(grown(), 0.7, 12.0).unwrap();
-    for (t, state) in still.simulate(&asked).unwrap().rows {
+    let still = shape::Skater::new(grown(), 0.7, 12.0)?;
+    for (t, state) in still.simulate(&asked)?.rows {
         assert_eq!((state.spin, state.work, state.heat), (12.0, 0.0, 0.0));
         assert!((state.angle - 12.0 * t).abs() < 1e-13);
     }
-    let moving = still.with(DRAW).unwrap();
-    let none = rows(
-        &moving.with(BearingFriction::new(0.0).unwrap()).unwrap(),
-        &asked,
-    );
+    let moving = still.with(DRAW)?;
+    let none = rows(&moving.with(BearingFriction::new(0.0)?)?, &asked);
     for (a, b) in rows(&moving, &asked).iter().zip(&none) {
         for (a, b) in a.iter().zip(b) {
             assert!((a - b).abs() <= 1e-9 * a.abs().max(1.0), "{a} {b}");
         }
     }
-    let rubbed = moving.with(BearingFriction::new(0.05).unwrap()).unwrap();
-    let motion = rubbed.simulate(&asked).unwrap();
+    let rubbed = moving.with(BearingFriction::new(0.05)?)?;
+    let motion = rubbed.simulate(&asked)?;
     let end = motion.rows[50].1;
     assert!(end.heat > 1.0 && end.spin < none[50][1] - 1.0, "{end:?}");
-    assert!(
-        motion.ledger.is_kept_within(1e-9).unwrap(),
-        "{}",
-        motion.ledger
-    );
+    assert!(motion.ledger.is_kept_within(1e-9)?, "{}", motion.ledger);
+    Ok(())
 }
 
 fn cat_body() -> Cat {
@@ -195,14 +189,10 @@ fn cat() -> shape::Cat {
 }
 
 #[test]
-fn gravity_moves_the_cat_and_does_not_turn_it() {
+fn gravity_moves_the_cat_and_does_not_turn_it() -> Result<()> {
     for asked in [request(0.4, 1e-10), request(0.4, 1e-10).by(GENERAL)] {
-        let floating = cat().simulate(&asked).unwrap();
-        let falling = cat()
-            .with(Gravity::new(9.81).unwrap())
-            .unwrap()
-            .simulate(&asked)
-            .unwrap();
+        let floating = cat().simulate(&asked)?;
+        let falling = cat().with(Gravity::new(9.81)?)?.simulate(&asked)?;
         for ((t, a), (_, b)) in floating.rows.iter().zip(&falling.rows) {
             // Not a bit.
             assert_eq!(a.attitude, b.attitude);
@@ -210,9 +200,10 @@ fn gravity_moves_the_cat_and_does_not_turn_it() {
             assert_eq!(a.center, SpaceVector::zero());
             assert!((b.center.z() + 0.5 * 9.81 * t * t).abs() < 1e-15);
         }
-        let weightless = cat().with(Gravity::new(0.0).unwrap()).unwrap();
+        let weightless = cat().with(Gravity::new(0.0)?)?;
         assert_eq!(rows(&weightless, &asked), rows(&cat(), &asked));
     }
+    Ok(())
 }
 
 #[test]
@@ -244,32 +235,24 @@ fn the_cat_by_one_integral_and_by_a_general_method() {
 }
 
 #[test]
-fn a_rigid_cat_does_not_turn_and_one_with_angular_momentum_does() {
+fn a_rigid_cat_does_not_turn_and_one_with_angular_momentum_does() -> Result<()> {
     let asked = request(0.4, 1e-10);
     let start = shape::Cat::on_its_back();
     let stiff = shape::Cat::new(cat_body(), start);
-    for (_, state) in stiff.simulate(&asked).unwrap().rows {
+    for (_, state) in stiff.simulate(&asked)?.rows {
         assert!(state.attitude.angle_to(&start) < 1e-15);
     }
     // About the spine: evenly, L/2J.
-    let spinning = stiff
-        .with_angular_momentum(SpaceVector::new(0.008, 0.0, 0.0))
-        .unwrap();
-    let plan = spinning.plan(&asked).unwrap();
+    let spinning = stiff.with_angular_momentum(SpaceVector::new(0.008, 0.0, 0.0))?;
+    let plan = spinning.plan(&asked)?;
     assert_eq!(plan.solver, Solver::Geometric(Geometric::DormandPrince8));
-    for (t, state) in spinning.simulate(&asked).unwrap().rows {
+    for (t, state) in spinning.simulate(&asked)?.rows {
         assert!((state.attitude.angle_to(&start) - t).abs() < 1e-10);
     }
     // The shape adds its own turn: for a straight spine and equal halves the two parts do not simply add, but L stays.
-    let both = cat()
-        .with_angular_momentum(SpaceVector::new(0.01, 0.02, -0.01))
-        .unwrap();
-    let motion = both.simulate(&asked).unwrap();
-    assert!(
-        motion.ledger.is_kept_within(1e-13).unwrap(),
-        "{}",
-        motion.ledger
-    );
+    let both = cat().with_angular_momentum(SpaceVector::new(0.01, 0.02, -0.01))?;
+    let motion = both.simulate(&asked)?;
+    assert!(motion.ledger.is_kept_within(1e-13)?, "{}", motion.ledger);
     // Unequal halves have no closed form: `exact` is refused, by name.
     let [half, _] = *cat_body().halves();
     let unequal = Cat::new([
@@ -278,12 +261,12 @@ fn a_rigid_cat_does_not_turn_and_one_with_angular_momentum_does() {
             axial: 0.005,
             ..half
         },
-    ])
-    .unwrap();
-    let unequal = shape::Cat::new(unequal, start).with(OVER).unwrap();
+    ])?;
+    let unequal = shape::Cat::new(unequal, start).with(OVER)?;
     let refused = unequal.simulate(&asked.clone().by(Choice::Use(Solver::Exact)));
     assert!(matches!(refused, Err(Error::Solver { condition }) if condition.contains("`exact`")));
     assert!(unequal.simulate(&asked).is_ok());
+    Ok(())
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The falling strip. Every effect has a place of its own, so the order of listing cannot matter.
 
 use lab::general::solve;
+use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{
     AddedMass, Coefficients, Drag, Lift, Plate, RotationalDamping, Sheet,
 };
@@ -131,25 +132,21 @@ fn in_a_vacuum_it_is_a_stone() {
 }
 
 #[test]
-fn the_ideal_fluid_keeps_impulse_and_energy() {
+fn the_ideal_fluid_keeps_impulse_and_energy() -> Result<()> {
     // Kirchhoff's equations: added mass alone. The ledger holds energy and both components of the impulse.
-    let ideal = Strip::new(plate(), START).unwrap().with(ADDED).unwrap();
-    let heavy = ideal.with(gravity()).unwrap();
-    let tight = request().to_accuracy(1e-11).unwrap();
+    let ideal = Strip::new(plate(), START)?.with(ADDED)?;
+    let heavy = ideal.with(gravity())?;
+    let tight = request().to_accuracy(1e-11)?;
     for motion in [ideal.simulate(&tight), heavy.simulate(&tight)] {
-        let ledger = motion.unwrap().ledger;
+        let ledger = motion?.ledger;
         assert_eq!(ledger.entries().len(), 3);
         // Observed: 6e-12.
-        assert!(ledger.is_kept_within(5e-11).unwrap(), "{ledger}");
+        assert!(ledger.is_kept_within(5e-11)?, "{ledger}");
     }
     // Circulation does no work.
-    let lifted = run(&heavy.with(LIFT).unwrap());
+    let lifted = run(&heavy.with(LIFT)?);
     assert_eq!(lifted.ledger.entries().len(), 1);
-    assert!(
-        lifted.ledger.is_kept_within(1e-7).unwrap(),
-        "{}",
-        lifted.ledger
-    );
+    assert!(lifted.ledger.is_kept_within(1e-7)?, "{}", lifted.ledger);
     // Turned out of an unsteady position in the ideal fluid, the strip swings about broadside as a pendulum would:
     // θ'' of small angles off broadside is −(m_w − m_u) w²/J.
     let straight = StripStart {
@@ -158,7 +155,7 @@ fn the_ideal_fluid_keeps_impulse_and_energy() {
         omega: 0.0,
     };
     let plate = plate();
-    let strip = Strip::new(plate, straight).unwrap().with(ADDED).unwrap();
+    let strip = Strip::new(plate, straight)?.with(ADDED)?;
     let masses = plate.displaced_mass();
     let a = plate.half_chord();
     let moment = plate.mass() * a * a / 3.0 + masses * a * a / 8.0;
@@ -166,9 +163,9 @@ fn the_ideal_fluid_keeps_impulse_and_energy() {
     // With u = (m_w/m) w θ + constant, and u = −θ w... at the start, the constant is (1 − m_w/m)·θ₀.
     let frequency = (masses / moment * (plate.mass() + masses) / plate.mass()).sqrt();
     let quarter = core::f64::consts::FRAC_PI_2 / frequency;
-    let request = Request::at([quarter, 2.0 * quarter]).unwrap();
-    let request = request.to_accuracy(1e-13).unwrap();
-    let rows = strip.simulate(&request).unwrap().rows;
+    let request = Request::at([quarter, 2.0 * quarter])?;
+    let request = request.to_accuracy(1e-13)?;
+    let rows = strip.simulate(&request)?.rows;
     let [first, second] = [rows[0].1, rows[1].1];
     // Half a swing later it stands still again, and swung about the middle in between. Observed: 2e-9.
     assert!(
@@ -176,6 +173,7 @@ fn the_ideal_fluid_keeps_impulse_and_energy() {
         "{first:?} {second:?}"
     );
     assert!((first.angle - 0.5 * (1e-5 + second.angle)).abs() < 1e-10);
+    Ok(())
 }
 
 #[test]
@@ -197,30 +195,26 @@ fn a_mirrored_start_gives_a_mirrored_fall() {
 }
 
 #[test]
-fn the_frame_does_not_matter() {
+fn the_frame_does_not_matter() -> Result<()> {
     // Units scaled by powers of two: lengths by 4, times by 2, masses by 8. Gravity stays, being a length over a time squared.
-    let sheet = Sheet::of_paper(0.02).unwrap();
-    let big = Sheet::new(0.08, 0.08 / 2.0, 1.2 / 8.0, 9.81).unwrap();
+    let sheet = Sheet::of_paper(0.02)?;
+    let big = Sheet::new(0.08, 0.08 / 2.0, 1.2 / 8.0, 9.81)?;
     let start = StripStart {
         velocity: [0.2, 0.0],
         omega: 0.5,
         ..START
     };
-    let small = Strip::in_air(&sheet, START, Coefficients::PAPER).unwrap();
-    let big = Strip::in_air(&big, start, Coefficients::PAPER).unwrap();
+    let small = Strip::in_air(&sheet, START, Coefficients::PAPER)?;
+    let big = Strip::in_air(&big, start, Coefficients::PAPER)?;
     let a = small
-        .simulate(&Request::at([0.5]).unwrap().to_accuracy(1e-9).unwrap())
-        .unwrap()
+        .simulate(&Request::at([0.5])?.to_accuracy(1e-9)?)?
         .rows[0]
         .1;
-    let b = big
-        .simulate(&Request::at([1.0]).unwrap().to_accuracy(1e-9).unwrap())
-        .unwrap()
-        .rows[0]
-        .1;
+    let b = big.simulate(&Request::at([1.0])?.to_accuracy(1e-9)?)?.rows[0].1;
     // Observed: 1e-14 relative.
     assert!((4.0 * a.position[0] - b.position[0]).abs() < 1e-11);
     assert!((4.0 * a.position[1] - b.position[1]).abs() < 1e-11);
+    Ok(())
 }
 
 /// |ω|ω has a kink where the strip turns back, six times in this second: the runs go from one to the next. Without that the error told was 4e-9

@@ -1,6 +1,7 @@
 //! Gravity, restitution and grip, each absent and at its neutral value.
 
 use lab::general::DifferentialEquations;
+use spinning_bodies::Result;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::effects::{Coulomb, Effect, Gravity, Restitution};
 use spinning_bodies::scene::superball::{Bouncing, Superball};
@@ -55,7 +56,7 @@ fn run(scene: &impl Scene<State = Bouncing>) -> Motion<Bouncing> {
 }
 
 #[test]
-fn each_effect_matters_and_fades() {
+fn each_effect_matters_and_fades() -> Result<()> {
     let weight = |g| Effect::from(Gravity::new(g).unwrap());
     let free = run(&ball());
     assert_eq!(free.plan.solver, Solver::Exact);
@@ -64,28 +65,21 @@ fn each_effect_matters_and_fades() {
     assert_eq!(same(&free, &run(&with([weight(0.0)]))), 0.0);
     let losses = |n, t| Effect::from(Restitution::new(n, t).unwrap());
     let scene = with([weight(9.81)]);
-    let dull = run(&scene.with(losses(0.95, 0.7)).unwrap());
+    let dull = run(&scene.with(losses(0.95, 0.7))?);
     assert_eq!(dull.plan.solver, Solver::Events);
     assert!(same(&heavy, &dull) > 0.1);
     // Without losses, followed bounce by bounce: to the bit what the same solver gives without the effect.
     let events = times().by(Choice::Use(Solver::Events));
-    let plain = scene.simulate(&events).unwrap();
-    let neutral = scene
-        .with(losses(1.0, 1.0))
-        .unwrap()
-        .simulate(&events)
-        .unwrap();
+    let plain = scene.simulate(&events)?;
+    let neutral = scene.with(losses(1.0, 1.0))?.simulate(&events)?;
     assert_eq!(same(&plain, &neutral), 0.0);
-    let slippery = run(&scene.with(Coulomb::new(0.05).unwrap()).unwrap());
+    let slippery = run(&scene.with(Coulomb::new(0.05)?)?);
     assert!(same(&heavy, &slippery) > 0.1);
-    let firm = scene
-        .with(Coulomb::new(1e3).unwrap())
-        .unwrap()
-        .simulate(&events)
-        .unwrap();
+    let firm = scene.with(Coulomb::new(1e3)?)?.simulate(&events)?;
     assert_eq!(same(&plain, &firm), 0.0);
     let other = with([losses(0.95, 0.7), weight(9.81)]);
     assert_eq!(same(&dull, &run(&other)), 0.0);
+    Ok(())
 }
 
 /// Bounce by bounce, against the closed form of all of them: the error that is told is not below the true one. Observed: a tenth of it.

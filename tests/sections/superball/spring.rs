@@ -1,6 +1,7 @@
 //! The contact as springs.
 
 use approx::assert_relative_eq;
+use spinning_bodies::Result;
 use spinning_bodies::superball::{Motion, Surface, bounce, spring_bounce};
 use support::observed;
 
@@ -41,19 +42,19 @@ fn contact_by_integration(
 
 // claim: C4.6-14, C4.6-3
 #[test]
-fn s4_6_spring_contact() {
+fn s4_6_spring_contact() -> Result<()> {
     let before = Motion {
         velocity: 1.0,
         rim_speed: 0.3,
     };
     for kappa in [BALL, 2.0 / 3.0, 1.0] {
         let law = bounce(before, Surface::Floor, kappa);
-        let tuned = spring_bounce(before, Surface::Floor, kappa, 1.0).unwrap();
+        let tuned = spring_bounce(before, Surface::Floor, kappa, 1.0)?;
         assert_eq!(tuned.motion, law);
         observed!(tuned.kept_by_spring, 0.0..=1e-31);
         for tuning in [1.0, 0.7, 1.3, 0.0] {
             let (integrated, stretch) = contact_by_integration(before, kappa, tuning, 4000);
-            let closed = spring_bounce(before, Surface::Floor, kappa, tuning).unwrap();
+            let closed = spring_bounce(before, Surface::Floor, kappa, tuning)?;
             // RK4 with 4000 steps; observed 1e-14.
             assert_relative_eq!(
                 closed.motion.velocity,
@@ -79,7 +80,7 @@ fn s4_6_spring_contact() {
             assert_relative_eq!(missing, spring, max_relative = 0.0, epsilon = 1e-13);
         }
         for mistuned in [0.7, 1.3] {
-            let off = spring_bounce(before, Surface::Floor, kappa, mistuned).unwrap();
+            let off = spring_bounce(before, Surface::Floor, kappa, mistuned)?;
             assert!(
                 (off.motion.velocity - law.velocity).abs() > 1e-2,
                 "κ = {kappa}, tuning {mistuned}"
@@ -92,15 +93,12 @@ fn s4_6_spring_contact() {
         rim_speed: -before.rim_speed,
     };
     let (floor, ceiling) = (
-        spring_bounce(mirrored, Surface::Floor, BALL, 0.7)
-            .unwrap()
-            .motion,
-        spring_bounce(before, Surface::Ceiling, BALL, 0.7)
-            .unwrap()
-            .motion,
+        spring_bounce(mirrored, Surface::Floor, BALL, 0.7)?.motion,
+        spring_bounce(before, Surface::Ceiling, BALL, 0.7)?.motion,
     );
     assert_eq!(
         (floor.velocity, floor.rim_speed),
         (ceiling.velocity, -ceiling.rim_speed)
     );
+    Ok(())
 }

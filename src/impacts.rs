@@ -224,6 +224,16 @@ pub struct Strike {
 ///
 /// # Errors
 /// [`Error::NotFinite`] for x, or if the result overflows.
+///
+/// ```
+/// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
+/// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
+/// let meteorite = Meteorite::new(10.0, BodyVector::new(0.0, 2.0, 0.0))?;
+/// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
+/// // (4 + 5)Ω' = 5·2 with the reduced mass of 5 kg.
+/// assert!((hit.omega_after().z() - 10.0 / 9.0).abs() < 1e-15);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn strike(planet: &Planet, meteorite: &Meteorite, at: BodyVector) -> Result<Strike> {
     // ANCHOR: strike
     let at = finite_vector("the point of impact", at)?;

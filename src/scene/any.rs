@@ -63,6 +63,14 @@ impl UnknownColumn {
 
 impl AnyScene {
     /// This scene, telling its usual numbers.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// let table = AnyScene::scene(Box::new(ball)).simulate(&Request::at([2.0])?)?;
+    /// assert_eq!(table.numbers(["velocity"]).unwrap(), [[1.5]]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
         let tellers = Arc::new(S::columns().usual().and(scene.further()));
         let columns: Vec<Column> = tellers.columns().collect();

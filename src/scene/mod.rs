@@ -58,6 +58,15 @@ pub trait Scene {
     ///
     /// # Errors
     /// [`Error::Solver`](crate::Error::Solver) if the solver asked for cannot run this scene.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, Solver, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let top = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?;
+    /// // A free body has a closed form.
+    /// assert_eq!(top.plan(&Request::at([1.0])?)?.solver, Solver::Exact);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn plan(&self, request: &Request) -> Result<Plan>;
 
     /// The motion at the times asked for, with its cost and its ledger.
@@ -65,9 +74,27 @@ pub trait Scene {
     /// # Errors
     /// As for [`plan`](Self::plan); [`Error::Integration`](crate::Error::Integration), [`Error::Accuracy`](crate::Error::Accuracy),
     /// [`Error::Budget`](crate::Error::Budget), [`Error::Ledger`](crate::Error::Ledger).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let top = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?;
+    /// let motion = top.simulate(&Request::at([1.0, 1e6])?)?;
+    /// assert_eq!((motion.rows.len(), motion.rows[1].1.energy), (2, 6.0));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn simulate(&self, request: &Request) -> Result<Motion<Self::State>>;
 
     /// What else can be told of a state.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let top = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?;
+    /// let further = top.further();
+    /// assert!(further.columns().all(|column| !column.usual));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn further(&self) -> Columns<Self::State> {
         Columns::default()
     }
@@ -76,9 +103,20 @@ pub trait Scene {
 /// A state as a row of numbers.
 pub trait Tabulated: Sized + 'static {
     /// The numbers that are told if nobody says which.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::{Tabulated, top::State};
+    /// assert_eq!(State::columns().columns().count(), 8);
+    /// ```
     fn columns() -> Columns<Self>;
 
     /// Those numbers.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Tabulated, top::State}};
+    /// let state = State { attitude: Attitude::identity(), omega: BodyVector::new(1.0, 2.0, 3.0), energy: 4.0 };
+    /// assert_eq!(state.row(), [1.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+    /// ```
     fn row(&self) -> Vec<f64> {
         Self::columns().row(self)
     }

@@ -356,7 +356,13 @@ pub fn prices(title: &str, [price, error]: [&str; 2], curves: &[Curve]) -> Figur
             .collect();
         let ends: Vec<Point> = lines.iter().map(|line| line[line.len() - 1]).collect();
         let wanted: Vec<f64> = ends.iter().map(|end| end[1]).collect();
-        let heights = apart(&wanted, 16.0, bottom);
+        // Half way between names pushed up from below and names pushed down from above, within the frame.
+        let raised = apart(&wanted, 16.0, bottom);
+        let turned: Vec<f64> = wanted.iter().map(|height| -height).collect();
+        let lowered = apart(&turned, 16.0, -44.0);
+        let between = raised.iter().zip(&lowered).map(|(a, b)| 0.5 * (a - b));
+        let mut heights = apart(&between.collect::<Vec<_>>(), 16.0, bottom);
+        uncross(&ends, &mut heights);
         for (k, ((name, _), line)) in curves.iter().zip(&lines).enumerate() {
             let role = if k % 2 == 0 { Role::Ink } else { Role::Muted };
             let style = stroke(role, SECONDARY);
@@ -367,14 +373,41 @@ pub fn prices(title: &str, [price, error]: [&str; 2], curves: &[Curve]) -> Figur
             };
             pen.line(line, style);
             pen.disc(ends[k], 2.6, role, 1.0);
-            let beside = [438.0, heights[k]];
+            let beside = [NAMED, heights[k]];
             pen.line(&[ends[k], beside], stroke(Role::Muted, HAIR).alpha(0.5));
-            pen.text([442.0, heights[k] + 5.0], Anchor::Start, name, small(role));
+            pen.text(
+                [NAMED + 4.0, heights[k] + 5.0],
+                Anchor::Start,
+                name,
+                small(role),
+            );
         }
     });
     curves.into_iter().fold(made, |made, (name, points)| {
         made.data(name, &["price", "error"], points.into_iter().map(Vec::from))
     })
+}
+
+/// Where the names stand.
+const NAMED: f64 = 438.0;
+
+/// Exchanges heights until no leader from an end to its name crosses another: each exchange makes them shorter in all.
+fn uncross(ends: &[Point], heights: &mut [f64]) {
+    let length = |end: &Point, height: f64| (NAMED - end[0]).hypot(height - end[1]);
+    let mut exchanged = true;
+    while exchanged {
+        exchanged = false;
+        for i in 0..ends.len() {
+            for j in 0..i {
+                let [a, b] = [heights[i], heights[j]];
+                let now = length(&ends[i], a) + length(&ends[j], b);
+                if length(&ends[i], b) + length(&ends[j], a) < now - 1e-9 {
+                    heights.swap(i, j);
+                    exchanged = true;
+                }
+            }
+        }
+    }
 }
 
 /// The corners of a staircase: those that no cheaper one is as exact as. What has no error has the rounding of one.
@@ -463,6 +496,28 @@ mod tests {
         assert_eq!(made.data.rows.len(), 6);
         // The line of phi is broken where it goes round: one point is left alone and draws nothing.
         assert!(!made.svg().contains("NaN"));
+    }
+
+    #[test]
+    fn leaders_do_not_cross() {
+        let ends = [
+            [100.0, 200.0],
+            [400.0, 210.0],
+            [250.0, 190.0],
+            [400.0, 205.0],
+        ];
+        let mut heights = [180.0, 230.0, 196.0, 214.0];
+        uncross(&ends, &mut heights);
+        let left_of = |[a, b]: [Point; 2], p: Point| {
+            (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0.0
+        };
+        for i in 0..4 {
+            for j in 0..i {
+                let [one, other] = [i, j].map(|k| [ends[k], [NAMED, heights[k]]]);
+                let splits = |line, [a, b]: [Point; 2]| left_of(line, a) != left_of(line, b);
+                assert!(!(splits(one, other) && splits(other, one)), "{i} {j}");
+            }
+        }
     }
 
     #[test]

@@ -23,8 +23,8 @@ const METHODS: [(&str, Stroke, &str, f64, [f64; 2]); 6] = [
         "moser-veselov-10",
         DISCRETE,
         "Moser and Veselov: ",
-        0.80,
-        [-46.0, 4.0],
+        0.0,
+        [10.0, -2.0],
     ),
 ];
 

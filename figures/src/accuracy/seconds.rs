@@ -20,10 +20,10 @@ const STEPPERS: [(&str, Stroke, Point); 3] = [
     (
         "dormand-prince-8",
         stroke(Role::Ink, DATA).dashed(),
-        [350.0, 22.0],
+        [364.0, 22.0],
     ),
-    ("dop853", stroke(Role::Muted, DATA), [350.0, 48.0]),
-    ("rk4", stroke(Role::Muted, DATA).dotted(), [500.0, 48.0]),
+    ("dop853", stroke(Role::Muted, DATA), [364.0, 48.0]),
+    ("rk4", stroke(Role::Muted, DATA).dotted(), [514.0, 48.0]),
 ];
 
 /// The least time for each error or a smaller one: a staircase's corners.
@@ -87,7 +87,7 @@ pub fn seconds() -> Result<Figure> {
                 let beside = frame.y.at(named);
                 if let Some(&[x, _]) = line(method).iter().rfind(|p| p[1] < beside) {
                     // To the left of its line and to the right of the axis, as high as there is room.
-                    let half = 4.0 * method.len() as f64 + 8.0;
+                    let half = 4.0 * method.len() as f64 + 16.0;
                     let places = (0..60).map(|k| {
                         let left = x - half - 4.0 * f64::from(k / 6);
                         [

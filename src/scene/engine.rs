@@ -436,7 +436,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
         } else {
             1.0
         };
-        let error = greater(share * apart, efforts.floor()) + rounding;
+        let error = greater(share * apart, efforts.floor(better.phases.len())) + rounding;
         if error <= accuracy {
             let mut samples = better.samples;
             samples.truncate(count);
@@ -582,6 +582,8 @@ impl Efforts {
             (Effort::Tolerance(worse), Effort::Tolerance(better)) => {
                 (SHARE * APART * better / worse).min(1.0)
             }
+            // Of a few steps and twice as many rounding may be all that they differ by.
+            (Effort::Tolerance(_), Effort::Step(_)) => 1.0,
             // A fifteenth for order 4.
             _ => 0.25,
         }
@@ -594,10 +596,11 @@ impl Efforts {
         }
     }
 
-    /// Less is never told: two runs of the same few steps agree, and each step may be off by about the tolerance in every number.
-    fn floor(&self) -> f64 {
+    /// Less is never told: where every phase has few steps, two runs of the same steps agree, and each step may be off by about the tolerance in every
+    /// number.
+    fn floor(&self, phases: usize) -> f64 {
         match self.better {
-            Effort::Tolerance(tolerance) => OF_A_STEP * tolerance,
+            Effort::Tolerance(tolerance) => OF_A_STEP.max(phases as f64) * tolerance,
             Effort::Step(_) => 0.0,
         }
     }

@@ -62,27 +62,15 @@ fn scenes(only: &str, of: usize) -> Vec<Judged> {
     })
 }
 
-/// Strata in which one case or two break the promise: runs that agree by chance (four of 6,000 tell less than their error), and tops refused next to
-/// the growth from which on they may be.
-const NOT_YET: &[&str] = &[
-    "Kovalevskaya, nearly upright",
-    "Goryachev",
-    "heavy, upright or hanging",
-    "bearing friction",
-    "tip friction",
-    "paper cat",
-];
+/// Strata in which one case is refused that should not be: next to the growth from which on it may be, or because it grows more on its way than from
+/// its start.
+const NOT_YET: &[&str] = &["bearing friction", "tip friction"];
 
-/// All of them are kept; those that ran have cost no more than three times the cheapest, in the median.
+/// All of them are kept.
 fn keep(all: &[Judged]) {
     let broken = all.iter().any(|judged| !judged.outcome.faults().is_empty());
     println!("{}", verdict::table(all));
     assert!(!broken, "{}", verdict::report(all, 3));
-    let cost = verdict::cost(all);
-    assert!(
-        cost.is_nan() || cost <= 3.0,
-        "the median run costs {cost} times the cheapest"
-    );
 }
 
 /// Part of a stratum's name, to look at it alone.
@@ -100,7 +88,13 @@ fn three_hundred_keep_the_promise() {
 #[test]
 #[ignore = "five thousand: .ci/run"]
 fn every_top_keeps_the_promise() {
-    keep(&tops(&only(), 1));
+    let all = tops(&only(), 1);
+    keep(&all);
+    let cost = verdict::cost(&all);
+    assert!(
+        cost.is_nan() || cost <= 3.0,
+        "the median run costs {cost} times the cheapest"
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The paper cat (tutorial 1.1): a rigid sheet that the air turns over.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
@@ -11,6 +11,9 @@ use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Flow, apart, planned, solved};
 use crate::scene::motion::{Account, ledger};
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
+
+/// What the double nearest to π leaves of it.
+const PI_LEFT: f64 = 1.224_646_799_147_353_2e-16;
 
 /// A paper cat let go: tilt, air and weight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,9 +76,21 @@ impl PaperCat {
         Ok(self)
     }
 
-    /// Fall, velocity, tilt, its rate, loss.
+    /// The way the cat's tilt is counted from: feet down, or exactly upside down if it starts nearer to that.
+    fn rest(&self) -> f64 {
+        if self.tilt.cos() < 0.0 && self.tilt.abs() < TAU {
+            PI.copysign(self.tilt)
+        } else {
+            0.0
+        }
+    }
+
+    /// Fall, velocity, tilt from the resting place, its rate, loss.
     fn first(&self) -> [f64; 5] {
-        [0.0, 0.0, self.tilt, 0.0, 0.0]
+        let rest = self.rest();
+        // π is more than its double.
+        let tilt = (self.tilt - rest) - rest / PI * PI_LEFT;
+        [0.0, 0.0, tilt, 0.0, 0.0]
     }
 
     /// Where the cat first points its feet down, if it does within `time` (s). Observed error: 1e-12.
@@ -84,8 +99,8 @@ impl PaperCat {
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Integration`](crate::Error::Integration).
     pub fn rights_itself(&self, time: f64) -> Result<Option<Righting>> {
         let falling = self.falling(positive("the time to wait", time)?);
-        let side = self.tilt.signum();
-        let upright = move |_: f64, y: &[f64; 5]| side * y[2];
+        let (side, rest) = (self.tilt.signum(), self.rest());
+        let upright = move |_: f64, y: &[f64; 5]| side * (rest + y[2]);
         let leg = Leg {
             system: &|t: f64, y: &[f64; 5]| falling.rate((), t, y),
             kept: Kept::Nothing,
@@ -103,11 +118,15 @@ impl PaperCat {
 
     /// The cat for so long.
     fn falling(&self, last: f64) -> Falling {
-        let Self { cat, air, .. } = *self;
+        let Self { mut cat, air, .. } = *self;
         let g = self.gravity.unwrap_or(0.0).abs();
         let fastest = air.map_or(f64::INFINITY, |air| cat.terminal_speed(air, g));
+        // Upside down the air turns it the other way.
+        if self.rest() != 0.0 {
+            cat.lever = -cat.lever;
+        }
         Falling {
-            cat: *self,
+            cat: Self { cat, ..*self },
             speed: fastest.min(g * last).max(f64::MIN_POSITIVE),
             height: (fastest.min(g * last) * last).max(f64::MIN_POSITIVE),
             pace: (g * cat.lever.abs()).sqrt() / cat.gyration,
@@ -132,8 +151,8 @@ impl Flow<5> for Falling {
     }
 
     fn scales(&self) -> [f64; 5] {
-        // A tilt near π is a small distance from π: the error of a nearly upside-down cat is what counts.
-        let near = (PI - self.cat.tilt.abs()).abs().clamp(1e-8, 1.0);
+        // The error of a cat that balances is judged by its distance from balance.
+        let near = self.cat.first()[2].abs().clamp(1e-8, 1.0);
         [0.1, 0.1, near, near, 0.1]
     }
 
@@ -188,7 +207,16 @@ impl Scene for PaperCat {
             let [fall, velocity] = self.gravity.map_or([0.0; 2], |g| [0.5 * g * t * t, g * t]);
             Ok([fall, velocity, self.tilt, 0.0, 0.0])
         })?;
-        let numbers: Vec<[f64; 5]> = trace.samples.into_iter().map(|((), y)| y).collect();
+        let rest = match plan.solver {
+            Solver::Exact => 0.0,
+            _ => self.rest(),
+        };
+        let stepped = trace.samples.into_iter();
+        let numbers: Vec<[f64; 5]> = stepped
+            .map(|((), [fall, velocity, tilt, rate, lost])| {
+                [fall, velocity, rest + tilt, rate, lost]
+            })
+            .collect();
         let energy = |place: usize| {
             let [fall, velocity, ..] = numbers[place];
             let kinetic = 0.5 * velocity * velocity;

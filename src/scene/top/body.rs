@@ -208,9 +208,9 @@ impl Body {
 
 /// What rounding may have done to a start, several times over: to Ω or L along each axis as parts of the whole, and to the quaternion. Each number
 /// has another part, lest the displacement have the symmetry of the motion.
-pub(super) const DOUBT: [f64; 7] = [8e-15, -6e-15, 7e-15, -4e-15, 5e-15, 3e-15, -4e-15];
+pub(super) const DOUBT: [f64; 7] = [2e-14, -1.5e-14, 1.8e-14, -1e-14, 1.2e-14, 8e-15, -1e-14];
 /// Of what a motion makes of such a displacement, this much is told.
-pub(super) const DOUBTED: f64 = 0.2;
+pub(super) const DOUBTED: f64 = 0.1;
 
 /// How a top starts: its attitude, and Ω or L along the body's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]

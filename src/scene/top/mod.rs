@@ -26,7 +26,6 @@ pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFr
 use super::engine::{greater, to_accuracy};
 use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver, balanced};
 use crate::error::{Error, Result};
-use crate::euler_equations::Integrability;
 use crate::integrators::Cost;
 
 use equations::Turning;
@@ -35,34 +34,17 @@ use ledger::Conserved;
 /// What steps where there is no closed form.
 const ORDER_EIGHT: Solver = Solver::Geometric(Geometric::DormandPrince8);
 
-/// Kovalevskaya's closed form is for times of at least so many radians of the pace: preparing it takes as long as an order 8 run of that
-/// length, 0.3 ms.
-const KOVALEVSKAYA_FROM: f64 = 200.0;
+/// At so many of the times asked for a closed form is compared with that from a start beside.
+const OF_THE_TIMES: usize = 8;
 
 impl Top {
-    /// The plan: the closed form wherever there is one, Kovalevskaya's only for long runs; otherwise order 8. Or what was asked for by name.
-    fn planned(
-        &self,
-        request: &Request,
-        kind: Integrability,
-    ) -> Result<(Plan, Option<ClosedForm>)> {
+    /// The plan: the closed form wherever there is one, otherwise order 8; or what was asked for by name.
+    fn planned(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
         let resisting: Vec<&str> = self.resisting().collect();
         let stepped = |reason: String| Ok((Plan::new(ORDER_EIGHT, reason), None));
         match request.choice() {
             Choice::Auto if !resisting.is_empty() => {
                 stepped(format!("{}: no closed form", resisting.join(" and ")))
-            }
-            Choice::Auto if matches!(kind, Integrability::Kovalevskaya(_)) => {
-                if self.pace()? * request.furthest().abs() < KOVALEVSKAYA_FROM {
-                    let reason = "a run so short that it costs less than preparing the closed form";
-                    return stepped(reason.to_owned());
-                }
-                match self.closed_form() {
-                    Ok(Some(closed)) => {
-                        Ok((Plan::new(Solver::Exact, closed.reason()), Some(closed)))
-                    }
-                    _ => stepped(NEAR_A_DOUBLE_ROOT.to_owned()),
-                }
             }
             Choice::Auto => match self.closed_form()? {
                 Some(closed) => Ok((Plan::new(Solver::Exact, closed.reason()), Some(closed))),
@@ -95,8 +77,7 @@ impl Scene for Top {
     type State = State;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let conserved = Conserved::of(&self.body, self.lever(), &self.start)?;
-        Ok(self.planned(request, conserved.kind)?.0)
+        Ok(self.planned(request)?.0)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
@@ -121,7 +102,7 @@ impl Top {
     /// The motion as the principal axes see it.
     fn along_principal_axes(&self, request: &Request) -> Result<Motion<State>> {
         let conserved = Conserved::of(&self.body, self.lever(), &self.start)?;
-        let (plan, closed) = self.planned(request, conserved.kind)?;
+        let (plan, closed) = self.planned(request)?;
         let Some(closed) = closed else {
             return self.stepped(plan, request, &conserved);
         };
@@ -148,7 +129,7 @@ impl Top {
     ) -> Result<Motion<State>> {
         let times = request.times();
         let angle = self.pace()? * request.furthest().abs();
-        let doubted = self.doubted(closed, request.furthest())?;
+        let doubted = self.doubted(closed, request)?;
         let error = closed.rounding(request.furthest(), angle) + body::DOUBTED * doubted;
         if error > request.accuracy() {
             return Err(Error::Amplified {
@@ -170,9 +151,9 @@ impl Top {
         })
     }
 
-    /// How far a start that rounding cannot tell from this one gets from it by the last of the times, or one of those before. Closed forms that take what is
+    /// How far a start that rounding cannot tell from this one gets from it by the last of the times, or by some of the others. Closed forms that take what is
     /// given before anything is rounded have no such doubt; what has been turned to the principal axes is rounded.
-    fn doubted(&self, closed: &ClosedForm, last: f64) -> Result<f64> {
+    fn doubted(&self, closed: &ClosedForm, request: &Request) -> Result<f64> {
         if closed.is_exact() && self.body.own.is_none() {
             return Ok(0.0);
         }
@@ -181,7 +162,10 @@ impl Top {
             return Ok(0.0);
         };
         let fastest = self.start.omega(self.body.moments)?.norm();
-        let some = [0.25, 0.55, 0.8, 1.0].map(|part| part * last);
+        let times = request.times();
+        let every = times.len().div_ceil(OF_THE_TIMES).max(1);
+        let others = times.iter().copied().step_by(every);
+        let some: Vec<f64> = others.chain([request.furthest()]).collect();
         let budget = Budget::unlimited();
         let mut here = Vec::with_capacity(some.len());
         closed.each(&some, &budget, |_, attitude, omega| {

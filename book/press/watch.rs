@@ -72,6 +72,8 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
         let stale = changed.iter().find(|file| is_compiled_in(root, file));
 
         let start = Instant::now();
+        // Read before the pages: what is told of an example is on its page, even if the file is saved again meanwhile.
+        let fresh = examples_of_all(root);
         let outcome = bind(root, folder, drawings).and_then(|_| {
             say(&format!(
                 "{first}: printed again in {:.1} s\n",
@@ -81,7 +83,7 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
                 let file = name(file);
                 say(&format!("{file}: is compiled in; run again for what it draws and computes\n"))?;
             }
-            let fresh = examples_of_all(root)?;
+            let fresh = fresh?;
             for (chapter, _) in fresh.iter().filter(|(name, code)| examples[*name] != **code) {
                 say(&format!(
                     "book/src/{chapter}.md: an example changed; `cargo test -p book --doc -- {chapter}` computes it\n"

@@ -307,7 +307,6 @@ impl TruncatedFluid {
     /// assert!((fluid.energy() - energy).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    // ANCHOR: advance
     pub fn advance(&mut self, step: f64) -> Result<()> {
         finite("the step", step)?;
         let (half, of_rounding) = (C::new(0.5, 0.0), self.size as f64 * f64::EPSILON);
@@ -344,7 +343,6 @@ impl TruncatedFluid {
             value: step,
         })
     }
-    // ANCHOR_END: advance
 }
 
 /// |m|².

@@ -270,7 +270,6 @@ fn unpack(y: &[f64; 6]) -> TopState {
     }
 }
 
-// ANCHOR: classify
 pub(crate) fn classify(i: [f64; 3], lever: BodyVector) -> Integrability {
     let c = lever.components();
     if c.iter().all(|&c| c == 0.0) {
@@ -293,4 +292,3 @@ pub(crate) fn classify(i: [f64; 3], lever: BodyVector) -> Integrability {
     }
     Integrability::None
 }
-// ANCHOR_END: classify

@@ -8,7 +8,7 @@ use crate::error::{Error, Result, finite};
 /// The mesh of an STL file, with words or binary. Corners with the same coordinates are one vertex.
 ///
 /// # Errors
-/// [`Error::AtPlace`] for a corner whose coordinates are no numbers.
+/// [`Error::AtPlace`] for a corner whose coordinates are no numbers, [`Error::Empty`] for a text without a triangle.
 ///
 /// ```
 /// use spinning_bodies::inertia::mesh::mesh_of_stl;
@@ -28,12 +28,20 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
         let corner = |corner: &[u8]| [0, 4, 8].map(|k| f64::from(coordinate(&corner[k..k + 4])));
         corners.map(|at| checked(corner(at))).collect()
     } else {
+        // Lines mean nothing here: a file may have but one. What the solid is called stands before its first facet.
         let text = String::from_utf8_lossy(bytes);
-        let corners = text
-            .lines()
-            .filter_map(|line| line.trim().strip_prefix("vertex"));
-        corners.map(coordinates).collect()
+        let mut words = text.split_whitespace().skip_while(|word| *word != "facet");
+        let mut corners = Vec::new();
+        while words.any(|word| word == "vertex") {
+            corners.push(coordinates(words.by_ref()));
+        }
+        corners
     };
+    if corners.is_empty() {
+        return Err(Error::Empty {
+            quantity: "the list of triangles",
+        });
+    }
     let mut known = HashMap::new();
     let mut vertices = Vec::new();
     let mut indices = Vec::new();
@@ -70,7 +78,7 @@ pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
     for line in text.lines() {
         let line = line.trim();
         if let Some(vertex) = line.strip_prefix("v ") {
-            vertices.push(at_place(vertices.len(), coordinates(vertex))?);
+            vertices.push(at_place(vertices.len(), coordinates(vertex.split_whitespace()))?);
         } else if let Some(face) = line.strip_prefix("f ") {
             // Numbers count from 1, or backward from the vertex before.
             let index = |corner: &str| match corner.split('/').next()?.parse::<i64>().ok()? {
@@ -91,8 +99,7 @@ pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
     Ok((vertices, triangles))
 }
 
-fn coordinates(words: &str) -> Result<[f64; 3]> {
-    let mut words = words.split_whitespace();
+fn coordinates<'a>(mut words: impl Iterator<Item = &'a str>) -> Result<[f64; 3]> {
     let mut next = || {
         words
             .next()

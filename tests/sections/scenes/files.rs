@@ -576,7 +576,9 @@ fn a_mesh_is_read_from_its_file() {
     let open = |name: &str| match name {
         "box.obj" => Ok(obj.clone().into_bytes()),
         "box.stl" => Ok(words.clone().into_bytes()),
+        "one line.stl" => Ok(words.replace('\n', " ").into_bytes()),
         "binary.STL" => Ok(binary.clone()),
+        "empty.stl" => Ok(b"solid vertex 0 0 0".to_vec()),
         "bad.obj" => Ok(b"v 0 0 zero\n".to_vec()),
         "open.obj" => Ok(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec()),
         "far.obj" => Ok(b"v 0 0 0\nf 1 2 3\n".to_vec()),
@@ -588,7 +590,7 @@ fn a_mesh_is_read_from_its_file() {
             "[body]\nmass = 2\nshape = \"mesh\"\nfile = \"{name}\"\n[initial]\nomega = [1, 1, 1]\n[effects]\ngravity = 1\n[run]\ntimes = [0]\n"
         )
     };
-    for name in ["box.obj", "box.stl", "binary.STL"] {
+    for name in ["box.obj", "box.stl", "one line.stl", "binary.STL"] {
         let (scene, request) = parse_with("mine.toml", &file(name), &open).unwrap();
         let names = ["lx", "ly", "lz"];
         let table = scene.telling(&names).unwrap().simulate(&request).unwrap();
@@ -600,7 +602,7 @@ fn a_mesh_is_read_from_its_file() {
         }
     }
     for name in [
-        "none.obj", "box.txt", "bad.obj", "open.obj", "far.obj", "face.obj", "",
+        "none.obj", "box.txt", "bad.obj", "open.obj", "far.obj", "face.obj", "empty.stl", "",
     ] {
         let told = parse_with("mine.toml", &file(name), &open)
             .unwrap_err()

@@ -4,10 +4,8 @@
 
 use num_rational::Ratio;
 use spinning_bodies::scene::effects::Gravity;
-use spinning_bodies::scene::superball::Superball;
-use spinning_bodies::scene::{Request, Scene};
-use spinning_bodies::superball::flight::InFlight;
-use spinning_bodies::superball::{Motion, UnderTable};
+use spinning_bodies::scene::{Request, Scene, Superball};
+use spinning_bodies::superball::{InFlight, Motion, UnderTable};
 
 fn main() -> spinning_bodies::Result<()> {
     // In units of the first speed; κ = 2/5 is a homogeneous ball.

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 use core::fmt::Write as _;
 
 use nalgebra::{Isometry3, Matrix3, Vector3};
-use spinning_bodies::scene::sight::{Around, Sight, Solid};
+use spinning_bodies::scene::{Around, Sight, Solid};
 
 use crate::Figure;
 use crate::finish::short;

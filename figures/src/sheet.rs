@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use spinning_bodies::Result;
-use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
-use spinning_bodies::rolling::factor;
-use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
+use spinning_bodies::rolling::{
+    Coulomb, Course, Happening, Load, Moment, Sheet, SheetSpeeds, factor,
+};
 
 use crate::plot::Axis;
 use crate::style::{

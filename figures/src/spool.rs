@@ -3,8 +3,7 @@
 use core::f64::consts::PI;
 
 use spinning_bodies::Result;
-use spinning_bodies::rolling::RoundBody;
-use spinning_bodies::rolling::spool::{Spool, Tug, Way};
+use spinning_bodies::rolling::{RoundBody, Spool, Tug, Way};
 
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,

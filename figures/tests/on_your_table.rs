@@ -4,8 +4,7 @@ use std::collections::HashSet;
 
 use figures::on_your_table::{Paper, sheets};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
-use spinning_bodies::inertia::mesh::{Mesh, mesh_of_stl};
-use spinning_bodies::inertia::mesh_mass_properties;
+use spinning_bodies::inertia::{Mesh, mesh_mass_properties, mesh_of_stl};
 use spinning_bodies::scene::contact::TableTop;
 use spinning_bodies::scene::effects::{Gravity, Regularised};
 use spinning_bodies::scene::{Request, Scene};

@@ -18,7 +18,7 @@ use std::time::Instant;
 use nalgebra::Matrix3;
 use parry3d_f64::mass_properties::MassProperties as Parry;
 use shared::only_tested;
-use spinning_bodies::inertia::{InertiaMatrix, mesh, mesh_mass_properties, principal_axes_of};
+use spinning_bodies::inertia::{InertiaMatrix, icosphere, mesh_mass_properties, principal_axes_of};
 use support::Uniform;
 
 mod shared;
@@ -60,7 +60,7 @@ fn meshes() -> spinning_bodies::Result<()> {
     );
     for levels in [4, 6, 8] {
         for offset in [0.0, 1e6] {
-            let (mut vertices, triangles) = mesh::icosphere(levels, 1.0)?;
+            let (mut vertices, triangles) = icosphere(levels, 1.0)?;
             for vertex in &mut vertices {
                 *vertex = [
                     vertex[0] + offset,

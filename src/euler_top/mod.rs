@@ -26,7 +26,7 @@ mod motion;
 mod poinsot;
 mod preparation;
 pub mod stability;
-pub mod symmetric;
+mod symmetric;
 pub mod toutatis;
 
 pub use batch::{Ensemble, Release, released_states};

@@ -44,7 +44,7 @@ impl SymmetricTop {
     /// [`Error::TriangleInequality`] if I₃ > 2I₁ by more than four units in the last place, which no body has (2.4).
     ///
     /// ```
-    /// use spinning_bodies::euler_top::symmetric::SymmetricTop;
+    /// use spinning_bodies::euler_top::SymmetricTop;
     /// assert_eq!(SymmetricTop::new(1.0, 1.5)?.axial(), 1.5);
     /// // No body: I₃ > 2I₁.
     /// assert!(SymmetricTop::new(1.0, 2.5).is_err());
@@ -81,7 +81,7 @@ impl SymmetricTop {
     /// I₃, kg m².
     ///
     /// ```
-    /// use spinning_bodies::euler_top::symmetric::SymmetricTop;
+    /// use spinning_bodies::euler_top::SymmetricTop;
     /// assert_eq!(SymmetricTop::new(1.0, 1.5)?.axial(), 1.5);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -92,7 +92,7 @@ impl SymmetricTop {
     /// Oblate, spherical or prolate.
     ///
     /// ```
-    /// use spinning_bodies::euler_top::symmetric::{Shape, SymmetricTop};
+    /// use spinning_bodies::euler_top::{Shape, SymmetricTop};
     /// assert_eq!(SymmetricTop::new(1.0, 1.5)?.shape(), Shape::Oblate);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -105,7 +105,7 @@ impl SymmetricTop {
     /// The difference of the moments is taken exactly: one unit in the last place, however nearly spherical the body is.
     ///
     /// ```
-    /// use spinning_bodies::euler_top::symmetric::SymmetricTop;
+    /// use spinning_bodies::euler_top::SymmetricTop;
     /// // A thrown plate, I₃ = 2I₁: as fast as it spins, seen from the plate.
     /// assert_eq!(SymmetricTop::new(1.0, 2.0)?.wobble_rate(3.0), 3.0);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -119,7 +119,7 @@ impl SymmetricTop {
     /// Infinite for a spherical top and for one that does not spin. Two units in the last place.
     ///
     /// ```
-    /// use spinning_bodies::euler_top::symmetric::SymmetricTop;
+    /// use spinning_bodies::euler_top::SymmetricTop;
     /// assert_eq!(SymmetricTop::new(1.0, 1.5)?.wobble_period(2.0), 2.0 * std::f64::consts::PI);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -135,7 +135,7 @@ impl SymmetricTop {
     /// What is not finite, or overflows as an angle, gives components that are not.
     ///
     /// ```
-    /// use spinning_bodies::{euler_top::symmetric::SymmetricTop, frame::BodyVector};
+    /// use spinning_bodies::{euler_top::SymmetricTop, frame::BodyVector};
     /// let top = SymmetricTop::new(1.0, 2.0)?;
     /// let start = BodyVector::new(0.1, 0.0, std::f64::consts::PI);
     /// // Half a turn of the plate, half a turn of Ω about its axis.
@@ -161,7 +161,7 @@ impl SymmetricTop {
     /// [`Error::NotFinite`] if Ω or t is not, or an angle overflows.
     ///
     /// ```
-    /// use spinning_bodies::{euler_top::symmetric::SymmetricTop, frame::BodyVector};
+    /// use spinning_bodies::{euler_top::SymmetricTop, frame::BodyVector};
     /// use spinning_bodies::frame::Attitude;
     /// // About its axis it simply spins.
     /// let attitude = SymmetricTop::new(1.0, 1.5)?.attitude_at(BodyVector::new(0.0, 0.0, 2.0), 0.7)?;
@@ -200,7 +200,7 @@ impl SymmetricTop {
     /// Rate at which the axis of symmetry circles L, seen from space: |L|/I₁, rad/s (6.5). Two units in the last place.
     ///
     /// ```
-    /// use spinning_bodies::{euler_top::symmetric::SymmetricTop, frame::BodyVector};
+    /// use spinning_bodies::{euler_top::SymmetricTop, frame::BodyVector};
     /// // A plate thrown almost flat wobbles twice as fast as it spins.
     /// let rate = SymmetricTop::new(1.0, 2.0)?.axis_rate_in_space(BodyVector::new(1e-9, 0.0, 3.0));
     /// assert!((rate - 6.0).abs() < 1e-15);
@@ -224,7 +224,7 @@ impl SymmetricTop {
     /// [`Error::NotFinite`], [`Error::ZeroVector`] for Ω.
     ///
     /// ```
-    /// use spinning_bodies::{euler_top::symmetric::SymmetricTop, frame::BodyVector};
+    /// use spinning_bodies::{euler_top::SymmetricTop, frame::BodyVector};
     /// // L = (1, 0, 1.5) for Ω = (1, 0, 1).
     /// let cones = SymmetricTop::new(1.0, 1.5)?.cones(BodyVector::new(1.0, 0.0, 1.0))?;
     /// assert!((cones.nutation - (1.0_f64 / 1.5).atan()).abs() < 1e-15);

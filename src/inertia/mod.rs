@@ -29,7 +29,7 @@
 mod body;
 mod ellipsoid;
 mod matrix;
-pub mod mesh;
+mod mesh;
 mod moments;
 mod motion;
 mod platonic;
@@ -40,7 +40,7 @@ pub mod shapes;
 pub use body::MassProperties;
 pub use ellipsoid::ellipsoid_of_inertia;
 pub use matrix::InertiaMatrix;
-pub use mesh::mesh_mass_properties;
+pub use mesh::{Mesh, icosphere, mesh_mass_properties, mesh_of_obj, mesh_of_stl};
 pub use moments::PrincipalMoments;
 pub use motion::{AngularMomentumSplit, EnergySplit, RigidMotion};
 pub use platonic::PlatonicSolid;

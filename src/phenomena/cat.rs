@@ -1,11 +1,4 @@
 //! The falling cat: two cylinders joined so that they cannot twist against each other (tutorial 1.1).
-//!
-//! Shape: the angle γ between the halves, and the direction ψ around the spine into which they bend. The relative rotation is
-//! R = exp(γ b(ψ)) with b perpendicular to the spine. Bend, carry the bend once round, unbend: the cat has its old shape, has had no
-//! angular momentum at any time, and lies the other way up.
-//!
-//! [`Cat`] takes any two halves and any path of shapes, and solves L = 0 for the angular velocity. [`EqualHalves`] is the case with a closed form:
-//! the bisector of the two spines then keeps its direction in space, and the cat is a swivel in disguise.
 
 use core::f64::consts::TAU;
 
@@ -66,7 +59,7 @@ impl Bend {
     /// The attitude of the second half against the first.
     ///
     /// ```
-    /// use spinning_bodies::{frame::Attitude, phenomena::cat::Bend};
+    /// use spinning_bodies::{frame::Attitude, phenomena::Bend};
     /// let bend = Bend { angle: 0.5, ..Bend::default() };
     /// assert!((bend.relative().angle_to(&Attitude::identity()) - 0.5).abs() < 1e-15);
     /// ```
@@ -77,6 +70,13 @@ impl Bend {
 }
 
 /// A cat of two halves. Its body axes are those of the first half: x along the spine towards the joint.
+///
+/// Shape: the angle γ between the halves, and the direction ψ around the spine into which they bend. The relative rotation is
+/// R = exp(γ b(ψ)) with b perpendicular to the spine. Bend, carry the bend once round, unbend: the cat has its old shape, has had no
+/// angular momentum at any time, and lies the other way up.
+///
+/// [`Cat`] takes any two halves and any path of shapes, and solves L = 0 for the angular velocity. [`EqualHalves`] is the case with a closed form:
+/// the bisector of the two spines then keeps its direction in space, and the cat is a swivel in disguise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cat {
     halves: [Half; 2],
@@ -89,7 +89,7 @@ impl Cat {
     /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::TriangleInequality`] for moments that no body has.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::cat::{Cat, Half};
+    /// use spinning_bodies::phenomena::{Cat, Half};
     /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
     /// assert!(Cat::new([half; 2]).is_ok());
     /// assert!(Cat::new([half, Half { axial: 0.07, ..half }]).is_err());
@@ -114,7 +114,7 @@ impl Cat {
     /// The halves.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::cat::{Cat, Half};
+    /// use spinning_bodies::phenomena::{Cat, Half};
     /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
     /// let cat = Cat::new([half; 2])?;
     /// assert_eq!(cat.halves()[1], half);
@@ -133,7 +133,7 @@ impl Cat {
     /// Place of the joint and of the two halves' centres from the common centre of mass, m, along the first half's axes.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::cat::{Bend, Cat, Half};
+    /// use spinning_bodies::phenomena::{Bend, Cat, Half};
     /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
     /// let (cat, straight) = (Cat::new([half; 2])?, Bend::default());
     /// let [joint, front, rear] = cat.places(&straight);
@@ -156,7 +156,7 @@ impl Cat {
     /// Summed over the halves: each its own moments, and its mass at its place. This is what the ledger of a fall records.
     ///
     /// ```
-    /// use spinning_bodies::{frame::BodyVector, phenomena::cat::{Bend, Cat, Half}};
+    /// use spinning_bodies::{frame::BodyVector, phenomena::{Bend, Cat, Half}};
     /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
     /// let (cat, straight) = (Cat::new([half; 2])?, Bend::default());
     /// // A straight cat about its spine: twice the moment of a half.
@@ -187,7 +187,7 @@ impl Cat {
     /// [`Error::NotFinite`] for a shape that is none.
     ///
     /// ```
-    /// use spinning_bodies::{frame::BodyVector, phenomena::cat::{Bend, Cat, Half}};
+    /// use spinning_bodies::{frame::BodyVector, phenomena::{Bend, Cat, Half}};
     /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
     /// let (cat, straight) = (Cat::new([half; 2])?, Bend::default());
     /// let omega = cat.angular_velocity(&straight, BodyVector::new(0.02, 0.0, 0.0))?;
@@ -259,7 +259,7 @@ impl EqualHalves {
     /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::TriangleInequality`].
     ///
     /// ```
-    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// use spinning_bodies::phenomena::EqualHalves;
     /// assert!(EqualHalves::new(0.02, 0.02).is_ok() && EqualHalves::new(0.05, 0.02).is_err());
     /// ```
     pub fn new(axial: f64, transverse: f64) -> Result<Self> {
@@ -296,7 +296,7 @@ impl EqualHalves {
     /// f(γ): how far the frame of the bend turns in space a radian of ψ.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// use spinning_bodies::phenomena::EqualHalves;
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
     /// // cos(γ/2) for halves as round as balls.
     /// assert!((cat.frame_turn(1.0) - 0.5_f64.cos()).abs() < 1e-15);
@@ -314,7 +314,7 @@ impl EqualHalves {
     /// [`Error::OutOfRange`] for γ outside 0…π.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// use spinning_bodies::phenomena::EqualHalves;
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
     /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
     /// // Two right angles for a bend of two thirds of them.
@@ -329,7 +329,7 @@ impl EqualHalves {
     /// c = a/(√(1 + a(a − 1)) + 1), in J/I, which is at most 2.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// use spinning_bodies::phenomena::EqualHalves;
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
     /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
     /// assert!((cat.half_turn_bend() - third).abs() < 1e-15);
@@ -348,7 +348,7 @@ impl EqualHalves {
     /// [`Error::OutOfRange`] for bends outside 0…π.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// use spinning_bodies::phenomena::EqualHalves;
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
     /// // An even swing is one of them.
     /// assert!((cat.turn_of_uneven_swing(1.0, 1.0)? - cat.turn_per_swing(1.0)?).abs() < 1e-14);
@@ -369,7 +369,7 @@ impl EqualHalves {
     /// [`Error::OutOfRange`] for a bend outside 0…π.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::cat::EqualHalves;
+    /// use spinning_bodies::phenomena::EqualHalves;
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
     /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
     /// assert!((cat.back_bend_for_half_turn(third)?.unwrap() - third).abs() < 1e-13);

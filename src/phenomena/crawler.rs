@@ -40,7 +40,7 @@ impl Strokes {
     /// Duration of a cycle, s.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::crawler::Strokes;
+    /// use spinning_bodies::phenomena::Strokes;
     /// let strokes = Strokes { gap: 0.1, length: 0.05, push: 0.2, pull: 0.3 };
     /// assert_eq!(strokes.cycle(), 0.5);
     /// ```
@@ -151,7 +151,7 @@ impl Crawler {
     /// [`NotPositive`](crate::Error::NotPositive), [`NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
-    /// use spinning_bodies::phenomena::crawler::{Crawler, Strokes};
+    /// use spinning_bodies::phenomena::{Crawler, Strokes};
     /// let strokes = Strokes { gap: 0.1, length: 0.05, push: 0.2, pull: 0.3 };
     /// assert!(Crawler::new(1.0, 2.0, strokes).is_ok() && Crawler::new(0.0, 2.0, strokes).is_err());
     /// ```

@@ -1,8 +1,4 @@
 //! The geometric phase: turning by going round a loop of shapes (tutorial 1.1).
-//!
-//! A body whose shape has two coordinates, x and an angle ψ, and which turns about one line by θ′ = −a(x) ψ′ when it has no angular
-//! momentum. Along a closed path of shapes the turn is −∮ a dψ: a line integral that knows no time. By Stokes' theorem it is an area,
-//! −∬ a′(x) dx dψ, with the curvature a′ as density. Where the curvature is zero, as for the [slide on ice](super::ice), no loop moves anything.
 
 use core::f64::consts::TAU;
 
@@ -10,11 +6,15 @@ use super::quadrature::{integral, periodic};
 use crate::error::{Result, finite};
 
 /// A shape plane (x, ψ) and the law by which the body turns back when ψ grows.
+///
+/// A body whose shape has two coordinates, x and an angle ψ, and which turns about one line by θ′ = −a(x) ψ′ when it has no angular
+/// momentum. Along a closed path of shapes the turn is −∮ a dψ: a line integral that knows no time. By Stokes' theorem it is an area,
+/// −∬ a′(x) dx dψ, with the curvature a′ as density. Where the curvature is zero, as for the [slide on ice](super::feet), no loop moves anything.
 pub trait ShapePlane {
     /// a(x): radians of turn lost a radian of ψ.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::{cat::EqualHalves, holonomy::ShapePlane};
+    /// use spinning_bodies::phenomena::{EqualHalves, ShapePlane};
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
     /// assert!((cat.turn_back(1.0) - (1.0 - 0.5_f64.cos())).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -24,7 +24,7 @@ pub trait ShapePlane {
     /// a′(x): the curvature, density of the turn over the plane, with respect to dx dψ.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::{cat::EqualHalves, holonomy::ShapePlane};
+    /// use spinning_bodies::phenomena::{EqualHalves, ShapePlane};
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
     /// assert!((cat.curvature(1.0) - 0.5 * 0.5_f64.sin()).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -56,7 +56,7 @@ pub enum Hub {
 /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if 2^16 points do not settle it.
 ///
 /// ```
-/// use spinning_bodies::phenomena::{cat::EqualHalves, holonomy::{Step, turn_along}};
+/// use spinning_bodies::phenomena::{EqualHalves, Step, turn_along};
 /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
 /// // The bend carried once round: half a turn.
 /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
@@ -81,7 +81,7 @@ pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result
 /// As [`turn_along`].
 ///
 /// ```
-/// use spinning_bodies::phenomena::{cat::EqualHalves, holonomy::{Hub, Step, turn_within}};
+/// use spinning_bodies::phenomena::{EqualHalves, Hub, Step, turn_within};
 /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
 /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
 /// let turn = turn_within(&cat, |s| Step { shape: [third, s], rate: [0.0, 1.0] }, Hub::Pole)?;

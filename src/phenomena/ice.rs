@@ -21,7 +21,7 @@ pub struct Part {
 /// [`Error::Empty`] without parts; [`Error::NotPositive`] for a mass; [`Error::NotFinite`].
 ///
 /// ```
-/// use spinning_bodies::phenomena::ice::{Part, feet};
+/// use spinning_bodies::phenomena::{Part, feet};
 /// // The upper part leans a metre to the right, the feet go to the left of a centre that stays.
 /// let parts = [Part { mass: 1.0, from_feet: [0.0, 0.0] }, Part { mass: 3.0, from_feet: [1.0, 0.0] }];
 /// assert_eq!(feet(&parts, [0.0, 0.0])?, [-0.75, 0.0]);
@@ -77,7 +77,7 @@ impl Wriggler {
     /// A wriggler of this seed, at rest: masses of 5 to 15 kg on a circle of radius 0.5 m, muscles at 2 to 8 rad/s.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::ice::Wriggler;
+    /// use spinning_bodies::phenomena::Wriggler;
     /// assert_eq!(Wriggler::random(7), Wriggler::random(7));
     /// ```
     pub fn random(seed: u64) -> Self {
@@ -118,7 +118,7 @@ impl Wriggler {
     /// The state at time 0: at rest.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::ice::Wriggler;
+    /// use spinning_bodies::phenomena::Wriggler;
     /// // At rest: the second half of the numbers are velocities.
     /// assert!(Wriggler::random(7).start()[12..].iter().all(|&rate| rate == 0.0));
     /// ```
@@ -129,7 +129,7 @@ impl Wriggler {
     /// The centre of mass, m.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::ice::Wriggler;
+    /// use spinning_bodies::phenomena::Wriggler;
     /// let body = Wriggler::random(7);
     /// // It starts within its own circle of half a metre.
     /// let [x, y] = body.center(body.start());

@@ -1,26 +1,31 @@
 //! Strange rotational phenomena (tutorial 1.1): what a body does to itself when nothing else acts on it.
 //!
-//! | module | question | answer |
+//! | type | question | answer |
 //! |---|---|---|
-//! | [`ice`] | can you slide? | no: the centre of mass stays, and a closed cycle of shapes brings the feet back |
-//! | [`crawler`] | and with friction? | yes: stick on the slow stroke, slip on the fast one |
+//! | [`Wriggler`], [`feet`] | can you slide? | no: the centre of mass stays, and a closed cycle of shapes brings the feet back |
+//! | [`Crawler`] | and with friction? | yes: stick on the slow stroke, slip on the fast one |
 //! | [`Waist`], [`Swivel`] | can you swivel? | yes: twist with the arms out, untwist with the arms in |
-//! | [`cat`] | how does a cat turn over? | bend, swing the bend once round, unbend |
-//! | [`skater`] | what does pulling in the arms do? | the spin grows, and the arms do the work |
+//! | [`Cat`], [`EqualHalves`] | how does a cat turn over? | bend, swing the bend once round, unbend |
+//! | [`Skater`] | what does pulling in the arms do? | the spin grows, and the arms do the work |
 //! | [`PaperCat`] | and a cat of paper? | the air turns it |
 //!
 //! One idea holds swivel, cat and skater together. The rate of turning is θ′ = L/I − a(x) ψ′: what the angular momentum does, which
 //! takes time, and what the change of shape does, which takes none. The second part, summed along a path of shapes, is a geometric
-//! phase: it depends on the path and not on the pace, and for a closed path it is an area ([`holonomy`]).
+//! phase: it depends on the path and not on the pace, and for a closed path it is an area ([`ShapePlane`]).
 
-pub mod cat;
-pub mod crawler;
-pub mod holonomy;
-pub mod ice;
+mod cat;
+mod crawler;
+mod holonomy;
+mod ice;
 mod paper_cat;
 pub mod quadrature;
-pub mod skater;
+mod skater;
 mod waist;
 
+pub use cat::{Bend, Cat, EqualHalves, Half};
+pub use crawler::{Crawler, Foot, Gap, Leg, Strokes};
+pub use holonomy::{Hub, ShapePlane, Step, turn_along, turn_within};
+pub use ice::{PARTS, Part, Wriggler, feet};
 pub use paper_cat::PaperCat;
+pub use skater::Skater;
 pub use waist::{Swivel, Waist};

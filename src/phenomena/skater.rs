@@ -17,7 +17,7 @@ impl Skater {
     /// [`Error::NotFinite`](crate::Error::NotFinite) for both.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::skater::Skater;
+    /// use spinning_bodies::phenomena::Skater;
     /// assert!(Skater::new(1.0, 2.0).is_ok() && Skater::new(0.0, 2.0).is_err());
     /// ```
     pub fn new(core: f64, hand: f64) -> Result<Self> {
@@ -44,7 +44,7 @@ impl Skater {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the hands have no mass.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::skater::Skater;
+    /// use spinning_bodies::phenomena::Skater;
     /// let skater = Skater::new(1.0, 2.0)?;
     /// // 1 + 2·2·1² kg m².
     /// assert_eq!(skater.reach(5.0)?, 1.0);
@@ -62,7 +62,7 @@ impl Skater {
     /// Angular velocity, rad/s, at angular momentum `l` (kg m²/s) with the hands at this distance: Ω = L/I.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::skater::Skater;
+    /// use spinning_bodies::phenomena::Skater;
     /// let skater = Skater::new(1.0, 2.0)?;
     /// assert_eq!(skater.spin(10.0, 1.0), 2.0);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -78,7 +78,7 @@ impl Skater {
     /// [`Error::NotFinite`](crate::Error::NotFinite) if it overflows.
     ///
     /// ```
-    /// use spinning_bodies::phenomena::skater::Skater;
+    /// use spinning_bodies::phenomena::Skater;
     /// let skater = Skater::new(1.0, 2.0)?;
     /// // ½L²(½ − ⅕).
     /// assert!((skater.work(10.0, 1.0, 0.5)? - 15.0).abs() < 1e-14);
@@ -111,7 +111,7 @@ impl Skater {
     /// Kinetic energy, J, of turning and of the hands' motion along the arms: IΩ²/2 + m r′².
     ///
     /// ```
-    /// use spinning_bodies::phenomena::skater::Skater;
+    /// use spinning_bodies::phenomena::Skater;
     /// let skater = Skater::new(1.0, 2.0)?;
     /// assert_eq!(skater.energy(2.0, 1.0, 0.5), 10.5);
     /// # Ok::<(), spinning_bodies::Error>(())

@@ -1,15 +1,8 @@
 //! From event to event: a round body under dry friction, rolling resistance, a steady pull and a moving sheet.
-//!
-//! Per mass, with friction f, the couple m of rolling resistance, a pull p along the table and its moment q about the centre:
-//! V' = p + f and κ(RΩ)' = q + m − f. As long as the contact slips one way, or sticks, all of these are constants; so positions
-//! are quadratics in time, and the times at which something changes are roots of linear and quadratic equations.
 
-use super::moment::State;
+use super::moment::{Contact, Happening, Load, Moment, State};
 use super::stretch::{Hold, Laws, Stretch};
 use crate::error::{Error, Result, finite};
-
-pub use super::friction::{Coulomb, RollingResistance};
-pub use super::moment::{Contact, Happening, Load, Moment};
 
 /// What happened, and when.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +16,10 @@ pub struct Event {
 }
 
 /// A motion from event to event, whole.
+///
+/// Per mass, with friction f, the couple m of rolling resistance, a pull p along the table and its moment q about the centre:
+/// V' = p + f and κ(RΩ)' = q + m − f. As long as the contact slips one way, or sticks, all of these are constants; so positions
+/// are quadratics in time, and the times at which something changes are roots of linear and quadratic equations.
 #[derive(Debug, Clone)]
 pub struct Course {
     stretches: Vec<Stretch>,
@@ -45,7 +42,7 @@ impl Course {
     /// [`Error::Integration`] after a million events.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
+    /// use spinning_bodies::rolling::{Coulomb, Course, Load, Moment};
     /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
     /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
     /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
@@ -110,7 +107,7 @@ impl Course {
     /// The body at the time `t` (s), 0 up to the end of the course; outside, the nearest of the two stretches is continued.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
+    /// use spinning_bodies::rolling::{Coulomb, Course, Load, Moment};
     /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
     /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
     /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
@@ -124,7 +121,7 @@ impl Course {
     /// From the sheet's edge to the point of contact at the time `t` (s), m; negative: the body is off the sheet. None without a sheet.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
+    /// use spinning_bodies::rolling::{Coulomb, Course, Load, Moment};
     /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
     /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
     /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
@@ -145,7 +142,7 @@ impl Course {
     /// What happens, in order.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
+    /// use spinning_bodies::rolling::{Coulomb, Course, Load, Moment};
     /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
     /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
     /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
@@ -159,7 +156,7 @@ impl Course {
     /// The first of a kind.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
+    /// use spinning_bodies::rolling::{Coulomb, Course, Happening, Load, Moment};
     /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
     /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
     /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;

@@ -18,7 +18,7 @@ impl Coulomb {
     /// [`Error::NotFinite`], [`Error::Negative`].
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::Coulomb;
+    /// use spinning_bodies::rolling::Coulomb;
     /// assert!(Coulomb::new(0.2).is_ok());
     /// assert!(Coulomb::new(-0.2).is_err());
     /// ```
@@ -32,7 +32,7 @@ impl Coulomb {
     /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::Condition`] if the grip is less than the sliding friction.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::Coulomb;
+    /// use spinning_bodies::rolling::Coulomb;
     /// assert!(Coulomb::with_grip(0.2, 0.3).is_ok());
     /// // What holds worse than it slips is no contact.
     /// assert!(Coulomb::with_grip(0.3, 0.2).is_err());
@@ -76,7 +76,7 @@ impl RollingResistance {
     /// [`Error::NotFinite`], [`Error::Negative`].
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::RollingResistance;
+    /// use spinning_bodies::rolling::RollingResistance;
     /// assert!(RollingResistance::new(0.01).is_ok() && RollingResistance::new(-0.01).is_err());
     /// ```
     pub fn new(arm: f64) -> Result<Self> {

@@ -3,13 +3,13 @@
 //! Velocity is positive in the direction of travel, and spin is positive when the body turns the way it would roll. Spin is
 //! given as *rim speed* RΩ, so that rolling means velocity = rim speed and the contact point slips at velocity − rim speed.
 //!
-//! | paragraph | module | what it computes |
+//! | paragraph | type | what it computes |
 //! |---|---|---|
-//! | 4.3 | [`shot`] | the blow of a cue, and the sliding that ends in rolling |
-//! | 4.3 | [`plane`] | the same on the whole cloth: the massé shot |
-//! | 4.3–4.5 | [`course`] | friction, rolling resistance, a pull, a moving sheet: closed forms from event to event |
-//! | 4.4 | [`spool`] | which way a spool rolls, what "gently" means, where it lifts off |
-//! | 4.5 | [`sheet`] | a sheet withdrawn in any manner |
+//! | 4.3 | [`RoundBody`], [`Shot`], [`SlideToRoll`] | the blow of a cue, and the sliding that ends in rolling |
+//! | 4.3 | [`InPlane`], [`Slide`] | the same on the whole cloth: the massé shot |
+//! | 4.3–4.5 | [`Course`] | friction, rolling resistance, a pull, a moving sheet: closed forms from event to event |
+//! | 4.4 | [`Spool`], [`Tug`] | which way a spool rolls, what "gently" means, where it lifts off |
+//! | 4.5 | [`Sheet`], [`SheetSpeeds`] | a sheet withdrawn in any manner |
 //!
 //! ```
 //! use spinning_bodies::rolling::{RoundBody, factor};
@@ -19,14 +19,19 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
-pub mod course;
+mod course;
 mod friction;
 pub(crate) mod moment;
-pub mod plane;
-pub mod sheet;
-pub mod shot;
-pub mod spool;
+mod plane;
+mod sheet;
+mod shot;
+mod spool;
 pub(crate) mod stretch;
 
-pub use friction::painleve_friction;
+pub use course::{Course, Event};
+pub use friction::{Coulomb, RollingResistance, painleve_friction};
+pub use moment::{Contact, Happening, Load, Moment};
+pub use plane::{InPlane, Slide};
+pub use sheet::{Sheet, SheetSpeeds};
 pub use shot::{Regime, RoundBody, Shot, SlideToRoll, factor, slide_to_roll};
+pub use spool::{Spool, Tug, Way};

@@ -28,7 +28,7 @@ impl Load {
     /// Weight alone, for gravity g (m/s²).
     ///
     /// ```
-    /// assert_eq!(spinning_bodies::rolling::course::Load::weight(9.81).reaction, 9.81);
+    /// assert_eq!(spinning_bodies::rolling::Load::weight(9.81).reaction, 9.81);
     /// ```
     pub const fn weight(gravity: f64) -> Self {
         Self {
@@ -64,7 +64,7 @@ impl Moment {
     /// At rest at the origin.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::Moment;
+    /// use spinning_bodies::rolling::Moment;
     /// assert_eq!(Moment::at_rest().energy(0.4), 0.0);
     /// ```
     pub const fn at_rest() -> Self {
@@ -75,7 +75,7 @@ impl Moment {
     /// the two, set it.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::Moment;
+    /// use spinning_bodies::rolling::Moment;
     /// assert_eq!(Moment::moving(3.0, 1.0).slip, 2.0);
     /// ```
     pub const fn moving(velocity: f64, rim_speed: f64) -> Self {
@@ -115,7 +115,7 @@ impl Moment {
     /// Kinetic energy per mass, ½(V² + κ(RΩ)²), J/kg.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::Moment;
+    /// use spinning_bodies::rolling::Moment;
     /// assert_eq!(Moment::moving(3.0, 1.0).energy(0.5), 4.75);
     /// ```
     pub fn energy(&self, kappa: f64) -> f64 {
@@ -125,7 +125,7 @@ impl Moment {
     /// Angular momentum about the line of contact over MR: V + κRΩ, m/s. No friction changes it.
     ///
     /// ```
-    /// use spinning_bodies::rolling::course::Moment;
+    /// use spinning_bodies::rolling::Moment;
     /// assert_eq!(Moment::moving(3.0, 1.0).about_the_table(0.5), 3.5);
     /// ```
     pub fn about_the_table(&self, kappa: f64) -> f64 {

@@ -1,7 +1,4 @@
 //! Sliding in any direction over the cloth (tutorial 4.3, out of its plane): the massé shot.
-//!
-//! The slip u = V − W, with W the rim's velocity (rolling: W = V), keeps its direction while it dies, because friction acts against it
-//! on both V and W. So friction is a constant vector, and the path is a parabola that ends in a straight line.
 
 use super::shot::RoundBody;
 use crate::error::{Result, finite, positive};
@@ -16,6 +13,9 @@ pub struct InPlane {
 }
 
 /// A slide over the cloth and the rolling that follows.
+///
+/// The slip u = V − W, with W the rim's velocity (rolling: W = V), keeps its direction while it dies, because friction acts against it
+/// on both V and W. So friction is a constant vector, and the path is a parabola that ends in a straight line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slide {
     start: InPlane,
@@ -30,7 +30,7 @@ impl InPlane {
     /// Velocity of the contact point over the cloth, V − W.
     ///
     /// ```
-    /// use spinning_bodies::rolling::plane::InPlane;
+    /// use spinning_bodies::rolling::InPlane;
     /// assert_eq!(InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] }.slip(), [7.0, -7.0]);
     /// ```
     pub fn slip(&self) -> [f64; 2] {
@@ -42,7 +42,7 @@ impl RoundBody {
     /// The velocity that a ball ends up rolling with: (V + κW)/(1+κ), m/s, whatever rubs it in whatever manner (4.3, 4.5).
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
     /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// let [x, y] = ball.eventual_velocity(&start);
@@ -62,7 +62,7 @@ impl RoundBody {
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
     /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// let slide = ball.slide_in_plane(start, 0.2, 10.0)?;
@@ -101,7 +101,7 @@ impl Slide {
     /// When rolling begins, s.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
     /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// assert!((ball.slide_in_plane(start, 0.2, 10.0)?.time() - 2.0_f64.sqrt()).abs() < 1e-15);
@@ -114,7 +114,7 @@ impl Slide {
     /// The velocity of rolling, m/s.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
     /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// let [x, y] = ball.slide_in_plane(start, 0.2, 10.0)?.rolling();
@@ -128,7 +128,7 @@ impl Slide {
     /// Place of the centre, m, and the motion, at a time (s, 0 or later) since the stroke.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor, plane::InPlane};
+    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
     /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// let slide = ball.slide_in_plane(start, 0.2, 10.0)?;

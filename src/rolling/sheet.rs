@@ -1,7 +1,4 @@
 //! A ball on a sheet that is withdrawn from under it (tutorial 4.5): it stops dead.
-//!
-//! All friction acts along lines in the table, so about a point of the table it has no moment: V + κRΩ stays zero whatever the hand does.
-//! A ball that rolls has V = RΩ, and both are zero.
 
 use super::friction::Coulomb;
 use super::shot::RoundBody;
@@ -22,7 +19,7 @@ impl SheetSpeeds {
     /// [`Error::Empty`]; [`Error::NotFinite`]; [`Error::Condition`] unless the times start at 0 and never go back.
     ///
     /// ```
-    /// use spinning_bodies::rolling::sheet::SheetSpeeds;
+    /// use spinning_bodies::rolling::SheetSpeeds;
     /// assert_eq!(SheetSpeeds::through([(0.0, 0.0), (1.0, 2.0), (3.0, 0.0)])?.at(2.0), 1.0);
     /// assert!(SheetSpeeds::through([(1.0, 2.0), (0.0, 0.0)]).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -59,7 +56,7 @@ impl SheetSpeeds {
     /// As [`Self::through`].
     ///
     /// ```
-    /// use spinning_bodies::rolling::sheet::SheetSpeeds;
+    /// use spinning_bodies::rolling::SheetSpeeds;
     /// let speeds = SheetSpeeds::ramp(2.0, 1.0)?;
     /// assert_eq!((speeds.at(0.5), speeds.at(7.0)), (1.0, 2.0));
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -71,7 +68,7 @@ impl SheetSpeeds {
     /// The speed at a time, m/s; at a jerk the one after it.
     ///
     /// ```
-    /// use spinning_bodies::rolling::sheet::SheetSpeeds;
+    /// use spinning_bodies::rolling::SheetSpeeds;
     /// assert_eq!(SheetSpeeds::ramp(2.0, 4.0)?.at(1.0), 0.5);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -90,7 +87,7 @@ impl SheetSpeeds {
     /// The points.
     ///
     /// ```
-    /// use spinning_bodies::rolling::sheet::SheetSpeeds;
+    /// use spinning_bodies::rolling::SheetSpeeds;
     /// assert_eq!(SheetSpeeds::through([(0.0, 0.0), (1.0, 2.0)])?.points().len(), 2);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -100,6 +97,9 @@ impl SheetSpeeds {
 }
 
 /// A sheet under the ball, its edge behind the ball.
+///
+/// All friction acts along lines in the table, so about a point of the table it has no moment: V + κRΩ stays zero whatever the hand does.
+/// A ball that rolls has V = RΩ, and both are zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {
     friction: Coulomb,
@@ -114,7 +114,7 @@ impl Sheet {
     /// [`Error::NotPositive`], [`Error::NotFinite`] for the margin.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{course::Coulomb, sheet::{Sheet, SheetSpeeds}};
+    /// use spinning_bodies::rolling::{Coulomb, Sheet, SheetSpeeds};
     /// let speeds = SheetSpeeds::ramp(2.0, 1.0)?;
     /// assert!(Sheet::new(Coulomb::new(0.3)?, speeds, 0.5).is_ok());
     /// # Ok::<(), spinning_bodies::Error>(())

@@ -1,13 +1,13 @@
 //! The spool whose string is tugged (tutorial 4.4): about the point of contact friction has no moment, and the tug's decides.
-//!
-//! The string leaves the axle from below; the tug has tension T at the angle θ above the horizontal, 0 towards +x. Its moment about
-//! the centre is −rT at every angle, about the point of contact T(R cos θ − r), and the sign of that is the way the spool rolls.
 
-use super::course::{Coulomb, Course, Load, Moment, RollingResistance};
 use super::shot::RoundBody;
+use super::{Coulomb, Course, Load, Moment, RollingResistance};
 use crate::error::{Result, not_negative, positive, within};
 
 /// A spool on a table: discs of the radius of a [`RoundBody`] and a thinner axle between them.
+///
+/// The string leaves the axle from below; the tug has tension T at the angle θ above the horizontal, 0 towards +x. Its moment about
+/// the centre is −rT at every angle, about the point of contact T(R cos θ − r), and the sign of that is the way the spool rolls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spool {
     body: RoundBody,
@@ -39,7 +39,7 @@ impl Tug {
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative); [`Error::OutOfRange`](crate::Error::OutOfRange) for the angle.
     ///
     /// ```
-    /// use spinning_bodies::rolling::spool::Tug;
+    /// use spinning_bodies::rolling::Tug;
     /// assert!(Tug::new(1.2, 0.5).is_ok() && Tug::new(1.2, 4.0).is_err());
     /// ```
     pub fn new(tension: f64, angle: f64) -> Result<Self> {
@@ -52,7 +52,7 @@ impl Tug {
     /// Tension, N.
     ///
     /// ```
-    /// use spinning_bodies::rolling::spool::Tug;
+    /// use spinning_bodies::rolling::Tug;
     /// assert_eq!(Tug::new(1.2, 0.5)?.tension(), 1.2);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -63,7 +63,7 @@ impl Tug {
     /// Angle above the horizontal, rad.
     ///
     /// ```
-    /// use spinning_bodies::rolling::spool::Tug;
+    /// use spinning_bodies::rolling::Tug;
     /// assert_eq!(Tug::new(1.2, 0.5)?.angle(), 0.5);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -84,7 +84,7 @@ impl Spool {
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the axle.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
+    /// use spinning_bodies::rolling::{RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!(spool.ratio(), 0.5);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -100,7 +100,7 @@ impl Spool {
     /// What rolls.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
+    /// use spinning_bodies::rolling::{RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!(spool.body().mass(), 2.0);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -112,7 +112,7 @@ impl Spool {
     /// r/R, dimensionless.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
+    /// use spinning_bodies::rolling::{RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!(spool.ratio(), 0.5);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -124,7 +124,7 @@ impl Spool {
     /// The tug's moment about the centre, −rT, N m, the same at every angle; positive the way of rolling forward (4.4).
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tug = Tug::new(1.2, 0.0)?;
     /// assert_eq!(spool.moment_about_centre(tug), -0.6);
@@ -137,7 +137,7 @@ impl Spool {
     /// The tug's moment about the point of contact, T(R cos θ − r), N m (4.4): friction has none there.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tug = Tug::new(1.2, 0.0)?;
     /// assert_eq!(spool.moment_about_contact(tug), 0.6);
@@ -150,7 +150,7 @@ impl Spool {
     /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; none if r > R (4.4).
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
+    /// use spinning_bodies::rolling::{RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert!((spool.critical_angle().unwrap() - std::f64::consts::FRAC_PI_3).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -165,7 +165,7 @@ impl Spool {
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) outside 0…π.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Way}};
+    /// use spinning_bodies::rolling::{RoundBody, Spool, Way};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!((spool.way(1.0)?, spool.way(1.1)?), (Way::WindsUp, Way::PaysOut));
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -182,7 +182,7 @@ impl Spool {
     /// Acceleration while it rolls, T(cos θ − r/R)/(M(1+κ)), m/s², positive along +x (4.4).
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tug = Tug::new(1.2, 0.0)?;
     /// assert!((spool.rolling_acceleration(tug) - 0.2).abs() < 1e-16);
@@ -198,7 +198,7 @@ impl Spool {
     /// Friction on the spool while it rolls, −T(r/R + κ cos θ)/(1+κ), N, positive along +x (4.4).
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tug = Tug::new(1.2, 0.0)?;
     /// // Tug and friction together make it roll: 1.2 N − 0.8 N = 2 kg · 0.2 m/s².
@@ -217,7 +217,7 @@ impl Spool {
     /// Reaction of the table, Mg − T sin θ, N; negative: the spool is in the air.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// // Straight up.
     /// let tug = Tug::new(5.0, std::f64::consts::FRAC_PI_2)?;
@@ -235,7 +235,7 @@ impl Spool {
     /// As [`Self::way`]; [`Error::Negative`](crate::Error::Negative) for μ; [`Error::NotPositive`](crate::Error::NotPositive) for g.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
+    /// use spinning_bodies::rolling::{RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// // f = T/1.5 at most 0.2 · 20 N.
     /// assert!((spool.largest_gentle_tension(0.0, 0.2, 10.0)? - 6.0).abs() < 1e-14);
@@ -255,7 +255,7 @@ impl Spool {
     /// As [`Self::way`]; [`Error::NotPositive`](crate::Error::NotPositive) for g.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
+    /// use spinning_bodies::rolling::{RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!(spool.lift_off_tension(std::f64::consts::FRAC_PI_2, 10.0)?, 20.0);
     /// assert_eq!(spool.lift_off_tension(0.0, 10.0)?, f64::INFINITY);
@@ -274,7 +274,7 @@ impl Spool {
     /// As [`Self::way`].
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
+    /// use spinning_bodies::rolling::{RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// // Straight up, from the side of the axle.
     /// assert!((spool.foot_of_the_line(std::f64::consts::FRAC_PI_2)? - 0.5).abs() < 1e-15);
@@ -291,7 +291,7 @@ impl Spool {
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction: the tug lifts the spool.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
+    /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tug = Tug::new(1.2, 0.0)?;
     /// let load = spool.load(tug, 10.0)?;
@@ -318,8 +318,7 @@ impl Spool {
     /// As [`Self::load`] and [`Course::new`].
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
-    /// use spinning_bodies::rolling::course::Coulomb;
+    /// use spinning_bodies::rolling::{Coulomb, RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tug = Tug::new(1.2, 0.0)?;
     /// let course = spool.course(tug, 10.0, Some(Coulomb::new(0.3)?), None, 2.0)?;
@@ -344,8 +343,7 @@ impl Spool {
     /// Length of string on the axle since the start, m, from what the rim has turned: positive is wound up.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::Spool};
-    /// use spinning_bodies::rolling::course::Moment;
+    /// use spinning_bodies::rolling::{Moment, RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let moment = Moment { turned: 0.4, ..Moment::at_rest() };
     /// assert_eq!(spool.wound(&moment), 0.2);
@@ -358,8 +356,7 @@ impl Spool {
     /// Speed of the hand along the tug, V cos θ − (r/R)RΩ, m/s; T times this is the power of the tug (4.4).
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, spool::{Spool, Tug}};
-    /// use spinning_bodies::rolling::course::Moment;
+    /// use spinning_bodies::rolling::{Moment, RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tug = Tug::new(1.2, 0.0)?;
     /// // Rolling at 0.4 m/s, it winds up half of that.

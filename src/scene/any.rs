@@ -16,7 +16,7 @@ type Simulation = dyn Fn(&Request, &[usize]) -> Result<Table>;
 ///
 /// ```
 /// use spinning_bodies::rolling::{RoundBody, factor};
-/// use spinning_bodies::scene::{AnyScene, Request, effects::Coulomb, roller::Roller};
+/// use spinning_bodies::scene::{AnyScene, Request, Roller, effects::Coulomb};
 ///
 /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.4, 0.0)?;
 /// let scene = AnyScene::scene(Box::new(ball.with(Coulomb::new(0.2)?)?));
@@ -65,7 +65,7 @@ impl AnyScene {
     /// This scene, telling its usual numbers.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
     /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
     /// let table = AnyScene::scene(Box::new(ball)).simulate(&Request::at([2.0])?)?;
     /// assert_eq!(table.numbers(["velocity"]).unwrap(), [[1.5]]);
@@ -104,7 +104,7 @@ impl AnyScene {
     /// What it can tell: the usual numbers first.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Roller}};
     /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// assert!(scene.columns().iter().any(|column| column.name == "velocity" && column.unit == "m/s"));
@@ -117,7 +117,7 @@ impl AnyScene {
     /// What it tells, in the order of a row.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Roller}};
     /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// assert!(scene.told().all(|column| column.usual));
@@ -133,7 +133,7 @@ impl AnyScene {
     /// The first name that is none.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
     /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.telling(&["velocity"]).unwrap().simulate(&Request::at([2.0])?)?;
@@ -161,7 +161,7 @@ impl AnyScene {
     /// As for [`Scene::simulate`].
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
     /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
@@ -221,7 +221,7 @@ impl Table {
     /// If there are not so many rows.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
     /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
@@ -235,7 +235,7 @@ impl Table {
     /// All rows, in the order asked for.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
     /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
@@ -249,7 +249,7 @@ impl Table {
     /// A number that is none, with its column and its time (s).
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
     /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
@@ -270,7 +270,7 @@ impl Table {
     /// The first name that is no column of the table.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
     /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;

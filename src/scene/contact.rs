@@ -37,7 +37,7 @@ use crate::conservation::{Law, Ledger};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System};
-use crate::rolling::course::Coulomb;
+use crate::rolling::Coulomb;
 use crate::tippe_top::equations::{Contact, NUMBERS, Numbers, Pose, Table, numbers};
 use crate::tippe_top::flight::{Flight, TakeOff};
 use crate::tippe_top::{ConvexBody, Friction, Resistance, Start};

@@ -8,9 +8,9 @@ use crate::error::{Error, Result, finite, not_negative, within};
 pub use super::shape::path::{Draw, FourPhases, Pace, RoundTrip, Turnover};
 pub use crate::falling_strip::{AddedMass, Drag, Lift, RotationalDamping};
 pub use crate::impacts::Impact;
-pub use crate::rolling::course::{Coulomb, RollingResistance};
-pub use crate::rolling::sheet::Sheet;
-pub use crate::rolling::spool::Tug;
+pub use crate::rolling::Sheet;
+pub use crate::rolling::Tug;
+pub use crate::rolling::{Coulomb, RollingResistance};
 pub use crate::superball::Restitution;
 pub use crate::tippe_top::{NoSlip, Regularised, Resistance, Viscous};
 

@@ -1,7 +1,4 @@
 //! The scene `meteorite` (tutorial 4.2): a planet flies and turns freely, a meteorite strikes at time 0 and sticks, and the two fly on as one body.
-//!
-//! It takes one effect, an [`Impact`], with recoil and the meteorite's own share of the inertia. The two are one rigid body that turns about an
-//! axis which is no principal axis of it: after the blow the planet wobbles, as Euler's top does, and its centre circles the common centre of mass.
 
 use nalgebra::UnitQuaternion;
 
@@ -18,6 +15,9 @@ use crate::inertia::MassProperties;
 use crate::integrators::Cost;
 
 /// A planet in free flight whose axes point along those of space at time 0, when its centre is at the origin.
+///
+/// It takes one effect, an [`Impact`], with recoil and the meteorite's own share of the inertia. The two are one rigid body that turns about an
+/// axis which is no principal axis of it: after the blow the planet wobbles, as Euler's top does, and its centre circles the common centre of mass.
 #[derive(Debug, Clone, Copy)]
 pub struct StruckPlanet {
     planet: Planet,
@@ -28,7 +28,7 @@ impl StruckPlanet {
     /// The planet left alone.
     ///
     /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::Planet, scene::{Request, Scene, meteorite::StruckPlanet}};
+    /// use spinning_bodies::{frame::BodyVector, impacts::Planet, scene::{Request, Scene, StruckPlanet}};
     /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::new(0.0, 0.0, 1.0))?;
     /// let motion = StruckPlanet::new(planet).simulate(&Request::at([5.0])?)?;
     /// assert_eq!(motion.rows[0].1.omega.z(), 1.0);
@@ -47,7 +47,7 @@ impl StruckPlanet {
     /// [`Error::Effect`] for any other effect.
     ///
     /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::{Impact, Meteorite, Planet}, scene::{Request, Scene, meteorite::StruckPlanet}};
+    /// use spinning_bodies::{frame::BodyVector, impacts::{Impact, Meteorite, Planet}, scene::{Request, Scene, StruckPlanet}};
     /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::new(0.0, 0.0, 1.0))?;
     /// let meteorite = Meteorite::new(10.0, BodyVector::new(0.0, 3.0, 0.0))?;
     /// let impact = Impact { meteorite, at: BodyVector::new(1.0, 0.0, 0.0) };

@@ -6,17 +6,17 @@
 //! what the scene conserves, or may only lose, and by how much it failed to. A ledger that does not balance is an error.
 //! With the feature `scene-files`, scenes come from texts: `scene::files`.
 //!
-//! | kind | tutorial | module |
+//! | kind | tutorial | what it is |
 //! |---|---|---|
-//! | [`StruckPlanet`](meteorite::StruckPlanet) | 4.2 | [`meteorite`]: a planet, struck |
-//! | [`Roller`](roller::Roller) | 4.3, 4.5 | [`roller`]: a ball on a table, after the cue or on a sheet |
-//! | [`TuggedSpool`](spool::TuggedSpool) | 4.4 | [`spool`]: a spool and its string |
-//! | [`Superball`](superball::Superball) | 4.6 | [`superball`]: bounces |
-//! | [`Swivel`](shape::Swivel), [`Skater`](shape::Skater), [`Cat`](shape::Cat), [`Crawler`](shape::Crawler), [`PaperCat`](shape::PaperCat) | 1.1 | [`shape`]: bodies that change their shape |
-//! | [`Top`](top::Top) | 6, 7, 8 | [`top`]: a body with a fixed point: free, under gravity, with friction |
-//! | [`Play`](yo_yo::Play) | 4.9 | [`yo_yo`]: down, turn or sleep, and up again |
-//! | [`Strip`](strip::Strip) | 4.10 | [`strip`]: a strip of paper in the air, or in a vacuum |
-//! | [`TableTop`](contact::TableTop) | 4.7 | [`contact`]: sliding, rolling, hopping |
+//! | [`StruckPlanet`] | 4.2 | a planet, struck |
+//! | [`Roller`] | 4.3, 4.5 | a ball on a table, after the cue or on a sheet |
+//! | [`TuggedSpool`] | 4.4 | a spool and its string |
+//! | [`Superball`] | 4.6 | bounces |
+//! | [`Swivel`](shape::Swivel), [`Skater`](shape::Skater), [`Cat`](shape::Cat), [`Crawler`](shape::Crawler), [`PaperCat`](shape::PaperCat) | 1.1 | in [`shape`]: bodies that change their shape |
+//! | [`Top`](top::Top) | 6, 7, 8 | in [`top`]: a body with a fixed point: free, under gravity, with friction |
+//! | [`Play`] | 4.9 | down, turn or sleep, and up again |
+//! | [`Strip`] | 4.10 | a strip of paper in the air, or in a vacuum |
+//! | [`TableTop`](contact::TableTop) | 4.7 | in [`contact`]: sliding, rolling, hopping |
 
 mod any;
 mod budget;
@@ -26,23 +26,30 @@ pub mod effects;
 mod engine;
 #[cfg(feature = "scene-files")]
 pub mod files;
-pub mod meteorite;
+mod meteorite;
 mod motion;
 mod plan;
-pub mod roller;
+mod roller;
 pub mod shape;
-pub mod sight;
-pub mod spool;
-pub mod strip;
-pub mod superball;
+mod sight;
+mod spool;
+mod strip;
+mod superball;
 pub mod top;
-pub mod yo_yo;
+mod yo_yo;
 
 pub use any::{AnyScene, Table, UnknownColumn};
 pub use budget::Progress;
 pub use columns::{Column, Columns};
+pub use meteorite::{Flying, StruckPlanet};
 pub use motion::{Motion, Request, balanced};
 pub use plan::{Choice, Geometric, Plan, Solver, UnknownSolver};
+pub use roller::{Roller, Rolling};
+pub use sight::{Around, Look, Sight, Solid, Told};
+pub use spool::{Spooling, TuggedSpool};
+pub use strip::{Strip, StripStart, StripState};
+pub use superball::{Bouncing, Superball};
+pub use yo_yo::{Phase, Play, YoYoState};
 
 pub(crate) use budget::Budget;
 pub(crate) use plan::only_for_tops;

@@ -1,26 +1,4 @@
 //! The scene `roller` (tutorial 4.3 and 4.5): a round body on a table, after the cue or on a sheet that is withdrawn.
-//!
-//! | effect | what it does |
-//! |---|---|
-//! | [`Coulomb`] | rubs against the slip on the table, until the body rolls |
-//! | [`RollingResistance`] | a couple against the turning, until it rests |
-//! | [`Sheet`] | a moving ground under the body, until its edge has passed |
-//!
-//! Without any of them it glides and turns as it started. Between events every velocity is linear in time, so the plan is the
-//! [`Course`]: closed forms from event to event. The equations are here for those who ask for a solver that steps.
-//!
-//! ```
-//! use spinning_bodies::rolling::{RoundBody, factor};
-//! use spinning_bodies::scene::effects::Coulomb;
-//! use spinning_bodies::scene::{Request, Scene, roller::Roller};
-//!
-//! let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
-//! let drawn = Roller::new(ball, 9.81, 1.0, -4.0)?.with(Coulomb::new(0.2)?)?;
-//! let motion = drawn.simulate(&Request::at([5.0])?)?;
-//! let rolls = &motion.rows[0].1.moment;
-//! assert!((rolls.velocity - (1.0 - 0.4 * 4.0) / 1.4).abs() < 1e-15); // it comes back
-//! # Ok::<(), spinning_bodies::Error>(())
-//! ```
 
 use super::columns::Columns;
 use super::effects::Effect;
@@ -31,13 +9,35 @@ use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::{Law, Ledger};
 use crate::error::{Result, finite, positive};
 use crate::integrators::Cost;
-use crate::rolling::course::{Coulomb, Course, Load, Moment, RollingResistance};
+use crate::rolling::Sheet;
 use crate::rolling::moment::State;
-use crate::rolling::sheet::Sheet;
 use crate::rolling::stretch::{Laws, Stretch};
+use crate::rolling::{Coulomb, Course, Load, Moment, RollingResistance};
 use crate::rolling::{RoundBody, Shot};
 
 /// A round body on a level table.
+///
+/// | effect | what it does |
+/// |---|---|
+/// | [`Coulomb`] | rubs against the slip on the table, until the body rolls |
+/// | [`RollingResistance`] | a couple against the turning, until it rests |
+/// | [`Sheet`] | a moving ground under the body, until its edge has passed |
+///
+/// Without any of them it glides and turns as it started. Between events every velocity is linear in time, so the plan is the
+/// [`Course`]: closed forms from event to event. The equations are here for those who ask for a solver that steps.
+///
+/// ```
+/// use spinning_bodies::rolling::{RoundBody, factor};
+/// use spinning_bodies::scene::effects::Coulomb;
+/// use spinning_bodies::scene::{Request, Roller, Scene};
+///
+/// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+/// let drawn = Roller::new(ball, 9.81, 1.0, -4.0)?.with(Coulomb::new(0.2)?)?;
+/// let motion = drawn.simulate(&Request::at([5.0])?)?;
+/// let rolls = &motion.rows[0].1.moment;
+/// assert!((rolls.velocity - (1.0 - 0.4 * 4.0) / 1.4).abs() < 1e-15); // it comes back
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Roller {
     body: RoundBody,
@@ -55,7 +55,7 @@ impl Roller {
     /// [`Error::NotPositive`](crate::Error::NotPositive) for gravity; [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Scene, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Roller, Scene}};
     /// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
     /// // Without friction it keeps its velocity.
     /// let motion = Roller::new(ball, 10.0, 7.0, 0.0)?.simulate(&Request::at([2.0])?)?;
@@ -82,7 +82,7 @@ impl Roller {
     /// As [`Self::new`].
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Scene, effects::Coulomb, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Roller, Scene, effects::Coulomb}};
     /// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
     /// let struck = Roller::after(&ball.strike(1.0, 7.0)?, 10.0)?.with(Coulomb::new(0.2)?)?;
     /// let motion = struck.simulate(&Request::at([2.0])?)?;
@@ -101,7 +101,7 @@ impl Roller {
     /// [`Error::Effect`](crate::Error::Effect) for any other effect.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Scene, effects::Coulomb, roller::Roller}};
+    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Roller, Scene, effects::Coulomb}};
     /// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
     /// let sliding = Roller::new(ball, 10.0, 7.0, 0.0)?.with(Coulomb::new(0.2)?)?;
     /// let motion = sliding.simulate(&Request::at([0.5])?)?;

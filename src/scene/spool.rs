@@ -1,33 +1,32 @@
 //! The scene `spool` (tutorial 4.4): a spool on a table, tugged at its string.
-//!
-//! | effect | what it does |
-//! |---|---|
-//! | [`Tug`](super::effects::Tug) | a steady pull at the string, which winds or unwinds |
-//! | [`Coulomb`] | holds the contact, or rubs if the tug is too hard |
-//! | [`RollingResistance`] | a couple against the turning |
-//!
-//! ```
-//! use spinning_bodies::rolling::{RoundBody, spool::Spool};
-//! use spinning_bodies::scene::effects::{Coulomb, Tug};
-//! use spinning_bodies::scene::{Request, Scene, spool::TuggedSpool};
-//!
-//! let spool = Spool::new(RoundBody::new(0.2, 0.05, 0.5)?, 0.02)?;
-//! let tugged = TuggedSpool::new(spool, 9.81)?.with(Coulomb::new(0.5)?)?.with(Tug::new(0.3, 0.5)?)?;
-//! let motion = tugged.simulate(&Request::at([1.0])?)?;
-//! assert!(motion.rows[0].1.wound > 0.0); // a low tug winds up
-//! # Ok::<(), spinning_bodies::Error>(())
-//! ```
 
 use super::columns::Columns;
 use super::effects::Effect;
 use super::roller::{ENERGIES, OnTable, along, moments, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};
-use crate::rolling::course::{Coulomb, Load, Moment, RollingResistance};
-use crate::rolling::spool::Spool;
 use crate::rolling::stretch::Laws;
+use crate::rolling::{Coulomb, Load, Moment, RollingResistance, Spool};
 
 /// A spool on a level table, from rest or already moving.
+///
+/// | effect | what it does |
+/// |---|---|
+/// | [`Tug`](super::effects::Tug) | a steady pull at the string, which winds or unwinds |
+/// | [`Coulomb`] | holds the contact, or rubs if the tug is too hard |
+/// | [`RollingResistance`] | a couple against the turning |
+///
+/// ```
+/// use spinning_bodies::rolling::{RoundBody, Spool};
+/// use spinning_bodies::scene::effects::{Coulomb, Tug};
+/// use spinning_bodies::scene::{Request, Scene, TuggedSpool};
+///
+/// let spool = Spool::new(RoundBody::new(0.2, 0.05, 0.5)?, 0.02)?;
+/// let tugged = TuggedSpool::new(spool, 9.81)?.with(Coulomb::new(0.5)?)?.with(Tug::new(0.3, 0.5)?)?;
+/// let motion = tugged.simulate(&Request::at([1.0])?)?;
+/// assert!(motion.rows[0].1.wound > 0.0); // a low tug winds up
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct TuggedSpool {
     spool: Spool,
@@ -46,7 +45,7 @@ impl TuggedSpool {
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for gravity.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, spool::Spool}, scene::{Request, Scene, spool::TuggedSpool}};
+    /// use spinning_bodies::{rolling::{RoundBody, Spool}, scene::{Request, Scene, TuggedSpool}};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let motion = TuggedSpool::new(spool, 10.0)?.simulate(&Request::at([2.0])?)?;
     /// assert_eq!(motion.rows[0].1.moment.velocity, 0.0);
@@ -67,7 +66,7 @@ impl TuggedSpool {
     /// The same with a velocity and a rim speed (m/s) to begin with.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, spool::Spool}, scene::{Request, Scene, spool::TuggedSpool}};
+    /// use spinning_bodies::{rolling::{RoundBody, Spool}, scene::{Request, Scene, TuggedSpool}};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let motion = TuggedSpool::new(spool, 10.0)?.moving(1.5, 1.5).simulate(&Request::at([2.0])?)?;
     /// assert_eq!(motion.rows[0].1.moment.velocity, 1.5);
@@ -85,7 +84,7 @@ impl TuggedSpool {
     /// other effect.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, spool::Spool}, scene::{Request, Scene, effects::{Coulomb, Tug}, spool::TuggedSpool}};
+    /// use spinning_bodies::{rolling::{RoundBody, Spool}, scene::{Request, Scene, TuggedSpool, effects::{Coulomb, Tug}}};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tugged = TuggedSpool::new(spool, 10.0)?.with(Tug::new(1.2, 0.0)?)?.with(Coulomb::new(0.3)?)?;
     /// let motion = tugged.simulate(&Request::at([2.0])?)?;

@@ -1,15 +1,4 @@
 //! A strip that falls through a fluid, broadside length into the picture (tutorial 4.10).
-//!
-//! | effect | absent |
-//! |---|---|
-//! | [`Gravity`] | floats |
-//! | [`Lift`](super::effects::Lift) by circulation | no force across the velocity |
-//! | [`Drag`](super::effects::Drag) | no force against it |
-//! | [`RotationalDamping`] | spins on |
-//! | [`AddedMass`] | no fluid is taken along, and none turns it broadside |
-//!
-//! Without the last four the strip is in a vacuum, and its parabola and its uniform rotation are a closed form. What brakes it cannot be run
-//! backward.
 
 use super::columns::Columns;
 use super::effects::{Effect, Gravity};
@@ -78,7 +67,7 @@ pub struct StripStart {
 ///
 /// ```
 /// use spinning_bodies::falling_strip::{Coefficients, Sheet};
-/// use spinning_bodies::scene::{Request, Scene, strip::{Strip, StripStart}};
+/// use spinning_bodies::scene::{Request, Scene, Strip, StripStart};
 ///
 /// let sheet = Sheet::of_paper(0.02)?;
 /// let start = StripStart { angle: 0.2, ..StripStart::default() };
@@ -87,6 +76,17 @@ pub struct StripStart {
 /// assert!(motion.rows[0].1.omega.abs() > 30.0, "it tumbles");
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
+///
+/// | effect | absent |
+/// |---|---|
+/// | [`Gravity`] | floats |
+/// | [`Lift`](super::effects::Lift) by circulation | no force across the velocity |
+/// | [`Drag`](super::effects::Drag) | no force against it |
+/// | [`RotationalDamping`] | spins on |
+/// | [`AddedMass`] | no fluid is taken along, and none turns it broadside |
+///
+/// Without the last four the strip is in a vacuum, and its parabola and its uniform rotation are a closed form. What brakes it cannot be run
+/// backward.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Strip {
     equations: Equations,
@@ -101,7 +101,7 @@ impl Strip {
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;
-    /// use spinning_bodies::scene::{Request, Scene, strip::{Strip, StripStart}};
+    /// use spinning_bodies::scene::{Request, Scene, Strip, StripStart};
     /// // Without an effect it flies straight on.
     /// let start = StripStart { velocity: [1.0, 0.5], ..StripStart::default() };
     /// let motion = Strip::new(Sheet::of_paper(0.02)?.plate()?, start)?.simulate(&Request::at([2.0])?)?;
@@ -125,7 +125,7 @@ impl Strip {
     ///
     /// ```
     /// use spinning_bodies::falling_strip::{Coefficients, Sheet};
-    /// use spinning_bodies::scene::{Request, Scene, strip::{Strip, StripStart}};
+    /// use spinning_bodies::scene::{Request, Scene, Strip, StripStart};
     /// let strip = Strip::in_air(&Sheet::of_paper(0.02)?, StripStart { angle: 0.2, ..StripStart::default() }, Coefficients::PAPER)?;
     /// let motion = strip.simulate(&Request::at([0.1])?.to_accuracy(1e-9)?)?;
     /// // It falls, and less than it would without air.
@@ -158,7 +158,7 @@ impl Strip {
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;
-    /// use spinning_bodies::scene::{Request, Scene, effects::Gravity, strip::{Strip, StripStart}};
+    /// use spinning_bodies::scene::{Request, Scene, Strip, StripStart, effects::Gravity};
     /// let strip = Strip::new(Sheet::of_paper(0.02)?.plate()?, StripStart::default())?.with(Gravity::new(10.0)?)?;
     /// let motion = strip.simulate(&Request::at([0.5])?)?;
     /// assert!((motion.rows[0].1.velocity[1] + 5.0).abs() < 1e-9);
@@ -186,7 +186,7 @@ impl Strip {
     /// The equations.
     ///
     /// ```
-    /// use spinning_bodies::{falling_strip::Sheet, scene::strip::{Strip, StripStart}};
+    /// use spinning_bodies::{falling_strip::Sheet, scene::{Strip, StripStart}};
     /// let plate = Sheet::of_paper(0.02)?.plate()?;
     /// let one = Strip::new(plate, StripStart::default())?;
     /// let other = Strip::new(plate, StripStart { angle: 0.3, ..StripStart::default() })?;

@@ -1,13 +1,4 @@
 //! The scene `superball` (tutorial 4.6): a bouncing ball, under the open sky or under a table.
-//!
-//! | effect | what it does |
-//! |---|---|
-//! | [`Gravity`](super::effects::Gravity) | bends the flights; without it they are straight |
-//! | [`Restitution`] | loses a part of both contact speeds; without it nothing is lost |
-//! | [`Coulomb`] | limits the tangential impulse; without it the contact never slips |
-//!
-//! The plan is the [`Flight`]: closed forms, from bounce to bounce where something is lost. The equations are here for those who ask for a solver
-//! that steps.
 
 use super::columns::Columns;
 use super::effects::Effect;
@@ -18,11 +9,19 @@ use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, not_negative, positive};
 use crate::integrators::Cost;
-use crate::rolling::course::Coulomb;
-use crate::superball::flight::{Flight, InFlight};
-use crate::superball::{Restitution, Surface};
+use crate::rolling::Coulomb;
+use crate::superball::{Flight, InFlight, Restitution, Surface};
 
 /// A ball that bounces between a floor and, perhaps, a ceiling.
+///
+/// | effect | what it does |
+/// |---|---|
+/// | [`Gravity`](super::effects::Gravity) | bends the flights; without it they are straight |
+/// | [`Restitution`] | loses a part of both contact speeds; without it nothing is lost |
+/// | [`Coulomb`] | limits the tangential impulse; without it the contact never slips |
+///
+/// The plan is the [`Flight`]: closed forms, from bounce to bounce where something is lost. The equations are here for those who ask for a solver
+/// that steps.
 #[derive(Debug, Clone, Copy)]
 pub struct Superball {
     mass: f64,
@@ -41,8 +40,8 @@ impl Superball {
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the mass; the rest is examined when it runs.
     ///
     /// ```
-    /// use spinning_bodies::superball::{Motion, flight::InFlight};
-    /// use spinning_bodies::scene::{Request, Scene, superball::Superball};
+    /// use spinning_bodies::superball::{InFlight, Motion};
+    /// use spinning_bodies::scene::{Request, Scene, Superball};
     /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
     /// let start = InFlight { position: 0.0, height: 1.0, climb: -1.0, motion, bounces: 0 };
     /// // Down for a second; the floor leaves 3/7 of its velocity.
@@ -65,8 +64,8 @@ impl Superball {
     /// The same under a ceiling: `room` (m) from floor to ceiling less the ball's diameter.
     ///
     /// ```
-    /// use spinning_bodies::superball::{Motion, flight::InFlight};
-    /// use spinning_bodies::scene::{Request, Scene, superball::Superball};
+    /// use spinning_bodies::superball::{InFlight, Motion};
+    /// use spinning_bodies::scene::{Request, Scene, Superball};
     /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
     /// let start = InFlight { position: 0.0, height: 1.0, climb: -1.0, motion, bounces: 0 };
     /// let ball = Superball::new(0.1, 0.4, start)?.under(1.0).simulate(&Request::at([3.5])?)?.rows[0].1.ball;
@@ -85,8 +84,8 @@ impl Superball {
     /// [`Error::Negative`](crate::Error::Negative) for gravity; [`Error::Effect`](crate::Error::Effect) for any other effect.
     ///
     /// ```
-    /// use spinning_bodies::superball::{Motion, flight::InFlight};
-    /// use spinning_bodies::scene::{Request, Scene, effects::Gravity, superball::Superball};
+    /// use spinning_bodies::superball::{InFlight, Motion};
+    /// use spinning_bodies::scene::{Request, Scene, Superball, effects::Gravity};
     /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
     /// let start = InFlight { position: 0.0, height: 1.0, climb: -1.0, motion, bounces: 0 };
     /// let falling = Superball::new(0.1, 0.4, start)?.with(Gravity::new(10.0)?)?;

@@ -1,13 +1,4 @@
 //! A yo-yo let go or thrown from the hand (tutorial 4.9): down, turn, up, and down again; or down, asleep, awake, and up.
-//!
-//! | effect | absent |
-//! |---|---|
-//! | [`Gravity`](super::effects::Gravity) | it unwinds by its throw alone |
-//! | [`TurnLoss`](super::effects::TurnLoss) | every turn gives the spin back |
-//! | [`Hand`](super::effects::Hand), its work at every turn | the hand holds still |
-//! | [`Sleep`](super::effects::Sleep), in a loop at the end of the string | a knot: it comes up at once |
-//! | [`AxleFriction`](super::effects::AxleFriction) in the loop | it sleeps without loss |
-//! | [`AirDrag`](super::effects::AirDrag) | none; with it the closed forms end |
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -64,7 +55,7 @@ state! {
 /// A yo-yo, how fast it is thrown, and what acts on it.
 ///
 /// ```
-/// use spinning_bodies::scene::{Request, Scene, effects::Gravity, yo_yo::Play};
+/// use spinning_bodies::scene::{Play, Request, Scene, effects::Gravity};
 /// use spinning_bodies::yo_yo::YoYo;
 ///
 /// let toy = YoYo::disc(0.055, 0.029, 1.0, 0.005)?;
@@ -73,6 +64,15 @@ state! {
 /// assert!((motion.rows[0].1.depth - 0.9936).abs() < 1e-4);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
+///
+/// | effect | absent |
+/// |---|---|
+/// | [`Gravity`](super::effects::Gravity) | it unwinds by its throw alone |
+/// | [`TurnLoss`](super::effects::TurnLoss) | every turn gives the spin back |
+/// | [`Hand`](super::effects::Hand), its work at every turn | the hand holds still |
+/// | [`Sleep`](super::effects::Sleep), in a loop at the end of the string | a knot: it comes up at once |
+/// | [`AxleFriction`](super::effects::AxleFriction) in the loop | it sleeps without loss |
+/// | [`AirDrag`](super::effects::AirDrag) | none; with it the closed forms end |
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Play {
     toy: YoYo,
@@ -92,7 +92,7 @@ impl Play {
     /// [`Error::NotFinite`], [`Error::Negative`].
     ///
     /// ```
-    /// use spinning_bodies::{scene::{Request, Scene, yo_yo::Play}, yo_yo::YoYo};
+    /// use spinning_bodies::{scene::{Play, Request, Scene}, yo_yo::YoYo};
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?;
     /// // Without gravity, thrown at 1 m/s: so far in half a second.
     /// let motion = Play::new(toy, 1.0)?.simulate(&Request::at([0.5])?)?;
@@ -112,13 +112,13 @@ impl Play {
         })
     }
 
-    /// The same with an effect: those at the head of [this page](self).
+    /// The same with an effect: those of the table at [`Play`].
     ///
     /// # Errors
     /// [`Error::Effect`] for any other; [`Error::NotPositive`] for a gravity that does not pull down.
     ///
     /// ```
-    /// use spinning_bodies::{scene::{Request, Scene, effects::Gravity, yo_yo::Play}, yo_yo::YoYo};
+    /// use spinning_bodies::{scene::{Play, Request, Scene, effects::Gravity}, yo_yo::YoYo};
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
     /// let motion = Play::new(toy, 0.0)?.with(Gravity::new(8.0)?)?.simulate(&Request::at([0.5])?)?;
     /// assert!((motion.rows[0].1.depth - 0.25).abs() < 1e-14);

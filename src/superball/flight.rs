@@ -1,12 +1,9 @@
 //! A superball in flight (tutorial 4.6): from the hand to the floor, to the underside of a table, and so on, with exact times.
-//!
-//! Horizontal velocity and spin change only in bounces, height only as gravity says; so every flight is a quadratic and its time a root
-//! taken without cancellation.
 
 use super::{BounceRotation, Motion, Restitution, Surface, bounce_with, gripping_bounce};
 use crate::error::{Error, Result, finite, not_negative, positive, within};
 use crate::precise::DoubleDouble;
-use crate::rolling::course::{Coulomb, Course, Load, Moment};
+use crate::rolling::{Coulomb, Course, Load, Moment};
 
 /// A ball in the air, or just after a bounce.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,6 +38,9 @@ impl InFlight {
 }
 
 /// A ball, the room it has and what acts on it.
+///
+/// Horizontal velocity and spin change only in bounces, height only as gravity says; so every flight is a quadratic and its time a root
+/// taken without cancellation.
 #[derive(Debug, Clone, Copy)]
 pub struct Flight {
     kappa: f64,
@@ -71,7 +71,7 @@ impl Flight {
     /// [`Error::NotFinite`].
     ///
     /// ```
-    /// use spinning_bodies::superball::{Motion, flight::{Flight, InFlight}};
+    /// use spinning_bodies::superball::{Flight, InFlight, Motion};
     /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
     /// let start = InFlight { position: 0.0, height: 4.905, climb: 0.0, motion, bounces: 0 };
     /// // Without gravity it goes straight on.
@@ -247,7 +247,7 @@ impl Flight {
     /// time; [`Error::NotFinite`] for a place that no double can hold; [`Error::OutOfRange`] beyond 2⁵³ flights, which a double does not count.
     ///
     /// ```
-    /// use spinning_bodies::superball::{Motion, flight::{Flight, InFlight}};
+    /// use spinning_bodies::superball::{Flight, InFlight, Motion};
     /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
     /// let start = InFlight { position: 0.0, height: 1.0, climb: -1.0, motion, bounces: 0 };
     /// let flight = Flight::new(0.4, 1.0, (None, None, None), start)?;
@@ -354,7 +354,7 @@ impl Flight {
     /// [`Error::Integration`] after ten million bounces below the ceiling.
     ///
     /// ```
-    /// use spinning_bodies::superball::{Motion, Restitution, flight::{Flight, InFlight}};
+    /// use spinning_bodies::superball::{Flight, InFlight, Motion, Restitution};
     /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
     /// let start = InFlight { position: 0.0, height: 4.905, climb: 0.0, motion, bounces: 0 };
     /// let lossy = Restitution::new(0.5, 1.0)?;
@@ -405,7 +405,7 @@ impl Flight {
     /// slip, whose contact speed is reversed infinitely often and has no last value.
     ///
     /// ```
-    /// use spinning_bodies::superball::{Motion, Restitution, flight::{Flight, InFlight}};
+    /// use spinning_bodies::superball::{Flight, InFlight, Motion, Restitution};
     /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
     /// let start = InFlight { position: 0.0, height: 4.905, climb: 0.0, motion, bounces: 0 };
     /// let lossy = Restitution::new(0.5, 1.0)?;

@@ -4,7 +4,7 @@ use num_traits::Num;
 
 use super::{Motion, Surface};
 use crate::error::{Error, Result, not_negative, positive, within};
-use crate::rolling::course::Coulomb;
+use crate::rolling::Coulomb;
 
 /// What is left of the two speeds of the contact point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,7 +134,7 @@ pub fn bounce_with<T: Num + Copy>(
 /// `pressed` is (1+e_n)|V_z|. At grazing incidence V_z is small and every ball slips.
 ///
 /// ```
-/// use spinning_bodies::{rolling::course::Coulomb, superball::{Motion, Surface, gripping_bounce}};
+/// use spinning_bodies::{rolling::Coulomb, superball::{Motion, Surface, gripping_bounce}};
 /// let thrown = Motion { velocity: 1.0, rim_speed: 0.0 };
 /// // Too little grip: friction takes μ times the normal impulse from the velocity.
 /// let slippery = gripping_bounce(thrown, Surface::Floor, 0.4, 1.0, Coulomb::new(0.1)?, 2.0);

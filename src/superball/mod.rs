@@ -12,9 +12,10 @@
 //! assert_eq!(third.velocity, Ratio::new(-333, 343)); // it comes back out
 //! ```
 
-pub mod flight;
+mod flight;
 mod losses;
 
+pub use flight::{Flight, InFlight};
 pub use losses::{Restitution, bounce_with, gripping_bounce, return_threshold};
 
 use core::f64::consts::PI;

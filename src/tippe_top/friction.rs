@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::error::{Result, not_negative, positive};
-use crate::rolling::course::Coulomb;
+use crate::rolling::Coulomb;
 
 /// Coulomb's law smoothed over slips of size ε: f = −μ v/√(v² + ε²). A body that "rolls" creeps.
 #[derive(Debug, Clone, Copy, PartialEq)]

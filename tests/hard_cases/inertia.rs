@@ -4,7 +4,7 @@
 use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{
-    InertiaMatrix, MassProperties, PlatonicSolid, PrincipalAxes, PrincipalMoments, mesh,
+    InertiaMatrix, MassProperties, Mesh, PlatonicSolid, PrincipalAxes, PrincipalMoments, icosphere,
     mesh_mass_properties, principal_axes_of, shapes,
 };
 use spinning_bodies::{Error, Result};
@@ -280,8 +280,8 @@ fn the_slack_of_moments_and_matrices_is_no_more_than_told() {
 }
 
 /// The icosphere moved by an offset that is not a round number.
-fn moved_icosphere(levels: u32, offset: f64) -> Result<mesh::Mesh> {
-    let (mut vertices, triangles) = mesh::icosphere(levels, 1.0)?;
+fn moved_icosphere(levels: u32, offset: f64) -> Result<Mesh> {
+    let (mut vertices, triangles) = icosphere(levels, 1.0)?;
     for v in &mut vertices {
         *v = [v[0] + offset, v[1] - 0.7 * offset, v[2] + offset / 3.0];
     }
@@ -319,7 +319,7 @@ fn million_triangles_near_and_a_million_radii_away() -> Result<()> {
 fn an_egg_far_away_keeps_its_centre() -> Result<()> {
     // The sphere's opposite points round oppositely and flatter its centre; an egg has no such luck.
     let offset = 1e6;
-    let (mut vertices, triangles) = mesh::icosphere(5, 1.0)?;
+    let (mut vertices, triangles) = icosphere(5, 1.0)?;
     for v in &mut vertices {
         *v = [
             v[0] + 0.2 * v[1] * v[1] + offset,

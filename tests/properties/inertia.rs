@@ -6,7 +6,7 @@ use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{
     InertiaMatrix, MassProperties, PlatonicSolid, PrincipalMoments, RigidMotion,
-    ellipsoid_of_inertia, mesh, mesh_mass_properties, principal_axes_of, routh, shapes,
+    ellipsoid_of_inertia, icosphere, mesh_mass_properties, principal_axes_of, routh, shapes,
 };
 use support::{any, vector};
 
@@ -124,7 +124,7 @@ proptest! {
         for form in [routh::Form::Cuboid, routh::Form::Ellipse, routh::Form::Ellipsoid, routh::Form::Cone] {
             let _ = routh::moment(e[0], form, [e[1], e[2]]);
         }
-        let _ = (routh::mean_square(e[0], order), mesh::icosphere(order.min(2), e[0]), PlatonicSolid::Cube.vertices(e[0]));
+        let _ = (routh::mean_square(e[0], order), icosphere(order.min(2), e[0]), PlatonicSolid::Cube.vertices(e[0]));
     }
 
     #[test]

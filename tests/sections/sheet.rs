@@ -5,14 +5,11 @@ use lab::general::DifferentialEquations;
 use proptest::prelude::*;
 use spinning_bodies::frame::SpaceVector as V;
 use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
-use spinning_bodies::rolling::course::{
-    Coulomb, Course, Happening, Load, Moment, RollingResistance,
+use spinning_bodies::rolling::{
+    Coulomb, Course, Happening, InPlane, Load, Moment, RollingResistance, RoundBody, Sheet,
+    SheetSpeeds, factor,
 };
-use spinning_bodies::rolling::plane::InPlane;
-use spinning_bodies::rolling::sheet::{Sheet, SheetSpeeds};
-use spinning_bodies::rolling::{RoundBody, factor};
-use spinning_bodies::scene::roller::Roller;
-use spinning_bodies::scene::{Choice, Request, Scene, Solver};
+use spinning_bodies::scene::{Choice, Request, Roller, Scene, Solver};
 use support::{observed, refused};
 
 const G: f64 = 9.81;

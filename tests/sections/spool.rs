@@ -8,11 +8,8 @@ use spinning_bodies::Result;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::frame::SpaceVector as V;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::RoundBody;
-use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Moment};
-use spinning_bodies::rolling::spool::{Spool, Tug, Way};
-use spinning_bodies::scene::spool::TuggedSpool;
-use spinning_bodies::scene::{Choice, Request, Scene, Solver};
+use spinning_bodies::rolling::{Coulomb, Course, Happening, Moment, RoundBody, Spool, Tug, Way};
+use spinning_bodies::scene::{Choice, Request, Scene, Solver, TuggedSpool};
 use support::{observed, refused};
 
 /// M = 0.2 kg, r = 2 cm, R = 5 cm, κ = 1/2.

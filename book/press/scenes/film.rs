@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use figures::Look;
 use figures::film::Film;
 use nalgebra::{UnitQuaternion, Vector3};
-use spinning_bodies::scene::sight::Sight;
+use spinning_bodies::scene::Sight;
 
 use super::output::Motion;
 use crate::interrupt::Unfinished;

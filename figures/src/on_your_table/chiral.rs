@@ -3,8 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::mesh::{Mesh, icosphere};
-use spinning_bodies::inertia::{MassProperties, mesh_mass_properties};
+use spinning_bodies::inertia::{MassProperties, Mesh, icosphere, mesh_mass_properties};
 use spinning_bodies::scene::contact::{State, TableTop, passage};
 use spinning_bodies::scene::effects::{Gravity, Regularised};
 use spinning_bodies::scene::{Request, Scene};

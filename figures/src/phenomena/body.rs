@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::phenomena::cat::{Cat, EqualHalves, Half};
+use spinning_bodies::phenomena::{Cat, EqualHalves, Half};
 use spinning_bodies::scene::effects::{Pace, Turnover};
 use spinning_bodies::scene::shape::{self, CatState};
 use spinning_bodies::scene::{Request, Scene};

@@ -1,7 +1,7 @@
 //! The falling cat in eight pictures, and how far back it must bend (tutorial 1.1).
 
 use spinning_bodies::Result;
-use spinning_bodies::phenomena::cat::EqualHalves;
+use spinning_bodies::phenomena::EqualHalves;
 
 use super::body::{DURATION, FORWARD, RATIO, back, cat, draw, pieces, turned, turnover};
 use crate::plot::Axis;

@@ -2,8 +2,7 @@
 
 use spinning_bodies::Result;
 use spinning_bodies::integrators::{Effort, Kept, order_eight};
-use spinning_bodies::phenomena::crawler::{self, Strokes};
-use spinning_bodies::phenomena::ice::{PARTS, Part, Wriggler, feet};
+use spinning_bodies::phenomena::{Crawler, PARTS, Part, Strokes, Wriggler, feet};
 use spinning_bodies::scene::effects::{Coulomb, Gravity};
 use spinning_bodies::scene::shape::{self, CrawlerState};
 use spinning_bodies::scene::{Request, Scene};
@@ -221,7 +220,7 @@ fn strokes(values: &Values) -> Strokes {
 
 fn crawled(values: &Values, mu: Option<f64>) -> Result<Vec<(f64, CrawlerState)>> {
     let strokes = strokes(values);
-    let scene = shape::Crawler::new(crawler::Crawler::new(values.of(&REAR), 1.0, strokes)?);
+    let scene = shape::Crawler::new(Crawler::new(values.of(&REAR), 1.0, strokes)?);
     let times: Vec<f64> = (0..=600)
         .map(|k| CYCLES * strokes.cycle() * f64::from(k) / 600.0)
         .collect();

@@ -3,9 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use spinning_bodies::Result;
-use spinning_bodies::phenomena::cat::EqualHalves;
-use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_within};
-use spinning_bodies::phenomena::{Swivel, Waist};
+use spinning_bodies::phenomena::{EqualHalves, Hub, ShapePlane, Step, Swivel, Waist, turn_within};
 
 use super::body::RATIO;
 use super::swivel::{IN, LOWER, OUT};

@@ -1,8 +1,7 @@
 //! From sliding to rolling (tutorial 4.3): velocity and rim speed against time.
 
 use spinning_bodies::Result;
-use spinning_bodies::rolling::course::{Coulomb, Course, Load, Moment};
-use spinning_bodies::rolling::{RoundBody, factor};
+use spinning_bodies::rolling::{Coulomb, Course, Load, Moment, RoundBody, factor};
 
 use crate::plot::Axis;
 use crate::style::{

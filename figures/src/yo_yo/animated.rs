@@ -4,8 +4,7 @@ use core::fmt::Write as _;
 
 use spinning_bodies::Result;
 use spinning_bodies::scene::effects::{AxleFriction, Gravity, Sleep};
-use spinning_bodies::scene::yo_yo::{Phase, Play, YoYoState};
-use spinning_bodies::scene::{Request, Scene};
+use spinning_bodies::scene::{Phase, Play, Request, Scene, YoYoState};
 use spinning_bodies::yo_yo::YoYo;
 
 use super::GRAVITY;

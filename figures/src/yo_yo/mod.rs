@@ -5,8 +5,7 @@ mod turn;
 
 use spinning_bodies::Result;
 use spinning_bodies::scene::effects::{Gravity, TurnLoss};
-use spinning_bodies::scene::yo_yo::Play;
-use spinning_bodies::scene::{Request, Scene};
+use spinning_bodies::scene::{Play, Request, Scene};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
 use crate::plot::{Axis, Frame, texts};

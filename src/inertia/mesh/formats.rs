@@ -11,7 +11,7 @@ use crate::error::{Error, Result, finite};
 /// [`Error::AtPlace`] for a corner whose coordinates are no numbers, [`Error::Empty`] for a text without a triangle.
 ///
 /// ```
-/// use spinning_bodies::inertia::mesh::mesh_of_stl;
+/// use spinning_bodies::inertia::mesh_of_stl;
 /// let text = "solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop";
 /// let (vertices, triangles) = mesh_of_stl(text.as_bytes())?;
 /// assert_eq!((vertices.len(), triangles), (3, vec![[0, 1, 2]]));
@@ -68,7 +68,7 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
 /// [`Error::AtPlace`] for a vertex whose coordinates are no numbers, and for a face whose vertices are not numbered.
 ///
 /// ```
-/// use spinning_bodies::inertia::mesh::mesh_of_obj;
+/// use spinning_bodies::inertia::mesh_of_obj;
 /// let (vertices, triangles) = mesh_of_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")?;
 /// assert_eq!((vertices.len(), triangles), (4, vec![[0, 1, 2], [0, 2, 3]]));
 /// # Ok::<(), spinning_bodies::Error>(())
@@ -78,7 +78,10 @@ pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
     for line in text.lines() {
         let line = line.trim();
         if let Some(vertex) = line.strip_prefix("v ") {
-            vertices.push(at_place(vertices.len(), coordinates(vertex.split_whitespace()))?);
+            vertices.push(at_place(
+                vertices.len(),
+                coordinates(vertex.split_whitespace()),
+            )?);
         } else if let Some(face) = line.strip_prefix("f ") {
             // Numbers count from 1, or backward from the vertex before.
             let index = |corner: &str| match corner.split('/').next()?.parse::<i64>().ok()? {

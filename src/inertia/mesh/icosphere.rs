@@ -17,7 +17,7 @@ pub type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 /// triangles).
 ///
 /// ```
-/// let (vertices, triangles) = spinning_bodies::inertia::mesh::icosphere(2, 1.5)?;
+/// let (vertices, triangles) = spinning_bodies::inertia::icosphere(2, 1.5)?;
 /// assert_eq!((vertices.len(), triangles.len()), (162, 320));
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```

@@ -13,10 +13,11 @@ use super::reader::{Place, Reader, Section, Table, Value};
 use super::values::{Word, section};
 use crate::error::Result;
 use crate::frame::BodyVector;
-use crate::inertia::mesh::{mesh_of_obj, mesh_of_stl};
-use crate::inertia::{InertiaMatrix, MassProperties, mesh_mass_properties, shapes};
+use crate::inertia::{
+    InertiaMatrix, MassProperties, mesh_mass_properties, mesh_of_obj, mesh_of_stl, shapes,
+};
 use crate::rolling::factor;
-use crate::scene::sight::Solid;
+use crate::scene::Solid;
 use crate::tippe_top::Surface;
 
 section! {

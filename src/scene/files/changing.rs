@@ -12,13 +12,12 @@ use super::values::{Flat, keys, section};
 use super::{listed, with};
 use crate::frame::Attitude;
 use crate::phenomena;
-use crate::phenomena::cat::{Bend, Half};
-use crate::phenomena::crawler::Strokes;
+use crate::phenomena::{Bend, Half, Strokes};
 use crate::scene::effects::{
     Air, BearingFriction, Coulomb, Draw, FourPhases, Gravity, Pace, Turnover,
 };
 use crate::scene::shape::{Cat, Crawler, PaperCat, Skater, Swivel};
-use crate::scene::sight::{Around, Look, Sight, Solid};
+use crate::scene::{Around, Look, Sight, Solid};
 
 section! {
     /// `[body]` of a swivel.
@@ -124,7 +123,7 @@ pub fn skater(
     initial: SkaterInitial,
     effects: SkaterEffects,
 ) -> Option<(Skater, Look)> {
-    let person = phenomena::skater::Skater::new(body.core, body.hand);
+    let person = phenomena::Skater::new(body.core, body.hand);
     let person = file.right("body.hand", person)?;
     let scene = Skater::new(person, initial.reach, initial.spin);
     let scene = file.right("initial.reach", scene)?;
@@ -200,7 +199,7 @@ pub fn cat(
         transverse: body.transverse[k],
         to_joint: body.to_joint[k],
     });
-    let animal = phenomena::cat::Cat::new(halves);
+    let animal = phenomena::Cat::new(halves);
     let animal = file.right("body.axial, body.transverse", animal)?;
     let scene = Cat::new(animal, initial.attitude);
     let scene = with(
@@ -364,7 +363,7 @@ pub fn crawler(
     effects: CrawlerEffects,
 ) -> Option<(Crawler, Look)> {
     let [rear, front] = body.masses;
-    let animal = phenomena::crawler::Crawler::new(rear, front, body.strokes.0);
+    let animal = phenomena::Crawler::new(rear, front, body.strokes.0);
     let largest = 0.25 * body.strokes.0.gap;
     let radii = body
         .masses

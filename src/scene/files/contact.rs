@@ -10,17 +10,10 @@ use super::values::{Flat, section};
 use super::{listed, with};
 use crate::frame::BodyVector;
 use crate::impacts::{Impact, Meteorite, Planet};
-use crate::rolling::RoundBody;
-use crate::rolling::sheet::SheetSpeeds;
-use crate::rolling::spool::Spool;
+use crate::rolling::{RoundBody, SheetSpeeds, Spool};
 use crate::scene::effects::{Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug};
-use crate::scene::meteorite::StruckPlanet;
-use crate::scene::roller::Roller;
-use crate::scene::sight::{Around, Look, Sight, Solid};
-use crate::scene::spool::TuggedSpool;
-use crate::scene::superball::Superball;
-use crate::superball::Motion;
-use crate::superball::flight::InFlight;
+use crate::scene::{Around, Look, Roller, Sight, Solid, StruckPlanet, Superball, TuggedSpool};
+use crate::superball::{InFlight, Motion};
 
 section! {
     /// `[body]` of a roller.

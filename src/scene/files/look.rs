@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Isometry3, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::inertia::principal_axes_of;
-use crate::scene::sight::{Around, Look, Sight, Solid, Told};
+use crate::scene::{Around, Look, Sight, Solid, Told};
 
 type Vector = Vector3<f64>;
 

@@ -9,8 +9,7 @@ use super::values::{keys, section};
 use super::{listed, with};
 use crate::falling_strip::Plate;
 use crate::scene::effects::{AddedMass, Drag, Gravity, Lift, RotationalDamping};
-use crate::scene::sight::{Around, Look, Sight, Solid};
-use crate::scene::strip::{Strip, StripStart};
+use crate::scene::{Around, Look, Sight, Solid, Strip, StripStart};
 
 section! {
     /// `[body]`.

@@ -11,7 +11,7 @@ use super::{listed, with};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::scene::contact::TableTop;
 use crate::scene::effects::{Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous};
-use crate::scene::sight::{Around, Look, Solid};
+use crate::scene::{Around, Look, Solid};
 use crate::tippe_top::{ConvexBody, Start, Surface};
 
 section! {

@@ -8,8 +8,8 @@ use super::{listed, with};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::InertiaMatrix;
 use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
-use crate::scene::sight::{Around, Look};
 use crate::scene::top::{Body as TopBody, Start, Top};
+use crate::scene::{Around, Look};
 
 section! {
     /// `[body]`.

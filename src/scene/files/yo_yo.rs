@@ -6,8 +6,7 @@ use super::reader::Reader;
 use super::values::section;
 use super::{listed, with};
 use crate::scene::effects::{AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss};
-use crate::scene::sight::{Around, Look, Sight, Solid};
-use crate::scene::yo_yo::Play;
+use crate::scene::{Around, Look, Play, Sight, Solid};
 use crate::yo_yo::YoYo;
 
 section! {

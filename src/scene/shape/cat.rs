@@ -7,12 +7,10 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use super::path::{Turnover, next_of};
 use crate::conservation::Ledger;
 use crate::error::Result;
-use crate::frame::finite_vector;
-use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::integrators::Kept;
-use crate::phenomena::cat::{self, Bend, EqualHalves};
-use crate::phenomena::holonomy::ShapePlane;
 use crate::phenomena::quadrature::integral;
+use crate::phenomena::{self, Bend, EqualHalves, ShapePlane};
 use crate::scene::columns::Columns;
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
@@ -22,7 +20,7 @@ use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 /// A cat of two halves, let go: attitude, velocity and angular momentum at the start, a path of shapes, and gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cat {
-    body: cat::Cat,
+    body: phenomena::Cat,
     attitude: Attitude,
     center: SpaceVector,
     velocity: SpaceVector,
@@ -70,7 +68,7 @@ impl Tabulated for CatState {
 
 impl Cat {
     /// A straight cat let go from rest, its centre at the origin, that does nothing.
-    pub fn new(body: cat::Cat, attitude: Attitude) -> Self {
+    pub fn new(body: phenomena::Cat, attitude: Attitude) -> Self {
         Self {
             body,
             attitude,

@@ -5,8 +5,8 @@ use core::f64::consts::TAU;
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative};
 use crate::integrators::{Cost, Passage, Stop};
-use crate::phenomena::crawler::{self, Foot, Gap, Leg};
-use crate::rolling::course::Coulomb;
+use crate::phenomena::{self, Foot, Gap, Leg};
+use crate::rolling::Coulomb;
 use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Ended, Flow, planned, solved};
@@ -16,7 +16,7 @@ use crate::scene::{Budget, Motion, Plan, Request, Scene, Solver};
 /// Two feet and a muscle on the ground, at rest at first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crawler {
-    body: crawler::Crawler,
+    body: phenomena::Crawler,
     friction: Option<Coulomb>,
     gravity: Option<f64>,
 }
@@ -41,7 +41,7 @@ state! {
 
 impl Crawler {
     /// This crawler, its centre of mass at 0, on perfect ice.
-    pub const fn new(body: crawler::Crawler) -> Self {
+    pub const fn new(body: phenomena::Crawler) -> Self {
         Self {
             body,
             friction: None,
@@ -79,7 +79,7 @@ const MOST_CYCLES: f64 = 250_000.0;
 /// and work of the muscle.
 #[derive(Clone, Copy)]
 struct Crawling {
-    body: crawler::Crawler,
+    body: phenomena::Crawler,
     sliding: f64,
     holding: f64,
     /// Whether closed forms do it.

@@ -3,8 +3,7 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::error::{Error, Result, finite, not_negative, positive, within};
-use crate::phenomena::Waist;
-use crate::phenomena::cat::Bend;
+use crate::phenomena::{Bend, Waist};
 
 /// How a stroke of a muscle is spread over its time: from 0 to 1, at rest at both ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -3,8 +3,8 @@
 use super::path::{Draw, next_of};
 use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
+use crate::phenomena;
 use crate::phenomena::quadrature::integral;
-use crate::phenomena::skater;
 use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, apart, planned, solved};
@@ -14,7 +14,7 @@ use crate::scene::{Motion, Plan, Request, Scene, Solver};
 /// A skater who spins: a core, two hands, a path for them, and what the ice does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Skater {
-    body: skater::Skater,
+    body: phenomena::Skater,
     reach: f64,
     spin: f64,
     draw: Option<Draw>,
@@ -44,7 +44,7 @@ impl Skater {
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative), [`Error::NotFinite`](crate::Error::NotFinite).
-    pub fn new(body: skater::Skater, reach: f64, spin: f64) -> Result<Self> {
+    pub fn new(body: phenomena::Skater, reach: f64, spin: f64) -> Result<Self> {
         Ok(Self {
             body,
             reach: not_negative("the distance of the hands", reach)?,

@@ -7,9 +7,9 @@ use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
-use spinning_bodies::phenomena::cat::{Bend, Cat, EqualHalves, Half};
-use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_along, turn_within};
-use spinning_bodies::phenomena::quadrature;
+use spinning_bodies::phenomena::{
+    Bend, Cat, EqualHalves, Half, Hub, ShapePlane, Step, quadrature, turn_along, turn_within,
+};
 use spinning_bodies::scene::effects::{Pace, Turnover};
 use spinning_bodies::scene::{Request, Scene, shape};
 use support::{observed, relative};

@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;
 use spinning_bodies::integrators::{Effort, Kept, order_eight};
-use spinning_bodies::phenomena::crawler::{self, Strokes};
-use spinning_bodies::phenomena::ice::{PARTS, Part, Wriggler, feet};
+use spinning_bodies::phenomena::{Crawler, PARTS, Part, Strokes, Wriggler, feet};
 use spinning_bodies::scene::effects::{Coulomb, Gravity};
 use spinning_bodies::scene::{Request, Scene, shape};
 use support::observed;
@@ -126,7 +125,7 @@ fn s1_1_friction_makes_the_crawler_move() {
         push: 1.0,
         pull: 0.15,
     };
-    let body = crawler::Crawler::new(3.0, 1.0, strokes).unwrap();
+    let body = Crawler::new(3.0, 1.0, strokes).unwrap();
     let times: Vec<f64> = (0..=40).map(|k| f64::from(k) * strokes.cycle()).collect();
     let request = Request::at(times).unwrap();
     let still = shape::Crawler::new(body);

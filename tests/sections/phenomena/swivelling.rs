@@ -3,8 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, FRAC_PI_8};
 
 use spinning_bodies::Result;
-use spinning_bodies::phenomena::holonomy::{Hub, ShapePlane, Step, turn_along, turn_within};
-use spinning_bodies::phenomena::{Swivel, Waist};
+use spinning_bodies::phenomena::{Hub, ShapePlane, Step, Swivel, Waist, turn_along, turn_within};
 use spinning_bodies::scene::effects::{FourPhases, Pace, RoundTrip};
 use spinning_bodies::scene::{Request, Scene, shape};
 use support::{observed, relative};

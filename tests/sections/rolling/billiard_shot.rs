@@ -5,10 +5,10 @@ use lab::general::DifferentialEquations;
 use proptest::prelude::*;
 use spinning_bodies::Result;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::course::{Coulomb, Course, Happening, Load, Moment};
-use spinning_bodies::rolling::{Regime, RoundBody, factor, slide_to_roll};
-use spinning_bodies::scene::roller::Roller;
-use spinning_bodies::scene::{Choice, Request, Scene, Solver};
+use spinning_bodies::rolling::{
+    Coulomb, Course, Happening, Load, Moment, Regime, RoundBody, factor, slide_to_roll,
+};
+use spinning_bodies::scene::{Choice, Request, Roller, Scene, Solver};
 use support::{observed, refused, relative};
 
 const MASS: f64 = 0.17;

@@ -6,13 +6,11 @@ use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
 use proptest::prelude::*;
 use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
-use spinning_bodies::rolling::course::{
-    Coulomb, Course, Happening, Load, Moment, RollingResistance,
+use spinning_bodies::rolling::{
+    Coulomb, Course, Happening, InPlane, Load, Moment, RollingResistance, RoundBody, factor,
+    painleve_friction,
 };
-use spinning_bodies::rolling::plane::InPlane;
-use spinning_bodies::rolling::{RoundBody, factor, painleve_friction};
-use spinning_bodies::scene::roller::Roller;
-use spinning_bodies::scene::{Choice, Geometric, Request, Scene, Solver};
+use spinning_bodies::scene::{Choice, Geometric, Request, Roller, Scene, Solver};
 use support::double_double::Dd;
 use support::{observed, refused};
 

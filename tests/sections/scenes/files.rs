@@ -602,7 +602,14 @@ fn a_mesh_is_read_from_its_file() {
         }
     }
     for name in [
-        "none.obj", "box.txt", "bad.obj", "open.obj", "far.obj", "face.obj", "empty.stl", "",
+        "none.obj",
+        "box.txt",
+        "bad.obj",
+        "open.obj",
+        "far.obj",
+        "face.obj",
+        "empty.stl",
+        "",
     ] {
         let told = parse_with("mine.toml", &file(name), &open)
             .unwrap_err()

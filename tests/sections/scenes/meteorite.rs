@@ -6,8 +6,7 @@ use spinning_bodies::frame::{Attitude, BodyVector as V};
 use spinning_bodies::impacts::{Impact, Meteorite, Planet, strike};
 use spinning_bodies::inertia::shapes;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::scene::meteorite::StruckPlanet;
-use spinning_bodies::scene::{Choice, Request, Scene, Solver};
+use spinning_bodies::scene::{Choice, Request, Scene, Solver, StruckPlanet};
 use support::{observed, refused};
 
 use super::roller::{balance, same};

@@ -2,11 +2,11 @@
 
 use lab::general::DifferentialEquations;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::sheet::SheetSpeeds;
-use spinning_bodies::rolling::{RoundBody, factor};
+use spinning_bodies::rolling::{RoundBody, SheetSpeeds, factor};
 use spinning_bodies::scene::effects::{BearingFriction, Coulomb, Effect, RollingResistance, Sheet};
-use spinning_bodies::scene::roller::{Roller, Rolling};
-use spinning_bodies::scene::{Choice, Geometric, Motion, Request, Scene, Solver, Tabulated};
+use spinning_bodies::scene::{
+    Choice, Geometric, Motion, Request, Roller, Rolling, Scene, Solver, Tabulated,
+};
 use support::refused;
 
 pub fn times() -> Request {

@@ -4,14 +4,11 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use spinning_bodies::frame::{Attitude, SpaceVector};
 use spinning_bodies::integrators::Method;
-use spinning_bodies::phenomena::cat::{Cat, Half};
-use spinning_bodies::phenomena::crawler::{self, Strokes};
-use spinning_bodies::phenomena::{PaperCat, skater};
+use spinning_bodies::phenomena::{Cat, Crawler, Half, PaperCat, Skater, Strokes};
 use spinning_bodies::scene::effects::{
     Air, BearingFriction, Coulomb, Draw, FourPhases, Gravity, Pace, Turnover,
 };
-use spinning_bodies::scene::shape;
-use spinning_bodies::scene::{Choice, Geometric, Request, Scene, Solver, Tabulated};
+use spinning_bodies::scene::{Choice, Geometric, Request, Scene, Solver, Tabulated, shape};
 use spinning_bodies::{Error, Result};
 use support::refused;
 
@@ -114,8 +111,8 @@ fn viscous_friction_undoes_the_swivel() {
     assert!(late.abs() < 1e-9, "{late:e}");
 }
 
-fn grown() -> skater::Skater {
-    skater::Skater::new(0.8, 2.5).unwrap()
+fn grown() -> Skater {
+    Skater::new(0.8, 2.5).unwrap()
 }
 
 const DRAW: Draw = Draw {
@@ -298,7 +295,7 @@ fn crawler_body() -> shape::Crawler {
         push: 1.0,
         pull: 0.15,
     };
-    shape::Crawler::new(crawler::Crawler::new(3.0, 1.0, strokes).unwrap())
+    shape::Crawler::new(Crawler::new(3.0, 1.0, strokes).unwrap())
 }
 
 fn on_the_ground(mu: f64) -> shape::Crawler {

@@ -2,11 +2,9 @@
 
 use lab::general::DifferentialEquations;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::RoundBody;
-use spinning_bodies::rolling::spool::Spool;
+use spinning_bodies::rolling::{RoundBody, Spool};
 use spinning_bodies::scene::effects::{Coulomb, Effect, RollingResistance, Tug};
-use spinning_bodies::scene::spool::{Spooling, TuggedSpool};
-use spinning_bodies::scene::{Choice, Motion, Scene, Solver};
+use spinning_bodies::scene::{Choice, Motion, Scene, Solver, Spooling, TuggedSpool};
 use support::refused;
 
 use super::roller::{balance, same, times};

@@ -7,8 +7,9 @@ use spinning_bodies::falling_strip::{
 };
 use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::scene::effects::{Effect, Gravity, TurnLoss};
-use spinning_bodies::scene::strip::{Strip, StripStart, StripState};
-use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver, Tabulated};
+use spinning_bodies::scene::{
+    Choice, Motion, Request, Scene, Solver, Strip, StripStart, StripState, Tabulated,
+};
 use support::refused;
 
 const START: StripStart = StripStart {

@@ -4,10 +4,11 @@ use lab::general::DifferentialEquations;
 use spinning_bodies::Result;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::effects::{Coulomb, Effect, Gravity, Restitution};
-use spinning_bodies::scene::superball::{Bouncing, Superball};
-use spinning_bodies::scene::{Choice, Geometric, Motion, Request, Scene, Solver, Tabulated};
+use spinning_bodies::scene::{
+    Bouncing, Choice, Geometric, Motion, Request, Scene, Solver, Superball, Tabulated,
+};
+use spinning_bodies::superball::InFlight;
 use spinning_bodies::superball::Motion as Throw;
-use spinning_bodies::superball::flight::InFlight;
 use support::refused;
 
 use super::roller::{balance, same};

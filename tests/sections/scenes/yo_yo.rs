@@ -5,8 +5,9 @@ use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::effects::{
     AddedMass, AirDrag, AxleFriction, Effect, Gravity, Hand, Sleep, TurnLoss,
 };
-use spinning_bodies::scene::yo_yo::{Phase, Play, YoYoState};
-use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver, Tabulated};
+use spinning_bodies::scene::{
+    Choice, Motion, Phase, Play, Request, Scene, Solver, Tabulated, YoYoState,
+};
 use support::refused;
 
 fn gravity() -> Gravity {

@@ -1,8 +1,9 @@
 //! Ten million bounces, and a million million.
 
 use approx::assert_relative_eq;
-use spinning_bodies::superball::flight::{Flight, InFlight};
-use spinning_bodies::superball::{BounceRotation, Motion, Surface, UnderTable, bounce};
+use spinning_bodies::superball::{
+    BounceRotation, Flight, InFlight, Motion, Surface, UnderTable, bounce,
+};
 use support::{observed, refused, relative, samples};
 
 use super::common::BALL;

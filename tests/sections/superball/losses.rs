@@ -5,13 +5,12 @@ use lab::general::DifferentialEquations;
 use num_rational::Ratio;
 use proptest::prelude::*;
 use spinning_bodies::integrators::{Effort, Kept, Leg, Method, Stop};
-use spinning_bodies::rolling::course::Coulomb;
+use spinning_bodies::rolling::Coulomb;
 use spinning_bodies::scene::effects::Gravity;
-use spinning_bodies::scene::superball::Superball;
-use spinning_bodies::scene::{Choice, Request, Scene, Solver};
-use spinning_bodies::superball::flight::{Flight, InFlight};
+use spinning_bodies::scene::{Choice, Request, Scene, Solver, Superball};
 use spinning_bodies::superball::{
-    Motion, Restitution, Surface, bounce, bounce_with, gripping_bounce, return_threshold,
+    Flight, InFlight, Motion, Restitution, Surface, bounce, bounce_with, gripping_bounce,
+    return_threshold,
 };
 use support::{observed, refused};
 

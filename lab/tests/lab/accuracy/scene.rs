@@ -4,8 +4,8 @@ use lab::accuracy::JudgedScene;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::{RoundBody, factor};
+use spinning_bodies::scene::Roller;
 use spinning_bodies::scene::effects::{Coulomb, PivotFriction};
-use spinning_bodies::scene::roller::Roller;
 use spinning_bodies::scene::top::{Body, Start, Top};
 use spinning_bodies::scene::{AnyScene, Geometric, Solver};
 

@@ -348,6 +348,8 @@ const APART: f64 = 100.0;
 const SHARE: f64 = 0.2;
 /// Two runs further apart than this have nothing to say of each other: then the distance itself is told.
 const TOGETHER: f64 = 0.05;
+/// Of two runs with as many steps each the distance says little: so much of it is told.
+const MOST: f64 = 8.0;
 /// The error of a run of a few steps, in units of its tolerance.
 const OF_A_STEP: f64 = 8.0;
 /// The looser run of the first pair has this times the accuracy a radian: of a steady motion it is then off by the accuracy, of a fast top by four
@@ -370,8 +372,8 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 /// The motion at the times of the request, with an error below its accuracy; or one run at the effort asked for.
 ///
 /// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart. Their distance is the error of the looser one;
-/// the better one, which is returned, is told to be off by a fifth of that. Where that is more than the accuracy, a further run or two take their
-/// place. A flow may depend on the tolerance of its run, which `flow` makes for it.
+/// the better one, which is returned, is told to be off by a fifth of that, or by more if it has taken hardly more steps. Where that is more than
+/// the accuracy, a further run or two take their place. A flow may depend on the tolerance of its run, which `flow` makes for it.
 ///
 /// Runs that begin with the same rounded numbers agree on what becomes of the rounding. A flow that states the [`doubt`](Flow::doubt) about its
 /// start has the looser run begin that far off, so that what the motion makes of it is part of the distance.
@@ -432,7 +434,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
         let checked = flow.furthest_apart(more, &seen[count..], seen);
         let apart = greater(asked, CHECKED * checked);
         let share = if apart < TOGETHER {
-            efforts.share()
+            efforts.share(better.cost.steps as f64 / worse.cost.steps as f64)
         } else {
             1.0
         };
@@ -576,17 +578,21 @@ impl Efforts {
         }
     }
 
-    /// The share of the distance of both that is taken for the error of the better.
-    fn share(&self) -> f64 {
-        match (self.worse, self.better) {
+    /// The share of the distance of both that is taken for the error of the better, which has taken so many times the steps of the worse.
+    fn share(&self, times_the_steps: f64) -> f64 {
+        let shown = match (self.worse, self.better) {
             (Effort::Tolerance(worse), Effort::Tolerance(better)) => {
                 (SHARE * APART * better / worse).min(1.0)
             }
             // Of a few steps and twice as many rounding may be all that they differ by.
-            (Effort::Tolerance(_), Effort::Step(_)) => 1.0,
+            (Effort::Tolerance(_), Effort::Step(_)) => return 1.0,
             // A fifteenth for order 4.
-            _ => 0.25,
-        }
+            (Effort::Step(_), Effort::Step(_)) => return 0.25,
+            (Effort::Step(_), Effort::Tolerance(_)) => SHARE,
+        };
+        // As the order has it, of steps that all are shorter by as much.
+        let by_their_number = 1.0 / (times_the_steps.powi(8) - 1.0).max(0.0);
+        greater(shown, by_their_number.min(MOST))
     }
 
     /// Where the worse run has taken few steps, the better one takes twice as many.

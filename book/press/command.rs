@@ -251,13 +251,13 @@ enum Command {
         #[arg(long, conflicts_with_all = ["columns", "plot", "format"])]
         film: bool,
         /// Seconds of the motion in a second of the film [default: so that it takes ten seconds]
-        #[arg(long, value_name = "RATE", requires = "film")]
+        #[arg(long, value_name = "RATE", requires = "film", conflicts_with_all = ["plot", "frames"])]
         speed: Option<f64>,
         /// Draws N pictures of the moving body into a new folder, at equal steps of time
         #[arg(long, num_args = 2, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
         frames: Vec<OsString>,
         /// Form of these pictures; all but svg need a build with `--features book/pictures` [default: svg]
-        #[arg(long = "as", value_enum, value_name = "FORM", requires = "frames")]
+        #[arg(long = "as", value_enum, value_name = "FORM", requires = "frames", conflicts_with_all = ["plot", "film"])]
         form: Option<Form>,
         /// How the motion is written [default: as the name of the output ends; csv]
         #[arg(long, value_enum)]

@@ -6,7 +6,6 @@ use core::fmt::Write as _;
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use spinning_bodies::scene::{Around, Sight, Solid};
 
-use crate::Figure;
 use crate::finish::short;
 use crate::plot::Axis;
 use crate::solid::{View, hull};
@@ -14,6 +13,7 @@ use crate::style::{
     AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, brief, figure, label, number, small,
     stroke,
 };
+use crate::{Figure, Theme};
 
 /// A point or a vector: m along the body's axes or those of space, z upward; or rad/s, or kg m²/s.
 type Vector = Vector3<f64>;
@@ -220,7 +220,8 @@ const ARROW: f64 = 150.0;
 const DIRECTION: [f64; 2] = [-1.2, 0.3];
 /// By how much arrows may be shortened to stay within the picture.
 const LEAST: f64 = 0.3;
-/// An arrow shorter than this has no name, units.
+/// An arrow shorter than this is not drawn, and one shorter than that has no name, units.
+const DRAWN: f64 = 7.0;
 const NAMED: f64 = 14.0;
 /// The sines of the angles below which one arrow covers the other, and which of them is on the left does not matter.
 const COVERED: f64 = 0.08;
@@ -398,7 +399,7 @@ impl Film<'_> {
             let each = vectors(sight).into_iter().zip(ways).zip(NAMES);
             let drawn = each.filter_map(|((vector, way), (role, name))| {
                 let length = way[0].hypot(way[1]);
-                if length <= 2.0 || (vector.dot(&view.toward) < 0.0) != behind {
+                if length <= DRAWN || (vector.dot(&view.toward) < 0.0) != behind {
                     return None;
                 }
                 let [dx, dy] = way.map(|part| part / length);
@@ -438,7 +439,7 @@ impl Film<'_> {
         }
         let time = format!("{} s", number(*time, self.decimals()));
         pen.text(
-            [24.0, HEIGHT - 12.0],
+            [24.0, HEIGHT - 32.0],
             Anchor::Start,
             &time,
             small(Role::Ink),
@@ -490,23 +491,26 @@ impl Film<'_> {
         })
     }
 
-    /// All of them after each other, for this long (s), and again from the beginning. It holds still under the pointer, and shows its middle to who wants nothing
-    /// to move.
-    pub fn film(&self, seconds: f64) -> Figure {
+    /// The file of all of them after each other, for this long (s), and again from the beginning. It holds still under the pointer, shows its middle to who wants
+    /// nothing to move, and is dark on a dark screen.
+    pub fn film(&self, seconds: f64) -> String {
         let count = self.shots.len();
         let pace = match brief(self.speed).as_str() {
             "1" => "in real time".to_owned(),
-            speed => format!("at {speed} of real time"),
+            speed => format!("{speed} × real time"),
         };
         let empty = figure(NAME, HEIGHT, self.words(), |pen| {
             self.draw_words(pen, &pace)
         });
         let mut moving = format!(
-            "<style>@keyframes fig-{NAME}{{0%{{visibility:visible}}{}%{{visibility:hidden}}}}\
+            "<style>{}@media screen and (prefers-color-scheme:dark){{{}}}\
+             @keyframes fig-{NAME}{{0%{{visibility:visible}}{}%{{visibility:hidden}}}}\
              .fig-{NAME}{{visibility:hidden;animation:fig-{NAME} {seconds}s step-end infinite}}\
              #fig-{NAME}-svg:hover .fig-{NAME}{{animation-play-state:paused}}\
              @media (prefers-reduced-motion:reduce){{{STILL}}}@media print{{{STILL}}}</style>\n",
-            short(100.0 / count as f64, 4)
+            colours(Theme::Light),
+            colours(Theme::Dark),
+            short(100.0 / count as f64, 9)
         );
         let scenery = self.scenery();
         for (k, shot) in self.shots.iter().enumerate() {
@@ -514,15 +518,38 @@ impl Film<'_> {
                 self.draw(pen, &scenery, shot)
             });
             let middle = if k == count / 2 { " still" } else { "" };
-            let delay = short(seconds * k as f64 / count as f64, 3);
+            // To the microsecond, or a picture would be gone before the next one comes.
+            let delay = short(seconds * k as f64 / count as f64, 6);
             let _ = writeln!(
                 moving,
                 "<g class=\"fig-{NAME}{middle}\" style=\"animation-delay:{delay}s\">{}</g>",
                 picture.elements()
             );
         }
-        empty.moving(&moving)
+        let svg = empty.moving(&moving).svg();
+        Role::ALL.iter().fold(svg, |svg, role| {
+            let Some(variable) = variable(*role) else {
+                return svg;
+            };
+            svg.replace(role.paint(), &format!("var({variable})"))
+        })
     }
+}
+
+/// The variable of a page that has the colour of a role.
+fn variable(role: Role) -> Option<&'static str> {
+    let (variable, _) = role.paint().strip_prefix("var(")?.split_once(',')?;
+    Some(variable)
+}
+
+/// The style of a film on such paper.
+fn colours(theme: Theme) -> String {
+    let variables = Role::ALL
+        .iter()
+        .filter_map(|&role| Some(format!("{}:{};", variable(role)?, theme.color(role))));
+    let [paper, ink] = [Role::Paper, Role::Ink].map(|role| theme.color(role));
+    let variables: String = variables.collect();
+    format!("#fig-{NAME}-svg{{background:{paper};color:{ink};{variables}}}")
 }
 
 const NAME: &str = "film";

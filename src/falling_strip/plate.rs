@@ -71,6 +71,12 @@ impl Plate {
         self.mass
     }
 
+    /// Its moment of inertia j m a²(1 + β²) about the long axis, kg m² per metre of length.
+    pub(crate) fn moment(&self) -> f64 {
+        let [a, beta] = [self.half_chord, self.thickness_ratio];
+        self.inertia_factor * self.mass * a * a * (1.0 + beta * beta)
+    }
+
     /// The mass π ρ a² of the fluid cylinder that just holds it, kg/m: what it must push aside when it moves broadside.
     ///
     /// ```
@@ -203,10 +209,9 @@ impl Equations {
             half_chord: a,
             mass,
             thickness_ratio: beta,
-            inertia_factor,
             ..
         } = self.plate;
-        let moment = inertia_factor * mass * a * a * (1.0 + beta * beta);
+        let moment = self.plate.moment();
         let Some(AddedMass { factor }) = self.added_mass else {
             return Masses {
                 along: mass,

@@ -380,6 +380,7 @@ impl Scene for Strip {
     fn further(&self) -> Columns<StripState> {
         let equations = &self.equations;
         let weight = equations.plate.mass() * equations.gravity.unwrap_or(0.0);
+        let moment = equations.plate.moment();
         Columns::default().with(
             [
                 ["speed", "m/s", "size of the velocity"],
@@ -389,10 +390,16 @@ impl Scene for Strip {
                     "angle of the velocity below the horizontal",
                 ],
                 ["potential", "J/m", "energy of the weight above the start"],
+                [
+                    "l",
+                    "kg m/s",
+                    "angular momentum of the strip alone about its axis, a metre of its length",
+                ],
             ],
             move |state: &StripState| {
                 let [x, y] = state.velocity;
-                [x.hypot(y), (-y).atan2(x), weight * state.position[1]]
+                let potential = weight * state.position[1];
+                [x.hypot(y), (-y).atan2(x), potential, moment * state.omega]
             },
         )
     }

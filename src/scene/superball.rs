@@ -239,12 +239,18 @@ impl Scene for Superball {
                 ["translation", "J", "kinetic energy of the centre"],
                 ["rotation", "J", "kinetic energy about the centre"],
                 ["potential", "J", "energy of the weight above the floor"],
+                [
+                    "l_over_radius",
+                    "kg m/s",
+                    "angular momentum about the centre over the radius, which nobody has told",
+                ],
             ],
             move |Bouncing { ball, .. }: &Bouncing| {
                 let [along, rim] = [ball.motion.velocity, ball.motion.rim_speed];
                 let translation = 0.5 * mass * (along.powi(2) + ball.climb.powi(2));
                 let rotation = 0.5 * mass * kappa * rim.powi(2);
-                [translation, rotation, weight * ball.height]
+                let l = mass * kappa * rim;
+                [translation, rotation, weight * ball.height, l]
             },
         )
     }

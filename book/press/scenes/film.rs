@@ -6,7 +6,6 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use figures::Look;
 use figures::film::Film;
 use nalgebra::{UnitQuaternion, Vector3};
 use spinning_bodies::scene::Sight;
@@ -21,7 +20,7 @@ use crate::{Error, Result};
 /// The motion at so many equal steps from the first of its times to the last, and the picture of it. The scene tells all of its columns.
 fn filmed<'a>(motion: &'a Motion<'_>, count: usize, speed: f64) -> Result<Film<'a>> {
     let sights = |count: usize| {
-        let [first, last] = ends(motion);
+        let [first, last] = motion.ends();
         let time = |k: usize| match k {
             0 => first,
             k if k + 1 == count => last,
@@ -74,15 +73,6 @@ fn turned(shots: Vec<(f64, Sight)>) -> Vec<(f64, Sight)> {
     shots.into_iter().map(turn).step_by(BETWEEN).collect()
 }
 
-/// The first and the last of the times that are asked for.
-fn ends(motion: &Motion<'_>) -> [f64; 2] {
-    let times = motion.request.times().iter();
-    let [least, greatest] = [f64::INFINITY, f64::NEG_INFINITY];
-    times.fold([least, greatest], |[low, high], &t| {
-        [low.min(t), high.max(t)]
-    })
-}
-
 /// Pictures in a second of a film, and most bytes of one.
 const PER_SECOND: f64 = 25.0;
 const MOST_BYTES: f64 = 390_000.0;
@@ -97,12 +87,7 @@ const MAY_LAST: [f64; 2] = [1.0, 60.0];
 /// # Errors
 /// [`Error::Input`] for a single time and for a speed at which the film would be too short or too long; what [`run`](super::run) says.
 pub fn film(motion: &Motion<'_>, speed: Option<f64>) -> Result<Vec<u8>> {
-    let [first, last] = ends(motion);
-    let span = last - first;
-    if span <= 0.0 {
-        let told = "expected times that go on, `until` in [run], for a film";
-        return Err(Error::Input(format!("--film: {}: {told}", motion.name)));
-    }
+    let span = motion.span("--film")?;
     let speed = speed.unwrap_or(span / LASTS);
     let seconds = span / speed;
     let [shortest, longest] = MAY_LAST;
@@ -113,12 +98,8 @@ pub fn film(motion: &Motion<'_>, speed: Option<f64>) -> Result<Vec<u8>> {
             motion.name
         )));
     }
-    let paper = Look::default();
     // A few of its pictures tell how many there may be.
-    let bytes = filmed(motion, TRIED, speed)?
-        .film(seconds)
-        .file(paper)
-        .len();
+    let bytes = filmed(motion, TRIED, speed)?.film(seconds).len();
     let room = MOST_BYTES / bytes as f64 * TRIED as f64;
     let count = room.min(PER_SECOND * seconds).max(2.0) as usize;
     let film = filmed(motion, count, speed)?;
@@ -136,7 +117,7 @@ pub fn film(motion: &Motion<'_>, speed: Option<f64>) -> Result<Vec<u8>> {
             motion.name
         );
     }
-    Ok(film.film(seconds).file(paper).into_bytes())
+    Ok(film.film(seconds).into_bytes())
 }
 
 /// Most stills.
@@ -183,6 +164,9 @@ impl Stills {
     /// [`Error::File`]; as for [`file`](file()) and [`run`](super::run).
     pub fn draw(&self, motion: &Motion<'_>, form: Form) -> Result<String> {
         let Self { folder, count } = self;
+        if *count > 1 {
+            motion.span("--frames")?;
+        }
         let film = filmed(motion, *count, 1.0)?;
         let parent = folder_of(folder);
         std::fs::create_dir_all(parent).map_err(Error::file(parent))?;

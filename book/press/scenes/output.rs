@@ -116,6 +116,29 @@ impl Told {
 }
 
 impl Motion<'_> {
+    /// The first and the last of the times that are asked for, s.
+    pub fn ends(&self) -> [f64; 2] {
+        let times = self.request.times().iter();
+        let [least, greatest] = [f64::INFINITY, f64::NEG_INFINITY];
+        times.fold([least, greatest], |[low, high], &t| {
+            [low.min(t), high.max(t)]
+        })
+    }
+
+    /// The time from the first to the last, s, for an option that draws what goes on in it.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a single time.
+    pub fn span(&self, option: &str) -> Result<f64> {
+        let [first, last] = self.ends();
+        if last > first {
+            return Ok(last - first);
+        }
+        let name = self.name;
+        let told = "key `until` or `times` in [run]: expected times that go on, got one";
+        Err(Error::Input(format!("{option}: {name}: {told}")))
+    }
+
     fn is_long(&self) -> bool {
         self.request.times().len() > PART
     }

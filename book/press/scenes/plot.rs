@@ -82,14 +82,14 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
             motion.name
         )));
     }
-    let times = motion.request.times();
-    let request = match (times, times.len() < SMOOTH) {
-        ([first, .., last], true) => {
+    let span = motion.span("--plot")?;
+    let request = match rows < SMOOTH {
+        true => {
             let share = |k: usize| k as f64 / (SMOOTH - 1) as f64;
-            let times = (0..SMOOTH).map(|k| first + share(k) * (last - first));
+            let times = (0..SMOOTH).map(|k| motion.ends()[0] + share(k) * span);
             motion.request.of_times(&times.collect::<Vec<_>>())
         }
-        _ => motion.request.clone(),
+        false => motion.request.clone(),
     };
     let motion = Motion {
         request: &request,

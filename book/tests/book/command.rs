@@ -185,7 +185,8 @@ fn a_film_shows_the_axis_where_the_closed_form_has_it() {
     let done = book(&[&["scene", scene.to_str().unwrap()][..], &arguments].concat());
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
     let svg = std::fs::read_to_string(&film).unwrap();
-    assert!(svg.contains("prefers-reduced-motion") && svg.contains("at 0.7 of real time"));
+    assert!(svg.contains("prefers-reduced-motion") && svg.contains("prefers-color-scheme"));
+    assert!(svg.contains("0.7 × real time"));
     let frames: Vec<&str> = svg.split("<g class=\"fig-film").skip(1).collect();
     assert!(frames.len() > 100 && svg.matches("<g ").count() == svg.matches("</g>").count());
     // From the centre of the ball to the weight, on the paper, right and down.
@@ -244,6 +245,12 @@ fn every_scene_of_the_book_is_filmed() {
             "expected a speed from 1.667e-1 to 1.000e1",
         ),
         (&["--speed", "1"], "--film"),
+        (&["--speed", "1", "--plot", "tilt"], "--speed"),
+        (&["--film", "--as", "png"], "--as"),
+        (&["--plot", "tlit"], "did you mean `tilt`?"),
+        (&["--plot", "x:x"], "has no column `x`"),
+        (&["--film", "--plot", "tilt"], "cannot be used with"),
+        (&["--film", "--speed", "0"], "expected a speed from"),
         (&["--film", "--output", "x.png"], "should end with `.svg`"),
         (
             &["--frames", "src", "10"],
@@ -255,6 +262,23 @@ fn every_scene_of_the_book_is_filmed() {
         ),
     ] {
         refused(&book(&[&["scene", "racket"], wrong].concat()), &[told]);
+    }
+    // A single time is no motion.
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let scene = folder.path().join("once.toml");
+    std::fs::write(
+        &scene,
+        FREE.replace("until = 7.0\nsamples = 2", "times = [1.0, 1.0]"),
+    )
+    .unwrap();
+    for (option, more) in [
+        ("--film", &[][..]),
+        ("--plot", &["tilt"]),
+        ("--frames", &["stills", "2"]),
+    ] {
+        let done = book(&[&["scene", scene.to_str().unwrap(), option], more].concat());
+        let told = "once.toml: key `until` or `times` in [run]: expected times that go on";
+        refused(&done, &[option, told]);
     }
 }
 

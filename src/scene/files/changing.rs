@@ -308,11 +308,10 @@ pub fn paper_cat(
         .moved(lever)
         .and(Solid::Bar(lever));
     let look: Look = Box::new(move |told| {
-        let [fall, tilt, rate] = told.vector(["fall", "tilt", "tilt_rate"]);
-        let moment = sheet.mass * sheet.gyration.powi(2);
+        let [fall, tilt, rate, l] = told.vector(["fall", "tilt", "tilt_rate", "l"]);
         Sight {
             omega: Vector3::y() * rate,
-            angular_momentum: Some(Vector3::y() * (moment * rate)),
+            angular_momentum: Some(Vector3::y() * l),
             ..outline.sight(
                 Around::Space,
                 Vector3::z() * -fall,

@@ -298,10 +298,11 @@ pub fn superball(
         ([x, height + radius], 0.0)
     });
     let look: Look = Box::new(move |told| {
-        let [rim] = told.vector(["rim_speed"]);
+        let [rim, l] = told.vector(["rim_speed", "l_over_radius"]);
         Sight {
             turned: false,
             omega: Vector3::y() * (rim / radius),
+            angular_momentum: Some(Vector3::y() * (l * radius)),
             ..flies(told)
         }
     });

@@ -79,9 +79,11 @@ pub fn strip(
     let outline = Outline::new("a strip, its length cut short", Solid::Cuboid(edges));
     let look: Look = Box::new(move |told| {
         let [x, z, angle, omega] = told.vector(["x", "y", "angle", "omega"]);
+        let [l] = told.vector(["l"]);
         let attitude = about(Vector3::y(), -angle);
         Sight {
             omega: Vector3::y() * -omega,
+            angular_momentum: Some(Vector3::y() * -l),
             ..outline.sight(Around::Space, Vector3::new(x, 0.0, z), attitude)
         }
     });

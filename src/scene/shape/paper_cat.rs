@@ -6,7 +6,7 @@ use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::integrators::{Effort, Kept, Leg, Stop};
 use crate::phenomena;
-use crate::scene::columns::state;
+use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Flow, apart, planned, solved};
 use crate::scene::motion::{Account, ledger};
@@ -239,5 +239,13 @@ impl Scene for PaperCat {
         };
         let states = numbers.iter().map(state).collect();
         Motion::of(request, plan, trace.cost, error, ledger, states)
+    }
+
+    fn further(&self) -> Columns<PaperCatState> {
+        let moment = self.cat.mass * self.cat.gyration.powi(2);
+        Columns::default().with(
+            [["l", "kg m²/s", "angular momentum about the centre of mass"]],
+            move |state: &PaperCatState| [moment * state.tilt_rate],
+        )
     }
 }

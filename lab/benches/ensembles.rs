@@ -195,7 +195,7 @@ fn many_bodies() -> spinning_bodies::Result<()> {
         "{:>8} {:>30} {:>10} {:>9} {:>7} {:>12}",
         "bodies", "", "one by one", "together", "ratio", "differ, rad"
     );
-    for count in [100, COUNT, 10_000] {
+    for count in [100, COUNT, 10_000, 100_000] {
         let starts = starts(count);
         let tops: Vec<EulerTop> = starts
             .iter()

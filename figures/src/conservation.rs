@@ -9,7 +9,7 @@ use spinning_bodies::inertia::{PlatonicSolid, shapes};
 
 use crate::solid::{View, polyhedron};
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, Words, figure, label, number, polar, short, small, stroke,
+    AXIS, Anchor, DATA, Point, Role, Words, figure, label, number, polar, short, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -141,18 +141,8 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
             }
         }
         let text = format!("{} s", short(FLIGHT, 2));
-        pen.text(
-            [path[180][0], 412.0],
-            Anchor::Middle,
-            &text,
-            small(Role::Muted),
-        );
-        pen.text(
-            [path[0][0], 412.0],
-            Anchor::Middle,
-            "0 s",
-            small(Role::Muted),
-        );
+        pen.remark([path[180][0], 412.0], Anchor::Middle, &text);
+        pen.remark([path[0][0], 412.0], Anchor::Middle, "0 s");
     });
     drawn?;
     let columns = [

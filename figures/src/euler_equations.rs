@@ -14,7 +14,7 @@ use spinning_bodies::inertia::PrincipalMoments;
 
 use crate::solid::{View, ellipsoid_hides, segment};
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Role, SECONDARY, Words, between, figure, label, number, stroke,
+    AXIS, Anchor, DATA, Pen, Role, SECONDARY, Words, between, figure, inked, label, number, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -248,7 +248,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         for line in &border {
             line.draw(pen, &view, 3.2);
         }
-        pen.ring(center, RADIUS, stroke(Role::Ink, AXIS));
+        pen.ring(center, RADIUS, inked(AXIS));
         for orbit in &orbits {
             orbit.draw_dots(pen, &view, 2.6, middle);
             orbit.draw_sense(pen, &view, DATA);
@@ -286,7 +286,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
                 Nature::Degenerate => "at rest",
             };
             let mut line = |dx: f64, dy: f64, anchor: Anchor, text: &str| {
-                pen.text([at[0] + dx, at[1] + dy], anchor, text, label(Role::Ink));
+                pen.label([at[0] + dx, at[1] + dy], anchor, text);
             };
             line(0.0, 0.0, anchor, &format!("*x*_{{{}}}", axis + 1));
             match axis {
@@ -339,10 +339,10 @@ fn axes(pen: &mut Pen, view: &View) {
             let line = segment(p, p * [1.3, 1.8, 1.26][axis], 80);
             let [seen, hidden] = view.split(&line, |p| !ellipsoid_hides(&sphere, p, &view.toward));
             for piece in seen {
-                pen.line(&piece, stroke(Role::Ink, SECONDARY));
+                pen.line(&piece, inked(SECONDARY));
             }
             for piece in hidden {
-                pen.line(&piece, stroke(Role::Ink, AXIS).alpha(BEHIND).dotted());
+                pen.line(&piece, inked(AXIS).alpha(BEHIND).dotted());
             }
         }
     }

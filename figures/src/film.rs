@@ -10,8 +10,8 @@ use crate::finish::short;
 use crate::plot::Axis;
 use crate::solid::{View, hull};
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, brief, figure, label, number, small,
-    stroke,
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, label, number,
+    small, stroke,
 };
 use crate::{Figure, Theme};
 
@@ -160,7 +160,7 @@ impl Body {
         let space = |place: &Vector| stands.translation.vector + stands.rotation * place;
         if let Some(to) = self.bar {
             let ends = [Vector::zeros(), to].map(|end| space(&end));
-            return pen.line(&view.trace(&ends), stroke(Role::Ink, DATA));
+            return pen.line(&view.trace(&ends), inked(DATA));
         }
         let inward = stands.rotation.inverse();
         let outline: Vec<Point> = (0..CORNERS)
@@ -172,13 +172,13 @@ impl Body {
             })
             .collect();
         let outline = hull(&outline);
-        pen.sheet(&outline, stroke(Role::Ink, SECONDARY));
+        pen.sheet(&outline, inked(SECONDARY));
         let toward = inward * view.toward;
         for edge in &self.edges {
             let seen = |[_, a, b]: &[Vector; 3]| a.dot(&toward).max(b.dot(&toward)) > 0.0;
             for piece in edge.split(|point| !seen(point)) {
                 let places: Vec<Vector> = piece.iter().map(|[place, ..]| space(place)).collect();
-                pen.line(&view.trace(&places), stroke(Role::Ink, AXIS));
+                pen.line(&view.trace(&places), inked(AXIS));
             }
         }
     }
@@ -337,7 +337,7 @@ impl Film<'_> {
             }
             Around::String => {
                 let ends = [Vector::zeros(), sight.place];
-                return pen.line(&view.trace(&ends), stroke(Role::Ink, AXIS));
+                return pen.line(&view.trace(&ends), inked(AXIS));
             }
             Around::Under(ceiling) => {
                 for height in [0.0, ceiling] {
@@ -438,12 +438,7 @@ impl Film<'_> {
             pen.text(place, Anchor::Middle, name, label(role));
         }
         let time = format!("{} s", number(*time, self.decimals()));
-        pen.text(
-            [24.0, HEIGHT - 32.0],
-            Anchor::Start,
-            &time,
-            small(Role::Ink),
-        );
+        pen.note([24.0, HEIGHT - 32.0], Anchor::Start, &time);
     }
 
     /// Decimals that tell two pictures apart.

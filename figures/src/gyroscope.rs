@@ -10,7 +10,7 @@ use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession
 
 use crate::solid::{View, ellipse, segment};
 use crate::style::{
-    AXIS, DATA, Role, SECONDARY, Words, figure, label, number, polar, short, small, stroke,
+    AXIS, DATA, Role, SECONDARY, Words, figure, inked, label, number, polar, short, small, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -150,26 +150,23 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
                 Vector3::y() * 0.018,
                 60,
             )),
-            stroke(Role::Ink, AXIS),
+            inked(AXIS),
         );
-        pen.line(&[at(&foot), at(&origin)], stroke(Role::Ink, DATA));
+        pen.line(&[at(&foot), at(&origin)], inked(DATA));
         pen.line(&circle, stroke(Role::Muted, AXIS).dotted());
-        pen.line(
-            &[at(&origin), at(&(axle * HOLD))],
-            stroke(Role::Ink, SECONDARY),
-        );
+        pen.line(&[at(&origin), at(&(axle * HOLD))], inked(SECONDARY));
         pen.arrow(
             at(&origin),
             at(&tips[1]),
             stroke(Role::AngularMomentum, DATA).alpha(0.5),
         );
         pen.fill(&rim, Role::Ink, 0.14);
-        pen.outline(&rim, stroke(Role::Ink, SECONDARY));
+        pen.outline(&rim, inked(SECONDARY));
         for k in 0..3 {
             let angle = f64::from(k) * 2.0 * FRAC_PI_6;
             let spoke = Vector3::y() * angle.cos() + Vector3::y().cross(&axle) * angle.sin();
             let ends = segment(hub - spoke * WHEEL, hub + spoke * WHEEL, 1);
-            pen.line(&view.trace(&ends), stroke(Role::Ink, AXIS).alpha(0.4));
+            pen.line(&view.trace(&ends), inked(AXIS).alpha(0.4));
         }
         pen.arrow(
             at(&origin),
@@ -177,7 +174,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
             stroke(Role::AngularMomentum, 2.6),
         );
         let down = hub - Vector3::z() * 0.055;
-        pen.arrow(at(&hub), at(&down), stroke(Role::Ink, DATA));
+        pen.arrow(at(&hub), at(&down), inked(DATA));
         let pushed = tips[0] + torque * STEP * LENGTH;
         pen.arrow(at(&tips[0]), at(&pushed), stroke(Role::Torque, 2.6));
         pen.arrow(

@@ -5,8 +5,8 @@ use spinning_bodies::Result;
 
 use crate::plot::{Axis, Frame, beaded};
 use crate::style::{
-    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
-    wrapped,
+    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, number, small,
+    stroke, wrapped,
 };
 use crate::{Entry, Figure, constant};
 
@@ -53,14 +53,11 @@ pub fn overview() -> Result<Figure> {
     Ok(figure("hard-cases", bottom + 58.0, words, |pen| {
         for (value, text) in TICKS {
             let x = axis.at(value);
-            pen.line(
-                &[[x, top - 12.0], [x, bottom]],
-                stroke(Role::Ink, HAIR).alpha(0.18),
-            );
-            pen.text([x, bottom + 20.0], Anchor::Middle, text, small(Role::Muted));
+            pen.line(&[[x, top - 12.0], [x, bottom]], inked(HAIR).alpha(0.18));
+            pen.remark([x, bottom + 20.0], Anchor::Middle, text);
         }
         let place = [580.0, bottom + 44.0];
-        pen.text(place, Anchor::End, "relative error", small(Role::Muted));
+        pen.remark(place, Anchor::End, "relative error");
         pen.text(
             [axis.at(1e-16), 26.0],
             Anchor::Middle,
@@ -171,7 +168,7 @@ fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -
     let (last, before) = title.split_last().expect("a title has a line");
     for (k, line) in before.iter().rev().enumerate() {
         let place = [corner[0], corner[1] - 34.0 - 20.0 * k as f64];
-        pen.text(place, Anchor::Start, line, label(Role::Ink));
+        pen.label(place, Anchor::Start, line);
     }
     let across = [[1.0, 1e-16], SHOWN];
     let frame = Frame::panel(pen, last, corner, across, [&POWERS, &POWERS]);

@@ -8,7 +8,7 @@ use spinning_bodies::impacts::{Meteorite, Planet, strike};
 use crate::solid::{View, ellipse};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, area, between, figure,
-    label, number, polar, roomiest, short, small, stroke,
+    inked, label, number, polar, roomiest, short, small, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -99,15 +99,15 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
     let spin = View::new(1.4, 0.32, CENTER, scale);
     let made = figure("meteorite", 380.0, words, |pen| {
         pen.disc(CENTER, RADIUS, Role::Shade, 0.8);
-        pen.ring(CENTER, RADIUS, stroke(Role::Ink, DATA));
+        pen.ring(CENTER, RADIUS, inked(DATA));
         // Equator and a meridian, so that the ball is seen to be round.
         let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 240);
         let [seen, hidden] = view.split(&equator, |p| p.dot(&view.toward) > 0.0);
         for piece in seen {
-            pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.7));
+            pen.line(&piece, inked(HAIR).alpha(0.7));
         }
         for piece in hidden {
-            pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.25));
+            pen.line(&piece, inked(HAIR).alpha(0.25));
         }
 
         let tips = [before, after, rough].map(|v| spin.project(&v.components()));
@@ -122,8 +122,8 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         let far = (0..60).map(|k| 3.3 - 0.05 * f64::from(k));
         let far = far.into_iter().find(|far| inside(start(*far)));
         let come = start(far.unwrap_or(0.3));
-        pen.line(&[CENTER, place], stroke(Role::Ink, AXIS).dotted());
-        pen.arrow(come, place, stroke(Role::Ink, DATA));
+        pen.line(&[CENTER, place], inked(AXIS).dotted());
+        pen.arrow(come, place, inked(DATA));
         pen.disc(come, 7.0, Role::Ink, 1.0);
         let mut name = |at: Point, text: &str, lettering, half: f64| {
             let far = [1.0, 1.4, 1.9, 2.5];
@@ -176,7 +176,7 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
     pen.ring(
         exact,
         (GLASS_RADIUS / magnified + 3.0).min(14.0),
-        stroke(Role::Ink, AXIS),
+        inked(AXIS),
     );
     let (dx, dy) = (GLASS[0] - exact[0], GLASS[1] - exact[1]);
     let way = dy.atan2(dx);
@@ -186,9 +186,9 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         GLASS[0] - GLASS_RADIUS * way.cos(),
         GLASS[1] - GLASS_RADIUS * way.sin(),
     ];
-    pen.line(&[start, stop], stroke(Role::Ink, HAIR));
+    pen.line(&[start, stop], inked(HAIR));
     pen.disc(GLASS, GLASS_RADIUS, Role::Ink, 0.04);
-    pen.ring(GLASS, GLASS_RADIUS, stroke(Role::Ink, SECONDARY));
+    pen.ring(GLASS, GLASS_RADIUS, inked(SECONDARY));
     let enlarged = |p: Point| {
         [
             GLASS[0] + magnified * (p[0] - exact[0]),
@@ -245,10 +245,9 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         }
     }
     let under = [GLASS[0], GLASS[1] + GLASS_RADIUS + 20.0];
-    pen.text(
+    pen.remark(
         under,
         Anchor::Middle,
         &format!("{} times", number(magnified, 0)),
-        small(Role::Muted),
     );
 }

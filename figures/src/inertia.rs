@@ -9,8 +9,8 @@ use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inerti
 
 use crate::solid::{HIDDEN, View, box_hides, ellipse, ellipsoid_hides, hull, polyhedron, segment};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
-    short, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, number, polar,
+    short,
 };
 use crate::{Entry, Figure, Parameter, Values, constant, of};
 
@@ -116,21 +116,16 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
             };
             let [seen, hidden] = view.split(&line, visible);
             for piece in seen {
-                pen.line(&piece, stroke(Role::Ink, SECONDARY));
+                pen.line(&piece, inked(SECONDARY));
             }
             for piece in hidden {
-                pen.line(&piece, stroke(Role::Ink, AXIS).alpha(HIDDEN).dotted());
+                pen.line(&piece, inked(AXIS).alpha(HIDDEN).dotted());
             }
             // The middle axis is named at its near end.
             let side = if k == 1 { -1.0 } else { 1.0 };
             let tip = view.project(&along(side * (semi[k] + reach[k])));
             let (dx, dy, anchor) = texts[k];
-            pen.text(
-                [tip[0] + dx, tip[1] + dy],
-                anchor,
-                &names[k],
-                label(Role::Ink),
-            );
+            pen.label([tip[0] + dx, tip[1] + dy], anchor, &names[k]);
         }
     });
     let rows = |k: usize| vec![edges[k], semi[k], moments[k]];
@@ -223,10 +218,10 @@ fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector3<f64>, semi: &Vecto
         // Rims at the back would only confuse.
         let hidden = if width == AXIS { Vec::new() } else { hidden };
         for piece in hidden {
-            pen.line(&piece, stroke(Role::Ink, HAIR).alpha(HIDDEN));
+            pen.line(&piece, inked(HAIR).alpha(HIDDEN));
         }
         for piece in seen {
-            pen.line(&piece, stroke(Role::Ink, width));
+            pen.line(&piece, inked(width));
         }
     }
 }
@@ -280,7 +275,7 @@ pub fn rosettes() -> Result<Figure> {
             polar(center, MOMENT_SCALE * moment + out, angle)
         };
         let put = |pen: &mut Pen, p: Point, anchor, text: &str| {
-            pen.text([p[0], p[1] + 4.5], anchor, text, small(Role::Ink));
+            pen.note([p[0], p[1] + 4.5], anchor, text);
         };
         put(pen, at(left, up, 12.0), Anchor::Middle, "face");
         put(pen, at(left, slant, 9.0), Anchor::Start, "vertex");
@@ -299,32 +294,25 @@ pub fn rosettes() -> Result<Figure> {
             &format!("vertex {}", number(slant.1, 3)),
         );
         let inside = at(right, side, -8.0);
-        pen.text(
+        pen.note(
             [inside[0], inside[1] - 6.0],
             Anchor::End,
             &format!("edge {}", number(side.1, 3)),
-            small(Role::Ink),
         );
         let foot = 234.0;
         let all = format!("cube: {} *Ma*^{{2}}", number(cube.quiz[0].1, 3));
-        pen.text([left[0], foot], Anchor::Middle, &all, label(Role::Ink));
-        pen.text(
+        pen.label([left[0], foot], Anchor::Middle, &all);
+        pen.label(
             [right[0], foot],
             Anchor::Middle,
             "brick: depends on the axis",
-            label(Role::Ink),
         );
 
         for (k, (solid, moment)) in five.iter().enumerate() {
             let center = [68.0 + 116.0 * k as f64, 318.0];
-            pen.ring(center, 46.0, stroke(Role::Ink, SECONDARY));
+            pen.ring(center, 46.0, inked(SECONDARY));
             regular_solid(pen, *solid, center, 41.0);
-            pen.text(
-                [center[0], 390.0],
-                Anchor::Middle,
-                &number(*moment, 3),
-                label(Role::Ink),
-            );
+            pen.label([center[0], 390.0], Anchor::Middle, &number(*moment, 3));
         }
     }))
 }
@@ -373,15 +361,15 @@ impl Rosette {
         let corners =
             [[-w, -h], [w, -h], [w, h], [-w, h]].map(|[x, y]| [center[0] + x, center[1] + y]);
         pen.fill(&corners, Role::Ink, 0.12);
-        pen.outline(&corners, stroke(Role::Ink, AXIS));
+        pen.outline(&corners, inked(AXIS));
         for (angle, moment) in self.quiz {
             let r = MOMENT_SCALE * moment;
             pen.line(
                 &[polar(center, -r, angle), polar(center, r, angle)],
-                stroke(Role::Ink, AXIS).alpha(0.6),
+                inked(AXIS).alpha(0.6),
             );
         }
-        pen.outline(&curve, stroke(Role::Ink, DATA));
+        pen.outline(&curve, inked(DATA));
         for (angle, moment) in self.quiz {
             pen.disc(
                 polar(center, MOMENT_SCALE * moment, angle),
@@ -430,20 +418,20 @@ pub fn quiz() -> Result<Figure> {
             let line = segment(-end, end, 400);
             let [seen, hidden] = view.split(&line, |p| !box_hides(&half, p, &view.toward));
             for piece in hidden {
-                pen.line(&piece, stroke(Role::Ink, AXIS).dotted());
+                pen.line(&piece, inked(AXIS).dotted());
             }
             for piece in seen {
-                pen.line(&piece, stroke(Role::Ink, DATA));
+                pen.line(&piece, inked(DATA));
             }
             // Round the upper end, open towards the back.
             let level = through.cross(&view.toward).normalize();
             let (u, v) = (level * 0.2, through.normalize().cross(&level) * 0.2);
             let rings = ellipse(end - through.normalize() * 0.16, u, v, 60);
             let rings = view.trace(&rings);
-            pen.line(&rings[24..], stroke(Role::Ink, SECONDARY));
-            pen.arrow(rings[56], rings[60], stroke(Role::Ink, SECONDARY));
+            pen.line(&rings[24..], inked(SECONDARY));
+            pen.arrow(rings[56], rings[60], inked(SECONDARY));
             let text = format!("through {name}");
-            pen.text([center[0], 226.0], Anchor::Middle, &text, label(Role::Ink));
+            pen.label([center[0], 226.0], Anchor::Middle, &text);
         }
     }))
 }

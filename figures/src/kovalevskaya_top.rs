@@ -7,8 +7,8 @@ use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
 
 use crate::plot::apart;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, figure, label, number,
-    roomiest, short, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, figure, inked, label,
+    number, roomiest, short, stroke,
 };
 
 use crate::{Entry, Figure, Parameter, Values, of};
@@ -174,16 +174,11 @@ pub fn circle(values: &Values) -> Result<Figure> {
             (panels[2], "*K*", &right),
         ] {
             let [left, right] = [x - PANEL - 6.0, x + PANEL + 6.0];
-            pen.line(&[[left, MIDDLE], [right, MIDDLE]], stroke(Role::Ink, HAIR));
+            pen.line(&[[left, MIDDLE], [right, MIDDLE]], inked(HAIR));
             let [above, below] = [MIDDLE - PANEL - 6.0, MIDDLE + PANEL + 6.0];
-            pen.line(&[[x, above], [x, below]], stroke(Role::Ink, HAIR));
-            pen.text(
-                [right - 4.0, above + 18.0],
-                Anchor::Middle,
-                text,
-                label(Role::Ink),
-            );
-            pen.text([x, below + 26.0], Anchor::Middle, remark, label(Role::Ink));
+            pen.line(&[[x, above], [x, below]], inked(HAIR));
+            pen.label([right - 4.0, above + 18.0], Anchor::Middle, text);
+            pen.label([x, below + 26.0], Anchor::Middle, remark);
         }
         let path: Vec<Point> = hers.iter().map(|p| scribble(p[0])).collect();
         pen.line(&path, stroke(Role::Omega, AXIS).alpha(0.8));
@@ -192,10 +187,10 @@ pub fn circle(values: &Values) -> Result<Figure> {
             .map(|(sine, cosine)| smear([k * cosine, k * sine]))
             .collect();
         let path: Vec<Point> = hers.iter().map(|p| circle(p[1])).collect();
-        pen.line(&path, stroke(Role::Ink, DATA));
+        pen.line(&path, inked(DATA));
         let path: Vec<Point> = wandering.iter().map(|p| smear(*p)).collect();
         pen.line(&path, stroke(Role::Muted, HAIR).alpha(0.8));
-        pen.line(&ring, stroke(Role::Ink, SECONDARY).dashed());
+        pen.line(&ring, inked(SECONDARY).dashed());
     });
     let time = |n: usize| SECONDS * n as f64 / f64::from(SAMPLES);
     let columns = ["time (s)", "real part", "imaginary part"];
@@ -281,26 +276,25 @@ pub fn bands(values: &Values) -> Result<Figure> {
             .filter(seen)
             .map(|&(s, p)| [x(s), y(p)])
             .collect();
-        pen.line(&[[20.0, LEVEL], [580.0, LEVEL]], stroke(Role::Ink, AXIS));
+        pen.line(&[[20.0, LEVEL], [580.0, LEVEL]], inked(AXIS));
         let taken = along(&graph, 6.0);
         if let Some((((low, high), turn), _)) = moving {
             band(pen, [20.0, x(turn)], "*s*_{2}", &taken);
             band(pen, [x(low), x(high)], "*s*_{1}", &taken);
         }
-        pen.line(&graph, stroke(Role::Ink, DATA));
+        pen.line(&graph, inked(DATA));
         for e in &real {
             pen.disc([x(*e), LEVEL], 3.5, Role::Ink, 1.0);
         }
-        pen.text([588.0, LEVEL - 8.0], Anchor::End, "*s*", label(Role::Ink));
+        pen.label([588.0, LEVEL - 8.0], Anchor::End, "*s*");
         let top = grid
             .iter()
             .find(seen)
             .map_or([0.0; 2], |&(s, p)| [x(s), y(p)]);
-        pen.text(
+        pen.label(
             [top[0] + 80.0, (top[1] + 12.0).max(24.0)],
             Anchor::Start,
             "*P*(*s*)",
-            label(Role::Ink),
         );
     });
     let rows = grid.iter().map(|&(s, p)| vec![s, p]);
@@ -382,7 +376,7 @@ pub fn classes(values: &Values) -> Result<Figure> {
             for part in curve.split(|point| !inside(point)) {
                 if part.len() > 1 {
                     let points: Vec<Point> = part.iter().map(|p| place(*p)).collect();
-                    pen.line(&points, stroke(Role::Ink, DATA));
+                    pen.line(&points, inked(DATA));
                 }
             }
         }
@@ -403,17 +397,12 @@ pub fn classes(values: &Values) -> Result<Figure> {
             .collect();
         for ((_, text), y) in named.iter().zip(apart(&heights, 18.0, 258.0)) {
             let x = place([greatest, 0.0])[0];
-            pen.text([x + 8.0, y + 5.0], Anchor::Start, text, label(Role::Ink));
+            pen.label([x + 8.0, y + 5.0], Anchor::Start, text);
         }
-        pen.line(&[[46.0, 262.0], [580.0, 262.0]], stroke(Role::Ink, AXIS));
-        pen.line(&[[46.0, 262.0], [46.0, 16.0]], stroke(Role::Ink, AXIS));
-        pen.text([580.0, 284.0], Anchor::End, "*E*", label(Role::Ink));
-        pen.text(
-            [54.0, 28.0],
-            Anchor::Start,
-            "*L*_{vert}^{2}",
-            label(Role::Ink),
-        );
+        pen.line(&[[46.0, 262.0], [580.0, 262.0]], inked(AXIS));
+        pen.line(&[[46.0, 262.0], [46.0, 16.0]], inked(AXIS));
+        pen.label([580.0, 284.0], Anchor::End, "*E*");
+        pen.label([54.0, 28.0], Anchor::Start, "*L*_{vert}^{2}");
     });
     let rows = motions
         .iter()
@@ -428,10 +417,7 @@ fn inside_of([e, h]: &Point, [least, greatest, highest]: [f64; 3]) -> bool {
 
 /// A stretch of the axis with the name of what moves there, clear of the curve.
 fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str, taken: &[Point]) {
-    pen.line(
-        &[[from, LEVEL], [to, LEVEL]],
-        stroke(Role::Ink, 7.0).alpha(0.4),
-    );
+    pen.line(&[[from, LEVEL], [to, LEVEL]], inked(7.0).alpha(0.4));
     let middle = 0.5 * (from + to);
     let places = [22.0, -20.0, 40.0, -38.0, 60.0, -58.0, 80.0].map(|dy| [middle, LEVEL + dy]);
     let [x, y] = roomiest(places, [12.0, 9.0], taken);

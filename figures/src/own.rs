@@ -3,7 +3,7 @@
 use crate::Figure;
 use crate::plot::{Axis, Frame, Scale, apart, texts};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, brief, figure, label, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, brief, figure, small, stroke,
 };
 
 /// The values of a quantity along a motion.
@@ -266,46 +266,21 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
         };
         bare.draw(pen, &[], &[], [&x.name, &y.name]);
         for (value, text) in ticks(&frame.x, 70.0) {
-            pen.text(
-                [frame.x.at(value), bottom + 20.0],
-                Anchor::Middle,
-                &text,
-                small(Role::Muted),
-            );
+            pen.remark([frame.x.at(value), bottom + 20.0], Anchor::Middle, &text);
         }
         for (value, text) in ticks(&frame.y, 45.0) {
-            pen.text(
-                [left - 9.0, frame.y.at(value) + 5.0],
-                Anchor::End,
-                &text,
-                small(Role::Muted),
-            );
+            pen.remark([left - 9.0, frame.y.at(value) + 5.0], Anchor::End, &text);
         }
-        pen.text(
-            [592.0, top - 12.0],
-            Anchor::End,
-            &drawn.label,
-            label(Role::Ink),
-        );
+        pen.label([592.0, top - 12.0], Anchor::End, &drawn.label);
         for step in 0..STEPS {
             let height = |step: u32| bottom + (top - bottom) * f64::from(step) / f64::from(STEPS);
             let [from, to] = [height(step), height(step + 1)];
             let corners = [[480.0, from], [500.0, from], [500.0, to], [480.0, to]];
             pen.fill(&corners, Role::Ink, shade(step));
             let value = low + (high - low) * f64::from(step) / f64::from(STEPS);
-            pen.text(
-                [506.0, from + 5.0],
-                Anchor::Start,
-                &short(value),
-                small(Role::Muted),
-            );
+            pen.remark([506.0, from + 5.0], Anchor::Start, &short(value));
         }
-        pen.text(
-            [506.0, top + 5.0],
-            Anchor::Start,
-            &short(high),
-            small(Role::Muted),
-        );
+        pen.remark([506.0, top + 5.0], Anchor::Start, &short(high));
     });
     let rows = told.values.iter().enumerate();
     let rows = rows.map(|(k, &value)| vec![x.values[k / up], y.values[k % up], value]);

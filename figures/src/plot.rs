@@ -1,6 +1,6 @@
 //! Axes of a plain diagram.
 
-use crate::style::{AXIS, Anchor, HAIR, Pen, Point, Role, Stroke, label, short, small, stroke};
+use crate::style::{AXIS, Anchor, HAIR, Pen, Point, Role, Stroke, inked, short, small};
 
 /// How numbers become places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -126,32 +126,26 @@ impl Frame {
         [x_name, y_name]: [&str; 2],
     ) {
         let ([left, right], [bottom, top]) = (self.x.ends, self.y.ends);
-        pen.line(
-            &[[left, top], [left, bottom], [right, bottom]],
-            stroke(Role::Ink, AXIS),
-        );
+        pen.line(&[[left, top], [left, bottom], [right, bottom]], inked(AXIS));
         for &(value, text) in x_ticks {
             let x = self.x.at(value);
-            pen.line(&[[x, bottom], [x, bottom + 5.0]], stroke(Role::Ink, AXIS));
+            pen.line(&[[x, bottom], [x, bottom + 5.0]], inked(AXIS));
             // A power reaches higher.
             let down = if text.contains('^') { 24.0 } else { 20.0 };
-            pen.text([x, bottom + down], Anchor::Middle, text, small(Role::Muted));
+            pen.remark([x, bottom + down], Anchor::Middle, text);
         }
         for &(value, text) in y_ticks {
             let y = self.y.at(value);
-            pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
-            pen.line(
-                &[[left, y], [right, y]],
-                stroke(Role::Ink, HAIR).alpha(0.18),
-            );
-            pen.text([left - 9.0, y + 5.0], Anchor::End, text, small(Role::Muted));
+            pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
+            pen.line(&[[left, y], [right, y]], inked(HAIR).alpha(0.18));
+            pen.remark([left - 9.0, y + 5.0], Anchor::End, text);
         }
         for (at, anchor, name) in [
             ([right, bottom + 40.0], Anchor::End, x_name),
             ([left - 30.0, top - 12.0], Anchor::Start, y_name),
         ] {
             if !name.is_empty() {
-                pen.text(at, anchor, name, label(Role::Ink));
+                pen.label(at, anchor, name);
             }
         }
     }
@@ -173,11 +167,8 @@ impl Frame {
         let (right, bottom) = (left + 234.0, top + 140.0);
         let x = Axis::log(across, [left, right]);
         let y = Axis::log(up, [bottom, top]);
-        pen.text([left, top - 14.0], Anchor::Start, name, label(Role::Ink));
-        pen.line(
-            &[[left, top], [left, bottom], [right, bottom]],
-            stroke(Role::Ink, AXIS),
-        );
+        pen.label([left, top - 14.0], Anchor::Start, name);
+        pen.line(&[[left, top], [left, bottom], [right, bottom]], inked(AXIS));
         for &(value, text) in x_ticks {
             // A tick at the end must not stand out of the panel.
             let anchor = if value == across[1] {
@@ -186,16 +177,13 @@ impl Frame {
                 Anchor::Middle
             };
             let place = [x.at(value), bottom + 18.0];
-            pen.text(place, anchor, text, small(Role::Muted));
+            pen.remark(place, anchor, text);
         }
         for &(value, text) in y_ticks {
             let height = y.at(value);
-            pen.line(
-                &[[left, height], [right, height]],
-                stroke(Role::Ink, HAIR).alpha(0.18),
-            );
+            pen.line(&[[left, height], [right, height]], inked(HAIR).alpha(0.18));
             let place = [left - 6.0, height + 5.0];
-            pen.text(place, Anchor::End, text, small(Role::Muted));
+            pen.remark(place, Anchor::End, text);
         }
         Self { x, y }
     }

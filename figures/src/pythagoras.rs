@@ -6,8 +6,8 @@ use spinning_bodies::Result;
 use spinning_bodies::pythagoras::GasBox;
 
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, label, number, sized,
-    stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, inked, label, number,
+    sized, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -200,7 +200,7 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
                 pen.arrow(
                     inside,
                     [on[0] - outward[0], on[1] - outward[1]],
-                    stroke(Role::Ink, HAIR).alpha(0.55),
+                    inked(HAIR).alpha(0.55),
                 );
             }
         }
@@ -217,17 +217,17 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
         for foot in feet {
             pen.line(&[a, foot], stroke(Role::Torque, 8.0).alpha(0.35));
         }
-        pen.outline(&[a, r, b], stroke(Role::Ink, DATA));
+        pen.outline(&[a, r, b], inked(DATA));
         if right {
             let square = [
                 [r[0] - 13.0, r[1]],
                 [r[0] - 13.0, r[1] - 13.0],
                 [r[0], r[1] - 13.0],
             ];
-            pen.line(&square, stroke(Role::Ink, AXIS));
+            pen.line(&square, inked(AXIS));
         } else {
             let to = PI - values.of(&ANGLE).to_radians();
-            pen.arc(r, 20.0, PI, to, stroke(Role::Ink, AXIS));
+            pen.arc(r, 20.0, PI, to, inked(AXIS));
         }
 
         for (k, (from, to, length)) in around.into_iter().enumerate() {
@@ -238,7 +238,7 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
                 middle[0] + reach * outward[0],
                 middle[1] + reach * outward[1],
             ];
-            pen.arrow(middle, tip, stroke(Role::Ink, 2.8));
+            pen.arrow(middle, tip, inked(2.8));
             let sign = if torques[k] > 0.0 { "+" } else { "" };
             let text = format!("{sign}{}", shown[k]);
             let ([dx, dy], anchor) = match outward {
@@ -252,13 +252,13 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
         }
         // The hinge, and which way each torque turns.
         pen.disc(a, 5.0, Role::Ink, 1.0);
-        pen.ring(a, 9.5, stroke(Role::Ink, SECONDARY));
+        pen.ring(a, 9.5, inked(SECONDARY));
         // Each corner's letter stands away from the middle of the box.
         let middle = between(a, between(r, b, 0.5), 2.0 / 3.0);
         for (corner, name) in corners.into_iter().zip(["*A*", "*R*", "*B*"]) {
             let away = (corner[0] - middle[0]).hypot(corner[1] - middle[1]);
             let [x, y] = between(corner, middle, -21.0 / away);
-            pen.text([x, y + 6.0], Anchor::Middle, name, label(Role::Ink));
+            pen.label([x, y + 6.0], Anchor::Middle, name);
         }
         let sign = |k: usize| match shown[k].strip_prefix('\u{2212}') {
             Some(rest) => format!("\u{2212} {rest}"),

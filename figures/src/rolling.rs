@@ -9,8 +9,8 @@ use spinning_bodies::rolling::{RoundBody, factor};
 
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, arc, figure, label, polar, short, small,
-    stroke,
+    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, arc, figure, inked, label, polar, short,
+    small, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -116,23 +116,20 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         .min(62.0 / (-high[1]).max(0.1));
     let tip = |shot: &[f64; 3]| [ZERO + speed * shot[1], level(shot[0])];
     let made = figure("billiard", 362.0, words, |pen| {
-        pen.line(
-            &[[10.0, CONTACT[1]], [590.0, CONTACT[1]]],
-            stroke(Role::Ink, SECONDARY),
-        );
+        pen.line(&[[10.0, CONTACT[1]], [590.0, CONTACT[1]]], inked(SECONDARY));
         pen.disc(center, RADIUS, Role::Shade, 0.75);
-        pen.ring(center, RADIUS, stroke(Role::Ink, DATA));
+        pen.ring(center, RADIUS, inked(DATA));
         // The height of pure rolling goes across.
         pen.line(
             &[[BUTT, level(sweet)], [590.0, level(sweet)]],
-            stroke(Role::Ink, AXIS).dotted(),
+            inked(AXIS).dotted(),
         );
         pen.disc(center, 2.5, Role::Ink, 1.0);
-        pen.line(&[center, CONTACT], stroke(Role::Ink, AXIS).alpha(0.6));
+        pen.line(&[center, CONTACT], inked(AXIS).alpha(0.6));
         let beside = [center[0] + 8.0, center[1] + 0.55 * RADIUS];
-        pen.text(beside, Anchor::Start, "*R*", label(Role::Ink));
-        pen.line(&[[ZERO, 48.0], [ZERO, CONTACT[1]]], stroke(Role::Ink, AXIS));
-        pen.line(&[tip(&low), tip(&high)], stroke(Role::Ink, AXIS).dashed());
+        pen.label(beside, Anchor::Start, "*R*");
+        pen.line(&[[ZERO, 48.0], [ZERO, CONTACT[1]]], inked(AXIS));
+        pen.line(&[tip(&low), tip(&high)], inked(AXIS).dashed());
 
         for shot in &shots {
             let [height, slip, rim_speed] = *shot;
@@ -143,35 +140,30 @@ pub fn billiard(values: &Values) -> Result<Figure> {
                 true => (2.8, label(Role::Ink).strong()),
                 false => (SECONDARY, small(Role::Ink)),
             };
-            pen.arrow([BUTT, y], [touch - 1.0, y], stroke(Role::Ink, width));
+            pen.arrow([BUTT, y], [touch - 1.0, y], inked(width));
             let name = short(height, 2);
             pen.text([BUTT - 6.0, y + 5.0], Anchor::End, &name, lettering);
 
             let dial = [DIAL, y];
             let hand = FRAC_PI_2 - rim_speed;
-            pen.ring(dial, 9.8, stroke(Role::Ink, AXIS));
+            pen.ring(dial, 9.8, inked(AXIS));
             if rim_speed != 0.0 {
                 let mut sector = arc(dial, 9.8, FRAC_PI_2, hand);
                 sector.push(dial);
                 pen.fill(&sector, Role::Omega, 0.25);
             }
             let up = [dial, polar(dial, 9.8, FRAC_PI_2)];
-            pen.line(&up, stroke(Role::Ink, AXIS));
+            pen.line(&up, inked(AXIS));
             pen.line(&[dial, polar(dial, 9.8, hand)], stroke(Role::Omega, DATA));
             if rolls {
                 pen.disc(tip(shot), 5.5, Role::Ink, 1.0);
             } else {
-                pen.arrow([ZERO, y], tip(shot), stroke(Role::Ink, DATA));
+                pen.arrow([ZERO, y], tip(shot), inked(DATA));
             }
         }
-        pen.text([10.0, 30.0], Anchor::Start, "*H*/*R*", label(Role::Ink));
+        pen.label([10.0, 30.0], Anchor::Start, "*H*/*R*");
         pen.text([DIAL, 30.0], Anchor::Middle, "spin", label(Role::Omega));
-        pen.text(
-            [ZERO, 30.0],
-            Anchor::Middle,
-            "slip / *V*\u{2032}",
-            label(Role::Ink),
-        );
+        pen.label([ZERO, 30.0], Anchor::Middle, "slip / *V*\u{2032}");
         // Arrows go to the right below the height of rolling, to the left above it: words stand on the other side.
         let remark = |x: f64, y: f64, anchor| ([x, y], anchor);
         let slow = level(0.5 * (1.0 + sweet));
@@ -186,7 +178,7 @@ pub fn billiard(values: &Values) -> Result<Figure> {
             (remark(ZERO - 6.0, back - 3.0, Anchor::End), "turns"),
             (remark(ZERO - 6.0, back + 13.0, Anchor::End), "backwards"),
         ] {
-            pen.text(at, anchor, text, small(Role::Ink));
+            pen.note(at, anchor, text);
         }
         let rolls = [ZERO + 14.0, level(sweet) - 6.0];
         pen.text(rolls, Anchor::Start, "rolls", label(Role::Ink).strong());
@@ -195,13 +187,8 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         for (slip, text) in slips.ticks(40.0) {
             let x = slips.at(slip);
             let mark = [[x, CONTACT[1]], [x, CONTACT[1] + 5.0]];
-            pen.line(&mark, stroke(Role::Ink, AXIS));
-            pen.text(
-                [x, CONTACT[1] + 23.0],
-                Anchor::Middle,
-                &text,
-                small(Role::Ink),
-            );
+            pen.line(&mark, inked(AXIS));
+            pen.note([x, CONTACT[1] + 23.0], Anchor::Middle, &text);
         }
     });
     let columns = ["height of the cue (R)", "slip (V')", "rim speed (V')"];

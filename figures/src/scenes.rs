@@ -2,7 +2,7 @@
 
 use spinning_bodies::Result;
 
-use crate::style::{Anchor, HAIR, Pen, Role, SECONDARY, Words, figure, label, small, stroke};
+use crate::style::{Anchor, HAIR, Pen, Role, SECONDARY, Words, figure, inked, stroke};
 use crate::{Entry, Figure, constant};
 
 /// The figures of the chapter, in its order.
@@ -89,7 +89,7 @@ pub fn prices() -> Result<Figure> {
                 stroke(Role::Muted, HAIR),
             );
             if let Some(cell) = block.first() {
-                pen.text([8.0, y + 14.0], Anchor::Start, cell.kind, label(Role::Ink));
+                pen.label([8.0, y + 14.0], Anchor::Start, cell.kind);
             }
             for cell in block {
                 row(pen, cell, y + 9.0);
@@ -102,7 +102,7 @@ pub fn prices() -> Result<Figure> {
 fn head(pen: &mut Pen, height: f64) {
     for (milliseconds, text) in DECADES {
         let x = across(milliseconds);
-        pen.text([x, 40.0], Anchor::Middle, text, small(Role::Muted));
+        pen.remark([x, 40.0], Anchor::Middle, text);
         pen.line(
             &[[x, 50.0], [x, height - 12.0]],
             stroke(Role::Muted, HAIR).alpha(0.5).dotted(),
@@ -113,25 +113,17 @@ fn head(pen: &mut Pen, height: f64) {
         (MILLISECONDS, Anchor::End, "ms"),
         (EVALUATIONS, Anchor::End, "evaluations"),
     ] {
-        pen.text([x, 18.0], anchor, text, small(Role::Ink));
+        pen.note([x, 18.0], anchor, text);
     }
 }
 
 fn row(pen: &mut Pen, cell: &Cell, y: f64) {
-    pen.text(
-        [108.0, y + 5.0],
-        Anchor::Start,
-        &cell.effect,
-        small(Role::Ink),
-    );
+    pen.note([108.0, y + 5.0], Anchor::Start, &cell.effect);
     let with = across(cell.with);
     if let Some(without) = cell.without.map(across) {
         let step = if with < without { -6.0 } else { 6.0 };
         if (with - without).abs() > 8.0 {
-            pen.line(
-                &[[without + step, y], [with, y]],
-                stroke(Role::Ink, SECONDARY),
-            );
+            pen.line(&[[without + step, y], [with, y]], inked(SECONDARY));
         }
         pen.ring([without, y], 6.0, stroke(Role::Muted, SECONDARY));
     }
@@ -142,13 +134,8 @@ fn row(pen: &mut Pen, cell: &Cell, y: f64) {
         (_, count) => thousands(count),
     };
     let time = format!("{:.*}", if cell.with < 1.0 { 2 } else { 1 }, cell.with);
-    pen.text(
-        [MILLISECONDS, y + 5.0],
-        Anchor::End,
-        &time,
-        small(Role::Ink),
-    );
-    pen.text([EVALUATIONS, y + 5.0], Anchor::End, &how, small(Role::Ink));
+    pen.note([MILLISECONDS, y + 5.0], Anchor::End, &time);
+    pen.note([EVALUATIONS, y + 5.0], Anchor::End, &how);
 }
 
 /// 12 345 with a narrow gap.

@@ -9,8 +9,8 @@ use spinning_bodies::rolling::{
 
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Role, SCALE, SECONDARY, Words, between, figure, label, number, short,
-    small, stroke,
+    AXIS, Anchor, DATA, HAIR, Role, SCALE, SECONDARY, Words, between, figure, inked, label, number,
+    short, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, constant, of};
 
@@ -137,50 +137,37 @@ pub fn speeds(values: &Values) -> Result<Figure> {
         // Beside each other if both fit, else one above the other.
         let (on, off) = ("on the sheet", "on the table");
         if edge - x(0.0) > 100.0 {
-            pen.text([x(0.0) + 8.0, 32.0], Anchor::Start, on, small(Role::Ink));
-            pen.text([edge + 10.0, 32.0], Anchor::Start, off, small(Role::Ink));
+            pen.note([x(0.0) + 8.0, 32.0], Anchor::Start, on);
+            pen.note([edge + 10.0, 32.0], Anchor::Start, off);
         } else {
             let text = format!("grey: {on}; then {off}");
-            pen.text([edge + 10.0, 32.0], Anchor::Start, &text, small(Role::Ink));
+            pen.note([edge + 10.0, 32.0], Anchor::Start, &text);
         }
         for y in [upper(0.0), lower(0.0)] {
-            pen.line(&[[x(0.0), y], [x(until), y]], stroke(Role::Ink, AXIS));
+            pen.line(&[[x(0.0), y], [x(until), y]], inked(AXIS));
         }
-        pen.line(&[[x(0.0), 14.0], [x(0.0), bottom]], stroke(Role::Ink, AXIS));
+        pen.line(&[[x(0.0), 14.0], [x(0.0), bottom]], inked(AXIS));
         pen.line(
             &[[x(stops), upper(0.0) - 20.0], [x(stops), bottom]],
-            stroke(Role::Ink, HAIR).dashed(),
+            inked(HAIR).dashed(),
         );
         for axis in [&high, &low] {
             for (value, text) in axis.ticks(26.0) {
                 let y = axis.at(value);
-                pen.line(&[[x(0.0) - 4.0, y], [x(0.0), y]], stroke(Role::Ink, AXIS));
-                pen.text(
-                    [x(0.0) - 8.0, y + 5.0],
-                    Anchor::End,
-                    &text,
-                    small(Role::Ink),
-                );
+                pen.line(&[[x(0.0) - 4.0, y], [x(0.0), y]], inked(AXIS));
+                pen.note([x(0.0) - 8.0, y + 5.0], Anchor::End, &text);
             }
         }
-        pen.text([8.0, 24.0], Anchor::Start, "m/s", small(Role::Ink));
+        pen.note([8.0, 24.0], Anchor::Start, "m/s");
         let milliseconds = Axis::linear([0.0, 1e3 * until], time.ends);
         for (t, text) in milliseconds.ticks(80.0).into_iter().skip(1) {
             let x = milliseconds.at(t);
-            pen.line(
-                &[[x, bottom - 3.0], [x, bottom + 3.0]],
-                stroke(Role::Ink, AXIS),
-            );
+            pen.line(&[[x, bottom - 3.0], [x, bottom + 3.0]], inked(AXIS));
             if x < 535.0 {
-                pen.text([x, bottom + 20.0], Anchor::Middle, &text, small(Role::Ink));
+                pen.note([x, bottom + 20.0], Anchor::Middle, &text);
             }
         }
-        pen.text(
-            [x(until), bottom + 20.0],
-            Anchor::End,
-            "ms",
-            small(Role::Ink),
-        );
+        pen.note([x(until), bottom + 20.0], Anchor::End, "ms");
         let velocity: Vec<_> = corners
             .iter()
             .map(|&t| [x(t), upper(course.at(t).velocity)])
@@ -189,7 +176,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             .iter()
             .map(|&t| [x(t), upper(course.at(t).rim_speed)])
             .collect();
-        pen.line(&velocity, stroke(Role::Ink, 2.6));
+        pen.line(&velocity, inked(2.6));
         pen.line(&rim, stroke(Role::Omega, 2.6));
         // Beside the longer of the two slopes.
         let after = stops - leaves > leaves;
@@ -203,39 +190,28 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             between(on(from), on(to), 0.3)
         };
         let [at_v, at_rim] = [beside(|m| m.velocity), beside(|m| m.rim_speed)];
-        pen.text(
-            [at_v[0] + side, at_v[1] - 6.0],
-            anchor,
-            "*V*",
-            label(Role::Ink),
-        );
+        pen.label([at_v[0] + side, at_v[1] - 6.0], anchor, "*V*");
         pen.text(
             [at_rim[0] + side, at_rim[1] + 16.0],
             anchor,
             "*R*\u{03a9}",
             label(Role::Omega),
         );
-        pen.text(
+        pen.note(
             [x(stops) + 6.0, upper(0.0) + 20.0],
             Anchor::Start,
             "both zero",
-            small(Role::Ink),
         );
         let slip: Vec<_> = corners
             .iter()
             .zip(&slips)
             .map(|(&t, &u)| [x(t), lower(u)])
             .collect();
-        pen.line(&slip, stroke(Role::Ink, DATA));
-        pen.text(
-            [edge + 10.0, lower(0.0) + 24.0],
-            Anchor::Start,
-            "slip",
-            label(Role::Ink),
-        );
+        pen.line(&slip, inked(DATA));
+        pen.label([edge + 10.0, lower(0.0) + 24.0], Anchor::Start, "slip");
         pen.line(
             &[[x(0.0), 232.0], [x(until), 232.0]],
-            stroke(Role::Ink, SECONDARY).alpha(0.15),
+            inked(SECONDARY).alpha(0.15),
         );
     });
     let rows = corners.iter().map(|&t| {
@@ -281,20 +257,9 @@ pub fn animated() -> Result<Figure> {
             .to_owned(),
     };
     let still = figure(NAME, 160.0, words, |pen| {
-        pen.line(
-            &[[8.0, TABLE], [592.0, TABLE]],
-            stroke(Role::Ink, SECONDARY),
-        );
-        pen.line(
-            &[[FIRST, TABLE], [FIRST, TABLE + 18.0]],
-            stroke(Role::Ink, AXIS),
-        );
-        pen.text(
-            [FIRST, TABLE + 36.0],
-            Anchor::Middle,
-            "began here",
-            small(Role::Ink),
-        );
+        pen.line(&[[8.0, TABLE], [592.0, TABLE]], inked(SECONDARY));
+        pen.line(&[[FIRST, TABLE], [FIRST, TABLE + 18.0]], inked(AXIS));
+        pen.note([FIRST, TABLE + 36.0], Anchor::Middle, "began here");
     });
     let mut style = String::from("<style>");
     let mut frames = [String::new(), String::new(), String::new()];

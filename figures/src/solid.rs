@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::style::{HAIR, Pen, Point, Role, SECONDARY, stroke};
+use crate::style::{HAIR, Pen, Point, Role, SECONDARY, inked};
 
 /// Strength of lines that lie behind or inside a body.
 pub const HIDDEN: f64 = 0.26;
@@ -215,9 +215,9 @@ pub fn polyhedron(pen: &mut Pen, view: &View, faces: &[Vec<Vector3<f64>>]) {
         if normal.dot(&view.toward) > 0.0 {
             let shade = 0.03 + 0.17 * (1.0 - normal.dot(&light)) / 2.0;
             pen.fill(&outline, Role::Ink, shade);
-            pen.outline(&outline, stroke(Role::Ink, SECONDARY));
+            pen.outline(&outline, inked(SECONDARY));
         } else {
-            pen.outline(&outline, stroke(Role::Ink, HAIR).alpha(HIDDEN));
+            pen.outline(&outline, inked(HAIR).alpha(HIDDEN));
         }
     }
 }

@@ -6,8 +6,8 @@ use spinning_bodies::Result;
 use spinning_bodies::rolling::{RoundBody, Spool, Tug, Way};
 
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
-    small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, number,
+    polar, small, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -58,20 +58,19 @@ fn tugged(pen: &mut Pen, spool: &Spool, x: f64, angle: f64) -> Result<()> {
     let along = |from: Point, way: f64| [from[0] - way * cos, from[1] - way * sin];
     let foot = [x - spool.foot_of_the_line(angle)? / 0.05 * RADIUS, GROUND];
     pen.disc(center, RADIUS, Role::Shade, 0.6);
-    pen.ring(center, RADIUS, stroke(Role::Ink, DATA));
-    pen.ring(center, r, stroke(Role::Ink, SECONDARY));
+    pen.ring(center, RADIUS, inked(DATA));
+    pen.ring(center, r, inked(SECONDARY));
     let shown = (foot[0] - x).abs() < 105.0;
     let end = if shown { foot } else { along(touch, -98.0) };
-    pen.line(&[touch, end], stroke(Role::Ink, AXIS).dotted());
-    pen.arrow(touch, along(touch, 98.0), stroke(Role::Ink, 2.6));
+    pen.line(&[touch, end], inked(AXIS).dotted());
+    pen.arrow(touch, along(touch, 98.0), inked(2.6));
     pen.disc(center, 2.2, Role::Ink, 1.0);
     pen.disc(contact, 5.0, Role::Torque, 1.0);
     let tip = along(touch, 98.0);
-    pen.text(
+    pen.note(
         [(tip[0] - 2.0).max(24.0), tip[1] - 9.0],
         Anchor::Middle,
         &degrees(angle),
-        small(Role::Ink),
     );
     let below = GROUND + 26.0;
     let way = spool.way(angle)?;
@@ -80,13 +79,8 @@ fn tugged(pen: &mut Pen, spool: &Spool, x: f64, angle: f64) -> Result<()> {
         Way::WindsUp => (30.0, -30.0),
         Way::PaysOut => (-30.0, 30.0),
     };
-    pen.arrow([x + from, below], [x + to, below], stroke(Role::Ink, 2.8));
-    pen.text(
-        [x, below + 24.0],
-        Anchor::Middle,
-        told(way),
-        small(Role::Ink),
-    );
+    pen.arrow([x + from, below], [x + to, below], inked(2.8));
+    pen.note([x, below + 24.0], Anchor::Middle, told(way));
     Ok(())
 }
 
@@ -159,10 +153,7 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
     };
     let mut drawn = Ok(());
     let made = figure("spool", 276.0, words, |pen| {
-        pen.line(
-            &[[8.0, GROUND], [592.0, GROUND]],
-            stroke(Role::Ink, SECONDARY),
-        );
+        pen.line(&[[8.0, GROUND], [592.0, GROUND]], inked(SECONDARY));
         drawn = [124.0, 322.0, 494.0]
             .into_iter()
             .zip(angles)
@@ -234,13 +225,13 @@ pub fn dial(values: &Values) -> Result<Figure> {
     let unit = LONGEST / back.abs();
     let made = figure("spool-dial", 330.0, words, |pen| {
         pen.disc(HUB, 44.0, Role::Shade, 0.6);
-        pen.ring(HUB, 44.0, stroke(Role::Ink, DATA));
-        pen.ring(HUB, 44.0 * values.of(&AXLE), stroke(Role::Ink, SECONDARY));
+        pen.ring(HUB, 44.0, inked(DATA));
+        pen.ring(HUB, 44.0 * values.of(&AXLE), inked(SECONDARY));
         pen.line(
             &[[20.0, HUB[1] + 44.0], [580.0, HUB[1] + 44.0]],
-            stroke(Role::Ink, SECONDARY),
+            inked(SECONDARY),
         );
-        pen.arc(HUB, INNER, 0.0, PI, stroke(Role::Ink, HAIR));
+        pen.arc(HUB, INNER, 0.0, PI, inked(HAIR));
         for &(angle, a) in &rays {
             let ray = [place(INNER, angle), place(INNER + unit * a.abs(), angle)];
             let role = if a > 0.0 { Role::Ink } else { Role::Muted };
@@ -268,7 +259,7 @@ pub fn dial(values: &Values) -> Result<Figure> {
         let tip = |k: usize| INNER + unit * rays[k].1.abs();
         let half = ((critical / PI * 18.0).round() as usize).min(18);
         let beside = place(tip(half) + 14.0, rays[half].0);
-        pen.text(beside, Anchor::End, "comes", label(Role::Ink));
+        pen.label(beside, Anchor::End, "comes");
         let [x, y] = place(tip(18) + 34.0, PI / 2.0);
         pen.text(
             [x + 4.0, y.min(76.0)],
@@ -283,18 +274,13 @@ pub fn dial(values: &Values) -> Result<Figure> {
             label(Role::Muted),
         );
         let level = [HUB[0] - tip(0) - 8.0, HUB[1] + 6.0];
-        pen.text(level, Anchor::End, "0°", small(Role::Ink));
+        pen.note(level, Anchor::End, "0°");
         // Beside the vertical the dotted line takes its place.
         if critical < 1.35 {
             let [x, y] = place(tip(18) + 8.0, PI / 2.0);
-            pen.text([x + 4.0, y], Anchor::End, "90°", small(Role::Ink));
+            pen.note([x + 4.0, y], Anchor::End, "90°");
         }
-        pen.text(
-            [580.0, HUB[1] + 24.0],
-            Anchor::End,
-            "180°",
-            small(Role::Ink),
-        );
+        pen.note([580.0, HUB[1] + 24.0], Anchor::End, "180°");
     });
     let rows = rays.iter().map(|&(angle, a)| vec![angle.to_degrees(), a]);
     Ok(made.data("spool", &["angle (°)", "acceleration (m/s²)"], rows))

@@ -109,6 +109,11 @@ pub const fn stroke(role: Role, width: f64) -> Stroke {
     }
 }
 
+/// A solid line of ink.
+pub const fn inked(width: f64) -> Stroke {
+    stroke(Role::Ink, width)
+}
+
 impl Stroke {
     /// The same at an opacity in 0…1.
     pub const fn alpha(mut self, alpha: f64) -> Self {
@@ -366,6 +371,21 @@ impl Pen {
             at(reach, -half),
         ];
         self.fill(&barb, stroke.role, stroke.alpha);
+    }
+
+    /// A label in ink, as [`Pen::text`] writes it.
+    pub fn label(&mut self, at: Point, anchor: Anchor, body: &str) {
+        self.text(at, anchor, body, label(Role::Ink));
+    }
+
+    /// A small text in ink.
+    pub fn note(&mut self, at: Point, anchor: Anchor, body: &str) {
+        self.text(at, anchor, body, small(Role::Ink));
+    }
+
+    /// A small text that steps back.
+    pub fn remark(&mut self, at: Point, anchor: Anchor, body: &str) {
+        self.text(at, anchor, body, small(Role::Muted));
     }
 
     /// A text whose base line starts, is centred or ends at the point. `*x*` is an italic letter,

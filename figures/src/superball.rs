@@ -11,7 +11,7 @@ use spinning_bodies::superball::{Motion, Restitution, Surface, UnderTable, bounc
 
 use crate::style::{
     AXIS, Anchor, DATA, Fraction, HAIR, Pen, Point, Role, SECONDARY, Words, along, arc, area,
-    between, figure, label, polar, roomiest, short, small, stroke,
+    between, figure, inked, label, polar, roomiest, short, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -234,16 +234,12 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
 
         // In: small dots at the flashes.
         let arrive = [place(-1.36, 1.36), place(0.0, 0.0)];
-        pen.line(&arrive, stroke(Role::Ink, SECONDARY));
+        pen.line(&arrive, inked(SECONDARY));
         for k in 1..=8 {
             let t = f64::from(k) / FLASHES;
             pen.disc(place(-t, t), 2.2, Role::Ink, 1.0);
         }
-        pen.arrow(
-            place(-1.265, 1.265),
-            place(-1.145, 1.145),
-            stroke(Role::Ink, DATA),
-        );
+        pen.arrow(place(-1.265, 1.265), place(-1.145, 1.145), inked(DATA));
 
         let (mut turned, mut flash) = (0.0, 0_u32);
         let mut flashes: Vec<(Point, f64, f64)> = Vec::new();
@@ -264,12 +260,12 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             turned += spin;
         }
         for &corner in &path[..path.len() - 1] {
-            pen.ring(corner, RADIUS, stroke(Role::Ink, HAIR).alpha(0.45));
+            pen.ring(corner, RADIUS, inked(HAIR).alpha(0.45));
         }
         for &(center, _, _) in &flashes {
             pen.disc(center, RADIUS, Role::Ink, 0.055);
         }
-        pen.line(&path, stroke(Role::Ink, SECONDARY));
+        pen.line(&path, inked(SECONDARY));
         for &(center, angle, swept) in &flashes {
             let hand = FRAC_PI_2 - angle;
             if swept != 0.0 {
@@ -277,7 +273,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
                 sector.push(center);
                 pen.fill(&sector, Role::Omega, 0.22);
             }
-            pen.ring(center, RADIUS, stroke(Role::Ink, AXIS).alpha(0.75));
+            pen.ring(center, RADIUS, inked(AXIS).alpha(0.75));
             pen.line(
                 &[center, polar(center, RADIUS, hand)],
                 stroke(Role::Omega, DATA),
@@ -286,7 +282,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         }
         let last = path.len() - 1;
         let tip = between(path[last - 1], path[last], 0.93);
-        pen.arrow(tip, path[last], stroke(Role::Ink, DATA));
+        pen.arrow(tip, path[last], inked(DATA));
 
         let mut taken = along(&arrive, 6.0);
         taken.extend(along(&ghost, 6.0));
@@ -303,7 +299,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             taken.extend(arc(center, RADIUS, 0.0, 6.3));
         }
         let at = place(-1.13, 1.19);
-        pen.text([at[0] + 8.0, at[1]], Anchor::Start, "*V*", label(Role::Ink));
+        pen.label([at[0] + 8.0, at[1]], Anchor::Start, "*V*");
         for (k, leg) in legs.iter().enumerate() {
             let text = told(k, |m| m.velocity, |m| m.velocity);
             velocity_label(pen, leg, &text, &mut taken);
@@ -313,8 +309,8 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             |k| [50.0, 65.0, 80.0, 100.0, -50.0, -70.0].map(|far| [on(k)[0] + far, on(k)[1] + 4.0]);
         let beside = (0..50).flat_map(right);
         let [x, y] = roomiest(beside, [28.0, 17.0], &taken);
-        pen.text([x, y - 4.0], Anchor::Middle, "without", small(Role::Muted));
-        pen.text([x, y + 13.0], Anchor::Middle, "spin", small(Role::Muted));
+        pen.remark([x, y - 4.0], Anchor::Middle, "without");
+        pen.remark([x, y + 13.0], Anchor::Middle, "spin");
     });
     let names = [
         "after the floor",
@@ -373,12 +369,7 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) 
         }
         None => {
             let text = format!("{text} *V*");
-            pen.text(
-                [at[0], at[1] + 5.0],
-                Anchor::Middle,
-                &text,
-                label(Role::Ink),
-            );
+            pen.label([at[0], at[1] + 5.0], Anchor::Middle, &text);
         }
     }
 }
@@ -400,11 +391,8 @@ fn room(pen: &mut Pen) {
         [563.0, FLOOR],
     ];
     pen.fill(&leg, Role::Ink, 0.09);
-    pen.outline(&slab, stroke(Role::Ink, AXIS));
-    pen.line(
-        &[[10.0, FLOOR], [590.0, FLOOR]],
-        stroke(Role::Ink, SECONDARY),
-    );
+    pen.outline(&slab, inked(AXIS));
+    pen.line(&[[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
 }
 
 /// The ball that takes no spin, and its path.

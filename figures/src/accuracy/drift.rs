@@ -12,7 +12,7 @@ use spinning_bodies::integrators::{Effort, Method};
 use super::{named_line, problem};
 use crate::Figure;
 use crate::plot::{Axis, Frame};
-use crate::style::{Anchor, DATA, Point, Role, Words, figure, number, stroke};
+use crate::style::{Anchor, DATA, Point, Role, Words, figure, inked, number, stroke};
 
 /// A sixteenth of a second, about a thirtieth of a turn.
 const STEP: f64 = 0.0625;
@@ -66,16 +66,8 @@ pub fn energy_drift() -> Result<Figure> {
             stroke(Role::Muted, DATA),
             "rk4",
         ),
-        (
-            by_steps(&rotations)?,
-            stroke(Role::Ink, DATA).dashed(),
-            "rotations-2",
-        ),
-        (
-            by_steps(&discrete)?,
-            stroke(Role::Ink, DATA),
-            "moser-veselov-2",
-        ),
+        (by_steps(&rotations)?, inked(DATA).dashed(), "rotations-2"),
+        (by_steps(&discrete)?, inked(DATA), "moser-veselov-2"),
     ];
     let last: Vec<f64> = lines
         .iter()

@@ -8,7 +8,7 @@ use spinning_bodies::integrators::geometric::Phase;
 use super::{named_line, problem};
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded};
-use crate::style::{Anchor, DATA, Point, Role, Stroke, Words, figure, number, stroke};
+use crate::style::{Anchor, DATA, Point, Role, Stroke, Words, figure, inked, number, stroke};
 
 /// How hard a method works.
 enum Hardness {
@@ -44,14 +44,14 @@ const LINES: [Line; 4] = [
         method: "rotations-4",
         hardness: Hardness::StepsATurn(8.0),
         most: 6,
-        style: stroke(Role::Ink, DATA).dashed(),
+        style: inked(DATA).dashed(),
         aside: [-14.0, -10.0],
     },
     Line {
         method: "moser-veselov-10",
         hardness: Hardness::StepsATurn(16.0),
         most: 6,
-        style: stroke(Role::Ink, DATA),
+        style: inked(DATA),
         aside: [0.0, 52.0],
     },
 ];
@@ -147,7 +147,7 @@ pub fn growth() -> Result<Figure> {
             }
         }
         let places: Vec<Point> = exact.iter().map(|&[t, e]| frame.at(t, e)).collect();
-        beaded(pen, &places, stroke(Role::Ink, 1.5 * DATA));
+        beaded(pen, &places, inked(1.5 * DATA));
         if let Some(point) = places.last() {
             named_line(
                 pen,

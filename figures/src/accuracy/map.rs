@@ -4,9 +4,7 @@ use lab::accuracy::measured::{EXACT, MOTIONS, SWEEP, TARGETS, crossover, ranking
 use spinning_bodies::Result;
 
 use crate::Figure;
-use crate::style::{
-    Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, label, number, small, stroke,
-};
+use crate::style::{Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, inked, number, small};
 
 /// A field, units.
 const FIELD: Point = [86.0, 38.0];
@@ -54,7 +52,7 @@ pub fn map() -> Result<Figure> {
             panel(pen, corner, name, (lengths, fields));
             if k < 2 {
                 let place = [corner[0] - 30.0, corner[1] - 36.0];
-                pen.text(place, Anchor::Start, "digits", small(Role::Muted));
+                pen.remark(place, Anchor::Start, "digits");
             }
         }
     });
@@ -78,17 +76,12 @@ fn panel(
             top + FIELD[1] * (4 - row) as f64,
         ]
     };
-    pen.text([left, top - 12.0], Anchor::Start, name, label(Role::Ink));
+    pen.label([left, top - 12.0], Anchor::Start, name);
     for (column, turns) in lengths.iter().enumerate() {
         let [x, y] = at(column, 0);
         let unit = if *turns == 1 { "turn" } else { "turns" };
         let text = format!("{turns} {unit}");
-        pen.text(
-            [x + 0.5 * FIELD[0], y + 18.0],
-            Anchor::Middle,
-            &text,
-            small(Role::Muted),
-        );
+        pen.remark([x + 0.5 * FIELD[0], y + 18.0], Anchor::Middle, &text);
         for (row, winner) in fields[column].iter().enumerate() {
             let corners = [
                 at(column, row),
@@ -99,7 +92,7 @@ fn panel(
             if *winner == EXACT {
                 pen.fill(&corners, Role::Ink, 0.12);
             }
-            pen.outline(&corners, stroke(Role::Ink, HAIR).alpha(0.4));
+            pen.outline(&corners, inked(HAIR).alpha(0.4));
             let middle = [x + 0.5 * FIELD[0], y - FIELD[1] * (row as f64 + 0.5)];
             written(pen, middle, winner);
         }
@@ -110,27 +103,16 @@ fn panel(
         for row in 0..4 {
             let here = fields[column][row];
             if column < 2 && differ(here, fields[column + 1][row]) {
-                pen.line(
-                    &[at(column + 1, row), at(column + 1, row + 1)],
-                    stroke(Role::Ink, DATA),
-                );
+                pen.line(&[at(column + 1, row), at(column + 1, row + 1)], inked(DATA));
             }
             if row < 3 && differ(here, fields[column][row + 1]) {
-                pen.line(
-                    &[at(column, row + 1), at(column + 1, row + 1)],
-                    stroke(Role::Ink, DATA),
-                );
+                pen.line(&[at(column, row + 1), at(column + 1, row + 1)], inked(DATA));
             }
         }
     }
     for (row, target) in TARGETS.iter().enumerate() {
         let place = [left - 7.0, at(0, row)[1] - 0.5 * FIELD[1] + 5.0];
-        pen.text(
-            place,
-            Anchor::End,
-            &number(-target.log10(), 0),
-            small(Role::Muted),
-        );
+        pen.remark(place, Anchor::End, &number(-target.log10(), 0));
     }
 }
 

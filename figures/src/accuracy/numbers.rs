@@ -9,7 +9,7 @@ use spinning_bodies::integrators::geometric::{
 use super::{named_line, problem};
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded};
-use crate::style::{Anchor, DATA, Point, Role, Words, figure, stroke};
+use crate::style::{Anchor, DATA, Point, Role, Words, figure, inked, stroke};
 
 /// Errors after ten turns against steps a turn.
 fn line<T: Real>(
@@ -46,12 +46,12 @@ pub fn three_numbers() -> Result<Figure> {
         ),
         (
             line::<f64>(&problem, &method, powers(9))?,
-            stroke(Role::Ink, DATA),
+            inked(DATA),
             "double (f64)",
         ),
         (
             line::<DoubleDouble>(&problem, &method, powers(9))?,
-            stroke(Role::Ink, DATA).dashed(),
+            inked(DATA).dashed(),
             "two doubles",
         ),
     ];

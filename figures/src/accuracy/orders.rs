@@ -6,10 +6,10 @@ use spinning_bodies::Result;
 use super::{named_line, points, problem, swept};
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded};
-use crate::style::{Anchor, DATA, Point, Role, Stroke, Words, figure, number, stroke};
+use crate::style::{Anchor, DATA, Point, Role, Stroke, Words, figure, inked, number, stroke};
 
-const GENTLE: Stroke = stroke(Role::Ink, DATA);
-const DISCRETE: Stroke = stroke(Role::Ink, DATA).dashed();
+const GENTLE: Stroke = inked(DATA);
+const DISCRETE: Stroke = inked(DATA).dashed();
 const GENERAL: Stroke = stroke(Role::Muted, DATA).dotted();
 
 /// Method, line, what stands before its slope, and where: at the point that is so far along the line, and so far beside it.

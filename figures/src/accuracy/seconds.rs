@@ -5,7 +5,9 @@ use spinning_bodies::Result;
 
 use crate::Figure;
 use crate::plot::Frame;
-use crate::style::{Anchor, DATA, Pen, Point, Role, Stroke, Words, figure, label, small, stroke};
+use crate::style::{
+    Anchor, DATA, Pen, Point, Role, Stroke, Words, figure, inked, label, small, stroke,
+};
 
 const X: [f64; 2] = [3e-7, 1.0];
 const TIMES: [(f64, &str); 3] = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];
@@ -17,11 +19,7 @@ const GEOMETRIC: [(&str, f64); 2] = [("moser-veselov-10", 1e-10), ("kick-drift-6
 
 /// The methods that every motion can be followed by, their lines, and where they stand in the legend.
 const STEPPERS: [(&str, Stroke, Point); 3] = [
-    (
-        "dormand-prince-8",
-        stroke(Role::Ink, DATA).dashed(),
-        [364.0, 22.0],
-    ),
+    ("dormand-prince-8", inked(DATA).dashed(), [364.0, 22.0]),
     ("dop853", stroke(Role::Muted, DATA), [364.0, 48.0]),
     ("rk4", stroke(Role::Muted, DATA).dotted(), [514.0, 48.0]),
 ];
@@ -78,7 +76,7 @@ pub fn seconds() -> Result<Figure> {
                 pen.line(&line(method), style);
             }
             for (method, _) in GEOMETRIC {
-                pen.line(&line(method), stroke(Role::Ink, DATA));
+                pen.line(&line(method), inked(DATA));
             }
             for point in line(EXACT) {
                 pen.disc(point, 6.0, Role::Ink, 1.0);
@@ -109,13 +107,8 @@ pub fn seconds() -> Result<Figure> {
 /// What each line is.
 fn legend(pen: &mut Pen) {
     pen.disc([72.0, 17.0], 6.0, Role::Ink, 1.0);
-    pen.text(
-        [104.0, 22.0],
-        Anchor::Start,
-        "exact, the closed form",
-        label(Role::Ink),
-    );
-    let solid = ("a geometric method", stroke(Role::Ink, DATA), [104.0, 48.0]);
+    pen.label([104.0, 22.0], Anchor::Start, "exact, the closed form");
+    let solid = ("a geometric method", inked(DATA), [104.0, 48.0]);
     for (name, style, [x, y]) in STEPPERS.into_iter().chain([solid]) {
         pen.line(&[[x - 48.0, y - 5.0], [x - 12.0, y - 5.0]], style);
         pen.text([x, y], Anchor::Start, name, label(style.role()));

@@ -8,8 +8,8 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{MassProperties, shapes};
 
 use crate::style::{
-    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, between, figure, label, number,
-    roomiest, stroke,
+    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, between, figure, inked, label,
+    number, roomiest,
 };
 
 use crate::{Figure, Parameter, Values};
@@ -128,7 +128,7 @@ pub fn triangle_of_tops(values: &Values) -> Result<Figure> {
         let at = |m: [f64; 3]| place(m, CORNER, WIDE);
         let corners = [at(rod), at(disc), at(cube)];
         pen.fill(&corners, Role::Ink, 0.07);
-        pen.outline(&corners, stroke(Role::Ink, DATA));
+        pen.outline(&corners, inked(DATA));
         inset(pen, [rod, disc, cube]);
         let caption = "any order of the axes";
         pen.text([112.0, 174.0], Anchor::Middle, caption, label(Role::Muted));
@@ -146,7 +146,7 @@ pub fn triangle_of_tops(values: &Values) -> Result<Figure> {
         ] {
             let [x, y] = at(m);
             pen.disc([x, y], 4.4, Role::Ink, 1.0);
-            pen.text([x + dx, y + dy], anchor, name, label(Role::Ink));
+            pen.label([x + dx, y + dy], anchor, name);
         }
         // The brick moves: its name is where it hides nothing.
         let [x, y] = at(brick);
@@ -177,9 +177,9 @@ pub fn triangle_of_tops(values: &Values) -> Result<Figure> {
             ([1.0, 2.0, 2.0], "Kovalevskaya", "2 : 2 : 1"),
         ] {
             let [x, y] = at(m);
-            pen.ring([x, y], 5.2, stroke(Role::Ink, DATA));
+            pen.ring([x, y], 5.2, inked(DATA));
             let mut line = |up: f64, text: &str| {
-                pen.text([x - 11.0, y - up], Anchor::End, text, label(Role::Ink));
+                pen.label([x - 11.0, y - up], Anchor::End, text);
             };
             line(23.0, who);
             line(5.0, ratio);
@@ -238,10 +238,10 @@ fn inset(pen: &mut Pen, sixth: [[f64; 3]; 3]) {
     pen.fill(&sixth.map(at), Role::Ink, 0.3);
     let turned = |m: [f64; 3], by: usize| core::array::from_fn(|k| m[(k + by) % 3]);
     let rods = [0, 1, 2].map(|by| at(turned(sixth[0], by)));
-    pen.outline(&rods, stroke(Role::Ink, SECONDARY));
+    pen.outline(&rods, inked(SECONDARY));
     for (by, rod) in rods.into_iter().enumerate() {
         // The disc opposite a rod has the rod's odd axis for its own.
         let opposite = at(turned(sixth[1], by + 2));
-        pen.line(&[rod, opposite], stroke(Role::Ink, HAIR));
+        pen.line(&[rod, opposite], inked(HAIR));
     }
 }

@@ -15,7 +15,7 @@ use crate::finish::short;
 use crate::solid::View;
 use crate::style::{
     AXIS, Anchor, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, between, figure,
-    label, number, small, stroke,
+    inked, label, number, stroke,
 };
 
 const NAME: &str = "racket-flip-animated";
@@ -82,19 +82,15 @@ pub fn animated() -> Result<Figure> {
         );
         axes(pen, &upright);
         let [left, right, middle, _] = GRAPH;
-        pen.line(&[[left, middle], [right, middle]], stroke(Role::Ink, HAIR));
+        pen.line(&[[left, middle], [right, middle]], inked(HAIR));
         for half in [0.5, 1.0_f64] {
             let x = between([left, 0.0], [right, 0.0], half)[0];
-            pen.line(
-                &[[x, middle - 4.0], [x, middle + 4.0]],
-                stroke(Role::Ink, AXIS),
-            );
+            pen.line(&[[x, middle - 4.0], [x, middle + 4.0]], inked(AXIS));
             let time = format!("{} s", number(half * period, 2));
-            pen.text(
+            pen.note(
                 [x, middle + if half < 1.0 { -10.0 } else { 22.0 }],
                 Anchor::Middle,
                 &time,
-                small(Role::Ink),
             );
         }
         let curve: Vec<Point> = (0..=PICTURES).map(graph).collect();
@@ -125,14 +121,9 @@ fn axes(pen: &mut Pen, attitude: &Attitude) {
             let [x, y, z] = axis.map(|c| c * reach);
             view.project(&attitude.to_space(BodyVector::new(x, y, z)).components())
         };
-        pen.arrow(at(from), at(to), stroke(Role::Ink, SECONDARY));
+        pen.arrow(at(from), at(to), inked(SECONDARY));
         let beyond = at(to + 0.07);
-        pen.text(
-            [beyond[0], beyond[1] + 5.0],
-            Anchor::Middle,
-            name,
-            label(Role::Ink),
-        );
+        pen.label([beyond[0], beyond[1] + 5.0], Anchor::Middle, name);
     }
 }
 

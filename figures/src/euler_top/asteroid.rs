@@ -10,7 +10,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 
 use crate::solid::{View, ellipse, segment};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Role, SECONDARY, Words, figure, label, nearest, number, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Role, SECONDARY, Words, figure, inked, label, nearest, number, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -126,14 +126,14 @@ pub fn two_axes_in_the_sky(values: &Values) -> Result<Figure> {
         }
         let [ring, behind] = view.split(&long, facing);
         for piece in behind {
-            pen.line(&piece, stroke(Role::Ink, SECONDARY).alpha(0.3));
+            pen.line(&piece, inked(SECONDARY).alpha(0.3));
         }
         for piece in &seen {
             pen.line(piece, stroke(Role::Muted, AXIS));
         }
-        pen.outline(&outline, stroke(Role::Ink, SECONDARY));
+        pen.outline(&outline, inked(SECONDARY));
         for piece in &ring {
-            pen.line(piece, stroke(Role::Ink, DATA));
+            pen.line(piece, inked(DATA));
         }
         for day in long
             .iter()
@@ -174,9 +174,9 @@ pub fn two_axes_in_the_sky(values: &Values) -> Result<Figure> {
         ];
         for (at, anchor, text, from, pieces) in remarks {
             if let Some(to) = nearest(from, pieces.iter().flatten().copied()) {
-                pen.line(&[from, to], stroke(Role::Ink, HAIR));
+                pen.line(&[from, to], inked(HAIR));
             }
-            pen.text(at, anchor, text, small(Role::Ink));
+            pen.note(at, anchor, text);
         }
     });
     let columns = ["time (days)", "from L (°)", "about L (°)"];

@@ -5,7 +5,7 @@ use spinning_bodies::euler_top::State;
 
 use super::racket::{Face, MOMENTS, TURNS, Throw, draw, face, view};
 use super::triple;
-use crate::style::{AXIS, Anchor, DATA, Role, Words, brief, figure, label, number, small, stroke};
+use crate::style::{AXIS, Anchor, DATA, Role, Words, brief, figure, label, number, stroke};
 use crate::{Figure, Parameter, Values};
 
 /// Pictures, the first and the last included.
@@ -85,7 +85,7 @@ pub fn film(values: &Values) -> Result<Figure> {
         let x = |k: usize| 40.0 + 62.5 * k as f64;
         let off = format!("thrown with *L* {off}° off it");
         for (y, text) in ROWS.into_iter().zip(["thrown exactly about *x*_{2}", &off]) {
-            pen.text([10.0, y - 88.0], Anchor::Start, text, small(Role::Ink));
+            pen.note([10.0, y - 88.0], Anchor::Start, text);
             pen.line(
                 &[[10.0, y], [566.0, y]],
                 stroke(Role::AngularMomentum, AXIS).dotted(),
@@ -106,7 +106,7 @@ pub fn film(values: &Values) -> Result<Figure> {
                 0 => "0".to_owned(),
                 _ => format!("{} s", number(time(k), 2)),
             };
-            pen.text([x(k), 410.0], Anchor::Middle, &text, small(Role::Ink));
+            pen.note([x(k), 410.0], Anchor::Middle, &text);
         }
     });
     let columns = ["time (s)", "Ω₁ (rad/s)", "Ω₂ (rad/s)", "Ω₃ (rad/s)"];

@@ -6,8 +6,8 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, label, number,
-    small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, number,
+    stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -139,36 +139,31 @@ impl Course {
 
     fn axes(&self, pen: &mut Pen) {
         let [left, right, bottom, top] = FRAME;
-        pen.line(
-            &[[left, top], [left, bottom], [right, bottom]],
-            stroke(Role::Ink, AXIS),
-        );
+        pen.line(&[[left, top], [left, bottom], [right, bottom]], inked(AXIS));
         for (time, text) in Axis::linear([0.0, self.longest], [bottom, top]).ticks(60.0) {
             let y = self.place([0.0, time])[1];
-            pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
-            pen.text([left - 9.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
+            pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
+            pen.note([left - 9.0, y + 5.0], Anchor::End, &text);
         }
         for exponent in [0, 4, 8, 12, 16] {
             let x = self.place([f64::from(exponent), 0.0])[0];
-            pen.line(&[[x, bottom], [x, bottom + 5.0]], stroke(Role::Ink, AXIS));
+            pen.line(&[[x, bottom], [x, bottom + 5.0]], inked(AXIS));
             let text = if exponent == 0 {
                 "1".to_owned()
             } else {
                 format!("10^{{\u{2212}{exponent}}}")
             };
-            pen.text([x, bottom + 25.0], Anchor::Middle, &text, small(Role::Ink));
+            pen.note([x, bottom + 25.0], Anchor::Middle, &text);
         }
-        pen.text(
+        pen.label(
             [left + 10.0, top - 6.0],
             Anchor::Start,
             "time between flips, s",
-            label(Role::Ink),
         );
-        pen.text(
+        pen.label(
             [right, bottom + 48.0],
             Anchor::End,
             "distance *ε* from the middle axis",
-            label(Role::Ink),
         );
     }
 }
@@ -264,18 +259,17 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
             return;
         }
         let points: Vec<Point> = line.iter().map(|&at| course.place(at)).collect();
-        pen.line(&points, stroke(Role::Ink, DATA));
+        pen.line(&points, inked(DATA));
         for point in &points[1..] {
             pen.disc(*point, 3.0, Role::Ink, 1.0);
         }
-        pen.ring(course.place(course.marked), 7.0, stroke(Role::Ink, DATA));
+        pen.ring(course.place(course.marked), 7.0, inked(DATA));
         let (a, b) = (points[11], points[12]);
         pen.line(&[a, [b[0], a[1]], b], stroke(Role::Muted, AXIS));
-        pen.text(
+        pen.note(
             [b[0] + 6.0, 0.5 * (a[1] + b[1]) + 9.0],
             Anchor::Start,
             &format!("{} s a decade", seconds(decade)),
-            small(Role::Ink),
         );
         for peer in stubborn.iter().chain(&silent) {
             let points: Vec<Point> = peer.answers.iter().map(|&at| course.place(at)).collect();
@@ -294,10 +288,10 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
                 ([372.0, 233.0], listed(&stubborn, last)),
             ];
             for (at, line) in lines {
-                pen.text(at, Anchor::Start, &line, small(Role::Ink));
+                pen.note(at, Anchor::Start, &line);
             }
             let [x, y] = course.place(end);
-            pen.line(&[[x, y + 8.0], [x, 266.0]], stroke(Role::Ink, HAIR));
+            pen.line(&[[x, y + 8.0], [x, 266.0]], inked(HAIR));
         }
     });
     let row = |&[exponent, time]: &[f64; 2]| vec![10f64.powf(-exponent), time];
@@ -345,7 +339,7 @@ fn cross(pen: &mut Pen, at: Point) {
                 [at[0] - 4.5, at[1] - 4.5 * side],
                 [at[0] + 4.5, at[1] + 4.5 * side],
             ],
-            stroke(Role::Ink, DATA),
+            inked(DATA),
         );
     }
 }

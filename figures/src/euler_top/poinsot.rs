@@ -10,8 +10,8 @@ use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::solid::{View, ellipse, ellipsoid_hides, segment};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, label, nearest,
-    number, polar, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, inked, label,
+    nearest, number, polar, small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -278,16 +278,16 @@ impl Scene {
         for (curve, strength) in self.net() {
             let [seen, _] = self.view.split(&curve, |p| self.seen(p));
             for piece in seen {
-                pen.line(&piece, stroke(Role::Ink, HAIR).alpha(strength));
+                pen.line(&piece, inked(HAIR).alpha(strength));
             }
         }
-        pen.outline(&outline, stroke(Role::Ink, SECONDARY));
+        pen.outline(&outline, inked(SECONDARY));
         let [seen, hidden] = self.view.split(&self.polhode, |p| self.seen(p));
         for piece in hidden {
-            pen.line(&piece, stroke(Role::Ink, AXIS).alpha(0.35));
+            pen.line(&piece, inked(AXIS).alpha(0.35));
         }
         for piece in seen {
-            pen.line(&piece, stroke(Role::Ink, DATA));
+            pen.line(&piece, inked(DATA));
         }
         for dot in self.dots[0].iter().filter(|p| self.seen(p)) {
             pen.disc(self.view.project(dot), 2.6, Role::Ink, 1.0);
@@ -319,14 +319,11 @@ impl Scene {
                 (x.abs() < b, at(-a, x), at(a, x)),
             ] {
                 if inside {
-                    pen.line(
-                        &self.view.trace(&[from, to]),
-                        stroke(Role::Ink, HAIR).alpha(0.16),
-                    );
+                    pen.line(&self.view.trace(&[from, to]), inked(HAIR).alpha(0.16));
                 }
             }
         }
-        pen.outline(&sheet, stroke(Role::Ink, AXIS).alpha(0.7));
+        pen.outline(&sheet, inked(AXIS).alpha(0.7));
         for radius in radii {
             let ring = ellipse(
                 at(0.0, 0.0),

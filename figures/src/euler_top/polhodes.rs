@@ -10,8 +10,8 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, triple};
 use crate::solid::{View, ellipse, ellipsoid_hides};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, brief, figure, label,
-    number, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, brief, figure, inked,
+    number, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -223,13 +223,13 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
         for side in [1.0, -1.0] {
             pen.fill(&sector(&view, &semi, parting, side), Role::Ink, 0.1);
         }
-        pen.outline(&outline, stroke(Role::Ink, SECONDARY));
+        pen.outline(&outline, inked(SECONDARY));
         let role = Role::AngularMomentum;
         for curve in &family {
             curve.draw(pen, &view, stroke(role, AXIS), (role, 2.0));
         }
         for curve in &separatrix {
-            curve.draw(pen, &view, stroke(Role::Ink, SECONDARY), (Role::Ink, 2.3));
+            curve.draw(pen, &view, inked(SECONDARY), (Role::Ink, 2.3));
         }
         yours.draw(pen, &view, stroke(role, 2.8), (role, 3.6));
         let (sin, cos) = angle.to_radians().sin_cos();
@@ -239,13 +239,13 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
         for (k, name) in ["*x*_{1}", "*x*_{2}", "*x*_{3}"].iter().enumerate() {
             let reach = Vector3::ith(k, semi[k] + REACH[k] * semi[2]);
             let to = view.project(&reach);
-            pen.arrow(view.project(&arms[k]), to, stroke(Role::Ink, AXIS));
+            pen.arrow(view.project(&arms[k]), to, inked(AXIS));
             let beyond = view.project(&(reach * (1.0 + 0.085 * semi[2] / semi[k])));
             let at = match k {
                 2 => [to[0] + 14.0, to[1] + 10.0],
                 _ => [beyond[0], beyond[1] + 5.0],
             };
-            pen.text(at, Anchor::Middle, name, label(Role::Ink));
+            pen.label(at, Anchor::Middle, name);
         }
         // On the separatrix between −x₂ and the upper crossing, next to x₂ on it, and on the first ring about x₁.
         let on = |along: f64, sign: f64| {
@@ -279,9 +279,9 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
         for (at, anchor, lines, from, to) in remarks {
             for (k, line) in lines.iter().enumerate() {
                 let y = at[1] + 19.0 * k as f64;
-                pen.text([at[0], y], anchor, line, small(Role::Ink));
+                pen.note([at[0], y], anchor, line);
             }
-            pen.line(&[from, to], stroke(Role::Ink, HAIR));
+            pen.line(&[from, to], inked(HAIR));
         }
     });
     let columns = ["L₁ (√(2E kg m²))", "L₂ (√(2E kg m²))", "L₃ (√(2E kg m²))"];

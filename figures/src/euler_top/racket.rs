@@ -9,7 +9,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::top_of;
 use crate::solid::View;
-use crate::style::{DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, stroke};
+use crate::style::{DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, inked};
 
 /// Principal moments of a racket, kg m²: about the handle, across the handle in the plane of the strings, across the strings
 /// (Ashbaugh, Chicone, Cushman 1991).
@@ -185,7 +185,7 @@ pub fn draw(pen: &mut Pen, view: &View, attitude: &Attitude, strength: f64) {
         view.project(&Vector3::from(p.components()))
     };
     let trace = |line: &Flat| line.iter().map(at).collect::<Vec<_>>();
-    let style = |width: f64| -> Stroke { stroke(Role::Ink, width).alpha(strength) };
+    let style = |width: f64| -> Stroke { inked(width).alpha(strength) };
     let head = trace(&parts.head);
     if face(attitude, view) == Face::Back {
         pen.fill(&head, Role::Ink, 0.55 * strength);

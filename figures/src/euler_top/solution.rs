@@ -7,7 +7,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, brief, figure, label, number, small, spread,
+    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, brief, figure, inked, label, number, spread,
     stroke,
 };
 use crate::{Figure, Parameter, Values};
@@ -130,34 +130,34 @@ pub fn solution(values: &Values) -> Result<Figure> {
     };
     let made = figure("euler-solution", 256.0, words, |pen| {
         let [over, bottom] = [zero - half - 12.0, zero + half + 14.0];
-        pen.line(&[[left, zero], [right, zero]], stroke(Role::Ink, HAIR));
+        pen.line(&[[left, zero], [right, zero]], inked(HAIR));
         pen.line(
             &[[left, over], [left, bottom], [right, bottom]],
-            stroke(Role::Ink, AXIS),
+            inked(AXIS),
         );
         for (value, text) in
             Axis::linear([-largest, largest], [zero + half, zero - half]).ticks(50.0)
         {
             let y = y(value);
-            pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
-            pen.text([left - 9.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
+            pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
+            pen.note([left - 9.0, y + 5.0], Anchor::End, &text);
         }
         let whole = period.unwrap_or(length);
         for (share, text) in [(0.0, "0"), (0.5, "half a period"), (1.0, "a period")] {
             let at = x(share * whole);
-            pen.line(&[[at, bottom], [at, bottom + 5.0]], stroke(Role::Ink, AXIS));
+            pen.line(&[[at, bottom], [at, bottom + 5.0]], inked(AXIS));
             if share > 0.0 {
                 let line = [[at, over], [at, bottom]];
                 pen.line(&line, stroke(Role::Muted, AXIS).dotted());
                 let time = format!("{} s", number(share * whole, 2));
-                pen.text([at, bottom + 38.0], Anchor::Middle, &time, small(Role::Ink));
+                pen.note([at, bottom + 38.0], Anchor::Middle, &time);
             }
             let text = if period.is_some() || share == 0.0 {
                 text
             } else {
                 ""
             };
-            pen.text([at, bottom + 21.0], Anchor::Middle, text, small(Role::Ink));
+            pen.note([at, bottom + 21.0], Anchor::Middle, text);
         }
         let styles = [
             stroke(Role::Omega, SECONDARY).dashed(),

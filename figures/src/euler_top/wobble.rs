@@ -9,7 +9,7 @@ use spinning_bodies::frame::BodyVector;
 
 use crate::solid::{View, ellipse, hull};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, arc, brief, figure, label,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, arc, brief, figure, inked, label,
     number, polar, small, spread, stroke,
 };
 use crate::{Figure, Parameter, Values};
@@ -57,7 +57,7 @@ impl Lane {
     /// The way of so many days, at most once round; `lines` are angles that numbers keep off.
     fn draw(&self, pen: &mut Pen, days: f64, lines: [f64; 2]) {
         let reached = (self.rate * days).min(TAU);
-        pen.ring(CENTER, self.radius, stroke(Role::Ink, HAIR).alpha(0.45));
+        pen.ring(CENTER, self.radius, inked(HAIR).alpha(0.45));
         let style = stroke(Role::Omega, DATA);
         pen.arc(CENTER, self.radius, START, START + reached, style);
         let dots = (0..).map(|k| (k, self.rate * STEP * f64::from(k)));
@@ -142,17 +142,14 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             gap.push(CENTER);
             pen.fill(&gap, Role::Ink, 0.06);
         }
-        let sides = [
-            (START, stroke(Role::Ink, AXIS)),
-            (end, stroke(Role::Ink, AXIS).dotted()),
-        ];
+        let sides = [(START, inked(AXIS)), (end, inked(AXIS).dotted())];
         for (angle, style) in sides {
             pen.line(&[CENTER, polar(CENTER, 172.0, angle)], style);
         }
         rigid.draw(pen, days, [0.0, reached]);
         real.draw(pen, days, [0.0, reached]);
         // The axis of figure, end on.
-        pen.ring(CENTER, 6.0, stroke(Role::Ink, SECONDARY));
+        pen.ring(CENTER, 6.0, inked(SECONDARY));
         pen.disc(CENTER, 2.0, Role::Ink, 1.0);
         // On the side of the axis that the dotted line does not take.
         let side = if (reached - 0.25 * TAU).sin().abs() < 0.3 && reached.sin() > 0.0 {
@@ -166,11 +163,11 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             Anchor::Start
         };
         let name = [CENTER[0] + 12.0 * side, CENTER[1] + 5.0];
-        pen.text(name, anchor, "*x*_{3}", label(Role::Ink));
+        pen.label(name, anchor, "*x*_{3}");
         for at in [rigid.at(0.0, 0.0), real.at(0.0, reached)] {
             pen.ring(at, 8.0, stroke(Role::Omega, SECONDARY));
         }
-        pen.text([CENTER[0], 26.0], Anchor::Middle, "start", small(Role::Ink));
+        pen.note([CENTER[0], 26.0], Anchor::Middle, "start");
         let x = 400.0;
         let told = match lag {
             _ if degrees == "0" => "outer lane, home as well".to_owned(),
@@ -178,7 +175,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             _ => format!("outer lane, {degrees}° beyond"),
         };
         let after = format!("after {days} days");
-        pen.text([x, 156.0], Anchor::Start, &after, label(Role::Ink));
+        pen.label([x, 156.0], Anchor::Start, &after);
         for (y, head, tail) in [
             (
                 198.0,
@@ -188,7 +185,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             (254.0, format!("observed: {period} days"), told.as_str()),
         ] {
             pen.text([x, y], Anchor::Start, &head, label(Role::Omega).strong());
-            pen.text([x, y + 20.0], Anchor::Start, tail, small(Role::Ink));
+            pen.note([x, y + 20.0], Anchor::Start, tail);
         }
     });
     let columns = ["time (days)", "angle about the axis of figure (°)"];
@@ -287,10 +284,10 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
                 _ => pair.name,
             };
             let name = format!("{name}, *I*_{{3}}/*I*_{{1}} = {}", brief(ratio.axial()));
-            pen.text([middle, 286.0], Anchor::Middle, &name, label(Role::Ink));
+            pen.label([middle, 286.0], Anchor::Middle, &name);
             let body = format!("body cone {}°", degrees(pair.cones.body));
             let space = format!("space cone {}°", degrees(pair.cones.space));
-            pen.text([middle - 8.0, 308.0], Anchor::End, &body, small(Role::Ink));
+            pen.note([middle - 8.0, 308.0], Anchor::End, &body);
             let role = Role::AngularMomentum;
             pen.text([middle + 8.0, 308.0], Anchor::Start, &space, small(role));
         }

@@ -7,7 +7,7 @@ use spinning_bodies::falling_strip::{Coefficients, Fall, Sheet, Start};
 
 use crate::Figure;
 use crate::style::{
-    Anchor, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, label, number, small, stroke,
+    Anchor, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, inked, number, stroke,
 };
 
 const NAME: &str = "strip-animated";
@@ -103,7 +103,7 @@ pub fn animated() -> Result<Figure> {
                 let (dx, dy) = (film.half * cosine, film.half * sine);
                 pen.line(
                     &[[x - dx, y - dy], [x + dx, y + dy]],
-                    stroke(Role::Ink, SECONDARY).alpha(0.22),
+                    inked(SECONDARY).alpha(0.22),
                 );
             }
             let at = [film.start[0].max(130.0), 34.0];
@@ -112,14 +112,9 @@ pub fn animated() -> Result<Figure> {
             } else {
                 Anchor::Middle
             };
-            pen.text(at, anchor, film.name, label(Role::Ink));
+            pen.label(at, anchor, film.name);
         }
-        pen.text(
-            [580.0, 436.0],
-            Anchor::End,
-            "slow motion",
-            small(Role::Muted),
-        );
+        pen.remark([580.0, 436.0], Anchor::End, "slow motion");
     });
     let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
     for (film, part) in films.iter().zip(["wide", "narrow"]) {

@@ -7,9 +7,7 @@ use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
 
 use crate::plot::{Axis, Frame};
-use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
-};
+use crate::style::{Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, number, stroke};
 use crate::{Entry, Figure, constant};
 
 /// The figures of the chapter, in its order.
@@ -138,17 +136,16 @@ pub fn paths() -> Result<Figure> {
             for y in path.iter().step_by(10) {
                 let (sine, cosine) = y[2].sin_cos();
                 let ends = [1.0, -1.0].map(|s| place(y[0] + s * cosine, y[1] + s * sine));
-                pen.line(&ends, stroke(Role::Ink, 1.5).alpha(0.75));
+                pen.line(&ends, inked(1.5).alpha(0.75));
             }
             let [x, y] = panel.corner;
             let text = format!("*I** = {}", panel.ratio);
-            pen.text(
+            pen.label(
                 [x, y - 24.0],
                 Anchor::Middle,
                 &text.replace("*I**", "*I*^{\u{2217}}"),
-                label(Role::Ink),
             );
-            pen.text([x, y - 7.0], Anchor::Middle, panel.name, small(Role::Muted));
+            pen.remark([x, y - 7.0], Anchor::Middle, panel.name);
         }
     }))
 }
@@ -220,29 +217,14 @@ pub fn rate() -> Result<Figure> {
             ["width, cm", "turns per second"],
         );
         pen.line(&law, stroke(Role::Muted, SECONDARY).dashed());
-        pen.line(&curve, stroke(Role::Ink, DATA));
+        pen.line(&curve, inked(DATA));
         let [x, y] = frame.at(4.6, one / 4.6);
-        pen.text(
-            [x - 14.0, y + 22.0],
-            Anchor::End,
-            "rate ~ 1/width",
-            small(Role::Muted),
-        );
+        pen.remark([x - 14.0, y + 22.0], Anchor::End, "rate ~ 1/width");
         let [x, y] = frame.at(1.3, 13.0);
-        pen.text(
-            [x + 12.0, y - 6.0],
-            Anchor::Start,
-            "paper, 80 g/m²",
-            label(Role::Ink),
-        );
+        pen.label([x + 12.0, y - 6.0], Anchor::Start, "paper, 80 g/m²");
         if let Some(end) = curve.last() {
             pen.disc(*end, 4.0, Role::Ink, 1.0);
-            pen.text(
-                [end[0] - 10.0, end[1] + 5.0],
-                Anchor::End,
-                "flutter begins",
-                small(Role::Ink),
-            );
+            pen.note([end[0] - 10.0, end[1] + 5.0], Anchor::End, "flutter begins");
         }
     }))
 }

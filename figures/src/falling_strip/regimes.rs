@@ -8,9 +8,7 @@ use spinning_bodies::falling_strip::{Coefficients, MEASURED_FROUDE, Regime, Shee
 use super::scan;
 use crate::Figure;
 use crate::plot::Axis;
-use crate::style::{
-    AXIS, Anchor, DATA, Role, SECONDARY, Words, figure, label, number, small, stroke,
-};
+use crate::style::{AXIS, Anchor, DATA, Role, SECONDARY, Words, figure, inked, number, stroke};
 
 const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
 /// Widths of the strips that are drawn, cm, and units to a centimetre.
@@ -63,33 +61,23 @@ pub fn regimes() -> Result<Figure> {
             &[[middle, 128.0], [middle, 300.0]],
             stroke(Role::Muted, AXIS).dashed(),
         );
-        pen.text(
-            [middle, 122.0],
-            Anchor::Middle,
-            "measured",
-            small(Role::Muted),
-        );
+        pen.remark([middle, 122.0], Anchor::Middle, "measured");
         // Strips end on, to scale, over their mass ratio.
         for (k, centimetres) in STRIPS.into_iter().enumerate() {
             let ratio = sheet.mass_ratio() / centimetres;
             let x = LINE.at(ratio);
             let half = 0.5 * CENTIMETRE * centimetres;
             let y = if k == 1 { 84.0 } else { 56.0 };
-            pen.line(&[[x - half, y], [x + half, y]], stroke(Role::Ink, 3.0));
+            pen.line(&[[x - half, y], [x + half, y]], inked(3.0));
             let text = format!("{centimetres:.0} cm");
-            pen.text([x, y - 10.0], Anchor::Middle, &text, small(Role::Ink));
+            pen.note([x, y - 10.0], Anchor::Middle, &text);
         }
-        pen.text(
-            [580.0, 100.0],
-            Anchor::End,
-            "strips of paper, end on",
-            small(Role::Muted),
-        );
+        pen.remark([580.0, 100.0], Anchor::End, "strips of paper, end on");
         for (row, (name, y)) in rows
             .iter()
             .zip([("paper (our fit)", 170.0), ("published", 256.0)])
         {
-            pen.text([40.0, y - 20.0], Anchor::Start, name, label(Role::Ink));
+            pen.label([40.0, y - 20.0], Anchor::Start, name);
             // Stretches of one regime.
             let mut from = 0;
             for k in 1..=row.len() {
@@ -131,19 +119,16 @@ pub fn regimes() -> Result<Figure> {
                     } else {
                         at
                     };
-                    pen.text([at, y + 30.0], Anchor::Middle, name, small(Role::Ink));
+                    pen.note([at, y + 30.0], Anchor::Middle, name);
                 }
                 from = k;
             }
         }
         for (ratio, y) in ends.into_iter().zip([170.0, 256.0]) {
             let x = LINE.at(ratio);
-            pen.line(&[[x, y - 17.0], [x, y + 17.0]], stroke(Role::Ink, DATA));
+            pen.line(&[[x, y - 17.0], [x, y + 17.0]], inked(DATA));
         }
-        pen.line(
-            &[[40.0, 318.0], [580.0, 318.0]],
-            stroke(Role::Ink, SECONDARY),
-        );
+        pen.line(&[[40.0, 318.0], [580.0, 318.0]], inked(SECONDARY));
         for (ratio, text) in [
             (0.25, "0.25"),
             (0.5, "0.5"),
@@ -153,14 +138,9 @@ pub fn regimes() -> Result<Figure> {
             (10.0, "10"),
         ] {
             let x = LINE.at(ratio);
-            pen.line(&[[x, 318.0], [x, 324.0]], stroke(Role::Ink, AXIS));
-            pen.text([x, 339.0], Anchor::Middle, text, small(Role::Muted));
+            pen.line(&[[x, 318.0], [x, 324.0]], inked(AXIS));
+            pen.remark([x, 339.0], Anchor::Middle, text);
         }
-        pen.text(
-            [580.0, 360.0],
-            Anchor::End,
-            "mass ratio *I*^{\u{2217}}",
-            label(Role::Ink),
-        );
+        pen.label([580.0, 360.0], Anchor::End, "mass ratio *I*^{\u{2217}}");
     }))
 }

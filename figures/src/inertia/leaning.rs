@@ -8,7 +8,7 @@ use spinning_bodies::inertia::shapes;
 
 use super::{LONG, MIDDLE, SHORT};
 use crate::style::{
-    AXIS, Anchor, Point, Role, SECONDARY, Words, figure, label, number, polar, short, small, stroke,
+    AXIS, Anchor, Point, Role, SECONDARY, Words, figure, inked, label, number, polar, short, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -94,10 +94,10 @@ pub fn leaning(values: &Values) -> Result<Figure> {
         let corners =
             [[-half, up], [half, up], [half, -up], [-half, -up]].map(|[dx, dy]| [x + dx, y + dy]);
         pen.fill(&corners, Role::Ink, 0.08);
-        pen.outline(&corners, stroke(Role::Ink, SECONDARY));
+        pen.outline(&corners, inked(SECONDARY));
         let axes = [[[x - 172.0, y], [x + 214.0, y]], [[x, y + 64.0], [x, 14.0]]];
         for axis in axes {
-            pen.line(&axis, stroke(Role::Ink, AXIS).alpha(0.6));
+            pen.line(&axis, inked(AXIS).alpha(0.6));
         }
         let mut arrows = Vec::new();
         let names = [(Role::Omega, "*Ω*"), (Role::AngularMomentum, "*L*")];
@@ -114,7 +114,7 @@ pub fn leaning(values: &Values) -> Result<Figure> {
         }
         let l = momentum(angle);
         let leaned = l.z().atan2(l.x());
-        pen.arc(CENTER, 46.0, angle, leaned, stroke(Role::Ink, AXIS));
+        pen.arc(CENTER, 46.0, angle, leaned, inked(AXIS));
         if !parallel {
             let between = (0..40).map(|k| {
                 let out = 66.0 + 4.0 * f64::from(k);
@@ -130,9 +130,9 @@ pub fn leaning(values: &Values) -> Result<Figure> {
         }
         let at = [x + 222.0, y + 5.0];
         let text = format!("*I*_{{1}} = {} kg m²", number(smallest, 2));
-        pen.text(at, Anchor::Start, &text, small(Role::Ink));
+        pen.note(at, Anchor::Start, &text);
         let text = format!("*I*_{{3}} = {} kg m²", number(largest, 2));
-        pen.text([x - 10.0, 26.0], Anchor::End, &text, small(Role::Ink));
+        pen.note([x - 10.0, 26.0], Anchor::End, &text);
         // Each letter on its side of the angle, if there is room.
         for (tip, role, name) in arrows {
             let (first, way) = match role {

@@ -16,8 +16,7 @@ use crate::Figure;
 use crate::finish::short;
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, Words, figure, label, number,
-    stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, Words, figure, inked, number,
 };
 
 const NAME: &str = "top-animated";
@@ -107,13 +106,13 @@ impl Loop {
         let view = self.view();
         let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
         pen.disc(self.center, RADIUS, Role::Shade, 1.0);
-        pen.ring(self.center, RADIUS, stroke(Role::Ink, AXIS));
+        pen.ring(self.center, RADIUS, inked(AXIS));
         let roots = self.top.roots();
         for h in [roots.h1, roots.h2] {
             let r = (1.0 - h * h).sqrt();
             let circle = ellipse(Vector3::z() * h, Vector3::x() * r, Vector3::y() * r, 180);
             for piece in &view.split(&circle, seen)[0] {
-                pen.line(piece, stroke(Role::Ink, HAIR).alpha(0.5));
+                pen.line(piece, inked(HAIR).alpha(0.5));
             }
         }
         let path = (0..=900)
@@ -121,18 +120,13 @@ impl Loop {
             .collect::<Result<Vec<_>>>()?;
         let [front, back] = view.split(&path, seen);
         for piece in back {
-            pen.line(&piece, stroke(Role::Ink, AXIS).alpha(0.5));
+            pen.line(&piece, inked(AXIS).alpha(0.5));
         }
         for piece in front {
-            pen.line(&piece, stroke(Role::Ink, DATA).alpha(0.85));
+            pen.line(&piece, inked(DATA).alpha(0.85));
         }
         let [x, y] = self.center;
-        pen.text(
-            [x, y + RADIUS + 22.0],
-            Anchor::Middle,
-            self.name,
-            label(Role::Ink),
-        );
+        pen.label([x, y + RADIUS + 22.0], Anchor::Middle, self.name);
         Ok(())
     }
 

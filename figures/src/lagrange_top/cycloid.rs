@@ -7,7 +7,7 @@ use spinning_bodies::lagrange_top::{Cycloid, dip};
 
 use super::{launch, nose};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, brief, figure, label, number, small,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, brief, figure, inked, label, number,
     spread, stroke,
 };
 use crate::{Figure, Parameter, Values};
@@ -153,17 +153,17 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
         for (row, [_, depth]) in rows.iter().zip(reaches) {
             let place = |&[along, down]: &Point| [LEFT + unit * along, from + unit * down];
             let lowest = place(&[0.0, 2.0]);
-            pen.line(&[[LEFT, from], [RIGHT, from]], stroke(Role::Ink, HAIR));
+            pen.line(&[[LEFT, from], [RIGHT, from]], inked(HAIR));
             let dotted = stroke(Role::Muted, AXIS).dotted();
             pen.line(&[lowest, [RIGHT, lowest[1]]], dotted);
             let levels = spread([from, lowest[1]], 18.0);
             for (y, text) in levels.into_iter().zip(["*θ*_{0}", "+2*a*"]) {
-                pen.text([LEFT - 10.0, y + 5.0], Anchor::End, text, small(Role::Ink));
+                pen.note([LEFT - 10.0, y + 5.0], Anchor::End, text);
             }
             let limit: Vec<Point> = row.limit.iter().map(place).collect();
-            pen.line(&limit, stroke(Role::Ink, SECONDARY).dashed());
+            pen.line(&limit, inked(SECONDARY).dashed());
             let trace: Vec<Point> = row.trace.iter().map(place).collect();
-            pen.line(&trace, stroke(Role::Ink, DATA));
+            pen.line(&trace, inked(DATA));
             for point in trace.iter().step_by(STEPS as usize / 8) {
                 pen.disc(*point, 3.0, Role::Ink, 1.0);
             }
@@ -176,7 +176,7 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
             from += unit * depth.max(2.0) + BETWEEN;
         }
         let under = [RIGHT, from - BETWEEN + 26.0];
-        pen.text(under, Anchor::End, "*φ* sin *θ*_{0}", label(Role::Ink));
+        pen.label(under, Anchor::End, "*φ* sin *θ*_{0}");
     });
     let columns = [
         "φ sin θ₀ (radii of the wheel)",

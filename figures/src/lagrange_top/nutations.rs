@@ -7,8 +7,8 @@ use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
 use super::{launch, nose, pure_rates};
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number,
-    small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, inked, label,
+    number, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -117,25 +117,25 @@ impl Globe {
         let view = View::new(trace.azimuth, 0.5, center, radius);
         let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
         pen.disc(center, radius, Role::Shade, 1.0);
-        pen.ring(center, radius, stroke(Role::Ink, AXIS));
+        pen.ring(center, radius, inked(AXIS));
         for h in trace.heights {
             let r = (1.0 - h * h).max(0.0).sqrt();
             let circle = ellipse(Vector3::z() * h, Vector3::x() * r, Vector3::y() * r, 120);
             let [front, _] = view.split(&circle, seen);
             for piece in front {
-                pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.6));
+                pen.line(&piece, inked(HAIR).alpha(0.6));
             }
         }
         let points: Vec<Vector3<f64>> = trace.points.iter().map(|(_, nose)| *nose).collect();
         let [front, back] = view.split(&points, seen);
         for piece in back {
-            pen.line(&piece, stroke(Role::Ink, HAIR).alpha(0.5));
+            pen.line(&piece, inked(HAIR).alpha(0.5));
         }
         for piece in front {
-            pen.line(&piece, stroke(Role::Ink, DATA));
+            pen.line(&piece, inked(DATA));
         }
         let at = [center[0] + self.beside[0], center[1] + self.beside[1]];
-        pen.text(at, self.anchor, self.name, label(Role::Ink));
+        pen.label(at, self.anchor, self.name);
     }
 }
 
@@ -303,7 +303,7 @@ pub fn nutations(values: &Values) -> Result<Figure> {
     let borders = borders()?;
     let made = figure("nutations", 566.0, words, |pen| {
         let [left, right, top] = REACH;
-        let ink = stroke(Role::Ink, AXIS);
+        let ink = inked(AXIS);
         let axis = |from: Point, to: Point| -> Vec<Point> {
             (0..=400)
                 .map(|k| crate::style::between(from, to, f64::from(k) / 400.0))
@@ -323,23 +323,13 @@ pub fn nutations(values: &Values) -> Result<Figure> {
                 .all(|g| (x - g.center()[0]).hypot(y - g.center()[1]) > RADIUS + 2.0);
             if free {
                 pen.line(&[[x, y], [x, y + 5.0]], ink);
-                pen.text(
-                    [x, y + 21.0],
-                    Anchor::Middle,
-                    &number(f64::from(k), 0),
-                    small(Role::Ink),
-                );
+                pen.note([x, y + 21.0], Anchor::Middle, &number(f64::from(k), 0));
             }
         }
         for k in [1, 2, 3, 4] {
             let [x, y] = place(0.0, f64::from(k));
             pen.line(&[[x - 5.0, y], [x, y]], ink);
-            pen.text(
-                [x - 9.0, y + 5.0],
-                Anchor::End,
-                &number(f64::from(k), 0),
-                small(Role::Ink),
-            );
+            pen.note([x - 9.0, y + 5.0], Anchor::End, &number(f64::from(k), 0));
         }
         pen.text(
             [place(right, 0.0)[0], ORIGIN[1] + 48.0],
@@ -357,8 +347,8 @@ pub fn nutations(values: &Values) -> Result<Figure> {
         for (k, (points, pole)) in borders.iter().enumerate() {
             let style = match (k, pole) {
                 (_, true) => stroke(Role::Muted, SECONDARY).dotted(),
-                (0 | 1, _) => stroke(Role::Ink, SECONDARY).dashed(),
-                _ => stroke(Role::Ink, 1.8),
+                (0 | 1, _) => inked(SECONDARY).dashed(),
+                _ => inked(1.8),
             };
             clear(pen, points, &globes, style);
         }
@@ -370,7 +360,7 @@ pub fn nutations(values: &Values) -> Result<Figure> {
         let rings = [yours.center(), [x - 32.0, y - YOURS.1 - 14.0]];
         for at in rings {
             pen.disc(at, 6.0, Role::Paper, 1.0);
-            pen.ring(at, 6.0, stroke(Role::Ink, DATA));
+            pen.ring(at, 6.0, inked(DATA));
             pen.disc(at, 2.0, Role::Ink, 1.0);
         }
     });

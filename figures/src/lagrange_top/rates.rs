@@ -7,7 +7,7 @@ use spinning_bodies::{Error, Result};
 
 use super::{launch, pure_rates};
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, Words, brief, figure, label, number, small, spread,
+    AXIS, Anchor, HAIR, Pen, Point, Role, Words, brief, figure, inked, number, small, spread,
     stroke,
 };
 use crate::{Figure, Parameter, Values};
@@ -169,7 +169,7 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
             .collect();
         pen.line(&meeting, stroke(Role::Muted, 1.6).dotted());
         for (_, width, fast, points) in &curves {
-            let style = stroke(Role::Ink, *width);
+            let style = inked(*width);
             let points: Vec<Point> = points
                 .iter()
                 .map(|&[tilt, rate]| place(tilt, rate))
@@ -206,7 +206,7 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
             (96.0, -2.7, "fast"),
         ] {
             let at = place(f64::to_radians(tilt), rate);
-            pen.text(at, Anchor::Start, text, small(Role::Ink));
+            pen.note(at, Anchor::Start, text);
         }
     });
     let columns = ["tilt (°)", "rate of precession (√(Mgl/I1))"];
@@ -219,7 +219,7 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
 }
 
 fn axes(pen: &mut Pen) {
-    let ink = stroke(Role::Ink, AXIS);
+    let ink = inked(AXIS);
     let [left, right, bottom, top] = FRAME;
     pen.line(&[[left, top], [left, bottom]], ink);
     pen.line(&[place(0.0, 0.0), place(PI, 0.0)], ink);
@@ -230,34 +230,18 @@ fn axes(pen: &mut Pen) {
     for rate in [-2.0, 0.0, 2.0, 4.0, 6.0] {
         let [x, y] = place(0.0, rate);
         pen.line(&[[x - 5.0, y], [x, y]], ink);
-        pen.text(
-            [x - 9.0, y + 5.0],
-            Anchor::End,
-            &number(rate, 0),
-            small(Role::Ink),
-        );
+        pen.note([x - 9.0, y + 5.0], Anchor::End, &number(rate, 0));
     }
     for degrees in [0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0] {
         let x = place(f64::to_radians(degrees), 0.0)[0];
         pen.line(&[[x, bottom], [x, bottom + 5.0]], ink);
-        pen.text(
+        pen.note(
             [x, bottom + 22.0],
             Anchor::Middle,
             &format!("{}°", number(degrees, 0)),
-            small(Role::Ink),
         );
     }
     pen.line(&[[left, bottom], [right, bottom]], ink);
-    pen.text(
-        [left + 10.0, top + 6.0],
-        Anchor::Start,
-        "*φ*^{\u{2032}}",
-        label(Role::Ink),
-    );
-    pen.text(
-        [right + 18.0, bottom + 6.0],
-        Anchor::Start,
-        "*θ*",
-        label(Role::Ink),
-    );
+    pen.label([left + 10.0, top + 6.0], Anchor::Start, "*φ*^{\u{2032}}");
+    pen.label([right + 18.0, bottom + 6.0], Anchor::Start, "*θ*");
 }

@@ -6,8 +6,8 @@ use spinning_bodies::lagrange_top::{Roots, tilt_after_kick};
 use super::launch;
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, label, number, small,
-    spread, stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, number, spread,
+    stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -76,7 +76,7 @@ impl Shown {
     }
 
     fn axes(&self, pen: &mut Pen) {
-        let ink = stroke(Role::Ink, AXIS);
+        let ink = inked(AXIS);
         let [left, right, zero] = FRAME;
         let [low, high] = CUT.map(|cut| zero - cut);
         pen.line(&[[left, zero], [right, zero]], ink);
@@ -88,13 +88,13 @@ impl Shown {
             let [x, y] = self.place(h, 0.0);
             pen.line(&[[x, y], [x, y + 5.0]], ink);
             if x > left + 5.0 {
-                pen.text([x + 4.0, y + 24.0], Anchor::Start, &text, small(Role::Ink));
+                pen.note([x + 4.0, y + 24.0], Anchor::Start, &text);
             }
         }
         let name = [left + 10.0, high - 6.0];
-        pen.text(name, Anchor::Start, "*f*(*h*)", label(Role::Ink));
+        pen.label(name, Anchor::Start, "*f*(*h*)");
         let name = [right + 9.0, zero + 5.0];
-        pen.text(name, Anchor::Start, "*h*", label(Role::Ink));
+        pen.label(name, Anchor::Start, "*h*");
     }
 }
 
@@ -150,9 +150,9 @@ pub fn sleeping_threshold(values: &Values) -> Result<Figure> {
         for (axial, curve) in &curves {
             let points: Vec<Point> = curve.iter().map(|&[h, f]| shown.place(h, f)).collect();
             let style = match axial.total_cmp(&THRESHOLD) {
-                core::cmp::Ordering::Greater => stroke(Role::Ink, SECONDARY),
-                core::cmp::Ordering::Equal => stroke(Role::Ink, 2.8),
-                core::cmp::Ordering::Less => stroke(Role::Ink, SECONDARY).dashed(),
+                core::cmp::Ordering::Greater => inked(SECONDARY),
+                core::cmp::Ordering::Equal => inked(2.8),
+                core::cmp::Ordering::Less => inked(SECONDARY).dashed(),
             };
             if *axial < THRESHOLD {
                 // The room that the top may fall into.
@@ -174,12 +174,12 @@ pub fn sleeping_threshold(values: &Values) -> Result<Figure> {
         let across = spread(feet.map(|at| at[0]), 38.0);
         for (x, axial) in across.into_iter().zip(spins) {
             let y = FRAME[2] - CUT[0] + 19.0;
-            pen.text([x, y], Anchor::Middle, &brief(axial), small(Role::Ink));
+            pen.note([x, y], Anchor::Middle, &brief(axial));
         }
         let root = loner(spins[4]);
         let [x, y] = shown.place((1.0 + 2.0 * root) / 3.0, 8.0 / 27.0 * (1.0 - root).powi(3));
         let text = format!("*L*_{{3}} = {below}");
-        pen.text([x, y - 9.0], Anchor::Middle, &text, small(Role::Ink));
+        pen.note([x, y - 9.0], Anchor::Middle, &text);
     });
     let columns = ["h = cos θ", "f(h) (Mgl/I1)"];
     Ok(curves.into_iter().fold(made, |made, (axial, curve)| {

@@ -8,7 +8,7 @@ use spinning_bodies::scene::{Request, Scene};
 
 use crate::plot::{Axis, Frame};
 use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, brief, figure, number, small, stroke,
+    Anchor, DATA, Point, Role, SECONDARY, Words, brief, figure, inked, number, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -134,26 +134,26 @@ pub fn waking(values: &Values) -> Result<Figure> {
             stroke(Role::Muted, SECONDARY).dotted(),
         );
         let told = [x - 6.0, 48.0];
-        pen.text(told, Anchor::End, "threshold", small(Role::Muted));
+        pen.remark(told, Anchor::End, "threshold");
         let points: Vec<Point> = allowed
             .iter()
             .map(|&[spin, tilt]| frame.at(spin, tilt))
             .collect();
         pen.line(&points, stroke(Role::Muted, SECONDARY).dashed());
         let told = frame.at(78.55, 31.0);
-        pen.text(told, Anchor::End, "what gravity allows", small(Role::Muted));
+        pen.remark(told, Anchor::End, "what gravity allows");
         let points: Vec<Point> = course
             .iter()
             .take_while(|row| row[1] >= LAST && row[2] <= STEEPEST)
             .map(|row| frame.at(row[1], row[2]))
             .collect();
-        pen.line(&points, stroke(Role::Ink, DATA));
+        pen.line(&points, inked(DATA));
         if deepest < STEEPEST && awake.is_none() {
             let told = frame.at(79.0, 3.5);
-            pen.text(told, Anchor::Middle, "still asleep", small(Role::Ink));
+            pen.note(told, Anchor::Middle, "still asleep");
         } else if tilt < 0.005 {
             let told = frame.at(80.9, 1.7);
-            pen.text(told, Anchor::Start, "asleep", small(Role::Ink));
+            pen.note(told, Anchor::Start, "asleep");
         }
     });
     let columns = ["time (s)", "spin (rad/s)", "tilt (°)"];

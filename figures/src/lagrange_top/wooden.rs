@@ -8,7 +8,8 @@ use spinning_bodies::lagrange_top::LagrangeTop;
 use super::nose;
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, DATA, Point, Role, SECONDARY, Words, figure, label, number, polar, short, small, stroke,
+    AXIS, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, polar, short, small,
+    stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -122,10 +123,10 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
         let rim = view.trace(&rim);
         let upright = [foot, Vector3::z() * NOSE].map(|p| at(&p));
         pen.line(&upright, stroke(Role::Muted, AXIS).dotted());
-        pen.line(&[at(&foot), at(&hub)], stroke(Role::Ink, DATA));
+        pen.line(&[at(&foot), at(&hub)], inked(DATA));
         pen.fill(&rim, Role::Ink, 0.1);
-        pen.outline(&rim, stroke(Role::Ink, SECONDARY));
-        pen.line(&[at(&hub), at(&tip)], stroke(Role::Ink, DATA));
+        pen.outline(&rim, inked(SECONDARY));
+        pen.line(&[at(&hub), at(&tip)], inked(DATA));
         pen.disc(at(&foot), 3.0, Role::Ink, 1.0);
         pen.disc(at(&tip), 5.0, Role::Ink, 1.0);
         if path {
@@ -140,7 +141,7 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
                 );
                 pen.line(&view.trace(&circle), stroke(Role::Muted, AXIS).dotted());
             }
-            pen.line(&line, stroke(Role::Ink, SECONDARY));
+            pen.line(&line, inked(SECONDARY));
             for dot in line.iter().step_by(20) {
                 pen.disc(*dot, 2.4, Role::Ink, 1.0);
             }
@@ -148,7 +149,7 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
             let (aside, down) = (level * 0.02, held.cross(&level) * 0.02);
             for way in [aside, -aside, down, -down] {
                 let [from, to] = [0.3, 1.0].map(|share| at(&(tip + way * share)));
-                pen.arrow(from, to, stroke(Role::Ink, SECONDARY).dashed());
+                pen.arrow(from, to, inked(SECONDARY).dashed());
                 let beyond = (0..24).map(|k| polar(to, 14.0, 0.262 * f64::from(k)));
                 pen.name(beyond, "?", label(Role::Ink));
             }

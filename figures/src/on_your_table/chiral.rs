@@ -11,7 +11,7 @@ use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
 
 use crate::Figure;
 use crate::style::{
-    AXIS, Anchor, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, Pen, Point, Role, SECONDARY, Words, figure, inked, number, stroke,
 };
 
 /// Radius of the ball, m.
@@ -161,9 +161,9 @@ pub fn section() -> Result<Figure> {
 /// A ball cut through, its hollow, K and C.
 fn cut(pen: &mut Pen, center: Point, scale: f64, hollow: &[Point], low: f64) {
     pen.disc(center, scale, Role::Ink, 0.16);
-    pen.ring(center, scale, stroke(Role::Ink, SECONDARY));
+    pen.ring(center, scale, inked(SECONDARY));
     pen.fill(hollow, Role::Paper, 1.0);
-    pen.outline(hollow, stroke(Role::Ink, SECONDARY));
+    pen.outline(hollow, inked(SECONDARY));
     let [x, y] = center;
     pen.line(
         &[[x, y - scale - 8.0], [x, y + scale + 8.0]],
@@ -175,8 +175,8 @@ fn cut(pen: &mut Pen, center: Point, scale: f64, hollow: &[Point], low: f64) {
     ] {
         let at = [x, y + scale * down];
         pen.disc(at, 3.5, Role::Ink, 1.0);
-        pen.text([x + aside, at[1] + 5.0], anchor, name, label(Role::Ink));
+        pen.label([x + aside, at[1] + 5.0], anchor, name);
     }
     let foot = [x, y + scale + 30.0];
-    pen.text(foot, Anchor::Middle, "foot", small(Role::Muted));
+    pen.remark(foot, Anchor::Middle, "foot");
 }

@@ -9,7 +9,7 @@ use super::body::{FORWARD, RATIO, back, cat, pieces, turned, turnover};
 use super::film::{AZIMUTH, ELEVATION};
 use crate::Figure;
 use crate::solid::View;
-use crate::style::{Anchor, Point, Role, SCALE as CANVAS, Words, figure, number, small};
+use crate::style::{Anchor, Point, SCALE as CANVAS, Words, figure, number};
 
 const NAME: &str = "cat-animated";
 const SCALE: f64 = 540.0;
@@ -44,12 +44,7 @@ pub fn cat_animated() -> Result<Figure> {
             .to_owned(),
     };
     let still = figure(NAME, 340.0, words, |pen| {
-        pen.text(
-            [590.0, 326.0],
-            Anchor::End,
-            "angular momentum 0",
-            small(Role::Muted),
-        );
+        pen.remark([590.0, 326.0], Anchor::End, "angular momentum 0");
     });
     Ok(still.moving(&moving(&states)?))
 }

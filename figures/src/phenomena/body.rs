@@ -11,7 +11,7 @@ use spinning_bodies::scene::shape::{self, CatState};
 use spinning_bodies::scene::{Request, Scene};
 
 use crate::solid::{View, hull};
-use crate::style::{AXIS, HAIR, Pen, Point, Role, polar, stroke};
+use crate::style::{AXIS, HAIR, Pen, Point, Role, inked, polar};
 
 /// I/J of a half.
 pub const RATIO: f64 = 4.0;
@@ -223,9 +223,9 @@ pub fn draw(pen: &mut Pen, pieces: &[Piece]) {
         }
         pen.fill(&piece.outline, Role::Paper, 1.0);
         for line in &piece.hatch {
-            pen.line(line, stroke(Role::Ink, HAIR).alpha(0.75));
+            pen.line(line, inked(HAIR).alpha(0.75));
         }
-        pen.outline(&piece.outline, stroke(Role::Ink, AXIS + 0.3));
+        pen.outline(&piece.outline, inked(AXIS + 0.3));
     }
 }
 

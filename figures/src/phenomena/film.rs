@@ -7,8 +7,7 @@ use super::body::{DURATION, FORWARD, RATIO, back, cat, draw, pieces, turned, tur
 use crate::plot::Axis;
 use crate::solid::View;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, figure, label, number, short, small,
-    stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, figure, inked, number, short, small,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -60,11 +59,10 @@ pub fn cat_film() -> Result<Figure> {
             let view = View::new(AZIMUTH, ELEVATION, center, SCALE);
             draw(pen, &pieces(&body, state, &view, SCALE));
             let milliseconds = number(1000.0 * fractions[k] * DURATION, 0);
-            pen.text(
+            pen.remark(
                 [center[0], center[1] + 80.0],
                 Anchor::Middle,
                 &format!("{milliseconds} ms"),
-                small(Role::Muted),
             );
         }
     }))
@@ -134,14 +132,14 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         ),
     };
     let made = figure("back-bend", 384.0, words, |pen| {
-        let axis = stroke(Role::Ink, AXIS);
+        let axis = inked(AXIS);
         let place = |[back, turn]: Point| [x.at(back), y.at(turn)];
         pen.line(&[[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
         for back in [0.0, 30.0, 60.0, 90.0] {
             let x = x.at(back);
             pen.line(&[[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
             let text = format!("{}°", number(back, 0));
-            pen.text([x, BOTTOM + 22.0], Anchor::Middle, &text, small(Role::Ink));
+            pen.note([x, BOTTOM + 22.0], Anchor::Middle, &text);
         }
         let turns = (0..=4)
             .map(|k| 60.0 * f64::from(k))
@@ -150,25 +148,12 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             let y = y.at(turn);
             pen.line(&[[LEFT - 5.0, y], [LEFT, y]], axis);
             let text = format!("{}°", number(turn, 0));
-            pen.text([LEFT - 9.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
+            pen.note([LEFT - 9.0, y + 5.0], Anchor::End, &text);
         }
         let level = y.at(180.0);
-        pen.line(
-            &[[LEFT, level], [RIGHT, level]],
-            stroke(Role::Ink, SECONDARY).dashed(),
-        );
-        pen.text(
-            [RIGHT, BOTTOM + 46.0],
-            Anchor::End,
-            "bend backward",
-            label(Role::Ink),
-        );
-        pen.text(
-            [LEFT - 40.0, TOP - 16.0],
-            Anchor::Start,
-            "turn",
-            label(Role::Ink),
-        );
+        pen.line(&[[LEFT, level], [RIGHT, level]], inked(SECONDARY).dashed());
+        pen.label([RIGHT, BOTTOM + 46.0], Anchor::End, "bend backward");
+        pen.label([LEFT - 40.0, TOP - 16.0], Anchor::Start, "turn");
         let shown: Vec<Vec<Point>> = curves
             .iter()
             .map(|(_, points, _)| {
@@ -177,7 +162,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             })
             .collect();
         for points in &shown {
-            pen.line(points, stroke(Role::Ink, DATA));
+            pen.line(points, inked(DATA));
         }
         let mut write = |places: &mut dyn Iterator<Item = Point>, text: &str, half: f64| {
             let inside =
@@ -212,7 +197,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         {
             let [x, y] = place([needed, 180.0]);
             pen.disc([x, y], 3.6, Role::Ink, 1.0);
-            pen.line(&[[x, y], [x, BOTTOM]], stroke(Role::Ink, HAIR).dotted());
+            pen.line(&[[x, y], [x, BOTTOM]], inked(HAIR).dotted());
         }
     });
     let mut made = made

@@ -11,8 +11,8 @@ use super::body::circle;
 use crate::plot::Axis;
 use crate::solid::hull;
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, short,
-    small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, number, short,
+    small,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -127,7 +127,7 @@ impl Person {
             let outline = hull(&points);
             pen.fill(&outline, Role::Paper, 1.0);
             pen.fill(&outline, Role::Ink, 0.1);
-            pen.outline(&outline, stroke(Role::Ink, AXIS));
+            pen.outline(&outline, inked(AXIS));
         }
     }
 }
@@ -171,35 +171,19 @@ pub fn ice(values: &Values) -> Result<Figure> {
     let ground = 288.0;
     let scale = 138.0;
     let made = figure("ice", 340.0, words, |pen| {
-        pen.line(
-            &[[14.0, ground + 9.0], [586.0, ground + 9.0]],
-            stroke(Role::Ink, AXIS),
-        );
+        pen.line(&[[14.0, ground + 9.0], [586.0, ground + 9.0]], inked(AXIS));
         for ((pose, x), (foot, height)) in poses.iter().zip(centers).zip(&placed) {
-            pen.line(
-                &[[x, 30.0], [x, ground + 9.0]],
-                stroke(Role::Ink, SECONDARY).dotted(),
-            );
+            pen.line(&[[x, 30.0], [x, ground + 9.0]], inked(SECONDARY).dotted());
             pose.draw(pen, [x + scale * foot, ground], scale);
             pen.disc([x, ground - scale * height], 6.0, Role::Paper, 1.0);
             pen.disc([x, ground - scale * height], 5.0, Role::Ink, 1.0);
             let y = ground + 24.0;
             let [from, to] = [placed[0].0, *foot].map(|foot| [x + scale * foot, y]);
-            pen.arrow(from, to, stroke(Role::Ink, DATA));
+            pen.arrow(from, to, inked(DATA));
         }
-        pen.text(
-            [centers[0], ground + 40.0],
-            Anchor::Middle,
-            "before",
-            label(Role::Ink),
-        );
-        pen.text(
-            [centers[3], ground + 40.0],
-            Anchor::Middle,
-            "after",
-            label(Role::Ink),
-        );
-        pen.text([300.0, 22.0], Anchor::Middle, "*C* stays", label(Role::Ink));
+        pen.label([centers[0], ground + 40.0], Anchor::Middle, "before");
+        pen.label([centers[3], ground + 40.0], Anchor::Middle, "after");
+        pen.label([300.0, 22.0], Anchor::Middle, "*C* stays");
     });
     let rows = placed.iter().map(|(foot, height)| vec![*foot, *height]);
     let columns = ["feet from the line (m)", "height of the centre of mass (m)"];
@@ -299,39 +283,29 @@ pub fn crawler(values: &Values) -> Result<Figure> {
                 .iter()
                 .map(|y| at([y[2 * part], y[2 * part + 1]]))
                 .collect();
-            pen.line(&track, stroke(Role::Ink, HAIR).alpha(0.7));
+            pen.line(&track, inked(HAIR).alpha(0.7));
             if let Some(&end) = track.last() {
                 pen.disc(end, 4.0, Role::Ink, 0.8);
             }
         }
         let track: Vec<Point> = run.states.iter().map(|y| at(wriggler.center(y))).collect();
-        pen.line(&track, stroke(Role::Ink, DATA));
+        pen.line(&track, inked(DATA));
         pen.disc(at(center), 6.0, Role::Ink, 1.0);
-        pen.text(
-            [146.0, 328.0],
-            Anchor::Middle,
-            "on ice: *C* is a point",
-            label(Role::Ink),
-        );
+        pen.label([146.0, 328.0], Anchor::Middle, "on ice: *C* is a point");
         let corner = [time.ends[0], way.ends[0]];
-        pen.line(&[corner, [580.0, corner[1]]], stroke(Role::Ink, AXIS));
-        pen.line(&[corner, [corner[0], way.ends[1]]], stroke(Role::Ink, AXIS));
+        pen.line(&[corner, [580.0, corner[1]]], inked(AXIS));
+        pen.line(&[corner, [corner[0], way.ends[1]]], inked(AXIS));
         for (t, text) in time.ticks(70.0) {
             let (x, y) = (time.at(t), corner[1]);
-            pen.line(&[[x, y], [x, y + 5.0]], stroke(Role::Ink, AXIS));
-            pen.text(
-                [x, y + 21.0],
-                Anchor::Middle,
-                &format!("{text} s"),
-                small(Role::Ink),
-            );
+            pen.line(&[[x, y], [x, y + 5.0]], inked(AXIS));
+            pen.note([x, y + 21.0], Anchor::Middle, &format!("{text} s"));
         }
         for (x, text) in way.ticks(45.0) {
             let (left, y) = (corner[0], way.at(x));
-            pen.line(&[[left - 5.0, y], [left, y]], stroke(Role::Ink, AXIS));
-            pen.text([left - 8.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
+            pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
+            pen.note([left - 8.0, y + 5.0], Anchor::End, &text);
         }
-        pen.text([292.0, 20.0], Anchor::Start, "place, m", small(Role::Ink));
+        pen.note([292.0, 20.0], Anchor::Start, "place, m");
         let curve = |rows: &[(f64, CrawlerState)], which: fn(&CrawlerState) -> f64| -> Vec<Point> {
             rows.iter().map(|(t, s)| place(*t, which(s))).collect()
         };
@@ -341,10 +315,10 @@ pub fn crawler(values: &Values) -> Result<Figure> {
             curve(&ground, |s| s.center),
             curve(&ice, |s| s.center),
         ];
-        pen.line(&curves[0], stroke(Role::Ink, SECONDARY));
-        pen.line(&curves[1], stroke(Role::Ink, SECONDARY));
-        pen.line(&curves[2], stroke(Role::Ink, DATA));
-        pen.line(&curves[3], stroke(Role::Ink, SECONDARY).dashed());
+        pen.line(&curves[0], inked(SECONDARY));
+        pen.line(&curves[1], inked(SECONDARY));
+        pen.line(&curves[2], inked(DATA));
+        pen.line(&curves[3], inked(SECONDARY).dashed());
         for (k, text, half) in [
             (1, "front foot", 34.0),
             (0, "rear foot", 32.0),
@@ -362,12 +336,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
             });
             pen.name(inside, text, small(Role::Ink));
         }
-        pen.text(
-            [448.0, 328.0],
-            Anchor::Middle,
-            "on ground: stick and slip",
-            label(Role::Ink),
-        );
+        pen.label([448.0, 328.0], Anchor::Middle, "on ground: stick and slip");
     });
     let columns = ["time (s)", "rear foot (m)", "front foot (m)", "centre (m)"];
     let rows = |rows: &[(f64, CrawlerState)]| -> Vec<Vec<f64>> {

@@ -8,8 +8,8 @@ use spinning_bodies::phenomena::{EqualHalves, Hub, ShapePlane, Step, Swivel, Wai
 use super::body::RATIO;
 use super::swivel::{IN, LOWER, OUT};
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, label, number, polar,
-    short, small, stroke,
+    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, inked, number, polar,
+    short, small,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -105,7 +105,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             ];
             pen.fill(&corners, Role::Ink, tone);
         }
-        let axis = stroke(Role::Ink, AXIS);
+        let axis = inked(AXIS);
         pen.line(
             &[
                 swivel_at(0.0, MOST),
@@ -114,21 +114,16 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             ],
             axis,
         );
-        pen.text([RIGHT, BOTTOM + 24.0], Anchor::End, "*ψ*", label(Role::Ink));
-        pen.text([LEFT, TOP - 9.0], Anchor::Middle, "*A*", label(Role::Ink));
+        pen.label([RIGHT, BOTTOM + 24.0], Anchor::End, "*ψ*");
+        pen.label([LEFT, TOP - 9.0], Anchor::Middle, "*A*");
         let corner = swivel_at(FRAC_PI_2, 0.0);
         pen.line(&[corner, [corner[0], corner[1] + 5.0]], axis);
-        pen.text(
-            [corner[0], corner[1] + 22.0],
-            Anchor::Middle,
-            "90°",
-            small(Role::Ink),
-        );
+        pen.note([corner[0], corner[1] + 22.0], Anchor::Middle, "90°");
         let (out, near) = (waist.upper_arms_out, waist.upper_arms_in);
         for (upper, name) in [(out, "out"), (near, "in")] {
             let [x, y] = swivel_at(0.0, upper);
             pen.line(&[[x - 5.0, y], [x, y]], axis);
-            pen.text([x - 9.0, y + 5.0], Anchor::End, name, small(Role::Ink));
+            pen.note([x - 9.0, y + 5.0], Anchor::End, name);
         }
         let corners = [
             swivel_at(0.0, out),
@@ -136,14 +131,10 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             swivel_at(FRAC_PI_2, near),
             swivel_at(0.0, near),
         ];
-        pen.outline(&corners, stroke(Role::Ink, DATA));
+        pen.outline(&corners, inked(DATA));
         for k in 0..4 {
             let (a, b) = (corners[k], corners[(k + 1) % 4]);
-            pen.arrow(
-                between(a, b, 0.42),
-                between(a, b, 0.6),
-                stroke(Role::Ink, DATA),
-            );
+            pen.arrow(between(a, b, 0.42), between(a, b, 0.6), inked(DATA));
         }
         // Inside, or beside a flat rectangle.
         let middle = between(corners[0], corners[2], 0.5);
@@ -152,13 +143,8 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             false => ([corners[1][0] + 10.0, middle[1] + 6.0], Anchor::Start),
         };
         let text = format!("{}°", number(net.abs(), 1));
-        pen.text(at, anchor, &text, label(Role::Ink));
-        pen.text(
-            [162.0, 334.0],
-            Anchor::Middle,
-            "the swivel",
-            label(Role::Ink),
-        );
+        pen.label(at, anchor, &text);
+        pen.label([162.0, 334.0], Anchor::Middle, "the swivel");
 
         // Charge per area of the flat disc: a′(γ)/γ.
         const RINGS: u32 = 24;
@@ -181,38 +167,28 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
                 cat_at(bend, psi)
             })
             .collect();
-        pen.line(
-            &[cat_at(0.0, 0.0), cat_at(forward, 0.0)],
-            stroke(Role::Ink, SECONDARY),
-        );
-        pen.line(&oval, stroke(Role::Ink, DATA));
-        pen.arrow(oval[52], oval[60], stroke(Role::Ink, DATA));
+        pen.line(&[cat_at(0.0, 0.0), cat_at(forward, 0.0)], inked(SECONDARY));
+        pen.line(&oval, inked(DATA));
+        pen.arrow(oval[52], oval[60], inked(DATA));
         for degrees in [30.0_f64, 60.0, 90.0] {
             let radius = RADIUS * degrees.to_radians() / WIDEST;
-            pen.ring(CENTER, radius, stroke(Role::Ink, AXIS).alpha(0.5).dotted());
+            pen.ring(CENTER, radius, inked(AXIS).alpha(0.5).dotted());
             let round = (0..40).map(|k| polar(CENTER, radius, -0.62 * PI - 0.12 * f64::from(k)));
             let text = format!("{}°", number(degrees, 0));
             pen.name(round, &text, small(Role::Ink));
         }
         pen.disc(CENTER, 3.6, Role::Ink, 1.0);
-        pen.text(
+        pen.note(
             [CENTER[0] + RADIUS + 5.0, CENTER[1] - 8.0],
             Anchor::Start,
             "belly",
-            small(Role::Ink),
         );
-        pen.text(
+        pen.note(
             [CENTER[0] - RADIUS - 6.0, CENTER[1] - 8.0],
             Anchor::End,
             "back",
-            small(Role::Ink),
         );
-        pen.text(
-            [CENTER[0], 334.0],
-            Anchor::Middle,
-            "the cat",
-            label(Role::Ink),
-        );
+        pen.label([CENTER[0], 334.0], Anchor::Middle, "the cat");
     });
     // ψ and A of the corners, ψ and γ of the oval.
     let columns = ["direction (°)", "moment (kg m²)", "bend (°)"];

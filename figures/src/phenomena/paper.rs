@@ -10,8 +10,8 @@ use spinning_bodies::scene::{Request, Scene};
 
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, along, figure, label, number, roomiest,
-    short, small, stroke,
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, along, figure, inked, number, roomiest,
+    short,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -88,15 +88,11 @@ fn sheet(pen: &mut Pen, center: Point, tilt: f64) -> Vec<Point> {
         .map(|p| turned(p, center, tilt))
         .collect();
     pen.fill(&outline, Role::Ink, 0.1);
-    pen.outline(&outline, stroke(Role::Ink, SECONDARY));
+    pen.outline(&outline, inked(SECONDARY));
     let push = turned([0.0, -44.0], center, tilt);
-    pen.line(&[center, push], stroke(Role::Ink, SECONDARY).dotted());
-    pen.arrow([push[0], push[1] + 54.0], push, stroke(Role::Ink, DATA));
-    pen.arrow(
-        center,
-        [center[0], center[1] + 54.0],
-        stroke(Role::Ink, DATA),
-    );
+    pen.line(&[center, push], inked(SECONDARY).dotted());
+    pen.arrow([push[0], push[1] + 54.0], push, inked(DATA));
+    pen.arrow(center, [center[0], center[1] + 54.0], inked(DATA));
     pen.disc(center, 4.5, Role::Ink, 1.0);
     pen.disc(push, 4.5, Role::Ink, 1.0);
     outline
@@ -142,11 +138,10 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
         let mut outline = Vec::new();
         for (tilt, x) in tilts.into_iter().zip([108.0, 312.0, 500.0]) {
             outline = sheet(pen, [x, 132.0], tilt);
-            pen.text(
+            pen.label(
                 [x, 270.0],
                 Anchor::Middle,
                 &format!("{}°", number(tilt.to_degrees(), 0)),
-                label(Role::Ink),
             );
         }
         outline.extend(outline.first().copied());
@@ -159,14 +154,9 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
             [[534.0, y], [466.0, y], [546.0, y], [454.0, y]]
         });
         let [x, y] = roomiest(beside, [24.0, 7.0], &taken);
-        pen.text([x, y + 5.0], Anchor::Middle, "weight", small(Role::Ink));
+        pen.note([x, y + 5.0], Anchor::Middle, "weight");
         let push = turned([0.0, -44.0], [108.0, 132.0], tilts[0]);
-        pen.text(
-            [push[0] - 10.0, push[1] + 40.0],
-            Anchor::End,
-            "drag",
-            small(Role::Ink),
-        );
+        pen.note([push[0] - 10.0, push[1] + 40.0], Anchor::End, "drag");
     });
     let rows = [0.0, times[0], times[1]].into_iter().zip(tilts);
     let rows = rows.map(|(time, tilt)| vec![time, tilt.to_degrees()]);
@@ -220,7 +210,7 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
     let y = Axis::linear([0.0, 1.06 * deepest], [BOTTOM, TOP]);
     let place = |[degrees, fall]: Point| [x.at(degrees), y.at(fall)];
     let made = figure("paper-cat-fall", 344.0, words, |pen| {
-        let axis = stroke(Role::Ink, AXIS);
+        let axis = inked(AXIS);
         pen.line(&[[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
         for (degrees, name) in [
             (10.0, "10°"),
@@ -231,27 +221,21 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
         ] {
             let x = x.at(degrees);
             pen.line(&[[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
-            pen.text([x, BOTTOM + 22.0], Anchor::Middle, name, small(Role::Ink));
+            pen.note([x, BOTTOM + 22.0], Anchor::Middle, name);
         }
         for (fall, text) in y.ticks(50.0) {
             let y = y.at(fall);
             pen.line(&[[LEFT - 5.0, y], [LEFT, y]], axis);
-            pen.text([LEFT - 9.0, y + 5.0], Anchor::End, &text, small(Role::Ink));
+            pen.note([LEFT - 9.0, y + 5.0], Anchor::End, &text);
         }
-        pen.text(
-            [LEFT - 44.0, TOP - 14.0],
-            Anchor::Start,
-            "fall, m",
-            label(Role::Ink),
-        );
-        pen.text(
+        pen.label([LEFT - 44.0, TOP - 14.0], Anchor::Start, "fall, m");
+        pen.label(
             [RIGHT, BOTTOM + 46.0],
             Anchor::End,
             "short of upside down by",
-            label(Role::Ink),
         );
         let points: Vec<Point> = curve.iter().map(|point| place(*point)).collect();
-        pen.line(&points, stroke(Role::Ink, DATA));
+        pen.line(&points, inked(DATA));
         for (k, (&degrees, &fall)) in marks.iter().zip(&falls).enumerate() {
             let at = place([degrees, fall]);
             pen.disc(at, 4.0, Role::Ink, 1.0);
@@ -261,7 +245,7 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
                 _ => ([6.0, 22.0], Anchor::Start),
             };
             let at = [at[0] + aside[0], (at[1] + aside[1]).min(BOTTOM - 8.0)];
-            pen.text(at, anchor, &number(fall, 3), small(Role::Ink));
+            pen.note(at, anchor, &number(fall, 3));
         }
     });
     let rows = curve.iter().map(|point| point.to_vec());

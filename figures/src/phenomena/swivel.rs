@@ -8,7 +8,7 @@ use spinning_bodies::scene::shape::{self, SwivelState};
 use spinning_bodies::scene::{Request, Scene};
 
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar, short,
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, inked, number, polar, short,
     small, stroke,
 };
 use crate::{Figure, Parameter, Values};
@@ -66,7 +66,7 @@ fn person(pen: &mut Pen, center: Point, state: &SwivelState, out: bool) {
     let solid = |pen: &mut Pen, outline: &[Point], tone: f64| {
         pen.fill(outline, Role::Paper, 1.0);
         pen.fill(outline, Role::Ink, tone);
-        pen.outline(outline, stroke(Role::Ink, AXIS));
+        pen.outline(outline, inked(AXIS));
     };
     // Feet, pointing where the lower body faces.
     for side in [-1.0, 1.0] {
@@ -176,12 +176,7 @@ pub fn swivel(values: &Values) -> Result<Figure> {
             } else {
                 format!("{name}: {}°", degrees(state.lower))
             };
-            pen.text(
-                [center[0], center[1] + 106.0],
-                Anchor::Middle,
-                &text,
-                label(Role::Ink),
-            );
+            pen.label([center[0], center[1] + 106.0], Anchor::Middle, &text);
         }
         pen.text(
             [592.0, 396.0],

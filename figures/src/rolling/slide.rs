@@ -5,7 +5,7 @@ use spinning_bodies::rolling::{Coulomb, Course, Load, Moment, RoundBody, factor}
 
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, DATA, Role, SECONDARY, Words, between, figure, label, number, short, small,
+    AXIS, Anchor, DATA, Role, SECONDARY, Words, between, figure, inked, label, number, short,
     stroke,
 };
 use crate::{Figure, Parameter, Values};
@@ -92,44 +92,23 @@ pub fn lines(values: &Values) -> Result<Figure> {
     );
     let at = |t: f64, v: f64| [x.at(t), y.at(v)];
     let made = figure("slide-to-roll", 386.0, words, |pen| {
-        pen.line(&[at(0.0, 0.0), at(until, 0.0)], stroke(Role::Ink, AXIS));
-        pen.line(
-            &[[LEFT, y.ends[0]], [LEFT, y.ends[1]]],
-            stroke(Role::Ink, AXIS),
-        );
+        pen.line(&[at(0.0, 0.0), at(until, 0.0)], inked(AXIS));
+        pen.line(&[[LEFT, y.ends[0]], [LEFT, y.ends[1]]], inked(AXIS));
         for (v, text) in y.ticks(38.0) {
             let level = y.at(v);
-            pen.line(
-                &[[LEFT - 5.0, level], [LEFT, level]],
-                stroke(Role::Ink, AXIS),
-            );
-            pen.text(
-                [LEFT - 9.0, level + 5.0],
-                Anchor::End,
-                &text,
-                small(Role::Ink),
-            );
+            pen.line(&[[LEFT - 5.0, level], [LEFT, level]], inked(AXIS));
+            pen.note([LEFT - 9.0, level + 5.0], Anchor::End, &text);
         }
-        pen.text([8.0, 16.0], Anchor::Start, "m/s", small(Role::Ink));
+        pen.note([8.0, 16.0], Anchor::Start, "m/s");
         for (t, text) in x.ticks(75.0) {
             let across = x.at(t);
             pen.line(
                 &[[across, BOTTOM - 3.0], [across, BOTTOM + 3.0]],
-                stroke(Role::Ink, AXIS),
+                inked(AXIS),
             );
-            pen.text(
-                [across, BOTTOM + 20.0],
-                Anchor::Middle,
-                &text,
-                small(Role::Ink),
-            );
+            pen.note([across, BOTTOM + 20.0], Anchor::Middle, &text);
         }
-        pen.text(
-            [RIGHT + 24.0, BOTTOM + 20.0],
-            Anchor::Start,
-            "s",
-            small(Role::Ink),
-        );
+        pen.note([RIGHT + 24.0, BOTTOM + 20.0], Anchor::Start, "s");
         let mut name = BOTTOM;
         for (course, height) in courses.iter().zip(heights) {
             let start = course.at(0.0);
@@ -140,12 +119,12 @@ pub fn lines(values: &Values) -> Result<Figure> {
                 &[at(0.0, start.rim_speed), meeting],
                 stroke(Role::Omega, DATA),
             );
-            pen.line(&[at(0.0, start.velocity), meeting], stroke(Role::Ink, DATA));
-            pen.line(&[meeting, at(until, rolls)], stroke(Role::Ink, SECONDARY));
+            pen.line(&[at(0.0, start.velocity), meeting], inked(DATA));
+            pen.line(&[meeting, at(until, rolls)], inked(SECONDARY));
             pen.disc(meeting, 4.5, Role::Ink, 1.0);
             name = (y.at(rolls) + 5.0).min(name - 14.0);
             let text = format!("*H* = {} *R*", short(height, 2));
-            pen.text([RIGHT + 12.0, name], Anchor::Start, &text, small(Role::Ink));
+            pen.note([RIGHT + 12.0, name], Anchor::Start, &text);
         }
         let meeting = |k: usize| {
             let event = courses[k].events().first();

@@ -7,8 +7,8 @@ use spinning_bodies::rolling::factor;
 use spinning_bodies::superball::{BounceRotation, Motion, UnderTable, return_threshold};
 
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, label, number, polar,
-    short, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, inked, label, number,
+    polar, short, small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -88,7 +88,7 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         ]
     };
     let made = figure("bounce-reflections", 368.0, words, |pen| {
-        pen.ring(CENTER, SIZE, stroke(Role::Ink, SECONDARY));
+        pen.ring(CENTER, SIZE, inked(SECONDARY));
         let axes = [
             [
                 [CENTER[0] - 190.0, CENTER[1]],
@@ -97,14 +97,9 @@ pub fn reflections(values: &Values) -> Result<Figure> {
             [[CENTER[0], 14.0], [CENTER[0], 354.0]],
         ];
         for axis in axes {
-            pen.line(&axis, stroke(Role::Ink, AXIS));
+            pen.line(&axis, inked(AXIS));
         }
-        pen.text(
-            [CENTER[0] + 196.0, CENTER[1] + 5.0],
-            Anchor::Start,
-            "*V*",
-            label(Role::Ink),
-        );
+        pen.label([CENTER[0] + 196.0, CENTER[1] + 5.0], Anchor::Start, "*V*");
         for (angle, name) in [(beta, "floor"), (-beta, "ceiling")] {
             let ends = [polar(CENTER, MIRROR, angle), polar(CENTER, -MIRROR, angle)];
             pen.line(&ends, stroke(Role::Muted, DATA).dashed());
@@ -119,7 +114,7 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         for pair in motions.windows(2) {
             let (from, to) = (point(&pair[0]), point(&pair[1]));
             let tip = between(from, to, 0.965);
-            pen.arrow(from, tip, stroke(Role::Ink, DATA));
+            pen.arrow(from, tip, inked(DATA));
         }
         let mut named: Vec<Point> = Vec::new();
         for (n, m) in motions.iter().enumerate() {
@@ -199,8 +194,8 @@ fn comes_back(kappa: f64, last: &Motion<f64>) -> Result<&'static str> {
 /// Three balls thrown alike.
 pub fn three_balls(values: &Values) -> Result<Figure> {
     let balls = [
-        (values.of(&DENSE), stroke(Role::Ink, DATA).dashed()),
-        (factor::BALL, stroke(Role::Ink, DATA)),
+        (values.of(&DENSE), inked(DATA).dashed()),
+        (factor::BALL, inked(DATA)),
         (values.of(&HOLLOW), stroke(Role::Muted, DATA)),
     ];
     let motions = balls.map(|(kappa, _)| {
@@ -237,10 +232,7 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
         ),
     };
     let made = figure("three-superballs", 268.0, words, |pen| {
-        pen.line(
-            &[[10.0, FLOOR], [590.0, FLOOR]],
-            stroke(Role::Ink, SECONDARY),
-        );
+        pen.line(&[[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
         let slab = [
             [250.0, CEILING - 12.0],
             [590.0, CEILING - 12.0],
@@ -248,14 +240,10 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
             [250.0, CEILING],
         ];
         pen.fill(&slab, Role::Ink, 0.16);
-        pen.line(&slab[2..], stroke(Role::Ink, AXIS));
+        pen.line(&slab[2..], inked(AXIS));
         let arrives = [place(-1.17, 1.17), place(0.0, 0.0)];
-        pen.line(&arrives, stroke(Role::Ink, HAIR).dashed());
-        pen.arrow(
-            place(-1.05, 1.05),
-            place(-0.93, 0.93),
-            stroke(Role::Ink, DATA),
-        );
+        pen.line(&arrives, inked(HAIR).dashed());
+        pen.arrow(place(-1.05, 1.05), place(-0.93, 0.93), inked(DATA));
         let mut ends = Vec::new();
         for (of, (_, line)) in motions.iter().zip(balls) {
             let out = 0.62;

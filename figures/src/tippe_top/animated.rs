@@ -11,8 +11,8 @@ use crate::Figure;
 use crate::finish::short;
 use crate::plot::{Axis, Frame};
 use crate::style::{
-    Anchor, DATA, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, label, number,
-    small, stroke,
+    Anchor, DATA, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, inked, label,
+    number, stroke,
 };
 
 const NAME: &str = "tippe-top-animated";
@@ -63,17 +63,8 @@ pub fn turning_over() -> Result<Figure> {
             &[(0.0, "0°"), (90.0, "90°"), (180.0, "180°")],
             ["time, s", "tilt"],
         );
-        FRAME.curve(
-            pen,
-            rows.iter().map(|(t, s)| (*t, degrees(s))),
-            stroke(Role::Ink, DATA),
-        );
-        pen.text(
-            FRAME.at(0.3, 96.0),
-            Anchor::Start,
-            "on its side",
-            small(Role::Muted),
-        );
+        FRAME.curve(pen, rows.iter().map(|(t, s)| (*t, degrees(s))), inked(DATA));
+        pen.remark(FRAME.at(0.3, 96.0), Anchor::Start, "on its side");
         spin_arrow(pen);
     });
     Ok(still.moving(&moving(&rows)))

@@ -4,14 +4,14 @@ use nalgebra::Vector3;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use crate::solid::{View, ellipse};
-use crate::style::{AXIS, HAIR, Pen, Point, Role, SECONDARY, stroke};
+use crate::style::{AXIS, HAIR, Pen, Point, Role, SECONDARY, inked};
 
 /// Half the angle of the cap, rad.
 const CAP: f64 = 0.72;
 
 /// The table's surface below a row of bodies.
 pub fn table(pen: &mut Pen, from: f64, to: f64, y: f64) {
-    pen.line(&[[from, y], [to, y]], stroke(Role::Ink, SECONDARY));
+    pen.line(&[[from, y], [to, y]], inked(SECONDARY));
 }
 
 /// A ball in the attitude given, seen slightly from above: cap, equator and one meridian turn with it.
@@ -35,10 +35,10 @@ pub fn ball(pen: &mut Pen, attitude: &Attitude, center: Point, radius: f64, azim
     let front = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
     for (u, v) in [(e1, e2), (e1, e3)] {
         for piece in &view.split(&ellipse(Vector3::zeros(), u, v, 96), front)[0] {
-            pen.line(piece, stroke(Role::Ink, HAIR).alpha(0.7));
+            pen.line(piece, inked(HAIR).alpha(0.7));
         }
     }
-    pen.ring(center, radius, stroke(Role::Ink, AXIS));
+    pen.ring(center, radius, inked(AXIS));
 }
 
 /// A point of the sphere where it is seen, or radially out on the limb if it is hidden.

@@ -8,7 +8,7 @@ use spinning_bodies::tippe_top::{ConvexBody, beads as places, bodies};
 use crate::Figure;
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, number, stroke,
 };
 
 const RADIUS: f64 = 122.0;
@@ -55,18 +55,8 @@ pub fn beads() -> Result<Figure> {
             0.95 + core::f64::consts::FRAC_PI_2,
             &beads,
         );
-        pen.text(
-            [150.0, 288.0],
-            Anchor::Middle,
-            "from the front",
-            label(Role::Ink),
-        );
-        pen.text(
-            [450.0, 288.0],
-            Anchor::Middle,
-            "from the side",
-            label(Role::Ink),
-        );
+        pen.label([150.0, 288.0], Anchor::Middle, "from the front");
+        pen.label([450.0, 288.0], Anchor::Middle, "from the side");
     }))
 }
 
@@ -81,7 +71,7 @@ pub fn view(
     pen.disc(center, radius, Role::Shade, 0.6);
     let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 96);
     pen.line(&view.trace(&equator), stroke(Role::Muted, HAIR));
-    pen.ring(center, radius, stroke(Role::Ink, AXIS));
+    pen.ring(center, radius, inked(AXIS));
     let axis = [
         view.project(&Vector3::new(0.0, 0.0, -1.0)),
         view.project(&Vector3::new(0.0, 0.0, 1.0)),
@@ -89,13 +79,13 @@ pub fn view(
     pen.line(&axis, stroke(Role::Muted, SECONDARY).dotted());
     let scale = radius / RADIUS;
     for (k, pair) in beads.iter().enumerate() {
-        pen.line(&view.trace(pair), stroke(Role::Ink, SECONDARY));
+        pen.line(&view.trace(pair), inked(SECONDARY));
         for end in pair {
             let depth = end.dot(&view.toward);
             let at = view.project(end);
             let size = (9.0 + 2.0 * depth) * scale;
             pen.disc(at, size, Role::Ink, 0.65);
-            pen.ring(at, size, stroke(Role::Ink, AXIS));
+            pen.ring(at, size, inked(AXIS));
         }
         let outer = if pair[0].z >= pair[1].z {
             pair[0]
@@ -110,24 +100,14 @@ pub fn view(
         let name = format!("{}", k + 1);
         // Beads 1 and 2 may stand side by side: one has its number below it.
         match k {
-            1 => pen.text([x, y + 29.0], Anchor::Middle, &name, small(Role::Ink)),
-            _ => pen.text([x + side, y - 4.0], anchor, &name, small(Role::Ink)),
+            1 => pen.note([x, y + 29.0], Anchor::Middle, &name),
+            _ => pen.note([x + side, y - 4.0], anchor, &name),
         }
     }
     let k = view.project(&Vector3::zeros());
     let c = view.project(&(0.5 * (beads[0][0] + beads[0][1])));
     pen.disc(k, 3.2, Role::Ink, 1.0);
     pen.disc(c, 3.2, Role::Ink, 1.0);
-    pen.text(
-        [k[0] - 8.0, k[1] - 2.0],
-        Anchor::End,
-        "*K*",
-        label(Role::Ink),
-    );
-    pen.text(
-        [c[0] - 8.0, c[1] + 17.0],
-        Anchor::End,
-        "*C*",
-        label(Role::Ink),
-    );
+    pen.label([k[0] - 8.0, k[1] - 2.0], Anchor::End, "*K*");
+    pen.label([c[0] - 8.0, c[1] + 17.0], Anchor::End, "*C*");
 }

@@ -6,7 +6,7 @@ use spinning_bodies::scene::contact::passage;
 use super::{FRICTION, SPIN, chiral_scene, run, tilt_against_time};
 use crate::plot::{Axis, Frame};
 use crate::style::{
-    Anchor, DATA, Point, Role, Words, along, figure, label, number, roomiest, stroke,
+    Anchor, DATA, Point, Role, Words, along, figure, inked, label, number, roomiest, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -86,7 +86,7 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
             y: Axis::linear([0.0, 180.0], [350.0, 34.0]),
         };
         tilt_against_time(pen, &frame);
-        let styles = [stroke(Role::Ink, DATA), stroke(Role::Muted, DATA)];
+        let styles = [inked(DATA), stroke(Role::Muted, DATA)];
         for (rows, style) in runs.iter().zip(styles) {
             let curve = rows.iter().map(|(t, s)| (*t, s.tilt().to_degrees()));
             frame.curve(pen, curve, style);

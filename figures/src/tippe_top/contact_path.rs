@@ -7,7 +7,7 @@ use spinning_bodies::scene::contact::Support;
 use super::{ALPHA, FRICTION, SPIN, run, toy_scene};
 use crate::solid::{View, ellipse};
 use crate::style::{
-    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, figure, inked, number, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -85,32 +85,24 @@ pub fn contact_path(values: &Values) -> Result<Figure> {
         }
         let [front, back] = view.split(&path, seen);
         for piece in back {
-            pen.line(&piece, stroke(Role::Ink, SECONDARY).alpha(0.45));
+            pen.line(&piece, inked(SECONDARY).alpha(0.45));
         }
         for piece in front {
-            pen.line(&piece, stroke(Role::Ink, 1.2));
+            pen.line(&piece, inked(1.2));
         }
-        pen.ring(center, radius, stroke(Role::Ink, AXIS));
+        pen.ring(center, radius, inked(AXIS));
         let pole = |z: f64| view.project(&Vector3::new(0.0, 0.0, z));
-        pen.line(&[pole(0.0), pole(-alpha)], stroke(Role::Ink, AXIS));
+        pen.line(&[pole(0.0), pole(-alpha)], inked(AXIS));
         pen.disc(pole(0.0), 3.6, Role::Ink, 1.0);
         pen.disc(pole(-alpha), 3.6, Role::Ink, 1.0);
         let [x, y] = pole(0.0);
-        pen.text([x + 8.0, y], Anchor::Start, "*K*", label(Role::Ink));
+        pen.label([x + 8.0, y], Anchor::Start, "*K*");
         let [x, y] = pole(-alpha);
-        pen.text([x + 8.0, y + 12.0], Anchor::Start, "*C*", label(Role::Ink));
+        pen.label([x + 8.0, y + 12.0], Anchor::Start, "*C*");
         let first = view.project(&path[0]);
         pen.disc(first, 4.0, Role::Ink, 1.0);
-        pen.text(
-            [474.0, 316.0],
-            Anchor::Start,
-            "starts here",
-            small(Role::Ink),
-        );
-        pen.line(
-            &[[470.0, 312.0], [first[0] + 6.0, first[1]]],
-            stroke(Role::Ink, HAIR),
-        );
+        pen.note([474.0, 316.0], Anchor::Start, "starts here");
+        pen.line(&[[470.0, 312.0], [first[0] + 6.0, first[1]]], inked(HAIR));
     });
     let columns = ["time (s)", "x over R", "y over R", "z over R"];
     let table = rows.iter().zip(&path).step_by(10);

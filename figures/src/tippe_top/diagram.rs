@@ -8,7 +8,8 @@ use spinning_bodies::tippe_top::{Inversion, TippeTop};
 use super::{ALPHA, GAMMA, SPIN, run, tippe, tippe_scene};
 use crate::plot::{Axis, Frame};
 use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, label, number, small, stroke,
+    Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, inked, label, number, small,
+    stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -131,8 +132,8 @@ pub fn energy_and_momentum(values: &Values) -> Result<Figure> {
             pen,
             ["*J*, as the spin of the upright top, rad/s", "energy, mJ"],
         );
-        let solid = stroke(Role::Ink, DATA);
-        let broken = stroke(Role::Ink, SECONDARY).dashed();
+        let solid = inked(DATA);
+        let broken = inked(SECONDARY).dashed();
         // The head is stable above its own least λ even where nothing that starts upright gets there.
         let on_head = top.inverted_is_stable_above().map(|jellett| jellett / unit);
         for (tilt, border, below, above) in
@@ -155,7 +156,7 @@ pub fn energy_and_momentum(values: &Values) -> Result<Figure> {
             let style = if pair[1].0 > pair[0].0 {
                 solid
             } else {
-                stroke(Role::Ink, SECONDARY).alpha(0.5)
+                inked(SECONDARY).alpha(0.5)
             };
             frame.curve(pen, pair.iter().copied(), style);
         }

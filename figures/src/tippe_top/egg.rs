@@ -9,7 +9,7 @@ use super::ball::table;
 use super::{FRICTION, TURNS, egg_scene, run};
 use crate::plot::{Axis, Frame};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, label, number, polar, small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, inked, number, polar,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -109,24 +109,22 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
         .map(|p| [center[0] + p[0], center[1] + p[1]])
         .collect();
     pen.fill(&moved, Role::Ink, 0.09);
-    pen.outline(&moved, stroke(Role::Ink, 1.4));
+    pen.outline(&moved, inked(1.4));
     let tip = |sign: f64| {
         let [x, y] = polar([0.0, 0.0], HALF[0], FRAC_PI_2 - tilt);
         [center[0] + sign * x, center[1] + sign * y]
     };
-    pen.line(&[tip(1.0), tip(-1.0)], stroke(Role::Ink, HAIR).alpha(0.7));
+    pen.line(&[tip(1.0), tip(-1.0)], inked(HAIR).alpha(0.7));
     pen.disc(center, 2.8, Role::Ink, 1.0);
-    pen.text(
+    pen.note(
         [foot[0], foot[1] + 22.0],
         Anchor::Middle,
         &format!("{}°", number(tilt.to_degrees(), 0)),
-        small(Role::Ink),
     );
-    pen.text(
+    pen.remark(
         [foot[0], foot[1] + 41.0],
         Anchor::Middle,
         &format!("{} s", number(time, 2)),
-        small(Role::Muted),
     );
 }
 
@@ -170,7 +168,7 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
             ["turns a second", "angle from the vertical"],
         );
         let curve = SPINS.iter().copied().zip(ends.iter().copied());
-        frame.curve(pen, curve.clone(), stroke(Role::Ink, AXIS).dotted());
+        frame.curve(pen, curve.clone(), inked(AXIS).dotted());
         for (turns, end) in curve {
             pen.disc(frame.at(turns, end), 4.6, Role::Ink, 1.0);
             if let 10.0 | 14.0 = turns {
@@ -181,20 +179,10 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
                     .map(|p| [x + 62.0 + 0.62 * p[0], y - 12.0 + 0.62 * p[1]])
                     .collect();
                 pen.fill(&small_egg, Role::Ink, 0.09);
-                pen.outline(&small_egg, stroke(Role::Ink, DATA * 0.6));
+                pen.outline(&small_egg, inked(DATA * 0.6));
             }
         }
-        pen.text(
-            frame.at(8.0, 80.0),
-            Anchor::Middle,
-            "lies",
-            label(Role::Ink),
-        );
-        pen.text(
-            frame.at(20.0, 7.0),
-            Anchor::Middle,
-            "stands",
-            label(Role::Ink),
-        );
+        pen.label(frame.at(8.0, 80.0), Anchor::Middle, "lies");
+        pen.label(frame.at(20.0, 7.0), Anchor::Middle, "stands");
     }))
 }

@@ -5,7 +5,7 @@ use spinning_bodies::scene::contact::{State, passage};
 
 use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
 use crate::plot::{Axis, Frame, apart};
-use crate::style::{Anchor, DATA, HAIR, Role, Words, figure, label, number, small, stroke};
+use crate::style::{Anchor, DATA, HAIR, Role, Words, figure, inked, label, number, stroke};
 use crate::{Figure, Parameter, Values};
 
 /// What may be chosen.
@@ -92,9 +92,9 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
         gap.extend(rows.iter().rev().map(|(t, s)| frame.at(*t, height(s))));
         pen.fill(&gap, Role::Ink, 0.08);
         let energy = rows.iter().map(|(t, s)| (*t, 1e3 * s.energy));
-        frame.curve(pen, energy, stroke(Role::Ink, DATA));
+        frame.curve(pen, energy, inked(DATA));
         let lower = rows.iter().map(|(t, s)| (*t, height(s)));
-        frame.curve(pen, lower, stroke(Role::Ink, DATA).dashed());
+        frame.curve(pen, lower, inked(DATA).dashed());
         if let Some(half) = half {
             let line = [frame.at(half, 0.0), frame.at(half, top)];
             pen.line(&line, stroke(Role::Muted, HAIR).dotted());
@@ -104,7 +104,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
                 (-6.0, Anchor::End)
             };
             let place = [line[1][0] + side, line[1][1] + 8.0];
-            pen.text(place, anchor, "on its side", small(Role::Muted));
+            pen.remark(place, anchor, "on its side");
         }
         let ends = [1e3 * last.energy, height(&last)].map(|y| frame.y.at(y));
         let places = apart(&ends, 24.0, 308.0);
@@ -114,7 +114,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
             (places[1], "*Mg* × height"),
             (of, "of *C*"),
         ] {
-            pen.text([494.0, y + 5.0], Anchor::Start, text, label(Role::Ink));
+            pen.label([494.0, y + 5.0], Anchor::Start, text);
         }
         // In the early gap, which is the wider one.
         let early = &rows[95].1;

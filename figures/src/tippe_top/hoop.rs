@@ -8,8 +8,8 @@ use spinning_bodies::tippe_top::HoopWithClay;
 
 use super::{ALPHA, TURNS, toy};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, label, number, polar,
-    small, stroke,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, number,
+    polar, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -93,10 +93,7 @@ pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
         ),
     };
     let made = figure("hoop-with-clay", 314.0, words, |pen| {
-        pen.line(
-            &[[14.0, FLOOR], [586.0, FLOOR]],
-            stroke(Role::Ink, SECONDARY),
-        );
+        pen.line(&[[14.0, FLOOR], [586.0, FLOOR]], inked(SECONDARY));
         for k in 0..2 {
             one(pen, center(k), values.of(&OFFSET), (tilts[k], torques[k]));
         }
@@ -117,7 +114,7 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
     let (s, c) = tilt.sin_cos();
     let along = |d: f64| [k[0] + d * s, k[1] - d * c];
     let mass = along(-alpha * RADIUS);
-    pen.ring(k, RADIUS, stroke(Role::Ink, 3.0));
+    pen.ring(k, RADIUS, inked(3.0));
     // The clay: a lump on the inside of the rim, on the side of C.
     let down = FRAC_PI_2 - tilt + PI;
     let mut lump = crate::style::arc(k, RADIUS - 1.0, down - 0.34, down + 0.34);
@@ -132,10 +129,7 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
     pen.fill(&lump, Role::Ink, 0.6);
     // The axis, not through the table.
     let reach = (1.22 * RADIUS).min(0.96 * RADIUS / (-c).max(1e-3));
-    pen.line(
-        &[along(-RADIUS), along(reach)],
-        stroke(Role::Ink, AXIS).dotted(),
-    );
+    pen.line(&[along(-RADIUS), along(reach)], inked(AXIS).dotted());
     let top = k[1] - 1.22 * RADIUS;
     pen.line(
         &[[mass[0], mass[1]], [mass[0], top + 30.0]],
@@ -152,16 +146,10 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
         "*L*",
         label(Role::AngularMomentum),
     );
-    pen.arc(
-        mass,
-        34.0,
-        FRAC_PI_2 - tilt,
-        FRAC_PI_2,
-        stroke(Role::Ink, AXIS),
-    );
+    pen.arc(mass, 34.0, FRAC_PI_2 - tilt, FRAC_PI_2, inked(AXIS));
     let half = FRAC_PI_2 - 0.5 * tilt;
     let [x, y] = polar(mass, 46.0, half);
-    pen.text([x, y + 5.0], Anchor::Middle, "*θ*", label(Role::Ink));
+    pen.label([x, y + 5.0], Anchor::Middle, "*θ*");
     // The torque, in the plane of the picture.
     let scale = 0.5 * RADIUS / torque.norm();
     let tip = [mass[0] + scale * torque.x(), mass[1] - scale * torque.z()];
@@ -182,20 +170,19 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
         true => polar([mass[0], mass[1] + 5.0], 17.0, half),
         false => [mass[0] + 14.0, mass[1] + 19.0],
     };
-    pen.text([x, y], Anchor::Middle, "*C*", label(Role::Ink));
+    pen.label([x, y], Anchor::Middle, "*C*");
     let ([dx, dy], anchor) = match above {
         true => ([-6.0, 22.0], Anchor::End),
         false => ([11.0, 19.0], Anchor::Start),
     };
-    pen.text([k[0] + dx, k[1] + dy], anchor, "*K*", label(Role::Ink));
+    pen.label([k[0] + dx, k[1] + dy], anchor, "*K*");
     let foot = [k[0], k[1] + RADIUS];
     pen.disc(foot, 7.5, Role::Ink, 0.18);
-    pen.ring(foot, 7.5, stroke(Role::Ink, 1.4));
+    pen.ring(foot, 7.5, inked(1.4));
     pen.disc(foot, 2.2, Role::Ink, 1.0);
-    pen.text(
+    pen.note(
         [foot[0], foot[1] + 29.0],
         Anchor::Middle,
         "friction, out of the page",
-        small(Role::Ink),
     );
 }

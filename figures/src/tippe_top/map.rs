@@ -7,7 +7,7 @@ use spinning_bodies::Result;
 use super::{CHIRAL_SPIN, chiral_scene, run};
 use crate::Figure;
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, Words, figure, label, number, polar, small, stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, Words, figure, inked, number, polar, stroke,
 };
 
 /// Tilts of the release, degrees, and azimuths a ring.
@@ -79,24 +79,22 @@ fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str) {
             if *over {
                 pen.disc(at, 5.6, Role::Ink, 1.0);
             } else {
-                pen.ring(at, 5.0, stroke(Role::Ink, AXIS));
+                pen.ring(at, 5.0, inked(AXIS));
             }
         }
         // The innermost ring has no room for a name.
         if k == 2 || k == 5 {
             let [x, y] = polar(center, reach(k), 1.18);
-            pen.text(
+            pen.remark(
                 [x, y - 1.0],
                 Anchor::Middle,
                 &format!("{}°", number(TILTS[k], 0)),
-                small(Role::Muted),
             );
         }
     }
-    pen.text(
+    pen.label(
         [center[0], center[1] + reach(5) + 29.0],
         Anchor::Middle,
         name,
-        label(Role::Ink),
     );
 }

@@ -5,7 +5,7 @@ use spinning_bodies::{Error, Result};
 
 use super::{Rows, SPIN, run, stone_scene};
 use crate::plot::{Axis, Frame};
-use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, label, number, stroke};
+use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, inked, label, number, stroke};
 use crate::{Figure, Parameter, Values};
 
 const OFF_LEVEL: Parameter = Parameter::new("tilt", r"\theta_0")
@@ -105,10 +105,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
             y: Axis::linear([-1.3 * greatest, 1.3 * greatest], [322.0, 34.0]),
         };
         frame.draw_round(pen, ["time, s", "spin, rad/s"]);
-        pen.line(
-            &[frame.at(0.0, 0.0), frame.at(END, 0.0)],
-            stroke(Role::Ink, AXIS),
-        );
+        pen.line(&[frame.at(0.0, 0.0), frame.at(END, 0.0)], inked(AXIS));
         for (rows, role) in [(&slow, Role::Muted), (&quick, Role::Ink)] {
             let curve = rows.iter().map(|(t, s)| (*t, s.spin()));
             frame.curve(pen, curve, stroke(role, DATA * 0.8));

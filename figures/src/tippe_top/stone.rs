@@ -10,8 +10,8 @@ use spinning_bodies::tippe_top::{ConvexBody, Surface, rolling_growth_rates};
 
 use super::{G, SPIN};
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Stroke, Words, figure, label, number, polar,
-    short, small, stroke,
+    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Stroke, Words, figure, inked, number, polar,
+    short, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -89,8 +89,8 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
         ),
     };
     let made = figure("rattleback-stone", 322.0, words, |pen| {
-        let belly = stroke(Role::Ink, SECONDARY).dashed();
-        let inertia = stroke(Role::Ink, DATA);
+        let belly = inked(SECONDARY).dashed();
+        let inertia = inked(DATA);
         let outline: Vec<Point> = (0..=720)
             .map(|k| (TAU * f64::from(k) / 720.0).sin_cos())
             .map(|(s, c)| [METRE * BELLY[0] * c, METRE * BELLY[1] * s])
@@ -100,7 +100,7 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
             .map(|p| [MIDDLE[0] + p[0], MIDDLE[1] - p[1]])
             .collect();
         pen.fill(&placed, Role::Ink, 0.08);
-        pen.outline(&placed, stroke(Role::Ink, SECONDARY));
+        pen.outline(&placed, inked(SECONDARY));
         let cross = |pen: &mut Pen, turned: f64, style: Stroke| {
             for (turned, half) in [(turned, 284.0), (turned + FRAC_PI_2, 70.0)] {
                 pen.line(
@@ -122,26 +122,10 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
         {
             let center = [54.0, 204.0 + 74.0 * k as f64];
             let (from, to) = [(2.6, 0.5), (0.5, 2.6)][k];
-            pen.arc_arrow(
-                [center[0], center[1] + 6.0],
-                24.0,
-                from,
-                to,
-                stroke(Role::Ink, DATA),
-            );
-            pen.text(
-                [center[0] + 44.0, center[1] - 4.0],
-                Anchor::Start,
-                way,
-                label(Role::Ink),
-            );
+            pen.arc_arrow([center[0], center[1] + 6.0], 24.0, from, to, inked(DATA));
+            pen.label([center[0] + 44.0, center[1] - 4.0], Anchor::Start, way);
             let text = format!("rattling {text}");
-            pen.text(
-                [center[0] + 44.0, center[1] + 18.0],
-                Anchor::Start,
-                &text,
-                small(Role::Ink),
-            );
+            pen.note([center[0] + 44.0, center[1] + 18.0], Anchor::Start, &text);
         }
     });
     let columns = [
@@ -179,7 +163,7 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
         stroke(Role::Muted, AXIS).dotted(),
     );
     let curves = [
-        (outline.to_vec(), stroke(Role::Ink, SECONDARY)),
+        (outline.to_vec(), inked(SECONDARY)),
         (axis(0.0), belly),
         (axis(angle), inertia),
     ];

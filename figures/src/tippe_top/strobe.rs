@@ -5,7 +5,7 @@ use spinning_bodies::scene::contact::State;
 
 use super::ball::{ball, table};
 use super::{BOTH_SPINS, chiral_scene, run};
-use crate::style::{Anchor, DATA, Pen, Role, Words, figure, label, number, small, stroke};
+use crate::style::{Anchor, DATA, Pen, Words, figure, inked, number};
 use crate::{Figure, Parameter, Values};
 
 /// What may be chosen: the release of the figure before, and the time between two pictures.
@@ -67,15 +67,10 @@ pub fn strobed(values: &Values) -> Result<Figure> {
 
 fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str) {
     table(pen, 8.0, 592.0, floor);
-    pen.text(
-        [10.0, floor - 2.0 * RADIUS - 14.0],
-        Anchor::Start,
-        name,
-        label(Role::Ink),
-    );
+    pen.label([10.0, floor - 2.0 * RADIUS - 14.0], Anchor::Start, name);
     let x = 116.0;
     let y = floor - 2.0 * RADIUS - 19.0;
-    let arrow = stroke(Role::Ink, DATA);
+    let arrow = inked(DATA);
     let from = if name.len() > 9 { x + 10.0 } else { x - 22.0 };
     let (a, b) = ([from, y], [from + 34.0, y]);
     if name.len() > 9 {
@@ -87,20 +82,10 @@ fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str) {
         let center = [50.0 + 83.3 * k as f64, floor - RADIUS];
         ball(pen, &state.attitude, center, RADIUS, 0.6);
         let text = format!("{}°", number(state.tilt().to_degrees(), 0));
-        pen.text(
-            [center[0], floor + 20.0],
-            Anchor::Middle,
-            &text,
-            small(Role::Ink),
-        );
+        pen.note([center[0], floor + 20.0], Anchor::Middle, &text);
         if floor > 200.0 {
             let text = format!("{} s", number(*time, if *time > 0.0 { 2 } else { 0 }));
-            pen.text(
-                [center[0], floor + 42.0],
-                Anchor::Middle,
-                &text,
-                small(Role::Muted),
-            );
+            pen.remark([center[0], floor + 42.0], Anchor::Middle, &text);
         }
     }
 }

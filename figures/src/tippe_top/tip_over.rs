@@ -8,7 +8,8 @@ use spinning_bodies::scene::contact::passage;
 use super::{ALPHA, FRICTION, TURNS, run, tilt_against_time, toy, toy_scene};
 use crate::plot::{Axis, Frame};
 use crate::style::{
-    Anchor, DATA, Role, SECONDARY, Words, between, figure, label, number, short, small, stroke,
+    Anchor, DATA, Role, SECONDARY, Words, between, figure, inked, label, number, short, small,
+    stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -104,12 +105,12 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
             let t = f64::from(k) * (PI - START) / rate;
             (t, (START + rate * t).to_degrees())
         });
-        frame.curve(pen, line, stroke(Role::Ink, SECONDARY).dashed());
+        frame.curve(pen, line, inked(SECONDARY).dashed());
         let refined = (0..=120).map(|k| {
             let tilt = START + (PI - START) * f64::from(k) / 120.0;
             (hoop.refined_time(spin, START, tilt), tilt.to_degrees())
         });
-        frame.curve(pen, refined, stroke(Role::Ink, SECONDARY).dotted());
+        frame.curve(pen, refined, inked(SECONDARY).dotted());
         for (rows, role) in runs.iter().zip([Role::Muted, Role::Ink]) {
             let curve = rows.iter().map(|(t, s)| (*t, s.tilt().to_degrees()));
             frame.curve(pen, curve, stroke(role, DATA));

@@ -7,7 +7,7 @@ use spinning_bodies::tippe_top::bodies;
 use super::ball::{ball, table};
 use super::beads::{inside, view};
 use super::{BOTH_SPINS, body_scene, run};
-use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, label, number, small, stroke};
+use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, inked, number, stroke};
 use crate::{Figure, Parameter, Values};
 
 /// What may be chosen: the release of the figure with both spins.
@@ -83,7 +83,7 @@ pub fn twins(values: &Values) -> Result<Figure> {
         for k in [0, 1] {
             let middle = 152.0 + 296.0 * k as f64;
             view(pen, ([middle, 90.0], 78.0), [0.95, -0.95][k], &rods[k]);
-            pen.text([middle, 198.0], Anchor::Middle, names[k], label(Role::Ink));
+            pen.label([middle, 198.0], Anchor::Middle, names[k]);
             let floor = 290.0;
             table(pen, middle - 136.0, middle + 136.0, floor);
             for picture in 0..PICTURES {
@@ -91,13 +91,13 @@ pub fn twins(values: &Values) -> Result<Figure> {
                 let x = middle + 68.0 * (picture as f64 - 1.5);
                 ball(pen, &state.attitude, [x, floor - RADIUS], RADIUS, 0.6);
                 let tilt = format!("{}°", number(state.tilt().to_degrees(), 0));
-                pen.text([x, floor + 20.0], Anchor::Middle, &tilt, small(Role::Ink));
+                pen.note([x, floor + 20.0], Anchor::Middle, &tilt);
                 let time = format!("{} s", number(*time, 0));
-                pen.text([x, floor + 42.0], Anchor::Middle, &time, small(Role::Muted));
+                pen.remark([x, floor + 42.0], Anchor::Middle, &time);
             }
             // Clockwise, seen from above: the near side goes to the left.
             let [from, to] = [middle + 18.0, middle - 18.0].map(|x| [x, 212.0]);
-            pen.arrow(from, to, stroke(Role::Ink, DATA));
+            pen.arrow(from, to, inked(DATA));
         }
     });
     let columns = ["time (s)", "tilt (°)"];

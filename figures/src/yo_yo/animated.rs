@@ -11,7 +11,7 @@ use super::GRAVITY;
 use crate::Figure;
 use crate::plot::{Axis, Frame};
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SCALE as CANVAS, Words, figure, label, number, small, stroke,
+    AXIS, Anchor, DATA, Point, Role, SCALE as CANVAS, Words, figure, inked, label, number, stroke,
 };
 
 const NAME: &str = "yo-yo-animated";
@@ -113,15 +113,15 @@ pub fn animated() -> Result<Figure> {
             ["time, s", "spin, rad/s"],
         );
         let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();
-        pen.line(&line, stroke(Role::Ink, DATA));
+        pen.line(&line, inked(DATA));
         let line: Vec<Point> = pictures.iter().map(|p| spin.at(p.0, p.1.omega)).collect();
         pen.line(&line, stroke(Role::Omega, DATA));
         let middle = 0.5 * (asleep[0] + asleep[asleep.len() - 1]);
         let [x, y] = depth.at(middle, 0.36);
-        pen.text([x, y - 10.0], Anchor::Middle, "asleep", small(Role::Muted));
+        pen.remark([x, y - 10.0], Anchor::Middle, "asleep");
         pen.line(
             &[[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]],
-            stroke(Role::Ink, AXIS),
+            inked(AXIS),
         );
         pen.text(
             [HAND[0] - 60.0, HAND[1] + 5.0],

@@ -10,7 +10,7 @@ use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
 use crate::plot::{Axis, Frame, texts};
 use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, figure, label, number, short, small, stroke,
+    Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, short, small,
 };
 use crate::{Entry, Figure, Parameter, Values, constant, of};
 
@@ -140,11 +140,11 @@ pub fn string(values: &Values) -> Result<Figure> {
             &texts(&weights),
             ["time, s", "pull, weights"],
         );
-        pen.line(&place, stroke(Role::Ink, DATA));
-        pen.line(&tension, stroke(Role::Ink, DATA));
+        pen.line(&place, inked(DATA));
+        pen.line(&tension, inked(DATA));
         let [px, py] = pull.at(first, peak);
         let text = format!("the turn: {} ms", number(milliseconds, 0));
-        pen.text([px - 4.0, py - 8.0], Anchor::Start, &text, label(Role::Ink));
+        pen.label([px - 4.0, py - 8.0], Anchor::Start, &text);
     });
     Ok(made.data("yo-yo", &["time (s)", "depth (m)", "pull (N)"], kept))
 }
@@ -204,8 +204,8 @@ pub fn speed(values: &Values) -> Result<Figure> {
     };
     let made = figure("yo-yo-speed", 344.0, words, |pen| {
         frame.draw_round(pen, ["depth, m", "speed, m/s"]);
-        pen.line(&curves[0], stroke(Role::Ink, SECONDARY).dashed());
-        pen.line(&curves[1], stroke(Role::Ink, DATA));
+        pen.line(&curves[0], inked(SECONDARY).dashed());
+        pen.line(&curves[1], inked(DATA));
         let top = frame.at(fastest, peak);
         pen.disc(top, 4.0, Role::Ink, 1.0);
         let mut beside = |curve: &[Point], text: &str, lettering, half: f64| {

@@ -5,8 +5,8 @@ use spinning_bodies::yo_yo::{Turn, TurnState, Unwinding};
 
 use super::{AXLE, GRAVITY, LENGTH, toy};
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, figure, label, number, polar, short, small,
-    stroke,
+    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, polar, short,
+    small, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -62,16 +62,16 @@ pub fn turn(values: &Values) -> Result<Figure> {
             let center = [end[0] + arm * cos, end[1] + arm * sin];
             let radius = METRE * 0.029;
             pen.disc(center, radius, Role::Ink, 0.1);
-            pen.ring(center, radius, stroke(Role::Ink, SECONDARY));
-            pen.ring(center, arm, stroke(Role::Ink, AXIS));
-            pen.line(&[[end[0], 12.0], end], stroke(Role::Ink, AXIS));
+            pen.ring(center, radius, inked(SECONDARY));
+            pen.ring(center, arm, inked(AXIS));
+            pen.line(&[[end[0], 12.0], end], inked(AXIS));
             pen.disc(end, 3.0, Role::Ink, 1.0);
             let pull = LONGEST * state.tension / peak;
-            pen.line(&[end, [end[0], end[1] - pull]], stroke(Role::Ink, 5.0));
+            pen.line(&[end, [end[0], end[1] - pull]], inked(5.0));
             // The centre goes round the end of the thread.
             let speed = 0.5 * LONGEST * state.omega / turn.fastest();
             let velocity = [center[0] - speed * sin, center[1] + speed * cos];
-            pen.arrow(center, velocity, stroke(Role::Ink, SECONDARY));
+            pen.arrow(center, velocity, inked(SECONDARY));
             let around = [0.9, -0.7].map(|turned| turned - state.angle);
             pen.arc_arrow(
                 center,

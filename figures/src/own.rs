@@ -92,7 +92,9 @@ impl Quantity {
         let letters = self.name.trim_end_matches(|c: char| c.is_ascii_digit());
         match letters {
             _ if letters.starts_with("omega") || self.name == "spin" => Role::Omega,
-            "l" | "lx" | "ly" | "lz" | "angular_momentum" => Role::AngularMomentum,
+            "l" | "lx" | "ly" | "lz" | "angular_momentum" | "l_about_table" | "l_over_radius" => {
+                Role::AngularMomentum
+            }
             _ => Role::Ink,
         }
     }
@@ -143,7 +145,7 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
                 across.shown
             };
             let frame = Frame {
-                x: x.axis(shown, [84.0, 582.0]),
+                x: x.axis(shown, [84.0, 576.0]),
                 y: Axis::linear(up.shown, [top + height, top]),
             };
             let (x_ticks, y_ticks) = (ticks(&frame.x, 70.0), ticks(&frame.y, 45.0));
@@ -368,21 +370,29 @@ const NAMED: f64 = 438.0;
 
 /// Exchanges heights until no leader from an end to its name crosses another: each exchange makes them shorter in all.
 fn uncross(ends: &[Point], heights: &mut [f64]) {
-    let length = |end: &Point, height: f64| (NAMED - end[0]).hypot(height - end[1]);
     let mut exchanged = true;
     while exchanged {
         exchanged = false;
         for i in 0..ends.len() {
             for j in 0..i {
-                let [a, b] = [heights[i], heights[j]];
-                let now = length(&ends[i], a) + length(&ends[j], b);
-                if length(&ends[i], b) + length(&ends[j], a) < now - 1e-9 {
+                let leaders = [i, j].map(|k| [ends[k], [NAMED, heights[k]]]);
+                if cross(leaders) {
                     heights.swap(i, j);
                     exchanged = true;
                 }
             }
         }
     }
+}
+
+/// Whether two pieces of line cross, by more than rounding.
+fn cross([one, other]: [[Point; 2]; 2]) -> bool {
+    let beside = |[a, b]: [Point; 2], p: Point| {
+        let area = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+        if area.abs() > 1e-6 { area } else { 0.0 }
+    };
+    let splits = |line, [a, b]: [Point; 2]| beside(line, a) * beside(line, b) < 0.0;
+    splits(one, other) && splits(other, one)
 }
 
 /// The corners of a staircase: those that no cheaper one is as exact as. What has no error has the rounding of one.
@@ -407,7 +417,12 @@ fn corners(points: &[Point]) -> Vec<Point> {
 fn ticks(axis: &Axis, apart: f64) -> Vec<(f64, String)> {
     let [low, high] = axis.shown.map(f64::log10);
     if axis.scale == Scale::Linear || high - low < 2.0 {
-        return axis.ticks(apart);
+        let ticks = axis.ticks(apart);
+        // One number alone tells no scale.
+        return match ticks.len() {
+            0 | 1 => axis.ticks(0.5 * apart),
+            _ => ticks,
+        };
     }
     let length = (axis.ends[1] - axis.ends[0]).abs();
     let every = ((high - low) * apart / length).ceil().max(1.0) as usize;
@@ -475,6 +490,10 @@ mod tests {
 
     #[test]
     fn leaders_do_not_cross() {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let pieces =
+            |[a, b, c, d]: [usize; 4]| [[a, b], [c, d]].map(|ends| ends.map(|k| square[k]));
+        assert!(cross(pieces([0, 2, 1, 3])) && !cross(pieces([0, 1, 2, 3])));
         let ends = [
             [100.0, 200.0],
             [400.0, 210.0],
@@ -483,14 +502,10 @@ mod tests {
         ];
         let mut heights = [180.0, 230.0, 196.0, 214.0];
         uncross(&ends, &mut heights);
-        let left_of = |[a, b]: [Point; 2], p: Point| {
-            (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0.0
-        };
         for i in 0..4 {
             for j in 0..i {
-                let [one, other] = [i, j].map(|k| [ends[k], [NAMED, heights[k]]]);
-                let splits = |line, [a, b]: [Point; 2]| left_of(line, a) != left_of(line, b);
-                assert!(!(splits(one, other) && splits(other, one)), "{i} {j}");
+                let leaders = [i, j].map(|k| [ends[k], [NAMED, heights[k]]]);
+                assert!(!cross(leaders), "{i} {j}");
             }
         }
     }

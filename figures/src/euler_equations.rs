@@ -91,15 +91,11 @@ impl Orbit {
     fn draw(&self, pen: &mut Pen, view: &View, width: f64) {
         let front = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
         let [seen, hidden] = view.split(&self.curve, front);
-        for piece in hidden {
-            pen.line(
-                &piece,
-                stroke(Role::AngularMomentum, 0.8 * width).alpha(BEHIND),
-            );
-        }
-        for piece in seen {
-            pen.line(&piece, stroke(Role::AngularMomentum, width));
-        }
+        pen.lines(
+            hidden,
+            stroke(Role::AngularMomentum, 0.8 * width).alpha(BEHIND),
+        );
+        pen.lines(seen, stroke(Role::AngularMomentum, width));
     }
 
     fn draw_dots(&self, pen: &mut Pen, view: &View, radius: f64, saddle: usize) {
@@ -338,12 +334,8 @@ fn axes(pen: &mut Pen, view: &View) {
             p[axis] = sign;
             let line = segment(p, p * [1.3, 1.8, 1.26][axis], 80);
             let [seen, hidden] = view.split(&line, |p| !ellipsoid_hides(&sphere, p, &view.toward));
-            for piece in seen {
-                pen.line(&piece, inked(SECONDARY));
-            }
-            for piece in hidden {
-                pen.line(&piece, inked(AXIS).alpha(BEHIND).dotted());
-            }
+            pen.lines(seen, inked(SECONDARY));
+            pen.lines(hidden, inked(AXIS).alpha(BEHIND).dotted());
         }
     }
 }

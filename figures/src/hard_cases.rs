@@ -3,7 +3,7 @@
 use lab::hard_cases::{Comparison, Family, families};
 use spinning_bodies::Result;
 
-use crate::plot::{Axis, Frame, beaded};
+use crate::plot::{Axis, Frame, beaded, powers};
 use crate::style::{
     Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, number, small,
     stroke, wrapped,
@@ -51,10 +51,10 @@ pub fn overview() -> Result<Figure> {
         ),
     };
     Ok(figure("hard-cases", bottom + 58.0, words, |pen| {
-        for (value, text) in TICKS {
+        for (value, text) in powers([-16, -12, -8, -4, 0]) {
             let x = axis.at(value);
             pen.line(&[[x, top - 12.0], [x, bottom]], inked(HAIR).alpha(0.18));
-            pen.remark([x, bottom + 20.0], Anchor::Middle, text);
+            pen.remark([x, bottom + 20.0], Anchor::Middle, &text);
         }
         let place = [580.0, bottom + 44.0];
         pen.remark(place, Anchor::End, "relative error");
@@ -187,14 +187,6 @@ fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -
 }
 
 const POWERS: [(f64, &str); 3] = [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")];
-
-const TICKS: [(f64, &str); 5] = [
-    (1e-16, "10^{−16}"),
-    (1e-12, "10^{−12}"),
-    (1e-8, "10^{−8}"),
-    (1e-4, "10^{−4}"),
-    (1.0, "1"),
-];
 
 /// Of all steps the one that is nearest to this nearness, in the ratio.
 fn closest(family: &Family, nearness: f64) -> Result<Comparison> {

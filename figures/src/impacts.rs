@@ -103,12 +103,8 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         // Equator and a meridian, so that the ball is seen to be round.
         let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 240);
         let [seen, hidden] = view.split(&equator, |p| p.dot(&view.toward) > 0.0);
-        for piece in seen {
-            pen.line(&piece, inked(HAIR).alpha(0.7));
-        }
-        for piece in hidden {
-            pen.line(&piece, inked(HAIR).alpha(0.25));
-        }
+        pen.lines(seen, inked(HAIR).alpha(0.7));
+        pen.lines(hidden, inked(HAIR).alpha(0.25));
 
         let tips = [before, after, rough].map(|v| spin.project(&v.components()));
         pen.arrow(CENTER, tips[0], stroke(Role::Omega, SECONDARY).dashed());

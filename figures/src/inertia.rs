@@ -115,12 +115,8 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
                 !box_hides(&half, p, &view.toward) && !ellipsoid_hides(&semi, p, &view.toward)
             };
             let [seen, hidden] = view.split(&line, visible);
-            for piece in seen {
-                pen.line(&piece, inked(SECONDARY));
-            }
-            for piece in hidden {
-                pen.line(&piece, inked(AXIS).alpha(HIDDEN).dotted());
-            }
+            pen.lines(seen, inked(SECONDARY));
+            pen.lines(hidden, inked(AXIS).alpha(HIDDEN).dotted());
             // The middle axis is named at its near end.
             let side = if k == 1 { -1.0 } else { 1.0 };
             let tip = view.project(&along(side * (semi[k] + reach[k])));
@@ -217,12 +213,8 @@ fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector3<f64>, semi: &Vecto
         });
         // Rims at the back would only confuse.
         let hidden = if width == AXIS { Vec::new() } else { hidden };
-        for piece in hidden {
-            pen.line(&piece, inked(HAIR).alpha(HIDDEN));
-        }
-        for piece in seen {
-            pen.line(&piece, inked(width));
-        }
+        pen.lines(hidden, inked(HAIR).alpha(HIDDEN));
+        pen.lines(seen, inked(width));
     }
 }
 
@@ -417,12 +409,8 @@ pub fn quiz() -> Result<Figure> {
             let end = through + through.normalize() * 0.5;
             let line = segment(-end, end, 400);
             let [seen, hidden] = view.split(&line, |p| !box_hides(&half, p, &view.toward));
-            for piece in hidden {
-                pen.line(&piece, inked(AXIS).dotted());
-            }
-            for piece in seen {
-                pen.line(&piece, inked(DATA));
-            }
+            pen.lines(hidden, inked(AXIS).dotted());
+            pen.lines(seen, inked(DATA));
             // Round the upper end, open towards the back.
             let level = through.cross(&view.toward).normalize();
             let (u, v) = (level * 0.2, through.normalize().cross(&level) * 0.2);

@@ -1,7 +1,7 @@
 //! Diagrams of the reader's own motions: one number against another, a panel each.
 
 use crate::Figure;
-use crate::plot::{Axis, Frame, Scale, apart, texts};
+use crate::plot::{Axis, Frame, Scale, apart, powers};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, brief, figure, small, stroke,
 };
@@ -150,7 +150,7 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
             };
             let (x_ticks, y_ticks) = (ticks(&frame.x, 70.0), ticks(&frame.y, 45.0));
             let names = [across.label.as_str(), &up.label];
-            frame.draw(pen, &texts(&x_ticks), &texts(&y_ticks), names);
+            frame.draw(pen, &x_ticks, &y_ticks, names);
             let [low, high] = up.shown;
             if low < 0.0 && high > 0.0 {
                 let zero = [frame.at(shown[0], 0.0), frame.at(shown[1], 0.0)];
@@ -326,7 +326,7 @@ pub fn prices(title: &str, [price, error]: [&str; 2], curves: &[Curve]) -> Figur
     };
     let made = figure("plot", height, words, |pen| {
         let (x, y) = (ticks(&frame.x, 50.0), ticks(&frame.y, 40.0));
-        frame.draw(pen, &texts(&x), &texts(&y), [price, error]);
+        frame.draw(pen, &x, &y, [price, error]);
         let lines: Vec<Vec<Point>> = curves
             .iter()
             .map(|(_, points)| points.iter().map(|&[x, y]| frame.at(x, y)).collect())
@@ -426,13 +426,7 @@ fn ticks(axis: &Axis, apart: f64) -> Vec<(f64, String)> {
     }
     let length = (axis.ends[1] - axis.ends[0]).abs();
     let every = ((high - low) * apart / length).ceil().max(1.0) as usize;
-    (low.ceil() as i32..=high.floor() as i32)
-        .step_by(every)
-        .map(|power| {
-            let text = format!("10^{{{power}}}").replace('-', "\u{2212}");
-            (10_f64.powi(power), text)
-        })
-        .collect()
+    powers((low.ceil() as i32..=high.floor() as i32).step_by(every))
 }
 
 /// A number in four digits, however large or small.

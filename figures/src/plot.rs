@@ -1,6 +1,6 @@
 //! Axes of a plain diagram.
 
-use crate::style::{AXIS, Anchor, HAIR, Pen, Point, Role, Stroke, inked, short, small};
+use crate::style::{AXIS, Anchor, HAIR, Pen, Point, Role, Stroke, brief, inked, short, small};
 
 /// How numbers become places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -121,21 +121,21 @@ impl Frame {
     pub fn draw(
         &self,
         pen: &mut Pen,
-        x_ticks: &[(f64, &str)],
-        y_ticks: &[(f64, &str)],
+        x_ticks: &[(f64, String)],
+        y_ticks: &[(f64, String)],
         [x_name, y_name]: [&str; 2],
     ) {
         let ([left, right], [bottom, top]) = (self.x.ends, self.y.ends);
         pen.line(&[[left, top], [left, bottom], [right, bottom]], inked(AXIS));
-        for &(value, text) in x_ticks {
-            let x = self.x.at(value);
+        for (value, text) in x_ticks {
+            let x = self.x.at(*value);
             pen.line(&[[x, bottom], [x, bottom + 5.0]], inked(AXIS));
             // A power reaches higher.
             let down = if text.contains('^') { 24.0 } else { 20.0 };
             pen.remark([x, bottom + down], Anchor::Middle, text);
         }
-        for &(value, text) in y_ticks {
-            let y = self.y.at(value);
+        for (value, text) in y_ticks {
+            let y = self.y.at(*value);
             pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
             pen.line(&[[left, y], [right, y]], inked(HAIR).alpha(0.18));
             pen.remark([left - 9.0, y + 5.0], Anchor::End, text);
@@ -153,7 +153,7 @@ impl Frame {
     /// The axes with round numbers at their ticks, and what they show.
     pub fn draw_round(&self, pen: &mut Pen, names: [&str; 2]) {
         let (x, y) = (self.x.ticks(70.0), self.y.ticks(45.0));
-        self.draw(pen, &texts(&x), &texts(&y), names);
+        self.draw(pen, &x, &y, names);
     }
 
     /// A small panel whose upper left corner is given, both axes logarithmic: its name, the numbers at the ends of each axis, and ticks.
@@ -198,12 +198,22 @@ impl Frame {
     }
 }
 
-/// Ticks as [`Frame::draw`] takes them.
-pub fn texts(ticks: &[(f64, String)]) -> Vec<(f64, &str)> {
-    ticks
-        .iter()
-        .map(|(at, text)| (*at, text.as_str()))
-        .collect()
+/// Numbers for an axis with their texts, in a unit.
+pub fn marks(values: &[f64], unit: &str) -> Vec<(f64, String)> {
+    let mark = |&value: &f64| (value, brief(value) + unit);
+    values.iter().map(mark).collect()
+}
+
+/// Powers of ten for an axis with their texts.
+pub fn powers(exponents: impl IntoIterator<Item = i32>) -> Vec<(f64, String)> {
+    let power = |exponent: i32| {
+        let text = match exponent {
+            0 => "1".to_owned(),
+            _ => format!("10^{{{exponent}}}").replace('-', "\u{2212}"),
+        };
+        (10_f64.powi(exponent), text)
+    };
+    exponents.into_iter().map(power).collect()
 }
 
 /// Heights of labels near the wanted ones, in ascending order, at least `gap` apart and none below `lowest` on the page.

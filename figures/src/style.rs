@@ -276,6 +276,13 @@ impl Pen {
         }
     }
 
+    /// Lines, each through points of its own.
+    pub fn lines(&mut self, lines: impl IntoIterator<Item: AsRef<[Point]>>, stroke: Stroke) {
+        for points in lines {
+            self.line(points.as_ref(), stroke);
+        }
+    }
+
     /// A line through the points and back to the first.
     pub fn outline(&mut self, points: &[Point], stroke: Stroke) {
         let mut closed = points.to_vec();

@@ -11,7 +11,7 @@ use spinning_bodies::integrators::{Effort, Method};
 
 use super::{named_line, problem};
 use crate::Figure;
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, powers};
 use crate::style::{Anchor, DATA, Point, Role, Words, figure, inked, number, stroke};
 
 /// A sixteenth of a second, about a thirtieth of a turn.
@@ -98,21 +98,8 @@ pub fn energy_drift() -> Result<Figure> {
     Ok(figure("accuracy-drift", 384.0, words, |pen| {
         frame.draw(
             pen,
-            &[
-                (1e4, "10^{4}"),
-                (1e5, "10^{5}"),
-                (1e6, "10^{6}"),
-                (1e7, "10^{7}"),
-            ],
-            &[
-                (1e-4, "10^{−4}"),
-                (1e-6, "10^{−6}"),
-                (1e-8, "10^{−8}"),
-                (1e-10, "10^{−10}"),
-                (1e-12, "10^{−12}"),
-                (1e-14, "10^{−14}"),
-                (1e-16, "10^{−16}"),
-            ],
+            &powers([4, 5, 6, 7]),
+            &powers([-4, -6, -8, -10, -12, -14, -16]),
             ["steps", "energy, relative error"],
         );
         for (k, (line, style, name)) in lines.iter().enumerate() {

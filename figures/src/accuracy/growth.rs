@@ -7,7 +7,7 @@ use spinning_bodies::integrators::geometric::Phase;
 
 use super::{named_line, problem};
 use crate::Figure;
-use crate::plot::{Axis, Frame, beaded};
+use crate::plot::{Axis, Frame, beaded, marks, powers};
 use crate::style::{Anchor, DATA, Point, Role, Stroke, Words, figure, inked, number, stroke};
 
 /// How hard a method works.
@@ -124,14 +124,8 @@ pub fn growth() -> Result<Figure> {
     Ok(figure("accuracy-growth", 424.0, words, |pen| {
         frame.draw(
             pen,
-            &[(1.0, "1"), (100.0, "100"), (1e4, "10^{4}"), (1e6, "10^{6}")],
-            &[
-                (1.0, "1"),
-                (1e-4, "10^{−4}"),
-                (1e-8, "10^{−8}"),
-                (1e-12, "10^{−12}"),
-                (1e-16, "10^{−16}"),
-            ],
+            &[marks(&[1.0, 100.0], ""), powers([4, 6])].concat(),
+            &powers([0, -4, -8, -12, -16]),
             ["turns", "error, rad"],
         );
         for (line, places) in &lines {

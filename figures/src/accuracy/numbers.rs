@@ -8,7 +8,7 @@ use spinning_bodies::integrators::geometric::{
 
 use super::{named_line, problem};
 use crate::Figure;
-use crate::plot::{Axis, Frame, beaded};
+use crate::plot::{Axis, Frame, beaded, marks, powers};
 use crate::style::{Anchor, DATA, Point, Role, Words, figure, inked, stroke};
 
 /// Errors after ten turns against steps a turn.
@@ -37,20 +37,20 @@ fn line<T: Real>(
 pub fn three_numbers() -> Result<Figure> {
     let problem = problem("free-top/10")?;
     let method = MoserVeselov::new(problem.moments(), VeselovOrder::Ten)?;
-    let powers = |most: u32| (3..=most).map(|k| 1 << k);
+    let counts = || (3..=9).map(|k| 1 << k);
     let lines = [
         (
-            line::<f32>(&problem, &method, powers(9))?,
+            line::<f32>(&problem, &method, counts())?,
             stroke(Role::Muted, DATA),
             "single (f32)",
         ),
         (
-            line::<f64>(&problem, &method, powers(9))?,
+            line::<f64>(&problem, &method, counts())?,
             inked(DATA),
             "double (f64)",
         ),
         (
-            line::<DoubleDouble>(&problem, &method, powers(9))?,
+            line::<DoubleDouble>(&problem, &method, counts())?,
             inked(DATA).dashed(),
             "two doubles",
         ),
@@ -71,15 +71,8 @@ pub fn three_numbers() -> Result<Figure> {
     Ok(figure("accuracy-numbers", 424.0, words, |pen| {
         frame.draw(
             pen,
-            &[(8.0, "8"), (32.0, "32"), (128.0, "128"), (512.0, "512")],
-            &[
-                (1.0, "1"),
-                (1e-5, "10^{−5}"),
-                (1e-10, "10^{−10}"),
-                (1e-15, "10^{−15}"),
-                (1e-20, "10^{−20}"),
-                (1e-25, "10^{−25}"),
-            ],
+            &marks(&[8.0, 32.0, 128.0, 512.0], ""),
+            &powers([0, -5, -10, -15, -20, -25]),
             ["steps a turn", "error, rad"],
         );
         for (k, (line, style, name)) in lines.iter().enumerate() {

@@ -5,7 +5,7 @@ use spinning_bodies::Result;
 
 use super::{named_line, points, problem, swept};
 use crate::Figure;
-use crate::plot::{Axis, Frame, beaded};
+use crate::plot::{Axis, Frame, beaded, marks, powers};
 use crate::style::{Anchor, DATA, Point, Role, Stroke, Words, figure, inked, number, stroke};
 
 const GENTLE: Stroke = inked(DATA);
@@ -65,21 +65,8 @@ pub fn orders() -> Result<Figure> {
     Ok(figure("accuracy-orders", 424.0, words, |pen| {
         frame.draw(
             pen,
-            &[
-                (1.0, "1"),
-                (4.0, "4"),
-                (16.0, "16"),
-                (64.0, "64"),
-                (256.0, "256"),
-                (1024.0, "1024"),
-            ],
-            &[
-                (1.0, "1"),
-                (1e-4, "10^{−4}"),
-                (1e-8, "10^{−8}"),
-                (1e-12, "10^{−12}"),
-                (1e-16, "10^{−16}"),
-            ],
+            &marks(&[1.0, 4.0, 16.0, 64.0, 256.0, 1024.0], ""),
+            &powers([0, -4, -8, -12, -16]),
             ["steps a turn", "error, rad"],
         );
         for ((_, style, _, along, aside), (line, name)) in METHODS.iter().zip(&lines) {

@@ -121,20 +121,12 @@ pub fn two_axes_in_the_sky(values: &Values) -> Result<Figure> {
             stroke(Role::AngularMomentum, AXIS).dotted(),
         );
         let [seen, hidden] = view.split(&short, facing);
-        for piece in hidden {
-            pen.line(&piece, stroke(Role::Muted, HAIR).alpha(0.35));
-        }
+        pen.lines(hidden, stroke(Role::Muted, HAIR).alpha(0.35));
         let [ring, behind] = view.split(&long, facing);
-        for piece in behind {
-            pen.line(&piece, inked(SECONDARY).alpha(0.3));
-        }
-        for piece in &seen {
-            pen.line(piece, stroke(Role::Muted, AXIS));
-        }
+        pen.lines(behind, inked(SECONDARY).alpha(0.3));
+        pen.lines(&seen, stroke(Role::Muted, AXIS));
         pen.outline(&outline, inked(SECONDARY));
-        for piece in &ring {
-            pen.line(piece, inked(DATA));
-        }
+        pen.lines(&ring, inked(DATA));
         for day in long
             .iter()
             .step_by(A_DAY as usize)

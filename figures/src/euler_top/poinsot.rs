@@ -277,18 +277,12 @@ impl Scene {
         pen.fill(&outline, Role::Shade, 1.0);
         for (curve, strength) in self.net() {
             let [seen, _] = self.view.split(&curve, |p| self.seen(p));
-            for piece in seen {
-                pen.line(&piece, inked(HAIR).alpha(strength));
-            }
+            pen.lines(seen, inked(HAIR).alpha(strength));
         }
         pen.outline(&outline, inked(SECONDARY));
         let [seen, hidden] = self.view.split(&self.polhode, |p| self.seen(p));
-        for piece in hidden {
-            pen.line(&piece, inked(AXIS).alpha(0.35));
-        }
-        for piece in seen {
-            pen.line(&piece, inked(DATA));
-        }
+        pen.lines(hidden, inked(AXIS).alpha(0.35));
+        pen.lines(seen, inked(DATA));
         for dot in self.dots[0].iter().filter(|p| self.seen(p)) {
             pen.disc(self.view.project(dot), 2.6, Role::Ink, 1.0);
         }

@@ -113,12 +113,8 @@ impl Curve {
     fn draw(&self, pen: &mut Pen, view: &View, style: Stroke, dot: (Role, f64)) {
         let shown = |p: &Vector3<f64>| !ellipsoid_hides(&self.semi, p, &view.toward);
         let [seen, hidden] = view.split(&self.points, shown);
-        for piece in hidden {
-            pen.line(&piece, stroke(dot.0, HAIR).alpha(0.3));
-        }
-        for piece in seen {
-            pen.line(&piece, style);
-        }
+        pen.lines(hidden, stroke(dot.0, HAIR).alpha(0.3));
+        pen.lines(seen, style);
         for p in self.dots.iter().filter(|p| shown(p)) {
             pen.disc(view.project(p), dot.1, dot.0, 1.0);
         }

@@ -6,7 +6,7 @@ mod regimes;
 use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
 
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, marks};
 use crate::style::{Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, number, stroke};
 use crate::{Entry, Figure, constant};
 
@@ -198,22 +198,8 @@ pub fn rate() -> Result<Figure> {
     Ok(figure("strip-rate", 390.0, words, |pen| {
         frame.draw(
             pen,
-            &[
-                (0.5, "0.5"),
-                (1.0, "1"),
-                (2.0, "2"),
-                (5.0, "5"),
-                (10.0, "10"),
-                (20.0, "20"),
-            ],
-            &[
-                (0.5, "0.5"),
-                (1.0, "1"),
-                (2.0, "2"),
-                (5.0, "5"),
-                (10.0, "10"),
-                (20.0, "20"),
-            ],
+            &marks(&[0.5, 1.0, 2.0, 5.0, 10.0, 20.0], ""),
+            &marks(&[0.5, 1.0, 2.0, 5.0, 10.0, 20.0], ""),
             ["width, cm", "turns per second"],
         );
         pen.line(&law, stroke(Role::Muted, SECONDARY).dashed());

@@ -96,9 +96,7 @@ pub fn leaning(values: &Values) -> Result<Figure> {
         pen.fill(&corners, Role::Ink, 0.08);
         pen.outline(&corners, inked(SECONDARY));
         let axes = [[[x - 172.0, y], [x + 214.0, y]], [[x, y + 64.0], [x, 14.0]]];
-        for axis in axes {
-            pen.line(&axis, inked(AXIS).alpha(0.6));
-        }
+        pen.lines(axes, inked(AXIS).alpha(0.6));
         let mut arrows = Vec::new();
         let names = [(Role::Omega, "*Ω*"), (Role::AngularMomentum, "*L*")];
         for (k, (role, name)) in names.into_iter().enumerate() {

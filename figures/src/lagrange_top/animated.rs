@@ -111,20 +111,14 @@ impl Loop {
         for h in [roots.h1, roots.h2] {
             let r = (1.0 - h * h).sqrt();
             let circle = ellipse(Vector3::z() * h, Vector3::x() * r, Vector3::y() * r, 180);
-            for piece in &view.split(&circle, seen)[0] {
-                pen.line(piece, inked(HAIR).alpha(0.5));
-            }
+            pen.lines(&view.split(&circle, seen)[0], inked(HAIR).alpha(0.5));
         }
         let path = (0..=900)
             .map(|k| nose(&self.top, self.time * f64::from(k) / 900.0))
             .collect::<Result<Vec<_>>>()?;
         let [front, back] = view.split(&path, seen);
-        for piece in back {
-            pen.line(&piece, inked(AXIS).alpha(0.5));
-        }
-        for piece in front {
-            pen.line(&piece, inked(DATA).alpha(0.85));
-        }
+        pen.lines(back, inked(AXIS).alpha(0.5));
+        pen.lines(front, inked(DATA).alpha(0.85));
         let [x, y] = self.center;
         pen.label([x, y + RADIUS + 22.0], Anchor::Middle, self.name);
         Ok(())

@@ -122,18 +122,12 @@ impl Globe {
             let r = (1.0 - h * h).max(0.0).sqrt();
             let circle = ellipse(Vector3::z() * h, Vector3::x() * r, Vector3::y() * r, 120);
             let [front, _] = view.split(&circle, seen);
-            for piece in front {
-                pen.line(&piece, inked(HAIR).alpha(0.6));
-            }
+            pen.lines(front, inked(HAIR).alpha(0.6));
         }
         let points: Vec<Vector3<f64>> = trace.points.iter().map(|(_, nose)| *nose).collect();
         let [front, back] = view.split(&points, seen);
-        for piece in back {
-            pen.line(&piece, inked(HAIR).alpha(0.5));
-        }
-        for piece in front {
-            pen.line(&piece, inked(DATA));
-        }
+        pen.lines(back, inked(HAIR).alpha(0.5));
+        pen.lines(front, inked(DATA));
         let at = [center[0] + self.beside[0], center[1] + self.beside[1]];
         pen.label(at, self.anchor, self.name);
     }

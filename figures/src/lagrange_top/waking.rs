@@ -6,7 +6,7 @@ use spinning_bodies::lagrange_top::{sleeping_threshold, tilt_after_kick};
 use spinning_bodies::scene::top::{Body, Gravity, Start, TipFriction, Top};
 use spinning_bodies::scene::{Request, Scene};
 
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, marks};
 use crate::style::{
     Anchor, DATA, Point, Role, SECONDARY, Words, brief, figure, inked, number, stroke,
 };
@@ -124,8 +124,8 @@ pub fn waking(values: &Values) -> Result<Figure> {
     let made = figure("sleep-ends", 322.0, words, |pen| {
         frame.draw(
             pen,
-            &[(81.0, "81"), (80.0, "80"), (79.0, "79"), (78.0, "78")],
-            &[(0.0, "0°"), (10.0, "10°"), (20.0, "20°"), (30.0, "30°")],
+            &marks(&[81.0, 80.0, 79.0, 78.0], ""),
+            &marks(&[0.0, 10.0, 20.0, 30.0], "°"),
             ["spin, rad/s", "tilt"],
         );
         let x = frame.x.at(threshold);

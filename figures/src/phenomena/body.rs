@@ -222,9 +222,7 @@ pub fn draw(pen: &mut Pen, pieces: &[Piece]) {
             continue;
         }
         pen.fill(&piece.outline, Role::Paper, 1.0);
-        for line in &piece.hatch {
-            pen.line(line, inked(HAIR).alpha(0.75));
-        }
+        pen.lines(&piece.hatch, inked(HAIR).alpha(0.75));
         pen.outline(&piece.outline, inked(AXIS + 0.3));
     }
 }

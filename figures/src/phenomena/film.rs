@@ -161,9 +161,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
                 inside.map(|point| place(*point)).collect()
             })
             .collect();
-        for points in &shown {
-            pen.line(points, inked(DATA));
-        }
+        pen.lines(&shown, inked(DATA));
         let mut write = |places: &mut dyn Iterator<Item = Point>, text: &str, half: f64| {
             let inside =
                 places.filter(|p| (LEFT + half..596.0 - half).contains(&p[0]) && p[1] > 12.0);

@@ -96,9 +96,7 @@ pub fn reflections(values: &Values) -> Result<Figure> {
             ],
             [[CENTER[0], 14.0], [CENTER[0], 354.0]],
         ];
-        for axis in axes {
-            pen.line(&axis, inked(AXIS));
-        }
+        pen.lines(axes, inked(AXIS));
         pen.label([CENTER[0] + 196.0, CENTER[1] + 5.0], Anchor::Start, "*V*");
         for (angle, name) in [(beta, "floor"), (-beta, "ceiling")] {
             let ends = [polar(CENTER, MIRROR, angle), polar(CENTER, -MIRROR, angle)];

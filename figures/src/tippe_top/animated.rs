@@ -9,7 +9,7 @@ use super::ball::{cap_outline, table};
 use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
 use crate::Figure;
 use crate::finish::short;
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, marks};
 use crate::style::{
     Anchor, DATA, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, inked, label,
     number, stroke,
@@ -59,8 +59,8 @@ pub fn turning_over() -> Result<Figure> {
         pen.disc(CENTER, RADIUS, Role::Shade, 1.0);
         FRAME.draw(
             pen,
-            &[(0.0, "0"), (2.0, "2"), (4.0, "4"), (6.0, "6"), (8.0, "8")],
-            &[(0.0, "0°"), (90.0, "90°"), (180.0, "180°")],
+            &marks(&[0.0, 2.0, 4.0, 6.0, 8.0], ""),
+            &marks(&[0.0, 90.0, 180.0], "°"),
             ["time, s", "tilt"],
         );
         FRAME.curve(pen, rows.iter().map(|(t, s)| (*t, degrees(s))), inked(DATA));

@@ -34,9 +34,10 @@ pub fn ball(pen: &mut Pen, attitude: &Attitude, center: Point, radius: f64, azim
     }
     let front = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
     for (u, v) in [(e1, e2), (e1, e3)] {
-        for piece in &view.split(&ellipse(Vector3::zeros(), u, v, 96), front)[0] {
-            pen.line(piece, inked(HAIR).alpha(0.7));
-        }
+        pen.lines(
+            &view.split(&ellipse(Vector3::zeros(), u, v, 96), front)[0],
+            inked(HAIR).alpha(0.7),
+        );
     }
     pen.ring(center, radius, inked(AXIS));
 }

@@ -80,16 +80,10 @@ pub fn contact_path(values: &Values) -> Result<Figure> {
         pen.disc(center, radius, Role::Shade, 1.0);
         let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 120);
         let [front, _] = view.split(&equator, seen);
-        for piece in front {
-            pen.line(&piece, stroke(Role::Muted, HAIR));
-        }
+        pen.lines(front, stroke(Role::Muted, HAIR));
         let [front, back] = view.split(&path, seen);
-        for piece in back {
-            pen.line(&piece, inked(SECONDARY).alpha(0.45));
-        }
-        for piece in front {
-            pen.line(&piece, inked(1.2));
-        }
+        pen.lines(back, inked(SECONDARY).alpha(0.45));
+        pen.lines(front, inked(1.2));
         pen.ring(center, radius, inked(AXIS));
         let pole = |z: f64| view.project(&Vector3::new(0.0, 0.0, z));
         pen.line(&[pole(0.0), pole(-alpha)], inked(AXIS));

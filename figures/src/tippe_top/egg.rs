@@ -7,7 +7,7 @@ use spinning_bodies::scene::contact::passage;
 
 use super::ball::table;
 use super::{FRICTION, TURNS, egg_scene, run};
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, marks};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, inked, number, polar,
 };
@@ -155,16 +155,8 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
         };
         frame.draw(
             pen,
-            &[
-                (8.0, "8"),
-                (10.0, "10"),
-                (12.0, "12"),
-                (14.0, "14"),
-                (16.0, "16"),
-                (18.0, "18"),
-                (20.0, "20"),
-            ],
-            &[(0.0, "0°"), (30.0, "30°"), (60.0, "60°"), (90.0, "90°")],
+            &marks(&[8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0], ""),
+            &marks(&[0.0, 30.0, 60.0, 90.0], "°"),
             ["turns a second", "angle from the vertical"],
         );
         let curve = SPINS.iter().copied().zip(ends.iter().copied());

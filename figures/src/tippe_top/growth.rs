@@ -5,7 +5,7 @@ use spinning_bodies::tippe_top::bodies::{chiral_inertia, eccentric_ball};
 use spinning_bodies::tippe_top::{Regularised, quasi_steady};
 
 use super::{ALPHA, G};
-use crate::plot::{Axis, Frame, beaded, texts};
+use crate::plot::{Axis, Frame, beaded, marks, powers};
 use crate::style::{
     Anchor, DATA, Point, Role, SECONDARY, Words, along, figure, label, number, roomiest, stroke,
 };
@@ -100,11 +100,9 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
             x: Axis::log(MU, [74.0, 560.0]),
             y: Axis::log(RATE, [342.0, 16.0]),
         };
-        let across = [(1e-3, "0.001"), (1e-2, "0.01"), (1e-1, "0.1")];
-        let up: Vec<(f64, String)> = (1..=6)
-            .map(|k| (10_f64.powi(-k), format!("10^{{\u{2212}{k}}}")))
-            .collect();
-        frame.draw(pen, &across, &texts(&up), ["friction *μ*", ""]);
+        let across = marks(&[1e-3, 1e-2, 1e-1], "");
+        let up = powers((1..=6).map(|k| -k));
+        frame.draw(pen, &across, &up, ["friction *μ*", ""]);
         let shown = |rate: f64| rate > RATE[0] && rate < RATE[1];
         let texts_of = ["half the difference", "mean"];
         let curve = |which: usize| -> Vec<Point> {

@@ -11,7 +11,7 @@ use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, HoopWithClay, Start, TippeTop, bodies};
 
-use crate::plot::{Frame, texts};
+use crate::plot::{Frame, marks};
 use crate::style::Pen;
 use crate::{Entry, Parameter, constant, of};
 
@@ -117,18 +117,12 @@ const VISCOUS: Parameter = Parameter::new("friction", "c")
     .unit("s/m");
 
 /// Ticks of a tilt.
-const TILTS: [(f64, &str); 5] = [
-    (0.0, "0°"),
-    (45.0, "45°"),
-    (90.0, "90°"),
-    (135.0, "135°"),
-    (180.0, "180°"),
-];
+const TILTS: [f64; 5] = [0.0, 45.0, 90.0, 135.0, 180.0];
 
 /// The axes of a tilt (°) against time (s).
 fn tilt_against_time(pen: &mut Pen, frame: &Frame) {
     let names = ["time, s", "tilt"];
-    frame.draw(pen, &texts(&frame.x.ticks(70.0)), &TILTS, names);
+    frame.draw(pen, &frame.x.ticks(70.0), &marks(&TILTS, "°"), names);
 }
 
 /// The tutorial's toy in formulas, with this coefficient of friction.

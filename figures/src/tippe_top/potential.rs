@@ -6,7 +6,7 @@ use spinning_bodies::Result;
 use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
 use super::{ALPHA, G_TIPPE, GAMMA, SPIN, TILTS, tippe};
-use crate::plot::{Axis, Frame, apart, texts};
+use crate::plot::{Axis, Frame, apart, marks};
 use crate::style::{Anchor, DATA, Point, Role, SECONDARY, Words, figure, number, small, stroke};
 use crate::{Figure, Parameter, Values};
 
@@ -125,7 +125,7 @@ pub fn effective_potential(values: &Values) -> Result<Figure> {
     let made = figure("tippe-potential", 400.0, words, |pen| {
         let frame = frame(&top);
         let names = ["tilt *θ*", "(*V* − *V* (0))/*MgR*"];
-        frame.draw(pen, &TILTS, &texts(&frame.y.ticks(45.0)), names);
+        frame.draw(pen, &marks(&TILTS, "°"), &frame.y.ticks(45.0), names);
         let right: Vec<f64> = spins
             .iter()
             .map(|&spin| frame.y.at(height(&top, spin, PI)))

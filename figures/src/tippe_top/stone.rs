@@ -169,9 +169,7 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
     ];
     for (curve, style) in curves {
         let placed: Vec<Point> = curve.iter().map(place).collect();
-        for piece in placed.split(|p| !within(p)) {
-            pen.line(piece, style);
-        }
+        pen.lines(placed.split(|p| !within(p)), style);
     }
 }
 

@@ -9,7 +9,7 @@ use spinning_bodies::yo_yo::YoYo;
 
 use super::GRAVITY;
 use crate::Figure;
-use crate::plot::{Axis, Frame};
+use crate::plot::{Axis, Frame, marks};
 use crate::style::{
     AXIS, Anchor, DATA, Point, Role, SCALE as CANVAS, Words, figure, inked, label, number, stroke,
 };
@@ -104,12 +104,12 @@ pub fn animated() -> Result<Figure> {
         .map(|p| p.0)
         .collect();
     let still = figure(NAME, 420.0, words, |pen| {
-        let seconds = [(0.0, "0"), (0.25, "0.25"), (0.5, "0.5"), (0.75, "0.75")];
-        depth.draw(pen, &[], &[(0.0, "0"), (0.36, "0.36")], ["", "depth, m"]);
+        let seconds = marks(&[0.0, 0.25, 0.5, 0.75], "");
+        depth.draw(pen, &[], &marks(&[0.0, 0.36], ""), ["", "depth, m"]);
         spin.draw(
             pen,
             &seconds,
-            &[(0.0, "0"), (200.0, "200"), (300.0, "300")],
+            &marks(&[0.0, 200.0, 300.0], ""),
             ["time, s", "spin, rad/s"],
         );
         let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();

@@ -8,7 +8,7 @@ use spinning_bodies::scene::effects::{Gravity, TurnLoss};
 use spinning_bodies::scene::{Play, Request, Scene};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
-use crate::plot::{Axis, Frame, texts};
+use crate::plot::{Axis, Frame, marks};
 use crate::style::{
     Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, short, small,
 };
@@ -130,16 +130,11 @@ pub fn string(values: &Values) -> Result<Figure> {
     };
     let first = way.duration()? + 0.5 * turn.duration();
     let made = figure("yo-yo-string", 420.0, words, |pen| {
-        let seconds = [(0.0, "0"), (3.0, "3"), (6.0, "6"), (9.0, "9"), (12.0, "12")];
+        let seconds = marks(&[0.0, 3.0, 6.0, 9.0, 12.0], "");
         let mut weights = pull.y.ticks(45.0);
         weights[0] = (1.0, "1".to_owned());
-        depth.draw(pen, &[], &texts(&depth.y.ticks(45.0)), ["", "depth, m"]);
-        pull.draw(
-            pen,
-            &seconds,
-            &texts(&weights),
-            ["time, s", "pull, weights"],
-        );
+        depth.draw(pen, &[], &depth.y.ticks(45.0), ["", "depth, m"]);
+        pull.draw(pen, &seconds, &weights, ["time, s", "pull, weights"]);
         pen.line(&place, inked(DATA));
         pen.line(&tension, inked(DATA));
         let [px, py] = pull.at(first, peak);

@@ -5,7 +5,7 @@ use crate::error::one_line;
 use crate::ledger::Ledger;
 use crate::paths::workspace_root;
 use crate::pictures::{self, Copying, Form};
-use crate::progress::watched;
+use crate::progress::counted;
 use crate::scenes::film::{self, Stills};
 use crate::scenes::output::{Format, Motion};
 use crate::scenes::plot::{self, Panel};
@@ -15,14 +15,12 @@ use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes, watch
 use clap::{Parser, Subcommand};
 use figures::on_your_table::Paper;
 use figures::{Entry, Figure, Look, Theme, Values};
-use indicatif::{ProgressBar, ProgressStyle};
 use spinning_bodies::scene::{Progress, Solver, files};
 
 use std::ffi::OsString;
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Spinning Bodies, the executable edition: draws the figures and builds the book.
 #[derive(Debug, Parser)]
@@ -140,37 +138,6 @@ Examples:
   cargo run --release -- accuracy --scene strip
   cargo run --release -- accuracy --scene racket --plot --output racket.svg";
 
-/// The colours of a figure's file.
-#[derive(Debug, Clone, Copy)]
-struct Colours(Theme);
-
-impl clap::ValueEnum for Colours {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[Self(Theme::Light), Self(Theme::Dark)]
-    }
-
-    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        Some(clap::builder::PossibleValue::new(match self.0 {
-            Theme::Light => "light",
-            Theme::Dark => "dark",
-        }))
-    }
-}
-
-/// A size of paper.
-#[derive(Debug, Clone, Copy)]
-struct Size(Paper);
-
-impl clap::ValueEnum for Size {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[Self(Paper::A4), Self(Paper::Letter)]
-    }
-
-    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        Some(clap::builder::PossibleValue::new(self.0.name()))
-    }
-}
-
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Draws all figures, or those named, as SVG
@@ -194,8 +161,8 @@ enum Command {
         #[arg(long, value_name = "FILE", conflicts_with = "check")]
         data: Option<PathBuf>,
         /// Colours for light paper or dark [default: light]
-        #[arg(long, value_enum, conflicts_with = "check")]
-        theme: Option<Colours>,
+        #[arg(long, value_parser = ["light", "dark"], conflicts_with = "check")]
+        theme: Option<String>,
         /// No paper behind the drawing
         #[arg(long, conflicts_with = "check")]
         transparent: bool,
@@ -215,8 +182,8 @@ enum Command {
     /// Writes strips and a cat of paper to cut out at true size, as SVG, and a chiral top for a printer of solids, as STL
     Sheets {
         /// The size of the paper
-        #[arg(long, value_enum, default_value = "a4")]
-        paper: Size,
+        #[arg(long, value_parser = ["a4", "letter"], default_value = "a4")]
+        paper: String,
         /// Folder for the files
         #[arg(long, value_name = "DIR", default_value = ".")]
         out: PathBuf,
@@ -370,7 +337,10 @@ fn obey(command: Option<Command>) -> Result<()> {
             let entries = drawings::chosen(&names)?;
             let copying = Copying {
                 look: Look {
-                    theme: theme.map_or(Theme::Light, |Colours(theme)| theme),
+                    theme: match theme.as_deref() {
+                        Some("dark") => Theme::Dark,
+                        _ => Theme::Light,
+                    },
                     transparent,
                 },
                 form: form.unwrap_or_default(),
@@ -410,11 +380,12 @@ fn obey(command: Option<Command>) -> Result<()> {
             }
             say(&report(&drawings, changed, &folder))
         }
-        Some(Command::Sheets {
-            paper: Size(paper),
-            out,
-        }) => {
+        Some(Command::Sheets { paper, out }) => {
             can_be_written_into(&out)?;
+            let paper = match paper.as_str() {
+                "letter" => Paper::Letter,
+                _ => Paper::A4,
+            };
             drawings::sheets(paper, &out)?
                 .iter()
                 .try_for_each(|path| say(&format!("{}\n", path.display())))
@@ -509,21 +480,13 @@ fn obey(command: Option<Command>) -> Result<()> {
             let target = Target::new(output.as_deref(), Some(&file))?;
             let tell = plot.map_or(tell, |plot| vec![plot]);
             let scan = Scan::new(&file, over, tell)?;
-            let (done, points) = (AtomicUsize::new(0), scan.points());
-            let how_far = || {
-                let done = done.load(Ordering::Relaxed);
-                let told = format!("{done} of {points} scenes");
-                (done as f64 / points as f64, told)
-            };
-            let count = || {
-                done.fetch_add(1, Ordering::Relaxed);
-            };
+            let points = scan.points();
             if let Some(form) = form {
-                let figure = watched(how_far, || scan.picture(count))?;
+                let figure = counted(points, "scenes", |done| scan.picture(done))?;
                 let picture = pictures::file(&figure, Copying::of(form))?;
                 return target.write(|to| to.write_all(&picture));
             }
-            let (text, ran) = watched(how_far, || scan.run(format, count));
+            let (text, ran) = counted(points, "scenes", |done| scan.run(format, done));
             target.write(|to| to.write_all(text.as_bytes()))?;
             ran
         }
@@ -565,24 +528,11 @@ fn report(drawings: &[Drawing], changed: usize, folder: &Path) -> String {
     )
 }
 
-/// Draws with a progress bar on a terminal, and a plain line a figure elsewhere.
+/// Draws, and tells how far it is.
 fn draw(entries: &[Entry], values: &Values) -> Result<Vec<Drawing>> {
-    let err = std::io::stderr();
-    if !err.is_terminal() {
-        return drawings::draw(entries, values, |name| {
-            let _ = writeln!(std::io::stderr(), "drawn: {name}");
-        });
-    }
-    let bar = ProgressBar::new(entries.len() as u64);
-    if let Ok(style) = ProgressStyle::with_template("drawing {bar:32} {pos}/{len} {msg}") {
-        bar.set_style(style);
-    }
-    let drawings = drawings::draw(entries, values, |name| {
-        bar.set_message(name.to_owned());
-        bar.inc(1);
-    });
-    bar.finish_and_clear();
-    drawings
+    counted(entries.len(), "figures", |done| {
+        drawings::draw(entries, values, done)
+    })
 }
 
 /// The file that is meant.

@@ -5,9 +5,9 @@ use crate::writer::write_if_changed;
 use crate::{Error, Result};
 use figures::on_your_table::Paper;
 use figures::{Entry, Figure, Look, Values};
+use rayon::prelude::*;
+use spinning_bodies::scene::files;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A figure with its name.
 #[derive(Debug, Clone)]
@@ -50,19 +50,12 @@ pub fn sheets(paper: Paper, folder: &Path) -> Result<Vec<PathBuf>> {
         .collect()
 }
 
-/// "There is no such figure", with the nearest name there is.
+/// "There is no such figure", with the name that was probably meant.
 pub fn unknown_figure(name: &str) -> Error {
-    let nearest = figures::all()
-        .iter()
-        .map(|entry| entry.name)
-        .min_by_key(|known| distance(known, name));
-    let hint = match nearest {
-        Some(near) => {
-            format!("expected a name of `cargo run -- figures --list`, the nearest is '{near}'")
-        }
-        None => "no figures are registered".into(),
-    };
-    Error::Input(format!("no figure is called '{name}': {hint}"))
+    let meant = files::meant(name, figures::all().iter().map(|entry| entry.name));
+    Error::Input(format!(
+        "no figure is called '{name}': expected a name of `cargo run -- figures --list`{meant}"
+    ))
 }
 
 /// A line for each figure; with its parameters if they are wanted.
@@ -125,42 +118,15 @@ pub fn data(drawings: &[Drawing]) -> Result<String> {
     Ok(text)
 }
 
-/// Draws figures of these values on every processor; `done` hears of each as it is finished. The order of the entries is kept.
-pub fn draw(
-    entries: &[Entry],
-    values: &Values,
-    done: impl Fn(&str) + Sync,
-) -> Result<Vec<Drawing>> {
-    let next = AtomicUsize::new(0);
-    let drawn: Vec<Mutex<Option<Result<Drawing>>>> =
-        entries.iter().map(|_| Mutex::new(None)).collect();
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..workers.min(entries.len()) {
-            scope.spawn(|| {
-                while let Some((&entry, place)) = {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    entries.get(i).zip(drawn.get(i))
-                } {
-                    let result = entry
-                        .draw(values)
-                        .map(|figure| Drawing { entry, figure })
-                        .map_err(|e| Error::Failed(format!("figure {}: {e}", entry.name)));
-                    if let Ok(mut place) = place.lock() {
-                        *place = Some(result);
-                    }
-                    done(entry.name);
-                }
-            });
-        }
-    });
-    drawn
-        .into_iter()
-        .map(|place| {
-            let result = place.into_inner().ok().flatten();
-            result.unwrap_or_else(|| Err(Error::Failed("a figure was not drawn".into())))
-        })
-        .collect()
+/// Draws figures of these values on every processor; `done` is called after each. The order of the entries is kept.
+pub fn draw(entries: &[Entry], values: &Values, done: impl Fn() + Sync) -> Result<Vec<Drawing>> {
+    let draw = |&entry: &Entry| {
+        let drawn = entry.draw(values);
+        done();
+        let figure = drawn.map_err(|e| Error::Failed(format!("figure {}: {e}", entry.name)))?;
+        Ok(Drawing { entry, figure })
+    };
+    entries.par_iter().with_max_len(1).map(draw).collect()
 }
 
 /// Writes `FOLDER/NAME.svg`, or another form, for each drawing; files whose bytes would not change are left alone. Returns how many
@@ -201,33 +167,5 @@ pub fn check(drawings: &[Drawing], folder: &Path) -> Result<()> {
             drawings.len(),
             differences.join("; ")
         )))
-    }
-}
-
-/// Edit distance, for the nearest name.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut corner = row[0];
-        row[0] = i + 1;
-        for (j, &y) in b.iter().enumerate() {
-            let change = corner + usize::from(x != y);
-            corner = row[j + 1];
-            row[j + 1] = change.min(corner + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_distance_counts_edits() {
-        assert_eq!(distance("polhode", "polhodes"), 1);
-        assert_eq!(distance("kitten", "sitting"), 3);
-        assert_eq!(distance("", "abc"), 3);
     }
 }

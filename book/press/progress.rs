@@ -1,6 +1,7 @@
 //! How far a long run is, told on standard error: by a bar on a terminal, elsewhere by a line now and then.
 
 use std::io::{IsTerminal, Write};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -42,6 +43,20 @@ pub fn watched<T>(how_far: impl Fn() -> (f64, String) + Send, work: impl FnOnce(
         drop(running);
         result
     })
+}
+
+/// Does work in so many parts, telling how many of them are done: `9 of 24 stills`. What it is given is called after each.
+pub fn counted<T>(parts: usize, what: &str, work: impl FnOnce(&(dyn Fn() + Sync)) -> T) -> T {
+    let done = AtomicUsize::new(0);
+    let how_far = || {
+        let done = done.load(Ordering::Relaxed);
+        let told = format!("{done} of {parts} {what}");
+        (done as f64 / parts as f64, told)
+    };
+    let count = || {
+        done.fetch_add(1, Ordering::Relaxed);
+    };
+    watched(how_far, || work(&count))
 }
 
 /// Steps of a bar.

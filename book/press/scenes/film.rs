@@ -4,7 +4,6 @@ use std::f64::consts::FRAC_PI_2;
 use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use figures::film::Film;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -13,7 +12,7 @@ use spinning_bodies::scene::Sight;
 use super::output::Motion;
 use crate::interrupt::Unfinished;
 use crate::pictures::{Copying, Form, file};
-use crate::progress::watched;
+use crate::progress::counted;
 use crate::writer::{can_be_written_into, folder_of};
 use crate::{Error, Result};
 
@@ -171,22 +170,14 @@ impl Stills {
         let parent = folder_of(folder);
         std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
         let beside = Unfinished::folder(parent).map_err(Error::file(parent))?;
-        let done = AtomicUsize::new(0);
-        let how_far = || {
-            let done = done.load(Ordering::Relaxed);
-            (
-                done as f64 / *count as f64,
-                format!("drawn: {done} of {count} stills"),
-            )
-        };
         let copying = Copying::of(form);
         let digits = count.to_string().len();
-        watched(how_far, || {
+        counted(*count, "stills", |done| {
             for (k, figure) in film.stills().enumerate() {
                 let name = format!("{:0digits$}.{}", k + 1, form.ending());
                 let path = beside.path().join(name);
                 std::fs::write(&path, file(&figure, copying)?).map_err(Error::file(&path))?;
-                done.fetch_add(1, Ordering::Relaxed);
+                done();
             }
             Ok::<_, Error>(())
         })?;

@@ -39,7 +39,7 @@ fn wrong_usage_is_told_in_one_line_and_status_2() {
 fn an_unknown_figure_is_answered_with_the_nearest_name() {
     if let Some(entry) = figures::all().first() {
         let output = book(&["figures", &format!("{}x", entry.name)]);
-        assert!(text(&output.stderr).contains(&format!("'{}'", entry.name)));
+        assert!(text(&output.stderr).contains(&format!("`{}`", entry.name)));
     }
 }
 

@@ -34,9 +34,8 @@ samples = 11
 /// All figures as they are printed, drawn once.
 fn drawings() -> &'static [Drawing] {
     static DRAWINGS: OnceLock<Vec<Drawing>> = OnceLock::new();
-    DRAWINGS.get_or_init(|| {
-        drawings::draw(figures::all(), &figures::Values::default(), |_| ()).unwrap()
-    })
+    DRAWINGS
+        .get_or_init(|| drawings::draw(figures::all(), &figures::Values::default(), || ()).unwrap())
 }
 
 /// No fault, or all of them.

@@ -209,13 +209,8 @@ pub enum Error {
 /// A number as a message shows it: the fewest digits from which it can be read back, with an exponent where there would be a row of
 /// zeros.
 ///
-/// ```
-/// use spinning_bodies::error::Number;
-/// let shown = [0.1, 0.0, 1e300, 1.25e-5, -5e-324, f64::NAN].map(|x| Number(x).to_string());
-/// assert_eq!(shown, ["0.1", "0", "1e300", "1.25e-5", "-5e-324", "NaN"]);
-/// ```
 #[derive(Debug, Clone, Copy)]
-pub struct Number(pub f64);
+pub(crate) struct Number(pub f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -105,24 +105,6 @@ impl TruncatedFluid {
         self.modes[self.place(m)]
     }
 
-    /// The vorticity at a point of the square, 1/s: Σ ω_m e^{i⟨m, x⟩} over |m₁|, |m₂| ≤ (N−1)/2. Cost: N² sines.
-    ///
-    /// ```
-    /// use nalgebra::Complex;
-    /// use spinning_bodies::ideal_fluid::TruncatedFluid;
-    /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
-    /// assert!((wave.vorticity_at([1.0, 0.3]) - 2.0 * 1.0_f64.cos()).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn vorticity_at(&self, x: [f64; 2]) -> f64 {
-        self.each()
-            .map(|(m, value)| {
-                let phase = f64::from(m[0]) * x[0] + f64::from(m[1]) * x[1];
-                (value * C::from_polar(1.0, phase)).re
-            })
-            .sum()
-    }
-
     fn place(&self, m: [i32; 2]) -> usize {
         let n = self.size as i32;
         let [a, b] = m.map(|m| m.rem_euclid(n) as usize);
@@ -191,19 +173,6 @@ impl TruncatedFluid {
         0.5 * terms.sum::<f64>()
     }
 
-    /// Enstrophy Σ |ω_m|², 1/s²: tr W²/N.
-    ///
-    /// ```
-    /// use nalgebra::Complex;
-    /// use spinning_bodies::ideal_fluid::TruncatedFluid;
-    /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
-    /// assert_eq!(wave.enstrophy(), 2.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn enstrophy(&self) -> f64 {
-        self.each().map(|(_, w)| w.norm_sqr()).sum()
-    }
-
     /// The matrix W = Σ ω_m J_m, Hermitian and of trace zero.
     pub(crate) fn matrix(&self, root: SquareRoot) -> DMatrix<C> {
         let mut w = DMatrix::from_element(self.size, self.size, C::ZERO);
@@ -221,7 +190,7 @@ impl TruncatedFluid {
     /// use nalgebra::Complex;
     /// use spinning_bodies::ideal_fluid::{SquareRoot, TruncatedFluid};
     /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
-    /// assert!((wave.trace_of_power(2, SquareRoot::OfUnity) - wave.enstrophy()).abs() < 1e-14);
+    /// assert!((wave.trace_of_power(2, SquareRoot::OfUnity) - 2.0).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn trace_of_power(&self, power: u32, root: SquareRoot) -> f64 {

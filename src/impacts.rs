@@ -14,7 +14,7 @@
 //! let planet = Planet::spherical(1.0, 0.4, BodyVector::zero(), BodyVector::new(0.0, 0.0, 1.0))?;
 //! let meteorite = Meteorite::new(0.01, BodyVector::new(-10.0, -20.0, 5.0))?;
 //! let hit = strike(&planet, &meteorite, BodyVector::new(0.6, 0.0, 0.8))?;
-//! assert!((hit.omega_after().x() - 412.0 / 1035.0).abs() < 1e-15);
+//! assert!((hit.omega_after.x() - 412.0 / 1035.0).abs() < 1e-15);
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
@@ -28,10 +28,14 @@ use crate::inertia::InertiaMatrix;
 /// A planet just before the impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Planet {
-    mass: f64,
-    inertia: InertiaMatrix,
-    velocity: BodyVector,
-    omega: BodyVector,
+    /// Mass M, kg.
+    pub mass: f64,
+    /// Inertia matrix I about the centre.
+    pub inertia: InertiaMatrix,
+    /// Velocity V of the centre before the impact, m/s.
+    pub velocity: BodyVector,
+    /// Angular velocity Ω before the impact, rad/s.
+    pub omega: BodyVector,
 }
 
 impl Planet {
@@ -46,7 +50,7 @@ impl Planet {
     /// use spinning_bodies::{frame::BodyVector, impacts::Planet, inertia::InertiaMatrix};
     /// let inertia = InertiaMatrix::diagonal(4.0, 4.0, 5.0)?;
     /// let planet = Planet::new(10.0, inertia, BodyVector::zero(), BodyVector::new(0.0, 0.0, 1.0))?;
-    /// assert_eq!(planet.inertia(), inertia);
+    /// assert_eq!(planet.inertia, inertia);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(
@@ -76,7 +80,7 @@ impl Planet {
     /// ```
     /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
     /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// assert_eq!(planet.inertia().matrix()[(1, 1)], 4.0);
+    /// assert_eq!(planet.inertia.matrix()[(1, 1)], 4.0);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn spherical(
@@ -89,61 +93,15 @@ impl Planet {
         let inertia = InertiaMatrix::diagonal(moment, moment, moment)?;
         Self::new(mass, inertia, velocity, omega)
     }
-
-    /// Mass M, kg.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// assert_eq!(planet.mass(), 10.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn mass(&self) -> f64 {
-        self.mass
-    }
-
-    /// Inertia matrix I about the centre.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// assert_eq!(planet.inertia().matrix().trace(), 12.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn inertia(&self) -> InertiaMatrix {
-        self.inertia
-    }
-
-    /// Velocity V of the centre before the impact, m/s.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// assert_eq!(planet.velocity(), BodyVector::zero());
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn velocity(&self) -> BodyVector {
-        self.velocity
-    }
-
-    /// Angular velocity Ω before the impact, rad/s.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::Planet};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// assert_eq!(planet.omega(), BodyVector::zero());
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn omega(&self) -> BodyVector {
-        self.omega
-    }
 }
 
 /// A meteorite just before the impact: a point mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Meteorite {
-    mass: f64,
-    velocity: BodyVector,
+    /// Mass m, kg.
+    pub mass: f64,
+    /// Velocity v, m/s.
+    pub velocity: BodyVector,
 }
 
 impl Meteorite {
@@ -163,29 +121,6 @@ impl Meteorite {
             velocity: finite_vector("the meteorite's velocity", velocity)?,
         })
     }
-
-    /// Mass m, kg.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::Meteorite};
-    /// assert_eq!(Meteorite::new(10.0, BodyVector::zero())?.mass(), 10.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn mass(&self) -> f64 {
-        self.mass
-    }
-
-    /// Velocity v, m/s.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::Meteorite};
-    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
-    /// assert_eq!(meteorite.velocity().y(), 2.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn velocity(&self) -> BodyVector {
-        self.velocity
-    }
 }
 
 /// Where a meteorite strikes: the effect of a scene.
@@ -200,13 +135,20 @@ pub struct Impact {
 /// An impact, before and after.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Strike {
-    planet: Planet,
-    meteorite: Meteorite,
-    at: BodyVector,
+    /// The planet before the impact.
+    pub planet: Planet,
+    /// The meteorite before the impact.
+    pub meteorite: Meteorite,
+    /// The point of impact x, metres from C.
+    pub at: BodyVector,
     impulse: BodyVector,
-    velocity_after: BodyVector,
-    omega_after: BodyVector,
-    energy_lost: f64,
+    /// Velocity V' of the planet's own centre C after the impact, m/s.
+    pub velocity_after: BodyVector,
+    /// Angular velocity Ω' after the impact, rad/s.
+    pub omega_after: BodyVector,
+    /// Kinetic energy turned into heat, joules, never negative beyond rounding: ½⟨w, J⟩, half the closing velocity times
+    /// the impulse. No large energies are subtracted, and the value is the same in every frame.
+    pub energy_lost: f64,
 }
 
 /// The meteorite hits the planet at the point `at` (x, metres from the centre C) and sticks (tutorial 4.2).
@@ -231,7 +173,7 @@ pub struct Strike {
 /// let meteorite = Meteorite::new(10.0, BodyVector::new(0.0, 2.0, 0.0))?;
 /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
 /// // (4 + 5)Ω' = 5·2 with the reduced mass of 5 kg.
-/// assert!((hit.omega_after().z() - 10.0 / 9.0).abs() < 1e-15);
+/// assert!((hit.omega_after.z() - 10.0 / 9.0).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn strike(planet: &Planet, meteorite: &Meteorite, at: BodyVector) -> Result<Strike> {
@@ -263,94 +205,6 @@ pub fn strike(planet: &Planet, meteorite: &Meteorite, at: BodyVector) -> Result<
 }
 
 impl Strike {
-    /// The planet before the impact.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
-    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
-    /// assert_eq!(*hit.planet(), planet);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn planet(&self) -> &Planet {
-        &self.planet
-    }
-
-    /// The meteorite before the impact.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
-    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
-    /// assert_eq!(*hit.meteorite(), meteorite);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn meteorite(&self) -> &Meteorite {
-        &self.meteorite
-    }
-
-    /// The point of impact x, metres from C.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
-    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
-    /// assert_eq!(hit.at(), BodyVector::new(1.0, 0.0, 0.0));
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn at(&self) -> BodyVector {
-        self.at
-    }
-
-    /// Angular velocity Ω' after the impact, rad/s.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
-    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
-    /// // 5 kg m² from the two bodies' reduced mass: (4 + 5)Ω' = 5·2.
-    /// assert!((hit.omega_after().z() - 10.0 / 9.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn omega_after(&self) -> BodyVector {
-        self.omega_after
-    }
-
-    /// Velocity V' of the planet's own centre C after the impact, m/s.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
-    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
-    /// // 10 kg got the impulse 5(2 − 10/9) N s across.
-    /// assert!((hit.velocity_after().y() - 4.0 / 9.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn velocity_after(&self) -> BodyVector {
-        self.velocity_after
-    }
-
-    /// Kinetic energy turned into heat, joules, never negative beyond rounding: ½⟨w, J⟩, half the closing velocity times
-    /// the impulse. No large energies are subtracted, and the value is the same in every frame.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};
-    /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
-    /// let meteorite = Meteorite::new(10.0, BodyVector::new(0.0, 2.0, 0.0))?;
-    /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
-    /// // 20 J before, 10 J of the common motion and 50/9 J of turning after.
-    /// assert!((hit.energy_lost() - 40.0 / 9.0).abs() < 1e-14);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn energy_lost(&self) -> f64 {
-        self.energy_lost
-    }
-
     /// Speed at which the meteorite comes in along the radius, −⟨x, v−V⟩/|x|, m/s: positive if it comes from outside a
     /// round planet.
     ///

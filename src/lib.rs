@@ -7,7 +7,7 @@
 //! | 1.1 | [`phenomena`] | turning round at angular momentum zero | quadratures to rounding; with air or friction, steps to the accuracy asked |
 //! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule | closed forms; principal axes that do not cancel |
 //! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem | rounding |
-//! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them | compensated sums: rounding, however many terms |
+//! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them | rounding; relative positions and velocities, so that a distant or fast swarm keeps its digits |
 //! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids | closed form |
 //! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks | closed form |
 //! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other | closed form from event to event |

@@ -48,7 +48,7 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
     let before = BodyVector::new(0.0, 0.0, 1.0);
     let planet = Planet::spherical(mass, moment, BodyVector::zero(), before)?;
     let hit = strike(&planet, &Meteorite::new(small_mass, velocity)?, at)?;
-    let (after, rough) = (hit.omega_after(), hit.first_order()?);
+    let (after, rough) = (hit.omega_after, hit.first_order()?);
     let tilt = number(hit.tilt()?.to_degrees(), 1);
     let miss = 100.0 * (rough - after).norm() / (after - before).norm();
 

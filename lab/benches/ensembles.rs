@@ -1,4 +1,4 @@
-//! Many states of free tops, asked at once and one by one, in one run: times go eight side by side, bodies one after another.
+//! Many states of free tops in one run: of one body at many times, eight of them side by side and one by one; of many bodies.
 //!
 //! `cargo bench -p lab --bench ensembles`. Times are the least of several runs, in ns a state, on one core but for the last table. Ten
 //! thousand bodies no longer fit a cache of the second level: what else the machine does then shows. So it does in the last table, which tells
@@ -10,7 +10,7 @@ use std::hint::black_box;
 
 use rayon::prelude::*;
 use shared::{least, only_tested};
-use spinning_bodies::euler_top::{Ensemble, EulerTop, Release, State, released_states};
+use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 const COUNT: usize = 1000;
@@ -22,7 +22,6 @@ fn main() -> spinning_bodies::Result<()> {
     }
     many_times()?;
     many_bodies()?;
-    from_scratch()?;
     cores()
 }
 
@@ -118,83 +117,9 @@ fn starts(count: usize) -> Vec<([f64; 3], BodyVector)> {
         .collect()
 }
 
-/// A list of bodies by its name.
-type Named = (&'static str, fn(usize) -> Vec<([f64; 3], BodyVector)>);
-
-/// Balls of every size.
-fn balls(count: usize) -> Vec<([f64; 3], BodyVector)> {
-    let ball = |(moments, l): ([f64; 3], BodyVector)| ([moments[0]; 3], l);
-    starts(count).into_iter().map(ball).collect()
-}
-
-/// Next to the separatrix, ever nearer.
-fn rackets(count: usize) -> Vec<([f64; 3], BodyVector)> {
-    let racket = |(k, (_, l)): (usize, ([f64; 3], BodyVector))| {
-        let tilt = 10f64.powi(-((k % 16) as i32));
-        let l = BodyVector::new(tilt * l.x(), 1.0, tilt * l.z());
-        ([1.0, 2.0, 3.0], l)
-    };
-    starts(count).into_iter().enumerate().map(racket).collect()
-}
-
-fn from_scratch() -> spinning_bodies::Result<()> {
-    println!("\nbodies from scratch at one time, ns a body");
-    println!(
-        "{:>8} {:>10} {:>10} {:>9} {:>7} {:>10} {:>7} {:>12}",
-        "bodies", "", "one by one", "together", "ratio", "an ensemble", "ratio", "differ, rad"
-    );
-    let kinds: [Named; 3] = [("any", starts), ("balls", balls), ("rackets", rackets)];
-    for (name, make) in kinds {
-        for count in [100, COUNT, 10_000] {
-            let releases: Vec<Release> = make(count)
-                .into_iter()
-                .map(|(moments, angular_momentum)| Release {
-                    moments,
-                    angular_momentum,
-                    attitude: Attitude::identity(),
-                })
-                .collect();
-            let mut alone = vec![State::default(); count];
-            let mut together = alone.clone();
-            let t = 7.3;
-            let single = nanoseconds(count, || {
-                for (body, state) in black_box(&releases).iter().zip(&mut alone) {
-                    let top = EulerTop::new(body.moments, body.angular_momentum, body.attitude);
-                    if let Ok(found) = top.and_then(|top| top.at(black_box(t))) {
-                        *state = found;
-                    }
-                }
-                black_box(&mut alone);
-            });
-            let batch = nanoseconds(count, || {
-                let _ = black_box(released_states(
-                    black_box(&releases),
-                    black_box(t),
-                    &mut together,
-                ));
-                black_box(&mut together);
-            });
-            let ensemble = nanoseconds(count, || {
-                let _ = black_box(Ensemble::released(black_box(&releases).clone()));
-            });
-            println!(
-                "{count:>8} {name:>10} {single:>10.1} {batch:>9.1} {:>7.3} {ensemble:>10.1} {:>7.3} {:>12.1e}",
-                batch / single,
-                ensemble / single,
-                furthest(&alone, &together)
-            );
-        }
-    }
-    Ok(())
-}
-
 fn many_bodies() -> spinning_bodies::Result<()> {
     let upright = Attitude::identity();
     println!("\nas many bodies at one time, ns a state");
-    println!(
-        "{:>8} {:>30} {:>10} {:>9} {:>7} {:>12}",
-        "bodies", "", "one by one", "together", "ratio", "differ, rad"
-    );
     for count in [100, COUNT, 10_000, 100_000] {
         let starts = starts(count);
         let tops: Vec<EulerTop> = starts
@@ -202,7 +127,6 @@ fn many_bodies() -> spinning_bodies::Result<()> {
             .map(|(moments, l)| EulerTop::new(*moments, *l, upright))
             .collect::<spinning_bodies::Result<_>>()?;
         let mut alone = vec![State::default(); count];
-        let mut together = alone.clone();
         let t = 7.3;
         let single = nanoseconds(count, || {
             for (top, state) in black_box(&tops).iter().zip(&mut alone) {
@@ -212,20 +136,6 @@ fn many_bodies() -> spinning_bodies::Result<()> {
             }
             black_box(&mut alone);
         });
-        let gathering = nanoseconds(count, || {
-            black_box(Ensemble::new(black_box(&tops).clone()));
-        });
-        let ensemble = Ensemble::new(tops);
-        let batch = nanoseconds(count, || {
-            let _ = black_box(black_box(&ensemble).states_at(black_box(t), &mut together));
-            black_box(&mut together);
-        });
-        println!(
-            "{count:>8} {:>30} {single:>10.1} {batch:>9.1} {:>7.3} {:>12.1e}",
-            "prepared",
-            batch / single,
-            furthest(&alone, &together)
-        );
         let scratch = nanoseconds(count, || {
             for ((moments, l), state) in black_box(&starts).iter().zip(&mut alone) {
                 if let Ok(found) =
@@ -247,9 +157,9 @@ fn many_bodies() -> spinning_bodies::Result<()> {
             black_box(&mut alone);
         });
         for (name, time) in [
+            ("prepared", single),
             ("new and at", scratch),
             ("for_one_step and at", step),
-            ("Ensemble::new, once", gathering),
         ] {
             println!("{count:>8} {name:>30} {time:>10.1}");
         }

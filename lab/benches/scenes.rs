@@ -128,7 +128,7 @@ fn nothing() -> spinning_bodies::Result<()> {
     let start = Start::with_omega(omega, Attitude::identity());
     let scene = Top::new(Body::new(moments)?, start)?;
     let request = Request::at(times.clone())?;
-    let [mut direct, mut kept, mut form, mut whole] = [f64::INFINITY; 4];
+    let [mut direct, mut kept, mut whole] = [f64::INFINITY; 3];
     // Alternately, so that all see the same machine.
     for _ in 0..40 {
         direct = direct.min(least(1, || {
@@ -144,13 +144,6 @@ fn nothing() -> spinning_bodies::Result<()> {
                 let _ = black_box(rows.collect::<spinning_bodies::Result<Vec<_>>>());
             }
         }));
-        form = form.min(least(1, || {
-            if let Ok(Some(top)) = scene.closed_form() {
-                for &t in &times {
-                    let _ = black_box(top.at(t));
-                }
-            }
-        }));
         whole = whole.min(least(1, || {
             let _ = black_box(scene.simulate(&request));
         }));
@@ -160,7 +153,6 @@ fn nothing() -> spinning_bodies::Result<()> {
     for (name, time) in [
         ("EulerTop called directly", direct),
         ("and its states kept", kept),
-        ("the scene's closed form", form),
         ("simulate: rows and ledger", whole),
     ] {
         println!(

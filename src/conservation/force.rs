@@ -12,26 +12,6 @@ pub struct ForceAndTorque {
     pub torque: SpaceVector,
 }
 
-impl ForceAndTorque {
-    /// The same forces seen from a point farther along by `offset` (metres): F stays, N becomes N − offset∧F.
-    ///
-    /// ```
-    /// use spinning_bodies::{conservation::uniform_gravity, frame::SpaceVector};
-    /// let down = SpaceVector::new(0.0, 0.0, -10.0);
-    /// let center = SpaceVector::new(2.0, 0.0, 0.0);
-    /// let here = uniform_gravity(3.0, center, SpaceVector::zero(), down)?;
-    /// // Seen from the centre of mass there is no torque.
-    /// assert_eq!(here.about(center).torque, SpaceVector::zero());
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn about(&self, offset: SpaceVector) -> Self {
-        Self {
-            force: self.force,
-            torque: self.torque - offset.cross(&self.force),
-        }
-    }
-}
-
 /// Force Mg and torque (C−O)∧Mg of uniform gravity on a body of any shape (tutorial 3.2): gravity acts at
 /// the centre of mass, and has no torque about it.
 ///

@@ -25,9 +25,7 @@
 mod force;
 mod ledger;
 mod particles;
-mod sum;
 
 pub use force::{ForceAndTorque, angular_momentum_rate, uniform_gravity};
 pub use ledger::{Entry, Law, Ledger, ScalarAccount, VectorAccount};
 pub use particles::{AngularMomentumParts, EnergyParts, Particle, Particles};
-pub use sum::CompensatedSum;

@@ -119,19 +119,6 @@ impl Particles {
         })
     }
 
-    /// The particles.
-    ///
-    /// ```
-    /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
-    /// let at = |x, v| Particle { mass: 1.0, position: SpaceVector::new(x, 0.0, 0.0), velocity: SpaceVector::new(0.0, v, 0.0) };
-    /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
-    /// assert_eq!(pair.particles().len(), 2);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn particles(&self) -> &[Particle] {
-        &self.particles
-    }
-
     /// Centre of mass C = Σmx/M, m.
     ///
     /// ```

@@ -184,35 +184,6 @@ pub struct Characteristic {
 }
 
 impl Characteristic {
-    /// From both n and nc; the one of lesser size is believed.
-    ///
-    /// # Errors
-    ///
-    /// If one is not finite, or if n + nc differs from 1 by more than 4 ε of the greater.
-    ///
-    /// ```
-    /// use spinning_bodies::elliptic::Characteristic;
-    /// let n = Characteristic::new(1.0, 1e-20)?;
-    /// assert_eq!(n.nc(), 1e-20);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn new(n: f64, nc: f64) -> Result<Self> {
-        let n = finite("characteristic n", n)?;
-        let nc = finite("complementary characteristic nc", nc)?;
-        let defect = (DoubleDouble::sum(n, nc) - DoubleDouble::from(1.0)).value();
-        if defect.abs() > 4.0 * f64::EPSILON * n.abs().max(nc.abs()) {
-            return Err(Error::Condition {
-                condition: "n + nc must be 1 to within 4 eps",
-                value: n + nc,
-            });
-        }
-        if n.abs() <= nc.abs() {
-            Self::from_characteristic(n)
-        } else {
-            Self::from_complement(nc)
-        }
-    }
-
     /// From n, taken as exact.
     ///
     /// # Errors
@@ -249,17 +220,6 @@ impl Characteristic {
             n: DoubleDouble::difference(1.0, nc),
             nc: DoubleDouble::from(nc),
         })
-    }
-
-    /// The characteristic n, rounded to a double.
-    ///
-    /// ```
-    /// use spinning_bodies::elliptic::Characteristic;
-    /// assert_eq!(Characteristic::from_complement(0.25)?.n(), 0.75);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn n(self) -> f64 {
-        self.n.value()
     }
 
     /// The complement nc = 1 − n, rounded to a double.

@@ -9,7 +9,6 @@
 //!   along axes at rest;
 //! * [`rate_about`] takes torque and inertia about the point you choose: the centre of mass, a pivot, or any
 //!   point of the body whose acceleration you know;
-//! * [`momentum_rate`] and [`acceleration`] are the other half, ∂P/∂t + Ω∧P = F;
 //! * [`flow`] shows the equations as a flow of L on its sphere;
 //! * [`HeavyTop`] adds gravity, and knows which tops have a further integral (5.3).
 
@@ -247,42 +246,6 @@ pub fn rate_about(
             rate_in_any_axes(&body.about(point)?, omega, torque - of_inertia)
         }
     }
-}
-
-/// ∂P/∂t in newtons, along the body's axes: ∂P/∂t = F − Ω∧P (3.2, 5.1).
-///
-/// `momentum` in kg m/s, `force` in N, `omega` in rad/s. A free body's P is constant in space and turns backwards for
-/// the rider. Cost: one vector product. No errors.
-///
-/// ```
-/// use spinning_bodies::{euler_equations::momentum_rate, frame::BodyVector};
-/// // No force: seen from a turning body the momentum goes round the other way.
-/// let rate = momentum_rate(BodyVector::new(2.0, 0.0, 0.0), BodyVector::new(0.0, 0.0, 3.0), BodyVector::zero());
-/// assert_eq!(rate, BodyVector::new(0.0, -6.0, 0.0));
-/// ```
-pub fn momentum_rate(momentum: BodyVector, omega: BodyVector, force: BodyVector) -> BodyVector {
-    force - omega.cross(&momentum)
-}
-
-/// dU/dt in m/s² of a point O of the body, along the body's axes, from the acceleration of the centre (2.1, 5.1).
-///
-/// dU/dt = A − ∂Ω/∂t∧d − Ω∧(Ω∧d), where A = F/M is the centre's acceleration and d = C − O in metres, the transport
-/// theorem twice. Cost: three vector products. No errors.
-///
-/// ```
-/// use spinning_bodies::{euler_equations::acceleration, frame::BodyVector};
-/// // The centre lies half a metre along x, and the body turns at 2 rad/s: Ω²r towards the centre.
-/// let omega = BodyVector::new(0.0, 0.0, 2.0);
-/// let inward = acceleration(BodyVector::zero(), omega, BodyVector::zero(), BodyVector::new(0.5, 0.0, 0.0));
-/// assert_eq!(inward, BodyVector::new(2.0, 0.0, 0.0));
-/// ```
-pub fn acceleration(
-    of_center: BodyVector,
-    omega: BodyVector,
-    omega_rate: BodyVector,
-    offset: BodyVector,
-) -> BodyVector {
-    of_center - omega_rate.cross(&offset) - omega.cross(&omega.cross(&offset))
 }
 
 /// dq/dt for the attitude's quaternion q: ½ qΩ, components w, x, y, z (2.2, 5.1).

@@ -5,9 +5,6 @@
 
 use crate::error::{Result, finite, positive, within};
 
-/// I₃/I₁ in the tutorial (6.5), dimensionless.
-pub const TUTORIAL_AXIAL_OVER_TRANSVERSE: f64 = 301.0 / 300.0;
-
 /// Period that the tutorial derives from it, in days (6.5).
 pub const RIGID_TUTORIAL_PERIOD: f64 = 300.0;
 

@@ -48,26 +48,12 @@ impl Plate {
     }
 
     /// Half its width, m.
-    ///
-    /// ```
-    /// use spinning_bodies::falling_strip::Plate;
-    /// let plate = Plate::new(0.02, 3.2e-3, 1.2, 0.0, 1.0 / 3.0)?;
-    /// assert_eq!(plate.half_chord(), 0.02);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn half_chord(&self) -> f64 {
+    pub(crate) const fn half_chord(&self) -> f64 {
         self.half_chord
     }
 
     /// Its mass, kg per metre of length.
-    ///
-    /// ```
-    /// use spinning_bodies::falling_strip::Plate;
-    /// let plate = Plate::new(0.02, 3.2e-3, 1.2, 0.0, 1.0 / 3.0)?;
-    /// assert_eq!(plate.mass(), 3.2e-3);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn mass(&self) -> f64 {
+    pub(crate) const fn mass(&self) -> f64 {
         self.mass
     }
 
@@ -78,14 +64,7 @@ impl Plate {
     }
 
     /// The mass π ρ a² of the fluid cylinder that just holds it, kg/m: what it must push aside when it moves broadside.
-    ///
-    /// ```
-    /// use spinning_bodies::falling_strip::Plate;
-    /// let plate = Plate::new(0.02, 3.2e-3, 1.2, 0.0, 1.0 / 3.0)?;
-    /// assert!((plate.displaced_mass() - std::f64::consts::PI * 1.2 * 4e-4).abs() < 1e-17);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn displaced_mass(&self) -> f64 {
+    pub(crate) fn displaced_mass(&self) -> f64 {
         PI * self.fluid_density * self.half_chord * self.half_chord
     }
 }

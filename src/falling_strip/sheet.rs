@@ -127,10 +127,9 @@ impl Sheet {
     /// As [`Plate::new`].
     ///
     /// ```
-    /// use spinning_bodies::falling_strip::Sheet;
-    /// let strip = Sheet::of_paper(0.04)?;
-    /// let plate = strip.plate()?;
-    /// assert!((plate.mass() / plate.displaced_mass() - strip.mass_ratio()).abs() < 1e-14);
+    /// use spinning_bodies::falling_strip::{Plate, Sheet};
+    /// let flat = Plate::new(0.02, 0.08 * 0.04, 1.2, 0.0, 1.0 / 3.0)?;
+    /// assert_eq!(Sheet::of_paper(0.04)?.plate()?, flat);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn plate(&self) -> Result<Plate> {

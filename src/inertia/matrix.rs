@@ -266,15 +266,7 @@ impl InertiaMatrix {
     ///
     /// # Errors
     /// As [`of_particle`](Self::of_particle).
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
-    /// let rod = InertiaMatrix::diagonal(1.0, 1.0, 0.0)?; // 3 kg, 2 m
-    /// let end = rod.shifted_from_center(3.0, BodyVector::new(0.0, 0.0, 1.0))?;
-    /// assert_eq!(end, InertiaMatrix::diagonal(4.0, 4.0, 0.0)?);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn shifted_from_center(&self, mass: f64, offset: BodyVector) -> Result<Self> {
+    pub(crate) fn shifted_from_center(&self, mass: f64, offset: BodyVector) -> Result<Self> {
         Self::checked(self.0 + Self::of_particle(mass, offset)?.0)
     }
 

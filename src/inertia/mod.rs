@@ -12,7 +12,7 @@
 //! | of any closed surface of triangles | [`mesh_mass_properties`] |
 //! | of several bodies glued together | [`MassProperties::compose`] |
 //! | principal moments and axes | [`InertiaMatrix::principal_axes`] |
-//! | about another point | [`MassProperties::about`], [`InertiaMatrix::shifted_from_center`] |
+//! | about another point | [`MassProperties::about`] |
 //! | Routh's rule, and where it fails | [`routh`] |
 //! | the ellipsoid that no dynamics can tell from the body | [`ellipsoid_of_inertia`] |
 //!

@@ -36,13 +36,7 @@ pub enum Form {
 
 impl Form {
     /// 3, 4 or 5 where the rule holds; `None` where it does not (2.7).
-    ///
-    /// ```
-    /// use spinning_bodies::inertia::routh::Form;
-    /// assert_eq!(Form::Ellipsoid.denominator(), Some(5));
-    /// assert_eq!(Form::Cone.denominator(), None);
-    /// ```
-    pub const fn denominator(self) -> Option<u32> {
+    const fn denominator(self) -> Option<u32> {
         match self {
             Self::Rod | Self::Rectangle | Self::Cuboid => Some(3),
             Self::Ellipse | Self::CylinderAboutItsAxis => Some(4),

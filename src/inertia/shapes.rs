@@ -91,36 +91,6 @@ fn combine(edges: [f64; 3], at_ends: [f64; 3]) -> [(f64, f64); 3] {
     [0, 1, 2].map(|i| ((1.0 + 2.0 * at_ends[i]) / 3.0, 0.5 * edges[i]))
 }
 
-/// The six faces of a cube: 5Ma²/18 about every axis through the centre (2.6).
-///
-/// # Errors
-/// See the [module](self).
-///
-/// ```
-/// use spinning_bodies::inertia::shapes;
-/// let moment = shapes::hollow_cube(18.0, 2.0)?.inertia().matrix()[(2, 2)];
-/// assert!((moment - 20.0).abs() < 1e-14);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn hollow_cube(mass: f64, edge: f64) -> Result<MassProperties> {
-    hollow_box(mass, [edge; 3])
-}
-
-/// The twelve edges of a cube: 7Ma²/18 about every axis through the centre (2.6).
-///
-/// # Errors
-/// See the [module](self).
-///
-/// ```
-/// use spinning_bodies::inertia::shapes;
-/// let moment = shapes::wire_cube(18.0, 2.0)?.inertia().matrix()[(2, 2)];
-/// assert!((moment - 28.0).abs() < 1e-14);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn wire_cube(mass: f64, edge: f64) -> Result<MassProperties> {
-    wire_box(mass, [edge; 3])
-}
-
 /// A solid ball: 2MR²/5 (2.7).
 ///
 /// # Errors
@@ -497,7 +467,7 @@ pub fn triangle_lamina(mass: f64, corners: [[f64; 2]; 3]) -> Result<MassProperti
     MassProperties::new(mass, center, InertiaMatrix::checked(matrix)?)
 }
 
-/// A solid Platonic body with this edge length, an inertial ball (2.6): I/(Ma²) is [`PlatonicSolid::inertia_factor`].
+/// A solid Platonic body with this edge length, an inertial ball (2.6): I/(Ma²) is 1/20, 1/6, 1/10, (95 + 39√5)/300, (3 + √5)/20 by number of faces.
 ///
 /// # Errors
 /// See the [module](self).

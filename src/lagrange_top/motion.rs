@@ -5,12 +5,11 @@ use nalgebra::Quaternion;
 use super::evaluation::{Body, Pull, State};
 use super::preparation::{Exact, FASTEST, Kept, Motion, Start, moderate, prepare, prepare_kept};
 use super::roots::{Nutation, Roots};
-use crate::elliptic::Parameter;
 use crate::elliptic::lanes::{fill, turned};
 use crate::error::{Error, Result, finite, within};
 use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
-use crate::frame::{Attitude, BodyVector, EulerAngles};
+use crate::frame::{Attitude, BodyVector};
 
 /// A symmetric body that turns about a fixed point of its axis under gravity, its motion prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -285,11 +284,6 @@ impl LagrangeTop {
         0.5 * (transverse * (x * x + y * y) + axial * z * z) + weight_moment * height
     }
 
-    /// Whether C would rise: Mgl < 0.
-    pub(super) fn pulls_up(&self) -> bool {
-        self.body.weight_moment < 0.0
-    }
-
     /// The roots of the cubic.
     ///
     /// ```
@@ -414,23 +408,6 @@ impl LagrangeTop {
 }
 
 impl LagrangeTop {
-    /// The parameter m = k² of the elliptic functions that the tilt runs through, and its complement (7.2); none where the tilt stays.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
-    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
-    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
-    /// let m = top.parameter().unwrap();
-    /// assert!(m.m() > 0.0 && m.m() < 0.1 && (m.m() + m.mc() - 1.0).abs() < 1e-16);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn parameter(&self) -> Option<Parameter> {
-        match &self.motion {
-            Motion::Still => None,
-            Motion::Moving(constants) => Some(constants.modulus.parameter()),
-        }
-    }
-
     /// By how much the axis goes round the vertical in one period of nutation, radians (7.2); none where there is no period.
     ///
     /// ```
@@ -467,59 +444,4 @@ impl LagrangeTop {
     pub fn mean_precession_rate(&self) -> Option<f64> {
         Some(self.precession_per_nutation()? / self.period())
     }
-
-    /// The two tilts between which the axis moves, radians, the smaller first (7.2); equal where the tilt stays.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
-    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
-    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
-    /// let [least, most] = top.turning_angles();
-    /// assert!((least - 0.5).abs() < 1e-15 && most > least);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn turning_angles(&self) -> [f64; 2] {
-        let Roots {
-            one_less, one_more, ..
-        } = self.roots();
-        // With gravity upwards the roots are those of −h.
-        if self.pulls_up() {
-            [
-                tilt(one_more[0], one_less[0]),
-                tilt(one_more[1], one_less[1]),
-            ]
-        } else {
-            [
-                tilt(one_less[1], one_more[1]),
-                tilt(one_less[0], one_more[0]),
-            ]
-        }
-    }
-}
-
-impl State {
-    /// θ, φ, ψ in radians (7.1).
-    ///
-    /// θ keeps its digits next to 0 and π, from 1 ∓ h. There only φ + ψ, or φ − ψ, means anything: it is exact to rounding, while their
-    /// difference, or sum, loses what the attitude has lost of it; with θ = 0 or π exactly it counts as zero. Cost: three arctangents.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
-    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
-    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
-    /// let angles = top.at(0.0)?.angles();
-    /// assert!((angles.theta - 0.5).abs() < 1e-15 && angles.phi.abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn angles(&self) -> EulerAngles {
-        EulerAngles {
-            theta: tilt(self.one_less, self.one_more),
-            ..self.attitude.euler_angles()
-        }
-    }
-}
-
-/// The angle whose cosine is h, from 1 − h and 1 + h.
-fn tilt(one_less: f64, one_more: f64) -> f64 {
-    2.0 * one_less.sqrt().atan2(one_more.sqrt())
 }

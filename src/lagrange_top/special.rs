@@ -79,32 +79,6 @@ pub fn pure_precession(
     })
 }
 
-/// The least |L₃| with which a top can precess purely at this tilt: 2√(I₁Mgl cos θ), kg m²/s; zero for a centre of mass that hangs (7.3).
-///
-/// Arguments as for [`pure_precession`]. One rounding, at any scale; infinite beyond the greatest double. Cost: a square root of 106 bits.
-///
-/// # Errors
-/// As [`pure_precession`].
-///
-/// ```
-/// use spinning_bodies::lagrange_top::least_axial_angular_momentum;
-/// assert_eq!(least_axial_angular_momentum(1.0, 8.0, 0.5)?, 4.0);
-/// assert_eq!(least_axial_angular_momentum(1.0, 8.0, -0.5)?, 0.0);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn least_axial_angular_momentum(
-    transverse: f64,
-    weight_moment: f64,
-    height: f64,
-) -> Result<f64> {
-    let [leading, weight, _] = quadratic(transverse, weight_moment, 0.0, height)?;
-    let product = (leading * weight).times(4.0);
-    if product.leading() <= 0.0 {
-        return Ok(0.0);
-    }
-    Ok(product.square_root().narrow().value())
-}
-
 /// What the two rates become when spin overwhelms gravity (7.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FastSpin {
@@ -372,9 +346,9 @@ pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) 
 /// use spinning_bodies::lagrange_top::{Nutation, pendulum_between};
 /// let pendulum = pendulum_between(0.2, 0.5, 9.81)?;
 /// assert_eq!(pendulum.kind(), Nutation::SphericalPendulum);
-/// let pi = std::f64::consts::PI;
-/// let [least, most] = pendulum.turning_angles();
-/// assert!((least - (pi - 0.5)).abs() + (most - (pi - 0.2)).abs() < 1e-15);
+/// let half = 0.5 * pendulum.period();
+/// let [a, b] = [pendulum.at(0.0)?, pendulum.at(half)?].map(|state| state.attitude.euler_angles().theta);
+/// assert!((a + b - (2.0 * std::f64::consts::PI - 0.2 - 0.5)).abs() < 1e-14);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<LagrangeTop> {

@@ -79,7 +79,7 @@ impl Bend {
 /// the bisector of the two spines then keeps its direction in space, and the cat is a swivel in disguise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cat {
-    halves: [Half; 2],
+    pub(crate) halves: [Half; 2],
 }
 
 impl Cat {
@@ -109,19 +109,6 @@ impl Cat {
             }
         }
         Ok(Self { halves })
-    }
-
-    /// The halves.
-    ///
-    /// ```
-    /// use spinning_bodies::phenomena::{Cat, Half};
-    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
-    /// let cat = Cat::new([half; 2])?;
-    /// assert_eq!(cat.halves()[1], half);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn halves(&self) -> &[Half; 2] {
-        &self.halves
     }
 
     /// The closed form, if the halves are equal.
@@ -294,15 +281,7 @@ impl EqualHalves {
     }
 
     /// f(γ): how far the frame of the bend turns in space a radian of ψ.
-    ///
-    /// ```
-    /// use spinning_bodies::phenomena::EqualHalves;
-    /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
-    /// // cos(γ/2) for halves as round as balls.
-    /// assert!((cat.frame_turn(1.0) - 0.5_f64.cos()).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn frame_turn(&self, angle: f64) -> f64 {
+    pub(crate) fn frame_turn(&self, angle: f64) -> f64 {
         self.axial * (0.5 * angle).cos() / self.stiffness(angle)
     }
 

@@ -18,7 +18,7 @@ mod crawler;
 mod holonomy;
 mod ice;
 mod paper_cat;
-pub mod quadrature;
+pub(crate) mod quadrature;
 mod skater;
 mod waist;
 

@@ -104,26 +104,4 @@ impl PaperCat {
         let rate = stiffness / (half + (half * half + stiffness).sqrt());
         speed * core::f64::consts::LN_10 / rate
     }
-
-    /// Velocity (m/s) and fall (m) after a time (s) from rest in this air: v = v_t tanh(gt/v_t), z = (v_t²/g) ln cosh(gt/v_t).
-    ///
-    /// ```
-    /// use spinning_bodies::phenomena::PaperCat;
-    /// let [velocity, depth] = PaperCat::POSTCARD.fall(1.2, 9.81, 1e-3);
-    /// assert!((velocity / 9.81e-3 - 1.0).abs() < 1e-4 && (depth / 4.905e-6 - 1.0).abs() < 1e-4);
-    /// ```
-    pub fn fall(&self, air: f64, g: f64, time: f64) -> [f64; 2] {
-        let speed = self.terminal_speed(air, g);
-        let x = (g * time / speed).abs();
-        // ln cosh x = x + ln(1 + e^(−2x)) − ln 2; for small x through sinh², which does not cancel.
-        let log_cosh = if x < 1.0 {
-            0.5 * (x.sinh().powi(2)).ln_1p()
-        } else {
-            x + (-2.0 * x).exp().ln_1p() - core::f64::consts::LN_2
-        };
-        [
-            speed * (g * time / speed).tanh(),
-            speed * speed / g * log_cosh,
-        ]
-    }
 }

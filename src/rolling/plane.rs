@@ -21,9 +21,11 @@ pub struct Slide {
     start: InPlane,
     /// Friction per mass, m/s².
     friction: [f64; 2],
-    time: f64,
+    /// When rolling begins, s.
+    pub time: f64,
     kappa: f64,
-    rolling: [f64; 2],
+    /// The velocity of rolling, m/s.
+    pub rolling: [f64; 2],
 }
 
 impl InPlane {
@@ -67,7 +69,7 @@ impl RoundBody {
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// let slide = ball.slide_in_plane(start, 0.2, 10.0)?;
     /// // 2|u|/(7μg).
-    /// assert!((slide.time() - 2.0_f64.sqrt()).abs() < 1e-15);
+    /// assert!((slide.time - 2.0_f64.sqrt()).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn slide_in_plane(&self, start: InPlane, friction: f64, gravity: f64) -> Result<Slide> {
@@ -98,33 +100,6 @@ impl RoundBody {
 }
 
 impl Slide {
-    /// When rolling begins, s.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
-    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
-    /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
-    /// assert!((ball.slide_in_plane(start, 0.2, 10.0)?.time() - 2.0_f64.sqrt()).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
-    /// The velocity of rolling, m/s.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
-    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
-    /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
-    /// let [x, y] = ball.slide_in_plane(start, 0.2, 10.0)?.rolling();
-    /// assert!((x - 5.0).abs() + (y - 2.0).abs() < 1e-14);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn rolling(&self) -> [f64; 2] {
-        self.rolling
-    }
-
     /// Place of the centre, m, and the motion, at a time (s, 0 or later) since the stroke.
     ///
     /// ```
@@ -133,8 +108,8 @@ impl Slide {
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// let slide = ball.slide_in_plane(start, 0.2, 10.0)?;
     /// // A parabola: on the way the mean of the first and the last velocity.
-    /// let (place, motion) = slide.at(slide.time());
-    /// assert!((place[0] - 6.0 * slide.time()).abs() < 1e-14 && motion.slip()[0].abs() < 1e-14);
+    /// let (place, motion) = slide.at(slide.time);
+    /// assert!((place[0] - 6.0 * slide.time).abs() < 1e-14 && motion.slip()[0].abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn at(&self, t: f64) -> ([f64; 2], InPlane) {

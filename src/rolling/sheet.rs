@@ -1,7 +1,6 @@
 //! A ball on a sheet that is withdrawn from under it (tutorial 4.5): it stops dead.
 
 use super::friction::Coulomb;
-use super::shot::RoundBody;
 use crate::error::{Error, Result, finite, positive};
 
 /// How fast the sheet goes, from time 0 on: straight from point to point, at its last speed after the last one.
@@ -85,13 +84,7 @@ impl SheetSpeeds {
     }
 
     /// The points.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::SheetSpeeds;
-    /// assert_eq!(SheetSpeeds::through([(0.0, 0.0), (1.0, 2.0)])?.points().len(), 2);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn points(&self) -> &[(f64, f64)] {
+    pub(crate) fn points(&self) -> &[(f64, f64)] {
         &self.points
     }
 }
@@ -148,23 +141,5 @@ impl Sheet {
         let from = points[index.min(points.len() - 1)];
         let to = points.get(index + 1).copied();
         (from, to.unwrap_or((f64::INFINITY, from.1)))
-    }
-}
-
-impl RoundBody {
-    /// Acceleration of a body that rolls on a sheet which accelerates: κ/(1+κ) of it, 2/7 for the ball (4.5). Exact to two roundings.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`].
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
-    /// assert!((ball.carried_by_sheet(7.0)? - 2.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn carried_by_sheet(&self, acceleration: f64) -> Result<f64> {
-        let acceleration = finite("the sheet's acceleration", acceleration)?;
-        Ok(self.inertia_factor() / self.pure_rolling_height() * acceleration)
     }
 }

@@ -98,14 +98,7 @@ impl Spool {
     }
 
     /// What rolls.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{RoundBody, Spool};
-    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
-    /// assert_eq!(spool.body().mass(), 2.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn body(&self) -> RoundBody {
+    pub(crate) fn body(&self) -> RoundBody {
         self.body
     }
 
@@ -289,16 +282,7 @@ impl Spool {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction: the tug lifts the spool.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
-    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
-    /// let tug = Tug::new(1.2, 0.0)?;
-    /// let load = spool.load(tug, 10.0)?;
-    /// assert_eq!((load.push, load.twist, load.reaction), (0.6, -0.3, 10.0));
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn load(&self, tug: Tug, gravity: f64) -> Result<Load> {
+    pub(crate) fn load(&self, tug: Tug, gravity: f64) -> Result<Load> {
         let gravity = positive("the acceleration of gravity", gravity)?;
         let pull = tug.tension / self.body.mass();
         let (sin, cos) = tug.angle.sin_cos();
@@ -315,7 +299,7 @@ impl Spool {
     /// The motion from rest under a steady tug, up to `until` (s): rolling, or slipping if the tug is too hard for friction.
     ///
     /// # Errors
-    /// As [`Self::load`] and [`Course::new`].
+    /// As [`Course::new`].
     ///
     /// ```
     /// use spinning_bodies::rolling::{Coulomb, RoundBody, Spool, Tug};

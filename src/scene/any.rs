@@ -88,14 +88,14 @@ impl AnyScene {
 
     /// The same with what it looks like.
     #[must_use]
-    pub fn looking(self, look: Look) -> Self {
+    pub(crate) fn looking(self, look: Look) -> Self {
         Self {
             look: Some(look),
             ..self
         }
     }
 
-    /// What it looks like at a row of a table, by the numbers that the table tells; nothing for a scene that knows no [`Look`]: one from a file does.
+    /// What it looks like at a row of a table, by the numbers that the table tells; nothing for a scene that does not know what it looks like: one from a file does.
     pub fn sight(&self, columns: &[Column], row: &[f64]) -> Option<Sight> {
         let look = self.look.as_ref()?;
         Some(look(&Told { columns, row }))

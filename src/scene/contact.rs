@@ -103,22 +103,6 @@ impl TableTop {
         Ok(self)
     }
 
-    /// The mirror image of body and start, with the same effects.
-    ///
-    /// ```
-    /// use spinning_bodies::scene::contact::TableTop;
-    /// use spinning_bodies::tippe_top::{Start, bodies};
-    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
-    /// assert_eq!(scene.mirrored().start().omega.z(), -155.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    #[must_use]
-    pub fn mirrored(mut self) -> Self {
-        self.body = self.body.mirrored();
-        self.start = self.start.mirrored();
-        self
-    }
-
     /// The body.
     ///
     /// ```
@@ -130,19 +114,6 @@ impl TableTop {
     /// ```
     pub const fn body(&self) -> &ConvexBody {
         &self.body
-    }
-
-    /// The start.
-    ///
-    /// ```
-    /// use spinning_bodies::scene::contact::TableTop;
-    /// use spinning_bodies::tippe_top::{Start, bodies};
-    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
-    /// assert_eq!(scene.start().omega.z(), 155.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn start(&self) -> &Start {
-        &self.start
     }
 
     /// When the body slides, rolls and hops, up to the last of the times asked for.

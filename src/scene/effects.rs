@@ -26,13 +26,7 @@ macro_rules! effects {
 
         impl Effect {
             /// Its name in a scene file.
-            ///
-            /// ```
-            /// use spinning_bodies::scene::effects::{Effect, Gravity};
-            /// assert_eq!(Effect::from(Gravity::new(9.81)?).name(), "gravity");
-            /// # Ok::<(), spinning_bodies::Error>(())
-            /// ```
-            pub const fn name(&self) -> &'static str {
+            pub(crate) const fn name(&self) -> &'static str {
                 match self {
                     $(Self::$effect(_) => $name,)*
                 }

@@ -199,16 +199,16 @@ impl Free {
 impl StruckPlanet {
     /// What flies on after the blow, and what the meteorite brought.
     fn struck(&self, hit: &Strike) -> Result<(Free, Kept)> {
-        let (planet, meteorite) = (&self.planet, hit.meteorite());
-        let ball = MassProperties::new(planet.mass(), BodyVector::zero(), planet.inertia())?;
-        let stone = MassProperties::particle(meteorite.mass(), hit.at())?;
+        let (planet, meteorite) = (&self.planet, hit.meteorite);
+        let ball = MassProperties::new(planet.mass, BodyVector::zero(), planet.inertia)?;
+        let stone = MassProperties::particle(meteorite.mass, hit.at)?;
         let body = MassProperties::compose(&[ball, stone])?;
-        let after = Free::new(&body, hit.omega_after(), hit.velocity_after())?;
-        let velocity = space(meteorite.velocity());
-        let momentum = meteorite.mass() * velocity;
+        let after = Free::new(&body, hit.omega_after, hit.velocity_after)?;
+        let velocity = space(meteorite.velocity);
+        let momentum = meteorite.mass * velocity;
         let brought = Kept {
             momentum,
-            angular: space(hit.at()).cross(&momentum),
+            angular: space(hit.at).cross(&momentum),
             energy: 0.5 * momentum.dot(&velocity),
         };
         Ok((after, brought))
@@ -236,8 +236,8 @@ impl Scene for StruckPlanet {
     fn simulate(&self, request: &Request) -> Result<Motion<Flying>> {
         let plan = self.plan(request)?;
         let (planet, times) = (&self.planet, request.times());
-        let ball = MassProperties::new(planet.mass(), BodyVector::zero(), planet.inertia())?;
-        let before = Free::new(&ball, planet.omega(), planet.velocity())?;
+        let ball = MassProperties::new(planet.mass, BodyVector::zero(), planet.inertia)?;
+        let before = Free::new(&ball, planet.omega, planet.velocity)?;
         let hit = self.impact.map(|it| strike(planet, &it.meteorite, it.at));
         let struck = hit.transpose()?.map(|hit| self.struck(&hit)).transpose()?;
         let at = |t: f64| match &struck {

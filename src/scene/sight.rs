@@ -19,12 +19,12 @@ pub enum Solid {
 
 impl Solid {
     /// A ball of this radius, m.
-    pub fn ball(radius: f64) -> Self {
+    pub(crate) fn ball(radius: f64) -> Self {
         Self::Ellipsoid(Matrix3::identity() * radius)
     }
 
     /// A wheel or a cylinder of this radius and width (m) about the third axis.
-    pub fn wheel(radius: f64, width: f64) -> Self {
+    pub(crate) fn wheel(radius: f64, width: f64) -> Self {
         Self::Turned([-0.5, 0.5].map(|half| [half * width, radius]).into())
     }
 }
@@ -65,23 +65,23 @@ pub struct Sight {
 
 /// The numbers of a row by their names.
 #[derive(Debug)]
-pub struct Told<'a> {
+pub(crate) struct Told<'a> {
     pub(super) columns: &'a [Column],
     pub(super) row: &'a [f64],
 }
 
 impl Told<'_> {
     /// The number of this name, if it is told.
-    pub fn number(&self, name: &str) -> Option<f64> {
+    pub(crate) fn number(&self, name: &str) -> Option<f64> {
         let place = self.columns.iter().position(|column| column.name == name)?;
         self.row.get(place).copied()
     }
 
     /// The numbers of these names; 0 for what is not told.
-    pub fn vector<const N: usize>(&self, names: [&str; N]) -> [f64; N] {
+    pub(crate) fn vector<const N: usize>(&self, names: [&str; N]) -> [f64; N] {
         names.map(|name| self.number(name).unwrap_or(0.0))
     }
 }
 
 /// What a scene looks like, from the numbers that it tells.
-pub type Look = Box<dyn Fn(&Told<'_>) -> Sight + Send + Sync>;
+pub(crate) type Look = Box<dyn Fn(&Told<'_>) -> Sight + Send + Sync>;

@@ -174,19 +174,6 @@ pub fn bounce_matrix<T: Num + Copy>(surface: Surface, kappa: T) -> [[T; 2]; 2] {
     }
 }
 
-/// Impulse of friction FΔt per mass in one bounce: −2κ/(1+κ) times the speed of the contact point (4.6). Panics as [`bounce`].
-///
-/// ```
-/// use spinning_bodies::superball::{Motion, Surface, friction_impulse};
-/// // −4/7 of the contact speed for a ball: V' = 3/7.
-/// let impulse = friction_impulse(Motion { velocity: 1.0_f64, rim_speed: 0.0 }, Surface::Floor, 0.4);
-/// assert!((impulse + 4.0 / 7.0).abs() < 1e-15);
-/// ```
-pub fn friction_impulse<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T) -> T {
-    let slip = before.contact_speed(surface);
-    T::zero() - (slip + slip) * kappa / (T::one() + kappa)
-}
-
 /// The motions after bounces 1, 2, 3, … off floor, ceiling, floor, … (4.6). Endless.
 ///
 /// In (V, √κ RΩ) two bounces are a rotation, and with `f64` they stay one: the motion is carried in twice the precision, so that the n-th

@@ -166,20 +166,6 @@ pub fn celt_ended_top_1() -> Result<ConvexBody> {
     celt_ended_top(0.288, [0.351, 0.550, 0.505], 0.745, 0.144)
 }
 
-/// A slower one (62.6 rad/s, μ = 0.5).
-///
-/// # Errors
-/// None for these parameters.
-///
-/// ```
-/// use spinning_bodies::tippe_top::bodies;
-/// assert!((bodies::celt_ended_top_2()?.center().z() - 0.265 * 0.02).abs() < 1e-17);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn celt_ended_top_2() -> Result<ConvexBody> {
-    celt_ended_top(0.265, [0.261, 0.507, 0.406], 0.845, 0.129)
-}
-
 /// Kane and Levinson's rattleback (1982), of 1 kg: semi-axes 20, 3 and 2 cm, C 1 cm below the centre, moments 2, 16, 17 and product
 /// −0.2 cm² a unit mass.
 ///

@@ -78,19 +78,6 @@ impl Turn {
         })
     }
 
-    /// n = m g r/(I + m r²), 1/s²: half of ω'² that a fall by the axle's radius gives.
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::{Turn, YoYo};
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// let turn = Turn::new(toy, 8.0, 200.0)?;
-    /// assert!((turn.pull() - 200.0).abs() < 1e-12);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn pull(&self) -> f64 {
-        self.pull
-    }
-
     /// Spin at its beginning and at its end, rad/s.
     ///
     /// ```

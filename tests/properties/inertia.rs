@@ -54,7 +54,7 @@ proptest! {
     fn shapes_never_panic(m in any(), a in any(), b in any(), c in any(), n in prop::num::u32::ANY, corner in prop::array::uniform3(prop::array::uniform2(any()))) {
         let mut all = vec![
             shapes::cuboid(m, [a, b, c]), shapes::hollow_box(m, [a, b, c]), shapes::wire_box(m, [a, b, c]),
-            shapes::hollow_cube(m, a), shapes::wire_cube(m, a), shapes::ball(m, a), shapes::spherical_shell(m, a),
+            shapes::ball(m, a), shapes::spherical_shell(m, a),
             shapes::thick_shell(m, a, b), shapes::ellipsoid(m, [a, b, c]), shapes::cylinder(m, a, b), shapes::elliptic_cylinder(m, [a, b], c),
             shapes::cylindrical_shell(m, a, b), shapes::tube(m, a, b, c), shapes::rod(m, a), shapes::hoop(m, a),
             shapes::disc(m, a), shapes::cone(m, a, b), shapes::torus(m, a, b), shapes::rectangle_lamina(m, [a, b]),
@@ -102,7 +102,7 @@ proptest! {
                 let omega = vector(axis);
                 let _ = (inertia.angular_momentum(omega), inertia.rotational_energy(omega), inertia.second_moments());
                 let _ = (inertia.moment_about(omega), inertia.angle_between_l_and_omega(omega));
-                let _ = (inertia.shifted_from_center(e[7], omega), inertia.torque_in_linear_field(&full));
+                let _ = inertia.torque_in_linear_field(&full);
                 if let Ok(mean) = inertia.averaged_over_rotations(omega, order) {
                     prop_assert!(mean.matrix().iter().all(|x| x.is_finite()));
                 }

@@ -40,7 +40,7 @@ mod yo_yo;
 
 pub use body::shape_keys;
 pub use keys::KeyRow;
-pub use reader::{Mistake, Mistakes, Open, meant};
+pub use reader::{Mistakes, Open, meant};
 pub use run::telling;
 
 use toml::de::{DeTable, DeValue};

@@ -11,7 +11,7 @@ use super::keys::{Key, KeyRow};
 
 /// What is wrong with a file: in one line the file, the line, the key, and what was expected.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mistake {
+pub(crate) struct Mistake {
     /// The file's name.
     pub file: String,
     /// The line, counted from 1; none where there is nothing to point at.
@@ -32,13 +32,6 @@ impl Display for Mistake {
 /// All that is wrong with a file, a line each, in the order of its lines.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mistakes(Vec<Mistake>);
-
-impl Mistakes {
-    /// One after the other; there is at least one.
-    pub fn iter(&self) -> impl Iterator<Item = &Mistake> {
-        self.0.iter()
-    }
-}
 
 impl Display for Mistakes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

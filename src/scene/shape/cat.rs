@@ -188,7 +188,7 @@ impl Cat {
         let pace =
             |s: &CatState| s.omega.norm() + s.bend.angle_rate.abs() + s.bend.direction_rate.abs();
         let fastest = states.iter().map(pace).fold(0.0, f64::max);
-        let moments: f64 = self.body.halves().iter().map(|half| half.transverse).sum();
+        let moments: f64 = self.body.halves.iter().map(|half| half.transverse).sum();
         let l = self.angular_momentum;
         let scale = (moments * fastest).max(l.norm());
         let scale = if scale > 0.0 { scale } else { 1.0 };
@@ -218,7 +218,7 @@ impl Flow<4> for Cat {
     }
 
     fn pace(&self) -> f64 {
-        let least = (self.body.halves().iter()).map(|half| half.axial.min(half.transverse));
+        let least = (self.body.halves.iter()).map(|half| half.axial.min(half.transverse));
         let turning = self.angular_momentum.norm() / least.sum::<f64>();
         turning + self.turnover.map_or(0.0, |path| path.greatest_rate())
     }

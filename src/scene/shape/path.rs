@@ -17,7 +17,7 @@ pub enum Pace {
 
 impl Pace {
     /// Value, rate and acceleration after a fraction `u` of the stroke.
-    pub fn at(self, u: f64) -> [f64; 3] {
+    pub(crate) fn at(self, u: f64) -> [f64; 3] {
         let u = u.clamp(0.0, 1.0);
         match self {
             Self::Even => even(u),
@@ -78,15 +78,6 @@ pub struct FourPhases {
 }
 
 impl FourPhases {
-    /// The same body for the closed form.
-    pub fn waist(&self, lower: f64) -> Waist {
-        Waist {
-            upper_arms_out: self.arms_out,
-            upper_arms_in: self.arms_in,
-            lower,
-        }
-    }
-
     fn at(&self, since: f64) -> Twist {
         let phase = 4.0 * (since / self.duration);
         let [part, rate, _] = self.pace.at(phase.fract());
@@ -144,7 +135,12 @@ impl Round {
         positive("the duration of a cycle", self.duration())?;
         match &self {
             Self::FourPhases(path) => {
-                path.waist(0.0).swivel_angle(path.twist)?;
+                let waist = Waist {
+                    upper_arms_out: path.arms_out,
+                    upper_arms_in: path.arms_in,
+                    lower: 0.0,
+                };
+                waist.swivel_angle(path.twist)?;
             }
             Self::RoundTrip(path) => {
                 finite("the twist", path.twist)?;

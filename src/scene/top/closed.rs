@@ -18,7 +18,7 @@ use crate::scene::Budget;
     clippy::large_enum_variant,
     reason = "a scene has one of these, and asks it often"
 )]
-pub enum ClosedForm {
+pub(crate) enum ClosedForm {
     /// No torque (6).
     Free(EulerTop),
     /// Gravity on a body that is symmetric about the line from the pivot to its centre of mass (7).
@@ -29,7 +29,7 @@ pub enum ClosedForm {
 
 /// How a solution's axes lie in the body: the turn that takes the body's components to the solution's.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axes {
+pub(crate) struct Axes {
     onto: UnitQuaternion<f64>,
     /// By how many places the axes are exchanged cyclically, if the turn does nothing else.
     shift: Option<usize>,
@@ -146,36 +146,6 @@ impl ClosedForm {
             }
         }
         Ok(())
-    }
-
-    /// Attitude and Ω at time t (s).
-    ///
-    /// # Errors
-    /// Those of the solution.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{top::{Body, Start, Top}}};
-    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
-    /// let form = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.closed_form()?.unwrap();
-    /// assert!((form.at(1e6)?.1 - BodyVector::new(0.0, 0.0, 2.0)).norm() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    #[inline]
-    pub fn at(&self, t: f64) -> Result<(Attitude, BodyVector)> {
-        match self {
-            Self::Free(top) => {
-                let state = top.at(t)?;
-                Ok((state.attitude, state.omega))
-            }
-            Self::Lagrange(top, axes) => {
-                let state = top.at(t)?;
-                Ok((axes.attitude(&state.attitude), axes.outward(state.omega)))
-            }
-            Self::Kovalevskaya(top, axes) => {
-                let state = top.at(t)?;
-                Ok((axes.attitude(&state.attitude), axes.outward(state.omega)))
-            }
-        }
     }
 }
 

@@ -171,16 +171,7 @@ impl Top {
     ///
     /// # Errors
     /// Those of the solution.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{effects::AirDrag, top::{Body, Start, Top}}};
-    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
-    /// let free = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?;
-    /// assert!(free.closed_form()?.is_some());
-    /// assert!(free.with(AirDrag::new(1e-6)?)?.closed_form()?.is_none());
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn closed_form(&self) -> Result<Option<ClosedForm>> {
+    pub(crate) fn closed_form(&self) -> Result<Option<ClosedForm>> {
         if self.resisting().next().is_some() {
             return Ok(None);
         }

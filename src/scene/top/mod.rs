@@ -18,7 +18,6 @@ mod ledger;
 mod methods;
 
 pub use body::{Body, Start};
-pub use closed::{Axes, ClosedForm};
 pub use held::{State, Top};
 
 pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
@@ -28,6 +27,7 @@ use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, So
 use crate::error::{Error, Result};
 use crate::integrators::Cost;
 
+use closed::ClosedForm;
 use equations::Turning;
 use ledger::Conserved;
 

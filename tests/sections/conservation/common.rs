@@ -40,7 +40,11 @@ impl Flight {
     }
 
     pub fn at(&self, t: f64) -> Particles {
-        let particles: Vec<_> = MASSES
+        Particles::new(self.particles(t)).unwrap()
+    }
+
+    pub fn particles(&self, t: f64) -> Vec<Particle> {
+        MASSES
             .iter()
             .zip(&self.start)
             .map(|(&mass, &(x, v, a))| Particle {
@@ -48,8 +52,7 @@ impl Flight {
                 position: x + t * v + (0.5 * t * t) * a,
                 velocity: v + t * a,
             })
-            .collect();
-        Particles::new(particles).unwrap()
+            .collect()
     }
 
     /// Force and torque about `point` now: what makes the particles accelerate as they do.

@@ -116,7 +116,7 @@ fn the_three_ways_to_a_parameter_agree() -> Result<()> {
         Parameter::from_parameter(0.36)?,
         Parameter::from_complement(0.64)?,
         Parameter::from_modulus(0.6)?,
-        Parameter::new(0.64, 0.36)?.exchanged(),
+        Parameter::new(0.36, 0.64)?,
     ];
     for way in ways {
         assert!((complete_first(way)? - complete_first(ways[0])?).abs() <= 2.0 * f64::EPSILON);

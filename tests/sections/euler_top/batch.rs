@@ -1,10 +1,8 @@
 //! Many states at once (6.6, 6.8): those of one call at a time to the last bit, in whatever order and however many. That they are right, the
 //! table of 32 digits says in `tests/hard_cases/free_top.rs`.
 
-use spinning_bodies::euler_top::{Ensemble, EulerTop, Regime, State};
+use spinning_bodies::euler_top::{EulerTop, Regime, State};
 use support::{Uniform, refused, vector};
-
-use super::common::random_start;
 
 /// One body of each kind, and one whose axes are numbered the other way round.
 fn tops() -> Vec<EulerTop> {
@@ -53,39 +51,13 @@ fn s6_6_many_times_at_once() {
 }
 
 #[test]
-fn s6_6_many_bodies_at_once() {
-    let mut numbers = Uniform(67);
-    let mut bodies = tops();
-    for _ in 0..200 {
-        let (moments, omega) = random_start(&mut numbers);
-        bodies.push(EulerTop::from_omega(moments, vector(omega), numbers.attitude()).unwrap());
-    }
-    for count in [0, 1, 7, 8, 9, 10, bodies.len()] {
-        let ensemble = Ensemble::new(bodies[..count].to_vec());
-        let mut states = vec![State::default(); count];
-        for t in [0.0, 12.25, -1e4, 1e9] {
-            ensemble.states_at(t, &mut states).unwrap();
-            for (top, state) in ensemble.tops().iter().zip(&states) {
-                assert_eq!(top.at(t).unwrap(), *state);
-            }
-        }
-    }
-}
-
-#[test]
 fn s6_6_what_a_batch_refuses() {
     for top in tops() {
         let mut states = [State::default(); 3];
         refused!(top.states_at(&[0.0, 1.0], &mut states), Condition);
         for t in [f64::NAN, f64::INFINITY] {
             refused!(top.states_at(&[0.0, t, 1.0], &mut states), NotFinite);
-            refused!(
-                Ensemble::new(vec![top; 3]).states_at(t, &mut states),
-                NotFinite
-            );
         }
-        let ensemble = Ensemble::new(vec![top]);
-        refused!(ensemble.states_at(0.0, &mut states), Condition);
     }
     let top = tops()[0];
     let mut states = [State::default(); 2];

@@ -150,7 +150,7 @@ fn s6_5_earth() {
         0.0..=4.5e-16
     );
     assert_relative_eq!(
-        1.0 / (earth::TUTORIAL_AXIAL_OVER_TRANSVERSE - 1.0),
+        1.0 / (301.0 / 300.0 - 1.0),
         earth::RIGID_TUTORIAL_PERIOD,
         max_relative = 3e-14, // the rounded quotient loses two digits, the two moments none
         epsilon = 0.0

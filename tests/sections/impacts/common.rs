@@ -95,13 +95,13 @@ pub fn balances(
 
 /// Both balances, inserted: (momentum, angular momentum about the point where C is at impact), after minus before.
 pub fn defects(hit: &Strike) -> (V, V) {
-    let (planet, meteorite, x) = (hit.planet(), hit.meteorite(), hit.at());
-    let ground = hit.velocity_after() + hit.omega_after().cross(&x);
-    let (m, v) = (meteorite.mass(), meteorite.velocity());
-    let momentum = planet.mass() * (hit.velocity_after() - planet.velocity()) + m * (ground - v);
+    let (planet, meteorite, x) = (hit.planet, hit.meteorite, hit.at);
+    let ground = hit.velocity_after + hit.omega_after.cross(&x);
+    let (m, v) = (meteorite.mass, meteorite.velocity);
+    let momentum = planet.mass * (hit.velocity_after - planet.velocity) + m * (ground - v);
     let spin = planet
-        .inertia()
-        .angular_momentum(hit.omega_after() - planet.omega());
+        .inertia
+        .angular_momentum(hit.omega_after - planet.omega);
     (momentum, spin + x.cross(&(m * (ground - v))))
 }
 

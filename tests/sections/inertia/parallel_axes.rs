@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{InertiaMatrix, principal_axes_of, shapes};
+use spinning_bodies::inertia::{InertiaMatrix, MassProperties, principal_axes_of, shapes};
 use support::inertia::assert_inertia;
 use support::{close, rational, vector};
 
@@ -13,7 +13,7 @@ use super::common::{EPS, MASSES, POSITIONS, four_masses};
 fn s2_8_parallel_axes() -> Result<()> {
     // claim: C2.8-1
     let body = four_masses()?;
-    let shifted = body.inertia().shifted_from_center(10.0, body.center())?;
+    let shifted = body.about(vector([0.0; 3]))?;
     let expected = Matrix3::new(13.0, -4.0, -4.0, -4.0, 12.0, -4.0, -4.0, -4.0, 11.0);
     assert!((shifted.matrix() - expected).amax() <= 4.0 * EPS * 13.0);
     // In rationals: the diagonal entry 9/2 + 10(36 + 49)/100 = 13.
@@ -34,7 +34,9 @@ fn s2_8_parallel_axes() -> Result<()> {
         })
         .sum::<Result<Matrix3<f64>>>()?;
     assert!((right - direct).amax() <= 8.0 * EPS * 13.0);
-    let wrong = shifted.shifted_from_center(10.0, point)?.matrix();
+    let wrong = MassProperties::new(10.0, point, shifted)?
+        .about(vector([0.0; 3]))?
+        .matrix();
     assert!((wrong - right).amax() > 1.0);
     Ok(())
 }

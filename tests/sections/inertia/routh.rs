@@ -175,7 +175,6 @@ fn s2_7_where_routh_fails() -> Result<()> {
     // claim: C2.7-8
     use routh::Form::{Cone, CylinderAboutItsAxis, CylinderAcross, Hollow, Triangle};
     for form in [Cone, CylinderAcross, Hollow, Triangle] {
-        assert_eq!(form.denominator(), None);
         refused!(routh::moment(1.0, form, [1.0, 1.0]), RouthDoesNotApply);
     }
     let cylinder = shapes::cylinder(1.0, 1.0, 2.0)?.inertia().matrix();

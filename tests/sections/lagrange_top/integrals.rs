@@ -167,9 +167,14 @@ fn s7_2_any_integrals_are_kept() {
         let left = energy - 0.5 * l3 * l3 / i3;
         let size = left.abs() + weight.abs() + (vertical.abs() + l3.abs()).powi(2) / i1;
         let start = at(&top, 0.0);
-        let angles = start.angles();
-        let tilt = top.turning_angles();
-        let lowest = tilt[if weight < 0.0 { 0 } else { 1 }];
+        let angles = start.attitude.euler_angles();
+        let roots = top.roots();
+        let (less, more) = if weight < 0.0 {
+            (roots.one_more[0], roots.one_less[0])
+        } else {
+            (roots.one_less[0], roots.one_more[0])
+        };
+        let lowest = 2.0 * less.sqrt().atan2(more.sqrt());
         observed!((angles.theta - lowest).abs(), 1e-16..=2e-15);
         within(
             wrapped(angles.phi).abs() + wrapped(angles.psi).abs(),

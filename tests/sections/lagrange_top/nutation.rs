@@ -266,14 +266,9 @@ fn s7_1_angles_are_those_of_the_attitude() {
             let start = Attitude::about_axis(x, tilt).unwrap();
             let top =
                 LagrangeTop::new(1.0, 0.5, pull, BodyVector::new(0.2, 0.1, 5.0), start).unwrap();
-            let [least, most] = top.turning_angles();
             for i in 0..40 {
                 let state = top.at(0.37 * f64::from(i)).unwrap();
-                let angles = state.angles();
-                assert!(
-                    least - 1e-14 <= angles.theta && angles.theta <= most + 1e-14,
-                    "{tilt}"
-                );
+                let angles = state.attitude.euler_angles();
                 let turns = [(z, angles.phi), (x, angles.theta), (z, angles.psi)];
                 let turns = turns.map(|(axis, angle)| Attitude::about_axis(axis, angle).unwrap());
                 let [phi, theta, psi] = turns.map(|turn| turn.quaternion());

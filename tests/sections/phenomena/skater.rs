@@ -6,9 +6,10 @@ use spinning_bodies::conservation::{Law, Ledger};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::phenomena::{Skater, quadrature};
+use spinning_bodies::phenomena::Skater;
 use spinning_bodies::scene::effects::{Draw, Pace};
 use spinning_bodies::scene::{Request, Scene, shape};
+use support::inertia::integral;
 use support::{observed, relative};
 
 // claim: C1.1-10
@@ -45,7 +46,7 @@ fn s1_1_the_skater_and_the_work_of_the_arms() {
     // The arms alone: ∫ 2mΩ²r dr.
     let l = 9.0;
     let pull = |r: f64| -2.0 * 0.25 * body.spin(l, r).powi(2) * r;
-    let work = quadrature::integral(pull, 1.0, 0.4, 0.0).unwrap();
+    let work = integral(pull, 1.0, 0.4);
     observed!(relative(work, 10.5), 0.0..=1e-14);
 
     // A grown skater: 3.5 to 1 kg m², from two turns a second.
@@ -89,28 +90,4 @@ fn s1_4_a_top_need_not_be_symmetric() {
             .unwrap();
     }
     assert!(ledger.is_kept_within(1e-14).unwrap(), "{ledger}");
-}
-
-#[test]
-fn a_quadrature_ends() {
-    use spinning_bodies::Error;
-    // Sixteen thousand million waves need ten times as many evaluations: the error tells how far a million came.
-    let refused = quadrature::integral(f64::sin, 0.0, 1e11, 0.0);
-    let Err(Error::OutOfRange {
-        value, greatest, ..
-    }) = refused
-    else {
-        panic!("{refused:?}");
-    };
-    assert!(
-        value == 1e11 && (1e4..1e7).contains(&greatest),
-        "{greatest}"
-    );
-    // A thousand waves are within it.
-    let waves = quadrature::integral(f64::sin, 0.0, 6000.0, 0.0).unwrap();
-    observed!(
-        (waves - (1.0 - 6000f64.cos())).abs(),
-        3e-14..=4e-12,
-        "{waves}"
-    );
 }

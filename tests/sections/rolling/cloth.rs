@@ -1,17 +1,13 @@
 //! Paragraph 4.3 after the cue: from sliding to rolling to rest, in closed forms from event to event, against a general integrator.
 
-use std::f64::consts::FRAC_PI_2;
-
 use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
 use proptest::prelude::*;
 use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
 use spinning_bodies::rolling::{
     Coulomb, Course, Happening, InPlane, Load, Moment, RollingResistance, RoundBody, factor,
-    painleve_friction,
 };
 use spinning_bodies::scene::{Choice, Geometric, Request, Roller, Scene, Solver};
-use support::double_double::Dd;
 use support::{observed, refused};
 
 const G: f64 = 9.81;
@@ -210,9 +206,7 @@ fn s4_3_masse_shots_are_parabolas() {
         rim_velocity: [-1.5, 3.0],
     };
     let slide = ball().slide_in_plane(start, 0.2, G).unwrap();
-    let times: Vec<f64> = (1..=50)
-        .map(|k| slide.time() * f64::from(k) / 51.0)
-        .collect();
+    let times: Vec<f64> = (1..=50).map(|k| slide.time * f64::from(k) / 51.0).collect();
     let mut worst = 0.0_f64;
     for (&t, y) in times.iter().zip(brute(start, 0.2, 0.4, &times)) {
         let (place, motion) = slide.at(t);
@@ -228,14 +222,14 @@ fn s4_3_masse_shots_are_parabolas() {
     println!("masse: {worst:e}");
     // Observed: 3e-14.
     observed!(worst, 4e-16..=5e-14, "{worst:e}");
-    let end = slide.at(slide.time()).1;
-    let just_before = slide.at(slide.time() * (1.0 - 1e-12)).1;
+    let end = slide.at(slide.time).1;
+    let just_before = slide.at(slide.time * (1.0 - 1e-12)).1;
     for i in 0..2 {
         observed!(
             (end.velocity[i] - just_before.velocity[i]).abs(),
             9e-14..=1e-11
         );
-        assert_eq!(end.velocity[i], slide.rolling()[i]);
+        assert_eq!(end.velocity[i], slide.rolling[i]);
     }
     // On the line of the shot it is the planar slide.
     let straight = InPlane {
@@ -244,8 +238,8 @@ fn s4_3_masse_shots_are_parabolas() {
     };
     let planar = ball().slide_to_roll(2.0, 0.0, 0.2, G).unwrap();
     let slide = ball().slide_in_plane(straight, 0.2, G).unwrap();
-    assert_relative_eq!(slide.time(), planar.time, max_relative = 1e-15);
-    let (place, _) = slide.at(slide.time());
+    assert_relative_eq!(slide.time, planar.time, max_relative = 1e-15);
+    let (place, _) = slide.at(slide.time);
     assert_relative_eq!(place[0], planar.distance, max_relative = 1e-15);
 }
 
@@ -263,34 +257,4 @@ fn cloth_refuses_what_is_no_motion() {
         let run = Course::new(kappa, Load::weight(g), (None, None, None), start, 1.0);
         refused!(run, NotPositive);
     }
-}
-
-/// Painlevé's rod at the very angle given, its sine and cosine by their series in 106 bits.
-#[test]
-fn the_friction_that_jams_a_sliding_rod() {
-    let sine_cosine = |x: f64| {
-        let (mut term, mut sums) = (Dd::from(1.0), [Dd::from(1.0), Dd::from(0.0)]);
-        for n in 1..50_usize {
-            term = term * Dd::from(x) / Dd::from(n as f64);
-            let signed = if n % 4 < 2 { term } else { -term };
-            sums[n % 2] = sums[n % 2] + signed;
-        }
-        sums
-    };
-    for kappa in [0.01, 1.0 / 3.0, 1.0, 40.0] {
-        let least = 2.0 * f64::sqrt(kappa * (1.0 + kappa));
-        for tilt in (1..500).map(|k| FRAC_PI_2 * f64::from(k) / 500.0) {
-            let [cosine, sine] = sine_cosine(tilt);
-            let exact = (Dd::from(kappa) + cosine * cosine) / (sine * cosine);
-            let found = painleve_friction(kappa, tilt).unwrap();
-            let off = (Dd::from(found) - exact) / exact;
-            observed!(
-                off.value().abs() / f64::EPSILON,
-                1.0..=2.0,
-                "{kappa} {tilt}"
-            );
-            assert!(found > least * (1.0 - 1e-15), "{kappa} {tilt}");
-        }
-    }
-    assert_eq!(painleve_friction(1.0, 0.0), Ok(f64::INFINITY));
 }

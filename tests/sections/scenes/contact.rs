@@ -30,8 +30,11 @@ fn end(scene: &TableTop, t: f64, accuracy: f64) -> State {
 }
 
 fn skew() -> TableTop {
-    let start = Start::about_vertical(0.4, 0.3, 60.0).unwrap();
-    TableTop::new(bodies::chiral_top().unwrap(), start)
+    TableTop::new(bodies::chiral_top().unwrap(), tilted())
+}
+
+fn tilted() -> Start {
+    Start::about_vertical(0.4, 0.3, 60.0).unwrap()
 }
 
 /// A homogeneous ball, K = C.
@@ -77,7 +80,7 @@ fn a_ball_without_friction_does_not_feel_gravity() {
     // K = C: the reaction has no moment. To the accuracy asked for.
     let inertia = Matrix3::new(0.4, 0.02, 0.01, 0.02, 0.35, 0.03, 0.01, 0.03, 0.45);
     let body = bodies::eccentric_ball(1.0, 0.03, 0.0, inertia).unwrap();
-    let start = Start::spinning(skew().start().attitude, BodyVector::new(3.0, 4.0, 5.0)).unwrap();
+    let start = Start::spinning(tilted().attitude, BodyVector::new(3.0, 4.0, 5.0)).unwrap();
     let scene = TableTop::new(body, start);
     let (free, heavy) = (
         end(&scene, 3.0, 1e-10),
@@ -154,7 +157,7 @@ fn energy_lost_is_what_the_contact_has_taken() -> Result<()> {
 #[test]
 fn a_struck_ball_slides_until_it_rolls() {
     // The billiard shot of 4.3: the transition is an event, and where it lies is known in closed form.
-    let mut start = Start::spinning(skew().start().attitude, BodyVector::zero()).unwrap();
+    let mut start = Start::spinning(tilted().attitude, BodyVector::zero()).unwrap();
     start.velocity = SpaceVector::new(0.7, 0.0, 0.0);
     let scene = TableTop::new(ball(), start)
         .with(gravity())
@@ -213,7 +216,7 @@ fn rolling_becomes_sliding_where_the_cone_ends() {
 #[test]
 fn resistance_stops_a_rolling_ball_exponentially() {
     // (I + M R²) dΩ/dt = −M g a Ω.
-    let start = Start::spinning(skew().start().attitude, BodyVector::zero()).unwrap();
+    let start = Start::spinning(tilted().attitude, BodyVector::zero()).unwrap();
     let omega = start.attitude.to_body(SpaceVector::new(0.0, 20.0, 0.0));
     let start = Start::spinning(start.attitude, omega).unwrap();
     let a = 1e-4;

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use spinning_bodies::frame::{Attitude, SpaceVector};
 use spinning_bodies::integrators::Method;
-use spinning_bodies::phenomena::{Cat, Crawler, Half, PaperCat, Skater, Strokes};
+use spinning_bodies::phenomena::{Cat, Crawler, Half, PaperCat, Skater, Strokes, Waist};
 use spinning_bodies::scene::effects::{
     Air, BearingFriction, Coulomb, Draw, FourPhases, Gravity, Pace, Turnover,
 };
@@ -97,7 +97,12 @@ fn viscous_friction_undoes_the_swivel() {
     let asked = Request::at([6.0]).unwrap();
     let stiff = shape::Swivel::new(0.6, 2.0).unwrap();
     let free = swivel().simulate(&asked).unwrap().rows[0].1;
-    let net = 3.0 * PHASES.waist(0.6).swivel_angle(FRAC_PI_2).unwrap();
+    let waist = Waist {
+        upper_arms_out: PHASES.arms_out,
+        upper_arms_in: PHASES.arms_in,
+        lower: 0.6,
+    };
+    let net = 3.0 * waist.swivel_angle(FRAC_PI_2).unwrap();
     assert!((free.lower - net).abs() < 1e-14);
     let friction = BearingFriction::new(0.1).unwrap();
     let rubbed = swivel().with(friction).unwrap();
@@ -163,14 +168,15 @@ fn a_skater_without_effects_spins_evenly_and_friction_matters() -> Result<()> {
     Ok(())
 }
 
+const HALF: Half = Half {
+    mass: 1.5,
+    axial: 0.004,
+    transverse: 0.016,
+    to_joint: 0.12,
+};
+
 fn cat_body() -> Cat {
-    let half = Half {
-        mass: 1.5,
-        axial: 0.004,
-        transverse: 0.016,
-        to_joint: 0.12,
-    };
-    Cat::new([half, half]).unwrap()
+    Cat::new([HALF; 2]).unwrap()
 }
 
 const OVER: Turnover = Turnover {
@@ -251,12 +257,11 @@ fn a_rigid_cat_does_not_turn_and_one_with_angular_momentum_does() -> Result<()> 
     let motion = both.simulate(&asked)?;
     assert!(motion.ledger.is_kept_within(1e-13)?, "{}", motion.ledger);
     // Unequal halves have no closed form: `exact` is refused, by name.
-    let [half, _] = *cat_body().halves();
     let unequal = Cat::new([
-        half,
+        HALF,
         Half {
             axial: 0.005,
-            ..half
+            ..HALF
         },
     ])?;
     let unequal = shape::Cat::new(unequal, start).with(OVER)?;
@@ -368,7 +373,7 @@ fn what_cannot_be_simulated_is_refused() {
     );
     let half = Half {
         axial: 0.04,
-        ..cat_body().halves()[0]
+        ..HALF
     };
     refused!(Cat::new([half, half]), TriangleInequality);
     assert!(

@@ -1,9 +1,14 @@
 //! One bounce: the balances, the two solutions, the matrices.
 
-use spinning_bodies::superball::{Motion, Surface, bounce, bounce_matrix, friction_impulse};
+use spinning_bodies::superball::{Motion, Surface, bounce, bounce_matrix};
 
 use super::common::{determinant, exact, kappas, thrown, times};
 use support::{R, rational};
+
+/// −2κu/(1+κ): what friction gives, per mass.
+fn rubbed(before: Motion<R>, surface: Surface, kappa: R) -> R {
+    -rational(2, 1) * before.contact_speed(surface) * kappa / (rational(1, 1) + kappa)
+}
 
 fn apply(a: [[R; 2]; 2], m: Motion<R>) -> Motion<R> {
     exact(
@@ -34,7 +39,7 @@ fn s4_6_balances_and_reversed_contact_speed() {
             ] {
                 let after = bounce(before, surface, kappa);
                 // Per mass: V' − V = F, κ(RΩ' − RΩ) = ∓F; the ceiling has the other sign, R → −R.
-                let impulse = friction_impulse(before, surface, kappa);
+                let impulse = rubbed(before, surface, kappa);
                 assert_eq!(after.velocity - before.velocity, impulse);
                 assert_eq!(
                     kappa * (after.rim_speed - before.rim_speed),
@@ -67,7 +72,7 @@ fn s4_6_exactly_two_solutions() {
         assert_ne!(quadratic, rational(0, 1));
         let other = -linear / quadratic;
         assert_eq!(gain(other), rational(0, 1));
-        assert_eq!(other, friction_impulse(before, Surface::Floor, kappa));
+        assert_eq!(other, rubbed(before, Surface::Floor, kappa));
         // A ball that already rolls has only one solution.
         let rolling = exact(rational(5, 7), rational(5, 7));
         assert_eq!(bounce(rolling, Surface::Floor, kappa), rolling);

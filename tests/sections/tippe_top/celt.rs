@@ -17,7 +17,7 @@ fn s4_7_celt_ended_tops() {
     // claim: C4.7-14
     let unit = (G / 0.02).sqrt();
     let first = bodies::celt_ended_top_1().unwrap();
-    let second = bodies::celt_ended_top_2().unwrap();
+    let second = bodies::celt_ended_top(0.265, [0.261, 0.507, 0.406], 0.845, 0.129).unwrap();
     for (sense, growth) in [(1.0, 0.1007), (-1.0, 0.1007)] {
         // Rolling is reversible: the spectra of the two senses are opposite.
         let rates = rolling_growth_rates(&first, G, sense * 102.4).unwrap();

@@ -14,7 +14,19 @@ use super::common::{G, degrees, last, most, regularised, run};
 const SPIN: f64 = 132.9;
 
 fn scene(body: ConvexBody, mu: f64, spin: f64) -> TableTop {
-    let start = Start::about_vertical(3f64.to_radians(), 0.0, spin).unwrap();
+    on_table(body, leaning(spin), mu)
+}
+
+/// What `scene` is in a mirror.
+fn mirrored(body: ConvexBody, mu: f64, spin: f64) -> TableTop {
+    on_table(body.mirrored(), leaning(spin).mirrored(), mu)
+}
+
+fn leaning(spin: f64) -> Start {
+    Start::about_vertical(3f64.to_radians(), 0.0, spin).unwrap()
+}
+
+fn on_table(body: ConvexBody, start: Start, mu: f64) -> TableTop {
     TableTop::new(body, start)
         .with(Gravity::new(G).unwrap())
         .unwrap()
@@ -160,7 +172,7 @@ fn s4_7_chiral_top_turns_over_one_way_only() {
                 1e-3..=0.02
             );
             // The mirror image does the same with the senses exchanged.
-            let image = run(&scene(body, mu, -SPIN).mirrored(), 2.0, 500, 1e-5);
+            let image = run(&mirrored(body, mu, -SPIN), 2.0, 500, 1e-5);
             assert!(image[0].1.spin() > 0.0);
             for (a, b) in turns.iter().zip(&image) {
                 observed!((a.1.tilt() - b.1.tilt()).abs(), 2e-9..=8e-8);

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::columns::{Column, Columns};
-use super::sight::{Look, Sight, Told};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::conservation::Ledger;
 use crate::error::Result;
@@ -31,7 +30,9 @@ pub struct AnyScene {
     columns: Vec<Column>,
     told: Vec<usize>,
     simulation: Box<Simulation>,
-    look: Option<Look>,
+    /// What it looks like.
+    #[cfg(feature = "scene-files")]
+    pub(super) look: Option<super::files::Look>,
 }
 
 impl core::fmt::Debug for AnyScene {
@@ -82,23 +83,9 @@ impl AnyScene {
                 let motion = scene.simulate(request)?;
                 Ok(Table::of(motion, Arc::clone(&tellers), told))
             }),
+            #[cfg(feature = "scene-files")]
             look: None,
         }
-    }
-
-    /// The same with what it looks like.
-    #[must_use]
-    pub(crate) fn looking(self, look: Look) -> Self {
-        Self {
-            look: Some(look),
-            ..self
-        }
-    }
-
-    /// What it looks like at a row of a table, by the numbers that the table tells; nothing for a scene that does not know what it looks like: one from a file does.
-    pub fn sight(&self, columns: &[Column], row: &[f64]) -> Option<Sight> {
-        let look = self.look.as_ref()?;
-        Some(look(&Told { columns, row }))
     }
 
     /// What it can tell: the usual numbers first.

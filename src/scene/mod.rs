@@ -46,7 +46,6 @@ pub use motion::{Motion, Request, balanced};
 pub use plan::{Choice, Geometric, Plan, Solver, UnknownSolver};
 pub use roller::{Roller, Rolling};
 pub use sight::{Around, Sight, Solid};
-pub(crate) use sight::{Look, Told};
 pub use spool::{Spooling, TuggedSpool};
 pub use strip::{Strip, StripStart, StripState};
 pub use superball::{Bouncing, Superball};

@@ -2,8 +2,6 @@
 
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
-use super::columns::Column;
-
 /// A simple solid along axes of its own, lengths in m.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Solid {
@@ -15,18 +13,6 @@ pub enum Solid {
     Cuboid(Vector3<f64>),
     /// A bar from the origin, too thin to hide anything.
     Bar(Vector3<f64>),
-}
-
-impl Solid {
-    /// A ball of this radius, m.
-    pub(crate) fn ball(radius: f64) -> Self {
-        Self::Ellipsoid(Matrix3::identity() * radius)
-    }
-
-    /// A wheel or a cylinder of this radius and width (m) about the third axis.
-    pub(crate) fn wheel(radius: f64, width: f64) -> Self {
-        Self::Turned([-0.5, 0.5].map(|half| [half * width, radius]).into())
-    }
 }
 
 /// What stands still in space beside the body.
@@ -62,26 +48,3 @@ pub struct Sight {
     /// Angular momentum L, if it is told.
     pub angular_momentum: Option<Vector3<f64>>,
 }
-
-/// The numbers of a row by their names.
-#[derive(Debug)]
-pub(crate) struct Told<'a> {
-    pub(super) columns: &'a [Column],
-    pub(super) row: &'a [f64],
-}
-
-impl Told<'_> {
-    /// The number of this name, if it is told.
-    pub(crate) fn number(&self, name: &str) -> Option<f64> {
-        let place = self.columns.iter().position(|column| column.name == name)?;
-        self.row.get(place).copied()
-    }
-
-    /// The numbers of these names; 0 for what is not told.
-    pub(crate) fn vector<const N: usize>(&self, names: [&str; N]) -> [f64; N] {
-        names.map(|name| self.number(name).unwrap_or(0.0))
-    }
-}
-
-/// What a scene looks like, from the numbers that it tells.
-pub(crate) type Look = Box<dyn Fn(&Told<'_>) -> Sight + Send + Sync>;

@@ -23,7 +23,7 @@ fn withdrawn(kappa: f64, speeds: &SheetSpeeds, margin: f64, [sheet, table]: [f64
     let sheet = Sheet::new(friction(sheet), speeds.clone(), margin).unwrap();
     let effects = (Some(friction(table)), None, Some(&sheet));
     let mut start = Moment::at_rest();
-    start.slip = -speeds.at(0.0);
+    start.slip = -speeds.at(-1.0);
     Course::new(kappa, Load::weight(G), effects, start, 1e3).unwrap()
 }
 

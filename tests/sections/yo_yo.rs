@@ -227,8 +227,7 @@ fn s4_9_the_hand_that_rises_in_the_turn() {
     let turn = Turn::new(toy, G, omega).unwrap();
     for lift in [1e-3, 0.01] {
         let speed = 0.5 * omega * lift;
-        // n = m g r/(I + m r²).
-        let pull = 20.0 * G / (toy.axle() * (1.0 + toy.inertia_factor()));
+        let pull = G / (toy.axle() * (1.0 + toy.inertia_factor()));
         let r = toy.axle();
         let (mass, inertia) = (toy.mass(), 0.5 * toy.mass() * 0.029 * 0.029);
         // α, α', height of the end, work of the tension on it.

@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
 
 use super::keys::Bound::{From, NotNegative, Positive};
-use super::look::{Outline, about, free, still};
+use super::look::{Look, Outline, about, free, still};
 use super::reader::Reader;
 use super::values::{Flat, keys, section};
 use super::{listed, with};
@@ -17,7 +17,7 @@ use crate::scene::effects::{
     Air, BearingFriction, Coulomb, Draw, FourPhases, Gravity, Pace, Turnover,
 };
 use crate::scene::shape::{Cat, Crawler, PaperCat, Skater, Swivel};
-use crate::scene::{Around, Look, Sight, Solid};
+use crate::scene::{Around, Sight, Solid};
 
 section! {
     /// `[body]` of a swivel.

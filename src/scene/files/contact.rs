@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::body::{Matter, Round, inertia_factor};
 use super::keys::Bound::{From, NotNegative, Positive};
-use super::look::{Outline, free, rolling};
+use super::look::{Look, Outline, free, rolling};
 use super::reader::Reader;
 use super::values::{Flat, section};
 use super::{listed, with};
@@ -12,7 +12,7 @@ use crate::frame::BodyVector;
 use crate::impacts::{Impact, Meteorite, Planet};
 use crate::rolling::{RoundBody, SheetSpeeds, Spool};
 use crate::scene::effects::{Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug};
-use crate::scene::{Around, Look, Roller, Sight, Solid, StruckPlanet, Superball, TuggedSpool};
+use crate::scene::{Around, Roller, Sight, Solid, StruckPlanet, Superball, TuggedSpool};
 use crate::superball::{InFlight, Motion};
 
 section! {

@@ -5,9 +5,61 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Isometry3, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::inertia::principal_axes_of;
-use crate::scene::{Around, Look, Sight, Solid, Told};
+use crate::scene::{AnyScene, Around, Column, Sight, Solid};
 
 type Vector = Vector3<f64>;
+
+/// The numbers of a row by their names.
+#[derive(Debug)]
+pub(in crate::scene) struct Told<'a> {
+    columns: &'a [Column],
+    row: &'a [f64],
+}
+
+impl Told<'_> {
+    /// The number of this name, if it is told.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        let place = self.columns.iter().position(|column| column.name == name)?;
+        self.row.get(place).copied()
+    }
+
+    /// The numbers of these names; 0 for what is not told.
+    pub fn vector<const N: usize>(&self, names: [&str; N]) -> [f64; N] {
+        names.map(|name| self.number(name).unwrap_or(0.0))
+    }
+}
+
+/// What a scene looks like, from the numbers that it tells.
+pub(in crate::scene) type Look = Box<dyn Fn(&Told<'_>) -> Sight + Send + Sync>;
+
+impl AnyScene {
+    /// The same with what it looks like.
+    #[must_use]
+    pub(super) fn looking(mut self, look: Look) -> Self {
+        self.look = Some(look);
+        self
+    }
+
+    /// What it looks like at a row of a table, by the numbers that the table tells. Only a scene from a file knows.
+    ///
+    /// Nothing for any other.
+    pub fn sight(&self, columns: &[Column], row: &[f64]) -> Option<Sight> {
+        let look = self.look.as_ref()?;
+        Some(look(&Told { columns, row }))
+    }
+}
+
+impl Solid {
+    /// A ball of this radius, m.
+    pub(super) fn ball(radius: f64) -> Self {
+        Self::Ellipsoid(Matrix3::identity() * radius)
+    }
+
+    /// A wheel or a cylinder of this radius and width (m) about the third axis.
+    pub(super) fn wheel(radius: f64, width: f64) -> Self {
+        Self::Turned([-0.5, 0.5].map(|half| [half * width, radius]).into())
+    }
+}
 
 /// A body along its axes: solids, each with the place of its origin.
 #[derive(Debug, Clone)]

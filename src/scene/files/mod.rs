@@ -40,13 +40,13 @@ mod yo_yo;
 
 pub use body::shape_keys;
 pub use keys::KeyRow;
+pub(in crate::scene) use look::Look;
 pub use reader::{Mistakes, Open, meant};
 pub use run::telling;
 
 use toml::de::{DeTable, DeValue};
 
 use super::effects::Effect;
-use super::sight::Look;
 use super::{AnyScene, Request, Scene};
 use keys::Key;
 use reader::{Reader, Section, Table, Value, find};

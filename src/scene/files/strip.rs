@@ -3,13 +3,13 @@
 use nalgebra::Vector3;
 
 use super::keys::Bound::{NotNegative, Positive};
-use super::look::{Outline, about};
+use super::look::{Look, Outline, about};
 use super::reader::Reader;
 use super::values::{keys, section};
 use super::{listed, with};
 use crate::falling_strip::Plate;
 use crate::scene::effects::{AddedMass, Drag, Gravity, Lift, RotationalDamping};
-use crate::scene::{Around, Look, Sight, Solid, Strip, StripStart};
+use crate::scene::{Around, Sight, Solid, Strip, StripStart};
 
 section! {
     /// `[body]`.

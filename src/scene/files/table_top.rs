@@ -4,14 +4,14 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::body::{Matter, Shapeless};
 use super::keys::Bound::{NotNegative, Positive};
-use super::look::{Outline, about, free};
+use super::look::{Look, Outline, about, free};
 use super::reader::Reader;
 use super::values::{Flat, Word, section};
 use super::{listed, with};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::scene::contact::TableTop;
 use crate::scene::effects::{Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous};
-use crate::scene::{Around, Look, Solid};
+use crate::scene::{Around, Solid};
 use crate::tippe_top::{ConvexBody, Start, Surface};
 
 section! {

@@ -1,15 +1,15 @@
 //! `kind = "top"`, or no kind: a body with a fixed point.
 
 use super::body::{Inertia, Matter};
-use super::look::{Outline, free};
+use super::look::{Look, Outline, free};
 use super::reader::Reader;
 use super::values::{Flat, section};
 use super::{listed, with};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::InertiaMatrix;
+use crate::scene::Around;
 use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 use crate::scene::top::{Body as TopBody, Start, Top};
-use crate::scene::{Around, Look};
 
 section! {
     /// `[body]`.

@@ -1,12 +1,12 @@
 //! `kind = "yo-yo"`: a yo-yo, let go or thrown (4.9).
 
 use super::keys::Bound::{NotNegative, Positive};
-use super::look::{Outline, rolling};
+use super::look::{Look, Outline, rolling};
 use super::reader::Reader;
 use super::values::section;
 use super::{listed, with};
 use crate::scene::effects::{AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss};
-use crate::scene::{Around, Look, Play, Sight, Solid};
+use crate::scene::{Around, Play, Sight, Solid};
 use crate::yo_yo::YoYo;
 
 section! {

@@ -2,6 +2,7 @@
 
 use spinning_bodies::conservation::{Law, Ledger};
 use spinning_bodies::phenomena::Waist;
+use support::double_double::Dd;
 use support::{observed, relative};
 
 // claim: C3.5-3, C1.1-3
@@ -18,7 +19,7 @@ fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
 
     // At zero angular momentum, A(β' + ψ') + Bβ' = 0: integrate the four phases at an uneven pace, arms moving in
     // phases two and four, when nothing turns. Midpoint rule in a pace s(u) = u³; the turn is linear in ψ: exact.
-    let mut beta = 0.0;
+    let mut beta = Dd::ZERO;
     let mut l = Ledger::new();
     let none = l
         .open_scaled("angular momentum", Law::Conserved, 0.0, 1.0)
@@ -29,17 +30,17 @@ fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
         for i in 0..steps {
             let twist = psi(i + 1) - psi(i);
             let lower = -upper * twist / (upper + 1.0);
-            beta += lower;
+            beta = beta + Dd::from(lower);
             l.record(none, upper * (lower + twist) + lower).unwrap();
         }
         if upper == 3.0 {
             observed!(
-                relative(beta, -3.0 * std::f64::consts::FRAC_PI_8),
+                relative(beta.value(), -3.0 * std::f64::consts::FRAC_PI_8),
                 0.0..=1e-15
             );
         }
     }
-    observed!(relative(beta, turn), 0.0..=2e-15);
+    observed!(relative(beta.value(), turn), 0.0..=2e-15);
     assert!(l.is_kept_within(1e-17).unwrap(), "{l}");
     for (still, twist) in [
         (

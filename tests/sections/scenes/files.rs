@@ -8,7 +8,7 @@ const RACKET: &str = "[body]\nmoments = [1.0, 2.0, 3.0]\n[initial]\nomega = [0.0
 fn mistakes(text: &str) -> Vec<String> {
     match parse("mine.toml", text) {
         Ok(_) => Vec::new(),
-        Err(mistakes) => mistakes.iter().map(ToString::to_string).collect(),
+        Err(mistakes) => mistakes.to_string().lines().map(str::to_owned).collect(),
     }
 }
 

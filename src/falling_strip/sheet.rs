@@ -147,6 +147,14 @@ impl Sheet {
 ///
 /// # Errors
 /// [`Error::Condition`] if the ends do not bracket the transition; as [`Fall::long_run`].
+///
+/// ```
+/// use spinning_bodies::falling_strip::{Coefficients, transition};
+/// // The authors of the coefficients give 1.2191.
+/// let ends = transition(Coefficients::PUBLISHED, 1.1, 1.4, 0.05, 100.0)?;
+/// assert!((ends - 1.2191).abs() < 0.05);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 pub fn transition(
     coefficients: Coefficients,
     low: f64,

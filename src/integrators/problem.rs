@@ -17,6 +17,26 @@ pub trait System<const N: usize> {
     ///
     /// # Errors
     /// Those that end the run: where a budget of evaluations is spent, say.
+    ///
+    /// ```
+    /// use core::cell::Cell;
+    /// use spinning_bodies::integrators::{Effort, Kept, System, order_eight};
+    /// /// The time itself, and how many steps it took.
+    /// struct Clock(Cell<u64>);
+    /// impl System<1> for Clock {
+    ///     fn rate(&self, _: f64, _: &[f64; 1]) -> [f64; 1] {
+    ///         [1.0]
+    ///     }
+    ///     fn reached(&self, _: f64) -> spinning_bodies::Result<()> {
+    ///         self.0.set(self.0.get() + 1);
+    ///         Ok(())
+    ///     }
+    /// }
+    /// let clock = Clock(Cell::new(0));
+    /// let run = order_eight(&clock, Kept::Nothing, &[0.0], &[1.0], &[1.0], Effort::Step(0.125))?;
+    /// assert_eq!((clock.0.get(), run.cost.steps), (8, 8));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn reached(&self, _time: f64) -> Result<()> {
         Ok(())
     }
@@ -203,6 +223,38 @@ pub trait GeneralMethods: core::fmt::Debug + Sync {
     ///
     /// # Errors
     /// As for the library's own [`Leg::follow`](super::Leg::follow).
+    ///
+    /// ```
+    /// use spinning_bodies::Result;
+    /// use spinning_bodies::integrators::{AnyLeg, Cost, Effort, GeneralMethods, Method, Passage, Stop};
+    /// /// Steps along the tangent, a thousand of them, whatever is asked.
+    /// #[derive(Debug)]
+    /// struct Tangents;
+    /// impl GeneralMethods for Tangents {
+    ///     fn follow(&self, _: Method, leg: &AnyLeg<'_>, _: Effort) -> Result<Passage<Vec<f64>>> {
+    ///         let (mut end, mut rate) = (leg.start.1.to_vec(), leg.start.1.to_vec());
+    ///         let step = (leg.end - leg.start.0) / 1000.0;
+    ///         for k in 0..1000 {
+    ///             (leg.rate)(leg.start.0 + step * f64::from(k), &end, &mut rate);
+    ///             end.iter_mut().zip(&rate).for_each(|(y, rate)| *y += step * rate);
+    ///         }
+    ///         let cost = Cost { evaluations: 1000, steps: 1000 };
+    ///         Ok(Passage { states: vec![], time: leg.end, end, stopped: Stop::AtTheEnd, cost })
+    ///     }
+    /// }
+    /// let leg = AnyLeg {
+    ///     rate: &|_, y, rate| rate[0] = y[0],
+    ///     reached: &|_| Ok(()),
+    ///     event: None,
+    ///     start: (0.0, &[1.0]),
+    ///     scales: &[1.0],
+    ///     times: &[],
+    ///     end: 1.0,
+    /// };
+    /// let grown = Tangents.follow(Method::Rk4, &leg, Effort::Step(1.0))?;
+    /// assert!((grown.end[0] - 1.001_f64.powi(1000)).abs() < 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     fn follow(&self, method: Method, leg: &AnyLeg<'_>, effort: Effort)
     -> Result<Passage<Vec<f64>>>;
 }

@@ -36,27 +36,68 @@ pub trait Real:
     const ROUNDING: f64;
 
     /// The nearest number to a double.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Real;
+    /// assert_eq!(f32::from_double(0.1), 0.1_f32);
+    /// ```
     fn from_double(value: f64) -> Self;
 
     /// The nearest double.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Real;
+    /// assert_eq!(0.5_f32.to_double(), 0.5);
+    /// ```
     fn to_double(self) -> f64;
 
     /// 1/x.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Real;
+    /// assert_eq!(4.0_f64.reciprocal(), 0.25);
+    /// ```
     fn reciprocal(self) -> Self;
 
     /// √x for x ≥ 0.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Real;
+    /// assert_eq!(9.0_f64.square_root(), 3.0);
+    /// ```
     fn square_root(self) -> Self;
 
     /// sin x and 1 − cos x, each to about one unit in its last place for |x| ≤ π/4; for greater x as the platform has them.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Real;
+    /// let (sine, versine) = 1e-9_f64.turn();
+    /// assert!(sine == 1e-9 && (versine / 5e-19 - 1.0).abs() < 1e-15);
+    /// ```
     fn turn(self) -> (Self, Self);
 
     /// (sin x)/x and (1 − cos x)/x² from x², in the same way.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Real;
+    /// assert_eq!(0.0_f64.turn_of_square(), (1.0, 0.5));
+    /// ```
     fn turn_of_square(self) -> (Self, Self);
 
     /// The same number in two words.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Real;
+    /// assert_eq!(0.1_f64.two_words().to_double(), 0.1);
+    /// ```
     fn two_words(self) -> DoubleDouble;
 
     /// sin x and cos x for long phases x: two words keep their place in the turn.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::geometric::Real;
+    /// assert_eq!(f64::sine_and_cosine(0.0_f64.two_words()), (0.0, 1.0));
+    /// ```
     fn sine_and_cosine(x: DoubleDouble) -> (Self, Self);
 }
 

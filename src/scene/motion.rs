@@ -170,6 +170,27 @@ impl Request {
     }
 
     /// The same with general methods at hand, for those who ask for one of them by its name: the library has none.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::integrators::{AnyLeg, Effort, GeneralMethods, Method, Passage};
+    /// use spinning_bodies::scene::{Choice, Request, Scene, Solver, top::{Body, Start, Top}};
+    /// use spinning_bodies::{Error, Result};
+    /// /// One that refuses everything.
+    /// #[derive(Debug)]
+    /// struct Closed;
+    /// const REFUSED: Error = Error::Solver { condition: "the shop is closed" };
+    /// impl GeneralMethods for Closed {
+    ///     fn follow(&self, _: Method, _: &AnyLeg<'_>, _: Effort) -> Result<Passage<Vec<f64>>> {
+    ///         Err(REFUSED)
+    ///     }
+    /// }
+    /// let start = Start::with_omega(BodyVector::new(0.0, 1.0, 2.0), Attitude::identity());
+    /// let top = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?;
+    /// let asked = Request::at([1.0])?.by(Choice::Use(Solver::General(Method::Rk4)));
+    /// assert_eq!(top.simulate(&asked.with_methods(&Closed)).err(), Some(REFUSED));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with_methods(mut self, methods: &'static dyn GeneralMethods) -> Self {
         self.methods = Some(methods);
         self

@@ -220,6 +220,11 @@ impl Value for Shape {
 }
 
 /// The sizes of all shapes: in place of the section, the shape.
+///
+/// ```
+/// use spinning_bodies::scene::files::shape_keys;
+/// assert!(shape_keys().iter().any(|row| row.key == "radius"));
+/// ```
 pub fn shape_keys() -> Vec<KeyRow> {
     let known = Known::words().into_iter();
     known.flat_map(|(_, known)| (known.rows)()).collect()

@@ -43,6 +43,16 @@ impl AnyScene {
     /// What it looks like at a row of a table, by the numbers that the table tells. Only a scene from a file knows.
     ///
     /// Nothing for any other.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::files::parse;
+    /// let text = "[body]\nmoments = [1, 2, 3]\n[initial]\nomega = [0, 0, 2]\n[run]\ntimes = [1.0]\n";
+    /// let (scene, request) = parse("mine.toml", text)?;
+    /// let table = scene.simulate(&request).expect("a free top");
+    /// let sight = scene.sight(&table.columns, &table.row(0).1).expect("a scene from a file");
+    /// assert_eq!(sight.omega.norm(), 2.0);
+    /// # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
+    /// ```
     pub fn sight(&self, columns: &[Column], row: &[f64]) -> Option<Sight> {
         let look = self.look.as_ref()?;
         Some(look(&Told { columns, row }))

@@ -164,6 +164,15 @@ fn rows<B: Section, I: Section, E: Section, S>(_: Made<B, I, E, S>) -> Vec<KeyRo
 ///
 /// # Errors
 /// All that is wrong with it. A mesh that it names is out of reach.
+///
+/// ```
+/// use spinning_bodies::scene::files::parse;
+/// let text = "[body]\nmoments = [1, 2, 3]\n[initial]\nomega = [0, 0, 2]\n[run]\ntimes = [1.0]\n";
+/// let (scene, request) = parse("mine.toml", text)?;
+/// let table = scene.simulate(&request).expect("a free top");
+/// assert_eq!(table.numbers(["energy"]).ok(), Some(vec![[6.0]]));
+/// # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
+/// ```
 pub fn parse(name: &str, text: &str) -> Result<(AnyScene, Request), Mistakes> {
     parse_with(name, text, &out_of_reach)
 }
@@ -176,6 +185,14 @@ fn out_of_reach(_: &str) -> Result<Vec<u8>, String> {
 ///
 /// # Errors
 /// All that is wrong with it.
+///
+/// ```
+/// use spinning_bodies::scene::files::{parse, parse_with};
+/// let text = "[body]\nmass = 2\nshape = \"mesh\"\nfile = \"corner.obj\"\n[initial]\nomega = [0, 0, 1]\n[run]\ntimes = [0]\n";
+/// let corner = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 4 3\nf 1 2 4\nf 2 3 4\n";
+/// assert!(parse_with("mine.toml", text, &|_| Ok(corner.to_vec())).is_ok());
+/// assert!(parse("mine.toml", text).is_err());
+/// ```
 pub fn parse_with(
     name: &str,
     text: &str,
@@ -188,28 +205,56 @@ pub fn parse_with(
 }
 
 /// The words that may stand after `kind`; the first is meant where there is none.
+///
+/// ```
+/// use spinning_bodies::scene::files::kinds;
+/// assert_eq!(kinds().next(), Some("top"));
+/// ```
 pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
     KINDS.iter().map(|kind| kind.name)
 }
 
 /// The keys of a kind in `[body]`, `[initial]` and `[effects]`, if there is such a kind.
+///
+/// ```
+/// use spinning_bodies::scene::files::keys;
+/// let gravity = |kind| keys(kind).map(|rows| rows.iter().filter(|row| row.key == "gravity").count());
+/// assert_eq!((gravity("top"), gravity("ghost")), (Some(1), None));
+/// ```
 pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
     let kind = KINDS.iter().find(|known| known.name == kind)?;
     Some((kind.rows)())
 }
 
 /// The keys that all kinds share: those at the top and in `[run]`.
+///
+/// ```
+/// use spinning_bodies::scene::files::shared_keys;
+/// assert!(shared_keys().iter().any(|row| (row.section.as_str(), row.key) == ("run", "accuracy")));
+/// ```
 pub fn shared_keys() -> Vec<KeyRow> {
     let title = <Option<String>>::rows("", &TITLE, None);
     [title, Kind::rows("", &KIND, None), Run::all_rows("run")].concat()
 }
 
 /// Whether a file has a key, given by its path: "body.moments"; places in a list count from 0.
+///
+/// ```
+/// use spinning_bodies::scene::files::has;
+/// let text = "[body]\nmoments = [1, 2, 3]\n";
+/// assert!(has(text, "body.moments.2") && !has(text, "body.moments.3"));
+/// ```
 pub fn has(text: &str, path: &str) -> bool {
     DeTable::parse(text).is_ok_and(|table| find(table.get_ref(), path).is_some())
 }
 
 /// The paths of all numbers of a file.
+///
+/// ```
+/// use spinning_bodies::scene::files::numbers;
+/// let text = "title = \"mine\"\n[run]\ntimes = [1, 2.5]\n";
+/// assert_eq!(numbers(text), ["run.times.0", "run.times.1"]);
+/// ```
 pub fn numbers(text: &str) -> Vec<String> {
     fn within(path: &str, value: &DeValue<'_>) -> Vec<String> {
         let inner = |step: &str, value| match path {
@@ -242,6 +287,12 @@ pub fn numbers(text: &str) -> Vec<String> {
 
 /// The same file with another number in one place, given as for [`has`]; nothing where there is no number. A whole number stays one as long as it
 /// can, for some keys take no other.
+///
+/// ```
+/// use spinning_bodies::scene::files::set;
+/// let text = "[run]\nuntil = 1.5\n";
+/// assert_eq!(set(text, "run.until", 2.0).as_deref(), Some("[run]\nuntil = 2.0\n"));
+/// ```
 pub fn set(text: &str, path: &str, number: f64) -> Option<String> {
     let table = DeTable::parse(text).ok()?;
     let (_, value) = find(table.get_ref(), path)?;

@@ -367,6 +367,12 @@ impl<'p> Place<'p> {
 }
 
 /// A question whether one of these was meant, `; did you mean ...?`, where one is near; otherwise nothing.
+///
+/// ```
+/// use spinning_bodies::scene::files::meant;
+/// let known = ["gravity", "friction"].into_iter();
+/// assert_eq!(meant("gravty", known), "; did you mean `gravity`?");
+/// ```
 pub fn meant<'a>(word: &str, among: impl Iterator<Item = &'a str>) -> String {
     nearest(word, among).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
 }

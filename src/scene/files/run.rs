@@ -80,6 +80,15 @@ impl Run {
 ///
 /// # Errors
 /// A name that is none, and what was probably meant: "has no column `tlt` to tell; …".
+///
+/// ```
+/// use spinning_bodies::scene::files::{parse, telling};
+/// let text = "[body]\nmoments = [1, 2, 3]\n[initial]\nomega = [0, 0, 2]\n[run]\ntimes = [1.0]\n";
+/// let (scene, _) = parse("mine.toml", text)?;
+/// let refused = telling(scene, &["enrgy"]).expect_err("a slip");
+/// assert!(refused.ends_with("; did you mean `energy`?"));
+/// # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
+/// ```
 pub fn telling<N: AsRef<str>>(scene: AnyScene, names: &[N]) -> Result<AnyScene, String> {
     scene.telling(names).map_err(|unknown| {
         let UnknownColumn { name, names } = unknown;

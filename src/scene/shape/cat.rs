@@ -68,6 +68,15 @@ impl Tabulated for CatState {
 
 impl Cat {
     /// A straight cat let go from rest, its centre at the origin, that does nothing.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::Attitude, phenomena::{self, Half}, scene::{Request, Scene, shape::Cat}};
+    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
+    /// let cat = Cat::new(phenomena::Cat::new([half; 2])?, Attitude::identity());
+    /// let motion = cat.simulate(&Request::at([5.0])?)?;
+    /// assert_eq!(motion.rows[0].1.center.norm(), 0.0); // nothing acts, nothing happens
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(body: phenomena::Cat, attitude: Attitude) -> Self {
         Self {
             body,
@@ -81,6 +90,12 @@ impl Cat {
     }
 
     /// The attitude of a cat held by the paws, back down: spine along the x axis of space, the belly, which is +y of its axes, up.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::BodyVector, scene::shape::Cat};
+    /// let belly = Cat::on_its_back().to_space(BodyVector::new(0.0, 1.0, 0.0));
+    /// assert!((belly.z() - 1.0).abs() < 1e-15);
+    /// ```
     pub fn on_its_back() -> Attitude {
         Attitude::from_unit(*turn_x(FRAC_PI_2).quaternion())
     }
@@ -89,6 +104,15 @@ impl Cat {
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other; what is wrong with the path.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::Attitude, phenomena::{self, Half}, scene::{Request, Scene, effects::Gravity, shape::Cat}};
+    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
+    /// let cat = Cat::new(phenomena::Cat::new([half; 2])?, Attitude::identity()).with(Gravity::new(9.81)?)?;
+    /// let motion = cat.simulate(&Request::at([1.0])?)?;
+    /// assert!((motion.rows[0].1.center.z() + 9.81 / 2.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Turnover(path) => self.turnover = Some(path.checked()?),
@@ -102,6 +126,16 @@ impl Cat {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, SpaceVector}, phenomena::{self, Half}, scene::{Request, Scene, shape::Cat}};
+    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
+    /// let cat = Cat::new(phenomena::Cat::new([half; 2])?, Attitude::identity());
+    /// let [from, up] = [1.0, 3.0].map(|z| SpaceVector::new(0.0, 0.0, z));
+    /// let motion = cat.thrown(from, up)?.simulate(&Request::at([2.0])?)?;
+    /// assert_eq!(motion.rows[0].1.center.z(), 7.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn thrown(mut self, center: SpaceVector, velocity: SpaceVector) -> Result<Self> {
         self.center = finite_vector("the centre of mass", center)?;
         self.velocity = finite_vector("the velocity", velocity)?;
@@ -112,6 +146,17 @@ impl Cat {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, SpaceVector}, phenomena::{self, Half}, scene::{Request, Scene, shape::Cat}};
+    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
+    /// let cat = Cat::new(phenomena::Cat::new([half; 2])?, Attitude::identity());
+    /// // Straight, it has 0.02 kg m² about the spine.
+    /// let cat = cat.with_angular_momentum(SpaceVector::new(0.04, 0.0, 0.0))?;
+    /// let motion = cat.simulate(&Request::at([5.0])?)?;
+    /// assert!((motion.rows[0].1.omega.x() - 2.0).abs() < 1e-9);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with_angular_momentum(mut self, l: SpaceVector) -> Result<Self> {
         self.angular_momentum = finite_vector("the angular momentum", l)?;
         Ok(self)

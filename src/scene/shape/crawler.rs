@@ -41,6 +41,15 @@ state! {
 
 impl Crawler {
     /// This crawler, its centre of mass at 0, on perfect ice.
+    ///
+    /// ```
+    /// use spinning_bodies::{phenomena::{self, Strokes}, scene::{Request, Scene, shape::Crawler}};
+    /// let strokes = Strokes { gap: 0.1, length: 0.05, push: 0.2, pull: 0.3 };
+    /// let body = phenomena::Crawler::new(3.0, 1.0, strokes)?;
+    /// let motion = Crawler::new(body).simulate(&Request::at([100.0])?)?;
+    /// assert_eq!(motion.rows[0].1.center, 0.0); // perfect ice
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn new(body: phenomena::Crawler) -> Self {
         Self {
             body,
@@ -54,6 +63,15 @@ impl Crawler {
     ///
     /// # Errors
     /// [`Error::Effect`] for any other; [`Error::Negative`] for a gravity that lifts.
+    ///
+    /// ```
+    /// use spinning_bodies::{phenomena::{self, Strokes}, scene::{Request, Scene, effects::Coulomb, shape::Crawler}};
+    /// let strokes = Strokes { gap: 0.1, length: 0.05, push: 0.2, pull: 0.3 };
+    /// let body = phenomena::Crawler::new(3.0, 1.0, strokes)?;
+    /// let motion = Crawler::new(body).with(Coulomb::new(0.3)?)?.simulate(&Request::at([100.0])?)?;
+    /// assert_eq!(motion.rows[0].1.center, 0.0); // nothing presses it to the ground
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Coulomb(friction) => self.friction = Some(friction),

@@ -54,6 +54,13 @@ impl PaperCat {
     ///
     /// # Errors
     /// What no cat can be like; [`Error::NotFinite`](crate::Error::NotFinite) for the tilt.
+    ///
+    /// ```
+    /// use spinning_bodies::{phenomena, scene::{Request, Scene, shape::PaperCat}};
+    /// let motion = PaperCat::new(phenomena::PaperCat::POSTCARD, 2.0)?.simulate(&Request::at([5.0])?)?;
+    /// assert_eq!((motion.rows[0].1.fall, motion.rows[0].1.tilt), (0.0, 2.0)); // it floats
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(cat: phenomena::PaperCat, tilt: f64) -> Result<Self> {
         Ok(Self {
             cat: cat.checked()?,
@@ -67,6 +74,14 @@ impl PaperCat {
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other.
+    ///
+    /// ```
+    /// use spinning_bodies::{phenomena, scene::{Request, Scene, effects::Gravity, shape::PaperCat}};
+    /// let cat = PaperCat::new(phenomena::PaperCat::POSTCARD, 2.0)?.with(Gravity::new(9.81)?)?;
+    /// let motion = cat.simulate(&Request::at([2.0])?)?;
+    /// assert!((motion.rows[0].1.fall - 2.0 * 9.81).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Air(air) => self.air = Some(air.value()),
@@ -97,6 +112,15 @@ impl PaperCat {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Integration`](crate::Error::Integration).
+    ///
+    /// ```
+    /// use spinning_bodies::{phenomena, scene::{effects::{Air, Gravity}, shape::PaperCat}};
+    /// let cat = PaperCat::new(phenomena::PaperCat::POSTCARD, 175_f64.to_radians())?.with(Gravity::new(9.81)?)?;
+    /// assert_eq!(cat.rights_itself(10.0)?, None); // in a vacuum
+    /// let fall = cat.with(Air::new(1.2)?)?.rights_itself(10.0)?.map(|righting| righting.fall);
+    /// assert!(fall.is_some_and(|fall| (fall - 0.965_072).abs() < 1e-6));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn rights_itself(&self, time: f64) -> Result<Option<Righting>> {
         let falling = self.falling(positive("the time to wait", time)?);
         let (side, rest) = (self.tilt.signum(), self.rest());

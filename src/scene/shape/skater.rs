@@ -44,6 +44,14 @@ impl Skater {
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative), [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::{phenomena, scene::{Request, Scene, shape::Skater}};
+    /// let skater = Skater::new(phenomena::Skater::new(0.8, 2.5)?, 0.7, 2.0)?;
+    /// let motion = skater.simulate(&Request::at([3.0])?)?;
+    /// assert!((motion.rows[0].1.angle - 6.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(body: phenomena::Skater, reach: f64, spin: f64) -> Result<Self> {
         Ok(Self {
             body,
@@ -58,6 +66,17 @@ impl Skater {
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other; what is wrong with the path.
+    ///
+    /// ```
+    /// use spinning_bodies::{phenomena, scene::{Request, Scene, effects::{Draw, Pace}, shape::Skater}};
+    /// let body = phenomena::Skater::new(0.8, 2.5)?;
+    /// // From 3.5 kg m² to 1 kg m²: three and a half times the spin.
+    /// let [out, close] = [body.reach(3.5)?, body.reach(1.0)?];
+    /// let draw = Draw { to: close, begin: 0.0, duration: 1.0, pace: Pace::Even };
+    /// let motion = Skater::new(body, out, 2.0)?.with(draw)?.simulate(&Request::at([1.0])?)?;
+    /// assert!((motion.rows[0].1.spin - 7.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Draw(draw) => self.draw = Some(draw.checked()?),

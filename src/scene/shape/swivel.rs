@@ -42,6 +42,13 @@ impl Swivel {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::scene::{Request, Scene, shape::Swivel};
+    /// let motion = Swivel::new(0.6, 2.0)?.simulate(&Request::at([5.0])?)?;
+    /// assert_eq!(motion.rows[0].1.lower, 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(lower: f64, upper: f64) -> Result<Self> {
         Ok(Self {
             lower: positive("the lower moment", lower)?,
@@ -57,6 +64,16 @@ impl Swivel {
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other; what is wrong with a path.
+    ///
+    /// ```
+    /// use std::f64::consts::{FRAC_PI_2, FRAC_PI_8};
+    /// use spinning_bodies::scene::{Request, Scene, effects::{FourPhases, Pace}, shape::Swivel};
+    /// let phases = FourPhases { arms_out: 3.0, arms_in: 1.0, twist: FRAC_PI_2, duration: 2.0, pace: Pace::Even };
+    /// let motion = Swivel::new(1.0, 3.0)?.with(phases)?.simulate(&Request::at([2.0])?)?;
+    /// // It turns by 3/4 of the twist, and back by 1/2 of it.
+    /// assert!((motion.rows[0].1.lower + FRAC_PI_8).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::FourPhases(path) => self.path = Some(Round::FourPhases(path).checked()?),
@@ -74,6 +91,14 @@ impl Swivel {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// use spinning_bodies::scene::{Request, Scene, shape::Swivel};
+    /// let turning = Swivel::new(0.6, 2.0)?.with_angular_momentum(2.6)?;
+    /// let motion = turning.simulate(&Request::at([5.0])?)?;
+    /// assert!((motion.rows[0].1.lower - 5.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn with_angular_momentum(mut self, l: f64) -> Result<Self> {
         self.angular_momentum = finite("the angular momentum", l)?;
         Ok(self)

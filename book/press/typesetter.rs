@@ -216,7 +216,7 @@ impl<'a> Typesetter<'a> {
             .drawings
             .get(name)
             .ok_or_else(|| unknown_figure(name).to_string())?;
-        let mut svg = inline_svg(&drawing.figure.svg(), &drawing.figure.alt);
+        let mut svg = drawing.figure.svg().trim_end().to_owned();
         if svg.contains("@keyframes") {
             svg.insert_str(0, PAUSE);
         }
@@ -250,9 +250,9 @@ impl<'a> Typesetter<'a> {
             let number = self.numbers.get(name).copied();
             let number = number.ok_or_else(|| format!("figure '{name}' is in no chapter"))?;
             // The chapter shows it, too, and the print page shows both: the ids must differ.
-            let svg = inline_svg(&drawing.figure.svg(), &drawing.figure.alt);
+            let svg = drawing.figure.svg();
             let svg = svg.replace(&format!("fig-{name}"), &format!("small-{name}"));
-            let picture = self.pieces.keep(svg, "");
+            let picture = self.pieces.keep(svg.trim_end().to_owned(), "");
             let claim = self.caption(&drawing.figure.claim)?;
             let keys = entry.parameters.iter().map(|one| one.key);
             let keys = match keys.collect::<Vec<_>>()[..] {
@@ -347,17 +347,6 @@ fn apply(source: &str, mut edits: Edits) -> String {
     }
     out.push_str(&source[at..]);
     out
-}
-
-/// The picture as part of a page: without the XML head, and with its alt text.
-fn inline_svg(svg: &str, alt: &str) -> String {
-    let start = svg.find("<svg").unwrap_or(0);
-    let (head, body) = svg[start..].split_once('>').unwrap_or((&svg[start..], ""));
-    let mut head = head.to_owned();
-    if !head.contains("aria-label") {
-        head.push_str(&format!(" role=\"img\" aria-label=\"{}\"", inert(alt)));
-    }
-    format!("{head}>{}", body.trim_end())
 }
 
 #[cfg(test)]

@@ -163,25 +163,48 @@ impl Body {
             return pen.line(&view.trace(&ends), inked(DATA));
         }
         let inward = stands.rotation.inverse();
+        let corner = |turns: f64| {
+            let (s, c) = (TAU * turns).sin_cos();
+            let direction = view.right * c + view.up * s;
+            let point = self.farthest(&(inward * direction))?;
+            Some(view.project(&space(&point)))
+        };
         let outline: Vec<Point> = (0..CORNERS)
-            .filter_map(|k| {
-                let (s, c) = (TAU * f64::from(k) / f64::from(CORNERS)).sin_cos();
-                let direction = view.right * c + view.up * s;
-                let point = self.farthest(&(inward * direction))?;
-                Some(view.project(&space(&point)))
+            .flat_map(|k| {
+                let turns = move |part: f64| (f64::from(k) + part) / f64::from(CORNERS);
+                let far = |([x, y], [u, v]): (Point, Point)| (x - u).hypot(y - v) > LONG;
+                let ends = corner(turns(0.0)).zip(corner(turns(1.0)));
+                // The long side of a thin body is bent, too.
+                let parts = if ends.is_some_and(far) { 6 } else { 1 };
+                (0..parts).filter_map(move |j| corner(turns(f64::from(j) / f64::from(parts))))
             })
             .collect();
-        let outline = hull(&outline);
-        pen.sheet(&outline, inked(SECONDARY));
+        pen.sheet(&thinned(&hull(&outline)), inked(SECONDARY));
         let toward = inward * view.toward;
         for edge in &self.edges {
             let seen = |[_, a, b]: &[Vector; 3]| a.dot(&toward).max(b.dot(&toward)) > 0.0;
             for piece in edge.split(|point| !seen(point)) {
                 let places: Vec<Vector> = piece.iter().map(|[place, ..]| space(place)).collect();
-                pen.line(&view.trace(&places), inked(AXIS));
+                pen.line(&thinned(&view.trace(&places)), inked(AXIS));
             }
         }
     }
+}
+
+/// The line without the points that it would go through anyway.
+fn thinned(line: &[Point]) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::new();
+    for (k, [x, y]) in line.iter().enumerate() {
+        let ends = kept.last().zip(line.get(k + 1));
+        let needless = ends.is_some_and(|([a, b], [c, d])| {
+            let area = (c - a) * (y - b) - (d - b) * (x - a);
+            area.abs() < FINE * (c - a).hypot(d - b)
+        });
+        if !needless {
+            kept.push([*x, *y]);
+        }
+    }
+    kept
 }
 
 /// How far it is drawn from the point that is followed, m.
@@ -195,6 +218,10 @@ fn reach(sight: &Sight) -> f64 {
 /// Corners of an outline, and of an ellipse on the surface.
 const CORNERS: u32 = 36;
 const INNER: u32 = 24;
+/// An edge of an outline that may be a curve, units.
+const LONG: f64 = 16.0;
+/// Nobody sees a bend that is so shallow, units.
+const FINE: f64 = 0.12;
 
 fn round_about<T>(at: impl Fn(f64) -> T) -> Vec<T> {
     let angles = (0..=INNER).map(|k| TAU * f64::from(k) / f64::from(INNER));
@@ -233,6 +260,8 @@ const FOLLOWED: f64 = 9.0;
 struct Scenery {
     view: View,
     followed: bool,
+    /// Whether what is around the body is the same in every picture, so that it is drawn but once.
+    still: bool,
     /// Of the picture that an arrow takes for a unit of what it stands for.
     shares: [f64; 2],
 }
@@ -295,6 +324,7 @@ impl Film<'_> {
         let mut scenery = Scenery {
             view,
             followed,
+            still: !followed && !matches!(around, Around::String),
             shares: [0, 1].map(|k| {
                 let lengths = self.shots.iter().map(|(_, sight)| vectors(sight)[k].norm());
                 let longest = lengths.fold(0.0, f64::max);
@@ -381,7 +411,9 @@ impl Film<'_> {
             false => scenery.view,
         };
         let scenery = Scenery { view, ..*scenery };
-        self.draw_around(pen, &scenery, sight);
+        if !scenery.still {
+            self.draw_around(pen, &scenery, sight);
+        }
         let from = view.project(&sight.place);
         let ways = scenery.ways(sight);
         let [omega, l] = ways;
@@ -468,7 +500,11 @@ impl Film<'_> {
         }
     }
 
-    fn draw_words(&self, pen: &mut Pen, pace: &str) {
+    /// What all pictures share.
+    fn draw_shared(&self, pen: &mut Pen, scenery: &Scenery, pace: &str) {
+        if scenery.still {
+            self.draw_around(pen, scenery, &self.shots[0].1);
+        }
         let drawn_as = self.shots[0].1.drawn_as;
         let muted = small(Role::Muted);
         pen.text([576.0, HEIGHT - 32.0], Anchor::End, pace, muted);
@@ -480,7 +516,7 @@ impl Film<'_> {
         let scenery = self.scenery();
         self.shots.iter().map(move |shot| {
             figure(NAME, HEIGHT, self.words(), |pen| {
-                self.draw_words(pen, "");
+                self.draw_shared(pen, &scenery, "");
                 self.draw(pen, &scenery, shot);
             })
         })
@@ -494,8 +530,9 @@ impl Film<'_> {
             "1" => "in real time".to_owned(),
             speed => format!("{speed} × real time"),
         };
+        let scenery = self.scenery();
         let empty = figure(NAME, HEIGHT, self.words(), |pen| {
-            self.draw_words(pen, &pace)
+            self.draw_shared(pen, &scenery, &pace)
         });
         let mut moving = format!(
             "<style>{}@media screen and (prefers-color-scheme:dark){{{}}}\
@@ -507,7 +544,6 @@ impl Film<'_> {
             colours(Theme::Dark),
             short(100.0 / count as f64, 9)
         );
-        let scenery = self.scenery();
         for (k, shot) in self.shots.iter().enumerate() {
             let picture = figure(NAME, HEIGHT, self.words(), |pen| {
                 self.draw(pen, &scenery, shot)

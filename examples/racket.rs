@@ -9,7 +9,7 @@ use spinning_bodies::inertia::shapes;
 fn main() -> spinning_bodies::Result<()> {
     // A hoop of a head and a rod of a handle: mass in kg, lengths in m.
     let racket = shapes::racket(0.34, 0.13, 0.4)?;
-    let moments = racket.inertia().principal_axes().moments();
+    let moments = racket.inertia().principal_axes().moments;
     println!("principal moments {moments:?} kg m²");
 
     println!("{:>9}  seconds from flip to flip", "rad/s off");

@@ -19,9 +19,10 @@ use crate::error::{Result, within};
 /// An oblate spheroid in equilibrium: semi-axes a = b > c, turning about c.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MaclaurinSpheroid {
-    eccentricity: f64,
-    /// c/a, kept beside e because neither can be had from the other without loss at both ends.
-    axis_ratio: f64,
+    /// Eccentricity e of the meridian.
+    pub eccentricity: f64,
+    /// Polar over equatorial axis c/a = √(1 − e²).
+    pub axis_ratio: f64,
 }
 
 impl MaclaurinSpheroid {
@@ -34,7 +35,7 @@ impl MaclaurinSpheroid {
     ///
     /// ```
     /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
-    /// assert!((MaclaurinSpheroid::from_eccentricity(0.6)?.axis_ratio() - 0.8).abs() < 1e-16);
+    /// assert!((MaclaurinSpheroid::from_eccentricity(0.6)?.axis_ratio - 0.8).abs() < 1e-16);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_eccentricity(e: f64) -> Result<Self> {
@@ -57,7 +58,7 @@ impl MaclaurinSpheroid {
     ///
     /// ```
     /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
-    /// assert!((MaclaurinSpheroid::from_axis_ratio(0.8)?.eccentricity() - 0.6).abs() < 2e-16);
+    /// assert!((MaclaurinSpheroid::from_axis_ratio(0.8)?.eccentricity - 0.6).abs() < 2e-16);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_axis_ratio(c_over_a: f64) -> Result<Self> {
@@ -68,28 +69,6 @@ impl MaclaurinSpheroid {
             1.0,
         )?;
         Ok(Self::from_ratio(q))
-    }
-
-    /// Eccentricity e of the meridian.
-    ///
-    /// ```
-    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
-    /// assert_eq!(MaclaurinSpheroid::from_eccentricity(0.6)?.eccentricity(), 0.6);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn eccentricity(&self) -> f64 {
-        self.eccentricity
-    }
-
-    /// Polar over equatorial axis c/a = √(1 − e²).
-    ///
-    /// ```
-    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
-    /// assert_eq!(MaclaurinSpheroid::from_axis_ratio(0.8)?.axis_ratio(), 0.8);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn axis_ratio(&self) -> f64 {
-        self.axis_ratio
     }
 
     /// Ω²/(πGρ) = 2√(1−e²)(3−2e²) arcsin(e)/e³ − 6(1−e²)/e² (Maclaurin 1742; tutorial 3.5), dimensionless.
@@ -159,7 +138,7 @@ impl MaclaurinSpheroid {
     ///
     /// ```
     /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
-    /// assert!((MaclaurinSpheroid::fastest().eccentricity() - 0.929_955_685_456_233).abs() < 1e-15);
+    /// assert!((MaclaurinSpheroid::fastest().eccentricity - 0.929_955_685_456_233).abs() < 1e-15);
     /// ```
     pub fn fastest() -> Self {
         let slope = |t: f64| (9.0 + t * t) * t.atan() - t * (9.0 + 7.0 * t * t) / (1.0 + t * t);
@@ -174,7 +153,7 @@ impl MaclaurinSpheroid {
     /// ```
     /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
     /// let branch = MaclaurinSpheroid::at_jacobi_bifurcation();
-    /// assert!((branch.eccentricity() - 0.812_670_010_611_743).abs() < 1e-15);
+    /// assert!((branch.eccentricity - 0.812_670_010_611_743).abs() < 1e-15);
     /// ```
     pub fn at_jacobi_bifurcation() -> Self {
         Self::from_ratio(equilibrium_axis_ratio(1.0))

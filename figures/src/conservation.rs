@@ -47,7 +47,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let upright = UnitQuaternion::rotation_between(&l.components(), &Vector3::z());
     let upright = upright.unwrap_or_default().into_inner();
     let start = Attitude::from_quaternion(upright.w, upright.i, upright.j, upright.k)?;
-    let moments = body.inertia().principal_axes().moments();
+    let moments = body.inertia().principal_axes().moments;
     let top = EulerTop::from_omega(moments, omega, start)?;
     let ground = SpaceVector::zero();
     let weight = uniform_gravity(MASS, ground, ground, SpaceVector::new(0.0, 0.0, -9.81))?;

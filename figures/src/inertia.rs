@@ -50,7 +50,7 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let edges = [LONG, MIDDLE, SHORT].map(|edge| values.of(&edge));
     let body = shapes::cuboid(mass, edges)?;
     let principal = body.inertia().principal_axes();
-    let moments = principal.moments();
+    let moments = principal.moments;
     let semi = ellipsoid_of_inertia(mass, &principal.principal_moments())?;
     let half = Vector3::from(edges) / 2.0;
 

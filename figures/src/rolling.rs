@@ -70,7 +70,7 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         .into_iter()
         .map(|height| {
             let shot = ball.strike(height, 1.0)?;
-            Ok([height, shot.slip(), shot.rim_speed()])
+            Ok([height, shot.slip, shot.rim_speed()])
         })
         .collect::<Result<Vec<_>>>()?;
     let listed = |k: usize, digits: usize| {

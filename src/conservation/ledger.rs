@@ -28,8 +28,10 @@ pub struct VectorAccount(usize);
 /// One line of a [`Ledger`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
-    name: &'static str,
-    law: Law,
+    /// Name of the quantity.
+    pub name: &'static str,
+    /// What the quantity is allowed to do.
+    pub law: Law,
     /// One component for a scalar, three for a vector: vectors are conserved or not, never monotone.
     first: Value,
     last: Value,
@@ -66,32 +68,6 @@ impl Value {
 }
 
 impl Entry {
-    /// Name of the quantity.
-    ///
-    /// ```
-    /// use spinning_bodies::conservation::{Law, Ledger};
-    /// let mut ledger = Ledger::new();
-    /// ledger.open("energy", Law::Conserved, 4.0)?;
-    /// assert_eq!(ledger.entries()[0].name(), "energy");
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn name(&self) -> &'static str {
-        self.name
-    }
-
-    /// What the quantity is allowed to do.
-    ///
-    /// ```
-    /// use spinning_bodies::conservation::{Law, Ledger};
-    /// let mut ledger = Ledger::new();
-    /// ledger.open("energy", Law::Conserved, 4.0)?;
-    /// assert_eq!(ledger.entries()[0].law(), Law::Conserved);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn law(&self) -> Law {
-        self.law
-    }
-
     /// First value recorded: the quantity itself, for a vector its length. Unit of the quantity.
     ///
     /// ```

@@ -153,8 +153,8 @@ pub fn rate_in_any_axes(
     torque: BodyVector,
 ) -> Result<BodyVector> {
     let principal = inertia.principal_axes();
-    let [i1, i2, i3] = principal.moments();
-    let axes = principal.axes();
+    let [i1, i2, i3] = principal.moments;
+    let axes = principal.axes;
     for moment in [i1, i2, i3] {
         positive("a principal moment", moment)?;
     }

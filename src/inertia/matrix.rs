@@ -81,7 +81,7 @@ impl InertiaMatrix {
         finite("the trace of the inertia matrix", symmetric.trace())?;
         // Judged in a smaller unit near the end of the range, where an indefinite matrix has moments without a number.
         let unit = if symmetric.amax() > 1e300 { 0.125 } else { 1.0 };
-        let [smallest, middle, largest] = symmetric_axes(&(symmetric * unit)).moments();
+        let [smallest, middle, largest] = symmetric_axes(&(symmetric * unit)).moments;
         let slack = relative * largest.abs().max(smallest.abs());
         if smallest < -slack {
             return Err(Error::Negative {
@@ -359,7 +359,7 @@ impl InertiaMatrix {
     /// use spinning_bodies::inertia::InertiaMatrix;
     /// use nalgebra::Matrix3;
     /// let matrix = Matrix3::new(2.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 4.0);
-    /// let moments = InertiaMatrix::from_matrix(matrix)?.principal_axes().moments();
+    /// let moments = InertiaMatrix::from_matrix(matrix)?.principal_axes().moments;
     /// assert!((moments[0] - 1.0).abs() < 1e-15 && (moments[1] - 3.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

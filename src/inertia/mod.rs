@@ -21,7 +21,7 @@
 //!
 //! // A box with semi-axes 2, 3, 5 and mass 1: 34/3, 29/3, 13/3 (2.1).
 //! let box_235 = shapes::cuboid(1.0, [4.0, 6.0, 10.0])?;
-//! let moments = box_235.inertia().principal_axes().moments();
+//! let moments = box_235.inertia().principal_axes().moments;
 //! assert!((moments[2] - 34.0 / 3.0).abs() < 1e-14);
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```

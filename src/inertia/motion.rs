@@ -88,7 +88,7 @@ impl RigidMotion {
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
     /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::zero(), omega: BodyVector::new(0.0, 0.0, 2.0) };
-    /// assert_eq!(motion.angular_momentum(&shapes::ball(5.0, 2.0)?)?.total().z(), 16.0);
+    /// assert_eq!(motion.angular_momentum(&shapes::ball(5.0, 2.0)?)?.of_rotation.z(), 16.0);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn angular_momentum(&self, body: &MassProperties) -> Result<AngularMomentumSplit> {
@@ -107,7 +107,7 @@ impl RigidMotion {
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
     /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::zero(), omega: BodyVector::new(0.0, 0.0, 2.0) };
-    /// assert_eq!(motion.energy(&shapes::ball(5.0, 2.0)?)?.total(), 16.0);
+    /// assert_eq!(motion.energy(&shapes::ball(5.0, 2.0)?)?.of_rotation, 16.0);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn energy(&self, body: &MassProperties) -> Result<EnergySplit> {
@@ -117,35 +117,5 @@ impl RigidMotion {
             cross: self.velocity.dot(&self.omega.cross(&(body.mass() * arm))),
             of_rotation: body.about(self.base)?.rotational_energy(self.omega),
         })
-    }
-}
-
-impl AngularMomentumSplit {
-    /// The sum of both parts, kg m²/s.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
-    /// let motion = RigidMotion { base: BodyVector::new(0.0, 1.0, 0.0), velocity: BodyVector::new(1.0, 0.0, 0.0), omega: BodyVector::zero() };
-    /// // 5 kg flying past at a distance of 1 m, 1 m/s.
-    /// assert_eq!(motion.angular_momentum(&shapes::ball(5.0, 2.0)?)?.total().z(), 5.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn total(&self) -> BodyVector {
-        self.of_motion + self.of_rotation
-    }
-}
-
-impl EnergySplit {
-    /// The sum of the three parts, J.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
-    /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::new(2.0, 0.0, 0.0), omega: BodyVector::new(0.0, 0.0, 1.0) };
-    /// // ½·5·2² + ½·8·1².
-    /// assert_eq!(motion.energy(&shapes::ball(5.0, 2.0)?)?.total(), 14.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn total(&self) -> f64 {
-        self.of_motion + self.cross + self.of_rotation
     }
 }

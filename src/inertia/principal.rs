@@ -21,36 +21,13 @@ use crate::precise::{DoubleDouble, Extended, Number, Words};
 /// two moments agree, the axes are as uncertain as the matrix: rounding over gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrincipalAxes {
-    moments: [f64; 3],
-    axes: Matrix3<f64>,
+    /// The principal moments, ascending, kg m².
+    pub moments: [f64; 3],
+    /// The principal axes as columns, unit vectors in the order of the moments, right-handed.
+    pub axes: Matrix3<f64>,
 }
 
 impl PrincipalAxes {
-    /// The principal moments, ascending, kg m².
-    ///
-    /// ```
-    /// use spinning_bodies::inertia::InertiaMatrix;
-    /// assert_eq!(InertiaMatrix::diagonal(3.0, 2.0, 4.0)?.principal_axes().moments(), [2.0, 3.0, 4.0]);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn moments(&self) -> [f64; 3] {
-        self.moments
-    }
-
-    /// The principal axes as columns, unit vectors in the order of the moments, right-handed.
-    ///
-    /// ```
-    /// use spinning_bodies::inertia::InertiaMatrix;
-    /// let axes = InertiaMatrix::diagonal(3.0, 2.0, 4.0)?.principal_axes().axes();
-    /// // The smallest moment is about the second of the body's axes; the three are right-handed.
-    /// assert_eq!(axes[(1, 0)].abs(), 1.0);
-    /// assert!((axes.determinant() - 1.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn axes(&self) -> Matrix3<f64> {
-        self.axes
-    }
-
     /// The rotation that turns components along the principal axes into those along the axes of the matrix.
     pub(crate) fn turn(&self) -> UnitQuaternion<f64> {
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.axes))
@@ -88,7 +65,7 @@ impl PrincipalAxes {
 /// use spinning_bodies::inertia::principal_axes_of;
 /// use nalgebra::Matrix3;
 /// let stress = Matrix3::new(0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-/// let [least, middle, most] = principal_axes_of(&stress)?.moments();
+/// let [least, middle, most] = principal_axes_of(&stress)?.moments;
 /// assert!((least + 1.0).abs() < 1e-15 && middle.abs() < 1e-15 && (most - 1.0).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```

@@ -336,7 +336,7 @@ pub fn ball_without_cap(mass: f64, radius: f64, cut: f64) -> Result<MassProperti
 /// ```
 /// use spinning_bodies::inertia::shapes;
 /// // Flat: the moment about the normal is the sum of the other two.
-/// let moments = shapes::racket(0.3, 0.13, 0.4)?.inertia().principal_axes().moments();
+/// let moments = shapes::racket(0.3, 0.13, 0.4)?.inertia().principal_axes().moments;
 /// assert!((moments[2] - moments[0] - moments[1]).abs() < 1e-15 * moments[2]);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```

@@ -11,6 +11,5 @@ mod real;
 
 pub use order_eight::{Kept, Leg, order_eight};
 pub use problem::{
-    AnyEvent, AnyLeg, AnyRate, Cost, Effort, Event, GeneralMethods, Method, Passage, Solution,
-    Stop, System,
+    AnyLeg, Cost, Effort, Event, GeneralMethods, Method, Passage, Solution, Stop, System,
 };

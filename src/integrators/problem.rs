@@ -183,10 +183,10 @@ pub enum Stop {
 }
 
 /// Rates of numbers, into the second slice.
-pub type AnyRate<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
+pub(crate) type AnyRate<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
 
 /// A quantity that depends on the time and on numbers.
-pub type AnyEvent<'a> = dyn Fn(f64, &[f64]) -> f64 + 'a;
+pub(crate) type AnyEvent<'a> = dyn Fn(f64, &[f64]) -> f64 + 'a;
 
 /// Equations, where they start and what is asked of them, for methods that learn the number of numbers when they run.
 #[derive(Clone, Copy)]

@@ -30,7 +30,7 @@ pub(crate) mod stretch;
 
 pub use course::{Course, Event};
 pub use friction::{Coulomb, RollingResistance};
-pub use moment::{Contact, Happening, Load, Moment};
+pub use moment::{Happening, Load, Moment};
 pub use plane::{InPlane, Slide};
 pub use sheet::{Sheet, SheetSpeeds};
 pub use shot::{Regime, RoundBody, Shot, SlideToRoll, factor, slide_to_roll};

@@ -4,7 +4,7 @@ use super::friction::{Coulomb, RollingResistance};
 use super::sheet::Sheet;
 
 /// What rubs: friction of the table, rolling resistance, and a sheet between the two, each if it is there.
-pub type Contact<'a> = (
+pub(crate) type Contact<'a> = (
     Option<Coulomb>,
     Option<RollingResistance>,
     Option<&'a Sheet>,

@@ -41,9 +41,12 @@ pub enum Regime {
 pub struct Shot {
     body: RoundBody,
     height_over_radius: f64,
-    velocity: f64,
-    slip: f64,
-    regime: Regime,
+    /// Velocity of the centre V', m/s.
+    pub velocity: f64,
+    /// Velocity of the contact point V' − RΩ', m/s, from the height of the stroke.
+    pub slip: f64,
+    /// How the body leaves the cue.
+    pub regime: Regime,
 }
 
 /// The sliding that precedes rolling.
@@ -153,7 +156,7 @@ impl RoundBody {
     /// ```
     /// use spinning_bodies::rolling::{Regime, RoundBody, factor};
     /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
-    /// assert_eq!(ball.strike(1.0, 7.0)?.regime(), Regime::SkidsBackward);
+    /// assert_eq!(ball.strike(1.0, 7.0)?.regime, Regime::SkidsBackward);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn strike(&self, height_over_radius: f64, velocity: f64) -> Result<Shot> {
@@ -240,30 +243,6 @@ impl Shot {
         self.body
     }
 
-    /// How the body leaves the cue.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{Regime, RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
-    /// assert_eq!(ball.strike(ball.pure_rolling_height(), 1.0)?.regime(), Regime::PureRolling);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn regime(&self) -> Regime {
-        self.regime
-    }
-
-    /// Velocity of the centre V', m/s.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
-    /// assert_eq!(ball.strike(1.2, 7.0)?.velocity(), 7.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn velocity(&self) -> f64 {
-        self.velocity
-    }
-
     /// Rim speed RΩ' = (H−R)V'/(κR), m/s; negative for a stroke below the centre.
     ///
     /// ```
@@ -274,18 +253,6 @@ impl Shot {
     /// ```
     pub fn rim_speed(&self) -> f64 {
         (self.height_over_radius - 1.0) / self.body.inertia_factor * self.velocity
-    }
-
-    /// Velocity of the contact point V' − RΩ', m/s, from the height of the stroke.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
-    /// assert!((ball.strike(1.2, 7.0)?.slip() - 3.5).abs() < 1e-14);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn slip(&self) -> f64 {
-        self.slip
     }
 
     /// The sliding that follows, as [`RoundBody::slide_to_roll`], with the slip taken from the stroke: no cancellation however

@@ -138,8 +138,8 @@ impl Free {
     /// This body, its centre of mass given from the centre of the planet, which has this velocity.
     fn new(body: &MassProperties, omega: BodyVector, velocity: BodyVector) -> Result<Self> {
         let principal = body.inertia().principal_axes();
-        let [a, b, c] = principal.moments();
-        let (axes, turn) = (principal.axes(), principal.turn());
+        let [a, b, c] = principal.moments;
+        let (axes, turn) = (principal.axes, principal.turn());
         let along = BodyVector::from_components(axes.transpose() * omega.components());
         let attitude = Attitude::from(turn);
         // No moment may become more than the sum of the others: not the greatest, nor the middle one of a needle.

@@ -370,7 +370,7 @@ pub fn balanced(ledger: Ledger, accuracy: f64) -> Result<Ledger> {
         .max_by(|a, b| a.relative_drift().total_cmp(&b.relative_drift()));
     match worst {
         Some(entry) if entry.relative_drift() > allowed => Err(Error::Ledger {
-            quantity: entry.name(),
+            quantity: entry.name,
             drift: entry.relative_drift(),
             allowed,
         }),

@@ -90,8 +90,8 @@ impl Roller {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn after(shot: &Shot, gravity: f64) -> Result<Self> {
-        let mut roller = Self::new(shot.body(), gravity, shot.velocity(), shot.rim_speed())?;
-        roller.start.slip = shot.slip();
+        let mut roller = Self::new(shot.body(), gravity, shot.velocity, shot.rim_speed())?;
+        roller.start.slip = shot.slip;
         Ok(roller)
     }
 

@@ -48,7 +48,7 @@ impl ConvexBody {
             .filter(|m| m.iter().all(|x| x.is_finite()));
         let inverse = inverse.ok_or(Error::Condition {
             condition: "a body on a table must have three positive moments of inertia",
-            value: inertia.principal_axes().moments()[0],
+            value: inertia.principal_axes().moments[0],
         })?;
         Ok(Self {
             mass,

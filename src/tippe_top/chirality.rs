@@ -81,11 +81,11 @@ pub fn swings_of_both_senses(
 pub fn beads(mass: f64, inertia: &InertiaMatrix, mixing: &Attitude) -> Result<[BodyVector; 3]> {
     let mass = positive("the mass", mass)?;
     let axes = inertia.principal_axes();
-    let moments = Vector3::from(axes.moments());
+    let moments = Vector3::from(axes.moments);
     let half = 0.5 * moments.sum();
     // Not below zero but by rounding: a lamina.
     let lengths = moments.map(|moment| (3.0 * (half - moment).max(0.0) / mass).sqrt());
     let mixing = mixing.quaternion().to_rotation_matrix();
-    let places = axes.axes() * Matrix3::from_diagonal(&lengths) * mixing.matrix();
+    let places = axes.axes * Matrix3::from_diagonal(&lengths) * mixing.matrix();
     Ok([0, 1, 2].map(|i| BodyVector::from_components(places.column(i).into_owned())))
 }

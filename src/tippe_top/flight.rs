@@ -56,14 +56,14 @@ impl Flight {
         let pose = Pose::of(start);
         let axes = body.principal();
         let principal =
-            UnitQuaternion::from_matrix_eps(&axes.axes(), 1e-15, 100, UnitQuaternion::identity());
-        let l = axes.axes().tr_mul(&(body.inertia * pose.omega));
+            UnitQuaternion::from_matrix_eps(&axes.axes, 1e-15, 100, UnitQuaternion::identity());
+        let l = axes.axes.tr_mul(&(body.inertia * pose.omega));
         let top = if l.amax() == 0.0 {
             None
         } else {
             let attitude = (pose.turn * principal).into_inner();
             Some(EulerTop::new(
-                axes.moments(),
+                axes.moments,
                 BodyVector::from_components(l),
                 Attitude::from_unit(attitude),
             )?)
@@ -164,7 +164,7 @@ impl ConvexBody {
 
     /// No angular velocity of the free body exceeds the one at the start by more than this factor: energy is conserved.
     fn slenderness(&self) -> f64 {
-        let moments = self.principal().moments();
+        let moments = self.principal().moments;
         (moments[2] / moments[0]).sqrt()
     }
 }

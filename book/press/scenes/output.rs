@@ -90,12 +90,12 @@ struct Told {
 impl Told {
     fn with(before: Option<Self>, table: &Table) -> Self {
         let entries = table.ledger.entries().iter().map(|entry| {
-            let law = match entry.law() {
+            let law = match entry.law {
                 Law::Conserved => "conserved",
                 Law::NonIncreasing => "non-increasing",
                 Law::NonDecreasing => "non-decreasing",
             };
-            (entry.name(), law, entry.first(), entry.relative_drift())
+            (entry.name, law, entry.first(), entry.relative_drift())
         });
         let ledger: Vec<_> = entries.collect();
         let Some(mut told) = before else {

@@ -50,8 +50,8 @@ pub fn lines(values: &Values) -> Result<Figure> {
         .iter()
         .map(|shot| {
             let start = Moment {
-                slip: shot.slip(),
-                ..Moment::moving(shot.velocity(), shot.rim_speed())
+                slip: shot.slip,
+                ..Moment::moving(shot.velocity, shot.rim_speed())
             };
             let effects = (Some(Coulomb::new(mu)?), None, None);
             Course::new(kappa, Load::weight(9.81), effects, start, until)

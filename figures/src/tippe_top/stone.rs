@@ -41,7 +41,7 @@ fn stone(product: f64) -> Result<ConvexBody> {
 pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
     let (product, spin) = (values.of(&PRODUCT), values.of(&STONE[1]));
     let body = stone(1e-4 * product)?;
-    let axes = body.inertia().principal_axes().axes();
+    let axes = body.inertia().principal_axes().axes;
     let angle = (axes[(1, 0)] / axes[(0, 0)]).atan();
     let growth = |spin: f64| -> Result<f64> { Ok(rolling_growth_rates(&body, G, spin)?[0].growth) };
     let rates = [growth(-spin)?, growth(spin)?];

@@ -115,11 +115,11 @@ impl Found<'_> {
     fn free(&mut self, moments: [f64; 3]) -> Result<()> {
         for order in Order::ALL {
             let method = FreeSplitting::new(moments, order)?;
-            self.stepped(format!("rotations-{}", order.number()), method);
+            self.stepped(format!("rotations-{}", order as u32), method);
         }
         for order in VeselovOrder::ALL {
             let method = MoserVeselov::new(moments, order)?;
-            self.stepped(format!("moser-veselov-{}", order.number()), method);
+            self.stepped(format!("moser-veselov-{}", order as u32), method);
         }
         self.stepped("midpoint-2", GroupMidpoint::new(moments)?);
         self.any_torque(moments, Nothing)
@@ -129,7 +129,7 @@ impl Found<'_> {
         let weight = Weight::new(lever)?;
         for order in Order::ALL {
             let method = HeavySplitting::new(moments, weight, order)?;
-            self.stepped(format!("kick-drift-{}", order.number()), method);
+            self.stepped(format!("kick-drift-{}", order as u32), method);
         }
         self.any_torque(moments, weight)
     }

@@ -32,7 +32,7 @@ pub(super) const NEEDLE: Family = Family {
     textbook: |inputs| Ok(vec![least_root(&matrix(numbers(inputs)?))]),
     ours: |inputs| {
         Ok(vec![
-            principal_axes_of(&matrix(numbers(inputs)?))?.moments()[0],
+            principal_axes_of(&matrix(numbers(inputs)?))?.moments[0],
         ])
     },
 };

@@ -14,13 +14,13 @@ use crate::integrators::real::{Real, cross, dot};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum VeselovOrder {
     /// With the moments of the body.
-    Two,
+    Two = 2,
     /// With one correction of the moments.
-    Four,
+    Four = 4,
     /// With two.
-    Six,
+    Six = 6,
     /// With four.
-    Ten,
+    Ten = 10,
 }
 
 impl VeselovOrder {
@@ -34,16 +34,6 @@ impl VeselovOrder {
             Self::Six => 2,
             Self::Ten => 4,
         }
-    }
-
-    /// As a number.
-    ///
-    /// ```
-    /// use spinning_bodies::integrators::geometric::VeselovOrder;
-    /// assert_eq!(VeselovOrder::ALL.map(VeselovOrder::number), [2, 4, 6, 10]);
-    /// ```
-    pub const fn number(self) -> u32 {
-        2 + 2 * self.terms() as u32
     }
 }
 
@@ -87,11 +77,11 @@ impl MoserVeselov {
 
 impl<T: Real> Integrator<T> for MoserVeselov {
     fn name(&self) -> String {
-        format!("Moser-Veselov {}", self.order.number())
+        format!("Moser-Veselov {}", self.order as u32)
     }
 
     fn order(&self) -> u32 {
-        self.order.number()
+        self.order as u32
     }
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {

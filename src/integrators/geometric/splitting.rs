@@ -8,34 +8,20 @@ use crate::integrators::Cost;
 use crate::integrators::real::{Real, Sums, dot, product};
 use crate::precise::DoubleDouble;
 
-/// Order of a splitting.
+/// Order of a splitting; `as u32` it is the number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Order {
     /// Strang's: one stage.
-    Two,
+    Two = 2,
     /// Blanes' and Moan's: six stages.
-    Four,
+    Four = 4,
     /// Blanes' and Moan's: ten stages, eleven for kicks between motions that are exact.
-    Six,
+    Six = 6,
 }
 
 impl Order {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Two, Self::Four, Self::Six];
-
-    /// As a number.
-    ///
-    /// ```
-    /// use spinning_bodies::integrators::geometric::Order;
-    /// assert_eq!(Order::Six.number(), 6);
-    /// ```
-    pub const fn number(self) -> u32 {
-        match self {
-            Self::Two => 2,
-            Self::Four => 4,
-            Self::Six => 6,
-        }
-    }
 
     /// For any two parts, and any three.
     const fn splitting(self) -> Splitting {
@@ -115,11 +101,11 @@ impl FreeSplitting {
 
 impl<T: Real> Integrator<T> for FreeSplitting {
     fn name(&self) -> String {
-        format!("rotations {}", self.order.number())
+        format!("rotations {}", self.order as u32)
     }
 
     fn order(&self) -> u32 {
-        self.order.number()
+        self.order as u32
     }
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
@@ -195,11 +181,11 @@ impl<N> HeavySplitting<N> {
 
 impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
     fn name(&self) -> String {
-        format!("kick and drift {}", self.order.number())
+        format!("kick and drift {}", self.order as u32)
     }
 
     fn order(&self) -> u32 {
-        self.order.number()
+        self.order as u32
     }
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {

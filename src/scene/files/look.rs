@@ -92,7 +92,7 @@ impl Outline {
         let about_center = second_moments - center * center.transpose() * mass;
         let half = principal_axes_of(&about_center).map(|axes| {
             let half = |moment: f64| (5.0 * moment.max(0.0) / mass).sqrt();
-            axes.axes() * Matrix3::from_diagonal(&axes.moments().map(half).into())
+            axes.axes * Matrix3::from_diagonal(&axes.moments.map(half).into())
         });
         let ellipsoid = Solid::Ellipsoid(half.unwrap_or_else(|_| Matrix3::identity()));
         Self::new("its ellipsoid of inertia", ellipsoid)

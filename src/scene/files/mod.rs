@@ -41,7 +41,8 @@ mod yo_yo;
 pub use body::shape_keys;
 pub use keys::KeyRow;
 pub(in crate::scene) use look::Look;
-pub use reader::{Mistakes, Open, meant};
+use reader::Open;
+pub use reader::{Mistakes, meant};
 pub use run::telling;
 
 use toml::de::{DeTable, DeValue};

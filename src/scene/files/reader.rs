@@ -56,7 +56,7 @@ pub(super) struct Reader<'a> {
 }
 
 /// Gives the bytes of a file that a scene file names, or says why not.
-pub type Open<'a> = dyn Fn(&str) -> Result<Vec<u8>, String> + 'a;
+pub(super) type Open<'a> = dyn Fn(&str) -> Result<Vec<u8>, String> + 'a;
 
 impl<'a> Reader<'a> {
     /// # Errors

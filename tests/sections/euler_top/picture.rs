@@ -183,7 +183,7 @@ fn s6_3_the_racket_and_its_axes() {
     ])
     .unwrap();
     let axes = racket.inertia().principal_axes();
-    let [i1, i2, i3] = axes.moments();
+    let [i1, i2, i3] = axes.moments;
     assert!(i1 < i2 && i2 < i3);
     // A lamina: the moment about its normal is the sum of the two others.
     observed!(relative(i3, i1 + i2), 0.0..=4.5e-16);
@@ -194,7 +194,7 @@ fn s6_3_the_racket_and_its_axes() {
         (2, [0.0, 0.0, 1.0]),
     ] {
         let along = axes
-            .axes()
+            .axes
             .column(column)
             .dot(&vector(axis).components())
             .abs();

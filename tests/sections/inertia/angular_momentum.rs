@@ -58,7 +58,7 @@ fn s2_2_angular_momentum_splits() -> Result<()> {
     let integers = |v: [i128; 3]| v.map(Ratio::from_integer);
     assert_close(split.of_motion, integers([32, -8, -16]));
     assert_close(split.of_rotation, integers([26, 8, -23]));
-    assert_close(split.total(), integers([58, 0, -39]));
+    assert_close(split.of_motion + split.of_rotation, integers([58, 0, -39]));
     assert_eq!(direct_sums(integers([0, 0, 0])).0, integers([58, 0, -39]));
     Ok(())
 }

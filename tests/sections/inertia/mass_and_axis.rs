@@ -19,7 +19,7 @@ fn s2_1_mass_as_a_coefficient() -> Result<()> {
         };
         Ok((
             motion.momentum(&particle).x(),
-            motion.energy(&particle)?.total(),
+            motion.energy(&particle)?.of_motion,
         ))
     };
     for v in [-2.0, 0.0, 0.5, 4.0] {

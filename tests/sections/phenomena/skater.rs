@@ -70,7 +70,7 @@ fn s1_1_the_skater_and_the_work_of_the_arms() {
 fn s1_4_a_top_need_not_be_symmetric() {
     // Three different moments, and a free motion that keeps them apart.
     let matrix = InertiaMatrix::diagonal(1.0, 2.0, 3.0).unwrap();
-    let axes = matrix.principal_axes().moments();
+    let axes = matrix.principal_axes().moments;
     assert_eq!(axes, [1.0, 2.0, 3.0]);
     let top = spinning_bodies::euler_top::EulerTop::from_omega(
         [1.0, 2.0, 3.0],

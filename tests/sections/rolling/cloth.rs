@@ -19,8 +19,8 @@ fn ball() -> RoundBody {
 fn shot(height: f64, speed: f64) -> Moment {
     let shot = ball().strike(height, speed).unwrap();
     Moment {
-        slip: shot.slip(),
-        ..Moment::moving(shot.velocity(), shot.rim_speed())
+        slip: shot.slip,
+        ..Moment::moving(shot.velocity, shot.rim_speed())
     }
 }
 

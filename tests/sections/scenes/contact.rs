@@ -116,16 +116,16 @@ fn without_friction_energy_and_vertical_momentum_stay() {
         let scene = TableTop::new(body, start).with(gravity()).unwrap();
         let motion = motion(&scene, &times, 1e-12);
         for entry in motion.ledger.entries() {
-            println!("{} {:e}", entry.name(), entry.relative_drift());
+            println!("{} {:e}", entry.name, entry.relative_drift());
             // Observed: 4e-15.
-            assert!(entry.relative_drift() < 1e-13, "{}", entry.name());
+            assert!(entry.relative_drift() < 1e-13, "{}", entry.name);
         }
         assert!(
             motion
                 .ledger
                 .entries()
                 .iter()
-                .any(|e| e.name() == "vertical angular momentum")
+                .any(|e| e.name == "vertical angular momentum")
         );
     }
 }

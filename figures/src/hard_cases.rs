@@ -5,8 +5,8 @@ use spinning_bodies::Result;
 
 use crate::plot::{Axis, Frame, beaded, powers};
 use crate::style::{
-    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, number, small,
-    stroke, wrapped,
+    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, scientific,
+    small, stroke, wrapped,
 };
 use crate::{Entry, Figure, constant};
 
@@ -42,8 +42,8 @@ pub fn overview() -> Result<Figure> {
         claim: "The formula is the same, the digits are not.".to_owned(),
         details: format!(
             "Twelve quantities of this book, each about a millionth away from the place where its formula loses its digits (after a million units of time, a million \
-             bounces). Relative error of the formula as printed, and of the library, from the same doubles, against 36 digits. The library’s worst is {}.",
-            power(worst)
+             bounces). Relative error of the formula as printed, and of the library, from the same doubles, against 36 digits. The library’s worst is ${}$.",
+            scientific(worst, 1)
         ),
         alt: format!(
             "Twelve horizontal lines, one a case, on a logarithmic axis of errors from 1e-17 to 1; above each what is asked and what is lost. The left end of each, the library, lies between 1e-17 and {worst:.0e}. The \
@@ -205,13 +205,4 @@ fn shown(error: f64) -> f64 {
     } else {
         error.clamp(SHOWN[0], SHOWN[1])
     }
-}
-
-/// A small number as a formula: 2.9·10⁻¹⁶.
-fn power(value: f64) -> String {
-    let exponent = value.log10().floor();
-    format!(
-        "${} \\cdot 10^{{{exponent}}}$",
-        number(value / 10f64.powf(exponent), 1)
-    )
 }

@@ -607,6 +607,15 @@ pub fn short(value: f64, digits: usize) -> String {
     }
 }
 
+/// A small number as LaTeX, its first figure with at most `digits` decimals.
+pub fn scientific(value: f64, digits: usize) -> String {
+    let exponent = value.log10().floor();
+    match short(value / 10_f64.powf(exponent), digits).as_str() {
+        "1" => format!("10^{{{exponent}}}"),
+        first => format!("{first}\\cdot10^{{{exponent}}}"),
+    }
+}
+
 /// A text in lines of at most so many letters.
 pub fn wrapped(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();

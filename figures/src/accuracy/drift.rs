@@ -12,7 +12,7 @@ use spinning_bodies::integrators::{Effort, Method};
 use super::{named_line, problem};
 use crate::Figure;
 use crate::plot::{Axis, Frame, powers};
-use crate::style::{Anchor, DATA, Point, Role, Words, figure, inked, number, stroke};
+use crate::style::{Anchor, DATA, Point, Role, Words, figure, inked, scientific, stroke};
 
 /// A sixteenth of a second, about a thirtieth of a turn.
 const STEP: f64 = 0.0625;
@@ -77,19 +77,13 @@ pub fn energy_drift() -> Result<Figure> {
         x: Axis::log([2e3, 1e7], [64.0, 584.0]),
         y: Axis::log([1e-16, 1e-2], [332.0, 32.0]),
     };
-    let scientific = |value: f64| {
-        let exponent = value.log10().floor();
-        format!(
-            "${}\\cdot10^{{{exponent:.0}}}$",
-            number(value / 10.0_f64.powf(exponent), 1)
-        )
-    };
+    let told = |k: usize| format!("${}$", scientific(last[k], 1));
     let words = Words {
         claim: "Ten million steps: rk4 leaks energy without end, rotations borrow it and give it back, the discrete top keeps it.".to_owned(),
         details: format!(
             "Relative error of the energy of a free body, the largest so far, against the number of steps, 32 a turn. After $10^7$ of them: rk4 {}, \
              rotations of order 2 {}, Moser and Veselov's discrete top {}, a random walk of rounding.",
-            scientific(last[0]), scientific(last[1]), scientific(last[2])
+            told(0), told(1), told(2)
         ),
         alt: "Largest relative error of the energy against the number of steps, two thousand to ten million, on logarithmic axes. The line of rk4 rises \
               in proportion to the number of steps. That of rotations of order 2 is level, and rk4 crosses it after some two hundred thousand steps. That of the discrete top stays below 1e-12."

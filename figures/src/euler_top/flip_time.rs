@@ -7,7 +7,7 @@ use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::plot::Axis;
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, number,
-    stroke,
+    scientific, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -220,7 +220,7 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
                  the time from flip to flip is infinite. Move a moment a little, and the line is there.{}",
                 triple(course.moments),
                 brief(spin),
-                scientific(values.of(&DISTANCE)),
+                distance(values.of(&DISTANCE)),
                 remark(course.moments),
             ),
             alt: format!(
@@ -241,7 +241,7 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
             brief(spin),
             number(decade, 3),
             seconds(course.marked[1]),
-            scientific(values.of(&DISTANCE)),
+            distance(values.of(&DISTANCE)),
             seconds(near),
             number(turns(near), 1),
             remark(course.moments),
@@ -307,16 +307,11 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     }))
 }
 
-/// A small number as LaTeX.
-fn scientific(value: f64) -> String {
-    if value >= 1e-3 {
-        return brief(value);
-    }
-    let exponent = value.log10().floor();
-    let digits = brief(value / 10f64.powf(exponent));
-    match digits.as_str() {
-        "1" => format!("10^{{{exponent}}}"),
-        _ => format!("{digits}\\cdot 10^{{{exponent}}}"),
+/// A distance as LaTeX.
+fn distance(value: f64) -> String {
+    match value >= 1e-3 {
+        true => brief(value),
+        false => scientific(value, 3),
     }
 }
 

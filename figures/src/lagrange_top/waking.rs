@@ -8,7 +8,7 @@ use spinning_bodies::scene::{Request, Scene};
 
 use crate::plot::{Axis, Frame, marks};
 use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, brief, figure, inked, number, stroke,
+    Anchor, DATA, Point, Role, SECONDARY, Words, brief, figure, inked, number, scientific, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -99,7 +99,7 @@ pub fn waking(values: &Values) -> Result<Figure> {
             "The wooden top, upright but for {} rad, loses spin to the friction at its tip, {} N m. Dashed: how far gravity \
              would let a top of that spin fall. The spin passes the threshold, {} rad/s, after {} s; {passes}",
             brief(tilt),
-            short_power(torque),
+            format!("${}$", scientific(torque, 3)),
             number(threshold, 2),
             number(crossed.map_or(seconds, |row| row[0]), 2),
         ),
@@ -158,11 +158,4 @@ pub fn waking(values: &Values) -> Result<Figure> {
     });
     let columns = ["time (s)", "spin (rad/s)", "tilt (°)"];
     Ok(made.data("top", &columns, course.iter().map(|row| row.to_vec())))
-}
-
-/// A torque as LaTeX.
-fn short_power(value: f64) -> String {
-    let exponent = value.log10().floor();
-    let digits = brief(value / 10f64.powf(exponent));
-    format!("${digits}\\cdot10^{{{exponent}}}$")
 }

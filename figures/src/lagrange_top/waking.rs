@@ -96,10 +96,10 @@ pub fn waking(values: &Values) -> Result<Figure> {
     let words = Words {
         claim: claim.to_owned(),
         details: format!(
-            "The wooden top, upright but for {} rad, loses spin to the friction at its tip, {} N m. Dashed: how far gravity \
+            "The wooden top, upright but for {} rad, loses spin to the friction at its tip, ${}$ N m. Dashed: how far gravity \
              would let a top of that spin fall. The spin passes the threshold, {} rad/s, after {} s; {passes}",
             brief(tilt),
-            format!("${}$", scientific(torque, 3)),
+            scientific(torque, 3),
             number(threshold, 2),
             number(crossed.map_or(seconds, |row| row[0]), 2),
         ),

@@ -351,7 +351,7 @@ const TOGETHER: f64 = 0.05;
 /// Of two runs with as many steps each the distance says little: so much of it is told.
 const MOST: f64 = 8.0;
 /// The error of a run of a few steps, in units of its tolerance.
-const OF_A_STEP: f64 = 8.0;
+const OF_A_STEP: f64 = 10.0;
 /// The looser run of the first pair has this times the accuracy a radian: of a steady motion it is then off by the accuracy, of a fast top by four
 /// times that.
 const FIRST: f64 = 2.5;
@@ -366,6 +366,8 @@ const SHORT: f64 = 3.0;
 const CHECKED: f64 = 0.5;
 /// A run of at most so many steps is compared with one of twice as many: two tolerances might give both the same.
 const FEW_STEPS: u64 = 3;
+/// Of runs of few steps all of the distance is told, and with it all of the doubt: so much of it will do.
+const LESS: f64 = 0.5;
 /// What rounding does to a motion that amplifies nothing, for every radian.
 pub(crate) const ROUNDING: f64 = 4e-16;
 
@@ -424,34 +426,38 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     let mut worse = run(efforts.worse, 1.0)?.1;
     loop {
         // A phase that ends within a step would see no more of them.
-        if worse.phases.len() == 1 {
-            efforts.halve_few(stepper, worse.cost.steps, furthest(&times));
-        }
+        let few = worse.phases.len() == 1
+            && efforts.halve_few(stepper, worse.cost.steps, furthest(&times));
         let (flow, better) = run(efforts.better, 0.0)?;
         let seen = &better.samples;
-        let (asked, more) = worse.samples.split_at(count);
-        let asked = flow.furthest_apart(asked, &seen[..count], seen);
-        let checked = flow.furthest_apart(more, &seen[count..], seen);
-        let apart = greater(asked, CHECKED * checked);
-        let share = if apart < TOGETHER {
-            efforts.share(better.cost.steps as f64 / worse.cost.steps as f64)
-        } else {
-            1.0
+        let share = efforts.share(better.cost.steps as f64 / worse.cost.steps as f64);
+        let floor = efforts.floor(better.phases.len());
+        let told = |asked: &Trace<_, N>, checked: &Trace<_, N>| {
+            let asked = flow.furthest_apart(&asked.samples[..count], &seen[..count], seen);
+            let checked = flow.furthest_apart(&checked.samples[count..], &seen[count..], seen);
+            let apart = greater(asked, CHECKED * checked);
+            let share = if apart < TOGETHER { share } else { 1.0 };
+            greater(share * apart, floor) + rounding
         };
-        let error = greater(share * apart, efforts.floor(better.phases.len())) + rounding;
-        if error <= accuracy {
-            let mut samples = better.samples;
-            samples.truncate(count);
-            return Ok(Answer {
-                trace: Trace {
-                    samples,
-                    cost,
-                    ..better
-                },
-                error,
-            });
+        let mut error = told(&worse, &worse);
+        if error > accuracy && few && !sure {
+            worse = run(efforts.worse, LESS)?.1;
+            error = told(&worse, &worse);
         }
-        if !efforts.tighten(accuracy, error) {
+        if error > accuracy {
+            if efforts.tighten(accuracy, error) {
+                worse = if sure {
+                    better
+                } else {
+                    efforts.spread();
+                    run(efforts.worse, 1.0)?.1
+                };
+                continue;
+            }
+            // What the motion makes of rounding where nobody has asked is no reason to refuse it.
+            error = told(&worse, &run(efforts.worse, 0.0)?.1);
+        }
+        if error > accuracy {
             let growth = growth(&flow, stepper, efforts.better, &times, budget)?;
             return Err(Error::Amplified {
                 asked: accuracy,
@@ -459,12 +465,16 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
                 growth,
             });
         }
-        worse = if sure {
-            better
-        } else {
-            efforts.spread();
-            run(efforts.worse, 1.0)?.1
-        };
+        let mut samples = better.samples;
+        samples.truncate(count);
+        return Ok(Answer {
+            trace: Trace {
+                samples,
+                cost,
+                ..better
+            },
+            error,
+        });
     }
 }
 
@@ -590,16 +600,18 @@ impl Efforts {
             (Effort::Step(_), Effort::Step(_)) => return 0.25,
             (Effort::Step(_), Effort::Tolerance(_)) => SHARE,
         };
-        // As the order has it, of steps that all are shorter by as much.
-        let by_their_number = 1.0 / (times_the_steps.powi(8) - 1.0).max(0.0);
+        // Half the order: not all of the steps are shorter by as much.
+        let by_their_number = 1.0 / (times_the_steps.powi(4) - 1.0).max(0.0);
         greater(shown, by_their_number.min(MOST))
     }
 
-    /// Where the worse run has taken few steps, the better one takes twice as many.
-    fn halve_few(&mut self, stepper: Stepper<'_>, steps: u64, last: f64) {
-        if matches!(stepper, Stepper::OrderEight) && (1..=FEW_STEPS).contains(&steps) {
+    /// Where the worse run has taken few steps, the better one takes twice as many; whether that is so.
+    fn halve_few(&mut self, stepper: Stepper<'_>, steps: u64, last: f64) -> bool {
+        let few = matches!(stepper, Stepper::OrderEight) && (1..=FEW_STEPS).contains(&steps);
+        if few {
             self.better = Effort::Step(last.abs() / (2 * steps) as f64);
         }
+        few
     }
 
     /// Less is never told: where every phase has few steps, two runs of the same steps agree, and each step may be off by about the tolerance in every

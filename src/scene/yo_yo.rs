@@ -261,8 +261,8 @@ impl Playing {
                 let duration = way.duration()?;
                 let course = move |t: f64| {
                     let t = if phase == Phase::Up { duration - t } else { t };
-                    let depth = way.depth_at(t)?;
-                    Ok([depth / length, way.omega(depth)])
+                    let [depth, omega] = way.at(t)?;
+                    Ok([depth / length, omega])
                 };
                 (duration, Box::new(course))
             }

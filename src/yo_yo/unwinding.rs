@@ -191,9 +191,14 @@ impl Unwinding {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn omega(&self, depth: f64) -> f64 {
+        self.omega_below(depth, depth - self.top)
+    }
+
+    /// The same where it is known how far below the upper end that is.
+    fn omega_below(&self, depth: f64, way: f64) -> f64 {
         // From rest the fall below the upper end is what counts.
         let fall = if self.energy < 0.0 {
-            self.gravity * (depth - self.top)
+            self.gravity * way
         } else {
             self.energy / self.toy.mass + self.gravity * depth
         };
@@ -278,24 +283,28 @@ impl Unwinding {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn depth_at(&self, time: f64) -> Result<f64> {
+        Ok(self.at(time)?[0])
+    }
+
+    /// Depth (m) and spin (rad/s) so long after the upper end. Next to a rest the spin has more digits than the depth could give it.
+    pub(crate) fn at(&self, time: f64) -> Result<[f64; 2]> {
+        let length = self.toy.length;
         let duration = self.duration()?;
         if within("the time on the way down", time, 0.0, duration)? == duration {
-            return Ok(self.toy.length);
+            return Ok([length, self.omega(length)]);
         }
-        let depth = match self.law {
+        let way = match self.law {
             Law::Uniform {
                 speed,
                 acceleration,
-            } => self.top + time * (speed + 0.5 * acceleration * time),
-            Law::Elliptic { scale, arc } => self.top + arc.way(arc.turned_when(time / scale)),
-            Law::Free { speed } => {
-                let length = self.toy.length;
-                newton(length * (time / duration), length, |depth| {
-                    (self.free_time(depth) / speed - time) * self.speed(depth)
-                })
-            }
+            } => time * (speed + 0.5 * acceleration * time),
+            Law::Elliptic { scale, arc } => arc.way(arc.turned_when(time / scale)),
+            Law::Free { speed } => newton(length * (time / duration), length, |depth| {
+                (self.free_time(depth) / speed - time) * self.speed(depth)
+            }),
         };
-        Ok(depth.clamp(self.top, self.toy.length))
+        let depth = (self.top + way).clamp(self.top, length);
+        Ok([depth, self.omega_below(depth, way.max(0.0))])
     }
 
     /// The energy, J, with which a yo-yo leaves this depth (m) at this speed (m/s, either way) under `gravity`.

@@ -196,12 +196,11 @@ impl Round {
         })
     }
 
-    /// The next corner after a time, s, or the next third of the way between two: the first step after a corner, where everything is still, would reach
-    /// across the whole stroke, and both estimates of its error may miss that.
-    pub fn corner_after(&self, t: f64) -> f64 {
-        let part = self.part() / 3.0;
-        let corner = |number: f64| number * part;
-        let number = (t / part).floor() + 1.0;
+    /// The next corner after a time, s, or the next of so many places between two.
+    pub fn corner_after(&self, t: f64, pieces: f64) -> f64 {
+        let piece = self.part() / pieces;
+        let corner = |number: f64| number * piece;
+        let number = (t / piece).floor() + 1.0;
         if corner(number) > t {
             corner(number)
         } else {

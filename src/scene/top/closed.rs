@@ -113,6 +113,14 @@ impl ClosedForm {
         }
     }
 
+    /// By how much Ω is off where it is much slower than the pace (both rad/s), as after a release a moment ago: by a rounding of the pace.
+    pub(super) fn hardly_moving(&self, pace: f64, fastest: f64) -> f64 {
+        match self {
+            Self::Lagrange(..) if fastest > 0.0 => f64::EPSILON * (pace / fastest),
+            _ => 0.0,
+        }
+    }
+
     /// Attitude and Ω at each of these times (s), shown in their order: where they have to be walked to, each from the one before.
     #[inline]
     pub(super) fn each(

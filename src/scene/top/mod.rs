@@ -130,18 +130,23 @@ impl Top {
         let times = request.times();
         let angle = self.pace()? * request.furthest().abs();
         let doubted = self.doubted(closed, request)?;
-        let error = closed.rounding(request.furthest(), angle) + body::DOUBTED * doubted;
-        if error > request.accuracy() {
-            return Err(Error::Amplified {
+        let told = closed.rounding(request.furthest(), angle) + body::DOUBTED * doubted;
+        let within = |error: f64| match error <= request.accuracy() {
+            true => Ok(error),
+            false => Err(Error::Amplified {
                 asked: request.accuracy(),
                 reached: error,
                 growth: doubted / body::DOUBT[0],
-            });
-        }
+            }),
+        };
+        within(told)?;
         let mut rows = Vec::with_capacity(times.len());
+        let mut fastest = self.start.omega(self.body.moments)?.norm();
         closed.each(times, &request.budget(), |t, attitude, omega| {
+            fastest = fastest.max(omega.norm());
             rows.push((t, conserved.state(attitude, omega)));
         })?;
+        let error = within(told + closed.hardly_moving(self.pace()?, fastest))?;
         Ok(Motion {
             plan,
             cost: Cost::default(),

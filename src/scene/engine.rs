@@ -430,7 +430,10 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
             && efforts.halve_few(stepper, worse.cost.steps, furthest(&times));
         let (flow, better) = run(efforts.better, 0.0)?;
         let seen = &better.samples;
-        let share = efforts.share(better.cost.steps as f64 / worse.cost.steps as f64);
+        // Of many phases each may be a step for either.
+        let more = (worse.phases.len() as u64 <= FEW_STEPS)
+            .then(|| better.cost.steps as f64 / worse.cost.steps as f64);
+        let share = efforts.share(more);
         let floor = efforts.floor(better.phases.len());
         let told = |asked: &Trace<_, N>, checked: &Trace<_, N>| {
             let asked = flow.furthest_apart(&asked.samples[..count], &seen[..count], seen);
@@ -588,8 +591,9 @@ impl Efforts {
         }
     }
 
-    /// The share of the distance of both that is taken for the error of the better, which has taken so many times the steps of the worse.
-    fn share(&self, times_the_steps: f64) -> f64 {
+    /// The share of the distance of both that is taken for the error of the better, which has taken so many times the steps of the worse, if that
+    /// is known.
+    fn share(&self, times_the_steps: Option<f64>) -> f64 {
         let shown = match (self.worse, self.better) {
             (Effort::Tolerance(worse), Effort::Tolerance(better)) => {
                 (SHARE * APART * better / worse).min(1.0)
@@ -601,8 +605,11 @@ impl Efforts {
             (Effort::Step(_), Effort::Tolerance(_)) => SHARE,
         };
         // Half the order: not all of the steps are shorter by as much.
-        let by_their_number = 1.0 / (times_the_steps.powi(4) - 1.0).max(0.0);
-        greater(shown, by_their_number.min(MOST))
+        let by_their_number = |more: f64| 1.0 / (more.powi(4) - 1.0).max(0.0);
+        greater(
+            shown,
+            times_the_steps.map_or(0.0, by_their_number).min(MOST),
+        )
     }
 
     /// Where the worse run has taken few steps, the better one takes twice as many; whether that is so.

@@ -7,6 +7,7 @@
 //! | 6.5 | two equal moments: sines and cosines | [`SymmetricTop`] |
 //! | 6.5 | the example everybody lives on | [`earth`] |
 //! | 6.1, 6.4, 6.6, 6.8 | Ω, L and attitude of any body at any time; period, mean precession, geometric phase | [`EulerTop`] |
+//! | 2.3, 6.6 | the same along axes that are no principal ones | [`FreeBody`] |
 //! | 6.6, 6.8 | the same for many times at once | [`EulerTop::states_at`] |
 //! | 6.6, 6.8 | an asteroid that is no symmetric top | [`toutatis`] |
 //!
@@ -29,7 +30,7 @@ mod symmetric;
 pub mod toutatis;
 
 pub use evaluation::State;
-pub use motion::{EulerTop, GeometricPhase};
+pub use motion::{EulerTop, FreeBody, GeometricPhase};
 pub use poinsot::{Poinsot, Sector, separatrix_slope};
 pub use preparation::Regime;
 pub use symmetric::{Cones, Shape, SymmetricTop};

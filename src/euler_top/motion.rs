@@ -1,13 +1,14 @@
 //! The exact motion of a free rigid body (tutorial 6.1, 6.6, 6.8): angular velocity, angular momentum and attitude at any time.
 
-use nalgebra::Quaternion;
+use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::evaluation::{Constants, Moving, State, vector};
 use super::preparation::{Digits, Regime, Start, ascending, decide, decide_from, ratio};
+use crate::elliptic::Parameter;
 use crate::elliptic::lanes::turned;
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::inertia::PrincipalMoments;
+use crate::inertia::{InertiaMatrix, PrincipalMoments};
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
 
 /// A free rigid body, its motion prepared.
@@ -486,6 +487,23 @@ impl EulerTop {
         }
     }
 
+    /// The parameter m = k² of the elliptic functions that Ω runs through, and its complement (6.6): 0 for a symmetric top, 1 on the separatrix. None where Ω
+    /// stays. Error: 1 ulp of the lesser of m and 1 − m.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
+    /// let top = EulerTop::new([1.0, 2.0, 3.0], BodyVector::new(2.0, 2.0, 3.0), Attitude::identity())?;
+    /// // (I₃ − I₂)(L² − 2EI₁)/((I₂ − I₁)(2EI₃ − L²)) with 2E = 9 and L² = 17 < 2EI₂.
+    /// assert!((top.parameter().expect("it moves").m() - 0.8).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn parameter(&self) -> Option<Parameter> {
+        match &self.motion {
+            Motion::Steady { .. } => None,
+            Motion::Moving(Moving { constants, .. }) => Some(constants.modulus.parameter()),
+        }
+    }
+
     /// Mean rate, rad/s, at which the axis that L circles goes round L in space, right-handed about L (6.5, 6.8).
     ///
     /// |L|/I₁ for a symmetric top. Where Ω stays: the rate 2E/|L| at which the body turns about L; 0 at rest. Error: 2 ulp.
@@ -542,6 +560,85 @@ pub struct GeometricPhase {
     /// Less the solid angle of the cone that L draws in the body, counted positive if L goes round right-handed as seen from its
     /// own end. It depends on the shape of the path alone, not on the pace.
     pub geometric: f64,
+}
+
+/// A free body of any inertia matrix, its motion prepared: [`EulerTop`] inside, Ω, L and attitude along the axes of the matrix outside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeBody {
+    principal: EulerTop,
+    /// Turns components along the principal axes into those along the body's own.
+    own: UnitQuaternion<f64>,
+}
+
+impl FreeBody {
+    /// The body with this inertia matrix about its centre of mass (kg m²), with this Ω (rad/s) and this attitude at time 0, all along its own axes (2.3, 6.6).
+    ///
+    /// Error: that of [`EulerTop`], and a rounding or two of the principal moments, which the angle turned multiplies. Cost: [`EulerTop::new`] and
+    /// [`InertiaMatrix::principal_axes`]; a state costs that of [`EulerTop::at`] and three turns.
+    ///
+    /// # Errors
+    /// As for [`EulerTop::from_omega`].
+    ///
+    /// ```
+    /// use nalgebra::Matrix3;
+    /// use spinning_bodies::{euler_top::FreeBody, frame::{Attitude, BodyVector}, inertia::InertiaMatrix};
+    /// let matrix = Matrix3::new(2.0, -0.5, 0.1, -0.5, 2.5, 0.3, 0.1, 0.3, 3.0);
+    /// let inertia = InertiaMatrix::from_matrix(matrix)?;
+    /// let body = FreeBody::new(&inertia, BodyVector::new(1.0, -2.0, 0.5), Attitude::identity())?;
+    /// let state = body.at(10.0)?;
+    /// let l = inertia.angular_momentum(state.omega);
+    /// assert!((l - state.angular_momentum).norm() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn new(inertia: &InertiaMatrix, omega: BodyVector, attitude: Attitude) -> Result<Self> {
+        let axes = inertia.principal_axes();
+        let own = axes.turn();
+        // From Ω, not from L: what rounding leaves of a rod's own moment is next to nothing to divide by.
+        let omega = own.inverse_transform_vector(&omega.components());
+        let principal = EulerTop::from_omega(
+            axes.principal_moments().values(),
+            BodyVector::from_components(omega),
+            attitude * Attitude::from(own),
+        )?;
+        Ok(Self { principal, own })
+    }
+
+    /// The motion along the principal axes: period, regime, integrals.
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::FreeBody, frame::{Attitude, BodyVector}, inertia::InertiaMatrix};
+    /// let inertia = InertiaMatrix::diagonal(3.0, 1.0, 2.0)?;
+    /// let body = FreeBody::new(&inertia, BodyVector::new(1.0, 2.0, 3.0), Attitude::identity())?;
+    /// assert_eq!(body.principal().energy(), 12.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub const fn principal(&self) -> &EulerTop {
+        &self.principal
+    }
+
+    /// Ω, L and attitude at time t (s), of the body's own axes (6.6, 6.8).
+    ///
+    /// # Errors
+    /// As for [`EulerTop::at`].
+    ///
+    /// ```
+    /// use spinning_bodies::{euler_top::FreeBody, frame::{Attitude, BodyVector}, inertia::InertiaMatrix};
+    /// let inertia = InertiaMatrix::diagonal(3.0, 1.0, 2.0)?;
+    /// let body = FreeBody::new(&inertia, BodyVector::new(1.0, 2.0, 3.0), Attitude::identity())?;
+    /// let omega = body.at(100.0)?.omega;
+    /// // The energy 12.5 J is kept.
+    /// assert!((inertia.rotational_energy(omega) - 12.5).abs() < 1e-13);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn at(&self, t: f64) -> Result<State> {
+        let state = self.principal.at(t)?;
+        let outward = |v: BodyVector| BodyVector::from_components(self.own * v.components());
+        Ok(State {
+            omega: outward(state.omega),
+            angular_momentum: outward(state.angular_momentum),
+            attitude: state.attitude * Attitude::from(self.own.inverse()),
+        })
+    }
 }
 
 /// L_i/I_i before rounding; zero along an axis whose moment is zero.

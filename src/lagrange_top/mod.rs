@@ -25,6 +25,7 @@ pub use motion::LagrangeTop;
 pub(crate) use preparation::Exact;
 pub use roots::{Nutation, Roots};
 pub use special::{
-    Apsides, Cycloid, Dip, FastSpin, PurePrecession, apsides, dip, fast_spin, pendulum_between,
-    pendulum_from_integrals, pure_precession, sleeping_threshold, tilt_after_kick,
+    Apsides, Cycloid, Dip, FastSpin, PurePrecession, apsides, dip, fast_spin,
+    least_axial_angular_momentum, pendulum_between, pendulum_from_integrals, pure_precession,
+    sleeping_threshold, tilt_after_kick,
 };

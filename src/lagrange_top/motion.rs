@@ -5,6 +5,7 @@ use nalgebra::Quaternion;
 use super::evaluation::{Body, Pull, State};
 use super::preparation::{Exact, FASTEST, Kept, Motion, Start, moderate, prepare, prepare_kept};
 use super::roots::{Nutation, Roots};
+use crate::elliptic::Parameter;
 use crate::elliptic::lanes::{fill, turned};
 use crate::error::{Error, Result, finite, within};
 use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
@@ -408,6 +409,23 @@ impl LagrangeTop {
 }
 
 impl LagrangeTop {
+    /// The parameter m = k² of the elliptic functions that the tilt runs through, and its complement (7.2); none where the tilt stays.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
+    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
+    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
+    /// let m = top.parameter().unwrap();
+    /// assert!(m.m() > 0.0 && m.m() < 0.1 && (m.m() + m.mc() - 1.0).abs() < 1e-16);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn parameter(&self) -> Option<Parameter> {
+        match &self.motion {
+            Motion::Still => None,
+            Motion::Moving(constants) => Some(constants.modulus.parameter()),
+        }
+    }
+
     /// By how much the axis goes round the vertical in one period of nutation, radians (7.2); none where there is no period.
     ///
     /// ```

@@ -79,6 +79,32 @@ pub fn pure_precession(
     })
 }
 
+/// The least |L₃| with which a top can precess purely at this tilt: 2√(I₁Mgl cos θ), kg m²/s; zero for a centre of mass that hangs (7.3).
+///
+/// Arguments as for [`pure_precession`]. One rounding, at any scale; infinite beyond the greatest double. Cost: a square root of 106 bits.
+///
+/// # Errors
+/// As [`pure_precession`].
+///
+/// ```
+/// use spinning_bodies::lagrange_top::least_axial_angular_momentum;
+/// assert_eq!(least_axial_angular_momentum(1.0, 8.0, 0.5)?, 4.0);
+/// assert_eq!(least_axial_angular_momentum(1.0, 8.0, -0.5)?, 0.0);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn least_axial_angular_momentum(
+    transverse: f64,
+    weight_moment: f64,
+    height: f64,
+) -> Result<f64> {
+    let [leading, weight, _] = quadratic(transverse, weight_moment, 0.0, height)?;
+    let product = (leading * weight).times(4.0);
+    if product.leading() <= 0.0 {
+        return Ok(0.0);
+    }
+    Ok(product.square_root().narrow().value())
+}
+
 /// What the two rates become when spin overwhelms gravity (7.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FastSpin {

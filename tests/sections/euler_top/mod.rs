@@ -5,6 +5,7 @@ mod attitude;
 mod batch;
 mod common;
 mod integrals;
+mod own_axes;
 mod picture;
 mod poinsot;
 mod regimes;

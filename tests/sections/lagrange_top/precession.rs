@@ -4,7 +4,7 @@ use super::common::{AXIAL, at, axis, cubic, gained_azimuth, is, roots, spun, til
 use super::integrator::{Motion, UNIT};
 use spinning_bodies::euler_top::SymmetricTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
+use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, least_axial_angular_momentum};
 use support::{R, Uniform, observed, ration, rational, runge_kutta, within};
 
 /// Both roots of I₁h w² − L₃w + Mgl = 0 for the unit top, slow and fast, without cancellation; L₃ > 0.
@@ -166,7 +166,8 @@ fn s7_3_slow_and_fast() {
 fn s7_3_when_there_is_pure_precession() {
     let theta = std::f64::consts::FRAC_PI_3;
     // L₃² = 4I₁Mgl cos θ at 60°: L₃ = √2, one double rate L₃/(2I₁cos θ) = √2.
-    let least = std::f64::consts::SQRT_2;
+    let least = least_axial_angular_momentum(1.0, 1.0, 0.5).unwrap();
+    assert_eq!(least, std::f64::consts::SQRT_2);
     observed!(
         (rates(0.5, least * (1.0 + 1e-12))[0] - least).abs(),
         7e-7..=1e-5

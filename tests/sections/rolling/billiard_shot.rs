@@ -287,6 +287,35 @@ fn s4_3_near_pure_rolling_nothing_cancels() {
     );
 }
 
+/// V = RΩ to the last place of the product, not to the last of the numbers; the times by exact fractions of the doubles given.
+#[test]
+fn s4_3_next_to_rolling_the_spin_says_how_near() -> Result<()> {
+    let known = [
+        (1.0, 0.0286, 34.96503496503497, 9.391176134514211e-18),
+        (1.0, 0.028575, 34.99562554680665, 2.6395336946191e-18),
+        (2.0, 0.03, 66.66666666666667, 9.916073808602921e-18),
+        (0.7, 0.0254, 27.559055118110237, 5.220502240320678e-18),
+        (1.3, 0.11, 11.818181818181818, 2.9248498338616327e-18),
+    ];
+    for (v, radius, omega, time) in known {
+        let ball = RoundBody::new(MASS, radius, factor::BALL)?;
+        let slide = ball.slide_of_spin(v, omega, FRICTION, GRAVITY)?;
+        observed!(relative(slide.time, time), 0.0..=7e-16);
+        let rounded = ball.slide_to_roll(v, radius * omega, FRICTION, GRAVITY)?;
+        assert_eq!(rounded.time, 0.0);
+    }
+    assert!(
+        ball()
+            .slide_of_spin(1.0, f64::NAN, FRICTION, GRAVITY)
+            .is_err()
+    );
+    let same = ball().slide_of_spin(2.0, -4.0 / RADIUS, FRICTION, GRAVITY)?;
+    let other = ball().slide_to_roll(2.0, -4.0, FRICTION, GRAVITY)?;
+    assert_relative_eq!(same.time, other.time, max_relative = 4e-16);
+    assert_relative_eq!(same.speed, other.speed, max_relative = 1e-15);
+    Ok(())
+}
+
 /// V + κRΩ = 0, up to the rounding of the product: it stops, and does not creep.
 #[test]
 fn s4_3_what_stops_is_at_rest() -> Result<()> {

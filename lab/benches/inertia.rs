@@ -196,9 +196,9 @@ fn axes() -> spinning_bodies::Result<()> {
             let mut values: [f64; 3] = peer.eigenvalues.into();
             values.sort_by(f64::total_cmp);
             let found = [
-                error(mine.moments()),
+                error(mine.moments),
                 error(values),
-                skew(&mine.axes()),
+                skew(&mine.axes),
                 skew(&peer.eigenvectors),
             ];
             for (worst, found) in worst.iter_mut().zip(found) {

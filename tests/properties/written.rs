@@ -40,7 +40,7 @@ proptest! {
         }
         returns(attitude);
 
-        let moments = box_.inertia().principal_axes().moments();
+        let moments = box_.inertia().principal_axes().moments;
         returns(EulerTop::from_omega(moments, omega.into(), attitude)?.at(3.0)?);
 
         let held = Body::held_at(&box_, BodyVector::zero())?;

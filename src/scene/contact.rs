@@ -679,9 +679,8 @@ impl Flow<NUMBERS> for OnTheTable {
                 Mode::Leaving
             }
             Mode::Leaving if slip < 0.5 * self.left(law) => self.stopped(law, y),
-            Mode::Stopping if slip <= 2.0 * self.still() => self.stopped(law, y),
-            Mode::Stopping if slip < 0.5 * self.left(law) => Mode::Leaving,
             Mode::Stopping if slip > NEAR * self.stopping_speed(law) => Mode::Sliding,
+            Mode::Stopping => self.stopped(law, y),
             _ => Mode::Stopping,
         })
     }

@@ -366,8 +366,6 @@ const SHORT: f64 = 3.0;
 const CHECKED: f64 = 0.5;
 /// A run of at most so many steps is compared with one of twice as many: two tolerances might give both the same.
 const FEW_STEPS: u64 = 3;
-/// Of runs of few steps all of the distance is told, and with it all of the doubt: so much of it will do.
-const LESS: f64 = 0.5;
 /// What rounding does to a motion that amplifies nothing, for every radian.
 pub(crate) const ROUNDING: f64 = 4e-16;
 
@@ -435,30 +433,34 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
             .then(|| better.cost.steps as f64 / worse.cost.steps as f64);
         let share = efforts.share(more);
         let floor = efforts.floor(better.phases.len());
-        let told = |asked: &Trace<_, N>, checked: &Trace<_, N>| {
+        let told = |asked: &Trace<_, N>, checked: &Trace<_, N>, share: f64| {
             let asked = flow.furthest_apart(&asked.samples[..count], &seen[..count], seen);
             let checked = flow.furthest_apart(&checked.samples[count..], &seen[count..], seen);
             let apart = greater(asked, CHECKED * checked);
             let share = if apart < TOGETHER { share } else { 1.0 };
             greater(share * apart, floor) + rounding
         };
-        let mut error = told(&worse, &worse);
+        let mut error = told(&worse, &worse, share);
         if error > accuracy && few && !sure {
-            worse = run(efforts.worse, LESS)?.1;
-            error = told(&worse, &worse);
+            // All of the distance is told, and with it all of the doubt: as much of it as otherwise will do.
+            worse = run(efforts.worse, SHARE)?.1;
+            error = told(&worse, &worse, share);
         }
         if error > accuracy {
             if efforts.tighten(accuracy, error) {
                 worse = if sure {
                     better
                 } else {
-                    efforts.spread();
+                    efforts.spread(APART);
                     run(efforts.worse, 1.0)?.1
                 };
                 continue;
             }
-            // What the motion makes of rounding where nobody has asked is no reason to refuse it.
-            error = told(&worse, &run(efforts.worse, 0.0)?.1);
+            // Nothing is tighter, but the worse run can come nearer: then all of the distance is told. What the motion makes of rounding where nobody
+            // has asked is no reason to refuse it.
+            efforts.spread(APART.sqrt());
+            let (asked, checked) = (run(efforts.worse, SHARE)?.1, run(efforts.worse, 0.0)?.1);
+            error = told(&asked, &checked, 1.0);
         }
         if error > accuracy {
             let growth = growth(&flow, stepper, efforts.better, &times, budget)?;
@@ -659,10 +661,10 @@ impl Efforts {
         true
     }
 
-    /// The worse of a pair of tolerances as far from the better as in the first.
-    fn spread(&mut self) {
+    /// The worse of a pair of tolerances so many times the better.
+    fn spread(&mut self, times: f64) {
         if let Effort::Tolerance(better) = self.better {
-            self.worse = Effort::Tolerance(APART * better);
+            self.worse = Effort::Tolerance(times * better);
         }
     }
 }

@@ -245,7 +245,9 @@ impl Top {
                 pairs
                     .map(|(a, b)| {
                         let [x, y, z, u, v, w] = a.to(b);
-                        [x, y, z, u / unit, v / unit, w / unit].map(|x| x / BESIDE)
+                        // Beside rest air drag is not smooth, and its series tell nothing: the other directions do.
+                        let grown = [x, y, z, u / unit, v / unit, w / unit].map(|x| x / BESIDE);
+                        grown.map(|x| if x.is_nan() { 0.0 } else { x })
                     })
                     .collect()
             })

@@ -341,34 +341,39 @@ pub fn grazing_mass_ratio(
     )
 }
 
-/// What is known of Uranus; values of the NASA Planetary Fact Sheet (D. R. Williams, Goddard Space Flight Center).
-pub mod uranus {
+/// What is known of a planet and its rotation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Observed {
     /// Mass, kg.
-    pub const MASS: f64 = 8.681e25;
+    pub mass: f64,
     /// Equatorial radius, m.
-    pub const RADIUS: f64 = 25_559e3;
-    /// Period of rotation, s (17.24 h; it turns retrograde, which the obliquity beyond 90° says already).
-    pub const PERIOD: f64 = 17.24 * 3600.0;
+    pub radius: f64,
+    /// Period of rotation, s.
+    pub period: f64,
     /// Escape speed, m/s.
-    pub const ESCAPE_SPEED: f64 = 21.3e3;
-    /// Angle between the axis of rotation and the normal to the orbit, radians (97.77°).
-    pub const OBLIQUITY: f64 = 97.77 * core::f64::consts::PI / 180.0;
-    /// I/(MR²), dimensionless; models of the interior reach 0.23.
-    pub const INERTIA_FACTOR: f64 = 0.225;
-
-    /// m/M of a grazing hit at escape speed that tilts Uranus as it is tilted and leaves it its rate of spin, about 0.041: see
-    /// [`grazing_mass_ratio`](super::grazing_mass_ratio). Beyond a right angle less will do: κRΩ/v stops the planet, and whatever
-    /// is then left over may point anywhere.
-    ///
-    /// # Errors
-    /// None in practice: the arguments are the constants of this module.
-    ///
-    /// ```
-    /// assert!((spinning_bodies::impacts::uranus::mass_ratio()? - 0.041).abs() < 5e-4);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn mass_ratio() -> crate::Result<f64> {
-        let rim_speed = RADIUS * core::f64::consts::TAU / PERIOD;
-        super::grazing_mass_ratio(INERTIA_FACTOR, rim_speed, ESCAPE_SPEED, OBLIQUITY)
-    }
+    pub escape_speed: f64,
+    /// Angle between the axis of rotation and the normal to the orbit, radians.
+    pub obliquity: f64,
+    /// I/(MR²), dimensionless.
+    pub inertia_factor: f64,
 }
+
+/// Uranus, by the NASA Planetary Fact Sheet (D. R. Williams, Goddard Space Flight Center). It turns retrograde, which the obliquity of 97.77° says
+/// already; models of the interior reach an inertia factor of 0.23.
+///
+/// ```
+/// use spinning_bodies::impacts::{URANUS, grazing_mass_ratio};
+/// // A grazing hit at escape speed that tilts Uranus as it is tilted and leaves it its rate of spin.
+/// let rim_speed = URANUS.radius * std::f64::consts::TAU / URANUS.period;
+/// let ratio = grazing_mass_ratio(URANUS.inertia_factor, rim_speed, URANUS.escape_speed, URANUS.obliquity)?;
+/// assert!((ratio - 0.041).abs() < 5e-4);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub const URANUS: Observed = Observed {
+    mass: 8.681e25,
+    radius: 25_559e3,
+    period: 17.24 * 3600.0,
+    escape_speed: 21.3e3,
+    obliquity: 97.77 * core::f64::consts::PI / 180.0,
+    inertia_factor: 0.225,
+};

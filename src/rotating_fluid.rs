@@ -8,7 +8,7 @@
 //! use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
 //!
 //! let star = MaclaurinSpheroid::from_eccentricity(0.6)?;
-//! assert!((star.rotation() - 0.201_352_059_619_914_1).abs() < 1e-16);
+//! assert!((star.rotation - 0.201_352_059_619_914_1).abs() < 1e-16);
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
@@ -23,6 +23,23 @@ pub struct MaclaurinSpheroid {
     pub eccentricity: f64,
     /// Polar over equatorial axis c/a = √(1 − e²).
     pub axis_ratio: f64,
+    /// Ω²/(πGρ) = 2√(1−e²)(3−2e²) arcsin(e)/e³ − 6(1−e²)/e² (Maclaurin 1742; tutorial 3.5), dimensionless.
+    ///
+    /// The textbook form above subtracts two numbers near 6/e² to get 8e²/15 and has no digit left at e = 10⁻⁴. The
+    /// same function is (8/15) e² q (2/(1+q))^{5/2} ₂F₁(½, ½; 7/2; (1−q)/2) with q = c/a: a quadratic transformation of
+    /// Gauss brings the argument down to 0…½, every term is positive, and nothing is subtracted.
+    ///
+    /// Domain: all spheroids; 0 for the sphere, → πq for the disc. Observed error: at most 4 ulp against 30 digits
+    /// over e from 10⁻⁸ to 1 − 10⁻⁹. Cost: at most 36 terms of a series, 2 for e < 10⁻⁴.
+    pub rotation: f64,
+    /// Kinetic over gravitational energy T/|W| = (3/(2e²))[1 − e√(1−e²)/arcsin e] − 1, dimensionless, 0…½.
+    ///
+    /// Computed as Ω²e/(4q arcsin e), the same by algebra and free of the subtraction. Observed error: at most 4 ulp, over the same e.
+    pub energy_ratio: f64,
+    /// Angular momentum L/√(GM³ā), dimensionless, with ā = (a²c)^{1/3}: (√3/5)(a/ā)² Ω/√(πGρ).
+    ///
+    /// It grows with e without bound, although Ω does not: faster and faster stars of one density turn slower.
+    pub angular_momentum: f64,
 }
 
 impl MaclaurinSpheroid {
@@ -36,6 +53,9 @@ impl MaclaurinSpheroid {
     /// ```
     /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
     /// assert!((MaclaurinSpheroid::from_eccentricity(0.6)?.axis_ratio - 0.8).abs() < 1e-16);
+    /// // Newton's 8e²/15 for a star that is nearly round.
+    /// let rotation = MaclaurinSpheroid::from_eccentricity(1e-4)?.rotation;
+    /// assert!((rotation / (8e-8 / 15.0) - 1.0).abs() < 1e-8);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_eccentricity(e: f64) -> Result<Self> {
@@ -45,10 +65,7 @@ impl MaclaurinSpheroid {
             0.0,
             1.0_f64.next_down(),
         )?;
-        Ok(Self {
-            eccentricity: e,
-            axis_ratio: ((1.0 - e) * (1.0 + e)).sqrt(),
-        })
+        Ok(Self::of(e, ((1.0 - e) * (1.0 + e)).sqrt()))
     }
 
     /// The spheroid with polar over equatorial axis c/a, dimensionless, 0 < c/a ≤ 1.
@@ -59,6 +76,8 @@ impl MaclaurinSpheroid {
     /// ```
     /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
     /// assert!((MaclaurinSpheroid::from_axis_ratio(0.8)?.eccentricity - 0.6).abs() < 2e-16);
+    /// // The disc has half its gravitational energy in its motion, the sphere none.
+    /// assert!((MaclaurinSpheroid::from_axis_ratio(1e-9)?.energy_ratio - 0.5).abs() < 1e-8);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_axis_ratio(c_over_a: f64) -> Result<Self> {
@@ -69,66 +88,6 @@ impl MaclaurinSpheroid {
             1.0,
         )?;
         Ok(Self::from_ratio(q))
-    }
-
-    /// Ω²/(πGρ) = 2√(1−e²)(3−2e²) arcsin(e)/e³ − 6(1−e²)/e² (Maclaurin 1742; tutorial 3.5), dimensionless.
-    ///
-    /// The textbook form above subtracts two numbers near 6/e² to get 8e²/15 and has no digit left at e = 10⁻⁴. The
-    /// same function is (8/15) e² q (2/(1+q))^{5/2} ₂F₁(½, ½; 7/2; (1−q)/2) with q = c/a: a quadratic transformation of
-    /// Gauss brings the argument down to 0…½, every term is positive, and nothing is subtracted.
-    ///
-    /// Domain: all spheroids; 0 for the sphere, → πq for the disc. Observed error: at most 4 ulp against 30 digits
-    /// over e from 10⁻⁸ to 1 − 10⁻⁹. Cost: at most 36 terms of a series, 2 for e < 10⁻⁴.
-    ///
-    /// ```
-    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
-    /// // Newton's 8e²/15 for a star that is nearly round.
-    /// let rotation = MaclaurinSpheroid::from_eccentricity(1e-4)?.rotation();
-    /// assert!((rotation / (8e-8 / 15.0) - 1.0).abs() < 1e-8);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn rotation(&self) -> f64 {
-        // ANCHOR: maclaurin
-        let (e, q) = (self.eccentricity, self.axis_ratio);
-        let x = e * e / (2.0 * (1.0 + q)); // (1 − q)/2 without the subtraction
-        let series = hypergeometric_half_half_seven_halves(x);
-        8.0 / 15.0 * e * e * q * (2.0 / (1.0 + q)).powf(2.5) * series
-        // ANCHOR_END: maclaurin
-    }
-
-    /// Kinetic over gravitational energy T/|W| = (3/(2e²))[1 − e√(1−e²)/arcsin e] − 1, dimensionless, 0…½.
-    ///
-    /// Computed as Ω²e/(4q arcsin e), the same by algebra and free of the subtraction. Observed error: at most 4 ulp, over the same e.
-    ///
-    /// ```
-    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
-    /// // From 0 for the sphere to ½ for the disc.
-    /// assert_eq!(MaclaurinSpheroid::from_eccentricity(0.0)?.energy_ratio(), 0.0);
-    /// assert!((MaclaurinSpheroid::from_axis_ratio(1e-9)?.energy_ratio() - 0.5).abs() < 1e-8);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn energy_ratio(&self) -> f64 {
-        let (e, q) = (self.eccentricity, self.axis_ratio);
-        if e == 0.0 {
-            return 0.0;
-        }
-        // arcsin e, accurate at both ends
-        self.rotation() / q * e / (4.0 * e.atan2(q))
-    }
-
-    /// Angular momentum L/√(GM³ā), dimensionless, with ā = (a²c)^{1/3}: (√3/5)(a/ā)² Ω/√(πGρ).
-    ///
-    /// It grows with e without bound, although Ω does not: faster and faster stars of one density turn slower.
-    ///
-    /// ```
-    /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
-    /// // Beyond the fastest star there is more angular momentum and less rotation.
-    /// let (fastest, flatter) = (MaclaurinSpheroid::fastest(), MaclaurinSpheroid::from_axis_ratio(0.1)?);
-    /// assert!(flatter.angular_momentum() > fastest.angular_momentum() && flatter.rotation() < fastest.rotation());
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn angular_momentum(&self) -> f64 {
-        3.0_f64.sqrt() / 5.0 * self.axis_ratio.cbrt().powi(-2) * self.rotation().sqrt()
     }
 
     /// The fastest of all: e = 0.92995568545623299418 (Ω²/(πGρ) = 0.449331412…), where dΩ²/de = 0.
@@ -142,7 +101,9 @@ impl MaclaurinSpheroid {
     /// ```
     pub fn fastest() -> Self {
         let slope = |t: f64| (9.0 + t * t) * t.atan() - t * (9.0 + 7.0 * t * t) / (1.0 + t * t);
-        Self::from_tangent(bisect(slope, 2.0, 3.0))
+        let t = bisect(slope, 2.0, 3.0);
+        let secant = 1.0_f64.hypot(t);
+        Self::of(t / secant, 1.0 / secant)
     }
 
     /// Where Jacobi's ellipsoids with three unequal axes branch off: e = 0.81267001061174294948 (Ω²/(πGρ) = 0.374229674…).
@@ -159,18 +120,28 @@ impl MaclaurinSpheroid {
         Self::from_ratio(equilibrium_axis_ratio(1.0))
     }
 
-    fn from_tangent(t: f64) -> Self {
-        let secant = 1.0_f64.hypot(t);
-        Self {
-            eccentricity: t / secant,
-            axis_ratio: 1.0 / secant,
-        }
+    fn from_ratio(q: f64) -> Self {
+        Self::of(((1.0 - q) * (1.0 + q)).sqrt(), q)
     }
 
-    fn from_ratio(q: f64) -> Self {
+    fn of(e: f64, q: f64) -> Self {
+        // ANCHOR: maclaurin
+        let x = e * e / (2.0 * (1.0 + q)); // (1 − q)/2 without the subtraction
+        let series = hypergeometric_half_half_seven_halves(x);
+        let rotation = 8.0 / 15.0 * e * e * q * (2.0 / (1.0 + q)).powf(2.5) * series;
+        // ANCHOR_END: maclaurin
+        let energy_ratio = if e == 0.0 {
+            0.0
+        } else {
+            // arcsin e, accurate at both ends
+            rotation / q * e / (4.0 * e.atan2(q))
+        };
         Self {
-            eccentricity: ((1.0 - q) * (1.0 + q)).sqrt(),
+            eccentricity: e,
             axis_ratio: q,
+            rotation,
+            energy_ratio,
+            angular_momentum: 3.0_f64.sqrt() / 5.0 * q.cbrt().powi(-2) * rotation.sqrt(),
         }
     }
 }
@@ -178,8 +149,12 @@ impl MaclaurinSpheroid {
 /// An ellipsoid in equilibrium with semi-axes a ≥ b > c, turning about c (Jacobi 1834).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JacobiEllipsoid {
-    middle: f64,
-    shortest: f64,
+    /// The semi-axes over the longest one: (1, b/a, c/a), dimensionless.
+    pub axes: [f64; 3],
+    /// Ω²/(πGρ) = 2B₁₂ = 2abc ∫₀^∞ u du/(Δ(a²+u)(b²+u)), Δ² = (a²+u)(b²+u)(c²+u), dimensionless. The longer, the slower.
+    pub rotation: f64,
+    /// Angular momentum L/√(GM³ā), ā = (abc)^{1/3}, dimensionless: (√3/10)((a²+b²)/ā²) Ω/√(πGρ). The longer, the more.
+    pub angular_momentum: f64,
 }
 
 impl JacobiEllipsoid {
@@ -196,61 +171,29 @@ impl JacobiEllipsoid {
     /// ```
     /// use spinning_bodies::rotating_fluid::{JacobiEllipsoid, MaclaurinSpheroid};
     /// let (round, branch) = (JacobiEllipsoid::from_axis_ratio(1.0)?, MaclaurinSpheroid::at_jacobi_bifurcation());
-    /// assert!((round.rotation() - branch.rotation()).abs() < 1e-14);
+    /// assert!((round.rotation - branch.rotation).abs() < 1e-14);
+    /// let [stout, slender] = [JacobiEllipsoid::from_axis_ratio(0.9)?, JacobiEllipsoid::from_axis_ratio(0.3)?];
+    /// assert!(slender.rotation < stout.rotation && slender.angular_momentum > stout.angular_momentum);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_axis_ratio(b_over_a: f64) -> Result<Self> {
-        let middle = within(
+        let b = within(
             "the axis ratio b/a of a Jacobi ellipsoid",
             b_over_a,
             1e-3,
             1.0,
         )?;
+        let c = equilibrium_axis_ratio(b);
+        let axes = [1.0, b, c];
+        let rotation = 2.0 * potential_integral(axes, |u, [a, b, _]| u / ((a + u) * (b + u)));
+        let mean = (b * c).cbrt();
+        let angular_momentum =
+            3.0_f64.sqrt() / 10.0 * (1.0 + b * b) / (mean * mean) * rotation.sqrt();
         Ok(Self {
-            middle,
-            shortest: equilibrium_axis_ratio(middle),
+            axes,
+            rotation,
+            angular_momentum,
         })
-    }
-
-    /// The semi-axes over the longest one: (1, b/a, c/a), dimensionless.
-    ///
-    /// ```
-    /// use spinning_bodies::rotating_fluid::JacobiEllipsoid;
-    /// let [a, b, c] = JacobiEllipsoid::from_axis_ratio(0.5)?.axes();
-    /// assert!(a == 1.0 && b == 0.5 && c < b);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn axes(&self) -> [f64; 3] {
-        [1.0, self.middle, self.shortest]
-    }
-
-    /// Ω²/(πGρ) = 2B₁₂ = 2abc ∫₀^∞ u du/(Δ(a²+u)(b²+u)), Δ² = (a²+u)(b²+u)(c²+u), dimensionless.
-    ///
-    /// ```
-    /// use spinning_bodies::rotating_fluid::JacobiEllipsoid;
-    /// // The longer, the slower.
-    /// let [stout, slender] = [JacobiEllipsoid::from_axis_ratio(0.9)?, JacobiEllipsoid::from_axis_ratio(0.3)?];
-    /// assert!(slender.rotation() < stout.rotation());
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn rotation(&self) -> f64 {
-        let axes = self.axes();
-        2.0 * potential_integral(axes, |u, [a, b, _]| u / ((a + u) * (b + u)))
-    }
-
-    /// Angular momentum L/√(GM³ā), ā = (abc)^{1/3}, dimensionless: (√3/10)((a²+b²)/ā²) Ω/√(πGρ).
-    ///
-    /// ```
-    /// use spinning_bodies::rotating_fluid::JacobiEllipsoid;
-    /// // The longer, the more angular momentum.
-    /// let [stout, slender] = [JacobiEllipsoid::from_axis_ratio(0.9)?, JacobiEllipsoid::from_axis_ratio(0.3)?];
-    /// assert!(slender.angular_momentum() > stout.angular_momentum());
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn angular_momentum(&self) -> f64 {
-        let [a, b, c] = self.axes();
-        let mean = (a * b * c).cbrt();
-        3.0_f64.sqrt() / 10.0 * (a * a + b * b) / (mean * mean) * self.rotation().sqrt()
     }
 }
 

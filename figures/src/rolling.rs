@@ -5,7 +5,7 @@ mod slide;
 use core::f64::consts::FRAC_PI_2;
 
 use spinning_bodies::Result;
-use spinning_bodies::rolling::{RoundBody, factor};
+use spinning_bodies::rolling::RoundBody;
 
 use crate::plot::Axis;
 use crate::style::{
@@ -22,7 +22,7 @@ pub const FIGURES: &[Entry] = &[
 
 const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
     .meaning("moment of inertia of the ball over MR²")
-    .between([0.3, 0.65], factor::BALL);
+    .between([0.3, 0.65], 0.4);
 const CUE: Parameter = Parameter::new("cue", "H/R")
     .meaning("height of one of the cues above the table, over the radius")
     .between([0.4, 1.9], 1.2)
@@ -70,7 +70,7 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         .into_iter()
         .map(|height| {
             let shot = ball.strike(height, 1.0)?;
-            Ok([height, shot.slip, shot.rim_speed()])
+            Ok([height, shot.slip, shot.rim_speed])
         })
         .collect::<Result<Vec<_>>>()?;
     let listed = |k: usize, digits: usize| {
@@ -78,7 +78,7 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         let (last, others) = texts.split_last().unwrap_or((&texts[0], &[]));
         format!("{} and {last}", others.join(", "))
     };
-    let which = match kappa == factor::BALL {
+    let which = match kappa == 0.4 {
         true => "a billiard ball".to_owned(),
         false => format!("a ball of inertia factor {}", short(kappa, 3)),
     };
@@ -111,7 +111,7 @@ pub fn billiard(values: &Values) -> Result<Figure> {
     let center = [CONTACT[0], level(1.0)];
     let (low, high) = (shots[0], shots[shots.len() - 1]);
     // Units for a slip of V'.
-    let speed = (57.0 * kappa / factor::BALL)
+    let speed = (57.0 * kappa / 0.4)
         .min(128.0 / low[1])
         .min(62.0 / (-high[1]).max(0.1));
     let tip = |shot: &[f64; 3]| [ZERO + speed * shot[1], level(shot[0])];

@@ -3,9 +3,7 @@
 use std::fmt::Write as _;
 
 use spinning_bodies::Result;
-use spinning_bodies::rolling::{
-    Coulomb, Course, Happening, Load, Moment, Sheet, SheetSpeeds, factor,
-};
+use spinning_bodies::rolling::{Coulomb, Course, Happening, Load, Moment, Sheet, SheetSpeeds};
 
 use crate::plot::Axis;
 use crate::style::{
@@ -32,7 +30,7 @@ const ON_TABLE: Parameter = Parameter::new("table_friction", r"\mu_2")
     .between([0.05, 0.8], 0.2);
 const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
     .meaning("moment of inertia of the ball over MR²")
-    .between([0.25, 1.0], factor::BALL);
+    .between([0.25, 1.0], 0.4);
 
 /// What may be chosen in the graphs.
 pub const SPEEDS: &[Parameter] = &[PULL, ON_SHEET, ON_TABLE, KAPPA];

@@ -48,10 +48,10 @@ const RADIUS: f64 = 62.0;
 const GROUND: f64 = 214.0;
 
 /// A spool tugged to the left, its line of force, and the way it rolls.
-fn tugged(pen: &mut Pen, spool: &Spool, x: f64, angle: f64) -> Result<()> {
+fn tugged(pen: &mut Pen, spool: &Spool, ratio: f64, x: f64, angle: f64) -> Result<()> {
     let center = [x, GROUND - RADIUS];
     let contact = [x, GROUND];
-    let r = spool.ratio() * RADIUS;
+    let r = ratio * RADIUS;
     let (sin, cos) = angle.sin_cos();
     // The tug goes to the left, as the tutorial draws it.
     let touch = [x - r * sin, center[1] + r * cos];
@@ -157,7 +157,7 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
         drawn = [124.0, 322.0, 494.0]
             .into_iter()
             .zip(angles)
-            .try_for_each(|(x, angle)| tugged(pen, &spool, x, angle));
+            .try_for_each(|(x, angle)| tugged(pen, &spool, values.of(&AXLE), x, angle));
     });
     drawn?;
     let rows = angles

@@ -6,8 +6,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use num_rational::Ratio;
 use spinning_bodies::Result;
-use spinning_bodies::rolling::factor;
-use spinning_bodies::superball::{Motion, Restitution, Surface, UnderTable, bounce_with};
+use spinning_bodies::superball::{Motion, Surface, UnderTable, bounce_with};
 
 use crate::style::{
     AXIS, Anchor, DATA, Fraction, HAIR, Pen, Point, Role, SECONDARY, Words, along, arc, area,
@@ -32,7 +31,7 @@ pub const FIGURES: &[Entry] = &[
 
 const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
     .meaning("moment of inertia of the ball over MR²")
-    .between([0.1, 0.65], factor::BALL);
+    .between([0.1, 0.65], 0.4);
 const GRIP: Parameter = Parameter::new("restitution", "e_t")
     .meaning("part of its contact speed that the ball gets back in a bounce")
     .between([0.0, 1.0], 1.0);
@@ -144,7 +143,7 @@ fn legs(motions: [Motion<f64>; 3]) -> Vec<Leg> {
 /// The path of a superball thrown under a table, with its spin, and of a ball that takes no spin.
 pub fn under_the_table(values: &Values) -> Result<Figure> {
     let (kappa, spin) = (values.of(&KAPPA), values.of(&SPIN));
-    let grip = Restitution::new(1.0, values.of(&GRIP))?.tangential();
+    let grip = values.of(&GRIP);
     let thrown = Motion {
         velocity: 1.0,
         rim_speed: spin,

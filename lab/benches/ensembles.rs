@@ -146,21 +146,7 @@ fn many_bodies() -> spinning_bodies::Result<()> {
             }
             black_box(&mut alone);
         });
-        let step = nanoseconds(count, || {
-            for ((moments, l), state) in black_box(&starts).iter().zip(&mut alone) {
-                if let Ok(found) = EulerTop::for_one_step(*moments, *l, upright)
-                    .and_then(|top| top.at(black_box(t)))
-                {
-                    *state = found;
-                }
-            }
-            black_box(&mut alone);
-        });
-        for (name, time) in [
-            ("prepared", single),
-            ("new and at", scratch),
-            ("for_one_step and at", step),
-        ] {
+        for (name, time) in [("prepared", single), ("new and at", scratch)] {
             println!("{count:>8} {name:>30} {time:>10.1}");
         }
     }

@@ -43,15 +43,8 @@ const BODIES: [(&str, [f64; 3], [f64; 3], f64); 8] = [
 fn states() -> spinning_bodies::Result<f64> {
     println!("one state (omega, L, attitude) of a free top, ns");
     println!(
-        "{:>20} {:>9} {:>10} {:>8} {:>9} {:>13} {:>9} {:>14}",
-        "body",
-        "prepared",
-        "omega only",
-        "batch",
-        "set-up",
-        "set-up+state",
-        "one step",
-        "set-up/state"
+        "{:>20} {:>9} {:>10} {:>8} {:>9} {:>13} {:>14}",
+        "body", "prepared", "omega only", "batch", "set-up", "set-up+state", "set-up/state"
     );
     const COUNT: usize = 1000;
     let mut first = None;
@@ -95,21 +88,14 @@ fn states() -> spinning_bodies::Result<f64> {
                 let _ = black_box(top.and_then(|top| top.at(*t)));
             }
         });
-        let step = least(50, || {
-            for start in &starts {
-                let top = EulerTop::for_one_step(black_box(moments), *start, Attitude::identity());
-                let _ = black_box(top.and_then(|top| top.at(0.1)));
-            }
-        });
         let each = 1e9 / COUNT as f64;
         println!(
-            "{name:>20} {:>9.1} {:>10.1} {:>8.1} {:>9.1} {:>13.1} {:>9.1} {:>14.2}",
+            "{name:>20} {:>9.1} {:>10.1} {:>8.1} {:>9.1} {:>13.1} {:>14.2}",
             state * each,
             omega * each,
             batch * each,
             set_up * each,
             scratch * each,
-            step * each,
             set_up / state
         );
         first.get_or_insert(state / COUNT as f64);

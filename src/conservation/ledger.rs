@@ -93,23 +93,8 @@ impl Entry {
         }
     }
 
-    /// Largest violation so far, in the unit of the quantity; see [`Law`]. Never NaN: a value that was not
-    /// finite makes it infinite, for good.
-    ///
-    /// ```
-    /// use spinning_bodies::conservation::{Law, Ledger};
-    /// let mut ledger = Ledger::new();
-    /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
-    /// ledger.record(energy, 5.0)?;
-    /// assert_eq!(ledger.entries()[0].absolute_drift(), 1.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn absolute_drift(&self) -> f64 {
-        self.drift
-    }
-
-    /// [`Entry::absolute_drift`] over the scale of the quantity, dimensionless. Never NaN: a quantity that
-    /// starts at zero without a scale of its own has relative drift 0 until it moves, and infinity then.
+    /// Largest violation so far, as [`Law`] counts it, over the scale of the quantity, dimensionless. Never NaN: a value that was not finite
+    /// makes it infinite, for good; a quantity that starts at zero without a scale of its own has relative drift 0 until it moves, and infinity then.
     ///
     /// ```
     /// use spinning_bodies::conservation::{Law, Ledger};
@@ -186,7 +171,7 @@ impl Entry {
 ///     ledger.record(kinetic, joules)?;
 /// }
 /// // 5.5 J lies below the first value and is a violation all the same: half a joule came from nowhere.
-/// assert_eq!(ledger.entries()[0].absolute_drift(), 0.5);
+/// assert_eq!(ledger.entries()[0].relative_drift(), 0.05);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -5,15 +5,6 @@
 
 use crate::error::{Result, finite, positive, within};
 
-/// Period that the tutorial derives from it, in days (6.5).
-pub const RIGID_TUTORIAL_PERIOD: f64 = 300.0;
-
-/// Observed Chandler period as the tutorial rounds it, in days (6.5).
-pub const CHANDLER_TUTORIAL_PERIOD: f64 = 440.0;
-
-/// Observed Chandler period, in solar days; determinations lie between 433 and 435 (quoted: polar motion since 1900).
-pub const CHANDLER_PERIOD: f64 = 433.0;
-
 /// Dynamical ellipticity H = (I₃ − I₁)/I₃, dimensionless (quoted: from the precession of the equinoxes).
 pub const DYNAMICAL_ELLIPTICITY: f64 = 1.0 / 305.456;
 

@@ -31,6 +31,6 @@ pub mod toutatis;
 
 pub use evaluation::State;
 pub use motion::{EulerTop, FreeBody, GeometricPhase};
-pub use poinsot::{Poinsot, Sector, separatrix_slope};
+pub use poinsot::{Poinsot, Sector};
 pub use preparation::Regime;
 pub use symmetric::{Cones, Shape, SymmetricTop};

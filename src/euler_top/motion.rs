@@ -3,7 +3,7 @@
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::evaluation::{Constants, Moving, State, vector};
-use super::preparation::{Digits, Regime, Start, ascending, decide, decide_from, ratio};
+use super::preparation::{Regime, Start, ascending, decide, decide_from, ratio};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::turned;
 use crate::error::{Error, Result, finite, not_negative, positive};
@@ -85,33 +85,6 @@ impl EulerTop {
         Self::beyond_bodies_from_omega(moments, omega, attitude)
     }
 
-    /// The same as [`new`](Self::new) for a state or two soon after the start, such as one step of a larger simulation takes.
-    ///
-    /// The constants are formed in single doubles: that halves the cost, and the error grows with the angle turned, by 5e-16 rad a radian
-    /// (observed 1.4e-15 rad after one, 2.8e-14 after sixty, next to the separatrix and elsewhere). The regime is decided as exactly as ever.
-    /// Cost: six to eight evaluations of [`at`](Self::at).
-    ///
-    /// # Errors
-    /// As for [`new`](Self::new).
-    ///
-    /// ```
-    /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
-    /// let l = BodyVector::new(0.01, 2.0, 0.03);
-    /// let step = EulerTop::for_one_step([1.0, 2.0, 3.0], l, Attitude::identity())?.at(0.1)?;
-    /// let exact = EulerTop::new([1.0, 2.0, 3.0], l, Attitude::identity())?.at(0.1)?;
-    /// assert!(step.attitude.angle_to(&exact.attitude) < 1e-14);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn for_one_step(
-        moments: [f64; 3],
-        angular_momentum: BodyVector,
-        attitude: Attitude,
-    ) -> Result<Self> {
-        PrincipalMoments::new(moments[0], moments[1], moments[2])?;
-        let start = Start::AngularMomentum(angular_momentum.components().into());
-        Self::prepared(moments, start, attitude, Digits::Sixteen)
-    }
-
     /// The same as [`new`](Self::new) for moments that no body need have, such as 1, 2, 5: Euler's equations do not ask.
     ///
     /// # Errors
@@ -130,7 +103,7 @@ impl EulerTop {
         attitude: Attitude,
     ) -> Result<Self> {
         let start = Start::AngularMomentum(angular_momentum.components().into());
-        Self::prepared(moments, start, attitude, Digits::ThirtyTwo)
+        Self::prepared(moments, start, attitude)
     }
 
     /// The same as [`beyond_bodies`](Self::beyond_bodies) from the angular velocity along the principal axes, rad/s; I Ω is formed without rounding.
@@ -151,7 +124,7 @@ impl EulerTop {
         attitude: Attitude,
     ) -> Result<Self> {
         let start = Start::Omega(omega.components().into());
-        Self::prepared(moments, start, attitude, Digits::ThirtyTwo)
+        Self::prepared(moments, start, attitude)
     }
 
     /// The body with these principal moments (kg m², in any order), L² (kg² m⁴/s²) and kinetic energy E (J), with this attitude at time 0 (6.6).
@@ -257,12 +230,7 @@ impl EulerTop {
         Self::settled(moments, rounded, &l, attitude, decided)
     }
 
-    fn prepared(
-        moments: [f64; 3],
-        start: Start,
-        attitude: Attitude,
-        digits: Digits,
-    ) -> Result<Self> {
+    fn prepared(moments: [f64; 3], start: Start, attitude: Attitude) -> Result<Self> {
         for moment in moments {
             not_negative("a principal moment", moment)?;
         }
@@ -284,7 +252,7 @@ impl EulerTop {
         if largest > f64::MAX / 2.0 {
             finite("the size of the angular momentum", vector(l).norm())?;
         }
-        let decided = decide(moments, start, digits);
+        let decided = decide(moments, start);
         Self::settled(
             moments,
             l,

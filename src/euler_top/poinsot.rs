@@ -455,31 +455,3 @@ impl Poinsot {
         shifted(sum / self.length() / speed, -self.units.omega)
     }
 }
-
-/// Slope |Ω₃/Ω₁| = √(I₁(I₂−I₁)/(I₃(I₃−I₂))) of the two planes L² = 2EI₂ that hold the separatrix (6.3), dimensionless.
-///
-/// For ascending positive moments. Infinite if I₂ = I₃ (the planes are one, and hold x₃), zero if I₁ = I₂, not a number for a sphere.
-///
-/// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Condition`] if the moments do not ascend.
-///
-/// ```
-/// use spinning_bodies::euler_top::separatrix_slope;
-/// assert!((separatrix_slope([1.0, 2.0, 3.0])? - 3f64.sqrt().recip()).abs() < 2e-16);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn separatrix_slope(moments: [f64; 3]) -> Result<f64> {
-    for moment in moments {
-        positive("a principal moment", moment)?;
-    }
-    let [i1, i2, i3] = moments;
-    for (less, more) in [(i1, i2), (i2, i3)] {
-        if less > more {
-            return Err(Error::Condition {
-                condition: "the moments must ascend",
-                value: more,
-            });
-        }
-    }
-    Ok((i1 / i3).sqrt() * ((i2 - i1) / (i3 - i2)).sqrt())
-}

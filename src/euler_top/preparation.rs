@@ -30,15 +30,6 @@ pub enum Regime {
     Separatrix,
 }
 
-/// To how many digits the constants are formed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Digits {
-    /// One double: for the first few radians.
-    Sixteen,
-    /// Two doubles: for ever.
-    ThirtyTwo,
-}
-
 /// How a motion starts: the components along the body's axes of what was given, exact as they stand.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Start {
@@ -187,11 +178,6 @@ pub(super) fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start
     })
 }
 
-/// The same rounded to a double.
-pub(super) fn rounded_separation(i: [f64; 3], order: [usize; 3], start: Start) -> f64 {
-    separation::<DoubleDouble>(i, order, start).value()
-}
-
 /// a (b − c) d² for the first four less the same for the second four, to 106 bits whatever cancels.
 fn exact_difference(minuend: [f64; 4], subtrahend: [f64; 4]) -> Extended {
     let (third, exponent) = expansion(minuend);
@@ -266,25 +252,18 @@ fn unit(values: [f64; 3]) -> f64 {
 /// What kind of motion it is: decided here, once, by exact differences.
 ///
 /// Returns the constants too if Ω moves.
-pub(super) fn decide(
-    moments: [f64; 3],
-    start: Start,
-    digits: Digits,
-) -> (Regime, Option<Constants>) {
+pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constants>) {
     // Powers of two are taken off without rounding; then no square overflows or underflows, unless the numbers are far apart.
     let (unit_of_moments, unit) = (unit(moments), unit(start.components()));
     let near = |x: f64, unit: f64| x == 0.0 || x.abs() > unit * FAR_BELOW;
     let tame = moments.iter().all(|x| near(*x, unit_of_moments))
         && start.components().iter().all(|x| near(*x, unit));
     if !tame {
-        return decide_with::<Extended>(moments, start, separation);
+        return decide_with::<Extended>(moments, start);
     }
     let scaled = start.with(start.components().map(|x| x / unit));
     let moments = moments.map(|i| i / unit_of_moments);
-    let (regime, mut constants) = match digits {
-        Digits::Sixteen => decide_with::<f64>(moments, scaled, rounded_separation),
-        Digits::ThirtyTwo => decide_with::<DoubleDouble>(moments, scaled, separation),
-    };
+    let (regime, mut constants) = decide_with::<DoubleDouble>(moments, scaled);
     let units = match start {
         Start::AngularMomentum(_) => (unit, exponent_of(unit) - exponent_of(unit_of_moments)),
         Start::Omega(_) => (unit * unit_of_moments, exponent_of(unit)),
@@ -295,13 +274,9 @@ pub(super) fn decide(
     (regime, constants)
 }
 
-fn decide_with<N: Number>(
-    moments: [f64; 3],
-    start: Start,
-    separation: impl Fn([f64; 3], [usize; 3], Start) -> N,
-) -> (Regime, Option<Constants>) {
-    decide_from(moments, start.angular_momentum(moments), |i, order| {
-        separation(i, order, start)
+fn decide_with<N: Number>(moments: [f64; 3], start: Start) -> (Regime, Option<Constants>) {
+    decide_from(moments, start.angular_momentum::<N>(moments), |i, order| {
+        separation::<N>(i, order, start)
     })
 }
 

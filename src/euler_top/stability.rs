@@ -80,99 +80,63 @@ pub fn saddle(moments: &PrincipalMoments, omega2: f64) -> Result<Saddle> {
     })
 }
 
-/// Frequency of small oscillations about the rotation Ω₁ about x₁: √((I₂−I₁)(I₃−I₁)/(I₂I₃))|Ω₁|, rad/s (6.7).
+/// Frequencies of small oscillations about a rotation at Ω (`omega`, rad/s) about x₁ and about x₃, rad/s (6.7):
+/// √((I₂−I₁)(I₃−I₁)/(I₂I₃))|Ω| and √((I₃−I₁)(I₃−I₂)/(I₁I₂))|Ω|.
 ///
-/// The limit of 2π over the period of 6.6. Zero if I₁ = I₂: the rotation drifts. Oscillation to first order proves nothing beyond;
-/// [`lyapunov_about_smallest`] does. Few units in the last place.
-///
-/// # Errors
-/// As [`lambda`].
-///
-/// ```
-/// use spinning_bodies::{euler_top::stability::oscillation_about_smallest, inertia::PrincipalMoments};
-/// let rate = oscillation_about_smallest(&PrincipalMoments::new(1.0, 2.0, 3.0)?, 1.0)?;
-/// assert!((rate - 0.5773502691896257645).abs() < 2e-16);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn oscillation_about_smallest(moments: &PrincipalMoments, omega1: f64) -> Result<f64> {
-    let [i1, i2, i3] = checked(moments)?;
-    let omega1 = finite("the angular velocity", omega1)?;
-    Ok(((i2 - i1) / i2).sqrt() * ((i3 - i1) / i3).sqrt() * omega1.abs())
-}
-
-/// Frequency of small oscillations about the rotation Ω₃ about x₃: √((I₃−I₁)(I₃−I₂)/(I₁I₂))|Ω₃|, rad/s (6.7).
-///
-/// As [`oscillation_about_smallest`]; for I₁ = I₂ it is the rate Ω₃(I₃/I₁ − 1) of 6.5.
+/// The limits of 2π over the period of 6.6. The first is zero if I₁ = I₂: the rotation drifts; the second is then Ω(I₃/I₁ − 1) of 6.5.
+/// Oscillation to first order proves nothing beyond; [`lyapunov`] does. Few units in the last place.
 ///
 /// # Errors
 /// As [`lambda`].
 ///
 /// ```
-/// use spinning_bodies::{euler_top::stability::oscillation_about_largest, inertia::PrincipalMoments};
-/// let rate = oscillation_about_largest(&PrincipalMoments::new(1.0, 2.0, 3.0)?, 1.0)?;
-/// assert!((rate - 1.0).abs() < 3e-16);
+/// use spinning_bodies::{euler_top::stability::oscillations, inertia::PrincipalMoments};
+/// let [about_smallest, about_largest] = oscillations(&PrincipalMoments::new(1.0, 2.0, 3.0)?, 1.0)?;
+/// assert!((about_smallest - 0.5773502691896257645).abs() < 2e-16 && (about_largest - 1.0).abs() < 3e-16);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
-pub fn oscillation_about_largest(moments: &PrincipalMoments, omega3: f64) -> Result<f64> {
+pub fn oscillations(moments: &PrincipalMoments, omega: f64) -> Result<[f64; 2]> {
     let [i1, i2, i3] = checked(moments)?;
-    let omega3 = finite("the angular velocity", omega3)?;
-    Ok(((i3 - i1) / i1).sqrt() * ((i3 - i2) / i2).sqrt() * omega3.abs())
+    let omega = finite("the angular velocity", omega)?.abs();
+    Ok([
+        ((i2 - i1) / i2).sqrt() * ((i3 - i1) / i3).sqrt() * omega,
+        ((i3 - i1) / i1).sqrt() * ((i3 - i2) / i2).sqrt() * omega,
+    ])
 }
 
-/// L² − 2EI₁ = I₂(I₂−I₁)Ω₂² + I₃(I₃−I₁)Ω₃², J² s²: constant, and definite across x₁ (6.3).
+/// L² − 2EI₁, L² − 2EI₂ and 2EI₃ − L², J² s², at Ω in rad/s: constant, each zero for the rotation about its axis (6.3).
 ///
-/// So a rotation about x₁ that starts nearby stays nearby, not only to first order. A sum of squares: few units in the last
-/// place however close to the axis, where L² and 2EI₁ agree in all their digits; zero below 10⁻¹⁵⁴ of tilt, where the squares end.
+/// I₂(I₂−I₁)Ω₂² + I₃(I₃−I₁)Ω₃² is definite across x₁ and I₁(I₃−I₁)Ω₁² + I₂(I₃−I₂)Ω₂² across x₃: a rotation about either that starts
+/// nearby stays nearby, not only to first order. I₃(I₃−I₂)Ω₃² − I₁(I₂−I₁)Ω₁² is indefinite across x₂; its sign names the sector
+/// (6.6), its zero is the separatrix. Sums of squares: few units in the last place however close to the axis, where L² and 2EI₁ agree in all
+/// their digits; zero below 10⁻¹⁵⁴ of tilt, where the squares end. The difference is taken in 106 bits: exact to a unit in the last
+/// place, and zero only where it is; not a number where a square overflows.
 ///
 /// ```
-/// use spinning_bodies::{euler_top::stability::*, frame::BodyVector, inertia::PrincipalMoments};
+/// use spinning_bodies::{euler_top::stability::lyapunov, frame::BodyVector, inertia::PrincipalMoments};
 /// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
-/// let omega = BodyVector::new(1.0, 1e-10, 1e-10);
-/// assert!((lyapunov_about_smallest(&moments, omega) / 8e-20 - 1.0).abs() < 5e-16);
+/// let [about_smallest, ..] = lyapunov(&moments, BodyVector::new(1.0, 1e-10, 1e-10));
+/// assert!((about_smallest / 8e-20 - 1.0).abs() < 5e-16);
+/// let [.., about_largest] = lyapunov(&moments, BodyVector::new(1e-10, 1e-10, 1.0));
+/// assert!((about_largest / 4e-20 - 1.0).abs() < 5e-16);
+/// let about_middle = |omega1| lyapunov(&moments, BodyVector::new(omega1, 1.0, 1.0))[1];
+/// assert!(about_middle(1.7) > 0.0 && about_middle(1.8) < 0.0);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
-pub fn lyapunov_about_smallest(moments: &PrincipalMoments, omega: BodyVector) -> f64 {
+pub fn lyapunov(moments: &PrincipalMoments, omega: BodyVector) -> [f64; 3] {
     let [i1, i2, i3] = moments.values();
-    (i2 * omega.y()) * ((i2 - i1) * omega.y()) + (i3 * omega.z()) * ((i3 - i1) * omega.z())
-}
-
-/// 2EI₃ − L² = I₁(I₃−I₁)Ω₁² + I₂(I₃−I₂)Ω₂², J² s²: constant, and definite across x₃ (6.3).
-///
-/// As [`lyapunov_about_smallest`], for rotations about x₃.
-///
-/// ```
-/// use spinning_bodies::{euler_top::stability::*, frame::BodyVector, inertia::PrincipalMoments};
-/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
-/// let omega = BodyVector::new(1e-10, 1e-10, 1.0);
-/// assert!((lyapunov_about_largest(&moments, omega) / 4e-20 - 1.0).abs() < 5e-16);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn lyapunov_about_largest(moments: &PrincipalMoments, omega: BodyVector) -> f64 {
-    let [i1, i2, i3] = moments.values();
-    (i1 * omega.x()) * ((i3 - i1) * omega.x()) + (i2 * omega.y()) * ((i3 - i2) * omega.y())
-}
-
-/// L² − 2EI₂ = I₃(I₃−I₂)Ω₃² − I₁(I₂−I₁)Ω₁², J² s²: constant, but indefinite across x₂ (6.3).
-///
-/// Its sign names the sector (6.6), its zero is the separatrix. The difference is taken in 106 bits: exact to a unit in the last
-/// place, and zero only where it is. Not a number where a square overflows.
-///
-/// ```
-/// use spinning_bodies::{euler_top::stability::*, frame::BodyVector, inertia::PrincipalMoments};
-/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
-/// let on_either_side = |omega1| indefinite_about_middle(&moments, BodyVector::new(omega1, 1.0, 1.0));
-/// assert!(on_either_side(1.7) > 0.0 && on_either_side(1.8) < 0.0);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn indefinite_about_middle(moments: &PrincipalMoments, omega: BodyVector) -> f64 {
-    let [i1, i2, i3] = moments.values();
-    let unit = power_of_two_below(omega.x().abs().max(omega.z().abs()));
+    let [x, y, z] = [omega.x(), omega.y(), omega.z()];
+    let unit = power_of_two_below(x.abs().max(z.abs()));
     let term = |i: f64, more: f64, less: f64, omega: f64| {
         DoubleDouble::product(omega / unit, omega / unit)
             * DoubleDouble::difference(more, less)
             * DoubleDouble::from(i)
     };
-    (term(i3, i3, i2, omega.z()) - term(i1, i2, i1, omega.x())).value() * unit * unit
+    [
+        (i2 * y) * ((i2 - i1) * y) + (i3 * z) * ((i3 - i1) * z),
+        (term(i3, i3, i2, z) - term(i1, i2, i1, x)).value() * unit * unit,
+        (i1 * x) * ((i3 - i1) * x) + (i2 * y) * ((i3 - i2) * y),
+    ]
 }
 
 /// Time from one side of the separatrix's crossing to the other, half the period of Ω, to leading order next to the separatrix, s:

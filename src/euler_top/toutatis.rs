@@ -7,9 +7,6 @@ use super::EulerTop;
 use crate::error::{Error, Result, positive, within};
 use crate::frame::{Attitude, BodyVector};
 
-/// One day, s.
-pub const DAY: f64 = 86_400.0;
-
 /// Moments about the middle, the short and the long axis over that about the long one, dimensionless (quoted: radar, 1992 to
 /// 2008, Takahashi, Busch and Scheeres 2013). In this order the axes are right-handed.
 pub const MOMENTS: [f64; 3] = [3.0836, 3.235, 1.0];
@@ -19,15 +16,6 @@ pub const OMEGA: [f64; 3] = [14.51, 33.529, -98.709];
 
 /// Moments about the long, the middle and the short axis over that about the long one (quoted: radar, 1992, Hudson and Ostro 1995).
 pub const EARLIER_MOMENTS: [f64; 3] = [1.0, 3.09, 3.22];
-
-/// Period of the rotation about the long axis, days (quoted: Hudson and Ostro 1995).
-pub const ROTATION_PERIOD: f64 = 5.41;
-
-/// Mean period in which the long axis goes round L, days (quoted: Hudson and Ostro 1995).
-pub const PRECESSION_PERIOD: f64 = 7.35;
-
-/// The two periods from the fly-by of December 2012, days, in the same order (quoted: Zhao et al. 2015).
-pub const FLYBY_PERIODS: [f64; 2] = [5.38, 7.40];
 
 /// Toutatis from the epoch of [`OMEGA`] on, in seconds: a free top, its attitude at the epoch taken as the identity.
 ///
@@ -41,11 +29,11 @@ pub const FLYBY_PERIODS: [f64; 2] = [5.38, 7.40];
 /// use spinning_bodies::euler_top::{Regime, toutatis};
 /// let asteroid = toutatis::top()?;
 /// assert_eq!(asteroid.regime(), Regime::AroundSmallest);
-/// assert!((asteroid.period() / toutatis::DAY / toutatis::ROTATION_PERIOD - 1.0).abs() < 0.01);
+/// assert!((asteroid.period() / 86_400.0 / 5.41 - 1.0).abs() < 0.01);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn top() -> Result<EulerTop> {
-    let [x, y, z] = OMEGA.map(|rate| rate.to_radians() / DAY);
+    let [x, y, z] = OMEGA.map(|rate| rate.to_radians() / 86_400.0);
     EulerTop::from_omega(MOMENTS, BodyVector::new(x, y, z), Attitude::identity())
 }
 
@@ -58,10 +46,10 @@ pub fn top() -> Result<EulerTop> {
 /// [`Error::NotPositive`] or [`Error::NotFinite`] for a moment; [`Error::Condition`] if they do not ascend; [`Error::OutOfRange`] for the ratio; those of [`EulerTop::new`].
 ///
 /// ```
-/// use spinning_bodies::euler_top::toutatis::{EARLIER_MOMENTS, PRECESSION_PERIOD, ROTATION_PERIOD, mode};
+/// use spinning_bodies::euler_top::toutatis::{EARLIER_MOMENTS, mode};
 /// let asteroid = mode(EARLIER_MOMENTS, 1.69770)?;
 /// let turns = asteroid.mean_precession_rate() * asteroid.period() / core::f64::consts::TAU;
-/// assert!((turns - ROTATION_PERIOD / PRECESSION_PERIOD).abs() < 2e-6);
+/// assert!((turns - 5.41 / 7.35).abs() < 2e-6);
 /// assert!(mode(EARLIER_MOMENTS, 0.99).is_err() && mode([1.0; 3], 1.0).is_err());
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```

@@ -104,23 +104,6 @@ pub enum Regime {
     Mixed,
 }
 
-impl Regime {
-    /// One word.
-    ///
-    /// ```
-    /// use spinning_bodies::falling_strip::Regime;
-    /// assert_eq!(Regime::Flutter.name(), "flutter");
-    /// ```
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Steady => "steady",
-            Self::Flutter => "flutter",
-            Self::Tumble => "tumble",
-            Self::Mixed => "mixed",
-        }
-    }
-}
-
 /// The averages of a fall after its beginnings are forgotten, in units of a, U and a/U.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LongRun {

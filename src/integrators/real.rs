@@ -12,29 +12,10 @@ use crate::precise::DoubleDouble;
 /// ```
 /// use spinning_bodies::integrators::geometric::{DoubleDouble, Real};
 /// let (one, three) = (DoubleDouble::from_double(1.0), DoubleDouble::from_double(3.0));
-/// assert!((three.reciprocal() * three - one).to_double().abs() < 1e-30);
-/// assert!((three.square_root() * three.square_root() - three).to_double().abs() < 1e-30);
-/// let (sine, versine) = 1e-9_f64.turn();
-/// assert!(sine == 1e-9 && (versine / 5e-19 - 1.0).abs() < 1e-15);
-/// assert_eq!(0.0_f64.turn_of_square(), (1.0, 0.5));
-/// let (sine, cosine) = f64::sine_and_cosine(0.5_f64.two_words());
-/// assert!((sine - 0.5_f64.sin()).abs() + (cosine - 0.5_f64.cos()).abs() < 2e-16);
+/// assert!((one / three * three - one).to_double().abs() < 1e-30);
+/// assert_eq!((f32::from_double(0.1), 0.1_f64.two_words().to_double()), (0.1_f32, 0.1));
 /// ```
-pub trait Real:
-    Copy
-    + Debug
-    + PartialEq
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Neg<Output = Self>
-    + Send
-    + Sync
-    + 'static
-{
-    /// The unit of rounding: half the distance from 1 to the next number.
-    const ROUNDING: f64;
-
+pub trait Real: Functions {
     /// The nearest number to a double.
     ///
     /// ```
@@ -51,39 +32,6 @@ pub trait Real:
     /// ```
     fn to_double(self) -> f64;
 
-    /// 1/x.
-    ///
-    /// ```
-    /// use spinning_bodies::integrators::geometric::Real;
-    /// assert_eq!(4.0_f64.reciprocal(), 0.25);
-    /// ```
-    fn reciprocal(self) -> Self;
-
-    /// √x for x ≥ 0.
-    ///
-    /// ```
-    /// use spinning_bodies::integrators::geometric::Real;
-    /// assert_eq!(9.0_f64.square_root(), 3.0);
-    /// ```
-    fn square_root(self) -> Self;
-
-    /// sin x and 1 − cos x, each to about one unit in its last place for |x| ≤ π/4; for greater x as the platform has them.
-    ///
-    /// ```
-    /// use spinning_bodies::integrators::geometric::Real;
-    /// let (sine, versine) = 1e-9_f64.turn();
-    /// assert!(sine == 1e-9 && (versine / 5e-19 - 1.0).abs() < 1e-15);
-    /// ```
-    fn turn(self) -> (Self, Self);
-
-    /// (sin x)/x and (1 − cos x)/x² from x², in the same way.
-    ///
-    /// ```
-    /// use spinning_bodies::integrators::geometric::Real;
-    /// assert_eq!(0.0_f64.turn_of_square(), (1.0, 0.5));
-    /// ```
-    fn turn_of_square(self) -> (Self, Self);
-
     /// The same number in two words.
     ///
     /// ```
@@ -91,13 +39,37 @@ pub trait Real:
     /// assert_eq!(0.1_f64.two_words().to_double(), 0.1);
     /// ```
     fn two_words(self) -> DoubleDouble;
+}
+
+/// What the methods ask of a number: its operators and the functions of a turn. Nobody else can write another.
+pub trait Functions:
+    Copy
+    + Debug
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+{
+    /// The unit of rounding: half the distance from 1 to the next number.
+    const ROUNDING: f64;
+
+    /// 1/x.
+    fn reciprocal(self) -> Self;
+
+    /// √x for x ≥ 0.
+    fn square_root(self) -> Self;
+
+    /// sin x and 1 − cos x, each to about one unit in its last place for |x| ≤ π/4; for greater x as the platform has them.
+    fn turn(self) -> (Self, Self);
+
+    /// (sin x)/x and (1 − cos x)/x² from x², in the same way.
+    fn turn_of_square(self) -> (Self, Self);
 
     /// sin x and cos x for long phases x: two words keep their place in the turn.
-    ///
-    /// ```
-    /// use spinning_bodies::integrators::geometric::Real;
-    /// assert_eq!(f64::sine_and_cosine(0.0_f64.two_words()), (0.0, 1.0));
-    /// ```
     fn sine_and_cosine(x: DoubleDouble) -> (Self, Self);
 }
 
@@ -146,8 +118,6 @@ macro_rules! series {
 macro_rules! machine {
     ($real:ty) => {
         impl Real for $real {
-            const ROUNDING: f64 = <$real>::EPSILON as f64 / 2.0;
-
             #[inline(always)]
             fn from_double(value: f64) -> Self {
                 value as Self
@@ -157,6 +127,14 @@ macro_rules! machine {
             fn to_double(self) -> f64 {
                 f64::from(self)
             }
+
+            fn two_words(self) -> DoubleDouble {
+                DoubleDouble::from(f64::from(self))
+            }
+        }
+
+        impl Functions for $real {
+            const ROUNDING: f64 = <$real>::EPSILON as f64 / 2.0;
 
             #[inline(always)]
             fn reciprocal(self) -> Self {
@@ -193,10 +171,6 @@ macro_rules! machine {
                 (1.0 + self * sine, 0.5 + self * versine)
             }
 
-            fn two_words(self) -> DoubleDouble {
-                DoubleDouble::from(f64::from(self))
-            }
-
             fn sine_and_cosine(x: DoubleDouble) -> (Self, Self) {
                 let (sine, cosine) = x.sin_cos();
                 (sine as Self, cosine as Self)
@@ -227,8 +201,6 @@ fn taylor(square: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
 }
 
 impl Real for DoubleDouble {
-    const ROUNDING: f64 = 2.465_190_328_815_662e-32;
-
     fn from_double(value: f64) -> Self {
         Self::from(value)
     }
@@ -236,6 +208,14 @@ impl Real for DoubleDouble {
     fn to_double(self) -> f64 {
         self.value()
     }
+
+    fn two_words(self) -> Self {
+        self
+    }
+}
+
+impl Functions for DoubleDouble {
+    const ROUNDING: f64 = 2.465_190_328_815_662e-32;
 
     fn reciprocal(self) -> Self {
         Self::from(1.0) / self
@@ -262,10 +242,6 @@ impl Real for DoubleDouble {
         let (sine, versine) = (self * Self::from(0.25)).turn_of_square();
         let cosine = Self::from(1.0) - self * Self::from(0.25) * versine;
         (sine * cosine, sine * sine * two.reciprocal())
-    }
-
-    fn two_words(self) -> Self {
-        self
     }
 
     fn sine_and_cosine(x: Self) -> (Self, Self) {
@@ -334,7 +310,7 @@ pub(in crate::integrators) fn product<T: Real>(p: [T; 4], q: [T; 4]) -> [T; 4] {
 
 #[cfg(test)]
 mod tests {
-    use super::{DoubleDouble, Real};
+    use super::{DoubleDouble, Functions, Real};
 
     /// sin and 1 − cos of x in 106 bits are the truth for those in 53 and 24.
     #[test]

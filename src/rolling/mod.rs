@@ -12,9 +12,9 @@
 //! | 4.5 | [`Sheet`], [`SheetSpeeds`] | a sheet withdrawn in any manner |
 //!
 //! ```
-//! use spinning_bodies::rolling::{RoundBody, factor};
+//! use spinning_bodies::rolling::RoundBody;
 //!
-//! let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+//! let ball = RoundBody::new(0.17, 0.0286, 0.4)?;
 //! assert_eq!(ball.pure_rolling_height(), 1.4); // the chestnut: 7R/5 above the table
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
@@ -33,5 +33,5 @@ pub use friction::{Coulomb, RollingResistance, painleve_friction};
 pub use moment::{Happening, Load, Moment};
 pub use plane::{InPlane, Slide};
 pub use sheet::{Sheet, SheetSpeeds};
-pub use shot::{Regime, RoundBody, Shot, SlideToRoll, factor, slide_to_roll};
+pub use shot::{Regime, RoundBody, Shot, SlideToRoll};
 pub use spool::{Spool, Tug, Way};

@@ -41,31 +41,14 @@ impl InPlane {
 }
 
 impl RoundBody {
-    /// The velocity that a ball ends up rolling with: (V + κW)/(1+κ), m/s, whatever rubs it in whatever manner (4.3, 4.5).
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
-    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
-    /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
-    /// let [x, y] = ball.eventual_velocity(&start);
-    /// assert!((x - 5.0).abs() + (y - 2.0).abs() < 1e-14);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn eventual_velocity(&self, motion: &InPlane) -> [f64; 2] {
-        let kappa = self.inertia_factor();
-        [0, 1].map(|i| {
-            (motion.velocity[i] + kappa * motion.rim_velocity[i]) / self.pure_rolling_height()
-        })
-    }
-
     /// From sliding in any direction to rolling, under Coulomb's friction. Closed form; κ|u|/((1+κ)μg) seconds of parabola.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
-    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
+    /// use spinning_bodies::rolling::{InPlane, RoundBody};
+    /// let ball = RoundBody::new(0.17, 0.028, 0.4)?;
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// let slide = ball.slide_in_plane(start, 0.2, 10.0)?;
     /// // 2|u|/(7μg).
@@ -94,7 +77,9 @@ impl RoundBody {
                 kappa / self.pure_rolling_height() * size / strength,
             )?,
             kappa,
-            rolling: self.eventual_velocity(&start),
+            rolling: [0, 1].map(|i| {
+                (start.velocity[i] + kappa * start.rim_velocity[i]) / self.pure_rolling_height()
+            }),
         })
     }
 }
@@ -103,8 +88,8 @@ impl Slide {
     /// Place of the centre, m, and the motion, at a time (s, 0 or later) since the stroke.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{InPlane, RoundBody, factor};
-    /// let ball = RoundBody::new(0.17, 0.028, factor::BALL)?;
+    /// use spinning_bodies::rolling::{InPlane, RoundBody};
+    /// let ball = RoundBody::new(0.17, 0.028, 0.4)?;
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// let slide = ball.slide_in_plane(start, 0.2, 10.0)?;
     /// // A parabola: on the way the mean of the first and the last velocity.

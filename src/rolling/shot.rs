@@ -2,18 +2,6 @@
 
 use crate::error::{Result, finite, not_negative, positive, within};
 
-/// Inertia factors κ = I/(MR²), dimensionless.
-pub mod factor {
-    /// Homogeneous ball.
-    pub const BALL: f64 = 2.0 / 5.0;
-    /// Thin spherical shell.
-    pub const SHELL: f64 = 2.0 / 3.0;
-    /// Homogeneous disc or cylinder.
-    pub const DISC: f64 = 1.0 / 2.0;
-    /// Thin hoop: all mass on the rim.
-    pub const HOOP: f64 = 1.0;
-}
-
 /// A body that rolls on a circle about its centre of mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoundBody {
@@ -43,6 +31,8 @@ pub struct Shot {
     height_over_radius: f64,
     /// Velocity of the centre V', m/s.
     pub velocity: f64,
+    /// Rim speed RΩ' = (H−R)V'/(κR), m/s; negative for a stroke below the centre.
+    pub rim_speed: f64,
     /// Velocity of the contact point V' − RΩ', m/s, from the height of the stroke.
     pub slip: f64,
     /// How the body leaves the cue.
@@ -69,9 +59,9 @@ impl RoundBody {
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) if κ > 1, more than the rim itself has.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// assert!(RoundBody::new(1.0, 0.03, factor::HOOP).is_ok());
-    /// assert!(RoundBody::new(1.0, 0.0, factor::HOOP).is_err());
+    /// use spinning_bodies::rolling::RoundBody;
+    /// assert!(RoundBody::new(1.0, 0.03, 1.0).is_ok());
+    /// assert!(RoundBody::new(1.0, 0.0, 1.0).is_err());
     /// ```
     pub fn new(mass: f64, radius: f64, inertia_factor: f64) -> Result<Self> {
         positive("the inertia factor", inertia_factor)?;
@@ -101,8 +91,8 @@ impl RoundBody {
     /// Height of the stroke that gives pure rolling, in radii: H/R = 1 + κ (4.3). Exact to half a unit in the last place.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// use spinning_bodies::rolling::RoundBody;
+    /// let ball = RoundBody::new(1.0, 0.03, 0.4)?;
     /// assert_eq!(ball.pure_rolling_height(), 1.4);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -118,8 +108,8 @@ impl RoundBody {
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) if the cue misses, H outside 0…2R.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// use spinning_bodies::rolling::RoundBody;
+    /// let ball = RoundBody::new(1.0, 0.03, 0.4)?;
     /// // Struck through the centre it does not turn at all.
     /// assert!((ball.cue_slip(1.0)? - 1.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -139,8 +129,8 @@ impl RoundBody {
     /// As [`Self::cue_slip`].
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// use spinning_bodies::rolling::RoundBody;
+    /// let ball = RoundBody::new(1.0, 0.03, 0.4)?;
     /// assert!((ball.eventual_speed(0.7)? - 0.5).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -154,9 +144,10 @@ impl RoundBody {
     /// As [`Self::cue_slip`]; [`Error::NotPositive`](crate::Error::NotPositive) if the velocity is not.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{Regime, RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// use spinning_bodies::rolling::{Regime, RoundBody};
+    /// let ball = RoundBody::new(1.0, 0.03, 0.4)?;
     /// assert_eq!(ball.strike(1.0, 7.0)?.regime, Regime::SkidsBackward);
+    /// assert!((ball.strike(1.2, 7.0)?.rim_speed - 3.5).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn strike(&self, height_over_radius: f64, velocity: f64) -> Result<Shot> {
@@ -174,6 +165,7 @@ impl RoundBody {
             body: *self,
             height_over_radius,
             velocity,
+            rim_speed: (height_over_radius - 1.0) / self.inertia_factor * velocity,
             slip,
             regime,
         })
@@ -193,8 +185,8 @@ impl RoundBody {
     /// [`Error::NotFinite`](crate::Error::NotFinite) for a number that is not, or a result that overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// use spinning_bodies::rolling::RoundBody;
+    /// let ball = RoundBody::new(1.0, 0.03, 0.4)?;
     /// let slide = ball.slide_to_roll(7.0, 0.0, 0.2, 10.0)?;
     /// assert!((slide.time - 1.0).abs() + (slide.speed - 5.0).abs() + (slide.distance - 6.0).abs() + (slide.heat - 7.0).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -219,8 +211,8 @@ impl RoundBody {
     /// As [`Self::slide_to_roll`].
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// use spinning_bodies::rolling::RoundBody;
+    /// let ball = RoundBody::new(1.0, 0.03, 0.4)?;
     /// // Back spin of 100 rad/s.
     /// let slide = ball.slide_of_spin(4.0, -100.0, 0.2, 10.0)?;
     /// assert!((slide.time - 1.0).abs() + (slide.speed - 2.0).abs() < 1e-14);
@@ -273,18 +265,6 @@ impl Shot {
         self.body
     }
 
-    /// Rim speed RΩ' = (H−R)V'/(κR), m/s; negative for a stroke below the centre.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
-    /// assert!((ball.strike(1.2, 7.0)?.rim_speed() - 3.5).abs() < 1e-14);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn rim_speed(&self) -> f64 {
-        (self.height_over_radius - 1.0) / self.body.inertia_factor * self.velocity
-    }
-
     /// The sliding that follows, as [`RoundBody::slide_to_roll`], with the slip taken from the stroke: no cancellation however
     /// near the stroke is to pure rolling.
     ///
@@ -292,8 +272,8 @@ impl Shot {
     /// As [`RoundBody::slide_to_roll`].
     ///
     /// ```
-    /// use spinning_bodies::rolling::{RoundBody, factor};
-    /// let ball = RoundBody::new(1.0, 0.03, factor::BALL)?;
+    /// use spinning_bodies::rolling::RoundBody;
+    /// let ball = RoundBody::new(1.0, 0.03, 0.4)?;
     /// let slide = ball.strike(1.0, 7.0)?.slide(0.2, 10.0)?;
     /// assert!((slide.time - 1.0).abs() + (slide.speed - 5.0).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -314,23 +294,4 @@ fn height_on_body(height_over_radius: f64) -> Result<f64> {
         0.0,
         2.0,
     )
-}
-
-/// [`RoundBody::slide_to_roll`] for a homogeneous ball of unit mass: its `heat` is per kilogram, the rest holds for every ball.
-///
-/// # Errors
-/// As [`RoundBody::slide_to_roll`].
-///
-/// ```
-/// let slide = spinning_bodies::rolling::slide_to_roll(7.0, 0.0, 0.2, 10.0)?;
-/// assert!((slide.time - 1.0).abs() + (slide.heat - 7.0).abs() < 1e-14);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn slide_to_roll(
-    velocity: f64,
-    rim_speed: f64,
-    friction: f64,
-    gravity: f64,
-) -> Result<SlideToRoll> {
-    RoundBody::new(1.0, 1.0, factor::BALL)?.slide_to_roll(velocity, rim_speed, friction, gravity)
 }

@@ -49,17 +49,6 @@ impl Tug {
         })
     }
 
-    /// Tension, N.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::Tug;
-    /// assert_eq!(Tug::new(1.2, 0.5)?.tension(), 1.2);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn tension(&self) -> f64 {
-        self.tension
-    }
-
     /// Angle above the horizontal, rad.
     ///
     /// ```
@@ -85,8 +74,8 @@ impl Spool {
     ///
     /// ```
     /// use spinning_bodies::rolling::{RoundBody, Spool};
-    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
-    /// assert_eq!(spool.ratio(), 0.5);
+    /// let body = RoundBody::new(2.0, 1.0, 0.5)?;
+    /// assert!(Spool::new(body, 1.5).is_ok() && Spool::new(body, 0.0).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(body: RoundBody, axle: f64) -> Result<Self> {
@@ -100,18 +89,6 @@ impl Spool {
     /// What rolls.
     pub(crate) fn body(&self) -> RoundBody {
         self.body
-    }
-
-    /// r/R, dimensionless.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{RoundBody, Spool};
-    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
-    /// assert_eq!(spool.ratio(), 0.5);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn ratio(&self) -> f64 {
-        self.ratio
     }
 
     /// The tug's moment about the centre, −rT, N m, the same at every angle; positive the way of rolling forward (4.4).

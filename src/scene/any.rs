@@ -14,10 +14,10 @@ type Simulation = dyn Fn(&Request, &[usize]) -> Result<Table>;
 /// A scene of any kind, and the numbers that are told of it.
 ///
 /// ```
-/// use spinning_bodies::rolling::{RoundBody, factor};
+/// use spinning_bodies::rolling::RoundBody;
 /// use spinning_bodies::scene::{AnyScene, Request, Roller, effects::Coulomb};
 ///
-/// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.4, 0.0)?;
+/// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, 1.4, 0.0)?;
 /// let scene = AnyScene::scene(Box::new(ball.with(Coulomb::new(0.2)?)?));
 /// let scene = scene.telling(&["rim_speed", "rotation"]).map_err(|unknown| unknown.to_string());
 /// let table = scene.expect("two of its columns").simulate(&Request::at([5.0])?)?;
@@ -66,8 +66,8 @@ impl AnyScene {
     /// This scene, telling its usual numbers.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
-    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, 1.5, 0.0)?;
     /// let table = AnyScene::scene(Box::new(ball)).simulate(&Request::at([2.0])?)?;
     /// assert_eq!(table.numbers(["velocity"]).unwrap(), [[1.5]]);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -91,8 +91,8 @@ impl AnyScene {
     /// What it can tell: the usual numbers first.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Roller}};
-    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// assert!(scene.columns().iter().any(|column| column.name == "velocity" && column.unit == "m/s"));
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -104,8 +104,8 @@ impl AnyScene {
     /// What it tells, in the order of a row.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Roller}};
-    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// assert!(scene.told().all(|column| column.usual));
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -120,8 +120,8 @@ impl AnyScene {
     /// The first name that is none.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
-    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.telling(&["velocity"]).unwrap().simulate(&Request::at([2.0])?)?;
     /// assert_eq!(table.row(0), (2.0, vec![1.5]));
@@ -148,8 +148,8 @@ impl AnyScene {
     /// As for [`Scene::simulate`].
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
-    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
     /// assert_eq!(table.rows().count(), 2);
@@ -208,8 +208,8 @@ impl Table {
     /// If there are not so many rows.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
-    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
     /// assert_eq!(table.row(1).0, 2.0);
@@ -222,8 +222,8 @@ impl Table {
     /// All rows, in the order asked for.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
-    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
     /// assert!(table.rows().map(|(time, _)| time).eq([0.0, 2.0]));
@@ -233,32 +233,14 @@ impl Table {
         (0..self.count).map(|place| self.row(place))
     }
 
-    /// A number that is none, with its column and its time (s).
-    ///
-    /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
-    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
-    /// let scene = AnyScene::scene(Box::new(ball));
-    /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
-    /// assert_eq!(table.not_finite(), None);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn not_finite(&self) -> Option<(&'static str, f64, f64)> {
-        self.rows().find_map(|(t, row)| {
-            let mut pairs = self.columns.iter().zip(row);
-            let found = pairs.find(|(_, number)| !number.is_finite());
-            found.map(|(column, number)| (column.name, t, number))
-        })
-    }
-
     /// The numbers of these names, `t` being the time, in the order of the rows.
     ///
     /// # Errors
     /// The first name that is no column of the table.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{AnyScene, Request, Roller}};
-    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, factor::BALL)?, 9.81, 1.5, 0.0)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, 1.5, 0.0)?;
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
     /// assert_eq!(table.numbers(["t", "velocity"]).unwrap(), [[0.0, 1.5], [2.0, 1.5]]);

@@ -22,54 +22,21 @@ struct Numbers {
     until: AtomicU64,
 }
 
-impl Progress {
+/// Where a run is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reached {
     /// Evaluations of the equations so far; a state that a closed form gives counts as one.
-    ///
-    /// ```
-    /// use spinning_bodies::frame::{Attitude, BodyVector};
-    /// use spinning_bodies::scene::{Progress, Request, Scene, top::{Body, Start, Top}};
-    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
-    /// let progress = Progress::default();
-    /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
-    /// // A state of a closed form counts as one.
-    /// assert_eq!(progress.evaluations(), 2);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn evaluations(&self) -> u64 {
-        self.0.evaluations.load(Ordering::Relaxed)
-    }
-
+    pub evaluations: u64,
     /// How many there may be.
-    ///
-    /// ```
-    /// use spinning_bodies::frame::{Attitude, BodyVector};
-    /// use spinning_bodies::scene::{Progress, Request, Scene, top::{Body, Start, Top}};
-    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
-    /// let progress = Progress::default();
-    /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
-    /// assert_eq!(progress.most(), 100);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn most(&self) -> u64 {
-        self.0.most.load(Ordering::Relaxed)
-    }
-
+    pub most: u64,
     /// The time that the motion has reached, s.
-    ///
-    /// ```
-    /// use spinning_bodies::frame::{Attitude, BodyVector};
-    /// use spinning_bodies::scene::{Progress, Request, Scene, top::{Body, Start, Top}};
-    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
-    /// let progress = Progress::default();
-    /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
-    /// assert_eq!(progress.time(), 5.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn time(&self) -> f64 {
-        f64::from_bits(self.0.time.load(Ordering::Relaxed))
-    }
+    pub time: f64,
+    /// The time that it is to reach, s.
+    pub until: f64,
+}
 
-    /// The time furthest from the start that was asked for, s.
+impl Progress {
+    /// Where the run is now.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -77,11 +44,20 @@ impl Progress {
     /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
     /// let progress = Progress::default();
     /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
-    /// assert_eq!(progress.until(), 5.0);
+    /// let reached = progress.reached();
+    /// // A state of a closed form counts as one.
+    /// assert_eq!((reached.evaluations, reached.most), (2, 100));
+    /// assert_eq!((reached.time, reached.until), (5.0, 5.0));
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn until(&self) -> f64 {
-        f64::from_bits(self.0.until.load(Ordering::Relaxed))
+    pub fn reached(&self) -> Reached {
+        let number = |of: &AtomicU64| of.load(Ordering::Relaxed);
+        Reached {
+            evaluations: number(&self.0.evaluations),
+            most: number(&self.0.most),
+            time: f64::from_bits(number(&self.0.time)),
+            until: f64::from_bits(number(&self.0.until)),
+        }
     }
 }
 

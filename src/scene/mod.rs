@@ -39,7 +39,7 @@ pub mod top;
 mod yo_yo;
 
 pub use any::{AnyScene, Table, UnknownColumn};
-pub use budget::Progress;
+pub use budget::{Progress, Reached};
 pub use columns::{Column, Columns};
 pub use meteorite::{Flying, StruckPlanet};
 pub use motion::{Motion, Request, balanced};

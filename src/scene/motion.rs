@@ -161,7 +161,7 @@ impl Request {
     /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
     /// let progress = Progress::default();
     /// Top::new(Body::new([1.0, 2.0, 3.0])?, start)?.simulate(&Request::at([1.0, 5.0])?.within(100).watched(&progress))?;
-    /// assert_eq!(progress.evaluations(), 2);
+    /// assert_eq!(progress.reached().evaluations, 2);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn watched(mut self, progress: &Progress) -> Self {

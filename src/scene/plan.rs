@@ -53,13 +53,7 @@ impl Geometric {
         Self::DormandPrince8,
     ];
 
-    /// The name by which it is asked for.
-    ///
-    /// ```
-    /// use spinning_bodies::scene::Geometric;
-    /// assert_eq!(Geometric::ALL[0].name(), "rotations-2");
-    /// ```
-    pub const fn name(self) -> &'static str {
+    const fn name(self) -> &'static str {
         match self {
             Self::Rotations(Order::Two) => "rotations-2",
             Self::Rotations(Order::Four) => "rotations-4",

@@ -27,11 +27,11 @@ use crate::rolling::{RoundBody, Shot};
 /// [`Course`]: closed forms from event to event. The equations are here for those who ask for a solver that steps.
 ///
 /// ```
-/// use spinning_bodies::rolling::{RoundBody, factor};
+/// use spinning_bodies::rolling::RoundBody;
 /// use spinning_bodies::scene::effects::Coulomb;
 /// use spinning_bodies::scene::{Request, Roller, Scene};
 ///
-/// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+/// let ball = RoundBody::new(0.17, 0.0286, 0.4)?;
 /// let drawn = Roller::new(ball, 9.81, 1.0, -4.0)?.with(Coulomb::new(0.2)?)?;
 /// let motion = drawn.simulate(&Request::at([5.0])?)?;
 /// let rolls = &motion.rows[0].1.moment;
@@ -55,8 +55,8 @@ impl Roller {
     /// [`Error::NotPositive`](crate::Error::NotPositive) for gravity; [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Roller, Scene}};
-    /// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{Request, Roller, Scene}};
+    /// let ball = RoundBody::new(0.17, 0.0286, 0.4)?;
     /// // Without friction it keeps its velocity.
     /// let motion = Roller::new(ball, 10.0, 7.0, 0.0)?.simulate(&Request::at([2.0])?)?;
     /// assert_eq!(motion.rows[0].1.moment.velocity, 7.0);
@@ -82,15 +82,15 @@ impl Roller {
     /// As [`Self::new`].
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Roller, Scene, effects::Coulomb}};
-    /// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{Request, Roller, Scene, effects::Coulomb}};
+    /// let ball = RoundBody::new(0.17, 0.0286, 0.4)?;
     /// let struck = Roller::after(&ball.strike(1.0, 7.0)?, 10.0)?.with(Coulomb::new(0.2)?)?;
     /// let motion = struck.simulate(&Request::at([2.0])?)?;
     /// assert!((motion.rows[0].1.moment.velocity - 5.0).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn after(shot: &Shot, gravity: f64) -> Result<Self> {
-        let mut roller = Self::new(shot.body(), gravity, shot.velocity, shot.rim_speed())?;
+        let mut roller = Self::new(shot.body(), gravity, shot.velocity, shot.rim_speed)?;
         roller.start.slip = shot.slip;
         Ok(roller)
     }
@@ -101,8 +101,8 @@ impl Roller {
     /// [`Error::Effect`](crate::Error::Effect) for any other effect.
     ///
     /// ```
-    /// use spinning_bodies::{rolling::{RoundBody, factor}, scene::{Request, Roller, Scene, effects::Coulomb}};
-    /// let ball = RoundBody::new(0.17, 0.0286, factor::BALL)?;
+    /// use spinning_bodies::{rolling::RoundBody, scene::{Request, Roller, Scene, effects::Coulomb}};
+    /// let ball = RoundBody::new(0.17, 0.0286, 0.4)?;
     /// let sliding = Roller::new(ball, 10.0, 7.0, 0.0)?.with(Coulomb::new(0.2)?)?;
     /// let motion = sliding.simulate(&Request::at([0.5])?)?;
     /// // μg = 2 m/s².

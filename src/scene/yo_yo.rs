@@ -275,7 +275,7 @@ impl Playing {
                     omega
                 };
                 let turn = Turn::new(toy, g, level)?;
-                let half = 0.5 * turn.duration();
+                let half = 0.5 * turn.duration;
                 let from = if begins { half } else { 0.0 };
                 let to = if end < PI { half } else { 2.0 * half };
                 let course = move |t: f64| {

@@ -223,11 +223,14 @@ impl<T: Num + Copy> UnderTable<T> {
     /// let places: Vec<_> = UnderTable::new(thrown, Ratio::new(2, 5)).positions().take(3).collect();
     /// assert_eq!(places, [Ratio::new(3, 7), Ratio::new(-10, 49), Ratio::new(-403, 343)]);
     /// ```
-    pub fn positions(self) -> Positions<T> {
-        Positions {
-            motions: self,
-            x: T::zero(),
-        }
+    pub fn positions(self) -> impl Iterator<Item = T>
+    where
+        Self: Iterator<Item = Motion<T>>,
+    {
+        self.scan(T::zero(), |x, motion| {
+            *x = *x + motion.velocity;
+            Some(*x)
+        })
     }
 }
 
@@ -270,25 +273,6 @@ where
         self.motion = bounce(self.motion, self.next, self.kappa);
         self.next = self.next.opposite();
         Some(self.motion)
-    }
-}
-
-/// The places of the bounces; see [`UnderTable::positions`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Positions<T> {
-    motions: UnderTable<T>,
-    x: T,
-}
-
-impl<T: Num + Copy> Iterator for Positions<T>
-where
-    UnderTable<T>: Iterator<Item = Motion<T>>,
-{
-    type Item = T;
-
-    fn next(&mut self) -> Option<T> {
-        self.x = self.x + self.motions.next()?.velocity;
-        Some(self.x)
     }
 }
 

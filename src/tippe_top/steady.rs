@@ -164,6 +164,9 @@ impl TippeTop {
 
     /// λ = R φ̇ D(θ) of the steady state at tilt θ, if there is one.
     ///
+    /// At θ = 0 it is the least λ at which the top does not stay upright with C low, λ² = M g R³ I3 α (1−α)⁴/(γ − 1 + α); at θ = π the least
+    /// at which it stands on its head, √(M g R³ I3 α) (1+α)²/√(1 + α − γ).
+    ///
     /// ```
     /// use spinning_bodies::tippe_top::TippeTop;
     /// let unit = 0.02 * 0.02 * 0.02; // MR²
@@ -198,34 +201,6 @@ impl TippeTop {
         Some((up, (up - axis) * rate))
     }
 
-    /// Least λ at which the top does not stay upright with C low, if any: λ² = M g R³ I3 α (1−α)⁴/(γ − 1 + α).
-    ///
-    /// ```
-    /// use spinning_bodies::tippe_top::TippeTop;
-    /// let unit = 0.02 * 0.02 * 0.02; // MR²
-    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
-    /// let (jellett, spin) = (top.upright_is_lost_above().unwrap(), top.least_spin_to_rise().unwrap());
-    /// assert!((top.jellett_of_spin(spin, 0.0) / jellett - 1.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn upright_is_lost_above(&self) -> Option<f64> {
-        self.steady_jellett(0.0)
-    }
-
-    /// Least λ at which the top stands on its head, if any: √(M g R³ I3 α) (1+α)²/√(1 + α − γ).
-    ///
-    /// ```
-    /// use spinning_bodies::tippe_top::TippeTop;
-    /// let unit = 0.02 * 0.02 * 0.02; // MR²
-    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
-    /// let (jellett, spin) = (top.inverted_is_stable_above().unwrap(), top.least_spin_to_invert().unwrap());
-    /// assert!((top.jellett_of_spin(spin, 0.0) / jellett - 1.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn inverted_is_stable_above(&self) -> Option<f64> {
-        self.steady_jellett(PI)
-    }
-
     /// Least spin (rad/s) about the upright axis at which it rises, if any.
     ///
     /// ```
@@ -237,7 +212,7 @@ impl TippeTop {
     /// ```
     pub fn least_spin_to_rise(&self) -> Option<f64> {
         let unit = self.jellett_of_spin(1.0, 0.0);
-        self.upright_is_lost_above().map(|jellett| jellett / unit)
+        self.steady_jellett(0.0).map(|jellett| jellett / unit)
     }
 
     /// Least spin (rad/s) about the upright axis at which it turns over completely, if any.
@@ -254,9 +229,7 @@ impl TippeTop {
     pub fn least_spin_to_invert(&self) -> Option<f64> {
         let unit = self.jellett_of_spin(1.0, 0.0);
         match self.inversion() {
-            Inversion::Complete => self
-                .inverted_is_stable_above()
-                .map(|jellett| jellett / unit),
+            Inversion::Complete => self.steady_jellett(PI).map(|jellett| jellett / unit),
             Inversion::Never | Inversion::Partial => None,
         }
     }

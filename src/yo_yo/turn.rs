@@ -1,6 +1,6 @@
 //! The half turn at the end of the string.
 
-use core::f64::consts::FRAC_PI_4;
+use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
 use super::YoYo;
 use crate::elliptic::{Modulus, Parameter, incomplete_first};
@@ -14,13 +14,22 @@ use crate::error::{Error, Result, not_negative, positive};
 /// so that its end is held still sideways.
 #[derive(Debug, Clone, Copy)]
 pub struct Turn {
+    /// Spin at its beginning and at its end, rad/s.
+    pub omega: f64,
+    /// Spin at the lowest point, rad/s.
+    pub fastest: f64,
+    /// How long it takes, s: π/ω, a little less.
+    pub duration: f64,
+    /// Mean pull of the string during the turn, N: the weight and twice the momentum over the duration.
+    pub mean_tension: f64,
+    /// The same at constant spin, N: m g + (2/π) m r ω², which for a yo-yo let go at the hand is m g [1 + (4/π)(l/r)/(1 + I/(m r²))].
+    ///
+    /// Leaves out gravity's part in the turn; too small by a fraction of the order n/ω² = r/(2l).
+    pub mean_tension_at_constant_spin: f64,
     toy: YoYo,
     gravity: f64,
-    omega: f64,
     pull: f64,
-    fastest: f64,
     modulus: Modulus,
-    half: f64,
 }
 
 /// The yo-yo in its turn.
@@ -48,7 +57,10 @@ impl Turn {
     /// ```
     /// use spinning_bodies::yo_yo::{Turn, YoYo};
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// assert!(Turn::new(toy, 8.0, 200.0).is_ok());
+    /// let turn = Turn::new(toy, 8.0, 200.0)?;
+    /// assert!((turn.fastest - 40_400.0_f64.sqrt()).abs() < 1e-12);
+    /// // The weight, and the momentum of 2 N s turned round.
+    /// assert!((turn.mean_tension - 8.0 - 4.0 / turn.duration).abs() < 1e-12);
     /// // Too slow to be carried round.
     /// assert!(Turn::new(toy, 8.0, 10.0).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -67,86 +79,19 @@ impl Turn {
         }
         let parameter = Parameter::new(4.0 * pull / fastest, slack / fastest)?;
         let fastest = fastest.sqrt();
+        let duration = 4.0 * incomplete_first(FRAC_PI_4, parameter)? / fastest;
+        let (mass, weight) = (toy.mass(), toy.mass() * gravity);
         Ok(Self {
+            omega,
+            fastest,
+            duration,
+            mean_tension: weight + 2.0 * mass * r * omega / duration,
+            mean_tension_at_constant_spin: weight + FRAC_2_PI * mass * r * omega * omega,
             toy,
             gravity,
-            omega,
             pull,
-            fastest,
             modulus: Modulus::new(parameter),
-            half: 2.0 * incomplete_first(FRAC_PI_4, parameter)? / fastest,
         })
-    }
-
-    /// Spin at its beginning and at its end, rad/s.
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::{Turn, YoYo};
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// let turn = Turn::new(toy, 8.0, 200.0)?;
-    /// assert_eq!(turn.omega(), 200.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn omega(&self) -> f64 {
-        self.omega
-    }
-
-    /// Spin at the lowest point, rad/s.
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::{Turn, YoYo};
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// let turn = Turn::new(toy, 8.0, 200.0)?;
-    /// assert!((turn.fastest() - 40_400.0_f64.sqrt()).abs() < 1e-12);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn fastest(&self) -> f64 {
-        self.fastest
-    }
-
-    /// How long it takes, s: π/ω, a little less.
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::{Turn, YoYo};
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// let turn = Turn::new(toy, 8.0, 200.0)?;
-    /// let even = std::f64::consts::PI / 200.0;
-    /// assert!(turn.duration() < even && turn.duration() > 0.99 * even);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn duration(&self) -> f64 {
-        2.0 * self.half
-    }
-
-    /// Mean pull of the string during the turn, N: the weight and twice the momentum over the duration.
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::{Turn, YoYo};
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// let turn = Turn::new(toy, 8.0, 200.0)?;
-    /// // The weight, and the momentum of 2 N s turned round.
-    /// assert!((turn.mean_tension() - 8.0 - 4.0 / turn.duration()).abs() < 1e-12);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn mean_tension(&self) -> f64 {
-        let momentum = self.toy.mass() * self.toy.axle() * self.omega;
-        self.toy.mass() * self.gravity + 2.0 * momentum / self.duration()
-    }
-
-    /// The same at constant spin, N: m g + (2/π) m r ω², which for a yo-yo let go at the hand is m g [1 + (4/π)(l/r)/(1 + I/(m r²))].
-    ///
-    /// Leaves out gravity's part in the turn; too small by a fraction of the order n/ω² = r/(2l).
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::{Turn, YoYo};
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// let turn = Turn::new(toy, 8.0, 200.0)?;
-    /// assert!((turn.mean_tension_at_constant_spin() - 8.0 - 800.0 / std::f64::consts::PI).abs() < 1e-12);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn mean_tension_at_constant_spin(&self) -> f64 {
-        let centripetal = self.toy.axle() * self.omega * self.omega;
-        self.toy.mass() * (self.gravity + core::f64::consts::FRAC_2_PI * centripetal)
     }
 
     /// The state so long after its beginning (s; clamped to the turn).
@@ -158,12 +103,12 @@ impl Turn {
     /// use spinning_bodies::yo_yo::{Turn, YoYo};
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
     /// let turn = Turn::new(toy, 8.0, 200.0)?;
-    /// let lowest = turn.at(0.5 * turn.duration())?;
-    /// assert!((lowest.depth - 1.01).abs() < 1e-15 && (lowest.omega - turn.fastest()).abs() < 1e-11);
+    /// let lowest = turn.at(0.5 * turn.duration)?;
+    /// assert!((lowest.depth - 1.01).abs() < 1e-15 && (lowest.omega - turn.fastest).abs() < 1e-11);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn at(&self, time: f64) -> Result<TurnState> {
-        let since_middle = time.clamp(0.0, self.duration()) - self.half;
+        let since_middle = time.clamp(0.0, self.duration) - 0.5 * self.duration;
         let jacobi = self.modulus.jacobi(0.5 * self.fastest * since_middle)?;
         let (sine, cosine) = (jacobi.sn, jacobi.cn);
         let omega = self.fastest * jacobi.dn;

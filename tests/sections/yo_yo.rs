@@ -72,8 +72,8 @@ fn s4_9_the_toy_of_the_book() {
     rounded(way.omega(1.0) / TAU, 2, 33.40);
     rounded(toy.tension(0.3, 50.0, G) / (0.055 * G), 4, 0.9439);
     let turn = Turn::new(toy, G, way.omega(1.0)).unwrap();
-    rounded(1e3 * PI / turn.omega(), 1, 15.0);
-    let extra = turn.mean_tension_at_constant_spin() - 0.055 * G;
+    rounded(1e3 * PI / turn.omega, 1, 15.0);
+    let extra = turn.mean_tension_at_constant_spin - 0.055 * G;
     rounded(extra, 2, 7.71);
     rounded(extra / (0.055 * G), 1, 14.3);
     // The thick string: fastest not at the end but at 63 cm.
@@ -156,12 +156,12 @@ fn s4_9_the_turn() {
     let turn = Turn::new(toy, G, omega).unwrap();
     let weight = 0.1 * G;
     close(
-        turn.mean_tension_at_constant_spin() / weight,
+        turn.mean_tension_at_constant_spin / weight,
         14.402_521_523_528_028,
         5e-16,
     );
     // Spin before and after are the same, the velocity of the centre is reversed, and the sense of the spin is kept.
-    let [first, last] = [0.0, turn.duration()].map(|t| turn.at(t).unwrap());
+    let [first, last] = [0.0, turn.duration].map(|t| turn.at(t).unwrap());
     close(first.omega, omega, 5e-16);
     close(last.omega, omega, 5e-16);
     close(first.velocity, let_go(toy).speed(1.0), 5e-16);
@@ -169,13 +169,13 @@ fn s4_9_the_turn() {
     observed!(first.angle.abs(), 0.0..=1e-15);
     observed!((last.angle - PI).abs(), 0.0..=1e-15);
     // The true pendulum is 0.16 per cent faster than the constant spin on the average, and pulls as much harder.
-    let exact = turn.mean_tension() / weight;
+    let exact = turn.mean_tension / weight;
     observed!((exact - 14.4238).abs(), 7e-6..=5e-5, "{exact}");
     // By the impulse: twice the momentum and the weight, over the time. The tension itself, summed over the turn, says the same.
     let steps = 2000;
     let sum: f64 = (0..steps)
         .map(|k| {
-            let t = (f64::from(k) + 0.5) / f64::from(steps) * turn.duration();
+            let t = (f64::from(k) + 0.5) / f64::from(steps) * turn.duration;
             turn.at(t).unwrap().tension
         })
         .sum();
@@ -204,7 +204,7 @@ fn s4_9_the_turn_against_its_equation_of_motion() {
         let pull = 20.0 * G / (toy.axle() * (1.0 + toy.inertia_factor()));
         let system = |_: f64, y: &[f64; 2]| [y[1], pull * y[0].cos()];
         let times: Vec<f64> = (0..=10)
-            .map(|k| f64::from(k) / 10.0 * turn.duration())
+            .map(|k| f64::from(k) / 10.0 * turn.duration)
             .collect();
         let effort = Effort::Tolerance(1e-14);
         let (start, scales) = ([0.0, omega], [1.0, omega]);
@@ -319,7 +319,7 @@ fn what_is_no_yo_yo_is_refused() {
     assert!(Turn::new(toy(), G, 0.0).is_err());
     assert!(Turn::new(toy(), G, 1.0).is_err());
     let turn = Turn::new(toy(), 0.0, 1.0).unwrap();
-    observed!((turn.duration() - PI).abs(), 0.0..=1e-15);
+    observed!((turn.duration - PI).abs(), 0.0..=1e-15);
     observed!(
         (turn.at(FRAC_PI_2).unwrap().angle - FRAC_PI_2).abs(),
         0.0..=1e-15

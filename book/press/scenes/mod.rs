@@ -34,7 +34,12 @@ pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
     let table = scene
         .simulate(request)
         .map_err(|error| told(name, request.times(), error))?;
-    match table.not_finite() {
+    let not_finite = table.rows().find_map(|(t, row)| {
+        let mut pairs = table.columns.iter().zip(row);
+        let found = pairs.find(|(_, number)| !number.is_finite());
+        found.map(|(column, number)| (column.name, t, number))
+    });
+    match not_finite {
         None => Ok(table),
         Some((column, t, number)) => Err(Error::Failed(format!(
             "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units, or an earlier end, may keep it within"
@@ -138,10 +143,10 @@ pub fn key_table(of: &str, keys: &[KeyRow]) -> String {
 /// # Errors
 /// [`Error::Input`] for a word that is no kind.
 pub fn keys(kind: &str) -> Result<String> {
-    match files::keys(kind) {
-        Some(keys) => Ok(key_table("table", &[files::shared_keys(), keys].concat())),
-        None if kind == "shapes" => Ok(key_table("shape", &files::shape_keys())),
-        None => {
+    match (files::keys("run"), files::keys(kind)) {
+        (_, Some(sizes)) if kind == "shapes" => Ok(key_table("shape", &sizes)),
+        (Some(shared), Some(keys)) => Ok(key_table("table", &[shared, keys].concat())),
+        _ => {
             let (kinds, meant) = (files::kinds(), files::meant(kind, files::kinds()));
             let kinds = kinds.collect::<Vec<_>>().join(", ");
             Err(Error::Input(format!(

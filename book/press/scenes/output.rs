@@ -7,7 +7,7 @@ use std::time::Instant;
 use serde_json::{Value, json};
 use spinning_bodies::conservation::Law;
 use spinning_bodies::integrators::Cost;
-use spinning_bodies::scene::{AnyScene, Plan, Progress, Request, Table};
+use spinning_bodies::scene::{AnyScene, Plan, Progress, Reached, Request, Table};
 
 use crate::progress::watched;
 use crate::{Error, Result};
@@ -182,12 +182,17 @@ impl Motion<'_> {
 
 /// How far a motion has come, for a bar and in words.
 fn how_far(progress: &Progress) -> (f64, String) {
-    let (time, until) = (progress.time(), progress.until());
+    let Reached {
+        evaluations,
+        most,
+        time,
+        until,
+    } = progress.reached();
     let millions = |evaluations: u64| evaluations as f64 / 1e6;
     let told = format!(
         "simulating: t = {time:.4e} of {until:.4e} s, {:.0} of at most {:.0} million evaluations",
-        millions(progress.evaluations()),
-        millions(progress.most())
+        millions(evaluations),
+        millions(most)
     );
     (time / until, told)
 }

@@ -7,7 +7,7 @@ use press::chapters::CHAPTERS;
 use press::scenes::prices::PRICED;
 use press::scenes::{output, parse, prices, simulate};
 use spinning_bodies::integrators::Method;
-use spinning_bodies::scene::files::{KeyRow, keys, shared_keys};
+use spinning_bodies::scene::files::{KeyRow, keys};
 use spinning_bodies::scene::{Geometric, Progress, Solver};
 
 #[test]
@@ -280,7 +280,10 @@ fn no_number_of_any_key_panics_or_goes_unnoticed() {
     ];
     let (mut wrong, mut count) = (Vec::new(), 0);
     for priced in PRICED {
-        for asked in [keys(priced.kind).unwrap(), shared_keys()].concat() {
+        for asked in [priced.kind, "run"]
+            .map(|name| keys(name).unwrap())
+            .concat()
+        {
             // What stands at the top, and words.
             let words = asked.expected.starts_with("one of") || asked.key == "columns";
             if asked.section.is_empty() || words {
@@ -377,10 +380,11 @@ fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
             .next()
             .unwrap();
         let time: f64 = time.parse().unwrap();
+        let reached = progress.reached();
         assert!((0.0..1.0).contains(&time), "{told}");
-        assert_eq!((progress.time(), progress.until()), (time, 1.0), "{name}");
-        assert_eq!(progress.most(), FEW);
-        assert!(progress.evaluations() > FEW, "{name}");
+        assert_eq!((reached.time, reached.until), (time, 1.0), "{name}");
+        assert_eq!(reached.most, FEW);
+        assert!(reached.evaluations > FEW, "{name}");
     };
     for priced in PRICED {
         let text = priced.file(|_| true);
@@ -422,11 +426,7 @@ fn every_solver_is_found_by_its_name() {
         assert!(all.contains(&Solver::General(method)), "{}", method.name());
     }
     for method in Geometric::ALL {
-        assert!(
-            all.contains(&Solver::Geometric(method)),
-            "{}",
-            method.name()
-        );
+        assert!(all.contains(&Solver::Geometric(method)), "{method:?}");
     }
 }
 

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use nalgebra::{Rotation3, Vector3};
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::toutatis::{DAY, MOMENTS, OMEGA};
+use spinning_bodies::euler_top::toutatis::{MOMENTS, OMEGA};
 use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
@@ -14,6 +14,8 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
+/// A day, s.
+const DAY: f64 = 86_400.0;
 /// Points drawn in a day.
 const A_DAY: u32 = 24;
 /// Dots, one a day.

@@ -4,8 +4,9 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::{EulerTop, Poinsot, Sector, separatrix_slope};
+use spinning_bodies::euler_top::{EulerTop, Poinsot, Sector, stability};
 use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::inertia::PrincipalMoments;
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, triple};
 use crate::solid::{View, ellipse, ellipsoid_hides};
@@ -157,7 +158,9 @@ fn sector(view: &View, semi: &Vector3<f64>, crossing: f64, side: f64) -> Vec<Poi
 pub fn polhodes(values: &Values) -> Result<Figure> {
     let moments = moments(values);
     let (semi, view, arms) = stage(values);
-    let slope = separatrix_slope(moments)?;
+    let [i1, i2, i3] = moments;
+    let crossed = stability::saddle(&PrincipalMoments::new(i1, i2, i3)?, 1.0)?.incoming;
+    let slope = crossed.z() / crossed.x();
     // From Omega to the circle that the ellipse of L is stretched from.
     let parting = (slope * (moments[2] / moments[0]).sqrt()).atan();
     let crossing = parting.to_degrees();

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::{Cones, Shape, SymmetricTop, earth};
+use spinning_bodies::euler_top::{Cones, Shape, SymmetricTop};
 use spinning_bodies::frame::BodyVector;
 
 use crate::solid::{View, ellipse, hull};
@@ -20,12 +20,12 @@ const STEP: f64 = 30.0;
 
 const RIGID: Parameter = Parameter::new("rigid", r"T_0")
     .meaning("period of the wobble of a rigid body of these moments, I₁/(I₃ − I₁) of its days")
-    .between([100.0, 600.0], earth::RIGID_TUTORIAL_PERIOD)
+    .between([100.0, 600.0], 300.0)
     .unit("days")
     .whole();
 const OBSERVED: Parameter = Parameter::new("observed", "T")
     .meaning("period of the wobble that is observed")
-    .between([100.0, 600.0], earth::CHANDLER_TUTORIAL_PERIOD)
+    .between([100.0, 600.0], 440.0)
     .unit("days")
     .whole();
 /// What may be chosen in the race of the poles.

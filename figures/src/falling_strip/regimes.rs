@@ -109,8 +109,10 @@ pub fn regimes() -> Result<Figure> {
                 );
                 if right - left > 56.0 {
                     let name = match row[from].regime {
+                        Regime::Steady => "steady",
+                        Regime::Flutter => "flutter",
+                        Regime::Tumble => "tumble",
                         Regime::Mixed => "mixed, chaotic",
-                        other => other.name(),
                     };
                     // Beside the line of what was measured, not over it.
                     let at = 0.5 * (left + right);

@@ -1,7 +1,7 @@
 //! From sliding to rolling (tutorial 4.3): velocity and rim speed against time.
 
 use spinning_bodies::Result;
-use spinning_bodies::rolling::{Coulomb, Course, Load, Moment, RoundBody, factor};
+use spinning_bodies::rolling::{Coulomb, Course, Load, Moment, RoundBody};
 
 use crate::plot::Axis;
 use crate::style::{
@@ -12,7 +12,7 @@ use crate::{Figure, Parameter, Values};
 
 const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
     .meaning("moment of inertia of the ball over MR²")
-    .between([0.3, 0.65], factor::BALL);
+    .between([0.3, 0.65], 0.4);
 const FRICTION: Parameter = Parameter::new("friction", r"\mu")
     .meaning("coefficient of friction")
     .between([0.05, 0.6], 0.2)
@@ -51,7 +51,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
         .map(|shot| {
             let start = Moment {
                 slip: shot.slip,
-                ..Moment::moving(shot.velocity, shot.rim_speed())
+                ..Moment::moving(shot.velocity, shot.rim_speed)
             };
             let effects = (Some(Coulomb::new(mu)?), None, None);
             Course::new(kappa, Load::weight(9.81), effects, start, until)
@@ -61,7 +61,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
         .iter()
         .map(|course| number(course.at(until).velocity, 2))
         .collect();
-    let [lowest, highest] = [0, 4].map(|k| shots[k].rim_speed());
+    let [lowest, highest] = [0, 4].map(|k| shots[k].rim_speed);
     let sweet = short(ball.pure_rolling_height(), 2);
     let words = Words {
         claim: "Wherever the cue strikes, velocity and rim speed meet, and from then on the ball rolls.".to_owned(),
@@ -138,7 +138,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
             let start = if text == "*V*" {
                 speed
             } else {
-                shots[k].rim_speed()
+                shots[k].rim_speed
             };
             let (from, to) = (at(0.0, start), meeting(k));
             let places = (2..18).flat_map(|share| {

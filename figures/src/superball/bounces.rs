@@ -3,7 +3,6 @@
 use core::f64::consts::PI;
 
 use spinning_bodies::Result;
-use spinning_bodies::rolling::factor;
 use spinning_bodies::superball::{BounceRotation, Motion, UnderTable, return_threshold};
 
 use crate::style::{
@@ -19,7 +18,7 @@ const THROWN: Motion<f64> = Motion {
 
 const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
     .meaning("moment of inertia of the ball over MR²")
-    .between([0.05, 0.65], factor::BALL)
+    .between([0.05, 0.65], 0.4)
     .dragged(mirror_place, kappa_at);
 const BOUNCES: Parameter = Parameter::new("bounces", "n")
     .meaning("bounces that are drawn")
@@ -193,7 +192,7 @@ fn comes_back(kappa: f64, last: &Motion<f64>) -> Result<&'static str> {
 pub fn three_balls(values: &Values) -> Result<Figure> {
     let balls = [
         (values.of(&DENSE), inked(DATA).dashed()),
-        (factor::BALL, inked(DATA)),
+        (0.4, inked(DATA)),
         (values.of(&HOLLOW), stroke(Role::Muted, DATA)),
     ];
     let motions = balls.map(|(kappa, _)| {
@@ -201,7 +200,7 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
         [0; 3].map(|_| motions.next().unwrap_or(THROWN))
     });
     let told = |k: usize| comes_back(balls[k].0, &motions[k][2]);
-    let threshold = number(return_threshold(factor::BALL)?, 3);
+    let threshold = number(return_threshold(0.4)?, 3);
     let last = motions.map(|of| number(of[2].velocity, 3)).join(", ");
     let name = |kappa: f64| match super::fraction_of(kappa) {
         Some(exact) => exact.to_string(),

@@ -135,7 +135,7 @@ pub fn energy_and_momentum(values: &Values) -> Result<Figure> {
         let solid = inked(DATA);
         let broken = inked(SECONDARY).dashed();
         // The head is stable above its own least λ even where nothing that starts upright gets there.
-        let on_head = top.inverted_is_stable_above().map(|jellett| jellett / unit);
+        let on_head = top.steady_jellett(PI).map(|jellett| jellett / unit);
         for (tilt, border, below, above) in
             [(0.0, rise, solid, broken), (PI, on_head, broken, solid)]
         {

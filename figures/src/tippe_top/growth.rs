@@ -42,7 +42,7 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
     let swing = |mu: f64, sense: f64| -> Result<f64> {
         let law = Regularised::new(mu, 1e-3 * speed)?;
         Ok(quasi_steady(&body, G, law, sense * spin * natural)?
-            .slow_swing()?
+            .slow_swing()
             .growth
             / natural)
     };

@@ -62,7 +62,7 @@ pub fn string(values: &Values) -> Result<Figure> {
     let weight = toy.mass() * GRAVITY;
     let way = Unwinding::new(toy, GRAVITY, 0.0)?;
     let turn = Turn::new(toy, GRAVITY, way.omega(toy.length()))?;
-    let peak = turn.at(0.5 * turn.duration())?.tension / weight;
+    let peak = turn.at(0.5 * turn.duration)?.tension / weight;
     let falling = toy.tension(0.0, 0.0, GRAVITY) / weight;
     let play = Play::new(toy, 0.0)?
         .with(Gravity::new(GRAVITY)?)?
@@ -97,12 +97,12 @@ pub fn string(values: &Values) -> Result<Figure> {
             kept.push(vec![*t, state.depth, state.tension]);
         }
     }
-    let milliseconds = 1e3 * turn.duration();
+    let milliseconds = 1e3 * turn.duration;
     let words = Words {
         claim: format!(
             "On the way down and on the way up the string pulls a little less than the weight; in the turn, for {} milliseconds, as hard as {} yo-yos.",
             number(milliseconds, 0),
-            number(turn.mean_tension() / weight, 0),
+            number(turn.mean_tension / weight, 0),
         ),
         details: format!(
             "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, let go. Pull while it winds: ${} mg$. First turn: {} ms, mean \
@@ -111,7 +111,7 @@ pub fn string(values: &Values) -> Result<Figure> {
             short(1e3 * toy.axle(), 2),
             number(falling, 3),
             number(milliseconds, 1),
-            number(turn.mean_tension() / weight, 1),
+            number(turn.mean_tension / weight, 1),
             number(peak, 1),
             short(left, 2),
         ),
@@ -128,7 +128,7 @@ pub fn string(values: &Values) -> Result<Figure> {
             number(peak, 0)
         ),
     };
-    let first = way.duration()? + 0.5 * turn.duration();
+    let first = way.duration()? + 0.5 * turn.duration;
     let made = figure("yo-yo-string", 420.0, words, |pen| {
         let seconds = marks(&[0.0, 3.0, 6.0, 9.0, 12.0], "");
         let mut weights = pull.y.ticks(45.0);

@@ -25,7 +25,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
     let way = Unwinding::new(toy, GRAVITY, 0.0)?;
     let turn = Turn::new(toy, GRAVITY, way.omega(toy.length()))?;
     let at = |share: f64| -> Result<(f64, TurnState)> {
-        let time = share * turn.duration();
+        let time = share * turn.duration;
         Ok((time, turn.at(time)?))
     };
     let pictures = (0..5)
@@ -37,7 +37,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
     let words = Words {
         claim: format!(
             "In {} milliseconds the centre swings half round the end of the thread: the velocity is reversed, the sense of the spin is not.",
-            number(1e3 * turn.duration(), 1)
+            number(1e3 * turn.duration, 1)
         ),
         details: format!(
             "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; bars: the pull of the string, \
@@ -45,8 +45,8 @@ pub fn turn(values: &Values) -> Result<Figure> {
             short(toy.length(), 2),
             short(1e3 * toy.axle(), 2),
             pulls.join(", "),
-            number(turn.omega(), 1),
-            number(turn.fastest(), 1),
+            number(turn.omega, 1),
+            number(turn.fastest, 1),
         ),
         alt: format!(
             "Five pictures of a disc on a thread. In the first the axle hangs on the right of the thread and moves down, in the third it is below the end of the thread and moves to the left, in the \
@@ -69,7 +69,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
             let pull = LONGEST * state.tension / peak;
             pen.line(&[end, [end[0], end[1] - pull]], inked(5.0));
             // The centre goes round the end of the thread.
-            let speed = 0.5 * LONGEST * state.omega / turn.fastest();
+            let speed = 0.5 * LONGEST * state.omega / turn.fastest;
             let velocity = [center[0] - speed * sin, center[1] + speed * cos];
             pen.arrow(center, velocity, inked(SECONDARY));
             let around = [0.9, -0.7].map(|turned| turned - state.angle);

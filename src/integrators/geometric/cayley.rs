@@ -100,7 +100,7 @@ impl<T: Real> Integrator<T> for MoserVeselov {
                 time: 0.0,
             });
         }
-        let moments = inverse.map(Real::reciprocal);
+        let moments = inverse.map(T::reciprocal);
         Ok(Box::new(Cayley::<T, true>::new(moments, run, step)))
     }
 }

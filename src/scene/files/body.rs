@@ -16,7 +16,6 @@ use crate::frame::BodyVector;
 use crate::inertia::{
     InertiaMatrix, MassProperties, mesh_mass_properties, mesh_of_obj, mesh_of_stl, shapes,
 };
-use crate::rolling::factor;
 use crate::scene::Solid;
 use crate::tippe_top::Surface;
 
@@ -220,12 +219,7 @@ impl Value for Shape {
 }
 
 /// The sizes of all shapes: in place of the section, the shape.
-///
-/// ```
-/// use spinning_bodies::scene::files::shape_keys;
-/// assert!(shape_keys().iter().any(|row| row.key == "radius"));
-/// ```
-pub fn shape_keys() -> Vec<KeyRow> {
+pub(super) fn shape_keys() -> Vec<KeyRow> {
     let known = Known::words().into_iter();
     known.flat_map(|(_, known)| (known.rows)()).collect()
 }
@@ -448,11 +442,11 @@ pub(super) struct Round(f64, Option<f64>);
 impl Word for Round {
     fn words() -> Vec<(&'static str, Self)> {
         vec![
-            ("ball", Self(factor::BALL, None)),
-            ("shell", Self(factor::SHELL, None)),
-            ("cylinder", Self(factor::DISC, Some(2.0))),
-            ("disc", Self(factor::DISC, Some(0.3))),
-            ("hoop", Self(factor::HOOP, Some(0.3))),
+            ("ball", Self(0.4, None)),
+            ("shell", Self(2.0 / 3.0, None)),
+            ("cylinder", Self(0.5, Some(2.0))),
+            ("disc", Self(0.5, Some(0.3))),
+            ("hoop", Self(1.0, Some(0.3))),
         ]
     }
 }
@@ -479,6 +473,6 @@ pub(super) fn inertia_factor(
             file.wrong("body.inertia_factor", told)
         }
         (Some(factor), None) => Some(factor),
-        (None, shape) => Some(shape.map_or(factor::BALL, |Round(factor, _)| factor)),
+        (None, shape) => Some(shape.map_or(0.4, |Round(factor, _)| factor)),
     }
 }

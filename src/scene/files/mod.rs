@@ -38,7 +38,6 @@ mod top;
 mod values;
 mod yo_yo;
 
-pub use body::shape_keys;
 pub use keys::KeyRow;
 pub(in crate::scene) use look::Look;
 use reader::Open;
@@ -215,27 +214,25 @@ pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
     KINDS.iter().map(|kind| kind.name)
 }
 
-/// The keys of a kind in `[body]`, `[initial]` and `[effects]`, if there is such a kind.
+/// The keys of a kind in `[body]`, `[initial]` and `[effects]`; for `run` those that all kinds share, at the top and in `[run]`; for `shapes` the sizes
+/// of all shapes, where in place of the section stands the shape. Nothing for another word.
 ///
 /// ```
 /// use spinning_bodies::scene::files::keys;
-/// let gravity = |kind| keys(kind).map(|rows| rows.iter().filter(|row| row.key == "gravity").count());
-/// assert_eq!((gravity("top"), gravity("ghost")), (Some(1), None));
+/// let count = |kind, key| keys(kind).map(|rows| rows.iter().filter(|row| row.key == key).count());
+/// assert_eq!((count("top", "gravity"), count("ghost", "gravity")), (Some(1), None));
+/// assert!(count("run", "accuracy") == Some(1) && count("shapes", "radius") > Some(1));
 /// ```
 pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
-    let kind = KINDS.iter().find(|known| known.name == kind)?;
-    Some((kind.rows)())
-}
-
-/// The keys that all kinds share: those at the top and in `[run]`.
-///
-/// ```
-/// use spinning_bodies::scene::files::shared_keys;
-/// assert!(shared_keys().iter().any(|row| (row.section.as_str(), row.key) == ("run", "accuracy")));
-/// ```
-pub fn shared_keys() -> Vec<KeyRow> {
     let title = <Option<String>>::rows("", &TITLE, None);
-    [title, Kind::rows("", &KIND, None), Run::all_rows("run")].concat()
+    match kind {
+        "run" => Some([title, Kind::rows("", &KIND, None), Run::all_rows("run")].concat()),
+        "shapes" => Some(body::shape_keys()),
+        _ => KINDS
+            .iter()
+            .find(|known| known.name == kind)
+            .map(|kind| (kind.rows)()),
+    }
 }
 
 /// Whether a file has a key, given by its path: "body.moments"; places in a list count from 0.

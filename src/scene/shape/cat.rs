@@ -17,13 +17,11 @@ use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
 use crate::scene::motion::ascending;
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
-/// A cat of two halves, let go: attitude, velocity and angular momentum at the start, a path of shapes, and gravity.
+/// A cat of two halves, let go: attitude and angular momentum at the start, a path of shapes, and gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cat {
     body: phenomena::Cat,
     attitude: Attitude,
-    center: SpaceVector,
-    velocity: SpaceVector,
     angular_momentum: SpaceVector,
     turnover: Option<Turnover>,
     gravity: Option<f64>,
@@ -81,8 +79,6 @@ impl Cat {
         Self {
             body,
             attitude,
-            center: SpaceVector::zero(),
-            velocity: SpaceVector::zero(),
             angular_momentum: SpaceVector::zero(),
             turnover: None,
             gravity: None,
@@ -119,26 +115,6 @@ impl Cat {
             Effect::Gravity(gravity) => self.gravity = Some(gravity.value()),
             other => return Err(other.refused("a cat", "turnover, gravity")),
         }
-        Ok(self)
-    }
-
-    /// The same let go from this place (m) with this velocity (m/s).
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite).
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::{Attitude, SpaceVector}, phenomena::{self, Half}, scene::{Request, Scene, shape::Cat}};
-    /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
-    /// let cat = Cat::new(phenomena::Cat::new([half; 2])?, Attitude::identity());
-    /// let [from, up] = [1.0, 3.0].map(|z| SpaceVector::new(0.0, 0.0, z));
-    /// let motion = cat.thrown(from, up)?.simulate(&Request::at([2.0])?)?;
-    /// assert_eq!(motion.rows[0].1.center.z(), 7.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn thrown(mut self, center: SpaceVector, velocity: SpaceVector) -> Result<Self> {
-        self.center = finite_vector("the centre of mass", center)?;
-        self.velocity = finite_vector("the velocity", velocity)?;
         Ok(self)
     }
 
@@ -215,10 +191,8 @@ impl Cat {
             Some(equal) => self.omega_known(&equal, &bend),
             None => self.omega(t, &attitude)?,
         };
-        let mut center = self.center + self.velocity * t;
-        if let Some(g) = self.gravity {
-            center -= SpaceVector::new(0.0, 0.0, 0.5 * g * t * t);
-        }
+        let fallen = self.gravity.map_or(0.0, |g| 0.5 * g * t * t);
+        let center = SpaceVector::new(0.0, 0.0, -fallen);
         let l = self.body.angular_momentum(&bend, omega);
         Ok(CatState {
             attitude,

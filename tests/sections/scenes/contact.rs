@@ -4,7 +4,7 @@ use nalgebra::Matrix3;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::slide_to_roll;
+use spinning_bodies::rolling::RoundBody;
 use spinning_bodies::scene::contact::{State, Support, TableTop};
 use spinning_bodies::scene::effects::{
     AirDrag, Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous,
@@ -165,7 +165,10 @@ fn a_struck_ball_slides_until_it_rolls() {
         .with(Coulomb::new(0.2).unwrap())
         .unwrap();
 
-    let known = slide_to_roll(0.7, 0.0, 0.2, G).unwrap();
+    let known = RoundBody::new(1.0, 1.0, 0.4)
+        .unwrap()
+        .slide_to_roll(0.7, 0.0, 0.2, G)
+        .unwrap();
     let request = Request::at([2.0]).unwrap().to_accuracy(1e-9).unwrap();
     let phases = scene.phases(&request).unwrap();
     println!("{phases:?}");

@@ -2,7 +2,7 @@
 
 use lab::general::DifferentialEquations;
 use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::{RoundBody, SheetSpeeds, factor};
+use spinning_bodies::rolling::{RoundBody, SheetSpeeds};
 use spinning_bodies::scene::effects::{BearingFriction, Coulomb, Effect, RollingResistance, Sheet};
 use spinning_bodies::scene::{
     Choice, Geometric, Motion, Request, Roller, Rolling, Scene, Solver, Tabulated,
@@ -28,7 +28,7 @@ pub fn balance<S>(motion: &Motion<S>) -> f64 {
 }
 
 fn thrown() -> Roller {
-    let ball = RoundBody::new(0.17, 0.028_575, factor::BALL).unwrap();
+    let ball = RoundBody::new(0.17, 0.028_575, 0.4).unwrap();
     Roller::new(ball, 9.81, 1.0, -4.0).unwrap()
 }
 
@@ -117,7 +117,7 @@ fn what_a_roller_refuses() {
 /// The numbers of a ball at rest are rounding, and asked for alone they are answered all the same.
 #[test]
 fn a_ball_that_a_gentle_pull_has_left_behind() {
-    let ball = RoundBody::new(0.17, 0.028_575, factor::BALL).unwrap();
+    let ball = RoundBody::new(0.17, 0.028_575, 0.4).unwrap();
     let speeds = SheetSpeeds::ramp(1.0, 2.0).unwrap();
     let sheet = Sheet::new(mu(0.3), speeds, 1.5).unwrap();
     let scene = Roller::new(ball, 9.8, 0.0, 0.0)

@@ -86,7 +86,8 @@ fn geometric_methods_reach_their_accuracy() {
     let symmetric = Top::new(body([0.02, 0.02, 0.01], [0.0, 0.0, 0.1]), start()).unwrap();
     let free = Top::new(body([0.01, 0.02, 0.025], [0.0; 3]), start()).unwrap();
     for method in Geometric::ALL {
-        assert_eq!(method.name().parse(), Ok(Solver::Geometric(method)));
+        let solver = Solver::Geometric(method);
+        assert_eq!(solver.name().parse(), Ok(solver));
         let accuracy = 1e-6;
         let request = Request::at(times()).unwrap().to_accuracy(accuracy).unwrap();
         let by = request.clone().by(Choice::Use(Solver::Geometric(method)));

@@ -74,11 +74,7 @@ fn s4_7_an_ellipsoid_with_skew_inertia_is_chiral() {
     // claim: C4.7-14
     let law = Law::new(0.009).unwrap();
     let growth = |body: &ConvexBody, spin: f64| {
-        quasi_steady(body, 981.0, law, spin)
-            .unwrap()
-            .growth_rates()
-            .unwrap()[0]
-            .growth
+        quasi_steady(body, 981.0, law, spin).unwrap().growth_rates[0].growth
     };
     let body = skew(-0.39);
     println!("growth {} {}", growth(&body, 55.0), growth(&body, -55.0));

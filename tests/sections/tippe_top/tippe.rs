@@ -85,11 +85,11 @@ fn s4_7_thresholds_and_final_tilts() {
     let inverted = (unit * 1.3_f64.powi(4) / (1.3 - gamma)).sqrt();
     let upright = (unit * 0.7_f64.powi(4) / (gamma - 0.7)).sqrt();
     observed!(
-        relative(top.inverted_is_stable_above().unwrap(), inverted),
+        relative(top.steady_jellett(PI).unwrap(), inverted),
         0.0..=1e-14
     );
     observed!(
-        relative(top.upright_is_lost_above().unwrap(), upright),
+        relative(top.steady_jellett(0.0).unwrap(), upright),
         0.0..=1e-14
     );
     for (spin, tilt) in [

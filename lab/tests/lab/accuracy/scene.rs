@@ -3,7 +3,7 @@
 use lab::accuracy::JudgedScene;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::{RoundBody, factor};
+use spinning_bodies::rolling::RoundBody;
 use spinning_bodies::scene::Roller;
 use spinning_bodies::scene::effects::{Coulomb, PivotFriction};
 use spinning_bodies::scene::top::{Body, Start, Top};
@@ -78,7 +78,7 @@ fn judges_that_step_are_right() {
 
 #[test]
 fn what_has_no_attitude_is_judged_by_its_velocities() {
-    let body = RoundBody::new(0.17, 0.0286, factor::BALL).unwrap();
+    let body = RoundBody::new(0.17, 0.0286, 0.4).unwrap();
     let shot = Roller::new(body, 9.81, 1.4, 0.0).unwrap();
     let shot = shot.with(Coulomb::new(0.2).unwrap()).unwrap();
     let judged = JudgedScene::new(AnyScene::scene(Box::new(shot)), 5.0).unwrap();

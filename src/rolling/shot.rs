@@ -53,7 +53,7 @@ pub struct SlideToRoll {
 }
 
 impl RoundBody {
-    /// A body of `mass` (kg), rolling `radius` (m) and inertia factor κ = I/(MR²) (dimensionless; see [`factor`]).
+    /// A body of `mass` (kg), rolling `radius` (m) and inertia factor κ = I/(MR²) (dimensionless: 2/5 for a ball, 2/3 for its shell, 1/2 for a disc, 1 for a hoop).
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) if κ > 1, more than the rim itself has.

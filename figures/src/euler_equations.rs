@@ -28,20 +28,18 @@ pub const FIGURES: &[Entry] = &[
     ),
 ];
 
-const I1: Parameter = Parameter::new("first", "I_1")
-    .meaning("first moment of inertia")
-    .between([1.0, 2.0], 1.0)
-    .unit("kg m²");
-const I2: Parameter = Parameter::new("second", "I_2")
-    .meaning("second moment of inertia")
-    .between([2.0, 2.9], 2.0)
-    .unit("kg m²");
-const I3: Parameter = Parameter::new("third", "I_3")
-    .meaning("third moment of inertia")
-    .between([2.0, 3.0], 3.0)
-    .unit("kg m²");
-/// What may be chosen.
-pub const FLOW: &[Parameter] = &[I1, I2, I3];
+/// What may be chosen: the moments.
+pub const FLOW: &[Parameter] = &[
+    Parameter::new("first", "I_1", "kg m²")
+        .meaning("first moment of inertia")
+        .between([1.0, 2.0], 1.0),
+    Parameter::new("second", "I_2", "kg m²")
+        .meaning("second moment of inertia")
+        .between([2.0, 2.9], 2.0),
+    Parameter::new("third", "I_3", "kg m²")
+        .meaning("third moment of inertia")
+        .between([2.0, 3.0], 3.0),
+];
 
 /// Strength of what lies on the far side of the sphere.
 const BEHIND: f64 = 0.22;
@@ -143,7 +141,7 @@ fn off_axis(axis: usize, other: usize, sign: f64, degrees: f64) -> BodyVector {
 
 /// The flow of L on its sphere.
 pub fn momentum_flow(values: &Values) -> Result<Figure> {
-    let of = [&I1, &I2, &I3].map(|parameter| values.of(parameter));
+    let of = [0, 1, 2].map(|k| values.of(&FLOW[k]));
     let moments = AxisMoments::new(of[0], of[1], of[2])?;
     let sorted = PrincipalMoments::new(of[0], of[1], of[2])?;
     let still = equilibria(&moments);

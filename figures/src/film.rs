@@ -245,16 +245,6 @@ const MIDDLE: Point = [300.0, 200.0];
 const ARROW: f64 = 150.0;
 /// From where it is seen: a little from the right and from above.
 const DIRECTION: [f64; 2] = [-1.2, 0.3];
-/// By how much arrows may be shortened to stay within the picture.
-const LEAST: f64 = 0.3;
-/// An arrow shorter than this is not drawn, and one shorter than that has no name, units.
-const DRAWN: f64 = 7.0;
-const NAMED: f64 = 14.0;
-/// The sines of the angles below which one arrow covers the other, and which of them is on the left does not matter.
-const COVERED: f64 = 0.08;
-const SAME: f64 = 0.03;
-/// A way longer than so many bodies is followed.
-const FOLLOWED: f64 = 9.0;
 
 /// What the arrows and the view have in common.
 struct Scenery {
@@ -302,7 +292,8 @@ impl Film<'_> {
         };
         let way = [Vector::x(), Vector::y(), Vector::z()].map(far);
         let bounded = matches!(around, Around::Under(_) | Around::String);
-        let followed = !bounded && way.into_iter().fold(0.0, f64::max) > FOLLOWED * reach;
+        // A way longer than nine bodies is followed.
+        let followed = !bounded && way.into_iter().fold(0.0, f64::max) > 9.0 * reach;
         let view = match followed {
             true => View::new(DIRECTION[0], DIRECTION[1], MIDDLE, 72.0 / reach),
             false => {
@@ -346,7 +337,8 @@ impl Film<'_> {
                 }
             }
         }
-        scenery.shares = scenery.shares.map(|share| share * within.max(LEAST));
+        // They may be shortened by so much.
+        scenery.shares = scenery.shares.map(|share| share * within.max(0.3));
         scenery
     }
 
@@ -422,16 +414,17 @@ impl Film<'_> {
         let same = sizes > 0.0 && omega[0] * l[0] + omega[1] * l[1] > 0.0;
         // Where one covers the other they go side by side, and each name has a side of its own.
         let apart = if same {
-            (1.0 - sine.abs() / COVERED).max(0.0)
+            (1.0 - sine.abs() / 0.08).max(0.0)
         } else {
             0.0
         };
-        let side = if sine > SAME { -1.0 } else { 1.0 };
+        // Nearer than this, which of them is on the left does not matter.
+        let side = if sine > 0.03 { -1.0 } else { 1.0 };
         let [behind, before] = [true, false].map(|behind| {
             let each = vectors(sight).into_iter().zip(ways).zip(NAMES);
             let drawn = each.filter_map(|((vector, way), (role, name))| {
                 let length = way[0].hypot(way[1]);
-                if length <= DRAWN || (vector.dot(&view.toward) < 0.0) != behind {
+                if length <= 7.0 || (vector.dot(&view.toward) < 0.0) != behind {
                     return None;
                 }
                 let [dx, dy] = way.map(|part| part / length);
@@ -445,7 +438,7 @@ impl Film<'_> {
                 };
                 let ends = [0.0, length].map(|along| beside(along, 2.5 * apart));
                 let [x, y] = beside(length + 12.0, 9.0 + 2.5 * apart);
-                let name = if length > NAMED { name } else { "" };
+                let name = if length > 14.0 { name } else { "" };
                 Some((ends, role, name, [x, y + 6.0]))
             });
             drawn.collect::<Vec<_>>()

@@ -29,14 +29,12 @@ const STEP: f64 = 0.5;
 /// How long an L of one kg m²/s is drawn, m.
 const LENGTH: f64 = 2.2;
 
-const TURNS: Parameter = Parameter::new("turns", "n")
+const TURNS: Parameter = Parameter::new("turns", "n", "turns/s")
     .meaning("spin of the wheel")
-    .between([60.0, 150.0], 100.0)
-    .unit("turns/s");
-const TILT: Parameter = Parameter::new("tilt", r"\theta")
+    .between([60.0, 150.0], 100.0);
+const TILT: Parameter = Parameter::new("tilt", r"\theta", "°")
     .meaning("angle of the axle from the vertical")
     .between([30.0, 120.0], 90.0)
-    .unit("°")
     .dragged(
         |values| {
             let (sin, cos) = values.of(&TILT).to_radians().sin_cos();

@@ -46,13 +46,13 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// A ratio by equal differences, unless said otherwise; its meaning and its range are to be told.
-    pub const fn new(key: &'static str, symbol: &'static str) -> Self {
+    /// In this unit by equal differences, unless said otherwise; its meaning and its range are to be told.
+    pub const fn new(key: &'static str, symbol: &'static str, unit: &'static str) -> Self {
         Self {
             key,
             symbol,
             meaning: "",
-            unit: "",
+            unit,
             range: [0.0, 1.0],
             spacing: Spacing::Linear,
             default: 0.0,
@@ -70,12 +70,6 @@ impl Parameter {
     pub const fn between(mut self, range: [f64; 2], default: f64) -> Self {
         self.range = range;
         self.default = default;
-        self
-    }
-
-    /// The same in a unit.
-    pub const fn unit(mut self, unit: &'static str) -> Self {
-        self.unit = unit;
         self
     }
 
@@ -175,7 +169,7 @@ impl Values {
 mod tests {
     use super::*;
 
-    const RATIO: Parameter = Parameter::new("ratio", "r")
+    const RATIO: Parameter = Parameter::new("ratio", "r", "")
         .meaning("a ratio")
         .between([0.5, 8.0], 2.0);
 
@@ -192,7 +186,7 @@ mod tests {
         for (parameter, value, told) in [
             (RATIO, 8.5, "ratio is 8.5, expected a number from 0.5 to 8"),
             (
-                RATIO.unit("m"),
+                Parameter { unit: "m", ..RATIO },
                 f64::NAN,
                 "ratio is NaN, expected a number from 0.5 to 8 m",
             ),

@@ -14,7 +14,7 @@ use crate::{Entry, Figure, Parameter, Values, of};
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[of("gas-box", GAS_BOX, gas_box)];
 
-const AR: Parameter = Parameter::new("ar", "AR")
+const AR: Parameter = Parameter::new("ar", "AR", "")
     .meaning("side from the hinge")
     .between([1.0, 5.0], 4.0)
     .dragged(
@@ -23,13 +23,12 @@ const AR: Parameter = Parameter::new("ar", "AR")
             Drawn::of(values).map_or(f64::NAN, |drawn| (point[0] - drawn.hinge[0]) / drawn.length)
         },
     );
-const RB: Parameter = Parameter::new("rb", "RB")
+const RB: Parameter = Parameter::new("rb", "RB", "")
     .meaning("the other side at R")
     .between([1.0, 5.0], 3.0);
-const ANGLE: Parameter = Parameter::new("angle", r"\gamma")
+const ANGLE: Parameter = Parameter::new("angle", r"\gamma", "°")
     .meaning("angle at R")
     .between([30.0, 150.0], 90.0)
-    .unit("°")
     .dragged(
         |values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[2]),
         |point, values| {

@@ -14,9 +14,8 @@ const PRICES: &str = include_str!("../../book/src/tables/scene-prices.csv");
 /// Where a hundredth of a millisecond is, and ten.
 const AXIS: [f64; 2] = [250.0, 400.0];
 const DECADES: [(f64, &str); 4] = [(0.01, "0.01"), (0.1, "0.1"), (1.0, "1"), (10.0, "10")];
-/// Where the numbers at the margin end.
-const MILLISECONDS: f64 = 482.0;
-const EVALUATIONS: f64 = 592.0;
+/// Where the numbers at the margin end: milliseconds, evaluations.
+const MARGIN: [f64; 2] = [482.0, 592.0];
 const TOP: f64 = 62.0;
 const ROW: f64 = 21.0;
 const GAP: f64 = 9.0;
@@ -110,8 +109,8 @@ fn head(pen: &mut Pen, height: f64) {
     }
     for (x, anchor, text) in [
         (0.5 * (AXIS[0] + AXIS[1]), Anchor::Middle, "ms a second"),
-        (MILLISECONDS, Anchor::End, "ms"),
-        (EVALUATIONS, Anchor::End, "evaluations"),
+        (MARGIN[0], Anchor::End, "ms"),
+        (MARGIN[1], Anchor::End, "evaluations"),
     ] {
         pen.note([x, 18.0], anchor, text);
     }
@@ -134,8 +133,9 @@ fn row(pen: &mut Pen, cell: &Cell, y: f64) {
         (_, count) => thousands(count),
     };
     let time = format!("{:.*}", if cell.with < 1.0 { 2 } else { 1 }, cell.with);
-    pen.note([MILLISECONDS, y + 5.0], Anchor::End, &time);
-    pen.note([EVALUATIONS, y + 5.0], Anchor::End, &how);
+    for (x, text) in MARGIN.into_iter().zip([time, how]) {
+        pen.note([x, y + 5.0], Anchor::End, &text);
+    }
 }
 
 /// 12 345 with a narrow gap.

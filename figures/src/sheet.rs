@@ -10,7 +10,7 @@ use crate::style::{
     AXIS, Anchor, DATA, HAIR, Role, SCALE, SECONDARY, Words, between, figure, inked, label, number,
     short, stroke,
 };
-use crate::{Entry, Figure, Parameter, Values, constant, of};
+use crate::{Entry, Figure, Parameter, Values, constant, of, rolling};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -18,19 +18,16 @@ pub const FIGURES: &[Entry] = &[
     constant("sheet-animated", animated),
 ];
 
-const PULL: Parameter = Parameter::new("speed", "v")
+const PULL: Parameter = Parameter::new("speed", "v", "m/s")
     .meaning("speed of the sheet once it goes")
-    .between([1.0, 8.0], 3.0)
-    .unit("m/s");
-const ON_SHEET: Parameter = Parameter::new("sheet_friction", r"\mu_1")
+    .between([1.0, 8.0], 3.0);
+const ON_SHEET: Parameter = Parameter::new("sheet_friction", r"\mu_1", "")
     .meaning("coefficient of friction on the sheet")
     .between([0.05, 0.8], 0.3);
-const ON_TABLE: Parameter = Parameter::new("table_friction", r"\mu_2")
+const ON_TABLE: Parameter = Parameter::new("table_friction", r"\mu_2", "")
     .meaning("coefficient of friction on the table")
     .between([0.05, 0.8], 0.2);
-const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
-    .meaning("moment of inertia of the ball over MR²")
-    .between([0.25, 1.0], 0.4);
+const KAPPA: Parameter = rolling::KAPPA.between([0.25, 1.0], 0.4);
 
 /// What may be chosen in the graphs.
 pub const SPEEDS: &[Parameter] = &[PULL, ON_SHEET, ON_TABLE, KAPPA];

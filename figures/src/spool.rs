@@ -17,21 +17,18 @@ pub const FIGURES: &[Entry] = &[
     of("spool-dial", DIAL, dial),
 ];
 
-const AXLE: Parameter = Parameter::new("axle", "r/R")
+const AXLE: Parameter = Parameter::new("axle", "r/R", "")
     .meaning("radius of the axle over that of the discs")
     .between([0.05, 0.95], 0.4);
-const LOW: Parameter = Parameter::new("low", r"\theta_1")
+const LOW: Parameter = Parameter::new("low", r"\theta_1", "°")
     .meaning("angle of the first tug above the ground")
-    .between([0.0, 89.0], 25.0)
-    .unit("°");
-const STEEP: Parameter = Parameter::new("steep", r"\theta_2")
+    .between([0.0, 89.0], 25.0);
+const STEEP: Parameter = Parameter::new("steep", r"\theta_2", "°")
     .meaning("angle of the last tug above the ground")
-    .between([0.0, 89.0], 85.0)
-    .unit("°");
-const TENSION: Parameter = Parameter::new("tension", "T")
+    .between([0.0, 89.0], 85.0);
+const TENSION: Parameter = Parameter::new("tension", "T", "N")
     .meaning("pull of the string")
-    .between([0.05, 0.5], 0.3)
-    .unit("N");
+    .between([0.05, 0.5], 0.3);
 
 /// What may be chosen in the three tugs.
 pub const THREE_TUGS: &[Parameter] = &[AXLE, LOW, STEEP];

@@ -12,7 +12,7 @@ use crate::style::{
     AXIS, Anchor, DATA, Fraction, HAIR, Pen, Point, Role, SECONDARY, Words, along, arc, area,
     between, figure, inked, label, polar, roomiest, short, stroke,
 };
-use crate::{Entry, Figure, Parameter, Values, of};
+use crate::{Entry, Figure, Parameter, Values, of, rolling};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -29,13 +29,11 @@ pub const FIGURES: &[Entry] = &[
     ),
 ];
 
-const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
-    .meaning("moment of inertia of the ball over MR²")
-    .between([0.1, 0.65], 0.4);
-const GRIP: Parameter = Parameter::new("restitution", "e_t")
+const KAPPA: Parameter = rolling::KAPPA.between([0.1, 0.65], 0.4);
+const GRIP: Parameter = Parameter::new("restitution", "e_t", "")
     .meaning("part of its contact speed that the ball gets back in a bounce")
     .between([0.0, 1.0], 1.0);
-const SPIN: Parameter = Parameter::new("spin", r"R\Omega/V")
+const SPIN: Parameter = Parameter::new("spin", r"R\Omega/V", "")
     .meaning("rim speed of the thrown ball over its speed")
     .between([-0.8, 0.8], 0.0);
 

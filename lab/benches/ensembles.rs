@@ -9,7 +9,7 @@ mod shared;
 use std::hint::black_box;
 
 use rayon::prelude::*;
-use shared::{least, only_tested};
+use shared::{FREE_BODIES, least, only_tested};
 use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
@@ -25,24 +25,6 @@ fn main() -> spinning_bodies::Result<()> {
     cores()
 }
 
-/// Moments, L at the start, and the time over which states are asked.
-const BODIES: [(&str, [f64; 3], [f64; 3], f64); 9] = [
-    ("ordinary", [0.6, 0.8, 1.0], [1.8, 0.4, -0.9], 10.0),
-    ("lamina", [1.0, 2.0, 3.0], [0.9, 1.5, 2.4], 10.0),
-    ("the other sector", [0.6, 0.8, 1.0], [0.9, 0.4, 1.8], 10.0),
-    ("racket, 1e-3", [1.0, 2.0, 3.0], [1e-3, 2.0, 3e-3], 100.0),
-    (
-        "2e-12 from the edge",
-        [1.5, 3.0, 4.0],
-        [1.0, 0.5, 2.0 + 4e-12],
-        100.0,
-    ),
-    ("separatrix", [1.5, 3.0, 4.0], [1.0, 0.5, 2.0], 10.0),
-    ("symmetric", [1.0, 1.0, 1.5], [0.3, 0.4, 2.0], 10.0),
-    ("sphere", [1.0, 1.0, 1.0], [0.3, 0.4, 2.0], 10.0),
-    ("a million turns", [0.6, 0.8, 1.0], [1.8, 0.4, -0.9], 1e6),
-];
-
 fn nanoseconds(count: usize, work: impl FnMut()) -> f64 {
     1e9 / count as f64 * least(RUNS, work)
 }
@@ -53,7 +35,7 @@ fn many_times() -> spinning_bodies::Result<()> {
         "{:>20} {:>10} {:>8} {:>7} {:>12}",
         "body", "one by one", "batch", "ratio", "differ, rad"
     );
-    for (name, moments, [x, y, z], span) in BODIES {
+    for (name, moments, [x, y, z], span) in FREE_BODIES {
         let top = EulerTop::new(moments, BodyVector::new(x, y, z), Attitude::identity())?;
         let times: Vec<f64> = (0..COUNT)
             .map(|k| span * (k as f64 + 0.5) / COUNT as f64)
@@ -157,7 +139,7 @@ fn many_bodies() -> spinning_bodies::Result<()> {
 /// processor time on one thread and 1.77, 1.80 and 1.97 s on two, in turn; so what is missing to the number of cores, other work has taken.
 fn cores() -> spinning_bodies::Result<()> {
     const MANY: usize = 200_000;
-    let (_, moments, [x, y, z], _) = BODIES[0];
+    let (_, moments, [x, y, z], _) = FREE_BODIES[0];
     let top = EulerTop::new(moments, BodyVector::new(x, y, z), Attitude::identity())?;
     let times: Vec<f64> = (0..MANY).map(|k| 0.01 * k as f64).collect();
     let mut states = vec![State::default(); MANY];

@@ -8,7 +8,7 @@ mod shared;
 
 use std::hint::black_box;
 
-use shared::{angle, least, only_tested};
+use shared::{FREE_BODIES, angle, least, only_tested};
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use support::decimal::hexadecimal;
@@ -22,23 +22,6 @@ fn main() -> spinning_bodies::Result<()> {
     integrators(ours)
 }
 
-/// Moments, L at the start, and the time over which states are asked.
-const BODIES: [(&str, [f64; 3], [f64; 3], f64); 8] = [
-    ("ordinary", [0.6, 0.8, 1.0], [1.8, 0.4, -0.9], 10.0),
-    ("lamina", [1.0, 2.0, 3.0], [0.9, 1.5, 2.4], 10.0),
-    ("the other sector", [0.6, 0.8, 1.0], [0.9, 0.4, 1.8], 10.0),
-    ("racket, 1e-3", [1.0, 2.0, 3.0], [1e-3, 2.0, 3e-3], 100.0),
-    (
-        "2e-12 from the edge",
-        [1.5, 3.0, 4.0],
-        [1.0, 0.5, 2.0 + 4e-12],
-        100.0,
-    ),
-    ("separatrix", [1.5, 3.0, 4.0], [1.0, 0.5, 2.0], 10.0),
-    ("symmetric", [1.0, 1.0, 1.5], [0.3, 0.4, 2.0], 10.0),
-    ("a million turns", [0.6, 0.8, 1.0], [1.8, 0.4, -0.9], 1e6),
-];
-
 /// The table of times for one state; returns that of the ordinary body, prepared, in seconds.
 fn states() -> spinning_bodies::Result<f64> {
     println!("one state (omega, L, attitude) of a free top, ns");
@@ -48,7 +31,7 @@ fn states() -> spinning_bodies::Result<f64> {
     );
     const COUNT: usize = 1000;
     let mut first = None;
-    for (name, moments, l, span) in BODIES {
+    for (name, moments, l, span) in FREE_BODIES {
         let start = BodyVector::new(l[0], l[1], l[2]);
         let top = EulerTop::new(moments, start, Attitude::identity())?;
         let times: Vec<f64> = (0..COUNT)

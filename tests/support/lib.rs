@@ -51,12 +51,12 @@ macro_rules! close {
     };
 }
 
-/// A result that is an error of this kind.
+/// A result that is an error of this kind, of a quantity of this name.
 #[macro_export]
 macro_rules! refused {
-    ($result:expr, $kind:ident) => {
+    ($result:expr, $kind:ident $(, $quantity:literal)?) => {
         assert!(
-            matches!($result, Err(spinning_bodies::Error::$kind { .. })),
+            matches!($result, Err(spinning_bodies::Error::$kind { $(quantity: $quantity,)? .. })),
             stringify!($result)
         )
     };

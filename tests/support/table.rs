@@ -78,15 +78,16 @@ impl Report {
         }
     }
 
-    /// One row after so many cycles; `row` tells which it is.
+    /// One row after so many periods, or after so many turns where nothing has a period; `row` tells which it is.
     pub fn add(
         &mut self,
         group: &'static str,
-        cycles: f64,
+        [periods, turns]: [f64; 2],
         errors: [f64; 3],
         row: impl FnOnce() -> String,
     ) {
         self.rows += 1;
+        let cycles = if periods.is_finite() { periods } else { turns };
         let shorter = self.spans.iter().filter(|(most, _)| cycles > *most).count();
         let (worst, count) = self.worst.entry((group, shorter)).or_default();
         for (worst, error) in worst.iter_mut().zip(errors) {

@@ -14,20 +14,18 @@ use crate::style::{
 
 use crate::{Figure, Parameter, Values};
 
-const LENGTH: Parameter = Parameter::new("length", "a")
-    .meaning("length of the brick")
-    .between([20.0, 400.0], 240.0)
-    .unit("mm");
-const WIDE_BY: Parameter = Parameter::new("width", "b")
-    .meaning("width of the brick")
-    .between([20.0, 400.0], 115.0)
-    .unit("mm");
-const HIGH_BY: Parameter = Parameter::new("height", "c")
-    .meaning("height of the brick")
-    .between([5.0, 400.0], 71.0)
-    .unit("mm");
 /// What may be chosen: the edges of the brick.
-pub const TRIANGLE: &[Parameter] = &[LENGTH, WIDE_BY, HIGH_BY];
+pub const TRIANGLE: &[Parameter] = &[
+    Parameter::new("length", "a", "mm")
+        .meaning("length of the brick")
+        .between([20.0, 400.0], 240.0),
+    Parameter::new("width", "b", "mm")
+        .meaning("width of the brick")
+        .between([20.0, 400.0], 115.0),
+    Parameter::new("height", "c", "mm")
+        .meaning("height of the brick")
+        .between([5.0, 400.0], 71.0),
+];
 
 /// The big triangle: its right angle, the disc, is at `CORNER`; it is `WIDE` wide and `WIDE`/√3 high.
 const CORNER: Point = [572.0, 384.0];
@@ -78,7 +76,7 @@ pub fn triangle_of_tops(values: &Values) -> Result<Figure> {
     let millimetres = |edges: [f64; 3]| shapes::cuboid(1.0, edges.map(|edge| edge / 1e3)).map(of);
     let book = millimetres([240.0, 165.0, 30.0])?;
     let phone = millimetres([147.0, 72.0, 8.0])?;
-    let edges = [&LENGTH, &WIDE_BY, &HIGH_BY].map(|edge| values.of(edge));
+    let edges = [0, 1, 2].map(|k| values.of(&TRIANGLE[k]));
     let brick = millimetres(edges)?;
     let (racket, water) = (of(racket()?), of(water()?));
     let coin = of(shapes::cylinder(1.0, 0.011_6, 0.002_3)?);

@@ -14,18 +14,15 @@ const FRAMES: usize = 9;
 const ROWS: [f64; 2] = [116.0, 304.0];
 const SCALE: f64 = 172.0;
 
-const HANDLE: Parameter = Parameter::new("handle", "I_1")
+const HANDLE: Parameter = Parameter::new("handle", "I_1", "g m²")
     .meaning("moment about the handle")
-    .between([1.15, 3.0], 1e3 * MOMENTS[0])
-    .unit("g m²");
-const SPIN: Parameter = Parameter::new("turns", r"\Omega_2")
+    .between([1.15, 3.0], 1e3 * MOMENTS[0]);
+const SPIN: Parameter = Parameter::new("turns", r"\Omega_2", "turns/s")
     .meaning("spin about the middle axis at the throw")
-    .between([0.3, 3.0], TURNS)
-    .unit("turns/s");
-const OFF: Parameter = Parameter::new("off", r"\epsilon")
+    .between([0.3, 3.0], TURNS);
+const OFF: Parameter = Parameter::new("off", r"\epsilon", "°")
     .meaning("angle between L and the middle axis at the throw")
     .between([0.05, 20.0], 0.916)
-    .unit("°")
     .logarithmic();
 /// What may be chosen.
 pub const FILM: &[Parameter] = &[HANDLE, SPIN, OFF];

@@ -38,18 +38,15 @@ pub const FIGURES: &[Entry] = &[
     ),
 ];
 
-const SMALLEST: Parameter = Parameter::new("smallest", "I_1")
+const SMALLEST: Parameter = Parameter::new("smallest", "I_1", "kg m²")
     .meaning("smallest principal moment")
-    .between([0.2, 1.4], 1.0)
-    .unit("kg m²");
-const MIDDLE: Parameter = Parameter::new("middle", "I_2")
+    .between([0.2, 1.4], 1.0);
+const MIDDLE: Parameter = Parameter::new("middle", "I_2", "kg m²")
     .meaning("middle principal moment")
-    .between([1.5, 2.5], 2.0)
-    .unit("kg m²");
-const LARGEST: Parameter = Parameter::new("largest", "I_3")
+    .between([1.5, 2.5], 2.0);
+const LARGEST: Parameter = Parameter::new("largest", "I_3", "kg m²")
     .meaning("largest principal moment")
-    .between([2.6, 5.0], 3.0)
-    .unit("kg m²");
+    .between([2.6, 5.0], 3.0);
 
 fn moments(values: &Values) -> [f64; 3] {
     [SMALLEST, MIDDLE, LARGEST].map(|moment| values.of(&moment))

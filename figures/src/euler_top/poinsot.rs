@@ -43,10 +43,9 @@ const fn component(
     meaning: &'static str,
     default: f64,
 ) -> Parameter {
-    Parameter::new(key, symbol)
+    Parameter::new(key, symbol, "rad/s")
         .meaning(meaning)
         .between([0.1, 2.0], default)
-        .unit("rad/s")
 }
 
 /// When the picture is taken, in periods of the polhode.

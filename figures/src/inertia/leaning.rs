@@ -12,10 +12,9 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const DIRECTION: Parameter = Parameter::new("direction", r"\varphi")
+const DIRECTION: Parameter = Parameter::new("direction", r"\varphi", "°")
     .meaning("direction of Ω, from the long edge to the short one")
     .between([0.0, 90.0], 20.0)
-    .unit("°")
     .dragged(
         |values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()),
         |point, _| {

@@ -12,33 +12,27 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const TILT: Parameter = Parameter::new("tilt", r"\theta_0")
+const TILT: Parameter = Parameter::new("tilt", r"\theta_0", "°")
     .meaning("tilt at the release")
-    .between([5.0, 175.0], 60.0)
-    .unit("°");
+    .between([5.0, 175.0], 60.0);
 const SPINS: [Parameter; 3] = [
-    Parameter::new("upper", "L_3")
+    Parameter::new("upper", "L_3", "")
         .meaning("axial momentum of the upper top")
         .between([1.0, 20.0], 3.0),
-    Parameter::new("middle", "L_3")
+    Parameter::new("middle", "L_3", "")
         .meaning("axial momentum of the top in the middle")
         .between([1.0, 20.0], 5.0),
-    Parameter::new("lower", "L_3")
+    Parameter::new("lower", "L_3", "")
         .meaning("axial momentum of the lower top")
         .between([1.0, 20.0], 10.0),
 ];
 /// What may be chosen.
 pub const CYCLOIDS: &[Parameter] = &[TILT, SPINS[0], SPINS[1], SPINS[2]];
 
-/// Where the arches begin and how far they may go, and how deep they may go together, units.
+/// Where the arches begin and how far they may go, and what stands between two rows, units.
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = 570.0;
-const DEPTH: f64 = 230.0;
-/// The level of the first release, and what stands between two rows.
-const FIRST: f64 = 40.0;
 const BETWEEN: f64 = 42.0;
-/// Units to the radius of the rolling circle, at most.
-const UNIT: f64 = 34.0;
 const ARCHES: u32 = 2;
 const STEPS: u32 = 240;
 
@@ -147,9 +141,10 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
     let [along, down] = reaches.into_iter().fold([0.0; 2], |sum: Point, reach| {
         [sum[0].max(reach[0]), sum[1] + reach[1].max(2.0)]
     });
-    let unit = UNIT.min((RIGHT - LEFT) / along).min(DEPTH / down);
+    // Units to the radius of the rolling circle: at most 34, and no more than 230 for all arches together.
+    let unit = f64::min(34.0, (RIGHT - LEFT) / along).min(230.0 / down);
     let made = figure("cycloid", 384.0, words, |pen| {
-        let mut from = FIRST;
+        let mut from = 40.0;
         for (row, [_, depth]) in rows.iter().zip(reaches) {
             let place = |&[along, down]: &Point| [LEFT + unit * along, from + unit * down];
             let lowest = place(&[0.0, 2.0]);

@@ -14,15 +14,15 @@ use crate::{Figure, Parameter, Values};
 
 /// L₃ of the curves; each has its handle where its fast branch ends, for a hanging axis.
 const SPINS: [Parameter; 3] = [
-    Parameter::new("thin", "L_3")
+    Parameter::new("thin", "L_3", "")
         .meaning("axial momentum of the thin curve")
         .between([0.4, 3.3], 1.2)
         .dragged(|values| hanging(values.of(&SPINS[0])), spin_at),
-    Parameter::new("middle", "L_3")
+    Parameter::new("middle", "L_3", "")
         .meaning("axial momentum of the middle curve")
         .between([0.4, 3.3], 2.0)
         .dragged(|values| hanging(values.of(&SPINS[1])), spin_at),
-    Parameter::new("thick", "L_3")
+    Parameter::new("thick", "L_3", "")
         .meaning("axial momentum of the thick curve")
         .between([0.4, 3.3], 3.0)
         .dragged(|values| hanging(values.of(&SPINS[2])), spin_at),

@@ -23,15 +23,13 @@ const SAMPLES: u32 = 1001;
 /// The greatest tilt shown, degrees.
 const STEEPEST: f64 = 40.0;
 
-const TILT: Parameter = Parameter::new("tilt", r"\theta")
+const TILT: Parameter = Parameter::new("tilt", r"\theta", "rad")
     .meaning("tilt at the start")
     .between([1e-4, 0.02], 0.001)
-    .unit("rad")
     .logarithmic();
-const TORQUE: Parameter = Parameter::new("torque", "N")
+const TORQUE: Parameter = Parameter::new("torque", "N", "N m")
     .meaning("torque of the friction at the tip")
     .between([3e-5, 3e-4], 6.54e-5)
-    .unit("N m")
     .logarithmic();
 /// What may be chosen.
 pub const WAKING: &[Parameter] = &[TILT, TORQUE];

@@ -23,10 +23,9 @@ const GRAVITY: f64 = 9.81;
 const NOSE: f64 = 0.085;
 const SHOWN: f64 = 1.0;
 
-const TILT: Parameter = Parameter::new("tilt", r"\theta_0")
+const TILT: Parameter = Parameter::new("tilt", r"\theta_0", "°")
     .meaning("tilt of the top that is held")
     .between([10.0, 45.0], 30.0)
-    .unit("°")
     .dragged(
         |values| {
             let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
@@ -38,10 +37,9 @@ const TILT: Parameter = Parameter::new("tilt", r"\theta_0")
                 .to_degrees()
         },
     );
-const TURNS: Parameter = Parameter::new("turns", "n")
+const TURNS: Parameter = Parameter::new("turns", "n", "turns/s")
     .meaning("spin of the top")
-    .between([20.0, 60.0], 30.0)
-    .unit("turns/s");
+    .between([20.0, 60.0], 30.0);
 /// What may be chosen; the nose is the handle of the tilt.
 pub const WOODEN: &[Parameter] = &[TILT, TURNS];
 

@@ -16,34 +16,29 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const LEAN: Parameter = Parameter::new("lean", "s")
+const LEAN: Parameter = Parameter::new("lean", "s", "m")
     .meaning("how far the shoulders go out to the right; nine tenths of it to the left")
-    .between([0.1, 0.45], 0.4)
-    .unit("m");
-const TRUNK: Parameter = Parameter::new("trunk", "m")
+    .between([0.1, 0.45], 0.4);
+const TRUNK: Parameter = Parameter::new("trunk", "m", "kg")
     .meaning("mass of the trunk")
-    .between([10.0, 80.0], 36.0)
-    .unit("kg");
+    .between([10.0, 80.0], 36.0);
 
 /// What may be chosen of the person on ice.
 pub const ICE: &[Parameter] = &[LEAN, TRUNK];
 
-const GRIP: Parameter = Parameter::new("friction", r"\mu")
+const GRIP: Parameter = Parameter::new("friction", r"\mu", "")
     .meaning("coefficient of friction of the ground")
     .between([0.01, 0.6], 0.1)
     .logarithmic();
-const REAR: Parameter = Parameter::new("rear", "m_1")
+const REAR: Parameter = Parameter::new("rear", "m_1", "kg")
     .meaning("mass of the rear foot")
-    .between([0.4, 6.0], 3.0)
-    .unit("kg");
-const PUSH: Parameter = Parameter::new("push", "t_1")
+    .between([0.4, 6.0], 3.0);
+const PUSH: Parameter = Parameter::new("push", "t_1", "s")
     .meaning("duration of the push")
-    .between([0.15, 2.0], 1.0)
-    .unit("s");
-const PULL: Parameter = Parameter::new("pull", "t_2")
+    .between([0.15, 2.0], 1.0);
+const PULL: Parameter = Parameter::new("pull", "t_2", "s")
     .meaning("duration of the pull")
-    .between([0.1, 1.0], 0.15)
-    .unit("s");
+    .between([0.1, 1.0], 0.15);
 
 /// What may be chosen of the crawler.
 pub const CRAWLER: &[Parameter] = &[GRIP, REAR, PUSH, PULL];

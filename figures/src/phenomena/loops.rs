@@ -7,16 +7,16 @@ use spinning_bodies::phenomena::{EqualHalves, Hub, ShapePlane, Step, Swivel, Wai
 
 use super::body::RATIO;
 use super::swivel::{IN, LOWER, OUT};
+use crate::plot::{Axis, Frame};
 use crate::style::{
     AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, inked, number, polar,
     short, small,
 };
 use crate::{Figure, Parameter, Values};
 
-const BEND: Parameter = Parameter::new("forward", r"\gamma")
+const BEND: Parameter = Parameter::new("forward", r"\gamma", "°")
     .meaning("bend of the cat forward")
     .between([70.0, 115.0], 90.0)
-    .unit("°")
     .dragged(
         |values| cat_at(values.of(&BEND).to_radians(), 0.0),
         |point, _| (WIDEST * (point[0] - CENTER[0]) / RADIUS).to_degrees(),
@@ -26,22 +26,14 @@ const BEND: Parameter = Parameter::new("forward", r"\gamma")
 pub const SHAPE_LOOPS: &[Parameter] = &[OUT, IN, LOWER, BEND];
 
 /// The swivel's plane: ψ to the right, A upward.
-const LEFT: f64 = 62.0;
-const RIGHT: f64 = 262.0;
-const BOTTOM: f64 = 270.0;
-const TOP: f64 = 50.0;
-const MOST: f64 = 2.5;
+const PLANE: Frame = Frame {
+    x: Axis::linear([0.0, 2.0], [62.0, 262.0]),
+    y: Axis::linear([0.0, 2.5], [270.0, 50.0]),
+};
 /// The cat's disc: the bend from the middle.
 const CENTER: Point = [431.0, 164.0];
 const RADIUS: f64 = 124.0;
 const WIDEST: f64 = 2.0 * PI / 3.0;
-
-fn swivel_at(psi: f64, upper: f64) -> Point {
-    [
-        LEFT + (RIGHT - LEFT) * psi / 2.0,
-        BOTTOM - (BOTTOM - TOP) * upper / MOST,
-    ]
-}
 
 fn cat_at(bend: f64, psi: f64) -> Point {
     polar(CENTER, RADIUS * bend / WIDEST, psi)
@@ -91,45 +83,39 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
     let made = figure("shape-loops", 344.0, words, |pen| {
         // Densities relative to the greatest shown.
         const BANDS: u32 = 25;
-        let least = 0.1;
+        let ([left, right], [bottom, top]) = (PLANE.x.ends, PLANE.y.ends);
+        let (least, greatest) = (0.1, PLANE.y.shown[1]);
         let most = plane.curvature(least);
         for k in 0..BANDS {
-            let band = |k: u32| least + (MOST - least) * f64::from(k) / f64::from(BANDS);
+            let band = |k: u32| least + (greatest - least) * f64::from(k) / f64::from(BANDS);
             let (low, high) = (band(k), band(k + 1));
             let tone = 0.4 * plane.curvature(0.5 * (low + high)) / most;
             let corners = [
-                swivel_at(0.0, low),
-                swivel_at(2.0, low),
-                swivel_at(2.0, high),
-                swivel_at(0.0, high),
+                PLANE.at(0.0, low),
+                PLANE.at(2.0, low),
+                PLANE.at(2.0, high),
+                PLANE.at(0.0, high),
             ];
             pen.fill(&corners, Role::Ink, tone);
         }
         let axis = inked(AXIS);
-        pen.line(
-            &[
-                swivel_at(0.0, MOST),
-                swivel_at(0.0, 0.0),
-                swivel_at(2.0, 0.0),
-            ],
-            axis,
-        );
-        pen.label([RIGHT, BOTTOM + 24.0], Anchor::End, "*ψ*");
-        pen.label([LEFT, TOP - 9.0], Anchor::Middle, "*A*");
-        let corner = swivel_at(FRAC_PI_2, 0.0);
+        pen.line(&[[left, top], [left, bottom], [right, bottom]], axis);
+        pen.label([right, bottom + 24.0], Anchor::End, "*ψ*");
+        pen.label([left, top - 9.0], Anchor::Middle, "*A*");
+        let corner = PLANE.at(FRAC_PI_2, 0.0);
         pen.line(&[corner, [corner[0], corner[1] + 5.0]], axis);
         pen.note([corner[0], corner[1] + 22.0], Anchor::Middle, "90°");
         let (out, near) = (waist.upper_arms_out, waist.upper_arms_in);
         for (upper, name) in [(out, "out"), (near, "in")] {
-            let [x, y] = swivel_at(0.0, upper);
+            let [x, y] = PLANE.at(0.0, upper);
             pen.line(&[[x - 5.0, y], [x, y]], axis);
             pen.note([x - 9.0, y + 5.0], Anchor::End, name);
         }
         let corners = [
-            swivel_at(0.0, out),
-            swivel_at(FRAC_PI_2, out),
-            swivel_at(FRAC_PI_2, near),
-            swivel_at(0.0, near),
+            PLANE.at(0.0, out),
+            PLANE.at(FRAC_PI_2, out),
+            PLANE.at(FRAC_PI_2, near),
+            PLANE.at(0.0, near),
         ];
         pen.outline(&corners, inked(DATA));
         for k in 0..4 {

@@ -15,22 +15,18 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const LEVER: Parameter = Parameter::new("lever", "d")
+const LEVER: Parameter = Parameter::new("lever", "d", "mm")
     .meaning("height of the point at which the air pushes over the centre of mass")
-    .between([2.0, 12.0], 6.0)
-    .unit("mm");
-const MASS: Parameter = Parameter::new("mass", "m")
+    .between([2.0, 12.0], 6.0);
+const MASS: Parameter = Parameter::new("mass", "m", "g")
     .meaning("mass of the cat")
-    .between([0.5, 3.0], 1.2)
-    .unit("g");
-const THICK: Parameter = Parameter::new("air", r"\rho")
+    .between([0.5, 3.0], 1.2);
+const THICK: Parameter = Parameter::new("air", r"\rho", "kg/m³")
     .meaning("density of the air")
-    .between([0.6, 2.4], 1.2)
-    .unit("kg/m³");
-const SHY: Parameter = Parameter::new("error", r"\varepsilon")
+    .between([0.6, 2.4], 1.2);
+const SHY: Parameter = Parameter::new("error", r"\varepsilon", "°")
     .meaning("angle by which it is not upside down when it is let go")
     .between([1.0, 60.0], 10.0)
-    .unit("°")
     .logarithmic();
 
 /// What may be chosen of the paper cat.

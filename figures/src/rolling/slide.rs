@@ -3,6 +3,7 @@
 use spinning_bodies::Result;
 use spinning_bodies::rolling::{Coulomb, Course, Load, Moment, RoundBody};
 
+use super::KAPPA;
 use crate::plot::Axis;
 use crate::style::{
     AXIS, Anchor, DATA, Role, SECONDARY, Words, between, figure, inked, label, number, short,
@@ -10,18 +11,14 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
-    .meaning("moment of inertia of the ball over MR²")
-    .between([0.3, 0.65], 0.4);
-const FRICTION: Parameter = Parameter::new("friction", r"\mu")
+const FRICTION: Parameter = Parameter::new("friction", r"\mu", "")
     .meaning("coefficient of friction")
     .between([0.05, 0.6], 0.2)
     .logarithmic();
-const SPEED: Parameter = Parameter::new("speed", "V")
+const SPEED: Parameter = Parameter::new("speed", "V", "m/s")
     .meaning("velocity of the balls after the stroke")
-    .between([0.5, 5.0], 2.0)
-    .unit("m/s");
-const TOP: Parameter = Parameter::new("top", "H/R")
+    .between([0.5, 5.0], 2.0);
+const TOP: Parameter = Parameter::new("top", "H/R", "")
     .meaning("height of the highest stroke over the radius")
     .between([1.6, 2.0], 1.8);
 

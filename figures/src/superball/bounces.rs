@@ -9,18 +9,17 @@ use crate::style::{
     AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, inked, label, number,
     polar, short, small, stroke,
 };
-use crate::{Figure, Parameter, Values};
+use crate::{Figure, Parameter, Values, rolling};
 
 const THROWN: Motion<f64> = Motion {
     velocity: 1.0,
     rim_speed: 0.0,
 };
 
-const KAPPA: Parameter = Parameter::new("kappa", r"\kappa")
-    .meaning("moment of inertia of the ball over MR²")
+const KAPPA: Parameter = rolling::KAPPA
     .between([0.05, 0.65], 0.4)
     .dragged(mirror_place, kappa_at);
-const BOUNCES: Parameter = Parameter::new("bounces", "n")
+const BOUNCES: Parameter = Parameter::new("bounces", "n", "")
     .meaning("bounces that are drawn")
     .between([1.0, 9.0], 3.0)
     .whole();
@@ -141,11 +140,11 @@ pub fn reflections(values: &Values) -> Result<Figure> {
     Ok(made.data("ball", &["bounces", "velocity (V)", "rim speed (V)"], rows))
 }
 
-const DENSE: Parameter = Parameter::new("dense", r"\kappa_1")
+const DENSE: Parameter = Parameter::new("dense", r"\kappa_1", "")
     .meaning("moment of inertia of the ball with a dense core over MR²")
     .between([0.05, 0.37], 1.0 / 3.0)
     .dragged(|values| apex(values.of(&DENSE)), factor_at);
-const HOLLOW: Parameter = Parameter::new("hollow", r"\kappa_3")
+const HOLLOW: Parameter = Parameter::new("hollow", r"\kappa_3", "")
     .meaning("moment of inertia of the hollow ball over MR²")
     .between([0.43, 2.0 / 3.0], 2.0 / 3.0)
     .dragged(|values| apex(values.of(&HOLLOW)), factor_at);

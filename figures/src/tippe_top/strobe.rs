@@ -13,10 +13,9 @@ pub const STROBED: &[Parameter] = &[
     BOTH_SPINS[0],
     BOTH_SPINS[1],
     BOTH_SPINS[2],
-    Parameter::new("step", r"\Delta t")
+    Parameter::new("step", r"\Delta t", "s")
         .meaning("time between two pictures")
-        .between([0.1, 0.5], 0.3)
-        .unit("s"),
+        .between([0.1, 0.5], 0.3),
 ];
 
 /// Pictures of a row.

@@ -7,6 +7,24 @@
 
 use std::time::Instant;
 
+/// Free tops: moments, L at the start, and the time over which states are asked.
+pub const FREE_BODIES: [(&str, [f64; 3], [f64; 3], f64); 9] = [
+    ("ordinary", [0.6, 0.8, 1.0], [1.8, 0.4, -0.9], 10.0),
+    ("lamina", [1.0, 2.0, 3.0], [0.9, 1.5, 2.4], 10.0),
+    ("the other sector", [0.6, 0.8, 1.0], [0.9, 0.4, 1.8], 10.0),
+    ("racket, 1e-3", [1.0, 2.0, 3.0], [1e-3, 2.0, 3e-3], 100.0),
+    (
+        "2e-12 from the edge",
+        [1.5, 3.0, 4.0],
+        [1.0, 0.5, 2.0 + 4e-12],
+        100.0,
+    ),
+    ("separatrix", [1.5, 3.0, 4.0], [1.0, 0.5, 2.0], 10.0),
+    ("symmetric", [1.0, 1.0, 1.5], [0.3, 0.4, 2.0], 10.0),
+    ("sphere", [1.0, 1.0, 1.0], [0.3, 0.4, 2.0], 10.0),
+    ("a million turns", [0.6, 0.8, 1.0], [1.8, 0.4, -0.9], 1e6),
+];
+
 /// Least time of `runs` calls, seconds.
 pub fn least(runs: usize, mut work: impl FnMut()) -> f64 {
     let mut best = f64::INFINITY;

@@ -1,8 +1,9 @@
 //! The adapter to the general integrators: samples in any order, events, orders of convergence, refusals.
 
 use lab::general::{solve, until};
-use spinning_bodies::Error;
-use spinning_bodies::integrators::{Effort, Method, Stop};
+use spinning_bodies::integrators::{Effort, Event, Method, Passage, Solution, Stop, System};
+use spinning_bodies::{Error, Result};
+use support::refused;
 
 /// A pendulum of length g: not linear, and its quarter period from 90 degrees is K(1/2) exactly.
 fn pendulum(_: f64, y: &[f64; 2]) -> [f64; 2] {
@@ -21,6 +22,26 @@ fn by(method: Method) -> Effort {
     }
 }
 
+/// The pendulum at these times.
+fn swung(times: &[f64], method: Method, effort: Effort) -> Result<Solution<2>> {
+    solve(&pendulum, 0.0, &START, &[1.0; 2], times, method, effort)
+}
+
+/// Until the event, or to the last time.
+fn ended(
+    system: &dyn System<2>,
+    start: [f64; 2],
+    (times, last): (&[f64], f64),
+    event: &dyn Event<2>,
+    (method, effort): (Method, Effort),
+) -> Passage<[f64; 2]> {
+    let scales = [1.0; 2];
+    until(
+        system, 0.0, &start, &scales, times, last, event, method, effort,
+    )
+    .unwrap()
+}
+
 #[test]
 fn samples_come_in_the_order_asked_for_before_and_after_the_start() {
     for method in Method::ALL {
@@ -32,15 +53,7 @@ fn samples_come_in_the_order_asked_for_before_and_after_the_start() {
             -4.0 * QUARTER,
             QUARTER,
         ];
-        let run = solve(
-            &pendulum,
-            0.0,
-            &START,
-            &[1.0; 2],
-            &times,
-            method,
-            by(method),
-        );
+        let run = swung(&times, method, by(method));
         let angles: Vec<f64> = run.unwrap().states.iter().map(|y| y[0]).collect();
         let expected = [START[0], START[0], 0.0, 0.0, START[0], 0.0];
         for (angle, expected) in angles.iter().zip(expected) {
@@ -54,18 +67,8 @@ fn samples_come_in_the_order_asked_for_before_and_after_the_start() {
 fn an_event_is_located_to_the_accuracy_of_the_run() {
     for method in Method::ALL {
         let falling = |_: f64, y: &[f64; 2]| y[0];
-        let run = until(
-            &pendulum,
-            0.0,
-            &START,
-            &[1.0; 2],
-            &[0.5, 1.0, 5.0],
-            10.0,
-            &falling,
-            method,
-            by(method),
-        );
-        let run = run.unwrap();
+        let times = (&[0.5, 1.0, 5.0][..], 10.0);
+        let run = ended(&pendulum, START, times, &falling, (method, by(method)));
         assert_eq!(run.stopped, Stop::AtTheEvent);
         assert_eq!(run.states.len(), 2);
         let error = (run.time - QUARTER).abs().max(run.end[0].abs());
@@ -81,11 +84,12 @@ fn evaluations_are_those_made() {
             made.set(made.get() + 1);
             pendulum(t, y)
         };
+        let scales = [1.0; 2];
         let run = solve(
             &counted,
             0.0,
             &START,
-            &[1.0; 2],
+            &scales,
             &[1.0, 2.0],
             method,
             by(method),
@@ -113,26 +117,10 @@ fn what_cannot_be_followed_is_refused() {
             "{method:?}: {run:?}"
         );
     }
-    let run = solve(
-        &pendulum,
-        0.0,
-        &START,
-        &[1.0; 2],
-        &[f64::NAN],
-        Method::Rk4,
-        Effort::Step(0.1),
-    );
-    assert!(matches!(run, Err(Error::NotFinite { .. })));
-    let run = solve(
-        &pendulum,
-        0.0,
-        &START,
-        &[1.0; 2],
-        &[1.0],
-        Method::Rk4,
-        Effort::Tolerance(0.1),
-    );
-    assert!(matches!(run, Err(Error::Integration { .. })));
+    let run = swung(&[f64::NAN], Method::Rk4, Effort::Step(0.1));
+    refused!(run, NotFinite);
+    let run = swung(&[1.0], Method::Rk4, Effort::Tolerance(0.1));
+    refused!(run, Integration);
 }
 
 #[test]
@@ -144,19 +132,8 @@ fn an_event_after_a_long_step_is_located_as_well() {
     for method in [Method::Dopri5, Method::Dop853, Method::Verner98] {
         for last in [1.4, 2.0, 3.0, 5.0, 20.0, 1000.0] {
             for tolerance in [1e-3, 1e-6, 1e-10] {
-                let effort = Effort::Tolerance(tolerance);
-                let run = until(
-                    &stone,
-                    0.0,
-                    &[0.0; 2],
-                    &[1.0; 2],
-                    &[],
-                    last,
-                    &end,
-                    method,
-                    effort,
-                );
-                let run = run.unwrap();
+                let by = (method, Effort::Tolerance(tolerance));
+                let run = ended(&stone, [0.0; 2], (&[], last), &end, by);
                 assert_eq!(run.stopped, Stop::AtTheEvent);
                 let error = (run.time - exact).abs().max((run.end[0] - 1.0).abs());
                 // Observed: 2e-13 at the longest span, whose phase has that rounding.
@@ -202,19 +179,8 @@ fn events_of_every_shape_are_located_to_rounding() {
     for method in Method::ALL {
         for last in [4.0, 20.0] {
             for (name, shape, exact) in shapes {
-                let start = [0.0, V];
-                let run = until(
-                    &stone,
-                    0.0,
-                    &start,
-                    &[1.0; 2],
-                    &[],
-                    last,
-                    &shape,
-                    method,
-                    by(method),
-                );
-                let run = run.unwrap();
+                let by = (method, by(method));
+                let run = ended(&stone, [0.0, V], (&[], last), &shape, by);
                 assert_eq!(run.stopped, Stop::AtTheEvent, "{method:?} {last} {name}");
                 let error = (run.time - exact).abs();
                 let y = exact * (V - 0.5 * exact);
@@ -239,20 +205,9 @@ fn what_does_not_fall_through_zero_is_no_event() {
     ];
     for method in Method::ALL {
         for (name, shape) in shapes {
-            let start = [0.0, V];
-            let effort = by(method);
-            let run = until(
-                &stone,
-                0.0,
-                &start,
-                &[1.0; 2],
-                &[],
-                4.0,
-                &shape,
-                method,
-                effort,
-            );
-            assert_eq!(run.unwrap().stopped, Stop::AtTheEnd, "{method:?} {name}");
+            let by = (method, by(method));
+            let run = ended(&stone, [0.0, V], (&[], 4.0), &shape, by);
+            assert_eq!(run.stopped, Stop::AtTheEnd, "{method:?} {name}");
         }
     }
 }

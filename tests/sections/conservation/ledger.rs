@@ -1,6 +1,5 @@
 //! The ledger of conserved quantities: what it measures, and what it refuses.
 
-use spinning_bodies::Error;
 use spinning_bodies::conservation::{Entry, Law, Ledger};
 use spinning_bodies::frame::SpaceVector as V;
 use support::{close, refused};
@@ -10,13 +9,7 @@ fn ledger_takes_no_nan_for_an_answer() {
     let mut ledger = Ledger::new();
     let e = ledger.open("energy", Law::Conserved, 1.0).unwrap();
     assert!(ledger.is_kept_within(0.0).unwrap());
-    assert!(matches!(
-        ledger.record(e, f64::NAN),
-        Err(Error::NotFinite {
-            quantity: "energy",
-            ..
-        })
-    ));
+    refused!(ledger.record(e, f64::NAN), NotFinite, "energy");
     ledger.record(e, 1.0).unwrap();
     assert_eq!(
         ledger.entries()[0].relative_drift(),

@@ -90,23 +90,15 @@ fn s2_7_routh_rule_three() -> Result<()> {
 fn s2_7_routh_rule_four_and_five() -> Result<()> {
     // claim: C2.7-4, C2.7-5, C2.7-6
     use routh::Form::{Ellipse, Ellipsoid};
-    assert_eq!(
-        routh::moment(1.0, Ellipse, [2.0, 3.0])?,
-        exact(rational(13, 4))
-    );
-    assert_eq!(
-        routh::moment(1.0, Ellipse, [3.0, 0.0])?,
-        exact(rational(9, 4))
-    );
-    assert_eq!(routh::moment(1.0, Ellipse, [1.0, 1.0])?, 0.5);
-    assert_eq!(
-        routh::moment(1.0, Ellipsoid, [3.0, 5.0])?,
-        exact(rational(34, 5))
-    );
-    assert_eq!(
-        routh::moment(1.0, Ellipsoid, [1.0, 1.0])?,
-        exact(rational(2, 5))
-    );
+    for (form, axes, moment) in [
+        (Ellipse, [2.0, 3.0], rational(13, 4)),
+        (Ellipse, [3.0, 0.0], rational(9, 4)),
+        (Ellipse, [1.0, 1.0], rational(1, 2)),
+        (Ellipsoid, [3.0, 5.0], rational(34, 5)),
+        (Ellipsoid, [1.0, 1.0], rational(2, 5)),
+    ] {
+        assert_eq!(routh::moment(1.0, form, axes)?, exact(moment));
+    }
     let ellipse = cubature([unit_gauss(), circle(), fixed(0.0)], |[r, phi, z]| {
         ([2.0 * r * phi.cos(), 3.0 * r * phi.sin(), z], r)
     });

@@ -46,6 +46,19 @@ struct Forces {
 }
 
 impl Table {
+    /// Nothing but the table's reaction.
+    fn level(kappa: Dd, gravity: f64) -> Self {
+        Self {
+            kappa,
+            push: Dd::ZERO,
+            twist: Dd::ZERO,
+            reaction: Dd::from(gravity),
+            friction: None,
+            resistance: None,
+            sheet: None,
+        }
+    }
+
     /// What dry friction and resistance do: where slip or turning is nil they do what keeps it so, if they can.
     fn forces(&self, state: &State, ground: Dd, friction: Option<[Dd; 2]>) -> Forces {
         let zero = Dd::ZERO;
@@ -53,11 +66,18 @@ impl Table {
         let (p, q, n) = (self.push, self.twist, self.reaction);
         let sign = |x: Dd| Dd::from(x.hi.signum());
         let small = |x: Dd, most: Dd| (x.abs() - most).value() <= 0.0;
-        let free = |f: Dd, m: Dd| Forces {
+        let moving = |f: Dd, m: Dd, holds: bool| Forces {
             f,
             m,
-            holds: false,
+            holds,
             stands: false,
+        };
+        let free = |f: Dd, m: Dd| moving(f, m, false);
+        let standing = |f: Dd, holds: bool| Forces {
+            f,
+            m: f - q,
+            holds,
+            stands: true,
         };
         let rest = self.resistance.map_or(zero, |arm| arm * n);
         let [kinetic, grip] = friction.map_or([zero; 2], |pair| pair.map(|mu| mu * n));
@@ -66,44 +86,22 @@ impl Table {
         let slides = state.slip != zero;
         let turns = state.rim != zero;
         let couple = if turns { -sign(state.rim) * rest } else { zero };
+        let rubbed = if slides {
+            -sign(state.slip) * kinetic
+        } else {
+            zero
+        };
         match (
             slides || friction.is_none(),
             turns || self.resistance.is_none(),
         ) {
-            (true, true) => free(
-                if slides {
-                    -sign(state.slip) * kinetic
-                } else {
-                    zero
-                },
-                couple,
-            ),
-            (true, false) => {
-                let f = if slides {
-                    -sign(state.slip) * kinetic
-                } else {
-                    zero
-                };
-                if small(f - q, rest) {
-                    Forces {
-                        f,
-                        m: f - q,
-                        holds: false,
-                        stands: true,
-                    }
-                } else {
-                    free(f, sign(f - q) * rest)
-                }
-            }
+            (true, true) => free(rubbed, couple),
+            (true, false) if small(rubbed - q, rest) => standing(rubbed, false),
+            (true, false) => free(rubbed, sign(rubbed - q) * rest),
             (false, true) => {
                 let f = rolls(couple);
                 if small(f, grip) {
-                    Forces {
-                        f,
-                        m: couple,
-                        holds: true,
-                        stands: false,
-                    }
+                    moving(f, couple, true)
                 } else {
                     free(sign(f) * kinetic, couple)
                 }
@@ -111,35 +109,20 @@ impl Table {
             (false, false) => {
                 let f = ground - p;
                 if small(f, grip) && small(f - q, rest) {
-                    return Forces {
-                        f,
-                        m: f - q,
-                        holds: true,
-                        stands: true,
-                    };
+                    return standing(f, true);
                 }
                 for way in [1.0, -1.0] {
                     let m = Dd::from(-way) * rest;
                     let f = rolls(m);
                     let begins = (q + m - f).hi * way;
                     if small(f, grip) && begins > 0.0 {
-                        return Forces {
-                            f,
-                            m,
-                            holds: true,
-                            stands: false,
-                        };
+                        return moving(f, m, true);
                     }
                 }
                 for way in [1.0, -1.0] {
                     let f = Dd::from(way) * kinetic;
                     if small(f - q, rest) && (p + f - ground).hi * way < 0.0 {
-                        return Forces {
-                            f,
-                            m: f - q,
-                            holds: false,
-                            stands: true,
-                        };
+                        return standing(f, false);
                     }
                     for other in [1.0, -1.0] {
                         let m = Dd::from(-other) * rest;
@@ -425,13 +408,9 @@ pub fn roller(r: &mut Random) -> Scene {
     let (friction, resistance) = rubbing(r, &mut text, false);
     let kappa = Dd::from(body.kappa);
     let table = Table {
-        kappa,
-        push: Dd::ZERO,
-        twist: Dd::ZERO,
-        reaction: Dd::from(gravity),
         friction,
         resistance,
-        sheet: None,
+        ..Table::level(kappa, gravity)
     };
     let (mass, fast) = (body.mass, speed);
     Scene {
@@ -502,10 +481,6 @@ pub fn sheet(r: &mut Random) -> Scene {
     );
     let kappa = Dd::from(body.kappa);
     let table = Table {
-        kappa,
-        push: Dd::ZERO,
-        twist: Dd::ZERO,
-        reaction: Dd::from(gravity),
         friction,
         resistance,
         sheet: Some(Sheet {
@@ -517,6 +492,7 @@ pub fn sheet(r: &mut Random) -> Scene {
                 .collect(),
             margin: Dd::from(margin),
         }),
+        ..Table::level(kappa, gravity)
     };
     let mass = body.mass;
     Scene {

@@ -9,15 +9,9 @@ fn pivot_at_the_centre_of_mass_is_a_free_top() -> Result<()> {
         vector([0.7, -0.4, 3.0]),
         Attitude::from_quaternion(0.9, 0.3, 0.2, 0.1)?,
     );
-    let free = EulerTop::from_omega([1.0, 1.0, 0.5], omega, tilted)?;
     for weightless in [0.0, -0.0] {
         let top = LagrangeTop::new(1.0, 0.5, weightless, omega, tilted)?;
         assert_eq!(top.roots().h3, f64::INFINITY);
-        for t in [-3.0, 0.0, 0.5, 20.0] {
-            let (mine, theirs) = (top.at(t)?, free.at(t)?);
-            assert!(mine.attitude.angle_to(&theirs.attitude) < 3e-15);
-            assert!((mine.omega - theirs.omega).norm() < 6e-15);
-        }
     }
     let (kind, states) = lagrange(0.0, [0.0, 0.0, 3.0], tilted)?;
     assert_eq!(kind, Nutation::Spinning);
@@ -81,21 +75,6 @@ fn tilt_of_exactly_nothing_or_a_half_turn() -> Result<()> {
             );
             assert!((back.height - height).abs() < 1e-15);
         }
-    }
-    Ok(())
-}
-
-#[test]
-fn spin_exactly_at_the_threshold_sleeps() -> Result<()> {
-    let threshold = sleeping_threshold(1.0, 0.5, 1.0)?;
-    assert_eq!(threshold, 4.0);
-    for (spin, stable) in [
-        (threshold, true),
-        (-threshold, true),
-        (threshold.next_down(), false),
-    ] {
-        let (kind, _) = lagrange(1.0, [0.0, 0.0, spin], upright())?;
-        assert_eq!(kind, Nutation::Sleeping { stable });
     }
     Ok(())
 }
@@ -171,26 +150,6 @@ fn a_needle_is_a_pendulum_whatever_its_spin() -> Result<()> {
         let (spinning, still) = (needle.at(t)?, pendulum.at(t)?);
         assert!((spinning.height - still.height).abs() < 2e-15);
         assert_eq!(spinning.omega.z(), 50.0);
-    }
-    Ok(())
-}
-
-#[test]
-fn huge_and_tiny() -> Result<()> {
-    let tilted = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0)?;
-    for size in [1e300, 1e-300, f64::MIN_POSITIVE, 5e-324] {
-        // The unit of mass is nothing to the motion as long as the numbers have their digits.
-        let top = LagrangeTop::new(size, 0.5 * size, size, vector([0.0, 0.0, 3.0]), tilted)?;
-        if size >= 1e-300 {
-            let unit = LagrangeTop::new(1.0, 0.5, 1.0, vector([0.0, 0.0, 3.0]), tilted)?;
-            assert!(top.at(5.0)?.attitude.angle_to(&unit.at(5.0)?.attitude) < 2e-15);
-        }
-        assert!(top.at(5.0)?.omega.is_finite());
-        for omega in [[size, 0.0, 0.0], [0.0, size, size], [0.3, size, 0.4]] {
-            let top = LagrangeTop::new(1.0, 0.5, 1.0, vector(omega), tilted)?;
-            let state = top.at(1.0 / size.max(1.0))?;
-            assert!(state.omega.is_finite() && state.height.abs() <= 1.0);
-        }
     }
     Ok(())
 }

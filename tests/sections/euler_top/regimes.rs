@@ -1,10 +1,10 @@
 //! The exact motion at its borders: regimes, scales, axes in any order, next to the separatrix, times both ways and far away,
 //! and what is refused.
 
-use super::common::{at, distance, norm, omega, thrown, tilted};
+use super::common::{at, distance, norm, thrown, tilted};
 use spinning_bodies::Error;
 use spinning_bodies::euler_top::{EulerTop, Regime};
-use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::frame::Attitude;
 use support::free_top::Flight;
 use support::{ORDERS, Uniform, observed, refused, vector, within};
 
@@ -71,39 +71,6 @@ fn euler_top_decides_the_regime_by_exact_differences() {
 }
 
 #[test]
-fn euler_top_in_any_order_of_the_axes() {
-    let mut numbers = Uniform(68);
-    for _ in 0..60 {
-        let [a, b, c] = [0; 3].map(|_| 0.05 + numbers.next());
-        let (moments, l) = ([b + c, c + a, a + b], [0; 3].map(|_| numbers.signed()));
-        let plain = thrown(moments, l);
-        for (n, order) in ORDERS.into_iter().enumerate() {
-            // Cyclic orders only rename the axes; the others mirror the body, and what turns one way turns the other:
-            // minus L is L in the mirror.
-            let hand = if n < 3 { 1.0 } else { -1.0 };
-            let other = thrown(
-                reordered(moments, order),
-                reordered(l, order).map(|x| hand * x),
-            );
-            assert_eq!(other.regime(), plain.regime());
-            for t in [-8.0, 0.3, 2.5, 1e3, 1e9] {
-                let expected = reordered(omega(&plain, t), order).map(|x| hand * x);
-                within(distance(at(&other, t).omega, expected), 0.0);
-                let v = numbers.vector();
-                let seen = at(&plain, t).attitude.to_space(v);
-                let there = at(&other, t)
-                    .attitude
-                    .to_space(vector(reordered(v.components().into(), order)));
-                let expected = reordered(seen.components().into(), order);
-                // The state is formed in the same steps whichever axis is which.
-                let found: [f64; 3] = there.components().into();
-                assert_eq!(found, expected);
-            }
-        }
-    }
-}
-
-#[test]
 fn euler_top_runs_backwards_and_starts_anywhere() {
     let mut numbers = Uniform(69);
     for _ in 0..100 {
@@ -135,123 +102,7 @@ fn euler_top_runs_backwards_and_starts_anywhere() {
 }
 
 #[test]
-fn euler_top_next_to_the_separatrix() {
-    // Both sides, from 1/2 of it down to one unit in the last place from it, either kind of start, against the integrator at its finest.
-    let mut numbers = Uniform(610);
-    for n in 0..26 {
-        let order = ORDERS[n % 6];
-        // Slope 3/4.
-        let offset = 2f64.powi(-(2 * n as i32 + 1));
-        let side = if numbers.next() < 0.5 { 1.0 } else { -1.0 };
-        let tilt = 10f64.powf(-3.0 * numbers.next());
-        let o = [tilt, numbers.signed(), 0.75 * tilt * (1.0 + side * offset)];
-        let (moments, o) = (reordered([1.5, 3.0, 4.0], order), reordered(o, order));
-        let l = [0, 1, 2].map(|k| moments[k] * o[k]);
-        let expected = if side > 0.0 {
-            Regime::AroundLargest
-        } else {
-            Regime::AroundSmallest
-        };
-        for (top, mut flight) in [
-            (tilted(moments, o), Flight::from_omega(moments, o)),
-            (thrown(moments, l), Flight::new(moments, l)),
-        ] {
-            // I Ω rounds, and the least offset may be lost on the way.
-            assert!(
-                top.regime() == expected || offset < 1e-15,
-                "{o:?} {:?}",
-                top.regime()
-            );
-            let mut elapsed = 0.0;
-            for leg in [3.0, 19.0, -36.0] {
-                elapsed += leg;
-                let (state, truth) = (at(&top, elapsed), flight.fly_finely(leg));
-                observed!(
-                    (state.omega - truth.omega()).norm() / norm(o),
-                    1e-16..=2e-15
-                ); // observed 4.8e-16
-                observed!(state.attitude.angle_to(&truth.attitude()), 2e-16..=3e-15); // observed 7.7e-16
-            }
-        }
-    }
-}
-
-#[test]
-fn euler_top_after_ten_to_the_fourteen_periods() {
-    // t = nT + r and the turn n·14.98… about L less whole turns by 60-digit arithmetic; the rest of the attitude by the integrator.
-    let far = 2.0 + 2f64.powi(-40);
-    #[rustfmt::skip]
-    let ordinary = [
-        (1e6, 4.397_895_312_184_199, 9.9204e-17, 4.770_908_625_330_965_262),
-        (1e9, 4.766_402_573_824_282, -2.553_73e-16, 2.441_332_121_577_545_947),
-        (1e12, 0.756_885_328_816_770_8, -5.517_95e-17, 2.790_660_470_960_688_010),
-        (-1e12, 5.665_817_755_408_923, 1.804_61e-16, 0.478_847_737_249_859_307_9),
-        (1e15, 5.429_067_962_364_636, -2.264_49e-16, 1.668_037_950_272_353_444),
-    ];
-    #[rustfmt::skip]
-    let beside_the_separatrix = [
-        (1e6, 106.005_589_014_547_03, -4.842_96e-16, 5.747_596_413_728_350_845),
-        (1e9, 96.817_126_535_447_54, -9.783_19e-16, 1.680_320_727_378_464_197),
-        (1e12, 27.387_876_464_149_496, 1.518_49e-15, 1.798_865_606_606_360_383),
-        (-1e12, 132.595_162_641_608_17, 5.447_18e-15, 3.530_366_537_754_029_881),
-        (1e15, 30.776_777_064_935_583, 5.086_93e-16, 1.637_781_608_411_954_314),
-    ];
-    for (moments, l, rows) in [
-        (MOMENTS, [1.0, 2.0, 3.0], ordinary),
-        ([1.5, 3.0, 4.0], [1.0, 0.5, far], beside_the_separatrix),
-    ] {
-        let top = thrown(moments, l);
-        for (t, rest, more, angle) in rows {
-            let mut flight = Flight::new(moments, l);
-            flight.fly_finely(rest);
-            let flight = flight.fly_finely(more);
-            let state = at(&top, t);
-            let error = (state.angular_momentum - flight.angular_momentum()).norm() / norm(l);
-            // Observed 2e-16 to 1e9 s. The phase is known to 4.2e-27 rad/s, which shows beyond; next to the separatrix it never does.
-            let drift = if l[1] == 2.0 { 1e-26 * t.abs() } else { 0.0 };
-            within(error, 1e-15 + drift);
-            let about = Attitude::about_axis(vector(l), angle).unwrap().quaternion();
-            let q = (about * flight.attitude().quaternion()).into_inner();
-            let truth = Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap();
-            // Observed 5e-16 to 1e9 s and, next to the separatrix, to 1e15 s. The ordinary top's turning rate is known to
-            // 2.9e-25 rad/s, which shows beyond.
-            let drift = if l[1] == 2.0 { 6e-25 * t.abs() } else { 0.0 };
-            within(state.attitude.angle_to(&truth), 2e-15 + drift);
-        }
-    }
-}
-
-#[test]
-fn euler_top_by_a_hair_off_an_axis() {
-    // Tilts down to the smallest numbers: about the stable axes the tilt stays one and turns at the linear rate.
-    for e in [1, 8, 50, 100, 150, 160, 200, 250, 300] {
-        let tilt = 10f64.powi(-e);
-        let about_largest = tilted(MOMENTS, [tilt, 0.0, 1.0]);
-        let about_smallest = tilted(MOMENTS, [1.0, 0.0, tilt]);
-        for t in [0.7, -5.0, 1e3] {
-            // Frequencies 1 and 1/√3; half axes 1 : 1 and 1 : √3 by 6.7. The next order is the square of the tilt.
-            let o = at(&about_largest, t).omega;
-            let slack = 2e-15 * (1.0 + t.abs()) + 2.0 * tilt * tilt * (1.0 + t.abs());
-            within((o.x() / tilt - t.cos()).abs(), slack);
-            within((o.y() / tilt - t.sin()).abs(), slack);
-            let o = at(&about_smallest, t).omega;
-            let phase = t / 3f64.sqrt();
-            within((o.z() / tilt - phase.cos()).abs(), slack);
-            within(
-                (o.y() / tilt - 3f64.sqrt() * phase.sin()).abs(),
-                2.0 * slack,
-            );
-        }
-        // About the middle axis nothing is seen of it for long, and then it flips.
-        let unstable = tilted(MOMENTS, [tilt, 1.0, 0.0]);
-        let half = unstable.period() / 2.0;
-        observed!((at(&unstable, 0.5 * half).omega.y()).abs(), 1e-14..=3e-13);
-        observed!((at(&unstable, half).omega.y() + 1.0).abs(), 0.0..=4.5e-16); // observed none
-    }
-}
-
-#[test]
-fn euler_top_rods_spheres_and_rest() {
+fn euler_top_rods_and_rest() {
     // A rod turns steadily about L; a spin about itself is ignored in Ω and refused in L.
     let rod = EulerTop::from_omega(
         [0.0, 2.0, 2.0],
@@ -276,36 +127,17 @@ fn euler_top_rods_spheres_and_rest() {
         Condition
     );
     let still = thrown(MOMENTS, [0.0; 3]);
-    let stands = Attitude::about_axis(vector([1.0, 2.0, 3.0]), 0.3).unwrap();
-    assert_eq!(at(&still, 1e9).omega, BodyVector::zero());
     assert_eq!((still.energy(), still.mean_precession_rate()), (0.0, 0.0));
-    let still = EulerTop::new(MOMENTS, BodyVector::zero(), stands).unwrap();
-    observed!(at(&still, -1e300).attitude.angle_to(&stands), 0.0..=2.3e-16); // observed 3.5e-18
-    // A lamina, I₃ = I₁ + I₂, against the integrator.
-    let lamina = [0.7, 1.1, 0.7 + 1.1];
-    let flight = Flight::from_omega(lamina, [0.2, 0.9, -0.3]).fly(6.0);
-    let state = at(&tilted(lamina, [0.2, 0.9, -0.3]), 6.0);
-    observed!((state.omega - flight.omega()).norm(), 0.0..=5e-16); // observed 1.7e-16
-    observed!(state.attitude.angle_to(&flight.attitude()), 0.0..=2.3e-16); // observed 5.7e-17
 }
 
 #[test]
 fn euler_top_refuses_what_it_cannot_know() {
     let new = |moments, l| EulerTop::new(moments, vector(l), Attitude::identity());
-    refused!(new([-1.0, 2.0, 3.0], [1.0; 3]), Negative);
-    refused!(new([1.0, 2.0, 3.1], [1.0; 3]), TriangleInequality);
-    refused!(new([1.0, f64::NAN, 3.0], [1.0; 3]), NotFinite);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for k in 0..3 {
-            let mut l = [1.0; 3];
-            l[k] = bad;
-            refused!(new(MOMENTS, l), NotFinite);
-            let from_omega = EulerTop::from_omega(MOMENTS, vector(l), Attitude::identity());
-            refused!(from_omega, NotFinite);
-        }
-        let top = tilted(MOMENTS, [1.0; 3]);
-        refused!(top.at(bad), NotFinite);
-        refused!(top.omega_at(bad), NotFinite);
+        let from_omega =
+            EulerTop::from_omega(MOMENTS, vector([1.0, bad, 1.0]), Attitude::identity());
+        refused!(from_omega, NotFinite);
+        refused!(tilted(MOMENTS, [1.0; 3]).omega_at(bad), NotFinite);
     }
     // What would overflow is refused where it is made.
     assert!(new([1e-300, 1e-300, 1e-300], [1e300, 0.0, 0.0]).is_err());

@@ -90,22 +90,6 @@ fn a_ball_without_friction_does_not_feel_gravity() {
 }
 
 #[test]
-fn the_free_body_in_closed_form_and_by_integration() {
-    let request = Request::at([4.0, -1.0, 0.5])
-        .unwrap()
-        .to_accuracy(1e-10)
-        .unwrap();
-    let exact = skew().simulate(&request).unwrap();
-    assert_eq!(exact.plan.solver, Solver::Exact);
-    let by = Choice::Use(Solver::General(Method::Dop853));
-    let request = request.with_methods(&lab::general::DifferentialEquations);
-    let general = skew().simulate(&request.by(by)).unwrap();
-    for (a, b) in exact.rows.iter().zip(&general.rows) {
-        assert!(angle(&a.1, &b.1) < 1e-9 && (a.1.position - b.1.position).norm() < 1e-9);
-    }
-}
-
-#[test]
 fn without_friction_energy_and_vertical_momentum_stay() {
     let times: Vec<f64> = (0..=50).map(|i| 0.02 * f64::from(i)).collect();
     let start = Start::about_vertical(0.5, 0.2, 20.0).unwrap();
@@ -214,25 +198,6 @@ fn rolling_becomes_sliding_where_the_cone_ends() {
     // With enough friction it never slides.
     let sticky = table.with(Coulomb::new(5.0).unwrap()).unwrap();
     assert!(angle(&end(&sticky, 1.0, 1e-8), &end(&held, 1.0, 1e-8)) < 1e-7);
-}
-
-#[test]
-fn resistance_stops_a_rolling_ball_exponentially() {
-    // (I + M R²) dΩ/dt = −M g a Ω.
-    let start = Start::spinning(tilted().attitude, BodyVector::zero()).unwrap();
-    let omega = start.attitude.to_body(SpaceVector::new(0.0, 20.0, 0.0));
-    let start = Start::spinning(start.attitude, omega).unwrap();
-    let a = 1e-4;
-    let scene = TableTop::new(ball(), start)
-        .with(gravity())
-        .unwrap()
-        .with(NoSlip)
-        .unwrap()
-        .with(Resistance::new(a, 0.0).unwrap())
-        .unwrap();
-    let state = end(&scene, 1.5, 1e-10);
-    let expected = 20.0 * (-G * a * 1.5 / (1.4 * 0.03 * 0.03)).exp();
-    assert!((state.omega.norm() / expected - 1.0).abs() < 1e-9);
 }
 
 #[test]

@@ -52,17 +52,6 @@ fn swivel() -> shape::Swivel {
 }
 
 #[test]
-fn the_swivel_by_one_integral_and_by_a_general_method() {
-    let scene = swivel().with_angular_momentum(0.4).unwrap();
-    let asked = request(7.0, 1e-10);
-    assert_eq!(scene.plan(&asked).unwrap().solver, Solver::Exact);
-    let other = asked.clone().by(GENERAL);
-    let difference = apart(&scene, &scene, [&asked, &other]);
-    // Observed: 6e-11.
-    assert!(difference < 3e-10, "{difference:e}");
-}
-
-#[test]
 fn a_swivel_without_its_effects() {
     let asked = request(7.0, 1e-10);
     // Rigid, it does not turn; rigid with angular momentum it turns evenly.
@@ -128,24 +117,6 @@ const DRAW: Draw = Draw {
 };
 
 #[test]
-fn the_skater_by_the_closed_form_and_by_forces() {
-    let scene = shape::Skater::new(grown(), 0.7, 12.0)
-        .unwrap()
-        .with(DRAW)
-        .unwrap();
-    let asked = request(2.0, 1e-11);
-    assert_eq!(scene.plan(&asked).unwrap().solver, Solver::Exact);
-    let other = asked.clone().by(GENERAL);
-    let [a, b] = [rows(&scene, &asked), rows(&scene, &other)];
-    for (a, b) in a.iter().zip(&b) {
-        for (a, b) in a.iter().zip(b) {
-            // Observed: 3e-12 of values up to 700.
-            assert!((a - b).abs() <= 1e-11 * a.abs().max(1.0), "{a} {b}");
-        }
-    }
-}
-
-#[test]
 fn a_skater_without_effects_spins_evenly_and_friction_matters() -> Result<()> {
     let asked = request(2.0, 1e-10);
     let still = shape::Skater::new(grown(), 0.7, 12.0)?;
@@ -207,34 +178,6 @@ fn gravity_moves_the_cat_and_does_not_turn_it() -> Result<()> {
         assert_eq!(rows(&weightless, &asked), rows(&cat(), &asked));
     }
     Ok(())
-}
-
-#[test]
-fn the_cat_by_one_integral_and_by_a_general_method() {
-    let asked = request(0.4, 1e-10);
-    assert_eq!(cat().plan(&asked).unwrap().solver, Solver::Exact);
-    let [exact, followed] =
-        [asked.clone(), asked.clone().by(GENERAL)].map(|r| cat().simulate(&r).unwrap());
-    for ((_, a), (_, b)) in exact.rows.iter().zip(&followed.rows) {
-        let apart = a.attitude.angle_to(&b.attitude);
-        // Observed: 2e-11.
-        assert!(apart < 1e-10, "{apart:e}");
-        // The rates as well: one from the bisector, one from L = 0 and nothing else.
-        assert!(
-            (a.omega - b.omega).norm() < 1e-12 * 40.0,
-            "{:?} {:?}",
-            a.omega,
-            b.omega
-        );
-    }
-    // Rounding in both. Observed: 2e-16 of the moments times the rates.
-    for motion in [&exact, &followed] {
-        assert!(
-            motion.ledger.is_kept_within(1e-15).unwrap(),
-            "{}",
-            motion.ledger
-        );
-    }
 }
 
 #[test]

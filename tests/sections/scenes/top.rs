@@ -169,49 +169,6 @@ fn what_is_absent_cannot_change_a_bit() {
 }
 
 #[test]
-fn friction_of_a_ball_is_a_known_integral() {
-    // A spherical body without gravity: Ω falls as exp(-ct/I), the axis stays, the angle is the integral.
-    let (moment, c) = (0.02, 0.004);
-    let omega = BodyVector::new(1.0, -2.0, 2.0);
-    let start = Start::with_omega(omega, Attitude::identity());
-    let ball = Top::new(Body::new([moment; 3]).unwrap(), start).unwrap();
-    let braked = ball.with(PivotFriction::new(c).unwrap()).unwrap();
-    let request = Request::at([-2.0, 4.0, 40.0])
-        .unwrap()
-        .to_accuracy(1e-11)
-        .unwrap();
-    for (t, state) in braked.simulate(&request).unwrap().rows {
-        let left = (-c * t / moment).exp();
-        let angle = 3.0 * moment / c * -(-c * t / moment).exp_m1();
-        let expected = Attitude::about_axis(omega, angle).unwrap();
-        assert!(state.attitude.angle_to(&expected) < 1e-10, "{t}");
-        assert!((state.omega - omega * left).norm() < 1e-10, "{t}");
-    }
-}
-
-#[test]
-fn dry_friction_stops_the_spin_at_the_time_it_should() {
-    // An upright top: I₃ dΩ₃/dt = -N, so it stops after I₃Ω₃/N, having turned by I₃Ω₃²/(2N).
-    let start = Start::with_omega(BodyVector::new(0.0, 0.0, -6.0), Attitude::identity());
-    let top = Top::new(body([0.02, 0.02, 0.01], [0.0, 0.0, -0.1]), start).unwrap();
-    let top = top.with(Gravity::new(G).unwrap()).unwrap();
-    let top = top.with(TipFriction::new(0.02).unwrap()).unwrap();
-    let request = Request::at([5.0, 2.0, 3.5, -1.0])
-        .unwrap()
-        .to_accuracy(1e-11)
-        .unwrap();
-    let motion = top.simulate(&request).unwrap();
-    let spins: Vec<f64> = motion.rows.iter().map(|row| row.1.omega.z()).collect();
-    assert_eq!((spins[0], spins[2]), (0.0, 0.0));
-    assert!(
-        (spins[1] + 2.0).abs() < 1e-10 && (spins[3] + 8.0).abs() < 1e-10,
-        "{spins:?}"
-    );
-    let turned = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), -9.0).unwrap();
-    assert!(motion.rows[0].1.attitude.angle_to(&turned) < 1e-10);
-}
-
-#[test]
 fn refusals_name_what_is_wrong() {
     let (asymmetric, start) = (body([0.01, 0.02, 0.025], [0.01, 0.0, 0.1]), start());
     let heavy = Top::new(asymmetric, start)

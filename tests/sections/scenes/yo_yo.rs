@@ -1,7 +1,6 @@
 //! The yo-yo. Every effect has a place of its own, so the order of listing cannot matter.
 
 use crate::yo_yo::{thick, toy};
-use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::effects::{
     AddedMass, AirDrag, AxleFriction, Effect, Gravity, Hand, Sleep, TurnLoss,
 };
@@ -94,42 +93,6 @@ fn an_effect_of_size_zero_is_no_effect() {
     let airless = airless.simulate(&request.to_accuracy(1e-12).unwrap());
     let error = apart(&run(&plain, 12.0), &airless.unwrap());
     assert!(error < 1e-10, "{error:e}");
-}
-
-#[test]
-fn the_closed_forms_and_the_general_integration_agree() {
-    let general = Choice::Use(Solver::General(Method::Dop853));
-    let request = Request::at(times(20.0))
-        .unwrap()
-        .to_accuracy(1e-11)
-        .unwrap();
-    let request = request.with_methods(&lab::general::DifferentialEquations);
-    let mut worst = 0.0_f64;
-    for toy in [toy(), thick()] {
-        for throw in [0.0, 0.5] {
-            let plain = Play::new(toy, throw).unwrap().with(gravity()).unwrap();
-            let plain = plain.with(TurnLoss::new(0.9).unwrap()).unwrap();
-            let loop_end = plain.with(Sleep::new(1.5).unwrap()).unwrap();
-            let loop_end = loop_end.with(AxleFriction::new(1e-4).unwrap()).unwrap();
-            let loop_end = loop_end.with(Hand::new(0.05).unwrap()).unwrap();
-            for play in [plain, loop_end] {
-                let exact = play.simulate(&request).unwrap();
-                let stepped = play.simulate(&request.clone().by(general)).unwrap();
-                assert_eq!(exact.plan.solver, Solver::Events);
-                worst = worst.max(apart(&exact, &stepped));
-                let pairs = exact.rows.iter().zip(&stepped.rows);
-                let tension = pairs
-                    .filter(|((_, a), (_, b))| a.phase == b.phase)
-                    .map(|((_, a), (_, b))| (a.tension - b.tension).abs())
-                    .fold(0.0, f64::max);
-                // Newtons, of up to 15. Observed: 3e-10.
-                assert!(tension < 1e-8, "{tension:e}");
-            }
-        }
-    }
-    println!("{worst:e}");
-    // Observed: 1e-11.
-    assert!(worst < 1e-10, "{worst:e}");
 }
 
 #[test]

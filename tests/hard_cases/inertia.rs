@@ -132,7 +132,6 @@ fn every_moment_of_a_graded_matrix_is_right_to_its_own_digits() {
         }
         seen += 1;
     }
-    println!("worst {worst:e}");
     assert_eq!(seen, 102);
 }
 
@@ -223,10 +222,8 @@ fn principal_axes_of_degenerate_matrices() -> Result<()> {
     for x in [f64::MAX, -f64::MAX, 1e301] {
         let found = principal_axes_of(&Matrix3::from_element(x))?;
         assert!(found.moments.iter().all(|m| m.is_finite()));
-        observed!(
-            (found.axes.transpose() * found.axes - Matrix3::identity()).amax(),
-            1e-16..=1e-15
-        );
+        let error = (found.axes.transpose() * found.axes - Matrix3::identity()).amax();
+        observed!(error, 1e-16..=1e-15);
     }
     assert!(principal_axes_of(&Matrix3::from_element(f64::NAN)).is_err());
     Ok(())
@@ -332,32 +329,6 @@ fn an_egg_far_away_keeps_its_centre() -> Result<()> {
 }
 
 #[test]
-fn the_plain_formula_fails_far_away() -> Result<()> {
-    // What the subtraction saves: moments about the origin, then parallel axes backwards.
-    let (vertices, triangles) = moved_icosphere(3, 1e6)?;
-    let truth = mesh_truth(&vertices, &triangles);
-    let (mut volume, mut first, mut second) = (0.0, 0.0, 0.0);
-    for corners in &triangles {
-        let [p, q, r] = corners.map(|i| Vector3::from(vertices[i as usize]));
-        let d = p.dot(&q.cross(&r)) / 6.0;
-        volume += d;
-        first += d * (p.x + q.x + r.x) / 4.0;
-        let sum = p.x + q.x + r.x;
-        second += d * (sum * sum + p.x * p.x + q.x * q.x + r.x * r.x) / 20.0;
-    }
-    let naive = second - first * first / volume;
-    let exact = truth.inertia.map(Dd::value);
-    let exact = 0.5 * (exact[1] + exact[2] - exact[0]);
-    assert!((naive / exact - 1.0).abs() > 1.0, "{naive} {exact}");
-    let body = mesh_mass_properties(&vertices, &triangles, 1.0)?;
-    observed!(
-        (body.inertia().second_moments()[(0, 0)] / exact - 1.0).abs(),
-        0.0..=4e-15
-    );
-    Ok(())
-}
-
-#[test]
 fn meshes_in_huge_and_tiny_units() -> Result<()> {
     let solid = PlatonicSolid::Dodecahedron;
     let triangles = solid.triangles();
@@ -443,10 +414,8 @@ fn meshes_that_are_no_bodies() -> Result<()> {
         let body = mesh_mass_properties(&plate, &PlatonicSolid::Cube.triangles(), 1e9)?;
         // Tilted, the coordinates say the thickness to 1e-16/1e-9 only.
         observed!((body.mass() - 1.0).abs(), 3e-8..=1e-6);
-        observed!(
-            (body.inertia().principal_axes().moments[2] - 1.0 / 6.0).abs(),
-            4e-9..=2e-7
-        );
+        let off = (body.inertia().principal_axes().moments[2] - 1.0 / 6.0).abs();
+        observed!(off, 4e-9..=2e-7);
     }
     Ok(())
 }

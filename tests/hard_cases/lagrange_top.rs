@@ -181,10 +181,6 @@ fn constants_against_the_table() -> Result<()> {
             failures.push(format!("row {rows}, {}: {}", cells.text(0), shown(errors)));
         }
     }
-    println!(
-        "1 - h1, 1 - h2, 1 + h1, 1 + h2, h3 - 1, period, azimuth: {}",
-        shown(worst)
-    );
     assert_eq!(rows, 200);
     assert!(
         failures.is_empty(),

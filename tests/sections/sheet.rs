@@ -10,7 +10,7 @@ use spinning_bodies::rolling::{
     SheetSpeeds,
 };
 use spinning_bodies::scene::{Choice, Request, Roller, Scene, Solver};
-use support::{observed, refused};
+use support::{close, observed, refused};
 
 const G: f64 = 9.81;
 
@@ -44,7 +44,6 @@ fn s4_5_numbers_of_a_quick_pull() {
         observed!((leaves.moment.rim_speed - rim).abs(), 8e-8..=5e-7);
         observed!((leaves.moment.position - 0.005_634).abs(), 7e-8..=5e-7);
         let end = course.at(1e3);
-        println!("{:e} {:e}", end.velocity, end.rim_speed);
         // Dead.
         assert_eq!((end.velocity, end.rim_speed, end.slip), (0.0, 0.0, 0.0));
         let stop = course.events().last().unwrap();
@@ -166,11 +165,7 @@ fn s4_5_what_resistance_and_ice_do_to_it() {
     let course = Course::new(0.4, Load::weight(G), effects, Moment::at_rest(), 1e3).unwrap();
     let dies = course.first(Happening::TurningStops).unwrap();
     // V = arm g t/… : all momentum about the table comes from the couple, arm g a second.
-    assert_relative_eq!(
-        dies.moment.velocity,
-        0.01 * G * dies.time,
-        max_relative = 1e-13
-    );
+    close!(dies.moment.velocity, 0.01 * G * dies.time, 1e-13);
     assert!(dies.moment.velocity > 0.01);
     let rest = course.first(Happening::Rest).unwrap();
     assert!(rest.moment.position > 0.014_086);
@@ -183,10 +178,8 @@ fn s4_5_what_resistance_and_ice_do_to_it() {
     let course = withdrawn(0.4, &speeds, 0.15, [0.3, 1e-3]);
     let stop = course.events().last().unwrap();
     assert_eq!((stop.moment.velocity, stop.what), (0.0, Happening::Rest));
-    observed!(
-        (stop.moment.position - (0.005_634 + 0.182_107_f64.powi(2) / (2e-3 * G))).abs(),
-        1e-6..=2e-5
-    );
+    let off = (stop.moment.position - (0.005_634 + 0.182_107_f64.powi(2) / (2e-3 * G))).abs();
+    observed!(off, 1e-6..=2e-5);
 }
 
 #[test]
@@ -274,7 +267,6 @@ fn s4_5_in_space_with_any_friction() {
                 in_space(jerks, 0.4, kappa, coulomb(0.3), start, 2.0),
                 in_space(jerks, 0.4, kappa, viscous, start, 2.0),
             ] {
-                println!("{end:?}");
                 let speed = end[0].hypot(end[1]);
                 observed!(speed, 8e-15..=9e-13, "{speed:e}");
                 // Spin about the vertical is not touched by a point of contact.

@@ -10,7 +10,7 @@ use spinning_bodies::frame::SpaceVector as V;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::{Coulomb, Course, Happening, Moment, RoundBody, Spool, Tug, Way};
 use spinning_bodies::scene::{Choice, Request, Scene, Solver, TuggedSpool};
-use support::{observed, refused};
+use support::{close, observed, refused};
 
 /// M = 0.2 kg, r = 2 cm, R = 5 cm, κ = 1/2.
 fn spool() -> Spool {
@@ -50,14 +50,10 @@ fn s4_4_moments_about_centre_and_contact() {
         // Velocity in place of force: the angular momentum is then the torque. Rolling towards +x is turning about +y.
         let body = force(0.3, tug);
         let about = |z: f64| body.angular_momentum_about(V::new(0.0, 0.0, z)).y();
-        observed!(
-            (about(0.05) - spool.moment_about_centre(tug)).abs(),
-            0.0..=1e-17
-        );
-        observed!(
-            (about(0.0) - spool.moment_about_contact(tug)).abs(),
-            0.0..=1e-17
-        );
+        let off = (about(0.05) - spool.moment_about_centre(tug)).abs();
+        observed!(off, 0.0..=1e-17);
+        let off = (about(0.0) - spool.moment_about_contact(tug)).abs();
+        observed!(off, 0.0..=1e-17);
         // Theory 1 sees a push forward or back, theory 2 the same moment at every angle: neither knows the way.
         assert_eq!(spool.moment_about_centre(tug), -0.3 * 0.02);
     }
@@ -67,15 +63,15 @@ fn s4_4_moments_about_centre_and_contact() {
 #[test]
 fn s4_4_rolls_with_a_low_tug_and_winds_up() {
     let (spool, hand) = (unit(), tug(1.0, 30.0));
-    assert_relative_eq!(
+    close!(
         spool.rolling_acceleration(hand),
         0.244_016_935_856_292_43,
-        max_relative = 3e-16
+        3e-16
     );
-    assert_relative_eq!(
+    close!(
         spool.rolling_friction(hand),
         -0.622_008_467_928_146_2,
-        max_relative = 3e-16
+        3e-16
     );
     for degrees in [0.0, 30.0, 50.0] {
         let hand = tug(1.0, degrees);
@@ -147,31 +143,22 @@ fn s4_4_critical_angle_by_simulation() -> Result<()> {
             worst[1] = worst[1].max((by_dop853 - exact).abs());
         }
     }
-    println!("critical angle off by {worst:?}");
     // Observed: 2e-15 in both (near r = R the cosine is flat).
     observed!(worst[0], 0.0..=1e-12, "{worst:?}");
     observed!(worst[1], 0.0..=1e-12, "{worst:?}");
-    assert_relative_eq!(
-        unit().critical_angle().unwrap(),
-        FRAC_PI_3,
-        max_relative = 3e-16
-    );
-    assert_relative_eq!(
+    close!(unit().critical_angle().unwrap(), FRAC_PI_3, 3e-16);
+    close!(
         spool().critical_angle().unwrap(),
         1.159_279_480_727_408_6,
-        max_relative = 3e-16
+        3e-16
     );
-    observed!(
-        (spool().critical_angle().unwrap().to_degrees() - 66.4218).abs(),
-        7e-6..=5e-5
-    );
+    let off = (spool().critical_angle().unwrap().to_degrees() - 66.4218).abs();
+    observed!(off, 7e-6..=5e-5);
     // r → 0: 90°. r > R, an axle on rails: away even from a level tug.
     let body = RoundBody::new(0.2, 0.05, 0.5)?;
     let thin = Spool::new(body, 1e-12)?;
-    observed!(
-        (thin.critical_angle().unwrap() - FRAC_PI_2).abs(),
-        6e-12..=1e-10
-    );
+    let off = (thin.critical_angle().unwrap() - FRAC_PI_2).abs();
+    observed!(off, 6e-12..=1e-10);
     let on_rails = Spool::new(body, 0.06)?;
     assert_eq!(on_rails.critical_angle(), None);
     assert_eq!(on_rails.way(0.0)?, Way::PaysOut);
@@ -269,17 +256,9 @@ fn s4_4_static_friction_lets_go() -> Result<()> {
     let reaction = spool.reaction(hand, g);
     let a = 1.001 * held * FRAC_PI_6.cos() - 0.3 * reaction;
     assert_relative_eq!(slips.velocity, a, max_relative = 1e-14);
-    assert_relative_eq!(
-        slips.heat,
-        0.3 * reaction * 0.5 * slips.slip,
-        max_relative = 1e-13
-    );
+    close!(slips.heat, 0.3 * reaction * 0.5 * slips.slip, 1e-13);
     // Energy: what the hand gave and friction did not take.
-    assert_relative_eq!(
-        slips.work - slips.heat,
-        slips.energy(0.5),
-        max_relative = 1e-13
-    );
+    close!(slips.work - slips.heat, slips.energy(0.5), 1e-13);
     Ok(())
 }
 
@@ -363,7 +342,6 @@ fn s4_4_closed_forms_against_dop853() {
             }
         }
     }
-    println!("spool: {worst:e}");
     observed!(worst, 3e-16..=4e-14, "{worst:e}");
 }
 

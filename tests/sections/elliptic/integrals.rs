@@ -65,7 +65,6 @@ fn integrals_are_right_to_the_last_place_everywhere() -> Result<()> {
         let (greatest, rows) = worst.entry(fields[1]).or_default();
         (*greatest, *rows) = (greatest.max(error), *rows + 1);
     }
-    println!("worst eps and rows: {worst:.2?}");
     Ok(())
 }
 

@@ -5,7 +5,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use spinning_bodies::euler_top::{Shape, SymmetricTop, earth};
 use spinning_bodies::frame::{Attitude, BodyVector};
-use support::{observed, refused, relative};
+use support::{observed, refused, relative, runge_kutta};
 
 const OMEGA0: BodyVector = BodyVector::new(0.3, 0.4, 2.0);
 
@@ -23,16 +23,8 @@ fn integrated(i1: f64, i3: f64, omega0: BodyVector, t: f64, steps: u32) -> (Body
             0.5 * (w * o3 + x * o2 - yy * o1),
         ]
     };
-    let shifted = |y: [f64; 7], k: [f64; 7], h: f64| std::array::from_fn(|i| y[i] + h * k[i]);
-    let mut y = [omega0.x(), omega0.y(), omega0.z(), 1.0, 0.0, 0.0, 0.0];
-    let h = t / f64::from(steps);
-    for _ in 0..steps {
-        let k1 = rate(y);
-        let k2 = rate(shifted(y, k1, h / 2.0));
-        let k3 = rate(shifted(y, k2, h / 2.0));
-        let k4 = rate(shifted(y, k3, h));
-        y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
-    }
+    let start = [omega0.x(), omega0.y(), omega0.z(), 1.0, 0.0, 0.0, 0.0];
+    let y = runge_kutta(rate, start, (steps, t / f64::from(steps)), |_| ());
     let attitude = Attitude::from_quaternion(y[3], y[4], y[5], y[6]).unwrap();
     (BodyVector::new(y[0], y[1], y[2]), attitude)
 }
@@ -46,10 +38,8 @@ fn azimuth(omega: BodyVector) -> f64 {
 fn s6_5_symmetric_top() {
     let oblate = SymmetricTop::new(1.0, 1.5).unwrap();
     let later = oblate.omega_at(OMEGA0, 1.7);
-    observed!(
-        relative(later.x(), -0.435_319_272_469_644_85),
-        0.0..=2.3e-16
-    );
+    let off = relative(later.x(), -0.435_319_272_469_644_85);
+    observed!(off, 0.0..=2.3e-16);
     observed!(relative(later.y(), 0.245_961_645_417_530_73), 0.0..=4.5e-16);
     for (i3, shape) in [
         (1.5, Shape::Oblate),
@@ -145,10 +135,8 @@ fn s6_5_precession_seen_from_space() {
 fn s6_5_earth() {
     let tutorial = SymmetricTop::new(300.0, 301.0).unwrap();
     // One turn a day: the period in days.
-    observed!(
-        relative(tutorial.wobble_period(std::f64::consts::TAU), 300.0),
-        0.0..=4.5e-16
-    );
+    let off = relative(tutorial.wobble_period(std::f64::consts::TAU), 300.0);
+    observed!(off, 0.0..=4.5e-16);
     assert_relative_eq!(
         1.0 / (301.0 / 300.0 - 1.0),
         300.0,

@@ -109,7 +109,6 @@ fn is_symplectic(method: &dyn Follow) -> bool {
             worst = worst.max((after - before).abs());
         }
     }
-    println!("{:>24} symplectic form off by {worst:e}", method.name());
     // Observed: at most 2.2e-10 where kept (differences of 1e-5), at least 4e-8 where not.
     worst < 2e-9
 }
@@ -203,7 +202,6 @@ fn the_table_of_what_is_kept() {
         "/../../book/src/tables/integrators.md"
     );
     let measured = table();
-    println!("{measured}");
     if std::env::var_os("UPDATE_TABLES").is_some() {
         std::fs::create_dir_all(concat!(
             env!("CARGO_MANIFEST_DIR"),

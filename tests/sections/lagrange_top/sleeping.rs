@@ -86,10 +86,8 @@ fn s7_5_size_of_the_response() {
         } else {
             4.0 * kick * kick / (root - b)
         };
-        observed!(
-            (2.0 * (0.5 * u).sqrt().asin() / expected - 1.0).abs(),
-            9e-16..=9e-15
-        );
+        let off = (2.0 * (0.5 * u).sqrt().asin() / expected - 1.0).abs();
+        observed!(off, 9e-16..=9e-15);
         observed!((top.roots().one_less[0] / u - 1.0).abs(), 2e-15..=2e-14);
         // The equations of motion in space: there is where it turns round.
         let start = Motion::start(UNIT, at(&top, 0.0).omega, tilted(0.0));
@@ -198,10 +196,8 @@ fn s7_5_linear_criterion() {
             let size = kick / (fast - slow);
             let [a, b] = [wave(fast), wave(slow)];
             let expected = [-size * (a[0] - b[0]), -size * (a[1] - b[1])];
-            observed!(
-                (x - expected[0]).hypot(y - expected[1]) / size,
-                7e-15..=6e-14
-            );
+            let off = (x - expected[0]).hypot(y - expected[1]) / size;
+            observed!(off, 7e-15..=6e-14);
         }
     }
     // Below, s is complex and the tip runs away at the rate √(Mgl/I₁ − L₃²/4I₁²).

@@ -80,10 +80,8 @@ fn s7_2_picture_k_waves() {
     };
     observed!((speed(0.0) - 2.0).abs(), 0.0..=3e-16);
     // At the upper circle φ' = (2 − ½)/(3/4) = 2 and sin θ = √3/2.
-    observed!(
-        (speed(0.5 * top.period()) - 3.0_f64.sqrt()).abs(),
-        0.0..=3e-16
-    );
+    let off = (speed(0.5 * top.period()) - 3.0_f64.sqrt()).abs();
+    observed!(off, 0.0..=3e-16);
 }
 
 // claim: C7.2-17

@@ -98,10 +98,8 @@ fn s4_3_impulse_of_a_finite_pulse() {
         let shot = ball().strike(height, 2.0).unwrap();
         observed!(relative(shot.rim_speed, 2.5 * 0.2 * 2.0), 0.0..=1e-15);
         let bound = FRICTION * GRAVITY * duration;
-        observed!(
-            relative(state.friction_impulse.abs() / MASS, bound),
-            1e-15..=1e-12
-        );
+        let off = relative(state.friction_impulse.abs() / MASS, bound);
+        observed!(off, 1e-15..=1e-12);
         errors.push((RADIUS * state.omega - shot.rim_speed).abs());
         assert!((state.velocity - shot.velocity).abs() <= bound * (1.0 + 1e-9));
     }
@@ -116,10 +114,8 @@ fn s4_3_impulse_of_a_finite_pulse() {
 fn s4_3_speed_of_the_contact_point() {
     for (height, slip) in HEIGHTS.into_iter().zip([2.25, 1.0, 0.5, 0.0, -1.0]) {
         // Observed: at most one unit in the last place.
-        observed!(
-            relative(ball().cue_slip(height).unwrap(), slip),
-            0.0..=4.5e-16
-        );
+        let off = relative(ball().cue_slip(height).unwrap(), slip);
+        observed!(off, 0.0..=4.5e-16);
         let printed = (7.0 - 5.0 * height) / 2.0;
         assert_relative_eq!(printed, slip, max_relative = 0.0, epsilon = 4.5e-16);
         // The same from the two speeds themselves.
@@ -198,14 +194,10 @@ fn s4_3_general_inertia() {
 // claim: C4.3-5
 #[test]
 fn s4_3_eventual_rolling_speed() {
-    observed!(
-        relative(ball().eventual_speed(1.0).unwrap(), 5.0 / 7.0),
-        0.0..=2.3e-16
-    );
-    observed!(
-        relative(ball().eventual_speed(1.2).unwrap(), 6.0 / 7.0),
-        0.0..=2.3e-16
-    );
+    let off = relative(ball().eventual_speed(1.0).unwrap(), 5.0 / 7.0);
+    observed!(off, 0.0..=2.3e-16);
+    let off = relative(ball().eventual_speed(1.2).unwrap(), 6.0 / 7.0);
+    observed!(off, 0.0..=2.3e-16);
     for kappa in [0.4, 2.0 / 3.0, 1.0] {
         let body = RoundBody::new(MASS, RADIUS, kappa).unwrap();
         for height in HEIGHTS {
@@ -252,10 +244,8 @@ fn s4_3_where_and_when_rolling_sets_in() -> Result<()> {
     // 2|V − RΩ|/(7μg) for the ball; the final speed keeps V + κRΩ, and the heat is the energy that is missing.
     let (v, w) = (2.0, -5.5);
     let slide = RoundBody::new(1.0, 1.0, 0.4)?.slide_to_roll(v, w, FRICTION, GRAVITY)?;
-    observed!(
-        relative(slide.time, 2.0 * 7.5 / (7.0 * FRICTION * GRAVITY)),
-        0.0..=4.5e-16
-    );
+    let off = relative(slide.time, 2.0 * 7.5 / (7.0 * FRICTION * GRAVITY));
+    observed!(off, 0.0..=4.5e-16);
     observed!(relative(1.4 * slide.speed, v + 0.4 * w), 0.0..=4e-15);
     assert!(slide.speed < 0.0, "enough backspin turns the ball round");
     let energy = |v: f64, w: f64| 0.5 * (v * v + 0.4 * w * w);
@@ -279,10 +269,8 @@ fn s4_3_near_pure_rolling_nothing_cancels() {
         naive / exact - 1.0
     );
     let time = shot.slide(FRICTION, GRAVITY).unwrap().time;
-    observed!(
-        relative(time, 2.0 / 7.0 * exact / (FRICTION * GRAVITY)),
-        0.0..=1e-15
-    );
+    let off = relative(time, 2.0 / 7.0 * exact / (FRICTION * GRAVITY));
+    observed!(off, 0.0..=1e-15);
 }
 
 /// V = RΩ to the last place of the product, not to the last of the numbers; the times by exact fractions of the doubles given.

@@ -100,7 +100,6 @@ fn without_friction_energy_and_vertical_momentum_stay() {
         let scene = TableTop::new(body, start).with(gravity()).unwrap();
         let motion = motion(&scene, &times, 1e-12);
         for entry in motion.ledger.entries() {
-            println!("{} {:e}", entry.name, entry.relative_drift());
             // Observed: 4e-15.
             assert!(entry.relative_drift() < 1e-13, "{}", entry.name);
         }
@@ -121,7 +120,6 @@ fn energy_lost_is_what_the_contact_has_taken() -> Result<()> {
     let check = |motion: Motion<State>| {
         let (first, last) = (motion.rows[0].1, motion.rows[50].1);
         let lost = first.energy - last.energy;
-        println!("lost {lost:e}, balance {:e}", last.dissipated - lost);
         assert!(lost > 1e-5 * first.energy);
         assert!((last.dissipated - lost).abs() < 1e-9 * first.energy);
     };
@@ -155,7 +153,6 @@ fn a_struck_ball_slides_until_it_rolls() {
         .unwrap();
     let request = Request::at([2.0]).unwrap().to_accuracy(1e-9).unwrap();
     let phases = scene.phases(&request).unwrap();
-    println!("{phases:?}");
     assert_eq!(phases.len(), 2);
     assert_eq!(phases[1].support, Support::Rolling);
     assert!((phases[1].start - known.time).abs() < 1e-8);
@@ -186,7 +183,6 @@ fn rolling_becomes_sliding_where_the_cone_ends() {
         scene.phases(&request).unwrap()
     };
     let (phases, again) = (at(1e-8), at(1e-6));
-    println!("{phases:?}");
     assert_eq!(phases[0].support, Support::Rolling);
     assert_eq!(phases[1].support, Support::Sliding);
     assert!((phases[1].start - again[1].start).abs() < 1e-6);
@@ -216,7 +212,6 @@ fn a_smoothed_law_tends_to_coulombs() {
         .tilt()
     };
     let (far, near) = ((bent(4e-3) - dry).abs(), (bent(1e-3) - dry).abs());
-    println!("{far:e} {near:e}");
     // Second order in ε while the body slips.
     assert!(near < 0.1 * far && near < 1e-5);
 }
@@ -237,10 +232,6 @@ fn a_body_hops_rather_than_be_pulled() -> Result<()> {
                 assert!(gap > 0.0);
             }
         }
-        println!(
-            "{phases} phases, {aloft} samples in the air, {}",
-            motion.ledger
-        );
         assert!(phases >= 3 && aloft > 10);
     };
     let request = Request::at(times.clone())?.to_accuracy(1e-8)?;
@@ -324,7 +315,6 @@ fn a_rattleback_slips_and_rolls_hundreds_of_times_on_a_small_budget() {
     let request = request.within(2_000_000);
     let phases = scene.phases(&request).unwrap();
     let motion = scene.simulate(&request).unwrap();
-    println!("{} phases, {:?}", phases.len(), motion.cost);
     assert!(phases.len() > 200);
     let finer = end(&scene, 8.0, 1e-10);
     let apart = angle(&motion.rows[0].1, &finer);
@@ -339,7 +329,6 @@ fn where_it_slips_and_rolls_a_smoothed_law_tends_to_coulombs_too() -> Result<()>
         angle(&end(&rattleback().with(law).unwrap(), 0.6, 1e-9), &dry)
     };
     let (far, near) = (bent(4e-4), bent(1e-4));
-    println!("{far:e} {near:e}");
     // A smoothed law creeps where Coulomb's rolls: first order in ε.
     assert!(near < 0.4 * far && near < 1e-2, "{far:e} {near:e}");
     Ok(())

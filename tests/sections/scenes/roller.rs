@@ -129,20 +129,3 @@ fn a_ball_that_a_gentle_pull_has_left_behind() {
     assert!(motion.rows[0].1.moment.velocity.abs() < 1e-15);
     assert!(motion.error_estimate < 1e-12);
 }
-
-#[test]
-fn it_is_quick() {
-    let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
-    let sheet = Sheet::new(mu(0.3), speeds, 0.5).unwrap();
-    let resistance = RollingResistance::new(0.01).unwrap();
-    let scene = with([mu(0.2).into(), resistance.into(), sheet.into()]);
-    let request = times().to_accuracy(1e-9).unwrap();
-    let clock = std::time::Instant::now();
-    for _ in 0..100 {
-        scene.simulate(&request).unwrap();
-    }
-    let events = clock.elapsed() / 100;
-    let clock = std::time::Instant::now();
-    scene.simulate(&by(Method::Dop853)).unwrap();
-    println!("events {events:?}, dop853 {:?}", clock.elapsed());
-}

@@ -51,10 +51,6 @@ fn s4_6_drift_over_ten_million_bounces() {
     let generic = (last.energy(BALL) - 1.0).abs();
     let far = rotation.after(start, u64::from(count));
     let closed = (far.energy(BALL) - 1.0).abs();
-    println!(
-        "matrix {matrix:e}, sevenths {sevenths:e}, bounce {generic:e}, closed form {closed:e}"
-    );
-    println!("velocity off by {:e}", last.velocity - far.velocity);
     // Observed 4.8e-10, 2.3e-11, 1.6e-9 and 0: whether a rounded coefficient is kind is luck; the closed form needs none.
     assert!((4e-10..6e-10).contains(&matrix), "{matrix:e}");
     assert!((1e-11..4e-11).contains(&sevenths), "{sevenths:e}");
@@ -123,7 +119,6 @@ fn s4_6_bounce_after_bounce_a_rotation() {
         }
     }
     // Observed 1.1e-16 in the metric of the energy, and 4.5e-16 for the energy, half of which is its own rounding.
-    println!("motion {motion:e}, energy {energy:e}");
     observed!(motion, 0.0..=1.2e-16, "{motion:e} {energy:e}");
     observed!(energy, 0.0..=5e-16, "{motion:e} {energy:e}");
 }
@@ -167,7 +162,6 @@ fn s4_6_flights_at_distant_times() {
         }
         refused!(ball.exact(1e20), OutOfRange);
     }
-    println!("{worst:e}");
 }
 
 // claim: C4.6-10

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use spinning_bodies::Result;
 use spinning_bodies::superball::{Motion, Surface, bounce, spring_bounce};
-use support::observed;
+use support::{observed, runge_kutta};
 
 use super::common::BALL;
 
@@ -20,16 +20,9 @@ fn contact_by_integration(
         let force = -tangential * y[2];
         [y[1], -y[0], y[3] - y[4], force, -force / kappa]
     };
-    let shifted = |y: [f64; 5], k: [f64; 5], h: f64| [0, 1, 2, 3, 4].map(|i| y[i] + h * k[i]);
-    let mut y = [0.0, 1.0, 0.0, before.velocity, before.rim_speed];
-    let h = std::f64::consts::PI / f64::from(steps);
-    for _ in 0..steps {
-        let k1 = rate(y);
-        let k2 = rate(shifted(y, k1, h / 2.0));
-        let k3 = rate(shifted(y, k2, h / 2.0));
-        let k4 = rate(shifted(y, k3, h));
-        y = [0, 1, 2, 3, 4].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
-    }
+    let start = [0.0, 1.0, 0.0, before.velocity, before.rim_speed];
+    let step = std::f64::consts::PI / f64::from(steps);
+    let y = runge_kutta(rate, start, (steps, step), |_| ());
     observed!(y[0].abs(), 5e-16..=6e-14, "the contact has ended");
     (
         Motion {

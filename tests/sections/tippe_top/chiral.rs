@@ -65,10 +65,8 @@ fn s4_7_chirality_index() {
         observed!((moment / 8e-6 - expected).abs(), 1e-6..=5e-6);
     }
     let axis = body.inertia().principal_axes().axes.column(2).into_owned();
-    observed!(
-        (axis.z.abs().acos().to_degrees() - 8.39).abs(),
-        1e-3..=0.005
-    );
+    let off = (axis.z.abs().acos().to_degrees() - 8.39).abs();
+    observed!(off, 1e-3..=0.005);
     // Controls: any one product alone, or two planes of symmetry, has none.
     for (a, b, c) in [(0.0, 0.0, 0.0), (0.017, 0.0, 0.0), (0.0, -0.008, 0.0)] {
         let control = Matrix3::new(0.48, a, b, a, 0.42, c, b, c, 0.53);
@@ -142,13 +140,6 @@ fn s4_7_chiral_top_turns_over_one_way_only() {
         let stays = run(&scene(body, mu, SPIN), 10.0, 2500, 1e-5);
         let turns = run(&scene(body, mu, -SPIN), 10.0, 2500, 1e-5);
         let over = passage(&turns, degrees, 90.0).unwrap();
-        println!(
-            "mu {mu}: + at most {} ends {} spin {}; - 90 deg at {over} ends {}",
-            most(&stays, degrees),
-            degrees(&last(&stays)),
-            last(&stays).spin(),
-            degrees(&last(&turns))
-        );
         // The models do not say in which azimuth the release is tilted; theirs and ours differ in the last digit printed.
         assert!((most(&stays, degrees) - most_up).abs() < 0.15);
         assert!((degrees(&last(&stays)) - ends_up).abs() < 0.15);
@@ -162,10 +153,8 @@ fn s4_7_chiral_top_turns_over_one_way_only() {
         }
         if mu == 0.3 {
             observed!((last(&stays).spin() - 124.9).abs(), 9e-3..=0.1);
-            observed!(
-                (passage(&turns, degrees, 150.0).unwrap() - 1.66).abs(),
-                1e-3..=0.02
-            );
+            let off = (passage(&turns, degrees, 150.0).unwrap() - 1.66).abs();
+            observed!(off, 1e-3..=0.02);
             // The mirror image does the same with the senses exchanged.
             let image = run(&mirrored(body, mu, -SPIN), 2.0, 500, 1e-5);
             assert!(image[0].1.spin() > 0.0);
@@ -201,7 +190,6 @@ fn s4_7_controls_tip_alike_both_ways() -> Result<()> {
             )
         };
         let rows = run(&scene, 4.0, 800, 1e-6);
-        println!("products {a} {b}: at most {}", most(&rows, degrees));
         assert_eq!(most(&rows, degrees) > 90.0, turns);
         if let Some(other) = other {
             let mirrored = run(&other, 4.0, 800, 1e-6);
@@ -238,7 +226,6 @@ fn s4_7_growth_rates_of_first_and_second_order_in_friction() {
         (0.2, -0.04486, 0.16776),
     ] {
         let ((p, drift), (m, _)) = (swing(mu, 1.0), swing(mu, -1.0));
-        println!("mu {mu}: {p} {m}");
         // The state drifts: rates are defined up to the relative loss of spin, alike for both senses.
         assert!((p - plus).abs() < drift && (m - minus).abs() < drift);
         let half = |a: f64, b: f64| 0.5 * (b - a);
@@ -252,12 +239,6 @@ fn s4_7_growth_rates_of_first_and_second_order_in_friction() {
     let mus = [0.0015625, 0.003125, 0.00625, 0.0125, 0.025, 0.05];
     for pair in mus.windows(2) {
         let ((odd, even), (odd_2, even_2)) = (split(pair[0]), split(pair[1]));
-        println!(
-            "mu {}: odd {odd:e} factor {}, even {even:e} factor {}",
-            pair[0],
-            odd_2 / odd,
-            even_2 / even
-        );
         assert!((odd_2 / odd).log2() > 1.95 && (odd_2 / odd).log2() < 2.12);
         if pair[1] < 0.01 {
             observed!(((even_2 / even).log2() - 1.0).abs(), 4e-3..=0.1);
@@ -278,8 +259,7 @@ fn s4_7_sign_of_the_index_over_random_bodies() {
             .wrapping_add(1_442_695_040_888_963_407);
         a + (b - a) * (seed >> 11) as f64 / (1_u64 << 53) as f64
     };
-    let (mut agree, mut asked, mut split, mut none) = (0, 0, [0, 0], 0);
-    let mut failures = Vec::new();
+    let (mut asked, mut failures) = (0, Vec::new());
     for number in 0..240 {
         let (a, b) = (between(0.40, 0.50), between(0.40, 0.50));
         let c = if number % 2 == 0 {
@@ -287,11 +267,7 @@ fn s4_7_sign_of_the_index_over_random_bodies() {
         } else {
             between(0.34, 0.39)
         };
-        let (p, q, r) = (
-            between(-0.02, 0.02),
-            between(-0.02, 0.02),
-            between(-0.02, 0.02),
-        );
+        let [p, q, r] = [0; 3].map(|_| between(-0.02, 0.02));
         let alpha = between(0.12, 0.25);
         let inertia = Matrix3::new(a, p, q, p, b, r, q, r, c);
         let body = bodies::eccentric_ball(0.02, 0.02, alpha, inertia).unwrap();
@@ -301,22 +277,13 @@ fn s4_7_sign_of_the_index_over_random_bodies() {
             Ok::<_, spinning_bodies::Error>(state.slow_swing().growth / rate)
         };
         let (Ok(plus), Ok(minus)) = (swing(1.0), swing(-1.0)) else {
-            none += 1;
             continue;
         };
         asked += 1;
-        if (minus > plus) == (chi > 0.0) {
-            agree += 1;
-        } else {
+        if (minus > plus) != (chi > 0.0) {
             failures.push((number, chi, plus, minus));
         }
-        if plus.min(minus) < 0.0 && plus.max(minus) > 0.0 {
-            split[number % 2] += 1;
-        }
     }
-    println!(
-        "{agree} of {asked} agree, {split:?} with one sense growing and the other not, {none} without a state: {failures:?}"
-    );
     assert!(asked >= 200);
-    assert_eq!(agree, asked, "{failures:?}");
+    assert!(failures.is_empty(), "{failures:?}");
 }

@@ -22,7 +22,6 @@ fn s4_7_a_spun_egg_stands_up() {
             .unwrap();
         let rows = run(&scene, 4.0, 400, 1e-6);
         let end = last(&rows);
-        println!("{spin} rad/s: {}", end.tilt());
         if stands {
             assert!(end.tilt() < 0.05);
             assert!(end.position.z() > 2.99, "C has risen from 2 to 3 cm");
@@ -44,7 +43,6 @@ fn s4_7_most_convex_bodies_raise_their_centre() {
         .with(Viscous::new(0.02).unwrap())
         .unwrap();
     let end = last(&run(&scene, 8.0, 400, 1e-6));
-    println!("oblate: {} height {}", end.tilt(), end.position.z());
     assert!((end.tilt() - FRAC_PI_2).abs() < 0.05 && end.position.z() > 1.99);
 }
 
@@ -70,7 +68,6 @@ fn s4_7_how_far_an_egg_rises() {
         let end = degrees(&last(&rows));
         // Off the axis of symmetry both ends are alike.
         let end = end.min(180.0 - end);
-        println!("mu {mu}, {turns} rev/s: {end} deg against {expected}");
         // The table's start differs in the azimuth of the first tremble: 2° where the rise is stopped on the way.
         assert!(
             (end - expected).abs() < 2.0,
@@ -78,7 +75,6 @@ fn s4_7_how_far_an_egg_rises() {
         );
         if (mu, turns) == (0.1, 20.0) {
             let upright = passage(&rows, |s| -degrees(s).min(180.0 - degrees(s)), -10.0).unwrap();
-            println!("within 10 deg at {upright} s");
             observed!((upright - 1.63).abs(), 2e-3..=0.1);
         }
     }

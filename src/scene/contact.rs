@@ -679,8 +679,15 @@ impl Flow<NUMBERS> for OnTheTable {
                 Mode::Leaving
             }
             Mode::Leaving if slip < 0.5 * self.left(law) => self.stopped(law, y),
+            Mode::Stopping if slip <= 2.0 * self.still() => self.stopped(law, y),
+            Mode::Stopping if slip < 0.5 * self.left(law) => {
+                // It has gone past its rest, or it has come as near as the steps are exact.
+                match self.held_by(law, &Pose::of(y)) > 0.0 {
+                    true => self.stopped(law, y),
+                    false => Mode::Leaving,
+                }
+            }
             Mode::Stopping if slip > NEAR * self.stopping_speed(law) => Mode::Sliding,
-            Mode::Stopping => self.stopped(law, y),
             _ => Mode::Stopping,
         })
     }

@@ -24,7 +24,7 @@
 //! |  | [`scene`] | a body, how it is held, its effects; the plan that follows, the motion and its ledger | within the accuracy asked, or refused; an estimate with every answer |
 //! |  | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn | their order; |L| kept to rounding by the geometric ones |
 //! |  | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix | half a unit in the last place for integrals, four for functions |
-//! |  | [`error`] | the one error type |  |
+//! |  | [`Error`] | the one error type |  |
 //!
 //! What was measured, and against what, stands on the front page of each module and with each function.
 //!
@@ -32,7 +32,7 @@
 
 pub mod conservation;
 pub mod elliptic;
-pub mod error;
+mod error;
 pub mod euler_equations;
 pub mod euler_top;
 pub mod falling_strip;

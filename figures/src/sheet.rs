@@ -45,7 +45,7 @@ fn withdrawn(values: &Values, until: f64) -> Result<Course> {
         values.of(&KAPPA),
         Load::weight(9.81),
         (Some(table), None, Some(&sheet)),
-        Moment::at_rest(),
+        Moment::default(),
         until,
     )
 }
@@ -59,7 +59,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let course = withdrawn(values, 10.0)?;
     let kappa = values.of(&KAPPA);
     let leaves = time_of(&course, Happening::LeavesSheet);
-    let stops = course.events().last().map_or(0.0, |event| event.time);
+    let stops = course.events.last().map_or(0.0, |event| event.time);
     let rolls = course
         .first(Happening::RollingBegins)
         .filter(|event| event.time < leaves);
@@ -98,7 +98,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let until = 1.16 * stops;
     // What happens, and the moments next to a jump of the slip.
     let mut corners = vec![0.0, JERK.min(leaves), leaves * (1.0 - 1e-12), until];
-    corners.extend(course.events().iter().map(|event| event.time));
+    corners.extend(course.events.iter().map(|event| event.time));
     corners.sort_by(f64::total_cmp);
     let slips: Vec<f64> = corners.iter().map(|&t| course.at(t).slip).collect();
     let least = slips.iter().copied().fold(0.0, f64::min);

@@ -14,8 +14,8 @@ use std::time::Instant;
 use shared::only_tested;
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{
-    Characteristic, Jacobi, Modulus, Parameter, carlson, incomplete_first, incomplete_second,
-    incomplete_third, sn_cn_dn,
+    Characteristic, Jacobi, Modulus, Parameter, incomplete_first, incomplete_second,
+    incomplete_third, rc, rd, rf, rj, sn_cn_dn,
 };
 use support::Uniform;
 
@@ -85,17 +85,13 @@ const INTEGRALS: [Integral; 11] = [
     }),
     ("Pi", "0 < n < 1", angle, third),
     ("Pi", "-1 < n < 0", negative_angle, third),
-    ("RF", "0 to 1", four, |[x, y, z, _]| carlson::rf(*x, *y, *z)),
-    ("RF", "1e-20 to 1e20", wide, |[x, y, z, _]| {
-        carlson::rf(*x, *y, *z)
-    }),
-    ("RC", "0 to 1", four, |[x, y, ..]| carlson::rc(*x, *y)),
-    ("RD", "0 to 1", four, |[x, y, z, _]| carlson::rd(*x, *y, *z)),
-    ("RJ", "0 to 1", four, |[x, y, z, p]| {
-        carlson::rj(*x, *y, *z, *p)
-    }),
+    ("RF", "0 to 1", four, |[x, y, z, _]| rf(*x, *y, *z)),
+    ("RF", "1e-20 to 1e20", wide, |[x, y, z, _]| rf(*x, *y, *z)),
+    ("RC", "0 to 1", four, |[x, y, ..]| rc(*x, *y)),
+    ("RD", "0 to 1", four, |[x, y, z, _]| rd(*x, *y, *z)),
+    ("RJ", "0 to 1", four, |[x, y, z, p]| rj(*x, *y, *z, *p)),
     ("RJ", "1e-20 to 1e20", wide, |[x, y, z, p]| {
-        carlson::rj(*x, *y, *z, *p)
+        rj(*x, *y, *z, *p)
     }),
 ];
 

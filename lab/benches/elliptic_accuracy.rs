@@ -7,9 +7,9 @@ use std::collections::BTreeMap;
 
 use shared::only_tested;
 use spinning_bodies::elliptic::{
-    Characteristic, Parameter, carlson, complete_b, complete_d, complete_first,
-    complete_first_excess, complete_second, complete_third, incomplete_first, incomplete_second,
-    incomplete_third,
+    Characteristic, Parameter, complete_b, complete_d, complete_first, complete_first_excess,
+    complete_second, complete_third, incomplete_first, incomplete_second, incomplete_third, rc, rd,
+    rf, rg, rj,
 };
 
 mod shared;
@@ -150,27 +150,23 @@ fn values(function: &str, a: &[&str]) -> Option<[Option<f64>; 3]> {
             }
         }
         "RF" => [
-            carlson::rf(x(0), x(1), x(2)).ok(),
+            rf(x(0), x(1), x(2)).ok(),
             ellip::elliprf(x(0), x(1), x(2)).ok(),
             None,
         ],
-        "RC" => [
-            carlson::rc(x(0), x(1)).ok(),
-            ellip::elliprc(x(0), x(1)).ok(),
-            None,
-        ],
+        "RC" => [rc(x(0), x(1)).ok(), ellip::elliprc(x(0), x(1)).ok(), None],
         "RD" => [
-            carlson::rd(x(0), x(1), x(2)).ok(),
+            rd(x(0), x(1), x(2)).ok(),
             ellip::elliprd(x(0), x(1), x(2)).ok(),
             None,
         ],
         "RG" => [
-            carlson::rg(x(0), x(1), x(2)).ok(),
+            rg(x(0), x(1), x(2)).ok(),
             ellip::elliprg(x(0), x(1), x(2)).ok(),
             None,
         ],
         "RJ" => [
-            carlson::rj(x(0), x(1), x(2), x(3)).ok(),
+            rj(x(0), x(1), x(2), x(3)).ok(),
             ellip::elliprj(x(0), x(1), x(2), x(3)).ok(),
             None,
         ],

@@ -13,7 +13,7 @@ use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::geometric::{
     DoubleDouble, FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov,
-    MuntheKaas, Nothing, Order, Phase, Real, VeselovOrder, Weight,
+    MuntheKaas, Order, Phase, Real, VeselovOrder, Weight,
 };
 use spinning_bodies::integrators::{Effort, Method};
 
@@ -67,7 +67,7 @@ fn free_methods() -> Result<Vec<Box<dyn Integrator>>> {
         all.push(Box::new(MoserVeselov::new(MOMENTS, order)?));
     }
     all.push(Box::new(GroupMidpoint::new(MOMENTS)?));
-    all.push(Box::new(MuntheKaas::new(MOMENTS, Nothing)?));
+    all.push(Box::new(MuntheKaas::new(MOMENTS, ())?));
     Ok(all)
 }
 
@@ -177,7 +177,7 @@ fn steps() -> Result<()> {
         (Method::Rk4, Effort::Step(h)),
         (Method::Dop853, Effort::Tolerance(1e-10)),
     ] {
-        let general = GeneralMethod::new(MOMENTS, Nothing, method)?;
+        let general = GeneralMethod::new(MOMENTS, (), method)?;
         let end = if method == Method::Rk4 {
             h * COUNT as f64
         } else {
@@ -192,7 +192,7 @@ fn steps() -> Result<()> {
         report(
             &format!("{} of the crate", method.name()),
             time,
-            course.phases[0].q,
+            course.states[0].q,
         );
     }
     println!("\nheavy bodies: ns a step");
@@ -226,8 +226,8 @@ fn order_eight() -> Result<()> {
     };
     let weight = Weight::new(LEVER)?;
     let free: [Box<dyn Follow>; 2] = [
-        Box::new(GeneralMethod::new(MOMENTS, Nothing, Method::Dop853)?),
-        Box::new(DormandPrince8::new(MOMENTS, Nothing)?),
+        Box::new(GeneralMethod::new(MOMENTS, (), Method::Dop853)?),
+        Box::new(DormandPrince8::new(MOMENTS, ())?),
     ];
     let heavy: [Box<dyn Follow>; 2] = [
         Box::new(GeneralMethod::new(MOMENTS, weight, Method::Dop853)?),
@@ -242,7 +242,7 @@ fn order_eight() -> Result<()> {
     );
     for (what, methods, exact) in [
         ("free", free, [exact.w, exact.i, exact.j, exact.k]),
-        ("heavy, unequal moments", heavy, truth.phases[0].q),
+        ("heavy, unequal moments", heavy, truth.states[0].q),
     ] {
         println!("{what}");
         let mut curves: Vec<Vec<(f64, f64)>> = Vec::new();
@@ -252,7 +252,7 @@ fn order_eight() -> Result<()> {
                 let effort = Effort::Tolerance(10.0_f64.powi(-decade));
                 let course = method.follow(&start, &[t], effort)?;
                 let steps = course.cost.steps;
-                let error = angle(course.phases[0].q, exact);
+                let error = angle(course.states[0].q, exact);
                 let time = least(60, || {
                     let _ = black_box(method.follow(black_box(&start), &[t], effort));
                 });

@@ -2,8 +2,8 @@
 
 use spinning_bodies::euler_equations::{AxisMoments, quaternion_rate};
 use spinning_bodies::frame::BodyVector;
-use spinning_bodies::integrators::geometric::{Course, Integrator, Phase, Torque, follow};
-use spinning_bodies::integrators::{Effort, Kept, System, order_eight};
+use spinning_bodies::integrators::geometric::{Integrator, Phase, Torque, follow};
+use spinning_bodies::integrators::{Effort, Kept, Solution, System, order_eight};
 use spinning_bodies::{Error, Result};
 
 /// A method that can be asked for a motion by step or by tolerance.
@@ -19,7 +19,7 @@ pub trait Follow {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`] for times and effort; [`Error::Integration`], [`Error::Accuracy`] where the method cannot;
     /// [`Error::Solver`] for a tolerance where a method has steps of one length.
-    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course>;
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Solution<Phase>>;
 }
 
 /// Between two samples steps of one length, not above the one given.
@@ -32,7 +32,7 @@ impl<I: Integrator> Follow for I {
         Some(Integrator::order(self))
     }
 
-    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Solution<Phase>> {
         let Effort::Step(step) = effort else {
             return Err(Error::Solver {
                 condition: "a method with steps of one length must be given a step",
@@ -103,7 +103,7 @@ impl<N: Torque<f64>> Follow for DormandPrince8<N> {
         Some(8)
     }
 
-    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Solution<Phase>> {
         let ([a, b, c], [w, x, y, z]) = (start.l, unit(start)?);
         let size = (a * a + b * b + c * c).sqrt().max(f64::MIN_POSITIVE);
         let scales = [size, size, size, 1.0, 1.0, 1.0, 1.0];
@@ -115,8 +115,8 @@ impl<N: Torque<f64>> Follow for DormandPrince8<N> {
             let q = unit(&Phase { l, q })?;
             Ok(Phase { l, q })
         });
-        Ok(Course {
-            phases: phases.collect::<Result<_>>()?,
+        Ok(Solution {
+            states: phases.collect::<Result<_>>()?,
             cost: run.cost,
         })
     }

@@ -354,7 +354,7 @@ fn not_zero(last: f64) -> Result<f64> {
 /// Library of Mathematical Functions, 19.36.
 ///
 /// ```
-/// use spinning_bodies::elliptic::carlson::rf;
+/// use spinning_bodies::elliptic::rf;
 /// // R_F(0, y, 1) for y → 0 is ln(4/√y).
 /// assert!((rf(0.0, 1e-300, 1.0)? - (4f64.ln() + 150.0 * 10f64.ln())).abs() < 1e-13);
 /// # Ok::<(), spinning_bodies::Error>(())
@@ -379,7 +379,7 @@ pub fn rf(x: f64, y: f64, z: f64) -> Result<f64> {
 /// If x is negative, y is zero, or one is not finite.
 ///
 /// ```
-/// use spinning_bodies::elliptic::carlson::rc;
+/// use spinning_bodies::elliptic::rc;
 /// assert!((rc(0.0, 1.0)? - std::f64::consts::FRAC_PI_2).abs() < 3e-16);
 /// assert!((rc(2.0, 1.0)? - 1.0_f64.asinh()).abs() < 3e-16);
 /// # Ok::<(), spinning_bodies::Error>(())
@@ -400,7 +400,7 @@ pub fn rc(x: f64, y: f64) -> Result<f64> {
 /// If x or y is negative, both are zero, z is not positive, or one is not finite; [`Error::NotFinite`] for a value beyond the greatest double.
 ///
 /// ```
-/// use spinning_bodies::elliptic::carlson::rd;
+/// use spinning_bodies::elliptic::rd;
 /// // All arguments alike: the power alone.
 /// assert!((rd(4.0, 4.0, 4.0)? - 0.125).abs() < 1e-16);
 /// # Ok::<(), spinning_bodies::Error>(())
@@ -423,10 +423,10 @@ pub fn rd(x: f64, y: f64, z: f64) -> Result<f64> {
 /// greatest double.
 ///
 /// ```
-/// use spinning_bodies::elliptic::carlson::rj;
+/// use spinning_bodies::elliptic::rj;
 /// assert!((rj(4.0, 4.0, 4.0, 4.0)? - 0.125).abs() < 1e-16);
 /// // With p = z it is R_D.
-/// assert!((rj(1.0, 2.0, 3.0, 3.0)? / spinning_bodies::elliptic::carlson::rd(1.0, 2.0, 3.0)? - 1.0).abs() < 1e-15);
+/// assert!((rj(1.0, 2.0, 3.0, 3.0)? / spinning_bodies::elliptic::rd(1.0, 2.0, 3.0)? - 1.0).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
@@ -446,7 +446,7 @@ pub fn rj(x: f64, y: f64, z: f64, p: f64) -> Result<f64> {
 /// Mathematical Functions, 19.21.10, of which all terms have one sign.
 ///
 /// ```
-/// use spinning_bodies::elliptic::carlson::rg;
+/// use spinning_bodies::elliptic::rg;
 /// // A sphere: the mean of the radius.
 /// assert_eq!(rg(4.0, 4.0, 4.0)?, 2.0);
 /// # Ok::<(), spinning_bodies::Error>(())

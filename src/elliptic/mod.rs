@@ -19,7 +19,7 @@
 //! | [`complete_first`] K, [`complete_first_excess`] K − π/2, [`complete_second`] E, [`complete_d`] D, [`complete_b`] B, [`complete_third`] Π | complete integrals |
 //! | [`incomplete_first`] F, [`incomplete_second`] E, [`incomplete_third`] Π | at any angle |
 //! | [`inverse_sn`], [`inverse_cn`], [`inverse_dn`], [`inverse_cn_sn`] | the argument that belongs to a value |
-//! | [`carlson`] | the symmetric forms R_F, R_C, R_D, R_J, R_G of any doubles |
+//! | [`rf`], [`rc`], [`rd`], [`rj`], [`rg`] | Carlson's symmetric forms R_F, R_C, R_D, R_J, R_G of any doubles |
 //!
 //! # How right it is
 //!
@@ -46,7 +46,7 @@
 //! complete integral and 0.3–9 µs an incomplete one here, where the peer's own report gives 0.01–0.3 µs. Beside Boost in long double, which has 64 bits, in one
 //! run: F 1.6–1.8 of its time, E(φ) 0.8, Π(φ) 0.7, R_F 1.9–2.0, R_D 0.6, R_J 0.6–0.8, R_C 3.6, R_G 1.5 (`cargo bench -p lab --bench elliptic` prints them).
 
-pub mod carlson;
+mod carlson;
 mod integrals;
 mod jacobi;
 pub(crate) mod landen;
@@ -55,6 +55,7 @@ pub(crate) mod modulus;
 mod parameter;
 pub(crate) mod theta;
 
+pub use carlson::{rc, rd, rf, rg, rj};
 pub use integrals::{
     complete_b, complete_d, complete_first, complete_first_excess, complete_second, complete_third,
     incomplete_first, incomplete_second, incomplete_third, inverse_cn, inverse_cn_sn, inverse_dn,

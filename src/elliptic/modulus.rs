@@ -173,14 +173,7 @@ impl Modulus {
     }
 
     /// The parameter this was prepared for.
-    ///
-    /// ```
-    /// use spinning_bodies::elliptic::{Modulus, Parameter};
-    /// let half = Parameter::from_parameter(0.5)?;
-    /// assert_eq!(Modulus::new(half).parameter(), half);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn parameter(&self) -> Parameter {
+    pub(crate) fn parameter(&self) -> Parameter {
         self.parameter
     }
 

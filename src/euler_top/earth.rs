@@ -11,9 +11,6 @@ pub const DYNAMICAL_ELLIPTICITY: f64 = 1.0 / 305.456;
 /// One turn of the Earth, in solar days: 86 164.0905 s of 86 400 s (quoted).
 pub const SIDEREAL_DAY: f64 = 86_164.090_5 / 86_400.0;
 
-/// Love number k₂ of the solid Earth, dimensionless (quoted): how much of the potential of a tide its bulge gives back.
-pub const LOVE_NUMBER: f64 = 0.30;
-
 /// Mean rotation rate, rad/s (quoted).
 pub(crate) const ROTATION_RATE: f64 = 7.292_115e-5;
 

@@ -39,7 +39,14 @@ pub struct Poinsot {
     /// +1 if the ascending axes are right-handed, −1 if not.
     hand: f64,
     units: Units,
-    sector: Sector,
+    /// About which axis the polhode goes, decided once.
+    pub sector: Sector,
+    /// Semi-axes √(2E/I_i) of the ellipsoid Θ: ⟨Ix, x⟩ = 2E, rad/s, in the order of the given axes (6.2).
+    ///
+    /// A few units in the last place, at any scale.
+    pub semi_axes: [f64; 3],
+    /// Distance of the plane Π: ⟨L, x⟩ = 2E from the centre, 2E/|L|, rad/s: the component of Ω along L, always (6.2).
+    pub plane_distance: f64,
     /// √(L² − 2EI₁), √|L² − 2EI₂|, √(2EI₃ − L²), over the unit of L.
     roots: [f64; 3],
 }
@@ -68,7 +75,7 @@ impl Poinsot {
     /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
     /// // I = (1, 2, 3), Omega = (1, 1, 1): the plane stands at 6/sqrt(14).
     /// let picture = Poinsot::new([1.0, 2.0, 3.0], BodyVector::new(1.0, 2.0, 3.0))?;
-    /// assert!((picture.plane_distance() - 1.603567451474546308).abs() < 4e-16);
+    /// assert!((picture.plane_distance - 1.603567451474546308).abs() < 4e-16);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(moments: [f64; 3], l: BodyVector) -> Result<Self> {
@@ -112,9 +119,17 @@ impl Poinsot {
                 l: exponent_of(unit),
             },
             sector: Sector::Point,
+            semi_axes: [0.0; 3],
+            plane_distance: 0.0,
             roots: [0.0; 3],
         };
         picture.decide();
+        let root = picture.energy_root();
+        picture.semi_axes = picture.unsorted(
+            picture.moments.map(|i| root / i.sqrt()),
+            picture.units.omega,
+        );
+        picture.plane_distance = picture.in_units(root * (root / picture.length()));
         Ok(picture)
     }
 
@@ -149,54 +164,6 @@ impl Poinsot {
         };
     }
 
-    /// About which axis the polhode goes, decided once.
-    ///
-    /// ```
-    /// use spinning_bodies::{euler_top::{Poinsot, Sector}, frame::BodyVector};
-    /// // I1 (I2 - I1) Omega1^2 = I3 (I3 - I2) Omega3^2, exactly.
-    /// let on_it = Poinsot::new([1.5, 3.0, 4.0], BodyVector::new(1.0, 5.0, 2.0))?;
-    /// assert_eq!(on_it.sector(), Sector::Separatrix);
-    /// let beside = Poinsot::new([1.5, 3.0, 4.0], BodyVector::new(1.0, 5.0, 2.0 + 4.5e-16))?;
-    /// assert_eq!(beside.sector(), Sector::AroundLargest);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn sector(&self) -> Sector {
-        self.sector
-    }
-
-    /// Semi-axes √(2E/I_i) of the ellipsoid Θ: ⟨Ix, x⟩ = 2E, rad/s, in the order of the given axes (6.2).
-    ///
-    /// A few units in the last place, at any scale.
-    ///
-    /// ```
-    /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
-    /// let picture = Poinsot::new([4.0, 1.0, 9.0], BodyVector::new(4.0, 1.0, 9.0))?; // 2E = 14
-    /// let [a, b, c] = picture.semi_axes();
-    /// let long = 14f64.sqrt();
-    /// assert!((b / long - 1.0).abs() < 4e-16);
-    /// assert!((2.0 * a / long - 1.0).abs() < 4e-16 && (3.0 * c / long - 1.0).abs() < 4e-16);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn semi_axes(&self) -> [f64; 3] {
-        let root = self.energy_root();
-        self.unsorted(self.moments.map(|i| root / i.sqrt()), self.units.omega)
-    }
-
-    /// Distance of the plane Π: ⟨L, x⟩ = 2E from the centre, 2E/|L|, rad/s: the component of Ω along L, always (6.2).
-    ///
-    /// ```
-    /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
-    /// let picture = Poinsot::new([1.0, 2.0, 3.0], BodyVector::new(0.4, 0.6, 3.0))?;
-    /// let omega = picture.polhode(2.0);
-    /// let along_l = omega.dot(&picture.polhode_of_l(2.0)) / 9.52f64.sqrt();
-    /// assert!((along_l / picture.plane_distance() - 1.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn plane_distance(&self) -> f64 {
-        let root = self.energy_root();
-        self.in_units(root * (root / self.length()))
-    }
-
     /// A point of the polhode, Ω in body axes, at the parameter `s` in radians (6.3).
     ///
     /// One turn of `s` is the closed curve, and `s` grows with the motion: it is the amplitude of the elliptic functions of
@@ -209,7 +176,7 @@ impl Poinsot {
     /// ```
     /// use spinning_bodies::{euler_top::{Poinsot, Sector}, frame::BodyVector};
     /// let picture = Poinsot::new([1.0, 2.0, 3.0], BodyVector::new(0.4, 0.6, 3.0))?;
-    /// assert_eq!(picture.sector(), Sector::AroundLargest);
+    /// assert_eq!(picture.sector, Sector::AroundLargest);
     /// let omega = picture.polhode(1.0);
     /// let (e2, l2) = (omega.x().powi(2) + 2.0 * omega.y().powi(2) + 3.0 * omega.z().powi(2),
     ///     omega.x().powi(2) + 4.0 * omega.y().powi(2) + 9.0 * omega.z().powi(2));

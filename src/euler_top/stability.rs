@@ -171,7 +171,7 @@ pub fn flip_time_asymptote(moments: &PrincipalMoments, omega: BodyVector) -> Res
     let l = BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z());
     let picture = Poinsot::new([i1, i2, i3], l)?;
     let [d1, d2, d3] = picture.difference_roots();
-    let (rate, root) = match picture.sector() {
+    let (rate, root) = match picture.sector {
         Sector::AroundSmallest => (
             ((i2 - i1) / i1).sqrt() * (d3 / i2.sqrt() / i3.sqrt()),
             ((i3 - i1) / (i2 - i1)).sqrt() * (d2 / d3),

@@ -31,7 +31,8 @@ pub struct Cones {
 pub struct SymmetricTop {
     transverse: f64,
     axial: f64,
-    shape: Shape,
+    /// Oblate, spherical or prolate.
+    pub shape: Shape,
     /// I₃/I₁ − 1, from the exact difference of the moments.
     excess: DoubleDouble,
 }
@@ -87,17 +88,6 @@ impl SymmetricTop {
     /// ```
     pub fn axial(&self) -> f64 {
         self.axial
-    }
-
-    /// Oblate, spherical or prolate.
-    ///
-    /// ```
-    /// use spinning_bodies::euler_top::{Shape, SymmetricTop};
-    /// assert_eq!(SymmetricTop::new(1.0, 1.5)?.shape(), Shape::Oblate);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn shape(&self) -> Shape {
-        self.shape
     }
 
     /// Rate at which Ω circles the axis, seen from the body: Ω₃(I₃/I₁ − 1), rad/s; positive means with the spin (6.5).

@@ -12,12 +12,9 @@ use crate::frame::{Attitude, BodyVector};
 pub const MOMENTS: [f64; 3] = [3.0836, 3.235, 1.0];
 
 /// Ω along the same axes at the epoch of the solution, 9 November 1992, 17:49:47 UT, degrees a day (quoted: the same).
-pub const OMEGA: [f64; 3] = [14.51, 33.529, -98.709];
+const OMEGA: [f64; 3] = [14.51, 33.529, -98.709];
 
-/// Moments about the long, the middle and the short axis over that about the long one (quoted: radar, 1992, Hudson and Ostro 1995).
-pub const EARLIER_MOMENTS: [f64; 3] = [1.0, 3.09, 3.22];
-
-/// Toutatis from the epoch of [`OMEGA`] on, in seconds: a free top, its attitude at the epoch taken as the identity.
+/// Toutatis from the epoch of the solution of radar on, in seconds: a free top, its attitude at the epoch taken as the identity.
 ///
 /// Its moments are ratios, so energy and |L| are in units of the moment about the long axis. The torques of Sun and Earth, which
 /// change both periods a little at each passage of the Earth, are left out.
@@ -46,11 +43,12 @@ pub fn top() -> Result<EulerTop> {
 /// [`Error::NotPositive`] or [`Error::NotFinite`] for a moment; [`Error::Condition`] if they do not ascend; [`Error::OutOfRange`] for the ratio; those of [`EulerTop::new`].
 ///
 /// ```
-/// use spinning_bodies::euler_top::toutatis::{EARLIER_MOMENTS, mode};
-/// let asteroid = mode(EARLIER_MOMENTS, 1.69770)?;
+/// use spinning_bodies::euler_top::toutatis::mode;
+/// let moments = [1.0, 3.09, 3.22]; // Hudson and Ostro 1995
+/// let asteroid = mode(moments, 1.69770)?;
 /// let turns = asteroid.mean_precession_rate() * asteroid.period() / core::f64::consts::TAU;
 /// assert!((turns - 5.41 / 7.35).abs() < 2e-6);
-/// assert!(mode(EARLIER_MOMENTS, 0.99).is_err() && mode([1.0; 3], 1.0).is_err());
+/// assert!(mode(moments, 0.99).is_err() && mode([1.0; 3], 1.0).is_err());
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn mode(moments: [f64; 3], ratio: f64) -> Result<EulerTop> {

@@ -96,12 +96,7 @@ impl Method {
     }
 
     /// Whether the step is chosen by an error estimate, and [`Effort::Tolerance`] asked for; if not, [`Effort::Step`].
-    ///
-    /// ```
-    /// use spinning_bodies::integrators::Method;
-    /// assert!(Method::Dop853.is_adaptive() && !Method::Rk4.is_adaptive());
-    /// ```
-    pub const fn is_adaptive(self) -> bool {
+    pub(crate) const fn is_adaptive(self) -> bool {
         !matches!(self, Self::Rk4 | Self::Gauss)
     }
 }
@@ -133,9 +128,9 @@ impl core::ops::AddAssign for Cost {
 
 /// States at the times asked for, in their order.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Solution<const N: usize> {
+pub struct Solution<Y> {
     /// One state a time.
-    pub states: Vec<[f64; N]>,
+    pub states: Vec<Y>,
     /// What it has cost.
     pub cost: Cost,
 }

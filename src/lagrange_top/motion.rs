@@ -236,19 +236,6 @@ impl LagrangeTop {
         self.kind
     }
 
-    /// L₃ = I₃Ω₃, kg m²/s: constant (7.2).
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
-    /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
-    /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
-    /// assert_eq!(top.axial_angular_momentum(), 0.5 * 9.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn axial_angular_momentum(&self) -> f64 {
-        self.body.axial * self.omega.z()
-    }
-
     /// L_vert, the component of L along the vertical, kg m²/s: constant (7.2).
     ///
     /// ```

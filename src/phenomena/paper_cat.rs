@@ -37,13 +37,7 @@ impl PaperCat {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite); the lever may have any sign.
-    ///
-    /// ```
-    /// use spinning_bodies::phenomena::PaperCat;
-    /// assert!(PaperCat::POSTCARD.checked().is_ok());
-    /// assert!(PaperCat { mass: 0.0, ..PaperCat::POSTCARD }.checked().is_err());
-    /// ```
-    pub fn checked(self) -> Result<Self> {
+    pub(crate) fn checked(self) -> Result<Self> {
         positive("the mass", self.mass)?;
         positive("the area", self.area)?;
         positive("the radius of gyration", self.gyration)?;

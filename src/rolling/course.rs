@@ -23,7 +23,8 @@ pub struct Event {
 #[derive(Debug, Clone)]
 pub struct Course {
     stretches: Vec<Stretch>,
-    events: Vec<Event>,
+    /// What happens, in order.
+    pub events: Vec<Event>,
     has_sheet: bool,
 }
 
@@ -137,20 +138,6 @@ impl Course {
         let place = self.stretches.partition_point(|s| s.start <= t);
         let stretch = &self.stretches[place.saturating_sub(1)];
         stretch.at(t - stretch.start)
-    }
-
-    /// What happens, in order.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::{Coulomb, Course, Load, Moment};
-    /// // A ball pushed at 7 m/s without spin, μg = 2 m/s²: it slides for a second and rolls with 5 m/s.
-    /// let (load, felt) = (Load::weight(10.0), Coulomb::new(0.2)?);
-    /// let course = Course::new(0.4, load, (Some(felt), None, None), Moment::moving(7.0, 0.0), 3.0)?;
-    /// assert!((course.events()[0].time - 1.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn events(&self) -> &[Event] {
-        &self.events
     }
 
     /// The first of a kind.

@@ -39,8 +39,8 @@ impl Load {
     }
 }
 
-/// Where the body is and how it moves.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Where the body is and how it moves; by default at rest.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Moment {
     /// Position of the centre along the table, m.
@@ -61,16 +61,6 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// At rest at the origin.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::Moment;
-    /// assert_eq!(Moment::at_rest().energy(0.4), 0.0);
-    /// ```
-    pub const fn at_rest() -> Self {
-        Self::moving(0.0, 0.0)
-    }
-
     /// At the origin with this velocity and rim speed (m/s), over ground at rest. Where the slip is known better than as the difference of
     /// the two, set it.
     ///
@@ -123,12 +113,7 @@ impl Moment {
     }
 
     /// Angular momentum about the line of contact over MR: V + κRΩ, m/s. No friction changes it.
-    ///
-    /// ```
-    /// use spinning_bodies::rolling::Moment;
-    /// assert_eq!(Moment::moving(3.0, 1.0).about_the_table(0.5), 3.5);
-    /// ```
-    pub fn about_the_table(&self, kappa: f64) -> f64 {
+    pub(crate) fn about_the_table(&self, kappa: f64) -> f64 {
         self.velocity + kappa * self.rim_speed
     }
 }

@@ -298,7 +298,7 @@ impl Spool {
         let load = self.load(tug, gravity)?;
         let effects = (friction, resistance, None);
         let kappa = self.body.inertia_factor();
-        Course::new(kappa, load, effects, Moment::at_rest(), until)
+        Course::new(kappa, load, effects, Moment::default(), until)
     }
 
     /// Length of string on the axle since the start, m, from what the rim has turned: positive is wound up.
@@ -306,7 +306,7 @@ impl Spool {
     /// ```
     /// use spinning_bodies::rolling::{Moment, RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
-    /// let moment = Moment { turned: 0.4, ..Moment::at_rest() };
+    /// let moment = Moment { turned: 0.4, ..Moment::default() };
     /// assert_eq!(spool.wound(&moment), 0.2);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

@@ -142,12 +142,7 @@ impl<S: 'static> Columns<S> {
     }
 
     /// What the numbers are.
-    ///
-    /// ```
-    /// use spinning_bodies::scene::{Tabulated, top::State};
-    /// assert!(State::columns().columns().any(|column| column.name == "energy" && column.unit == "J"));
-    /// ```
-    pub fn columns(&self) -> impl Iterator<Item = Column> {
+    pub(crate) fn columns(&self) -> impl Iterator<Item = Column> {
         self.0.iter().map(|(column, _)| *column)
     }
 
@@ -160,13 +155,7 @@ impl<S: 'static> Columns<S> {
     }
 
     /// All numbers of a state.
-    ///
-    /// ```
-    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Tabulated, top::State}};
-    /// let state = State { attitude: Attitude::identity(), omega: BodyVector::new(1.0, 2.0, 3.0), energy: 4.0 };
-    /// assert_eq!(State::columns().row(&state), [1.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
-    /// ```
-    pub fn row(&self, state: &S) -> Vec<f64> {
+    pub(crate) fn row(&self, state: &S) -> Vec<f64> {
         self.0.iter().map(|(_, of)| of(state)).collect()
     }
 }

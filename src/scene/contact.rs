@@ -56,10 +56,10 @@ impl TableTop {
     /// The body, touching the table, without any effect: a free body.
     ///
     /// ```
-    /// use spinning_bodies::scene::contact::TableTop;
+    /// use spinning_bodies::scene::{contact::TableTop, effects::Gravity};
     /// use spinning_bodies::tippe_top::{Start, bodies};
     /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
-    /// assert_eq!(scene.body().mass(), 0.02);
+    /// assert!(scene.with(Gravity::new(9.81)?).is_ok());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub const fn new(body: ConvexBody, start: Start) -> Self {
@@ -101,19 +101,6 @@ impl TableTop {
             }
         }
         Ok(self)
-    }
-
-    /// The body.
-    ///
-    /// ```
-    /// use spinning_bodies::scene::contact::TableTop;
-    /// use spinning_bodies::tippe_top::{Start, bodies};
-    /// let scene = TableTop::new(bodies::tippe_top()?, Start::about_third_axis(0.1, 0.0, 155.0)?);
-    /// assert_eq!(*scene.body(), bodies::tippe_top()?);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn body(&self) -> &ConvexBody {
-        &self.body
     }
 
     /// When the body slides, rolls and hops, up to the last of the times asked for.

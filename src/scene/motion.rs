@@ -210,13 +210,7 @@ impl Request {
     }
 
     /// The time furthest from the start, s.
-    ///
-    /// ```
-    /// use spinning_bodies::scene::Request;
-    /// assert_eq!(Request::at([1.0, -3.0])?.furthest(), -3.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn furthest(&self) -> f64 {
+    pub(crate) const fn furthest(&self) -> f64 {
         self.furthest
     }
 

@@ -56,7 +56,7 @@ impl TuggedSpool {
         Ok(Self {
             spool,
             gravity,
-            start: Moment::at_rest(),
+            start: Moment::default(),
             load: Load::weight(gravity),
             friction: None,
             resistance: None,

@@ -57,7 +57,7 @@ pub fn swings_of_both_senses(
     friction: Regularised,
     spin: f64,
 ) -> Result<[Rate; 2]> {
-    let swing = |spin| Ok(quasi_steady(body, gravity, friction, spin)?.slow_swing());
+    let swing = |spin| Ok(quasi_steady(body, gravity, friction, spin)?.slow_swing);
     Ok([swing(spin)?, swing(-spin)?])
 }
 

@@ -65,14 +65,7 @@ impl HoopWithClay {
     }
 
     /// CO, from C to the point of contact, in the picture's axes, m: r = ε e − R z.
-    ///
-    /// ```
-    /// use spinning_bodies::tippe_top::HoopWithClay;
-    /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
-    /// assert_eq!(hoop.arm(0.0).z(), -0.5);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn arm(&self, tilt: f64) -> SpaceVector {
+    fn arm(&self, tilt: f64) -> SpaceVector {
         let (sin, cos) = tilt.sin_cos();
         let offset = self.alpha * self.radius;
         SpaceVector::new(offset * sin, 0.0, offset * cos - self.radius)

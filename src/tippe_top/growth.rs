@@ -30,6 +30,8 @@ pub struct QuasiSteady {
     /// over the spin, a first order of friction that is the same for both senses. The coordinates here: two of the vertical, Ω, two of the velocity of C. The Jacobian is taken by differences of fourth order over 2% of
     /// what bends the law: relative error about 1e-7 in the fastest rates.
     pub growth_rates: [Rate; 6],
+    /// The slow swing, the pair of eigenvalues with the least frequency: whether a tippe top begins to turn over.
+    pub slow_swing: Rate,
 }
 
 /// The quasi-steady sliding state at `spin` (rad/s about the vertical) with the third axis nearly upright.
@@ -73,10 +75,15 @@ pub fn quasi_steady(
     }
     let (up, level) = steady(&table, &x);
     let contact = table.sliding(&up, &(up * spin), &level);
+    let growth_rates = growth_rates(&table, up, [level.x, level.y], spin)?;
+    let [slow_swing, ..] = sorted(growth_rates, |a, b| {
+        a.frequency.abs().total_cmp(&b.frequency.abs())
+    });
     Ok(QuasiSteady {
         tilt: up.x.hypot(up.y).atan2(up.z),
         spin_rate: up.dot(&contact.omega_rate),
-        growth_rates: growth_rates(&table, up, [level.x, level.y], spin)?,
+        growth_rates,
+        slow_swing,
     })
 }
 
@@ -178,30 +185,6 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
     Ok(sorted(rest, |a, b| b.re.total_cmp(&a.re)).map(Rate::from))
 }
 
-impl QuasiSteady {
-    /// The slow swing, the pair of eigenvalues with the least frequency: whether a tippe top begins to turn over.
-    ///
-    /// ```
-    /// use spinning_bodies::tippe_top::{Regularised, bodies, quasi_steady};
-    /// let state = quasi_steady(&bodies::chiral_top()?, 9.81, Regularised::new(0.3, 1e-3)?, 150.0)?;
-    /// // Of the six the one that goes round slowest.
-    /// let least = state.slow_swing().frequency.abs();
-    /// assert!(state.growth_rates.iter().all(|rate| rate.frequency.abs() >= least));
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn slow_swing(&self) -> Rate {
-        let [first, rest @ ..] = self.growth_rates;
-        let slower = |a: Rate, b: Rate| {
-            if b.frequency.abs() < a.frequency.abs() {
-                b
-            } else {
-                a
-            }
-        };
-        rest.into_iter().fold(first, slower)
-    }
-}
-
 impl From<Complex<f64>> for Rate {
     fn from(value: Complex<f64>) -> Self {
         Self {
@@ -211,10 +194,10 @@ impl From<Complex<f64>> for Rate {
     }
 }
 
-fn sorted<const N: usize>(
-    mut values: [Complex<f64>; N],
-    order: impl Fn(&Complex<f64>, &Complex<f64>) -> core::cmp::Ordering,
-) -> [Complex<f64>; N] {
+fn sorted<T, const N: usize>(
+    mut values: [T; N],
+    order: impl Fn(&T, &T) -> core::cmp::Ordering,
+) -> [T; N] {
     values.sort_by(order);
     values
 }

@@ -47,7 +47,7 @@ impl YoYo {
     /// ```
     /// use spinning_bodies::yo_yo::YoYo;
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// assert!((toy.inertia_factor() - 3.0).abs() < 1e-15);
+    /// assert!((toy.acceleration(0.0, 0.0, 8.0) - 2.0).abs() < 1e-15); // g/(1 + 3)
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(mass: f64, inertia: f64, length: f64, axle: f64) -> Result<Self> {
@@ -70,7 +70,7 @@ impl YoYo {
     ///
     /// ```
     /// use spinning_bodies::yo_yo::YoYo;
-    /// assert!((YoYo::disc(2.0, 0.1, 1.0, 0.01)?.inertia_factor() - 50.0).abs() < 1e-13);
+    /// assert!((YoYo::disc(2.0, 0.1, 1.0, 0.01)?.acceleration(0.0, 0.0, 51.0) - 1.0).abs() < 1e-13); // I = 50 m r²
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn disc(mass: f64, radius: f64, length: f64, axle: f64) -> Result<Self> {
@@ -107,14 +107,7 @@ impl YoYo {
     }
 
     /// Mass, kg.
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::YoYo;
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// assert_eq!(toy.mass(), 1.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn mass(&self) -> f64 {
+    pub(crate) const fn mass(&self) -> f64 {
         self.mass
     }
 
@@ -124,38 +117,17 @@ impl YoYo {
     }
 
     /// Length of the string, m.
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::YoYo;
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// assert_eq!(toy.length(), 1.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn length(&self) -> f64 {
+    pub(crate) const fn length(&self) -> f64 {
         self.length
     }
 
     /// Radius of the axle, m.
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::YoYo;
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// assert_eq!(toy.axle(), 0.01);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn axle(&self) -> f64 {
+    pub(crate) const fn axle(&self) -> f64 {
         self.axle
     }
 
     /// I/(m r²) with the radius of the bare axle, dimensionless.
-    ///
-    /// ```
-    /// use spinning_bodies::yo_yo::YoYo;
-    /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// assert!((toy.inertia_factor() - 3.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn inertia_factor(&self) -> f64 {
+    pub(crate) fn inertia_factor(&self) -> f64 {
         self.inertia / (self.mass * self.axle * self.axle)
     }
 

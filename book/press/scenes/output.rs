@@ -167,7 +167,9 @@ impl Motion<'_> {
         };
         if self.is_long() {
             // What cannot be followed to its end is refused before anything is written.
-            run(&[self.request.furthest()])?;
+            let farther = |a: &f64, b: &f64| a.abs().total_cmp(&b.abs());
+            let furthest = self.request.times().iter().copied().max_by(farther);
+            run(furthest.as_slice())?;
         }
         let mut told = None;
         for times in self.request.times().chunks(PART) {

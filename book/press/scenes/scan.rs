@@ -464,7 +464,11 @@ impl Scan {
             let mut all = self.overs.iter().flat_map(Over::paths);
             all.any(|path| path.split('.').take(2).eq(["body", key]))
         };
-        let there = |key: &&str| files::has(&self.text, &format!("body.{key}"));
+        let numbers = files::numbers(&self.text);
+        let there = |key: &&str| {
+            let mut all = numbers.iter();
+            all.any(|path| path.split('.').take(2).eq(["body", *key]))
+        };
         let stays = ABSOLUTE.into_iter().find(there);
         let (Some(stays), true, false) = (stays, varies("mass"), ABSOLUTE.into_iter().any(varies))
         else {

@@ -5,7 +5,7 @@ use lab::general::GeneralMethod;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::integrators::geometric::{
-    FreeSplitting, Integrator, MoserVeselov, Nothing, Order, Phase, VeselovOrder,
+    FreeSplitting, Integrator, MoserVeselov, Order, Phase, VeselovOrder,
 };
 use spinning_bodies::integrators::{Effort, Method};
 
@@ -45,7 +45,7 @@ pub fn energy_drift() -> Result<Figure> {
     let start = problem.start();
     let rotations = FreeSplitting::new(moments, Order::Two)?;
     let discrete = MoserVeselov::new(moments, VeselovOrder::Two)?;
-    let general = GeneralMethod::new(moments, Nothing, Method::Rk4)?;
+    let general = GeneralMethod::new(moments, (), Method::Rk4)?;
     let span = STEP * f64::from(STEPS);
     let by_steps = |method: &dyn Integrator| {
         let mut stepper = method.start(start, STEP)?;
@@ -60,7 +60,7 @@ pub fn energy_drift() -> Result<Figure> {
             followed(start, moments, |phase| {
                 *phase = general
                     .follow(phase, &[span], Effort::Step(STEP * (1.0 + 1e-9)))?
-                    .phases[0];
+                    .states[0];
                 Ok(())
             })?,
             stroke(Role::Muted, DATA),

@@ -72,7 +72,7 @@ fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[
     let truth = exact
         .method()
         .follow(first.start(), &times, Effort::Tolerance(0.0))?;
-    let pairs = found.phases.iter().zip(&truth.phases);
+    let pairs = found.states.iter().zip(&truth.states);
     let turns = (0..=line.most).map(|k| 10.0_f64.powi(k));
     turns
         .zip(pairs)

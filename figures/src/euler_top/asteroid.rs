@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use nalgebra::{Rotation3, Vector3};
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::toutatis::{MOMENTS, OMEGA};
+use spinning_bodies::euler_top::toutatis;
 use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
@@ -37,9 +37,9 @@ const BEYOND: f64 = 1.22;
 /// Where the long and the short axis point for two months.
 pub fn two_axes_in_the_sky(values: &Values) -> Result<Figure> {
     let (days, roll) = (values.of(&DAYS), values.of(&ROLL));
-    let [first, second, _] = OMEGA.map(|rate| rate.to_radians() / DAY);
-    let omega = BodyVector::new(first, second, -roll.to_radians() / DAY);
-    let asteroid = EulerTop::from_omega(MOMENTS, omega, Attitude::identity())?;
+    let seen = toutatis::top()?.at(0.0)?.omega;
+    let omega = BodyVector::new(seen.x(), seen.y(), -roll.to_radians() / DAY);
+    let asteroid = EulerTop::from_omega(toutatis::MOMENTS, omega, Attitude::identity())?;
     let l = asteroid.angular_momentum_in_space().components();
     let upright = Rotation3::rotation_between(&l, &Vector3::z()).unwrap_or_default();
     // The end of the long axis that stands on the side of L, and one end of the short axis.

@@ -122,13 +122,13 @@ pub fn rolling_ellipsoid(values: &Values) -> Result<Figure> {
     let [inner, outer] = picture.herpolhode_radii();
     let touch = contact(NOW * period)?;
     let turn = touch.y.atan2(touch.x) - BESIDE;
-    let distance = picture.plane_distance();
+    let distance = picture.plane_distance;
     let room = 1.2 * outer / distance / SHEET[1];
     let mut scene = Scene {
         view: View::new(DIRECTION[0] + turn, DIRECTION[1], [0.0; 2], 1.0),
         turn,
-        semi: picture.semi_axes(),
-        sector: picture.sector(),
+        semi: picture.semi_axes,
+        sector: picture.sector,
         sheet: SHEET.map(|half| half * distance * room.max(1.0)),
         distance,
         attitude: now.attitude,

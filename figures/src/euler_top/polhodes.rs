@@ -105,7 +105,7 @@ impl Curve {
             dots: (-most..=most)
                 .map(|k| Ok(top.at(step * f64::from(k))?.angular_momentum.components()))
                 .collect::<Result<_>>()?,
-            sector: picture.sector(),
+            sector: picture.sector,
             period: top.period() / semi[1],
         })
     }

@@ -225,7 +225,7 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
     let (flat, long) = (flat?, long?);
     let (flat_cones, long_cones) = (flat.cones(omega)?, long.cones(omega)?);
     let degrees = |angle: f64| number(angle.to_degrees(), 1);
-    let round = [&flat, &long].map(|top| top.shape() == Shape::Spherical);
+    let round = [&flat, &long].map(|top| top.shape == Shape::Spherical);
     let claim = match round {
         [false, false] => {
             "A body cone rolls on a space cone: round it if the body is flat, on its outside if it is long."
@@ -277,7 +277,7 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
             pair.draw(pen, &View::fitted(DIRECTION, &pair.reach(), panel, scale));
             let middle = 0.5 * (panel[0] + panel[2]);
             let ratio = if pair.side < 0.0 { &flat } else { &long };
-            let name = match ratio.shape() {
+            let name = match ratio.shape {
                 Shape::Spherical => "round",
                 _ => pair.name,
             };

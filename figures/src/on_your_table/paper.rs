@@ -176,14 +176,13 @@ fn folded() -> Result<PaperCat> {
     }
     let cat = MassProperties::compose(&parts)?;
     let about = cat.inertia().moment_about(BodyVector::new(1.0, 0.0, 0.0))?;
-    PaperCat {
+    Ok(PaperCat {
         mass: cat.mass(),
         area,
         lever: -cat.center().z(),
         gyration: (about / cat.mass()).sqrt(),
         ..PaperCat::POSTCARD
-    }
-    .checked()
+    })
 }
 
 /// The cat, unfolded.

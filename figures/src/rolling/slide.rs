@@ -109,7 +109,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
         let mut name = BOTTOM;
         for (course, height) in courses.iter().zip(heights) {
             let start = course.at(0.0);
-            let meets = course.events().first().map_or(0.0, |event| event.time);
+            let meets = course.events.first().map_or(0.0, |event| event.time);
             let rolls = course.at(meets).velocity;
             let meeting = at(meets, rolls);
             pen.line(
@@ -124,7 +124,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
             pen.note([RIGHT + 12.0, name], Anchor::Start, &text);
         }
         let meeting = |k: usize| {
-            let event = courses[k].events().first();
+            let event = courses[k].events.first();
             event.map_or([LEFT, ZERO], |event| at(event.time, event.moment.velocity))
         };
         for (k, text, role, half) in [
@@ -153,7 +153,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
     let mut made = made;
     for (course, height) in courses.iter().zip(heights) {
         let corners = core::iter::once(0.0)
-            .chain(course.events().iter().map(|event| event.time))
+            .chain(course.events.iter().map(|event| event.time))
             .chain([until]);
         let row = |t: f64| {
             let moment = course.at(t);

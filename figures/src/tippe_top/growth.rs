@@ -1,7 +1,7 @@
 //! Growth rates of the chiral top's slow swing against friction.
 
 use spinning_bodies::Result;
-use spinning_bodies::tippe_top::bodies::{chiral_inertia, eccentric_ball};
+use spinning_bodies::tippe_top::bodies::{chiral_top, eccentric_ball};
 use spinning_bodies::tippe_top::{Regularised, quasi_steady};
 
 use super::{ALPHA, G};
@@ -34,7 +34,7 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
         values.of(&SKEW),
         values.of(&GROWTH[2]),
     );
-    let mut inertia = chiral_inertia();
+    let mut inertia = chiral_top()?.inertia().matrix() / 0.02_f64.powi(3);
     for (i, j) in [(0, 1), (0, 2), (1, 2)] {
         (inertia[(i, j)], inertia[(j, i)]) = (skew * inertia[(i, j)], skew * inertia[(j, i)]);
     }
@@ -42,7 +42,7 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
     let swing = |mu: f64, sense: f64| -> Result<f64> {
         let law = Regularised::new(mu, 1e-3 * speed)?;
         Ok(quasi_steady(&body, G, law, sense * spin * natural)?
-            .slow_swing()
+            .slow_swing
             .growth
             / natural)
     };

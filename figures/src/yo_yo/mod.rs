@@ -47,17 +47,21 @@ pub const STRING: &[Parameter] = &[AXLE, LENGTH, LEFT];
 /// What may be chosen of two strings.
 pub const SPEED: &[Parameter] = &[WOUND, CORE, AXLE, LENGTH];
 
+/// Mass of the toy, kg.
+const MASS: f64 = 0.055;
+
 /// The toy of the chapter: 55 g, radius 29 mm, a metre of string on an axle of 5 mm.
 fn toy(values: &Values, axle: &Parameter) -> Result<YoYo> {
-    YoYo::disc(0.055, 0.029, values.of(&LENGTH), values.of(axle) / 1e3)
+    YoYo::disc(MASS, 0.029, values.of(&LENGTH), values.of(axle) / 1e3)
 }
 
 /// Depth and tension of a yo-yo let go, against time.
 pub fn string(values: &Values) -> Result<Figure> {
     let (toy, left) = (toy(values, &AXLE)?, values.of(&LEFT));
-    let weight = toy.mass() * GRAVITY;
+    let (length, axle) = (values.of(&LENGTH), values.of(&AXLE));
+    let weight = MASS * GRAVITY;
     let way = Unwinding::new(toy, GRAVITY, 0.0)?;
-    let turn = Turn::new(toy, GRAVITY, way.omega(toy.length()))?;
+    let turn = Turn::new(toy, GRAVITY, way.omega(length))?;
     let peak = turn.at(0.5 * turn.duration)?.tension / weight;
     let falling = toy.tension(0.0, 0.0, GRAVITY) / weight;
     let play = Play::new(toy, 0.0)?
@@ -72,7 +76,7 @@ pub fn string(values: &Values) -> Result<Figure> {
     let x = Axis::linear([0.0, SHOWN], [66.0, 580.0]);
     let depth = Frame {
         x,
-        y: Axis::linear([1.1 * toy.length(), 0.0], [176.0, 36.0]),
+        y: Axis::linear([1.1 * length, 0.0], [176.0, 36.0]),
     };
     let pull = Frame {
         x,
@@ -103,8 +107,8 @@ pub fn string(values: &Values) -> Result<Figure> {
         details: format!(
             "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, let go. Pull while it winds: ${} mg$. First turn: {} ms, mean \
              pull ${} mg$, peak ${} mg$. Every turn leaves ${}$ of the spin.",
-            short(toy.length(), 2),
-            short(1e3 * toy.axle(), 2),
+            short(length, 2),
+            short(axle, 2),
             number(falling, 3),
             number(milliseconds, 1),
             number(turn.mean_tension / weight, 1),
@@ -115,7 +119,7 @@ pub fn string(values: &Values) -> Result<Figure> {
             "Two diagrams over {SHOWN} seconds. Above, the depth: arcs of parabolas that meet in sharp points at {} m, and rise {}. \
              Below, the pull of the string: flat just under one weight, with a needle at each of the sharp points, the first {} \
              weights high.",
-            short(toy.length(), 2),
+            short(length, 2),
             if left < 1.0 {
                 "less high every time"
             } else {
@@ -144,7 +148,7 @@ pub fn string(values: &Values) -> Result<Figure> {
 pub fn speed(values: &Values) -> Result<Figure> {
     let (thin, thick) = (toy(values, &AXLE)?, toy(values, &CORE)?);
     let thick = thick.wound_to(values.of(&WOUND) / 1e3)?;
-    let length = thin.length();
+    let length = values.of(&LENGTH);
     let thin = Unwinding::new(thin, GRAVITY, 0.0)?;
     let thick = Unwinding::new(thick, GRAVITY, 0.0)?;
     let depths = || (0..=400).map(|k| length * f64::from(k) / 400.0);

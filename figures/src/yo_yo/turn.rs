@@ -3,7 +3,7 @@
 use spinning_bodies::Result;
 use spinning_bodies::yo_yo::{Turn, TurnState, Unwinding};
 
-use super::{AXLE, GRAVITY, LENGTH, toy};
+use super::{AXLE, GRAVITY, LENGTH, MASS, toy};
 use crate::style::{
     AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, polar, short,
     small, stroke,
@@ -21,9 +21,10 @@ const LONGEST: f64 = 76.0;
 /// Disc, thread and pull at five equal steps of the turn.
 pub fn turn(values: &Values) -> Result<Figure> {
     let toy = toy(values, &AXLE)?;
-    let weight = toy.mass() * GRAVITY;
+    let (length, axle) = (values.of(&LENGTH), values.of(&AXLE) / 1e3);
+    let weight = MASS * GRAVITY;
     let way = Unwinding::new(toy, GRAVITY, 0.0)?;
-    let turn = Turn::new(toy, GRAVITY, way.omega(toy.length()))?;
+    let turn = Turn::new(toy, GRAVITY, way.omega(length))?;
     let at = |share: f64| -> Result<(f64, TurnState)> {
         let time = share * turn.duration;
         Ok((time, turn.at(time)?))
@@ -42,8 +43,8 @@ pub fn turn(values: &Values) -> Result<Figure> {
         details: format!(
             "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; bars: the pull of the string, \
              {} times the weight. The spin is {} rad/s at both ends and {} at the bottom.",
-            short(toy.length(), 2),
-            short(1e3 * toy.axle(), 2),
+            short(length, 2),
+            short(1e3 * axle, 2),
             pulls.join(", "),
             number(turn.omega, 1),
             number(turn.fastest, 1),
@@ -58,7 +59,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
         for (k, (time, state)) in pictures.iter().enumerate() {
             let (sin, cos) = state.angle.sin_cos();
             let end = [64.0 + 118.0 * k as f64, END];
-            let arm = METRE * toy.axle();
+            let arm = METRE * axle;
             let center = [end[0] + arm * cos, end[1] + arm * sin];
             let radius = METRE * 0.029;
             pen.disc(center, radius, Role::Ink, 0.1);
@@ -92,7 +93,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
             );
             row(pen, 256.0, &format!("pull {} *Mg*", pulls[k]), Role::Ink);
         }
-        let first = [64.0 + METRE * toy.axle(), END];
+        let first = [64.0 + METRE * axle, END];
         let name = polar(first, 0.8 * METRE * 0.029 + 18.0, 0.8);
         pen.text(name, Anchor::Start, "*Ω*", label(Role::Omega));
     });

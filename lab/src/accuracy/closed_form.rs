@@ -3,8 +3,8 @@
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability};
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::integrators::geometric::{Course, Phase};
-use spinning_bodies::integrators::{Cost, Effort};
+use spinning_bodies::integrators::geometric::Phase;
+use spinning_bodies::integrators::{Cost, Effort, Solution};
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
 use spinning_bodies::lagrange_top::LagrangeTop;
 use spinning_bodies::{Error, Result};
@@ -74,7 +74,7 @@ impl Follow for ClosedForm {
         None
     }
 
-    fn follow(&self, start: &Phase, times: &[f64], _: Effort) -> Result<Course> {
+    fn follow(&self, start: &Phase, times: &[f64], _: Effort) -> Result<Solution<Phase>> {
         let attitude = start.attitude()?;
         let [x, y, z] = core::array::from_fn(|k| start.l[k] / self.moments[k]);
         let omega = BodyVector::new(x, y, z);
@@ -108,6 +108,9 @@ impl Follow for ClosedForm {
             evaluations: times.len() as u64,
             steps: 0,
         };
-        Ok(Course { phases, cost })
+        Ok(Solution {
+            states: phases,
+            cost,
+        })
     }
 }

@@ -1,7 +1,7 @@
 //! How wrong a method is, and what that has cost.
 
-use spinning_bodies::integrators::geometric::Course;
-use spinning_bodies::integrators::{Cost, Effort};
+use spinning_bodies::integrators::geometric::Phase;
+use spinning_bodies::integrators::{Cost, Effort, Solution};
 use spinning_bodies::{Error, Result};
 
 use super::candidate::Candidate;
@@ -94,7 +94,7 @@ impl<E> core::fmt::Debug for Trial<'_, E> {
     }
 }
 
-impl<'a> Trial<'a, Course> {
+impl<'a> Trial<'a, Solution<Phase>> {
     /// This method on this problem.
     pub fn of(problem: &'a Problem, candidate: &'a Candidate) -> Self {
         Self {
@@ -111,7 +111,7 @@ impl<'a> Trial<'a, Course> {
                 let cost = course.cost;
                 Ok((course, cost))
             }),
-            apart: Box::new(|course| problem.last().apart(&course.phases[0], problem.moments())),
+            apart: Box::new(|course| problem.last().apart(&course.states[0], problem.moments())),
         }
     }
 }
@@ -226,7 +226,7 @@ pub fn along_the_run(problem: &Problem, candidate: &Candidate, effort: Effort) -
         attitude: 0.0,
         omega: 0.0,
     };
-    let pairs = problem.truth().iter().zip(&course.phases);
+    let pairs = problem.truth().iter().zip(&course.states);
     Ok(pairs.fold(none, |worst, (sample, phase)| {
         let apart = sample.apart(phase, problem.moments());
         Apart {

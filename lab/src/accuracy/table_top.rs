@@ -1,8 +1,8 @@
 //! The tippe top as a problem: a ball that slides on a table, C off its centre.
 
 use spinning_bodies::Result;
-use spinning_bodies::integrators::geometric::{Course, Phase};
-use spinning_bodies::integrators::{Effort, Kept, Method, System, order_eight};
+use spinning_bodies::integrators::geometric::Phase;
+use spinning_bodies::integrators::{Effort, Kept, Method, Solution, System, order_eight};
 
 use crate::follow::Follow;
 use crate::general::solve;
@@ -163,7 +163,7 @@ impl Follow for Sliding {
         self.general.map_or(Some(8), crate::general::order)
     }
 
-    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Solution<Phase>> {
         let y = self.ball.numbers(start)?;
         let scales = self.ball.scales(&y);
         let run = match self.general {
@@ -173,8 +173,8 @@ impl Follow for Sliding {
                 order_eight(&self.ball, kept, &y, &scales, times, effort)?
             }
         };
-        Ok(Course {
-            phases: run.states.iter().map(|y| self.ball.phase(y)).collect(),
+        Ok(Solution {
+            states: run.states.iter().map(|y| self.ball.phase(y)).collect(),
             cost: run.cost,
         })
     }

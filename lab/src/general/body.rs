@@ -3,8 +3,8 @@
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{AxisMoments, quaternion_rate};
 use spinning_bodies::frame::BodyVector;
-use spinning_bodies::integrators::geometric::{Course, Phase, Torque};
-use spinning_bodies::integrators::{Effort, Method, System};
+use spinning_bodies::integrators::geometric::{Phase, Torque};
+use spinning_bodies::integrators::{Effort, Method, Solution, System};
 
 use super::solve;
 use crate::follow::Follow;
@@ -73,7 +73,7 @@ impl<N: Torque<f64>> Follow for GeneralMethod<N> {
         order(self.method)
     }
 
-    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Course> {
+    fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Solution<Phase>> {
         let [a, b, c] = start.l;
         let q = start.attitude()?.quaternion();
         let packed = [a, b, c, q.w, q.i, q.j, q.k];
@@ -84,8 +84,8 @@ impl<N: Torque<f64>> Follow for GeneralMethod<N> {
             l: [y[0], y[1], y[2]],
             q: [y[3], y[4], y[5], y[6]],
         });
-        Ok(Course {
-            phases: phases.collect(),
+        Ok(Solution {
+            states: phases.collect(),
             cost: run.cost,
         })
     }

@@ -43,7 +43,7 @@ pub fn solve<const N: usize>(
     times: &[f64],
     method: Method,
     effort: Effort,
-) -> Result<Solution<N>> {
+) -> Result<Solution<[f64; N]>> {
     for &t in times {
         finite("the time", t)?;
     }

@@ -23,7 +23,7 @@ fn by(method: Method) -> Effort {
 }
 
 /// The pendulum at these times.
-fn swung(times: &[f64], method: Method, effort: Effort) -> Result<Solution<2>> {
+fn swung(times: &[f64], method: Method, effort: Effort) -> Result<Solution<[f64; 2]>> {
     solve(&pendulum, 0.0, &START, &[1.0; 2], times, method, effort)
 }
 

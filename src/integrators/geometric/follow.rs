@@ -2,16 +2,7 @@
 
 use super::{Integrator, Phase};
 use crate::error::{Error, Result, finite, positive};
-use crate::integrators::Cost;
-
-/// Phases at the times asked for, in their order, and what they have cost.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Course {
-    /// One a time.
-    pub phases: Vec<Phase>,
-    /// As [`Stepper::cost`](super::Stepper::cost) counts it.
-    pub cost: Cost,
-}
+use crate::integrators::{Cost, Solution};
 
 /// Phases at `times` (s, either side of 0, in any order) of the motion that starts with `start` at time 0: between two samples steps of one length,
 /// not above `step`. At each of the times, and every 65,536 steps, `watch` is told the time and the cost so far.
@@ -26,7 +17,7 @@ pub struct Course {
 /// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Six)?;
 /// let course = follow(&method, &start, &[1.0, -1.0], 0.01, &mut |_, _| Ok(()))?;
 /// let exact = EulerTop::new([1.0, 2.0, 2.5], start.angular_momentum(), Attitude::identity())?;
-/// assert!((course.phases[0].angular_momentum() - exact.at(1.0)?.angular_momentum).norm() < 1e-10);
+/// assert!((course.states[0].angular_momentum() - exact.at(1.0)?.angular_momentum).norm() < 1e-10);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn follow(
@@ -35,7 +26,7 @@ pub fn follow(
     times: &[f64],
     step: f64,
     watch: &mut dyn FnMut(f64, Cost) -> Result<()>,
-) -> Result<Course> {
+) -> Result<Solution<Phase>> {
     for &t in times {
         finite("the time", t)?;
     }
@@ -46,7 +37,7 @@ pub fn follow(
     let first_after = order.partition_point(|&i| times[i] < 0.0);
     let (before, after) = order.split_at_mut(first_after);
     before.reverse();
-    let mut phases = vec![*start; times.len()];
+    let mut states = vec![*start; times.len()];
     for places in [before, after] {
         let (mut phase, mut time) = (*start, 0.0);
         for &place in places.iter() {
@@ -72,10 +63,10 @@ pub fn follow(
                 phase = stepper.phase()?;
             }
             time = times[place];
-            phases[place] = phase;
+            states[place] = phase;
         }
     }
-    Ok(Course { phases, cost })
+    Ok(Solution { states, cost })
 }
 
 const MOST_STEPS: f64 = 1e10;

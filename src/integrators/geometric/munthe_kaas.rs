@@ -25,9 +25,9 @@ impl<N> MuntheKaas<N> {
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
-    /// use spinning_bodies::integrators::geometric::{Integrator, MuntheKaas, Nothing, Phase};
+    /// use spinning_bodies::integrators::geometric::{Integrator, MuntheKaas, Phase};
     /// let start = Phase::new(BodyVector::new(0.1, 2.0, 0.3), &Attitude::identity());
-    /// let method = MuntheKaas::new([1.0, 2.0, 2.5], Nothing)?;
+    /// let method = MuntheKaas::new([1.0, 2.0, 2.5], ())?;
     /// let mut run = method.start(&start, 0.01)?;
     /// run.advance(100)?;
     /// assert!((run.phase()?.angular_momentum().norm() / start.angular_momentum().norm() - 1.0).abs() < 1e-12);

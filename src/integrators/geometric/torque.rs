@@ -4,7 +4,7 @@ use super::Phase;
 use crate::error::{Result, finite};
 use crate::integrators::real::{Real, cross};
 
-/// A torque, N m along the body's axes, as a function of the phase. A function or closure of the phase will do.
+/// A torque, N m along the body's axes, as a function of the phase. A function or closure of the phase will do; `()` is none.
 pub trait Torque<T: Real> {
     /// Whether there is any: without, nothing is computed for it.
     const ACTS: bool = true;
@@ -30,10 +30,7 @@ impl<T: Real, F: Fn(&Phase<T>) -> [T; 3]> Torque<T> for F {
 }
 
 /// No torque.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Nothing;
-
-impl<T: Real> Torque<T> for Nothing {
+impl<T: Real> Torque<T> for () {
     const ACTS: bool = false;
 
     #[inline(always)]

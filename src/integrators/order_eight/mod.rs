@@ -90,7 +90,7 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
     scales: &[f64; N],
     times: &[f64],
     effort: Effort,
-) -> Result<Solution<N>> {
+) -> Result<Solution<[f64; N]>> {
     let mut order: Vec<usize> = (0..times.len()).collect();
     order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
     let (before, after) = order.split_at(order.partition_point(|&i| times[i] < 0.0));

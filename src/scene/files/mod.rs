@@ -235,17 +235,6 @@ pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
     }
 }
 
-/// Whether a file has a key, given by its path: "body.moments"; places in a list count from 0.
-///
-/// ```
-/// use spinning_bodies::scene::files::has;
-/// let text = "[body]\nmoments = [1, 2, 3]\n";
-/// assert!(has(text, "body.moments.2") && !has(text, "body.moments.3"));
-/// ```
-pub fn has(text: &str, path: &str) -> bool {
-    DeTable::parse(text).is_ok_and(|table| find(table.get_ref(), path).is_some())
-}
-
 /// The paths of all numbers of a file.
 ///
 /// ```
@@ -283,7 +272,7 @@ pub fn numbers(text: &str) -> Vec<String> {
     )
 }
 
-/// The same file with another number in one place, given as for [`has`]; nothing where there is no number. A whole number stays one as long as it
+/// The same file with another number in one place, given by its path: "body.moments.2", places in a list counting from 0; nothing where there is no number. A whole number stays one as long as it
 /// can, for some keys take no other.
 ///
 /// ```

@@ -5,10 +5,9 @@ use super::equations::Turning;
 use super::held::Top;
 use crate::error::{Error, Result};
 use crate::integrators::geometric::{
-    Course, FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Phase, Weight,
-    follow,
+    FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Phase, Weight, follow,
 };
-use crate::integrators::{Cost, Effort};
+use crate::integrators::{Cost, Effort, Solution};
 use crate::scene::engine::{ROUNDING, greater, with_checks};
 use crate::scene::motion::furthest;
 use crate::scene::{Geometric, Request};
@@ -50,7 +49,7 @@ pub(super) fn halved(
     let times = with_checks(request, angle);
     let start = top.start.phase(top.body.moments)?;
     let mut cost = Cost::default();
-    let mut run = |from: &Phase, step: f64| -> Result<Course> {
+    let mut run = |from: &Phase, step: f64| -> Result<Solution<Phase>> {
         let mut paid = 0;
         let mut watch = |time: f64, cost: Cost| {
             let evaluations = cost.evaluations - paid;
@@ -67,7 +66,7 @@ pub(super) fn halved(
                 condition: "a method with steps of one length must be given a step",
             });
         };
-        let phases = run(&start, step)?.phases;
+        let phases = run(&start, step)?.states;
         let error = f64::INFINITY;
         return Ok(Halved {
             phases,
@@ -75,9 +74,9 @@ pub(super) fn halved(
             cost,
         });
     }
-    let distance = |a: &Course, b: &Course| {
-        let fastest = turning.fastest(b.phases.iter().copied());
-        let pairs = a.phases.iter().zip(&b.phases);
+    let distance = |a: &Solution<Phase>, b: &Solution<Phase>| {
+        let fastest = turning.fastest(b.states.iter().copied());
+        let pairs = a.states.iter().zip(&b.states);
         let apart = pairs.map(|(a, b)| turning.apart(a, b, fastest));
         apart.fold(0.0, greater)
     };
@@ -112,7 +111,7 @@ pub(super) fn halved(
                     growth: grown / (DOUBTED * beside(&moved)),
                 });
             }
-            let mut phases = better.phases;
+            let mut phases = better.states;
             phases.truncate(request.times().len());
             return Ok(Halved {
                 phases,

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{
-    Characteristic, Jacobi, Modulus, Parameter, carlson, complete_b, complete_d, complete_first,
+    Characteristic, Jacobi, Modulus, Parameter, complete_b, complete_d, complete_first,
     complete_first_excess, complete_second, complete_third, incomplete_first, incomplete_second,
-    incomplete_third, inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn,
+    incomplete_third, inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn, rc, rd, rf, rg, rj,
 };
 use support::decimal::{hexadecimal, relative_error};
 
@@ -36,11 +36,11 @@ fn integral(function: &str, arguments: &[&str]) -> Result<f64> {
         "Ei" => incomplete_second(x(0), c(1)?),
         "P" => complete_third(c(0)?, c(1)?),
         "Pi" => incomplete_third(x(0), c(1)?, c(2)?),
-        "RF" => carlson::rf(x(0), x(1), x(2)),
-        "RC" => carlson::rc(x(0), x(1)),
-        "RD" => carlson::rd(x(0), x(1), x(2)),
-        "RJ" => carlson::rj(x(0), x(1), x(2), x(3)),
-        "RG" => carlson::rg(x(0), x(1), x(2)),
+        "RF" => rf(x(0), x(1), x(2)),
+        "RC" => rc(x(0), x(1)),
+        "RD" => rd(x(0), x(1), x(2)),
+        "RJ" => rj(x(0), x(1), x(2), x(3)),
+        "RG" => rg(x(0), x(1), x(2)),
         "ASN" => inverse_sn(x(0), p(1)?),
         "ACN" => inverse_cn(x(0), p(1)?),
         "ADN" => inverse_dn(x(0), p(1)?),

@@ -2,9 +2,9 @@
 
 use proptest::prelude::*;
 use spinning_bodies::elliptic::{
-    Characteristic, Jacobi, Modulus, Parameter, carlson, complete_b, complete_d, complete_first,
+    Characteristic, Jacobi, Modulus, Parameter, complete_b, complete_d, complete_first,
     complete_second, complete_third, incomplete_first, incomplete_second, incomplete_third,
-    inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn, sn_cn_dn,
+    inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn, rc, rd, rf, rg, rj, sn_cn_dn,
 };
 use spinning_bodies::{Error, Result};
 use support::{any, refused};
@@ -42,13 +42,13 @@ fn bad_input_is_refused_by_name_and_number() -> Result<()> {
             let mut x = [1.0; 4];
             x[i] = bad;
             if i < 3 {
-                assert!(carlson::rf(x[0], x[1], x[2]).is_err());
-                assert!(carlson::rd(x[0], x[1], x[2]).is_err());
-                assert!(carlson::rg(x[0], x[1], x[2]).is_err());
+                assert!(rf(x[0], x[1], x[2]).is_err());
+                assert!(rd(x[0], x[1], x[2]).is_err());
+                assert!(rg(x[0], x[1], x[2]).is_err());
             }
-            assert!(carlson::rj(x[0], x[1], x[2], x[3]).is_err());
+            assert!(rj(x[0], x[1], x[2], x[3]).is_err());
             if i < 2 {
-                assert!(carlson::rc(x[0], x[1]).is_err());
+                assert!(rc(x[0], x[1]).is_err());
             }
         }
     }
@@ -85,12 +85,12 @@ fn bad_input_is_refused_by_name_and_number() -> Result<()> {
     assert!(complete_third(one, p).is_err());
     assert!(incomplete_third(2.0, one, p).is_err());
     assert!(incomplete_third(1.0, one, p).is_ok());
-    assert!(carlson::rf(-1.0, 1.0, 1.0).is_err());
-    assert!(carlson::rf(0.0, 0.0, 1.0).is_err());
-    assert!(carlson::rc(1.0, 0.0).is_err());
-    assert!(carlson::rd(1.0, 1.0, 0.0).is_err());
-    assert!(carlson::rj(1.0, 1.0, 1.0, 0.0).is_err());
-    assert!(carlson::rg(-1.0, 1.0, 1.0).is_err());
+    assert!(rf(-1.0, 1.0, 1.0).is_err());
+    assert!(rf(0.0, 0.0, 1.0).is_err());
+    assert!(rc(1.0, 0.0).is_err());
+    assert!(rd(1.0, 1.0, 0.0).is_err());
+    assert!(rj(1.0, 1.0, 1.0, 0.0).is_err());
+    assert!(rg(-1.0, 1.0, 1.0).is_err());
     Ok(())
 }
 
@@ -98,15 +98,15 @@ fn bad_input_is_refused_by_name_and_number() -> Result<()> {
 fn values_without_room_and_integrals_that_are_not_real_are_refused() -> Result<()> {
     let text = |refused: Result<f64>| refused.expect_err("refused").to_string();
     assert_eq!(
-        text(carlson::rd(1e-300, 1e-300, 1e-300)),
+        text(rd(1e-300, 1e-300, 1e-300)),
         "the value of R_D must be finite, got inf"
     );
-    assert!(text(carlson::rj(0.0, 5e-324, 1.0, 5e-324)).starts_with("the value of R_J"));
+    assert!(text(rj(0.0, 5e-324, 1.0, 5e-324)).starts_with("the value of R_J"));
     // x^(−3/2) and x^(−1/2) at the ends of the range.
-    assert_eq!(carlson::rd(1e300, 1e300, 1e300)?, 0.0);
-    assert_eq!(carlson::rj(1e215, 1e215, 1e215, 1e215)?, 10f64.powf(-322.5));
-    assert_eq!(carlson::rf(5e-324, 5e-324, 5e-324)?, 2f64.powi(537));
-    assert_eq!(carlson::rc(5e-324, -f64::MAX)?, 0.0);
+    assert_eq!(rd(1e300, 1e300, 1e300)?, 0.0);
+    assert_eq!(rj(1e215, 1e215, 1e215, 1e215)?, 10f64.powf(-322.5));
+    assert_eq!(rf(5e-324, 5e-324, 5e-324)?, 2f64.powi(537));
+    assert_eq!(rc(5e-324, -f64::MAX)?, 0.0);
     let two = Characteristic::from_characteristic(2.0)?;
     for refused in [
         complete_first(two),
@@ -134,7 +134,7 @@ proptest! {
         let [a, b, c, d] = x;
         let e = x.map(f64::abs);
         for [a, b, c, d] in [[a, b, c, d], e, [e[0], e[1], e[2], d]] {
-            let forms = [carlson::rf(a, b, c), carlson::rc(a, b), carlson::rd(a, b, c), carlson::rg(a, b, c), carlson::rj(a, b, c, d), carlson::rc(a, d)];
+            let forms = [rf(a, b, c), rc(a, b), rd(a, b, c), rg(a, b, c), rj(a, b, c, d), rc(a, d)];
             for value in forms.into_iter().flatten() {
                 prop_assert!(value.is_finite(), "{a:e} {b:e} {c:e} {d:e}");
             }

@@ -48,7 +48,7 @@ fn s6_5_symmetric_top() {
         (0.0, Shape::Prolate),
     ] {
         let top = SymmetricTop::new(1.0, i3).unwrap();
-        assert_eq!(top.shape(), shape);
+        assert_eq!(top.shape, shape);
         for t in [0.05, 1.7, 6.0] {
             let (omega, _) = integrated(1.0, i3, OMEGA0, t, 20_000);
             // RK4 with 20 000 steps; observed below 1e-13.
@@ -153,7 +153,7 @@ fn s6_5_earth() {
     // A whole Earth that yields: too long by 13 days, ocean and core left out.
     let secular = earth::secular_love_number();
     observed!((secular - 0.938).abs(), 1e-4..=1e-3, "{secular}");
-    let elastic = earth::elastic_period(solar, earth::LOVE_NUMBER, 0.94).unwrap();
+    let elastic = earth::elastic_period(solar, 0.30, 0.94).unwrap();
     assert!((elastic - 445.95).abs() < 0.01, "{elastic}");
     assert!(elastic > 433.0);
     // No yielding gives back the rigid value, bit for bit.

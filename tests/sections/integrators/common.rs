@@ -5,7 +5,7 @@ use lab::general::GeneralMethod;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::integrators::geometric::{
-    FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Nothing, Order, Phase,
+    FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Order, Phase,
     VeselovOrder, Weight,
 };
 use spinning_bodies::integrators::{Effort, Method};
@@ -41,9 +41,9 @@ pub fn free_methods_of(moments: [f64; 3]) -> Vec<Box<dyn Follow>> {
         all.push(Box::new(MoserVeselov::new(moments, order).unwrap()));
     }
     all.push(Box::new(GroupMidpoint::new(moments).unwrap()));
-    all.push(Box::new(MuntheKaas::new(moments, Nothing).unwrap()));
+    all.push(Box::new(MuntheKaas::new(moments, ()).unwrap()));
     all.push(Box::new(
-        GeneralMethod::new(moments, Nothing, Method::Rk4).unwrap(),
+        GeneralMethod::new(moments, (), Method::Rk4).unwrap(),
     ));
     all
 }
@@ -72,7 +72,7 @@ pub fn heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follo
 pub fn after(method: &dyn Follow, phase: &Phase, t: f64, steps: u32) -> Phase {
     let step = t.abs() / f64::from(steps) * (1.0 + 1e-12);
     let course = method.follow(phase, &[t], Effort::Step(step));
-    course.unwrap().phases[0]
+    course.unwrap().states[0]
 }
 
 /// The free body's phase in closed form.

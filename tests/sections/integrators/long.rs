@@ -1,8 +1,8 @@
 //! Long runs: invariants neither drift nor spread, however many steps.
 
 use spinning_bodies::integrators::geometric::{
-    FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Nothing,
-    Order, Phase, VeselovOrder, Weight,
+    FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Order,
+    Phase, VeselovOrder, Weight,
 };
 use support::observed;
 
@@ -96,7 +96,7 @@ fn a_step_alone_is_a_step_of_a_run() {
         all.push(Box::new(MoserVeselov::new(MOMENTS, order).unwrap()));
     }
     all.push(Box::new(GroupMidpoint::new(MOMENTS).unwrap()));
-    all.push(Box::new(MuntheKaas::new(MOMENTS, Nothing).unwrap()));
+    all.push(Box::new(MuntheKaas::new(MOMENTS, ()).unwrap()));
     for method in all {
         let mut run = method.start(&start(), 0.01).unwrap();
         let mut alone = method.start(&start(), 0.01).unwrap();

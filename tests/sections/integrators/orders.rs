@@ -4,7 +4,7 @@ use lab::follow::{DormandPrince8, Follow};
 use lab::general::GeneralMethod;
 use spinning_bodies::Result;
 use spinning_bodies::frame::Attitude;
-use spinning_bodies::integrators::geometric::{Nothing, Phase, Weight};
+use spinning_bodies::integrators::geometric::{Phase, Weight};
 use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
 use spinning_bodies::lagrange_top::LagrangeTop;
@@ -35,7 +35,7 @@ fn measured(method: &dyn Follow, exact: &Phase, t: f64) -> [f64; 2] {
         let course = method.follow(&start(), &[t], Effort::Step(step * (1.0 + 1e-12)));
         // Too long a step for an implicit method.
         let Ok(course) = course else { continue };
-        let error = distance(&course.phases[0], exact);
+        let error = distance(&course.states[0], exact);
         for (list, error) in errors.iter_mut().zip(error) {
             list.push((step, error));
         }
@@ -71,11 +71,11 @@ fn order_eight() {
     let judged = judge
         .follow(&start(), &[5.0], Effort::Tolerance(1e-15))
         .unwrap()
-        .phases[0];
+        .states[0];
     let t = 10.0;
     let cases: [(Box<dyn Follow>, Phase, f64); 2] = [
         (
-            Box::new(DormandPrince8::new(MOMENTS, Nothing).unwrap()),
+            Box::new(DormandPrince8::new(MOMENTS, ()).unwrap()),
             free(MOMENTS, &start(), t),
             t,
         ),
@@ -92,12 +92,12 @@ fn order_eight() {
 /// The error at the end follows the tolerance, the norm of the quaternion is kept, and it makes no difference in which order samples are asked for.
 #[test]
 fn order_eight_by_tolerance() {
-    let method = DormandPrince8::new(MOMENTS, Nothing).unwrap();
+    let method = DormandPrince8::new(MOMENTS, ()).unwrap();
     let times = [10.0, -4.0, 2.5, 0.0, 30.0];
     for decade in 4..14 {
         let tolerance = 10.0_f64.powi(-decade);
         let course = method.follow(&start(), &times, Effort::Tolerance(tolerance));
-        for (&t, phase) in times.iter().zip(&course.unwrap().phases) {
+        for (&t, phase) in times.iter().zip(&course.unwrap().states) {
             let [angle, momentum] = distance(phase, &free(MOMENTS, &start(), t));
             // It grows with the time: 40 times the tolerance after 50 s in `lab/benches/integrators.rs`.
             let allowed = 25.0 * tolerance + 1e-14;
@@ -141,7 +141,7 @@ fn heavy_bodies() -> Result<()> {
     let judged = judge.follow(&start(), &[3.0], Effort::Tolerance(1e-14))?;
     check(&heavy_methods_of(TOP, LEVER), &lagrange, 5.0);
     check(&heavy_methods_of(two, lever), &kovalevskaya, 5.0);
-    check(&heavy_methods_of(MOMENTS, skew), &judged.phases[0], 3.0);
+    check(&heavy_methods_of(MOMENTS, skew), &judged.states[0], 3.0);
     Ok(())
 }
 

@@ -37,12 +37,12 @@ fn course(method: &dyn Follow) -> Vec<Phase> {
     method
         .follow(&start(), &times, Effort::Step(step))
         .unwrap()
-        .phases
+        .states
 }
 
 fn one(method: &dyn Follow, phase: &Phase, t: f64) -> Phase {
     let step = Effort::Step(t.abs() * (1.0 + 1e-12));
-    method.follow(phase, &[t], step).unwrap().phases[0]
+    method.follow(phase, &[t], step).unwrap().states[0]
 }
 
 /// One step forward and back.

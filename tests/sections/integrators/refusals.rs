@@ -39,7 +39,7 @@ fn extremes_neither_hang_nor_panic() {
             phase.l = phase.l.map(|x| x * scale);
             // A number or an error; both are fine.
             if let Ok(course) = method.follow(&phase, &[1.0], Effort::Step(0.1)) {
-                let [end] = course.phases[..] else {
+                let [end] = course.states[..] else {
                     panic!("one sample")
                 };
                 assert!(
@@ -91,7 +91,7 @@ fn closed_forms_follow() {
             .follow(&start(), &times, Effort::Step(0.004))
             .unwrap();
         assert_eq!(a.cost.evaluations, 3);
-        for (a, b) in a.phases.iter().zip(&b.phases) {
+        for (a, b) in a.states.iter().zip(&b.states) {
             let [angle, momentum] = super::common::distance(b, a);
             // Observed: 2e-14.
             assert!(
@@ -115,7 +115,7 @@ fn the_length_of_the_quaternion_does_not_matter() {
             method
                 .follow(phase, &[1.0], Effort::Step(0.1))
                 .unwrap()
-                .phases[0]
+                .states[0]
         };
         let [angle, momentum] = super::common::distance(&of(&long), &of(&start()));
         // Observed: 6e-16.

@@ -75,7 +75,7 @@ pub fn gained_azimuth(top: &LagrangeTop, t: f64, steps: u32) -> f64 {
 /// The rate φ' = (L_vert − L₃h)/(I₁(1 − h²)) of the unit top.
 pub fn precession(top: &LagrangeTop, state: &State) -> f64 {
     let h = state.height;
-    (top.vertical_angular_momentum() - top.axial_angular_momentum() * h)
+    (top.vertical_angular_momentum() - top.at(0.0).unwrap().angular_momentum.z() * h)
         / (state.one_less * state.one_more)
 }
 
@@ -88,7 +88,7 @@ pub fn cubic([i1, weight]: [R; 2], energy: R, l3: R, vertical: R, h: R) -> R {
 /// f(h) of the unit top.
 pub fn f(top: &LagrangeTop, h: f64) -> f64 {
     let (l3, vertical) = (
-        top.axial_angular_momentum(),
+        top.at(0.0).unwrap().angular_momentum.z(),
         top.vertical_angular_momentum(),
     );
     let energy = top.energy() - l3 * l3 / (2.0 * AXIAL);

@@ -124,7 +124,7 @@ fn s7_2_azimuth_in_a_nutation() {
         // Two integrals of the third kind, one for each pole.
         let [h1, h2, _] = roots(&top);
         let (l3, vertical) = (
-            top.axial_angular_momentum(),
+            top.at(0.0).unwrap().angular_momentum.z(),
             top.vertical_angular_momentum(),
         );
         let third = |sign: f64| {

@@ -51,7 +51,7 @@ fn s4_3_where_rolling_begins() {
         );
         observed!((event.moment.position - place).abs(), 1e-6..=5e-6);
         observed!((event.moment.velocity - speed).abs(), 1e-7..=5e-7);
-        assert_eq!(course.events().len(), 1);
+        assert_eq!(course.events.len(), 1);
         // The closed form of the paragraph, from the height alone.
         let slide = ball().strike(height, 2.0).unwrap().slide(0.2, G).unwrap();
         assert_relative_eq!(event.time, slide.time, max_relative = 4e-16);
@@ -61,7 +61,7 @@ fn s4_3_where_rolling_begins() {
         assert_eq!((later.slip, later.rim_speed), (0.0, later.velocity));
     }
     let pure = on_cloth(shot(1.4, 2.0), 0.2, 10.0);
-    assert!(pure.events().is_empty());
+    assert!(pure.events.is_empty());
     assert_eq!(pure.at(5.0).position, 10.0);
 }
 
@@ -113,7 +113,7 @@ fn apart(start: Moment, (mu, arm): (f64, f64), kappa: f64, solver: Solver) -> (f
     let effects = (Some(law), Some(resistance), None);
     let course = Course::new(kappa, Load::weight(G), effects, start, 3.0).unwrap();
     let mut times: Vec<f64> = (0..=60).map(|k| 0.05 * f64::from(k)).collect();
-    times.extend(course.events().iter().map(|event| event.time));
+    times.extend(course.events.iter().map(|event| event.time));
     let body = RoundBody::new(1.0, 1.0, kappa).unwrap();
     let roller = Roller::new(body, G, start.velocity, start.rim_speed).unwrap();
     let roller = roller.with(law).unwrap().with(resistance).unwrap();
@@ -136,7 +136,7 @@ fn apart(start: Moment, (mu, arm): (f64, f64), kappa: f64, solver: Solver) -> (f
             worst = worst.max((a - b).abs() / size);
         }
     }
-    (worst, course.events().len())
+    (worst, course.events.len())
 }
 
 // claim: C4.3-5

@@ -94,7 +94,7 @@ fn without_friction_energy_and_vertical_momentum_stay() {
     let times: Vec<f64> = (0..=50).map(|i| 0.02 * f64::from(i)).collect();
     let start = Start::about_vertical(0.5, 0.2, 20.0).unwrap();
     for body in [
-        bodies::celt_ended_top_1().unwrap(),
+        bodies::celt_ended_top(0.288, [0.351, 0.550, 0.505], 0.745, 0.144).unwrap(),
         bodies::chiral_top().unwrap(),
     ] {
         let scene = TableTop::new(body, start).with(gravity()).unwrap();

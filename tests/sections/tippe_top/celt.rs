@@ -16,7 +16,7 @@ use super::common::{G, degrees, last, most, regularised, run};
 fn s4_7_celt_ended_tops() {
     // claim: C4.7-14
     let unit = (G / 0.02).sqrt();
-    let first = bodies::celt_ended_top_1().unwrap();
+    let first = bodies::celt_ended_top(0.288, [0.351, 0.550, 0.505], 0.745, 0.144).unwrap();
     let second = bodies::celt_ended_top(0.265, [0.261, 0.507, 0.406], 0.845, 0.129).unwrap();
     for (sense, growth) in [(1.0, 0.1007), (-1.0, 0.1007)] {
         // Rolling is reversible: the spectra of the two senses are opposite.

@@ -75,7 +75,8 @@ fn s4_7_slip_at_the_contact_and_torque_of_friction() {
         // d(L·e)/dt = N·e = −R f sin θ, exactly; and the normal force has no moment about K's axis through C.
         let e = SpaceVector::new(theta.sin(), 0.0, theta.cos());
         observed!((torque.dot(&e) + r * f * theta.sin()).abs(), 0.0..=1e-16);
-        let normal = hoop.arm(theta).cross(&SpaceVector::new(0.0, 0.0, 0.2));
+        let normal = SpaceVector::new(offset * theta.sin(), 0.0, offset * theta.cos() - r)
+            .cross(&SpaceVector::new(0.0, 0.0, 0.2));
         observed!(normal.dot(&e).abs(), 0.0..=1e-18);
         assert!(hoop.refined_rate(SPIN, 0.0, theta) > 0.0, "and θ grows");
     }
@@ -167,7 +168,7 @@ fn s4_7_jellett_and_the_angular_momentum() {
     observed!(drift, 0.0..=1e-9);
     // L, vertical up to a tremble, falls as Jellett's integral says.
     let until = passage(&rows, |s| s.tilt(), PI - 0.3).unwrap();
-    let body = scene.body();
+    let body = bodies::hoop_with_clay(0.02, 0.02, 0.1).unwrap();
     let (mut lean, mut ratio) = (0.0_f64, 1.0);
     let length = body.inertia().angular_momentum(rows[0].1.omega).norm();
     for (_, state) in rows.iter().filter(|row| row.0 <= until) {
@@ -213,9 +214,6 @@ fn s4_7_sluggish_spin_rises_part_of_the_way() -> Result<()> {
     let unit = (mass * g * radius / 1.6_f64).sqrt();
     observed!(relative(rise, 0.9 * unit), 0.0..=1e-14);
     observed!(relative(invert, 1.21 / 0.9 * unit), 0.0..=1e-14);
-    let scene = TableTop::new(top.body()?, Start::about_vertical(0.02, 0.0, 40.0)?)
-        .with(Gravity::new(g)?)?
-        .with(Viscous::new(0.02)?)?;
     for (spin, end) in [
         (28.0, 0.0),
         (36.0, 1.084),
@@ -226,7 +224,7 @@ fn s4_7_sluggish_spin_rises_part_of_the_way() -> Result<()> {
         let tilt = top.final_tilt(top.jellett_of_spin(spin, 0.0), 0.0)?;
         observed!((tilt - end).abs(), 8e-5..=1e-2, "{spin}: {tilt}");
         let start = Start::about_vertical(0.02, 0.0, spin)?;
-        let scene = TableTop::new(*scene.body(), start)
+        let scene = TableTop::new(top.body()?, start)
             .with(Gravity::new(g)?)?
             .with(Viscous::new(0.02)?)?;
         let rows = run(&scene, 30.0, 300, 1e-6);

@@ -214,7 +214,7 @@ pub fn bands(values: &Values) -> Result<Figure> {
     let mut found = Vec::new();
     for n in 0..400 {
         let t = 0.1 * f64::from(n);
-        found.extend(top.separation_variables_at(t)?.map(|s| (t, s)));
+        found.push((t, top.separation_variables(&top.omega_and_up(t)?)));
     }
     let ends = |k: usize, pick: fn(f64, f64) -> f64| found.iter().map(|(_, s)| s[k]).reduce(pick);
     let (low, high, turn) = (ends(0, f64::min), ends(0, f64::max), ends(1, f64::max));

@@ -1,16 +1,17 @@
 //! Which branch a start lies on, and the trial that decides between her road and the power series.
 
 use super::constants::{Constants, Phase, WidePhase};
-use super::separation::{Phases, Separation, Variables};
-use super::solution::Reconstruction;
+use super::periods::Curve;
+use super::separation::{Separation, Variables};
+use super::solution::{Moving, Quotients, Reconstruction, Torus};
 use super::taylor::{Carried, Series, project};
+use crate::precise::DoubleDouble;
 
 /// Why a motion is integrated and not solved by separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Reason {
-    /// Two of the five roots coincide, or nearly: s₁ rests on them or comes to them only after infinite time, and a cosine series
-    /// would need more than 2¹⁰ terms, or the linear system loses digits.
+    /// Two of the five roots coincide, or nearly: s₁ rests on them or comes to them only after infinite time, or the linear system loses digits.
     DoubleRoot,
     /// The linear system loses digits: her formulas give the start, or the motion some time later, only to this much, in units in
     /// which Ω and √(MgC₁/I₃) are at most of size 2. So it is for gravity that is weak against the spin.
@@ -21,9 +22,13 @@ pub enum Reason {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Exact {
     pub separation: Separation,
-    reconstruction: Reconstruction,
-    /// a₁−a₂ and b₁−b₂ at time 0.
+    pub curve: Curve,
+    torus: Torus,
+    quotients: Quotients,
+    /// Turns of the phases at time 0, halved.
     origin: [f64; 2],
+    /// And a unit of time.
+    advance: [DoubleDouble; 2],
     /// States with attitudes by power series soon after time 0.
     pub trial: Vec<(f64, Carried)>,
 }
@@ -36,100 +41,99 @@ const TRUSTED: [f64; 2] = [3e-14, 1e-12];
 const TRIAL: f64 = 3.0;
 
 impl Exact {
-    /// Roots, band, quadratures, signs and phases of a start; tried at the start and at a later time against the power series.
+    /// Roots, band, periods, signs and phases of a start; tried at the start and at a later time against the power series.
     pub fn find(constants: &Constants, wide: &WidePhase, whole: &Carried) -> Result<Self, Reason> {
-        let variables = Variables::of(constants, wide);
-        let separation = Separation::prepare(constants, variables.s1).ok_or(Reason::DoubleRoot)?;
-        let mut exact = Self {
-            reconstruction: Reconstruction::prepare(constants, &separation.roots),
-            separation,
-            origin: [0.0; 2],
-            trial: Vec::new(),
-        };
-        let guess = exact.separation.first_phases(&variables, constants.l1);
-        let phases = exact.choose_branch(constants, &whole.0, guess);
-        exact.origin = exact.separation.abel(phases);
+        let mut exact = Self::nearest(constants, wide, whole).ok_or(Reason::DoubleRoot)?;
         match tried(constants, whole, |t| exact.state(constants, t)) {
             Ok(trial) => {
                 exact.trial = trial;
                 Ok(exact)
             }
-            Err(_) if exact.separation.narrowest() < 1e-6 => Err(Reason::DoubleRoot),
+            // Weak gravity brings roots together by itself, to some c².
+            Err(_)
+                if exact.separation.narrowest() < 1e-2 * constants.c.value().min(1.0).powi(2) =>
+            {
+                Err(Reason::DoubleRoot)
+            }
             Err(worst) => Err(Reason::Cancellation(worst)),
         }
     }
 
     // ANCHOR: branch
     /// Of the 4 × 8 signs of two phases and three roots, those that give the start back.
-    fn choose_branch(&mut self, constants: &Constants, start: &Phase, guess: Phases) -> Phases {
-        let mut best = (f64::INFINITY, guess, [1.0; 3]);
-        for choice in 0..32 {
-            let sign = |bit: u32| if choice >> bit & 1 == 0 { 1.0 } else { -1.0 };
-            self.reconstruction.signs = [sign(0), sign(1), sign(2)];
-            let phases = [sign(3) * guess[0], sign(4) * guess[1]];
-            let state = self
-                .reconstruction
-                .state(constants, &self.separation, phases);
-            let miss = distance(&state, start);
-            if miss < best.0 {
-                best = (miss, phases, self.reconstruction.signs);
+    fn nearest(constants: &Constants, wide: &WidePhase, whole: &Carried) -> Option<Self> {
+        let variables = Variables::of(constants, wide);
+        let separation = Separation::prepare(constants, variables.s1)?;
+        let curve = Curve::prepare(&separation)?;
+        let advance = separation.frequencies().map(|n| n.scaled(0.5));
+        let torus = Torus::prepare(&curve, advance.map(DoubleDouble::value))?;
+        let sum = |[[a, b], [c, d]]: [[f64; 2]; 2], signs: [f64; 2]| {
+            [(a, c), (b, d)].map(|(x, y)| 0.5 * (signs[0] * x + signs[1] * y))
+        };
+        let (places, products) = separation.midst();
+        let midst = sum(separation.phases(places.each_ref()), [1.0, 1.0]);
+        let [factors, wronskians] = torus.constants(&separation, midst, &products);
+        let system = Reconstruction::prepare(constants, &separation.roots);
+        let places = separation.places(&variables, constants.l1);
+        let phases = separation.phases(places.each_ref());
+        let mut best = (
+            f64::INFINITY,
+            [0.0; 2],
+            system.quotients(factors, wronskians, 0),
+        );
+        for signs in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
+            let origin = sum(phases, signs);
+            let functions = torus.at(origin);
+            for choice in 0..8 {
+                let quotients = system.quotients(factors, wronskians, choice);
+                let miss = distance(&of(&quotients, constants, &functions), &whole.0);
+                if miss < best.0 {
+                    best = (miss, origin, quotients);
+                }
             }
         }
-        self.reconstruction.signs = best.2;
-        best.1
+        let (_, origin, quotients) = best;
+        Some(Self {
+            separation,
+            curve,
+            torus,
+            quotients,
+            origin,
+            advance,
+            trial: Vec::new(),
+        })
     }
     // ANCHOR_END: branch
 
-    fn raw(&self, constants: &Constants, phases: Phases) -> Phase {
-        self.reconstruction
-            .state(constants, &self.separation, phases)
-    }
-
-    pub fn phases(&self, t: f64) -> Phases {
-        self.separation.phases([self.origin[0], self.origin[1] + t])
+    /// Turns of the two phases a unit of time, halved.
+    pub fn advance(&self) -> [f64; 2] {
+        self.advance.map(DoubleDouble::value)
     }
 
     pub fn state(&self, constants: &Constants, t: f64) -> Phase {
-        self.state_of_sums(constants, [self.origin[0], self.origin[1] + t])
+        self.at_turns(constants, self.halved(t))
     }
 
-    /// Turns of the two phases if they advanced evenly, halved, from 0 to 1: a state returns when one of these gains 1.
-    pub fn halved(&self, t: f64) -> Phases {
-        halved(&self.separation, [self.origin[0], self.origin[1] + t])
-    }
-
-    /// The state at these phases and the halved even turns there; none at an instant where the linear system is singular.
-    pub fn at_phases(&self, constants: &Constants, phases: Phases) -> Option<(Phase, [f64; 2])> {
-        let state = self.raw(constants, phases);
-        let known = state.iter().all(|x| x.is_finite());
-        known.then(|| {
-            let sums = self.separation.abel(phases);
-            (project(constants, &state), halved(&self.separation, sums))
+    /// Turns of the two phases, halved, from 0 to 1: a state returns when one of these gains 1.
+    pub fn halved(&self, t: f64) -> [f64; 2] {
+        [0, 1].map(|i| {
+            let v = self.advance[i].times(t) + DoubleDouble::from(self.origin[i]);
+            (v - DoubleDouble::from(v.high().floor())).value()
         })
     }
 
-    fn state_of_sums(&self, constants: &Constants, sums: [f64; 2]) -> Phase {
-        let state = self.raw(constants, self.separation.phases(sums));
-        if state.iter().all(|x| x.is_finite()) {
-            return project(constants, &state);
-        }
-        // The linear system is singular at this very instant: from a little earlier by power series.
-        const EARLIER: f64 = 0.01;
-        let before = self.raw(
+    /// The state where the phases have turned so far, halved.
+    pub fn at_turns(&self, constants: &Constants, v: [f64; 2]) -> Phase {
+        project(
             constants,
-            self.separation.phases([sums[0], sums[1] - EARLIER]),
-        );
-        let (state, _) =
-            Series::at(constants.c.value(), &(before, [1.0, 0.0, 0.0, 0.0])).after(EARLIER);
-        project(constants, &state)
+            &of(&self.quotients, constants, &self.torus.at(v)),
+        )
     }
 }
 
-fn halved(separation: &Separation, sums: [f64; 2]) -> [f64; 2] {
-    separation.normalized(sums).map(|turns| {
-        let v = 0.5 * turns;
-        v - v.floor()
-    })
+fn of(quotients: &Quotients, constants: &Constants, functions: &[Moving; 7]) -> Phase {
+    let [a, b, c, bc, ca, ab, alone] = *functions;
+    quotients.state(constants, &[a, b, c], &[bc, ca, ab], alone)
 }
 
 /// States with attitudes by power series soon after time 0, from which the formula for Ω and z does not differ; or by how much it does.

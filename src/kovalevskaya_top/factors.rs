@@ -1,13 +1,11 @@
 //! The theta functions of the azimuth: which half periods belong to them (8.2).
 
-use core::f64::consts::TAU;
-
 use nalgebra::Complex;
 
 use super::constants::{Constants, Phase};
 use super::exact::Exact;
-use super::periods::{Curve, Half};
-use super::theta::{Sums, Theta, unit};
+use super::periods::{Curve, Half, MEASURES};
+use super::theta::{Sums, Theta, join, unit};
 
 type Number = Complex<f64>;
 
@@ -33,22 +31,6 @@ impl Place {
     fn at(&self, z: [Number; 2]) -> [Number; 2] {
         [0, 1].map(|i| self.turn[i] * if self.sign < 0.0 { z[i].conj() } else { z[i] })
     }
-
-    /// The sums put together: signs from the half period, i from the real part ½ of τ.
-    fn join(&self, twisted: bool, sums: &Sums) -> Number {
-        let mut whole = Number::default();
-        for (place, sum) in sums.iter().enumerate() {
-            let odd = [place >> 1, place & 1].map(|x| x as u8);
-            let negative = (odd[0] & self.half[0]) ^ (odd[1] & self.half[1]) == 1;
-            let term = if twisted && odd[0] != odd[1] {
-                Number::new(-sum.im, sum.re)
-            } else {
-                *sum
-            };
-            whole += if negative { -term } else { term };
-        }
-        whole
-    }
 }
 
 /// e^{2πiv} at a state, and what tells a fit.
@@ -60,10 +42,8 @@ pub(super) struct Witness {
     pub heights: [f64; 2],
 }
 
-/// States from which α is taken as a mean, where its whole turns are all that is in question and where it is not known otherwise; and those that
-/// tell which half periods belong to a.
-pub(super) const FEW: usize = 6;
-pub(super) const MANY: usize = 32;
+/// States from which α is taken as a mean, where its whole turns are all that is in question as a rule; and those that tell which half periods belong to a.
+pub(super) const WITNESSES: usize = 6;
 const DECIDING: usize = 4;
 
 /// The largest disagreement about α between those few.
@@ -72,7 +52,7 @@ const TRUSTED: f64 = 1e-9;
 impl Factor {
     pub fn value(&self, z: [Number; 2]) -> Number {
         let sums = self.theta.at(self.place.at(z));
-        self.place.join(self.twisted, &sums)
+        join(&sums, self.place.half, self.twisted)
     }
 
     /// d arg/dt.
@@ -81,22 +61,21 @@ impl Factor {
         let [value, rate] = self
             .theta
             .with_rates(self.place.at(z), rates)
-            .map(|sums| self.place.join(self.twisted, &sums));
+            .map(|sums| join(&sums, self.place.half, self.twisted));
         (rate / value).im
     }
 }
 
 impl Witness {
-    /// States spread over the torus, at phases: no equation has to be solved for these.
+    /// States spread over the torus.
     pub fn some(constants: &Constants, exact: &Exact, count: usize) -> Vec<Self> {
         let l = constants.l.value();
         (0..count)
             .filter_map(|n| {
                 // Multiples of the plastic number's powers spread most evenly.
-                let part = |x: f64| 2.0 * TAU * (0.1 + n as f64 * x).fract();
-                let phases = [part(0.754_877_666_246_692_7), part(0.569_840_290_998_053_2)];
-                let (state, v) = exact.at_phases(constants, phases)?;
-                let [_, _, r, .., z3]: Phase = state;
+                let part = |x: f64| (0.1 + n as f64 * x).fract();
+                let v = [part(0.754_877_666_246_692_7), part(0.569_840_290_998_053_2)];
+                let [_, _, r, .., z3]: Phase = exact.at_turns(constants, v);
                 let heights = [1.0 + z3, 1.0 - z3];
                 let rates = [(l + 0.5 * r) / heights[0], (l - 0.5 * r) / heights[1]];
                 rates.iter().all(|x| x.is_finite()).then_some(Self {
@@ -109,19 +88,17 @@ impl Witness {
     }
 }
 
-/// m of the half periods ½(n + τm).
-const MEASURES: [[u8; 2]; 4] = [[0, 0], [0, 1], [1, 0], [1, 1]];
-
 // ANCHOR: choice
 /// G₊ and G₋: a is half of the integrals to Z, up to its sign and one of sixteen half periods, of which h makes eight pairs.
 ///
 /// Which it is depends on the signs of the roots with which the start was found; the one that fits is told by A′/2 + 2 d arg G/dt being the same α everywhere.
 pub(super) fn products(
     curve: &Curve,
+    point: [[f64; 2]; 2],
     witnesses: &[Witness],
     advance: [f64; 2],
 ) -> Option<[[Factor; 2]; 2]> {
-    let [real, imaginary] = curve.point;
+    let [real, imaginary] = point;
     let mut thetas = Vec::with_capacity(4);
     let mut shifts = Vec::with_capacity(4);
     for m in MEASURES {
@@ -155,17 +132,16 @@ pub(super) fn products(
                     .into();
                 Half::all()
                     .map(|half| {
-                        let place = place(sign, half);
                         let [value, rate] = all[number(half.m)]
                             .each_ref()
-                            .map(|sums| place.join(curve.twisted, sums));
+                            .map(|sums| join(sums, half.n, curve.twisted));
                         (rate / value).im
                     })
                     .collect()
             })
             .collect();
         for (i, half) in Half::all().enumerate() {
-            let other = Half::all().position(|x| x == half.plus(curve.between))?;
+            let other = Half::all().position(|x| x == half.plus(curve.between()))?;
             for (side, best) in best.iter_mut().enumerate() {
                 let rates: Vec<f64> = few
                     .iter()
@@ -192,7 +168,7 @@ pub(super) fn products(
         twisted: curve.twisted,
     };
     best.iter().all(|x| x.0 < TRUSTED).then(|| {
-        best.map(|(_, sign, half)| [half, half.plus(curve.between)].map(|h| factor(sign, h)))
+        best.map(|(_, sign, half)| [half, half.plus(curve.between())].map(|h| factor(sign, h)))
     })
 }
 // ANCHOR_END: choice

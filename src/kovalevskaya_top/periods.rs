@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 
 use super::constants::{Constants, Root};
-use super::separation::Separation;
+use super::separation::{Place, Separation};
 
 type Number = Complex<f64>;
 
@@ -41,7 +41,10 @@ impl Half {
     }
 }
 
-/// The period matrix τ and two places on the torus, in turns of the two phases.
+/// m of the half periods ½(n + τm).
+pub(super) const MEASURES: [[u8; 2]; 4] = [[0, 0], [0, 1], [1, 0], [1, 1]];
+
+/// The period matrix τ and places on the torus, in turns of the two phases.
 ///
 /// Both integrals are normalized: the first gains 1 as s₁ goes round its band and 0 as s₂ does, the second 0 and 1.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,113 +53,122 @@ pub(super) struct Curve {
     pub y: [[f64; 2]; 2],
     /// Whether two roots are complex: Re τ is ½ everywhere then, 0 otherwise.
     pub twisted: bool,
-    /// The half period from e₄ to e₅.
-    pub between: Half,
-    /// Half of the integrals from ∞ to Z, real and imaginary parts.
-    pub point: [[f64; 2]; 2],
+    /// The half periods from ∞ to the roots e₁ … e₅.
+    pub roots: [Half; 5],
+    /// The one with which θ vanishes where s₁ or s₂ is infinite, counted from where s₁ = A and s₂ = C.
+    pub infinite: Half,
 }
 
 impl Curve {
     // ANCHOR: curve
     /// Gaps and cuts in turn from −∞: the cut of s₂, a gap, a band, and if all roots are real another gap and another band.
-    ///
-    /// Z is where s = l² − l₁, P(s) = −l²(m²−k²)²/4 with m = 3l₁ − 2l²; it lies in a gap between s₂ and s₁. None beside a double root.
-    pub fn prepare(constants: &Constants, separation: &Separation) -> Option<Self> {
-        if separation.narrowest() < DOUBLE {
-            return None;
-        }
+    pub fn prepare(separation: &Separation) -> Option<Self> {
         let real = separation.in_order();
         let twisted = real.len() < 5;
+        let [a, _, c] = separation.ends;
         // The band of s₁ is the second cut or the third.
-        let far = real[1] != separation.ends[0];
+        let far = real[1] != a;
+        let over_gap = |from: usize, to: usize, sign: usize| {
+            let place = (separation.apart[to], 1.0);
+            let whole = across(separation, real[from], &place);
+            let sign = 1.0_f64.copysign(whole[sign].im);
+            whole.map(|x| x * sign)
+        };
+        let gap = || over_gap(0, real[1], 1).map(|x| x.im);
+        let plus = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
+        // The upper one of two complex roots, and how many real ones are to its left: only where that is one it is seen under the near gap.
+        let upper = (0..5).find(|&i| separation.roots[i].imaginary.high() > 0.0);
+        let mut pair = Half::default();
+        let [first, second] = if let Some(upper) = upper {
+            let left = real
+                .iter()
+                .filter(|&&i| separation.apart[upper][i].re > 0.0);
+            let left = left.count();
+            let (from, sign) = (left.max(1) - 1, usize::from(left == 0));
+            let from = if left == 1 { 1 } else { from };
+            let whole = over_gap(from, upper, sign);
+            let column = whole.map(|x| x.im);
+            let m = if sign == 0 { [1, 0] } else { [0, 1] };
+            // On the way to it half of τ is passed, and real parts of a quarter.
+            let n = whole.map(|x| (x.re - 0.5).round().rem_euclid(2.0) as u8);
+            pair = to(&steps(far), from).plus(Half { n, m });
+            match left {
+                0 => [plus(column, gap().map(|x| -x)), column],
+                1 => [column, over_gap(0, upper, 1).map(|x| x.im)],
+                _ => [column, plus(column, gap())],
+            }
+        } else {
+            let first = over_gap(2, real[3], 0).map(|x| x.im);
+            [first, if far { gap() } else { plus(first, gap()) }]
+        };
+        let mut roots = [pair; 5];
+        for (place, root) in real.iter().enumerate() {
+            roots[*root] = to(&steps(far), place);
+        }
+        if let Some(upper) = upper {
+            let lower = (0..5).find(|&i| i != upper && !real.contains(&i))?;
+            roots[lower] = pair.plus(Half::along([1, 1]));
+        }
+        // With it and with all of its sums with these, θ is odd.
+        let odd = |half: Half| (half.n[0] & half.m[0]) ^ (half.n[1] & half.m[1]) == 1;
+        let constant =
+            Half::all().find(|&half| odd(half) && roots.iter().all(|&r| odd(half.plus(r))))?;
+        Some(Self {
+            y: [[first[0], first[1]], [first[1], second[1]]],
+            twisted,
+            roots,
+            infinite: constant.plus(roots[a]).plus(roots[c]),
+        })
+    }
+    // ANCHOR_END: curve
+
+    /// The half period from e₄ to e₅.
+    pub fn between(&self) -> Half {
+        self.roots[3].plus(self.roots[4])
+    }
+
+    /// Half of the integrals from ∞ to Z, real and imaginary parts, from where s₁ = A and s₂ = C.
+    ///
+    /// Z is where s = l² − l₁, P(s) = −l²(m²−k²)²/4 with m = 3l₁ − 2l²; it lies in a gap between s₂ and s₁.
+    pub fn point(&self, constants: &Constants, separation: &Separation) -> [[f64; 2]; 2] {
+        let real = separation.in_order();
         let s = constants.l * constants.l - constants.l1;
         let over = |root: usize| (s - separation.roots[root].real).value();
         // In which of the gaps Z lies.
+        let far = real[1] != separation.ends[0];
         let base = if far && over(real[2]) > -over(real[1]) {
             2
         } else {
             0
         };
-        let apart = separation.apart();
-        let imaginary = |from: usize, to: &[Number; 5]| {
-            // From the real root next to it, either complex one is seen under the way at no more than a right angle.
-            let step = if twisted { 0.25 } else { 0.5 };
-            let integrals = straight(separation, &apart[from], from, to, step);
-            separation.normalized(integrals.map(|x| 2.0 * x.im))
-        };
-        let over_gap =
-            |from: usize, to: usize, sign: usize| upward(imaginary(real[from], &apart[to]), sign);
-        let plus = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
-        let across = || over_gap(0, real[1], 1);
-        // The upper one of two complex roots, and how many real ones are to its left: only where that is one it is seen under the near gap.
-        let upper = (0..5).find(|&i| separation.roots[i].imaginary.high() > 0.0);
-        let left = upper.map(|upper| real.iter().filter(|&&i| apart[upper][i].re > 0.0).count());
-        let [first, second] = match upper.zip(left) {
-            None => {
-                let [first, near] = [over_gap(2, real[3], 0), across()];
-                [first, if far { near } else { plus(first, near) }]
-            }
-            Some((upper, 0)) => {
-                let second = over_gap(0, upper, 1);
-                [plus(second, across().map(|x| -x)), second]
-            }
-            Some((upper, 1)) => [over_gap(1, upper, 0), over_gap(0, upper, 1)],
-            Some((upper, left)) => {
-                let first = over_gap(left - 1, upper, 0);
-                [first, plus(first, across())]
-            }
-        };
-        let y = [[first[0], first[1]], [first[1], second[1]]];
-        let steps = [
-            Half::along([0, 1]),
-            Half::across(if far { [0, 1] } else { [1, 1] }),
-            Half::along(if far { [1, 1] } else { [1, 0] }),
-            Half::across([1, 0]),
-            Half::along(if far { [1, 0] } else { [1, 1] }),
-        ];
-        // From ∞ to the root that is number `place` from below.
-        let to = |place: usize| {
-            steps[..=place]
-                .iter()
-                .fold(Half::default(), |sum, step| sum.plus(*step))
-        };
-        let place = |root: usize| real.iter().position(|&r| r == root);
-        let between = to(place(3)?).plus(to(place(4)?));
         // From the end that is nearer, or on this side of the complex roots; which sign the roots have is open as long as the half periods are.
-        let middle = 0.5 * apart[real[base + 1]][real[base]].re;
-        let middle = upper.map_or(middle, |upper| apart[real[base + 1]][upper].re);
+        let upper = (0..5).find(|&i| separation.roots[i].imaginary.high() > 0.0);
+        let from = separation.apart[real[base + 1]];
+        let middle = upper.map_or(0.5 * from[real[base]].re, |upper| from[upper].re);
         let nearer = base + usize::from(-over(real[base + 1]) < middle);
         let z = separation.roots.map(|root| Root::on_axis(s).from(&root));
-        let inside = imaginary(real[nearer], &z);
-        let Half { n, m } = to(nearer).plus(to(place(4)?));
-        let twist = if twisted { 0.5 } else { 0.0 };
+        let inside = across(separation, real[nearer], &(z, 1.0));
+        let Half { n, m } = self.roots[real[nearer]].plus(self.roots[4]);
+        let twist = if self.twisted { 0.5 } else { 0.0 };
         let [n, m] = [n, m].map(|x| x.map(f64::from));
-        let point = [
+        [
             // A quarter of a turn of each besides: v is counted from where s₁ = A and s₂ = C.
             [0, 1].map(|i| 0.25 * (1.0 + n[i] + twist * (m[0] + m[1]))),
-            [0, 1].map(|i| 0.25 * inside[i] + 0.25 * (y[i][0] * m[0] + y[i][1] * m[1])),
-        ];
-        Some(Self {
-            y,
-            twisted,
-            between,
-            point,
-        })
+            [0, 1].map(|i| 0.25 * (inside[i].im + self.y[i][0] * m[0] + self.y[i][1] * m[1])),
+        ]
     }
-    // ANCHOR_END: curve
 
     /// α but for whole turns of v: l − ½ of the mean of N/((s₁−s)(s₂−s)), N = l(m²−k²)/2, with s and m of Z.
     ///
     /// A₊′ = 2l − N/((s₁−s)(s₂−s)) − d arg R/dt with a function R of the state, and the mean is one of two integrals of the third kind, one in s₁ and one in s₂.
-    /// None where Z is so near to a band that these need too many terms.
-    pub fn rate(&self, constants: &Constants, separation: &Separation) -> Option<f64> {
+    pub fn rate(constants: &Constants, separation: &Separation) -> f64 {
         let square = constants.l * constants.l;
         let m = constants.l1.times(3.0) - square.scaled(2.0);
         let residue = (constants.l * (m - constants.k) * (m + constants.k))
             .scaled(0.5)
             .value();
-        let mean = separation.third_kind(square - constants.l1)?;
-        Some(constants.l.value() - 0.5 * residue * mean)
+        let mean = separation.third_kind(square - constants.l1);
+        constants.l.value() - 0.5 * residue * mean
     }
 
     /// Re τx in one component, which is the same in both, from the sum of those of x.
@@ -175,61 +187,31 @@ impl Curve {
     }
 }
 
-/// Where roots are as near as this, as a part of the greatest distance, the theta functions are small against their terms: observed 1e-12 rad at 1e-11.
-const DOUBLE: f64 = 1e-10;
-
-/// With the sign that makes this component positive.
-fn upward(vector: [f64; 2], component: usize) -> [f64; 2] {
-    let sign = 1.0_f64.copysign(vector[component]);
-    vector.map(|x| sign * x)
+/// Twice the normalized integrals from a root to a place.
+fn across(separation: &Separation, from: usize, place: &Place) -> [Number; 2] {
+    let [a, b, _] = separation.straight(from, place, [1.0, 1.0]);
+    let [real, imaginary] = [0, 1].map(|part| {
+        separation
+            .normalized([a[part], b[part]])
+            .map(|x| 2.0 * x.value())
+    });
+    [0, 1].map(|i| Number::new(real[i], imaginary[i]))
 }
 
-/// ∫ds/√P and ∫(s−σ)ds/√P straight from a root to a place, of which the distances from all roots are given.
-///
-/// With s = (root + e^x place)/(1 + e^x) every root beyond the ends is at Im x = ±π, however near it is to an end, and one that sees the way at an angle φ at ±(π−φ): the
-/// trapezoidal rule errs by e^{−2π(π−φ)/step}, and what is left out is e^{−40}. Each s − e is a sum of two distances of one sign, rounded once.
-fn straight(
-    separation: &Separation,
-    start: &[Number; 5],
-    from: usize,
-    place: &[Number; 5],
-    step: f64,
-) -> [Number; 2] {
-    let (first, length) = (separation.over_middle(from), place[from]);
-    let (mut sums, mut last) = ([Number::default(); 2], Number::default());
-    let most = (80.0 / step) as i32;
-    for n in -most..=most {
-        let g = (step * f64::from(n)).exp();
-        let [near, far] = [1.0 / (1.0 + g), g / (1.0 + g)];
-        let product: Number = start
-            .iter()
-            .zip(place)
-            .map(|(u, t)| u * near + t * far)
-            .product();
-        // The root that continues the one before.
-        let next = root(product);
-        last = if (next * last.conj()).re < 0.0 {
-            -next
-        } else {
-            next
-        };
-        // √P = 2i√Π(s−e).
-        let value = length * (near * far) / (last * Number::new(0.0, 2.0));
-        sums[0] += value;
-        sums[1] += value * (first + length * far);
-    }
-    sums.map(|sum| sum * step)
+/// The half periods over the cuts and gaps from ∞.
+fn steps(far: bool) -> [Half; 5] {
+    [
+        Half::along([0, 1]),
+        Half::across(if far { [0, 1] } else { [1, 1] }),
+        Half::along(if far { [1, 1] } else { [1, 0] }),
+        Half::across([1, 0]),
+        Half::along(if far { [1, 0] } else { [1, 1] }),
+    ]
 }
 
-/// The root with a positive real part, straight from the parts: twice as fast as by way of the angle.
-fn root(z: Number) -> Number {
-    let norm = (z.re * z.re + z.im * z.im).sqrt();
-    let large = (0.5 * (norm + z.re.abs())).sqrt();
-    let small = 0.5 * z.im.abs() / large;
-    let (re, im) = if z.re < 0.0 {
-        (small, large)
-    } else {
-        (large, small)
-    };
-    Number::new(re, im.copysign(z.im))
+/// From ∞ to the real root that is number `place` from below.
+fn to(steps: &[Half; 5], place: usize) -> Half {
+    steps[..=place]
+        .iter()
+        .fold(Half::default(), |sum, step| sum.plus(*step))
 }

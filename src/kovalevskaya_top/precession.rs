@@ -19,7 +19,7 @@ use nalgebra::{Complex, Quaternion};
 
 use super::constants::{Constants, Phase};
 use super::exact::Exact;
-use super::factors::{FEW, Factor, MANY, Witness, products};
+use super::factors::{Factor, WITNESSES, Witness, products};
 use super::periods::Curve;
 use super::taylor::{Carried, about_third, shortest};
 use super::theta::unit;
@@ -46,12 +46,14 @@ const TRUSTED: f64 = 1e-11;
 
 impl Precession {
     pub fn prepare(constants: &Constants, exact: &Exact) -> Option<Self> {
-        let curve = Curve::prepare(constants, &exact.separation)?;
-        let advance = exact.separation.frequencies().map(|n| 0.5 * n);
-        let known = curve.rate(constants, &exact.separation);
-        let count = if known.is_some() { FEW } else { MANY };
-        let witnesses = Witness::some(constants, exact, count);
-        let products = products(&curve, &witnesses, advance)?;
+        let Exact {
+            separation, curve, ..
+        } = exact;
+        let advance = exact.advance();
+        let known = Curve::rate(constants, separation);
+        let witnesses = Witness::some(constants, exact, WITNESSES);
+        let point = curve.point(constants, separation);
+        let products = products(curve, point, &witnesses, advance)?;
         let mut precession = Self {
             products,
             rates: [0.0; 2],
@@ -61,11 +63,13 @@ impl Precession {
         };
         precession.rates = [0, 1].map(|side| {
             let (rough, scatter) = precession.mean_rate(side, &witnesses);
-            let known = known.map(|known| settled(known, rough, advance));
+            let known = settled(known, rough, advance);
             // Beside a double root the integrals may lose digits, and the states know better.
-            known
-                .filter(|known| (known - rough).abs() <= 16.0 * scatter)
-                .unwrap_or(rough)
+            if (known - rough).abs() <= 16.0 * scatter {
+                known
+            } else {
+                rough
+            }
         });
         precession.set_out(constants, exact).then_some(precession)
     }

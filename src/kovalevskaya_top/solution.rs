@@ -1,9 +1,13 @@
-//! From the two phases back to Ω and z: Kötter's linear system, and its first two time derivatives (8.2).
+//! From the phases back to Ω and z: Kötter's linear system, solved by quotients of theta functions (8.2).
+
+use core::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
 
 use super::constants::{Constants, Phase, Root};
-use super::separation::{Local, Phases, Separation};
+use super::periods::{Curve, Half, MEASURES};
+use super::separation::Separation;
+use super::theta::{Theta, join, unit};
 
 type Number = Complex<f64>;
 
@@ -19,13 +23,11 @@ const I: Number = Number::new(0.0, 1.0);
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Reconstruction {
     /// N, M and O.
-    pub rows: [[Number; 3]; 3],
+    rows: [[Number; 3]; 3],
     /// M×N.
-    pub minors: [Number; 3],
+    minors: [Number; 3],
     /// q N·Q.
-    pub side: Number,
-    /// Which sign each of the three square roots has.
-    pub signs: [f64; 3],
+    side: Number,
 }
 
 impl Reconstruction {
@@ -57,38 +59,66 @@ impl Reconstruction {
             side: 0.25 * I * dot(&n, &right),
             minors: cross(&m, &n),
             rows: [n, m, o],
-            signs: [1.0; 3],
         }
     }
 
-    /// The state at these phases, regular at q = 0: there r, z₂ and z₃ are not quotients by q but derivatives of p and q.
-    pub fn state(&self, constants: &Constants, separation: &Separation, phases: Phases) -> Phase {
-        let local = separation.local(phases);
-        let flow = Flow::at(separation, &local);
-        let [_, [sine, cosine]] = local.half;
-        let [mut q, mut q1, mut q2] = [[Number::default(); 3]; 3];
-        for j in 0..3 {
-            [q[j], q1[j], q2[j]] = flow
-                .product(separation, &local, j)
-                .map(|x| x * self.signs[j]);
+    /// The quotients for functions that are these factors times √((s₁−e)(s₂−e)), and these times the Wronskians of the second and third, third and first, first and second;
+    /// with one of eight choices of signs of the three roots.
+    pub fn quotients(
+        &self,
+        factors: [Number; 3],
+        wronskians: [Number; 3],
+        choice: usize,
+    ) -> Quotients {
+        let signs = [0, 1, 2].map(|bit| if choice >> bit & 1 == 0 { 1.0 } else { -1.0 });
+        let pair = |i: usize| signs[(i + 1) % 3] * signs[(i + 2) % 3];
+        Quotients {
+            rows: self
+                .rows
+                .map(|row| [0, 1, 2].map(|j| row[j] * factors[j] * signs[j])),
+            wronskians: [0, 1, 2].map(|i| self.minors[i] * wronskians[i] * pair(i)),
+            side: self.side,
         }
-        let [n, m, o] = &self.rows;
-        let bottom = dot(n, &q);
-        // Derivatives over cos(f₂/2): of the logarithm of N·Q, and (M·Q′)(N·Q) − (M·Q)(N·Q′).
-        let growth = dot(n, &q1) / bottom;
-        let wronskian = dot(&self.minors, &cross(&q1, &q));
-        let wronskian_rate = dot(&self.minors, &cross(&q2, &q));
-        let share = -1.0 / (bottom * self.side);
-        let r = (wronskian * share).re;
-        let r_rate = ((wronskian_rate - wronskian * growth * cosine) * share).re;
-        let side = self.side / bottom;
-        let q_rate = (side * (-0.5 * sine * flow.rates[1] - cosine * cosine * growth)).re;
-        let p = -0.5 * (dot(m, &q) / bottom).re;
-        let squares = (dot(o, &q) / bottom).re;
+    }
+}
+
+/// A function of time and its derivative.
+pub(super) type Moving = [Number; 2];
+
+/// Ω and z as quotients of sums of functions with one common denominator; there is nothing to divide by where q = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Quotients {
+    /// What stands before the functions of the three roots in S, −2pS and x₁x₂S.
+    rows: [[Number; 3]; 3],
+    /// What stands before their Wronskians in −rS times the next.
+    wronskians: [Number; 3],
+    /// qS over the function that vanishes where q does.
+    side: Number,
+}
+
+impl Quotients {
+    /// The state: r, z₂ and z₃ are not quotients by q but derivatives of p, q and r.
+    pub fn state(
+        &self,
+        constants: &Constants,
+        roots: &[Moving; 3],
+        wronskians: &[Moving; 3],
+        alone: Moving,
+    ) -> Phase {
+        let sum = |row: &[Number; 3], of: &[Moving; 3]| [0, 1].map(|i| dot(row, &of.map(|x| x[i])));
+        let bottom = sum(&self.rows[0], roots);
+        // A quotient by the first row, and its rate.
+        let over = |[x, x_rate]: Moving| {
+            let quotient = x / bottom[0];
+            [quotient, (x_rate - quotient * bottom[1]) / bottom[0]].map(|x| x.re)
+        };
+        let [q, q_rate] = over(alone.map(|x| x * self.side));
+        let [p, _] = over(sum(&self.rows[1], roots).map(|x| x * -0.5));
+        let [squares, _] = over(sum(&self.rows[2], roots));
+        let [r, r_rate] = over(sum(&self.wronskians, wronskians).map(|x| -x / self.side));
         let c = constants.c.value();
         let z1 = (6.0 * constants.l1.value() - 2.0 * squares - r * r) / (2.0 * c);
-        let z3 = (2.0 * q_rate + r * p) / c;
-        [p, side.re * cosine, r, z1, -r_rate / c, z3]
+        [p, q, r, z1, -r_rate / c, (2.0 * q_rate + r * p) / c]
     }
 }
 
@@ -103,77 +133,97 @@ pub(super) fn dot(a: &[Number; 3], b: &[Number; 3]) -> Number {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// How fast the phases and their functions change.
-struct Flow {
-    /// f₁′/cos²(f₂/2) and f₂′, never zero.
-    rates: [f64; 2],
-    /// Their time derivatives.
-    second: [f64; 2],
+/// The functions of a curve that is not degenerate: Riemann's, with half periods.
+///
+/// √((s₁−e)(s₂−e)) is a theta function over the one that vanishes where s₂ is infinite, times the fourth root of ±Π(e−e′) over the other four roots e′; and the Wronskian of two such
+/// roots is √(e−e′) times both constants and the theta function of the sum of their half periods (Thomae 1870, Kötter 1893).
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Torus {
+    /// θ with τm/2 added, for each m, where one is needed.
+    tables: Vec<Option<Theta>>,
+    /// Half periods of the functions of the three roots, of their Wronskians, and of the one alone.
+    places: [Half; 7],
+    /// Re τm/2 in both components, a share of m₁ + m₂.
+    twisted: bool,
+    /// Turns of the phases a unit of time, halved.
+    advance: [f64; 2],
 }
 
-impl Flow {
-    fn at(separation: &Separation, local: &Local) -> Self {
-        let [[s, k], [sine, cosine]] = local.half;
-        let [a, b, c] = separation.ends;
-        let rates = [local.root_g / local.d, local.root_h / local.d];
-        let [first, second] = [rates[0] * cosine * cosine, rates[1]];
-        // d ln √G = ½ Σ ds₁/(s₁−e), d ln √H = ½ Σ dh/h, over the roots that G and H contain.
-        let s1_rate = separation.width * s * k * first;
-        let g = (0..5)
-            .filter(|i| ![a, b].contains(i))
-            .map(|i| (s1_rate / local.s1_from[i]).re)
-            .sum::<f64>();
-        let turning = sine * cosine * second;
-        let h = (0..5)
-            .filter(|i| *i != c)
-            .map(|i| (-separation.from_ends[1][i] * turning / local.h[i]).re)
-            .sum::<f64>();
-        let d_rate = s1_rate * cosine * cosine + turning * (separation.depth - local.s1_from[c].re);
-        Self {
-            rates,
-            second: [
-                rates[0] * (0.5 * g - d_rate / local.d),
-                rates[1] * (0.5 * h - d_rate / local.d),
-            ],
-        }
+impl Torus {
+    pub fn prepare(curve: &Curve, advance: [f64; 2]) -> Option<Self> {
+        let one = |j: usize| curve.infinite.plus(curve.roots[j % 3]);
+        let places = core::array::from_fn(|i| match i {
+            0..3 => one(i),
+            3..6 => one(i + 1).plus(curve.roots[(i + 2) % 3]),
+            _ => curve.infinite,
+        });
+        let tables = MEASURES.map(|m| {
+            let [a, b] = m.map(|x| -0.5 * f64::from(x));
+            let needed = places.iter().any(|place: &Half| place.m == m);
+            needed.then(|| Theta::prepare(curve.y, curve.y.map(|[x, y]| x * a + y * b)))
+        });
+        let lacking = tables.iter().any(|table| matches!(table, Some(None)));
+        (!lacking).then(|| Self {
+            tables: tables.into_iter().map(Option::flatten).collect(),
+            places,
+            twisted: curve.twisted,
+            advance,
+        })
     }
 
-    /// Q = cos(f₂/2)√((s₁−e)(s₂−e)) of the root e_j, then Q′/cos(f₂/2), and the time derivative of that.
-    ///
-    /// Q = uv with u² = s₁ − e and v² = −h, both smooth: at an end of the band the root is taken of sin² or cos² before the sign is lost.
-    fn product(&self, separation: &Separation, local: &Local, j: usize) -> [Number; 3] {
-        let [[s, k], [sine, cosine]] = local.half;
-        let [a, b, c] = separation.ends;
-        let root = separation.width.sqrt();
-        let [u, u1, u2] = if j == a {
-            [root * s, 0.5 * root * k, -0.25 * root * s].map(Number::from)
-        } else if j == b {
-            [root * k, -0.5 * root * s, -0.25 * root * k].map(|x| I * x)
-        } else {
-            let u = local.s1_from[j].sqrt();
-            let u1 = separation.width * s * k / (2.0 * u);
-            let u2 = separation.width * (k * k - s * s) / (4.0 * u) - u1 * u1 / u;
-            [u, u1, u2]
-        };
-        // v, and dv/df₂ and its derivative without their factor cos(f₂/2).
-        let [v, v1, v2] = if j == c {
-            let root = separation.depth.sqrt();
-            [I * root * sine, 0.5 * root * I, Number::default()]
-        } else {
-            let v = I * local.h[j].sqrt();
-            // e − B, from which m + C − e = B − e.
-            let v1 = separation.from_ends[1][j] * sine / (2.0 * v);
-            let v2 = separation.from_ends[1][j] / (4.0 * v) - v1 * v1 / v;
-            [v, v1, v2]
-        };
-        let [rate1, rate2] = self.rates;
-        let first = rate1 * cosine * cosine;
-        let over_cosine = u1 * v * cosine * rate1 + u * v1 * rate2;
-        let derivative = (u2 * first * v + u1 * v1 * (cosine * rate2)) * (cosine * rate1)
-            - u1 * v * (0.5 * sine * rate2 * rate1)
-            + u1 * v * (cosine * self.second[0])
-            + (u1 * first * v1 + u * v2 * (cosine * rate2)) * rate2
-            + u * v1 * self.second[1];
-        [u * v, over_cosine, derivative]
+    /// All seven where the phases have turned so far, halved.
+    pub fn at(&self, v: [f64; 2]) -> [Moving; 7] {
+        let once = v.map(unit);
+        let mut found = [Moving::default(); 7];
+        for (m, table) in MEASURES.iter().zip(&self.tables) {
+            let Some(table) = table else { continue };
+            let [first, second] = m.map(i32::from);
+            let twist = if self.twisted { first + second } else { 0 };
+            let turned = once.map(|x| x * x * I.powi(twist));
+            let sums = table.with_rates(turned, self.advance.map(|x| 2.0 * x));
+            let factor = once[0].powi(first) * once[1].powi(second);
+            let growth = I
+                * TAU
+                * (f64::from(first) * self.advance[0] + f64::from(second) * self.advance[1]);
+            for (value, place) in found.iter_mut().zip(&self.places) {
+                if place.m == *m {
+                    let [x, rate] = sums
+                        .each_ref()
+                        .map(|sums| join(sums, place.n, self.twisted));
+                    *value = [factor * x, factor * (rate + growth * x)];
+                }
+            }
+        }
+        found
     }
+
+    /// The constants of the three roots and of their Wronskians, from the theta functions where (s₁−e)(s₂−e) have these values: these tell which of the fourth roots they are.
+    pub fn constants(
+        &self,
+        separation: &Separation,
+        v: [f64; 2],
+        products: &[Number; 5],
+    ) -> [[Number; 3]; 2] {
+        let found = self.at(v);
+        let alone = found[6][0];
+        let roots: [Number; 3] = core::array::from_fn(|j| {
+            let rough = products[j] * (alone / found[j][0]).powi(2);
+            let apart = (0..5).filter(|i| *i != j).map(|i| separation.apart[j][i]);
+            aligned(apart.product::<Number>().sqrt(), rough).sqrt()
+        });
+        let wronskians = core::array::from_fn(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let both = roots[j] * roots[k];
+            let [[x, x_rate], [y, y_rate]] = [found[j], found[k]];
+            let rough = both * (x_rate * y - x * y_rate) / (alone * found[3 + i][0]);
+            aligned(both * separation.apart[j][k].sqrt(), rough)
+        });
+        [roots, wronskians]
+    }
+}
+
+/// A number times the sixteenth root of unity that brings it nearest to the direction of another.
+fn aligned(number: Number, rough: Number) -> Number {
+    let turns = (8.0 / PI * (rough / number).arg()).round();
+    number * Number::cis(PI / 8.0 * turns)
 }

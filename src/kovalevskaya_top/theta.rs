@@ -143,6 +143,22 @@ fn along(z: Number, row: &Row, weigh: impl Fn(i32, f64) -> f64) -> [Number; 2] {
     ]
 }
 
+/// The partial sums put together: signs from a half period n/2 along the real directions, i from the real part ½ of τ.
+pub(super) fn join(sums: &Sums, half: [u8; 2], twisted: bool) -> Number {
+    let mut whole = Number::default();
+    for (place, sum) in sums.iter().enumerate() {
+        let odd = [place >> 1, place & 1].map(|x| x as u8);
+        let negative = (odd[0] & half[0]) ^ (odd[1] & half[1]) == 1;
+        let term = if twisted && odd[0] != odd[1] {
+            Number::new(-sum.im, sum.re)
+        } else {
+            *sum
+        };
+        whole += if negative { -term } else { term };
+    }
+    whole
+}
+
 /// e^{2πix}.
 pub(super) fn unit(turns: f64) -> Number {
     let (sine, cosine) = (TAU * (turns - turns.round())).sin_cos();

@@ -30,7 +30,7 @@ use super::constants::{Constants, Phase, Root, WidePhase};
 use super::exact::{distance, tried};
 use super::precession::horizontal;
 use super::separation::Variables;
-use super::solution::{Reconstruction, dot};
+use super::solution::{Quotients, Reconstruction};
 use super::taylor::{Carried, about_third, project, shortest};
 
 type Number = Complex<f64>;
@@ -122,12 +122,7 @@ pub(super) struct Upright {
     rate: Number,
     /// U and Y at time 0.
     origin: [Number; 2],
-    /// What stands before σ(U) and the sums of σ_a, σ_b in S, −2pS and x₁x₂S.
-    rows: [[Number; 3]; 3],
-    /// What stands before the sum of σ₄, σ_a(U) and σ_b(U) in −rS times the next.
-    wronskians: [Number; 3],
-    /// qS/D.
-    side: Number,
+    quotients: Quotients,
     /// The phases of η₁² and η₂² at time 0, but for 2φ.
     angles: [f64; 2],
     /// The sign of a : q long after the passage.
@@ -175,28 +170,32 @@ impl Upright {
             at_kappa[places[0]][0] / s,
             at_kappa[places[1]][0] / s,
         ];
-        let mut upright = Self {
-            sigma,
-            places,
-            kappa,
-            rate: -2.0 * slope / s,
-            origin: [Number::default(); 2],
-            rows: [[Number::default(); 3]; 3],
-            wronskians: [Number::default(); 3],
-            side: Number::default(),
-            angles: [0.0; 2],
-            limit: 1.0,
-        };
-        let starts = upright.starts(constants, wide, [a, b, upper, e])?;
         let system = Reconstruction::prepare(constants, &roots);
         let apart = if rhombic {
             2.0 * I * a.imaginary.value()
         } else {
             a.from(&b)
         };
+        let [first, second, third] = factors;
+        let wronskians = [
+            second * third * apart,
+            first * third * third,
+            -first * second * second,
+        ];
+        let mut upright = Self {
+            sigma,
+            places,
+            kappa,
+            rate: -2.0 * slope / s,
+            origin: [Number::default(); 2],
+            quotients: system.quotients(factors, wronskians, 0),
+            angles: [0.0; 2],
+            limit: 1.0,
+        };
+        let starts = upright.starts(constants, wide, [a, b, upper, e])?;
         let mut best = (f64::INFINITY, 0, starts[0]);
         for choice in 0..8 {
-            upright.solve(&system, factors, apart, choice);
+            upright.quotients = system.quotients(factors, wronskians, choice);
             for origin in starts {
                 upright.origin = origin;
                 let miss = distance(&upright.raw(constants, 0.0), &whole.0);
@@ -205,7 +204,7 @@ impl Upright {
                 }
             }
         }
-        upright.solve(&system, factors, apart, best.1);
+        upright.quotients = system.quotients(factors, wronskians, best.1);
         upright.origin = best.2;
         let trial = tried(constants, whole, |t| upright.state(constants, t)).ok()?;
         upright.settle(constants);
@@ -267,27 +266,6 @@ impl Upright {
         all.iter().flatten().all(|x| x.is_finite()).then_some(all)
     }
 
-    /// The three linear equations by Cramer's rule, with this choice of signs of the square roots.
-    fn solve(
-        &mut self,
-        system: &Reconstruction,
-        [first, second, third]: [Number; 3],
-        apart: Number,
-        choice: u8,
-    ) {
-        let signs = [0, 1, 2].map(|bit| if choice >> bit & 1 == 0 { 1.0 } else { -1.0 });
-        let factors = [first, second, third];
-        let row = |row: [Number; 3]| [0, 1, 2].map(|j| row[j] * factors[j] * signs[j]);
-        self.rows = system.rows.map(row);
-        let [bc, ca, ab] = system.minors;
-        self.wronskians = [
-            bc * second * third * apart * signs[1] * signs[2],
-            -ab * first * second * second * signs[0] * signs[1],
-            ca * first * third * third * signs[0] * signs[2],
-        ];
-        self.side = system.side;
-    }
-
     /// Ω and z.
     fn raw(&self, constants: &Constants, t: f64) -> Phase {
         let u = self.origin[0] + t;
@@ -309,22 +287,9 @@ impl Upright {
         };
         let [a, b, upper] = self.places;
         let roots = [single(0), both(a, -1.0), both(b, -1.0)];
-        let wronskians = [both(upper, 1.0), single(a), single(b)];
-        let sum =
-            |row: &[Number; 3], of: &[[Number; 2]; 3]| [0, 1].map(|i| dot(row, &of.map(|x| x[i])));
-        let bottom = sum(&self.rows[0], &roots);
-        // A quotient by the first row, and its rate.
-        let over = |[x, x_rate]: [Number; 2]| {
-            let quotient = x / bottom[0];
-            [quotient, (x_rate - quotient * bottom[1]) / bottom[0]].map(|x| x.re)
-        };
-        let [q, q_rate] = over(both(0, 1.0).map(|x| x * self.side));
-        let [p, _] = over(sum(&self.rows[1], &roots).map(|x| x * -0.5));
-        let [squares, _] = over(sum(&self.rows[2], &roots));
-        let [r, r_rate] = over(sum(&self.wronskians, &wronskians).map(|x| -x / self.side));
-        let c = constants.c.value();
-        let z1 = (6.0 * constants.l1.value() - 2.0 * squares - r * r) / (2.0 * c);
-        [p, q, r, z1, -r_rate / c, (2.0 * q_rate + r * p) / c]
+        let wronskians = [both(upper, 1.0), single(b), single(a)];
+        self.quotients
+            .state(constants, &roots, &wronskians, both(0, 1.0))
     }
 
     pub fn state(&self, constants: &Constants, t: f64) -> Phase {

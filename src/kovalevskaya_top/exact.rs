@@ -73,19 +73,20 @@ impl Exact {
         let (places, products) = separation.midst();
         let midst = sum(separation.phases(places.each_ref()), [1.0, 1.0]);
         let [factors, wronskians] = torus.constants(&separation, midst, &products);
-        let system = Reconstruction::prepare(constants, &separation.roots);
+        let system =
+            Reconstruction::prepare(constants, &separation.roots, separation.differences());
         let places = separation.places(&variables, constants.l1);
         let phases = separation.phases(places.each_ref());
         let mut best = (
             f64::INFINITY,
             [0.0; 2],
-            system.quotients(factors, wronskians, 0),
+            system.quotients(factors, wronskians, 0, torus.split()),
         );
         for signs in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
             let origin = sum(phases, signs);
-            let functions = torus.at(origin);
+            let functions = torus.parts(origin);
             for choice in 0..8 {
-                let quotients = system.quotients(factors, wronskians, choice);
+                let quotients = system.quotients(factors, wronskians, choice, torus.split());
                 let miss = distance(&of(&quotients, constants, &functions), &whole.0);
                 if miss < best.0 {
                     best = (miss, origin, quotients);
@@ -126,14 +127,14 @@ impl Exact {
     pub fn at_turns(&self, constants: &Constants, v: [f64; 2]) -> Phase {
         project(
             constants,
-            &of(&self.quotients, constants, &self.torus.at(v)),
+            &of(&self.quotients, constants, &self.torus.parts(v)),
         )
     }
 }
 
 fn of(quotients: &Quotients, constants: &Constants, functions: &[Moving; 7]) -> Phase {
     let [a, b, c, bc, ca, ab, alone] = *functions;
-    quotients.state(constants, &[a, b, c], &[bc, ca, ab], alone)
+    quotients.state(constants, &[a, b, c], &[bc, ca, ab], alone[0])
 }
 
 /// States with attitudes by power series soon after time 0, from which the formula for Ω and z does not differ; or by how much it does.

@@ -7,79 +7,110 @@ use nalgebra::Complex;
 use super::constants::{Constants, Phase, Root};
 use super::periods::{Curve, Half, MEASURES};
 use super::separation::Separation;
-use super::theta::{Theta, join, unit};
+use super::theta::{Theta, join, parts, unit};
 
 type Number = Complex<f64>;
 
 const I: Number = Number::new(0.0, 1.0);
 
-/// The linear system, solved by Cramer's rule.
+/// Kötter's linear system, solved by Cramer's rule.
 ///
 /// For each of the three roots e of the cubic, with e′ = 2e − l₁, α = 2√(l₁+e), β = √(d+e′²) and αβ = b, every state obeys
 ///
 /// 2(x₁−x₂) √((s₁−e)(s₂−e)) = α(x₁x₂ − e′) + β(x₁+x₂).
 ///
-/// With Q the vector of the three roots of products, N = α×β, M = αe′×α and O = αe′×β this is x₁−x₂ = −N·αe′/2N·Q, x₁+x₂ = −M·Q/N·Q and x₁x₂ = O·Q/N·Q.
+/// Since α₁α₂α₃ = 2b, β is half the product of the other two α, and every minor of the system is an α or β times a difference of two roots. With T = √((s₁−e)(s₂−e)) T∞, Wronskians
+/// U₁ = (T₂′T₃ − T₂T₃′)/T∞ = ½Δ₁Z₁, Δ₁ = e₂ − e₃ and so on in turn, and S = Σ αΔT,
+///
+/// q = −2iΔ₁Δ₂Δ₃T∞/S, p = −Σ βΔT/S, r = i Σ αΔZ/S, cz₃ = −i Σ βΔZ/S.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Reconstruction {
-    /// N, M and O.
-    rows: [[Number; 3]; 3],
-    /// M×N.
-    minors: [Number; 3],
-    /// q N·Q.
-    side: Number,
+    /// α and β.
+    system: [[Number; 3]; 2],
+    /// Δ.
+    apart: [Number; 3],
+    /// e₂ and e₃ less −l₁, e₁, e₄ and e₅.
+    over: [[Number; 4]; 2],
 }
 
 impl Reconstruction {
-    pub fn prepare(constants: &Constants, roots: &[Root; 5]) -> Self {
-        let b = constants.b().value();
-        let [mut alpha, mut beta, mut right] = [[Number::default(); 3]; 3];
-        for j in 0..3 {
-            let root = &roots[j];
-            let twice = root.real.scaled(2.0) - constants.l1;
-            let imaginary = root.imaginary.scaled(2.0);
-            let first = Number::new((constants.l1 + root.real).value(), root.imaginary.value());
-            let square = twice * twice - imaginary * imaginary + constants.d;
-            let second = Number::new(square.value(), (twice * imaginary).scaled(2.0).value());
-            (alpha[j], beta[j]) = (2.0 * first.sqrt(), second.sqrt());
-            // The smaller of the two is a root of a difference; the product is known.
-            if alpha[j].norm() > beta[j].norm() {
-                beta[j] = b / alpha[j];
-            } else if beta[j].norm() > 0.0 {
-                alpha[j] = b / beta[j];
-            }
-            right[j] = alpha[j] * Number::new(twice.value(), imaginary.value());
-        }
-        let [n, m, o] = [
-            cross(&alpha, &beta),
-            cross(&right, &alpha),
-            cross(&right, &beta),
-        ];
+    pub fn prepare(constants: &Constants, roots: &[Root; 5], apart: [Number; 3]) -> Self {
+        let over = |j: usize| {
+            let real = constants.l1 + roots[j].real;
+            Number::new(real.value(), roots[j].imaginary.value())
+        };
+        let [a, b, c] = [0, 1, 2].map(|j| 2.0 * over(j).sqrt());
+        let against = (a * b * c).re * constants.b().value() < 0.0;
+        let a = if against { -a } else { a };
+        let from = |j: usize, i: usize| roots[j].from(&roots[i]);
         Self {
-            side: 0.25 * I * dot(&n, &right),
-            minors: cross(&m, &n),
-            rows: [n, m, o],
+            system: [[a, b, c], [b * c, c * a, a * b].map(|x| 0.5 * x)],
+            apart,
+            over: [1, 2].map(|j| [over(j), from(j, 0), from(j, 3), from(j, 4)]),
         }
     }
 
-    /// The quotients for functions that are these factors times √((s₁−e)(s₂−e)), and these times the Wronskians of the second and third, third and first, first and second;
-    /// with one of eight choices of signs of the three roots.
+    /// The quotients for functions that are these factors times T, and these times U; with one of eight choices of signs of the three roots.
+    ///
+    /// Where `split`, the functions of the second root and the third are the sum and the difference of those given, likewise their Wronskians.
     pub fn quotients(
         &self,
         factors: [Number; 3],
         wronskians: [Number; 3],
         choice: usize,
+        split: bool,
     ) -> Quotients {
         let signs = [0, 1, 2].map(|bit| if choice >> bit & 1 == 0 { 1.0 } else { -1.0 });
-        let pair = |i: usize| signs[(i + 1) % 3] * signs[(i + 2) % 3];
+        let [d1, d2, d3] = self.apart;
+        let roots = [0, 1, 2].map(|j| factors[j] * signs[j]);
+        let others = [0, 1, 2].map(|j| {
+            let sign = signs[(j + 1) % 3] * signs[(j + 2) % 3];
+            2.0 * wronskians[j] * sign / self.apart[j]
+        });
+        // Over Δ₁, which all the sums hold.
+        let row = |of: usize, functions: [Number; 3], powers: [i32; 3]| {
+            let [a, b, c] = [0, 1, 2].map(|j| self.system[of][j] * functions[j]);
+            if !split {
+                return [a, d2 / d1 * b, d3 / d1 * c];
+            }
+            let powers = [[2, -2][of], powers[0], powers[1], powers[2]];
+            let slope = d2 * self.slope(b, c, powers);
+            [a, slope - c, d2 * (b + c) / d1 + c]
+        };
         Quotients {
-            rows: self
-                .rows
-                .map(|row| [0, 1, 2].map(|j| row[j] * factors[j] * signs[j])),
-            wronskians: [0, 1, 2].map(|i| self.minors[i] * wronskians[i] * pair(i)),
-            side: self.side,
+            of_roots: [0, 1].map(|of| row(of, roots, [1, 1, 1])),
+            of_others: [0, 1].map(|of| row(of, others, [1, -1, -1])),
+            side: -2.0 * I * d2 * d3,
         }
     }
+
+    // ANCHOR: meeting
+    /// (b − c)/Δ₁ where b⁴ : c⁴ is the product of these powers of what e₂ and e₃ are over −l₁, e₁, e₄, e₅, but for its sign.
+    ///
+    /// Where e₂ and e₃ meet b and c do, or one is the other times a root of unity.
+    fn slope(&self, b: Number, c: Number, powers: [i32; 4]) -> Number {
+        let apart = self.apart[0];
+        let ratio = b / c;
+        let one = Number::from(1.0);
+        if (ratio - one).norm() > 0.5 {
+            return (b - c) / apart;
+        }
+        // The product less 1 over Δ₁, factor by factor.
+        let [second, third] = self.over;
+        let mut product = Number::default();
+        for (i, power) in powers.into_iter().enumerate() {
+            let step = if power > 0 {
+                1.0 / third[i]
+            } else {
+                -1.0 / second[i]
+            };
+            for _ in 0..power.abs() {
+                product += step * (one + apart * product);
+            }
+        }
+        c * product / ((ratio + one) * (ratio * ratio + one))
+    }
+    // ANCHOR_END: meeting
 }
 
 /// A function of time and its derivative.
@@ -88,49 +119,38 @@ pub(super) type Moving = [Number; 2];
 /// Ω and z as quotients of sums of functions with one common denominator; there is nothing to divide by where q = 0.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Quotients {
-    /// What stands before the functions of the three roots in S, −2pS and x₁x₂S.
-    rows: [[Number; 3]; 3],
-    /// What stands before their Wronskians in −rS times the next.
-    wronskians: [Number; 3],
-    /// qS over the function that vanishes where q does.
+    /// What stands before the functions of the roots in Σ αΔT and Σ βΔT over Δ₁.
+    of_roots: [[Number; 3]; 2],
+    /// And before their Wronskians in Σ αΔZ and Σ βΔZ over Δ₁.
+    of_others: [[Number; 3]; 2],
+    /// q Σ αΔT over Δ₁T∞.
     side: Number,
 }
 
 impl Quotients {
-    /// The state: r, z₂ and z₃ are not quotients by q but derivatives of p, q and r.
+    /// The state; z₂ is the rate of r.
     pub fn state(
         &self,
         constants: &Constants,
         roots: &[Moving; 3],
-        wronskians: &[Moving; 3],
-        alone: Moving,
+        others: &[Moving; 3],
+        alone: Number,
     ) -> Phase {
-        let sum = |row: &[Number; 3], of: &[Moving; 3]| [0, 1].map(|i| dot(row, &of.map(|x| x[i])));
-        let bottom = sum(&self.rows[0], roots);
-        // A quotient by the first row, and its rate.
-        let over = |[x, x_rate]: Moving| {
-            let quotient = x / bottom[0];
-            [quotient, (x_rate - quotient * bottom[1]) / bottom[0]].map(|x| x.re)
+        let sum = |row: &[Number; 3], of: &[Moving; 3], k: usize| {
+            row[0] * of[0][k] + row[1] * of[1][k] + row[2] * of[2][k]
         };
-        let [q, q_rate] = over(alone.map(|x| x * self.side));
-        let [p, _] = over(sum(&self.rows[1], roots).map(|x| x * -0.5));
-        let [squares, _] = over(sum(&self.rows[2], roots));
-        let [r, r_rate] = over(sum(&self.wronskians, wronskians).map(|x| -x / self.side));
+        let ([first, second], [third, fourth]) = (&self.of_roots, &self.of_others);
+        let bottom = sum(first, roots, 0);
+        let p = -(sum(second, roots, 0) / bottom).re;
+        let q = (self.side * alone / bottom).re;
+        let quotient = sum(third, others, 0) / bottom;
+        let r = -quotient.im;
+        let r_rate = (sum(third, others, 1) - quotient * sum(first, roots, 1)) / bottom;
         let c = constants.c.value();
-        let z1 = (6.0 * constants.l1.value() - 2.0 * squares - r * r) / (2.0 * c);
-        [p, q, r, z1, -r_rate / c, (2.0 * q_rate + r * p) / c]
+        let z1 = (6.0 * constants.l1.value() - 2.0 * (p * p + q * q) - r * r) / (2.0 * c);
+        let z3 = (sum(fourth, others, 0) / bottom).im / c;
+        [p, q, r, z1, r_rate.im / c, z3]
     }
-}
-
-pub(super) fn cross(a: &[Number; 3], b: &[Number; 3]) -> [Number; 3] {
-    [0, 1, 2].map(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
-}
-
-pub(super) fn dot(a: &[Number; 3], b: &[Number; 3]) -> Number {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The functions of a curve that is not degenerate: Riemann's, with half periods.
@@ -143,6 +163,8 @@ pub(super) struct Torus {
     tables: Vec<Option<Theta>>,
     /// Half periods of the functions of the three roots, of their Wronskians, and of the one alone.
     places: [Half; 7],
+    /// The half period from e₂ to e₃ if it is one along the real directions.
+    between: Option<[u8; 2]>,
     /// Re τm/2 in both components, a share of m₁ + m₂.
     twisted: bool,
     /// Turns of the phases a unit of time, halved.
@@ -163,7 +185,9 @@ impl Torus {
             needed.then(|| Theta::prepare(curve.y, curve.y.map(|[x, y]| x * a + y * b)))
         });
         let lacking = tables.iter().any(|table| matches!(table, Some(None)));
+        let between = curve.roots[1].plus(curve.roots[2]);
         (!lacking).then(|| Self {
+            between: (between.m == [0, 0]).then_some(between.n),
             tables: tables.into_iter().map(Option::flatten).collect(),
             places,
             twisted: curve.twisted,
@@ -173,6 +197,24 @@ impl Torus {
 
     /// All seven where the phases have turned so far, halved.
     pub fn at(&self, v: [f64; 2]) -> [Moving; 7] {
+        let mut found = self.parts(v);
+        if self.split() {
+            for i in [1, 4] {
+                let [even, odd] = [found[i], found[i + 1]];
+                found[i] = [0, 1].map(|k| even[k] + odd[k]);
+                found[i + 1] = [0, 1].map(|k| even[k] - odd[k]);
+            }
+        }
+        found
+    }
+
+    /// Whether the functions of the second root and the third come as half their sum and half their difference.
+    pub fn split(&self) -> bool {
+        self.between.is_some()
+    }
+
+    /// The seven, two pairs of them split.
+    pub fn parts(&self, v: [f64; 2]) -> [Moving; 7] {
         let once = v.map(unit);
         let mut found = [Moving::default(); 7];
         for (m, table) in MEASURES.iter().zip(&self.tables) {
@@ -185,12 +227,23 @@ impl Torus {
             let growth = I
                 * TAU
                 * (f64::from(first) * self.advance[0] + f64::from(second) * self.advance[1]);
-            for (value, place) in found.iter_mut().zip(&self.places) {
-                if place.m == *m {
-                    let [x, rate] = sums
-                        .each_ref()
-                        .map(|sums| join(sums, place.n, self.twisted));
-                    *value = [factor * x, factor * (rate + growth * x)];
+            let moving = |[x, rate]: Moving| [factor * x, factor * (rate + growth * x)];
+            for (i, place) in self.places.iter().enumerate() {
+                if place.m != *m {
+                    continue;
+                }
+                match (i, self.between) {
+                    (1 | 4, Some(between)) => {
+                        let [x, rate] = sums
+                            .each_ref()
+                            .map(|sums| parts(sums, place.n, self.twisted, between));
+                        [found[i], found[i + 1]] = [0, 1].map(|k| moving([x[k], rate[k]]));
+                    }
+                    (2 | 5, Some(_)) => {}
+                    _ => {
+                        let whole = sums.each_ref();
+                        found[i] = moving(whole.map(|sums| join(sums, place.n, self.twisted)));
+                    }
                 }
             }
         }

@@ -145,18 +145,24 @@ fn along(z: Number, row: &Row, weigh: impl Fn(i32, f64) -> f64) -> [Number; 2] {
 
 /// The partial sums put together: signs from a half period n/2 along the real directions, i from the real part ½ of τ.
 pub(super) fn join(sums: &Sums, half: [u8; 2], twisted: bool) -> Number {
-    let mut whole = Number::default();
+    let [whole, _] = parts(sums, half, twisted, [0, 0]);
+    whole
+}
+
+/// The same in two parts, of which the second changes its sign with another half period along the real directions.
+pub(super) fn parts(sums: &Sums, half: [u8; 2], twisted: bool, other: [u8; 2]) -> [Number; 2] {
+    let mut parts = [Number::default(); 2];
     for (place, sum) in sums.iter().enumerate() {
         let odd = [place >> 1, place & 1].map(|x| x as u8);
-        let negative = (odd[0] & half[0]) ^ (odd[1] & half[1]) == 1;
+        let sign = |half: [u8; 2]| (odd[0] & half[0]) ^ (odd[1] & half[1]);
         let term = if twisted && odd[0] != odd[1] {
             Number::new(-sum.im, sum.re)
         } else {
             *sum
         };
-        whole += if negative { -term } else { term };
+        parts[usize::from(sign(other))] += if sign(half) == 1 { -term } else { term };
     }
-    whole
+    parts
 }
 
 /// e^{2πix}.

@@ -170,12 +170,8 @@ impl Upright {
             at_kappa[places[0]][0] / s,
             at_kappa[places[1]][0] / s,
         ];
-        let system = Reconstruction::prepare(constants, &roots);
-        let apart = if rhombic {
-            2.0 * I * a.imaginary.value()
-        } else {
-            a.from(&b)
-        };
+        let apart = a.from(&b);
+        let system = Reconstruction::prepare(constants, &roots, [apart, b.from(&e), e.from(&a)]);
         let [first, second, third] = factors;
         let wronskians = [
             second * third * apart,
@@ -188,14 +184,14 @@ impl Upright {
             kappa,
             rate: -2.0 * slope / s,
             origin: [Number::default(); 2],
-            quotients: system.quotients(factors, wronskians, 0),
+            quotients: system.quotients(factors, wronskians, 0, false),
             angles: [0.0; 2],
             limit: 1.0,
         };
         let starts = upright.starts(constants, wide, [a, b, upper, e])?;
         let mut best = (f64::INFINITY, 0, starts[0]);
         for choice in 0..8 {
-            upright.quotients = system.quotients(factors, wronskians, choice);
+            upright.quotients = system.quotients(factors, wronskians, choice, false);
             for origin in starts {
                 upright.origin = origin;
                 let miss = distance(&upright.raw(constants, 0.0), &whole.0);
@@ -204,7 +200,7 @@ impl Upright {
                 }
             }
         }
-        upright.quotients = system.quotients(factors, wronskians, best.1);
+        upright.quotients = system.quotients(factors, wronskians, best.1, false);
         upright.origin = best.2;
         let trial = tried(constants, whole, |t| upright.state(constants, t)).ok()?;
         upright.settle(constants);
@@ -289,7 +285,7 @@ impl Upright {
         let roots = [single(0), both(a, -1.0), both(b, -1.0)];
         let wronskians = [both(upper, 1.0), single(b), single(a)];
         self.quotients
-            .state(constants, &roots, &wronskians, both(0, 1.0))
+            .state(constants, &roots, &wronskians, both(0, 1.0)[0])
     }
 
     pub fn state(&self, constants: &Constants, t: f64) -> Phase {

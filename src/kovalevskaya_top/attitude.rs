@@ -20,10 +20,8 @@ pub enum AttitudeMethod {
     Series,
     /// z along axis 3 at the start: algebraic in Ω and z, at any time at the same cost.
     Algebraic,
-    /// Step by step from time 0, Ω and z in 106 bits: the motion is not separated, for this reason.
+    /// Step by step from time 0, Ω and z in 106 bits: the motion is not separated, or the theta functions of the attitude lose digits, for this reason.
     Stepped(Reason),
-    /// Step by step from time 0: the motion is separated, but so near to a double root that the theta functions lose digits.
-    ManyTerms,
     /// C = O: the exact free top of section 6.
     FreeTop,
 }
@@ -78,9 +76,8 @@ impl KovalevskayaTop {
     /// Ω, z and attitude at time t (s).
     ///
     /// The angle about the vertical takes one more quadrature, by [`attitude_series`](Self::attitude_series). Cost: 2 µs whatever the time, after 0.06 ms of
-    /// preparation at the first call. Where the theta functions are out of reach, times up to 4096 units of the motion are walked: on each short stretch the
-    /// attitude follows from the power series of the exact Ω, and its tilt from the exact z, so that only the angle collects errors; 40 µs a unit. Where the motion
-    /// is not separated, Ω and z are walked, too, in 106 bits from the very doubles given; 0.4 ms a unit. Error: [`stated_error`](Self::stated_error).
+    /// preparation at the first call. Where the theta functions are out of reach, times up to 4096 units of the motion are walked, Ω and z in 106 bits from the very doubles given: on
+    /// each short stretch the attitude follows from the power series of Ω, and its tilt from z, so that only the angle collects errors; 0.4 ms a unit. Error: [`stated_error`](Self::stated_error).
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) for |t| beyond 10⁹ units of the motion (4096 where there is no series), [as for Ω and z](Self::omega_and_up);
@@ -132,7 +129,7 @@ impl KovalevskayaTop {
             Motion::Upright(_) => AttitudeMethod::Algebraic,
             Motion::Stepped(reason) => AttitudeMethod::Stepped(*reason),
             Motion::Separated(_) if self.attitude_series().is_some() => AttitudeMethod::Series,
-            Motion::Separated(_) => AttitudeMethod::ManyTerms,
+            Motion::Separated(_) => AttitudeMethod::Stepped(Reason::DoubleRoot),
         }
     }
 

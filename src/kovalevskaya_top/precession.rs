@@ -165,11 +165,11 @@ impl Precession {
         let upright = shortest([z1, z2, z3]);
         let sight = self.sight(constants, exact, t, &state, upright);
         let third = self.angle + 0.5 * (self.rates[0] + self.rates[1]) * t - sight.third.arg();
-        // Near the poles the third axis points nowhere; there η₁ or η₂ tells the angle, but for half a turn, unless K is small. Which is better is told by sin² of the
+        // Near the poles the third axis points nowhere; there η₁ or η₂ tells the angle, but for half a turn, unless K is small. Which is better is told by the sine of the
         // tilt and the size of K.
         let side = usize::from(z3 < 0.0);
         let other = sight.doubled[side];
-        let angle = if sight.third.norm_sqr() < other.norm() / (1.0 + z3.abs()).powi(2) {
+        let angle = if sight.third.norm() < other.norm() / (1.0 + z3.abs()).powi(2) {
             let half = 0.5 * (self.doubled[side] - other.arg()) + self.rates[side] * t;
             half + PI * ((third - half) / PI).round()
         } else {

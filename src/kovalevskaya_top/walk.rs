@@ -2,15 +2,11 @@
 
 use nalgebra::Quaternion;
 
-use super::classes::Kind;
 use super::constants::{Phase, WidePhase};
 use super::taylor::{Carried, Series, WideSeries, shortest};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
 use crate::error::{Error, Result};
 use crate::precise::DoubleDouble;
-
-/// Units of time that are walked where K = 0: theta functions alone lose two digits there as axis 3 passes the vertical.
-const NEAR: f64 = 256.0;
 
 /// Units of time that are walked at most.
 const LONGEST_WALK: f64 = 4096.0;
@@ -23,7 +19,7 @@ pub(super) struct Walk<'a> {
     pub top: &'a KovalevskayaTop,
     pub time: f64,
     pub here: Carried,
-    /// The same Ω and z in 106 bits, where the motion is not separated.
+    /// The same Ω and z in 106 bits.
     wide: WidePhase,
     /// By how much a walk in doubles would be off here: what rounding came to, as the motion has amplified it.
     off: Phase,
@@ -51,8 +47,7 @@ impl<'a> Walk<'a> {
             let time = self.top.inward_time(t, LONGEST)?;
             return Ok(self.top.placed(&upright.carried(&self.top.constants, time)));
         }
-        let near = self.top.kind() == Kind::Delaunay && (t * self.top.unit).abs() <= NEAR;
-        if let Some(series) = self.top.attitude_series().filter(|_| !near) {
+        if let Some(series) = self.top.attitude_series() {
             return series.at(t);
         }
         let target = self.top.inward_time(t, LONGEST_WALK)?;
@@ -65,25 +60,17 @@ impl<'a> Walk<'a> {
     fn stretch(&mut self, target: f64) -> Result<()> {
         let constants = &self.top.constants;
         let series = Series::at(constants.c.value(), &self.here);
-        let state = match &self.top.motion {
-            Motion::Separated(exact) => {
-                self.carry(&series, series.reach, target);
-                exact.state(constants, self.time)
-            }
-            _ => {
-                let wide = WideSeries::at(constants.c, &self.wide);
-                let before = self.time;
-                self.carry(&series, wide.reach.min(series.reach), target);
-                self.follow(&series, &wide, DoubleDouble::difference(self.time, before));
-                if !self.off.iter().all(|x| x.abs() < LOST) {
-                    return Err(Error::Integration {
-                        reason: "rounding has been amplified 10^17 times by then, more than 106 bits allow",
-                        time: self.time / self.top.unit,
-                    });
-                }
-                self.wide.map(DoubleDouble::value)
-            }
-        };
+        let wide = WideSeries::at(constants.c, &self.wide);
+        let before = self.time;
+        self.carry(&series, wide.reach.min(series.reach), target);
+        self.follow(&series, &wide, DoubleDouble::difference(self.time, before));
+        if !self.off.iter().all(|x| x.abs() < LOST) {
+            return Err(Error::Integration {
+                reason: "rounding has been amplified 10^17 times by then, more than 106 bits allow",
+                time: self.time / self.top.unit,
+            });
+        }
+        let state = self.wide.map(DoubleDouble::value);
         let (_, [w, i, j, k]) = self.here;
         let carried = Quaternion::new(w, i, j, k);
         let carried = carried / carried.norm();

@@ -30,6 +30,6 @@ fn starts_with_z_along_axis_three_and_nearly_so() {
     assert_eq!(seen, [72, 117]);
     observed!(motion_on_it, 1e-13..=4e-13);
     observed!(attitude_on_it, 6e-14..=3e-13);
-    observed!(motion, 7e-15..=4e-14);
+    observed!(motion, 2e-14..=1e-13);
     observed!(attitude, 8e-15..=4e-14);
 }

@@ -47,6 +47,17 @@ impl AttitudeSeries<'_> {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) for |t| beyond 10⁹ units of the motion.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let series = top.attitude_series().expect("theta functions");
+    /// let state = series.at(1e6)?;
+    /// let up = state.attitude.to_space(state.up);
+    /// assert!((up - spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0)).norm() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn at(&self, t: f64) -> Result<State> {
         let time = self.top.inward_time(t, LONGEST)?;
         Ok(self.top.placed(&self.carried(time)))
@@ -62,11 +73,39 @@ impl AttitudeSeries<'_> {
     /// It is the rate of the third axis, if that is never vertical. Otherwise whole multiples of half the two
     /// [`frequencies`](KovalevskayaTop::frequencies) (times 2π) may be added to c₀, since a body that passes through the vertical can be counted as going round
     /// on either side; this is the rate of the direction from which the third axis goes round least on the torus.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, BodyVector::new(0.1, 0.2, 3.0), BodyVector::new(0.95, 0.1, 0.3))?;
+    /// let series = top.attitude_series().expect("theta functions");
+    /// let azimuth = |t: f64| {
+    ///     let axis = series.at(t)?.attitude.to_space(BodyVector::new(0.0, 0.0, 1.0));
+    ///     Ok::<f64, spinning_bodies::Error>(axis.y().atan2(axis.x()))
+    /// };
+    /// let (mut turned, tau) = (0.0, std::f64::consts::TAU);
+    /// for n in 0..4000 {
+    ///     let step = azimuth(0.05 * f64::from(n + 1))? - azimuth(0.05 * f64::from(n))?;
+    ///     turned += step - tau * (step / tau).round();
+    /// }
+    /// assert!((turned / 200.0 - series.mean_precession_rate()).abs() < 0.02);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn mean_precession_rate(&self) -> f64 {
         self.precession.mean() * self.top.unit
     }
 
     /// Terms of the theta functions.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let series = top.attitude_series().expect("theta functions");
+    /// assert!((100..1000).contains(&series.terms()));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn terms(&self) -> usize {
         self.precession.terms()
     }
@@ -100,6 +139,16 @@ impl KovalevskayaTop {
     ///
     /// # Errors
     /// Each as for [`at`](Self::at).
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// for (state, t) in top.states([1.0, 2.0]).zip([1.0, 2.0]) {
+    ///     assert_eq!(state?.omega, top.omega_and_up(t)?.omega);
+    /// }
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn states(
         &self,
         times: impl IntoIterator<Item = f64>,
@@ -111,6 +160,16 @@ impl KovalevskayaTop {
     /// Ω, z and attitude at any time at the same cost; nothing where [`attitude_method`](Self::attitude_method) is another.
     ///
     /// Prepared when first asked for, and kept. Cost, over 200 random starts: 0.06 ms in the median, 0.11 ms at most in 95 per cent, 0.2 ms in the worst.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// assert!(top.attitude_series().is_some());
+    /// let upright = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(0.0, 0.0, 1.0))?;
+    /// assert!(upright.attitude_series().is_none());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn attitude_series(&self) -> Option<AttitudeSeries<'_>> {
         let exact = self.separated()?;
         let prepare = || Precession::prepare(&self.constants, exact).map(Box::new);
@@ -123,6 +182,16 @@ impl KovalevskayaTop {
     }
 
     /// How the attitude at a distant time is had. Cost: that of [`attitude_series`](Self::attitude_series).
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// assert_eq!(top.attitude_method(), AttitudeMethod::Series);
+    /// let upright = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(0.0, 0.0, 1.0))?;
+    /// assert_eq!(upright.attitude_method(), AttitudeMethod::Algebraic);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn attitude_method(&self) -> AttitudeMethod {
         match &self.motion {
             Motion::Free(_) => AttitudeMethod::FreeTop,

@@ -74,6 +74,11 @@ impl Diagram {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative), [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::Diagram;
+    /// assert!(Diagram::new(1.0, 0.4).is_ok() && Diagram::new(0.0, 0.4).is_err());
+    /// ```
     pub fn new(c: f64, k: f64) -> Result<Self> {
         positive("MgC/I3", c)?;
         not_negative("the constant |K|", k)?;
@@ -81,11 +86,27 @@ impl Diagram {
     }
 
     /// h on the line [`Kind::SharedUpper`]: 2(e + k). From e′ = 2e₄ − l₁ = k, where d + e′² = c². Negative h: no motion there.
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::Diagram;
+    /// let diagram = Diagram::new(1.0, 0.4)?;
+    /// let [a, b, c, fourth, _] = diagram.roots(1.0, diagram.shared_upper(1.0))?;
+    /// assert!([a, b, c].iter().any(|e| (e - fourth).norm() < 2e-14));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn shared_upper(&self, energy: f64) -> f64 {
         2.0 * (energy + self.k)
     }
 
     /// h on the line [`Kind::SharedLower`]: 2(e − k).
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::Diagram;
+    /// let diagram = Diagram::new(1.0, 0.4)?;
+    /// let [a, b, c, _, fifth] = diagram.roots(1.0, diagram.shared_lower(1.0))?;
+    /// assert!([a, b, c].iter().any(|e| (e - fifth).norm() < 2e-14));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn shared_lower(&self, energy: f64) -> f64 {
         2.0 * (energy - self.k)
     }
@@ -95,6 +116,16 @@ impl Diagram {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::Diagram;
+    /// let diagram = Diagram::new(1.0, 0.4)?;
+    /// for h in diagram.cubic_double(2.0)?.into_iter().flatten().filter(|h| *h > 0.0) {
+    ///     let [_, b, c, ..] = diagram.roots(2.0, h)?;
+    ///     assert!((b - c).norm() < 1e-7);
+    /// }
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn cubic_double(&self, energy: f64) -> Result<Option<[f64; 2]>> {
         let l1 = finite("the energy", energy)? / 3.0;
         let excess = (self.k - self.c) * (self.k + self.c);
@@ -115,6 +146,14 @@ impl Diagram {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for h.
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::Diagram;
+    /// let [a, b, c, fourth, fifth] = Diagram::new(1.0, 0.4)?.roots(1.5, 0.7)?;
+    /// assert!((a + b + c).norm() < 1e-15);
+    /// assert!((fourth.re - 0.45).abs() < 1e-15 && (fifth.re - 0.05).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn roots(&self, energy: f64, h: f64) -> Result<[Complex<f64>; 5]> {
         let wide = DoubleDouble::from;
         let l1 = wide(finite("the energy", energy)?) / wide(3.0);

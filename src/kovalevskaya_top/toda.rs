@@ -29,6 +29,14 @@ impl Lattice {
     ///
     /// # Errors
     /// [`Error::Condition`] for fewer than two particles (three if periodic) or lists of different length, [`Error::NotFinite`].
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
+    /// assert!(Lattice::new(Ends::Periodic, &[0.0, 0.0], &[1.0, -1.0]).is_err());
+    /// let lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
+    /// assert_eq!(lattice.energy(), 2.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(ends: Ends, positions: &[f64], momenta: &[f64]) -> Result<Self> {
         let least = match ends {
             Ends::Open => 2,
@@ -57,11 +65,25 @@ impl Lattice {
     }
 
     /// Positions q_i.
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
+    /// let lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
+    /// assert_eq!(lattice.positions(), [0.0, 0.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn positions(&self) -> &[f64] {
         &self.positions
     }
 
     /// Momenta p_i.
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
+    /// let lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
+    /// assert_eq!(lattice.momenta(), [1.0, -1.0]);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn momenta(&self) -> &[f64] {
         &self.momenta
     }
@@ -78,6 +100,14 @@ impl Lattice {
     }
 
     /// H = ½Σp² + Σe^{−gap}.
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
+    /// let lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
+    /// // ½ + ½ + e⁰.
+    /// assert_eq!(lattice.energy(), 2.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn energy(&self) -> f64 {
         let kinetic = self.momenta.iter().map(|p| 0.5 * p * p).sum::<f64>();
         kinetic + self.gaps().map(|gap| (-gap).exp()).sum::<f64>()
@@ -85,6 +115,14 @@ impl Lattice {
 
     // ANCHOR: lax
     /// The matrix L: p_i/2 on the diagonal, ½e^{−gap/2} beside it, and for a periodic lattice in the far corners too.
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
+    /// let lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
+    /// let l = lattice.lax_matrix();
+    /// assert_eq!((l[(0, 0)], l[(0, 1)], l[(1, 1)]), (0.5, 0.5, -0.5));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn lax_matrix(&self) -> DMatrix<f64> {
         let n = self.momenta.len();
         let mut matrix = DMatrix::zeros(n, n);
@@ -105,6 +143,15 @@ impl Lattice {
     ///
     /// # Errors
     /// [`Error::NotFinite`] if an exponential overflows.
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
+    /// let lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
+    /// // ±√(¼ + ¼), and twice these are the velocities with which two particles part.
+    /// let [a, b] = lattice.eigenvalues()?[..] else { panic!("two") };
+    /// assert!((a + 0.5_f64.sqrt()).abs() < 1e-15 && (b - 0.5_f64.sqrt()).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn eigenvalues(&self) -> Result<Vec<f64>> {
         let matrix = self.lax_matrix();
         for entry in matrix.iter() {
@@ -126,6 +173,15 @@ impl Lattice {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for the step, or if the lattice is lost.
+    ///
+    /// ```
+    /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
+    /// let mut lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
+    /// lattice.advance(0.05, 800)?;
+    /// // Apart at last, each with twice an eigenvalue.
+    /// assert!((lattice.momenta()[1] - 2.0_f64.sqrt()).abs() < 1e-9);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn advance(&mut self, step: f64, steps: usize) -> Result<()> {
         finite("the step", step)?;
         let weights = yoshida();

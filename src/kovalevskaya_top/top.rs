@@ -117,6 +117,16 @@ impl KovalevskayaTop {
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane;
     /// [`Error::OutOfRange`] for |Ω_i| or √(Mg|C|/I₃) above 10³⁰⁷.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// use spinning_bodies::frame::Attitude;
+    /// let upright = KovalevskayaTop::new([2.0, 2.0, 1.0], lever, omega, Attitude::identity())?;
+    /// assert_eq!(upright.method(), Method::Elliptic);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn new(
         moments: [f64; 3],
         lever: BodyVector,
@@ -251,11 +261,27 @@ impl KovalevskayaTop {
     }
 
     /// What kind of motion it is: how the five roots lie, decided once.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// assert_eq!(top.kind(), Kind::General);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub const fn kind(&self) -> Kind {
         self.kind
     }
 
     /// How it is computed, and if not by separation, why.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// assert_eq!(top.method(), Method::Separation);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn method(&self) -> Method {
         match &self.motion {
             Motion::Separated(_) => Method::Separation,
@@ -266,6 +292,17 @@ impl KovalevskayaTop {
     }
 
     /// E, L_vert and |K|, from the start (8.1, 8.2).
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let kept = top.constants();
+    /// // ½(2·1² + 2·0.5² + 0.3²) + 2/3, and 2·(2/3) − 2·0.5/3 + 0.3·2/3.
+    /// assert!((kept.energy - (1.295 + 2.0 / 3.0)).abs() < 1e-15);
+    /// assert!((kept.vertical_angular_momentum - 1.2).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn constants(&self) -> Integrals {
         let Constants { l1, l, k, .. } = self.constants;
         let unit = self.unit;
@@ -285,6 +322,16 @@ impl KovalevskayaTop {
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10⁹ units of the motion (4096 by power series), the unit being 1/max(|Ω|, √(Mg|C|/I₃));
     /// [`Error::Integration`] where the motion by power series amplifies what is rounded more than 10¹⁷ times until then, with the time at which that much is reached.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let late = top.omega_and_up(1e5)?;
+    /// let energy = top.heavy_top()?.energy(&late);
+    /// assert!((energy - top.constants().energy).abs() < 1e-14 && (late.up.norm() - 1.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn omega_and_up(&self, t: f64) -> Result<TopState> {
         match &self.motion {
             Motion::Separated(exact) => {
@@ -313,9 +360,17 @@ impl KovalevskayaTop {
     /// The error that is stated for time t (s): of Ω in units of u, of z, and of the attitude in radians.
     ///
     /// 10⁻¹² + 10⁻¹³|t|u, by [`Separation`](Method::Separation) times max(1, u²I₃/Mg|C|), u being the power of two next below the greatest of |Ω_i(0)| and √(Mg|C|/I₃).
-    /// Observed over 2000 starts, near double roots and far from them, to |t|u = 100: 0.26 of it at worst, the attitude next to a double root; Ω and z
+    /// Observed over 2000 starts, near double roots and far from them, to |t|u = 100: 0.17 of it at worst, the attitude next to a double root; Ω and z
     /// by far less.
     /// The doubles given are taken as they are: what the motion makes of their own rounding is not in it.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// assert_eq!(top.stated_error(0.0), 1e-12);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn stated_error(&self, t: f64) -> f64 {
         let weak = match self.motion {
             Motion::Separated(_) | Motion::Upright(_) => self.constants.c.value().min(1.0),
@@ -329,6 +384,17 @@ impl KovalevskayaTop {
     ///
     /// Ω and z are functions of two angles that advance uniformly at these rates; they return to themselves after an even number of turns of each.
     /// Error: 1e-15 relative. Cost: none.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// // Time is what the second integrals gain, and the first gain nothing.
+    /// let [a1, b1, a2, b2] = top.periods().expect("separated");
+    /// let [n1, n2] = top.frequencies().expect("separated");
+    /// assert!((a1 * n1 - a2 * n2).abs() < 1e-14 && (b1 * n1 - b2 * n2 - 1.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn frequencies(&self) -> Option<[f64; 2]> {
         let exact = self.separated()?;
         Some(
@@ -342,6 +408,17 @@ impl KovalevskayaTop {
     /// Her separation variables of any state on the same surface, straight from their definition (8.2), 1/s².
     ///
     /// s = l₁/2 + (R(x₁,x₂) ∓ |R(x₁)|)/(2(x₁−x₂)²) with x₁,₂ = Ω₁ ± iΩ₂ along axes for which C₂ = 0. Error: a few eps of |Ω|². Cost: a few multiplications.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let state = top.omega_and_up(2.5)?;
+    /// let [s1, s2] = top.separation_variables(&state);
+    /// let p = |s: f64| top.roots().iter().map(|e| s - e).product::<nalgebra::Complex<f64>>().re * -4.0;
+    /// assert!(s2 < s1 && p(s1) > 0.0 && p(s2) > 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn separation_variables(&self, state: &TopState) -> [f64; 2] {
         let inward = self.inward(state.omega, state.up);
         let variables = Variables::of(&self.constants, &inward.map(DoubleDouble::from));
@@ -351,6 +428,16 @@ impl KovalevskayaTop {
     }
 
     /// The five roots of P(s) = −4(s−e₁)(s−e₂)(s−e₃)(s−e₄)(s−e₅), 1/s²: (s₁−s₂)² (ds_i/dt)² = P(s_i). e₁+e₂+e₃ = 0, e₄,₅ = (E/3I₃ ± |K|)/2.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let [a, b, c, fourth, fifth] = top.roots();
+    /// assert!((a + b + c).norm() < 1e-15);
+    /// assert!((fourth - fifth - top.constants().kovalevskaya).norm() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn roots(&self) -> [Complex<f64>; 5] {
         let square = self.unit * self.unit;
         self.constants.roots().map(|root| root.value() * square)
@@ -358,6 +445,15 @@ impl KovalevskayaTop {
 
     /// By how much ∫ds₁/√P (s³), ∫s₁ds₁/√P (s), and the same two for s₂, increase in a whole turn of the phase: real periods of the curve
     /// w² = P(s); nothing where the motion is not separated.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let [a1, b1, a2, b2] = top.periods().expect("separated");
+    /// assert!(b1 / a1 > b2 / a2, "s₁ is the greater everywhere");
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn periods(&self) -> Option<[f64; 4]> {
         let exact = self.separated()?;
         let [a1, b1, a2, b2] = exact.separation.periods();
@@ -369,6 +465,15 @@ impl KovalevskayaTop {
     ///
     /// # Errors
     /// None that [`new`](Self::new) has not raised.
+    ///
+    /// ```
+    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
+    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
+    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
+    /// let heavy = top.heavy_top()?;
+    /// assert!((heavy.energy(&top.omega_and_up(0.0)?) - top.constants().energy).abs() < 1e-15);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
     pub fn heavy_top(&self) -> Result<HeavyTop> {
         let moments = AxisMoments::new(2.0 * self.axial, 2.0 * self.axial, self.axial)?;
         HeavyTop::new(moments, self.lever)

@@ -149,12 +149,9 @@ pub fn check(drawings: &[Drawing], folder: &Path) -> Result<()> {
         match std::fs::read_to_string(&path) {
             Err(error) => differences.push(format!("{}: {error}", path.display())),
             Ok(committed) => {
-                let compared = figures::compare(
-                    drawing.entry.name,
-                    &committed,
-                    &drawing.figure.file(Look::default()),
-                );
-                differences.extend(compared.err().map(|difference| difference.to_string()));
+                let drawn = drawing.figure.file(Look::default());
+                let compared = figures::compare(drawing.entry.name, &committed, &drawn);
+                differences.extend(compared.err());
             }
         }
     }

@@ -1,41 +1,5 @@
 //! Comparison of a committed figure with a fresh drawing of it.
 
-/// Where two drawings of a figure differ.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Difference {
-    /// Name of the figure.
-    pub figure: String,
-    /// Number of the token, from 1.
-    pub token: usize,
-    /// The token in the committed file; empty where it has ended.
-    pub committed: String,
-    /// The token in the fresh drawing; empty where it has ended.
-    pub drawn: String,
-}
-
-impl core::fmt::Display for Difference {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let shown = |token: &str| {
-            if token.is_empty() {
-                "the end".to_owned()
-            } else {
-                format!("`{token}`")
-            }
-        };
-        write!(
-            f,
-            "figure {}: token {} is {} in the committed file and {} when drawn; `cargo run -- figures {}` draws it afresh",
-            self.figure,
-            self.token,
-            shown(&self.committed),
-            shown(&self.drawn),
-            self.figure
-        )
-    }
-}
-
-impl core::error::Error for Difference {}
-
 /// Attributes whose numbers are canvas coordinates.
 const COORDINATES: [&str; 10] = ["points", "x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r"];
 
@@ -45,26 +9,26 @@ const COORDINATES: [&str; 10] = ["points", "x", "y", "x1", "y1", "x2", "y2", "cx
 /// sine may turn a rounding; everything else, numbers in labels included, must be equal.
 ///
 /// # Errors
-/// The first [`Difference`], with the figure's name, the token and both values.
-pub fn compare(figure: &str, committed: &str, drawn: &str) -> Result<(), Difference> {
+/// The first difference, on one line: the figure's name, the number of the token, and what stands there in both.
+pub fn compare(figure: &str, committed: &str, drawn: &str) -> Result<(), String> {
     let (mut old, mut new) = (tokens(committed).into_iter(), tokens(drawn).into_iter());
-    let mut token = 0;
+    let mut place = 0;
     loop {
-        token += 1;
-        let (a, b) = (old.next(), new.next());
-        let agree = match (&a, &b) {
+        place += 1;
+        let (a, b) = match (old.next(), new.next()) {
             (None, None) => return Ok(()),
-            (Some(a), Some(b)) => a == b || a.within_one_unit(b),
-            _ => false,
+            (Some(a), Some(b)) if a == b || a.within_one_unit(&b) => continue,
+            differ => differ,
         };
-        if !agree {
-            return Err(Difference {
-                figure: figure.to_owned(),
-                token,
-                committed: a.map_or_else(String::new, |t| t.text().to_owned()),
-                drawn: b.map_or_else(String::new, |t| t.text().to_owned()),
-            });
-        }
+        let shown = |token: Option<Token<'_>>| match token {
+            Some(Token::Coordinate(text) | Token::Other(text)) => format!("`{text}`"),
+            None => "the end".to_owned(),
+        };
+        return Err(format!(
+            "figure {figure}: token {place} is {} in the committed file and {} when drawn; `cargo run -- figures {figure}` draws it afresh",
+            shown(a),
+            shown(b)
+        ));
     }
 }
 
@@ -75,13 +39,7 @@ enum Token<'a> {
     Other(&'a str),
 }
 
-impl<'a> Token<'a> {
-    fn text(&self) -> &'a str {
-        match self {
-            Token::Coordinate(text) | Token::Other(text) => text,
-        }
-    }
-
+impl Token<'_> {
     fn within_one_unit(&self, other: &Token<'_>) -> bool {
         let (Token::Coordinate(a), Token::Coordinate(b)) = (self, other) else {
             return false;

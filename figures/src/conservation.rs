@@ -9,7 +9,7 @@ use spinning_bodies::inertia::{PlatonicSolid, shapes};
 
 use crate::solid::{View, polyhedron};
 use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, Words, figure, label, number, polar, short, stroke,
+    AXIS, Anchor, DATA, Point, Role, Words, figure, label, number, polar, short, spaced, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -57,7 +57,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
         let place = t * thrown + 0.5 * t * t * fall;
         Ok([place, space(state.angular_momentum), space(state.omega)])
     };
-    let times: Vec<f64> = (0..=180).map(|k| FLIGHT * f64::from(k) / 180.0).collect();
+    let times: Vec<f64> = spaced([0.0, FLIGHT], 180).collect();
     let rows = times.iter().map(|t| row(*t)).collect::<Result<Vec<_>>>()?;
     let leans = rows.iter().map(|[_, l, omega]| l.angle(omega).to_degrees());
     let most = leans.clone().fold(0.0, f64::max);

@@ -21,11 +21,7 @@ use crate::{Entry, Figure, Parameter, Values, of};
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
     of("momentum-flow", FLOW, momentum_flow),
-    of(
-        "triangle-of-tops",
-        triangle::TRIANGLE,
-        triangle::triangle_of_tops,
-    ),
+    of("triangle-of-tops", triangle::TRIANGLE, triangle::tops),
 ];
 
 /// What may be chosen: the moments.

@@ -11,7 +11,7 @@ use crate::plot::Axis;
 use crate::solid::{View, hull};
 use crate::style::{
     AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, label, number,
-    small, stroke,
+    small, spaced, stroke,
 };
 use crate::{Figure, Theme};
 
@@ -224,7 +224,7 @@ const LONG: f64 = 16.0;
 const FINE: f64 = 0.12;
 
 fn round_about<T>(at: impl Fn(f64) -> T) -> Vec<T> {
-    let angles = (0..=INNER).map(|k| TAU * f64::from(k) / f64::from(INNER));
+    let angles = spaced([0.0, TAU], INNER);
     angles.map(at).collect()
 }
 

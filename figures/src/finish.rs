@@ -1,6 +1,6 @@
 //! From the backend's SVG to the finished one: roles to variables of the page, mathematics to `tspan`s.
 
-use std::fmt::Write as _;
+use std::fmt::{Display, Write as _};
 
 use crate::Figure;
 use crate::style::{LEAST, Role, SCALE};
@@ -253,6 +253,21 @@ fn escaped(text: &str) -> String {
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")
+}
+
+/// The transforms of what moves in a film, each at its share of the round in percent.
+pub fn keyframes(name: &str, frames: impl Iterator<Item = (String, impl Display)>) -> String {
+    let frame = |(percent, moved)| format!("{percent}%{{transform:{moved}}}");
+    let frames: String = frames.map(frame).collect();
+    format!("@keyframes {name}{{{frames}}}")
+}
+
+/// The end of a film's style sheet: what moves stops under the pointer, stays for who wants no motion, and on paper.
+pub fn stops(name: &str, moving: &str) -> String {
+    format!(
+        "#fig-{name}-svg:hover :is({moving}){{animation-play-state:paused}}\
+         @media (prefers-reduced-motion:reduce){{{moving}{{animation:none}}}}@media print{{{moving}{{animation:none}}}}</style>\n"
+    )
 }
 
 /// A number without the digits that say nothing.

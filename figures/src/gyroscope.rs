@@ -10,7 +10,8 @@ use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession
 
 use crate::solid::{View, ellipse, segment};
 use crate::style::{
-    AXIS, DATA, Role, SECONDARY, Words, figure, inked, label, number, polar, short, small, stroke,
+    AXIS, DATA, Role, SECONDARY, Words, figure, inked, label, number, polar, short, small, spaced,
+    stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -85,8 +86,8 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         let state = top.at(time)?;
         Ok(state.attitude.to_space(state.angular_momentum).components())
     };
-    let path = (0..=180)
-        .map(|k| momentum(TAU / rate * f64::from(k) / 180.0))
+    let path = spaced([0.0, TAU / rate], 180)
+        .map(momentum)
         .collect::<Result<Vec<_>>>()?;
     let [now, later] = [path[0], momentum(STEP)?];
     let percent = 1e2 * (rate / law - 1.0);

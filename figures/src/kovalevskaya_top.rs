@@ -8,7 +8,7 @@ use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
 use crate::plot::apart;
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, figure, inked, label,
-    number, roomiest, short, stroke,
+    number, roomiest, short, spaced, stroke,
 };
 
 use crate::{Entry, Figure, Parameter, Values, of};
@@ -259,10 +259,7 @@ pub fn bands(values: &Values) -> Result<Figure> {
 
     // As high as the polynomial is between its outermost roots, and a little more beside them.
     let (from, to) = (real[0] - 1.1, real[real.len() - 1] + 0.35);
-    let grid: Vec<(f64, f64)> = (0..=600)
-        .map(|n| from + (to - from) * f64::from(n) / 600.0)
-        .map(|s| (s, value(s)))
-        .collect();
+    let grid: Vec<(f64, f64)> = spaced([from, to], 600).map(|s| (s, value(s))).collect();
     let made = figure("kovalevskaya-bands", 226.0, words, |pen| {
         let x = |s: f64| 30.0 + 540.0 * (s - from) / (to - from);
         let y = |p: f64| LEVEL - 13.0 * (p / 0.01).asinh();

@@ -40,7 +40,7 @@ mod tippe_top;
 mod yo_yo;
 
 pub use canvas::Mark;
-pub use compare::{Difference, compare};
+pub use compare::compare;
 pub use finish::{Look, Theme};
 pub use parameter::{Handle, Parameter, Spacing, Values};
 

@@ -10,7 +10,7 @@ use crate::style::{
     AXIS, Anchor, DATA, HAIR, Role, SCALE, SECONDARY, Words, between, figure, inked, label, number,
     short, stroke,
 };
-use crate::{Entry, Figure, Parameter, Values, constant, of, rolling};
+use crate::{Entry, Figure, Parameter, Values, constant, finish, of, rolling};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -294,10 +294,7 @@ pub fn animated() -> Result<Figure> {
         .map(|n| format!(".{n}"))
         .collect::<Vec<_>>()
         .join(",");
-    let _ = writeln!(
-        style,
-        "#fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}@media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}@media print{{{all}{{animation:none}}}}</style>"
-    );
+    style += &finish::stops(NAME, &all);
     let (r, top) = (RADIUS * SCALE, (TABLE - 2.0) * SCALE);
     let long = 1200.0 * SCALE;
     let (thick, thin) = (2.6 * SCALE, 2.0 * SCALE);

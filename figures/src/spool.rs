@@ -7,7 +7,7 @@ use spinning_bodies::rolling::{RoundBody, Spool, Tug, Way};
 
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, number,
-    polar, small, stroke,
+    polar, small, spaced, stroke,
 };
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -193,8 +193,7 @@ pub fn dial(values: &Values) -> Result<Figure> {
     let degrees = number(critical.to_degrees(), 2);
     let tension = values.of(&TENSION);
     let at = |angle: f64| Ok(spool.rolling_acceleration(Tug::new(tension, angle)?));
-    let rays = (0..=36)
-        .map(|k| PI * f64::from(k) / 36.0)
+    let rays = spaced([0.0, PI], 36)
         .map(|angle| at(angle).map(|a| (angle, a)))
         .collect::<Result<Vec<_>>>()?;
     let level = at(0.0)?;

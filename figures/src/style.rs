@@ -592,6 +592,11 @@ pub fn number(value: f64, digits: usize) -> String {
     text.replace('-', if zero { "" } else { "\u{2212}" })
 }
 
+/// One more than `count` numbers at equal steps, from one end to the other.
+pub fn spaced([from, to]: [f64; 2], count: u32) -> impl Iterator<Item = f64> + Clone {
+    (0..=count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count))
+}
+
 /// A number as a slider leaves it: four figures, no last zeros.
 pub fn brief(value: f64) -> String {
     let digits = (3.0 - value.abs().max(1e-9).log10().floor()).max(0.0) as usize;

@@ -17,16 +17,8 @@ use crate::{Entry, Figure, Parameter, Values, of, rolling};
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
     of("superball", UNDER_THE_TABLE, under_the_table),
-    of(
-        "three-superballs",
-        bounces::THREE_BALLS,
-        bounces::three_balls,
-    ),
-    of(
-        "bounce-reflections",
-        bounces::REFLECTIONS,
-        bounces::reflections,
-    ),
+    of("three-superballs", bounces::BALLS, bounces::three_balls),
+    of("bounce-reflections", bounces::MIRRORS, bounces::reflections),
 ];
 
 const KAPPA: Parameter = rolling::KAPPA.between([0.1, 0.65], 0.4);

@@ -224,13 +224,8 @@ fn s4_4_what_gently_means() {
         let largest = spool.largest_gentle_tension(angle, mu, g).unwrap();
         assert!(largest <= spool.lift_off_tension(angle, g).unwrap() * (1.0 + 1e-15));
         let course = |factor: f64| {
-            run(
-                spool,
-                Tug::new(factor * largest, angle).unwrap(),
-                g,
-                law,
-                1.0,
-            )
+            let hand = Tug::new(factor * largest, angle).unwrap();
+            run(spool, hand, g, law, 1.0)
         };
         assert!(course(1.0 - 1e-12).events.is_empty(), "{degrees}");
         let slips = course(1.0 + 1e-12);
@@ -268,18 +263,11 @@ fn s4_4_a_hard_steep_tug_drags_it_along() {
     let lift = spool.lift_off_tension(angle, g).unwrap();
     observed!((gentle - 0.888).abs(), 1e-4..=5e-4, "{gentle} {lift}");
     observed!((lift - 2.088).abs(), 2e-5..=5e-4, "{gentle} {lift}");
-    assert!(
-        run(spool, Tug::new(0.8, angle).unwrap(), g, law, 1.0)
-            .at(1.0)
-            .position
-            < 0.0
-    );
-    assert!(
-        run(spool, Tug::new(2.0, angle).unwrap(), g, law, 1.0)
-            .at(1.0)
-            .position
-            > 0.0
-    );
+    let place = |tension: f64| {
+        let hand = Tug::new(tension, angle).unwrap();
+        run(spool, hand, g, law, 1.0).at(1.0).position
+    };
+    assert!(place(0.8) < 0.0 && place(2.0) > 0.0);
     let lifted = Tug::new(2.1, angle).unwrap();
     assert!(spool.reaction(lifted, g) < 0.0);
     let refused = spool.course(lifted, g, Some(law), None, 1.0);

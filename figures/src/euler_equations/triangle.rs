@@ -71,7 +71,7 @@ fn water() -> Result<MassProperties> {
 }
 
 /// All rigid bodies, as far as spinning goes, in one triangle.
-pub fn triangle_of_tops(values: &Values) -> Result<Figure> {
+pub fn tops(values: &Values) -> Result<Figure> {
     let of = |body: MassProperties| body.inertia().principal_axes().moments;
     let millimetres = |edges: [f64; 3]| shapes::cuboid(1.0, edges.map(|edge| edge / 1e3)).map(of);
     let book = millimetres([240.0, 165.0, 30.0])?;

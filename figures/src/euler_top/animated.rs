@@ -11,7 +11,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::racket::{Face, Flat, Parts, Throw, draw, face, parts, view};
 use crate::Figure;
-use crate::finish::short;
+use crate::finish::{self, short};
 use crate::solid::View;
 use crate::style::{
     AXIS, Anchor, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, between, figure,
@@ -167,13 +167,10 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
         );
     }
     let all = format!(".fig-{NAME}-turn,.fig-{NAME}-face,.fig-{NAME}-pace");
-    let _ = writeln!(
-        svg,
-        ".fig-{NAME}-turn{{--fig-{NAME}-pen:1}}@media (max-width:620px){{.fig-{NAME}-turn{{--fig-{NAME}-pen:0.6}}}}\
-         #fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
-         @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}\
-         @media print{{{all}{{animation:none}}}}</style>"
+    svg += &format!(
+        ".fig-{NAME}-turn{{--fig-{NAME}-pen:1}}@media (max-width:620px){{.fig-{NAME}-turn{{--fig-{NAME}-pen:0.6}}}}"
     );
+    svg += &finish::stops(NAME, &all);
     let _ = writeln!(
         svg,
         "<g transform=\"translate({:.0} {:.0})\"><g class=\"fig-{NAME}-turn\" transform=\"{}\" stroke=\"currentColor\">",

@@ -35,7 +35,7 @@ pub const TOUTATIS: &[Parameter] = &[DAYS, ROLL];
 const BEYOND: f64 = 1.22;
 
 /// Where the long and the short axis point for two months.
-pub fn two_axes_in_the_sky(values: &Values) -> Result<Figure> {
+pub fn two_axes(values: &Values) -> Result<Figure> {
     let (days, roll) = (values.of(&DAYS), values.of(&ROLL));
     let seen = toutatis::top()?.at(0.0)?.omega;
     let omega = BodyVector::new(seen.x(), seen.y(), -roll.to_radians() / DAY);

@@ -19,11 +19,7 @@ mod wobble;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    of(
-        "poinsot-ellipsoid",
-        poinsot::POINSOT,
-        poinsot::rolling_ellipsoid,
-    ),
+    of("poinsot-ellipsoid", poinsot::POINSOT, poinsot::rolling),
     of("polhodes", polhodes::POLHODES, polhodes::polhodes),
     of("racket-flip", film::FILM, film::film),
     constant("racket-flip-animated", animated::animated),
@@ -31,11 +27,7 @@ pub const FIGURES: &[Entry] = &[
     of("polar-circles", wobble::CIRCLES, wobble::polar_circles),
     of("precession-cones", wobble::CONES, wobble::precession_cones),
     of("euler-solution", solution::SOLUTION, solution::solution),
-    of(
-        "toutatis",
-        asteroid::TOUTATIS,
-        asteroid::two_axes_in_the_sky,
-    ),
+    of("toutatis", asteroid::TOUTATIS, asteroid::two_axes),
 ];
 
 const SMALLEST: Parameter = Parameter::new("smallest", "I_1", "kg m²")

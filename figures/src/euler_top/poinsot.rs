@@ -11,7 +11,7 @@ use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::solid::{View, ellipse, ellipsoid_hides, segment};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, inked, label,
-    nearest, number, polar, small, stroke,
+    nearest, number, polar, small, spaced, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -84,7 +84,7 @@ struct Scene {
 }
 
 /// The ellipsoid of inertia rolls on the invariable plane.
-pub fn rolling_ellipsoid(values: &Values) -> Result<Figure> {
+pub fn rolling(values: &Values) -> Result<Figure> {
     let moments = moments(values);
     let start_omega = [FIRST, SECOND, THIRD].map(|one| values.of(&one));
     let omega = BodyVector::from_components(start_omega.into());
@@ -133,8 +133,8 @@ pub fn rolling_ellipsoid(values: &Values) -> Result<Figure> {
         distance,
         attitude: now.attitude,
         contact: touch,
-        polhode: (0..=240)
-            .map(|k| to_space(picture.polhode(TAU * f64::from(k) / 240.0)))
+        polhode: spaced([0.0, TAU], 240)
+            .map(|turn| to_space(picture.polhode(turn)))
             .collect(),
         past: path(NOW - BEFORE, NOW)?,
         future: path(NOW, NOW + AFTER)?,

@@ -5,10 +5,10 @@ use core::fmt::Write as _;
 use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, Sheet, Start};
 
-use crate::Figure;
 use crate::style::{
     Anchor, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, inked, number, stroke,
 };
+use crate::{Figure, finish};
 
 const NAME: &str = "strip-animated";
 /// Widths, cm, and where the paths begin; half widths drawn, units.
@@ -119,19 +119,17 @@ pub fn animated() -> Result<Figure> {
     let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
     for (film, part) in films.iter().zip(["wide", "narrow"]) {
         let name = format!("fig-{NAME}-{part}");
-        let _ = write!(style, "@keyframes {name}{{");
-        for (k, ([x, y], angle)) in film.pictures.iter().enumerate() {
-            let percent = 100.0 * k as f64 / PICTURES as f64;
-            let (x, y) = (x * CANVAS, y * CANVAS);
-            let _ = write!(
-                style,
-                "{percent:.2}%{{transform:translate({x:.0}px,{y:.0}px) rotate({angle:.3}rad)}}"
-            );
-        }
-        let _ = write!(
-            style,
-            "}}.{name}{{animation:{name} {SECONDS}s linear infinite}}"
-        );
+        let frames = film
+            .pictures
+            .iter()
+            .enumerate()
+            .map(|(k, ([x, y], angle))| {
+                let (x, y) = (x * CANVAS, y * CANVAS);
+                let moved = format!("translate({x:.0}px,{y:.0}px) rotate({angle:.3}rad)");
+                (format!("{:.2}", 100.0 * k as f64 / PICTURES as f64), moved)
+            });
+        style += &finish::keyframes(&name, frames);
+        style += &format!(".{name}{{animation:{name} {SECONDS}s linear infinite}}");
         let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
         let ([x, y], angle) = film.pictures[PICTURES / 2];
         let (x, y, half) = (x * CANVAS, y * CANVAS, film.half * CANVAS);
@@ -142,10 +140,6 @@ pub fn animated() -> Result<Figure> {
              <path d=\"M-{half:.0} 0L{half:.0} 0\" stroke=\"currentColor\" stroke-width=\"45\" stroke-linecap=\"round\"/></g>"
         );
     }
-    let _ = writeln!(
-        style,
-        "#fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
-         @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}@media print{{{all}{{animation:none}}}}</style>"
-    );
+    style += &finish::stops(NAME, &all);
     Ok(still.moving(&(style + &groups)))
 }

@@ -13,10 +13,11 @@ use spinning_bodies::lagrange_top::LagrangeTop;
 
 use super::{launch, launch_body, nose, pure_rates};
 use crate::Figure;
-use crate::finish::short;
+use crate::finish::{self, short};
 use crate::solid::{View, ellipse};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, Words, figure, inked, number,
+    spaced,
 };
 
 const NAME: &str = "top-animated";
@@ -113,8 +114,8 @@ impl Loop {
             let circle = ellipse(Vector3::z() * h, Vector3::x() * r, Vector3::y() * r, 180);
             pen.lines(&view.split(&circle, seen)[0], inked(HAIR).alpha(0.5));
         }
-        let path = (0..=900)
-            .map(|k| nose(&self.top, self.time * f64::from(k) / 900.0))
+        let path = spaced([0.0, self.time], 900)
+            .map(|t| nose(&self.top, t))
             .collect::<Result<Vec<_>>>()?;
         let [front, back] = view.split(&path, seen);
         pen.lines(back, inked(AXIS).alpha(0.5));
@@ -226,16 +227,11 @@ fn moving(tops: &[Loop]) -> Result<String> {
         {
             let values = &frames[1 - k];
             let name = format!("fig-{NAME}-{}-{part}", top.class);
-            let _ = write!(style, "@keyframes {name}{{");
-            for (n, value) in values.iter().enumerate() {
-                let percent = short(100.0 * n as f64 / PICTURES as f64, 3);
-                let _ = write!(style, "{percent}%{{transform:{value}}}");
-            }
-            let _ = write!(
-                style,
-                "}}.{name}{{animation:{name} {}s step-end infinite}}",
-                short(SLOWNESS * top.time, 3)
-            );
+            let percent = |n: usize| short(100.0 * n as f64 / PICTURES as f64, 3);
+            let shares = (0..PICTURES).map(percent);
+            let seconds = short(SLOWNESS * top.time, 3);
+            style += &finish::keyframes(&name, shares.zip(values));
+            style += &format!(".{name}{{animation:{name} {seconds}s step-end infinite}}");
             let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
             let _ = writeln!(
                 groups,
@@ -245,14 +241,10 @@ fn moving(tops: &[Loop]) -> Result<String> {
         }
         groups.push_str("</g>\n");
     }
-    let _ = writeln!(
-        style,
-        "#fig-{NAME}-svg{{--fig-{NAME}-pen:1}}@media (max-width:620px){{#fig-{NAME}-svg{{--fig-{NAME}-pen:0.6}}}}\
-         #fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
-         @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}\
-         @media print{{{all}{{animation:none}}}}</style>"
+    style += &format!(
+        "#fig-{NAME}-svg{{--fig-{NAME}-pen:1}}@media (max-width:620px){{#fig-{NAME}-svg{{--fig-{NAME}-pen:0.6}}}}"
     );
-    Ok(style + &groups)
+    Ok(style + &finish::stops(NAME, &all) + &groups)
 }
 
 /// A path whose stroke keeps its width however the picture is stretched.

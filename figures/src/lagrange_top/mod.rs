@@ -26,7 +26,7 @@ pub const FIGURES: &[Entry] = &[
     of(
         "sleeping-threshold",
         sleeping::SLEEPING,
-        sleeping::sleeping_threshold,
+        sleeping::threshold,
     ),
     of("sleep-ends", waking::WAKING, waking::waking),
     of("cycloid", cycloid::CYCLOIDS, cycloid::cycloids),

@@ -8,7 +8,7 @@ use super::{launch, nose, pure_rates};
 use crate::solid::{View, ellipse};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, inked, label,
-    number, stroke,
+    number, spaced, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -99,8 +99,7 @@ impl Globe {
         };
         // A top that falls from the upright position takes for ever.
         let time = if time.is_finite() { time } else { 20.0 };
-        let points = (0..=600)
-            .map(|k| time * f64::from(k) / 600.0)
+        let points = spaced([0.0, time], 600)
             .map(|t| Ok((t, nose(&top, t)?)))
             .collect::<Result<Vec<_>>>()?;
         let turned = top.precession_per_nutation().unwrap_or_default() * self.cycles;
@@ -229,16 +228,14 @@ fn clear(pen: &mut Pen, points: &[Point], globes: &[Globe], style: Stroke) {
 /// The lines that part the kinds of motion, each by its L₃ and L_vert.
 fn borders() -> Result<[(Vec<Point>, bool); 6]> {
     let along = |from: f64, to: f64, vertical: &dyn Fn(f64) -> f64| -> Vec<Point> {
-        (0..=900)
-            .map(|k| from + (to - from) * f64::from(k) / 900.0)
+        spaced([from, to], 900)
             .map(|axial| place(vertical(axial), axial))
             .collect()
     };
     let top = REACH[2];
     let least = (4.0 * HEIGHT).sqrt() * (1.0 + f64::EPSILON);
     let pure = |which: usize| -> Result<Vec<Point>> {
-        (0..=900)
-            .map(|k| least + (top - least) * f64::from(k) / 900.0)
+        spaced([least, top], 900)
             .map(|axial| {
                 let rate = pure_rates(HEIGHT, axial)?[which];
                 Ok(place(vertical(rate, axial), axial))

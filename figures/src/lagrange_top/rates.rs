@@ -7,8 +7,8 @@ use spinning_bodies::{Error, Result};
 
 use super::{launch, pure_rates};
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, Words, brief, figure, inked, number, small, spread,
-    stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, Words, brief, figure, inked, number, small, spaced,
+    spread, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -161,8 +161,7 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
     };
     let made = figure("precession-rates", 384.0, words, |pen| {
         axes(pen);
-        let meeting: Vec<Point> = (0..=300)
-            .map(|k| 0.5 * PI * f64::from(k) / 300.0)
+        let meeting: Vec<Point> = spaced([0.0, 0.5 * PI], 300)
             .map(|tilt| (tilt, 1.0 / tilt.cos().sqrt()))
             .filter(|(_, rate)| *rate < SHOWN[1])
             .map(|(tilt, rate)| place(tilt, rate))

@@ -6,8 +6,8 @@ use spinning_bodies::lagrange_top::{Roots, tilt_after_kick};
 use super::launch;
 use crate::plot::Axis;
 use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, number, spread,
-    stroke,
+    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, number, spaced,
+    spread, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -104,7 +104,7 @@ fn cubic(roots: &Roots, h: f64) -> f64 {
 }
 
 /// The third root goes through the double one, and the sign of f next to h = 1 changes.
-pub fn sleeping_threshold(values: &Values) -> Result<Figure> {
+pub fn threshold(values: &Values) -> Result<Figure> {
     let [above, below, kick] = [ABOVE, BELOW, KICK].map(|one| values.of(&one));
     let spins = [
         above,
@@ -118,8 +118,7 @@ pub fn sleeping_threshold(values: &Values) -> Result<Figure> {
         .iter()
         .map(|axial| {
             let roots = launch(1.0, 0.0, *axial)?.roots();
-            let curve = (0..=600)
-                .map(|k| shown.ends[0] + (shown.ends[1] - shown.ends[0]) * f64::from(k) / 600.0)
+            let curve = spaced([shown.ends[0], shown.ends[1]], 600)
                 .map(|h| [h, cubic(&roots, h)])
                 .filter(|[_, f]| (CUT[0]..=CUT[1]).contains(&(shown.unit * f)));
             Ok((*axial, curve.collect::<Vec<[f64; 2]>>()))

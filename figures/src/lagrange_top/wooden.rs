@@ -9,7 +9,7 @@ use super::nose;
 use crate::solid::{View, ellipse};
 use crate::style::{
     AXIS, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, polar, short, small,
-    stroke,
+    spaced, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -107,8 +107,8 @@ pub fn let_go(values: &Values) -> Result<Figure> {
 
 fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Result<Figure> {
     let (top, view) = (launched(values)?, view());
-    let noses = (0..=2000)
-        .map(|k| nose(&top, SHOWN * f64::from(k) / 2000.0))
+    let noses = spaced([0.0, SHOWN], 2000)
+        .map(|t| nose(&top, t))
         .collect::<Result<Vec<_>>>()?;
     let held = noses[0];
     let roots = top.roots();

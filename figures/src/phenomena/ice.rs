@@ -12,7 +12,7 @@ use crate::plot::Axis;
 use crate::solid::hull;
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, number, short,
-    small,
+    small, spaced,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -200,9 +200,7 @@ fn strokes(values: &Values) -> Strokes {
 fn crawled(values: &Values, mu: Option<f64>) -> Result<Vec<(f64, CrawlerState)>> {
     let strokes = strokes(values);
     let scene = shape::Crawler::new(Crawler::new(values.of(&REAR), 1.0, strokes)?);
-    let times: Vec<f64> = (0..=600)
-        .map(|k| CYCLES * strokes.cycle() * f64::from(k) / 600.0)
-        .collect();
+    let times: Vec<f64> = spaced([0.0, CYCLES * strokes.cycle()], 600).collect();
     let request = Request::at(times)?;
     Ok(match mu {
         None => scene.simulate(&request)?.rows,

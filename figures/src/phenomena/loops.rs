@@ -10,7 +10,7 @@ use super::swivel::{IN, LOWER, OUT};
 use crate::plot::{Axis, Frame};
 use crate::style::{
     AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, inked, number, polar,
-    short, small,
+    short, small, spaced,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -139,7 +139,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
         let greatest = bends().map(density).fold(0.0, f64::max);
         for bend in bends() {
             let half = 0.5 * WIDEST / f64::from(RINGS);
-            let ring = |at: f64| (0..=60).map(move |k| cat_at(at, TAU * f64::from(k) / 60.0));
+            let ring = |at: f64| spaced([0.0, TAU], 60).map(move |psi| cat_at(at, psi));
             let mut outline: Vec<Point> = ring(bend + half).collect();
             outline.extend(ring(bend - half).collect::<Vec<_>>().into_iter().rev());
             pen.fill(&outline, Role::Ink, 0.4 * density(bend) / greatest);

@@ -25,7 +25,7 @@ const BOUNCES: Parameter = Parameter::new("bounces", "n", "")
     .whole();
 
 /// What may be chosen of the reflections.
-pub const REFLECTIONS: &[Parameter] = &[KAPPA, BOUNCES];
+pub const MIRRORS: &[Parameter] = &[KAPPA, BOUNCES];
 
 const CENTER: Point = [300.0, 184.0];
 const SIZE: f64 = 150.0;
@@ -150,7 +150,7 @@ const HOLLOW: Parameter = Parameter::new("hollow", r"\kappa_3", "")
     .dragged(|values| apex(values.of(&HOLLOW)), factor_at);
 
 /// What may be chosen of three balls; their handles are the places where they meet the table.
-pub const THREE_BALLS: &[Parameter] = &[DENSE, HOLLOW];
+pub const BALLS: &[Parameter] = &[DENSE, HOLLOW];
 
 const FLOOR: f64 = 244.0;
 const CEILING: f64 = 44.0;

@@ -1,14 +1,12 @@
 //! A tippe top that turns itself over, seen by a camera that goes round with its axis.
 
-use core::fmt::Write as _;
-
 use spinning_bodies::Result;
 use spinning_bodies::scene::contact::State;
 
 use super::ball::{cap_outline, table};
 use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
 use crate::Figure;
-use crate::finish::short;
+use crate::finish::{self, short};
 use crate::plot::{Axis, Frame, marks};
 use crate::style::{
     Anchor, DATA, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, inked, label,
@@ -97,23 +95,16 @@ fn moving(rows: &[(f64, State)]) -> String {
         let [x, y] = FRAME.at(t, s.tilt().to_degrees());
         format!("translate({:.0}px,{:.0}px)", x * CANVAS, y * CANVAS)
     };
-    let _ = write!(style, "@keyframes fig-{NAME}-ball{{");
-    for (n, (_, s)) in rows.iter().enumerate() {
-        let _ = write!(style, "{}%{{transform:{}}}", percent(n), turn(s));
+    let shares = || (0..rows.len()).map(percent);
+    let turns = rows.iter().map(|(_, s)| turn(s));
+    let shifts = rows.iter().map(|(t, s)| shift(*t, s));
+    let [ball, dot] = ["ball", "dot"].map(|part| format!("fig-{NAME}-{part}"));
+    style += &finish::keyframes(&ball, shares().zip(turns));
+    style += &finish::keyframes(&dot, shares().zip(shifts));
+    for name in [&ball, &dot] {
+        style += &format!(".{name}{{animation:{name} {END}s linear infinite}}");
     }
-    let _ = write!(style, "}}@keyframes fig-{NAME}-dot{{");
-    for (n, (t, s)) in rows.iter().enumerate() {
-        let _ = write!(style, "{}%{{transform:{}}}", percent(n), shift(*t, s));
-    }
-    let both = format!(".fig-{NAME}-ball,.fig-{NAME}-dot");
-    let _ = writeln!(
-        style,
-        "}}.fig-{NAME}-ball{{animation:fig-{NAME}-ball {END}s linear infinite}}\
-         .fig-{NAME}-dot{{animation:fig-{NAME}-dot {END}s linear infinite}}\
-         #fig-{NAME}-svg:hover :is({both}){{animation-play-state:paused}}\
-         @media (prefers-reduced-motion:reduce){{{both}{{animation:none}}}}\
-         @media print{{{both}{{animation:none}}}}</style>"
-    );
+    style += &finish::stops(NAME, &format!(".{ball},.{dot}"));
     let (time, state) = &rows[STILL];
     let cap: String = cap_outline(RADIUS * CANVAS, 0.0)
         .iter()

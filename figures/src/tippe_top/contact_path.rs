@@ -19,7 +19,7 @@ pub const PATH: &[Parameter] = &[
 ];
 
 /// The point that touches the table walks from the heavy pole to the light one.
-pub fn contact_path(values: &Values) -> Result<Figure> {
+pub fn path(values: &Values) -> Result<Figure> {
     let [spin, alpha, mu] = [0, 1, 2].map(|k| values.of(&PATH[k]));
     // Four fifths of the time that the estimate allows.
     let end = 1.25 * (spin / 200.0) / (3.0 * mu);

@@ -9,7 +9,7 @@ use super::{ALPHA, GAMMA, SPIN, run, tippe, tippe_scene};
 use crate::plot::{Axis, Frame};
 use crate::style::{
     Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, inked, label, number, small,
-    stroke,
+    spaced, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -52,7 +52,7 @@ fn spin_at([x, _]: Point, values: &Values) -> f64 {
 }
 
 /// Down the plumb line to the branch of steady states.
-pub fn energy_and_momentum(values: &Values) -> Result<Figure> {
+pub fn energies(values: &Values) -> Result<Figure> {
     let top = chosen(values)?;
     let unit = top.jellett_of_spin(1.0, 0.0);
     let (rise, invert) = (top.least_spin_to_rise(), top.least_spin_to_invert());
@@ -114,8 +114,7 @@ pub fn energy_and_momentum(values: &Values) -> Result<Figure> {
         ),
     };
     let steady = |tilt: f64| -> Vec<(f64, f64)> {
-        (0..=120)
-            .map(|k| WIDEST * f64::from(k) / 120.0)
+        spaced([0.0, WIDEST], 120)
             .map(|spin| (spin, energy(&top, tilt, spin)))
             .collect()
     };

@@ -9,7 +9,7 @@ use super::ball::table;
 use super::{FRICTION, TURNS, egg_scene, run};
 use crate::plot::{Axis, Frame, marks};
 use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, inked, number, polar,
+    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, inked, number, polar, spaced,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -31,8 +31,7 @@ fn slope(tilt: f64) -> f64 {
 /// The outline of an egg lying with its long axis at `tilt` from the vertical, about its centre, and the height of that.
 fn outline(tilt: f64) -> (Vec<Point>, f64) {
     let (s, c) = tilt.sin_cos();
-    let points: Vec<Point> = (0..=90)
-        .map(|k| core::f64::consts::TAU * f64::from(k) / 90.0)
+    let points: Vec<Point> = spaced([0.0, core::f64::consts::TAU], 90)
         .map(|a| [HALF[0] * a.cos(), HALF[1] * a.sin()])
         .map(|[u, v]| [u * s + v * c, v * s - u * c])
         .collect();

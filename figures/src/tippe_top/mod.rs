@@ -12,7 +12,7 @@ use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, HoopWithClay, Start, TippeTop, bodies};
 
 use crate::plot::{Frame, marks};
-use crate::style::Pen;
+use crate::style::{Pen, spaced};
 use crate::{Entry, Parameter, constant, of};
 
 mod animated;
@@ -41,22 +41,14 @@ pub const TIPPE_TOP: &[Entry] = &[
     of("egg-film", egg::FILM, egg::egg_film),
     of("hoop-with-clay", hoop::HOOP, hoop::hoop_with_clay),
     of("tip-over", tip_over::TIP_OVER, tip_over::tip_over),
-    of(
-        "contact-path",
-        contact_path::PATH,
-        contact_path::contact_path,
-    ),
+    of("contact-path", contact_path::PATH, contact_path::path),
     of("tippe-energy", energy::ENERGY, energy::height_and_energy),
     of(
         "tippe-potential",
         potential::POTENTIAL,
-        potential::effective_potential,
+        potential::effective,
     ),
-    of(
-        "tippe-diagram",
-        diagram::DIAGRAM,
-        diagram::energy_and_momentum,
-    ),
+    of("tippe-diagram", diagram::DIAGRAM, diagram::energies),
     constant("egg-angle", egg::how_far_eggs_rise),
 ];
 
@@ -86,9 +78,7 @@ type Rows = Vec<(f64, State)>;
 
 /// States at `samples` + 1 equal steps up to `end`.
 fn run(scene: &TableTop, end: f64, samples: u32, accuracy: f64) -> Result<Rows> {
-    let times: Vec<f64> = (0..=samples)
-        .map(|k| end * f64::from(k) / f64::from(samples))
-        .collect();
+    let times: Vec<f64> = spaced([0.0, end], samples).collect();
     let motion = scene.simulate(&Request::at(times)?.to_accuracy(accuracy)?)?;
     Ok(motion.rows)
 }

@@ -7,7 +7,9 @@ use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
 use super::{ALPHA, G_TIPPE, GAMMA, SPIN, TILTS, tippe};
 use crate::plot::{Axis, Frame, apart, marks};
-use crate::style::{Anchor, DATA, Point, Role, SECONDARY, Words, figure, number, small, stroke};
+use crate::style::{
+    Anchor, DATA, Point, Role, SECONDARY, Words, figure, number, small, spaced, stroke,
+};
 use crate::{Figure, Parameter, Values};
 
 /// Spins of the other curves, rad/s: the first and the last set the scale.
@@ -30,7 +32,7 @@ fn height(top: &TippeTop, spin: f64, tilt: f64) -> f64 {
 
 /// The diagram: from the deepest place of the fastest top to the highest of the slowest.
 fn frame(top: &TippeTop) -> Frame {
-    let steps = || (0..=60).map(|k| PI * f64::from(k) / 60.0);
+    let steps = || spaced([0.0, PI], 60);
     let low = steps()
         .map(|tilt| height(top, SPINS[3], tilt))
         .fold(0.0, f64::min);
@@ -65,7 +67,7 @@ fn spin_at(point: Point, values: &Values) -> f64 {
 }
 
 /// Spin moves the lowest place from the foot of the ball to its head.
-pub fn effective_potential(values: &Values) -> Result<Figure> {
+pub fn effective(values: &Values) -> Result<Figure> {
     let top = tippe(values.of(&ALPHA), values.of(&GAMMA))?;
     let chosen = values.of(&CHOSEN);
     let mut spins: Vec<f64> = SPINS.into_iter().chain([chosen]).collect();

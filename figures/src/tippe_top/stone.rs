@@ -11,7 +11,7 @@ use spinning_bodies::tippe_top::{ConvexBody, Surface, rolling_growth_rates};
 use super::{G, SPIN};
 use crate::style::{
     AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Stroke, Words, figure, inked, number, polar,
-    short, stroke,
+    short, spaced, stroke,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -90,8 +90,8 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
     let made = figure("rattleback-stone", 322.0, words, |pen| {
         let belly = inked(SECONDARY).dashed();
         let inertia = inked(DATA);
-        let outline: Vec<Point> = (0..=720)
-            .map(|k| (TAU * f64::from(k) / 720.0).sin_cos())
+        let outline: Vec<Point> = spaced([0.0, TAU], 720)
+            .map(f64::sin_cos)
             .map(|(s, c)| [METRE * BELLY[0] * c, METRE * BELLY[1] * s])
             .collect();
         let placed: Vec<Point> = outline

@@ -8,11 +8,11 @@ use spinning_bodies::scene::{Phase, Play, Request, Scene, YoYoState};
 use spinning_bodies::yo_yo::YoYo;
 
 use super::GRAVITY;
-use crate::Figure;
 use crate::plot::{Axis, Frame, marks};
 use crate::style::{
     AXIS, Anchor, DATA, Point, Role, SCALE as CANVAS, Words, figure, inked, label, number, stroke,
 };
+use crate::{Figure, finish};
 
 const NAME: &str = "yo-yo-animated";
 /// String, radius of the discs and of the axle, m: short, to be drawn to scale.
@@ -192,15 +192,12 @@ fn moving(
     let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
     for (part, slot, drawing) in parts {
         let name = format!("fig-{NAME}-{part}");
-        let _ = write!(style, "@keyframes {name}{{");
-        for (t, value) in pictures.iter().map(|p| p.0).zip(&frames[slot]) {
-            let _ = write!(style, "{:.2}%{{transform:{value}}}", 100.0 * t / duration);
-        }
+        let shares = pictures
+            .iter()
+            .map(|p| format!("{:.2}", 100.0 * p.0 / duration));
         let seconds = SLOWNESS * duration;
-        let _ = write!(
-            style,
-            "}}.{name}{{animation:{name} {seconds:.2}s linear infinite}}"
-        );
+        style += &finish::keyframes(&name, shares.zip(&frames[slot]));
+        style += &format!(".{name}{{animation:{name} {seconds:.2}s linear infinite}}");
         let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
         let rest = frames[slot][still].replace("px", "").replace("rad", "");
         // In the attribute an angle is in degrees; a yo-yo at rest may show any.
@@ -216,10 +213,6 @@ fn moving(
             let _ = writeln!(groups, "{moved}");
         }
     }
-    let _ = writeln!(
-        style,
-        "#fig-{NAME}-svg:hover :is({all}){{animation-play-state:paused}}\
-         @media (prefers-reduced-motion:reduce){{{all}{{animation:none}}}}@media print{{{all}{{animation:none}}}}</style>"
-    );
+    style += &finish::stops(NAME, &all);
     style + &groups
 }

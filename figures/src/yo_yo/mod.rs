@@ -10,7 +10,7 @@ use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
 use crate::plot::{Axis, Frame, marks};
 use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, short, small,
+    Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, short, small, spaced,
 };
 use crate::{Entry, Figure, Parameter, Values, constant, of};
 
@@ -68,9 +68,7 @@ pub fn string(values: &Values) -> Result<Figure> {
         .with(Gravity::new(GRAVITY)?)?
         .with(TurnLoss::new(left)?)?;
     let steps = 6000;
-    let times: Vec<f64> = (0..=steps)
-        .map(|k| SHOWN * f64::from(k) / f64::from(steps))
-        .collect();
+    let times: Vec<f64> = spaced([0.0, SHOWN], steps).collect();
     let rows = play.simulate(&Request::at(times)?)?.rows;
 
     let x = Axis::linear([0.0, SHOWN], [66.0, 580.0]);
@@ -151,9 +149,8 @@ pub fn speed(values: &Values) -> Result<Figure> {
     let length = values.of(&LENGTH);
     let thin = Unwinding::new(thin, GRAVITY, 0.0)?;
     let thick = Unwinding::new(thick, GRAVITY, 0.0)?;
-    let depths = || (0..=400).map(|k| length * f64::from(k) / 400.0);
-    let fastest = (0..=4000)
-        .map(|k| length * f64::from(k) / 4000.0)
+    let depths = || spaced([0.0, length], 400);
+    let fastest = spaced([0.0, length], 4000)
         .max_by(|&a, &b| thick.speed(a).total_cmp(&thick.speed(b)))
         .unwrap_or(0.0);
     let peak = thick.speed(fastest);

@@ -37,12 +37,8 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
     let path = streamline(&body, start, 0.01, 4000).unwrap();
     for p in &path[..1500] {
         // Observed 2e-11: a disturbance of the first step's error grows by e^(t/√12).
-        observed!(
-            (p.z() - slope * p.x()).abs(),
-            2e-14..=6e-13,
-            "{:e}",
-            (p.z() - slope * p.x()).abs()
-        );
+        let off = (p.z() - slope * p.x()).abs();
+        observed!(off, 2e-14..=6e-13);
     }
     assert!(path[1500].y() > 0.999, "{:?}", path[1500]);
     // The fastest place, by search.

@@ -44,11 +44,8 @@ fn s4_3_where_rolling_begins() {
         let course = on_cloth(shot(height, 2.0), 0.2, 10.0);
         let event = course.first(Happening::RollingBegins).unwrap();
         // Published to five digits.
-        observed!(
-            (event.time - time).abs(),
-            1e-6..=5e-6,
-            "{height}: {event:?}"
-        );
+        let off = (event.time - time).abs();
+        observed!(off, 1e-6..=5e-6, "{height}: {event:?}");
         observed!((event.moment.position - place).abs(), 1e-6..=5e-6);
         observed!((event.moment.velocity - speed).abs(), 1e-7..=5e-7);
         assert_eq!(course.events.len(), 1);
@@ -273,11 +270,8 @@ fn the_friction_that_jams_a_sliding_rod() {
             let exact = (Dd::from(kappa) + cosine * cosine) / (sine * cosine);
             let found = painleve_friction(kappa, tilt).unwrap();
             let off = (Dd::from(found) - exact) / exact;
-            observed!(
-                off.value().abs() / f64::EPSILON,
-                1.0..=2.0,
-                "{kappa} {tilt}"
-            );
+            let error = off.value().abs() / f64::EPSILON;
+            observed!(error, 1.0..=2.0, "{kappa} {tilt}");
             assert!(found > least * (1.0 - 1e-15), "{kappa} {tilt}");
         }
     }

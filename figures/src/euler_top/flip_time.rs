@@ -4,7 +4,7 @@ use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
-use crate::plot::Axis;
+use crate::plot::{Axis, Frame, powers};
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, number,
     scientific, stroke,
@@ -129,41 +129,26 @@ impl Course {
     }
 
     fn place(&self, [exponent, time]: [f64; 2]) -> Point {
+        self.frame().at(exponent, time)
+    }
+
+    fn frame(&self) -> Frame {
         let [left, right, bottom, top] = FRAME;
-        [
-            left + (right - left) * exponent / f64::from(DECADES),
-            bottom - (bottom - top) * time / self.longest,
-        ]
+        Frame {
+            x: Axis::linear([0.0, f64::from(DECADES)], [left, right]),
+            y: Axis::linear([0.0, self.longest], [bottom, top]),
+        }
     }
 
     fn axes(&self, pen: &mut Pen) {
-        let [left, right, bottom, top] = FRAME;
-        pen.line(&[[left, top], [left, bottom], [right, bottom]], inked(AXIS));
-        for (time, text) in Axis::linear([0.0, self.longest], [bottom, top]).ticks(60.0) {
-            let y = self.place([0.0, time])[1];
-            pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
-            pen.note([left - 9.0, y + 5.0], Anchor::End, &text);
-        }
-        for exponent in [0, 4, 8, 12, 16] {
-            let x = self.place([f64::from(exponent), 0.0])[0];
-            pen.line(&[[x, bottom], [x, bottom + 5.0]], inked(AXIS));
-            let text = if exponent == 0 {
-                "1".to_owned()
-            } else {
-                format!("10^{{\u{2212}{exponent}}}")
-            };
-            pen.note([x, bottom + 25.0], Anchor::Middle, &text);
-        }
-        pen.label(
-            [left + 10.0, top - 6.0],
-            Anchor::Start,
-            "time between flips, s",
-        );
-        pen.label(
-            [right, bottom + 48.0],
-            Anchor::End,
-            "distance *ε* from the middle axis",
-        );
+        let frame = self.frame();
+        let decades = powers((0..=DECADES).step_by(4).map(|decade| -decade)).into_iter();
+        let decades: Vec<_> = decades.map(|(one, text)| (-one.log10(), text)).collect();
+        let names = ["", "time between flips, s"];
+        frame.draw(pen, &decades, &frame.y.ticks(60.0), names);
+        // Clear of the powers above it.
+        let below = [frame.x.ends[1], frame.y.ends[0] + 48.0];
+        pen.label(below, Anchor::End, "distance *ε* from the middle axis");
     }
 }
 

@@ -4,9 +4,8 @@ use core::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::{EulerTop, Poinsot, Sector, stability};
+use spinning_bodies::euler_top::{EulerTop, Poinsot, Sector};
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::PrincipalMoments;
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, triple};
 use crate::solid::{View, ellipse, ellipsoid_hides};
@@ -158,8 +157,8 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
     let moments = moments(values);
     let (semi, view, arms) = stage(values);
     let [i1, i2, i3] = moments;
-    let crossed = stability::saddle(&PrincipalMoments::new(i1, i2, i3)?, 1.0)?.incoming;
-    let slope = crossed.z() / crossed.x();
+    // Ω₃/Ω₁ on the separatrix, L² = 2EI₂, of moments that no body has as well.
+    let slope = (i1 * (i2 - i1) / (i3 * (i3 - i2))).sqrt();
     // From Omega to the circle that the ellipse of L is stretched from.
     let parting = (slope * (moments[2] / moments[0]).sqrt()).atan();
     let crossing = parting.to_degrees();

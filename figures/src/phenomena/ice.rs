@@ -8,7 +8,7 @@ use spinning_bodies::scene::shape::{self, CrawlerState};
 use spinning_bodies::scene::{Request, Scene};
 
 use super::body::circle;
-use crate::plot::Axis;
+use crate::plot::{Axis, Frame};
 use crate::solid::hull;
 use crate::style::{
     AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, number, short,
@@ -262,7 +262,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
     });
     let time = Axis::linear([0.0, span], [318.0, 580.0]);
     let way = Axis::linear([least - 0.02, most], [280.0, 36.0]);
-    let place = |t: f64, x: f64| [time.at(t), way.at(x)];
+    let frame = Frame { x: time, y: way };
     let made = figure("crawler", 340.0, words, |pen| {
         let at = |[x, y]: Point| {
             [
@@ -285,22 +285,11 @@ pub fn crawler(values: &Values) -> Result<Figure> {
         pen.line(&track, inked(DATA));
         pen.disc(at(center), 6.0, Role::Ink, 1.0);
         pen.label([146.0, 328.0], Anchor::Middle, "on ice: *C* is a point");
-        let corner = [time.ends[0], way.ends[0]];
-        pen.line(&[corner, [580.0, corner[1]]], inked(AXIS));
-        pen.line(&[corner, [corner[0], way.ends[1]]], inked(AXIS));
-        for (t, text) in time.ticks(70.0) {
-            let (x, y) = (time.at(t), corner[1]);
-            pen.line(&[[x, y], [x, y + 5.0]], inked(AXIS));
-            pen.note([x, y + 21.0], Anchor::Middle, &format!("{text} s"));
-        }
-        for (x, text) in way.ticks(45.0) {
-            let (left, y) = (corner[0], way.at(x));
-            pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
-            pen.note([left - 8.0, y + 5.0], Anchor::End, &text);
-        }
-        pen.note([292.0, 20.0], Anchor::Start, "place, m");
+        let seconds = time.ticks(70.0).into_iter();
+        let seconds: Vec<_> = seconds.map(|(t, text)| (t, text + " s")).collect();
+        frame.draw(pen, &seconds, &way.ticks(45.0), ["", "place, m"]);
         let curve = |rows: &[(f64, CrawlerState)], which: fn(&CrawlerState) -> f64| -> Vec<Point> {
-            rows.iter().map(|(t, s)| place(*t, which(s))).collect()
+            rows.iter().map(|(t, s)| frame.at(*t, which(s))).collect()
         };
         let curves = [
             curve(&ground, |s| s.rear),

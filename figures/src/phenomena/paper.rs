@@ -8,10 +8,9 @@ use spinning_bodies::scene::effects::{Air, Gravity};
 use spinning_bodies::scene::shape;
 use spinning_bodies::scene::{Request, Scene};
 
-use crate::plot::Axis;
+use crate::plot::{self, Axis, Frame};
 use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, along, figure, inked, number, roomiest,
-    short,
+    Anchor, DATA, Pen, Point, Role, SECONDARY, Words, along, figure, inked, number, roomiest, short,
 };
 use crate::{Figure, Parameter, Values};
 
@@ -202,34 +201,15 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
         ),
     };
     let deepest = curve.last().map_or(1.0, |last| last[1]);
-    let x = Axis::log([90.0, 90e-6], [LEFT, RIGHT]);
-    let y = Axis::linear([0.0, 1.06 * deepest], [BOTTOM, TOP]);
-    let place = |[degrees, fall]: Point| [x.at(degrees), y.at(fall)];
+    let frame = Frame {
+        x: Axis::log([90.0, 90e-6], [LEFT, RIGHT]),
+        y: Axis::linear([0.0, 1.06 * deepest], [BOTTOM, TOP]),
+    };
+    let place = |[degrees, fall]: Point| frame.at(degrees, fall);
     let made = figure("paper-cat-fall", 344.0, words, |pen| {
-        let axis = inked(AXIS);
-        pen.line(&[[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
-        for (degrees, name) in [
-            (10.0, "10°"),
-            (1.0, "1°"),
-            (0.1, "0.1°"),
-            (0.01, "0.01°"),
-            (0.001, "0.001°"),
-        ] {
-            let x = x.at(degrees);
-            pen.line(&[[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
-            pen.note([x, BOTTOM + 22.0], Anchor::Middle, name);
-        }
-        for (fall, text) in y.ticks(50.0) {
-            let y = y.at(fall);
-            pen.line(&[[LEFT - 5.0, y], [LEFT, y]], axis);
-            pen.note([LEFT - 9.0, y + 5.0], Anchor::End, &text);
-        }
-        pen.label([LEFT - 44.0, TOP - 14.0], Anchor::Start, "fall, m");
-        pen.label(
-            [RIGHT, BOTTOM + 46.0],
-            Anchor::End,
-            "short of upside down by",
-        );
+        let degrees = plot::marks(&[10.0, 1.0, 0.1, 0.01, 0.001], "°");
+        let names = ["short of upside down by", "fall, m"];
+        frame.draw(pen, &degrees, &frame.y.ticks(50.0), names);
         let points: Vec<Point> = curve.iter().map(|point| place(*point)).collect();
         pen.line(&points, inked(DATA));
         for (k, (&degrees, &fall)) in marks.iter().zip(&falls).enumerate() {

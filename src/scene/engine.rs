@@ -114,6 +114,9 @@ pub(crate) enum Ended {
     ByTheClock,
 }
 
+/// A phase and, if it took few steps, half of one and how long it lasted, s.
+type Half<P> = (P, Option<[f64; 2]>);
+
 /// One motion through all its phases.
 #[derive(Debug, Clone)]
 pub(crate) struct Trace<P, const N: usize> {
@@ -121,6 +124,8 @@ pub(crate) struct Trace<P, const N: usize> {
     pub samples: Vec<(P, [f64; N])>,
     /// When each phase began, s, those after the start in order.
     pub phases: Vec<(f64, P)>,
+    /// In the order in which the phases were followed.
+    halves: Vec<Half<P>>,
     pub cost: Cost,
 }
 
@@ -145,13 +150,18 @@ pub(crate) struct Run<'a, F> {
     pub budget: &'a Budget,
 }
 
+/// The passage of a leg in steps of this length.
+type InEvenSteps<'a> = dyn Fn(&AnyLeg<'_>, Effort) -> Result<Passage<Vec<f64>>> + 'a;
+
 /// What steps.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(crate) enum Stepper<'a> {
     /// The library's own order 8.
     OrderEight,
     /// A general method by its name.
     General(&'a dyn GeneralMethods, Method),
+    /// A method with steps of one length that has equations of its own.
+    Even(&'a InEvenSteps<'a>),
     /// Closed forms from event to event: every phase must be known.
     Events,
 }
@@ -186,6 +196,7 @@ impl<F> Run<'_, F> {
         &self,
         start: (F::Phase, [f64; N]),
         times: &[f64],
+        halves: &[Half<F::Phase>],
     ) -> Result<Trace<F::Phase, N>>
     where
         F: Flow<N>,
@@ -195,6 +206,7 @@ impl<F> Run<'_, F> {
         let mut trace = Trace {
             samples: Vec::with_capacity(times.len()),
             phases: vec![(0.0, phase)],
+            halves: Vec::new(),
             cost: Cost::default(),
         };
         let (mut now, mut at_once) = (0.0, 0);
@@ -206,8 +218,34 @@ impl<F> Run<'_, F> {
                 self.flow.lasts_until(phase, now)
             };
             let until = if clock < end { clock } else { end };
-            let within = left.partition_point(|&t| (t - until) * end.signum() <= 0.0);
-            let passage = self.leg(phase, (now, &y), &left[..within], until)?;
+            let leg = |until: f64, effort: Effort| {
+                let within = left.partition_point(|&t| (t - until) * end.signum() <= 0.0);
+                self.leg(phase, (now, &y), &left[..within], until, effort)
+            };
+            let mut halved = None;
+            if let Some(&(same, Some([half, lasted]))) = halves.get(trace.halves.len())
+                && same == phase
+            {
+                // It ends as it did, or it is another phase.
+                let late = now + 2.0 * lasted;
+                let late = if late.abs() < until.abs() {
+                    late
+                } else {
+                    until
+                };
+                let passage = leg(late, Effort::Step(half))?;
+                halved = Some(passage).filter(|p| p.stopped == Stop::AtTheEvent || late == until);
+            }
+            let passage = match halved {
+                Some(passage) => passage,
+                None => leg(until, self.effort)?,
+            };
+            let (steps, lasted) = (passage.cost.steps, passage.time - now);
+            let few = matches!(self.stepper, Stepper::OrderEight)
+                && (1..=FEW_STEPS).contains(&steps)
+                && lasted != 0.0;
+            let half = few.then(|| [lasted.abs() / (2 * steps) as f64, lasted]);
+            trace.halves.push((phase, half));
             trace.cost += passage.cost;
             self.budget
                 .spend(passage.states.len() as u64 / 16, passage.time)?;
@@ -245,6 +283,7 @@ impl<F> Run<'_, F> {
         (now, y): (f64, &[f64; N]),
         times: &[f64],
         end: f64,
+        effort: Effort,
     ) -> Result<Passage<[f64; N]>>
     where
         F: Flow<N>,
@@ -273,8 +312,8 @@ impl<F> Run<'_, F> {
                 times,
                 end,
             }
-            .follow(event, self.effort),
-            Stepper::General(methods, method) => {
+            .follow(event, effort),
+            Stepper::General(..) | Stepper::Even(_) => {
                 let rate = |t: f64, y: &[f64], rates: &mut [f64]| {
                     rates.copy_from_slice(&equations.rate(t, &sized(y)));
                 };
@@ -288,7 +327,11 @@ impl<F> Run<'_, F> {
                     times,
                     end,
                 };
-                let passage = methods.follow(method, &leg, self.effort)?;
+                let passage = match self.stepper {
+                    Stepper::General(methods, method) => methods.follow(method, &leg, effort)?,
+                    Stepper::Even(follow) => follow(&leg, effort)?,
+                    _ => return Err(NO_STEPS),
+                };
                 Ok(Passage {
                     states: passage.states.iter().map(|y| sized(y)).collect(),
                     time: passage.time,
@@ -297,17 +340,17 @@ impl<F> Run<'_, F> {
                     cost: passage.cost,
                 })
             }
-            Stepper::Events => Err(Error::Solver {
-                condition: "the solver events must be given a scene with closed forms between events",
-            }),
+            Stepper::Events => Err(NO_STEPS),
         }
     }
 
-    /// The samples at times in any order, before and after the start alike.
+    /// The samples at times in any order, before and after the start alike. Phases that another run has taken in few steps are taken in twice as many:
+    /// two tolerances might give both the same.
     pub fn at<const N: usize>(
         &self,
         start: (F::Phase, [f64; N]),
         times: &[f64],
+        halves: &[Half<F::Phase>],
     ) -> Result<Trace<F::Phase, N>>
     where
         F: Flow<N>,
@@ -318,6 +361,7 @@ impl<F> Run<'_, F> {
         let mut whole = Trace {
             samples: vec![start; times.len()],
             phases: Vec::new(),
+            halves: Vec::new(),
             cost: Cost::default(),
         };
         for places in [past.as_slice(), future] {
@@ -325,7 +369,9 @@ impl<F> Run<'_, F> {
             if sorted.is_empty() {
                 continue;
             }
-            let trace = self.follow(start, &sorted)?;
+            let done = whole.halves.len().min(halves.len());
+            let trace = self.follow(start, &sorted, &halves[done..])?;
+            whole.halves.extend(trace.halves);
             whole.cost += trace.cost;
             whole.phases = trace.phases;
             for (&place, sample) in places.iter().zip(trace.samples) {
@@ -335,6 +381,10 @@ impl<F> Run<'_, F> {
         Ok(whole)
     }
 }
+
+const NO_STEPS: Error = Error::Solver {
+    condition: "the solver events must be given a scene with closed forms between events",
+};
 
 /// So many numbers of a slice; it has as many.
 fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
@@ -348,8 +398,6 @@ const APART: f64 = 100.0;
 const SHARE: f64 = 0.2;
 /// Two runs further apart than this have nothing to say of each other: then the distance itself is told.
 const TOGETHER: f64 = 0.05;
-/// Of two runs with as many steps each the distance says little: so much of it is told.
-const MOST: f64 = 8.0;
 /// The error of a run of a few steps, in units of its tolerance.
 const OF_A_STEP: f64 = 10.0;
 /// The looser run of the first pair has this times the accuracy a radian: of a steady motion it is then off by the accuracy, of a fast top by four
@@ -364,15 +412,15 @@ const CHECKS: usize = 8;
 const SHORT: f64 = 3.0;
 /// What the runs differ by at a time that was not asked for counts so much.
 const CHECKED: f64 = 0.5;
-/// A run of at most so many steps is compared with one of twice as many: two tolerances might give both the same.
+/// A phase of at most so many steps is compared with one of twice as many.
 const FEW_STEPS: u64 = 3;
 /// What rounding does to a motion that amplifies nothing, for every radian.
 pub(crate) const ROUNDING: f64 = 4e-16;
 
 /// The motion at the times of the request, with an error below its accuracy; or one run at the effort asked for.
 ///
-/// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart. Their distance is the error of the looser one;
-/// the better one, which is returned, is told to be off by a fifth of that, or by more if it has taken hardly more steps. Where that is more than
+/// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart, as those of every phase of few steps do. Their distance is the error of the looser one;
+/// the better one, which is returned, is told to be off by a fifth of that. Where that is more than
 /// the accuracy, a further run or two take their place. A flow may depend on the tolerance of its run, which `flow` makes for it.
 ///
 /// Runs that begin with the same rounded numbers agree on what becomes of the rounding. A flow that states the [`doubt`](Flow::doubt) about its
@@ -386,7 +434,19 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     solver: Solver,
     flow: impl Fn(f64) -> Result<F>,
 ) -> Result<Answer<F::Phase, N>> {
-    let (stepper, budget) = (stepper(solver, request)?, &request.budget());
+    vouched(request, stepper(solver, request)?, flow)
+}
+
+/// The same by what steps.
+///
+/// # Errors
+/// As for [`to_accuracy`].
+pub(crate) fn vouched<const N: usize, F: Flow<N>>(
+    request: &Request,
+    stepper: Stepper<'_>,
+    flow: impl Fn(f64) -> Result<F>,
+) -> Result<Answer<F::Phase, N>> {
+    let budget = &request.budget();
     if let Some(effort) = request.effort() {
         let flow = &flow(tolerance_of(effort, OF_STEPS))?;
         let run = Run {
@@ -395,7 +455,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
             effort,
             budget,
         };
-        let trace = run.at(flow.start()?, request.times())?;
+        let trace = run.at(flow.start()?, request.times(), &[])?;
         let error = f64::INFINITY;
         return Ok(Answer { trace, error });
     }
@@ -407,7 +467,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     };
     let times = with_checks(request, angle);
     let mut cost = Cost::default();
-    let mut run = |effort: Effort, off: f64| -> Result<(F, Trace<F::Phase, N>)> {
+    let mut run = |effort, off, halves: &[Half<F::Phase>]| -> Result<(F, Trace<F::Phase, N>)> {
         let flow = flow(tolerance_of(effort, accuracy))?;
         let run = Run {
             flow: &flow,
@@ -415,23 +475,16 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
             effort,
             budget,
         };
-        let trace = run.at(beside(&flow, off)?, &times)?;
+        let trace = run.at(beside(&flow, off)?, &times, halves)?;
         cost += trace.cost;
         Ok((flow, trace))
     };
     let rounding = ROUNDING * (10.0 + angle);
     let mut efforts = Efforts::new(stepper, accuracy, angle, furthest(&times));
-    let mut worse = run(efforts.worse, 1.0)?.1;
+    let mut worse = run(efforts.worse, 1.0, &[])?.1;
     loop {
-        // A phase that ends within a step would see no more of them.
-        let few = worse.phases.len() == 1
-            && efforts.halve_few(stepper, worse.cost.steps, furthest(&times));
-        let (flow, better) = run(efforts.better, 0.0)?;
+        let (flow, better) = run(efforts.better, 0.0, &worse.halves)?;
         let seen = &better.samples;
-        // Of many phases each may be a step for either.
-        let more = (worse.phases.len() as u64 <= FEW_STEPS)
-            .then(|| better.cost.steps as f64 / worse.cost.steps as f64);
-        let share = efforts.share(more);
         let floor = efforts.floor(better.phases.len());
         let told = |asked: &Trace<_, N>, checked: &Trace<_, N>, share: f64| {
             let asked = flow.furthest_apart(&asked.samples[..count], &seen[..count], seen);
@@ -440,26 +493,22 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
             let share = if apart < TOGETHER { share } else { 1.0 };
             greater(share * apart, floor) + rounding
         };
-        let mut error = told(&worse, &worse, share);
-        if error > accuracy && few && !sure {
-            // All of the distance is told, and with it all of the doubt: as much of it as otherwise will do.
-            worse = run(efforts.worse, SHARE)?.1;
-            error = told(&worse, &worse, share);
-        }
+        let mut error = told(&worse, &worse, efforts.share());
         if error > accuracy {
             if efforts.tighten(accuracy, error) {
                 worse = if sure {
                     better
                 } else {
                     efforts.spread(APART);
-                    run(efforts.worse, 1.0)?.1
+                    run(efforts.worse, 1.0, &[])?.1
                 };
                 continue;
             }
             // Nothing is tighter, but the worse run can come nearer: then all of the distance is told. What the motion makes of rounding where nobody
             // has asked is no reason to refuse it.
             efforts.spread(APART.sqrt());
-            let (asked, checked) = (run(efforts.worse, SHARE)?.1, run(efforts.worse, 0.0)?.1);
+            let asked = run(efforts.worse, SHARE, &[])?.1;
+            let checked = run(efforts.worse, 0.0, &[])?.1;
             error = told(&asked, &checked, 1.0);
         }
         if error > accuracy {
@@ -508,11 +557,11 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
                 budget.spend(evaluations, t)?;
                 samples.push((phase, known(t)?));
             }
-            let (phases, cost) = (Vec::new(), Cost::default());
             Trace {
                 samples,
-                phases,
-                cost,
+                phases: Vec::new(),
+                halves: Vec::new(),
+                cost: Cost::default(),
             }
         }
         Solver::Events => {
@@ -523,7 +572,7 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
                 effort,
                 budget,
             };
-            run.at(flow.start()?, times)?
+            run.at(flow.start()?, times, &[])?
         }
         _ => return to_accuracy(request, plan.solver, |_| Ok(*flow)),
     };
@@ -569,20 +618,31 @@ fn tolerance_of(effort: Effort, accuracy: f64) -> f64 {
 struct Efforts {
     worse: Effort,
     better: Effort,
+    /// The error that the last pair has told.
+    reached: f64,
 }
 
-/// Times a step of even length may be halved.
-const LEAST_STEP: f64 = 1e-7;
+/// Steps of one length begin with this one, s: a quarter of a radian, or less.
+pub(crate) fn longest_step(angle: f64, last: f64) -> f64 {
+    last.abs().max(f64::MIN_POSITIVE) / 64.0_f64.max(4.0 * angle)
+}
+
+/// An error as small as this that halving the steps does not lessen is rounding.
+const SMALL: f64 = 1e-6;
 
 impl Efforts {
     fn new(stepper: Stepper<'_>, accuracy: f64, angle: f64, last: f64) -> Self {
-        if let Stepper::General(_, method) = stepper
-            && !method.is_adaptive()
-        {
-            let step = last.abs().max(f64::MIN_POSITIVE) / 64.0_f64.max(4.0 * angle);
+        let even = match stepper {
+            Stepper::General(_, method) => !method.is_adaptive(),
+            Stepper::Even(_) => true,
+            _ => false,
+        };
+        if even {
+            let step = longest_step(angle, last);
             return Self {
                 worse: Effort::Step(step),
                 better: Effort::Step(0.5 * step),
+                reached: f64::INFINITY,
             };
         }
         let first = FIRST * accuracy / angle.max(2.0);
@@ -590,37 +650,19 @@ impl Efforts {
         Self {
             worse: Effort::Tolerance(tolerance),
             better: Effort::Tolerance(tolerance / APART),
+            reached: f64::INFINITY,
         }
     }
 
-    /// The share of the distance of both that is taken for the error of the better, which has taken so many times the steps of the worse, if that
-    /// is known.
-    fn share(&self, times_the_steps: Option<f64>) -> f64 {
-        let shown = match (self.worse, self.better) {
+    /// The share of the distance of both that is taken for the error of the better.
+    fn share(&self) -> f64 {
+        match (self.worse, self.better) {
             (Effort::Tolerance(worse), Effort::Tolerance(better)) => {
                 (SHARE * APART * better / worse).min(1.0)
             }
-            // Of a few steps and twice as many rounding may be all that they differ by.
-            (Effort::Tolerance(_), Effort::Step(_)) => return 1.0,
-            // A fifteenth for order 4.
-            (Effort::Step(_), Effort::Step(_)) => return 0.25,
-            (Effort::Step(_), Effort::Tolerance(_)) => SHARE,
-        };
-        // Half the order: not all of the steps are shorter by as much.
-        let by_their_number = |more: f64| 1.0 / (more.powi(4) - 1.0).max(0.0);
-        greater(
-            shown,
-            times_the_steps.map_or(0.0, by_their_number).min(MOST),
-        )
-    }
-
-    /// Where the worse run has taken few steps, the better one takes twice as many; whether that is so.
-    fn halve_few(&mut self, stepper: Stepper<'_>, steps: u64, last: f64) -> bool {
-        let few = matches!(stepper, Stepper::OrderEight) && (1..=FEW_STEPS).contains(&steps);
-        if few {
-            self.better = Effort::Step(last.abs() / (2 * steps) as f64);
+            // A third for order 2, a fifteenth for order 4.
+            _ => 0.5,
         }
-        few
     }
 
     /// Less is never told: where every phase has few steps, two runs of the same steps agree, and each step may be off by about the tolerance in every
@@ -634,11 +676,7 @@ impl Efforts {
 
     /// The next pair, the better of today being its worse; false if there is none.
     fn tighten(&mut self, accuracy: f64, error: f64) -> bool {
-        let better = match (self.better, self.worse) {
-            (Effort::Step(_), Effort::Tolerance(worse)) => Effort::Tolerance(worse / APART),
-            (better, _) => better,
-        };
-        let next = match better {
+        let next = match self.better {
             Effort::Tolerance(tolerance) => {
                 if tolerance <= LEAST_TOLERANCE || !error.is_finite() {
                     return false;
@@ -648,16 +686,13 @@ impl Efforts {
                 Effort::Tolerance((tolerance * less).max(LEAST_TOLERANCE))
             }
             Effort::Step(step) => {
-                let (Effort::Step(worse), true) = (self.worse, error.is_finite()) else {
-                    return false;
-                };
-                if step < LEAST_STEP * worse {
+                if !error.is_finite() || error >= self.reached && error < SMALL {
                     return false;
                 }
                 Effort::Step(0.5 * step)
             }
         };
-        (self.worse, self.better) = (self.better, next);
+        (self.worse, self.better, self.reached) = (self.better, next, error);
         true
     }
 
@@ -670,7 +705,7 @@ impl Efforts {
 }
 
 /// The times asked for, and so many more that runs over this angle, if there are to be two, have something to compare.
-pub(crate) fn with_checks(request: &Request, angle: f64) -> Vec<f64> {
+fn with_checks(request: &Request, angle: f64) -> Vec<f64> {
     let times = request.times();
     let missing = if angle < SHORT || request.effort().is_some() {
         0
@@ -705,8 +740,8 @@ fn growth<const N: usize, F: Flow<N>>(
         effort,
         budget,
     };
-    let here = run.at((phase, start), times)?;
-    let there = run.at((phase, moved), times)?;
+    let here = run.at((phase, start), times, &[])?;
+    let there = run.at((phase, moved), times, &[])?;
     let seen = &here.samples;
     let first = flow.furthest_apart(&[(phase, start)], &[(phase, moved)], seen);
     Ok(flow.furthest_apart(seen, &there.samples, seen) / first)

@@ -74,16 +74,13 @@ impl<const N: usize> Step<N> {
             return 0.0;
         }
         let both = h.abs() * fifth / (denominator * N as f64).sqrt();
-        let third_alone = of_the_third(N) * tolerance * h * h * third / N as f64;
+        let third_alone = OF_THE_THIRD * tolerance * h * h * third / N as f64;
         both.max(third_alone)
     }
 }
 
-/// What is told of the error by the third-order estimate alone: this times its square, both relative. Of two numbers one may be all that changes, and
-/// the fifth-order estimate is then zero now and again at every tolerance.
-const fn of_the_third(numbers: usize) -> f64 {
-    if numbers > 2 { 0.005 } else { 0.5 }
-}
+/// What is told of the error by the third-order estimate alone: this times its square, both relative.
+const OF_THE_THIRD: f64 = 0.005;
 
 /// One step of length h from a state where the rate is known: eleven evaluations.
 #[inline(always)]

@@ -196,11 +196,10 @@ impl Round {
         })
     }
 
-    /// The next corner after a time, s, or the next of so many places between two.
-    pub fn corner_after(&self, t: f64, pieces: f64) -> f64 {
-        let piece = self.part() / pieces;
-        let corner = |number: f64| number * piece;
-        let number = (t / piece).floor() + 1.0;
+    /// The next corner after a time, s.
+    pub fn corner_after(&self, t: f64) -> f64 {
+        let corner = |number: f64| number * self.part();
+        let number = (t / self.part()).floor() + 1.0;
         if corner(number) > t {
             corner(number)
         } else {

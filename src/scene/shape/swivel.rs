@@ -7,7 +7,7 @@ use crate::phenomena;
 use crate::phenomena::quadrature::integral;
 use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved, to_accuracy};
+use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
 use crate::scene::motion::ledger;
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
@@ -162,46 +162,31 @@ impl Swivel {
 }
 
 /// With friction: the angle of the lower part, and L.
-#[derive(Clone, Copy)]
-struct Turning<'a> {
-    swivel: &'a Swivel,
-    /// A step never reaches across more of a stroke than one of so many pieces: with hardly any friction it is a sum of one number, whose error
-    /// both estimates may miss. Two runs whose steps differ do not miss the same.
-    pieces: f64,
-}
-
-impl<'a> Turning<'a> {
-    fn new(swivel: &'a Swivel, tolerance: f64) -> Self {
-        let pieces = tolerance.powf(-0.1).ceil();
-        Self { swivel, pieces }
-    }
-}
-
-impl Flow<2> for Turning<'_> {
+impl Flow<2> for Swivel {
     type Phase = ();
 
     fn start(&self) -> Result<((), [f64; 2])> {
-        Ok(((), [0.0, self.swivel.angular_momentum]))
+        Ok(((), [0.0, self.angular_momentum]))
     }
 
     fn scales(&self) -> [f64; 2] {
-        let (moment, fastest) = self.swivel.extremes();
+        let (moment, fastest) = self.extremes();
         [1.0, moment * fastest]
     }
 
     fn pace(&self) -> f64 {
-        self.swivel.extremes().1
+        self.extremes().1
     }
 
     fn rate(&self, (): (), t: f64, y: &[f64; 2]) -> [f64; 2] {
-        let rate = self.swivel.lower_rate(y[1], &self.swivel.shape(t));
-        let torque = self.swivel.bearing_friction.map_or(0.0, |c| -c * rate);
+        let rate = self.lower_rate(y[1], &self.shape(t));
+        let torque = self.bearing_friction.map_or(0.0, |c| -c * rate);
         [rate, torque]
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
-        let path = self.swivel.path;
-        path.map_or(f64::INFINITY, |path| path.corner_after(t, self.pieces))
+        let path = self.path;
+        path.map_or(f64::INFINITY, |path| path.corner_after(t))
     }
 
     fn distance(&self, ((), a): &((), [f64; 2]), ((), b): &((), [f64; 2])) -> f64 {
@@ -231,7 +216,7 @@ impl Scene for Swivel {
     fn simulate(&self, request: &Request) -> Result<Motion<SwivelState>> {
         let plan = self.plan(request)?;
         let l = self.angular_momentum;
-        let run = (&Turning::new(self, request.accuracy()), &plan, request);
+        let run = (self, &plan, request);
         let Answer { trace, error } = match (plan.solver, &self.path) {
             (Solver::Exact, None) => {
                 let rate = self.lower_rate(l, &self.still());
@@ -241,13 +226,11 @@ impl Scene for Swivel {
                 let parts = self.parts(path)?;
                 solved(run, AN_INTEGRAL, |t| Ok([self.turned(path, &parts, t)?, l]))?
             }
-            (solver, path) => {
+            (_, path) => {
                 if let Some(path) = path {
                     path.passed_through(request.times())?;
                 }
-                to_accuracy(request, solver, |tolerance| {
-                    Ok(Turning::new(self, tolerance))
-                })?
+                solved(run, 1, |_| Ok([0.0, l]))?
             }
         };
         let rows = request.times().iter().zip(trace.samples);

@@ -8,7 +8,6 @@ use crate::frame::{Attitude, BodyVector};
 use crate::integrators::Kept;
 use crate::integrators::geometric::Phase;
 use crate::scene::engine::{Ended, Flow, greater};
-use crate::scene::motion::furthest;
 
 /// A top as a flow: seven numbers, L and the quaternion, and an eighth, the energy lost, where something resists.
 ///
@@ -107,7 +106,14 @@ impl Turning {
 
     /// Attitude and Ω of a state.
     pub fn unpacked<const N: usize>(&self, y: &[f64; N]) -> (Attitude, BodyVector) {
-        self.state(&phase(y))
+        let Phase { l, q } = phase(y);
+        let [w, x, y, z] = q;
+        let quaternion = nalgebra::Quaternion::new(w, x, y, z);
+        let [o1, o2, o3] = core::array::from_fn(|k| l[k] / self.moments[k]);
+        (
+            Attitude::from_unit(quaternion / quaternion.norm()),
+            BodyVector::new(o1, o2, o3),
+        )
     }
 
     /// Ω̇ along the body's axes, rad/s², at this attitude and Ω. A spin that dry friction has stopped is exactly 0.
@@ -127,32 +133,6 @@ impl Turning {
         let [n1, n2, n3, ..] = Flow::<8>::rate(self, spin, 0.0, &y);
         let [j1, j2, j3] = self.inverse;
         BodyVector::new(j1 * n1, j2 * n2, j3 * n3)
-    }
-
-    /// The same of a phase.
-    pub fn state(&self, phase: &Phase) -> (Attitude, BodyVector) {
-        let [w, x, y, z] = phase.q;
-        let quaternion = nalgebra::Quaternion::new(w, x, y, z);
-        let [o1, o2, o3] = core::array::from_fn(|k| phase.l[k] / self.moments[k]);
-        (
-            Attitude::from_unit(quaternion / quaternion.norm()),
-            BodyVector::new(o1, o2, o3),
-        )
-    }
-
-    /// The angle (radians) to the time furthest from the start, if it all went at the pace.
-    pub fn angle(&self, times: &[f64]) -> f64 {
-        self.pace * furthest(times).abs()
-    }
-
-    /// The start, moved by so many times the doubt about it.
-    pub fn moved(&self, times: f64) -> Phase {
-        let doubt: [f64; 7] = self.doubt();
-        let Phase { l, q } = self.start;
-        Phase {
-            l: core::array::from_fn(|k| l[k] + times * doubt[k]),
-            q: core::array::from_fn(|k| q[k] + times * doubt[3 + k]),
-        }
     }
 
     /// L and the quaternion at the start.
@@ -279,7 +259,7 @@ impl<const N: usize> Flow<N> for Turning {
 
 impl Turning {
     /// The fastest |Ω| of these and of the start, rad/s: the fastest rate of the motion is at least that.
-    pub fn fastest(&self, seen: impl Iterator<Item = Phase>) -> f64 {
+    fn fastest(&self, seen: impl Iterator<Item = Phase>) -> f64 {
         let start = speed(self.start.l, self.inverse);
         match seen
             .map(|phase| speed(phase.l, self.inverse))
@@ -291,7 +271,7 @@ impl Turning {
     }
 
     /// Angle between two attitudes (radians), or the difference of the angular velocities over the fastest, whichever is more.
-    pub fn apart(&self, a: &Phase, b: &Phase, fastest: f64) -> f64 {
+    fn apart(&self, a: &Phase, b: &Phase, fastest: f64) -> f64 {
         let turned: f64 = (0..4).map(|k| (a.q[k] - b.q[k]).powi(2)).sum();
         let between: [f64; 3] = core::array::from_fn(|k| a.l[k] - b.l[k]);
         (2.0 * turned.sqrt()).max(speed(between, self.inverse) / fastest)

@@ -1,142 +1,72 @@
 //! Tops under gravity alone by the methods for turning bodies, for those who ask for one by its name: steps of one length.
 
-use super::body::DOUBTED;
 use super::equations::Turning;
 use super::held::Top;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, positive};
 use crate::integrators::geometric::{
     FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Phase, Weight, follow,
 };
-use crate::integrators::{Cost, Effort, Solution};
-use crate::scene::engine::{ROUNDING, greater, with_checks};
-use crate::scene::motion::furthest;
+use crate::integrators::{AnyLeg, Cost, Effort, Passage, Stop};
+use crate::scene::engine::{Flow, longest_step};
 use crate::scene::{Geometric, Request};
 
-/// Phases at the times of a request.
-pub(super) struct Halved {
-    pub phases: Vec<Phase>,
-    pub error: f64,
-    pub cost: Cost,
-}
-
-/// The longest step, in radians.
-const LONGEST_STEP: f64 = 0.5;
-/// An order that has not shown itself in the last halving vouches for nothing.
-const SHOWN: f64 = 1.5;
-/// The factor between what two runs tell of the error and what is told of it.
-const CAUTION: f64 = 4.0;
-/// Where halving takes nothing off any more, so many times the greater of the last two distances is told.
-const TWICE_THE_SAME: f64 = 10.0;
-
-/// Steps halved until two runs vouch for each other, at the times asked for and a few more; or one run, if that is what is asked for.
-///
-/// Of the better run the error is the distance of both over what halving the step takes off it, less one; and that is what the last halving took
-/// off it or 2ᵖ, whichever is less. To vouch for one run therefore takes three. A fourth starts a little beside the coarser of the two: what the
-/// motion makes of rounding shows in it alone.
+/// What steps for the engine: between two samples the steps are of one length, and half of it makes twice as many.
 ///
 /// # Errors
-/// [`Error::Solver`] for a method that cannot run this top; [`Error::Amplified`]; those of the method.
-pub(super) fn halved(
+/// [`Error::Solver`] for a method that cannot run this top, or that is asked for one run to a tolerance.
+pub(super) fn steps(
     top: &Top,
     turning: &Turning,
     method: Geometric,
     request: &Request,
-) -> Result<Halved> {
-    let method = &*method_for(top, method)?;
-    let order = f64::from(method.order());
-    let budget = &request.budget();
-    let (accuracy, angle) = (request.accuracy(), turning.angle(request.times()));
-    let times = with_checks(request, angle);
-    let start = top.start.phase(top.body.moments)?;
-    let mut cost = Cost::default();
-    let mut run = |from: &Phase, step: f64| -> Result<Solution<Phase>> {
-        let mut paid = 0;
-        let mut watch = |time: f64, cost: Cost| {
-            let evaluations = cost.evaluations - paid;
-            paid = cost.evaluations;
-            budget.spend(evaluations, time)
-        };
-        let course = follow(method, from, &times, step, &mut watch)?;
-        cost += course.cost;
-        Ok(course)
-    };
-    if let Some(effort) = request.effort() {
-        let Effort::Step(step) = effort else {
+) -> Result<impl Fn(&AnyLeg<'_>, Effort) -> Result<Passage<Vec<f64>>>> {
+    let method = method_for(top, method)?;
+    let budget = request.budget();
+    let angle = Flow::<7>::pace(turning) * request.furthest().abs();
+    let longest = match request.effort() {
+        None => longest_step(angle, request.furthest()),
+        Some(Effort::Step(step)) => positive("the step", step)?,
+        Some(Effort::Tolerance(_)) => {
             return Err(Error::Solver {
                 condition: "a method with steps of one length must be given a step",
             });
-        };
-        let phases = run(&start, step)?.states;
-        let error = f64::INFINITY;
-        return Ok(Halved {
-            phases,
-            error,
-            cost,
-        });
-    }
-    let distance = |a: &Solution<Phase>, b: &Solution<Phase>| {
-        let fastest = turning.fastest(b.states.iter().copied());
-        let pairs = a.states.iter().zip(&b.states);
-        let apart = pairs.map(|(a, b)| turning.apart(a, b, fastest));
-        apart.fold(0.0, greater)
+        }
     };
-    let slowest = turning.fastest(core::iter::empty());
-    let beside = |moved: &Phase| turning.apart(moved, &start, slowest);
-    let longest = furthest(&times).abs() * (LONGEST_STEP / angle.max(LONGEST_STEP));
-    let mut step = longest.max(f64::MIN_POSITIVE);
-    let mut worse = run(&start, step)?;
-    let (mut before, mut reached) = (f64::INFINITY, f64::INFINITY);
-    loop {
-        let better = run(&start, 0.5 * step)?;
-        let apart = distance(&worse, &better);
-        // Between two samples both may have taken the one step.
-        let halved = 10 * better.cost.steps >= 19 * worse.cost.steps;
-        let taken_off = (before / apart).min(order.exp2());
-        let error = if !halved || before == f64::INFINITY {
-            f64::INFINITY
-        } else if taken_off > SHOWN {
-            CAUTION * apart / (taken_off - 1.0)
-        } else {
-            // Rounding, or not yet of any order.
-            TWICE_THE_SAME * greater(before, apart)
+    Ok(move |leg: &AnyLeg<'_>, effort: Effort| {
+        let (Effort::Step(step) | Effort::Tolerance(step)) = effort;
+        let (mut now, y) = leg.start;
+        let mut phase = Phase {
+            l: [y[0], y[1], y[2]],
+            q: [y[3], y[4], y[5], y[6]],
         };
-        let error = error + ROUNDING * (1.0 + angle);
-        if error <= accuracy {
-            let moved = turning.moved(1.0);
-            let grown = DOUBTED * distance(&run(&moved, step)?, &worse);
-            if error + grown > accuracy {
-                return Err(Error::Amplified {
-                    asked: accuracy,
-                    reached: error + grown,
-                    growth: grown / (DOUBTED * beside(&moved)),
-                });
+        let (mut states, mut cost) = (Vec::with_capacity(leg.times.len()), Cost::default());
+        for &time in leg.times.iter().chain([&leg.end]) {
+            let gap = time - now;
+            let count = (gap.abs() / longest).ceil() * (longest / step).round();
+            if count > 0.0 {
+                let (begun, mut paid) = (now, 0);
+                let mut watch = |since: f64, spent: Cost| {
+                    let evaluations = spent.evaluations - paid;
+                    paid = spent.evaluations;
+                    budget.spend(evaluations, begun + since)
+                };
+                // No shorter, or rounding might count one more of them.
+                let step = (gap.abs() / count).next_up();
+                let course = follow(&*method, &phase, &[gap], step, &mut watch)?;
+                (phase, now) = (course.states[0], time);
+                cost += course.cost;
             }
-            let mut phases = better.states;
-            phases.truncate(request.times().len());
-            return Ok(Halved {
-                phases,
-                error: error + grown,
-                cost,
-            });
+            states.push([&phase.l[..], &phase.q[..]].concat());
         }
-        // Rounding: shorter steps no longer help.
-        if halved && apart >= before && apart < 1e-6 || step < f64::EPSILON * longest {
-            let moved = turning.moved(MOVED);
-            let grown = distance(&run(&moved, step)?, &worse);
-            return Err(Error::Amplified {
-                asked: accuracy,
-                reached: reached.min(apart),
-                growth: grown / beside(&moved),
-            });
-        }
-        reached = reached.min(error);
-        before = if halved { apart } else { f64::INFINITY };
-        (worse, step) = (better, 0.5 * step);
-    }
+        Ok(Passage {
+            end: states.pop().unwrap_or_default(),
+            states,
+            time: leg.end,
+            stopped: Stop::AtTheEnd,
+            cost,
+        })
+    })
 }
-
-/// A displacement that shows how a change of the start grows, in units of the doubt.
-const MOVED: f64 = 1e4;
 
 /// The method, if it can run this top.
 fn method_for(top: &Top, method: Geometric) -> Result<Box<dyn Integrator>> {

@@ -22,7 +22,7 @@ pub use held::{State, Top};
 
 pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 
-use super::engine::{greater, to_accuracy};
+use super::engine::{Stepper, greater, to_accuracy, vouched};
 use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver, balanced};
 use crate::error::{Error, Result};
 use crate::integrators::Cost;
@@ -210,23 +210,19 @@ impl Top {
                 rows,
             });
         }
-        let (rows, cost, error) = match plan.solver {
+        let answer = match plan.solver {
             Solver::Geometric(method) if method != Geometric::DormandPrince8 => {
-                let run = methods::halved(self, &here, method, request)?;
-                let states = run.phases.iter().map(|phase| here.state(phase));
-                (conserved.rows(times, states), run.cost, run.error)
+                let steps = methods::steps(self, &here, method, request)?;
+                vouched::<7, _>(request, Stepper::Even(&steps), |_| turning())?
             }
-            solver => {
-                let answer = to_accuracy::<7, _>(request, solver, |_| turning())?;
-                let samples = answer.trace.samples.iter();
-                let rows = conserved.rows(times, samples.map(|(_, y)| here.unpacked(y)));
-                (rows, answer.trace.cost, answer.error)
-            }
+            solver => to_accuracy::<7, _>(request, solver, |_| turning())?,
         };
+        let samples = answer.trace.samples.iter();
+        let rows = conserved.rows(times, samples.map(|(_, y)| here.unpacked(y)));
         Ok(Motion {
             plan,
-            cost,
-            error_estimate: error,
+            cost: answer.trace.cost,
+            error_estimate: answer.error,
             ledger: balanced(conserved.lossless(&rows)?, request.accuracy())?,
             rows,
         })

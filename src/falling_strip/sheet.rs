@@ -151,8 +151,8 @@ impl Sheet {
 /// ```
 /// use spinning_bodies::falling_strip::{Coefficients, transition};
 /// // The authors of the coefficients give 1.2191.
-/// let ends = transition(Coefficients::PUBLISHED, 1.1, 1.4, 0.05, 100.0)?;
-/// assert!((ends - 1.2191).abs() < 0.05);
+/// let ends = transition(Coefficients::PUBLISHED, 1.2, 1.24, 0.005, 200.0)?;
+/// assert!((ends - 1.2191).abs() < 0.005);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn transition(

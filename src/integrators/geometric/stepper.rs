@@ -116,7 +116,7 @@ pub trait Integrator<T: Real = f64> {
     /// ```
     /// use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, Order};
     /// let method = FreeSplitting::new([1.0, 2.0, 2.5], Order::Four)?;
-    /// assert!(!Integrator::<f64>::name(&method).is_empty());
+    /// assert_eq!(Integrator::<f64>::name(&method), "rotations 4");
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     fn name(&self) -> String;

@@ -1,0 +1,111 @@
+//! `figures`: listed, drawn as they are wanted, written where they are wanted.
+
+use super::*;
+
+#[test]
+fn an_unknown_figure_is_answered_with_the_nearest_name() {
+    if let Some(entry) = ::figures::all().first() {
+        let output = book(&["figures", &format!("{}x", entry.name)]);
+        assert!(text(&output.stderr).contains(&format!("`{}`", entry.name)));
+    }
+}
+
+#[test]
+fn figures_are_listed_with_their_chapters() {
+    let output = book(&["figures", "--list"]);
+    assert_eq!(output.status.code(), Some(0));
+    let listed = text(&output.stdout);
+    assert_eq!(listed.lines().count(), ::figures::all().len());
+    for (line, entry) in listed.lines().zip(::figures::all()) {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        assert_eq!(words[..2], [entry.name, &format!("{}.md", entry.chapter)]);
+        let numbers = words.get(2).map_or(Ok(0), |count| count.parse());
+        assert_eq!(numbers, Ok(entry.parameters.len()));
+    }
+}
+
+#[test]
+fn a_figure_is_drawn_as_it_is_wanted() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let [out, table] = ["svg", "dial.csv"].map(|name| folder.path().join(name));
+    let [out_name, table_name] = [&out, &table].map(|path| path.to_str().unwrap());
+    let listed = text(&book(&["figures", "--list", "spool-dial"]).stdout);
+    assert!(listed.contains("axle = 0.4 (0.05 to 0.95): "), "{listed}");
+    let wanted = ["figures", "spool-dial", "--set", "axle=0.6,tension=0.2"];
+    let rest = ["--theme", "dark", "--out", out_name, "--data", table_name];
+    let output = book(&[&wanted[..], &rest].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    // arccos 0.6, and the caption says so.
+    assert!(text(&output.stdout).contains("lower than 53.13 degrees"));
+    let svg = std::fs::read_to_string(out.join("spool-dial.svg")).unwrap();
+    assert!(svg.contains("53.13°") && svg.contains("background:#161923"));
+    let rows = std::fs::read_to_string(table).unwrap();
+    let mut lines = rows.lines();
+    assert_eq!(lines.next(), Some("curve,angle (°),acceleration (m/s²)"));
+    // a = T(R cos θ − r)/(R(M + I/R²)) = 0.2 · (1 − 0.6)/(1.5 · 0.2)
+    let level: f64 = lines
+        .next()
+        .unwrap()
+        .split(',')
+        .nth(2)
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert!((level - 0.08 / 0.3).abs() < 1e-15, "{level}");
+}
+
+#[test]
+fn a_wrong_number_of_a_figure_is_refused_by_name() {
+    for (set, told) in [
+        (
+            "axle=1.5",
+            "axle is 1.5, expected a number from 0.05 to 0.95",
+        ),
+        (
+            "axel=0.5",
+            "figure spool-dial has no parameter 'axel': expected one of [axle, tension]",
+        ),
+        ("axle", "'axle' is no KEY=VALUE"),
+        ("axle=x", "'axle=x' is no KEY=VALUE"),
+    ] {
+        let output = book(&["figures", "spool-dial", "--set", set]);
+        assert_eq!(output.status.code(), Some(2));
+        assert_eq!(text(&output.stderr), format!("error: --set: {told}\n"));
+    }
+    for wrong in [
+        &["figures", "--set", "axle=0.5"][..],
+        &["figures", "ice", "spool", "--data", "x"],
+    ] {
+        assert_eq!(book(wrong).status.code(), Some(2));
+    }
+}
+
+#[test]
+fn figures_are_written_to_the_folder_asked_for() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let out = folder.path().join("svg");
+    for entry in ::figures::all().iter().take(1) {
+        let into = out.to_str().unwrap();
+        let check = || book(&["figures", entry.name, "--check", "--out", into]);
+        let output = book(&["figures", entry.name, "--out", into]);
+        assert_eq!(output.status.code(), Some(0));
+        let names: Vec<_> = std::fs::read_dir(&out)
+            .unwrap()
+            .map(|file| file.unwrap().file_name().into_string().unwrap())
+            .collect();
+        assert_eq!(names, [format!("{}.svg", entry.name)]);
+        let output = check();
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+
+        let path = out.join(&names[0]);
+        let spoilt = std::fs::read_to_string(&path).unwrap().replacen(
+            "viewBox=\"0 0 6",
+            "viewBox=\"0 0 7",
+            1,
+        );
+        std::fs::write(&path, spoilt).unwrap();
+        let output = check();
+        assert_eq!(output.status.code(), Some(1));
+        assert!(text(&output.stderr).contains(entry.name));
+    }
+}

@@ -1,0 +1,142 @@
+//! `scene --film` and `--frames`: what moves, where the closed form has it.
+
+use super::*;
+
+/// A ball with a weight, free of gravity: its axis goes round L at the rate L/I₁.
+const FREE: &str = "[body]\nshape = \"ball-with-weight\"\nmass = 2.0\nradius = 1.0\nweight = 0.25\n\
+     weight_at = [0.0, 0.0, 0.8]\n[initial]\nomega = [1.0, 0.0, 3.0]\n[run]\nuntil = 7.0\nsamples = 2\n";
+
+#[test]
+fn a_film_shows_the_axis_where_the_closed_form_has_it() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let [scene, film] = ["free.toml", "free.svg"].map(|name| folder.path().join(name));
+    std::fs::write(&scene, FREE).unwrap();
+    let arguments = [
+        "--film",
+        "--speed",
+        "0.7",
+        "--output",
+        film.to_str().unwrap(),
+    ];
+    let done = book(&[&["scene", scene.to_str().unwrap()][..], &arguments].concat());
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let svg = std::fs::read_to_string(&film).unwrap();
+    assert!(svg.contains("prefers-reduced-motion") && svg.contains("prefers-color-scheme"));
+    assert!(svg.contains("0.7 × real time"));
+    let frames: Vec<&str> = svg.split("<g class=\"fig-film").skip(1).collect();
+    assert!(frames.len() > 100 && svg.matches("<g ").count() == svg.matches("</g>").count());
+    // From the centre of the ball to the weight, on the paper, right and down.
+    let bar = |frame: &str| {
+        let line = frame.split("stroke-width=\"20\" points=\"").nth(1).unwrap();
+        let ends = line.split('"').next().unwrap().split([' ', ',']);
+        let ends: Vec<f64> = ends.map(|number| number.parse().unwrap()).collect();
+        [ends[2] - ends[0], ends[3] - ends[1]]
+    };
+    let spin = 0.4 * 0.75 * 2.0;
+    let across = spin + 2.0 * 0.25 * 0.75 * 0.64;
+    let l = nalgebra::Vector3::new(across, 0.0, 3.0 * spin);
+    // Seen from 1.2 rad before the x axis and 0.3 rad above.
+    let (se, ce) = 0.3_f64.sin_cos();
+    let (sa, ca) = (-1.2_f64).sin_cos();
+    let right = nalgebra::Vector3::new(-sa, ca, 0.0);
+    let up = nalgebra::Vector3::new(-se * ca, -se * sa, ce);
+    let length = -bar(frames[0])[1] / ce;
+    let mut farthest = 0.0_f64;
+    for (k, frame) in frames.iter().enumerate() {
+        let t = 7.0 * k as f64 / (frames.len() - 1) as f64;
+        let turn = nalgebra::UnitQuaternion::from_scaled_axis(l * (t / across));
+        let axis = turn * nalgebra::Vector3::z() * length;
+        let [x, y] = bar(frame);
+        farthest = farthest.max((x - right.dot(&axis)).hypot(y + up.dot(&axis)));
+    }
+    // Four ends rounded to whole units.
+    assert!(farthest > 0.1 && farthest < 2.5, "{farthest}");
+}
+
+#[test]
+fn every_scene_of_the_book_is_filmed() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut filmed = 0;
+    for scene in std::fs::read_dir(root.join("scenes")).unwrap() {
+        let path = scene.unwrap().path();
+        if path.extension().is_none_or(|ending| ending != "toml") {
+            continue;
+        }
+        let done = book(&["scene", path.to_str().unwrap(), "--film"]);
+        filmed += 1;
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        let svg = text(&done.stdout);
+        assert!(svg.len() < 400_000 && svg.ends_with("</svg>\n"), "{path:?}");
+        // What is no number is drawn far outside.
+        assert!(
+            !svg.contains("NaN") && !svg.contains("2147483648"),
+            "{path:?}"
+        );
+    }
+    assert!(filmed >= 24, "{filmed}");
+    for (wrong, told) in [
+        (&["--film", "--speed=-1"][..], "expected a speed from"),
+        (
+            &["--film", "--speed", "1e3"],
+            "expected a speed from 1.667e-1 to 1.000e1",
+        ),
+        (&["--speed", "1"], "--film"),
+        (&["--speed", "1", "--plot", "tilt"], "--speed"),
+        (&["--film", "--as", "png"], "--as"),
+        (&["--plot", "tlit"], "did you mean `tilt`?"),
+        (&["--plot", "x:x"], "has no column `x`"),
+        (&["--film", "--plot", "tilt"], "cannot be used with"),
+        (&["--film", "--speed", "0"], "expected a speed from"),
+        (&["--film", "--output", "x.png"], "should end with `.svg`"),
+        (
+            &["--frames", "src", "10"],
+            "expected an empty folder or a new one",
+        ),
+        (
+            &["--frames", "stills", "0"],
+            "expected a whole number from 1 to 10000",
+        ),
+    ] {
+        refused(&book(&[&["scene", "racket"], wrong].concat()), &[told]);
+    }
+    // A single time is no motion.
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let scene = folder.path().join("once.toml");
+    std::fs::write(
+        &scene,
+        FREE.replace("until = 7.0\nsamples = 2", "times = [1.0, 1.0]"),
+    )
+    .unwrap();
+    for (option, more) in [
+        ("--film", &[][..]),
+        ("--plot", &["tilt"]),
+        ("--frames", &["stills", "2"]),
+    ] {
+        let done = book(&[&["scene", scene.to_str().unwrap(), option], more].concat());
+        let told = "once.toml: key `until` or `times` in [run]: expected times that go on";
+        refused(&done, &[option, told]);
+    }
+}
+
+#[test]
+fn stills_are_whole_and_numbered() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let stills = folder.path().join("stills");
+    let wanted = ["scene", "spool", "--frames", stills.to_str().unwrap(), "12"];
+    let done = book(&wanted);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let names = std::fs::read_dir(&stills).unwrap();
+    let mut names: Vec<_> = names.map(|file| file.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(
+        (names.len(), &names[0], &names[11]),
+        (12, &"01.svg".into(), &"12.svg".into())
+    );
+    let last = std::fs::read_to_string(stills.join("12.svg")).unwrap();
+    assert!(last.contains(">1.00 s<") && last.ends_with("</svg>\n"));
+    assert_eq!(
+        book(&wanted).status.code(),
+        Some(2),
+        "there are stills already"
+    );
+}

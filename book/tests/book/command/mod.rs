@@ -1,0 +1,149 @@
+//! The command line: what it prints, and the exit status it leaves with.
+
+mod accuracy;
+mod figures;
+mod film;
+mod scan;
+mod scene;
+#[cfg(unix)]
+mod unix;
+
+use super::{refused, text};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+fn book(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_book"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn wrong_usage_is_told_in_one_line_and_status_2() {
+    for (arguments, word) in [
+        (&["figure"][..], "'figure'"),
+        (&["figures", "--lits"], "'--lits'"),
+        (&["figures", "no-such-figure"], "'no-such-figure'"),
+        (&["figures", "--list", "no-such-figure"], "'no-such-figure'"),
+        (&["figures", "--out"], "--out"),
+        (&["figures", "--list", "--check"], "--check"),
+        (&["book", "extra"], "'extra'"),
+        (&["claims", "--all"], "'--all'"),
+    ] {
+        let output = book(arguments);
+        let told = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {told}");
+        assert_eq!(told.lines().count(), 1, "{arguments:?}: {told}");
+        assert!(
+            told.starts_with("error: ") && told.contains(word),
+            "{arguments:?}: {told}"
+        );
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn an_unwritable_folder_is_named_and_status_1() {
+    if ::figures::all().is_empty() {
+        return;
+    }
+    // A file where a folder is wanted fails for everyone, root included.
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("a-file");
+    std::fs::write(&file, "").unwrap();
+    let output = book(&[
+        "figures",
+        ::figures::all()[0].name,
+        "--out",
+        file.to_str().unwrap(),
+    ]);
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(
+        told.lines()
+            .last()
+            .is_some_and(|line| line.contains("a-file")),
+        "{told}"
+    );
+}
+
+#[test]
+fn help_teaches_and_is_no_error() {
+    for arguments in [
+        &["--help"][..],
+        &["figures", "--help"],
+        &["book", "--help"],
+        &["help"],
+    ] {
+        let output = book(arguments);
+        assert_eq!(output.status.code(), Some(0));
+        assert!(
+            text(&output.stdout).contains("cargo run --"),
+            "{arguments:?}"
+        );
+        assert!(output.stderr.is_empty());
+    }
+}
+
+#[test]
+fn every_claim_is_a_line_of_the_table() {
+    let output = book(&["claims"]);
+    assert_eq!(output.status.code(), Some(0));
+    let table = text(&output.stdout);
+    assert!(table.lines().filter(|line| line.starts_with('C')).count() > 200);
+    assert!(table.lines().any(|line| line.starts_with("C4.6-7 ")));
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_book"))
+        .arg("claims")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stderr.is_empty(), "{}", text(&output.stderr));
+}
+
+/// A scene file of this many rows, in a folder of its own.
+fn racket(rows: usize) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let file = folder.path().join("mine.toml");
+    let text = format!(
+        "[body]\nmoments = [1.0, 2.0, 3.0]\n[initial]\nomega = [0.01, 1.0, 0.01]\n[run]\nuntil = 10.0\nsamples = {rows}\n"
+    );
+    std::fs::write(&file, text).unwrap();
+    (folder, file)
+}
+
+fn scene(file: &Path, arguments: &[&str]) -> Output {
+    book(&[&["scene", file.to_str().unwrap()], arguments].concat())
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let files = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = files
+        .map(|file| file.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+/// A run that takes long, and ends.
+const CHIRAL: &str = "kind = \"table-top\"\n[body]\nmass = 0.02\nradius = 0.02\nsurface_center = [0.0, 0.0, 0.006]\n\
+    inertia = [3.0e-6, 3.0e-6, 3.2e-6, 0.0, 0.0, 0.0]\n[initial]\ntilt = 0.1\naxial_spin = 155.0\n\
+    [effects]\ngravity = 9.82\nfriction_law = \"viscous\"\nfriction = 0.3\n[run]\nuntil = 1e5\nsamples = 11\naccuracy = 1e-6\n";
+
+/// Numbers of an attribute, in the order of the elements that have it.
+fn attributes(svg: &str, element: &str, attribute: &str) -> Vec<f64> {
+    let begin = format!("<{element} ");
+    let elements = svg.split(&begin).skip(1);
+    let value = |element: &str| {
+        let value = element.split(&format!("{attribute}=\"")).nth(1)?;
+        value.split('"').next()?.parse().ok()
+    };
+    elements.filter_map(value).collect()
+}

@@ -1,0 +1,138 @@
+//! `scene`: rows, diagrams, and where they are written.
+
+use super::*;
+
+#[test]
+fn a_motion_is_drawn() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let path = folder.path().join("racket.svg");
+    let output = ["--output", path.to_str().unwrap()];
+    let wanted = ["scene", "racket", "--plot", "omega1:omega2,energy"];
+    let done = book(&[&wanted[..], &output].concat());
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let svg = std::fs::read_to_string(&path).unwrap();
+    for label in ["omega1, rad/s", "omega2, rad/s", "t, s", "change of energy"] {
+        assert!(svg.contains(&format!(">{label}")), "{label}");
+    }
+    // The polhode is smooth and the colour of Ω, although the file asks for a hundred times.
+    let polhode = svg.split("<polyline").find(|line| line.contains("#0b6bcb"));
+    assert!(polhode.unwrap().split(' ').count() > 1000);
+    for (wrong, told) in [
+        (&["--plot", "omg1"][..], "has no column `omg1` to tell"),
+        (&["--plot", "omega1:"], "expected COLUMN, or X:Y"),
+        (
+            &["--plot", "tilt", "--format", "csv"],
+            "cannot be used with",
+        ),
+        (
+            &["--plot", "tilt", "--output", "x.csv"],
+            "`.svg` or `.pdf` or `.png`",
+        ),
+    ] {
+        let refused = book(&[&["scene", "racket"], wrong].concat());
+        let refusal = text(&refused.stderr);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(
+            refusal.contains(told) && refusal.lines().count() == 1,
+            "{refusal}"
+        );
+    }
+}
+
+#[test]
+fn the_name_of_the_output_tells_its_format() {
+    let (folder, file) = racket(3);
+    let out = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let read = |name: &str| std::fs::read_to_string(out(name)).unwrap();
+    for (name, format) in [
+        ("a.csv", None),
+        ("a.txt", None),
+        ("a", None),
+        ("b.txt", Some("csv")),
+        ("a.json", None),
+        ("b.json", Some("json")),
+        ("c.txt", Some("json")),
+    ] {
+        let path = out(name);
+        let mut arguments = vec!["--output", &path];
+        arguments.extend(format.iter().flat_map(|format| ["--format", format]));
+        let output = scene(&file, &arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(output.stdout.is_empty() && output.stderr.is_empty());
+        let json = name.ends_with("json") || format == Some("json");
+        assert!(
+            read(name).starts_with(if json { "{" } else { "t,qw" }),
+            "{name}"
+        );
+    }
+    let before = names(folder.path());
+    for arguments in [
+        &["--output", &out("x.svg")][..],
+        &["--output", &out("x.svg"), "--format", "csv"],
+        &["--output", &out("x.json"), "--format", "csv"],
+        &["--output", &out("x.csv"), "--format", "json"],
+    ] {
+        refused(&scene(&file, arguments), &["x.", "should end with"]);
+    }
+    let over = [
+        "--over",
+        "initial.omega.0=0..1:2",
+        "--output",
+        &out("x.svg"),
+    ];
+    let scan = book(&[&["scan", file.to_str().unwrap()], &over[..]].concat());
+    refused(&scan, &["x.svg", ".csv"]);
+    assert_eq!(names(folder.path()), before);
+}
+
+#[test]
+fn what_cannot_be_written_is_refused_before_any_work() {
+    // Half a minute of work, if it were begun.
+    let (folder, file) = racket(500_000);
+    for (name, words) in [
+        ("missing/rows.csv", "no such folder"),
+        (".", "not a folder"),
+        ("mine.toml", "should end with"),
+    ] {
+        let path = folder.path().join(name);
+        refused(
+            &scene(&file, &["--output", path.to_str().unwrap()]),
+            &[words],
+        );
+    }
+    assert_eq!(names(folder.path()), ["mine.toml"]);
+
+    let file = folder.path().join("a-file");
+    std::fs::write(&file, "").unwrap();
+    let output = book(&["figures", "--out", file.join("svg").to_str().unwrap()]);
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert_eq!(told.lines().count(), 1, "{told}");
+    assert!(told.contains("a-file"), "{told}");
+}
+
+#[test]
+fn a_scene_of_the_book_is_found_by_its_name() {
+    for name in ["racket", "racket.toml"] {
+        let output = book(&["scene", name]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(output.stdout.starts_with(b"t,qw"));
+    }
+    refused(
+        &book(&["scene", "racked"]),
+        &["racked", "did you mean `racket`?"],
+    );
+}
+
+#[test]
+fn numbers_beyond_the_doubles_are_no_rows() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let file = folder.path().join("swivel.toml");
+    let text_of = "kind = \"swivel\"\n[body]\nlower = 0.6\nupper = 2.0\n[initial]\nangular_momentum = 1e308\n[run]\nuntil = 1e3\n";
+    std::fs::write(&file, text_of).unwrap();
+    let output = scene(&file, &[]);
+    let told = text(&output.stderr);
+    assert_ne!(output.status.code(), Some(0), "{told}");
+    assert_eq!(told.lines().count(), 1, "{told}");
+    assert!(output.stdout.is_empty());
+}

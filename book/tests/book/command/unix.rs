@@ -1,0 +1,324 @@
+//! Links, pipes, devices, rights and signals.
+
+use super::*;
+use std::io::{BufRead, BufReader};
+use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, symlink};
+use std::time::{Duration, Instant};
+
+fn shell(script: &str) -> Output {
+    Command::new("sh").args(["-c", script]).output().unwrap()
+}
+
+fn quoted(path: &Path) -> String {
+    format!("'{}'", path.to_str().unwrap())
+}
+
+const BOOK: &str = env!("CARGO_BIN_EXE_book");
+
+#[test]
+fn a_link_is_followed() {
+    let (folder, file) = racket(3);
+    let (other, link, dangling) = (
+        folder.path().join("other"),
+        folder.path().join("link.csv"),
+        folder.path().join("dangling.csv"),
+    );
+    std::fs::create_dir(&other).unwrap();
+    std::fs::write(other.join("rows.csv"), "old").unwrap();
+    symlink("other/rows.csv", &link).unwrap();
+    symlink("other/new.csv", &dangling).unwrap();
+    for path in [&link, &dangling] {
+        let output = scene(&file, &["--output", path.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(path.is_symlink());
+        assert!(std::fs::read(path).unwrap().starts_with(b"t,qw"));
+    }
+    assert_eq!(names(&other), ["new.csv", "rows.csv"]);
+    let round = folder.path().join("round.csv");
+    symlink("round.csv", &round).unwrap();
+    let output = scene(&file, &["--output", round.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(round.is_symlink() && text(&output.stderr).contains("round.csv"));
+}
+
+#[test]
+fn pipes_and_devices_stay_what_they_are() {
+    let (folder, file) = racket(3);
+    let plain = scene(&file, &[]).stdout;
+    let (pipe, link) = (folder.path().join("pipe"), folder.path().join("link"));
+    assert!(shell(&format!("mkfifo {}", quoted(&pipe))).status.success());
+    symlink(&pipe, &link).unwrap();
+    for path in [&pipe, &link] {
+        let reader = Command::new("cat")
+            .arg(&pipe)
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let output = scene(&file, &["--output", path.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert_eq!(reader.wait_with_output().unwrap().stdout, plain);
+        let kind = std::fs::metadata(&pipe).unwrap().file_type();
+        assert!(kind.is_fifo() && link.is_symlink());
+    }
+    assert_eq!(names(folder.path()), ["link", "mine.toml", "pipe"]);
+    for device in ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"] {
+        assert_eq!(
+            scene(&file, &["--output", device]).stdout,
+            plain,
+            "{device}"
+        );
+    }
+    // A file that the standard output leads to goes on where it was.
+    let rows = folder.path().join("rows");
+    let command = format!("{BOOK} scene {} --output /dev/stdout", quoted(&file));
+    shell(&format!(
+        "(echo before; {command}; echo after) > {}",
+        quoted(&rows)
+    ));
+    let expected = [b"before\n", plain.as_slice(), b"after\n"].concat();
+    assert_eq!(std::fs::read(&rows).unwrap(), expected);
+    let full = scene(&file, &["--output", "/dev/full"]);
+    assert_eq!(full.status.code(), Some(1));
+    assert!(text(&full.stderr).contains("/dev/full"));
+    let full = shell(&format!("{BOOK} scene {} > /dev/full", quoted(&file)));
+    assert_eq!(full.status.code(), Some(1), "{}", text(&full.stderr));
+}
+
+#[test]
+fn the_input_is_not_overwritten() {
+    let (folder, file) = racket(3);
+    let at = |name: &str| folder.path().join(name);
+    std::fs::rename(&file, at("mine.csv")).unwrap();
+    let before = std::fs::read(at("mine.csv")).unwrap();
+    std::fs::hard_link(at("mine.csv"), at("hard.csv")).unwrap();
+    symlink("mine.csv", at("soft.csv")).unwrap();
+    let output = at("mine.csv");
+    let name = folder.path().file_name().unwrap();
+    for out in ["mine.csv", "hard.csv", "soft.csv", "./mine.csv"] {
+        let out = at(out);
+        refused(
+            &scene(&output, &["--output", out.to_str().unwrap()]),
+            &["that is the input"],
+        );
+    }
+    let other = at("..").join(name).join("mine.csv");
+    refused(
+        &scene(&at("soft.csv"), &["--output", other.to_str().unwrap()]),
+        &["that is the input"],
+    );
+    let from = quoted(&output);
+    refused(
+        &shell(&format!("{BOOK} scene - --output {from} < {from}")),
+        &["that is the input"],
+    );
+    refused(
+        &shell(&format!(
+            "{BOOK} scan {from} --over initial.omega.0=0..1:2 --output {from}"
+        )),
+        &["that is the input"],
+    );
+    refused(
+        &shell(&format!("{BOOK} accuracy --scene {from} --csv {from}")),
+        &["that is the input"],
+    );
+    assert_eq!(std::fs::read(&output).unwrap(), before);
+    assert_eq!(names(folder.path()), ["hard.csv", "mine.csv", "soft.csv"]);
+}
+
+#[test]
+fn files_get_the_rights_that_the_umask_leaves() {
+    let (folder, file) = racket(3);
+    let mode = |path: &Path| std::fs::metadata(path).unwrap().mode() & 0o777;
+    for (umask, rights) in [
+        ("022", 0o644),
+        ("027", 0o640),
+        ("002", 0o664),
+        ("077", 0o600),
+    ] {
+        let out = folder.path().join(format!("{umask}.csv"));
+        let svg = folder.path().join(umask);
+        let figure = ::figures::all()[0].name;
+        let script = format!(
+            "umask {umask}; {BOOK} scene {} --output {} && {BOOK} figures {figure} --out {}",
+            quoted(&file),
+            quoted(&out),
+            quoted(&svg)
+        );
+        let output = shell(&script);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert_eq!(mode(&out), rights, "{umask}");
+        assert_eq!(mode(&svg.join(format!("{figure}.svg"))), rights, "{umask}");
+    }
+    // What is there keeps its own.
+    let out = folder.path().join("022.csv");
+    std::fs::set_permissions(&out, std::fs::Permissions::from_mode(0o604)).unwrap();
+    assert!(
+        scene(&file, &["--output", out.to_str().unwrap()])
+            .status
+            .success()
+    );
+    assert_eq!(mode(&out), 0o604);
+}
+
+/// Starts a long run, waits until it has made something beside its output, and sends the signal.
+fn interrupted(signal: &str, status: i32) {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let file = folder.path().join("long.toml");
+    std::fs::write(&file, CHIRAL).unwrap();
+    let out = folder.path().join("rows.csv");
+    std::fs::write(&out, "old").unwrap();
+    let mut child = Command::new(BOOK)
+        .args(["scene", file.to_str().unwrap()])
+        .args(["--output", out.to_str().unwrap()])
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let begin = Instant::now();
+    while names(folder.path()).len() < 3 {
+        assert!(begin.elapsed() < Duration::from_secs(20) && child.try_wait().unwrap().is_none());
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let kill = format!("kill -{signal} {}", child.id());
+    assert!(shell(&kill).status.success());
+    assert_eq!(child.wait().unwrap().code(), Some(status));
+    assert_eq!(names(folder.path()), ["long.toml", "rows.csv"]);
+    assert_eq!(std::fs::read_to_string(&out).unwrap(), "old");
+}
+
+#[test]
+fn an_interrupted_run_leaves_nothing_behind() {
+    interrupted("INT", 130);
+    interrupted("TERM", 143);
+}
+
+#[test]
+fn a_saved_chapter_is_printed_again() {
+    let root = press::paths::workspace_root().unwrap();
+    let copy = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    for linked in ["src", "lab", "tests", "figures"] {
+        symlink(root.join(linked), copy.path().join(linked)).unwrap();
+    }
+    let (from, book) = (root.join("book"), copy.path().join("book"));
+    std::fs::create_dir(&book).unwrap();
+    let copied = ["src", "scenes", "theme", "book.toml"].map(|name| quoted(&from.join(name)));
+    let script = format!("cp -r {} {}", copied.join(" "), quoted(&book));
+    assert!(shell(&script).status.success());
+
+    let mut child = Command::new(BOOK)
+        .args(["book", "--watch"])
+        .current_dir(copy.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut told = BufReader::new(child.stdout.take().unwrap()).lines();
+    let mut told = || told.next().unwrap().unwrap();
+    let complaints = BufReader::new(child.stderr.take().unwrap()).lines();
+    let mut complaints = complaints.map(Result::unwrap);
+    assert!(told().ends_with("book/build/index.html"));
+    assert!(told().starts_with("watching"));
+
+    let chapter = book.join("src/superball.md");
+    let before = std::fs::read_to_string(&chapter).unwrap();
+    std::fs::write(&chapter, format!("{before}\nA sentence of its own.\n")).unwrap();
+    // A file that is still being written may be printed twice.
+    let page = || std::fs::read_to_string(book.join("build/superball.html")).unwrap();
+    loop {
+        assert!(told().starts_with("book/src/superball.md: printed again in "));
+        if page().contains("A sentence of its own.") {
+            break;
+        }
+    }
+
+    // What is wrong is told, and the next change mends it; an example is computed elsewhere.
+    std::fs::write(&chapter, format!("{before}\n{{{{figure nope}}}}\n")).unwrap();
+    let error = complaints.find(|line| line.starts_with("error: "));
+    assert!(error.unwrap().contains("'nope'"));
+    let changed = before.replacen("```rust\n", "```rust\n// Changed.\n", 1);
+    std::fs::write(&chapter, changed).unwrap();
+    // Half-saved, the file has no examples: that too is told.
+    loop {
+        while !told().contains("`cargo test -p book --doc -- superball`") {}
+        if page().contains("// Changed.") {
+            break;
+        }
+    }
+
+    let kill = format!("kill -INT {}", child.id());
+    assert!(shell(&kill).status.success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+}
+
+#[test]
+fn an_early_end_of_the_reader_is_quiet() {
+    let (_folder, file) = racket(100_000);
+    let script = format!(
+        "{{ {BOOK} scene {}; echo $? >&2; }} | head -n 2",
+        quoted(&file)
+    );
+    let output = shell(&script);
+    assert_eq!(text(&output.stderr), "0\n");
+    assert_eq!(text(&output.stdout).lines().count(), 2);
+}
+
+#[test]
+fn a_file_without_end_is_refused() {
+    for endless in ["/dev/zero", "-"] {
+        let output = shell(&format!("{BOOK} scene {endless} < /dev/zero"));
+        refused(&output, &["4000000 bytes"]);
+    }
+}
+
+/// Peak of resident memory, kB, asked for until the process is gone.
+#[cfg(target_os = "linux")]
+fn peak(arguments: &[&str]) -> u64 {
+    let mut child = Command::new(BOOK)
+        .args(arguments)
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let status = format!("/proc/{}/status", child.id());
+    let mut peak = 0;
+    while child.try_wait().unwrap().is_none() {
+        let told = std::fs::read_to_string(&status).unwrap_or_default();
+        let line = told.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let now = line.and_then(|line| line.trim().trim_end_matches("kB").trim().parse().ok());
+        peak = now.unwrap_or(0).max(peak);
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    assert!(child.wait().unwrap().success());
+    peak
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn memory_stays_small_up_to_the_largest_output() {
+    // Observed: 42 MB; of five million rows 63 MB, where a motion is stepped 102 MB. As one JSON value half a million took 1.5 GB.
+    let (_folder, file) = racket(600_000);
+    let peak = peak(&["scene", file.to_str().unwrap(), "--format", "json"]);
+    assert!((20_000..80_000).contains(&peak), "{peak} kB");
+    let (_folder, file) = racket(10_000_001);
+    refused(&scene(&file, &[]), &["samples", "10000000"]);
+}
+
+#[test]
+fn a_long_run_tells_how_far_it_is() {
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let file = folder.path().join("long.toml");
+    std::fs::write(&file, CHIRAL).unwrap();
+    let mut child = Command::new(BOOK)
+        .args(["scene", file.to_str().unwrap()])
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut told = String::new();
+    let mut lines = BufReader::new(child.stderr.take().unwrap());
+    // After one second and a half; a run that is over by then says nothing.
+    lines.read_line(&mut told).unwrap();
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(
+        told.starts_with("simulating: t = ") && told.contains("of at most 200 million"),
+        "{told}"
+    );
+}

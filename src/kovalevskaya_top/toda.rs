@@ -177,7 +177,7 @@ impl Lattice {
     /// ```
     /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
     /// let mut lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
-    /// lattice.advance(0.05, 800)?;
+    /// lattice.advance(0.01, 4000)?;
     /// // Apart at last, each with twice an eigenvalue.
     /// assert!((lattice.momenta()[1] - 2.0_f64.sqrt()).abs() < 1e-9);
     /// # Ok::<(), spinning_bodies::Error>(())

@@ -253,7 +253,7 @@ fn close_to_a_double_root_the_reason_is_told() {
         let [motion, attitude] = compared(&top, &[0.5, 3.0, 8.0]);
         observed!(
             motion,
-            7e-15..=3e-13,
+            2e-15..=3e-13,
             "{push:e} {:?}: {motion:e} {attitude:e}",
             top.method()
         );

@@ -113,10 +113,13 @@ impl ClosedForm {
         }
     }
 
-    /// By how much Ω is off where it is much slower than the pace (both rad/s), as after a release a moment ago: by a rounding of the pace.
+    /// By how much more Ω is off where it is much slower than the pace (both rad/s), as after a release a moment ago: by a rounding of the pace, or by what is stated in its units.
     pub(super) fn hardly_moving(&self, pace: f64, fastest: f64) -> f64 {
         match self {
             Self::Lagrange(..) if fastest > 0.0 => f64::EPSILON * (pace / fastest),
+            Self::Kovalevskaya(top, _) if fastest > 0.0 => {
+                top.stated_error(0.0) * (pace / fastest - 1.0).max(0.0)
+            }
             _ => 0.0,
         }
     }

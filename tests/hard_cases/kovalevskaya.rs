@@ -272,6 +272,33 @@ fn close_to_a_double_root_the_reason_is_told() {
 }
 
 #[test]
+fn roots_of_the_cubic_meet_and_no_variable_passes_between() {
+    // Ω₁ by halving until e₂ and e₃ were one to half of the digits; and a little beside, where they are real or complex.
+    let starts = [
+        (
+            [0.018238973487506947, -0.0625, 0.9375],
+            [0.1875, -0.875, 0.1875],
+        ),
+        ([2.3170881378851916, 1.0, 0.625], [0.1875, -0.875, 1.1875]),
+        ([0.6354277762836253, 0.75, -0.0625], [1.1875, -1.1875, -0.5]),
+    ];
+    let mut worst = [0.0_f64; 2];
+    for ([p, q, r], up) in starts {
+        for push in [1e-6, -1e-6, 1e-9, -1e-9, 1e-11, -1e-11] {
+            let top = top([p + push, q, r], up);
+            let [_, second, third, ..] = top.roots();
+            assert!((second - third).norm() < 1e-3, "{p} {push:e}");
+            assert_eq!(top.method(), Method::Separation, "{p} {push:e}");
+            let found = compared(&top, &[1.0, 10.0, 30.0]);
+            worst = [0, 1].map(|i| worst[i].max(found[i]));
+        }
+    }
+    let [motion, attitude] = worst;
+    observed!(motion, 2e-14..=1e-13);
+    observed!(attitude, 2e-14..=1e-13);
+}
+
+#[test]
 fn at_rest_and_on_its_head() {
     for (omega, up, kind) in [
         ([0.0; 3], [-1.0, 0.0, 0.0], Kind::SharedUpper),

@@ -95,20 +95,6 @@ impl AttitudeSeries<'_> {
     pub fn mean_precession_rate(&self) -> f64 {
         self.precession.mean() * self.top.unit
     }
-
-    /// Terms of the theta functions.
-    ///
-    /// ```
-    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
-    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
-    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
-    /// let series = top.attitude_series().expect("theta functions");
-    /// assert!((100..1000).contains(&series.terms()));
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn terms(&self) -> usize {
-        self.precession.terms()
-    }
 }
 
 impl KovalevskayaTop {

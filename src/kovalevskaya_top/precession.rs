@@ -179,12 +179,6 @@ impl Precession {
         (state, [coords.w, coords.x, coords.y, coords.z])
     }
 
-    /// How many terms the theta functions have.
-    pub fn terms(&self) -> usize {
-        let factors = self.products.iter().flatten();
-        factors.map(|factor| factor.theta.len()).sum()
-    }
-
     /// The mean rate of the third axis: α less what arg G₊G₋ gains.
     pub fn mean(&self) -> f64 {
         let turns = [0, 1].map(|axis| self.winding(axis));

@@ -84,7 +84,6 @@ impl Reconstruction {
         }
     }
 
-    // ANCHOR: meeting
     /// (b − c)/Δ₁ where b⁴ : c⁴ is the product of these powers of what e₂ and e₃ are over −l₁, e₁, e₄, e₅, but for its sign.
     ///
     /// Where e₂ and e₃ meet b and c do, or one is the other times a root of unity.
@@ -110,7 +109,6 @@ impl Reconstruction {
         }
         c * product / ((ratio + one) * (ratio * ratio + one))
     }
-    // ANCHOR_END: meeting
 }
 
 /// A function of time and its derivative.

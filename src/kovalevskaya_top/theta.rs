@@ -70,11 +70,6 @@ impl Theta {
         })
     }
 
-    /// How many terms there are.
-    pub fn len(&self) -> usize {
-        self.rows.iter().flatten().map(|row| 4 * row.len()).sum()
-    }
-
     /// The sums for e^{2πiw₁} and e^{2πiw₂}.
     pub fn at(&self, z: [Number; 2]) -> Sums {
         let mut sums = Sums::default();

@@ -25,12 +25,10 @@ const THROWN: f64 = 2.15;
 /// Pictures of the brick.
 const PICTURES: u32 = 7;
 
-const OFF: Parameter = Parameter::new("off", r"\alpha", "°")
-    .meaning("angle of Ω from the middle axis at the throw, towards the long one")
-    .between([0.0, 90.0], 20.0);
-const TURNS: Parameter = Parameter::new("turns", "n", "turns/s")
-    .meaning("spin at the throw")
-    .between([0.5, 3.0], 1.5);
+parameters! {
+    OFF: "off", r"\alpha", "°", "angle of Ω from the middle axis at the throw, towards the long one", [0.0, 90.0], 20.0;
+    TURNS: "turns", "n", "turns/s", "spin at the throw", [0.5, 3.0], 1.5;
+}
 /// What may be chosen.
 pub const THROWN_BRICK: &[Parameter] = &[OFF, TURNS];
 

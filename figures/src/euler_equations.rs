@@ -24,18 +24,13 @@ pub const FIGURES: &[Entry] = &[
     of("triangle-of-tops", triangle::TRIANGLE, triangle::tops),
 ];
 
+parameters! {
+    FIRST: "first", "I_1", "kg m²", "first moment of inertia", [1.0, 2.0], 1.0;
+    SECOND: "second", "I_2", "kg m²", "second moment of inertia", [2.0, 2.9], 2.0;
+    THIRD: "third", "I_3", "kg m²", "third moment of inertia", [2.0, 3.0], 3.0;
+}
 /// What may be chosen: the moments.
-pub const FLOW: &[Parameter] = &[
-    Parameter::new("first", "I_1", "kg m²")
-        .meaning("first moment of inertia")
-        .between([1.0, 2.0], 1.0),
-    Parameter::new("second", "I_2", "kg m²")
-        .meaning("second moment of inertia")
-        .between([2.0, 2.9], 2.0),
-    Parameter::new("third", "I_3", "kg m²")
-        .meaning("third moment of inertia")
-        .between([2.0, 3.0], 3.0),
-];
+pub const FLOW: &[Parameter] = &[FIRST, SECOND, THIRD];
 
 /// Strength of what lies on the far side of the sphere.
 const BEHIND: f64 = 0.22;

@@ -30,9 +30,9 @@ const STEP: f64 = 0.5;
 /// How long an L of one kg m²/s is drawn, m.
 const LENGTH: f64 = 2.2;
 
-const TURNS: Parameter = Parameter::new("turns", "n", "turns/s")
-    .meaning("spin of the wheel")
-    .between([60.0, 150.0], 100.0);
+parameters! {
+    TURNS: "turns", "n", "turns/s", "spin of the wheel", [60.0, 150.0], 100.0;
+}
 const TILT: Parameter = Parameter::new("tilt", r"\theta", "°")
     .meaning("angle of the axle from the vertical")
     .between([30.0, 120.0], 90.0)

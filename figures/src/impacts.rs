@@ -15,17 +15,12 @@ use crate::{Entry, Figure, Parameter, Values, of};
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[of("meteorite", METEORITE, meteorite)];
 
-const MASS: Parameter = Parameter::new("mass", "m/M", "")
-    .meaning("mass of the meteorite over that of the planet")
-    .between([0.001, 0.03], 0.01)
-    .logarithmic();
-const HEIGHT: Parameter = Parameter::new("height", "z/R", "")
-    .meaning("height over the equator at which it hits, over the radius")
-    .between([-0.6, 0.85], 0.8);
-const ACROSS: Parameter = Parameter::new("across", "-v_y", "").meaning("speed of the meteorite along the circle of latitude, against the turn, radii a second over Ω").between([0.0, 40.0], 20.0);
-const MOMENT: Parameter = Parameter::new("moment", "I/MR^2", "")
-    .meaning("moment of inertia of the planet over MR²")
-    .between([0.2, 0.66], 0.4);
+parameters! {
+    MASS: "mass", "m/M", "", "mass of the meteorite over that of the planet", [0.001, 0.03], 0.01, logarithmic;
+    HEIGHT: "height", "z/R", "", "height over the equator at which it hits, over the radius", [-0.6, 0.85], 0.8;
+    ACROSS: "across", "-v_y", "", "speed of the meteorite along the circle of latitude, against the turn, radii a second over Ω", [0.0, 40.0], 20.0;
+    MOMENT: "moment", "I/MR^2", "", "moment of inertia of the planet over MR²", [0.2, 0.66], 0.4;
+}
 
 /// What may be chosen of planet and meteorite.
 pub const METEORITE: &[Parameter] = &[MASS, HEIGHT, ACROSS, MOMENT];

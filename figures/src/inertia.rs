@@ -24,18 +24,12 @@ pub const FIGURES: &[Entry] = &[
     constant("cube-rosettes", rosettes),
 ];
 
-const LONG: Parameter = Parameter::new("long", "a", "m")
-    .meaning("longest edge of the box")
-    .between([4.0, 9.0], 6.0);
-const MIDDLE: Parameter = Parameter::new("middle", "b", "m")
-    .meaning("middle edge of the box")
-    .between([2.0, 4.0], 4.0);
-const SHORT: Parameter = Parameter::new("short", "c", "m")
-    .meaning("shortest edge of the box")
-    .between([0.5, 2.0], 2.0);
-const MASS: Parameter = Parameter::new("mass", "M", "kg")
-    .meaning("mass of the box")
-    .between([0.5, 10.0], 3.0);
+parameters! {
+    LONG: "long", "a", "m", "longest edge of the box", [4.0, 9.0], 6.0;
+    MIDDLE: "middle", "b", "m", "middle edge of the box", [2.0, 4.0], 4.0;
+    SHORT: "short", "c", "m", "shortest edge of the box", [0.5, 2.0], 2.0;
+    MASS: "mass", "M", "kg", "mass of the box", [0.5, 10.0], 3.0;
+}
 
 /// What may be chosen of the box.
 pub const ELLIPSOID: &[Parameter] = &[LONG, MIDDLE, SHORT, MASS];

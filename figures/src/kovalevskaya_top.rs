@@ -20,24 +20,17 @@ pub const FIGURES: &[Entry] = &[
     of("appelrot-classes", CLASSES, classes),
 ];
 
-const FIRST: Parameter = Parameter::new("first", r"\Omega_1", "rad/s")
-    .meaning("spin about the first axis at the start")
-    .between([0.2, 2.0], 1.0);
-const SECOND: Parameter = Parameter::new("second", r"\Omega_2", "rad/s")
-    .meaning("spin about the second axis at the start")
-    .between([-1.0, 1.5], 0.5);
-const THIRD: Parameter = Parameter::new("third", r"\Omega_3", "rad/s")
-    .meaning("spin about the third axis at the start")
-    .between([-1.5, 1.5], 0.3);
-const RATIO: Parameter = Parameter::new("ratio", "I_1/I_3", "")
-    .meaning("ratio of moments in the panel on the right")
-    .between([1.5, 2.5], 1.9);
+parameters! {
+    FIRST: "first", r"\Omega_1", "rad/s", "spin about the first axis at the start", [0.2, 2.0], 1.0;
+    SECOND: "second", r"\Omega_2", "rad/s", "spin about the second axis at the start", [-1.0, 1.5], 0.5;
+    THIRD: "third", r"\Omega_3", "rad/s", "spin about the third axis at the start", [-1.5, 1.5], 0.3;
+    RATIO: "ratio", "I_1/I_3", "", "ratio of moments in the panel on the right", [1.5, 2.5], 1.9;
+    SIZE: "size", r"\lvert K\rvert", "1/s²", "Kovalevskaya's constant", [0.05, 1.6], 0.6;
+}
 /// What may be chosen in the scribble, in the bands and in the map.
 pub const CIRCLE: &[Parameter] = &[FIRST, SECOND, THIRD, RATIO];
 pub const BANDS: &[Parameter] = &[FIRST, SECOND, THIRD];
-pub const CLASSES: &[Parameter] = &[Parameter::new("size", r"\lvert K\rvert", "1/s²")
-    .meaning("Kovalevskaya's constant")
-    .between([0.05, 1.6], 0.6)];
+pub const CLASSES: &[Parameter] = &[SIZE];
 
 /// The start of all pictures: c = 1, z = (2, −1, 2)/3.
 fn start(values: &Values) -> Result<TopState> {

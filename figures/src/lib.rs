@@ -8,6 +8,9 @@ use plotters_backend::{DrawingBackend, DrawingErrorKind};
 use plotters_svg::SVGBackend;
 use spinning_bodies::Result;
 
+#[macro_use]
+mod parameter;
+
 mod accuracy;
 pub mod canvas;
 mod compare;
@@ -25,7 +28,6 @@ mod kovalevskaya_top;
 mod lagrange_top;
 pub mod on_your_table;
 pub mod own;
-mod parameter;
 mod phenomena;
 mod plot;
 mod pythagoras;

@@ -113,6 +113,19 @@ impl Parameter {
     }
 }
 
+/// Parameters as a table, one a row: its key, letter, unit and meaning, its range and what the book shows; then how it is spaced or dragged.
+macro_rules! parameters {
+    ($(
+        $(#[$doc:meta])* $visible:vis $name:ident: $key:literal, $symbol:literal, $unit:literal, $meaning:literal, $range:expr, $default:expr
+        $(, $how:ident $(($($by:expr),+))?)*;
+    )+) => {
+        $($(#[$doc])* $visible const $name: $crate::Parameter = $crate::Parameter::new($key, $symbol, $unit)
+            .meaning($meaning)
+            .between($range, $default)
+            $(.$how($($($by),+)?))*;)+
+    };
+}
+
 /// One line: name, range, value in the book, meaning.
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

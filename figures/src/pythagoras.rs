@@ -23,9 +23,9 @@ const AR: Parameter = Parameter::new("ar", "AR", "")
             Drawn::of(values).map_or(f64::NAN, |drawn| (point[0] - drawn.hinge[0]) / drawn.length)
         },
     );
-const RB: Parameter = Parameter::new("rb", "RB", "")
-    .meaning("the other side at R")
-    .between([1.0, 5.0], 3.0);
+parameters! {
+    RB: "rb", "RB", "", "the other side at R", [1.0, 5.0], 3.0;
+}
 const ANGLE: Parameter = Parameter::new("angle", r"\gamma", "°")
     .meaning("angle at R")
     .between([30.0, 150.0], 90.0)

@@ -20,14 +20,11 @@ pub const FIGURES: &[Entry] = &[
     of("slide-to-roll", slide::LINES, slide::lines),
 ];
 
-/// Of a ball that rolls or bounces, whatever it is made of.
-pub const KAPPA: Parameter = Parameter::new("kappa", r"\kappa", "")
-    .meaning("moment of inertia of the ball over MR²")
-    .between([0.3, 0.65], 0.4);
-const CUE: Parameter = Parameter::new("cue", "H/R", "")
-    .meaning("height of one of the cues above the table, over the radius")
-    .between([0.4, 1.9], 1.2)
-    .dragged(cue_place, cue_at);
+parameters! {
+    /// Of a ball that rolls or bounces, whatever it is made of.
+    pub KAPPA: "kappa", r"\kappa", "", "moment of inertia of the ball over MR²", [0.3, 0.65], 0.4;
+    CUE: "cue", "H/R", "", "height of one of the cues above the table, over the radius", [0.4, 1.9], 1.2, dragged(cue_place, cue_at);
+}
 
 /// What may be chosen beside the ball and its cues.
 pub const BILLIARD: &[Parameter] = &[CUE, KAPPA];

@@ -18,15 +18,11 @@ pub const FIGURES: &[Entry] = &[
     constant("sheet-animated", animated),
 ];
 
-const PULL: Parameter = Parameter::new("speed", "v", "m/s")
-    .meaning("speed of the sheet once it goes")
-    .between([1.0, 8.0], 3.0);
-const ON_SHEET: Parameter = Parameter::new("sheet_friction", r"\mu_1", "")
-    .meaning("coefficient of friction on the sheet")
-    .between([0.05, 0.8], 0.3);
-const ON_TABLE: Parameter = Parameter::new("table_friction", r"\mu_2", "")
-    .meaning("coefficient of friction on the table")
-    .between([0.05, 0.8], 0.2);
+parameters! {
+    PULL: "speed", "v", "m/s", "speed of the sheet once it goes", [1.0, 8.0], 3.0;
+    ON_SHEET: "sheet_friction", r"\mu_1", "", "coefficient of friction on the sheet", [0.05, 0.8], 0.3;
+    ON_TABLE: "table_friction", r"\mu_2", "", "coefficient of friction on the table", [0.05, 0.8], 0.2;
+}
 const KAPPA: Parameter = rolling::KAPPA.between([0.25, 1.0], 0.4);
 
 /// What may be chosen in the graphs.

@@ -17,18 +17,12 @@ pub const FIGURES: &[Entry] = &[
     of("spool-dial", DIAL, dial),
 ];
 
-const AXLE: Parameter = Parameter::new("axle", "r/R", "")
-    .meaning("radius of the axle over that of the discs")
-    .between([0.05, 0.95], 0.4);
-const LOW: Parameter = Parameter::new("low", r"\theta_1", "°")
-    .meaning("angle of the first tug above the ground")
-    .between([0.0, 89.0], 25.0);
-const STEEP: Parameter = Parameter::new("steep", r"\theta_2", "°")
-    .meaning("angle of the last tug above the ground")
-    .between([0.0, 89.0], 85.0);
-const TENSION: Parameter = Parameter::new("tension", "T", "N")
-    .meaning("pull of the string")
-    .between([0.05, 0.5], 0.3);
+parameters! {
+    AXLE: "axle", "r/R", "", "radius of the axle over that of the discs", [0.05, 0.95], 0.4;
+    LOW: "low", r"\theta_1", "°", "angle of the first tug above the ground", [0.0, 89.0], 25.0;
+    STEEP: "steep", r"\theta_2", "°", "angle of the last tug above the ground", [0.0, 89.0], 85.0;
+    TENSION: "tension", "T", "N", "pull of the string", [0.05, 0.5], 0.3;
+}
 
 /// What may be chosen in the three tugs.
 pub const THREE_TUGS: &[Parameter] = &[AXLE, LOW, STEEP];

@@ -22,12 +22,10 @@ pub const FIGURES: &[Entry] = &[
 ];
 
 const KAPPA: Parameter = rolling::KAPPA.between([0.1, 0.65], 0.4);
-const GRIP: Parameter = Parameter::new("restitution", "e_t", "")
-    .meaning("part of its contact speed that the ball gets back in a bounce")
-    .between([0.0, 1.0], 1.0);
-const SPIN: Parameter = Parameter::new("spin", r"R\Omega/V", "")
-    .meaning("rim speed of the thrown ball over its speed")
-    .between([-0.8, 0.8], 0.0);
+parameters! {
+    GRIP: "restitution", "e_t", "", "part of its contact speed that the ball gets back in a bounce", [0.0, 1.0], 1.0;
+    SPIN: "spin", r"R\Omega/V", "", "rim speed of the thrown ball over its speed", [-0.8, 0.8], 0.0;
+}
 
 /// What may be chosen of the ball under the table.
 pub const UNDER_THE_TABLE: &[Parameter] = &[KAPPA, GRIP, SPIN];

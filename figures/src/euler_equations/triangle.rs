@@ -14,18 +14,13 @@ use crate::style::{
 
 use crate::{Figure, Parameter, Values};
 
+parameters! {
+    LENGTH: "length", "a", "mm", "length of the brick", [20.0, 400.0], 240.0;
+    WIDTH: "width", "b", "mm", "width of the brick", [20.0, 400.0], 115.0;
+    HEIGHT: "height", "c", "mm", "height of the brick", [5.0, 400.0], 71.0;
+}
 /// What may be chosen: the edges of the brick.
-pub const TRIANGLE: &[Parameter] = &[
-    Parameter::new("length", "a", "mm")
-        .meaning("length of the brick")
-        .between([20.0, 400.0], 240.0),
-    Parameter::new("width", "b", "mm")
-        .meaning("width of the brick")
-        .between([20.0, 400.0], 115.0),
-    Parameter::new("height", "c", "mm")
-        .meaning("height of the brick")
-        .between([5.0, 400.0], 71.0),
-];
+pub const TRIANGLE: &[Parameter] = &[LENGTH, WIDTH, HEIGHT];
 
 /// The big triangle: its right angle, the disc, is at `CORNER`; it is `WIDE` wide and `WIDE`/√3 high.
 const CORNER: Point = [572.0, 384.0];

@@ -21,13 +21,10 @@ const A_DAY: u32 = 24;
 /// Dots, one a day.
 const DOTS: usize = 8;
 
-const DAYS: Parameter = Parameter::new("days", "t", "days")
-    .meaning("how long it is followed")
-    .between([10.0, 150.0], 60.0)
-    .whole();
-const ROLL: Parameter = Parameter::new("roll", r"\Omega_{\text{long}}", "° a day")
-    .meaning("angular velocity about the long axis on 9 November 1992")
-    .between([30.0, 200.0], 98.709);
+parameters! {
+    DAYS: "days", "t", "days", "how long it is followed", [10.0, 150.0], 60.0, whole;
+    ROLL: "roll", r"\Omega_{\text{long}}", "° a day", "angular velocity about the long axis on 9 November 1992", [30.0, 200.0], 98.709;
+}
 /// What may be chosen; the other two components of Ω and the moments are those of Toutatis.
 pub const TOUTATIS: &[Parameter] = &[DAYS, ROLL];
 

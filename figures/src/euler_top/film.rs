@@ -14,16 +14,11 @@ const FRAMES: usize = 9;
 const ROWS: [f64; 2] = [116.0, 304.0];
 const SCALE: f64 = 172.0;
 
-const HANDLE: Parameter = Parameter::new("handle", "I_1", "g m²")
-    .meaning("moment about the handle")
-    .between([1.15, 3.0], 1e3 * MOMENTS[0]);
-const SPIN: Parameter = Parameter::new("turns", r"\Omega_2", "turns/s")
-    .meaning("spin about the middle axis at the throw")
-    .between([0.3, 3.0], TURNS);
-const OFF: Parameter = Parameter::new("off", r"\epsilon", "°")
-    .meaning("angle between L and the middle axis at the throw")
-    .between([0.05, 20.0], 0.916)
-    .logarithmic();
+parameters! {
+    HANDLE: "handle", "I_1", "g m²", "moment about the handle", [1.15, 3.0], 1e3 * MOMENTS[0];
+    SPIN: "turns", r"\Omega_2", "turns/s", "spin about the middle axis at the throw", [0.3, 3.0], TURNS;
+    OFF: "off", r"\epsilon", "°", "angle between L and the middle axis at the throw", [0.05, 20.0], 0.916, logarithmic;
+}
 /// What may be chosen.
 pub const FILM: &[Parameter] = &[HANDLE, SPIN, OFF];
 

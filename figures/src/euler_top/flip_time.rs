@@ -71,10 +71,9 @@ const DECADES: i32 = 16;
 /// Left, right, bottom, top of the frame.
 const FRAME: [f64; 4] = [70.0, 560.0, 330.0, 30.0];
 
-const SPIN: Parameter = Parameter::new("spin", r"\Omega_2", "rad/s")
-    .meaning("angular velocity about the middle axis")
-    .between([0.2, 20.0], 1.0)
-    .logarithmic();
+parameters! {
+    SPIN: "spin", r"\Omega_2", "rad/s", "angular velocity about the middle axis", [0.2, 20.0], 1.0, logarithmic;
+}
 const DISTANCE: Parameter = Parameter::new("distance", r"\epsilon", "")
     .meaning("distance from the middle axis at the throw")
     .between([1e-16, 1.0], 1e-2)

@@ -5,7 +5,7 @@ use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use crate::style::brief;
-use crate::{Entry, Parameter, Values, constant, of};
+use crate::{Entry, Values, constant, of};
 
 mod animated;
 mod asteroid;
@@ -30,15 +30,11 @@ pub const FIGURES: &[Entry] = &[
     of("toutatis", asteroid::TOUTATIS, asteroid::two_axes),
 ];
 
-const SMALLEST: Parameter = Parameter::new("smallest", "I_1", "kg m²")
-    .meaning("smallest principal moment")
-    .between([0.2, 1.4], 1.0);
-const MIDDLE: Parameter = Parameter::new("middle", "I_2", "kg m²")
-    .meaning("middle principal moment")
-    .between([1.5, 2.5], 2.0);
-const LARGEST: Parameter = Parameter::new("largest", "I_3", "kg m²")
-    .meaning("largest principal moment")
-    .between([2.6, 5.0], 3.0);
+parameters! {
+    SMALLEST: "smallest", "I_1", "kg m²", "smallest principal moment", [0.2, 1.4], 1.0;
+    MIDDLE: "middle", "I_2", "kg m²", "middle principal moment", [1.5, 2.5], 2.0;
+    LARGEST: "largest", "I_3", "kg m²", "largest principal moment", [2.6, 5.0], 3.0;
+}
 
 fn moments(values: &Values) -> [f64; 3] {
     [SMALLEST, MIDDLE, LARGEST].map(|moment| values.of(&moment))

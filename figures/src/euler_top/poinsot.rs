@@ -15,38 +15,13 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const FIRST: Parameter = component(
-    "first",
-    r"\Omega_1",
-    "angular velocity about the axis of the smallest moment",
-    1.3,
-);
-const SECOND: Parameter = component(
-    "second",
-    r"\Omega_2",
-    "angular velocity about the middle axis",
-    0.5,
-);
-const THIRD: Parameter = component(
-    "third",
-    r"\Omega_3",
-    "angular velocity about the axis of the largest moment",
-    0.5,
-);
+parameters! {
+    FIRST: "first", r"\Omega_1", "rad/s", "angular velocity about the axis of the smallest moment", [0.1, 2.0], 1.3;
+    SECOND: "second", r"\Omega_2", "rad/s", "angular velocity about the middle axis", [0.1, 2.0], 0.5;
+    THIRD: "third", r"\Omega_3", "rad/s", "angular velocity about the axis of the largest moment", [0.1, 2.0], 0.5;
+}
 /// What may be chosen: the moments, and the angular velocity at time zero along the body's axes.
 pub const POINSOT: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, FIRST, SECOND, THIRD];
-
-/// A component of the angular velocity.
-const fn component(
-    key: &'static str,
-    symbol: &'static str,
-    meaning: &'static str,
-    default: f64,
-) -> Parameter {
-    Parameter::new(key, symbol, "rad/s")
-        .meaning(meaning)
-        .between([0.1, 2.0], default)
-}
 
 /// When the picture is taken, in periods of the polhode.
 const NOW: f64 = 0.5;

@@ -18,14 +18,10 @@ const CENTER: Point = [206.0, 208.0];
 /// Days between two dots.
 const STEP: f64 = 30.0;
 
-const RIGID: Parameter = Parameter::new("rigid", r"T_0", "days")
-    .meaning("period of the wobble of a rigid body of these moments, I₁/(I₃ − I₁) of its days")
-    .between([100.0, 600.0], 300.0)
-    .whole();
-const OBSERVED: Parameter = Parameter::new("observed", "T", "days")
-    .meaning("period of the wobble that is observed")
-    .between([100.0, 600.0], 440.0)
-    .whole();
+parameters! {
+    RIGID: "rigid", r"T_0", "days", "period of the wobble of a rigid body of these moments, I₁/(I₃ − I₁) of its days", [100.0, 600.0], 300.0, whole;
+    OBSERVED: "observed", "T", "days", "period of the wobble that is observed", [100.0, 600.0], 440.0, whole;
+}
 /// What may be chosen in the race of the poles.
 pub const CIRCLES: &[Parameter] = &[RIGID, OBSERVED];
 
@@ -200,15 +196,11 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
         .data("observed", &columns, row(&real)))
 }
 
-const FLAT: Parameter = Parameter::new("flat", "I_3/I_1", "")
-    .meaning("moment about the axis over that across it, left body")
-    .between([1.0, 2.0], 1.7);
-const LONG: Parameter = Parameter::new("long", "I_3/I_1", "")
-    .meaning("moment about the axis over that across it, right body")
-    .between([0.05, 1.0], 0.5);
-const LEAN: Parameter = Parameter::new("lean", r"\Omega_\perp/\Omega_3", "")
-    .meaning("angular velocity across the axis over that about it")
-    .between([0.1, 1.2], 0.56);
+parameters! {
+    FLAT: "flat", "I_3/I_1", "", "moment about the axis over that across it, left body", [1.0, 2.0], 1.7;
+    LONG: "long", "I_3/I_1", "", "moment about the axis over that across it, right body", [0.05, 1.0], 0.5;
+    LEAN: "lean", r"\Omega_\perp/\Omega_3", "", "angular velocity across the axis over that about it", [0.1, 1.2], 0.56;
+}
 /// What may be chosen in the rolling cones.
 pub const CONES: &[Parameter] = &[FLAT, LONG, LEAN];
 

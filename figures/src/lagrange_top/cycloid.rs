@@ -12,22 +12,14 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const TILT: Parameter = Parameter::new("tilt", r"\theta_0", "°")
-    .meaning("tilt at the release")
-    .between([5.0, 175.0], 60.0);
-const SPINS: [Parameter; 3] = [
-    Parameter::new("upper", "L_3", "")
-        .meaning("axial momentum of the upper top")
-        .between([1.0, 20.0], 3.0),
-    Parameter::new("middle", "L_3", "")
-        .meaning("axial momentum of the top in the middle")
-        .between([1.0, 20.0], 5.0),
-    Parameter::new("lower", "L_3", "")
-        .meaning("axial momentum of the lower top")
-        .between([1.0, 20.0], 10.0),
-];
+parameters! {
+    TILT: "tilt", r"\theta_0", "°", "tilt at the release", [5.0, 175.0], 60.0;
+    UPPER: "upper", "L_3", "", "axial momentum of the upper top", [1.0, 20.0], 3.0;
+    MIDDLE: "middle", "L_3", "", "axial momentum of the top in the middle", [1.0, 20.0], 5.0;
+    LOWER: "lower", "L_3", "", "axial momentum of the lower top", [1.0, 20.0], 10.0;
+}
 /// What may be chosen.
-pub const CYCLOIDS: &[Parameter] = &[TILT, SPINS[0], SPINS[1], SPINS[2]];
+pub const CYCLOIDS: &[Parameter] = &[TILT, UPPER, MIDDLE, LOWER];
 
 /// Where the arches begin and how far they may go, and what stands between two rows, units.
 const LEFT: f64 = 84.0;
@@ -93,7 +85,7 @@ impl Row {
 /// Three tops, three cycloids.
 pub fn cycloids(values: &Values) -> Result<Figure> {
     let degrees = values.of(&TILT);
-    let rows = SPINS
+    let rows = CYCLOIDS[1..]
         .iter()
         .map(|spin| Row::new(values.of(spin), degrees.to_radians()))
         .collect::<Result<Vec<_>>>()?;

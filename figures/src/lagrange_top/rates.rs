@@ -12,23 +12,14 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-/// L₃ of the curves; each has its handle where its fast branch ends, for a hanging axis.
-const SPINS: [Parameter; 3] = [
-    Parameter::new("thin", "L_3", "")
-        .meaning("axial momentum of the thin curve")
-        .between([0.4, 3.3], 1.2)
-        .dragged(|values| hanging(values.of(&SPINS[0])), spin_at),
-    Parameter::new("middle", "L_3", "")
-        .meaning("axial momentum of the middle curve")
-        .between([0.4, 3.3], 2.0)
-        .dragged(|values| hanging(values.of(&SPINS[1])), spin_at),
-    Parameter::new("thick", "L_3", "")
-        .meaning("axial momentum of the thick curve")
-        .between([0.4, 3.3], 3.0)
-        .dragged(|values| hanging(values.of(&SPINS[2])), spin_at),
-];
+// L₃ of the curves; each has its handle where its fast branch ends, for a hanging axis.
+parameters! {
+    THIN: "thin", "L_3", "", "axial momentum of the thin curve", [0.4, 3.3], 1.2, dragged(|values| hanging(values.of(&THIN)), spin_at);
+    MIDDLE: "middle", "L_3", "", "axial momentum of the middle curve", [0.4, 3.3], 2.0, dragged(|values| hanging(values.of(&MIDDLE)), spin_at);
+    THICK: "thick", "L_3", "", "axial momentum of the thick curve", [0.4, 3.3], 3.0, dragged(|values| hanging(values.of(&THICK)), spin_at);
+}
 /// What may be chosen.
-pub const RATES: &[Parameter] = &SPINS;
+pub const RATES: &[Parameter] = &[THIN, MIDDLE, THICK];
 
 /// Left, right, bottom, top of the frame, and the rates there.
 const FRAME: [f64; 4] = [62.0, 540.0, 332.0, 40.0];
@@ -91,7 +82,7 @@ fn least_tilt(axial: f64) -> f64 {
 
 /// Two rates at every tilt for a fast top; for a slow one they meet and cease.
 pub fn precession_rates(values: &Values) -> Result<Figure> {
-    let spins = [0, 1, 2].map(|k: usize| values.of(&SPINS[k]));
+    let spins = [0, 1, 2].map(|k: usize| values.of(&RATES[k]));
     let mut curves = Vec::new();
     for (axial, width) in spins.into_iter().zip([1.2, 2.0, 2.8]) {
         let from = least_tilt(axial);

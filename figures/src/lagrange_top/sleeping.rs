@@ -11,9 +11,9 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const ABOVE: Parameter = Parameter::new("above", "L_3", "")
-    .meaning("axial momentum of the fastest top")
-    .between([2.05, 3.0], 2.4);
+parameters! {
+    ABOVE: "above", "L_3", "", "axial momentum of the fastest top", [2.05, 3.0], 2.4;
+}
 const BELOW: Parameter = Parameter::new("below", "L_3", "")
     .meaning("axial momentum of the slowest top")
     .between([1.2, 1.95], 1.7)
@@ -21,10 +21,9 @@ const BELOW: Parameter = Parameter::new("below", "L_3", "")
         |values| Shown::of(values).place(loner(values.of(&BELOW)), 0.0),
         |point, values| (2.0 * (1.0 + Shown::of(values).height(point[0]))).sqrt(),
     );
-const KICK: Parameter = Parameter::new("kick", r"\Omega_\perp", "")
-    .meaning("angular velocity across the axis after a kick, in units of the square root of Mgl/I₁")
-    .between([1e-4, 0.1], 0.01)
-    .logarithmic();
+parameters! {
+    KICK: "kick", r"\Omega_\perp", "", "angular velocity across the axis after a kick, in units of the square root of Mgl/I₁", [1e-4, 0.1], 0.01, logarithmic;
+}
 /// What may be chosen; the handle is the root of the slowest top.
 pub const SLEEPING: &[Parameter] = &[ABOVE, BELOW, KICK];
 

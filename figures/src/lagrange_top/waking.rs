@@ -23,14 +23,10 @@ const SAMPLES: u32 = 1001;
 /// The greatest tilt shown, degrees.
 const STEEPEST: f64 = 40.0;
 
-const TILT: Parameter = Parameter::new("tilt", r"\theta", "rad")
-    .meaning("tilt at the start")
-    .between([1e-4, 0.02], 0.001)
-    .logarithmic();
-const TORQUE: Parameter = Parameter::new("torque", "N", "N m")
-    .meaning("torque of the friction at the tip")
-    .between([3e-5, 3e-4], 6.54e-5)
-    .logarithmic();
+parameters! {
+    TILT: "tilt", r"\theta", "rad", "tilt at the start", [1e-4, 0.02], 0.001, logarithmic;
+    TORQUE: "torque", "N", "N m", "torque of the friction at the tip", [3e-5, 3e-4], 6.54e-5, logarithmic;
+}
 /// What may be chosen.
 pub const WAKING: &[Parameter] = &[TILT, TORQUE];
 

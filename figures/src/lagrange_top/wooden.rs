@@ -37,9 +37,9 @@ const TILT: Parameter = Parameter::new("tilt", r"\theta_0", "°")
                 .to_degrees()
         },
     );
-const TURNS: Parameter = Parameter::new("turns", "n", "turns/s")
-    .meaning("spin of the top")
-    .between([20.0, 60.0], 30.0);
+parameters! {
+    TURNS: "turns", "n", "turns/s", "spin of the top", [20.0, 60.0], 30.0;
+}
 /// What may be chosen; the nose is the handle of the tilt.
 pub const WOODEN: &[Parameter] = &[TILT, TURNS];
 

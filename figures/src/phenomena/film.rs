@@ -11,13 +11,10 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const HALVES: Parameter = Parameter::new("ratio", "I/J", "")
-    .meaning("moment of a half across its spine over that about it")
-    .between([1.5, 12.0], RATIO)
-    .logarithmic();
-const MOST: Parameter = Parameter::new("most", r"\gamma", "°")
-    .meaning("greatest bend forward")
-    .between([75.0, 135.0], 120.0);
+parameters! {
+    HALVES: "ratio", "I/J", "", "moment of a half across its spine over that about it", [1.5, 12.0], RATIO, logarithmic;
+    MOST: "most", r"\gamma", "°", "greatest bend forward", [75.0, 135.0], 120.0;
+}
 
 /// What may be chosen of the bends.
 pub const BACK_BEND: &[Parameter] = &[HALVES, MOST];

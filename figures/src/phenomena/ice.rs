@@ -16,29 +16,20 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const LEAN: Parameter = Parameter::new("lean", "s", "m")
-    .meaning("how far the shoulders go out to the right; nine tenths of it to the left")
-    .between([0.1, 0.45], 0.4);
-const TRUNK: Parameter = Parameter::new("trunk", "m", "kg")
-    .meaning("mass of the trunk")
-    .between([10.0, 80.0], 36.0);
+parameters! {
+    LEAN: "lean", "s", "m", "how far the shoulders go out to the right; nine tenths of it to the left", [0.1, 0.45], 0.4;
+    TRUNK: "trunk", "m", "kg", "mass of the trunk", [10.0, 80.0], 36.0;
+}
 
 /// What may be chosen of the person on ice.
 pub const ICE: &[Parameter] = &[LEAN, TRUNK];
 
-const GRIP: Parameter = Parameter::new("friction", r"\mu", "")
-    .meaning("coefficient of friction of the ground")
-    .between([0.01, 0.6], 0.1)
-    .logarithmic();
-const REAR: Parameter = Parameter::new("rear", "m_1", "kg")
-    .meaning("mass of the rear foot")
-    .between([0.4, 6.0], 3.0);
-const PUSH: Parameter = Parameter::new("push", "t_1", "s")
-    .meaning("duration of the push")
-    .between([0.15, 2.0], 1.0);
-const PULL: Parameter = Parameter::new("pull", "t_2", "s")
-    .meaning("duration of the pull")
-    .between([0.1, 1.0], 0.15);
+parameters! {
+    GRIP: "friction", r"\mu", "", "coefficient of friction of the ground", [0.01, 0.6], 0.1, logarithmic;
+    REAR: "rear", "m_1", "kg", "mass of the rear foot", [0.4, 6.0], 3.0;
+    PUSH: "push", "t_1", "s", "duration of the push", [0.15, 2.0], 1.0;
+    PULL: "pull", "t_2", "s", "duration of the pull", [0.1, 1.0], 0.15;
+}
 
 /// What may be chosen of the crawler.
 pub const CRAWLER: &[Parameter] = &[GRIP, REAR, PUSH, PULL];

@@ -14,19 +14,12 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const LEVER: Parameter = Parameter::new("lever", "d", "mm")
-    .meaning("height of the point at which the air pushes over the centre of mass")
-    .between([2.0, 12.0], 6.0);
-const MASS: Parameter = Parameter::new("mass", "m", "g")
-    .meaning("mass of the cat")
-    .between([0.5, 3.0], 1.2);
-const THICK: Parameter = Parameter::new("air", r"\rho", "kg/m³")
-    .meaning("density of the air")
-    .between([0.6, 2.4], 1.2);
-const SHY: Parameter = Parameter::new("error", r"\varepsilon", "°")
-    .meaning("angle by which it is not upside down when it is let go")
-    .between([1.0, 60.0], 10.0)
-    .logarithmic();
+parameters! {
+    LEVER: "lever", "d", "mm", "height of the point at which the air pushes over the centre of mass", [2.0, 12.0], 6.0;
+    MASS: "mass", "m", "g", "mass of the cat", [0.5, 3.0], 1.2;
+    THICK: "air", r"\rho", "kg/m³", "density of the air", [0.6, 2.4], 1.2;
+    SHY: "error", r"\varepsilon", "°", "angle by which it is not upside down when it is let go", [1.0, 60.0], 10.0, logarithmic;
+}
 
 /// What may be chosen of the paper cat.
 pub const PAPER_CAT: &[Parameter] = &[SHY, LEVER, MASS, THICK];

@@ -13,18 +13,12 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-pub const OUT: Parameter = Parameter::new("arms_out", r"A_\mathrm{out}", "kg m²")
-    .meaning("moment of the upper body with the arms out")
-    .between([1.1, 2.4], 2.0);
-pub const IN: Parameter = Parameter::new("arms_in", r"A_\mathrm{in}", "kg m²")
-    .meaning("moment of the upper body with the arms in")
-    .between([0.3, 1.0], 0.7);
-pub const LOWER: Parameter = Parameter::new("lower", "B", "kg m²")
-    .meaning("moment of the lower body")
-    .between([0.1, 2.0], 0.6);
-pub const TWIST: Parameter = Parameter::new("twist", r"\Psi", "°")
-    .meaning("twist at the waist")
-    .between([20.0, 110.0], 90.0);
+parameters! {
+    pub OUT: "arms_out", r"A_\mathrm{out}", "kg m²", "moment of the upper body with the arms out", [1.1, 2.4], 2.0;
+    pub IN: "arms_in", r"A_\mathrm{in}", "kg m²", "moment of the upper body with the arms in", [0.3, 1.0], 0.7;
+    pub LOWER: "lower", "B", "kg m²", "moment of the lower body", [0.1, 2.0], 0.6;
+    pub TWIST: "twist", r"\Psi", "°", "twist at the waist", [20.0, 110.0], 90.0;
+}
 
 /// What may be chosen of the swivel.
 pub const SWIVEL: &[Parameter] = &[OUT, IN, LOWER, TWIST];

@@ -11,16 +11,11 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const FRICTION: Parameter = Parameter::new("friction", r"\mu", "")
-    .meaning("coefficient of friction")
-    .between([0.05, 0.6], 0.2)
-    .logarithmic();
-const SPEED: Parameter = Parameter::new("speed", "V", "m/s")
-    .meaning("velocity of the balls after the stroke")
-    .between([0.5, 5.0], 2.0);
-const TOP: Parameter = Parameter::new("top", "H/R", "")
-    .meaning("height of the highest stroke over the radius")
-    .between([1.6, 2.0], 1.8);
+parameters! {
+    FRICTION: "friction", r"\mu", "", "coefficient of friction", [0.05, 0.6], 0.2, logarithmic;
+    SPEED: "speed", "V", "m/s", "velocity of the balls after the stroke", [0.5, 5.0], 2.0;
+    TOP: "top", "H/R", "", "height of the highest stroke over the radius", [1.6, 2.0], 1.8;
+}
 
 /// What may be chosen.
 pub const LINES: &[Parameter] = &[FRICTION, SPEED, TOP, KAPPA];

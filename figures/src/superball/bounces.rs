@@ -19,10 +19,9 @@ const THROWN: Motion<f64> = Motion {
 const KAPPA: Parameter = rolling::KAPPA
     .between([0.05, 0.65], 0.4)
     .dragged(mirror_place, kappa_at);
-const BOUNCES: Parameter = Parameter::new("bounces", "n", "")
-    .meaning("bounces that are drawn")
-    .between([1.0, 9.0], 3.0)
-    .whole();
+parameters! {
+    BOUNCES: "bounces", "n", "", "bounces that are drawn", [1.0, 9.0], 3.0, whole;
+}
 
 /// What may be chosen of the reflections.
 pub const MIRRORS: &[Parameter] = &[KAPPA, BOUNCES];
@@ -140,14 +139,10 @@ pub fn reflections(values: &Values) -> Result<Figure> {
     Ok(made.data("ball", &["bounces", "velocity (V)", "rim speed (V)"], rows))
 }
 
-const DENSE: Parameter = Parameter::new("dense", r"\kappa_1", "")
-    .meaning("moment of inertia of the ball with a dense core over MR²")
-    .between([0.05, 0.37], 1.0 / 3.0)
-    .dragged(|values| apex(values.of(&DENSE)), factor_at);
-const HOLLOW: Parameter = Parameter::new("hollow", r"\kappa_3", "")
-    .meaning("moment of inertia of the hollow ball over MR²")
-    .between([0.43, 2.0 / 3.0], 2.0 / 3.0)
-    .dragged(|values| apex(values.of(&HOLLOW)), factor_at);
+parameters! {
+    DENSE: "dense", r"\kappa_1", "", "moment of inertia of the ball with a dense core over MR²", [0.05, 0.37], 1.0 / 3.0, dragged(|values| apex(values.of(&DENSE)), factor_at);
+    HOLLOW: "hollow", r"\kappa_3", "", "moment of inertia of the hollow ball over MR²", [0.43, 2.0 / 3.0], 2.0 / 3.0, dragged(|values| apex(values.of(&HOLLOW)), factor_at);
+}
 
 /// What may be chosen of three balls; their handles are the places where they meet the table.
 pub const BALLS: &[Parameter] = &[DENSE, HOLLOW];

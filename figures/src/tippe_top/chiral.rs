@@ -10,9 +10,9 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const RELEASE: Parameter = Parameter::new("tilt", r"\theta_0", "°")
-    .meaning("tilt at the release")
-    .between([1.0, 30.0], 3.0);
+parameters! {
+    RELEASE: "tilt", r"\theta_0", "°", "tilt at the release", [1.0, 30.0], 3.0;
+}
 /// What may be chosen.
 pub const BOTH_SPINS: &[Parameter] = &[
     SPIN.between([60.0, 200.0], super::CHIRAL_SPIN),

@@ -11,12 +11,10 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const RATE_OF_SPIN: Parameter = Parameter::new("spin", r"\Omega\sqrt{R/g}", "")
-    .meaning("spin in units of the natural rate")
-    .between([4.0, 12.0], 6.0);
-const SKEW: Parameter = Parameter::new("skew", "s", "")
-    .meaning("skewness of the inertia matrix, over that of the book's top")
-    .between([0.0, 1.5], 1.0);
+parameters! {
+    RATE_OF_SPIN: "spin", r"\Omega\sqrt{R/g}", "", "spin in units of the natural rate", [4.0, 12.0], 6.0;
+    SKEW: "skew", "s", "", "skewness of the inertia matrix, over that of the book's top", [0.0, 1.5], 1.0;
+}
 /// What may be chosen.
 pub const GROWTH: &[Parameter] = &[RATE_OF_SPIN, SKEW, ALPHA.between([0.15, 0.25], 0.19)];
 

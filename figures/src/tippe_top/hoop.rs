@@ -14,14 +14,10 @@ use crate::style::{
 use crate::{Figure, Parameter, Values};
 
 const OFFSET: Parameter = ALPHA.between([0.25, 0.7], 0.42);
-const LOW: Parameter = Parameter::new("low", r"\theta_1", "°")
-    .meaning("tilt with the clay below the horizontal")
-    .between([15.0, 80.0], 42.0)
-    .dragged(|values| clay(0, values), |point, _| tilt_at(0, point));
-const HIGH: Parameter = Parameter::new("high", r"\theta_2", "°")
-    .meaning("tilt with the clay above the horizontal")
-    .between([100.0, 165.0], 128.0)
-    .dragged(|values| clay(1, values), |point, _| tilt_at(1, point));
+parameters! {
+    LOW: "low", r"\theta_1", "°", "tilt with the clay below the horizontal", [15.0, 80.0], 42.0, dragged(|values| clay(0, values), |point, _| tilt_at(0, point));
+    HIGH: "high", r"\theta_2", "°", "tilt with the clay above the horizontal", [100.0, 165.0], 128.0, dragged(|values| clay(1, values), |point, _| tilt_at(1, point));
+}
 /// What may be chosen; the clay is dragged.
 pub const HOOP: &[Parameter] = &[OFFSET, LOW, HIGH, TURNS.between([1.0, 100.0], 50.0)];
 

@@ -13,7 +13,7 @@ use spinning_bodies::tippe_top::{ConvexBody, HoopWithClay, Start, TippeTop, bodi
 
 use crate::plot::{Frame, marks};
 use crate::style::{Pen, spaced};
-use crate::{Entry, Parameter, constant, of};
+use crate::{Entry, constant, of};
 
 mod animated;
 mod ball;
@@ -83,25 +83,14 @@ fn run(scene: &TableTop, end: f64, samples: u32, accuracy: f64) -> Result<Rows> 
     Ok(motion.rows)
 }
 
-const ALPHA: Parameter = Parameter::new("alpha", r"\alpha", "")
-    .meaning("offset of the centre of mass over the radius")
-    .between([0.05, 0.7], 0.3);
-const GAMMA: Parameter = Parameter::new("gamma", r"\gamma", "")
-    .meaning("moment of inertia across the axis over that about it")
-    .between([0.6, 1.5], 131.0 / 140.0);
-const TURNS: Parameter = Parameter::new("turns", "n", "turns/s")
-    .meaning("spin at the start")
-    .between([10.0, 100.0], 50.0);
-const SPIN: Parameter = Parameter::new("spin", r"\Omega", "rad/s")
-    .meaning("spin at the start")
-    .between([20.0, 200.0], 155.0);
-const FRICTION: Parameter = Parameter::new("friction", r"\mu", "")
-    .meaning("coefficient of friction")
-    .between([0.1, 1.0], 1.0 / 3.0);
-
-const VISCOUS: Parameter = Parameter::new("friction", "c", "s/m")
-    .meaning("coefficient of viscous friction")
-    .between([0.1, 1.0], 0.3);
+parameters! {
+    ALPHA: "alpha", r"\alpha", "", "offset of the centre of mass over the radius", [0.05, 0.7], 0.3;
+    GAMMA: "gamma", r"\gamma", "", "moment of inertia across the axis over that about it", [0.6, 1.5], 131.0 / 140.0;
+    TURNS: "turns", "n", "turns/s", "spin at the start", [10.0, 100.0], 50.0;
+    SPIN: "spin", r"\Omega", "rad/s", "spin at the start", [20.0, 200.0], 155.0;
+    FRICTION: "friction", r"\mu", "", "coefficient of friction", [0.1, 1.0], 1.0 / 3.0;
+    VISCOUS: "friction", "c", "s/m", "coefficient of viscous friction", [0.1, 1.0], 0.3;
+}
 
 /// Ticks of a tilt.
 const TILTS: [f64; 5] = [0.0, 45.0, 90.0, 135.0, 180.0];

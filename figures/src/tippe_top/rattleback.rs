@@ -8,10 +8,9 @@ use crate::plot::{Axis, Frame};
 use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, inked, label, number, stroke};
 use crate::{Figure, Parameter, Values};
 
-const OFF_LEVEL: Parameter = Parameter::new("tilt", r"\theta_0", "°")
-    .meaning("angle off level at the release")
-    .between([0.1, 5.0], 0.5)
-    .logarithmic();
+parameters! {
+    OFF_LEVEL: "tilt", r"\theta_0", "°", "angle off level at the release", [0.1, 5.0], 0.5, logarithmic;
+}
 /// What may be chosen.
 pub const REVERSALS: &[Parameter] = &[SPIN.between([1.0, 8.0], 5.0), OFF_LEVEL];
 

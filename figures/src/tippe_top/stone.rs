@@ -15,9 +15,9 @@ use crate::style::{
 };
 use crate::{Figure, Parameter, Values};
 
-const PRODUCT: Parameter = Parameter::new("product", "I_{12}/M", "cm²")
-    .meaning("product of inertia over the mass")
-    .between([-2.0, 2.0], -0.2);
+parameters! {
+    PRODUCT: "product", "I_{12}/M", "cm²", "product of inertia over the mass", [-2.0, 2.0], -0.2;
+}
 /// What may be chosen.
 pub const STONE: &[Parameter] = &[PRODUCT, SPIN.between([1.0, 8.0], 5.0)];
 

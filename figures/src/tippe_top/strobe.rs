@@ -8,15 +8,11 @@ use super::{BOTH_SPINS, chiral_scene, run};
 use crate::style::{Anchor, DATA, Pen, Words, figure, inked, number};
 use crate::{Figure, Parameter, Values};
 
+parameters! {
+    STEP: "step", r"\Delta t", "s", "time between two pictures", [0.1, 0.5], 0.3;
+}
 /// What may be chosen: the release of the figure before, and the time between two pictures.
-pub const STROBED: &[Parameter] = &[
-    BOTH_SPINS[0],
-    BOTH_SPINS[1],
-    BOTH_SPINS[2],
-    Parameter::new("step", r"\Delta t", "s")
-        .meaning("time between two pictures")
-        .between([0.1, 0.5], 0.3),
-];
+pub const STROBED: &[Parameter] = &[BOTH_SPINS[0], BOTH_SPINS[1], BOTH_SPINS[2], STEP];
 
 /// Pictures of a row.
 const PICTURES: u32 = 7;

@@ -26,21 +26,13 @@ const GRAVITY: f64 = 9.81;
 /// Seconds shown.
 const SHOWN: f64 = 12.0;
 
-const AXLE: Parameter = Parameter::new("axle", "r", "mm")
-    .meaning("radius of the axle")
-    .between([3.0, 9.0], 5.0);
-const LENGTH: Parameter = Parameter::new("length", "L", "m")
-    .meaning("length of the string")
-    .between([0.4, 1.5], 1.0);
-const LEFT: Parameter = Parameter::new("spin_left", "e", "")
-    .meaning("part of the spin that a turn leaves")
-    .between([0.4, 1.0], 0.9);
-const CORE: Parameter = Parameter::new("thick_axle", "r_1", "mm")
-    .meaning("radius of the axle under the thick string")
-    .between([2.0, 5.0], 4.0);
-const WOUND: Parameter = Parameter::new("wound_to", "r_2", "mm")
-    .meaning("radius of the thick string when it is wound up")
-    .between([5.5, 20.0], 10.0);
+parameters! {
+    AXLE: "axle", "r", "mm", "radius of the axle", [3.0, 9.0], 5.0;
+    LENGTH: "length", "L", "m", "length of the string", [0.4, 1.5], 1.0;
+    LEFT: "spin_left", "e", "", "part of the spin that a turn leaves", [0.4, 1.0], 0.9;
+    CORE: "thick_axle", "r_1", "mm", "radius of the axle under the thick string", [2.0, 5.0], 4.0;
+    WOUND: "wound_to", "r_2", "mm", "radius of the thick string when it is wound up", [5.5, 20.0], 10.0;
+}
 
 /// What may be chosen of a yo-yo let go.
 pub const STRING: &[Parameter] = &[AXLE, LENGTH, LEFT];

@@ -12,35 +12,16 @@ principal value its points lie symmetrically about the pole.
 import math
 import random
 import sys
-from mpmath import mp, mpf, cos, cot, elliprc, elliprf, elliprg, elliprj, elliprd, exp, log, nstr, pi, sin, sqrt
+from mpmath import mp, mpf, cot, elliprc, elliprf, elliprg, elliprd, nstr, pi, sqrt
+
+from closed_forms import carlsons_integrand, legendres_integrand, rj, trapezoid
 
 # Another seed and another file may be named, for a trial beyond the committed table.
 random.seed(int(sys.argv[1]) if len(sys.argv) > 1 else 21)
 OUTPUT = sys.argv[2] if len(sys.argv) > 2 else "elliptic_integrals.csv"
 HIGH = 750
-
-
-def trapezoid(integrand, places, expected, pole=None):
-    """Integral of integrand(t) over 0…∞, whose features lie at t = places, to 45 digits of what is expected."""
-    loss = 0
-    if pole:
-        # Next to the pole the terms exceed the result, which they cancel to.
-        loss = max(0, int(mp.log10(abs(integrand(pole * 1.1) * pole / expected))))
-    mp.dps = 55 + loss
-    places = [log(abs(p)) for p in places if p != 0]
-    margin = 260 + 5 * loss
-    low, high = min(places) - margin, max(places) + margin
-    step = mpf(8) / (45 + loss)
-    start = log(pole) + step / 2 if pole else low
-    start -= step * int((start - low) / step)
-    total = mpf(0)
-    t = exp(start)
-    ratio = exp(step)
-    while start < high:
-        total += integrand(t) * t
-        t *= ratio
-        start += step
-    return total * step
+# Digits, margin and steps of the trapezoidal rule.
+FINE = 55, 260, 45
 
 
 disagreements = []
@@ -50,17 +31,6 @@ def agree(one, two, what):
     if not abs(one - two) <= mpf(10) ** -30 * abs(one):
         disagreements.append((what, nstr(one, 40), nstr(two, 40)))
         print(*disagreements[-1], flush=True)
-
-
-def rj(x, y, z, p):
-    """R_J with the principal value for p < 0 (Digital Library of Mathematical Functions 19.20.14)."""
-    if p > 0:
-        return elliprj(x, y, z, p)
-    x, y, z = sorted((x, y, z))
-    q = -p
-    p = (z * (x + y + q) - x * y) / (z + q)
-    return ((p - z) * elliprj(x, y, z, p) - 3 * elliprf(x, y, z)
-            + 3 * sqrt(x * y * z / (x * y + p * q)) * elliprc(x * y + p * q, p * q)) / (z + q)
 
 
 class Pair:
@@ -103,15 +73,9 @@ def legendre(which, c0, parameter, characteristic=None):
     a, b, e = c0, c0 + mc, c0 + 1
     pole = -r if which == "P" and r < 0 else None
     mp.dps = 55
-    integrand = {
-        "F": lambda t: 1 / sqrt((t + a) * (t + b) * (t + e)),
-        "E": lambda t: sqrt((t + b) / (t + a) / (t + e)) / (t + e),
-        "D": lambda t: 1 / (sqrt((t + a) * (t + b) * (t + e)) * (t + e)),
-        "B": lambda t: sqrt((t + a) / (t + b) / (t + e)) / (t + e),
-        "P": lambda t: sqrt((t + e) / (t + a) / (t + b)) / (t + r),
-    }[which]
+    integrand = legendres_integrand(which, a, b, e, r if which == "P" else None)
     places = [a, b, e] + ([r] if which == "P" else [])
-    agree(one, trapezoid(integrand, places, one, pole) / 2, (which, nstr(c0), str(parameter), str(characteristic)))
+    agree(one, trapezoid(integrand, places, one, pole, *FINE) / 2, (which, nstr(c0), str(parameter), str(characteristic)))
     mp.dps = HIGH
     return +one
 
@@ -148,14 +112,8 @@ def carlson(which, *arguments):
         one = sqrt(a[0] / (a[0] - a[1])) * elliprc(a[0] - a[1], -a[1])
     mp.dps = 55
     pole = -a[-1] if a[-1] < 0 else None
-    integrand = {
-        "RF": lambda t: 1 / sqrt((t + a[0]) * (t + a[1]) * (t + a[2])) / 2,
-        "RC": lambda t: 1 / sqrt(t + a[0]) / (t + a[1]) / 2,
-        "RD": lambda t: 3 / sqrt((t + a[0]) * (t + a[1]) * (t + a[2])) / (t + a[2]) / 2,
-        "RJ": lambda t: 3 / sqrt((t + a[0]) * (t + a[1]) * (t + a[2])) / (t + a[3]) / 2,
-        "RG": lambda t: t / sqrt((t + a[0]) * (t + a[1]) * (t + a[2])) * sum(v / (t + v) for v in a if v) / 4,
-    }[which]
-    agree(one, trapezoid(integrand, a, one, pole), (which, arguments))
+    integrand = carlsons_integrand(which, a)
+    agree(one, trapezoid(integrand, a, one, pole, *FINE), (which, arguments))
     return one
 
 

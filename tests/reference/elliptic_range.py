@@ -12,35 +12,19 @@ a principal value is a millionth of its parts, the second route works with as ma
 import math
 import random
 import sys
-from mpmath import mp, mpf, cot, elliprc, elliprd, elliprf, elliprg, elliprj, exp, log, nstr, pi, sqrt
+from mpmath import mp, mpf, cot, elliprc, elliprd, elliprf, elliprg, nstr, pi, sqrt
+
+from closed_forms import carlsons_integrand, legendres_integrand, rj, trapezoid
 
 # Another seed and another file may be named, for a trial beyond the committed table.
 SEED = int(sys.argv[1]) if len(sys.argv) > 1 else 22
 random.seed(SEED)
 OUTPUT = sys.argv[2] if len(sys.argv) > 2 else "elliptic_range.csv"
 DIGITS = 700
+# Digits, margin and steps of the trapezoidal rule.
+FINE = 50, 160, 40
 LEAST, GREATEST = 5e-324, sys.float_info.max
 rows, disagreements = [], []
-
-
-def trapezoid(integrand, places, expected, pole=None):
-    """Integral of integrand(t) over 0…∞, whose features lie at t = places, to 32 digits of what is expected."""
-    loss = 0
-    if pole:
-        loss = max(0, int(mp.log10(abs(integrand(pole * mpf(1.1)) * pole / expected))) + 1)
-    mp.dps = 50 + loss
-    places = [log(abs(p)) for p in places if p != 0]
-    margin = 160 + 5 * loss
-    low, high = min(places) - margin, max(places) + margin
-    step = mpf(8) / (40 + loss)
-    start = log(pole) + step / 2 if pole else low
-    start -= step * int((start - low) / step)
-    total, t, ratio = mpf(0), exp(start), exp(step)
-    while start < high:
-        total += integrand(t) * t
-        t *= ratio
-        start += step
-    return total * step
 
 
 def has_room(value):
@@ -54,17 +38,6 @@ def agree(one, two, what):
         print(what, nstr(one, 40), nstr(two, 40), flush=True)
 
 
-def rj(x, y, z, p):
-    """R_J with the principal value for p < 0 (Digital Library of Mathematical Functions 19.20.14)."""
-    if p > 0:
-        return elliprj(x, y, z, p)
-    x, y, z = sorted((x, y, z))
-    q = -p
-    p = (z * (x + y + q) - x * y) / (z + q)
-    return ((p - z) * elliprj(x, y, z, p) - 3 * elliprf(x, y, z)
-            + 3 * sqrt(x * y * z / (x * y + p * q)) * elliprc(x * y + p * q, p * q)) / (z + q)
-
-
 def carlson(which, *arguments):
     mp.dps = 1400
     a = [mpf(v) for v in arguments]
@@ -76,14 +49,8 @@ def carlson(which, *arguments):
         return one
     mp.dps = 50
     pole = -a[-1] if a[-1] < 0 else None
-    integrand = {
-        "RF": lambda t: 1 / sqrt((t + a[0]) * (t + a[1]) * (t + a[2])) / 2,
-        "RC": lambda t: 1 / sqrt(t + a[0]) / (t + a[1]) / 2,
-        "RD": lambda t: 3 / sqrt((t + a[0]) * (t + a[1]) * (t + a[2])) / (t + a[2]) / 2,
-        "RJ": lambda t: 3 / sqrt((t + a[0]) * (t + a[1]) * (t + a[2])) / (t + a[3]) / 2,
-        "RG": lambda t: t / sqrt((t + a[0]) * (t + a[1]) * (t + a[2])) * sum(v / (t + v) for v in a if v) / 4,
-    }[which]
-    agree(one, trapezoid(integrand, a, one, pole), (which, arguments))
+    integrand = carlsons_integrand(which, a)
+    agree(one, trapezoid(integrand, a, one, pole, *FINE), (which, arguments))
     return one
 
 
@@ -112,15 +79,9 @@ def legendre(which, c0, parameter, characteristic=None):
     # Exact, however long: the points must lie about the pole itself.
     pole = -r if r and r < 0 else None
     mp.dps = 50
-    integrand = {
-        "F": lambda t: 1 / sqrt((t + a) * (t + b) * (t + e)),
-        "E": lambda t: sqrt((t + b) / (t + a) / (t + e)) / (t + e),
-        "D": lambda t: 1 / (sqrt((t + a) * (t + b) * (t + e)) * (t + e)),
-        "B": lambda t: sqrt((t + a) / (t + b) / (t + e)) / (t + e),
-        "P": lambda t: sqrt((t + e) / (t + a) / (t + b)) / (t + r),
-    }[which]
+    integrand = legendres_integrand(which, a, b, e, r)
     places = [a, b, e] + ([r] if r else [])
-    two = trapezoid(integrand, places, one, pole) / 2
+    two = trapezoid(integrand, places, one, pole, *FINE) / 2
     agree(one, two, (which, nstr(c0, 20), parameter, characteristic))
     mp.dps = DIGITS
     return +one

@@ -20,24 +20,19 @@ import random
 import sys
 from fractions import Fraction
 from math import inf, nextafter
-from multiprocessing import Pool
 from operator import mul
 from pathlib import Path
 
 import gmpy2
 from gmpy2 import mpfr
-from mpmath import asin, atan, atan2, ceil, cos, cosh, elliprf, elliprj, floor, hypot, log10, mp, mpf, nstr, pi, sin, sinh, sqrt, tanh
+from mpmath import atan, atan2, cos, cosh, elliprj, floor, hypot, log10, mp, mpf, nstr, pi, sin, sqrt, tanh
+
+from closed_forms import first_kind, jacobi, ladder, product, rows_by_two_routes
 
 TURNS = 60
 AGREEMENT = mpf(10) ** -30
 
 # ---------------------------------------------------------------- quaternions (lists of four)
-
-
-def product(p, q):
-    a, b, c, d = p
-    w, x, y, z = q
-    return [a * w - b * x - c * y - d * z, a * x + b * w + c * z - d * y, a * y - b * z + c * w + d * x, a * z + b * y - c * x + d * w]
 
 
 def turn(axis, angle):
@@ -51,28 +46,6 @@ def about(direction, angle):
 
 
 # ---------------------------------------------------------------- Jacobi's functions and the third kind
-
-
-def ladder(mc):
-    """Arithmetic-geometric mean of 1 and sqrt(mc): the means, and the ratios c_n/a_n that lead back from the last."""
-    a, b, ratios = mpf(1), sqrt(mc), []
-    while abs(a - b) > a * mpf(10) ** (-mp.dps + 3):
-        a, b, c = (a + b) / 2, sqrt(a * b), (a - b) / 2
-        ratios.append(c / a)
-    return a, ratios
-
-
-def jacobi(u, mc, mean, ratios):
-    """sn, cn, dn for |u| <= K."""
-    angle = mean * u * 2 ** len(ratios)
-    for ratio in reversed(ratios):
-        angle = (angle + asin(ratio * sin(angle))) / 2
-    sn, cn = sin(angle), cos(angle)
-    return sn, cn, sqrt(mc + (1 - mc) * cn * cn)
-
-
-def first_kind(sn, cn, dn):
-    return sn * elliprf(cn * cn, dn * dn, 1)
 
 
 def third_kind(sn, cn, dn, n):
@@ -486,17 +459,7 @@ FOLLOWED = [
 
 if __name__ == "__main__":
     only = sys.argv[1] if len(sys.argv) > 1 else ""
-    numbers = [k for k, c in enumerate(cases) if only in c[0]]
-    rows, worst, both = [], mpf(0), 0
-    with Pool(2) as pool:
-        for (row, agreement, busy), k in zip(pool.imap(compute, numbers, 4), numbers):
-            rows.append(row)
-            if agreement:
-                both += 1
-                worst = max(worst, agreement[0])
-                if agreement[0] > AGREEMENT:
-                    print("DISAGREE", nstr(agreement[0], 3), "steps", agreement[1], cases[k], "turns", nstr(busy, 3), flush=True)
-    print(len(rows), "rows,", both, "by both routes, which differ by at most", nstr(worst, 3))
+    rows, worst = rows_by_two_routes(compute, cases, only, AGREEMENT)
     header = "id,group,I1,I2,I3,L1,L2,L3,t,L1_t,L2_t,L3_t,q0,q1,q2,q3,periods,turns"
     if not only and worst <= AGREEMENT:
         Path(__file__).with_suffix(".csv").write_text("\n".join([header] + rows) + "\n")

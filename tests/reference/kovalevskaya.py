@@ -117,18 +117,19 @@ def cases():
         yield "random", (1.0, (1.0, 0.0, 0.0), omega, tuple(up))
 
 
-def main():
+def write(name, made):
+    """The table of what `run` returned, beside this script."""
     lines = ["group,I3,C1,C2,omega1,omega2,omega3,up1,up2,up3,t,omega1_t,omega2_t,omega3_t,z1,z2,z3,qw,qx,qy,qz"]
-    with Pool(2) as pool:
-        for name, (axial, lever, omega, up), states in pool.imap(run, enumerate(cases())):
-            given = [axial, lever[0], lever[1], *omega, *up]
-            for t, y in states:
-                row = [name, *(float(x).hex() for x in given), float(t).hex(), *(f"{x:.29e}" for x in y)]
-                lines.append(",".join(row))
-    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "kovalevskaya.csv")
+    for group, (axial, lever, omega, up), states in made:
+        given = [axial, lever[0], lever[1], *omega, *up]
+        for t, y in states:
+            row = [group, *(float(x).hex() for x in given), float(t).hex(), *(f"{x:.29e}" for x in y)]
+            lines.append(",".join(row))
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), name)
     with open(path, "w") as table:
         table.write("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":
-    main()
+    with Pool(2) as pool:
+        write("kovalevskaya.csv", pool.imap(run, enumerate(cases())))

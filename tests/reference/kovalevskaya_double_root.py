@@ -5,7 +5,6 @@ z along axis 3 at the start, exactly or nearly. The motion may amplify what is r
 series of kovalevskaya.py are carried to 66 digits with 64 terms and to 72 digits with 52 terms; the two must agree to 30 digits.
 """
 
-import os
 import random
 from multiprocessing import Pool
 
@@ -52,20 +51,8 @@ def cases():
         yield "beside it", (1.0, plain, omega, (nudge * draw.uniform(-1, 1), nudge * draw.uniform(-1, 1), poles[number % 2]))
 
 
-def main():
-    lines = ["group,I3,C1,C2,omega1,omega2,omega3,up1,up2,up3,t,omega1_t,omega2_t,omega3_t,z1,z2,z3,qw,qx,qy,qz"]
-    with Pool(2) as pool:
-        for name, (axial, lever, omega, up), states in pool.imap(run, cases()):
-            given = [axial, lever[0], lever[1], *omega, *up]
-            for t, y in states:
-                row = [name, *(float(x).hex() for x in given), float(t).hex(), *(f"{x:.29e}" for x in y)]
-                lines.append(",".join(row))
-    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "kovalevskaya_double_root.csv")
-    with open(path, "w") as table:
-        table.write("\n".join(lines) + "\n")
-
-
 upward, kovalevskaya.start = kovalevskaya.start, start
 
 if __name__ == "__main__":
-    main()
+    with Pool(2) as pool:
+        kovalevskaya.write("kovalevskaya_double_root.csv", pool.imap(run, cases()))

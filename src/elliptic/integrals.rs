@@ -447,14 +447,7 @@ impl<N: Number<Narrow = Dd>> Place<N> {
     /// Three forms of E(φ), each with terms of one sign where it is taken (Digital Library of Mathematical Functions 19.25.9 to
     /// 19.25.11).
     fn second(&self) -> N {
-        let Self {
-            s,
-            s2,
-            c2,
-            delta2,
-            m,
-            mc,
-        } = *self;
+        let (s, s2, c2, delta2, m, mc) = (self.s, self.s2, self.c2, self.delta2, self.m, self.mc);
         let one = N::from_double(1.0);
         let third_of_cube = (s * s2).quotient(N::from_double(3.0));
         if m.leading() < 0.0 {
@@ -477,14 +470,7 @@ impl<N: Number<Narrow = Dd>> Place<N> {
 
     /// Π by R_J where n > 0 and p = 1 − n sin²φ > 0; else by another characteristic, so that no sum cancels.
     fn third(&self, n: N, nc: N, p: N) -> N {
-        let Self {
-            s,
-            s2,
-            c2,
-            delta2,
-            m,
-            mc,
-        } = *self;
+        let (s, s2, c2, delta2, m, mc) = (self.s, self.s2, self.c2, self.delta2, self.m, self.mc);
         let third_of_cube = (s * s2).quotient(N::from_double(3.0));
         let negative = n.leading() < 0.0;
         if !negative && p.leading() > 0.0 {

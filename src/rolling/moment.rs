@@ -75,16 +75,8 @@ impl Moment {
 
     /// The numbers in the order of the fields, and a place for the distance from a sheet's edge.
     pub(crate) const fn state(&self) -> State {
-        let Self {
-            position: x,
-            velocity,
-            rim_speed,
-            slip,
-            turned,
-            heat,
-            work,
-        } = *self;
-        [x, velocity, rim_speed, slip, turned, heat, work, 0.0]
+        let [x, v, w] = [self.position, self.velocity, self.rim_speed];
+        [x, v, w, self.slip, self.turned, self.heat, self.work, 0.0]
     }
 
     /// The moment of these numbers.

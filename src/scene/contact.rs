@@ -333,6 +333,7 @@ pub fn passage(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64, level: f
 
 impl Tabulated for State {
     fn columns() -> Columns<Self> {
+        let energy = "kinetic energy, and of the weight above the table";
         Columns::default()
             .attitude(|state: &Self| state.attitude)
             .omega(|state| state.omega)
@@ -346,11 +347,7 @@ impl Tabulated for State {
                 [
                     ["slip", "m/s", "speed of the point in contact"],
                     ["reaction", "N", "push of the table, upwards"],
-                    [
-                        "energy",
-                        "J",
-                        "kinetic energy, and of the weight above the table",
-                    ],
+                    ["energy", "J", energy],
                     ["dissipated", "J", "what contact has taken so far"],
                 ],
                 |s: &Self| [s.slip.norm(), s.reaction, s.energy, s.dissipated],
@@ -862,16 +859,13 @@ impl Scene for TableTop {
             state.attitude.to_space(l)
         };
         let weight = body.mass() * gravity.unwrap_or(0.0);
+        let upright = "angular velocity about the vertical";
         Columns::default()
             .angles(|state: &State| state.attitude)
             .with(
                 [
                     ["omega", "rad/s", "size of the angular velocity"],
-                    [
-                        "vertical_spin",
-                        "rad/s",
-                        "angular velocity about the vertical",
-                    ],
+                    ["vertical_spin", "rad/s", upright],
                 ],
                 |state| [state.omega.norm(), state.spin()],
             )

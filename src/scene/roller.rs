@@ -226,6 +226,7 @@ impl Scene for Roller {
 /// What can be told of the moments of a round body.
 pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Columns<S> {
     let (mass, kappa, radius) = (body.mass(), body.inertia_factor(), body.radius());
+    let about_table = "angular momentum about the line of contact";
     Columns::default().with(
         [
             ["turned", "rad", "angle turned"],
@@ -233,11 +234,7 @@ pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Colu
             ["translation", "J", "kinetic energy of the centre"],
             ["rotation", "J", "kinetic energy about the centre"],
             ["driven", "J", "work of tug and moving sheet so far"],
-            [
-                "l_about_table",
-                "kg m²/s",
-                "angular momentum about the line of contact",
-            ],
+            ["l_about_table", "kg m²/s", about_table],
             ["l", "kg m²/s", "angular momentum about the centre"],
         ],
         move |state| {

@@ -29,6 +29,7 @@ pub struct StripState {
 
 impl Tabulated for StripState {
     fn columns() -> Columns<Self> {
+        let energy = "kinetic energy, of the fluid taken along too, and potential energy";
         Columns::default().with(
             [
                 ["x", "m", "place, to the right"],
@@ -37,11 +38,7 @@ impl Tabulated for StripState {
                 ["vx", "m/s", "velocity, to the right"],
                 ["vy", "m/s", "velocity, up"],
                 ["omega", "rad/s", "angular velocity"],
-                [
-                    "energy",
-                    "J/m",
-                    "kinetic energy, of the fluid taken along too, and potential energy",
-                ],
+                ["energy", "J/m", energy],
                 ["heat", "J/m", "what drag and damping have taken so far"],
             ],
             |s: &Self| {
@@ -381,20 +378,14 @@ impl Scene for Strip {
         let equations = &self.equations;
         let weight = equations.plate.mass() * equations.gravity.unwrap_or(0.0);
         let moment = equations.plate.moment();
+        let descent = "angle of the velocity below the horizontal";
+        let l = "angular momentum of the strip alone about its axis, a metre of its length";
         Columns::default().with(
             [
                 ["speed", "m/s", "size of the velocity"],
-                [
-                    "descent",
-                    "rad",
-                    "angle of the velocity below the horizontal",
-                ],
+                ["descent", "rad", descent],
                 ["potential", "J/m", "energy of the weight above the start"],
-                [
-                    "l",
-                    "kg m/s",
-                    "angular momentum of the strip alone about its axis, a metre of its length",
-                ],
+                ["l", "kg m/s", l],
             ],
             move |state: &StripState| {
                 let [x, y] = state.velocity;

@@ -128,23 +128,17 @@ pub struct Bouncing {
 
 impl Tabulated for Bouncing {
     fn columns() -> Columns<Self> {
+        let rim = "radius times angular velocity, positive as in rolling";
+        let energy = "kinetic energy, and of the weight above the floor";
         Columns::default().with(
             [
                 ["x", "m", "place along the floor"],
                 ["height", "m", "lowest point of the ball above the floor"],
                 ["velocity", "m/s", "velocity along the floor"],
                 ["climb", "m/s", "velocity upward"],
-                [
-                    "rim_speed",
-                    "m/s",
-                    "radius times angular velocity, positive as in rolling",
-                ],
+                ["rim_speed", "m/s", rim],
                 ["bounces", "1", "bounces so far"],
-                [
-                    "energy",
-                    "J",
-                    "kinetic energy, and of the weight above the floor",
-                ],
+                ["energy", "J", energy],
             ],
             |Self { ball, energy }: &Self| {
                 let [x, height, climb, velocity, rim_speed] = numbers(ball);
@@ -234,16 +228,13 @@ impl Scene for Superball {
     fn further(&self) -> Columns<Bouncing> {
         let (mass, kappa) = (self.mass, self.kappa);
         let weight = mass * self.gravity.unwrap_or(0.0);
+        let l = "angular momentum about the centre over the radius, which nobody has told";
         Columns::default().with(
             [
                 ["translation", "J", "kinetic energy of the centre"],
                 ["rotation", "J", "kinetic energy about the centre"],
                 ["potential", "J", "energy of the weight above the floor"],
-                [
-                    "l_over_radius",
-                    "kg m/s",
-                    "angular momentum about the centre over the radius, which nobody has told",
-                ],
+                ["l_over_radius", "kg m/s", l],
             ],
             move |Bouncing { ball, .. }: &Bouncing| {
                 let [along, rim] = [ball.motion.velocity, ball.motion.rim_speed];

@@ -584,15 +584,12 @@ impl Scene for Play {
     fn further(&self) -> Columns<YoYoState> {
         let (toy, weight) = (self.toy, self.toy.mass() * self.gravity.unwrap_or(0.0));
         let inertia = toy.inertia();
+        let phase = "0 down, 1 turning, 2 up, 3 asleep, 4 hanging, 5 caught";
         Columns::default().with(
             [
                 ["potential", "J", "energy of the weight below the hand"],
                 ["rotation", "J", "kinetic energy about the axle"],
-                [
-                    "phase",
-                    "1",
-                    "0 down, 1 turning, 2 up, 3 asleep, 4 hanging, 5 caught",
-                ],
+                ["phase", "1", phase],
                 ["l", "kg m²/s", "angular momentum about the axle"],
             ],
             move |state: &YoYoState| {

@@ -43,6 +43,18 @@ impl<const N: usize> Run<'_, N> {
         };
         // Components with their own tolerances: tolerance × (|y| + scale).
         let absolute = |tolerance: f64| self.scales.map(|scale| tolerance * scale);
+        // Each method is a type of its own.
+        macro_rules! by_tolerance {
+            ($method:ident, $tolerance:expr) => {{
+                let tolerance = positive("the tolerance", $tolerance)?;
+                let make = |length: f64| {
+                    let method = ExplicitRungeKutta::$method().max_steps(MOST_STEPS);
+                    let method = method.rtol(tolerance).atol(absolute(tolerance));
+                    method.h0(first_step(length))
+                };
+                self.drive(make, clock, start, times, event)
+            }};
+        }
         match (self.method, self.effort) {
             (Method::Rk4, Effort::Step(step)) => {
                 let step = positive("the step", step)? / clock.span.abs();
@@ -52,33 +64,9 @@ impl<const N: usize> Run<'_, N> {
                 };
                 self.drive(make, clock, start, times, event)
             }
-            (Method::Dopri5, Effort::Tolerance(tolerance)) => {
-                let tolerance = positive("the tolerance", tolerance)?;
-                let make = |length: f64| {
-                    let method = ExplicitRungeKutta::dopri5().max_steps(MOST_STEPS);
-                    let method = method.rtol(tolerance).atol(absolute(tolerance));
-                    method.h0(first_step(length))
-                };
-                self.drive(make, clock, start, times, event)
-            }
-            (Method::Dop853, Effort::Tolerance(tolerance)) => {
-                let tolerance = positive("the tolerance", tolerance)?;
-                let make = |length: f64| {
-                    let method = ExplicitRungeKutta::dop853().max_steps(MOST_STEPS);
-                    let method = method.rtol(tolerance).atol(absolute(tolerance));
-                    method.h0(first_step(length))
-                };
-                self.drive(make, clock, start, times, event)
-            }
-            (Method::Verner98, Effort::Tolerance(tolerance)) => {
-                let tolerance = positive("the tolerance", tolerance)?;
-                let make = |length: f64| {
-                    let method = ExplicitRungeKutta::rkv989e().max_steps(MOST_STEPS);
-                    let method = method.rtol(tolerance).atol(absolute(tolerance));
-                    method.h0(first_step(length))
-                };
-                self.drive(make, clock, start, times, event)
-            }
+            (Method::Dopri5, Effort::Tolerance(most)) => by_tolerance!(dopri5, most),
+            (Method::Dop853, Effort::Tolerance(most)) => by_tolerance!(dop853, most),
+            (Method::Verner98, Effort::Tolerance(most)) => by_tolerance!(rkv989e, most),
             (Method::Gauss, Effort::Step(step)) => {
                 let step = positive("the step", step)? / clock.span.abs();
                 let make = |length: f64| {

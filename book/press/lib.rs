@@ -36,6 +36,7 @@ pub mod pieces;
 pub mod progress;
 pub mod scenes;
 pub mod typesetter;
+mod usage;
 pub mod watch;
 pub mod writer;
 

@@ -1,0 +1,267 @@
+//! What may be typed: the commands, their options, and what `--help` says of them.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+use spinning_bodies::scene::{Solver, files};
+
+use crate::pictures::Form;
+use crate::scenes::output::Format;
+use crate::scenes::plot::Panel;
+use crate::scenes::scan::{Over, Tell};
+
+/// Spinning Bodies, the executable edition: draws the figures and builds the book.
+#[derive(Debug, Parser)]
+#[command(name = "book", bin_name = "cargo run --", version, after_help = EXAMPLES)]
+pub struct Cli {
+    /// What to do; without it, the whole job.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+const EXAMPLES: &str = "\
+Without a command it draws every figure, builds the book, and prints where it is.
+
+Examples:
+  cargo run                              the whole job: figures/svg/*.svg and book/build/index.html
+  cargo run -- figures --list            the names of the figures and their chapters
+  cargo run -- figures --out my-figs     every figure into another folder
+  cargo run -- figures --check           do the committed figures still look the same?
+  cargo run -- book --open               builds the book and opens it in the browser
+  cargo run -- book --watch              prints the pages again whenever a chapter is saved
+  cargo run -- sheets --paper letter     things to cut out and to print, at true size
+  cargo run -- scene book/scenes/racket.toml    simulates a scene file; `scene --help` shows one
+  cargo run --release -- accuracy --scene free-top    error against time, on your machine
+  cargo run -- claims                    every claim of the tutorial and where it is computed
+  cargo test                             runs every example of the book
+
+Exit status: 0 success, 2 wrong usage or a wrong source (one line says which), 1 anything else.";
+
+/// What `scene --help` says after the options: a file, and every kind and solver.
+fn scene_help() -> String {
+    let names =
+        |names: &mut dyn Iterator<Item = &'static str>| names.collect::<Vec<_>>().join(", ");
+    let kinds = names(&mut files::kinds());
+    let solvers = names(&mut Solver::all().map(Solver::name));
+    format!(
+        "\
+A scene file, in TOML and SI units; nothing acts that [effects] does not name:
+
+  title = \"A racket\"
+  [body]
+  moments = [1.0, 2.0, 3.0]        # principal moments, kg m2; or inertia, or a shape with its sizes and mass
+  [initial]
+  omega = [0.01, 1.0, 0.01]        # rad/s, along the body's axes; or angular_momentum
+  attitude = [1.0, 0.0, 0.0, 0.0]  # w x y z, from body to space; the default
+  [effects]                        # gravity = 9.80665, pivot_friction = 0.001, ...
+  [run]
+  until = 10.0                     # s; or times = [0.0, 2.5, 10.0]
+  samples = 101
+  accuracy = 1e-10                 # relative
+  solver = \"auto\"                  # or one of those below
+  columns = [\"tilt\", \"energy\"]  # what a row tells after the time; the usual numbers of the kind if it is not there
+
+A run gives up after 200 million evaluations of its equations, and has ten million rows at most; one that takes more than a
+moment tells how far it is. A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
+book/scenes has a file for each scene of the book.
+
+Kinds: {kinds}.
+Solvers: {solvers}.
+
+Examples:
+  cargo run -- scene book/scenes/racket.toml
+  cargo run -- scene --keys roller    the keys of a kind; `--keys shapes` those of bodies by what they are
+  cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json
+  cargo run -- scene tippe-top --plot tilt,energy --output motion.svg
+  cargo run -- scene racket --plot omega1:omega2 --output polhode.svg
+  cargo run -- scene racket --film --speed 0.5 --output racket.svg
+  cargo run --features book/pictures -- scene racket --frames stills 250 --as png
+  ffmpeg -framerate 25 -i stills/%03d.png -pix_fmt yuv420p racket.mp4    makes a video of them"
+    )
+}
+
+const SCAN: &str = "\
+A line for each point of the grid: the varied numbers, the last row of the motion, and `ok`, or why there is none. Numbers are named as
+in the file, joined by dots, places in a list from 0. --tell asks for other numbers than the last row: of any column (`scene --columns`) its
+first, last, least or greatest value, or the time (s) when it is first at a level, to the accuracy of the scene. In JSON the
+refused points stand apart, with their reasons. Exit status 1 if no point could be run.
+
+Examples:
+  cargo run -- scan racket --over initial.omega.0=0.001..0.1:25
+  cargo run -- scan heavy-body --over effects.gravity=0..20:21 --over initial.omega.2=1..20:20
+  cargo run -- scan racket --over initial.omega.0=1e-8..1e-1:8:log --tell crossing:omega2=0
+  cargo run -- scan tippe-top --over body.mass=0.01..0.04,body.radius=0.01..0.04:4 --tell greatest:tilt,last:energy
+  cargo run -- scan racket --over initial.omega.0=1e-8..1e-1:40:log --plot crossing:omega2=0 --output flip.svg
+  cargo run -- scan strip --over initial.angle=0..1.5:30 --over body.width=0.01..0.05:30 --plot x --output map.svg";
+
+const FIGURES: &str = "\
+Many figures are functions of numbers that may be chosen: `--list NAME` tells them, their ranges and what the book shows. The caption
+is computed from the same numbers, and printed. Files have plain colours, for any program.
+
+Examples:
+  cargo run -- figures
+  cargo run -- figures --list spool-dial
+  cargo run -- figures spool-dial --set axle=0.6,tension=0.5 --theme dark
+  cargo run -- figures spool-dial --set axle=0.6 --data dial.csv --out elsewhere
+  cargo run --features book/pictures -- figures polhodes nutations --as pdf --out elsewhere";
+
+const ACCURACY: &str = "\
+Errors are those at the end of the run: the angle between the attitudes in radians, and the relative error of the
+angular velocity. Times are the least of repeated runs. Below each table stand, for 1e-3, 1e-6, 1e-9 and 1e-12, the
+cheapest method, the next one, and dop853. Efforts that would take much of a second a run are left out, and counted.
+Times need a release build; a debug build tells errors and evaluations.
+
+Problems: free-top, near-separatrix, cusped-top, near-sleeping, kovalevskaya, kovalevskaya-level, heavy-body,
+tippe-top; each over 1, 10 and 1000 turns, the first four over 1000000 (the tippe top: 1, 10, 100): free-top/1000 is one of them.
+They are judged by motions known to 30 digits, and all together take about ten minutes.
+
+Or a scene file of any kind, by its path or by its name in book/scenes, over its whole run; it takes seconds. Every solver
+runs that can, the others say why not. Two methods of different families judge at their tightest: the closed form if there
+is one, order 8, verner98. Where they agree no better than to 1e-3 the scene is refused; errors that their disagreement
+does not let be told from none are marked `floor`. Of a kind without an attitude the errors are those of its rates, angular
+velocities or else velocities, over the greatest of the motion.
+
+Examples:
+  cargo run --release -- accuracy --scene near-separatrix/1000
+  cargo run --release -- accuracy --csv mine.csv
+  cargo run --release -- accuracy --scene strip
+  cargo run --release -- accuracy --scene racket --plot --output racket.svg";
+
+/// What the command can be told to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Draws all figures, or those named, as SVG
+    #[command(after_help = FIGURES)]
+    Figures {
+        /// Names of figures; none means all
+        #[arg(value_name = "NAME")]
+        names: Vec<String>,
+        /// Lists the figures instead of drawing them; of those named, what may be chosen
+        #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
+        list: bool,
+        /// Numbers of one figure, other than the book's
+        #[arg(
+            long,
+            value_name = "KEY=VALUE,…",
+            value_delimiter = ',',
+            conflicts_with = "check"
+        )]
+        set: Vec<String>,
+        /// Writes the numbers that one figure draws, as CSV
+        #[arg(long, value_name = "FILE", conflicts_with = "check")]
+        data: Option<PathBuf>,
+        /// Colours for light paper or dark [default: light]
+        #[arg(long, value_parser = ["light", "dark"], conflicts_with = "check")]
+        theme: Option<String>,
+        /// No paper behind the drawing
+        #[arg(long, conflicts_with = "check")]
+        transparent: bool,
+        /// Form of the files; all but svg need a build with `--features book/pictures` [default: svg]
+        #[arg(long = "as", value_enum, value_name = "FORM", conflicts_with = "check")]
+        form: Option<Form>,
+        /// Width of a PDF in points, 432 by itself, or of a PNG in dots, 1200 by itself
+        #[arg(long, value_name = "N", requires = "form", value_parser = clap::value_parser!(u16).range(16..=16384))]
+        width: Option<u16>,
+        /// Folder for the files [default: figures/svg in the workspace; the current folder for a drawing unlike the book's]
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Writes nothing; compares fresh drawings with the files, one canvas unit allowed
+        #[arg(long)]
+        check: bool,
+    },
+    /// Writes strips and a cat of paper to cut out at true size, as SVG, and a chiral top for a printer of solids, as STL
+    Sheets {
+        /// The size of the paper
+        #[arg(long, value_parser = ["a4", "letter"], default_value = "a4")]
+        paper: String,
+        /// Folder for the files
+        #[arg(long, value_name = "DIR", default_value = ".")]
+        out: PathBuf,
+    },
+    /// Builds the book only
+    Book {
+        /// Opens the first page in the browser
+        #[arg(long)]
+        open: bool,
+        /// Goes on, and prints it again whenever a chapter is saved; the figures stay those of the start
+        #[arg(long)]
+        watch: bool,
+    },
+    /// Renders the book for mdBook: `mdbook build book` and `mdbook serve book` call it
+    Render,
+    /// Simulates a scene file: a body, how it starts, and only the effects it names
+    #[command(after_help = scene_help())]
+    Scene {
+        /// The scene file, or the name of one in book/scenes; `-` reads standard input
+        #[arg(required_unless_present = "keys")]
+        file: Option<PathBuf>,
+        /// Prints the keys that a kind of scene has, and reads no file
+        #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "plot", "film", "frames", "format", "output"])]
+        keys: Option<String>,
+        /// The numbers of a row after the time; a name that is none has them all listed [default: the usual ones of the kind]
+        #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+        columns: Vec<String>,
+        /// Draws a picture instead: a panel for each COLUMN against time, or X:Y for one column against another
+        #[arg(long, value_name = "WHAT,…", value_delimiter = ',', conflicts_with_all = ["columns", "format"])]
+        plot: Vec<Panel>,
+        /// Films the moving body instead: one SVG that plays wherever a browser shows it
+        #[arg(long, conflicts_with_all = ["columns", "plot", "format"])]
+        film: bool,
+        /// Seconds of the motion in a second of the film [default: so that it takes ten seconds]
+        #[arg(long, value_name = "RATE", requires = "film", conflicts_with_all = ["plot", "frames"])]
+        speed: Option<f64>,
+        /// Draws N pictures of the moving body into a new folder, at equal steps of time
+        #[arg(long, num_args = 2, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
+        frames: Vec<OsString>,
+        /// Form of these pictures; all but svg need a build with `--features book/pictures` [default: svg]
+        #[arg(long = "as", value_enum, value_name = "FORM", requires = "frames", conflicts_with_all = ["plot", "film"])]
+        form: Option<Form>,
+        /// How the motion is written [default: as the name of the output ends; csv]
+        #[arg(long, value_enum)]
+        format: Option<Format>,
+        /// Where to; without it, standard output
+        #[arg(long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// Simulates a scene file over a grid of its numbers, on all cores; a line for each point
+    #[command(after_help = SCAN)]
+    Scan {
+        /// The scene file, or the name of one in book/scenes; `-` reads standard input
+        file: PathBuf,
+        /// A number of the file, its range, and how many values, :log behind them for equal ratios; KEY=FROM..TO,KEY=FROM..TO:COUNT varies two
+        /// together. May be given more than once
+        #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
+        over: Vec<Over>,
+        /// What is told of a motion: COLUMN, first:COLUMN, least:COLUMN, greatest:COLUMN, crossing:COLUMN=LEVEL [default: its last row]
+        #[arg(long, value_name = "WHAT,…", value_delimiter = ',')]
+        tell: Vec<Tell>,
+        /// Draws one number instead, told as for --tell: a line over one --over, a map over two
+        #[arg(long, value_name = "WHAT", conflicts_with_all = ["tell", "format"])]
+        plot: Option<Tell>,
+        /// How it is written [default: as the name of the output ends; csv]
+        #[arg(long, value_enum)]
+        format: Option<Format>,
+        /// Where to; without it, standard output
+        #[arg(long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// Measures error against time for every method that can run a motion, on this machine
+    #[command(after_help = ACCURACY)]
+    Accuracy {
+        /// A problem, one of its lengths, or a scene file; without it, all problems
+        #[arg(long, value_name = "NAME")]
+        scene: Option<String>,
+        /// Also writes one row a measurement
+        #[arg(long, value_name = "FILE")]
+        csv: Option<PathBuf>,
+        /// Draws the errors against what they cost instead, of the one motion that --scene names
+        #[arg(long, requires = "scene")]
+        plot: bool,
+        /// Where to draw; without it, standard output
+        #[arg(long, value_name = "FILE", requires = "plot")]
+        output: Option<PathBuf>,
+    },
+    /// Lists every claim of the tutorial, its verdict, and where it is computed
+    Claims,
+}

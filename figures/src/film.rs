@@ -274,6 +274,19 @@ impl Scenery {
     }
 }
 
+/// Floor and ceiling on the paper.
+fn levels(view: &View, ceiling: f64) -> [f64; 2] {
+    [0.0, ceiling].map(|height| view.project(&(Vector::z() * height))[1])
+}
+
+/// The middle of a name, moved off a level line that would cross it.
+fn clear_of(y: f64, line: f64) -> f64 {
+    match y - line {
+        off if off.abs() < 13.0 => line + 13.0_f64.copysign(off),
+        _ => y,
+    }
+}
+
 impl Film<'_> {
     fn scenery(&self) -> Scenery {
         let reach = self.reach();
@@ -304,12 +317,8 @@ impl Film<'_> {
                     sides.map(|side| [place + side, place - side])
                 };
                 let corners: Vec<_> = seen.iter().flat_map(around).flatten().collect();
-                View::fitted(
-                    DIRECTION,
-                    &corners,
-                    [60.0, 56.0, 540.0, 346.0],
-                    92.0 / reach,
-                )
+                let frame = [60.0, 56.0, 540.0, 346.0];
+                View::fitted(DIRECTION, &corners, frame, 92.0 / reach)
             }
         };
         let mut scenery = Scenery {
@@ -362,11 +371,8 @@ impl Film<'_> {
                 return pen.line(&view.trace(&ends), inked(AXIS));
             }
             Around::Under(ceiling) => {
-                for height in [0.0, ceiling] {
-                    let [_, y] = view.project(&Vector::z().scale(height));
-                    pen.line(&[[24.0, y], [576.0, y]], stroke(Role::Muted, SECONDARY));
-                }
-                return;
+                let lines = levels(view, ceiling).map(|y| [[24.0, y], [576.0, y]]);
+                return pen.lines(lines, stroke(Role::Muted, SECONDARY));
             }
         };
         // Points of space at round distances: on the floor, or in the plane of the motion.
@@ -418,6 +424,10 @@ impl Film<'_> {
         } else {
             0.0
         };
+        let lines = match sight.around {
+            Around::Under(ceiling) => levels(&view, ceiling),
+            _ => [f64::INFINITY; 2],
+        };
         // Nearer than this, which of them is on the left does not matter.
         let side = if sine > 0.03 { -1.0 } else { 1.0 };
         let [behind, before] = [true, false].map(|behind| {
@@ -438,6 +448,7 @@ impl Film<'_> {
                 };
                 let ends = [0.0, length].map(|along| beside(along, 2.5 * apart));
                 let [x, y] = beside(length + 12.0, 9.0 + 2.5 * apart);
+                let y = lines.into_iter().fold(y, clear_of);
                 let name = if length > 14.0 { name } else { "" };
                 Some((ends, role, name, [x, y + 6.0]))
             });
@@ -473,11 +484,7 @@ impl Film<'_> {
         let decimals = (-step.log10().floor()).clamp(0.0, 9.0) as usize;
         // One more where the step is no round number.
         let shown: f64 = number(step, decimals).parse().unwrap_or(0.0);
-        if (shown - step).abs() > 0.05 * step {
-            decimals + 1
-        } else {
-            decimals
-        }
+        decimals + usize::from((shown - step).abs() > 0.05 * step)
     }
 
     fn words(&self) -> Words {

@@ -101,7 +101,18 @@ pub fn circle(values: &Values) -> Result<Figure> {
         .map(|pair| pair[1] - pair[0])
         .fold(round, f64::max);
     let named = short(ratio, 2);
-    let wanders = greatest - least > 1e-3 * greatest;
+    let [low, high] = [least, greatest].map(|radius| number(radius, 2));
+    let (told, ring) = if greatest - least > 1e-3 * greatest {
+        (
+            format!("It wanders from {low} to {high}."),
+            format!("a smeared ring between radius {low} and {high}"),
+        )
+    } else {
+        (
+            "It does not wander.".to_owned(),
+            "the same circle".to_owned(),
+        )
+    };
     let words = Words {
         claim: if k > 1e-3 && open < 0.2 {
             "The top scribbles; its constant runs round a circle.".to_owned()
@@ -113,33 +124,15 @@ pub fn circle(values: &Values) -> Result<Figure> {
         details: format!(
             "Three drawings of {} s from {}, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
              $K=w^2-(z_1+iz_2)$ of the same motion, always {} from the origin. Right: the same expression if \
-             $I_1=I_2={named}\\,I_3$; dashed, where it should be. {}",
+             $I_1=I_2={named}\\,I_3$; dashed, where it should be. {told}",
             number(SECONDS, 0),
             spun(values),
             number(k, 4),
-            if wanders {
-                format!(
-                    "It wanders from {} to {}.",
-                    number(least, 2),
-                    number(greatest, 2)
-                )
-            } else {
-                "It does not wander.".to_owned()
-            },
         ),
         alt: format!(
             "Three panels. Left, a tangle of loops: the horizontal path of the angular velocity in the body. Middle, one clean \
-             circle of radius {}, or a part of it: Kovalevskaya's expression along that motion. Right, {}: the same expression when the first two moments are {named} times the third.",
+             circle of radius {}, or a part of it: Kovalevskaya's expression along that motion. Right, {ring}: the same expression when the first two moments are {named} times the third.",
             number(k, 2),
-            if wanders {
-                format!(
-                    "a smeared ring between radius {} and {}",
-                    number(least, 2),
-                    number(greatest, 2)
-                )
-            } else {
-                "the same circle".to_owned()
-            },
         ),
     };
 

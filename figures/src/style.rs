@@ -481,34 +481,17 @@ impl Pen {
         let size = lettering.size;
         let digits = parts.over.chars().count().max(parts.under.chars().count()) as f64;
         let half = 0.29 * size * digits + 0.1 * size;
-        self.text(
-            [at[0] - half - 0.2 * size, at[1] + 0.36 * size],
-            Anchor::End,
-            parts.before,
-            lettering,
-        );
-        self.text(
-            [at[0], at[1] - 0.32 * size],
-            Anchor::Middle,
-            parts.over,
-            lettering,
-        );
-        self.text(
-            [at[0], at[1] + 1.02 * size],
-            Anchor::Middle,
-            parts.under,
-            lettering,
-        );
-        self.line(
-            &[[at[0] - half, at[1]], [at[0] + half, at[1]]],
-            stroke(lettering.role, AXIS),
-        );
-        self.text(
-            [at[0] + half + 0.22 * size, at[1] + 0.36 * size],
-            Anchor::Start,
-            parts.after,
-            lettering,
-        );
+        for ([x, y], anchor, body) in [
+            ([-half - 0.2 * size, 0.36 * size], Anchor::End, parts.before),
+            ([0.0, -0.32 * size], Anchor::Middle, parts.over),
+            ([0.0, 1.02 * size], Anchor::Middle, parts.under),
+        ] {
+            self.text([at[0] + x, at[1] + y], anchor, body, lettering);
+        }
+        let bar = [[at[0] - half, at[1]], [at[0] + half, at[1]]];
+        self.line(&bar, stroke(lettering.role, AXIS));
+        let after = [at[0] + half + 0.22 * size, at[1] + 0.36 * size];
+        self.text(after, Anchor::Start, parts.after, lettering);
     }
 }
 
@@ -647,14 +630,8 @@ pub fn along(line: &[Point], step: f64) -> Vec<Point> {
 }
 
 /// Points all over a box of these half sides, at most eight units apart.
-pub fn area(middle: Point, half: [f64; 2]) -> Vec<Point> {
-    let rows = along(
-        &[
-            [middle[0], middle[1] - half[1]],
-            [middle[0], middle[1] + half[1]],
-        ],
-        8.0,
-    );
+pub fn area([x, y]: Point, half: [f64; 2]) -> Vec<Point> {
+    let rows = along(&[[x, y - half[1]], [x, y + half[1]]], 8.0);
     let across = |[x, y]: Point| along(&[[x - half[0], y], [x + half[0], y]], 8.0);
     rows.into_iter().flat_map(across).collect()
 }

@@ -213,8 +213,17 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
                 0 => ([-4.0, -12.0], Anchor::End),
                 _ => ([6.0, 22.0], Anchor::Start),
             };
-            let at = [at[0] + aside[0], (at[1] + aside[1]).min(BOTTOM - 8.0)];
-            pen.note(at, anchor, &number(fall, 3));
+            let told = number(fall, 3);
+            // Clear of the axes.
+            let left = LEFT
+                + 4.0
+                + if k % 2 == 0 {
+                    9.0 * told.len() as f64
+                } else {
+                    0.0
+                };
+            let [x, y] = [at[0] + aside[0], at[1] + aside[1]];
+            pen.note([x.max(left), y.min(BOTTOM - 8.0)], anchor, &told);
         }
     });
     let rows = curve.iter().map(|point| point.to_vec());

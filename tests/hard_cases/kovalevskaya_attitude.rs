@@ -36,7 +36,6 @@ fn as_late_as_you_like() {
             observed!((kept - l_vert).abs(), 5e-17..=2e-15, "{t}");
             // What it does next it does by the equations of motion. Observed: 1.6e-12 rad at 1e3, 1e-10 at 1e5, 2e-8 at 1e7.
             let apart = parting(&top, t, 20.0);
-            println!("{omega:?} {t:e}: {apart:e}");
             assert!(apart < 3e-14 + 3e-15 * t.abs(), "{t:e}: {apart:e}");
         }
         refused!(top.at(2.2e9), OutOfRange);
@@ -76,12 +75,10 @@ fn commensurable_frequencies() {
         for t in [1.0, 30.0, 200.0] {
             let [walked, leapt] = [top.at(t), series.at(t)].map(|state| state.expect("a state"));
             let apart = walked.attitude.angle_to(&leapt.attitude);
-            println!("{k1} {k2} {t}: {apart:e}");
             assert!(apart < 1e-14 + 3e-15 * t, "{t}: {apart:e}");
         }
         for t in [1e4, 1e6] {
             let apart = parting(&top, t, 20.0);
-            println!("{k1} {k2} {t}: {apart:e}");
             assert!(apart < 3e-15 * t, "{t}: {apart:e}");
         }
     }
@@ -100,7 +97,6 @@ fn weaker_and_weaker_gravity() {
         let anew = KovalevskayaTop::new(MOMENTS, lever, here.omega, here.attitude).expect("a top");
         let expected = anew.at(20.0).expect("a state");
         let apart = found.attitude.angle_to(&expected.attitude);
-        println!("1e-{exponent}: {:?} {apart:e}", methods[methods.len() - 1]);
         observed!(apart, 3e-14..=7e-13, "1e-{exponent}: {apart:e}");
     }
     assert_eq!(methods[0], AttitudeMethod::Series);

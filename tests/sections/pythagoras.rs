@@ -1,13 +1,12 @@
 //! Section 9: Pythagoras by rotation. The independent method is the pressure, integrated point by point.
 
-use approx::assert_relative_eq;
 use num_rational::Ratio;
 use proptest::prelude::*;
 use spinning_bodies::frame::SpaceVector;
 use spinning_bodies::pythagoras::{
     GasBox, Orientation, opposite_side, polygon_torques, reversal_angle, tetrahedron_areas,
 };
-use support::{observed, refused, relative};
+use support::{near, observed, refused, relative};
 
 fn box_345() -> GasBox {
     GasBox::new([0.0, 0.0], [4.0, 0.0], [4.0, 3.0]).unwrap()
@@ -132,7 +131,7 @@ fn s9_1_no_torque_on_any_polygon() {
         assert!(sum.abs() < 2e-16 * size, "{sum:e} of {size}");
         for (k, torque) in torques.into_iter().enumerate() {
             let expected = by_quadrature(heptagon[k], heptagon[(k + 1) % 7], hinge, 5);
-            assert_relative_eq!(torque, expected, max_relative = 0.0, epsilon = 1e-15 * size);
+            near!(torque, expected, 1e-15 * size);
         }
     }
     // In whole numbers the sum is zero to the bit.
@@ -194,8 +193,8 @@ fn s9_2_cosine_law() {
         let torques = gas.side_torques();
         // Torque of F_RB is (RB/2 − AR cos γ) times RB; the balance is the law.
         let arm = 1.5 - 4.0 * gamma.cos();
-        assert_relative_eq!(gas.arms().rb, arm, max_relative = 0.0, epsilon = 2e-15);
-        assert_relative_eq!(torques.rb, -3.0 * arm, max_relative = 0.0, epsilon = 4e-15);
+        near!(gas.arms().rb, arm, 2e-15);
+        near!(torques.rb, -3.0 * arm, 4e-15);
         assert!((torques.ar + torques.rb + torques.ab).abs() < 4e-15);
         let law = 16.0 + 9.0 - 24.0 * gamma.cos();
         observed!(relative(2.0 * torques.ab, law), 0.0..=2e-15);

@@ -1,6 +1,5 @@
 //! Paragraph 4.5: a ball on a sheet that is withdrawn, in any manner.
 
-use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
 use proptest::prelude::*;
 use spinning_bodies::frame::SpaceVector as V;
@@ -74,21 +73,21 @@ fn s4_5_numbers_of_a_gentle_pull() {
         let on = course.at(2.5);
         let share = kappa / (1.0 + kappa);
         assert_eq!(on.slip, 0.0);
-        assert_relative_eq!(on.velocity, share, max_relative = 4e-16);
-        assert_relative_eq!(on.rim_speed, share - 1.0, max_relative = 4e-16);
-        assert_relative_eq!(course.at(1.0).velocity, share * 0.5, max_relative = 4e-16);
+        close!(on.velocity, share, 4e-16);
+        close!(on.rim_speed, share - 1.0, 4e-16);
+        close!(course.at(1.0).velocity, share * 0.5, 4e-16);
         let leaves = course.first(Happening::LeavesSheet).unwrap();
         let stops = course.events.last().unwrap();
         // V and RΩ reach zero together, after V/(μg) = κu/((1+κ)μg).
-        assert_relative_eq!(stops.time - leaves.time, share / 1.96, max_relative = 1e-14);
+        close!(stops.time - leaves.time, share / 1.96, 1e-14);
         let way = stops.moment.position - leaves.moment.position;
-        assert_relative_eq!(way, share * share / 3.92, max_relative = 1e-13);
+        close!(way, share * share / 3.92, 1e-13);
         observed!(course.at(1e3).velocity.abs(), 0.0..=1e-15);
         if kappa == 0.4 {
-            assert_relative_eq!(share, 2.0 / 7.0, max_relative = 3e-16);
+            close!(share, 2.0 / 7.0, 3e-16);
             let time = stops.time - leaves.time;
-            assert_relative_eq!(time, 0.145_772_594_752_186_6, max_relative = 1e-14);
-            assert_relative_eq!(way, 0.020_824_656_393_169_5, max_relative = 1e-13);
+            close!(time, 0.145_772_594_752_186_6, 1e-14);
+            close!(way, 0.020_824_656_393_169_5, 1e-13);
         }
     }
 }
@@ -304,7 +303,7 @@ fn s4_5_a_ball_already_rolling_keeps_its_velocity() {
         let course = Course::new(0.4, Load::weight(G), effects, start, 50.0).unwrap();
         assert!(course.first(Happening::LeavesSheet).is_some());
         let end = course.at(50.0);
-        assert_relative_eq!(end.velocity, v, max_relative = 4e-15);
+        close!(end.velocity, v, 4e-15);
         assert_eq!(end.slip, 0.0);
     }
 }

@@ -2,7 +2,6 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 
-use approx::assert_relative_eq;
 use lab::general::DifferentialEquations;
 use spinning_bodies::Result;
 use spinning_bodies::conservation::{Particle, Particles};
@@ -81,10 +80,10 @@ fn s4_4_rolls_with_a_low_tug_and_winds_up() {
         assert_eq!(end.slip, 0.0);
         assert!(end.velocity > 0.0 && spool.wound(&end) > 0.0);
         let a = spool.rolling_acceleration(hand);
-        assert_relative_eq!(end.velocity, 2.0 * a, max_relative = 1e-15);
-        assert_relative_eq!(end.position, 2.0 * a, max_relative = 1e-15);
+        close!(end.velocity, 2.0 * a, 1e-15);
+        close!(end.position, 2.0 * a, 1e-15);
         // String at the rate v r/R.
-        assert_relative_eq!(spool.wound(&end), 0.5 * end.position, max_relative = 1e-15);
+        close!(spool.wound(&end), 0.5 * end.position, 1e-15);
     }
     for (degrees, a) in [(0.0, 0.6), (30.0, 0.466_025), (60.0, 0.1), (90.0, -0.4)] {
         let found = self::spool().rolling_acceleration(tug(0.3, degrees));
@@ -138,7 +137,7 @@ fn s4_4_critical_angle_by_simulation() -> Result<()> {
                 by_dop853(tugged.with(law).unwrap(), &[1.0])[0].position
             });
             let exact = ratio.acos();
-            assert_relative_eq!(spool.critical_angle().unwrap(), exact, max_relative = 1e-14);
+            close!(spool.critical_angle().unwrap(), exact, 1e-14);
             worst[0] = worst[0].max((by_events - exact).abs());
             worst[1] = worst[1].max((by_dop853 - exact).abs());
         }
@@ -185,7 +184,7 @@ fn s4_4_pays_out_and_past_the_vertical_follows() {
         let along = end.velocity * hand.angle().cos();
         assert_eq!(along < 0.0, degrees <= 90.0, "{degrees}");
         let leaves = spool.hand_speed(hand, &end) - along;
-        assert_relative_eq!(leaves, -0.4 * end.velocity, max_relative = 1e-14);
+        close!(leaves, -0.4 * end.velocity, 1e-14);
         assert!(spool.hand_speed(hand, &end) > 0.0);
     }
 }
@@ -200,10 +199,14 @@ fn s4_4_the_hand_pays_for_everything() {
         // T v (cos θ − r/R) = d/dt ½(M + I/R²)v² = M(1+κ) v a.
         let power = spool.hand_speed(hand, &m);
         let gain = 1.5 * m.velocity * spool.rolling_acceleration(hand);
-        assert_relative_eq!(power, gain, max_relative = 1e-14);
+        // Nothing is gained at the critical angle: there all of it is rounding.
+        let alike = |a: f64, b: f64| {
+            approx::assert_relative_eq!(a, b, max_relative = 1e-14, epsilon = 1e-30);
+        };
+        alike(power, gain);
         assert!(power > 0.0, "on both sides of the critical angle");
         // Over time: all work is kinetic energy, none is heat.
-        assert_relative_eq!(m.work, m.energy(0.5), max_relative = 1e-14);
+        alike(m.work, m.energy(0.5));
         assert_eq!(m.heat, 0.0);
     }
 }
@@ -213,10 +216,10 @@ fn s4_4_the_hand_pays_for_everything() {
 fn s4_4_what_gently_means() {
     let (spool, angle, mu, g) = (unit(), FRAC_PI_6, 0.3, 9.8);
     let largest = spool.largest_gentle_tension(angle, mu, g).unwrap();
-    assert_relative_eq!(largest, 3.808_248_383_453_79, max_relative = 3e-16);
+    close!(largest, 3.808_248_383_453_79, 3e-16);
     let hand = Tug::new(largest, angle).unwrap();
     let friction = spool.rolling_friction(hand).abs();
-    assert_relative_eq!(friction, mu * spool.reaction(hand, g), max_relative = 1e-15);
+    close!(friction, mu * spool.reaction(hand, g), 1e-15);
     // A little less rolls, a little more slips, at every angle, and the simulation agrees.
     let law = Coulomb::new(mu).unwrap();
     for degrees in [0.0, 30.0, 60.0, 66.0, 90.0, 119.0, 121.0, 150.0] {
@@ -246,7 +249,7 @@ fn s4_4_static_friction_lets_go() -> Result<()> {
     let slips = run(spool, hand, g, law, 1.0).at(1.0);
     let reaction = spool.reaction(hand, g);
     let a = 1.001 * held * FRAC_PI_6.cos() - 0.3 * reaction;
-    assert_relative_eq!(slips.velocity, a, max_relative = 1e-14);
+    close!(slips.velocity, a, 1e-14);
     close!(slips.heat, 0.3 * reaction * 0.5 * slips.slip, 1e-13);
     // Energy: what the hand gave and friction did not take.
     close!(slips.work - slips.heat, slips.energy(0.5), 1e-13);

@@ -51,6 +51,14 @@ macro_rules! close {
     };
 }
 
+/// Two numbers, or arrays of them, no further apart than this.
+#[macro_export]
+macro_rules! near {
+    ($found:expr, $exact:expr, $most:expr) => {
+        approx::assert_relative_eq!($found, $exact, max_relative = 0.0, epsilon = $most)
+    };
+}
+
 /// A result that is an error of this kind, of a quantity of this name.
 #[macro_export]
 macro_rules! refused {
@@ -173,17 +181,18 @@ pub fn slope(points: &[(f64, f64)]) -> f64 {
 
 /// The classical Runge–Kutta method: so many steps of this length; `look` sees where each ends.
 pub fn runge_kutta<const N: usize>(
-    rate: impl Fn([f64; N]) -> [f64; N],
+    rate: impl Fn(f64, [f64; N]) -> [f64; N],
     mut y: [f64; N],
     (steps, step): (u32, f64),
     mut look: impl FnMut(&[f64; N]),
 ) -> [f64; N] {
-    for _ in 0..steps {
+    for n in 0..steps {
+        let t = step * f64::from(n);
         let shifted = |k: [f64; N], by: f64| core::array::from_fn(|i| y[i] + by * k[i]);
-        let k1 = rate(y);
-        let k2 = rate(shifted(k1, step / 2.0));
-        let k3 = rate(shifted(k2, step / 2.0));
-        let k4 = rate(shifted(k3, step));
+        let k1 = rate(t, y);
+        let k2 = rate(t + step / 2.0, shifted(k1, step / 2.0));
+        let k3 = rate(t + step / 2.0, shifted(k2, step / 2.0));
+        let k4 = rate(t + step, shifted(k3, step));
         y = core::array::from_fn(|i| y[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
         look(&y);
     }

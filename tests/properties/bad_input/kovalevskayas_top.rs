@@ -34,10 +34,9 @@ fn other_moments_are_another_top() {
             moments[k] = zero;
             refused!(with(moments), NotPositive);
         }
-        for bad in BAD {
-            moments[k] = bad;
-            refused!(with(moments), NotFinite);
-        }
+    }
+    for bad in spoiled(MOMENTS) {
+        refused!(with(bad), NotFinite);
     }
     for size in [1e300, 1e-300, f64::MIN_POSITIVE] {
         let rescaled = with(MOMENTS.map(|i| i * size));
@@ -102,20 +101,12 @@ fn at_rest_on_the_way_up_and_down() -> Result<()> {
 #[test]
 fn no_number_and_no_vertical() -> Result<()> {
     let (lever, omega, up) = ([1.0, 0.0, 0.0], [1.0, 0.5, 0.3], [0.6, 0.0, 0.8]);
+    for bad in spoiled(up) {
+        refused!(made(bad, omega, up), NotFinite);
+        refused!(made(lever, bad, up), NotFinite);
+        refused!(made(lever, omega, bad), NotFinite);
+    }
     for bad in BAD {
-        for k in 0..3 {
-            let put = |mut x: [f64; 3]| {
-                x[k] = bad;
-                x
-            };
-            for top in [
-                made(put(lever), omega, up),
-                made(lever, put(omega), up),
-                made(lever, omega, put(up)),
-            ] {
-                refused!(top, NotFinite);
-            }
-        }
         let top = made(lever, omega, up)?;
         refused!(top.at(bad), NotFinite);
         refused!(top.omega_and_up(bad), NotFinite);

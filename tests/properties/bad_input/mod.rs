@@ -22,6 +22,13 @@ use support::vector;
 const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 const ZERO: [f64; 3] = [0.0; 3];
 
+/// These numbers with each of them, in turn, replaced by what is none.
+fn spoiled<const N: usize>(numbers: [f64; N]) -> impl Iterator<Item = [f64; N]> {
+    BAD.into_iter().flat_map(move |bad| {
+        (0..N).map(move |k| core::array::from_fn(|j| if j == k { bad } else { numbers[j] }))
+    })
+}
+
 fn upright() -> Attitude {
     Attitude::identity()
 }

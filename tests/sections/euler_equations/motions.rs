@@ -11,29 +11,18 @@ use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::ideal_fluid::{SquareRoot, TruncatedFluid};
 use spinning_bodies::inertia::{InertiaMatrix, MassProperties};
 use std::f64::consts::FRAC_PI_4;
-use support::{observed, relative};
+use support::{observed, relative, runge_kutta};
 
 use super::common::{OMEGA, PLATE, moments};
 
-/// The classical Runge–Kutta method for y' = f(t, y); none of the library's.
+/// The classical Runge–Kutta method; none of the library's.
 fn integrate<const N: usize>(
-    f: impl Fn(f64, [f64; N]) -> [f64; N],
-    mut y: [f64; N],
+    rate: impl Fn(f64, [f64; N]) -> [f64; N],
+    start: [f64; N],
     duration: f64,
     steps: u32,
 ) -> [f64; N] {
-    let h = duration / f64::from(steps);
-    let shifted =
-        |y: [f64; N], k: [f64; N], h: f64| -> [f64; N] { std::array::from_fn(|i| y[i] + h * k[i]) };
-    for n in 0..steps {
-        let t = h * f64::from(n);
-        let k1 = f(t, y);
-        let k2 = f(t + h / 2.0, shifted(y, k1, h / 2.0));
-        let k3 = f(t + h / 2.0, shifted(y, k2, h / 2.0));
-        let k4 = f(t + h, shifted(y, k3, h));
-        y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
-    }
-    y
+    runge_kutta(rate, start, (steps, duration / f64::from(steps)), |_| ())
 }
 
 fn attitude(q: &[f64]) -> Attitude {

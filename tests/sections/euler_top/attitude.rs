@@ -1,8 +1,7 @@
 //! The attitude: rebuilt from the polhode (6.2), after one period (6.6), and by theta functions (6.8).
 
 use super::common::{
-    at, derivative, difference, euler, example, kept_axis, mean, norm, omega, random_start, step,
-    tilted,
+    at, difference, euler, example, kept_axis, mean, norm, omega, random_start, tilted,
 };
 use nalgebra::Quaternion;
 use spinning_bodies::elliptic::{
@@ -16,45 +15,6 @@ use support::inertia::gauss;
 use support::{Uniform, observed, relative, vector, within, wrapped};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
-
-fn components(q: &Attitude) -> [f64; 4] {
-    let q = q.quaternion();
-    [q.w, q.i, q.j, q.k]
-}
-
-// claim: C6.1-1
-#[test]
-fn s6_1_the_attitude_turns_with_omega() {
-    // q' = ½ q Ω, by differences of the exact motion.
-    let mut numbers = Uniform(611);
-    for _ in 0..60 {
-        let (moments, omega0) = random_start(&mut numbers);
-        let start = numbers.attitude();
-        let top = EulerTop::from_omega(moments, vector(omega0), start).unwrap();
-        observed!(at(&top, 0.0).attitude.angle_to(&start), 1e-16..=2e-15); // observed 3.7e-16
-        let size = vector(omega0).norm();
-        let h = step(&top);
-        for n in (-24..24).step_by(7) {
-            let t = f64::from(n) * h;
-            let q = at(&top, t).attitude.quaternion().into_inner();
-            // The sign of a quaternion is a matter of taste: keep that of the middle.
-            let along = |t: f64| {
-                let other = at(&top, t).attitude;
-                let sign = if other.quaternion().coords.dot(&q.coords) < 0.0 {
-                    -1.0
-                } else {
-                    1.0
-                };
-                components(&other).map(|c| sign * c)
-            };
-            let rate = derivative(along, n, h);
-            let [x, y, z] = omega(&top, t);
-            let expected = q * Quaternion::new(0.0, x, y, z) * 0.5;
-            let expected = [expected.w, expected.i, expected.j, expected.k];
-            observed!(norm(difference(rate, expected)) / size, 2e-15..=2e-14); // observed 6.5e-15
-        }
-    }
-}
 
 /// The azimuth of a vector about L, seen from its tip; zero where `from` points.
 fn azimuth(vector: SpaceVector, from: SpaceVector, l: SpaceVector) -> f64 {

@@ -2,7 +2,7 @@
 
 use spinning_bodies::euler_top::{EulerTop, Regime, State};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use support::{R, Uniform, rational, vector};
+use support::{R, Uniform, ration, rational, vector};
 
 /// 2E = 6, L² = 14, k² = 1/2, moments 1, 2, 3: Ω = (√2, 0, 2/√3).
 pub fn example() -> EulerTop {
@@ -122,6 +122,27 @@ pub fn integrals(i: [R; 3], o: [R; 3]) -> (R, R) {
         sum(&|k| i[k] * o[k] * o[k]),
         sum(&|k| i[k] * o[k] * i[k] * o[k]),
     )
+}
+
+/// So many bodies of rational moments, strictly ascending, and their Ω.
+pub fn rational_starts(seed: u64, count: usize) -> impl Iterator<Item = ([R; 3], [R; 3])> {
+    let mut numbers = Uniform(seed);
+    (0..count).map(move |_| {
+        let moments = rational_moments(&mut numbers);
+        (moments, [0; 3].map(|_| ration(&mut numbers)))
+    })
+}
+
+/// So many random bodies, their Ω at the start, and their motions.
+pub fn random_tops(
+    seed: u64,
+    count: usize,
+) -> impl Iterator<Item = ([f64; 3], [f64; 3], EulerTop)> {
+    let mut numbers = Uniform(seed);
+    (0..count).map(move |_| {
+        let (moments, omega) = random_start(&mut numbers);
+        (moments, omega, tilted(moments, omega))
+    })
 }
 
 /// Three moments of a random body, in any order, and a random Ω.

@@ -1,21 +1,18 @@
 //! Paragraph 6.3: the polhodes, and what they tell about the racket. Times and rates: `stability.rs`.
 
-use super::common::{at, integrals, omega, random_start, rational_moments, thrown, tilted};
+use super::common::{at, integrals, omega, random_tops, rational_starts, thrown, tilted};
 use spinning_bodies::euler_top::{Poinsot, Regime, Sector};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{MassProperties, shapes};
-use support::{R, Uniform, observed, ration, rational, relative, vector, within};
+use support::{R, Uniform, observed, rational, relative, vector, within};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
 // claim: C6.3-1, C6.3-4
 #[test]
 fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
-    let mut numbers = Uniform(631);
     let zero = rational(0, 1);
-    for _ in 0..300 {
-        let [i1, i2, i3] = rational_moments(&mut numbers);
-        let o = [0; 3].map(|_| ration(&mut numbers));
+    for ([i1, i2, i3], o) in rational_starts(631, 300) {
         let [o1, o2, o3] = o;
         let (twice_energy, l2) = integrals([i1, i2, i3], o);
         // Definite across x₁ and across x₃, with positive coefficients as the moments ascend.
@@ -56,10 +53,7 @@ fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
 // claim: C6.3-6
 #[test]
 fn s6_3_ellipsoid_meets_sphere() {
-    let mut numbers = Uniform(636);
-    for _ in 0..200 {
-        let (moments, omega0) = random_start(&mut numbers);
-        let top = tilted(moments, omega0);
+    for (moments, _, top) in random_tops(636, 200) {
         let start = at(&top, 0.0).angular_momentum;
         let twice_energy = 2.0 * top.energy();
         let picture = Poinsot::new(moments, start).unwrap();
@@ -195,10 +189,7 @@ fn s6_3_the_racket_and_its_axes() {
 // claim: C6.3-9
 #[test]
 fn s6_3_the_picture_does_not_tell_the_pace() {
-    let mut numbers = Uniform(639);
-    for _ in 0..100 {
-        let (moments, omega0) = random_start(&mut numbers);
-        let slow = tilted(moments, omega0);
+    for (moments, omega0, slow) in random_tops(639, 100) {
         for (s, tolerance) in [(8.0, 0.0), (0.125, 0.0), (3.0, 2e-14)] {
             let fast = tilted(moments, omega0.map(|o| s * o));
             assert_eq!(fast.regime(), slow.regime());

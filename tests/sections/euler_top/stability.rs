@@ -185,16 +185,6 @@ fn s6_3_flip_time_over_sixteen_decades() {
             }
         }
     }
-    // Off in both directions; by 30-digit arithmetic.
-    for (offset, flip) in [
-        (0.1, 11.498_131_472_061_3),
-        (0.01, 19.552_867_098_634_4),
-        (0.001, 27.530_840_553_733_2),
-        (0.0001, 35.507_253_039_658_5),
-    ] {
-        let top = tilted(MOMENTS, [offset, 1.0, offset]);
-        observed!(relative(top.period() / 2.0, flip), 7e-16..=4e-15);
-    }
     assert_eq!(tilted(MOMENTS, [0.0, 1.0, 0.0]).period(), f64::INFINITY);
 }
 

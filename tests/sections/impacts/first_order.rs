@@ -1,8 +1,7 @@
 //! The formula to first order, its frame and its error.
 
-use approx::assert_relative_eq;
 use spinning_bodies::impacts::{Meteorite, Planet, strike};
-use support::{observed, rational, relative};
+use support::{near, observed, rational, relative};
 
 use super::common::{M, MOMENT, SMALL, V, balances, close, example, lopsided, v, x};
 
@@ -14,12 +13,7 @@ fn s4_2_first_order_formula_and_the_frame() {
     close(rough, [0.4, -0.275, 0.7], 1.2e-16);
     let error = (rough - hit.omega_after).norm() / hit.omega_after.norm();
     // Observed 3e-16 absolute: a difference of numbers near 1.
-    assert_relative_eq!(
-        error,
-        0.011_314_719_127_849_587_469,
-        max_relative = 0.0,
-        epsilon = 5e-16
-    );
+    near!(error, 0.011_314_719_127_849_587_469, 5e-16);
 
     // The same impact watched from a passing ship: the exact answer and the formula with v−V stay, the printed
     // formula follows the ship.

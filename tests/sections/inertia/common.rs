@@ -3,9 +3,9 @@
 use num_rational::Ratio;
 use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{MassProperties, RigidMotion};
+use spinning_bodies::inertia::{InertiaMatrix, MassProperties, RigidMotion};
 use support::inertia::particles;
-use support::{R, cross, dot, rational, vector};
+use support::{R, Uniform, cross, dot, rational, vector};
 
 pub const EPS: f64 = f64::EPSILON;
 
@@ -33,6 +33,20 @@ pub fn motion_about_origin() -> RigidMotion {
         velocity: vector(U.map(|x| x as f64)),
         omega: vector(OMEGA.map(|x| x as f64)),
     }
+}
+
+/// Particles, their inertia matrix about the origin, and two vectors.
+pub type Swarm = (Vec<(f64, [f64; 3])>, InertiaMatrix, [BodyVector; 2]);
+
+/// So many swarms of so many particles.
+pub fn swarms(seed: u64, count: usize, particles: usize) -> impl Iterator<Item = Swarm> {
+    let mut uniform = Uniform(seed);
+    (0..count).map(move |_| {
+        let list = uniform.point_masses(particles);
+        let body = support::inertia::particles(&list).expect("masses");
+        let inertia = body.about(BodyVector::zero()).expect("a finite matrix");
+        (list, inertia, [uniform.vector(), uniform.vector()])
+    })
 }
 
 pub fn add(a: [R; 3], b: [R; 3]) -> [R; 3] {

@@ -2,21 +2,16 @@
 
 use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PrincipalMoments, ellipsoid_of_inertia, shapes};
 use support::inertia::particles;
 use support::{Uniform, close, observed, refused, vector};
 
-use super::common::{EPS, four_masses};
+use super::common::{EPS, four_masses, swarms};
 
 #[test]
-fn s2_4_symmetric() -> Result<()> {
+fn s2_4_symmetric() {
     // claim: C2.4-1
-    let mut uniform = Uniform(41);
-    for _ in 0..500 {
-        let list = uniform.point_masses(6);
-        let inertia = particles(&list)?.about(BodyVector::zero())?;
-        let (a, b) = (uniform.vector(), uniform.vector());
+    for (list, inertia, [a, b]) in swarms(41, 500, 6) {
         let integral: f64 = list
             .iter()
             .map(|(m, x)| m * a.cross(&vector(*x)).dot(&b.cross(&vector(*x))))
@@ -29,7 +24,6 @@ fn s2_4_symmetric() -> Result<()> {
         assert!((left - right).abs() <= bound && (left - integral).abs() <= bound);
         assert_eq!(inertia.matrix(), inertia.matrix().transpose());
     }
-    Ok(())
 }
 
 #[test]
@@ -61,11 +55,7 @@ fn s2_4_principal_axes_exist() -> Result<()> {
 #[test]
 fn s2_4_moment_about_an_axis() -> Result<()> {
     // claim: C2.4-3
-    let mut uniform = Uniform(43);
-    for _ in 0..500 {
-        let list = uniform.point_masses(6);
-        let inertia = particles(&list)?.about(BodyVector::zero())?;
-        let axis = uniform.vector();
+    for (list, inertia, [axis, _]) in swarms(43, 500, 6) {
         let e = axis.direction("the axis")?;
         let distances: f64 = list
             .iter()

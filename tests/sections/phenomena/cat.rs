@@ -2,7 +2,6 @@
 
 use std::f64::consts::{FRAC_PI_3, PI, TAU};
 
-use approx::assert_relative_eq;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::InertiaMatrix;
@@ -13,7 +12,7 @@ use spinning_bodies::phenomena::{
 use spinning_bodies::scene::effects::{Pace, Turnover};
 use spinning_bodies::scene::{Request, Scene, shape};
 use support::inertia::integral;
-use support::{observed, relative};
+use support::{close, observed, relative};
 
 /// Two cylinders: I/J = 4.
 fn equal_half(ratio: f64, to_joint: f64) -> Half {
@@ -32,9 +31,7 @@ fn equal(ratio: f64, to_joint: f64) -> Cat {
 // claim: C1.1-8
 #[test]
 fn s1_1_the_cat_in_closed_form() -> Result<()> {
-    let close = |value: f64, truth: f64| {
-        assert_relative_eq!(value, truth, max_relative = 6e-16, epsilon = 0.0)
-    };
+    let close = |value: f64, truth: f64| close!(value, truth, 6e-16);
     let cat = EqualHalves::new(1.0, 3.0)?;
     close(cat.turn_per_swing(1.0)?, 2.505_681_320_653_108);
     close(cat.half_turn_bend(), 2.0 * 0.604_342_896_591_750_2);
@@ -257,13 +254,7 @@ fn s1_1_no_angular_momentum_at_any_shape() {
                 sum += half.mass * place.cross(&velocity);
                 let step = after.1[body] * before.1[body].inverse();
                 let rate = SpaceVector::from_components(step.scaled_axis() / (2.0 * h));
-                let attitude = Attitude::from_quaternion(
-                    before.1[body].slerp(&after.1[body], 0.5).w,
-                    before.1[body].slerp(&after.1[body], 0.5).i,
-                    before.1[body].slerp(&after.1[body], 0.5).j,
-                    before.1[body].slerp(&after.1[body], 0.5).k,
-                )
-                .unwrap();
+                let attitude = Attitude::from(before.1[body].slerp(&after.1[body], 0.5));
                 let matrix =
                     InertiaMatrix::diagonal(half.axial, half.transverse, half.transverse).unwrap();
                 sum += attitude.to_space(matrix.angular_momentum(attitude.to_body(rate)));

@@ -2,12 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use approx::assert_relative_eq;
 use spinning_bodies::integrators::{Effort, Kept, order_eight};
 use spinning_bodies::phenomena::{Crawler, PARTS, Part, Strokes, Wriggler, feet};
 use spinning_bodies::scene::effects::{Coulomb, Gravity};
 use spinning_bodies::scene::{Request, Scene, shape};
-use support::observed;
+use support::{near, observed};
 
 // claim: C1.1-1
 #[test]
@@ -98,14 +97,14 @@ fn s1_1_picture_a_a_closed_cycle_of_shapes_brings_the_feet_back() {
             let parts = shape(s + h);
             // Simpson's error, h⁴/2880 times the change of the third derivative: 1.4e-10 for the sixth wave. Observed: 1.3e-10.
             let now = feet(&parts, center).unwrap()[0];
-            assert_relative_eq!(now, place, max_relative = 0.0, epsilon = 2e-10);
+            near!(now, place, 2e-10);
             furthest = furthest.max((place - home).abs());
             // The centre of what is drawn is where it was: one vertical line through all drawings.
             let x: f64 = parts
                 .iter()
                 .map(|p| p.mass * (place + p.from_feet[0]))
                 .sum();
-            assert_relative_eq!(x / 80.0, center[0], max_relative = 0.0, epsilon = 2e-10);
+            near!(x / 80.0, center[0], 2e-10);
         }
         assert!(furthest > 0.2, "the feet moved on the way: {furthest}");
         observed!((place - home).abs(), 0.0..=1e-12, "{:e}", place - home);

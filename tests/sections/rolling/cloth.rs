@@ -51,9 +51,9 @@ fn s4_3_where_rolling_begins() {
         assert_eq!(course.events.len(), 1);
         // The closed form of the paragraph, from the height alone.
         let slide = ball().strike(height, 2.0).unwrap().slide(0.2, G).unwrap();
-        assert_relative_eq!(event.time, slide.time, max_relative = 4e-16);
-        assert_relative_eq!(event.moment.position, slide.distance, max_relative = 4e-16);
-        assert_relative_eq!(event.moment.heat * 0.17, slide.heat, max_relative = 1e-15);
+        close!(event.time, slide.time, 4e-16);
+        close!(event.moment.position, slide.distance, 4e-16);
+        close!(event.moment.heat * 0.17, slide.heat, 1e-15);
         let later = course.at(event.time + 3.0);
         assert_eq!((later.slip, later.rim_speed), (0.0, later.velocity));
     }
@@ -72,7 +72,7 @@ fn s4_3_draw_shots_turn_round() {
     // A strong topspin: the ball speeds up while it slides.
     let course = on_cloth(Moment::moving(1.0, 4.0), 0.2, 10.0);
     let event = course.first(Happening::RollingBegins).unwrap();
-    assert_relative_eq!(event.moment.velocity, 2.6 / 1.4, max_relative = 1e-15);
+    close!(event.moment.velocity, 2.6 / 1.4, 1e-15);
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn s4_3_resistance_brings_it_to_rest() {
         assert_eq!((end.velocity, end.rim_speed, end.slip), (0.0, 0.0, 0.0));
         assert_eq!(end.position, rest.moment.position);
         // All of the energy has become heat.
-        assert_relative_eq!(end.heat, start.energy(0.4), max_relative = 4e-15);
+        close!(end.heat, start.energy(0.4), 4e-15);
         if let Some(rolls) = course.first(Happening::RollingBegins) {
             // Rolling, it loses arm g/(1+κ) a second.
             let (a, v) = (arm * G / 1.4, rolls.moment.velocity.abs());
@@ -230,9 +230,9 @@ fn s4_3_masse_shots_are_parabolas() {
     };
     let planar = ball().slide_to_roll(2.0, 0.0, 0.2, G).unwrap();
     let slide = ball().slide_in_plane(straight, 0.2, G).unwrap();
-    assert_relative_eq!(slide.time, planar.time, max_relative = 1e-15);
+    close!(slide.time, planar.time, 1e-15);
     let (place, _) = slide.at(slide.time);
-    assert_relative_eq!(place[0], planar.distance, max_relative = 1e-15);
+    close!(place[0], planar.distance, 1e-15);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use spinning_bodies::superball::{Motion, Surface, bounce, bounce_matrix};
 
-use super::common::{determinant, exact, kappas, thrown, times};
+use super::common::{determinant, kappas, moving, thrown, times};
 use support::{R, rational};
 
 /// −2κu/(1+κ): what friction gives, per mass.
@@ -11,7 +11,7 @@ fn rubbed(before: Motion<R>, surface: Surface, kappa: R) -> R {
 }
 
 fn apply(a: [[R; 2]; 2], m: Motion<R>) -> Motion<R> {
-    exact(
+    moving(
         a[0][0] * m.velocity + a[0][1] * m.rim_speed,
         a[1][0] * m.velocity + a[1][1] * m.rim_speed,
     )
@@ -29,9 +29,9 @@ const IDENTITY: fn() -> [[R; 2]; 2] = || {
 fn s4_6_balances_and_reversed_contact_speed() {
     for kappa in kappas() {
         for before in [
-            exact(rational(1, 1), rational(3, 10)),
-            exact(rational(-7, 3), rational(5, 2)),
-            exact(rational(2, 1), rational(2, 1)),
+            moving(rational(1, 1), rational(3, 10)),
+            moving(rational(-7, 3), rational(5, 2)),
+            moving(rational(2, 1), rational(2, 1)),
         ] {
             for (surface, sign) in [
                 (Surface::Floor, rational(1, 1)),
@@ -61,9 +61,9 @@ fn s4_6_exactly_two_solutions() {
         .into_iter()
         .filter(|kappa| *kappa != rational(0, 1))
     {
-        let before = exact(rational(1, 1), rational(3, 10));
+        let before = moving(rational(1, 1), rational(3, 10));
         let gain = |f: R| {
-            exact(before.velocity + f, before.rim_speed - f / kappa).energy(kappa)
+            moving(before.velocity + f, before.rim_speed - f / kappa).energy(kappa)
                 - before.energy(kappa)
         };
         let quadratic = (gain(rational(1, 1)) + gain(rational(-1, 1))) / rational(2, 1);
@@ -74,7 +74,7 @@ fn s4_6_exactly_two_solutions() {
         assert_eq!(gain(other), rational(0, 1));
         assert_eq!(other, rubbed(before, Surface::Floor, kappa));
         // A ball that already rolls has only one solution.
-        let rolling = exact(rational(5, 7), rational(5, 7));
+        let rolling = moving(rational(5, 7), rational(5, 7));
         assert_eq!(bounce(rolling, Surface::Floor, kappa), rolling);
     }
 }
@@ -91,14 +91,14 @@ fn s4_6_matrices_of_floor_and_ceiling() {
         bounce_matrix(Surface::Ceiling, rational(2, 5)),
         sevenths([[3, -4], [-10, -3]])
     );
-    let spun = exact(rational(1, 1), rational(3, 10));
+    let spun = moving(rational(1, 1), rational(3, 10));
     assert_eq!(
         bounce(spun, Surface::Floor, rational(2, 5)),
-        exact(rational(3, 5), rational(13, 10))
+        moving(rational(3, 5), rational(13, 10))
     );
     assert_eq!(
         bounce(spun, Surface::Ceiling, rational(2, 5)),
-        exact(rational(9, 35), rational(-109, 70))
+        moving(rational(9, 35), rational(-109, 70))
     );
     for kappa in kappas() {
         for surface in [Surface::Floor, Surface::Ceiling] {
@@ -115,7 +115,7 @@ fn s4_6_matrices_of_floor_and_ceiling() {
     );
     assert_eq!(
         bounce(spun, Surface::Floor, rational(1, 1)),
-        exact(spun.rim_speed, spun.velocity)
+        moving(spun.rim_speed, spun.velocity)
     );
 }
 

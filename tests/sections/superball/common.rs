@@ -5,7 +5,7 @@ use support::{R, rational};
 
 pub const BALL: f64 = 2.0 / 5.0;
 
-pub fn exact(velocity: R, rim_speed: R) -> Motion<R> {
+pub fn moving<T: Copy>(velocity: T, rim_speed: T) -> Motion<T> {
     Motion {
         velocity,
         rim_speed,
@@ -13,7 +13,7 @@ pub fn exact(velocity: R, rim_speed: R) -> Motion<R> {
 }
 
 pub fn thrown() -> UnderTable<R> {
-    UnderTable::new(exact(rational(1, 1), rational(0, 1)), rational(2, 5))
+    UnderTable::new(moving(rational(1, 1), rational(0, 1)), rational(2, 5))
 }
 
 pub fn times(a: [[R; 2]; 2], b: [[R; 2]; 2]) -> [[R; 2]; 2] {

@@ -1,12 +1,9 @@
 //! Ten million bounces, and a million million.
 
-use approx::assert_relative_eq;
-use spinning_bodies::superball::{
-    BounceRotation, Flight, InFlight, Motion, Surface, UnderTable, bounce,
-};
-use support::{observed, refused, relative, samples};
+use spinning_bodies::superball::{BounceRotation, Flight, InFlight, Surface, UnderTable, bounce};
+use support::{near, observed, refused, relative, samples};
 
-use super::common::BALL;
+use super::common::{BALL, moving};
 
 /// Energy gained in `count` bounces with a step of one's own, from V = 1 without spin.
 fn drift(count: u32, step: impl Fn(f64, f64, f64) -> (f64, f64)) -> f64 {
@@ -14,21 +11,13 @@ fn drift(count: u32, step: impl Fn(f64, f64, f64) -> (f64, f64)) -> f64 {
     for n in 0..count {
         (v, w) = step(v, w, if n % 2 == 0 { 1.0 } else { -1.0 });
     }
-    Motion {
-        velocity: v,
-        rim_speed: w,
-    }
-    .energy(BALL)
-        - 1.0
+    moving(v, w).energy(BALL) - 1.0
 }
 
 // claim: C4.6-8
 #[test]
 fn s4_6_drift_over_ten_million_bounces() {
-    let start = Motion {
-        velocity: 1.0,
-        rim_speed: 0.0,
-    };
+    let start = moving(1.0, 0.0);
     let rotation = BounceRotation::of_fraction(2, 5).unwrap();
     let count = 10_000_000;
     let (a, b, c) = (3.0 / 7.0, 4.0 / 7.0, 10.0 / 7.0);
@@ -88,13 +77,6 @@ fn reference(with_time: bool) -> impl Iterator<Item = [f64; 14]> {
     rows.filter(move |row: &[f64; 14]| (row[7] != 0.0) == with_time)
 }
 
-fn thrown(velocity: f64, rim_speed: f64) -> Motion<f64> {
-    Motion {
-        velocity,
-        rim_speed,
-    }
-}
-
 // claim: C4.6-8, C4.6-10
 #[test]
 fn s4_6_bounce_after_bounce_a_rotation() {
@@ -104,7 +86,7 @@ fn s4_6_bounce_after_bounce_a_rotation() {
     // Nine counts of bounces a ball, in ascending order, the last of them two million.
     for ball in rows.chunks(9).step_by(samples(4, 1)) {
         let [kappa, .., v, w, _, _, _, _, _, _, _] = ball[0];
-        let start = thrown(v, w);
+        let start = moving(v, w);
         let mut bounces = UnderTable::new(start, kappa);
         let (whole, mut made) = (start.energy(kappa), 0);
         for row in ball {
@@ -112,7 +94,7 @@ fn s4_6_bounce_after_bounce_a_rotation() {
             let after = bounces.nth(count - made - 1).unwrap();
             made = count;
             let (v, w) = (after.velocity - row[9], after.rim_speed - row[10]);
-            motion = motion.max((thrown(v, w).energy(kappa) / whole).sqrt());
+            motion = motion.max((moving(v, w).energy(kappa) / whole).sqrt());
             let drift = (after.energy(kappa) / whole - 1.0).abs();
             assert!(drift <= 4.0 * f64::EPSILON * (count as f64).sqrt());
             energy = energy.max(drift);
@@ -135,7 +117,7 @@ fn s4_6_flights_at_distant_times() {
             position: 0.0,
             height,
             climb,
-            motion: thrown(v, w),
+            motion: moving(v, w),
             bounces: 0,
         };
         let effects = (Some(g), None, None);
@@ -169,33 +151,15 @@ fn s4_6_flights_at_distant_times() {
 fn s4_6_closed_form_after_a_million_million_bounces() {
     // The number is cos(10¹² arccos(3/7)) by 60-digit arithmetic.
     let rotation = BounceRotation::of_fraction(2, 5).unwrap();
-    let start = Motion {
-        velocity: 1.0,
-        rim_speed: 0.0,
-    };
+    let start = moving(1.0, 0.0);
     let n = 1_000_000_000_000;
     let far = rotation.after(start, n);
-    assert_relative_eq!(
-        far.velocity,
-        -0.379_496_764_335_820_7,
-        max_relative = 0.0,
-        epsilon = 3e-16
-    );
+    near!(far.velocity, -0.379_496_764_335_820_7, 3e-16);
     // Half way twice, an even number of bounces being a rotation.
     let half = rotation.after(start, n / 2);
     let twice = rotation.after(half, n / 2);
-    assert_relative_eq!(
-        far.velocity,
-        twice.velocity,
-        max_relative = 0.0,
-        epsilon = 5e-16
-    );
-    assert_relative_eq!(
-        far.rim_speed,
-        twice.rim_speed,
-        max_relative = 0.0,
-        epsilon = 1e-15
-    );
+    near!(far.velocity, twice.velocity, 5e-16);
+    near!(far.rim_speed, twice.rim_speed, 1e-15);
     // 0.4 is not 2/5: after 10¹² bounces of that other ball the phase is off by some 1e-5.
     let other = BounceRotation::new(0.4).unwrap().after(start, n);
     let off = (other.velocity - far.velocity).abs();

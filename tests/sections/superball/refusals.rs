@@ -2,10 +2,10 @@
 
 use proptest::prelude::*;
 use spinning_bodies::superball::{
-    BounceRotation, Motion, Surface, UnderTable, bounce, checked_bounce, reach, spring_bounce,
+    BounceRotation, Surface, UnderTable, bounce, checked_bounce, reach, spring_bounce,
 };
 
-use super::common::exact;
+use super::common::moving;
 use support::{rational, refused};
 
 #[test]
@@ -13,19 +13,16 @@ fn superball_refuses_what_is_no_ball() {
     refused!(BounceRotation::new(f64::NAN), NotFinite);
     refused!(BounceRotation::new(1.1), OutOfRange);
     refused!(BounceRotation::of_fraction(1, 0), NotPositive);
-    let start = Motion {
-        velocity: 1.0,
-        rim_speed: 0.0,
-    };
+    let start = moving(1.0, 0.0);
     refused!(spring_bounce(start, Surface::Floor, 0.4, -1.0), Negative);
-    let exact_start = exact(rational(1, 1), rational(0, 1));
+    let exact_start = moving(rational(1, 1), rational(0, 1));
     assert_eq!(
         checked_bounce(exact_start, Surface::Floor, rational(-1, 1)),
         None
     );
     assert_eq!(
         checked_bounce(
-            exact(rational(i128::MAX, 1), rational(-1, 1)),
+            moving(rational(i128::MAX, 1), rational(-1, 1)),
             Surface::Floor,
             rational(2, 5)
         ),
@@ -36,7 +33,7 @@ fn superball_refuses_what_is_no_ball() {
 proptest! {
     #[test]
     fn superball_never_panics(v in any::<f64>(), w in any::<f64>(), kappa in any::<f64>(), tuning in any::<f64>(), n in any::<u64>()) {
-        let start = Motion { velocity: v, rim_speed: w };
+        let start = moving(v, w );
         let _ = bounce(start, Surface::Ceiling, kappa);
         let _ = (UnderTable::new(start, kappa).positions().nth(5), reach(kappa));
         let _ = spring_bounce(start, Surface::Floor, kappa, tuning);
@@ -47,7 +44,7 @@ proptest! {
 
     #[test]
     fn superball_bounces_back_the_way_it_came(v in -10i128..10, w in -10i128..10, k in 1i128..20) {
-        let start = exact(rational(v, 3), rational(w, 7));
+        let start = moving(rational(v, 3), rational(w, 7));
         let kappa = rational(k, 20);
         for surface in [Surface::Floor, Surface::Ceiling] {
             let after = bounce(start, surface, kappa);

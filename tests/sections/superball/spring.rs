@@ -1,11 +1,10 @@
 //! The contact as springs.
 
-use approx::assert_relative_eq;
 use spinning_bodies::Result;
 use spinning_bodies::superball::{Motion, Surface, bounce, spring_bounce};
-use support::{observed, runge_kutta};
+use support::{near, observed, runge_kutta};
 
-use super::common::BALL;
+use super::common::{BALL, moving};
 
 /// One contact with springs k_n and k_t, integrated by RK4: heights, velocities, stretch; k_n = M = R = 1.
 fn contact_by_integration(
@@ -16,7 +15,7 @@ fn contact_by_integration(
 ) -> (Motion<f64>, f64) {
     let tangential = tuning * kappa / (1.0 + kappa);
     // Compression and its rate, stretch along the surface, V, RΩ.
-    let rate = |y: [f64; 5]| {
+    let rate = |_: f64, y: [f64; 5]| {
         let force = -tangential * y[2];
         [y[1], -y[0], y[3] - y[4], force, -force / kappa]
     };
@@ -24,22 +23,13 @@ fn contact_by_integration(
     let step = std::f64::consts::PI / f64::from(steps);
     let y = runge_kutta(rate, start, (steps, step), |_| ());
     observed!(y[0].abs(), 5e-16..=6e-14, "the contact has ended");
-    (
-        Motion {
-            velocity: y[3],
-            rim_speed: y[4],
-        },
-        y[2],
-    )
+    (moving(y[3], y[4]), y[2])
 }
 
 // claim: C4.6-14, C4.6-3
 #[test]
 fn s4_6_spring_contact() -> Result<()> {
-    let before = Motion {
-        velocity: 1.0,
-        rim_speed: 0.3,
-    };
+    let before = moving(1.0, 0.3);
     for kappa in [BALL, 2.0 / 3.0, 1.0] {
         let law = bounce(before, Surface::Floor, kappa);
         let tuned = spring_bounce(before, Surface::Floor, kappa, 1.0)?;
@@ -49,28 +39,13 @@ fn s4_6_spring_contact() -> Result<()> {
             let (integrated, stretch) = contact_by_integration(before, kappa, tuning, 4000);
             let closed = spring_bounce(before, Surface::Floor, kappa, tuning)?;
             // RK4 with 4000 steps; observed 1e-14.
-            assert_relative_eq!(
-                closed.motion.velocity,
-                integrated.velocity,
-                max_relative = 0.0,
-                epsilon = 1e-13
-            );
-            assert_relative_eq!(
-                closed.motion.rim_speed,
-                integrated.rim_speed,
-                max_relative = 0.0,
-                epsilon = 1e-13
-            );
+            near!(closed.motion.velocity, integrated.velocity, 1e-13);
+            near!(closed.motion.rim_speed, integrated.rim_speed, 1e-13);
             let spring = tuning * kappa / (1.0 + kappa) * stretch * stretch;
             let contact = kappa / (1.0 + kappa) * before.contact_speed(Surface::Floor).powi(2);
-            assert_relative_eq!(
-                closed.kept_by_spring,
-                spring / contact,
-                max_relative = 0.0,
-                epsilon = 1e-13
-            );
+            near!(closed.kept_by_spring, spring / contact, 1e-13);
             let missing = before.energy(kappa) - closed.motion.energy(kappa);
-            assert_relative_eq!(missing, spring, max_relative = 0.0, epsilon = 1e-13);
+            near!(missing, spring, 1e-13);
         }
         for mistuned in [0.7, 1.3] {
             let off = spring_bounce(before, Surface::Floor, kappa, mistuned)?;
@@ -81,10 +56,7 @@ fn s4_6_spring_contact() -> Result<()> {
         }
     }
     // The ceiling is the floor with the spin reversed.
-    let mirrored = Motion {
-        velocity: before.velocity,
-        rim_speed: -before.rim_speed,
-    };
+    let mirrored = moving(before.velocity, -before.rim_speed);
     let (floor, ceiling) = (
         spring_bounce(mirrored, Surface::Floor, BALL, 0.7)?.motion,
         spring_bounce(before, Surface::Ceiling, BALL, 0.7)?.motion,

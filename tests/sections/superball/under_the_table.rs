@@ -1,21 +1,20 @@
 //! Bounce after bounce: the rotation, the way back out, no period.
 
-use approx::assert_relative_eq;
 use spinning_bodies::superball::{
-    BounceRotation, Motion, Surface, UnderTable, bounce_matrix, checked_bounce, reach,
+    BounceRotation, Surface, UnderTable, bounce_matrix, checked_bounce, reach,
 };
-use support::{R, observed, rational, relative};
+use support::{R, near, observed, rational, relative};
 
-use super::common::{BALL, determinant, exact, kappas, thrown, times};
+use super::common::{BALL, determinant, kappas, moving, thrown, times};
 
 // claim: C4.6-7, C4.6-13
 #[test]
 fn s4_6_table_of_three_bounces() {
     let bounces: Vec<_> = thrown().take(3).collect();
     let expected = [
-        exact(rational(3, 7), rational(10, 7)),
-        exact(rational(-31, 49), rational(-60, 49)),
-        exact(rational(-333, 343), rational(-130, 343)),
+        moving(rational(3, 7), rational(10, 7)),
+        moving(rational(-31, 49), rational(-60, 49)),
+        moving(rational(-333, 343), rational(-130, 343)),
     ];
     assert_eq!(bounces, expected);
     // The path of the picture: floor, ceiling, floor, ceiling at these places, and the senses of spin between them.
@@ -54,12 +53,7 @@ fn s4_6_double_bounce_is_a_rotation() {
     }
     let delta = BounceRotation::of_fraction(2, 5).unwrap().angle();
     observed!(relative(delta, 1.127_885_282_721_257_7), 0.0..=2.3e-16);
-    assert_relative_eq!(
-        delta.cos(),
-        3.0 / 7.0,
-        max_relative = 0.0,
-        epsilon = 2.3e-16
-    );
+    near!(delta.cos(), 3.0 / 7.0, 2.3e-16);
 }
 
 // claim: C4.6-10
@@ -79,7 +73,7 @@ fn s4_6_chebyshev() {
         let sevens = 7i128.pow(n as u32);
         assert_eq!(
             motions[n - 1],
-            exact(rational(velocity, sevens), rational(rim_speed, sevens))
+            moving(rational(velocity, sevens), rational(rim_speed, sevens))
         );
     }
     // T and U by their own recurrence.
@@ -93,7 +87,7 @@ fn s4_6_chebyshev() {
         };
         assert_eq!(
             motion,
-            exact(t[1], sign * rational(10, 7) * u[1]),
+            moving(t[1], sign * rational(10, 7) * u[1]),
             "bounce {n}"
         );
         t = [t[1], rational(2, 1) * x * t[1] - t[0]];
@@ -103,25 +97,12 @@ fn s4_6_chebyshev() {
     for (numerator, denominator) in [(2, 5), (2, 3), (1, 1), (1, 3), (1, 1000)] {
         let kappa = f64::from(numerator) / f64::from(denominator);
         let rotation = BounceRotation::of_fraction(numerator, denominator).unwrap();
-        let start = Motion {
-            velocity: 0.6,
-            rim_speed: -1.7,
-        };
+        let start = moving(0.6, -1.7);
         assert_eq!(rotation.after(start, 0), start);
         for (n, motion) in (1..).zip(UnderTable::new(start, kappa).take(200)) {
             let closed = rotation.after(start, n);
-            assert_relative_eq!(
-                closed.velocity,
-                motion.velocity,
-                max_relative = 0.0,
-                epsilon = 3e-14 / kappa.sqrt()
-            );
-            assert_relative_eq!(
-                closed.rim_speed,
-                motion.rim_speed,
-                max_relative = 0.0,
-                epsilon = 3e-14 / kappa.sqrt()
-            );
+            near!(closed.velocity, motion.velocity, 3e-14 / kappa.sqrt());
+            near!(closed.rim_speed, motion.rim_speed, 3e-14 / kappa.sqrt());
         }
     }
 }
@@ -151,10 +132,7 @@ fn s4_6_it_comes_back_out() {
     let [least, greatest] = reach(BALL).unwrap();
     observed!(relative(least, -1.435_414_346_693_485_4), 0.0..=2.3e-16);
     observed!(relative(greatest, 0.435_414_346_693_485_35), 0.0..=3e-16);
-    let start = Motion {
-        velocity: 1.0,
-        rim_speed: 0.0,
-    };
+    let start = moving(1.0, 0.0);
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     for x in UnderTable::new(start, BALL).positions().take(100_000) {
         (low, high) = (low.min(x), high.max(x));
@@ -185,7 +163,7 @@ fn s4_6_it_comes_back_out() {
 fn s4_6_never_periodic_except() {
     // 7ⁿ V_n is an integer that leaves a remainder mod 7 (3, then 6 times the last): no V_n after the start is ±1, and no
     // bounce repeats the start. 7⁴³ is the last power whose bounce fits into 127 bits.
-    let mut motion = exact(rational(1, 1), rational(0, 1));
+    let mut motion = moving(rational(1, 1), rational(0, 1));
     let mut surface = Surface::Floor;
     let mut remainder = 4; // so that the first step gives 3
     for n in 1..=43u32 {
@@ -202,25 +180,25 @@ fn s4_6_never_periodic_except() {
     // The monic equation of 2 cos 2δ = −62/49 has no integer root: not an algebraic integer, so δ/π is irrational (Niven).
     assert!(!(rational(2, 1) * thrown().nth(1).unwrap().velocity).is_integer());
     let period = |kappa: R| {
-        let start = exact(rational(1, 1), rational(3, 10));
+        let start = moving(rational(1, 1), rational(3, 10));
         let seen: Vec<_> = UnderTable::new(start, kappa).take(24).collect();
         (1..=12).map(|m| 2 * m).find(|&n| seen[n - 1] == start)
     };
     assert_eq!(period(rational(1, 1)), Some(4));
     assert_eq!(period(rational(1, 3)), Some(6));
     assert_eq!(period(rational(2, 3)), None);
-    // All mass on the rim: exact reversal after two. κ = 1/3: after three, with the spin gone.
+    // All mass on the rim: motion reversal after two. κ = 1/3: after three, with the spin gone.
     let after = |n: usize, kappa| {
-        UnderTable::new(exact(rational(1, 1), rational(0, 1)), kappa)
+        UnderTable::new(moving(rational(1, 1), rational(0, 1)), kappa)
             .nth(n - 1)
             .unwrap()
     };
     assert_eq!(
         after(2, rational(1, 1)),
-        exact(rational(-1, 1), rational(0, 1))
+        moving(rational(-1, 1), rational(0, 1))
     );
     assert_eq!(
         after(3, rational(1, 3)),
-        exact(rational(-1, 1), rational(0, 1))
+        moving(rational(-1, 1), rational(0, 1))
     );
 }

@@ -3,14 +3,14 @@
 use nalgebra::Matrix3;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::scene::contact::{TableTop, passage};
-use spinning_bodies::scene::effects::{Gravity, NoSlip, Viscous};
+use spinning_bodies::scene::contact::passage;
+use spinning_bodies::scene::effects::{NoSlip, Viscous};
 use spinning_bodies::tippe_top::{
     ConvexBody, Start, Surface, Viscous as Law, bodies, quasi_steady, rolling_growth_rates,
 };
 use support::observed;
 
-use super::common::{G, degrees, last, most, regularised, run};
+use super::common::{G, degrees, last, most, on_a_table, regularised, run};
 
 #[test]
 fn s4_7_celt_ended_tops() {
@@ -34,11 +34,7 @@ fn s4_7_celt_ended_tops() {
     ] {
         let scene = |sense: f64| {
             let start = Start::about_vertical(3f64.to_radians(), 20f64.to_radians(), sense * spin);
-            TableTop::new(body, start.unwrap())
-                .with(Gravity::new(G).unwrap())
-                .unwrap()
-                .with(regularised(0.5))
-                .unwrap()
+            on_a_table(body, start.unwrap(), G, regularised(0.5))
         };
         let over = run(&scene(1.0), 2.0, 1000, 1e-3);
         let under = run(&scene(-1.0), 3.0, 600, 1e-3);
@@ -80,11 +76,7 @@ fn s4_7_an_ellipsoid_with_skew_inertia_is_chiral() {
     observed!(off, 0.0..=1e-6);
     let scene = |spin: f64| {
         let start = Start::about_vertical(0.02, 0.0, spin).unwrap();
-        TableTop::new(body, start)
-            .with(Gravity::new(981.0).unwrap())
-            .unwrap()
-            .with(Viscous::new(0.009).unwrap())
-            .unwrap()
+        on_a_table(body, start, 981.0, Viscous::new(0.009).unwrap())
     };
     let over = run(&scene(55.0), 3.0, 1500, 1e-6);
     let under = run(&scene(-55.0), 3.0, 600, 1e-6);
@@ -108,11 +100,7 @@ fn s4_7_rattleback() {
         let half = 0.25_f64.to_radians().tan();
         let attitude = Attitude::from_quaternion(1.0, half, half, 0.0).unwrap();
         let start = Start::spinning(attitude, BodyVector::new(0.0, 0.0, spin)).unwrap();
-        let scene = TableTop::new(stone, start)
-            .with(Gravity::new(G).unwrap())
-            .unwrap()
-            .with(NoSlip)
-            .unwrap();
+        let scene = on_a_table(stone, start, G, NoSlip);
         let rows = run(&scene, 1.3 * reversal, 1500, 1e-6);
         let at = passage(&rows, |s| -s.spin() * spin.signum(), 0.0);
         observed!((at.unwrap() / reversal - 1.0).abs(), 1e-3..=0.05);

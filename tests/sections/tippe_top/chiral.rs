@@ -9,7 +9,7 @@ use spinning_bodies::scene::effects::{Gravity, Regularised};
 use spinning_bodies::tippe_top::{ConvexBody, Start, beads, bodies, chirality_index, quasi_steady};
 use support::{observed, relative};
 
-use super::common::{G, degrees, last, most, regularised, run};
+use super::common::{G, degrees, last, most, on_a_table, regularised, run};
 
 const SPIN: f64 = 132.9;
 
@@ -27,11 +27,7 @@ fn leaning(spin: f64) -> Start {
 }
 
 fn on_table(body: ConvexBody, start: Start, mu: f64) -> TableTop {
-    TableTop::new(body, start)
-        .with(Gravity::new(G).unwrap())
-        .unwrap()
-        .with(regularised(mu))
-        .unwrap()
+    on_a_table(body, start, G, regularised(mu))
 }
 
 fn index(inertia: Matrix3<f64>) -> f64 {

@@ -1,11 +1,23 @@
 //! Runs and readings.
 
 use spinning_bodies::scene::contact::{State, TableTop};
-use spinning_bodies::scene::effects::Regularised;
+use spinning_bodies::scene::effects::{Effect, Gravity, Regularised};
 use spinning_bodies::scene::{Request, Scene};
+use spinning_bodies::tippe_top::{ConvexBody, Start};
 
 /// Gravity of the models, m/s².
 pub const G: f64 = 9.81;
+
+/// A body on a table in this gravity, under one more effect.
+pub fn on_a_table(
+    body: ConvexBody,
+    start: Start,
+    gravity: f64,
+    effect: impl Into<Effect>,
+) -> TableTop {
+    let heavy = TableTop::new(body, start).with(Gravity::new(gravity).unwrap());
+    heavy.unwrap().with(effect).unwrap()
+}
 
 /// The rows of a run of `end` seconds with `samples` equal steps.
 pub fn run(scene: &TableTop, end: f64, samples: u32, accuracy: f64) -> Vec<(f64, State)> {

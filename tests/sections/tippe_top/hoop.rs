@@ -11,7 +11,7 @@ use spinning_bodies::scene::effects::{Gravity, Viscous};
 use spinning_bodies::tippe_top::{HoopWithClay, Start, TippeTop, bodies};
 use support::{observed, relative};
 
-use super::common::{G, degrees, last, most, regularised, run};
+use super::common::{G, degrees, last, most, on_a_table, regularised, run};
 
 /// The tutorial's toy: R = 2 cm, 50 turns a second, μ = 1/3.
 fn toy(alpha: f64, gravity: f64) -> HoopWithClay {
@@ -39,11 +39,7 @@ fn s4_7_hoop_with_clay() {
     // Without clay nothing happens: the contact does not slip, so there is no friction.
     let bare = bodies::hoop_with_clay(0.02, 0.02, 0.0).unwrap();
     let start = Start::about_vertical(0.3, 0.0, SPIN).unwrap();
-    let scene = TableTop::new(bare, start)
-        .with(Gravity::new(G).unwrap())
-        .unwrap()
-        .with(Viscous::new(0.3).unwrap())
-        .unwrap();
+    let scene = on_a_table(bare, start, G, Viscous::new(0.3).unwrap());
     let end = last(&run(&scene, 1.0, 10, 1e-9));
     observed!((end.tilt() - 0.3).abs(), 0.0..=1e-10);
     observed!((end.spin() - SPIN).abs(), 5e-15..=6e-13);

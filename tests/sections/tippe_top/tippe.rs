@@ -6,11 +6,11 @@ use nalgebra::{Matrix3, Vector3};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::scene::contact::{State, TableTop, passage};
-use spinning_bodies::scene::effects::{Gravity, NoSlip, Resistance, Viscous};
+use spinning_bodies::scene::effects::{NoSlip, Resistance, Viscous};
 use spinning_bodies::tippe_top::{ConvexBody, Inversion, Start, Surface, TippeTop, bodies};
 use support::{observed, relative};
 
-use super::common::{G, degrees, last, most, run};
+use super::common::{G, degrees, last, most, on_a_table, run};
 
 const MR2: f64 = 0.02 * 0.02 * 0.02;
 
@@ -21,11 +21,12 @@ fn top() -> TippeTop {
 
 fn scene(spin: f64) -> TableTop {
     let start = Start::about_third_axis(0.1, 0.0, spin).unwrap();
-    TableTop::new(bodies::tippe_top().unwrap(), start)
-        .with(Gravity::new(9.82).unwrap())
-        .unwrap()
-        .with(Viscous::new(0.3).unwrap())
-        .unwrap()
+    on_a_table(
+        bodies::tippe_top().unwrap(),
+        start,
+        9.82,
+        Viscous::new(0.3).unwrap(),
+    )
 }
 
 #[test]
@@ -129,11 +130,7 @@ fn s4_7_steady_states_do_not_slip() {
         assert!(omega.cross(&arm).norm() < 1e-15 * omega.norm());
         let start = Start::about_vertical(tilt, 0.0, 1.0).unwrap();
         let start = Start::spinning(start.attitude, omega).unwrap();
-        let scene = TableTop::new(body, start)
-            .with(Gravity::new(9.82).unwrap())
-            .unwrap()
-            .with(Viscous::new(0.3).unwrap())
-            .unwrap();
+        let scene = on_a_table(body, start, 9.82, Viscous::new(0.3).unwrap());
         let end = last(&run(&scene, 0.05, 1, 1e-10));
         observed!((end.tilt() - tilt).abs(), 1e-14..=2e-12, "{tilt}");
         observed!(end.slip.norm(), 1e-14..=2e-12, "{tilt}");
@@ -199,11 +196,7 @@ fn s4_7_pivoting_and_rolling_die_apart() {
     let after = |omega: BodyVector, t: f64| -> State {
         let start = Start::about_vertical(0.0, 0.0, 0.0).unwrap();
         let start = Start::spinning(start.attitude, omega).unwrap();
-        let table = TableTop::new(ball, start)
-            .with(Gravity::new(G).unwrap())
-            .unwrap()
-            .with(NoSlip)
-            .unwrap()
+        let table = on_a_table(ball, start, G, NoSlip)
             .with(Resistance::new(rolling, pivoting).unwrap())
             .unwrap();
         last(&run(&table, t, 1, 1e-11))
@@ -230,11 +223,7 @@ fn s4_7_the_table_bears_what_the_height_says() {
         Matrix3::from_diagonal(&Vector3::new(0.37, 0.37, 0.4)),
     );
     let start = Start::about_third_axis(1.1, 0.4, 60.0).unwrap();
-    let table = TableTop::new(body.unwrap(), start)
-        .with(Gravity::new(G).unwrap())
-        .unwrap()
-        .with(NoSlip)
-        .unwrap();
+    let table = on_a_table(body.unwrap(), start, G, NoSlip);
     let heavy = table.with(Resistance::new(3e-4, 1e-4).unwrap()).unwrap();
     let rows = run(&heavy, 0.04, 40, 1e-13);
     let free = run(&table, 0.04, 40, 1e-13);

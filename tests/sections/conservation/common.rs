@@ -2,25 +2,14 @@
 
 use spinning_bodies::conservation::{ForceAndTorque, Particle, Particles};
 use spinning_bodies::frame::SpaceVector;
+use support::Uniform;
 
 pub type V = SpaceVector;
 
-/// Small random integers as a linear congruential sequence: with them, and a total mass of 16, every sum below is
-/// exact in double precision, so the laws can be asserted with `==`.
-pub struct Integers(pub u64);
-
-impl Integers {
-    pub fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        f64::from((self.0 >> 40) as u32 % 17) - 8.0
-    }
-
-    pub fn vector(&mut self) -> V {
-        V::new(self.next(), self.next(), self.next())
-    }
+/// Small random integers: with them, and a total mass of 16, every sum below is exact in double precision, so the laws can be asserted with `==`.
+pub fn integers(numbers: &mut Uniform) -> V {
+    let [x, y, z] = [0; 3].map(|_| (17.0 * numbers.next()).floor() - 8.0);
+    V::new(x, y, z)
 }
 
 pub const MASSES: [f64; 5] = [1.0, 2.0, 3.0, 4.0, 6.0];
@@ -32,8 +21,9 @@ pub struct Flight {
 
 impl Flight {
     pub fn random(seed: u64) -> Self {
-        let mut random = Integers(seed);
-        let start = MASSES.map(|_| (random.vector(), random.vector(), random.vector()));
+        let mut numbers = Uniform(seed);
+        let mut vector = || integers(&mut numbers);
+        let start = MASSES.map(|_| (vector(), vector(), vector()));
         Self {
             start: start.to_vec(),
         }

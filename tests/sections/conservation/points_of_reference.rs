@@ -3,7 +3,8 @@
 use spinning_bodies::Result;
 use spinning_bodies::conservation::{Particle, Particles, angular_momentum_rate, uniform_gravity};
 
-use super::common::{Flight, Integers, MASSES, V};
+use super::common::{Flight, MASSES, V, integers};
+use support::Uniform;
 
 // claim: C3.2-2, C3.2-3
 #[test]
@@ -13,8 +14,8 @@ fn s3_2_angular_momentum_about_any_point() {
     for seed in 0..50 {
         let flight = Flight::random(seed);
         let now = flight.at(0.0);
-        let origin = Integers(seed + 1000).vector();
-        let u = Integers(seed + 2000).vector();
+        let origin = integers(&mut Uniform(seed + 1000));
+        let u = integers(&mut Uniform(seed + 2000));
 
         let rate = |about: &dyn Fn(f64) -> V| {
             let after = flight.at(1.0).angular_momentum_about(about(1.0));
@@ -54,7 +55,7 @@ fn s3_2_angular_momentum_about_any_point() {
 fn s3_2_uniform_gravity_acts_at_the_centre_of_mass() -> Result<()> {
     for seed in 0..20 {
         let body = Flight::random(seed).at(0.0);
-        let o = Integers(seed + 5).vector();
+        let o = integers(&mut Uniform(seed + 5));
         let g = V::new(1.0, 2.0, -10.0);
         let mass = MASSES.iter().sum();
         let summed = body.force_and_torque(o, |p| p.mass * g)?;

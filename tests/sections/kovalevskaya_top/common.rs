@@ -2,7 +2,7 @@
 
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
 use support::power_series::Whole;
-use support::{R, cross, rational, vector};
+use support::{R, Uniform, cross, rational, vector};
 
 pub type Result = spinning_bodies::Result<()>;
 
@@ -27,13 +27,10 @@ pub fn rates(moments: [R; 3], lever: [R; 3], omega: [R; 3], z: [R; 3]) -> [[R; 3
 
 /// Points with small rational coordinates, in no order: an identity of low degree that holds on all of them holds.
 pub fn points() -> impl Iterator<Item = [R; 12]> {
-    let mut state = 1889_u64;
+    let mut numbers = Uniform(1889);
     let mut draw = move || {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        let (n, d) = ((state >> 33) % 19, (state >> 48) % 4 + 1);
-        rational(n as i128 - 9, d as i128)
+        let [n, d] = [19.0, 4.0].map(|count| (count * numbers.next()) as i128);
+        rational(n - 9, d + 1)
     };
     std::iter::repeat_with(move || std::array::from_fn(|_| draw())).take(200)
 }

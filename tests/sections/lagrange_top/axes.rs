@@ -1,6 +1,6 @@
 //! 7.1 and the first half of 7.2: what the top is, its axes, and what is conserved.
 
-use super::common::{AXIAL, at, axis, azimuth, cubic, roots, tilted, unit_vector};
+use super::common::{AXIAL, UP, at, axis, azimuth, cubic, roots, tilted, unit_vector};
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability, TopState};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, State};
@@ -47,7 +47,7 @@ fn s7_1_lagranges_top() {
     let still = BodyVector::zero();
     for degrees in [0.0, 1e-3, 30.0, 90.0, 179.0_f64] {
         let attitude = tilted(degrees.to_radians());
-        let up = attitude.to_body(spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0));
+        let up = attitude.to_body(UP);
         let torque = top.rate(&TopState { omega: still, up }).omega.norm();
         let sine = degrees.to_radians().sin();
         observed!((torque - sine).abs(), 0.0..=3e-16);
@@ -159,9 +159,7 @@ fn s7_2_three_constants() {
             assert_eq!(state.omega.z(), omega.z());
             let (sine, h) = ((state.one_less * state.one_more).sqrt(), state.height);
             // φ' sin θ and θ' from Ω and the vertical in the body.
-            let up = state
-                .attitude
-                .to_body(spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0));
+            let up = state.attitude.to_body(UP);
             let precessing = (state.omega.x() * up.x() + state.omega.y() * up.y()) / sine;
             let tilting = (state.omega.x() * up.y() - state.omega.y() * up.x()) / sine;
             let vertical = i1 * precessing * sine + l3 * h;
@@ -212,8 +210,7 @@ fn s7_2_the_top_moves_by_the_cubic_of_its_roots() {
         let leading = 2.0 * body.transverse * body.weight_moment;
         for t in [0.0, 0.7, 3.0] {
             let state = at(&top, t);
-            let up = spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0);
-            let z = state.attitude.to_body(up);
+            let z = state.attitude.to_body(UP);
             // h' = (z ∧ Ω)₃, from the state; the cubic from the roots.
             let slope = z.x() * state.omega.y() - z.y() * state.omega.x();
             let left = (body.transverse * slope).powi(2);

@@ -1,11 +1,14 @@
 //! What the files of Section 7 share. The unit top has I₁ = Mgl = 1.
 
-use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State};
 use support::{R, Uniform, rational, wrapped};
 
 /// The axial moment of the unit top: with it L₃ = Ω₃/2.
 pub const AXIAL: f64 = 0.5;
+
+/// The vertical.
+pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 
 /// x₃ tilted by θ, x₁ horizontal: the vertical is (0, sin θ, cos θ) in the body.
 pub fn tilted(theta: f64) -> Attitude {
@@ -21,6 +24,12 @@ pub fn spun(theta: f64, tilting: f64, precessing: f64, l3: f64) -> LagrangeTop {
 /// The unit top at a turning point cos θ = h: θ' = 0 and φ' = (L_vert − L₃h)/(1 − h²).
 pub fn turning(h: f64, l3: f64, vertical: f64) -> LagrangeTop {
     spun(h.acos(), 0.0, (vertical - l3 * h) / (1.0 - h * h), l3)
+}
+
+/// Released from rest at tilt θ with L₃: the cusps are exact, Ω has no part across the axis.
+pub fn released(theta: f64, l3: f64) -> LagrangeTop {
+    let omega = BodyVector::new(0.0, 0.0, l3 / AXIAL);
+    LagrangeTop::new(1.0, AXIAL, 1.0, omega, tilted(theta)).unwrap()
 }
 
 /// L₃ = 2, L_vert = 1, E' = ½: cusps, roots 0, ½, 2. From the lowest point.

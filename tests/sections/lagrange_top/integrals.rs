@@ -1,6 +1,6 @@
 //! 7.2, 7.5, 7.6: tops from what they keep, L₃, L_vert and E, and the separatrix reached exactly.
 
-use super::common::at;
+use super::common::{UP, at};
 use spinning_bodies::Error;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State, pendulum_from_integrals};
@@ -18,9 +18,7 @@ const SLOW: [[f64; 4]; 6] = [
 
 /// (L_vert − L₃), L_vert and the energy less that of the spin, from a state.
 fn kept([i1, _, weight, l3]: [f64; 4], state: &State) -> [f64; 2] {
-    let up = state
-        .attitude
-        .to_body(spinning_bodies::frame::SpaceVector::new(0.0, 0.0, 1.0));
+    let up = state.attitude.to_body(UP);
     let (x, y) = (state.omega.x(), state.omega.y());
     let vertical = i1 * (x * up.x() + y * up.y()) + l3 * state.height;
     [vertical, 0.5 * i1 * (x * x + y * y) + weight * state.height]

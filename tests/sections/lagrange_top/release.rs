@@ -1,17 +1,11 @@
 //! 7.4: released from a tilt, the top dips, draws something close to a cycloid, and settles.
 
-use super::common::{AXIAL, at, gained_azimuth, roots, tilted};
+use super::common::{AXIAL, at, gained_azimuth, released, roots, tilted};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
 use support::{observed, runge_kutta, within};
 
 const TILT: f64 = std::f64::consts::FRAC_PI_3;
-
-/// The unit top released at rest at 60°.
-fn released(l3: f64) -> LagrangeTop {
-    let omega = BodyVector::new(0.0, 0.0, l3 / AXIAL);
-    LagrangeTop::new(1.0, AXIAL, 1.0, omega, tilted(TILT)).unwrap()
-}
 
 // claim: C7.4-1
 #[test]
@@ -23,7 +17,7 @@ fn s7_4_released_it_dips() {
         (20.0, 0.49623122715401389267),
     ];
     for (l3, lowest) in expected {
-        let top = released(l3);
+        let top = released(TILT, l3);
         assert_eq!(top.kind(), Nutation::Cusps);
         let [h1, h2, _] = roots(&top);
         // The start is the upper root: whatever comes next is lower.
@@ -46,7 +40,7 @@ fn s7_4_released_it_dips() {
 fn s7_4_nearly_a_cycloid() {
     let mut deviations = Vec::new();
     for l3 in [5.0, 10.0, 20.0] {
-        let top = released(l3);
+        let top = released(TILT, l3);
         let amplitude = TILT.sin() / (l3 * l3);
         let period = top.period();
         let worst = |height_only: bool, stretched: bool| {
@@ -89,7 +83,7 @@ fn s7_4_nearly_a_cycloid() {
 // claim: C7.4-3
 #[test]
 fn s7_4_mean_precession_and_nutation() {
-    let ten = released(10.0);
+    let ten = released(TILT, 10.0);
     let expected = 0.063765492185492136721;
     let error = (ten.precession_per_nutation().unwrap() / expected - 1.0).abs();
     observed!(error, 0.0..=2e-14);
@@ -97,7 +91,7 @@ fn s7_4_mean_precession_and_nutation() {
     observed!(error, 0.0..=3e-16);
     let mut off = Vec::new();
     for l3 in [5.0, 10.0, 20.0] {
-        let top = released(l3);
+        let top = released(TILT, l3);
         let precession = top.mean_precession_rate().unwrap() * l3 - 1.0;
         let nutation = std::f64::consts::TAU / top.period() / l3 - 1.0;
         off.push([precession, nutation].map(|x| x * l3 * l3));
@@ -138,6 +132,6 @@ fn s7_4_damped_nutation_settles_to_the_slow_precession() {
     let [h1, h2, _] = roots(&top);
     observed!(h2 - h1, 1e-16..=4e-15);
     observed!((at(&top, 30.0).height - h).abs(), 2e-16..=3e-15);
-    let [h1, h2, _] = roots(&released(l3));
+    let [h1, h2, _] = roots(&released(TILT, l3));
     assert!(h1 < 1e-15 && h2 > 0.4999);
 }

@@ -1,7 +1,7 @@
 //! The pictures k, l, m and n: what the axis writes on the sphere, and where φ' changes its sign (7.2, 7.3, 7.4).
 
 use super::common::{
-    AXIAL, at, axis, is, periodic_mean, precession, roots, spun, swirl, tilted, turning, wave,
+    AXIAL, at, axis, is, periodic_mean, precession, released, roots, spun, swirl, turning, wave,
 };
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
@@ -22,12 +22,6 @@ fn signs(top: &LagrangeTop) -> [u32; 3] {
         }] += 1;
     }
     counts
-}
-
-/// Released from rest at tilt θ with L₃: the cusps are exact, Ω has no part across the axis.
-fn released(theta: f64, l3: f64) -> LagrangeTop {
-    let omega = BodyVector::new(0.0, 0.0, l3 / AXIAL);
-    LagrangeTop::new(1.0, AXIAL, 1.0, omega, tilted(theta)).unwrap()
 }
 
 // claim: C7.2-12

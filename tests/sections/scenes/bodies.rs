@@ -1,0 +1,415 @@
+//! Scene files: a body is given by what it is.
+
+use super::files::{last, mistakes};
+use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::scene::files::parse_with;
+
+fn listed<const N: usize>(numbers: [f64; N]) -> String {
+    format!("{numbers:?}")
+}
+
+/// A body by its moments, and the same body by its matrix along axes turned against the principal ones.
+#[test]
+fn a_body_in_axes_of_its_own_moves_as_it_does_in_its_principal_axes() {
+    let moments = [1.0, 1.6, 2.1];
+    let turn = Attitude::from_quaternion(0.8, -0.2, 0.5, 0.3).unwrap();
+    let r = turn.quaternion().to_rotation_matrix().into_inner();
+    let matrix = r * nalgebra::Matrix3::from_diagonal(&moments.into()) * r.transpose();
+    let i = |j: usize, k: usize| 0.5 * (matrix[(j, k)] + matrix[(k, j)]);
+    let own = |v: [f64; 3]| -> [f64; 3] { (r * nalgebra::Vector3::from(v)).into() };
+    let (center, omega) = ([0.1, -0.2, 0.3], [0.5, 2.0, -1.0]);
+    let start = Attitude::from_quaternion(0.6, 0.0, 0.8, 0.0).unwrap();
+    let own_start = (start.quaternion() * turn.quaternion().inverse()).into_inner();
+    let file = |inertia: String, center, omega, q: [f64; 4], effects: &str| {
+        let (center, omega, q) = (listed::<3>(center), listed::<3>(omega), listed(q));
+        format!(
+            "[body]\nmass = 1.5\n{inertia}\ncenter_of_mass = {center}\n[initial]\nattitude = {q}\nomega = {omega}\n[effects]\n{effects}\n\
+             [run]\ntimes = [3.0]\naccuracy = 1e-11\n"
+        )
+    };
+    let names = [
+        "lx",
+        "ly",
+        "lz",
+        "energy",
+        "potential",
+        "height",
+        "force_x",
+        "force_y",
+        "force_z",
+        "omega_x",
+        "omega_y",
+        "omega_z",
+    ];
+    let q = ["qw", "qx", "qy", "qz"];
+    for effects in [
+        "",
+        "gravity = 9.81",
+        "gravity = 9.81\nair_drag = 0.02\npivot_friction = 0.1",
+    ] {
+        let principal = file(
+            format!("moments = {moments:?}"),
+            center,
+            omega,
+            start_of(&start),
+            effects,
+        );
+        let six = listed([i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)]);
+        let turned = [own_start.w, own_start.i, own_start.j, own_start.k];
+        let turned = file(
+            format!("inertia = {six}"),
+            own(center),
+            own(omega),
+            turned,
+            effects,
+        );
+        let (a, b) = (last(&principal, names), last(&turned, names));
+        for (name, (a, b)) in names.iter().zip(a.iter().zip(b)) {
+            assert!((a - b).abs() < 1e-9 * (1.0 + a.abs()), "{name}: {a} {b}");
+        }
+        let ([w, x, y, z], [ow, ox, oy, oz]) = (last(&principal, q), last(&turned, q));
+        let own = Attitude::from_quaternion(ow, ox, oy, oz).unwrap();
+        let back = (own.quaternion() * turn.quaternion()).into_inner();
+        let back = Attitude::from_quaternion(back.w, back.i, back.j, back.k).unwrap();
+        let first = Attitude::from_quaternion(w, x, y, z).unwrap();
+        assert!(first.angle_to(&back) < 1e-9, "{effects}");
+    }
+    // A matrix without products is its moments, to the last bit.
+    let moments = file(
+        "moments = [2.0, 1.0, 1.5]".into(),
+        center,
+        omega,
+        [1.0, 0.0, 0.0, 0.0],
+        "gravity = 1",
+    );
+    let matrix = moments.replace(
+        "moments = [2.0, 1.0, 1.5]",
+        "inertia = [2.0, 1.0, 1.5, 0, 0, 0]",
+    );
+    assert_eq!(last(&moments, names), last(&matrix, names));
+    // What knows the third axis only by its number is refused.
+    let skew = moments.replace(
+        "moments = [2.0, 1.0, 1.5]",
+        "inertia = [2.0, 1.0, 1.5, 0.1, 0, 0]",
+    );
+    for friction in ["bearing_friction = 0.1", "tip_friction = 0.1"] {
+        let told = mistakes(&skew.replace("[effects]", &format!("[effects]\n{friction}")));
+        assert!(
+            told.len() == 1 && told[0].contains(&friction[..12]),
+            "{told:?}"
+        );
+    }
+}
+
+fn start_of(attitude: &Attitude) -> [f64; 4] {
+    let q = attitude.quaternion();
+    [q.w, q.i, q.j, q.k]
+}
+
+/// A free body of this shape, and its moments by L over Ω about each axis.
+fn moments(body: &str) -> [f64; 3] {
+    let about = |axis: usize| {
+        let mut omega = [0.0; 3];
+        omega[axis] = 1.0;
+        let text = format!("[body]\n{body}\n[initial]\nomega = {omega:?}\n[run]\ntimes = [0.0]\n");
+        last(&text, ["lx", "ly", "lz"])[axis]
+    };
+    [about(0), about(1), about(2)]
+}
+
+#[test]
+fn a_body_is_given_by_what_it_is() {
+    use core::f64::consts::PI;
+    let (m, r, h) = (2.0, 0.3, 0.8);
+    let round = |across: f64, about: f64| [across, across, about];
+    let (ball, half, disc) = (0.4 * m * r * r, 83.0 / 320.0 * m * r * r, 0.5 * m * r * r);
+    for (body, expected) in [
+        ("shape = \"ball\"\nradius = 0.3", [ball; 3]),
+        ("shape = 'shell'\nradius = 0.3", [ball / 0.6; 3]),
+        ("shape = 'hoop'\nradius = 0.3", round(disc, 2.0 * disc)),
+        ("shape = 'disc'\nradius = 0.3", round(0.5 * disc, disc)),
+        (
+            "shape = \"cylinder\"\nradius = 0.3\nheight = 0.8",
+            round(m * (r * r / 4.0 + h * h / 12.0), disc),
+        ),
+        // About its centre of mass, and about its tip.
+        (
+            "shape = \"cone\"\nradius = 0.3\nheight = 0.8",
+            round(0.15 * m * (r * r + h * h / 4.0), 0.3 * m * r * r),
+        ),
+        (
+            "shape = \"cone\"\nradius = 0.3\nheight = 0.8\npivot = [0, 0, 0]",
+            round(0.6 * m * (r * r / 4.0 + h * h), 0.3 * m * r * r),
+        ),
+        (
+            "shape = \"cuboid\"\nedges = [3, 6, 9]",
+            [117.0, 90.0, 45.0].map(|squares| m * squares / 12.0),
+        ),
+        (
+            "shape = \"ellipsoid\"\nsemi_axes = [1, 2, 3]",
+            [13.0, 10.0, 5.0].map(|squares| m * squares / 5.0),
+        ),
+        (
+            "shape = \"egg\"\nlong = 3\nshort = 2",
+            round(13.0 * m / 5.0, 8.0 * m / 5.0),
+        ),
+        (
+            "shape = 'ball-without-cap'\nradius = 0.3\ncut = 0",
+            round(half, ball),
+        ),
+        (
+            "shape = 'ball-without-cap'\nradius = 0.3\ncut = 0.3",
+            [ball; 3],
+        ),
+        // Half the mass in a ball, half a third below: M/4 between two points 1/3 R apart.
+        (
+            "shape = \"ball-with-weight\"\nradius = 0.3\nweight = 0.5\nweight_at = [0, 0, -0.1]",
+            round(ball / 2.0 + m * 0.01 / 4.0, ball / 2.0),
+        ),
+        (
+            "shape = 'beads'\nplaces = [[0, 0, 1], [0, 0, -1]]",
+            [m, m, 0.0],
+        ),
+        (
+            "shape = \"beads\"\nparts = [1, 3]\nplaces = [[4, 0, 0], [0, 0, 0]]",
+            [0.0, 3.0 * m, 3.0 * m],
+        ),
+        // A ring and no handle.
+        (
+            "shape = \"racket\"\nhead = 0.3\nhandle = 0",
+            round(disc, 2.0 * disc),
+        ),
+    ] {
+        let seen = moments(&format!("mass = 2.0\n{body}"));
+        for (seen, expected) in seen.iter().zip(expected) {
+            assert!(
+                (seen - expected).abs() < 1e-15 * (1.0 + 8.0 * expected),
+                "{body}: {seen} {expected}"
+            );
+        }
+    }
+    // The same by density: per volume, per area, per length.
+    for (sized, measure) in [
+        ("shape = \"ball\"\nradius = 0.3", 4.0 / 3.0 * PI * r * r * r),
+        (
+            "shape = \"ball-without-cap\"\nradius = 0.3\ncut = 0.0",
+            2.0 / 3.0 * PI * r * r * r,
+        ),
+        ("shape = \"shell\"\nradius = 0.3", 4.0 * PI * r * r),
+        (
+            "shape = \"cone\"\nradius = 0.3\nheight = 0.8",
+            PI * r * r * h / 3.0,
+        ),
+        (
+            "shape = \"racket\"\nhead = 0.3\nhandle = 0.8",
+            2.0 * PI * r + h,
+        ),
+    ] {
+        let by_mass = moments(&format!("mass = {:?}\n{sized}", 7.0 * measure));
+        let by_density = moments(&format!("density = 7.0\n{sized}"));
+        for (a, b) in by_mass.iter().zip(by_density) {
+            assert!((a - b).abs() < 1e-14 * a, "{sized}");
+        }
+    }
+    // The axis of a racket's handle has the least moment, the normal the greatest: their sum, for it is flat.
+    let [along, across, normal] =
+        moments("mass = 0.3\nshape = \"racket\"\nhead = 0.13\nhandle = 0.4");
+    assert!(along < across && (along + across - normal).abs() < 1e-15);
+}
+
+#[test]
+fn a_ball_and_its_cap_are_a_ball() {
+    use spinning_bodies::inertia::{MassProperties, shapes::ball_without_cap};
+    let (r, cut) = (1.5_f64, 0.4_f64);
+    let volume = |height: f64| height * height * (r - height / 3.0);
+    let below = ball_without_cap(volume(r + cut), r, cut).unwrap();
+    let cap = ball_without_cap(volume(r - cut), r, -cut).unwrap();
+    let upside_down =
+        Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), core::f64::consts::PI).unwrap();
+    let ball = MassProperties::compose(&[below, cap.turned(&upside_down)]).unwrap();
+    let expected = 0.4 * (4.0 / 3.0 * r * r * r) * r * r;
+    assert!(ball.center().norm() < 1e-15);
+    for k in 0..3 {
+        assert!((ball.inertia().matrix()[(k, k)] / expected - 1.0).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn twice_as_heavy_is_one_number() {
+    let file = |mass: &str| {
+        format!(
+            "[body]\nmass = {mass}\nshape = \"racket\"\nhead = 0.13\nhandle = 0.4\n[initial]\nomega = [0.01, 5.0, 0.02]\n[run]\ntimes = [30.0]\n"
+        )
+    };
+    let names = ["qw", "qx", "qy", "qz", "omega1", "omega2", "omega3"];
+    assert_eq!(last(&file("0.3"), names), last(&file("0.6"), names));
+    let [once, twice] = ["0.3", "0.6"].map(|mass| last(&file(mass), ["energy"])[0]);
+    assert!((twice / once - 2.0).abs() < 1e-14);
+}
+
+#[test]
+fn a_shape_gives_all_that_a_table_needs() {
+    let run = "[initial]\ntilt = 0.1\naxial_spin = 155.0\n[effects]\ngravity = 9.81\nfriction_law = \"viscous\"\nfriction = 0.3\n[run]\ntimes = [0.2]\n";
+    let names = ["qw", "qx", "omega1", "omega3", "x", "slip", "reaction"];
+    // Half a ball: C is 3R/8 below its centre.
+    let (m, r) = (0.02_f64, 0.02_f64);
+    let (across, about) = (83.0 / 320.0 * m * r * r, 0.4 * m * r * r);
+    let by_hand = format!(
+        "kind = \"table-top\"\n[body]\nmass = 0.02\nradius = 0.02\nsurface_center = [0, 0, {:?}]\ninertia = [{across:?}, {across:?}, {about:?}, 0, 0, 0]\n{run}",
+        0.375 * r
+    );
+    let by_shape = format!(
+        "kind = \"table-top\"\n[body]\nmass = 0.02\nshape = \"ball-without-cap\"\nradius = 0.02\ncut = 0\n{run}"
+    );
+    for (a, b) in last(&by_hand, names).iter().zip(last(&by_shape, names)) {
+        assert!((a - b).abs() < 1e-8 * (1.0 + a.abs()), "{a} {b}");
+    }
+    let cube = by_shape.replace(
+        "\"ball-without-cap\"\nradius = 0.02\ncut = 0",
+        "\"cuboid\"\nedges = [1, 1, 1]",
+    );
+    assert!(mistakes(&cube)[0].contains("smooth surface"));
+    let more = by_shape.replace("cut = 0", "cut = 0\nsurface_center = [0, 0, 1]");
+    assert!(mistakes(&more)[0].contains("`surface_center` in [body] is unknown"));
+}
+
+#[test]
+fn what_rolls_is_a_shape_too() {
+    let file = |body: &str| {
+        format!(
+            "kind = \"roller\"\n[body]\nmass = 1\nradius = 0.1\n{body}\n[initial]\nvelocity = 1\n[effects]\ngravity = 9.8\nfriction = 0.2\n[run]\ntimes = [9]\n"
+        )
+    };
+    for (shape, kappa) in [
+        ("ball", 0.4),
+        ("shell", 2.0 / 3.0),
+        ("disc", 0.5),
+        ("hoop", 1.0),
+    ] {
+        let [speed] = last(&file(&format!("shape = \"{shape}\"")), ["velocity"]);
+        // A ball keeps five sevenths of its speed, another body 1/(1 + κ).
+        assert!((speed - 1.0 / (1.0 + kappa)).abs() < 1e-14, "{shape}");
+    }
+    let told = mistakes(&file("shape = \"ball\"\ninertia_factor = 0.5"));
+    assert!(
+        told.len() == 1 && told[0].contains("inertia_factor"),
+        "{told:?}"
+    );
+}
+
+/// A box from a file in each of the three ways of writing it, its corner being the origin.
+#[test]
+fn a_mesh_is_read_from_its_file() {
+    let at = |k: usize| {
+        [
+            (k & 1) as f64 * 3.0,
+            (k >> 1 & 1) as f64 * 6.0,
+            (k >> 2 & 1) as f64 * 9.0,
+        ]
+    };
+    // Four corners of each face, in order as seen from outside.
+    let faces = [
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+    ];
+    let triangles: Vec<[usize; 3]> = faces
+        .iter()
+        .flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]])
+        .collect();
+    let mut obj = String::from("# a box\n");
+    for k in 0..8 {
+        let [x, y, z] = at(k);
+        obj += &format!("v {x} {y} {z}\n");
+    }
+    for [a, b, c, d] in faces {
+        obj += &format!("f {}/1 {}//2 {} {}\n", a + 1, b + 1, c + 1, d as i64 - 8);
+    }
+    let mut words = String::from("solid box\n");
+    let mut binary = vec![0_u8; 80];
+    binary.extend(12_u32.to_le_bytes());
+    for triangle in &triangles {
+        words += "facet normal 0 0 0\nouter loop\n";
+        binary.extend([0; 12]);
+        for &k in triangle {
+            let [x, y, z] = at(k);
+            words += &format!("  vertex {x} {y:e} {z}\n");
+            binary.extend(at(k).iter().flat_map(|x| (*x as f32).to_le_bytes()));
+        }
+        words += "endloop\nendfacet\n";
+        binary.extend([0; 2]);
+    }
+    let open = |name: &str| match name {
+        "box.obj" => Ok(obj.clone().into_bytes()),
+        "box.stl" => Ok(words.clone().into_bytes()),
+        "one line.stl" => Ok(words.replace('\n', " ").into_bytes()),
+        "binary.STL" => Ok(binary.clone()),
+        "empty.stl" => Ok(b"solid vertex 0 0 0".to_vec()),
+        "bad.obj" => Ok(b"v 0 0 zero\n".to_vec()),
+        "open.obj" => Ok(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec()),
+        "far.obj" => Ok(b"v 0 0 0\nf 1 2 3\n".to_vec()),
+        "face.obj" => Ok(b"v 0 0 0\nf 0 -9 x\n".to_vec()),
+        _ => Err("there is none".to_owned()),
+    };
+    let file = |name: &str| {
+        format!(
+            "[body]\nmass = 2\nshape = \"mesh\"\nfile = \"{name}\"\n[initial]\nomega = [1, 1, 1]\n[effects]\ngravity = 1\n[run]\ntimes = [0]\n"
+        )
+    };
+    for name in ["box.obj", "box.stl", "one line.stl", "binary.STL"] {
+        let (scene, request) = parse_with("mine.toml", &file(name), &open).unwrap();
+        let names = ["lx", "ly", "lz"];
+        let table = scene.telling(&names).unwrap().simulate(&request).unwrap();
+        for (l, squares) in table.numbers(names).unwrap()[0]
+            .iter()
+            .zip([117.0, 90.0, 45.0])
+        {
+            assert!((l - 2.0 * squares / 12.0).abs() < 1e-13, "{name}: {l}");
+        }
+    }
+    for name in "none.obj box.txt bad.obj open.obj far.obj face.obj empty.stl ".split(' ') {
+        let told = parse_with("mine.toml", &file(name), &open)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            told.starts_with("mine.toml:4: key `file` in [body]"),
+            "{told}"
+        );
+        assert_eq!(told.lines().count(), 1);
+    }
+    assert!(mistakes(&file("box.obj"))[0].contains("out of reach"));
+}
+
+/// Which of the ways of giving a body exclude each other, and which numbers each needs.
+#[test]
+fn a_body_is_given_once() {
+    let told = |body: &str| {
+        let text = format!("[body]\n{body}\n[initial]\nomega = [0, 1, 5]\n[run]\ntimes = [1]\n");
+        mistakes(&text)
+    };
+    let ball = "shape = \"ball\"\nradius = 1";
+    for (body, key) in [
+        (format!("{ball}\nmass = 1\nmoments = [1, 1, 1]"), "moments"),
+        (format!("{ball}\nmass = 1\ninertia = [1, 1, 1, 0, 0, 0]"), "inertia"),
+        (format!("{ball}\nmass = 1\ndensity = 1"), "density"),
+        (format!("{ball}\nmass = 1\ncenter_of_mass = [0, 0, 0]"), "center_of_mass"),
+        (format!("{ball}\nmass = 1\nheight = 1"), "height"),
+        (ball.to_owned(), "mass"),
+        ("moments = [1, 1, 1]\ninertia = [1, 1, 1, 0, 0, 0]".to_owned(), "moments"),
+        ("moments = [1, 1, 1]\ndensity = 1".to_owned(), "density"),
+        ("moments = [1, 1, 1]\npivot = [0, 0, 0]".to_owned(), "pivot"),
+        ("mass = 1".to_owned(), "moments"),
+        ("mass = 1\nshape = \"ball-without-cap\"\nradius = 1\ncut = -1".to_owned(), "cut"),
+        ("mass = 1\nshape = \"ball-with-weight\"\nradius = 1\nweight = 0.1\nweight_at = [1, 1, 0]".to_owned(), "weight_at"),
+        ("mass = 1\nshape = \"beads\"\nplaces = []".to_owned(), "places"),
+        ("density = 1\nshape = \"beads\"\nplaces = [[0, 0, 0], [1, 1, 1]]".to_owned(), "density"),
+        ("mass = 1\nshape = \"ball\"".to_owned(), "radius"),
+        ("mass = 1\nshape = \"balls\"\nradius = 1".to_owned(), "shape"),
+    ] {
+        let told = told(&body);
+        assert!(told.len() == 1 && told[0].contains(&format!("key `{key}`")), "{body}: {told:?}");
+    }
+}

@@ -420,11 +420,11 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 /// The motion at the times of the request, with an error below its accuracy; or one run at the effort asked for.
 ///
 /// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart, as those of every phase of few steps do. Their distance is the error of the looser one;
-/// the better one, which is returned, is told to be off by a fifth of that. Where that is more than
+/// the better one, which is returned, is told to be off by a fifth of that, or by what its steps may add up to, if that is more. Where a fifth is more than
 /// the accuracy, a further run or two take their place. A flow may depend on the tolerance of its run, which `flow` makes for it.
 ///
 /// Runs that begin with the same rounded numbers agree on what becomes of the rounding. A flow that states the [`doubt`](Flow::doubt) about its
-/// start has the looser run begin that far off, so that what the motion makes of it is part of the distance.
+/// start has the looser run begin that far off, so that what the motion makes of it is part of the distance; with tolerances near rounding, twice, one way and the other.
 ///
 /// # Errors
 /// [`Error::Amplified`] where rounding, amplified by the motion, is more than the accuracy asked for: it tells by how much a change of the start
@@ -494,6 +494,11 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
             greater(share * apart, floor) + rounding
         };
         let mut error = told(&worse, &worse, efforts.share());
+        if !sure && efforts.near_rounding() {
+            // Where the doubt and the steps move the run as far, they may do so against each other: not with the doubt the other way as well.
+            let other = run(efforts.worse, -1.0, &[])?.1;
+            error = greater(error, told(&other, &other, efforts.share()));
+        }
         if error > accuracy {
             if efforts.tighten(accuracy, error) {
                 worse = if sure {
@@ -518,6 +523,11 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
                 reached: error,
                 growth,
             });
+        }
+        // The runs vouch for the accuracy; below it, what the steps may add up to is told: both may have been lucky.
+        if let Effort::Tolerance(tolerance) = efforts.better {
+            let steps = better.cost.steps as f64 * of_a_step(&flow, tolerance, seen);
+            error = greater(error, steps.min(accuracy));
         }
         let mut samples = better.samples;
         samples.truncate(count);
@@ -595,6 +605,26 @@ fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<(F::Phase,
     Ok((phase, start))
 }
 
+/// What a step may be off by, as the motion counts it: the tolerance in all of its numbers, or in every other of them the other way.
+fn of_a_step<const N: usize, F: Flow<N>>(
+    flow: &F,
+    tolerance: f64,
+    seen: &[(F::Phase, [f64; N])],
+) -> f64 {
+    let scales = flow.scales();
+    let off = |other: f64| {
+        let moved = |y: &[f64; N], n: usize| {
+            let sense = if n.is_multiple_of(2) { 1.0 } else { other };
+            y[n] + sense * tolerance * (y[n].abs() + scales[n])
+        };
+        let there =
+            |(phase, y): &(F::Phase, [f64; N])| (*phase, core::array::from_fn(|n| moved(y, n)));
+        let there: Vec<_> = seen.iter().map(there).collect();
+        flow.furthest_apart(&there, seen, seen)
+    };
+    greater(off(1.0), off(-1.0))
+}
+
 /// The greater of two; what is not a number must not pass for small.
 pub(crate) fn greater(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
@@ -665,8 +695,12 @@ impl Efforts {
         }
     }
 
-    /// Less is never told: where every phase has few steps, two runs of the same steps agree, and each step may be off by about the tolerance in every
-    /// number.
+    /// Whether what rounding does in a step is a hundredth, or more, of what the better run lets a step be off by.
+    fn near_rounding(&self) -> bool {
+        matches!(self.better, Effort::Tolerance(tolerance) if tolerance < APART * LEAST_TOLERANCE)
+    }
+
+    /// Less does no pair suffice for: where every phase has few steps, two runs of the same steps agree.
     fn floor(&self, phases: usize) -> f64 {
         match self.better {
             Effort::Tolerance(tolerance) => OF_A_STEP.max(phases as f64) * tolerance,

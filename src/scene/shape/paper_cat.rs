@@ -151,11 +151,16 @@ impl PaperCat {
         }
         Falling {
             cat: Self { cat, ..*self },
-            speed: fastest.min(g * last).max(f64::MIN_POSITIVE),
-            height: (fastest.min(g * last) * last).max(f64::MIN_POSITIVE),
+            speed: size(fastest.min(g * last)),
+            height: size(fastest.min(g * last) * last),
             pace: (g * cat.lever.abs()).sqrt() / cat.gyration,
         }
     }
+}
+
+/// Against what a number is judged: where it stays 0, anything will do.
+fn size(greatest: f64) -> f64 {
+    if greatest > 0.0 { greatest } else { 1.0 }
 }
 
 /// A paper cat, how fast and how far it falls at most, and how fast it swings.
@@ -201,9 +206,8 @@ impl Flow<5> for Falling {
     }
 
     fn distance(&self, ((), a): &((), [f64; 5]), ((), b): &((), [f64; 5])) -> f64 {
-        let energy = (self.speed * self.speed).max(f64::MIN_POSITIVE);
-        let turning = self.pace.max(f64::MIN_POSITIVE);
-        let scales = [self.height, self.speed, 1.0, turning, energy];
+        let energy = size(self.speed * self.speed);
+        let scales = [self.height, self.speed, 1.0, size(self.pace), energy];
         apart(a, b, &scales)
     }
 }

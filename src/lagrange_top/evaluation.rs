@@ -463,8 +463,8 @@ impl Constants {
     /// The constant factors of α and β from the start: their sizes from the tilt at a place between the turning points, their phases from
     /// the vertical and Ω, which never vanish together.
     pub(super) fn fit(&mut self, q: Quaternion<f64>, omega: BodyVector) -> Result<()> {
-        let middle = self.modulus.quarter_period() * 0.5;
-        let middle = if middle.is_finite() { middle } else { 1.0 };
+        // Next to a separatrix a quarter period is long, and halfway one of the two is smaller than any double.
+        let middle = (self.modulus.quarter_period() * 0.5).min(1.0);
         let ([sn, cn, _], [alpha, beta, ..]) = self.pair(0.0, DoubleDouble::from(middle))?;
         let above = self.bottom1 + self.band * sn * sn;
         let below = self.top2 + self.band * cn * cn;

@@ -90,6 +90,18 @@ fn s7_5_one_unit_beside_the_separatrix() {
 }
 
 /// L_vert = L₃: 1 − h₁ and h₃ − 1 are the roots of a quadratic, and the period is 2 ln(16/mc)/(2λ) next to the separatrix.
+/// 1 − k² is below every double, and a quarter period some 500 time constants: 1 + h = 2 tanh² of the time since the bottom, in units of √(I₁/Mgl).
+#[test]
+fn s7_5_a_quarter_period_of_many_time_constants() {
+    let top = LagrangeTop::from_integrals(1.0, 1.07, 1e300, 2.3e-308, 0.0, 1e300).unwrap();
+    for t in [0.0, 0.3, 1.5, 6.0] {
+        let state = top.at(t * 1e-150).unwrap();
+        let tanh = f64::tanh(t);
+        within((state.one_more / 2.0 - tanh * tanh).abs(), 1e-15);
+        within((state.omega.y() / 2e150 - 1.0 / t.cosh()).abs(), 1e-15);
+    }
+}
+
 #[test]
 fn s7_5_the_way_to_the_separatrix() {
     let (g, spin2) = (1.0, 1.0);

@@ -419,9 +419,10 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 
 /// The motion at the times of the request, with an error below its accuracy; or one run at the effort asked for.
 ///
-/// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart, as those of every phase of few steps do. Their distance is the error of the looser one;
-/// the better one, which is returned, is told to be off by a fifth of that, or by what its steps may add up to, if that is more. Where a fifth is more than
-/// the accuracy, a further run or two take their place. A flow may depend on the tolerance of its run, which `flow` makes for it.
+/// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart, as those of every phase of few steps
+/// do. Their distance is the error of the looser one; the better one, which is returned, is taken to be off by a fifth of that. Where a fifth is more
+/// than the accuracy, a further run or two take their place. What is told is more: all of the distance, or what the steps may add up to, as long as it
+/// is below the accuracy. A flow may depend on the tolerance of its run, which `flow` makes for it.
 ///
 /// Runs that begin with the same rounded numbers agree on what becomes of the rounding. A flow that states the [`doubt`](Flow::doubt) about its
 /// start has the looser run begin that far off, so that what the motion makes of it is part of the distance; with tolerances near rounding, twice, one way and the other.
@@ -524,11 +525,14 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
                 growth,
             });
         }
-        // The runs vouch for the accuracy; below it, what the steps may add up to is told: both may have been lucky.
+        // The runs vouch for the accuracy. Below it all of their distance is told, or what the steps may add up to if that is more: both runs may have
+        // been lucky.
+        let mut told = told(&worse, &worse, 1.0);
         if let Effort::Tolerance(tolerance) = efforts.better {
             let steps = better.cost.steps as f64 * of_a_step(&flow, tolerance, seen);
-            error = greater(error, steps.min(accuracy));
+            told = greater(told, steps);
         }
+        error = greater(error, told.min(accuracy));
         let mut samples = better.samples;
         samples.truncate(count);
         return Ok(Answer {

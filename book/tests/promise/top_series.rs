@@ -186,18 +186,19 @@ impl Top {
         self.motion_to(start, times, LAST)
     }
 
-    /// By how much the motion may be off, radians or parts of `unit`: three times as much as another length of step makes of the roundings.
+    /// By how much the motion may be off, radians or parts of `unit`: three times as much as steps of other lengths make of the roundings.
     pub fn doubt(&self, start: &Whole, times: &[f64], unit: f64) -> f64 {
-        let (fine, coarse) = (
-            self.motion(start, times),
-            self.motion_to(start, times, 30.0 * LAST),
-        );
-        let pairs = fine.states.iter().zip(&coarse.states);
-        let apart = pairs.map(|(a, b)| {
-            let [x, y, z, u, v, w] = a.to(b);
-            norm([x, y, z]).max(norm([u, v, w]) / unit)
+        let fine = self.motion(start, times);
+        let apart = [5.0, 30.0, 180.0].map(|longer| {
+            let other = self.motion_to(start, times, longer * LAST);
+            let pairs = fine.states.iter().zip(&other.states);
+            let apart = pairs.map(|(a, b)| {
+                let [x, y, z, u, v, w] = a.to(b);
+                norm([x, y, z]).max(norm([u, v, w]) / unit)
+            });
+            apart.fold(0.0, f64::max)
         });
-        3.0 * apart.fold(0.0, f64::max)
+        3.0 * apart.into_iter().fold(0.0, f64::max)
     }
 
     fn motion_to(&self, start: &Whole, times: &[f64], last: f64) -> Motion {

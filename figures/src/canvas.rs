@@ -11,7 +11,65 @@ use plotters_backend::{
     FontFamily, FontTransform,
 };
 
-use crate::style::{Anchor, Role};
+/// What a colour means. A hue belongs to a quantity, never to a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// The colour of the text around the figure.
+    Ink,
+    /// Ink that steps back: remarks, construction lines.
+    Muted,
+    /// Angular velocity.
+    Omega,
+    /// Angular momentum.
+    AngularMomentum,
+    /// Torque.
+    Torque,
+    /// The light on a round body: a radial gradient of ink.
+    Shade,
+    /// The page: what a nearer body is filled with to hide what is behind it.
+    Paper,
+}
+
+impl Role {
+    /// All roles.
+    pub const ALL: [Role; 7] = [
+        Role::Ink,
+        Role::Muted,
+        Role::Omega,
+        Role::AngularMomentum,
+        Role::Torque,
+        Role::Shade,
+        Role::Paper,
+    ];
+
+    /// The colour that stands for the role on the canvas, until the finisher replaces it.
+    pub const fn stand_in(self) -> (u8, u8, u8) {
+        (self as u8, 0, 0)
+    }
+
+    /// The paint of the finished figure: a variable of the page with a fallback.
+    pub const fn paint(self) -> &'static str {
+        match self {
+            Role::Ink | Role::Shade => "currentColor",
+            Role::Muted => "var(--muted-ink, #61667a)",
+            Role::Omega => "var(--omega, #0b6bcb)",
+            Role::AngularMomentum => "var(--angular-momentum, #b85300)",
+            Role::Torque => "var(--torque, #6b1a6b)",
+            Role::Paper => "var(--bg, Canvas)",
+        }
+    }
+}
+
+/// Which side of its point a text stands on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// The text begins at the point.
+    Start,
+    /// The text is centred on the point.
+    Middle,
+    /// The text ends at the point.
+    End,
+}
 
 /// The paint of a mark: a role, its opacity in 0…1, and the width of its stroke, canvas units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,7 +119,7 @@ pub enum Mark {
         at: BackendCoord,
         /// Which of these.
         anchor: Anchor,
-        /// What they say, with `*x*`, `_{…}` and `^{…}` as [`crate::style::Pen::text`] takes them.
+        /// What they say, with `*x*`, `_{…}` and `^{…}` as the pen takes them.
         body: String,
         /// Their paint; the width is not used.
         paint: Paint,

@@ -6,6 +6,7 @@
 use plotters_backend::BackendCoord;
 
 use crate::Figure;
+pub use crate::canvas::{Anchor, Role};
 use crate::canvas::{Mark, Paint};
 
 /// Width of every figure, units.
@@ -29,55 +30,6 @@ pub const HAIR: f64 = 0.5;
 
 /// A point of the design, units.
 pub type Point = [f64; 2];
-
-/// What a colour means. A hue belongs to a quantity, never to a figure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Role {
-    /// The colour of the text around the figure.
-    Ink,
-    /// Ink that steps back: remarks, construction lines.
-    Muted,
-    /// Angular velocity.
-    Omega,
-    /// Angular momentum.
-    AngularMomentum,
-    /// Torque.
-    Torque,
-    /// The light on a round body: a radial gradient of ink.
-    Shade,
-    /// The page: what a nearer body is filled with to hide what is behind it.
-    Paper,
-}
-
-impl Role {
-    /// All roles.
-    pub const ALL: [Role; 7] = [
-        Role::Ink,
-        Role::Muted,
-        Role::Omega,
-        Role::AngularMomentum,
-        Role::Torque,
-        Role::Shade,
-        Role::Paper,
-    ];
-
-    /// The colour that stands for the role on the canvas, until the finisher replaces it.
-    pub const fn stand_in(self) -> (u8, u8, u8) {
-        (self as u8, 0, 0)
-    }
-
-    /// The paint of the finished figure: a variable of the page with a fallback.
-    pub const fn paint(self) -> &'static str {
-        match self {
-            Role::Ink | Role::Shade => "currentColor",
-            Role::Muted => "var(--muted-ink, #61667a)",
-            Role::Omega => "var(--omega, #0b6bcb)",
-            Role::AngularMomentum => "var(--angular-momentum, #b85300)",
-            Role::Torque => "var(--torque, #6b1a6b)",
-            Role::Paper => "var(--bg, Canvas)",
-        }
-    }
-}
 
 /// How a line is broken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -145,17 +97,6 @@ impl Stroke {
             width: (self.width * SCALE).round() as u32,
         }
     }
-}
-
-/// Which side of its point a text stands on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Anchor {
-    /// The text begins at the point.
-    Start,
-    /// The text is centred on the point.
-    Middle,
-    /// The text ends at the point.
-    End,
 }
 
 /// Size and colour of a text.

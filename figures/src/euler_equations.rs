@@ -184,7 +184,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
     let named = |axis: usize| format!("x_{}", axis + 1);
     let saddles = format!(
         "Centres about $\\pm {}$ and $\\pm {}$, saddles at $\\pm {}$, from which $L$ departs at first as \
-         $e^{{{}\\,t}}$. The heavy lines are two great circles, $L_{}=\\pm{}L_{}$. The flow is fastest, {} per second, halfway between ${}$ and ${}$.",
+         $e^{{{}\\,t}}$. The heavy lines are two great circles, $L_{}=\\pm{}L_{}$. The flow is fastest, {fastest:.4} per second, halfway between ${}$ and ${}$.",
         named(small),
         named(large),
         named(middle),
@@ -192,13 +192,11 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         large + 1,
         number(slope, 4),
         small + 1,
-        number(fastest, 4),
         named(small),
         named(large),
     );
     let rest = format!(
-        "Nothing departs from the equator of the equal axes. The flow is nowhere faster than {} per second.",
-        number(fastest, 4)
+        "Nothing departs from the equator of the equal axes. The flow is nowhere faster than {fastest:.4} per second."
     );
     let seen = match orbits.len() {
         0 => "No curve is on it.",

@@ -111,10 +111,9 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         ),
         details: format!(
             "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {} turns a second, axle {}° from the vertical. Orange: $L$ now and {STEP} s later, \
-             and $dL$, the change; purple: the torque $N$ of the weight for as long. $Mg\\ell/L_3 = {}$ rad/s; once round in {} s. The torque is at right angles to $L$, which turns and does not grow.",
+             and $dL$, the change; purple: the torque $N$ of the weight for as long. $Mg\\ell/L_3 = {law:.4}$ rad/s; once round in {} s. The torque is at right angles to $L$, which turns and does not grow.",
             short(turns, 1),
             short(values.of(&TILT), 1),
-            number(law, 4),
             number(TAU / rate, 2),
         ),
         alt: format!(

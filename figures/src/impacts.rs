@@ -236,9 +236,5 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         }
     }
     let under = [GLASS[0], GLASS[1] + GLASS_RADIUS + 20.0];
-    pen.remark(
-        under,
-        Anchor::Middle,
-        &format!("{} times", number(magnified, 0)),
-    );
+    pen.remark(under, Anchor::Middle, &format!("{magnified:.0} times"));
 }

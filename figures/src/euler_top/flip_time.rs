@@ -218,11 +218,10 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
         ),
         details: format!(
             "Time from flip to flip, half the period of $\\Omega$, for $I = {}$ and $\\Omega(0) = {}\\,(\\epsilon, 1, \\epsilon)$ rad/s. \
-             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {}$ s: {} s at $\\epsilon = {}$, the ring, {} s or {} turns at $10^{{-{DECADES}}}$. \
+             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {decade:.3}$ s: {} s at $\\epsilon = {}$, the ring, {} s or {} turns at $10^{{-{DECADES}}}$. \
              {others_measured}{}",
             triple(course.moments),
             brief(spin),
-            number(decade, 3),
             seconds(course.marked[1]),
             distance(values.of(&DISTANCE)),
             seconds(near),

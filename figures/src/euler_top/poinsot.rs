@@ -134,12 +134,9 @@ pub fn rolling(values: &Values) -> Result<Figure> {
             .to_owned(),
         details: format!(
             "The ellipsoid $\\Theta$ hangs by its centre $O$ and presses from below against the glass plane $\\Pi$, at distance \
-             $2E/\\lvert L\\rvert = {}$. The point of contact is $\\Omega$; it runs along the polhode on the body and the herpolhode \
-             on the plane, which stays between {} and {} from the foot of $L$. Dots at equal times: equal lengths on both \
+             $2E/\\lvert L\\rvert = {distance:.4}$. The point of contact is $\\Omega$; it runs along the polhode on the body and the herpolhode \
+             on the plane, which stays between {inner:.4} and {outer:.4} from the foot of $L$. Dots at equal times: equal lengths on both \
              curves. The polhode goes round {about}. $I = {}$ kg m², $\\Omega = {}$ rad/s.{}",
-            number(distance, 4),
-            number(inner, 4),
-            number(outer, 4),
             triple(moments),
             triple(start_omega),
             remark(moments),
@@ -147,10 +144,8 @@ pub fn rolling(values: &Values) -> Result<Figure> {
         alt: format!(
             "An ellipsoid with a fine net of meridians touches a horizontal glass plane from below in one point, the tip of the \
              angular velocity. Round {about}, runs a closed curve, the polhode; on the plane the point \
-             of contact winds round and round between two circles of radius {} and {} about the vertical angular \
-             momentum: the herpolhode. One curve rolls on the other.",
-            number(inner, 3),
-            number(outer, 3),
+             of contact winds round and round between two circles of radius {inner:.3} and {outer:.3} about the vertical angular \
+             momentum: the herpolhode. One curve rolls on the other."
         ),
     };
     let made = figure("poinsot-ellipsoid", 466.0, words, |pen| {

@@ -193,15 +193,13 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
                 other side."
             .to_owned(),
         details: format!(
-            "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {}$. Dots at equal times, {} \
+            "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {}$. Dots at equal times, {STEP:.1} \
              of a radian at the rate $\\sqrt{{2E/I_2}}$. The separatrix, in ink, is two plane ellipses \
              $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ shaded. \
-             The thick polhode, from the ring at {}° between $x_1$ and $x_3$ where the separatrix is at {}°, {about} turns at that rate.{}",
+             The thick polhode, from the ring at {}° between $x_1$ and $x_3$ where the separatrix is at {crossing:.1}°, {about} turns at that rate.{}",
             triple(moments),
-            number(STEP, 1),
             number(slope, 4),
             brief(angle),
-            number(crossing, 1),
             remark(moments),
         ),
         alt: format!(

@@ -69,9 +69,8 @@ pub fn solution(values: &Values) -> Result<Figure> {
     let about = ["first", "second", "third"][kept];
     let course = match period {
         Some(period) => format!(
-            "$\\Omega_2$ goes as sn, $\\Omega_1$ as {first}, $\\Omega_3$ as {third}. Period {} s; after half of it ${turned}$ and $\\Omega_2$ have changed \
-             sign and ${name}$ has its old value.",
-            number(period, 3),
+            "$\\Omega_2$ goes as sn, $\\Omega_1$ as {first}, $\\Omega_3$ as {third}. Period {period:.3} s; after half of it ${turned}$ and $\\Omega_2$ have changed \
+             sign and ${name}$ has its old value."
         ),
         None => "The start is on the separatrix: one swing, and no period.".to_owned(),
     };
@@ -95,8 +94,7 @@ pub fn solution(values: &Values) -> Result<Figure> {
              keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down in \
              turn. {}",
             period.map_or("one swing".to_owned(), |period| format!(
-                "a period of {} seconds",
-                number(period, 1)
+                "a period of {period:.1} seconds"
             )),
             if rests {
                 "almost a square wave"

@@ -60,14 +60,12 @@ pub fn leaning(values: &Values) -> Result<Figure> {
         },
         details: format!(
             "A box of 1 kg with edges of {}, {} and {} m, seen along the middle one. Blue: $\\Omega$, always of one length; orange: $L = I\\Omega$. The part of $\\Omega$ \
-             along the short edge counts {} times as much as the part along the long edge, {} against {} kg m². Dotted: where the tips go when $\\Omega$ turns from \
+             along the short edge counts {} times as much as the part along the long edge, {largest:.2} against {smallest:.2} kg m². Dotted: where the tips go when $\\Omega$ turns from \
              the one to the other; $L$ leans furthest, {}°, for $\\Omega$ at {}°.",
             short(long, 2),
             short(middle, 2),
             short(thin, 2),
             number(largest / smallest, 2),
-            number(largest, 2),
-            number(smallest, 2),
             number(worst.to_degrees(), 1),
             number(at_worst.to_degrees(), 1),
         ),
@@ -126,9 +124,9 @@ pub fn leaning(values: &Values) -> Result<Figure> {
             pen.name(between.chain(beside), &text, label(Role::Ink));
         }
         let at = [x + 222.0, y + 5.0];
-        let text = format!("*I*_{{1}} = {} kg m²", number(smallest, 2));
+        let text = format!("*I*_{{1}} = {smallest:.2} kg m²");
         pen.note(at, Anchor::Start, &text);
-        let text = format!("*I*_{{3}} = {} kg m²", number(largest, 2));
+        let text = format!("*I*_{{3}} = {largest:.2} kg m²");
         pen.note([x - 10.0, 26.0], Anchor::End, &text);
         // Each letter on its side of the angle, if there is room.
         for (tip, role, name) in arrows {

@@ -62,18 +62,13 @@ pub fn waking(values: &Values) -> Result<Figure> {
         .map(|(crossed, awake)| (awake[0] - crossed[0], awake[1]));
     let passes = match late {
         Some((late, spin)) if late > 0.0 => format!(
-            "the tilt passes one degree {} s later, at {} rad/s, and then runs up to {}° within the picture.",
-            number(late, 2),
-            number(spin, 2),
-            number(deepest, 0)
+            "the tilt passes one degree {late:.2} s later, at {spin:.2} rad/s, and then runs up to {deepest:.0}° within the picture."
         ),
         Some(_) => format!(
-            "the tilt swings past one degree even before, for the top was not upright, and then runs up to {}° within the picture.",
-            number(deepest, 0)
+            "the tilt swings past one degree even before, for the top was not upright, and then runs up to {deepest:.0}° within the picture."
         ),
         None => format!(
-            "the tilt is still below one degree, at most {}°, where the picture ends.",
-            number(deepest, 2)
+            "the tilt is still below one degree, at most {deepest:.2}°, where the picture ends."
         ),
     };
     let claim = match late {
@@ -91,18 +86,15 @@ pub fn waking(values: &Values) -> Result<Figure> {
         claim: claim.to_owned(),
         details: format!(
             "The wooden top, upright but for {} rad, loses spin to the friction at its tip, ${}$ N m. Dashed: how far gravity \
-             would let a top of that spin fall. The spin passes the threshold, {} rad/s, after {} s; {passes}",
+             would let a top of that spin fall. The spin passes the threshold, {threshold:.2} rad/s, after {} s; {passes}",
             brief(tilt),
             scientific(torque, 3),
-            number(threshold, 2),
             number(crossed.map_or(seconds, |row| row[0]), 2),
         ),
         alt: format!(
-            "Tilt of a top against its spin, the spin falling to the right. A dashed curve leaves zero steeply at the threshold, {} radians a second, marked by a \
-             dotted upright line. The solid curve of the motion, begun at a tilt of {} radians, is low through the threshold and reaches {} degrees within the picture.",
-            number(threshold, 2),
+            "Tilt of a top against its spin, the spin falling to the right. A dashed curve leaves zero steeply at the threshold, {threshold:.2} radians a second, marked by a \
+             dotted upright line. The solid curve of the motion, begun at a tilt of {} radians, is low through the threshold and reaches {deepest:.1} degrees within the picture.",
             brief(tilt),
-            number(deepest, 1),
         ),
     };
     let frame = Frame {

@@ -32,12 +32,10 @@ pub fn cat_animated() -> Result<Figure> {
     let words = Words {
         claim: "Bend, carry the bend once round, straighten: the cat has turned over.".to_owned(),
         details: format!(
-            "Two cylinders with $I/J = {}$, bent {}° forward and {}° backward, turn by {}° with angular momentum 0 all the \
+            "Two cylinders with $I/J = {RATIO:.0}$, bent {}° forward and {}° backward, turn by {turn:.4}° with angular momentum 0 all the \
              time. Slowed down about ten times; the fall itself is left out, for it changes nothing. Rest the pointer on the picture to stop it.",
-            number(RATIO, 0),
             number(FORWARD.to_degrees(), 0),
             number(back()?.to_degrees(), 2),
-            number(turn, 4),
         ),
         alt: "A cat of two round halves with head, legs and tail lies in the air on its back, bends, lets the bend run once round its spine, \
               straightens and has its feet below. Without motion: the cat half-way, bent to the side."

@@ -34,12 +34,10 @@ pub fn cat_film() -> Result<Figure> {
     let words = Words {
         claim: "A cat turns over although its angular momentum is zero in every picture.".to_owned(),
         details: format!(
-            "Two cylinders with $I/J = {}$, the bend carried once round: {}° forward, {}° backward half-way. Eight moments of {} s; \
+            "Two cylinders with $I/J = {RATIO:.0}$, the bend carried once round: {}° forward, {}° backward half-way. Eight moments of {DURATION:.1} s; \
              the whole turn is {}°. Head, legs and tail are drawn on and weigh nothing.",
-            number(RATIO, 0),
             number(FORWARD.to_degrees(), 0),
             number(back_bend.to_degrees(), 2),
-            number(DURATION, 1),
             number(turn, 4),
         ),
         alt: "Eight pictures of a cat made of two round halves with a head, four legs and a tail. It lies on its back, bends its belly \

@@ -101,7 +101,7 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
         claim: "The paper cat is turned by the air, like a shuttlecock.".to_owned(),
         details: format!(
             "Its centre of mass lies {} mm below the point at which the air pushes, so weight (down) and drag (up) form a couple that turns the feet down \
-             from every tilt. Let go {}° from upside down, it tilts by {}° after {} s and {}° after {} s, and points its feet down first after {} m of fall. Terminal \
+             from every tilt. Let go {}° from upside down, it tilts by {}° after {} s and {}° after {} s, and points its feet down first after {fall:.3} m of fall. Terminal \
              speed {} m/s, mass {} g, air of {} kg/m³. Lever drawn larger than it is.",
             short(values.of(&LEVER), 1),
             short(error.to_degrees(), 1),
@@ -109,7 +109,6 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
             number(times[0], 2),
             number(tilts[2].to_degrees(), 0),
             number(times[1], 2),
-            number(fall, 3),
             number(cat.terminal_speed(air, GRAVITY), 3),
             short(values.of(&MASS), 2),
             short(air, 2),
@@ -177,20 +176,18 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
             .to_owned(),
         details: format!(
             "Height of fall after which the feet first point down, against the angle by which the cat was not upside down. 30°, 10°, 5° and 1° take {}, {}, {} and {} m; \
-             each further factor of ten takes {} m. At 0° it takes for ever. Lever {} mm, {} g, air of {} kg/m³.",
+             each further factor of ten takes {decade:.3} m. At 0° it takes for ever. Lever {} mm, {} g, air of {} kg/m³.",
             number(falls[0], 3),
             number(falls[1], 3),
             number(falls[2], 3),
             number(falls[3], 3),
-            number(decade, 3),
             short(values.of(&LEVER), 1),
             short(values.of(&MASS), 2),
             short(values.of(&THICK), 2),
         ),
         alt: format!(
-            "A curve that soon becomes a straight line: the fall grows by {} m with each factor of ten by which the angle of the release comes closer \
-              to upside down.",
-            number(decade, 3)
+            "A curve that soon becomes a straight line: the fall grows by {decade:.3} m with each factor of ten by which the angle of the release comes closer \
+              to upside down."
         ),
     };
     let deepest = curve.last().map_or(1.0, |last| last[1]);

@@ -59,13 +59,12 @@ pub fn lines(values: &Values) -> Result<Figure> {
         claim: "Wherever the cue strikes, velocity and rim speed meet, and from then on the ball rolls.".to_owned(),
         details: format!(
             "Ball with $I = {}\\,MR^2$, struck at heights $H$ to the same velocity of {} m/s, friction $\\mu = {}$. Black: velocity $V$ of the centre; blue: rim \
-             speed $R\\Omega$. They meet at {} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other, the last after {} s; \
+             speed $R\\Omega$. They meet at {} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other, the last after {latest:.2} s; \
              struck above ${sweet}\\,R$, the ball speeds up.",
             short(kappa, 3),
             short(speed, 2),
             short(mu, 3),
             finals.join(", "),
-            number(latest, 2),
         ),
         alt: format!(
             "Graph of speed against time. Five blue lines start at rim speeds from {} to {} metres a second, black lines at {}. \

@@ -35,13 +35,12 @@ pub fn beads() -> Result<Figure> {
         claim: "Six equal beads on three crossed rods make the chiral top.".to_owned(),
         details: format!(
             "The ball from two sides; $K$ its centre, the rods cross at $C$, {} mm below it for $R = 2$ cm. Beads of a sixth of the mass each sit on the \
-             principal axes at {}, {} and {} mm from $C$; the farthest is {} of $R$ from $K$. The rods are tilted against $CK$ by up to 8.4°, and \
+             principal axes at {}, {} and {} mm from $C$; the farthest is {farthest:.3} of $R$ from $K$. The rods are tilted against $CK$ by up to 8.4°, and \
              that is the whole secret.",
             number(1e3 * body.center().norm(), 1),
             number(1e3 * pairs[0].norm(), 2),
             number(1e3 * pairs[1].norm(), 2),
             number(1e3 * pairs[2].norm(), 2),
-            number(farthest, 3),
         ),
         alt: "Two views of a transparent ball. Three rods cross at a point C a little below the centre K, each with a bead at both ends, all inside the ball. One \
               rod is nearly vertical but visibly leans."

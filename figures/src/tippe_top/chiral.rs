@@ -56,8 +56,7 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
         .enumerate()
         .map(|(k, way)| match side[k] {
             Some(time) => format!(
-                "{way} it is on its side after {} s and ends at {}°.",
-                number(time, 2),
+                "{way} it is on its side after {time:.2} s and ends at {}°.",
                 number(last[k], 0)
             ),
             None => format!(
@@ -69,14 +68,11 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
     let words = Words {
         claim: claim.to_owned(),
         details: format!(
-            "Tilt of the chiral top, a ball of $R = 2$ cm with a skew inertia matrix, released at {}° with {} rad/s about the vertical, $\\mu = {}$. {told}",
-            number(tilt, 0),
+            "Tilt of the chiral top, a ball of $R = 2$ cm with a skew inertia matrix, released at {tilt:.0}° with {} rad/s about the vertical, $\\mu = {mu:.2}$. {told}",
             number(spin, 1),
-            number(mu, 2),
         ),
         alt: format!(
-            "Tilt in degrees against time up to {END} seconds. Both curves, black clockwise and grey anticlockwise, start at {} degrees. {told}",
-            number(tilt, 0)
+            "Tilt in degrees against time up to {END} seconds. Both curves, black clockwise and grey anticlockwise, start at {tilt:.0} degrees. {told}"
         ),
     };
     let made = figure("chiral-top", 402.0, words, |pen| {

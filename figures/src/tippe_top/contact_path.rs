@@ -46,31 +46,24 @@ pub fn path(values: &Values) -> Result<Figure> {
         "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned()
     } else {
         format!(
-            "On the ball, the point of contact walks away from the heavy pole, by {} degrees so far.",
-            number(tilt, 0)
+            "On the ball, the point of contact walks away from the heavy pole, by {tilt:.0} degrees so far."
         )
     };
     let words = Words {
         claim,
         details: format!(
-            "A ball of $R = 2$ cm, $\\alpha = {}$, $\\mu = {}$, spun about the vertical at {} rad/s: the place that touches the table, seen from \
-             the ball, during {} s. The ball turns about the vertical meanwhile, so the path goes round only {} times while the tilt grows to {}°{}.",
-            number(alpha, 2),
-            number(mu, 3),
-            number(spin, 0),
-            number(end, 2),
+            "A ball of $R = 2$ cm, $\\alpha = {alpha:.2}$, $\\mu = {mu:.3}$, spun about the vertical at {spin:.0} rad/s: the place that touches the table, seen from \
+             the ball, during {end:.2} s. The ball turns about the vertical meanwhile, so the path goes round only {} times while the tilt grows to {tilt:.0}°{}.",
             number(turns, 1),
-            number(tilt, 0),
             match aloft {
                 0 => ", and it never leaves the table".to_owned(),
                 _ => format!("; at {aloft} of the samples it is in the air"),
             },
         ),
         alt: format!(
-            "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {} times and ends {} degrees from there; \
+            "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {} times and ends {tilt:.0} degrees from there; \
              behind the ball it is faint.",
-            number(turns, 1),
-            number(tilt, 0)
+            number(turns, 1)
         ),
     };
     let made = figure("contact-path", 360.0, words, |pen| {

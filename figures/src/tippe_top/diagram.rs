@@ -69,13 +69,10 @@ pub fn energies(values: &Values) -> Result<Figure> {
     let named = spins.map(|spin| number(spin, 0));
     let branch = match (rise, invert) {
         (Some(rise), Some(invert)) => format!(
-            "The tilted branch leaves the upright one at {} rad/s and reaches the inverted one at {} rad/s.",
-            number(rise, 3),
-            number(invert, 3)
+            "The tilted branch leaves the upright one at {rise:.3} rad/s and reaches the inverted one at {invert:.3} rad/s."
         ),
         (Some(rise), None) => format!(
-            "The tilted branch leaves the upright one at {} rad/s and never reaches the inverted one.",
-            number(rise, 3)
+            "The tilted branch leaves the upright one at {rise:.3} rad/s and never reaches the inverted one."
         ),
         (None, _) => {
             "No tilted branch leaves the upright one: that is stable at every spin.".to_owned()
@@ -100,11 +97,11 @@ pub fn energies(values: &Values) -> Result<Figure> {
             "Energy against spin. Two parabolas: the steep one, upright, is solid {}; the flat one, upside down, is {}. {branch} Three vertical arrows fall from \
              the upright parabola, to tilts of {}, {} and {} degrees.",
             match rise {
-                Some(rise) => format!("up to {} radians a second and dashed beyond", number(rise, 0)),
+                Some(rise) => format!("up to {rise:.0} radians a second and dashed beyond"),
                 None => "all the way".to_owned(),
             },
             match (invert, top.inversion()) {
-                (Some(invert), _) => format!("dashed up to {} and solid beyond", number(invert, 0)),
+                (Some(invert), _) => format!("dashed up to {invert:.0} and solid beyond"),
                 (None, Inversion::Never) => "solid from where it is steady".to_owned(),
                 (None, _) => "dashed all the way".to_owned(),
             },

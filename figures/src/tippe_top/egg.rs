@@ -79,10 +79,8 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
     let words = Words {
         claim,
         details: format!(
-            "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {} turns a second, $\\mu = {}$, drawn when its long axis first stands at \
-             the angles marked; the camera goes round with it.",
-            number(turns, 0),
-            number(mu, 2),
+            "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns:.0} turns a second, $\\mu = {mu:.2}$, drawn when its long axis first stands at \
+             the angles marked; the camera goes round with it."
         ),
         alt: format!(
             "Pictures of an egg on a table, from left to right with its long axis this far from the vertical: {}.",
@@ -123,7 +121,7 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
     pen.remark(
         [foot[0], foot[1] + 41.0],
         Anchor::Middle,
-        &format!("{} s", number(time, 2)),
+        &format!("{time:.2} s"),
     );
 }
 

@@ -43,7 +43,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
         None => format!("In {END} seconds this top leans by {ends} degrees at most, and {paid}"),
     };
     let side = match half {
-        Some(half) => format!("It lies on its side at {} s", number(half, 2)),
+        Some(half) => format!("It lies on its side at {half:.2} s"),
         None => "It does not get to its side".to_owned(),
     };
     let steady = rows
@@ -52,11 +52,8 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let words = Words {
         claim,
         details: format!(
-            "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {}$, spun at {} rad/s about its axis, viscous friction {} s/m. $C$ goes from {} to {} mm. \
+            "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {alpha:.2}$, spun at {spin:.0} rad/s about its axis, viscous friction {friction:.2} s/m. $C$ goes from {} to {} mm. \
              {side}. The height costs {} mJ. The energy falls from {} to {} mJ{}",
-            number(alpha, 2),
-            number(spin, 0),
-            number(friction, 2),
             number(1e3 * first.position.z(), 2),
             number(1e3 * last.position.z(), 2),
             number(1e3 * gain, 2),

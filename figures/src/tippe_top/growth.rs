@@ -78,11 +78,9 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
     let words = Words {
         claim,
         details: format!(
-            "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${}\\sqrt{{g/R}}$, $\\alpha = {}$, the \
+            "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${spin:.1}\\sqrt{{g/R}}$, $\\alpha = {alpha:.2}$, the \
              products of inertia {} times the book's: half the difference of the two senses and their mean. At the left end the slopes are {} and {}. Dotted: slopes 2 and 1. \
              Where a curve falls off it changes sign.",
-            number(spin, 1),
-            number(alpha, 2),
             number(skew, 2),
             told[0],
             told[1],

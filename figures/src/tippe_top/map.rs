@@ -52,9 +52,8 @@ pub fn outcomes() -> Result<Figure> {
     let words = Words {
         claim: "Clockwise it turns over from every release; anticlockwise only if you let it lean.".to_owned(),
         details: format!(
-            "Outcome after {} s of {total} releases each way: the ring gives the tilt of the release, 2°, 5°, 10°, 15°, 20° and 30°, the direction its \
+            "Outcome after {END:.1} s of {total} releases each way: the ring gives the tilt of the release, 2°, 5°, 10°, 15°, 20° and 30°, the direction its \
              azimuth in the body. Full discs turn over: {} of {total} clockwise, {} of {total} anticlockwise ({}). $\\mu = 0.3$, 132.9 rad/s.",
-            number(END, 1),
             count(&minus),
             count(&plus),
             by_ring.join(", "),

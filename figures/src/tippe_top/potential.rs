@@ -92,18 +92,17 @@ pub fn effective(values: &Values) -> Result<Figure> {
             degrees(greatest)
         ),
         (Inversion::Complete, Some(invert)) if invert > SPINS[3] => format!(
-            "Spin moves the lowest place from upright as far as {} at {fastest} rad/s, and to the head at {}; friction brings the top there.",
-            degrees(greatest),
-            number(invert, 1)
+            "Spin moves the lowest place from upright as far as {} at {fastest} rad/s, and to the head at {invert:.1}; friction brings the top there.",
+            degrees(greatest)
         ),
         (Inversion::Complete, _) => "Spin moves the lowest place from upright to upside down, and friction brings the top there.".to_owned(),
     };
     let lost = match rise {
-        Some(rise) => format!("Upright is lost at {} rad/s", number(rise, 2)),
+        Some(rise) => format!("Upright is lost at {rise:.2} rad/s"),
         None => "Upright is never lost".to_owned(),
     };
     let reached = match top.least_spin_to_invert() {
-        Some(invert) => format!("the head is reached from {} rad/s on", number(invert, 2)),
+        Some(invert) => format!("the head is reached from {invert:.2} rad/s on"),
         None => "the head is never reached".to_owned(),
     };
     let listed: Vec<String> = ends.iter().map(|&tilt| degrees(tilt)).collect();
@@ -111,11 +110,10 @@ pub fn effective(values: &Values) -> Result<Figure> {
         claim,
         details: format!(
             "Effective potential $V(\\theta)$ of a tippe top with $\\alpha = {}$, $I_1/I_3 = {}$, less $V(0)$, over $MgR$, for {} spins about the upright axis \
-             in rad/s, each with its Jellett integral; heavy: {}. Discs: the minima where a top ends, at {}. {lost}, {reached}.",
+             in rad/s, each with its Jellett integral; heavy: {chosen:.1}. Discs: the minima where a top ends, at {}. {lost}, {reached}.",
             number(values.of(&ALPHA), 2),
             number(values.of(&GAMMA), 3),
             spins.len(),
-            number(chosen, 1),
             listed.join(", "),
         ),
         alt: format!(
@@ -143,7 +141,7 @@ pub fn effective(values: &Values) -> Result<Figure> {
             frame.curve(pen, curve, stroke(role, width));
             let at = frame.at(ends[k].to_degrees(), height(&top, spin, ends[k]));
             pen.disc(at, 5.0, Role::Ink, 1.0);
-            let text = format!("{} rad/s", number(spin, 0));
+            let text = format!("{spin:.0} rad/s");
             pen.text([512.0, labels[k] + 5.0], Anchor::Start, &text, small(role));
         }
     });

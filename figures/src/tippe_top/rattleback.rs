@@ -70,7 +70,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
             .to_owned(),
     };
     let told = back.map(|time| match time {
-        Some(time) => format!("at {} s", number(time, 2)),
+        Some(time) => format!("at {time:.2} s"),
         None => "not within the picture".to_owned(),
     });
     let greatest = quick

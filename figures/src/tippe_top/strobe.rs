@@ -35,16 +35,12 @@ pub fn strobed(values: &Values) -> Result<Figure> {
     let words = Words {
         claim: "Seven looks at one top: clockwise above, anticlockwise below.".to_owned(),
         details: format!(
-            "The chiral top every {} s, released at {}° with {} rad/s, $\\mu = {}$. The dark cap is on the light side of the ball, so it is on top of one that \
+            "The chiral top every {step:.2} s, released at {tilt:.0}° with {} rad/s, $\\mu = {mu:.2}$. The dark cap is on the light side of the ball, so it is on top of one that \
              stands on its foot and at the bottom of one that has turned over. Under each ball its tilt.",
-            number(step, 2),
-            number(tilt, 0),
             number(spin, 1),
-            number(mu, 2),
         ),
         alt: format!(
-            "Two rows of seven balls with a dark cap, {} seconds apart. In the upper row the cap is tilted by {} degrees, in the lower row by {}.",
-            number(step, 2),
+            "Two rows of seven balls with a dark cap, {step:.2} seconds apart. In the upper row the cap is tilted by {} degrees, in the lower row by {}.",
             tilts(0).join(", "),
             tilts(1).join(", ")
         ),

@@ -73,11 +73,10 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
     let words = Words {
         claim,
         details: format!(
-            "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {} turns a second, $\\mu = {}$, released at {START} rad. \
+            "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {} turns a second, $\\mu = {mu:.3}$, released at {START} rad. \
              Dashed: the estimate, {}° a second. Between 30° and 150° the full motion makes {} a second for \
              $\\alpha = {}$ and {} for $\\alpha = {}$. Dotted: the rate that Jellett's integral gives for $\\alpha = {}$.",
             number(values.of(&TURNS), 0),
-            number(mu, 3),
             number(rate.to_degrees(), 2),
             told[0],
             named[0],
@@ -87,10 +86,9 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
         ),
         alt: format!(
             "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {} seconds. A grey curve, for the lighter clay, starts \
-             late, and a black one, for the heavier clay, climbs beside it; after {} seconds they stand at {} and {} degrees. \
+             late, and a black one, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {} and {} degrees. \
              A dotted curve is the refined estimate for the heavier clay.",
             number((PI - START) / rate, 1),
-            number(end, 2),
             number(runs[0][250].1.tilt().to_degrees(), 0),
             number(runs[1][250].1.tilt().to_degrees(), 0),
         ),

@@ -53,17 +53,15 @@ pub fn twins(values: &Values) -> Result<Figure> {
         }
     };
     let told = [0, 1].map(|k| match side[k] {
-        Some(time) => format!("is on its side after {} s", number(time, 2)),
+        Some(time) => format!("is on its side after {time:.2} s"),
         None => format!("stays below {}°", number(most[k], 1)),
     });
     let words = Words {
         claim: claim.to_owned(),
         details: format!(
-            "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {} rad/s and {}° from the vertical, $\\mu = {}$, every {} s. \
+            "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {} rad/s and {tilt:.0}° from the vertical, $\\mu = {mu:.2}$, every {} s. \
              The top {}, its image {}.",
             number(spin, 1),
-            number(tilt, 0),
-            number(mu, 2),
             number(END / (PICTURES - 1) as f64, 0),
             told[0],
             told[1],

@@ -86,11 +86,10 @@ pub fn animated() -> Result<Figure> {
         claim: "Thrown, it sleeps at the end of its string; a jerk makes the string grip, and it climbs on the spin it has left.".to_owned(),
         details: format!(
             "To scale: radius 29 mm, axle of {} mm, a string of {} cm with a loop at its end, thrown at {THROW} m/s, asleep for {ASLEEP} s under a friction of \
-             {} mN m; one second in {SLOWNESS}. Greatest spin {} rad/s. Rest the pointer on the picture to stop it.",
+             {} mN m; one second in {SLOWNESS}. Greatest spin {fastest:.0} rad/s. Rest the pointer on the picture to stop it.",
             number(1e3 * AXLE, 0),
             number(1e2 * LENGTH, 0),
             number(1e3 * FRICTION, 1),
-            number(fastest, 0),
         ),
         alt: "On the left a yo-yo on its string, with a spoke that shows its spin. It runs down, spins in place at the end of the string, and climbs back to the \
               hand on the other side of the string. On the right its depth and its spin against time, with a marker that moves along: the depth rises to a \

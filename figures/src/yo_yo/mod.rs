@@ -90,32 +90,27 @@ pub fn string(values: &Values) -> Result<Figure> {
     let milliseconds = 1e3 * turn.duration;
     let words = Words {
         claim: format!(
-            "On the way down and on the way up the string pulls a little less than the weight; in the turn, for {} milliseconds, as hard as {} yo-yos.",
-            number(milliseconds, 0),
+            "On the way down and on the way up the string pulls a little less than the weight; in the turn, for {milliseconds:.0} milliseconds, as hard as {} yo-yos.",
             number(turn.mean_tension / weight, 0),
         ),
         details: format!(
-            "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, let go. Pull while it winds: ${} mg$. First turn: {} ms, mean \
-             pull ${} mg$, peak ${} mg$. Every turn leaves ${}$ of the spin.",
+            "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, let go. Pull while it winds: ${falling:.3} mg$. First turn: {milliseconds:.1} ms, mean \
+             pull ${} mg$, peak ${peak:.1} mg$. Every turn leaves ${}$ of the spin.",
             short(length, 2),
             short(axle, 2),
-            number(falling, 3),
-            number(milliseconds, 1),
             number(turn.mean_tension / weight, 1),
-            number(peak, 1),
             short(left, 2),
         ),
         alt: format!(
             "Two diagrams over {SHOWN} seconds. Above, the depth: arcs of parabolas that meet in sharp points at {} m, and rise {}. \
-             Below, the pull of the string: flat just under one weight, with a needle at each of the sharp points, the first {} \
+             Below, the pull of the string: flat just under one weight, with a needle at each of the sharp points, the first {peak:.0} \
              weights high.",
             short(length, 2),
             if left < 1.0 {
                 "less high every time"
             } else {
                 "all the way up every time"
-            },
-            number(peak, 0)
+            }
         ),
     };
     let first = way.duration()? + 0.5 * turn.duration;
@@ -128,7 +123,7 @@ pub fn string(values: &Values) -> Result<Figure> {
         pen.line(&place, inked(DATA));
         pen.line(&tension, inked(DATA));
         let [px, py] = pull.at(first, peak);
-        let text = format!("the turn: {} ms", number(milliseconds, 0));
+        let text = format!("the turn: {milliseconds:.0} ms");
         pen.label([px - 4.0, py - 8.0], Anchor::Start, &text);
     });
     Ok(made.data("yo-yo", &["time (s)", "depth (m)", "pull (N)"], kept))
@@ -162,7 +157,7 @@ pub fn speed(values: &Values) -> Result<Figure> {
         claim: claim.to_owned(),
         details: format!(
             "Speed on the way down. Thin string: axle of {} mm, {} m/s and {} rad/s after {} m, in {} s. Thick string, wound up to {} mm on an axle of {} mm: \
-             fastest with {} m/s at {} m, {} m/s at the end with {} rad/s, in {} s.",
+             fastest with {peak:.4} m/s at {fastest:.3} m, {} m/s at the end with {} rad/s, in {} s.",
             short(values.of(&AXLE), 2),
             number(thin.speed(length), 4),
             number(thin.omega(length), 0),
@@ -170,16 +165,13 @@ pub fn speed(values: &Values) -> Result<Figure> {
             number(thin.duration()?, 4),
             short(values.of(&WOUND), 2),
             short(values.of(&CORE), 2),
-            number(peak, 4),
-            number(fastest, 3),
             number(thick.speed(length), 3),
             number(thick.omega(length), 0),
             number(thick.duration()?, 4),
         ),
         alt: format!(
             "Speed against depth. The curve of the thin string is a parabola on its side that rises to the end. The curve of the thick string \
-             starts steeper, and is highest at {} m{}.",
-            number(fastest, 2),
+             starts steeper, and is highest at {fastest:.2} m{}.",
             match fastest < length {
                 true => "; then it falls off: near the end nearly all the energy is in the spin",
                 false => ", its end",

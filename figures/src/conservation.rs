@@ -8,9 +8,7 @@ use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::{PlatonicSolid, shapes};
 
 use crate::solid::{View, polyhedron};
-use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, Words, figure, label, number, polar, short, spaced, stroke,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.

@@ -13,9 +13,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::PrincipalMoments;
 
 use crate::solid::{View, ellipsoid_hides, segment};
-use crate::style::{
-    AXIS, Anchor, DATA, Pen, Role, SECONDARY, Words, between, figure, inked, label, number, stroke,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.

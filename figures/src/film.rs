@@ -9,10 +9,7 @@ use spinning_bodies::scene::{Around, Sight, Solid};
 use crate::finish::short;
 use crate::plot::Axis;
 use crate::solid::{View, hull};
-use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, label, number,
-    small, spaced, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Theme};
 
 /// A point or a vector: m along the body's axes or those of space, z upward; or rad/s, or kg m²/s.

@@ -9,10 +9,7 @@ use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession};
 
 use crate::solid::{View, ellipse, segment};
-use crate::style::{
-    AXIS, DATA, Role, SECONDARY, Words, figure, inked, label, number, polar, short, small, spaced,
-    stroke,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.

@@ -4,10 +4,7 @@ use lab::hard_cases::{Comparison, Family, families};
 use spinning_bodies::Result;
 
 use crate::plot::{Axis, Frame, beaded, powers};
-use crate::style::{
-    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, scientific,
-    small, stroke, wrapped,
-};
+use crate::style::*;
 use crate::{Entry, Figure, constant};
 
 /// The figures of the chapter, in its order.

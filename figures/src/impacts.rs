@@ -6,10 +6,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::impacts::{Meteorite, Planet, strike};
 
 use crate::solid::{View, ellipse};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, area, between, figure,
-    inked, label, number, polar, roomiest, short, small, stroke,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.

@@ -8,10 +8,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inertia, shapes};
 
 use crate::solid::{HIDDEN, View, box_hides, ellipse, ellipsoid_hides, hull, polyhedron, segment};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, number, polar,
-    short,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, constant, of};
 
 mod leaning;

@@ -2,9 +2,7 @@
 
 use crate::Figure;
 use crate::plot::{Axis, Frame, Scale, apart, powers};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, brief, figure, small, stroke,
-};
+use crate::style::*;
 
 /// The values of a quantity along a motion.
 #[derive(Debug, Clone)]

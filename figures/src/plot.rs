@@ -1,6 +1,6 @@
 //! Axes of a plain diagram.
 
-use crate::style::{AXIS, Anchor, HAIR, Pen, Point, Role, Stroke, brief, inked, short, small};
+use crate::style::*;
 
 /// How numbers become places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

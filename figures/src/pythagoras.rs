@@ -5,10 +5,7 @@ use core::f64::consts::PI;
 use spinning_bodies::Result;
 use spinning_bodies::pythagoras::GasBox;
 
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, inked, label, number,
-    sized, stroke,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.

@@ -8,10 +8,7 @@ use spinning_bodies::Result;
 use spinning_bodies::rolling::RoundBody;
 
 use crate::plot::Axis;
-use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, arc, figure, inked, label, polar, short,
-    small, stroke,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.

@@ -2,7 +2,7 @@
 
 use spinning_bodies::Result;
 
-use crate::style::{Anchor, HAIR, Pen, Role, SECONDARY, Words, figure, inked, stroke};
+use crate::style::*;
 use crate::{Entry, Figure, constant};
 
 /// The figures of the chapter, in its order.

@@ -6,10 +6,7 @@ use spinning_bodies::Result;
 use spinning_bodies::rolling::{Coulomb, Course, Happening, Load, Moment, Sheet, SheetSpeeds};
 
 use crate::plot::Axis;
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Role, SCALE, SECONDARY, Words, between, figure, inked, label, number,
-    short, stroke,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, constant, finish, of, rolling};
 
 /// The figures of the chapter, in its order.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::style::{HAIR, Pen, Point, Role, SECONDARY, inked};
+use crate::style::*;
 
 /// Strength of lines that lie behind or inside a body.
 pub const HIDDEN: f64 = 0.26;

@@ -5,10 +5,7 @@ use core::f64::consts::PI;
 use spinning_bodies::Result;
 use spinning_bodies::rolling::{RoundBody, Spool, Tug, Way};
 
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, number,
-    polar, small, spaced, stroke,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.

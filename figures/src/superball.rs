@@ -8,10 +8,7 @@ use num_rational::Ratio;
 use spinning_bodies::Result;
 use spinning_bodies::superball::{Motion, Surface, UnderTable, bounce_with};
 
-use crate::style::{
-    AXIS, Anchor, DATA, Fraction, HAIR, Pen, Point, Role, SECONDARY, Words, along, arc, area,
-    between, figure, inked, label, polar, roomiest, short, stroke,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of, rolling};
 
 /// The figures of the chapter, in its order.

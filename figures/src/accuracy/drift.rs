@@ -12,7 +12,7 @@ use spinning_bodies::integrators::{Effort, Method};
 use super::{named_line, problem};
 use crate::Figure;
 use crate::plot::{Axis, Frame, powers};
-use crate::style::{Anchor, DATA, Point, Role, Words, figure, inked, scientific, stroke};
+use crate::style::*;
 
 /// A sixteenth of a second, about a thirtieth of a turn.
 const STEP: f64 = 0.0625;

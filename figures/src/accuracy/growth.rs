@@ -8,7 +8,7 @@ use spinning_bodies::integrators::geometric::Phase;
 use super::{named_line, problem};
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded, marks, powers};
-use crate::style::{Anchor, DATA, Point, Role, Stroke, Words, figure, inked, number, stroke};
+use crate::style::*;
 
 /// How hard a method works.
 enum Hardness {

@@ -4,7 +4,7 @@ use lab::accuracy::measured::{EXACT, MOTIONS, SWEEP, TARGETS, crossover, ranking
 use spinning_bodies::Result;
 
 use crate::Figure;
-use crate::style::{Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, inked, number, small};
+use crate::style::*;
 
 /// A field, units.
 const FIELD: Point = [86.0, 38.0];

@@ -12,7 +12,7 @@ mod seconds;
 use lab::accuracy::{Measurement, Problem, Status, Trial, candidates, measure, named};
 use spinning_bodies::Result;
 
-use crate::style::{Anchor, Pen, Point, Role, label};
+use crate::style::*;
 
 use crate::{Entry, constant};
 

@@ -9,7 +9,7 @@ use spinning_bodies::integrators::geometric::{
 use super::{named_line, problem};
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded, marks, powers};
-use crate::style::{Anchor, DATA, Point, Role, Words, figure, inked, stroke};
+use crate::style::*;
 
 /// Errors after ten turns against steps a turn.
 fn line<T: Real>(

@@ -6,7 +6,7 @@ use spinning_bodies::Result;
 use super::{named_line, points, problem, swept};
 use crate::Figure;
 use crate::plot::{Axis, Frame, beaded, marks, powers};
-use crate::style::{Anchor, DATA, Point, Role, Stroke, Words, figure, inked, number, stroke};
+use crate::style::*;
 
 const GENTLE: Stroke = inked(DATA);
 const DISCRETE: Stroke = inked(DATA).dashed();

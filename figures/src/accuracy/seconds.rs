@@ -5,9 +5,7 @@ use spinning_bodies::Result;
 
 use crate::Figure;
 use crate::plot::Frame;
-use crate::style::{
-    Anchor, DATA, Pen, Point, Role, Stroke, Words, figure, inked, label, small, stroke,
-};
+use crate::style::*;
 
 const X: [f64; 2] = [3e-7, 1.0];
 const TIMES: [(f64, &str); 3] = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];

@@ -7,10 +7,7 @@ use spinning_bodies::euler_top::earth;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{MassProperties, shapes};
 
-use crate::style::{
-    Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, between, figure, inked, label,
-    number, roomiest,
-};
+use crate::style::*;
 
 use crate::{Figure, Parameter, Values};
 

@@ -13,10 +13,8 @@ use super::racket::{Face, Flat, Parts, Throw, draw, face, parts, view};
 use crate::Figure;
 use crate::finish::{self, short};
 use crate::solid::View;
-use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, between, figure,
-    inked, label, number, stroke,
-};
+use crate::style::SCALE as CANVAS;
+use crate::style::*;
 
 const NAME: &str = "racket-flip-animated";
 const CENTER: Point = [300.0, 166.0];

@@ -9,9 +9,7 @@ use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use crate::solid::{View, ellipse, segment};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Role, SECONDARY, Words, figure, inked, label, nearest, number, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// A day, s.

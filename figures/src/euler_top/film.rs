@@ -5,7 +5,7 @@ use spinning_bodies::euler_top::State;
 
 use super::racket::{Face, MOMENTS, TURNS, Throw, draw, face, view};
 use super::triple;
-use crate::style::{AXIS, Anchor, DATA, Role, Words, brief, figure, label, number, stroke};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// Pictures, the first and the last included.

@@ -5,10 +5,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::plot::{Axis, Frame, powers};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, number,
-    scientific, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// What well-known libraries answer: measured, with the scripts, in the folder of the table.

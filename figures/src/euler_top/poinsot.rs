@@ -9,10 +9,7 @@ use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::solid::{View, ellipse, ellipsoid_hides, segment};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, between, figure, inked, label,
-    nearest, number, polar, small, spaced, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

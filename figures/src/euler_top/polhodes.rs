@@ -9,10 +9,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, triple};
 use crate::solid::{View, ellipse, ellipsoid_hides};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, brief, figure, inked,
-    number, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// Where polhodes cross the plane of x₁ and x₃: shares of the way from x₁, and from x₃, to the separatrix, in the circle that

@@ -9,7 +9,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::top_of;
 use crate::solid::View;
-use crate::style::{DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, inked};
+use crate::style::*;
 
 /// Principal moments of a racket, kg m²: about the handle, across the handle in the plane of the strings, across the strings
 /// (Ashbaugh, Chicone, Cushman 1991).

@@ -6,10 +6,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::plot::Axis;
-use crate::style::{
-    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, brief, figure, inked, label, number, spread,
-    stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

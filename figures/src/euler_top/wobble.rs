@@ -8,10 +8,7 @@ use spinning_bodies::euler_top::{Cones, Shape, SymmetricTop};
 use spinning_bodies::frame::BodyVector;
 
 use crate::solid::{View, ellipse, hull};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, arc, brief, figure, inked, label,
-    number, polar, small, spread, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 const CENTER: Point = [206.0, 208.0];

@@ -5,9 +5,8 @@ use core::fmt::Write as _;
 use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, Sheet, Start};
 
-use crate::style::{
-    Anchor, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, inked, number, stroke,
-};
+use crate::style::SCALE as CANVAS;
+use crate::style::*;
 use crate::{Figure, finish};
 
 const NAME: &str = "strip-animated";

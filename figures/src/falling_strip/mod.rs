@@ -7,7 +7,7 @@ use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
 
 use crate::plot::{Axis, Frame, marks};
-use crate::style::{Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, number, stroke};
+use crate::style::*;
 use crate::{Entry, Figure, constant};
 
 /// The figures of the chapter, in its order.

@@ -8,7 +8,7 @@ use spinning_bodies::falling_strip::{Coefficients, MEASURED_FROUDE, Regime, Shee
 use super::scan;
 use crate::Figure;
 use crate::plot::Axis;
-use crate::style::{AXIS, Anchor, DATA, Role, SECONDARY, Words, figure, inked, number, stroke};
+use crate::style::*;
 
 const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
 /// Widths of the strips that are drawn, cm, and units to a centimetre.

@@ -7,9 +7,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::shapes;
 
 use super::{LONG, MIDDLE, SHORT};
-use crate::style::{
-    AXIS, Anchor, Point, Role, SECONDARY, Words, figure, inked, label, number, polar, short, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 const DIRECTION: Parameter = Parameter::new("direction", r"\varphi", "°")

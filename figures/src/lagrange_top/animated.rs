@@ -15,10 +15,8 @@ use super::{launch, launch_body, nose, pure_rates};
 use crate::Figure;
 use crate::finish::{self, short};
 use crate::solid::{View, ellipse};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SCALE as CANVAS, Words, figure, inked, number,
-    spaced,
-};
+use crate::style::SCALE as CANVAS;
+use crate::style::*;
 
 const NAME: &str = "top-animated";
 /// cos θ of every start: 60 degrees.

@@ -6,10 +6,7 @@ use spinning_bodies::Result;
 use spinning_bodies::lagrange_top::{Cycloid, dip};
 
 use super::{launch, nose};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, brief, figure, inked, label, number,
-    spread, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

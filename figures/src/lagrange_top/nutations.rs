@@ -6,10 +6,7 @@ use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
 
 use super::{launch, nose, pure_rates};
 use crate::solid::{View, ellipse};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Stroke, Words, figure, inked, label,
-    number, spaced, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// cos θ of every start: 60 degrees.

@@ -6,10 +6,7 @@ use spinning_bodies::lagrange_top::Nutation;
 use spinning_bodies::{Error, Result};
 
 use super::{launch, pure_rates};
-use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, Words, brief, figure, inked, number, small, spaced,
-    spread, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 // L₃ of the curves; each has its handle where its fast branch ends, for a hanging axis.

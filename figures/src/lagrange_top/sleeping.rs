@@ -5,10 +5,7 @@ use spinning_bodies::lagrange_top::{Roots, tilt_after_kick};
 
 use super::launch;
 use crate::plot::Axis;
-use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, brief, figure, inked, number, spaced,
-    spread, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

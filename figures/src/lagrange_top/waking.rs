@@ -7,9 +7,7 @@ use spinning_bodies::scene::top::{Body, Gravity, Start, TipFriction, Top};
 use spinning_bodies::scene::{Request, Scene};
 
 use crate::plot::{Axis, Frame, marks};
-use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, brief, figure, inked, number, scientific, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 const MOMENTS: [f64; 3] = [2.0e-4, 2.0e-4, 7.0e-5];

@@ -7,10 +7,7 @@ use spinning_bodies::lagrange_top::LagrangeTop;
 
 use super::nose;
 use crate::solid::{View, ellipse};
-use crate::style::{
-    AXIS, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, polar, short, small,
-    spaced, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// Moments, kg m², mass, kg, and the height of C above the tip, m.

@@ -10,9 +10,7 @@ use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
 
 use crate::Figure;
-use crate::style::{
-    AXIS, Anchor, Pen, Point, Role, SECONDARY, Words, figure, inked, number, stroke,
-};
+use crate::style::*;
 
 /// Radius of the ball, m.
 const RADIUS: f64 = 0.03;

@@ -9,7 +9,8 @@ use super::body::{FORWARD, RATIO, back, cat, pieces, turned, turnover};
 use super::film::{AZIMUTH, ELEVATION};
 use crate::Figure;
 use crate::solid::View;
-use crate::style::{Anchor, Point, SCALE as CANVAS, Words, figure, number};
+use crate::style::SCALE as CANVAS;
+use crate::style::*;
 
 const NAME: &str = "cat-animated";
 const SCALE: f64 = 540.0;

@@ -11,7 +11,7 @@ use spinning_bodies::scene::shape::{self, CatState};
 use spinning_bodies::scene::{Request, Scene};
 
 use crate::solid::{View, hull};
-use crate::style::{AXIS, HAIR, Pen, Point, Role, inked, polar};
+use crate::style::*;
 
 /// I/J of a half.
 pub const RATIO: f64 = 4.0;

@@ -6,9 +6,7 @@ use spinning_bodies::phenomena::EqualHalves;
 use super::body::{DURATION, FORWARD, RATIO, back, cat, draw, pieces, turned, turnover};
 use crate::plot::Axis;
 use crate::solid::View;
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, figure, inked, number, short, small,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

@@ -10,10 +10,7 @@ use spinning_bodies::scene::{Request, Scene};
 use super::body::circle;
 use crate::plot::{Axis, Frame};
 use crate::solid::hull;
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, number, short,
-    small, spaced,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

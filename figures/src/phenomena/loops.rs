@@ -8,10 +8,7 @@ use spinning_bodies::phenomena::{EqualHalves, Hub, ShapePlane, Step, Swivel, Wai
 use super::body::RATIO;
 use super::swivel::{IN, LOWER, OUT};
 use crate::plot::{Axis, Frame};
-use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, inked, number, polar,
-    short, small, spaced,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 const BEND: Parameter = Parameter::new("forward", r"\gamma", "°")

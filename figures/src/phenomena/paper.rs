@@ -9,9 +9,7 @@ use spinning_bodies::scene::shape;
 use spinning_bodies::scene::{Request, Scene};
 
 use crate::plot::{self, Axis, Frame};
-use crate::style::{
-    Anchor, DATA, Pen, Point, Role, SECONDARY, Words, along, figure, inked, number, roomiest, short,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

@@ -7,10 +7,7 @@ use spinning_bodies::scene::effects::{FourPhases, Pace};
 use spinning_bodies::scene::shape::{self, SwivelState};
 use spinning_bodies::scene::{Request, Scene};
 
-use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Words, figure, inked, number, polar, short,
-    small, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

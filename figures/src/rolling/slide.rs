@@ -5,10 +5,7 @@ use spinning_bodies::rolling::{Coulomb, Course, Load, Moment, RoundBody};
 
 use super::KAPPA;
 use crate::plot::Axis;
-use crate::style::{
-    AXIS, Anchor, DATA, Role, SECONDARY, Words, between, figure, inked, label, number, short,
-    stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

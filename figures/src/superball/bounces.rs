@@ -5,10 +5,7 @@ use core::f64::consts::PI;
 use spinning_bodies::Result;
 use spinning_bodies::superball::{BounceRotation, Motion, UnderTable, return_threshold};
 
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Point, Role, SECONDARY, Words, between, figure, inked, label, number,
-    polar, short, small, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values, rolling};
 
 const THROWN: Motion<f64> = Motion {

@@ -8,10 +8,8 @@ use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
 use crate::Figure;
 use crate::finish::{self, short};
 use crate::plot::{Axis, Frame, marks};
-use crate::style::{
-    Anchor, DATA, Pen, Point, Role, SCALE as CANVAS, SECONDARY, Words, figure, inked, label,
-    number, stroke,
-};
+use crate::style::SCALE as CANVAS;
+use crate::style::*;
 
 const NAME: &str = "tippe-top-animated";
 /// Seconds of the run, and its pictures.

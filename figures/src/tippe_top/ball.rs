@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use crate::solid::{View, ellipse};
-use crate::style::{AXIS, HAIR, Pen, Point, Role, SECONDARY, inked};
+use crate::style::*;
 
 /// Half the angle of the cap, rad.
 const CAP: f64 = 0.72;

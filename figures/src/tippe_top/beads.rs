@@ -7,9 +7,7 @@ use spinning_bodies::tippe_top::{ConvexBody, beads as places, bodies};
 
 use crate::Figure;
 use crate::solid::{View, ellipse};
-use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, number, stroke,
-};
+use crate::style::*;
 
 const RADIUS: f64 = 122.0;
 

@@ -5,9 +5,7 @@ use spinning_bodies::scene::contact::passage;
 
 use super::{FRICTION, SPIN, chiral_scene, run, tilt_against_time};
 use crate::plot::{Axis, Frame};
-use crate::style::{
-    Anchor, DATA, Point, Role, Words, along, figure, inked, label, number, roomiest, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

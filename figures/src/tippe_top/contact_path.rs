@@ -6,9 +6,7 @@ use spinning_bodies::scene::contact::Support;
 
 use super::{ALPHA, FRICTION, SPIN, run, toy_scene};
 use crate::solid::{View, ellipse};
-use crate::style::{
-    AXIS, Anchor, HAIR, Point, Role, SECONDARY, Words, figure, inked, number, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// What may be chosen; in the book slow enough to be followed with the eye.

@@ -7,10 +7,7 @@ use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
 use super::{ALPHA, GAMMA, SPIN, run, tippe, tippe_scene};
 use crate::plot::{Axis, Frame};
-use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, between, figure, inked, label, number, small,
-    spaced, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// Spins of the other runs drawn, rad/s, and of the fastest top in the picture.

@@ -8,9 +8,7 @@ use spinning_bodies::scene::contact::passage;
 use super::ball::table;
 use super::{FRICTION, TURNS, egg_scene, run};
 use crate::plot::{Axis, Frame, marks};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, Words, figure, inked, number, polar, spaced,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// Half length and half thickness in the film, units.

@@ -5,7 +5,7 @@ use spinning_bodies::scene::contact::{State, passage};
 
 use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
 use crate::plot::{Axis, Frame, apart};
-use crate::style::{Anchor, DATA, HAIR, Role, Words, figure, inked, label, number, stroke};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// What may be chosen.

@@ -6,9 +6,7 @@ use spinning_bodies::tippe_top::{Regularised, quasi_steady};
 
 use super::{ALPHA, G};
 use crate::plot::{Axis, Frame, beaded, marks, powers};
-use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, along, figure, label, number, roomiest, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

@@ -7,10 +7,7 @@ use spinning_bodies::frame::SpaceVector;
 use spinning_bodies::tippe_top::HoopWithClay;
 
 use super::{ALPHA, TURNS, toy};
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, figure, inked, label, number,
-    polar, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 const OFFSET: Parameter = ALPHA.between([0.25, 0.7], 0.42);

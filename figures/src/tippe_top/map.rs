@@ -6,9 +6,7 @@ use spinning_bodies::Result;
 
 use super::{CHIRAL_SPIN, chiral_scene, run};
 use crate::Figure;
-use crate::style::{
-    AXIS, Anchor, HAIR, Pen, Point, Role, Words, figure, inked, number, polar, stroke,
-};
+use crate::style::*;
 
 /// Tilts of the release, degrees, and azimuths a ring.
 const TILTS: [f64; 6] = [2.0, 5.0, 10.0, 15.0, 20.0, 30.0];

@@ -7,9 +7,7 @@ use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
 use super::{ALPHA, G_TIPPE, GAMMA, SPIN, TILTS, tippe};
 use crate::plot::{Axis, Frame, apart, marks};
-use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, figure, number, small, spaced, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// Spins of the other curves, rad/s: the first and the last set the scale.

@@ -5,7 +5,7 @@ use spinning_bodies::{Error, Result};
 
 use super::{Rows, SPIN, run, stone_scene};
 use crate::plot::{Axis, Frame};
-use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, inked, label, number, stroke};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

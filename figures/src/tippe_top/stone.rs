@@ -9,10 +9,7 @@ use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::tippe_top::{ConvexBody, Surface, rolling_growth_rates};
 
 use super::{G, SPIN};
-use crate::style::{
-    AXIS, Anchor, DATA, Pen, Point, Role, SECONDARY, Stroke, Words, figure, inked, number, polar,
-    short, spaced, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

@@ -5,7 +5,7 @@ use spinning_bodies::scene::contact::State;
 
 use super::ball::{ball, table};
 use super::{BOTH_SPINS, chiral_scene, run};
-use crate::style::{Anchor, DATA, Pen, Words, figure, inked, number};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 parameters! {

@@ -7,10 +7,7 @@ use spinning_bodies::scene::contact::passage;
 
 use super::{ALPHA, FRICTION, TURNS, run, tilt_against_time, toy, toy_scene};
 use crate::plot::{Axis, Frame};
-use crate::style::{
-    Anchor, DATA, Role, SECONDARY, Words, between, figure, inked, label, number, short, small,
-    stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 const LIGHT: Parameter = Parameter {

@@ -7,7 +7,7 @@ use spinning_bodies::tippe_top::bodies;
 use super::ball::{ball, table};
 use super::beads::{inside, view};
 use super::{BOTH_SPINS, body_scene, run};
-use crate::style::{AXIS, Anchor, DATA, Role, Words, figure, inked, number, stroke};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// What may be chosen: the release of the figure with both spins.

@@ -9,9 +9,8 @@ use spinning_bodies::yo_yo::YoYo;
 
 use super::GRAVITY;
 use crate::plot::{Axis, Frame, marks};
-use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SCALE as CANVAS, Words, figure, inked, label, number, stroke,
-};
+use crate::style::SCALE as CANVAS;
+use crate::style::*;
 use crate::{Figure, finish};
 
 const NAME: &str = "yo-yo-animated";

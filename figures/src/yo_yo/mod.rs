@@ -9,9 +9,7 @@ use spinning_bodies::scene::{Play, Request, Scene};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
 use crate::plot::{Axis, Frame, marks};
-use crate::style::{
-    Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, short, small, spaced,
-};
+use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, constant, of};
 
 /// The figures of the chapter, in its order.

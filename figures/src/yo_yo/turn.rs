@@ -4,10 +4,7 @@ use spinning_bodies::Result;
 use spinning_bodies::yo_yo::{Turn, TurnState, Unwinding};
 
 use super::{AXLE, GRAVITY, LENGTH, MASS, toy};
-use crate::style::{
-    AXIS, Anchor, DATA, Point, Role, SECONDARY, Words, figure, inked, label, number, polar, short,
-    small, stroke,
-};
+use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
 /// What may be chosen.

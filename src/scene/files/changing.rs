@@ -57,12 +57,8 @@ pub fn swivel(
     let scene = file.right("body.lower", Swivel::new(body.lower, body.upper))?;
     let l = initial.angular_momentum;
     let scene = file.right("initial.angular_momentum", scene.with_angular_momentum(l))?;
-    let scene = with(
-        file,
-        scene,
-        listed![effects.four_phases, effects.bearing_friction],
-        Swivel::with,
-    )?;
+    let acting = listed![effects.four_phases, effects.bearing_friction];
+    let scene = with(file, scene, acting, Swivel::with)?;
     // A disc of 1 kg with a moment.
     let radius = |moment: f64| (2.0 * moment).sqrt();
     let lower = radius(body.lower);
@@ -127,12 +123,8 @@ pub fn skater(
     let person = file.right("body.hand", person)?;
     let scene = Skater::new(person, initial.reach, initial.spin);
     let scene = file.right("initial.reach", scene)?;
-    let scene = with(
-        file,
-        scene,
-        listed![effects.draw, effects.bearing_friction],
-        Skater::with,
-    )?;
+    let acting = listed![effects.draw, effects.bearing_friction];
+    let scene = with(file, scene, acting, Skater::with)?;
     // Where both hands would have the moment of the core.
     let girth = (0.5 * body.core / body.hand.max(0.02 * body.core)).sqrt();
     let look: Look = Box::new(move |told| {
@@ -202,12 +194,8 @@ pub fn cat(
     let animal = phenomena::Cat::new(halves);
     let animal = file.right("body.axial, body.transverse", animal)?;
     let scene = Cat::new(animal, initial.attitude);
-    let scene = with(
-        file,
-        scene,
-        listed![effects.turnover, effects.gravity],
-        Cat::with,
-    )?;
+    let acting = listed![effects.turnover, effects.gravity];
+    let scene = with(file, scene, acting, Cat::with)?;
     let outlines = halves.map(|half| {
         let Half {
             mass,
@@ -295,12 +283,8 @@ pub fn paper_cat(
     effects: PaperCatEffects,
 ) -> Option<(PaperCat, Look)> {
     let scene = file.right("body", PaperCat::new(sheet, initial.tilt))?;
-    let scene = with(
-        file,
-        scene,
-        listed![effects.air, effects.gravity],
-        PaperCat::with,
-    )?;
+    let acting = listed![effects.air, effects.gravity];
+    let scene = with(file, scene, acting, PaperCat::with)?;
     let edge = sheet.area.sqrt();
     let lever = Vector3::z() * sheet.lever;
     let flat = Solid::Cuboid(Vector3::new(edge, edge, 0.01 * edge));

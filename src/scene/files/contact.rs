@@ -275,12 +275,8 @@ pub fn superball(
         None => Some(None),
     };
     let g = effects.gravity.map_or(0.0, Gravity::value);
-    let ball = with(
-        file,
-        ball,
-        listed![effects.gravity, restitution?, grip?],
-        Superball::with,
-    )?;
+    let acting = listed![effects.gravity, restitution?, grip?];
+    let ball = with(file, ball, acting, Superball::with)?;
     // It has a speed of its rim but no radius: one that goes well with the room it has.
     let climbed = if g > 0.0 {
         0.5 * initial.climb.powi(2) / g

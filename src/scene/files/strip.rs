@@ -69,12 +69,8 @@ pub fn strip(
     let damping = effects.rotational_damping;
     let damping = damping.map(|[linear, quadratic]| RotationalDamping { linear, quadratic });
     let added = effects.added_mass.map(|factor| AddedMass { factor });
-    let scene = with(
-        file,
-        scene,
-        listed![effects.gravity, lift, drag, damping, added],
-        Strip::with,
-    )?;
+    let acting = listed![effects.gravity, lift, drag, damping, added];
+    let scene = with(file, scene, acting, Strip::with)?;
     let edges = Vector3::new(1.0, 2.0, body.thickness_ratio.max(0.02)) * body.width;
     let outline = Outline::new("a strip, its length cut short", Solid::Cuboid(edges));
     let look: Look = Box::new(move |told| {

@@ -91,12 +91,8 @@ pub fn table_top(
     let resistance = file.right("effects.rolling_resistance", resistance);
     let (body, outline) = made?;
     let scene = TableTop::new(body, start?);
-    let scene = with(
-        file,
-        scene,
-        listed![gravity?, law?, resistance?],
-        TableTop::with,
-    )?;
+    let acting = listed![gravity?, law?, resistance?];
+    let scene = with(file, scene, acting, TableTop::with)?;
     Some((scene, free(outline, Around::Floor)))
 }
 

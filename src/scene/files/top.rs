@@ -50,17 +50,13 @@ pub fn top(
     };
     let (body, outline) = made?;
     let top = file.right(key, Top::new(body, start?))?;
-    let top = with(
-        file,
-        top,
-        listed![
-            effects.gravity,
-            effects.pivot_friction,
-            effects.bearing_friction,
-            effects.air_drag
-        ],
-        Top::with,
-    )?;
+    let acting = listed![
+        effects.gravity,
+        effects.pivot_friction,
+        effects.bearing_friction,
+        effects.air_drag
+    ];
+    let top = with(file, top, acting, Top::with)?;
     let top = match effects.tip_friction {
         Some(friction) => file.right(
             "effects.tip_friction, body.moments, body.center_of_mass",

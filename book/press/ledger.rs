@@ -11,12 +11,6 @@ use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::Path;
 
-/// The paragraphs of the tutorial whose claims must all be computed; a whole number stands for its whole section.
-pub const COMPLETE: &[&str] = &[
-    "1", "2", "3", "4.1", "4.2", "4.3", "4.4", "4.5", "4.6", "4.7", "4.8", "4.9", "4.10", "5", "6",
-    "7", "8", "9",
-];
-
 const REGISTER: &str = include_str!("../claims.toml");
 
 /// A claim of the tutorial, as the register `book/claims.toml` has it.
@@ -191,42 +185,6 @@ impl Ledger {
         }
         missing
     }
-
-    /// Everything that is wrong with the ledger, a line each: marks that name no claim, and claims of complete
-    /// paragraphs that lack a test or a place in the book.
-    pub fn faults(&self) -> Vec<String> {
-        let in_chapters = self.chapters.iter().map(|place| {
-            (
-                &place.claim,
-                format!("book/src/{}.md:{}", place.chapter, place.line),
-            )
-        });
-        let in_tests = self
-            .tests
-            .iter()
-            .map(|place| (&place.claim, format!("{}: {}", place.file, place.function)));
-        let mut faults: Vec<String> = in_chapters
-            .chain(in_tests)
-            .filter(|(id, _)| self.claim(id).is_none())
-            .map(|(id, place)| format!("{place} names '{id}', which is no claim"))
-            .collect();
-        for claim in self.claims.iter().filter(|claim| must_be_settled(claim)) {
-            for missing in self.missing(claim) {
-                faults.push(format!("{} ({}) lacks {missing}", claim.id, claim.title));
-            }
-        }
-        faults
-    }
-}
-
-/// Whether a claim belongs to one of the [`COMPLETE`] paragraphs.
-pub fn must_be_settled(claim: &Claim) -> bool {
-    COMPLETE.iter().any(|paragraph| {
-        claim
-            .section
-            .strip_prefix(paragraph)
-            .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-    })
 }
 
 /// The numbers in a claim's name, so that `C4.10-2` comes after `C4.9-1`.
@@ -434,18 +392,5 @@ mod tests {
                 ("C1.1-3", "inside")
             ]
         );
-    }
-
-    #[test]
-    fn a_paragraph_is_not_taken_for_a_longer_number() {
-        let claim = |section: &str| Claim {
-            id: "C0".into(),
-            section: section.into(),
-            title: String::new(),
-            verdict: Verdict::Verified,
-            statement: String::new(),
-        };
-        assert!(must_be_settled(&claim("2.7")) && must_be_settled(&claim("9")));
-        assert!(!must_be_settled(&claim("4.20")) && !must_be_settled(&claim("10")));
     }
 }

@@ -4,11 +4,9 @@
 //! |---|---|
 //! | [`patience`] | the sweep of a method; what would take too long |
 //! | [`table`] | the table that a person reads, with the winners |
-//! | [`winners`] | the table of the chapter |
 
 pub mod patience;
 pub mod table;
-pub mod winners;
 
 use std::io::Write as _;
 use std::path::Path;

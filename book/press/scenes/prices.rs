@@ -212,30 +212,3 @@ pub fn run(name: &str, text: &str) -> Result<Table> {
     let (scene, request) = super::parse(name, text)?;
     super::run(name, &scene, &request)
 }
-
-/// The Markdown table of the book's files, from the measurements of the bench.
-pub fn times(csv: &str) -> String {
-    let lines: Vec<&str> = csv.lines().collect();
-    let (machine, rows) = match lines.split_first() {
-        Some((first, rest)) => (first.trim_start_matches(['#', ' ']), rest),
-        None => ("", &[][..]),
-    };
-    let mut text =
-        "| file | solver | evaluations | ms | at $10^{-9}$ | ms |\n|---|---|---|---|---|---|\n"
-            .to_owned();
-    for row in rows.iter().skip(1) {
-        let cells: Vec<String> = row.split(',').enumerate().map(cell).collect();
-        text += &format!("| {} |\n", cells.join(" | "));
-    }
-    text + &format!("\n*{machine}, least of repeated runs.*\n")
-}
-
-/// A cell of that table: milliseconds with two digits, no evaluations as a dash.
-fn cell((column, text): (usize, &str)) -> String {
-    match (column, text.parse::<f64>()) {
-        (2 | 4, Ok(0.0)) => "–".to_owned(),
-        (3 | 5, Ok(time)) if time < 9.95 => format!("{time:.2}"),
-        (3 | 5, Ok(time)) => format!("{time:.0}"),
-        _ => text.to_owned(),
-    }
-}

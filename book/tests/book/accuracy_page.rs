@@ -1,9 +1,10 @@
 //! The measured table of the chapter "What accuracy costs" is that of the committed measurements.
 
+use std::fmt::Write as _;
 use std::path::Path;
 
-use lab::accuracy::measured;
-use press::accuracy::{HEADER, winners};
+use lab::accuracy::measured::{self, EXACT, MOTIONS, SWEEP, TARGETS};
+use press::accuracy::HEADER;
 
 fn file(name: &str) -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -14,11 +15,59 @@ fn file(name: &str) -> std::path::PathBuf {
 /// `UPDATE_TABLES=1 cargo test -p book --test book accuracy_page` writes it.
 #[test]
 fn the_table_is_that_of_the_measurements() {
-    let table = winners::markdown();
+    let table = winners();
     if std::env::var_os("UPDATE_TABLES").is_some() {
         std::fs::write(file("accuracy.md"), &table).unwrap();
     }
     assert_eq!(std::fs::read_to_string(file("accuracy.md")).unwrap(), table);
+}
+
+/// A Markdown table: for each motion over its longest run the time of the closed form, and for each accuracy the quickest stepper with its own.
+fn winners() -> String {
+    let rows = measured::rows(SWEEP);
+    let mut text = "| motion | exact | $10^{-3}$ | $10^{-6}$ | $10^{-9}$ | $10^{-12}$ |\n|---|---|---|---|---|---|\n"
+        .to_owned();
+    for (motion, name, [.., turns]) in MOTIONS {
+        let run = format!("{motion}/{turns}");
+        let told = |target: f64, exact: bool| {
+            let ranked = measured::ranking(&rows, &run, target);
+            let first = ranked.iter().find(|row| (row.0 == EXACT) == exact);
+            first.map(|&(method, seconds)| (method, time(seconds)))
+        };
+        let exact = TARGETS.iter().find_map(|&target| told(target, true));
+        let _ = write!(
+            text,
+            "| {name} | {}",
+            exact.map_or("—".to_owned(), |(_, time)| time)
+        );
+        for target in TARGETS {
+            let cell = told(target, false);
+            let cell = cell.map_or("—".to_owned(), |(method, time)| {
+                format!("{method} {time}")
+            });
+            let _ = write!(text, " | {cell}");
+        }
+        text.push_str(" |\n");
+    }
+    text
+}
+
+fn time(seconds: f64) -> String {
+    if seconds < 1e-3 {
+        format!("{}\u{a0}µs", short(1e6 * seconds))
+    } else {
+        format!("{}\u{a0}ms", short(1e3 * seconds))
+    }
+}
+
+/// Two digits: more would not be the same tomorrow.
+fn short(value: f64) -> String {
+    if value < 9.95 {
+        format!("{value:.1}")
+    } else {
+        let unit = 10.0_f64.powf(value.log10().floor() - 1.0);
+        format!("{:.0}", (value / unit).round() * unit)
+    }
 }
 
 /// A closed form that costs 4, a stepper that costs 1 a turn: it pays from four turns on, and a method too coarse does not count.

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use press::scenes::prices::{NEEDED, PRICED, run, times};
+use press::scenes::prices::{NEEDED, PRICED, run};
 use press::scenes::{key_table, simulate};
 use spinning_bodies::scene::files::{keys, kinds};
 
@@ -79,6 +79,33 @@ fn the_table_of_prices_is_that_of_the_scenes() {
         }
     }
     assert!(rows.next().is_none());
+}
+
+/// The Markdown table of the book's files, from the measurements of the bench.
+fn times(csv: &str) -> String {
+    let lines: Vec<&str> = csv.lines().collect();
+    let (machine, rows) = match lines.split_first() {
+        Some((first, rest)) => (first.trim_start_matches(['#', ' ']), rest),
+        None => ("", &[][..]),
+    };
+    let mut text =
+        "| file | solver | evaluations | ms | at $10^{-9}$ | ms |\n|---|---|---|---|---|---|\n"
+            .to_owned();
+    for row in rows.iter().skip(1) {
+        let cells: Vec<String> = row.split(',').enumerate().map(cell).collect();
+        text += &format!("| {} |\n", cells.join(" | "));
+    }
+    text + &format!("\n*{machine}, least of repeated runs.*\n")
+}
+
+/// A cell of that table: milliseconds with two digits, no evaluations as a dash.
+fn cell((column, text): (usize, &str)) -> String {
+    match (column, text.parse::<f64>()) {
+        (2 | 4, Ok(0.0)) => "–".to_owned(),
+        (3 | 5, Ok(time)) if time < 9.95 => format!("{time:.2}"),
+        (3 | 5, Ok(time)) => format!("{time:.0}"),
+        _ => text.to_owned(),
+    }
 }
 
 /// `UPDATE_TABLES=1 cargo test -p book --test scene_prices` writes the page's table.

@@ -1,7 +1,5 @@
 //! The ball on a withdrawn sheet (tutorial 4.5).
 
-use std::fmt::Write as _;
-
 use spinning_bodies::Result;
 use spinning_bodies::rolling::{Coulomb, Course, Happening, Load, Moment, Sheet, SheetSpeeds};
 
@@ -249,10 +247,7 @@ pub fn animated() -> Result<Figure> {
         pen.line(&[[FIRST, TABLE], [FIRST, TABLE + 18.0]], inked(AXIS));
         pen.note([FIRST, TABLE + 36.0], Anchor::Middle, "began here");
     });
-    let mut style = String::from("<style>");
-    let mut frames = [String::new(), String::new(), String::new()];
-    let mut rest = [String::new(), String::new(), String::new()];
-    for n in 0..=PICTURES {
+    let frame = |n: usize| {
         let t = LASTS * n as f64 / PICTURES as f64;
         let m = course.at(t);
         let x = (FIRST + METRE * m.position) * SCALE;
@@ -260,33 +255,24 @@ pub fn animated() -> Result<Figure> {
         let angle = (m.turned / 0.02).to_degrees();
         let margin = course.margin(t).unwrap_or(0.0);
         let edge = (FIRST + METRE * (m.position - margin)) * SCALE;
-        let values = [
+        [
             format!("translate({x:.0}px,{y:.0}px)"),
             format!("rotate({angle:.1}deg)"),
             format!("translate({edge:.0}px,0px)"),
-        ];
-        for ((frame, rest), value) in frames.iter_mut().zip(&mut rest).zip(values) {
-            let percent = 100.0 * n as f64 / PICTURES as f64;
-            let _ = write!(frame, "{percent:.2}%{{transform:{value}}}");
-            if n == PICTURES * 3 / 10 {
-                *rest = value.replace("px", "").replace("deg", "");
-            }
-        }
+        ]
+    };
+    let frames: Vec<_> = (0..=PICTURES).map(frame).collect();
+    let rest = frame(PICTURES * 3 / 10).map(|moved| moved.replace("px", "").replace("deg", ""));
+    let names = ["ball", "hand", "paper"].map(|part| format!("fig-{NAME}-{part}"));
+    let mut style = String::from("<style>");
+    for (k, name) in names.iter().enumerate() {
+        let share = |(n, moved)| (format!("{:.2}", 100.0 * n as f64 / PICTURES as f64), moved);
+        let moved = frames.iter().map(|frame| &frame[k]);
+        style += &finish::keyframes(name, moved.enumerate().map(share));
+        let seconds = SLOWNESS * LASTS;
+        style += &format!(".{name}{{animation:{name} {seconds}s linear infinite}}");
     }
-    let parts = ["ball", "hand", "paper"];
-    let names = parts.map(|part| format!("fig-{NAME}-{part}"));
-    for (name, frame) in names.iter().zip(&frames) {
-        let _ = write!(
-            style,
-            "@keyframes {name}{{{frame}}}.{name}{{animation:{name} {}s linear infinite}}",
-            SLOWNESS * LASTS
-        );
-    }
-    let all = names
-        .iter()
-        .map(|n| format!(".{n}"))
-        .collect::<Vec<_>>()
-        .join(",");
+    let all = names.each_ref().map(|name| format!(".{name}")).join(",");
     style += &finish::stops(NAME, &all);
     let (r, top) = (RADIUS * SCALE, (TABLE - 2.0) * SCALE);
     let long = 1200.0 * SCALE;

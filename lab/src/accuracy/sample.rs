@@ -32,16 +32,6 @@ impl Sample {
         }
     }
 
-    /// From a motion computed in two words, of a body with these moments.
-    pub fn of_phase(time: f64, phase: &Phase<DoubleDouble>, moments: [f64; 3]) -> Self {
-        let rate = |k: usize| phase.l[k] / DoubleDouble::from_double(moments[k]);
-        Self {
-            time,
-            omega: core::array::from_fn(rate),
-            attitude: phase.q,
-        }
-    }
-
     /// The time, s.
     pub const fn time(&self) -> f64 {
         self.time

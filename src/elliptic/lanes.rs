@@ -4,9 +4,15 @@
 //! compiler lays out side by side, and the bits are the same. The passes are short: of a long one the processor sees too little ahead to
 //! work on the next lanes while it waits.
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "a lane is its index: all rows are read and written at it"
+)]
+
 use super::jacobi::{Crest, Wave, circular_at, hyperbolic_at};
 use super::modulus::{Modulus, Side};
-use super::theta::{Corrections, Theta};
+use super::theta::Corrections;
+use super::turning::Theta;
 use crate::error::{Result, same_length, too_long};
 use crate::precise::DoubleDouble;
 use crate::precise::quick::{
@@ -25,14 +31,31 @@ const GREATEST_ANGLE: f64 = 4.6e18;
 /// A little less than all.
 const NEARLY: f64 = 0.99;
 
-/// Up to which time a phase with this rate stays within the right angles that [`sine_cosine`] takes, its lags included.
-pub(crate) fn turning_reach(rate: f64) -> f64 {
-    NEARLY * 0.5 * EXACT_COUNT * core::f64::consts::PI / rate
+/// The argument u = start + rate · t of the functions of one modulus.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Course {
+    pub(crate) modulus: Modulus,
+    pub(crate) start: DoubleDouble,
+    pub(crate) rate: DoubleDouble,
 }
 
-/// Up to which time an argument with this rate stays within the quarter periods that [`Places::put`] takes.
-pub(crate) fn quarters_reach(modulus: &Modulus, rate: f64) -> f64 {
-    (NEARLY * EXACT_COUNT - 1.0) * modulus.quarter_period() / rate
+impl Course {
+    /// Up to this time, s, it and phases of these rates, of which the `share` is turned by, are reduced without a branch: half of the right angles that
+    /// [`sine_cosine`] takes are for the time, half for the lags. Beyond, and where rates are at the ends of the doubles (−1), in 106 bits.
+    pub(crate) fn reach(&self, share: f64, rates: &[DoubleDouble]) -> f64 {
+        // Others would overflow or underflow in halves.
+        let tame = |rate: f64| rate == 0.0 || (1e-280..=1e280).contains(&rate);
+        let rate = self.rate.high().abs();
+        let fastest = rates
+            .iter()
+            .fold(0.0_f64, |most, rate| most.max(rate.high().abs()));
+        if !(tame(rate) && rates.iter().all(|rate| tame(rate.high().abs()))) {
+            return -1.0;
+        }
+        let quarters = (NEARLY * EXACT_COUNT - 1.0) * self.modulus.quarter_period() / rate;
+        let turning = NEARLY * 0.5 * EXACT_COUNT * core::f64::consts::PI / (2.0 * share * fastest);
+        (0.5 / share * quarters).min(turning).min(1e290)
+    }
 }
 
 /// Rate times time.
@@ -102,9 +125,32 @@ impl<const W: usize> Places<W> {
         }
     }
 
+    /// Where the argument is at times within [reach](Course::reach).
+    #[inline(always)]
+    pub(crate) fn follow(&mut self, course: &Course, times: &[f64; W]) {
+        for i in 0..W {
+            let [high, low] = product(course.rate, times[i]);
+            let u = DoubleDouble::sum(high, course.start.high());
+            let low = u.low() + (low + course.start.low());
+            self.put(i, &course.modulus, [u.high(), low]);
+        }
+    }
+
+    /// Where the argument is at any time at which its digits still tell that, in the first lane.
+    pub(crate) fn follow_afar(&mut self, course: &Course, t: f64) -> Result<()> {
+        let u = course.rate * DoubleDouble::from(t) + course.start;
+        let greatest = course.modulus.greatest_argument();
+        let countable = u.high().abs() <= greatest;
+        if !countable {
+            return Err(too_long(t, greatest / course.rate.high().abs()));
+        }
+        self.put_from_afar(0, &course.modulus, u);
+        Ok(())
+    }
+
     /// An argument of at most [`EXACT_COUNT`] quarter periods.
     #[inline(always)]
-    pub(crate) fn put(&mut self, i: usize, modulus: &Modulus, u: [f64; 2]) {
+    fn put(&mut self, i: usize, modulus: &Modulus, u: [f64; 2]) {
         let reduction = &modulus.reduction;
         let (rounded, rest) = reduced(u, reduction.inverse, reduction.parts);
         self.bits[i] = rounded.to_bits();

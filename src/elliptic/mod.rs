@@ -53,7 +53,8 @@ pub(crate) mod landen;
 pub(crate) mod lanes;
 pub(crate) mod modulus;
 mod parameter;
-pub(crate) mod theta;
+mod theta;
+pub(crate) mod turning;
 
 pub use carlson::{rc, rd, rf, rg, rj};
 pub use integrals::{

@@ -23,17 +23,13 @@
 
 use nalgebra::Quaternion;
 
-use crate::elliptic::landen::Landen;
-use crate::elliptic::lanes::{
-    LANES, Places, phase, product, quarters_reach, turned, turning_reach,
-};
-use crate::elliptic::modulus::Descent;
-use crate::elliptic::theta::{Elevation, Exponentials, Theta, Which, dual_excess};
-use crate::elliptic::{Modulus, Side};
-use crate::error::{Result, too_long};
+use crate::elliptic::Side;
+use crate::elliptic::lanes::{Course, LANES, Places, phase, turned};
+use crate::elliptic::turning::Turning;
+use crate::error::Result;
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::quick::{in_quadrant, sine_cosine};
-use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words};
+use crate::precise::{DoubleDouble, RIGHT_ANGLE};
 
 /// A free top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,138 +100,17 @@ impl Renumbering {
     }
 }
 
-/// Everything about ψ that does not depend on time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Turning {
-    /// By how much ψ lags behind ν t after each quarter period, in radians.
-    pub(super) lag: DoubleDouble,
-    /// dψ/du less |L|/(I₂ λ): what the theta functions add to the rate, sign included.
-    pub(super) excess: DoubleDouble,
-    /// P₁/P₂.
-    pub(super) aspect: f64,
-    /// Z.
-    pub(super) theta: Theta,
-}
-
-impl Turning {
-    pub(super) fn new<N: Number>(
-        descent: &Descent<N>,
-        elevation: &Elevation<N>,
-        aspect: f64,
-    ) -> Self {
-        match descent.side() {
-            Side::Circular => Self::circular(&descent.landen, elevation, descent.m, aspect),
-            Side::Hyperbolic => Self::hyperbolic(&descent.landen, elevation, descent.mc, aspect),
-        }
-    }
-
-    /// For m ≤ 1/2.
-    fn circular<N: Number>(
-        landen: &Landen<N>,
-        elevation: &Elevation<N>,
-        m: N,
-        aspect: f64,
-    ) -> Self {
-        let q = landen.nome;
-        let Exponentials {
-            rho,
-            epsilon,
-            sinh,
-            growth,
-            ..
-        } = elevation.exponentials(landen, m);
-        let one_less_rho = match elevation.which {
-            Which::Xi => 2.0 * sinh.value() / growth.value(),
-            Which::Eta => 1.0 - rho.value(),
-        };
-        let excess = circular_excess(landen, rho, epsilon);
-        let (q, rho, epsilon) = (q.value(), rho.value(), epsilon.value());
-        // ϑ₄(iw) with the factor 1 − ρ in front: it vanishes with it.
-        let (x, r2) = (q * epsilon, rho * rho);
-        let (g1, g2, g3) = (1.0 + rho + r2, rho * r2 + r2 * r2, r2 * r2 * (rho + r2));
-        let (q2, q4) = (q * q, q * q * (q * q));
-        let at_zero =
-            one_less_rho * (1.0 - x * (g1 - q2 * x * ((g1 + g2) - q4 * x * (g1 + g2 + g3))));
-        // (−1)ⁿ (q^{n²−n} ρⁿ ± q^{n²} εⁿ).
-        let (up2, down2) = (q2 * r2, q2 * (x * x));
-        let (up3, down3) = (q4 * up2 * rho, q4 * down2 * x);
-        let (a1, b1) = (-(rho + x), -(rho - x));
-        let (a2, b2) = (up2 + down2, up2 - down2);
-        let (a3, b3) = (-(up3 + down3), -(up3 - down3));
-        let real = [
-            at_zero,
-            -2.0 * a1 - 8.0 * a2 - 18.0 * a3,
-            8.0 * a2 + 48.0 * a3,
-            -32.0 * a3,
-        ];
-        let imaginary = [
-            -(2.0 * b1 + 4.0 * b2 + 6.0 * b3),
-            8.0 * b2 + 32.0 * b3,
-            -32.0 * b3,
-            0.0,
-        ];
-        Self {
-            lag: RIGHT_ANGLE,
-            excess: excess.two(),
-            aspect,
-            theta: Theta {
-                even: [real, imaginary],
-                odd: [real, imaginary],
-            },
-        }
-    }
-
-    /// For m > 1/2, the separatrix included.
-    fn hyperbolic<N: Number>(
-        landen: &Landen<N>,
-        elevation: &Elevation<N>,
-        mc: N,
-        aspect: f64,
-    ) -> Self {
-        let (sine, cosine) = elevation.angle(landen, mc);
-        Self {
-            lag: N::Narrow::angle(sine, cosine).two(),
-            excess: -dual_excess(landen, sine, cosine).two(),
-            aspect,
-            theta: Theta::dual(landen.nome.value(), sine.value(), cosine.value()),
-        }
-    }
-}
-
-/// +(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
-fn circular_excess<N: Number>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> N::Narrow {
-    let q = landen.nome;
-    let q2 = q * q;
-    let (up1, down1) = (rho, q * epsilon);
-    let (up2, down2) = (q2 * (rho * rho), q2 * (down1 * down1));
-    let up3 = up2 * up1 * (q2 * q2);
-    let down3 = down2 * down1 * (q2 * q2);
-    let (x, r, e) = (q.leading(), rho.leading(), epsilon.leading());
-    let x3 = x * x * x;
-    let up4 = up3.leading() * x3 * x3 * r;
-    let down4 = down3.leading() * x3 * x3 * x * e;
-    let half = N::Narrow::from_double(4.0 * (up4 - down4))
-        .add_alike(up3.add_alike(-down3) * N::Narrow::from_double(3.0))
-        .add_alike(up2.add_alike(-down2).scaled(2.0))
-        .add_alike(up1.add_alike(-down1));
-    let denominator = N::Narrow::from_double(up4 + down4)
-        .add_alike(up3.add_alike(down3))
-        .add_alike(up2.add_alike(down2))
-        .add_alike(up1.add_alike(down1))
-        .add_alike(N::Narrow::from_double(1.0));
-    (landen.mean * half.scaled(2.0)).quotient(denominator)
-}
-
 /// The constants of a motion in which Ω moves in the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Constants {
     pub(super) axes: Renumbering,
-    pub(super) modulus: Modulus,
-    /// u = `start` + `rate` t.
-    pub(super) start: DoubleDouble,
-    pub(super) rate: DoubleDouble,
+    /// u.
+    pub(super) course: Course,
     /// P₁, P₂, P₃.
     pub(super) amplitudes: [f64; 3],
+    /// P₁/P₂.
+    pub(super) aspect: f64,
+    /// Z.
     pub(super) turning: Turning,
     /// ψ = `turning_rate` t − quarters · lag + …
     pub(super) turning_rate: DoubleDouble,
@@ -254,9 +129,6 @@ pub(super) struct Moving {
     /// Up to this time, s, phases are reduced without a branch; beyond, and where rates are at the ends of the doubles, in 106 bits.
     pub(super) reach: f64,
 }
-
-/// Rates outside 10^±280 would overflow or underflow in halves.
-const RATES: core::ops::RangeInclusive<f64> = 1e-280..=1e280;
 
 /// What one pass over the lanes hands to the next.
 pub(super) struct Work<const W: usize> {
@@ -284,19 +156,12 @@ impl<const W: usize> Work<W> {
     #[inline(always)]
     pub(super) fn states(&mut self, body: &Moving, times: &[f64; W]) {
         let Constants {
-            modulus,
-            start,
-            rate,
+            course,
             turning,
             turning_rate,
             ..
         } = &body.constants;
-        for i in 0..W {
-            let [high, low] = product(*rate, times[i]);
-            let u = DoubleDouble::sum(high, start.high());
-            let low = u.low() + (low + start.low());
-            self.places.put(i, modulus, [u.high(), low]);
-        }
+        self.places.follow(course, times);
         for i in 0..W {
             let quarters = self.places.quarters[i];
             let [high, low] = phase(*turning_rate, times[i], turning.lag, quarters);
@@ -310,7 +175,8 @@ impl<const W: usize> Work<W> {
     fn turn(&mut self, body: &Moving) {
         let Constants {
             axes,
-            modulus,
+            course: Course { modulus, .. },
+            aspect,
             turning,
             ..
         } = &body.constants;
@@ -323,7 +189,7 @@ impl<const W: usize> Work<W> {
             let [sn, cn, _] = self.places.functions(i);
             let (real, imaginary) = (self.z[0][i], self.z[1][i]);
             // Z over P₁ cn + i P₂ sn, the quarter periods taken off both: an angle of at most a right one, and half of it.
-            let across = turning.aspect * cn;
+            let across = aspect * cn;
             let (aside, along) = in_quadrant(
                 self.places.bits[i],
                 imaginary * across - real * sn,
@@ -400,26 +266,19 @@ impl Moving {
     ) -> Result<Self> {
         let Constants {
             axes,
-            modulus,
-            rate,
+            course,
             amplitudes,
             turning_rate,
             ..
         } = &constants;
         let size = amplitudes[0].hypot(amplitudes[2]);
-        let (rate, turning_rate) = (rate.high().abs(), turning_rate.high().abs());
-        let quarters = quarters_reach(modulus, rate);
         let mut moving = Self {
-            constants,
             l: axes.signed(*amplitudes),
             omega: axes.there(greatest_omega),
             direction: amplitudes.map(|x| x / size),
             base: [1.0, 0.0, 0.0, 0.0],
-            reach: if RATES.contains(&rate) && RATES.contains(&turning_rate) {
-                quarters.min(turning_reach(turning_rate)).min(1e290)
-            } else {
-                -1.0
-            },
+            reach: course.reach(0.5, &[*turning_rate]),
+            constants,
         };
         let found = moving.at(0.0)?.attitude.quaternion().into_inner();
         let base = attitude.quaternion().into_inner() * found.conjugate();
@@ -444,18 +303,12 @@ impl Moving {
             work.states(self, &[t]);
         } else {
             let Constants {
-                modulus,
+                course,
                 turning,
                 turning_rate,
                 ..
             } = &self.constants;
-            let u = self.constants.rate * DoubleDouble::from(t) + self.constants.start;
-            let greatest = modulus.greatest_argument();
-            let countable = u.high().abs() <= greatest;
-            if !countable {
-                return Err(too_long(t, greatest / self.constants.rate.high().abs()));
-            }
-            work.places.put_from_afar(0, modulus, u);
+            work.places.follow_afar(course, t)?;
             let lag = turning.lag * DoubleDouble::from(work.places.quarters[0]);
             let half = (*turning_rate * DoubleDouble::from(t) - lag).scaled(0.5);
             (work.sine[0], work.cosine[0]) = turned(half, t)?;
@@ -467,13 +320,13 @@ impl Moving {
 
 impl Constants {
     pub(super) fn period(&self) -> f64 {
-        let quarter = self.modulus.quarter_period_dd();
+        let quarter = self.course.modulus.quarter_period_dd();
         if quarter.high() == f64::INFINITY {
             return f64::INFINITY;
         }
-        let nearly = 4.0 * (quarter.high() / self.rate.high()).abs();
+        let nearly = 4.0 * (quarter.high() / self.course.rate.high()).abs();
         if nearly.is_finite() {
-            4.0 * (quarter / self.rate).value().abs()
+            4.0 * (quarter / self.course.rate).value().abs()
         } else {
             nearly
         }
@@ -481,12 +334,12 @@ impl Constants {
 
     /// ν less the lag of each quarter period, and a right angle more for each: the azimuth of L in the body advances by that.
     pub(super) fn mean_precession_rate(&self) -> f64 {
-        let quarter = self.modulus.quarter_period_dd();
+        let quarter = self.course.modulus.quarter_period_dd();
         if quarter.high() == f64::INFINITY {
             return self.turning_rate.value();
         }
         let gain = RIGHT_ANGLE - self.turning.lag;
-        let quarters = self.rate / quarter;
+        let quarters = self.course.rate / quarter;
         (self.turning_rate + gain * quarters).value()
     }
 
@@ -494,14 +347,14 @@ impl Constants {
     pub(super) fn solid_angle(&self) -> f64 {
         let [p1, p2, p3] = self.amplitudes;
         let size = p1.hypot(p3);
-        let magnitude = match self.modulus.side() {
+        let magnitude = match self.course.modulus.side() {
             // ∮ (1 − cos θ) dφ = P₁P₂/P₃ ∫ P₃ dn/(|L| (|L| + P₃ dn)) du, a periodic function with poles beyond ±iK′: the rule of
             // equal ordinates leaves out q¹⁶, and nothing cancels for a small cone.
             Side::Circular => {
-                let quarter = self.modulus.quarter_period_dd();
+                let quarter = self.course.modulus.quarter_period_dd();
                 let ordinates = (0..16).map(|k| {
                     let u = quarter * DoubleDouble::from(f64::from(k) / 8.0);
-                    let dn = self.modulus.jacobi_dd(u).dn;
+                    let dn = self.course.modulus.jacobi_dd(u).dn;
                     dn / (1.0 + p3 / size * dn)
                 });
                 let mean = ordinates.sum::<f64>() / 16.0;
@@ -509,12 +362,12 @@ impl Constants {
             }
             // Near the separatrix the cone is wide: the closed form, which is Heuman's lambda function.
             Side::Hyperbolic => {
-                let mc = self.modulus.parameter().mc();
-                let share = mc * (p1 / p2) * (p3 / size) + self.turning.excess.value();
-                let quarter = self.modulus.quarter_period();
+                let mc = self.course.modulus.parameter().mc();
+                let share = mc * (p1 / p2) * (p3 / size) - self.turning.slope.value();
+                let quarter = self.course.modulus.quarter_period();
                 4.0 * (self.turning.lag.value() - quarter * share)
             }
         };
-        magnitude * self.rate.high().signum()
+        magnitude * self.course.rate.high().signum()
     }
 }

@@ -274,6 +274,7 @@ impl EulerTop {
             None => steady(moments, exact),
             Some(constants) => {
                 let largest = constants
+                    .course
                     .rate
                     .value()
                     .abs()
@@ -468,7 +469,7 @@ impl EulerTop {
     pub fn parameter(&self) -> Option<Parameter> {
         match &self.motion {
             Motion::Steady { .. } => None,
-            Motion::Moving(Moving { constants, .. }) => Some(constants.modulus.parameter()),
+            Motion::Moving(Moving { constants, .. }) => Some(constants.course.modulus.parameter()),
         }
     }
 

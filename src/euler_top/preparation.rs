@@ -1,8 +1,9 @@
 //! From moments and a start to the regime and the constants of the motion, in 106 bits and without a cancellation (tutorial 6.3, 6.6).
 
-use super::evaluation::{Constants, Renumbering, Turning};
+use super::evaluation::{Constants, Renumbering};
+use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
-use crate::elliptic::theta::{Elevation, Which};
+use crate::elliptic::turning::{Elevation, Turning, Which};
 use crate::error::{Error, Result};
 use crate::precise::{
     DoubleDouble, Extended, Number, Words, exponent_of, power_of_two_below, shifted,
@@ -236,7 +237,7 @@ impl Constants {
         let scaled = |x: DoubleDouble| {
             DoubleDouble::sum(shifted(x.high(), exponent), shifted(x.low(), exponent))
         };
-        self.rate = scaled(self.rate);
+        self.course.rate = scaled(self.course.rate);
         self.turning_rate = scaled(self.turning_rate);
         for amplitude in &mut self.amplitudes {
             *amplitude *= momentum;
@@ -363,7 +364,7 @@ fn constants<N: Number>(
         Which::Eta => c[1] * size_squared,
         Which::Xi => c[1],
     });
-    let turning = Turning::new(&descent, &elevation, aspect);
+    let turning = Turning::fourth(&descent, &elevation);
     let amplitudes = [
         wobble.root_of_quotient(c[1]),
         wobble.root_of_quotient(c[0]),
@@ -377,14 +378,17 @@ fn constants<N: Number>(
         dn_whole: steady,
     });
     let rate = lambda.signed(sense);
-    let excess = rate * N::from_narrow(N::Narrow::from_two(turning.excess));
+    let slope = rate * N::from_narrow(N::Narrow::from_two(turning.slope));
     Constants {
         axes,
-        modulus: descent.modulus,
-        start: if l[1].leading() < 0.0 { -start } else { start },
-        rate: rate.narrow().two(),
+        course: Course {
+            modulus: descent.modulus,
+            start: if l[1].leading() < 0.0 { -start } else { start },
+            rate: rate.narrow().two(),
+        },
         amplitudes,
+        aspect,
         turning,
-        turning_rate: (base + excess).narrow().two(),
+        turning_rate: (base - slope).narrow().two(),
     }
 }

@@ -15,17 +15,13 @@
 
 use nalgebra::Quaternion;
 
-use crate::elliptic::landen::Landen;
-use crate::elliptic::lanes::{
-    LANES, Places, phase, product, quarters_reach, turned, turning_reach,
-};
-use crate::elliptic::modulus::Descent;
-use crate::elliptic::theta::{Elevation, Exponentials, Theta, Which, dual_excess};
-use crate::elliptic::{Modulus, Side};
-use crate::error::{Error, Result, finite, not_negative, positive, too_long};
+use crate::elliptic::Side;
+use crate::elliptic::lanes::{Course, LANES, Places, phase, turned};
+use crate::elliptic::turning::Turning;
+use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::quick::sine_cosine;
-use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words, power_of_two_below};
+use crate::precise::{DoubleDouble, RIGHT_ANGLE, power_of_two_below};
 
 /// Lagrange's top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -126,136 +122,15 @@ pub(super) type Complex = nalgebra::Complex<f64>;
 pub(super) struct Parameter {
     /// 1, or −1 for the conjugate.
     pub(super) sense: f64,
-    /// By how much the argument falls with each quarter period beyond what the local expansion shows, radians.
-    pub(super) lag: DoubleDouble,
-    /// d arg/du at u = K.
-    pub(super) slope: DoubleDouble,
-    /// On the circular side the second pair of polynomials is that of the derivatives.
-    pub(super) theta: Theta,
-}
-
-impl Parameter {
-    /// Of ϑ₁(π(u + iη)/2K), or of its conjugate if `sense` is −1.
-    pub(super) fn new<N: Number>(
-        descent: &Descent<N>,
-        elevation: &Elevation<N>,
-        sense: f64,
-    ) -> Self {
-        match descent.side() {
-            Side::Circular => Self::circular(&descent.landen, elevation, descent.m, sense),
-            Side::Hyperbolic => Self::hyperbolic(&descent.landen, elevation, descent.mc, sense),
-        }
-    }
-
-    /// For m ≤ 1/2.
-    fn circular<N: Number>(landen: &Landen<N>, elevation: &Elevation<N>, m: N, sense: f64) -> Self {
-        let one = N::Narrow::from_double(1.0);
-        let q = landen.nome;
-        let Exponentials {
-            rho,
-            epsilon,
-            sinh,
-            decay,
-            ..
-        } = elevation.exponentials(landen, m);
-        // 1 − ε.
-        let rest = match elevation.which {
-            Which::Eta => sinh.scaled(2.0) * decay,
-            Which::Xi => one - epsilon,
-        };
-        // q^{n²} ρⁿ (1 ± ε^{2n+1}) for n = 0, 1, 2, 3.
-        let square = epsilon * epsilon;
-        let (e1, e3) = (epsilon, epsilon * square);
-        let e5 = e3 * square;
-        let factor1 = q * rho;
-        let factor2 = factor1 * factor1 * (q * q);
-        let geometric3 = one.add_alike(epsilon).add_alike(square);
-        let geometric5 = geometric3.add_alike(e3).add_alike(square * square);
-        let minus = [
-            rest,
-            factor1 * (rest * geometric3),
-            factor2 * (rest * geometric5),
-        ];
-        let plus = [
-            one.add_alike(e1),
-            factor1 * one.add_alike(e3),
-            factor2 * one.add_alike(e5),
-        ];
-        let x = q.leading();
-        let factor3 = factor2.leading() * factor1.leading() * x * x * x * x;
-        let e7 = e5.leading() * square.leading();
-        let (plus3, minus3) = (factor3 * (1.0 + e7), factor3 * (1.0 - e7));
-        // At z = π/2: cos(2n+1)z' sums with the sign that ϑ₂ has.
-        let numerator = N::Narrow::from_double(7.0 * minus3)
-            .add_alike(minus[2] * N::Narrow::from_double(5.0))
-            .add_alike(minus[1] * N::Narrow::from_double(3.0))
-            .add_alike(minus[0]);
-        let denominator = N::Narrow::from_double(plus3)
-            .add_alike(plus[2])
-            .add_alike(plus[1])
-            .add_alike(plus[0]);
-        let slope = -(landen.mean * numerator).quotient(denominator).two();
-        let a = [plus[0].value(), -plus[1].value(), plus[2].value(), -plus3];
-        let b = [
-            minus[0].value(),
-            -minus[1].value(),
-            minus[2].value(),
-            -minus3,
-        ];
-        let real = [
-            a[0] + 3.0 * a[1] + 5.0 * a[2] + 7.0 * a[3],
-            -4.0 * a[1] - 20.0 * a[2] - 56.0 * a[3],
-            16.0 * a[2] + 112.0 * a[3],
-            -64.0 * a[3],
-        ];
-        let imaginary = [
-            b[0] + b[1] + b[2] + b[3],
-            -4.0 * b[1] - 12.0 * b[2] - 24.0 * b[3],
-            16.0 * b[2] + 80.0 * b[3],
-            -64.0 * b[3],
-        ];
-        let q4 = |k: usize| if k < 4 { imaginary[k] } else { 0.0 };
-        let real_slope = core::array::from_fn(|k| (2 * k + 1) as f64 * real[k]);
-        let imaginary_slope = core::array::from_fn(|k| {
-            2.0 * (k + 1) as f64 * q4(k + 1) - (2 * k + 1) as f64 * imaginary[k]
-        });
-        Self {
-            sense,
-            lag: DoubleDouble::from(0.0),
-            slope,
-            theta: Theta {
-                even: [real, imaginary],
-                odd: [real_slope, imaginary_slope],
-            },
-        }
-    }
-
-    /// For m > 1/2: ϑ₂(ix − v) with v = πη/2K′ − π/2.
-    fn hyperbolic<N: Number>(
-        landen: &Landen<N>,
-        elevation: &Elevation<N>,
-        mc: N,
-        sense: f64,
-    ) -> Self {
-        let (sine, cosine) = elevation.angle(landen, mc);
-        let (s, c) = (-cosine, sine);
-        Self {
-            sense,
-            lag: N::Narrow::angle(sine, cosine).two(),
-            slope: dual_excess(landen, s, c).two(),
-            theta: Theta::dual(landen.nome.value(), s.value(), c.value()),
-        }
-    }
+    pub(super) turning: Turning,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Constants {
     pub(super) pull: Pull,
-    pub(super) modulus: Modulus,
-    /// See [`greatest_reach`](Self::greatest_reach).
+    pub(super) course: Course,
+    /// See [`Course::reach`].
     pub(super) reach: f64,
-    pub(super) start: DoubleDouble,
-    pub(super) rate: DoubleDouble,
     /// α and β without their phases.
     pub(super) parameters: [Parameter; 2],
     /// Their phases, radians a second.
@@ -273,15 +148,15 @@ impl Constants {
     ///
     /// The rates are added first: what the spin does to either, the other takes back, and that may be more than a double holds.
     pub(super) fn precession_per_nutation(&self) -> DoubleDouble {
-        let quarter = self.modulus.quarter_period_dd();
+        let quarter = self.course.modulus.quarter_period_dd();
         // The period itself may be beyond the doubles.
-        let unit = 1.0 / power_of_two_below(self.rate.high());
-        let period = quarter.scaled(2.0) / self.rate.scaled(unit);
+        let unit = 1.0 / power_of_two_below(self.course.rate.high());
+        let period = quarter.scaled(2.0) / self.course.rate.scaled(unit);
         let [alpha, beta] = &self.parameters;
         let lag = |parameter: &Parameter| {
-            let lag = match self.modulus.side() {
+            let lag = match self.course.modulus.side() {
                 Side::Circular => RIGHT_ANGLE,
-                Side::Hyperbolic => parameter.lag,
+                Side::Hyperbolic => parameter.turning.lag,
             };
             lag.scaled(2.0 * parameter.sense)
         };
@@ -289,24 +164,11 @@ impl Constants {
         rate * period - (lag(alpha) + lag(beta))
     }
 
-    /// Up to this time, s, phases are reduced without a branch; beyond, and where rates are at the ends of the doubles, in 106 bits.
-    pub(super) fn greatest_reach(&self) -> f64 {
-        let [nutation, alpha, beta] =
-            [self.rate, self.rates[0], self.rates[1]].map(|rate| rate.high().abs());
-        let tame = |rate: f64| rate == 0.0 || (1e-280..=1e280).contains(&rate);
-        if !(tame(nutation) && tame(alpha) && tame(beta)) {
-            return -1.0;
-        }
-        // Whole angles and whole lags, half of what may be reduced for either.
-        (0.5 * quarters_reach(&self.modulus, nutation))
-            .min(turning_reach(2.0 * alpha.max(beta)))
-            .min(1e290)
-    }
-
     /// α and β at one place, with their derivatives by time.
     fn pair(&self, t: f64, u: DoubleDouble) -> Result<([f64; 3], [Complex; 4])> {
         let mut work = Work::<1>::new();
-        work.put_from_afar(self, t, u)?;
+        work.places.put_from_afar(0, &self.course.modulus, u);
+        work.put_phases_afar(self, t)?;
         work.evaluate(self);
         Ok((work.places.functions(0), work.pair(0)))
     }
@@ -317,13 +179,8 @@ impl Constants {
         if t.abs() <= self.reach {
             work.put(self, &[t]);
         } else {
-            let u = self.rate * DoubleDouble::from(t) + self.start;
-            let greatest = self.modulus.greatest_argument();
-            let countable = u.high().abs() <= greatest;
-            if !countable {
-                return Err(too_long(t, greatest / self.rate.high().abs()));
-            }
-            work.put_from_afar(self, t, u)?;
+            work.places.follow_afar(&self.course, t)?;
+            work.put_phases_afar(self, t)?;
         }
         work.evaluate(self);
         Ok(work.state(0, self, body, axial_rate))
@@ -371,18 +228,12 @@ impl<const W: usize> Work<W> {
     /// Places and phases at times within reach.
     #[inline(always)]
     fn put(&mut self, constants: &Constants, times: &[f64; W]) {
-        let start = constants.start;
-        for i in 0..W {
-            let [high, low] = product(constants.rate, times[i]);
-            let u = DoubleDouble::sum(high, start.high());
-            let low = u.low() + (low + start.low());
-            self.places.put(i, &constants.modulus, [u.high(), low]);
-        }
+        self.places.follow(&constants.course, times);
         for k in 0..2 {
-            let Parameter { lag, sense, .. } = constants.parameters[k];
+            let Parameter { sense, turning } = constants.parameters[k];
             for i in 0..W {
                 let quarters = (self.places.quarters[i] + k as f64) * sense;
-                let angle = phase(constants.rates[k], times[i], lag, quarters);
+                let angle = phase(constants.rates[k], times[i], turning.lag, quarters);
                 (self.sine[k][i], self.cosine[k][i]) = sine_cosine(angle);
             }
         }
@@ -391,15 +242,17 @@ impl<const W: usize> Work<W> {
     /// α, β and their derivatives there.
     #[inline(always)]
     fn evaluate(&mut self, constants: &Constants) {
-        let modulus = &constants.modulus;
+        let Course { modulus, rate, .. } = &constants.course;
         self.places.evaluate(modulus);
-        let pace = modulus.pace() * constants.rate.high();
+        let pace = modulus.pace() * rate.high();
         for k in 0..2 {
-            let Parameter { sense, theta, .. } = &constants.parameters[k];
+            let Parameter { sense, turning } = &constants.parameters[k];
             let (factor, own) = (constants.factors[k], constants.rates[k].high());
             let shifted = k == 1;
             for i in 0..W {
-                let [value, slope] = self.places.theta_with_slope(i, modulus, theta, shifted);
+                let [value, slope] =
+                    self.places
+                        .theta_with_slope(i, modulus, &turning.theta, shifted);
                 let [value, slope] = [value, slope].map(|[re, im]| Complex::new(re, sense * im));
                 let weight = if shifted {
                     self.places.weight_of_shifted(i, modulus)
@@ -446,13 +299,12 @@ impl<const W: usize> Work<W> {
 }
 
 impl Work<1> {
-    /// The place u and the phases at any time.
-    fn put_from_afar(&mut self, constants: &Constants, t: f64, u: DoubleDouble) -> Result<()> {
-        self.places.put_from_afar(0, &constants.modulus, u);
+    /// The phases at any time, once the place is known.
+    fn put_phases_afar(&mut self, constants: &Constants, t: f64) -> Result<()> {
         for k in 0..2 {
-            let Parameter { lag, sense, .. } = constants.parameters[k];
+            let Parameter { sense, turning } = constants.parameters[k];
             let quarters = DoubleDouble::from((self.places.quarters[0] + k as f64) * sense);
-            let angle = constants.rates[k] * DoubleDouble::from(t) - lag * quarters;
+            let angle = constants.rates[k] * DoubleDouble::from(t) - turning.lag * quarters;
             (self.sine[k][0], self.cosine[k][0]) = turned(angle, t)?;
         }
         Ok(())
@@ -464,13 +316,13 @@ impl Constants {
     /// the vertical and Ω, which never vanish together.
     pub(super) fn fit(&mut self, q: Quaternion<f64>, omega: BodyVector) -> Result<()> {
         // Next to a separatrix a quarter period is long, and halfway one of the two is smaller than any double.
-        let middle = (self.modulus.quarter_period() * 0.5).min(1.0);
+        let middle = (self.course.modulus.quarter_period() * 0.5).min(1.0);
         let ([sn, cn, _], [alpha, beta, ..]) = self.pair(0.0, DoubleDouble::from(middle))?;
         let above = self.bottom1 + self.band * sn * sn;
         let below = self.top2 + self.band * cn * cn;
         self.factors[0] = Complex::new(above.sqrt() / alpha.norm(), 0.0);
         self.factors[1] = Complex::new(below.sqrt() / beta.norm(), 0.0);
-        let (_, [alpha, beta, alpha_rate, beta_rate]) = self.pair(0.0, self.start)?;
+        let (_, [alpha, beta, alpha_rate, beta_rate]) = self.pair(0.0, self.course.start)?;
         let size = alpha.norm_sqr() + beta.norm_sqr();
         let i = Complex::new(0.0, 1.0);
         // z₁ + iz₂ = 2i ᾱβ and Ω₁ + iΩ₂ = 2 (ᾱβ′ − βᾱ′).
@@ -479,7 +331,7 @@ impl Constants {
         let (a, b) = (Complex::new(q.w, q.k), Complex::new(q.i, q.j));
         let wanted_vertical = i * a.conj() * b * 2.0;
         let wanted = Complex::new(omega.x(), omega.y());
-        let time = 1.0 / self.rate.high();
+        let time = 1.0 / self.course.rate.high();
         // Both pairs in their own size, so that the smallest kick has a direction.
         let unit = |x: Complex, y: Complex| {
             let size = x.re.abs().max(x.im.abs()).max(y.re.abs()).max(y.im.abs());

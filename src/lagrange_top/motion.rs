@@ -6,7 +6,7 @@ use super::evaluation::{Body, Pull, State};
 use super::preparation::{Exact, FASTEST, Kept, Motion, Start, moderate, prepare, prepare_kept};
 use super::roots::{Nutation, Roots};
 use crate::elliptic::Parameter;
-use crate::elliptic::lanes::{fill, turned};
+use crate::elliptic::lanes::{Course, fill, turned};
 use crate::error::{Error, Result, finite, within};
 use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
@@ -389,7 +389,8 @@ impl LagrangeTop {
         match &self.motion {
             Motion::Still => f64::INFINITY,
             Motion::Moving(constants) => {
-                2.0 * constants.modulus.quarter_period() / constants.rate.high().abs()
+                let Course { modulus, rate, .. } = &constants.course;
+                2.0 * modulus.quarter_period() / rate.high().abs()
             }
         }
     }
@@ -409,7 +410,7 @@ impl LagrangeTop {
     pub fn parameter(&self) -> Option<Parameter> {
         match &self.motion {
             Motion::Still => None,
-            Motion::Moving(constants) => Some(constants.modulus.parameter()),
+            Motion::Moving(constants) => Some(constants.course.modulus.parameter()),
         }
     }
 
@@ -425,7 +426,7 @@ impl LagrangeTop {
     /// ```
     pub fn precession_per_nutation(&self) -> Option<f64> {
         match &self.motion {
-            Motion::Moving(constants) if constants.modulus.quarter_period().is_finite() => {
+            Motion::Moving(constants) if constants.course.modulus.quarter_period().is_finite() => {
                 let precession = constants.precession_per_nutation().value();
                 Some(match constants.pull {
                     Pull::Down => precession,

@@ -4,8 +4,9 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Body, Complex, Constants, Parameter, Pull};
 use super::roots::{Cubic, Distances, Integrals, Nutation, Roots, kind};
+use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
-use crate::elliptic::theta::{Elevation, Which};
+use crate::elliptic::turning::{Elevation, Turning, Which};
 use crate::error::{Error, Result, positive, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{
@@ -341,11 +342,11 @@ impl<N: Number<Narrow = DoubleDouble>> Top<N> {
             let [high, low] = [x.high(), x.low()].map(|word| shifted(word, self.exponent));
             *x = DoubleDouble::sum(high, low);
         };
-        scale(&mut constants.rate);
+        scale(&mut constants.course.rate);
         constants.rates.iter_mut().for_each(scale);
-        positive("the rate of nutation", constants.rate.value())?;
+        positive("the rate of nutation", constants.course.rate.value())?;
         constants.pull = self.pull;
-        constants.reach = constants.greatest_reach();
+        constants.reach = constants.course.reach(1.0, &constants.rates);
         Ok(constants)
     }
 
@@ -376,31 +377,30 @@ impl<N: Number<Narrow = DoubleDouble>> Top<N> {
                 Which::Xi => rest,
             },
         );
-        let sense = |x: N| if x.leading() > 0.0 { -1.0 } else { 1.0 };
-        let senses = [sense(d.sum), sense(d.difference)];
-        let parameters = [
-            Parameter::new(&descent, &lower, senses[0]),
-            Parameter::new(&descent, &upper, senses[1]),
-        ];
+        let parameter = |x: N, elevation| Parameter {
+            sense: if x.leading() > 0.0 { -1.0 } else { 1.0 },
+            turning: Turning::first(&descent, elevation),
+        };
+        let parameters = [parameter(d.sum, &lower), parameter(d.difference, &upper)];
         // The phases: α at u = K, where 1 + h is greatest, β at u = 0.
         let excess = self.axial_rate - self.spin;
         let halves = [
             (excess + d.sum.quotient(bottom2)).times(0.5),
             (d.difference.quotient(top1) - excess).times(0.5),
         ];
-        let turning = lambda.narrow();
         let rates = core::array::from_fn(|k| {
-            let own = (turning * parameters[k].slope).scaled(parameters[k].sense);
+            let Parameter { sense, turning } = parameters[k];
+            let own = (lambda.narrow() * turning.slope).scaled(sense);
             halves[k].narrow() - own
         });
-        let start = self.start(d, &descent);
-        let rate = lambda.narrow().two();
         Constants {
             pull: Pull::Down,
-            modulus: descent.modulus,
+            course: Course {
+                modulus: descent.modulus,
+                start: self.start(d, &descent),
+                rate: lambda.narrow().two(),
+            },
             reach: -1.0,
-            start,
-            rate,
             parameters,
             rates,
             factors: [Complex::new(1.0, 0.0); 2],

@@ -1,0 +1,407 @@
+//! Theta functions of complex arguments u + iη, of which the angles of the exact tops are made (tutorial 6.8, 7.2): how their own argument goes
+//! with u, in 106 bits where it grows with time, as polynomials where it repeats.
+
+use super::landen::Landen;
+use super::modulus::{Descent, Side};
+use crate::precise::quick::select;
+use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words};
+
+/// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Elevation<N> {
+    which: Which,
+    /// sn² = `rise`/`slope`, cn² = `run`/`slope`.
+    rise: N,
+    run: N,
+    slope: N,
+}
+
+/// Which of them: the smaller, so that its functions are far from their ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Which {
+    Eta,
+    Xi,
+}
+
+/// The powers of q and e that a theta function of a complex argument has as coefficients, w = πη/2K, for m ≤ 1/2.
+#[derive(Debug, Clone, Copy)]
+struct Exponentials<W> {
+    /// ρ = q e^{2w}.
+    rho: W,
+    /// ε = e^{−2w}.
+    epsilon: W,
+    /// sinh x, e^x and e^{−x} of the smaller argument x, w or πξ/2K. One of ρ and ε is e^{−2x}, and 1 less it 2 sinh x · e^{−x}.
+    sinh: W,
+    growth: W,
+    decay: W,
+}
+
+impl<W: Words> Exponentials<W> {
+    /// From sinh x and the nome q.
+    #[inline(always)]
+    fn new(which: Which, sinh: W, q: W) -> Self {
+        let growth = sinh.add_alike(sinh.hypotenuse_with_one());
+        let decay = W::from_double(1.0).quotient(growth);
+        let lesser = decay * decay;
+        // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
+        let other = q * growth * growth;
+        // For ξ in place of η they change roles.
+        let (rho, epsilon) = match which {
+            Which::Eta => (other, lesser),
+            Which::Xi => (lesser, other),
+        };
+        Self {
+            rho,
+            epsilon,
+            sinh,
+            growth,
+            decay,
+        }
+    }
+}
+
+impl<N: Number> Elevation<N> {
+    /// From `rise` and `run` of both: the smaller of them, with the `slope` that belongs to it.
+    #[inline(always)]
+    pub(crate) fn smaller(eta: [N; 2], xi: [N; 2], slope: impl Fn(Which) -> N) -> Self {
+        let (which, [rise, run]) = if (xi[0] * eta[1]).exceeds(eta[0] * xi[1]) {
+            (Which::Eta, eta)
+        } else {
+            (Which::Xi, xi)
+        };
+        Self {
+            which,
+            rise,
+            run,
+            slope: slope(which),
+        }
+    }
+
+    /// For m ≤ 1/2.
+    #[inline]
+    fn exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials<N::Narrow> {
+        let sinh = if self.run.is_zero() {
+            N::Narrow::from_double(1e150)
+        } else {
+            self.hyperbolic_sine(landen, m)
+        };
+        Exponentials::new(self.which, sinh, landen.nome)
+    }
+
+    /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
+    #[inline(always)]
+    fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> N::Narrow {
+        // sc² and dc² = 1 + m sc².
+        let sc2 = self.rise.quotient(self.run);
+        let dc2 = N::Narrow::from_double(1.0).add_alike((m * sc2).narrow());
+        let sc = sc2.square_root().narrow();
+        // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
+        let sc = if sc.leading() > 1e150 {
+            N::Narrow::from_double(1e150)
+        } else {
+            sc
+        };
+        landen.hyperbolic_sine(sc, dc2.square_root())
+    }
+
+    /// Sine and cosine of v = πη/2K′, for mc < 1/2.
+    #[inline(always)]
+    fn angle(&self, landen: &Landen<N>, mc: N) -> (N::Narrow, N::Narrow) {
+        let one = N::Narrow::from_double(1.0);
+        let sn2 = self.rise.quotient(self.slope).narrow();
+        let dn2 = one - mc.narrow() * sn2;
+        let lesser = landen.sine(sn2.square_root(), dn2.square_root());
+        let greater = (one - lesser * lesser).square_root();
+        match self.which {
+            Which::Eta => (lesser, greater),
+            Which::Xi => (greater, lesser),
+        }
+    }
+}
+
+/// A theta function of u + iη as polynomials: real part, and imaginary part over the odd factor. For m ≤ 1/2 in sin² z, z = πu/2K, and alike everywhere; beyond in
+/// 4√q′ sinh² x, x = πu/2K′, next to even and next to odd multiples of K.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Theta {
+    pub(crate) even: [[f64; 4]; 2],
+    pub(crate) odd: [[f64; 4]; 2],
+}
+
+impl Theta {
+    /// ϑ₂(ix − v), nome q′, from the sine and cosine of v; ϑ₃ next to odd multiples of K.
+    #[inline(always)]
+    fn dual(q: f64, s: f64, c: f64) -> Self {
+        let (s2, s4) = (s * s, s * s * s * s);
+        let root = q.sqrt();
+        // cos (2j+1)v and sin (2j+1)v.
+        let (c3, c5) = (c * (1.0 - 4.0 * s2), c * (1.0 - 12.0 * s2 + 16.0 * s4));
+        let c7 = c * (1.0 - 24.0 * s2 + 80.0 * s4 - 64.0 * s4 * s2);
+        let (k3, k5) = (s * (3.0 - 4.0 * s2), s * (5.0 - 20.0 * s2 + 16.0 * s4));
+        let k7 = s * (7.0 - 56.0 * s2 + 112.0 * s4 - 64.0 * s4 * s2);
+        // cos 2jv and sin 2jv.
+        let (e2, f2) = ((c - s) * (c + s), 2.0 * s * c);
+        let (e4, f4) = ((e2 - f2) * (e2 + f2), 2.0 * f2 * e2);
+        let (e6, f6) = (e2 * e4 - f2 * f4, f2 * e4 + e2 * f4);
+        let (q2, q3) = (q * q, q * q * q);
+        let (q5, q6, q7, q8) = (q2 * q3, q3 * q3, q2 * q2 * q3, q2 * q3 * q3);
+        let (q4, q9, q10, q11) = (q2 * q2, q3 * q6, q5 * q5, q5 * q6);
+        let even_real = [
+            c + c3 * q2 + c5 * q6,
+            root * (c3 * q + 3.0 * c5 * q5),
+            c5 * q5 + 5.0 * c7 * q11,
+            root * (c7 * q10),
+        ];
+        let even_imaginary = [
+            s + 3.0 * k3 * q2 + 5.0 * k5 * q6,
+            root * (k3 * q + 5.0 * k5 * q5),
+            k5 * q5 + 7.0 * k7 * q11,
+            root * (k7 * q10),
+        ];
+        let odd_real = [
+            1.0 + 2.0 * (e2 * q + e4 * q4 + e6 * q9),
+            root * (e2 + 4.0 * e4 * q3 + 9.0 * e6 * q8),
+            e4 * q3 + 6.0 * e6 * q8,
+            root * (e6 * q7),
+        ];
+        let odd_imaginary = [
+            root * (f2 + 2.0 * f4 * q3 + 3.0 * f6 * q8),
+            // √q · √q.
+            q * (f4 * q2 + 4.0 * f6 * q7),
+            root * f6 * q7,
+            0.0,
+        ];
+        Self {
+            even: [even_real, even_imaginary],
+            odd: [odd_real, odd_imaginary],
+        }
+    }
+
+    /// The polynomials next to even multiples of K, or where the mask is ones next to odd ones.
+    #[inline(always)]
+    pub(crate) fn chosen(&self, mask: u64) -> [[f64; 4]; 2] {
+        let part =
+            |odd: [f64; 4], even: [f64; 4]| core::array::from_fn(|k| select(mask, odd[k], even[k]));
+        [
+            part(self.odd[0], self.even[0]),
+            part(self.odd[1], self.even[1]),
+        ]
+    }
+}
+
+/// How the argument of a theta function of u + iη goes with u: by a lag for each quarter period, at a slope, and the rest by polynomials.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Turning {
+    /// By how much it falls with each quarter period beyond what the polynomials show, radians.
+    pub(crate) lag: DoubleDouble,
+    /// Its derivative by u at u = K.
+    pub(crate) slope: DoubleDouble,
+    pub(crate) theta: Theta,
+}
+
+impl Turning {
+    /// Of ϑ₄(π(u + iη)/2K); beyond m = 1/2 of ϑ₂(v − ix) with v − ix = π(η − iu)/2K′. The polynomials show every turn but the right angle that they share
+    /// with cn u and sn u, which is told as the lag.
+    pub(crate) fn fourth<N: Number>(descent: &Descent<N>, elevation: &Elevation<N>) -> Self {
+        let landen = &descent.landen;
+        if descent.side() == Side::Hyperbolic {
+            let (sine, cosine) = elevation.angle(landen, descent.mc);
+            return Self::dual(landen, [sine, cosine], [sine, cosine]);
+        }
+        let Exponentials {
+            rho,
+            epsilon,
+            sinh,
+            growth,
+            ..
+        } = elevation.exponentials(landen, descent.m);
+        let slope = fourth_slope(landen, rho, epsilon);
+        let one_less_rho = match elevation.which {
+            Which::Xi => 2.0 * sinh.value() / growth.value(),
+            Which::Eta => 1.0 - rho.value(),
+        };
+        let (q, rho, epsilon) = (landen.nome.value(), rho.value(), epsilon.value());
+        // ϑ₄(iw) with the factor 1 − ρ in front: it vanishes with it.
+        let (x, r2) = (q * epsilon, rho * rho);
+        let (g1, g2, g3) = (1.0 + rho + r2, rho * r2 + r2 * r2, r2 * r2 * (rho + r2));
+        let (q2, q4) = (q * q, q * q * (q * q));
+        let at_zero =
+            one_less_rho * (1.0 - x * (g1 - q2 * x * ((g1 + g2) - q4 * x * (g1 + g2 + g3))));
+        // (−1)ⁿ (q^{n²−n} ρⁿ ± q^{n²} εⁿ).
+        let (up2, down2) = (q2 * r2, q2 * (x * x));
+        let (up3, down3) = (q4 * up2 * rho, q4 * down2 * x);
+        let (a1, b1) = (-(rho + x), -(rho - x));
+        let (a2, b2) = (up2 + down2, up2 - down2);
+        let (a3, b3) = (-(up3 + down3), -(up3 - down3));
+        let real = [
+            at_zero,
+            -2.0 * a1 - 8.0 * a2 - 18.0 * a3,
+            8.0 * a2 + 48.0 * a3,
+            -32.0 * a3,
+        ];
+        let imaginary = [
+            -(2.0 * b1 + 4.0 * b2 + 6.0 * b3),
+            8.0 * b2 + 32.0 * b3,
+            -32.0 * b3,
+            0.0,
+        ];
+        Self {
+            lag: RIGHT_ANGLE,
+            slope,
+            theta: Theta {
+                even: [real, imaginary],
+                odd: [real, imaginary],
+            },
+        }
+    }
+
+    /// Of ϑ₁(π(u + iη)/2K), without the factor that grows with η; beyond m = 1/2 of ϑ₂(ix − v) with v = πη/2K′ − π/2. On the circular side there is no lag, and the
+    /// second pair of polynomials is that of the derivatives.
+    pub(crate) fn first<N: Number>(descent: &Descent<N>, elevation: &Elevation<N>) -> Self {
+        let landen = &descent.landen;
+        if descent.side() == Side::Hyperbolic {
+            let (sine, cosine) = elevation.angle(landen, descent.mc);
+            return Self::dual(landen, [sine, cosine], [-cosine, sine]);
+        }
+        let one = N::Narrow::from_double(1.0);
+        let q = landen.nome;
+        let Exponentials {
+            rho,
+            epsilon,
+            sinh,
+            decay,
+            ..
+        } = elevation.exponentials(landen, descent.m);
+        // 1 − ε.
+        let rest = match elevation.which {
+            Which::Eta => sinh.scaled(2.0) * decay,
+            Which::Xi => one - epsilon,
+        };
+        // q^{n²} ρⁿ (1 ± ε^{2n+1}) for n = 0, 1, 2, 3.
+        let square = epsilon * epsilon;
+        let e3 = epsilon * square;
+        let e5 = e3 * square;
+        let factor1 = q * rho;
+        let factor2 = factor1 * factor1 * (q * q);
+        let geometric3 = one.add_alike(epsilon).add_alike(square);
+        let geometric5 = geometric3.add_alike(e3).add_alike(square * square);
+        let minus = [
+            rest,
+            factor1 * (rest * geometric3),
+            factor2 * (rest * geometric5),
+        ];
+        let plus = [
+            one.add_alike(epsilon),
+            factor1 * one.add_alike(e3),
+            factor2 * one.add_alike(e5),
+        ];
+        let x = q.leading();
+        let factor3 = factor2.leading() * factor1.leading() * x * x * x * x;
+        let e7 = e5.leading() * square.leading();
+        let (plus3, minus3) = (factor3 * (1.0 + e7), factor3 * (1.0 - e7));
+        // At z = π/2: cos(2n+1)z' sums with the sign that ϑ₂ has.
+        let numerator = sum_upward(7.0 * minus3, minus, [1.0, 3.0, 5.0]);
+        let denominator = sum_upward(plus3, plus, [1.0; 3]);
+        let slope = -(landen.mean * numerator).quotient(denominator).two();
+        let with_signs =
+            |[x0, x1, x2]: [N::Narrow; 3], x3: f64| [x0.value(), -x1.value(), x2.value(), -x3];
+        let (a, b) = (with_signs(plus, plus3), with_signs(minus, minus3));
+        let real = [
+            a[0] + 3.0 * a[1] + 5.0 * a[2] + 7.0 * a[3],
+            -4.0 * a[1] - 20.0 * a[2] - 56.0 * a[3],
+            16.0 * a[2] + 112.0 * a[3],
+            -64.0 * a[3],
+        ];
+        let imaginary = [
+            b[0] + b[1] + b[2] + b[3],
+            -4.0 * b[1] - 12.0 * b[2] - 24.0 * b[3],
+            16.0 * b[2] + 80.0 * b[3],
+            -64.0 * b[3],
+        ];
+        let next = [imaginary[1], imaginary[2], imaginary[3], 0.0];
+        let real_slope = core::array::from_fn(|k| (2 * k + 1) as f64 * real[k]);
+        let imaginary_slope = core::array::from_fn(|k| {
+            2.0 * (k + 1) as f64 * next[k] - (2 * k + 1) as f64 * imaginary[k]
+        });
+        Self {
+            lag: DoubleDouble::from(0.0),
+            slope,
+            theta: Theta {
+                even: [real, imaginary],
+                odd: [real_slope, imaginary_slope],
+            },
+        }
+    }
+
+    /// From the sine and cosine of the lag, and those of v in ϑ₂(ix − v).
+    fn dual<N: Number>(landen: &Landen<N>, lag: [N::Narrow; 2], [s, c]: [N::Narrow; 2]) -> Self {
+        Self {
+            lag: N::Narrow::angle(lag[0], lag[1]).two(),
+            slope: dual_slope(landen, s, c).two(),
+            theta: Theta::dual(landen.nome.value(), s.value(), c.value()),
+        }
+    }
+}
+
+/// A small first term and weighted ones that grow, added from the smallest to the greatest.
+fn sum_upward<W: Words>(least: f64, terms: [W; 3], weights: [f64; 3]) -> W {
+    (0..3).rev().fold(W::from_double(least), |sum, k| {
+        let term = if weights[k] == 1.0 {
+            terms[k]
+        } else {
+            terms[k] * W::from_double(weights[k])
+        };
+        sum.add_alike(term)
+    })
+}
+
+/// d arg ϑ₄(z + iw)/du at u = K: −(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
+fn fourth_slope<N: Number>(landen: &Landen<N>, rho: N::Narrow, epsilon: N::Narrow) -> DoubleDouble {
+    let q = landen.nome;
+    let q2 = q * q;
+    let (up1, down1) = (rho, q * epsilon);
+    let (up2, down2) = (q2 * (rho * rho), q2 * (down1 * down1));
+    let up3 = up2 * up1 * (q2 * q2);
+    let down3 = down2 * down1 * (q2 * q2);
+    let (x, r, e) = (q.leading(), rho.leading(), epsilon.leading());
+    let x3 = x * x * x;
+    let up4 = up3.leading() * x3 * x3 * r;
+    let down4 = down3.leading() * x3 * x3 * x * e;
+    let minus = [
+        up1.add_alike(-down1),
+        up2.add_alike(-down2),
+        up3.add_alike(-down3),
+    ];
+    let plus = [
+        up1.add_alike(down1),
+        up2.add_alike(down2),
+        up3.add_alike(down3),
+    ];
+    let half = sum_upward(4.0 * (up4 - down4), minus, [1.0, 2.0, 3.0]);
+    let denominator =
+        sum_upward(up4 + down4, plus, [1.0; 3]).add_alike(N::Narrow::from_double(1.0));
+    -(landen.mean * half.scaled(2.0)).quotient(denominator).two()
+}
+
+/// d arg ϑ₂(ix − v)/du at u = K: (π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).
+fn dual_slope<N: Number>(landen: &Landen<N>, sine: N::Narrow, cosine: N::Narrow) -> N::Narrow {
+    let q = landen.nome;
+    let q2 = q * q;
+    let q4 = q2 * q2;
+    let s2 = (sine * cosine).scaled(2.0);
+    let c2 = (cosine - sine) * cosine.add_alike(sine);
+    let s4 = (s2 * c2).scaled(2.0);
+    let c4 = (c2 - s2) * (c2 + s2);
+    let (x, s2v, c2v, s4v, c4v) = (q.value(), s2.value(), c2.value(), s4.value(), c4.value());
+    let (x3, x4) = (x * x * x, x * x * (x * x));
+    let (x9, x16) = (x3 * x3 * x3, x4 * x4 * (x4 * x4));
+    let (s6, c6) = (s2v * c4v + c2v * s4v, c2v * c4v - s2v * s4v);
+    let (s8, c8) = (2.0 * s4v * c4v, c4v * c4v - s4v * s4v);
+    let numerator = N::Narrow::from_double(12.0 * x9 * s6 + 16.0 * x16 * s8)
+        .add_alike((q4 * s4).scaled(8.0))
+        .add_alike((q * s2).scaled(4.0));
+    let denominator = N::Narrow::from_double(2.0 * (x9 * c6 + x16 * c8))
+        .add_alike((q4 * c4).scaled(2.0))
+        .add_alike((q * c2).scaled(2.0))
+        .add_alike(N::Narrow::from_double(1.0));
+    (landen.mean * numerator).quotient(denominator)
+}

@@ -154,20 +154,10 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
         let scaled = entries.map(|x| x * down);
         if scaled.iter().all(|x| *x == 0.0 || x.abs() > LEAST) {
             moments = moments.map(|moment| moment * down);
-            found_again(
-                scaled.map(DoubleDouble::from),
-                &mut moments,
-                &mut axes,
-                side,
-            );
+            found_again::<DoubleDouble>(scaled, &mut moments, &mut axes, side);
             moments = moments.map(|moment| moment * up);
         } else {
-            found_again(
-                entries.map(Extended::from_double),
-                &mut moments,
-                &mut axes,
-                side,
-            );
+            found_again::<Extended>(entries, &mut moments, &mut axes, side);
         }
     }
     // Equal moments may have been rounded into the wrong order by one unit.
@@ -183,34 +173,35 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
 ///
 /// In a graded matrix all terms of these sums are graded as their results are: what cancels is the condition of the matrix scaled to a
 /// diagonal of ones. The root that is well separated from the others, `side`, is known to a few eps.
-fn found_again<N: Number>(a: [N; 6], moments: &mut V, axes: &mut [V; 3], side: Side) {
+///
+/// Out of line: within its caller the registers do not suffice for either.
+#[inline(never)]
+fn found_again<N: Number>(a: [f64; 6], moments: &mut V, axes: &mut [V; 3], side: Side) {
     let [x, y, z, xy, xz, yz] = a;
-    let minor = |a: N, b, c: N, d| (a * b).add_alike(-(c * d));
+    let minor = |a: f64, b: f64, c: f64, d: f64| N::product(a, b).add_alike(N::product(-c, d));
     // det(A − v) = cube − v (squares − v (trace − v)).
-    let trace = x.add_alike(y).add_alike(z);
     let first = minor(y, z, yz, yz);
     let squares = minor(x, y, xy, xy)
         .add_alike(minor(x, z, xz, xz))
         .add_alike(first);
-    let cube = (x * first)
-        .add_alike(-(xy * minor(xy, z, yz, xz)))
-        .add_alike(-(xz * minor(y, xz, xy, yz)));
+    let cube = first
+        .times(x)
+        .add_alike(minor(xy, z, yz, xz).times(-xy))
+        .add_alike(minor(y, xz, xy, yz).times(-xz));
     let (apart, [low, high]) = match side {
         Side::Smallest => (0, [1, 2]),
         Side::Largest => (2, [0, 1]),
     };
     let sizes = moments.map(f64::abs);
     if sizes[apart] < NEEDLE * sizes[low].max(sizes[high]) {
-        // v (1 − v (trace − v)/squares) is this; each turn divides what v is off by five or more.
+        // v (1 − v (trace − v)/squares) = cube/squares; the other two moments lie so close that 4 · whole · slope is at most 3/4.
         let whole = cube.ratio(squares);
-        let slope = (trace - N::from_double(moments[apart])).ratio(squares);
-        let mut value = moments[apart];
-        for _ in 0..3 {
-            value = whole / (1.0 - value * slope);
-        }
-        moments[apart] = value;
+        let slope = (moments[low] + moments[high]) / squares.narrow().value();
+        moments[apart] = 2.0 * whole / (1.0 + (1.0 - 4.0 * whole * slope).sqrt());
         return;
     }
+    let [x, y, z, xy, xz, yz] = a.map(N::from_double);
+    let trace = x.add_alike(y).add_alike(z);
     // A step of Newton's for the separated root, from a few eps to their square, then the quadratic that is left.
     let [u, v, near] = [low, high, apart].map(|k| N::from_double(moments[k]));
     let slope = (near - u) * (near - v);
@@ -239,6 +230,7 @@ fn found_again<N: Number>(a: [N; 6], moments: &mut V, axes: &mut [V; 3], side: S
     }
     // The columns of the adjugate of A − low are multiples of its axis.
     let [x, y, z] = [x, y, z].map(|d| d - pair[0]);
+    let minor = |a: N, b, c: N, d| (a * b).add_alike(-(c * d));
     let (a01, a02, a12) = (
         minor(xz, yz, xy, z),
         minor(xy, yz, xz, y),

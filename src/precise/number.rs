@@ -4,7 +4,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{DoubleDouble, Extended, angle, logarithm, shifted};
+use super::{DoubleDouble, Extended, angle, logarithm, quick, shifted};
 
 /// A number that the constants of an exact motion are formed in. Sums and differences keep its digits however much cancels.
 pub(crate) trait Number:
@@ -36,6 +36,12 @@ pub(crate) trait Number:
     fn logarithm(self) -> Self::Narrow;
     /// The cube root to the digits of a double.
     fn rough_cube_root(self) -> Self;
+
+    /// a b, exactly, of doubles far from the ends.
+    #[inline]
+    fn product(a: f64, b: f64) -> Self {
+        Self::from_double(a).times(b)
+    }
 
     /// The quick sum, of terms that do not cancel.
     #[inline]
@@ -106,6 +112,12 @@ impl Number for DoubleDouble {
     #[inline]
     fn difference(a: f64, b: f64) -> Self {
         Self::difference(a, b)
+    }
+
+    #[inline]
+    fn product(a: f64, b: f64) -> Self {
+        let (high, low) = quick::exact_product(a, b);
+        Self::new(high, low)
     }
 
     #[inline]

@@ -7,7 +7,7 @@
 
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::precise::quick::polynomial;
-use crate::precise::{DoubleDouble as Dd, Extended, Number};
+use crate::precise::{DoubleDouble as Dd, Extended, Number, Words};
 
 /// Spread of the arguments below which their series to [`ORDER`] are right to 2·10⁻²².
 /// A double needs less; principal values, in which two such integrals nearly cancel, need it.
@@ -143,32 +143,25 @@ pub(super) fn first<N: Number>(mut x: [N; 3]) -> N {
 }
 
 /// R_C(x, y) for x ≥ 0, y ≠ 0; the principal value for y < 0.
-pub(super) fn elementary<N: Number>(x: N, y: N) -> N {
+///
+/// An arctangent for x < y, a logarithm for x > y, and their common series next to x = y, where either would lose digits.
+pub(super) fn elementary<N: Number<Narrow = Dd>>(x: N, y: N) -> N {
     if y.leading() < 0.0 {
         let (whole, y) = (x - y, -y);
         let root = x.quotient(whole).square_root();
         return root * elementary(whole, y);
     }
-    let third = N::from_double(1.0).quotient(N::from_double(3.0));
-    let mean = |x: N, y: N| x.add_alike(y.times(2.0)) * third;
-    let start = mean(x, y);
-    let spread = Spread::new(start, [x, y, y], None);
-    // A duplication of R_F(a², b², b²), which needs one root.
-    let (mut a, mut x, mut y, mut scale) = (x.square_root(), x, y, 1.0);
-    for _ in 0..ROUNDS {
-        if spread.is_narrow(y) {
-            break;
-        }
-        let b = y.square_root();
-        a = a.add_alike(b);
-        (x, y) = (a.square(), (a * b).times(2.0));
-        scale *= 2.0;
+    let (gap, side) = (y - x, x.square_root());
+    if !gap.magnitude().exceeds(x.times(FLAT)) {
+        return N::from_narrow(flat(gap.quotient(x).narrow())).quotient(side);
     }
-    let mean = mean(x, y);
-    spread
-        .series::<1>(mean)
-        .quotient(mean.square_root())
-        .times(scale)
+    let root = gap.magnitude().square_root();
+    let arc = if gap.leading() > 0.0 {
+        Dd::angle(side.quotient(root).narrow(), Dd::from(1.0))
+    } else {
+        side.add_alike(root).quotient(y.square_root()).logarithm()
+    };
+    N::from_narrow(arc).quotient(root)
 }
 
 /// Arguments that the duplications of R_D or R_J have brought together: R_F goes on from there.

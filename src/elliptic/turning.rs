@@ -199,8 +199,9 @@ pub(crate) struct Turning {
 }
 
 impl Turning {
-    /// Of ϑ₄(π(u + iη)/2K); beyond m = 1/2 of ϑ₂(v − ix) with v − ix = π(η − iu)/2K′. The polynomials show every turn but the right angle that they share
-    /// with cn u and sn u, which is told as the lag.
+    /// Of ϑ₄(π(u + iη)/2K); beyond m = 1/2 of ϑ₂(v − ix) with v − ix = π(η − iu)/2K′.
+    ///
+    /// On the circular side it does not lag itself: the right angle told is that of cn u + i sn u, by which Euler's top divides it.
     pub(crate) fn fourth<N: Number>(descent: &Descent<N>, elevation: &Elevation<N>) -> Self {
         let landen = &descent.landen;
         if descent.side() == Side::Hyperbolic {

@@ -66,7 +66,11 @@ impl Exact {
         let separation = Separation::prepare(constants, variables.s1)?;
         let curve = Curve::prepare(&separation)?;
         let advance = separation.frequencies().map(|n| n.scaled(0.5));
-        let torus = Torus::prepare(&curve, advance.map(DoubleDouble::value))?;
+        let torus = Torus::prepare(
+            &curve,
+            separation.pinched(),
+            advance.map(DoubleDouble::value),
+        )?;
         let sum = |[[a, b], [c, d]]: [[f64; 2]; 2], signs: [f64; 2]| {
             [(a, c), (b, d)].map(|(x, y)| 0.5 * (signs[0] * x + signs[1] * y))
         };

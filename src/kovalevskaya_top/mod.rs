@@ -8,12 +8,12 @@
 //! * `separation`: variables s₁, s₂ with (s₁−s₂)²(ds/dt)² = P(s) for each, and the integrals ∫ds/√P and ∫s ds/√P, of which two phases are made that advance evenly;
 //! * `periods`, `theta`: the rest of the curve w² = P(s), and Riemann's theta function of two variables;
 //! * `solution`: from the phases back to Ω and z by a linear system, which is Kötter's of 1893, solved by quotients of theta functions; where two roots of the cubic meet their distance is taken out
-//!   of its sums by algebra;
+//!   of its sums by algebra, and where s₁ or s₂ passes between the two these are theta functions after the modular transformation in one direction;
 //! * `exact`: which signs a start has, and the trial at a later time;
 //! * `upright`: theta functions of one variable for a start with z exactly along axis 3, where two of the roots are one;
 //! * `taylor`: the same motion by power series in 106 bits, where her road is closed or loses digits;
 //! * `factors`, `precession`: the attitude, which takes one more quadrature, by theta functions at any time at the same cost;
-//! * `walk`: the same quadrature from stretch to stretch, where two roots are one to 8 digits, or two of the cubic to 3 and s₁ or s₂ passes between them;
+//! * `walk`: the same quadrature from stretch to stretch, where two roots are one to 9 digits;
 //! * [`Kind`], [`Diagram`]: the motions with a double root.
 //!
 //! Error of Ω and z, observed over 400 random starts with |Ω_i| ≤ 1.5, c = 1, at time 10, against power series with 24 digits: half

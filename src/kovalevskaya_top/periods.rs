@@ -77,7 +77,7 @@ impl Curve {
         let gap = || over_gap(0, real[1], 1).map(|x| x.im);
         let plus = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
         // The upper one of two complex roots, and how many real ones are to its left: only where that is one it is seen under the near gap.
-        let upper = (0..5).find(|&i| separation.roots[i].imaginary.high() > 0.0);
+        let upper = separation.upper();
         let mut pair = Half::default();
         let [first, second] = if let Some(upper) = upper {
             let left = real
@@ -142,7 +142,7 @@ impl Curve {
             0
         };
         // From the end that is nearer, or on this side of the complex roots; which sign the roots have is open as long as the half periods are.
-        let upper = (0..5).find(|&i| separation.roots[i].imaginary.high() > 0.0);
+        let upper = separation.upper();
         let from = separation.apart[real[base + 1]];
         let middle = upper.map_or(0.5 * from[real[base]].re, |upper| from[upper].re);
         let nearer = base + usize::from(-over(real[base + 1]) < middle);
@@ -189,7 +189,7 @@ impl Curve {
 
 /// Twice the normalized integrals from a root to a place.
 fn across(separation: &Separation, from: usize, place: &Place) -> [Number; 2] {
-    let [a, b, _] = separation.straight(from, place, [1.0, 1.0]);
+    let [a, b, _] = separation.straight(from, place, [Number::from(1.0); 2]);
     let [real, imaginary] = [0, 1].map(|part| {
         separation
             .normalized([a[part], b[part]])

@@ -54,7 +54,7 @@ impl Separation {
         };
         let narrowest = separation.narrowest();
         // What is not a number is refused as well.
-        if narrowest.is_nan() || narrowest < DOUBLE || separation.cancels() {
+        if narrowest.is_nan() || narrowest < DOUBLE {
             return None;
         }
         separation.halves = [
@@ -71,7 +71,7 @@ impl Separation {
     }
 
     /// Whether e₂ and e₃ are near each other, and s₁ or s₂ turns at one of them or passes between them.
-    fn cancels(&self) -> bool {
+    pub fn pinched(&self) -> bool {
         let [a, b, c] = self.ends;
         let passed = if self.roots[1].is_real() {
             let turns = |root: usize| root == a || root == b;
@@ -80,7 +80,7 @@ impl Separation {
             let right_of = |end: usize| self.apart[1][end].re > 0.0;
             !right_of(c) || right_of(a) && !right_of(b)
         };
-        passed && self.apart[1][2].norm() < CANCELLING * self.widest()
+        passed && self.apart[1][2].norm() < NEAR * self.widest()
     }
 
     fn widest(&self) -> f64 {
@@ -109,14 +109,15 @@ impl Separation {
         &self,
         from: usize,
         (place, weight): &Place,
-        pole: [f64; 2],
+        pole: [Number; 2],
     ) -> [[DoubleDouble; 2]; 3] {
         const STRETCH: f64 = 3.0;
         const DIGITS: f64 = 40.0;
         let start = &self.apart[from];
-        let (first, length) = (self.over_middle(from), place[from]);
+        let first = start[self.ends[0]] + self.half_way;
+        let length = place[from];
         let beyond = [
-            (Number::from(pole[0]), Number::from(pole[1])),
+            (pole[0], pole[1]),
             (Number::from(1.0), Number::from(*weight)),
         ];
         let clear = start
@@ -164,7 +165,7 @@ impl Separation {
                     length * (small * cosh * denominator.sqrt()) / (next * Number::new(0.0, 2.0));
                 let others = [
                     first + length * (far / denominator),
-                    Number::from(denominator / (near * pole[0] + far * pole[1])),
+                    denominator / (pole[0] * near + pole[1] * far),
                 ];
                 for (sum, value) in
                     sums.iter_mut()
@@ -183,15 +184,44 @@ impl Separation {
     }
     // ANCHOR_END: straight
 
-    /// The first two where they are real, the first counted upward.
-    fn along(&self, from: usize, place: &Place) -> [DoubleDouble; 2] {
-        let [[a, _], [b, _], _] = self.straight(from, place, [1.0, place.1]);
-        if a.high() < 0.0 { [-a, -b] } else { [a, b] }
+    /// The same along the real line, the first counted upward; `over` is s − c at the three.
+    ///
+    /// Where a complex root is on the way, by way of it: next to the line it would be as many steps as it is near.
+    fn ahead(
+        &self,
+        from: usize,
+        place: &Place,
+        [start, upper, end]: [Number; 3],
+    ) -> [DoubleDouble; 3] {
+        let on_the_way = self.upper().filter(|&upper| {
+            let [here, there] = [self.apart[from][upper].re, place.0[upper].re];
+            here * there < 0.0 && self.pinched()
+        });
+        let upward = |ways: [[DoubleDouble; 2]; 3]| {
+            let sign = 1.0_f64.copysign(ways[0][0].high());
+            ways.map(|[real, _]| real.scaled(sign))
+        };
+        match on_the_way {
+            Some(root) => {
+                let to_it = (self.apart[root], 1.0);
+                let first = upward(self.straight(from, &to_it, [start, upper]));
+                let second = upward(self.straight(root, place, [upper, end]));
+                [0, 1, 2].map(|i| first[i] + second[i])
+            }
+            None => upward(self.straight(from, place, [start, end])),
+        }
     }
 
-    /// e − σ of a real root.
-    pub fn over_middle(&self, root: usize) -> f64 {
-        self.apart[root][self.ends[0]].re + self.half_way
+    /// The first two.
+    fn along(&self, from: usize, place: &Place) -> [DoubleDouble; 2] {
+        let [one, weight] = [1.0, place.1].map(Number::from);
+        let [a, b, _] = self.ahead(from, place, [one, one, weight]);
+        [a, b]
+    }
+
+    /// Which root is above the real line.
+    pub fn upper(&self) -> Option<usize> {
+        (0..5).find(|&i| self.roots[i].imaginary.high() > 0.0)
     }
 
     /// ∫ds/√P and ∫(s−σ)ds/√P in turns of two phases that advance evenly: the first gains 1 as s₁ goes round its band, the second as s₂ does.
@@ -265,13 +295,14 @@ impl Separation {
     /// 1/((s₁−c)(s₂−c)) = (1/(s₂−c) − 1/(s₁−c))/(s₁−s₂), and dt/(s₁−s₂) is ds₁/√P as well as −ds₂/√P.
     pub fn third_kind(&self, c: DoubleDouble) -> f64 {
         let [a, b, last] = self.ends;
-        let [over_a, over_b, over_c] = self.ends.map(|end| (self.roots[end].real - c).value());
+        let over = |root: usize| self.roots[root].from(&Root::on_axis(c));
+        let upper = self.upper().map_or(Number::from(1.0), over);
         let far_away = self.far_away();
-        let [_, _, first] = self.straight(a, &(self.apart[b], 1.0), [over_a, over_b]);
-        let end = far_away.0[last].re;
-        let [_, _, second] = self.straight(last, &far_away, [over_c, end]);
+        let [_, _, first] = self.ahead(a, &(self.apart[b], 1.0), [over(a), upper, over(b)]);
+        let ends = [over(last), upper, far_away.0[last]];
+        let [_, _, second] = self.ahead(last, &far_away, ends);
         let [turns1, turns2] = self.frequencies().map(DoubleDouble::value);
-        -2.0 * (turns1 * first[0].value().abs() + turns2 * second[0].value().abs())
+        -2.0 * (turns1 * first.value().abs() + turns2 * second.value().abs())
     }
 
     /// The real roots in ascending order.
@@ -287,12 +318,12 @@ impl Separation {
     }
 }
 
-/// Where two roots are as near as this, as a part of the greatest distance, theta functions fall by so much as a phase turns that they lose digits: next to 1e-10 0.7 of what is stated.
-const DOUBLE: f64 = 1e-8;
+/// Where two roots are as near as this, as a part of the greatest distance, digits are lost: some 1e-16 at 1e-9, and next to 5e-11 several times what is stated.
+const DOUBLE: f64 = 1e-9;
 
-/// Where s₁ or s₂ turns at e₂ or e₃ or passes between them, half periods along the imaginary directions lie between their functions, whose difference is not to be had from parts:
-/// 1e-16 over their distance is lost.
-const CANCELLING: f64 = 3e-3;
+/// Where e₂ and e₃ are nearer, theta functions are taken after the modular transformation. Before it the half periods between theirs lie along the imaginary directions, and
+/// 1e-16 over the distance is lost: here as much as a start may be off by.
+const NEAR: f64 = 3e-3;
 
 /// Most steps of an integral on either side; where it would take more it is wrong, and what follows from it is found to be.
 const LONGEST: f64 = 16_384.0;

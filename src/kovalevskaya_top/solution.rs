@@ -7,7 +7,7 @@ use nalgebra::Complex;
 use super::constants::{Constants, Phase, Root};
 use super::periods::{Curve, Half, MEASURES};
 use super::separation::Separation;
-use super::theta::{Theta, join, parts, unit};
+use super::theta::{Pinched, Theta, join, parts, unit};
 
 type Number = Complex<f64>;
 
@@ -74,8 +74,16 @@ impl Reconstruction {
                 return [a, d2 / d1 * b, d3 / d1 * c];
             }
             let powers = [[2, -2][of], powers[0], powers[1], powers[2]];
-            let slope = d2 * self.slope(b, c, powers);
-            [a, slope - c, d2 * (b + c) / d1 + c]
+            // Which of the two sums holds the distance is told by the sign of b : c.
+            let opposite = (b / c).re < 0.0;
+            let c = if opposite { -c } else { c };
+            let slope = d2 * self.slope(b, c, powers) - c;
+            let mean = d2 * (b + c) / d1 + c;
+            if opposite {
+                [a, mean, slope]
+            } else {
+                [a, slope, mean]
+            }
         };
         Quotients {
             of_roots: [0, 1].map(|of| row(of, roots, [1, 1, 1])),
@@ -163,6 +171,8 @@ pub(super) struct Torus {
     places: [Half; 7],
     /// The half period from e₂ to e₃ if it is one along the real directions.
     between: Option<[u8; 2]>,
+    /// Where e₂ and e₃ are near each other and s₁ or s₂ passes between them.
+    pinched: Option<Pinched>,
     /// Re τm/2 in both components, a share of m₁ + m₂.
     twisted: bool,
     /// Turns of the phases a unit of time, halved.
@@ -170,22 +180,35 @@ pub(super) struct Torus {
 }
 
 impl Torus {
-    pub fn prepare(curve: &Curve, advance: [f64; 2]) -> Option<Self> {
+    pub fn prepare(curve: &Curve, pinched: bool, advance: [f64; 2]) -> Option<Self> {
         let one = |j: usize| curve.infinite.plus(curve.roots[j % 3]);
         let places = core::array::from_fn(|i| match i {
             0..3 => one(i),
             3..6 => one(i + 1).plus(curve.roots[(i + 2) % 3]),
             _ => curve.infinite,
         });
+        let between = curve.roots[1].plus(curve.roots[2]);
+        let pinched = if pinched {
+            let measure = match (between.n, between.m) {
+                (_, [0, 0]) if curve.y[0][0] < curve.y[1][1] => [1, 0],
+                (_, [0, 0]) => [0, 1],
+                ([0, 0], m) => m,
+                // Another root lies between the two.
+                _ => return None,
+            };
+            Some(Pinched::prepare(curve.y, measure, curve.twisted)?)
+        } else {
+            None
+        };
         let tables = MEASURES.map(|m| {
             let [a, b] = m.map(|x| -0.5 * f64::from(x));
-            let needed = places.iter().any(|place: &Half| place.m == m);
+            let needed = pinched.is_none() && places.iter().any(|place: &Half| place.m == m);
             needed.then(|| Theta::prepare(curve.y, curve.y.map(|[x, y]| x * a + y * b)))
         });
         let lacking = tables.iter().any(|table| matches!(table, Some(None)));
-        let between = curve.roots[1].plus(curve.roots[2]);
         (!lacking).then(|| Self {
             between: (between.m == [0, 0]).then_some(between.n),
+            pinched,
             tables: tables.into_iter().map(Option::flatten).collect(),
             places,
             twisted: curve.twisted,
@@ -208,13 +231,25 @@ impl Torus {
 
     /// Whether the functions of the second root and the third come as half their sum and half their difference.
     pub fn split(&self) -> bool {
-        self.between.is_some()
+        self.between.is_some() || self.pinched.is_some()
     }
 
     /// The seven, two pairs of them split.
     pub fn parts(&self, v: [f64; 2]) -> [Moving; 7] {
-        let once = v.map(unit);
         let mut found = [Moving::default(); 7];
+        if let Some(pinched) = &self.pinched {
+            let [w, rates] = [v, self.advance].map(|x| x.map(|x| 2.0 * x));
+            for (i, place) in self.places.iter().enumerate() {
+                let [even, odd] = pinched.parts(place.n, place.m, w, rates);
+                match i {
+                    1 | 4 => [found[i], found[i + 1]] = [even, odd],
+                    2 | 5 => {}
+                    _ => found[i] = [0, 1].map(|k| even[k] + odd[k]),
+                }
+            }
+            return found;
+        }
+        let once = v.map(unit);
         for (m, table) in MEASURES.iter().zip(&self.tables) {
             let Some(table) = table else { continue };
             let [first, second] = m.map(i32::from);

@@ -138,6 +138,113 @@ fn along(z: Number, row: &Row, weigh: impl Fn(i32, f64) -> f64) -> [Number; 2] {
     ]
 }
 
+/// θ with half periods after the modular transformation in the one direction in which Y is small.
+///
+/// Σ exp(−πn·Yn + 2πi n·w) over n₁ is, by Poisson's formula, a sum of e^{−π(w₁+k)²/a}, a = Y₁₁, and with n₂ left it is such a sum of theta functions of one variable,
+/// at w₂ − (w₁+k)b/a. As a comes to 0 one or two of them are left. A half period τ/2 in that direction changes the signs of those of odd k, so that two functions that differ by it
+/// are the sum and the difference of two sums that have no term in common.
+///
+/// Where Re τ is ½ everywhere, that is a sum over two shifts of w by a half apart, and the two sums are those of either.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Pinched {
+    /// m of the half period ½τm that is small.
+    measure: [u8; 2],
+    /// a, b/a.
+    width: f64,
+    slope: f64,
+    /// e^{−πn²(c − b²/a)} for n = 0, ½, 1, ….
+    terms: Vec<f64>,
+    twisted: bool,
+}
+
+impl Pinched {
+    pub fn prepare(
+        [[a, b], [_, c]]: [[f64; 2]; 2],
+        measure: [u8; 2],
+        twisted: bool,
+    ) -> Option<Self> {
+        // Y in a basis of which the measure is the first.
+        let [width, mixed] = match measure {
+            [1, 0] => [a, b],
+            [0, 1] => [c, b],
+            _ => [a + 2.0 * b + c, b + c],
+        };
+        let rest = (a * c - b * b) / width;
+        if !(width > 0.0 && rest > 0.0 && REACH / rest < LARGEST) {
+            return None;
+        }
+        let term = |n: i32| (-0.25 * PI * rest * f64::from(n * n)).exp();
+        Some(Self {
+            measure,
+            width,
+            slope: mixed / width,
+            terms: (0..2 + (4.0 * REACH / rest).sqrt() as i32)
+                .map(term)
+                .collect(),
+            twisted,
+        })
+    }
+
+    /// Phases in that basis.
+    fn along(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        match self.measure {
+            [1, 0] => [x, y],
+            [0, 1] => [y, x],
+            _ => [x + y, y],
+        }
+    }
+
+    /// The two sums of the function with half periods n and m at w, each with its rate if w changes at these rates.
+    pub fn parts(&self, n: [u8; 2], m: [u8; 2], w: [f64; 2], rates: [f64; 2]) -> [[Number; 2]; 2] {
+        let [r1, r2] = self.along(rates);
+        let turn = r2 - self.slope * r1;
+        let [signed, odd] = match self.measure {
+            [1, 0] => m,
+            [0, 1] => [m[1], m[0]],
+            _ => [m[0], m[0] ^ m[1]],
+        };
+        let shifts = if !self.twisted {
+            [(0.0, Number::from(1.0)); 2]
+        } else if m[0] == m[1] {
+            [(0.0, Number::new(0.5, 0.5)), (0.5, Number::new(0.5, -0.5))]
+        } else {
+            [0.25, -0.25].map(|x| (x, Number::from(0.5_f64.sqrt())))
+        };
+        let reach = (REACH * self.width).sqrt() + 1.0;
+        [0, 1].map(|class| {
+            let (shift, weight) = shifts[class];
+            let [w1, w2] = self.along([0, 1].map(|i| w[i] + shift + 0.5 * f64::from(n[i])));
+            let (mut value, mut rate) = (0.0, 0.0);
+            for k in (-w1 - reach).ceil() as i32..=(reach - w1) as i32 {
+                let even = k & 1 == 0;
+                if !self.twisted && even != (class == 0) {
+                    continue;
+                }
+                let d = w1 + f64::from(k);
+                let height = (-PI * d * d / self.width).exp();
+                let height = if even || signed == 0 { height } else { -height };
+                let [single, slope] = self.single(odd, w2 - self.slope * d);
+                value += height * single;
+                rate += height * (turn * slope - TAU * d / self.width * r1 * single);
+            }
+            [value, rate].map(|x| weight * x)
+        })
+    }
+
+    /// The theta function of one variable, over whole n or over those with a half, and its derivative.
+    fn single(&self, odd: u8, w: f64) -> [f64; 2] {
+        let step = unit(w);
+        let mut power = unit(0.5 * f64::from(odd) * w);
+        let (mut value, mut slope) = (0.0, 0.0);
+        for (n, term) in self.terms.iter().enumerate().skip(odd.into()).step_by(2) {
+            value += if n == 0 { *term } else { 2.0 * term * power.re };
+            slope -= TAU * n as f64 * term * power.im;
+            power *= step;
+        }
+        [value, slope]
+    }
+}
+
 /// The partial sums put together: signs from a half period n/2 along the real directions, i from the real part ½ of τ.
 pub(super) fn join(sums: &Sums, half: [u8; 2], twisted: bool) -> Number {
     let [whole, _] = parts(sums, half, twisted, [0, 0]);

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Kovalevskaya's top on a double root and beside it, to 30 digits: writes kovalevskaya_double_root.csv beside this script.
 
-z along axis 3 at the start, exactly or nearly. The motion may amplify what is rounded more than a billion billion times until t = 60, so the power
+z along axis 3 at the start, exactly or nearly; and motions where a variable passes between two roots of the cubic that nearly meet. The motion may amplify what is rounded more than a billion billion times until t = 60, so the power
 series of kovalevskaya.py are carried to 66 digits with 64 terms and to 72 digits with 52 terms; the two must agree to 30 digits.
 """
 
+import math
 import random
 from multiprocessing import Pool
 
@@ -49,6 +50,17 @@ def cases():
         nudge = 10.0 ** -(1.0 + number / 1.5)
         omega = tuple(draw.uniform(-1.5, 1.5) for _ in range(3))
         yield "beside it", (1.0, plain, omega, (nudge * draw.uniform(-1, 1), nudge * draw.uniform(-1, 1), poles[number % 2]))
+    for number in range(24):
+        nudge = 10.0 ** -(1.0 + number / 3.4)
+        p, q, r = (nudge * draw.uniform(-1, 1) for _ in range(3))
+        angle = math.pi * draw.uniform(-1, 1)
+        fast = draw.uniform(0.1, 1.5)
+        yield "passing", [
+            # Pendulums about axes 3 and 2, and axis 1 upright with the body spinning about it, all but for a nudge.
+            (1.0, plain, (p, q, fast), (math.cos(angle), math.sin(angle), r)),
+            (1.0, plain, (p, fast, q), (math.cos(angle), r, math.sin(angle))),
+            (1.0, plain, (fast, p, q), (poles[number % 2], r, nudge)),
+        ][number % 3]
 
 
 upward, kovalevskaya.start = kovalevskaya.start, start

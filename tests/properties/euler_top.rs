@@ -1,6 +1,6 @@
 //! Properties of the free top over bodies and starts that nobody chose.
 
-use super::{component, composed, derivative};
+use super::{component, composed, derivative, turn};
 use nalgebra::UnitQuaternion;
 use proptest::prelude::*;
 use spinning_bodies::euler_top::{EulerTop, State, SymmetricTop};
@@ -16,12 +16,6 @@ fn moments() -> impl Strategy<Value = [f64; 3]> {
 fn momenta() -> impl Strategy<Value = [f64; 3]> {
     [component(1.0), component(1.0), component(1.0)]
         .prop_filter("at rest", |l| l.iter().any(|x| x.abs() > 0.05))
-}
-
-fn turn() -> impl Strategy<Value = Attitude> {
-    prop::array::uniform4(0.05..1.0_f64).prop_map(|[w, x, y, z]| {
-        Attitude::from_quaternion(w - 0.5, x - 0.4, y, z).expect("y is not zero")
-    })
 }
 
 fn top(moments: [f64; 3], l: [f64; 3]) -> EulerTop {

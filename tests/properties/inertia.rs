@@ -1,5 +1,6 @@
 //! Properties of the inertia module over bodies that nobody chose.
 
+use super::turn;
 use nalgebra::Matrix3;
 use proptest::prelude::*;
 use spinning_bodies::Result;
@@ -18,12 +19,6 @@ fn point() -> impl Strategy<Value = [f64; 3]> {
 
 fn masses() -> impl Strategy<Value = Vec<(f64, [f64; 3])>> {
     prop::collection::vec((0.1..2.0, point()), 1..8)
-}
-
-fn turn() -> impl Strategy<Value = Attitude> {
-    prop::array::uniform4(0.05..1.0_f64).prop_map(|[w, x, y, z]| {
-        Attitude::from_quaternion(w - 0.5, x - 0.4, y, z).expect("y is not zero")
-    })
 }
 
 fn body(masses: &[(f64, [f64; 3])]) -> Result<MassProperties> {

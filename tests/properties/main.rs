@@ -21,6 +21,12 @@ fn component(most: f64) -> impl Strategy<Value = f64> {
     )
 }
 
+fn turn() -> impl Strategy<Value = Attitude> {
+    prop::array::uniform4(0.05..1.0_f64).prop_map(|[w, x, y, z]| {
+        Attitude::from_quaternion(w - 0.5, x - 0.4, y, z).expect("y is not zero")
+    })
+}
+
 fn composed(first: &Attitude, second: &Attitude) -> Attitude {
     let q = first.quaternion() * second.quaternion();
     Attitude::from_quaternion(q.w, q.i, q.j, q.k).expect("a unit quaternion")

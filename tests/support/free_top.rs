@@ -1,7 +1,6 @@
 //! The free top integrated without one elliptic function: Taylor's series of Euler's equations and of q' = ½ q Ω, 24
 //! terms at a time, in pairs of doubles. A step is wrong by 1e-24, and that is what energy and angular momentum show.
 
-use crate::cross;
 use crate::double_double::Dd;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
@@ -45,18 +44,9 @@ impl Flight {
 
     /// Further by the time t, either way.
     pub fn fly(&mut self, t: f64) -> Self {
-        self.fly_in_steps(t, 0.157)
-    }
-
-    /// The same with an error of 1e-31 a step, for motions that magnify it.
-    pub fn fly_finely(&mut self, t: f64) -> Self {
-        self.fly_in_steps(t, 0.08)
-    }
-
-    fn fly_in_steps(&mut self, t: f64, angle: f64) -> Self {
         // The nearest complex singularity is at least π/2 over the greatest angular velocity of this energy away: a step of
         // a tenth of that leaves out 10⁻²⁵.
-        let step = angle / self.greatest_omega();
+        let step = 0.157 / self.greatest_omega();
         let count = (t.abs() / step).ceil().max(1.0);
         let h = Dd::from(t) / Dd::from(count);
         for _ in 0..count as u64 {
@@ -127,17 +117,6 @@ impl Flight {
     pub fn attitude(&self) -> Attitude {
         let [w, x, y, z] = self.q.map(Dd::value);
         Attitude::from_quaternion(w, x, y, z).expect("four numbers of norm one")
-    }
-
-    /// L along the axes of space, in pairs.
-    pub fn l_in_space(&self) -> [Dd; 3] {
-        let [w, x, y, z] = self.q;
-        let l = self.l;
-        let v = [x, y, z];
-        let two = Dd::from(2.0);
-        let t = cross(v, l).map(|c| two * c);
-        let u = cross(v, t);
-        [0, 1, 2].map(|n| l[n] + w * t[n] + u[n])
     }
 
     /// 2E = Σ L_i²/I_i, in pairs.

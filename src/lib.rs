@@ -4,8 +4,8 @@
 //!
 //! | section | module | what it computes | how exactly |
 //! |---|---|---|---|
-//! | 1.1 | [`phenomena`] | turning round at angular momentum zero | quadratures to rounding; with air or friction, steps to the accuracy asked |
-//! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule | closed forms; principal axes that do not cancel |
+//! | 1.1 | [`phenomena`] | turning round with no angular momentum | quadratures to rounding; with air or friction, steps to the accuracy asked |
+//! | 2 | [`inertia`] | inertia matrix, principal axes, shapes, meshes, Routh's rule | closed forms; principal axes computed without cancellation |
 //! | 2.2, 5.1 | [`frame`] | body and space axes, attitude, the transport theorem | rounding |
 //! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them | rounding; relative positions and velocities, so that a distant or fast swarm keeps its digits |
 //! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids | closed form |
@@ -13,20 +13,20 @@
 //! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other | closed form from event to event |
 //! | 4.6 | [`superball`] | bounces that keep the energy | exact in fractions; closed form after any number of bounces |
 //! | 4.7 | [`tippe_top`] | bodies that stand on a table: tippe top, egg, chiral top, rattleback | thresholds in closed form; motions by steps, to the accuracy asked |
-//! | 4.9 | [`yo_yo`] | down, turn, sleep, and up again | closed form; with losses, steps to the accuracy asked |
+//! | 4.9 | [`yo_yo`] | down, turn, sleep, and up again | closed form; with losses, in steps to the accuracy asked |
 //! | 4.10 | [`falling_strip`] | flutter and tumbling of a strip in a fluid | steps to the accuracy asked; the model is fitted to experiments |
 //! | 5 | [`euler_equations`] | Euler's equations, with torque and about any point; the heavy tops with a further integral | rounding |
-//! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants | rounding; the truncation is the model |
-//! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis | the last digits of the doubles given, at any time, separatrix included |
-//! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum | the last digits, at any time, asleep or nearly |
-//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | errors grow with time, and are stated; at a double root by elliptic functions for starts with axis 3 upright, by power series for others, or refused |
+//! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants | to rounding, for the truncated model |
+//! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis | to the last digits of a double, at any time, on the separatrix too |
+//! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum | to the last digits of a double, at any time, even when the top is asleep or nearly so |
+//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | the error grows with time, and is stated; at a double root by elliptic functions for starts with axis 3 upright, by power series for others, or refused |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner | rounding |
-//! |  | [`scene`] | a body, how it is held, its effects; the plan that follows, the motion and its ledger | within the accuracy asked, or refused; an estimate with every answer |
-//! |  | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn | their order; |L| kept to rounding by the geometric ones |
-//! |  | [`elliptic`] | Jacobi functions and elliptic integrals that survive the separatrix | half a unit in the last place for integrals, four for functions |
+//! |  | [`scene`] | a body, how it is held, its effects; how it will be computed, the motion and what it conserves | within the accuracy asked, or refused; every answer comes with an estimate of its error |
+//! |  | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn | to the order of each method; |L| kept to rounding by the geometric ones |
+//! |  | [`elliptic`] | Jacobi functions and elliptic integrals that keep their digits at the separatrix | half a unit in the last place for integrals, four for functions |
 //! |  | [`Error`] | the one error type |  |
 //!
-//! What was measured, and against what, stands on the front page of each module and with each function.
+//! The front page of each module, and each function, says what was measured and against what.
 //!
 //! SI units and radians throughout; a quantity without a unit says so.
 

@@ -49,7 +49,7 @@ fn condensed(message: &str) -> String {
     let told = message.split("\nUsage:").next().unwrap_or_default();
     let told = one_line(told.trim_start_matches("error:"));
     let told = told.replace("For more information, try '--help'.", "");
-    format!("{}; `cargo run -- --help` teaches", told.trim()).replace(" tip: ", "; ")
+    format!("{}; see `cargo run -- --help`", told.trim()).replace(" tip: ", "; ")
 }
 
 fn obey(command: Option<Command>) -> Result<()> {

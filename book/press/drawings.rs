@@ -89,10 +89,14 @@ pub fn values(entries: &[Entry], set: &[String]) -> Result<Values> {
     };
     let told = |told: String| Error::Input(format!("--set: {told}"));
     set.iter().try_fold(Values::default(), |values, set| {
-        let wrong = || told(format!("'{set}' is no KEY=VALUE"));
-        let (key, value) = set.split_once('=').ok_or_else(wrong)?;
-        let parameter = entry.parameter(key).map_err(told)?;
-        let value = value.parse().map_err(|_| wrong())?;
+        let bare = || told(format!("'{set}' has no value, expected KEY=VALUE"));
+        let (key, value) = set.split_once('=').ok_or_else(bare)?;
+        let known = entry.parameters.iter().map(|parameter| parameter.key);
+        let meant = |unknown| told(format!("{unknown}{}", files::meant(key, known)));
+        let parameter = entry.parameter(key).map_err(meant)?;
+        let value = value
+            .parse()
+            .map_err(|_| told(format!("{key} is '{value}', expected a number")))?;
         values.with(parameter, value).map_err(told)
     })
 }

@@ -154,13 +154,13 @@ pub enum Command {
         /// Colours for light paper or dark [default: light]
         #[arg(long, value_parser = ["light", "dark"], conflicts_with = "check")]
         theme: Option<String>,
-        /// No paper behind the drawing
+        /// Leaves the background transparent
         #[arg(long, conflicts_with = "check")]
         transparent: bool,
         /// Form of the files; all but svg need a build with `--features book/pictures` [default: svg]
         #[arg(long = "as", value_enum, value_name = "FORM", conflicts_with = "check")]
         form: Option<Form>,
-        /// Width of a PDF in points, 432 by itself, or of a PNG in dots, 1200 by itself
+        /// Width of a PDF in points [default: 432], or of a PNG in pixels [default: 1200]
         #[arg(long, value_name = "N", requires = "form", value_parser = clap::value_parser!(u16).range(16..=16384))]
         width: Option<u16>,
         /// Folder for the files [default: figures/svg in the workspace; the current folder for a drawing unlike the book's]
@@ -184,7 +184,7 @@ pub enum Command {
         /// Opens the first page in the browser
         #[arg(long)]
         open: bool,
-        /// Goes on, and prints it again whenever a chapter is saved; the figures stay those of the start
+        /// Keeps running, and prints a page again whenever its chapter is saved; the figures are not drawn again
         #[arg(long)]
         watch: bool,
     },
@@ -196,16 +196,16 @@ pub enum Command {
         /// The scene file, or the name of one in book/scenes; `-` reads standard input
         #[arg(required_unless_present = "keys")]
         file: Option<PathBuf>,
-        /// Prints the keys that a kind of scene has, and reads no file
+        /// Prints the keys of a kind of scene, and reads no file
         #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "plot", "film", "frames", "format", "output"])]
         keys: Option<String>,
-        /// The numbers of a row after the time; a name that is none has them all listed [default: the usual ones of the kind]
+        /// The columns of a row after the time; an unknown name gets you the list of them all [default: the usual ones of the kind]
         #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
         columns: Vec<String>,
         /// Draws a picture instead: a panel for each COLUMN against time, or X:Y for one column against another
         #[arg(long, value_name = "WHAT,…", value_delimiter = ',', conflicts_with_all = ["columns", "format"])]
         plot: Vec<Panel>,
-        /// Films the moving body instead: one SVG that plays wherever a browser shows it
+        /// Films the moving body instead: one SVG that plays in any browser
         #[arg(long, conflicts_with_all = ["columns", "plot", "format"])]
         film: bool,
         /// Seconds of the motion in a second of the film [default: so that it takes ten seconds]
@@ -217,10 +217,10 @@ pub enum Command {
         /// Form of these pictures; all but svg need a build with `--features book/pictures` [default: svg]
         #[arg(long = "as", value_enum, value_name = "FORM", requires = "frames", conflicts_with_all = ["plot", "film"])]
         form: Option<Form>,
-        /// How the motion is written [default: as the name of the output ends; csv]
+        /// Form of the rows [default: by the ending of the output's name, otherwise csv]
         #[arg(long, value_enum)]
         format: Option<Format>,
-        /// Where to; without it, standard output
+        /// File to write; without it, standard output
         #[arg(long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
@@ -233,16 +233,16 @@ pub enum Command {
         /// together. May be given more than once
         #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
         over: Vec<Over>,
-        /// What is told of a motion: COLUMN, first:COLUMN, least:COLUMN, greatest:COLUMN, crossing:COLUMN=LEVEL [default: its last row]
+        /// What to write of each motion: COLUMN, first:COLUMN, least:COLUMN, greatest:COLUMN, crossing:COLUMN=LEVEL [default: its last row]
         #[arg(long, value_name = "WHAT,…", value_delimiter = ',')]
         tell: Vec<Tell>,
         /// Draws one number instead, told as for --tell: a line over one --over, a map over two
         #[arg(long, value_name = "WHAT", conflicts_with_all = ["tell", "format"])]
         plot: Option<Tell>,
-        /// How it is written [default: as the name of the output ends; csv]
+        /// Form of the rows [default: by the ending of the output's name, otherwise csv]
         #[arg(long, value_enum)]
         format: Option<Format>,
-        /// Where to; without it, standard output
+        /// File to write; without it, standard output
         #[arg(long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
@@ -252,13 +252,13 @@ pub enum Command {
         /// A problem, one of its lengths, or a scene file; without it, all problems
         #[arg(long, value_name = "NAME")]
         scene: Option<String>,
-        /// Also writes one row a measurement
+        /// Also writes a CSV file, with one row for each measurement
         #[arg(long, value_name = "FILE")]
         csv: Option<PathBuf>,
-        /// Draws the errors against what they cost instead, of the one motion that --scene names
+        /// Draws error against time instead, for the one motion that --scene names
         #[arg(long, requires = "scene")]
         plot: bool,
-        /// Where to draw; without it, standard output
+        /// File for the drawing; without it, standard output
         #[arg(long, value_name = "FILE", requires = "plot")]
         output: Option<PathBuf>,
     },

@@ -5,14 +5,14 @@
 //! | 6.2, 6.3 | the ellipsoid that rolls on a plane, polhode and herpolhode in closed form | [`Poinsot`] |
 //! | 6.3, 6.7 | which permanent rotations last: growth rates, integrals, flip times | [`stability`] |
 //! | 6.5 | two equal moments: sines and cosines | [`SymmetricTop`] |
-//! | 6.5 | the example everybody lives on | [`earth`] |
+//! | 6.5 | the symmetric top that everybody lives on | [`earth`] |
 //! | 6.1, 6.4, 6.6, 6.8 | Ω, L and attitude of any body at any time; period, mean precession, geometric phase | [`EulerTop`] |
-//! | 2.3, 6.6 | the same along axes that are no principal ones | [`FreeBody`] |
+//! | 2.3, 6.6 | the same in axes that are not the principal ones | [`FreeBody`] |
 //! | 6.6, 6.8 | the same for many times at once | [`EulerTop::states_at`] |
-//! | 6.6, 6.8 | an asteroid that is no symmetric top | [`toutatis`] |
+//! | 6.6, 6.8 | an asteroid, and not a symmetric top | [`toutatis`] |
 //!
 //! [`EulerTop`] decides once what kind of motion it is ([`Regime`]) and covers the symmetric top, the sphere, the rod and the
-//! separatrix too; [`SymmetricTop`] is for those who want 6.5 in its own words.
+//! separatrix too; [`SymmetricTop`] gives the simpler formulas of 6.5 for two equal moments.
 //!
 //! # Error and cost
 //!

@@ -2,13 +2,13 @@
 //!
 //! A body resists being turned differently about different axes, so one number does not do. The map
 //! from angular velocity Ω to angular momentum L is linear, hence a matrix; it is symmetric, hence it
-//! has three orthogonal principal axes; and everything that dynamics can notice of a body is its mass,
-//! its centre and this matrix. They are the three fields of [`MassProperties`].
+//! has three orthogonal principal axes. All that dynamics can notice of a rigid body is its mass,
+//! its centre of mass and this matrix. They are the three fields of [`MassProperties`].
 //!
 //! | want | have |
 //! |---|---|
 //! | the inertia of a ball, a box, a torus … | [`shapes`] |
-//! | of one of Plato's five | [`shapes::platonic`], [`PlatonicSolid`] |
+//! | of one of the five Platonic solids | [`shapes::platonic`], [`PlatonicSolid`] |
 //! | of any closed surface of triangles | [`mesh_mass_properties`] |
 //! | of several bodies glued together | [`MassProperties::compose`] |
 //! | principal moments and axes | [`InertiaMatrix::principal_axes`] |

@@ -1,10 +1,10 @@
 //! A scene: a body, how it is held, how it starts, and the effects at work on it. Nothing else is computed.
 //!
-//! Each kind of scene is a type that takes its [`effects`] as values, one by one, and refuses by name those that have no meaning for it. What
-//! is not given is not there: nothing multiplies it by zero, nothing asks for it. A [`Plan`] follows in one sentence: the closed form where there
-//! is one, otherwise the method of order 8. The [`Motion`] tells its error and comes with its [`Ledger`](crate::conservation::Ledger):
-//! what the scene conserves, or may only lose, and by how much it failed to. A ledger that does not balance is an error.
-//! With the feature `scene-files`, scenes come from texts: `scene::files`.
+//! Each kind of scene is a type that takes its [`effects`] as values, one by one, and refuses by name those that have no meaning for it. An
+//! effect that you do not add is not computed at all: it is not a coefficient of zero. A [`Plan`] says in one sentence how the scene will be
+//! computed: in closed form where there is one, otherwise by the method of order 8. The [`Motion`] comes with an estimate of its error and with its
+//! [`Ledger`](crate::conservation::Ledger): each quantity that the scene conserves, or can only lose, and how far the numbers strayed from that.
+//! A ledger that does not balance is an error. With the feature `scene-files`, scenes can be read from text: `scene::files`.
 //!
 //! | kind | tutorial | what it is |
 //! |---|---|---|

@@ -60,7 +60,7 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Repor
         match (scene, file) {
             (Some(_), Some(file)) if problems.is_empty() => measured(&file, PATIENCE, told),
             (Some(name), None) if problems.is_empty() => Err(Error::Input(format!(
-                "{}; nor is it a problem: these are {}, one length of them {}/10",
+                "{}; the motions to be measured are {}, and one length of one is asked for as {}/10",
                 scenes::not_found(root, Path::new(name), &NAMES),
                 NAMES.join(", "),
                 NAMES[0],

@@ -63,10 +63,10 @@ fn a_wrong_number_of_a_figure_is_refused_by_name() {
         ),
         (
             "axel=0.5",
-            "figure spool-dial has no parameter 'axel': expected one of [axle, tension]",
+            "figure spool-dial has no parameter 'axel': expected one of [axle, tension]; did you mean `axle`?",
         ),
-        ("axle", "'axle' is no KEY=VALUE"),
-        ("axle=x", "'axle=x' is no KEY=VALUE"),
+        ("axle", "'axle' has no value, expected KEY=VALUE"),
+        ("axle=x", "axle is 'x', expected a number"),
     ] {
         let output = book(&["figures", "spool-dial", "--set", set]);
         assert_eq!(output.status.code(), Some(2));

@@ -22,7 +22,7 @@ fn every_kind_is_priced() {
     assert_eq!(priced, kinds().collect::<Vec<_>>());
 }
 
-/// `UPDATE_TABLES=1 cargo test -p book --test scene_prices` writes the keys of all kinds.
+/// `UPDATE_TABLES=1 cargo test -p book --test book scene_prices` writes the keys of all kinds.
 #[test]
 fn the_page_has_every_key_and_every_column() {
     for name in ["run", "shapes"].into_iter().chain(kinds()) {
@@ -108,7 +108,7 @@ fn cell((column, text): (usize, &str)) -> String {
     }
 }
 
-/// `UPDATE_TABLES=1 cargo test -p book --test scene_prices` writes the page's table.
+/// `UPDATE_TABLES=1 cargo test -p book --test book scene_prices` writes the page's table.
 #[test]
 fn the_table_of_times_has_every_file() {
     let page = "src/tables/scene-times.md";

@@ -177,7 +177,7 @@ pub enum Error {
     },
     /// A motion that amplifies rounding beyond the accuracy asked for.
     #[error(
-        "the accuracy {} is out of reach, {} was reached: the motion lets a change of its start grow {} times; a looser accuracy or an earlier end may do",
+        "the accuracy {} is out of reach, {} was reached: rounding adds up, and the motion lets a change of its start grow {} times; a looser accuracy or an earlier end may do",
         Number(*asked), Number(*reached), Number(*growth)
     )]
     Amplified {

@@ -134,7 +134,7 @@ fn the_page_says_what_was_measured() {
             );
         }
     }
-    // Kovalevskaya's from an ordinary start, too, at the same price for one turn and a thousand; from the upright one never.
+    // Kovalevskaya's, too, at the same price for one turn and a thousand: a fifth of a millisecond from an ordinary start, less from the upright one.
     let exact = |problem: &str| {
         let ranked = ranked(problem, 1e-9);
         ranked
@@ -143,13 +143,13 @@ fn the_page_says_what_was_measured() {
             .unwrap()
             .1
     };
-    assert_eq!(ranked("kovalevskaya-level/1000", 1e-12)[0].0, "exact");
-    let [once, far] = [1, 1000].map(|turns| exact(&format!("kovalevskaya-level/{turns}")));
-    assert!((far / once - 1.0).abs() < 0.2);
-    assert!((30.0..50.0).contains(&(far / exact("cusped-top/1000"))));
-    for turns in [1, 10, 1000] {
-        let upright = ranked(&format!("kovalevskaya/{turns}"), 1e-9);
-        assert_ne!(upright[0].0, "exact");
+    for (problem, target, price) in [
+        ("kovalevskaya-level", 1e-12, 1.5e-4..2.5e-4),
+        ("kovalevskaya", 1e-9, 5e-5..1e-4),
+    ] {
+        assert_eq!(ranked(&format!("{problem}/1000"), target)[0].0, "exact");
+        let [once, far] = [1, 1000].map(|turns| exact(&format!("{problem}/{turns}")));
+        assert!((far / once - 1.0).abs() < 0.2 && price.contains(&far));
     }
     // Next to the separatrix and next to sleep nothing that steps has nine digits left after a thousand turns.
     for problem in ["near-separatrix/1000", "near-sleeping/1000"] {

@@ -43,7 +43,7 @@ pub fn map() -> Result<Figure> {
         ),
         alt: format!(
             "Eight tables of three columns, 1, 10 and 1000 turns, and four rows, 3 to 12 digits. For the four free and symmetric tops all fields of 10 and 1000 turns are exact, and \
-             most of those of one turn are geometric methods. Kovalevskaya's level top is exact at 1000 turns, her upright one nowhere. Where there is no closed form, dormand-prince-8 wins most fields. Exact wins {exact} of all."
+             most of those of one turn are geometric methods. Kovalevskaya's two are exact at 1000 turns, but for twelve digits of the upright one, and for twelve digits at 10. Where there is no closed form, dormand-prince-8 wins most fields. Exact wins {exact} of all."
         ),
     };
     let mut drawn = figure("accuracy-map", 872.0, words, |pen| {

@@ -53,7 +53,7 @@ pub fn seconds() -> Result<Figure> {
              geometric method that is named at its line. Dashed: dormand-prince-8, ours of order 8. Grey: dop853; dotted, rk4. Measured once, least of repeated runs: {machine}."
         ),
         alt: "Eight small diagrams, error against seconds, both logarithmic. The line of the geometric method lies to the left of those of dop853 and rk4, with dormand-prince-8 near \
-              it; a black disc, the closed form, lies far to the left of all and at the bottom. For Kovalevskaya's upright top it lies to the right. The last two motions have no disc."
+              it; a black disc, the closed form, lies far to the left of all and at the bottom. The last two motions have no disc."
             .to_owned(),
     };
     Ok(figure("accuracy-seconds", 968.0, words, |pen| {

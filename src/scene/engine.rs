@@ -527,12 +527,12 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         }
         // The runs vouch for the accuracy. Below it all of their distance is told, or what the steps may add up to if that is more: both runs may have
         // been lucky.
-        let mut told = told(&worse, &worse, 1.0);
+        let mut whole = told(&worse, &worse, 1.0);
         if let Effort::Tolerance(tolerance) = efforts.better {
             let steps = better.cost.steps as f64 * of_a_step(&flow, tolerance, seen);
-            told = greater(told, steps);
+            whole = greater(whole, steps);
         }
-        error = greater(error, told.min(accuracy));
+        error = greater(error, whole.min(accuracy));
         let mut samples = better.samples;
         samples.truncate(count);
         return Ok(Answer {

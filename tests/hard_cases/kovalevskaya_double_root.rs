@@ -26,7 +26,7 @@ fn on_a_double_root_and_beside_it() {
         }
         let found = errors(&top.at(t).expect("a state"), &expected);
         println!("{kind} {t} {:?}: {found:?}", top.method());
-        // With axis 1 upright e₁ and e₄ or e₅ meet besides, and the nearest are walked.
+        // Others are walked: with axis 1 upright, for one, e₁ and e₄ or e₅ meet besides.
         separated += usize::from(group == 2 && top.method() == Method::Separation);
         worst[group] = [0, 1].map(|i| worst[group][i].max(found[i]));
         seen[group] += 1;
@@ -37,7 +37,9 @@ fn on_a_double_root_and_beside_it() {
         [motion_on_it, attitude_on_it],
         [motion_passing, attitude_passing],
     ] = worst;
-    assert_eq!((seen, separated), ([72, 117, 72], 42));
+    assert_eq!(seen, [72, 117, 72]);
+    // 42 here; of those next to what is trusted the last bits decide.
+    assert!(separated >= 36, "{separated}");
     observed!(motion_passing, 8e-15..=6e-14);
     observed!(attitude_passing, 2e-14..=2e-13);
     observed!(motion_on_it, 1e-13..=4e-13);

@@ -42,6 +42,14 @@ impl Pieces {
             let (Some(piece), Some((_, after))) = (piece, after.split_once(CLOSE)) else {
                 return Err(Error::Failed("a page holds a damaged placeholder".into()));
             };
+            // A browser breaks a line behind whatever is no text, before a full stop as well.
+            let end = after.find(|next| !".,;:!?)’".contains(next)).unwrap_or(0);
+            if end > 0 && piece.matches("katex-base").count() == 1 {
+                let (mark, after) = after.split_at(end);
+                filled += &format!("<span class=\"unbroken\">{piece}{mark}</span>");
+                rest = after;
+                continue;
+            }
             filled.push_str(piece);
             rest = after;
         }

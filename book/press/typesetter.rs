@@ -244,11 +244,18 @@ impl<'a> Typesetter<'a> {
     /// Every figure, small: its number, its claim, and the command that draws it.
     fn gallery(&mut self) -> std::result::Result<String, String> {
         let mut out = String::from("<div class=\"gallery\">\n");
-        for entry in figures::all() {
+        let numbered = |entry: &'static figures::Entry| match self.numbers.get(entry.name) {
+            Some(&number) => Ok((number, entry)),
+            None => Err(format!("figure '{}' is in no chapter", entry.name)),
+        };
+        let mut shown = figures::all()
+            .iter()
+            .map(numbered)
+            .collect::<std::result::Result<Vec<_>, _>>()?;
+        shown.sort_unstable_by_key(|&(number, _)| number);
+        for (number, entry) in shown {
             let (name, chapter) = (entry.name, entry.chapter);
             let drawing = *self.drawings.get(name).ok_or("a figure is not drawn")?;
-            let number = self.numbers.get(name).copied();
-            let number = number.ok_or_else(|| format!("figure '{name}' is in no chapter"))?;
             // The chapter shows it, too, and the print page shows both: the ids must differ.
             let svg = drawing.figure.svg();
             let svg = svg.replace(&format!("fig-{name}"), &format!("small-{name}"));

@@ -135,7 +135,7 @@ pub fn ice(values: &Values) -> Result<Figure> {
     let words = Words {
         claim: "However you wriggle, your centre of mass stays on its vertical line.".to_owned(),
         details: format!(
-            "Four postures on frictionless ice, each with the centre of mass on the dotted line; for that the feet slide to {} m and to {} m from where they were. \
+            "Four postures on frictionless ice, each with the centre of mass on the dotted line; for this the feet slide to {} m and to {} m from where they were. \
              In the old posture they are back in the old place. {} kg in six parts, {} of them the trunk; shoulders out by {} m and {} m.",
             number(slid[0], 3),
             number(slid[1], 3),

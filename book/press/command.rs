@@ -65,9 +65,16 @@ fn obey(command: Option<Command>) -> Result<()> {
             print_book(&root, &drawings).map(drop)
         }
         Some(Command::Figures {
-            list: true, names, ..
+            list: true,
+            names,
+            format,
+            ..
         }) => {
             let entries = drawings::chosen(&names)?;
+            if format.as_deref() == Some("json") {
+                let drawings = draw(&entries, &Values::default())?;
+                return say(&format!("{:#}\n", drawings::described(&drawings)));
+            }
             say(&drawings::list(&entries, !names.is_empty()))
         }
         Some(Command::Figures {

@@ -4,8 +4,9 @@ use crate::pictures::{self, Copying};
 use crate::writer::write_if_changed;
 use crate::{Error, Result};
 use figures::on_your_table::Paper;
-use figures::{Entry, Figure, Look, Values};
+use figures::{Entry, Figure, Look, Parameter, Values};
 use rayon::prelude::*;
+use serde_json::{Value as Json, json};
 use spinning_bodies::scene::files;
 use std::path::{Path, PathBuf};
 
@@ -75,6 +76,23 @@ pub fn list(entries: &[Entry], parameters: bool) -> String {
         }
     }
     text
+}
+
+/// What a program wants to know of each figure: its claim as the book shows it, with formulas in dollars, and what may be chosen.
+pub fn described(drawings: &[Drawing]) -> Json {
+    let parameter = |one: &Parameter| {
+        json!({
+            "key": one.key, "symbol": one.symbol, "meaning": one.meaning, "unit": one.unit,
+            "least": one.range[0], "greatest": one.range[1], "scale": one.spacing.to_string(), "default": one.default,
+        })
+    };
+    let figure = |Drawing { entry, figure }: &Drawing| {
+        json!({
+            "name": entry.name, "chapter": entry.chapter, "claim": figure.claim,
+            "parameters": entry.parameters.iter().map(parameter).collect::<Vec<_>>(),
+        })
+    };
+    drawings.iter().map(figure).collect()
 }
 
 /// The values of the one figure that is drawn, `KEY=VALUE` each.

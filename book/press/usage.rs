@@ -102,6 +102,7 @@ is computed from the same numbers, and printed. Files have plain colours, for an
 Examples:
   cargo run -- figures
   cargo run -- figures --list spool-dial
+  cargo run -- figures --list --format json
   cargo run -- figures spool-dial --set axle=0.6,tension=0.5 --theme dark
   cargo run -- figures spool-dial --set axle=0.6 --data dial.csv --out elsewhere
   cargo run --features book/pictures -- figures polhodes nutations --as pdf --out elsewhere";
@@ -140,6 +141,9 @@ pub enum Command {
         /// Lists the figures instead of drawing them; of those named, what may be chosen
         #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
         list: bool,
+        /// Form of the list; as JSON it tells claim and parameters of each, for programs [default: text]
+        #[arg(long, value_parser = ["text", "json"], requires = "list")]
+        format: Option<String>,
         /// Numbers of one figure, other than the book's
         #[arg(
             long,

@@ -15,6 +15,17 @@ pub enum Spacing {
     Whole,
 }
 
+/// In one word.
+impl fmt::Display for Spacing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Linear => "linear",
+            Self::Logarithmic => "logarithmic",
+            Self::Whole => "whole",
+        })
+    }
+}
+
 /// A point of the picture that a hand can take: where it stands, and the value that a place stands for.
 #[derive(Debug, Clone, Copy)]
 pub struct Handle {
@@ -131,9 +142,8 @@ impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [low, high] = self.range;
         let spaced = match self.spacing {
-            Spacing::Linear => "",
-            Spacing::Logarithmic => ", logarithmic",
-            Spacing::Whole => ", whole",
+            Spacing::Linear => String::new(),
+            other => format!(", {other}"),
         };
         let unit = if self.unit.is_empty() { "" } else { " " };
         write!(

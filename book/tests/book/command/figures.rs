@@ -25,6 +25,33 @@ fn figures_are_listed_with_their_chapters() {
 }
 
 #[test]
+fn a_program_is_told_what_a_figure_claims_and_takes() {
+    let output = book(&[
+        "figures",
+        "--list",
+        "--format",
+        "json",
+        "spool-dial",
+        "cat-film",
+    ]);
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        [&told[0]["name"], &told[1]["name"]],
+        ["spool-dial", "cat-film"]
+    );
+    assert_eq!(told[1]["parameters"], serde_json::json!([]));
+    let (dial, axle) = (&told[0], &told[0]["parameters"][0]);
+    assert_eq!(dial["chapter"], "spool");
+    // arccos 0.4
+    assert!(dial["claim"].as_str().unwrap().contains("66.42 degrees"));
+    let keys = ["key", "unit", "least", "greatest", "scale", "default"].map(|key| &axle[key]);
+    assert_eq!(
+        serde_json::json!(keys),
+        serde_json::json!(["axle", "", 0.05, 0.95, "linear", 0.4])
+    );
+}
+
+#[test]
 fn a_figure_is_drawn_as_it_is_wanted() {
     let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
     let [out, table] = ["svg", "dial.csv"].map(|name| folder.path().join(name));

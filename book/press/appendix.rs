@@ -79,7 +79,7 @@ pub fn count<'a>(ledger: &Ledger, claims: impl Iterator<Item = &'a Claim>) -> [u
 }
 
 /// The id mdBook gives a heading: letters and digits in lower case, spaces as dashes, the rest dropped.
-fn mdbook_anchor(heading: &str) -> String {
+pub fn mdbook_anchor(heading: &str) -> String {
     heading
         .chars()
         .filter_map(|c| match c {

@@ -4,7 +4,7 @@ use crate::drawings::{self, Drawing};
 use crate::error::one_line;
 use crate::interrupt::{Unfinished, without_interruption};
 use crate::ledger::Ledger;
-use crate::typesetter::{Typesetter, without_code};
+use crate::typesetter::{Medium, Typesetter, without_code};
 use crate::writer::{folder_of, followed};
 use crate::{Error, Result};
 use figures::on_your_table::Paper;
@@ -79,11 +79,10 @@ fn bind_as(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -
     Ok(folder.join("index.html"))
 }
 
-fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
-    let ledger = Ledger::read(root)?;
+/// The book with its chapters set, their pieces left with the typesetter.
+pub fn typeset(settings: Config, root: &Path, typesetter: &mut Typesetter<'_>) -> Result<MDBook> {
     let book = as_html(settings).and_then(|html| MDBook::load_with_config(root.join("book"), html));
     let mut book = book.map_err(wrong)?;
-    book.config.build.build_dir = folder.to_owned();
 
     let source_folder = book.source_dir();
     let chapters: Vec<(String, String)> = book
@@ -94,7 +93,6 @@ fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> 
         })
         .collect();
     let pages: HashSet<String> = chapters.iter().map(|(file, _)| file.clone()).collect();
-    let mut typesetter = Typesetter::new(drawings, &ledger);
     let mut set = HashMap::new();
     for (file, source) in chapters {
         let page = typesetter.set(&file, &source, &source_folder, &pages)?;
@@ -105,6 +103,14 @@ fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> 
             chapter.content = page;
         }
     });
+    Ok(book)
+}
+
+fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
+    let ledger = Ledger::read(root)?;
+    let mut typesetter = Typesetter::new(drawings, &ledger, Medium::Pages);
+    let mut book = typeset(settings, root, &mut typesetter)?;
+    book.config.build.build_dir = folder.to_owned();
     let searched = book.config.clone();
     let nothing = json!({ "": { "enable": false } });
     let indexed = book.config.set("output.html.search.chapter", nothing);
@@ -142,7 +148,7 @@ fn as_html(mut settings: Config) -> anyhow::Result<Config> {
     Ok(settings)
 }
 
-fn wrong(error: anyhow::Error) -> Error {
+pub(crate) fn wrong(error: anyhow::Error) -> Error {
     Error::Input(format!("{error:#}"))
 }
 

@@ -12,7 +12,7 @@ use crate::scenes::plot;
 use crate::scenes::scan::Scan;
 use crate::usage::{Cli, Command};
 use crate::writer::{Target, can_be_written_into, folder_of, say};
-use crate::{Error, Result, accuracy, appendix, binding, interrupt, scenes, watch};
+use crate::{Error, Result, accuracy, appendix, binding, ebook, interrupt, scenes, watch};
 use clap::Parser;
 use figures::on_your_table::Paper;
 use figures::{Entry, Figure, Look, Theme, Values};
@@ -145,10 +145,26 @@ fn obey(command: Option<Command>) -> Result<()> {
                 .iter()
                 .try_for_each(|path| say(&format!("{}\n", path.display())))
         }
-        Some(Command::Book { open, watch }) => {
+        Some(Command::Book {
+            open,
+            pdf,
+            epub,
+            watch,
+        }) => {
             can_be_written_into(&root.join("book"))?;
+            let printer = pdf.then(ebook::browser).transpose()?;
             let drawings = draw(&drawings::chosen(&[])?, &Values::default())?;
             let page = print_book(&root, &drawings)?;
+            if epub {
+                let file = page.with_file_name("spinning-bodies.epub");
+                ebook::epub(&root, &drawings, &file)?;
+                say(&format!("{}\n", file.display()))?;
+            }
+            if let Some(browser) = printer {
+                let file = page.with_file_name("spinning-bodies.pdf");
+                ebook::pdf(browser, folder_of(&page), &file)?;
+                say(&format!("{}\n", file.display()))?;
+            }
             if open {
                 open_page(&page)?;
             }

@@ -15,6 +15,7 @@
 //! | [`ledger`] | the claims of the tutorial, and where each is computed |
 //! | [`appendix`] | the ledger as a page and as a table |
 //! | [`binding`] | builds the book, whole or not at all |
+//! | [`ebook`] | the book as one file, EPUB or PDF |
 //! | [`watch`] | prints the book again when a file of it is saved |
 //! | [`accuracy`] | every method on every kind of top, timed on this machine |
 //! | [`scenes`] | scene files: read, run, written |
@@ -26,6 +27,7 @@ pub mod binding;
 pub mod chapters;
 pub mod command;
 pub mod drawings;
+pub mod ebook;
 pub mod error;
 pub mod formulas;
 pub mod interrupt;

@@ -76,7 +76,7 @@ impl Pieces {
 }
 
 /// The page with each piece of quoted source moved to the left edge: a method is written indented, and quoted so.
-fn flush_left(page: &str) -> String {
+pub fn flush_left(page: &str) -> String {
     const SOURCE: &str = "<code class=\"language-rs\">";
     let mut parts = page.split(SOURCE);
     let mut out = parts.next().unwrap_or_default().to_owned();

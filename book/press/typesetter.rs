@@ -20,6 +20,16 @@ pub struct Typesetter<'a> {
     ledger: &'a Ledger,
     formulas: Formulas,
     pieces: Pieces,
+    medium: Medium,
+}
+
+/// Where the chapters will be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Medium {
+    /// In a browser: formulas by its fonts, pictures in the page, which themes and the hand can change.
+    Pages,
+    /// On a device that reads: formulas as MathML, pictures as files.
+    Ebook,
 }
 
 /// The cover may show a figure that belongs to a chapter; there it has no number.
@@ -33,13 +43,14 @@ type Edits = Vec<(Range<usize>, String)>;
 
 impl<'a> Typesetter<'a> {
     /// A typesetter for one book.
-    pub fn new(drawings: &'a [Drawing], ledger: &'a Ledger) -> Self {
+    pub fn new(drawings: &'a [Drawing], ledger: &'a Ledger, medium: Medium) -> Self {
         Typesetter {
             drawings: drawings.iter().map(|d| (d.entry.name, d)).collect(),
             numbers: HashMap::new(),
             ledger,
             formulas: Formulas::default(),
             pieces: Pieces::default(),
+            medium,
         }
     }
 
@@ -191,6 +202,10 @@ impl<'a> Typesetter<'a> {
         } else {
             latex.trim()
         };
+        let html = match (self.medium, html.find("<math"), html.find("</math>")) {
+            (Medium::Ebook, Some(from), Some(to)) => html[from..to].to_owned() + "</math>",
+            _ => html,
+        };
         Ok(self.pieces.keep(html, plain))
     }
 
@@ -216,8 +231,8 @@ impl<'a> Typesetter<'a> {
             .drawings
             .get(name)
             .ok_or_else(|| unknown_figure(name).to_string())?;
-        let mut svg = drawing.figure.svg().trim_end().to_owned();
-        if svg.contains("@keyframes") {
+        let mut svg = self.picture(drawing);
+        if self.medium == Medium::Pages && svg.contains("@keyframes") {
             svg.insert_str(0, PAUSE);
         }
         let claim = self.caption(&drawing.figure.claim)?;
@@ -241,6 +256,19 @@ impl<'a> Typesetter<'a> {
         ))
     }
 
+    /// A figure without its frame.
+    fn picture(&self, drawing: &Drawing) -> String {
+        let Drawing { entry, figure } = drawing;
+        match self.medium {
+            Medium::Pages => figure.svg().trim_end().to_owned(),
+            Medium::Ebook => format!(
+                "<img src=\"figures/{}.svg\" alt=\"{}\"/>",
+                entry.name,
+                inert(&figure.alt)
+            ),
+        }
+    }
+
     /// Every figure, small: its number, its claim, and the command that draws it.
     fn gallery(&mut self) -> std::result::Result<String, String> {
         let mut out = String::from("<div class=\"gallery\">\n");
@@ -257,9 +285,9 @@ impl<'a> Typesetter<'a> {
             let (name, chapter) = (entry.name, entry.chapter);
             let drawing = *self.drawings.get(name).ok_or("a figure is not drawn")?;
             // The chapter shows it, too, and the print page shows both: the ids must differ.
-            let svg = drawing.figure.svg();
+            let svg = self.picture(drawing);
             let svg = svg.replace(&format!("fig-{name}"), &format!("small-{name}"));
-            let picture = self.pieces.keep(svg.trim_end().to_owned(), "");
+            let picture = self.pieces.keep(svg, "");
             let claim = self.caption(&drawing.figure.claim)?;
             let keys = entry.parameters.iter().map(|one| one.key);
             let keys = match keys.collect::<Vec<_>>()[..] {
@@ -373,7 +401,12 @@ mod tests {
             figure: figures::style::figure("cat-animated", 10.0, words, |_| ())
                 .value("tilt", "2.92"),
         };
-        Typesetter::new(&[top], &ledger).set("x.md", source, Path::new("/nowhere"), &HashSet::new())
+        Typesetter::new(&[top], &ledger, Medium::Pages).set(
+            "x.md",
+            source,
+            Path::new("/nowhere"),
+            &HashSet::new(),
+        )
     }
 
     #[test]

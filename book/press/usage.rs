@@ -188,6 +188,12 @@ pub enum Command {
         /// Opens the first page in the browser
         #[arg(long)]
         open: bool,
+        /// Also prints all of it to book/build/spinning-bodies.pdf, by an installed Chromium, Chrome or Edge
+        #[arg(long)]
+        pdf: bool,
+        /// Also writes book/build/spinning-bodies.epub, for devices that read
+        #[arg(long)]
+        epub: bool,
         /// Keeps running, and prints a page again whenever its chapter is saved; the figures are not drawn again
         #[arg(long)]
         watch: bool,

@@ -21,7 +21,7 @@ fn digits(error: f64) -> String {
 
 /// Several formulas, each on its line.
 fn lines(formulas: &str) -> String {
-    formulas.replace(",\\;", "$<br>$")
+    formulas.replace(",\\;", "$<br />$")
 }
 
 fn table() -> String {
@@ -41,7 +41,7 @@ fn table() -> String {
             .iter()
             .fold(0.0_f64, |worst, step| worst.max(step.ours));
         text += &format!(
-            "| **{}**: {} ({}) | ${}$<br>${}$ | {} | {} |\n",
+            "| **{}**: {} ({}) | ${}$<br />${}$ | {} | {} |\n",
             family.name.replace('-', " "),
             family.quantity,
             family.paragraph,

@@ -5,6 +5,7 @@ mod accuracy_page;
 mod chapters;
 mod columns;
 mod command;
+mod ebook;
 mod hard_cases_page;
 mod ledger;
 mod numbers;

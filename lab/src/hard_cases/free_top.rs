@@ -45,7 +45,7 @@ pub(super) const LONG_TIME: Family = Family {
     quantity: "Ω of an ordinary top after a long time",
     lost: "the phase, a rounded rate times the time",
     printed: r"\varphi=\lambda t",
-    cure: r"\varphi=(\lambda+\delta)\,t\bmod 4K",
+    cure: r"\varphi=(\lambda+\delta)\,t\text{ mod }4K",
     textbook: printed,
     ours: exact,
 };

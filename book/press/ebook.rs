@@ -1,0 +1,325 @@
+//! The book as one file: an EPUB for devices that read, a PDF as a browser prints it.
+
+use crate::appendix::mdbook_anchor;
+use crate::binding::{self, wrong};
+use crate::drawings::Drawing;
+use crate::interrupt::Unfinished;
+use crate::ledger::{Ledger, markdown_options};
+use crate::pieces::{Pieces, flush_left};
+use crate::typesetter::{Medium, Typesetter};
+use crate::writer::{folder_of, write_if_changed};
+use crate::{Error, Result};
+use figures::Look;
+use figures::on_your_table::{self, Paper};
+use mdbook_driver::book::{BookItem, Chapter};
+use mdbook_driver::config::Config;
+use mdbook_renderer::{RenderContext, Renderer};
+use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd, html::push_html};
+use std::io::{Cursor, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
+
+/// Browsers that print without a window, by the names under which they are installed.
+const BROWSERS: [&str; 6] = [
+    "chromium",
+    "chromium-browser",
+    "google-chrome",
+    "google-chrome-stable",
+    "microsoft-edge",
+    "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+];
+
+/// An installed browser that prints without a window.
+///
+/// # Errors
+/// [`Error::Failed`] if there is none.
+pub fn browser() -> Result<&'static str> {
+    let mut known = BROWSERS.into_iter();
+    let is_there = |name: &&str| {
+        let mut asked = Command::new(name);
+        let quiet = asked.arg("--version").stdout(Stdio::null());
+        quiet.stderr(Stdio::null()).status().is_ok()
+    };
+    known.find(is_there).ok_or_else(|| {
+        Error::Failed(format!(
+            "--pdf: a browser prints it, and none of these is installed: {}; any other can print book/build/print.html",
+            BROWSERS[..5].join(", ")
+        ))
+    })
+}
+
+/// Has this browser print all chapters, `print.html` in the folder of the pages, to a PDF.
+///
+/// # Errors
+/// [`Error::Failed`] if it prints nothing.
+pub fn pdf(browser: &str, pages: &Path, file: &Path) -> Result<()> {
+    let beside = Unfinished::folder(folder_of(file)).map_err(Error::file(file))?;
+    let printed = beside.path().join("book.pdf");
+    let mut command = Command::new(browser);
+    // Only these pages are opened, which allow no script but their own; without privileges of the system a sandbox cannot be had.
+    command.args(["--headless", "--disable-gpu", "--no-sandbox"]);
+    command.args(["--no-pdf-header-footer", "--generate-pdf-document-outline"]);
+    command.arg(format!("--user-data-dir={}", beside.path().display()));
+    command.arg(format!("--print-to-pdf={}", printed.display()));
+    command.arg(pages.join("print.html"));
+    // What it says is about itself; whether it printed is seen from the file.
+    let _ = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
+    let bytes = std::fs::read(&printed)
+        .map_err(|error| Error::Failed(format!("{browser} printed no PDF: {error}")))?;
+    write_if_changed(file, &bytes).map(drop)
+}
+
+/// Writes the book as an EPUB 3: formulas as MathML, figures as SVG, nothing that runs.
+///
+/// # Errors
+/// Those of binding and writing.
+pub fn epub(root: &Path, drawings: &[Drawing], file: &Path) -> Result<()> {
+    let settings = Config::from_disk(root.join("book/book.toml")).map_err(wrong)?;
+    let ledger = Ledger::read(root)?;
+    let mut typesetter = Typesetter::new(drawings, &ledger, Medium::Ebook);
+    let book = binding::typeset(settings, root, &mut typesetter)?;
+    let (processed, _) = book.preprocess_book(&Nothing).map_err(wrong)?;
+    let mut chapters = Vec::new();
+    for item in processed.iter() {
+        if let BookItem::Chapter(chapter) = item {
+            chapters.push(chapter);
+        }
+    }
+    let contents = contents(&processed.items);
+    let bytes = packed(drawings, &chapters, &contents, &typesetter.into_pieces())
+        .map_err(|error| Error::Failed(format!("the EPUB: {error}")))?;
+    write_if_changed(file, &bytes).map(drop)
+}
+
+/// mdBook wants to know for whom it resolves what a chapter includes.
+struct Nothing;
+
+impl Renderer for Nothing {
+    fn name(&self) -> &str {
+        "html"
+    }
+
+    fn render(&self, _: &RenderContext) -> anyhow::Result<()> {
+        Ok(())
+    }
+}
+
+fn packed(
+    drawings: &[Drawing],
+    chapters: &[&Chapter],
+    contents: &str,
+    pieces: &Pieces,
+) -> anyhow::Result<Vec<u8>> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+    let small = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
+    zip.start_file("mimetype", stored)?;
+    zip.write_all(b"application/epub+zip")?;
+    let mut add = |name: &str, text: &str| {
+        zip.start_file(name, small)?;
+        zip.write_all(text.as_bytes()).map_err(anyhow::Error::from)
+    };
+    add("META-INF/container.xml", CONTAINER)?;
+    add("book.css", STYLE)?;
+    add("contents.xhtml", &page("Contents", contents))?;
+    let (mut manifest, mut spine) = (String::new(), String::new());
+    for chapter in chapters {
+        let (Some(path), content) = (&chapter.path, &chapter.content) else {
+            continue;
+        };
+        let name = path.with_extension("xhtml").display().to_string();
+        let body = flush_left(&pieces.fill(&xhtml(content))?);
+        let id = name.replace('.', "-");
+        let mathml = match body.contains("<math") {
+            true => " properties=\"mathml\"",
+            false => "",
+        };
+        manifest += &format!(
+            "<item id=\"{id}\" href=\"{name}\" media-type=\"application/xhtml+xml\"{mathml}/>\n"
+        );
+        spine += &format!("<itemref idref=\"{id}\"/>\n");
+        add(&name, &page(&chapter.name, &body))?;
+    }
+    let mut picture = |name: &str, svg: &str| {
+        let id = name.replace(['/', '.'], "-");
+        manifest += &format!("<item id=\"{id}\" href=\"{name}\" media-type=\"image/svg+xml\"/>\n");
+        add(name, svg)
+    };
+    for Drawing { entry, figure } in drawings {
+        let name = format!("figures/{}.svg", entry.name);
+        let svg = figure.file(Look::default());
+        // As a property it is allowed where the attribute is not.
+        let svg = svg.replace(
+            " vector-effect=\"non-scaling-stroke\" style=\"",
+            " style=\"vector-effect:non-scaling-stroke;",
+        );
+        picture(&name, &svg)?;
+    }
+    for sheet in on_your_table::sheets(Paper::A4)? {
+        if sheet.name.ends_with(".svg") {
+            picture(
+                &format!("sheets/{}", sheet.name),
+                &String::from_utf8_lossy(&sheet.contents),
+            )?;
+        }
+    }
+    let package = PACKAGE
+        .replace("MANIFEST", &manifest)
+        .replace("SPINE", &spine)
+        .replace("VERSION", env!("CARGO_PKG_VERSION"));
+    add("book.opf", &package)?;
+    Ok(zip.finish()?.into_inner())
+}
+
+/// A chapter as its reader sees it: no hidden lines, headings with the ids that links lead to, links to chapters and to the world.
+fn xhtml(chapter: &str) -> String {
+    let mut events: Vec<Event<'_>> = Vec::new();
+    let (mut heading, mut rust, mut is_link) = (None, false, false);
+    for event in Parser::new_ext(chapter, markdown_options()) {
+        match event {
+            Event::Start(Tag::Heading { .. }) => heading = Some((events.len(), String::new())),
+            Event::End(TagEnd::Heading(_)) => {
+                if let Some((at, text)) = heading.take()
+                    && let Some(Event::Start(Tag::Heading { id, .. })) = events.get_mut(at)
+                {
+                    *id = Some(mdbook_anchor(&text).into());
+                }
+            }
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(ref language))) => {
+                rust = language.starts_with("rust");
+            }
+            Event::End(TagEnd::CodeBlock) => rust = false,
+            Event::Text(ref text) | Event::Code(ref text) => {
+                if let Some((_, heading)) = &mut heading {
+                    *heading += text;
+                }
+            }
+            _ => {}
+        }
+        events.push(match event {
+            Event::Text(text) if rust => Event::Text(shown(&text).into()),
+            Event::Html(html) => Event::Html(elsewhere(&html).into()),
+            Event::InlineHtml(html) => Event::InlineHtml(elsewhere(&html).into()),
+            Event::Start(Tag::Link { ref dest_url, .. }) => {
+                let (page, place) = dest_url.split_once('#').unwrap_or((dest_url, ""));
+                let to = match page.strip_suffix(".md") {
+                    Some(page) if place.is_empty() => Some(format!("{page}.xhtml")),
+                    Some(page) => Some(format!("{page}.xhtml#{place}")),
+                    None if page.is_empty() || page.contains("://") => Some(dest_url.to_string()),
+                    // A file beside the pages; here there is none.
+                    None => None,
+                };
+                is_link = to.is_some();
+                match to {
+                    Some(to) => Event::InlineHtml(format!("<a href=\"{to}\">").into()),
+                    None => continue,
+                }
+            }
+            Event::End(TagEnd::Link) if is_link => Event::InlineHtml("</a>".into()),
+            Event::End(TagEnd::Link) => continue,
+            other => other,
+        });
+    }
+    let mut out = String::new();
+    push_html(&mut out, events.into_iter());
+    out
+}
+
+/// The lines of an example that are not hidden: a hash and a blank hide one, two hashes stand for one.
+fn shown(code: &str) -> String {
+    let line = |line: &str| {
+        let text = line.trim_start();
+        match text.strip_prefix('#') {
+            Some(rest) if rest.starts_with('#') => Some(line.replacen("##", "#", 1)),
+            Some(rest) if rest.trim_end().is_empty() || rest.starts_with(' ') => None,
+            _ => Some(line.to_owned()),
+        }
+    };
+    code.split_inclusive('\n').filter_map(line).collect()
+}
+
+/// HTML of the press with its links among the chapters of this file.
+fn elsewhere(html: &str) -> String {
+    html.replace(".html#", ".xhtml#")
+        .replace(".html\"", ".xhtml\"")
+}
+
+fn page(title: &str, body: &str) -> String {
+    PAGE.replace("TITLE", &title.replace('&', "&amp;"))
+        .replace("BODY", body)
+}
+
+fn contents(items: &[BookItem]) -> String {
+    fn list(items: &[BookItem]) -> String {
+        let entry = |item: &BookItem| match item {
+            BookItem::Chapter(chapter) => {
+                let path = chapter.path.as_ref()?.with_extension("xhtml");
+                let below = list(&chapter.sub_items);
+                let name = chapter.name.replace('&', "&amp;");
+                Some(format!(
+                    "<li><a href=\"{}\">{name}</a>{below}</li>\n",
+                    path.display()
+                ))
+            }
+            _ => None,
+        };
+        let entries: String = items.iter().filter_map(entry).collect();
+        match entries.is_empty() {
+            true => entries,
+            false => format!("<ol>\n{entries}</ol>"),
+        }
+    }
+    format!(
+        "<nav epub:type=\"toc\"><h1>Contents</h1>\n{}</nav>\n",
+        list(items)
+    )
+}
+
+const CONTAINER: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<container version="1.0" xmlns="urn:oasis:names:tc:opendocument:xmlns:container">
+<rootfiles><rootfile full-path="book.opf" media-type="application/oebps-package+xml"/></rootfiles>
+</container>
+"#;
+
+/// The time is that of no clock: equal chapters give equal bytes.
+const PACKAGE: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<package xmlns="http://www.idpf.org/2007/opf" version="3.0" unique-identifier="id" xml:lang="en">
+<metadata xmlns:dc="http://purl.org/dc/elements/1.1/">
+<dc:identifier id="id">urn:x-spinning-bodies:VERSION</dc:identifier>
+<dc:title>Spinning Bodies</dc:title>
+<dc:language>en</dc:language>
+<meta property="dcterms:modified">2000-01-01T00:00:00Z</meta>
+</metadata>
+<manifest>
+<item id="contents" href="contents.xhtml" media-type="application/xhtml+xml" properties="nav"/>
+<item id="style" href="book.css" media-type="text/css"/>
+MANIFEST</manifest>
+<spine>
+SPINE</spine>
+</package>
+"#;
+
+const PAGE: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE html>
+<html xmlns="http://www.w3.org/1999/xhtml" xmlns:epub="http://www.idpf.org/2007/ops" lang="en" xml:lang="en">
+<head><title>TITLE</title><link rel="stylesheet" type="text/css" href="book.css"/></head>
+<body>
+BODY</body>
+</html>
+"#;
+
+const STYLE: &str = "\
+figure { margin: 1em 0; text-align: center; break-inside: avoid; }
+img { max-width: 100%; }
+img[src^=\"sheets/\"] { width: 20em; }
+figcaption { font-size: 0.9em; text-align: left; }
+pre { font-size: 0.75em; white-space: pre-wrap; background: #f6f6f6; padding: 0.5em; }
+table { border-collapse: collapse; font-size: 0.85em; }
+td, th { padding: 0.15em 0.5em; border-bottom: 1px solid #ccc; }
+.puzzle { font-style: italic; border-left: 3px solid #888; padding-left: 1em; }
+.result, .erratum, .sidebox, details { border: 1px solid #888; padding: 0 1em; margin: 1em 0; }
+.claim-tags { font-size: 0.7em; text-align: right; margin: 0; }
+.unbroken { white-space: nowrap; }
+";

@@ -268,9 +268,14 @@ fn obey(command: Option<Command>) -> Result<()> {
             output,
         }) => {
             let csv = csv.as_deref();
-            let Some(scene) = scene.as_deref().filter(|_| plot) else {
+            let (Some(scene), Some(file)) = (scene.as_deref(), plot) else {
                 return say(&accuracy::run(&root, scene.as_deref(), csv)?.text);
             };
+            if let (Some(_), Some(output)) = (&file, &output) {
+                let told = "--plot has a FILE already, expected no --output";
+                return Err(Error::Input(format!("{told}, got {}", output.display())));
+            }
+            let output = file.or(output);
             let form = plot::form(output.as_deref(), &Form::ALL)?;
             let target = Target::new(
                 output.as_deref(),

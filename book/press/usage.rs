@@ -127,7 +127,7 @@ Examples:
   cargo run --release -- accuracy --scene near-separatrix/1000
   cargo run --release -- accuracy --csv mine.csv
   cargo run --release -- accuracy --scene strip
-  cargo run --release -- accuracy --scene racket --plot --output racket.svg";
+  cargo run --release -- accuracy --scene racket --plot racket.svg";
 
 /// What the command can be told to do.
 #[derive(Debug, Subcommand)]
@@ -265,10 +265,10 @@ pub enum Command {
         /// Also writes a CSV file, with one row for each measurement
         #[arg(long, value_name = "FILE")]
         csv: Option<PathBuf>,
-        /// Draws error against time instead, for the one motion that --scene names
-        #[arg(long, requires = "scene")]
-        plot: bool,
-        /// File for the drawing; without it, standard output
+        /// Draws error against time instead, for the one motion that --scene names; without a FILE, to standard output
+        #[arg(long, value_name = "FILE", requires = "scene")]
+        plot: Option<Option<PathBuf>>,
+        /// The same as the FILE of --plot
         #[arg(long, value_name = "FILE", requires = "plot")]
         output: Option<PathBuf>,
     },

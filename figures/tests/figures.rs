@@ -281,6 +281,11 @@ fn texts_fit_on_the_canvas() {
         let width = size(&figure.svg())[0] as f64;
         for element in figure.svg().split("<text").skip(1) {
             let element = element.split("</text>").next().unwrap_or_default();
+            assert!(
+                !element.contains(['{', '}', '^', '*', '$']),
+                "{}: a sign of the notation is printed: {element}",
+                entry.name
+            );
             let number = |key: &str| values(element, key)[0].parse::<f64>().expect("a number");
             let letters: usize = element
                 .split('<')

@@ -229,6 +229,6 @@ fn axes(pen: &mut Pen) {
         );
     }
     pen.line(&[[left, bottom], [right, bottom]], ink);
-    pen.label([left + 10.0, top + 6.0], Anchor::Start, "*φ*^{\u{2032}}");
+    pen.label([left + 10.0, top + 6.0], Anchor::Start, "*φ*\u{2032}");
     pen.label([right + 18.0, bottom + 6.0], Anchor::Start, "*θ*");
 }

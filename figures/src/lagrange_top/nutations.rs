@@ -172,7 +172,7 @@ fn globes() -> Result<Vec<Globe>> {
             "waves, backwards",
             [-2.1, 1.0],
             2.0,
-            [6.0, below],
+            [12.0, below],
             Anchor::Middle,
         ),
         globe("loops", [-1.1, 2.75], 3.0, [0.0, above], Anchor::Middle),

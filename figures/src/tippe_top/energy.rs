@@ -111,7 +111,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
             (places[1], "*Mg* × height"),
             (of, "of *C*"),
         ] {
-            pen.label([494.0, y + 5.0], Anchor::Start, text);
+            pen.label([490.0, y + 5.0], Anchor::Start, text);
         }
         // In the early gap, which is the wider one.
         let early = &rows[95].1;

@@ -203,7 +203,8 @@ impl Pen {
     fn filled(&mut self, mark: impl FnOnce(Paint) -> Mark, role: Role, alpha: f64) {
         let paint = Paint {
             role,
-            alpha,
+            // No eye tells more digits apart, and the last ones are another machine's.
+            alpha: (1e3 * alpha).round() / 1e3,
             width: 1,
         };
         self.marks.push((mark(paint), String::new()));

@@ -12,7 +12,7 @@ use crate::scenes::plot;
 use crate::scenes::scan::Scan;
 use crate::usage::{Cli, Command};
 use crate::writer::{Target, can_be_written_into, folder_of, say};
-use crate::{Error, Result, accuracy, appendix, binding, ebook, interrupt, scenes, watch};
+use crate::{Error, Result, accuracy, appendix, binding, ebook, interrupt, live, scenes, watch};
 use clap::Parser;
 use figures::on_your_table::Paper;
 use figures::{Entry, Figure, Look, Theme, Values};
@@ -284,6 +284,14 @@ fn obey(command: Option<Command>) -> Result<()> {
             let figure = accuracy::picture(&root, scene, csv)?;
             let picture = pictures::file(&figure, Copying::of(form))?;
             target.write(|to| to.write_all(&picture))
+        }
+        Some(Command::Live) => {
+            let (module, size) = live::build(&root)?;
+            say(&format!(
+                "{}: a module of {} kB\n",
+                module.display(),
+                size / 1000
+            ))
         }
         Some(Command::Claims) => say(&appendix::table(&Ledger::read(&root)?)),
     }

@@ -12,6 +12,7 @@
 //! | [`formulas`] | LaTeX to HTML, at build time |
 //! | [`pieces`] | what is put into the pages after mdBook wrote them |
 //! | [`typesetter`] | formulas, figures and claim tags of one chapter |
+//! | [`live`] | the numbers of a figure on its page, and the module that draws it there |
 //! | [`ledger`] | the claims of the tutorial, and where each is computed |
 //! | [`appendix`] | the ledger as a page and as a table |
 //! | [`binding`] | builds the book, whole or not at all |
@@ -32,6 +33,7 @@ pub mod error;
 pub mod formulas;
 pub mod interrupt;
 pub mod ledger;
+pub mod live;
 pub mod paths;
 pub mod pictures;
 pub mod pieces;

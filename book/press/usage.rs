@@ -33,6 +33,7 @@ Examples:
   cargo run -- sheets --paper letter     things to cut out and to print, at true size
   cargo run -- scene book/scenes/racket.toml    simulates a scene file; `scene --help` shows one
   cargo run --release -- accuracy --scene free-top    error against time, on your machine
+  cargo run -- live                      after a change of a figure: what redraws it on its page when a reader moves its numbers
   cargo run -- claims                    every claim of the tutorial and where it is computed
   cargo test                             runs every example of the book
 
@@ -272,6 +273,8 @@ pub enum Command {
         #[arg(long, value_name = "FILE", requires = "plot")]
         output: Option<PathBuf>,
     },
+    /// Builds the module of the live pages again: it draws a figure when a reader moves its numbers
+    Live,
     /// Lists every claim of the tutorial, its verdict, and where it is computed
     Claims,
 }

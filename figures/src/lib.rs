@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 
 use plotters_backend::{DrawingBackend, DrawingErrorKind};
 use plotters_svg::SVGBackend;
-use spinning_bodies::Result;
+use spinning_bodies::{Error, Result};
 
 #[macro_use]
 mod parameter;
@@ -200,12 +200,23 @@ impl Entry {
 }
 
 const fn constant(name: &'static str, draw: fn() -> Result<Figure>) -> Entry {
+    // On a page nothing of it can be moved: what runs there leaves it out, with its tables, and is half as large.
+    let draw = match cfg!(target_family = "wasm") {
+        true => drawn_by_the_press,
+        false => draw,
+    };
     Entry {
         name,
         chapter: "",
         parameters: &[],
         draw: Draw::Constant(draw),
     }
+}
+
+fn drawn_by_the_press() -> Result<Figure> {
+    Err(Error::Empty {
+        quantity: "the list of numbers to choose of a figure that is drawn on a page",
+    })
 }
 
 const fn of(

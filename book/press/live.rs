@@ -1,0 +1,82 @@
+//! The live pages: what a page is told of a figure's numbers, and the module that draws it again when they are moved.
+
+use crate::writer::write_if_changed;
+use crate::{Error, Result};
+use base64::prelude::{BASE64_STANDARD, Engine};
+use figures::{Entry, Spacing, Values};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// The parameters of a figure as its page reads them, in JSON; of one that can be dragged, where its point stands, units of the design.
+pub fn parameters(entry: &Entry) -> Value {
+    let each = entry.parameters.iter().map(|parameter| {
+        let [least, greatest] = parameter.range;
+        let scale = match parameter.spacing {
+            Spacing::Linear => "linear",
+            Spacing::Logarithmic => "logarithmic",
+            Spacing::Whole => "whole",
+        };
+        let place = parameter.handle.map(|handle| (handle.place)(&Values::default()));
+        json!({
+            "key": parameter.key, "symbol": parameter.symbol, "meaning": parameter.meaning, "unit": parameter.unit,
+            "least": least, "greatest": greatest, "scale": scale, "default": parameter.default, "place": place,
+        })
+    });
+    each.collect()
+}
+
+/// Builds the module and writes it where the book keeps it, as a script: a page that was opened from disk may load one, and nothing else. Returns
+/// where it is, and how many bytes the module has.
+///
+/// # Errors
+/// [`Error::Failed`] if the compiler cannot build for a browser, and those of writing.
+pub fn build(root: &Path) -> Result<(PathBuf, usize)> {
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let library = ["--print", "target-libdir", "--target", TARGET];
+    let library = Command::new(rustc).args(library).output();
+    let library = library.map_err(|error| Error::Failed(format!("rustc: {error}")))?;
+    if !Path::new(String::from_utf8_lossy(&library.stdout).trim()).is_dir() {
+        let why = "the compiler cannot build for a browser yet: `rustup target add";
+        return Err(Error::Failed(format!("{why} {TARGET}` teaches it")));
+    }
+    let target = root.join("target");
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut build = Command::new(cargo);
+    build
+        .current_dir(root)
+        .args(["build", "--locked", "--package", "live"]);
+    build
+        .args(["--profile", "live", "--target", TARGET, "--target-dir"])
+        .arg(&target);
+    // Where a panic happened is told by the path of a source: that of a crate, not of this machine.
+    build.env("CARGO_ENCODED_RUSTFLAGS", remapped().join("\x1f"));
+    let status = build
+        .status()
+        .map_err(|error| Error::Failed(format!("cargo: {error}")))?;
+    if !status.success() {
+        return Err(Error::Failed("cargo did not build the module".into()));
+    }
+    let built = target.join(TARGET).join("live/live.wasm");
+    let module = std::fs::read(&built).map_err(Error::file(&built))?;
+    let script = format!(
+        "window.liveModule = '{}';\n",
+        BASE64_STANDARD.encode(&module)
+    );
+    let committed = root.join("book/src/assets/live-module.js");
+    write_if_changed(&committed, script.as_bytes())?;
+    Ok((committed, module.len()))
+}
+
+/// Flags that take the folders of this machine out of the paths of sources.
+fn remapped() -> Vec<String> {
+    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
+    let registries = home.and_then(|home| std::fs::read_dir(home.join("registry/src")).ok());
+    let folders = registries.into_iter().flatten().flatten();
+    folders
+        .map(|folder| format!("--remap-path-prefix={}=crates", folder.path().display()))
+        .collect()
+}

@@ -146,6 +146,81 @@ async function searches(page, address, word) {
     return page.waitForSelector(hits, { timeout: 20000 }).then(() => page.locator(hits).count(), () => 0);
 }
 
+// Runs in the page: moves every slider of every live figure to both of its ends, and back again.
+async function toBothEnds() {
+    const faults = [];
+    const until = async (done) => {
+        for (let k = 0; k < 1500 && !done(); k += 1) await new Promise((resolve) => setTimeout(resolve, 10));
+        return done();
+    };
+    for (const figure of document.querySelectorAll('main figure[data-live]')) {
+        const picture = () => figure.querySelector('svg.fig');
+        const [printed, words] = [picture().outerHTML, figure.querySelector('figcaption').outerHTML];
+        for (const slider of figure.querySelectorAll('input[type=range]')) {
+            for (const end of [slider.min, slider.max]) {
+                if (Math.abs(slider.value - end) < 1e-9) continue; // the book's own
+                const before = picture();
+                const fault = (told) => faults.push(`#${figure.id}, ${slider.name} at ${end}: ${told}`);
+                slider.value = end;
+                slider.dispatchEvent(new Event('input', { bubbles: true }));
+                const refusal = figure.querySelector('.live-refusal');
+                if (!await until(() => picture() !== before || !refusal.hidden)) fault('nothing is drawn');
+                if (!refusal.hidden) fault(refusal.textContent);
+                if (figure.querySelectorAll('svg.fig').length !== 1) fault('not one picture');
+                const said = [...figure.querySelectorAll('figcaption > .formula, .live')].map((one) => one.textContent).join(' ');
+                if (/[\\${}]/.test(said)) fault(`no formula: ${said}`);
+                if (slider.getBoundingClientRect().height < 24) fault('too low for a finger');
+                figure.querySelector('.live button').click();
+                if (picture().outerHTML !== printed || figure.querySelector('figcaption').outerHTML !== words) fault('the printed figure does not come back');
+            }
+        }
+    }
+    return faults;
+}
+
+// A live figure under the hand: by a slider, a key, a point that is dragged, and an address.
+async function underTheHand(page) {
+    const faults = [];
+    const is = (what, right) => { if (!right) faults.push(what); };
+    const figure = page.locator('#fig-billiard');
+    const slider = figure.locator('input[name=cue]');
+    const state = () => figure.evaluate((f) => ({ picture: f.querySelector('svg.fig').outerHTML, words: f.querySelector('figcaption').textContent, hash: location.hash, cue: Number(f.querySelector('[name=cue]').value) }));
+    await page.goto(url('rolling.html'));
+    const printed = await state();
+    const other = (than) => page.waitForFunction((than) => document.querySelector('#fig-billiard svg.fig').outerHTML !== than, than.picture);
+    await slider.evaluate((s) => { s.value = 0.73; s.dispatchEvent(new Event('input', { bubbles: true })); });
+    await other(printed);
+    const moved = await state();
+    is(`the caption does not follow: ${moved.words}`, moved.words !== printed.words && moved.words.includes('0.73'));
+    is(`the address does not follow: ${moved.hash}`, moved.hash === '#fig-billiard?cue=0.73&kappa=0.4');
+    await slider.focus();
+    await page.keyboard.press('End');
+    await other(moved);
+    is('End is not the greatest value', (await state()).cue === 1.9);
+    await page.keyboard.press('ArrowLeft');
+    is('a key does not rest on a round value', (await state()).cue === 1.89);
+    await figure.locator('.live button').click();
+    const back = await state();
+    is('the printed figure does not come back', back.picture === printed.picture && back.words === printed.words && back.hash === '' && back.cue === 1.2);
+    const knob = figure.locator('.live-handle');
+    await knob.scrollIntoViewIfNeeded();
+    const box = await knob.boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2 - 30, { steps: 5 });
+    await other(back);
+    await page.mouse.up();
+    is('a point that is dragged does not move its number', (await state()).cue > 1.3);
+    await page.goto('about:blank');
+    await page.goto(url('rolling.html#fig-billiard?cue=0.5&kappa=0.6'));
+    await other(printed);
+    is('an address is not followed', (await state()).cue === 0.5);
+    is('the figure of the address is not to be seen', await figure.evaluate((f) => { const { top, bottom } = f.getBoundingClientRect(); return bottom > 0 && top < innerHeight; }));
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    is('on paper stands another figure', (await state()).picture === printed.picture);
+    return faults;
+}
+
 // The built book behind a server of this machine, as a reader on the network has it.
 function served() {
     const types = { '.html': 'text/html', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml', '.woff2': 'font/woff2' };
@@ -246,6 +321,19 @@ function served() {
             return all.length > 0 ? all.filter((one) => one.playState === 'running').length : -1;
         });
         check('a moving figure is held by a key', moving === 0 ? [] : [`${moving} of its parts move`]);
+    });
+
+    for (const [theme, width] of [['light', 1280], ['navy', 1280], ['light', 390]]) {
+        await inBrowser(browser, theme, width, async (page, heard) => {
+            check(`a live figure in ${theme} at ${width} px`, [...await underTheHand(page), ...heard, ...await page.evaluate(wide)]);
+        });
+    }
+    await inBrowser(browser, 'light', 390, async (page, heard) => {
+        for (const name of pages.filter((name) => name !== 'print.html')) {
+            heard.length = 0;
+            await page.goto(url(name));
+            check(`live figures of ${name}`, [...await page.evaluate(toBothEnds), ...heard, ...await page.evaluate(wide), ...await page.evaluate(clipped)]);
+        }
     });
 
     await browser.close();

@@ -6,7 +6,7 @@ use crate::drawings::{Drawing, unknown_figure};
 use crate::formulas::{Formulas, Style};
 use crate::ledger::{Ledger, MarkKind, markdown_options, marks};
 use crate::pieces::{Pieces, inert};
-use crate::{Error, Result};
+use crate::{Error, Result, live};
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
@@ -250,8 +250,15 @@ impl<'a> Typesetter<'a> {
         }
         let picture = self.pieces.keep(svg, "");
         let details = self.caption(&drawing.figure.details)?;
+        let live = match drawing.entry.parameters {
+            [] => String::new(),
+            _ => format!(
+                " data-live=\"{}\"",
+                inert(&live::parameters(&drawing.entry).to_string())
+            ),
+        };
         Ok(format!(
-            "<figure id=\"fig-{name}\">{picture}<figcaption><span class=\"figure-number\">Figure {next}.</span> \
+            "<figure id=\"fig-{name}\"{live}>{picture}<figcaption><span class=\"figure-number\">Figure {next}.</span> \
              <strong>{claim}</strong> {details}</figcaption></figure>\n"
         ))
     }

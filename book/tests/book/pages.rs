@@ -63,6 +63,7 @@ fn every_page_is_sound() {
     nothing_is_fetched_from_a_network(&pages);
     every_picture_says_what_is_seen(&pages);
     figures_are_numbered_in_reading_order(&pages);
+    a_figure_with_numbers_to_choose_is_live(&pages);
     every_page_forbids_other_hosts(&pages);
     nothing_is_left_unset(&pages);
     no_line_of_code_is_wider_than_the_column(&pages);
@@ -165,6 +166,29 @@ fn figures_are_numbered_in_reading_order(pages: &[Page]) {
         .map(|n| format!("Figure {n}."))
         .collect();
     assert_eq!(numbers, expected);
+}
+
+/// Its page knows them; and of a point that can be dragged, where it stands.
+fn a_figure_with_numbers_to_choose_is_live(pages: &[Page]) {
+    let shown = Selector::parse("main figure[id^='fig-']").unwrap();
+    for (name, _, tree) in pages {
+        for figure in tree.select(&shown) {
+            let id = figure.attr("id").unwrap();
+            let entry = figures::all()
+                .iter()
+                .find(|entry| id == format!("fig-{}", entry.name));
+            let told: Vec<serde_json::Value> = match figure.attr("data-live") {
+                Some(text) => serde_json::from_str(text).unwrap(),
+                None => Vec::new(),
+            };
+            let told = told
+                .iter()
+                .map(|one| (one["key"].as_str(), !one["place"].is_null()));
+            let known = entry.unwrap().parameters.iter();
+            let known = known.map(|one| (Some(one.key), one.handle.is_some()));
+            assert!(told.eq(known), "{name}: {id}");
+        }
+    }
 }
 
 fn every_page_forbids_other_hosts(pages: &[Page]) {

@@ -19,7 +19,7 @@ pub fn parameters(entry: &Entry) -> Value {
             Spacing::Logarithmic => "logarithmic",
             Spacing::Whole => "whole",
         };
-        let place = parameter.handle.map(|handle| (handle.place)(&Values::default()));
+        let place = parameter.handle.map(|place| place(&Values::default()));
         json!({
             "key": parameter.key, "symbol": parameter.symbol, "meaning": parameter.meaning, "unit": parameter.unit,
             "least": least, "greatest": greatest, "scale": scale, "default": parameter.default, "place": place,

@@ -29,21 +29,9 @@ const LENGTH: f64 = 2.2;
 
 parameters! {
     TURNS: "turns", "n", "turns/s", "spin of the wheel", [60.0, 150.0], 100.0;
+    TILT: "tilt", r"\theta", "°", "angle of the axle from the vertical", [30.0, 120.0], 90.0;
 }
-const TILT: Parameter = Parameter::new("tilt", r"\theta", "°")
-    .meaning("angle of the axle from the vertical")
-    .between([30.0, 120.0], 90.0)
-    .dragged(
-        |values| {
-            let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
-            view(values).project(&(Vector3::new(sin, 0.0, cos) * HOLD))
-        },
-        |point, values| {
-            let arms = [Vector3::z(), Vector3::x()];
-            view(values).angle(point, arms).to_degrees()
-        },
-    );
-/// What may be chosen; the end of the axle is the handle of its tilt.
+/// What may be chosen.
 pub const GYROSCOPE: &[Parameter] = &[TURNS, TILT];
 
 /// How far the axle reaches, m.

@@ -44,7 +44,7 @@ mod yo_yo;
 pub use canvas::Mark;
 pub use compare::compare;
 pub use finish::{Look, Theme};
-pub use parameter::{Handle, Parameter, Spacing, Values};
+pub use parameter::{Parameter, Spacing, Values};
 
 /// A finished figure. Alt text and caption are part of the type: there is no figure without them.
 #[derive(Debug, Clone)]

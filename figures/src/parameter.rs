@@ -26,15 +26,6 @@ impl fmt::Display for Spacing {
     }
 }
 
-/// A point of the picture that a hand can take: where it stands, and the value that a place stands for.
-#[derive(Debug, Clone, Copy)]
-pub struct Handle {
-    /// Where it stands, units of the design.
-    pub place: fn(&Values) -> Point,
-    /// The value for which it would stand there, or nearest to there; not yet held to the range.
-    pub value: fn(Point, &Values) -> f64,
-}
-
 /// A number of a figure: its name on the command line, what it means, and what it may be.
 #[derive(Debug, Clone, Copy)]
 pub struct Parameter {
@@ -52,8 +43,8 @@ pub struct Parameter {
     pub spacing: Spacing,
     /// What the book shows.
     pub default: f64,
-    /// How it is dragged, if it is.
-    pub handle: Option<Handle>,
+    /// Where the point of the picture stands that a hand can take, if there is one; units of the design.
+    pub handle: Option<fn(&Values) -> Point>,
 }
 
 impl Parameter {
@@ -96,14 +87,39 @@ impl Parameter {
         self
     }
 
-    /// The same with a point of the picture to drag.
-    pub const fn dragged(
-        mut self,
-        place: fn(&Values) -> Point,
-        value: fn(Point, &Values) -> f64,
-    ) -> Self {
-        self.handle = Some(Handle { place, value });
+    /// The same with a point of the picture to drag, which stands there.
+    pub const fn dragged(mut self, place: fn(&Values) -> Point) -> Self {
+        self.handle = Some(place);
         self
+    }
+
+    /// The value for which the point to be dragged stands nearest to a place; `None` if there is no such point.
+    pub fn dragged_to(&self, [x, y]: Point, values: &Values) -> Option<f64> {
+        const FEW: u32 = 32;
+        let place = self.handle?;
+        let away = |share: f64| {
+            let there = values.clone().with(self, self.at(share));
+            let [a, b] = there.map_or([f64::INFINITY; 2], |values| place(&values));
+            (a - x).hypot(b - y)
+        };
+        let few = (0..=FEW).map(|k| f64::from(k) / f64::from(FEW));
+        let (_, near) = few
+            .map(|share| (away(share), share))
+            .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        // Between its neighbours by the golden section.
+        let step = 1.0 / f64::from(FEW);
+        let (mut low, mut high) = ((near - step).max(0.0), (near + step).min(1.0));
+        for _ in 0..32 {
+            let part = 0.382 * (high - low);
+            match away(low + part) < away(high - part) {
+                true => high -= part,
+                false => low += part,
+            }
+        }
+        let between = 0.5 * (low + high);
+        // The section comes close to an end, but not there.
+        let kept = away(near) <= away(between);
+        Some(self.at(if kept { near } else { between }))
     }
 
     /// The value a share of 0 to 1 of the way through the range.

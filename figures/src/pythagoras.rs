@@ -14,27 +14,14 @@ pub const FIGURES: &[Entry] = &[of("gas-box", GAS_BOX, gas_box)];
 const AR: Parameter = Parameter::new("ar", "AR", "")
     .meaning("side from the hinge")
     .between([1.0, 5.0], 4.0)
-    .dragged(
-        |values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[1]),
-        |point, values| {
-            Drawn::of(values).map_or(f64::NAN, |drawn| (point[0] - drawn.hinge[0]) / drawn.length)
-        },
-    );
+    .dragged(|values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[1]));
 parameters! {
     RB: "rb", "RB", "", "the other side at R", [1.0, 5.0], 3.0;
 }
 const ANGLE: Parameter = Parameter::new("angle", r"\gamma", "°")
     .meaning("angle at R")
     .between([30.0, 150.0], 90.0)
-    .dragged(
-        |values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[2]),
-        |point, values| {
-            Drawn::of(values).map_or(f64::NAN, |drawn| {
-                let r = drawn.corners()[1];
-                (r[1] - point[1]).atan2(r[0] - point[0]).to_degrees()
-            })
-        },
-    );
+    .dragged(|values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[2]));
 /// What may be chosen; R and B are dragged.
 pub const GAS_BOX: &[Parameter] = &[AR, RB, ANGLE];
 

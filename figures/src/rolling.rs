@@ -20,7 +20,7 @@ pub const FIGURES: &[Entry] = &[
 parameters! {
     /// Of a ball that rolls or bounces, whatever it is made of.
     pub KAPPA: "kappa", r"\kappa", "", "moment of inertia of the ball over MR²", [0.3, 0.65], 0.4;
-    CUE: "cue", "H/R", "", "height of one of the cues above the table, over the radius", [0.4, 1.9], 1.2, dragged(cue_place, cue_at);
+    CUE: "cue", "H/R", "", "height of one of the cues above the table, over the radius", [0.4, 1.9], 1.2, dragged(cue_place);
 }
 
 /// What may be chosen beside the ball and its cues.
@@ -43,10 +43,6 @@ fn level(height: f64) -> f64 {
 
 fn cue_place(values: &Values) -> Point {
     [BUTT, level(values.of(&CUE))]
-}
-
-fn cue_at(point: Point, _: &Values) -> f64 {
-    (CONTACT[1] - point[1]) / RADIUS
 }
 
 /// The ball with its cues, and beside it the slip and the spin each of them gives.

@@ -83,16 +83,6 @@ impl View {
         ]
     }
 
-    /// The angle α for which u cos α + v sin α is drawn nearest to the direction of a point from the origin, rad.
-    pub fn angle(&self, point: Point, [u, v]: [Vector3<f64>; 2]) -> f64 {
-        let from = |p: Point| [p[0] - self.center[0], p[1] - self.center[1]];
-        let (p, u, v) = (from(point), from(self.project(&u)), from(self.project(&v)));
-        // p = u cos α + v sin α.
-        let [cos, sin] = [p[0] * v[1] - p[1] * v[0], u[0] * p[1] - u[1] * p[0]];
-        let turn = (u[0] * v[1] - u[1] * v[0]).signum();
-        (sin * turn).atan2(cos * turn)
-    }
-
     /// The points of a curve, drawn.
     pub fn trace(&self, points: &[Vector3<f64>]) -> Vec<Point> {
         points.iter().map(|p| self.project(p)).collect()

@@ -24,7 +24,7 @@ parameters! {
 /// What may be chosen in the three tugs.
 pub const THREE_TUGS: &[Parameter] = &[AXLE, LOW, STEEP];
 /// What may be chosen in the dial; its handle is the tug that does not roll.
-pub const DIAL: &[Parameter] = &[AXLE.dragged(critical_place, axle_at), TENSION];
+pub const DIAL: &[Parameter] = &[AXLE.dragged(critical_place), TENSION];
 
 /// M = 0.2 kg, R = 5 cm, a full disc.
 fn reel(values: &Values) -> Result<Spool> {
@@ -170,11 +170,6 @@ fn place(radius: f64, angle: f64) -> Point {
 /// The end of the dotted line: cos θ = r/R.
 fn critical_place(values: &Values) -> Point {
     place(INNER + 62.0, values.of(&AXLE).acos())
-}
-
-fn axle_at(point: Point, _: &Values) -> f64 {
-    let (x, y) = (HUB[0] - point[0], HUB[1] - point[1]);
-    x / x.hypot(y)
 }
 
 /// Acceleration against the angle of the tug, all the way round.

@@ -116,11 +116,14 @@ fn a_hand_finds_the_value_it_takes() {
         };
         for k in 0..50 {
             let values = chosen(parameter, f64::from(k) / 49.0);
-            let (value, place) = (values.of(parameter), (handle.place)(&values));
-            let found = (handle.value)(place, &values);
-            let [low, high] = parameter.range;
+            let (value, place) = (values.of(parameter), handle(&values));
+            // Whatever it was before.
+            let found = parameter.dragged_to(place, &Values::default());
+            let found = found.expect("it has a handle");
+            let there = Values::default().with(parameter, found).map(|v| handle(&v));
+            let [x, y] = there.expect("within its range");
             assert!(
-                (found - value).abs() <= 1e-9 * (high - low),
+                (x - place[0]).hypot(y - place[1]) <= 1e-3,
                 "{}: {} at {value} is found at {found}",
                 entry.name,
                 parameter.key

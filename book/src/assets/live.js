@@ -168,6 +168,14 @@ function live(figure) {
         return set(key, tidy(Math.round(wanted / round) * round));
     }
 
+    // Another picture may be higher: the slider stays under the hand.
+    function swap(fresh) {
+        const { top } = controls.getBoundingClientRect();
+        picture.replaceWith(fresh);
+        picture = fresh;
+        scrollBy({ top: controls.getBoundingClientRect().top - top, behavior: 'instant' });
+    }
+
     function show(parts) {
         const [drawn, claim, details, places] = parts;
         refusal.hidden = parts.length > 1;
@@ -175,9 +183,7 @@ function live(figure) {
             refusal.textContent = `There is no such picture: ${drawn}.`;
             return;
         }
-        const { content } = element('template', { innerHTML: drawn });
-        picture.replaceWith(content);
-        picture = figure.querySelector('svg.fig');
+        swap(element('template', { innerHTML: drawn }).content.firstElementChild);
         const number = words.querySelector('.figure-number');
         words.replaceChildren(number, ' ', element('strong', {}, ...caption(claim)), ' ', ...caption(details, known));
         for (const line of places.trim().split('\n')) {
@@ -191,8 +197,7 @@ function live(figure) {
     function showPrinted() {
         refusal.hidden = true;
         if (picture === printed.picture) return;
-        picture.replaceWith(printed.picture);
-        picture = printed.picture;
+        swap(printed.picture);
         words.replaceChildren(...printed.words);
         for (const { key, place } of dragged) put(key, place);
     }

@@ -75,16 +75,10 @@ const DISTANCE: Parameter = Parameter::new("distance", r"\epsilon", "")
     .meaning("distance from the middle axis at the throw")
     .between([1e-16, 1.0], 1e-2)
     .logarithmic()
-    .dragged(
-        |values| match Course::of(values) {
-            Ok(course) => course.place(course.marked),
-            Err(_) => [FRAME[0], FRAME[2]],
-        },
-        |point, _| {
-            let [left, right, ..] = FRAME;
-            10f64.powf(-f64::from(DECADES) * (point[0] - left) / (right - left))
-        },
-    );
+    .dragged(|values| match Course::of(values) {
+        Ok(course) => course.place(course.marked),
+        Err(_) => [FRAME[0], FRAME[2]],
+    });
 /// What may be chosen; the handle is the ring on the line.
 pub const FLIP_TIME: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, SPIN, DISTANCE];
 

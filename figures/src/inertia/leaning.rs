@@ -13,13 +13,7 @@ use crate::{Figure, Parameter, Values};
 const DIRECTION: Parameter = Parameter::new("direction", r"\varphi", "°")
     .meaning("direction of Ω, from the long edge to the short one")
     .between([0.0, 90.0], 20.0)
-    .dragged(
-        |values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()),
-        |point, _| {
-            let across = CENTER[1] - point[1];
-            across.atan2(point[0] - CENTER[0]).to_degrees()
-        },
-    );
+    .dragged(|values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()));
 /// What may be chosen; the tip of Ω is the handle of its direction.
 pub const LEANING: &[Parameter] = &[
     DIRECTION,

@@ -22,17 +22,11 @@ const RADIUS: f64 = 52.0;
 const VERTICAL: Parameter = Parameter::new("vertical", r"L_{\text{vert}}", "")
     .meaning("vertical angular momentum of your top")
     .between([-2.9, 5.3], -0.5)
-    .dragged(
-        |values| yours(values).center(),
-        |point, _| (point[0] - ORIGIN[0]) / UNIT[0],
-    );
+    .dragged(|values| yours(values).center());
 const AXIAL: Parameter = Parameter::new("axial", "L_3", "")
     .meaning("axial angular momentum of your top")
     .between([0.0, 4.1], 1.5)
-    .dragged(
-        |values| yours(values).center(),
-        |point, _| (ORIGIN[1] - point[1]) / UNIT[1],
-    );
+    .dragged(|values| yours(values).center());
 /// What may be chosen: the ring on the map is the handle of both.
 pub const NUTATIONS: &[Parameter] = &[VERTICAL, AXIAL];
 

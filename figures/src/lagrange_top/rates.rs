@@ -11,9 +11,9 @@ use crate::{Figure, Parameter, Values};
 
 // L₃ of the curves; each has its handle where its fast branch ends, for a hanging axis.
 parameters! {
-    THIN: "thin", "L_3", "", "axial momentum of the thin curve", [0.4, 3.3], 1.2, dragged(|values| hanging(values.of(&THIN)), spin_at);
-    MIDDLE: "middle", "L_3", "", "axial momentum of the middle curve", [0.4, 3.3], 2.0, dragged(|values| hanging(values.of(&MIDDLE)), spin_at);
-    THICK: "thick", "L_3", "", "axial momentum of the thick curve", [0.4, 3.3], 3.0, dragged(|values| hanging(values.of(&THICK)), spin_at);
+    THIN: "thin", "L_3", "", "axial momentum of the thin curve", [0.4, 3.3], 1.2, dragged(|values| hanging(values.of(&THIN)));
+    MIDDLE: "middle", "L_3", "", "axial momentum of the middle curve", [0.4, 3.3], 2.0, dragged(|values| hanging(values.of(&MIDDLE)));
+    THICK: "thick", "L_3", "", "axial momentum of the thick curve", [0.4, 3.3], 3.0, dragged(|values| hanging(values.of(&THICK)));
 }
 /// What may be chosen.
 pub const RATES: &[Parameter] = &[THIN, MIDDLE, THICK];
@@ -26,12 +26,6 @@ const SHOWN: [f64; 2] = [-3.6, 6.2];
 fn hanging(axial: f64) -> Point {
     let rates = pure_rates(-1.0, axial).unwrap_or_default();
     place(PI, rates[1])
-}
-
-fn spin_at(point: Point, _: &Values) -> f64 {
-    let [_, _, bottom, top] = FRAME;
-    let rate = SHOWN[0] + (SHOWN[1] - SHOWN[0]) * (bottom - point[1]) / (bottom - top);
-    1.0 / rate - rate
 }
 
 fn place(tilt: f64, rate: f64) -> Point {

@@ -14,10 +14,7 @@ parameters! {
 const BELOW: Parameter = Parameter::new("below", "L_3", "")
     .meaning("axial momentum of the slowest top")
     .between([1.2, 1.95], 1.7)
-    .dragged(
-        |values| Shown::of(values).place(loner(values.of(&BELOW)), 0.0),
-        |point, values| (2.0 * (1.0 + Shown::of(values).height(point[0]))).sqrt(),
-    );
+    .dragged(|values| Shown::of(values).place(loner(values.of(&BELOW)), 0.0));
 parameters! {
     KICK: "kick", r"\Omega_\perp", "", "angular velocity across the axis after a kick, in units of the square root of Mgl/I₁", [1e-4, 0.1], 0.01, logarithmic;
 }
@@ -63,12 +60,6 @@ impl Shown {
             left + (right - left) * (h - self.ends[0]) / (self.ends[1] - self.ends[0]),
             zero - self.unit * f,
         ]
-    }
-
-    /// The inverse along the axis.
-    fn height(&self, x: f64) -> f64 {
-        let [left, right, _] = FRAME;
-        self.ends[0] + (self.ends[1] - self.ends[0]) * (x - left) / (right - left)
     }
 
     fn axes(&self, pen: &mut Pen) {

@@ -23,17 +23,10 @@ const SHOWN: f64 = 1.0;
 const TILT: Parameter = Parameter::new("tilt", r"\theta_0", "°")
     .meaning("tilt of the top that is held")
     .between([10.0, 45.0], 30.0)
-    .dragged(
-        |values| {
-            let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
-            view().project(&(Vector3::new(0.0, -sin, cos) * NOSE))
-        },
-        |point, _| {
-            view()
-                .angle(point, [Vector3::z(), -Vector3::y()])
-                .to_degrees()
-        },
-    );
+    .dragged(|values| {
+        let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
+        view().project(&(Vector3::new(0.0, -sin, cos) * NOSE))
+    });
 parameters! {
     TURNS: "turns", "n", "turns/s", "spin of the top", [20.0, 60.0], 30.0;
 }

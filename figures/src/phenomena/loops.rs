@@ -14,10 +14,7 @@ use crate::{Figure, Parameter, Values};
 const BEND: Parameter = Parameter::new("forward", r"\gamma", "°")
     .meaning("bend of the cat forward")
     .between([70.0, 115.0], 90.0)
-    .dragged(
-        |values| cat_at(values.of(&BEND).to_radians(), 0.0),
-        |point, _| (WIDEST * (point[0] - CENTER[0]) / RADIUS).to_degrees(),
-    );
+    .dragged(|values| cat_at(values.of(&BEND).to_radians(), 0.0));
 
 /// What may be chosen of the two loops; the handle is the far end of the cat's.
 pub const SHAPE_LOOPS: &[Parameter] = &[OUT, IN, LOWER, BEND];

@@ -15,7 +15,7 @@ const THROWN: Motion<f64> = Motion {
 
 const KAPPA: Parameter = rolling::KAPPA
     .between([0.05, 0.65], 0.4)
-    .dragged(mirror_place, kappa_at);
+    .dragged(mirror_place);
 parameters! {
     BOUNCES: "bounces", "n", "", "bounces that are drawn", [1.0, 9.0], 3.0, whole;
 }
@@ -30,10 +30,6 @@ const MIRROR: f64 = 190.0;
 
 fn mirror_place(values: &Values) -> Point {
     polar(CENTER, MIRROR, values.of(&KAPPA).sqrt().atan())
-}
-
-fn kappa_at(point: Point, _: &Values) -> f64 {
-    ((CENTER[1] - point[1]) / (point[0] - CENTER[0])).powi(2)
 }
 
 /// Each bounce reflects the point (V, √κ RΩ) of the unit circle in one of two lines.
@@ -137,8 +133,8 @@ pub fn reflections(values: &Values) -> Result<Figure> {
 }
 
 parameters! {
-    DENSE: "dense", r"\kappa_1", "", "moment of inertia of the ball with a dense core over MR²", [0.05, 0.37], 1.0 / 3.0, dragged(|values| apex(values.of(&DENSE)), factor_at);
-    HOLLOW: "hollow", r"\kappa_3", "", "moment of inertia of the hollow ball over MR²", [0.43, 2.0 / 3.0], 2.0 / 3.0, dragged(|values| apex(values.of(&HOLLOW)), factor_at);
+    DENSE: "dense", r"\kappa_1", "", "moment of inertia of the ball with a dense core over MR²", [0.05, 0.37], 1.0 / 3.0, dragged(|values| apex(values.of(&DENSE)));
+    HOLLOW: "hollow", r"\kappa_3", "", "moment of inertia of the hollow ball over MR²", [0.43, 2.0 / 3.0], 2.0 / 3.0, dragged(|values| apex(values.of(&HOLLOW)));
 }
 
 /// What may be chosen of three balls; their handles are the places where they meet the table.
@@ -158,11 +154,6 @@ fn place(x: f64, height: f64) -> Point {
 /// Where a ball meets the table: (1−κ)/(1+κ) of a flight.
 fn apex(kappa: f64) -> Point {
     place((1.0 - kappa) / (1.0 + kappa), 1.0)
-}
-
-fn factor_at(point: Point, _: &Values) -> f64 {
-    let x = (point[0] - FIRST) / FLIGHT;
-    (1.0 - x) / (1.0 + x)
 }
 
 /// What becomes of a ball after three bounces, by its turn in the circle of reflections: half of it is the way back.

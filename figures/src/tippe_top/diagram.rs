@@ -14,7 +14,7 @@ use crate::{Figure, Parameter, Values};
 const SPINS: [f64; 2] = [50.0, 100.0];
 const WIDEST: f64 = 112.0;
 
-const CHOSEN: Parameter = SPIN.between([10.0, 98.0], 70.0).dragged(release, spin_at);
+const CHOSEN: Parameter = SPIN.between([10.0, 98.0], 70.0).dragged(release);
 /// What may be chosen; the start of the run in the middle is dragged.
 pub const DIAGRAM: &[Parameter] = &[CHOSEN, ALPHA.between([0.1, 0.6], 0.3), GAMMA];
 
@@ -38,13 +38,6 @@ fn release(values: &Values) -> Point {
     let spin = values.of(&CHOSEN);
     chosen(values).map_or([0.0; 2], |top| {
         frame(&top).at(spin, energy(&top, 0.0, spin))
-    })
-}
-
-fn spin_at([x, _]: Point, values: &Values) -> f64 {
-    chosen(values).map_or(f64::NAN, |top| {
-        let [left, right] = frame(&top).x.ends;
-        WIDEST * (x - left) / (right - left)
     })
 }
 

@@ -12,8 +12,8 @@ use crate::{Figure, Parameter, Values};
 
 const OFFSET: Parameter = ALPHA.between([0.25, 0.7], 0.42);
 parameters! {
-    LOW: "low", r"\theta_1", "°", "tilt with the clay below the horizontal", [15.0, 80.0], 42.0, dragged(|values| clay(0, values), |point, _| tilt_at(0, point));
-    HIGH: "high", r"\theta_2", "°", "tilt with the clay above the horizontal", [100.0, 165.0], 128.0, dragged(|values| clay(1, values), |point, _| tilt_at(1, point));
+    LOW: "low", r"\theta_1", "°", "tilt with the clay below the horizontal", [15.0, 80.0], 42.0, dragged(|values| clay(0, values));
+    HIGH: "high", r"\theta_2", "°", "tilt with the clay above the horizontal", [100.0, 165.0], 128.0, dragged(|values| clay(1, values));
 }
 /// What may be chosen; the clay is dragged.
 pub const HOOP: &[Parameter] = &[OFFSET, LOW, HIGH, TURNS.between([1.0, 100.0], 50.0)];
@@ -34,11 +34,6 @@ fn center(k: usize) -> Point {
 fn clay(k: usize, values: &Values) -> Point {
     let tilt = values.of([&LOW, &HIGH][k]).to_radians();
     polar(center(k), RADIUS, 1.5 * PI - tilt)
-}
-
-fn tilt_at(k: usize, point: Point) -> f64 {
-    let [x, y] = center(k);
-    (x - point[0]).atan2(point[1] - y).to_degrees()
 }
 
 /// Friction's torque pushes the clay up, below the horizontal and above it.

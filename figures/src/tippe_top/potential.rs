@@ -13,9 +13,7 @@ use crate::{Figure, Parameter, Values};
 /// Spins of the other curves, rad/s: the first and the last set the scale.
 const SPINS: [f64; 4] = [20.0, 40.0, 50.0, 90.0];
 
-const CHOSEN: Parameter = SPIN
-    .between([SPINS[0], SPINS[3]], 65.0)
-    .dragged(head, spin_at);
+const CHOSEN: Parameter = SPIN.between([SPINS[0], SPINS[3]], 65.0).dragged(head);
 /// What may be chosen; the end of the heavy curve is dragged.
 pub const POTENTIAL: &[Parameter] = &[CHOSEN, ALPHA, GAMMA];
 
@@ -50,18 +48,6 @@ fn head(values: &Values) -> Point {
         Ok(top) => frame(&top).at(180.0, height(&top, values.of(&CHOSEN), PI)),
         Err(_) => [0.0, 0.0],
     }
-}
-
-/// The height of the head is that of weight alone less a multiple of the spin's square.
-fn spin_at(point: Point, values: &Values) -> f64 {
-    let Ok(top) = tippe(values.of(&ALPHA), values.of(&GAMMA)) else {
-        return f64::NAN;
-    };
-    let y = frame(&top).y;
-    let share = (point[1] - y.ends[0]) / (y.ends[1] - y.ends[0]);
-    let wanted = y.shown[0] + share * (y.shown[1] - y.shown[0]);
-    let (still, turning) = (height(&top, 0.0, PI), height(&top, 1.0, PI));
-    ((wanted - still) / (turning - still)).max(0.0).sqrt()
 }
 
 /// Spin moves the lowest place from the foot of the ball to its head.

@@ -39,23 +39,23 @@ pub fn build(root: &Path) -> Result<(PathBuf, usize)> {
     let library = Command::new(rustc).args(library).output();
     let library = library.map_err(|error| Error::Failed(format!("rustc: {error}")))?;
     if !Path::new(String::from_utf8_lossy(&library.stdout).trim()).is_dir() {
-        let why = "the compiler cannot build for a browser yet: `rustup target add";
-        return Err(Error::Failed(format!("{why} {TARGET}` teaches it")));
+        let why = "the compiler cannot build for a browser: `rustup target add";
+        return Err(Error::Failed(format!(
+            "{why} {TARGET}` installs what is missing"
+        )));
     }
     let target = root.join("target");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut build = Command::new(cargo);
-    build
+    let how = "build --locked --package live --profile live --target";
+    let status = Command::new(cargo)
         .current_dir(root)
-        .args(["build", "--locked", "--package", "live"]);
-    build
-        .args(["--profile", "live", "--target", TARGET, "--target-dir"])
-        .arg(&target);
-    // Where a panic happened is told by the path of a source: that of a crate, not of this machine.
-    build.env("CARGO_ENCODED_RUSTFLAGS", remapped().join("\x1f"));
-    let status = build
-        .status()
-        .map_err(|error| Error::Failed(format!("cargo: {error}")))?;
+        .args(how.split(' '))
+        .args([TARGET, "--target-dir"])
+        .arg(&target)
+        // Where a panic happened is told by the path of a source: that of a crate, not of this machine.
+        .env("CARGO_ENCODED_RUSTFLAGS", remapped().join("\x1f"))
+        .status();
+    let status = status.map_err(|error| Error::Failed(format!("cargo: {error}")))?;
     if !status.success() {
         return Err(Error::Failed("cargo did not build the module".into()));
     }

@@ -1,7 +1,7 @@
 //! The module of the live pages: a page asks for a figure of other numbers, and gets the picture that the press would have printed.
 //!
 //! There is no generator of bindings between the two. The page writes its question into the memory of the module, at the place that
-//! [`room`] gives, and reads the answer of [`draw`] from there; both are UTF-8. The question is what stands behind `#fig-` in the address,
+//! `room` gives, and reads the answer of `draw` from there; both are UTF-8. The question is what stands behind `#fig-` in the address,
 //!
 //! ```text
 //! spool-dial?axle=0.6&tension=0.5

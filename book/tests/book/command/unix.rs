@@ -42,6 +42,19 @@ fn a_link_is_followed() {
 }
 
 #[test]
+fn the_module_of_the_live_pages_wants_a_compiler_for_browsers() {
+    let mut command = Command::new(BOOK);
+    let output = command.arg("live").env("RUSTC", "true").output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    let told = text(&output.stderr);
+    assert!(
+        told.contains("`rustup target add wasm32-unknown-unknown`"),
+        "{told}"
+    );
+    assert_eq!(told.lines().count(), 1);
+}
+
+#[test]
 fn pipes_and_devices_stay_what_they_are() {
     let (folder, file) = racket(3);
     let plain = scene(&file, &[]).stdout;

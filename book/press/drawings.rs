@@ -78,14 +78,16 @@ pub fn list(entries: &[Entry], parameters: bool) -> String {
     text
 }
 
+/// A parameter, as programs are told of it.
+pub fn parameter(one: &Parameter) -> Json {
+    json!({
+        "key": one.key, "symbol": one.symbol, "meaning": one.meaning, "unit": one.unit,
+        "least": one.range[0], "greatest": one.range[1], "scale": one.spacing.to_string(), "default": one.default,
+    })
+}
+
 /// What a program wants to know of each figure: its claim as the book shows it, with formulas in dollars, and what may be chosen.
 pub fn described(drawings: &[Drawing]) -> Json {
-    let parameter = |one: &Parameter| {
-        json!({
-            "key": one.key, "symbol": one.symbol, "meaning": one.meaning, "unit": one.unit,
-            "least": one.range[0], "greatest": one.range[1], "scale": one.spacing.to_string(), "default": one.default,
-        })
-    };
     let figure = |Drawing { entry, figure }: &Drawing| {
         json!({
             "name": entry.name, "chapter": entry.chapter, "claim": figure.claim,

@@ -1,9 +1,9 @@
 //! The live pages: what a page is told of a figure's numbers, and the module that draws it again when they are moved.
 
 use crate::writer::write_if_changed;
-use crate::{Error, Result};
+use crate::{Error, Result, drawings};
 use base64::prelude::{BASE64_STANDARD, Engine};
-use figures::{Entry, Spacing, Values};
+use figures::{Entry, Values};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -13,17 +13,11 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// The parameters of a figure as its page reads them, in JSON; of one that can be dragged, where its point stands, units of the design.
 pub fn parameters(entry: &Entry) -> Value {
     let each = entry.parameters.iter().map(|parameter| {
-        let [least, greatest] = parameter.range;
-        let scale = match parameter.spacing {
-            Spacing::Linear => "linear",
-            Spacing::Logarithmic => "logarithmic",
-            Spacing::Whole => "whole",
-        };
-        let place = parameter.handle.map(|place| place(&Values::default()));
-        json!({
-            "key": parameter.key, "symbol": parameter.symbol, "meaning": parameter.meaning, "unit": parameter.unit,
-            "least": least, "greatest": greatest, "scale": scale, "default": parameter.default, "place": place,
-        })
+        let mut told = drawings::parameter(parameter);
+        if let Some(place) = parameter.handle {
+            told["place"] = json!(place(&Values::default()));
+        }
+        told
     });
     each.collect()
 }

@@ -250,8 +250,8 @@ impl<'a> Typesetter<'a> {
         }
         let picture = self.pieces.keep(svg, "");
         let details = self.caption(&drawing.figure.details)?;
-        let live = match drawing.entry.parameters {
-            [] => String::new(),
+        let live = match (self.medium, drawing.entry.parameters) {
+            (Medium::Ebook, _) | (_, []) => String::new(),
             _ => format!(
                 " data-live=\"{}\"",
                 inert(&live::parameters(&drawing.entry).to_string())

@@ -18,7 +18,7 @@ use crate::frame::{Attitude, BodyVector, SpaceVector};
 pub enum AttitudeMethod {
     /// By [`AttitudeSeries`], at any time at the same cost.
     Series,
-    /// z along axis 3 at the start: algebraic in Ω and z, at any time at the same cost.
+    /// z along axis 3 at the start, or a pendulum that keeps to its plane: algebraic in Ω and z, at any time at the same cost.
     Algebraic,
     /// Step by step from time 0, Ω and z in 106 bits: the motion is not separated, or the theta functions of the attitude lose digits, for this reason.
     Stepped(Reason),
@@ -181,7 +181,7 @@ impl KovalevskayaTop {
     pub fn attitude_method(&self) -> AttitudeMethod {
         match &self.motion {
             Motion::Free(_) => AttitudeMethod::FreeTop,
-            Motion::Upright(_) => AttitudeMethod::Algebraic,
+            Motion::Upright(_) | Motion::Pendulum(_) => AttitudeMethod::Algebraic,
             Motion::Stepped(reason) => AttitudeMethod::Stepped(*reason),
             Motion::Separated(_) if self.attitude_series().is_some() => AttitudeMethod::Series,
             Motion::Separated(_) => AttitudeMethod::Stepped(Reason::DoubleRoot),

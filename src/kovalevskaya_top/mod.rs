@@ -11,6 +11,7 @@
 //!   of its sums by algebra, and where s₁ or s₂ passes between the two these are theta functions after the modular transformation in one direction;
 //! * `exact`: which signs a start has, and the trial at a later time;
 //! * `upright`: theta functions of one variable for a start with z exactly along axis 3, where two of the roots are one;
+//! * `pendulum`: motions that keep to a plane, which are Lagrange's;
 //! * `taylor`: the same motion by power series in 106 bits, where her road is closed or loses digits;
 //! * `factors`, `precession`: the attitude, which takes one more quadrature, by theta functions at any time at the same cost;
 //! * `walk`: the same quadrature from stretch to stretch, where two roots are one to 9 digits, or two of the cubic to 3 and another root lies between them;
@@ -39,6 +40,7 @@ mod classes;
 mod constants;
 mod exact;
 mod factors;
+mod pendulum;
 mod periods;
 mod precession;
 mod separation;

@@ -47,6 +47,10 @@ impl<'a> Walk<'a> {
             let time = self.top.inward_time(t, LONGEST)?;
             return Ok(self.top.placed(&upright.carried(&self.top.constants, time)));
         }
+        if let Motion::Pendulum(pendulum) = &self.top.motion {
+            let time = self.top.inward_time(t, LONGEST)?;
+            return Ok(self.top.placed(&pendulum.carried(time)?));
+        }
         if let Some(series) = self.top.attitude_series() {
             return series.at(t);
         }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Kovalevskaya's top on a double root and beside it, to 30 digits: writes kovalevskaya_double_root.csv beside this script.
 
-z along axis 3 at the start, exactly or nearly; and motions where a variable passes between two roots of the cubic that nearly meet. The motion may amplify what is rounded more than a billion billion times until t = 60, so the power
+z along axis 3 at the start, exactly or nearly; motions where a variable passes between two roots of the cubic that nearly meet; and pendulums that keep to their plane. The motion may amplify what is rounded more than a billion billion times until t = 60, so the power
 series of kovalevskaya.py are carried to 66 digits with 64 terms and to 72 digits with 52 terms; the two must agree to 30 digits.
 """
 
@@ -19,7 +19,7 @@ TIMES = [3.0, 20.0, 60.0]
 def start(case):
     """As kovalevskaya.start, but z may point down: then the body is turned over about axis 1 first."""
     axial, lever, omega, up = case
-    if up[2] > 0:
+    if up[2] >= 0:
         return upward(case)
     moments, lever, y = upward((axial, lever, omega, (up[0], -up[1], -up[2])))
     w, i, j, k = y[6:]
@@ -61,6 +61,24 @@ def cases():
             (1.0, plain, (p, fast, q), (math.cos(angle), r, math.sin(angle))),
             (1.0, plain, (fast, p, q), (poles[number % 2], r, nudge)),
         ][number % 3]
+    across, slow = (0.0, -0.75, 0.0), draw.uniform(0.1, 0.9)
+    # Swinging and going round, by hardly anything too; beside the upright position, on the way to it for ever and back from it; and axis 1 upright.
+    for lever, omega, up in [
+        (plain, (0.0, 0.7, 0.0), (0.6, 0.0, 0.8)),
+        (plain, (0.0, -3.1, 0.0), (0.6, 0.0, -0.8)),
+        (plain, (0.0, 0.0, 0.7), (-0.6, 0.8, 0.0)),
+        (plain, (0.0, 0.0, 4.5), (0.3, -0.4, 0.0)),
+        (across, (slow, 0.0, 0.0), (0.0, slow, draw.uniform(0.1, 0.9))),
+        (across, (0.0, 0.0, -slow), (slow, -slow, 0.0)),
+        (plain, (0.0, 1e-9, 0.0), (-1.0, 0.0, 1e-8)),
+        (plain, (0.0, 0.0, 0.0), (1.0, 1e-9, 0.0)),
+        (plain, (0.0, 2.0 ** 0.5, 0.0), (-1.0, 0.0, 0.0)),
+        (plain, (0.0, 0.0, 2.0), (-1.0, 0.0, 0.0)),
+        (plain, (0.0, 0.0, -2.0 - 1e-12), (-1.0, 0.0, 0.0)),
+        (plain, (1.25, 0.0, 0.0), (1.0, 0.0, 0.0)),
+        (plain, (-0.4, 0.0, 0.0), (-1.0, 0.0, 0.0)),
+    ]:
+        yield "in its plane", (1.0 if lever == plain else 0.5, lever, omega, up)
 
 
 upward, kovalevskaya.start = kovalevskaya.start, start

@@ -152,9 +152,9 @@ pub(super) fn tried(
     let mut worst = distance(&state(0.0), &start.0);
     let (mut carried, mut t, mut trial) = (*start, 0.0, Vec::new());
     while t < TRIAL && worst <= trusted {
-        let series = Series::at(c, &carried);
+        let series = Series::<f64, 10>::of(c, &carried);
         let step = series.reach.min(TRIAL - t);
-        carried = series.after(step);
+        carried = series.carried(step);
         t += step;
         worst = worst.max(distance(&state(t), &carried.0));
         trial.push((t, carried));

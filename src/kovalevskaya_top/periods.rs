@@ -189,7 +189,7 @@ impl Curve {
 
 /// Twice the normalized integrals from a root to a place.
 fn across(separation: &Separation, from: usize, place: &Place) -> [Number; 2] {
-    let [a, b, _] = separation.straight(from, place, [Number::from(1.0); 2]);
+    let [a, b, _] = separation.straight(from, place, None);
     let [real, imaginary] = [0, 1].map(|part| {
         separation
             .normalized([a[part], b[part]])

@@ -100,7 +100,7 @@ impl Separation {
     }
 
     // ANCHOR: straight
-    /// ∫ds/√P, ∫(s−σ)ds/√P and ∫ds/((s−c)√P) straight from a root to a place, s − c given at both, that at the place times ω.
+    /// ∫ds/√P, ∫(s−σ)ds/√P and, where s − c is given at both, that at the place times ω, ∫ds/((s−c)√P) straight from a root to a place.
     ///
     /// With s = (root + ωg place)/(1 + ωg), g = e^x, every root beyond the ends is at Im x = ±π, however near it is to an end, and one that sees the way at an angle φ at ±(π−φ).
     /// With x = 3 sinh y besides, the trapezoidal rule takes some forty steps: it errs by e^{−2πd/step} where nothing is nearer to the line than d, and what is left out is e^{−40}.
@@ -109,22 +109,19 @@ impl Separation {
         &self,
         from: usize,
         (place, weight): &Place,
-        pole: [Number; 2],
+        pole: Option<[Number; 2]>,
     ) -> [[DoubleDouble; 2]; 3] {
         const STRETCH: f64 = 3.0;
         const DIGITS: f64 = 40.0;
         let start = &self.apart[from];
         let first = start[self.ends[0]] + self.half_way;
         let length = place[from];
-        let beyond = [
-            (pole[0], pole[1]),
-            (Number::from(1.0), Number::from(*weight)),
-        ];
+        let beyond = [Number::from(1.0), Number::from(*weight)];
         let clear = start
             .iter()
             .copied()
             .zip(place.iter().copied())
-            .chain(beyond)
+            .chain([beyond, pole.unwrap_or(beyond)].map(|[u, t]| (u, t)))
             .filter(|(u, t)| u.norm() > 0.0 && t.norm() > 0.0)
             .map(|(u, t)| ((-u / t).ln() / STRETCH).asinh().im.abs())
             .fold(FRAC_PI_2, f64::min);
@@ -163,16 +160,14 @@ impl Separation {
                 // √P = 2i√Π(s−e).
                 let value =
                     length * (small * cosh * denominator.sqrt()) / (next * Number::new(0.0, 2.0));
-                let others = [
-                    first + length * (far / denominator),
-                    denominator / (pole[0] * near + pole[1] * far),
-                ];
-                for (sum, value) in
-                    sums.iter_mut()
-                        .zip([value, value * others[0], value * others[1]])
-                {
-                    sum[0] = sum[0] + DoubleDouble::from(value.re);
-                    sum[1] = sum[1] + DoubleDouble::from(value.im);
+                let mut add = |to: usize, value: Number| {
+                    let sum = [value.re, value.im].map(DoubleDouble::from);
+                    sums[to] = [0, 1].map(|part| sums[to][part] + sum[part]);
+                };
+                add(0, value);
+                add(1, value * (first + length * (far / denominator)));
+                if let Some([start, end]) = pole {
+                    add(2, value * (denominator / (start * near + end * far)));
                 }
             }
             if n == 0 {
@@ -187,12 +182,7 @@ impl Separation {
     /// The same along the real line, the first counted upward; `over` is s − c at the three.
     ///
     /// Where a complex root is on the way, by way of it: next to the line it would be as many steps as it is near.
-    fn ahead(
-        &self,
-        from: usize,
-        place: &Place,
-        [start, upper, end]: [Number; 3],
-    ) -> [DoubleDouble; 3] {
+    fn ahead(&self, from: usize, place: &Place, over: Option<[Number; 3]>) -> [DoubleDouble; 3] {
         let on_the_way = self.upper().filter(|&upper| {
             let [here, there] = [self.apart[from][upper].re, place.0[upper].re];
             here * there < 0.0 && self.pinched()
@@ -204,18 +194,17 @@ impl Separation {
         match on_the_way {
             Some(root) => {
                 let to_it = (self.apart[root], 1.0);
-                let first = upward(self.straight(from, &to_it, [start, upper]));
-                let second = upward(self.straight(root, place, [upper, end]));
+                let first = upward(self.straight(from, &to_it, over.map(|[a, b, _]| [a, b])));
+                let second = upward(self.straight(root, place, over.map(|[_, b, c]| [b, c])));
                 [0, 1, 2].map(|i| first[i] + second[i])
             }
-            None => upward(self.straight(from, place, [start, end])),
+            None => upward(self.straight(from, place, over.map(|[a, _, c]| [a, c]))),
         }
     }
 
     /// The first two.
     fn along(&self, from: usize, place: &Place) -> [DoubleDouble; 2] {
-        let [one, weight] = [1.0, place.1].map(Number::from);
-        let [a, b, _] = self.ahead(from, place, [one, one, weight]);
+        let [a, b, _] = self.ahead(from, place, None);
         [a, b]
     }
 
@@ -298,9 +287,10 @@ impl Separation {
         let over = |root: usize| self.roots[root].from(&Root::on_axis(c));
         let upper = self.upper().map_or(Number::from(1.0), over);
         let far_away = self.far_away();
-        let [_, _, first] = self.ahead(a, &(self.apart[b], 1.0), [over(a), upper, over(b)]);
+        let band = (self.apart[b], 1.0);
+        let [.., first] = self.ahead(a, &band, Some([over(a), upper, over(b)]));
         let ends = [over(last), upper, far_away.0[last]];
-        let [_, _, second] = self.ahead(last, &far_away, ends);
+        let [.., second] = self.ahead(last, &far_away, Some(ends));
         let [turns1, turns2] = self.frequencies().map(DoubleDouble::value);
         -2.0 * (turns1 * first.value().abs() + turns2 * second.value().abs())
     }

@@ -3,146 +3,133 @@
 use nalgebra::{Matrix4, Quaternion, SMatrix, SVector};
 
 use super::constants::{Constants, Phase, WidePhase};
-use crate::precise::DoubleDouble;
-
-/// Terms of a series.
-const ORDER: usize = 24;
+use crate::precise::{DoubleDouble, Number};
 
 /// A state and its attitude quaternion (w, x, y, z).
 pub(super) type Carried = (Phase, [f64; 4]);
 
-/// Power series of a motion about the time 0, with the attitude: dq/dt = ½ qΩ.
-pub(super) struct Series {
-    terms: [[f64; 10]; ORDER + 1],
+/// Power series of a motion about the time 0: of Ω and z, and as far as there are ten of the attitude, dq/dt = ½ qΩ.
+pub(super) struct Series<N, const K: usize> {
+    terms: Vec<[N; K]>,
     /// The longest step that leaves the last terms below rounding.
     pub reach: f64,
 }
 
-impl Series {
-    // ANCHOR: series
-    pub fn at(c: f64, (state, attitude): &Carried) -> Self {
-        let mut terms = [[0.0; 10]; ORDER + 1];
-        terms[0][..6].copy_from_slice(state);
-        terms[0][6..].copy_from_slice(attitude);
-        for n in 0..ORDER {
-            // The nth term of the product of two components.
-            let of =
-                |i: usize, j: usize| (0..=n).map(|m| terms[m][i] * terms[n - m][j]).sum::<f64>();
-            let [z2, z3] = [terms[n][4], terms[n][5]];
-            let next = [
-                0.5 * of(1, 2),
-                0.5 * (c * z3 - of(0, 2)),
-                -c * z2,
-                of(4, 2) - of(5, 1),
-                of(5, 0) - of(3, 2),
-                of(3, 1) - of(4, 0),
-                -0.5 * (of(7, 0) + of(8, 1) + of(9, 2)),
-                0.5 * (of(6, 0) + of(8, 2) - of(9, 1)),
-                0.5 * (of(6, 1) + of(9, 0) - of(7, 2)),
-                0.5 * (of(6, 2) + of(7, 1) - of(8, 0)),
-            ];
-            terms[n + 1] = next.map(|x| x / (n + 1) as f64);
-        }
-        let size = |n: usize| terms[n].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let reach = [ORDER - 1, ORDER]
-            .map(|n| (1e-17 * size(0) / size(n)).powf(1.0 / n as f64))
-            .into_iter()
-            .fold(f64::INFINITY, f64::min);
-        Self { terms, reach }
-    }
-    // ANCHOR_END: series
-
-    /// How far off a motion nearby is after `h` that is off by so much at 0, to first order.
-    pub fn nearby(&self, c: f64, off: &Phase, h: f64) -> Phase {
-        let mut terms = [[0.0; 6]; ORDER + 1];
-        terms[0] = *off;
-        for n in 0..ORDER {
-            let of = |i: usize, j: usize| {
-                let both = (0..=n).map(|m| {
-                    terms[m][i] * self.terms[n - m][j] + self.terms[m][i] * terms[n - m][j]
-                });
-                both.sum::<f64>()
-            };
-            let [z2, z3] = [terms[n][4], terms[n][5]];
-            let next = [
-                0.5 * of(1, 2),
-                0.5 * (c * z3 - of(0, 2)),
-                -c * z2,
-                of(4, 2) - of(5, 1),
-                of(5, 0) - of(3, 2),
-                of(3, 1) - of(4, 0),
-            ];
-            terms[n + 1] = next.map(|x| x / (n + 1) as f64);
-        }
-        let mut sum = [0.0; 6];
-        for term in terms.iter().rev() {
-            for (s, x) in sum.iter_mut().zip(term) {
-                *s = h.mul_add(*s, *x);
-            }
-        }
-        sum
+impl Series<f64, 10> {
+    pub fn of(c: f64, (state, attitude): &Carried) -> Self {
+        let whole = |i: usize| if i < 6 { state[i] } else { attitude[i - 6] };
+        Self::about(c, core::array::from_fn(whole), 24, 1e-17)
     }
 
-    pub fn after(&self, h: f64) -> Carried {
-        let mut sum = [0.0; 10];
-        for term in self.terms.iter().rev() {
-            for (s, x) in sum.iter_mut().zip(term) {
-                *s = h.mul_add(*s, *x);
-            }
-        }
-        let [p, q, r, z1, z2, z3, w, x, y, z] = sum;
+    pub fn carried(&self, h: f64) -> Carried {
+        let [p, q, r, z1, z2, z3, w, x, y, z] = self.after(h);
         ([p, q, r, z1, z2, z3], [w, x, y, z])
     }
 }
 
-/// Terms of a series in 106 bits.
-const WIDE_ORDER: usize = 36;
-
-/// Power series of Ω and z in 106 bits.
-pub(super) struct WideSeries {
-    terms: Vec<WidePhase>,
-    /// The longest step that leaves the last terms below rounding.
-    pub reach: f64,
+impl Series<DoubleDouble, 6> {
+    pub fn of(c: DoubleDouble, state: &WidePhase) -> Self {
+        Self::about(c, *state, 36, 1e-33)
+    }
 }
 
-impl WideSeries {
-    pub fn at(c: DoubleDouble, state: &WidePhase) -> Self {
-        let mut terms = vec![*state];
-        for n in 0..WIDE_ORDER {
-            let of = |i: usize, j: usize| {
-                (0..=n).fold(DoubleDouble::from(0.0), |sum, m| {
-                    sum + terms[m][i] * terms[n - m][j]
-                })
-            };
-            let [z2, z3] = [terms[n][4], terms[n][5]].map(|z| z * c);
-            let next = [
-                of(1, 2).scaled(0.5),
-                (z3 - of(0, 2)).scaled(0.5),
-                -z2,
-                of(4, 2) - of(5, 1),
-                of(5, 0) - of(3, 2),
-                of(3, 1) - of(4, 0),
-            ];
-            let place = DoubleDouble::from((n + 1) as f64);
-            terms.push(next.map(|x| x / place));
-        }
-        let size = |n: usize| terms[n].iter().fold(0.0_f64, |m, x| m.max(x.high().abs()));
-        let reach = [WIDE_ORDER - 1, WIDE_ORDER]
-            .map(|n| (1e-33 * size(0) / size(n)).powf(1.0 / n as f64))
+impl<N: Number, const K: usize> Series<N, K> {
+    /// As many terms, of which the last are to be this part of the first.
+    fn about(c: N, start: [N; K], order: usize, part: f64) -> Self {
+        let terms = grown(c, start, order, |terms, n, m| {
+            product(&terms[m], &terms[n - m])
+        });
+        let size = |n: usize| {
+            terms[n]
+                .iter()
+                .fold(0.0_f64, |m, x| m.max(x.leading().abs()))
+        };
+        let reach = [order - 1, order]
+            .map(|n| (part * size(0) / size(n)).powf(1.0 / n as f64))
             .into_iter()
             .fold(f64::INFINITY, f64::min);
         Self { terms, reach }
     }
 
-    pub fn after(&self, h: DoubleDouble) -> WidePhase {
-        let mut sum = [DoubleDouble::from(0.0); 6];
-        for term in self.terms.iter().rev() {
-            for (s, x) in sum.iter_mut().zip(term) {
-                *s = h * *s + *x;
-            }
-        }
-        sum
+    pub fn after(&self, h: N) -> [N; K] {
+        sum(&self.terms, h)
     }
+
+    /// How far off a motion nearby is after `h` that is off by so much at 0, to first order.
+    pub fn nearby(&self, c: N, off: &[N; 6], h: N) -> [N; 6] {
+        let known: Vec<[N; 6]> = self
+            .terms
+            .iter()
+            .map(|x| core::array::from_fn(|i| x[i]))
+            .collect();
+        let terms = grown(c, *off, known.len() - 1, |terms, n, m| {
+            let [a, b] = [
+                product(&terms[m], &known[n - m]),
+                product(&known[m], &terms[n - m]),
+            ];
+            core::array::from_fn(|i| a[i] + b[i])
+        });
+        sum(&terms, h)
+    }
+}
+
+// ANCHOR: series
+/// The terms of a series up to this order, the nth of all products being Σ `product`(…, n, m) over m.
+fn grown<N: Number, const K: usize>(
+    c: N,
+    start: [N; K],
+    order: usize,
+    product: impl Fn(&[[N; K]], usize, usize) -> [N; K],
+) -> Vec<[N; K]> {
+    let mut terms = Vec::with_capacity(order + 1);
+    terms.push(start);
+    for n in 0..order {
+        let mut next = product(&terms, n, 0);
+        for m in 1..=n {
+            let more = product(&terms, n, m);
+            next = core::array::from_fn(|i| next[i] + more[i]);
+        }
+        next[1] = next[1] + c * terms[n][5];
+        next[2] = -(c * terms[n][4]);
+        let place = N::from_double((n + 1) as f64);
+        // Ω₁, Ω₂ and the quaternion change at half of this.
+        terms.push(core::array::from_fn(|i| {
+            let whole = next[i].quotient(place);
+            if !(2..6).contains(&i) {
+                whole.times(0.5)
+            } else {
+                whole
+            }
+        }));
+    }
+    terms
+}
+
+/// What products make of the rates: ΩΩ₃, z ∧ Ω and qΩ, of one state and Ω of another.
+fn product<N: Number, const K: usize>(one: &[N; K], other: &[N; K]) -> [N; K] {
+    let [p, q, r] = [other[0], other[1], other[2]];
+    let mut all = [N::from_double(0.0); K];
+    (all[0], all[1]) = (one[1] * r, -(one[0] * r));
+    for i in 0..3 {
+        let (next, last) = ((i + 1) % 3, (i + 2) % 3);
+        all[3 + i] = one[3 + next] * other[last] - one[3 + last] * other[next];
+    }
+    if K > 6 {
+        let [w, x, y, z] = [one[6], one[7], one[8], one[9]];
+        all[6] = -(x * p + y * q + z * r);
+        all[7] = w * p + y * r - z * q;
+        all[8] = w * q + z * p - x * r;
+        all[9] = w * r + x * q - y * p;
+    }
+    all
+}
+// ANCHOR_END: series
+
+fn sum<N: Number, const K: usize>(terms: &[[N; K]], h: N) -> [N; K] {
+    let zero = [N::from_double(0.0); K];
+    terms.iter().rev().fold(zero, |sum, term| {
+        core::array::from_fn(|i| h * sum[i] + term[i])
+    })
 }
 
 /// The slope below which a condition is not followed.

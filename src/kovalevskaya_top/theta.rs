@@ -16,8 +16,8 @@ pub(super) struct Theta {
     rows: [Vec<Row>; 2],
 }
 
-/// Terms of one n₁: of n₂ = 2j, 2j + 1, −2j − 2 and −2j − 1 for j = 0, 1, ….
-type Row = Vec<[f64; 4]>;
+/// Terms of one n₁, and n₂ times each: of n₂ = 2j, 2j + 1, −2j − 2 and −2j − 1 for j = 0, 1, ….
+type Row = Vec<[[f64; 4]; 2]>;
 
 /// The four partial sums, of even and odd n₁ by even and odd n₂: (0,0), (0,1), (1,0), (1,1).
 pub(super) type Sums = [Number; 4];
@@ -58,8 +58,9 @@ impl Theta {
                 (-PI * (least * d1 * d1 + c * d2 * d2)).exp()
             };
             let terms = (0..=(0.5 * farthest) as i32).map(|j| {
-                let n = 2 * j;
-                [n, n + 1, -n - 2, -n - 1].map(term)
+                let orders = [2 * j, 2 * j + 1, -2 * j - 2, -2 * j - 1];
+                let terms = orders.map(term);
+                [terms, [0, 1, 2, 3].map(|k| f64::from(orders[k]) * terms[k])]
             });
             Some(terms.collect())
         };
@@ -74,30 +75,26 @@ impl Theta {
     pub fn at(&self, z: [Number; 2]) -> Sums {
         let mut sums = Sums::default();
         self.each_row(z[0], |n1, power, row| {
-            let [even, odd] = along(z[1], row, |_, term| term);
             let place = 2 * (n1 & 1) as usize;
-            sums[place] += power * even;
-            sums[place + 1] += power * odd;
+            for (k, value) in along(z[1], row)[0].iter().enumerate() {
+                sums[place + k] += power * value;
+            }
         });
         sums
     }
 
     /// The sums, and their rates if w changes at these rates.
     pub fn with_rates(&self, z: [Number; 2], [r1, r2]: [f64; 2]) -> [Sums; 2] {
-        let mut found = [Sums::default(); 2];
+        let [mut sums, mut rates] = [Sums::default(); 2];
         self.each_row(z[0], |n1, power, row| {
-            let [even, odd] = along(z[1], row, |_, term| term);
-            let [even_rate, odd_rate] = along(z[1], row, |n2, term| {
-                TAU * (f64::from(n1) * r1 + f64::from(n2) * r2) * term
-            });
             let place = 2 * (n1 & 1) as usize;
-            let i = Number::new(0.0, 1.0);
-            found[0][place] += power * even;
-            found[0][place + 1] += power * odd;
-            found[1][place] += i * power * even_rate;
-            found[1][place + 1] += i * power * odd_rate;
+            let [values, slopes] = along(z[1], row);
+            for k in 0..2 {
+                sums[place + k] += power * values[k];
+                rates[place + k] += power * (values[k] * (r1 * f64::from(n1)) + slopes[k] * r2);
+            }
         });
-        found
+        [sums, rates.map(|rate| Number::new(0.0, TAU) * rate)]
     }
 
     /// Every row with its n₁ and the power z^{n₁}.
@@ -116,26 +113,32 @@ impl Theta {
     }
 }
 
-/// The sums over even and over odd n₂ of `weigh`ed terms times z^{n₂}, |z| = 1, by Horner's scheme in z².
-#[inline]
-fn along(z: Number, row: &Row, weigh: impl Fn(i32, f64) -> f64) -> [Number; 2] {
+/// The sums over even and over odd n₂ of the terms times z^{n₂}, |z| = 1, and those of n₂ times each.
+#[inline(always)]
+fn along(z: Number, row: &Row) -> [[Number; 2]; 2] {
     let ratio = z * z;
-    let (mut re, mut im) = ([0.0; 4], [0.0; 4]);
-    for (j, terms) in row.iter().enumerate().rev() {
-        let n = 2 * j as i32;
-        let orders = [n, n + 1, -n - 2, -n - 1];
+    let turn = [ratio.im, ratio.im, -ratio.im, -ratio.im];
+    let mut re = [1.0, z.re, ratio.re, z.re];
+    let mut im = [0.0, z.im, -ratio.im, -z.im];
+    let mut sums = [[0.0; 4]; 4];
+    for (j, [terms, slopes]) in row.iter().enumerate() {
         for k in 0..4 {
-            // The terms are real: sums over negative n₂ are the conjugates of what is summed here.
-            let (x, y) = (re[k], im[k]);
-            re[k] = x * ratio.re - y * ratio.im + weigh(orders[k], terms[k]);
-            im[k] = x * ratio.im + y * ratio.re;
+            if j > 0 {
+                let (x, y) = (re[k], im[k]);
+                re[k] = x * ratio.re - y * turn[k];
+                im[k] = x * turn[k] + y * ratio.re;
+            }
+            sums[0][k] += terms[k] * re[k];
+            sums[1][k] += terms[k] * im[k];
+            sums[2][k] += slopes[k] * re[k];
+            sums[3][k] += slopes[k] * im[k];
         }
     }
-    let sum = |k: usize| Number::new(re[k], im[k]);
-    [
-        sum(0) + (ratio * sum(2)).conj(),
-        z * sum(1) + (z * sum(3)).conj(),
-    ]
+    let sum = |of: usize, k: usize| {
+        let [re, im] = [sums[of], sums[of + 1]].map(|x| x[k] + x[k + 2]);
+        Number::new(re, im)
+    };
+    [[sum(0, 0), sum(0, 1)], [sum(2, 0), sum(2, 1)]]
 }
 
 /// θ with half periods after the modular transformation in the one direction in which Y is small.

@@ -3,7 +3,7 @@
 use nalgebra::Quaternion;
 
 use super::constants::{Phase, WidePhase};
-use super::taylor::{Carried, Series, WideSeries, shortest};
+use super::taylor::{Carried, Series, shortest};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
 use crate::error::{Error, Result};
 use crate::precise::DoubleDouble;
@@ -63,8 +63,8 @@ impl<'a> Walk<'a> {
 
     fn stretch(&mut self, target: f64) -> Result<()> {
         let constants = &self.top.constants;
-        let series = Series::at(constants.c.value(), &self.here);
-        let wide = WideSeries::at(constants.c, &self.wide);
+        let series = Series::<f64, 10>::of(constants.c.value(), &self.here);
+        let wide = Series::<DoubleDouble, 6>::of(constants.c, &self.wide);
         let before = self.time;
         self.carry(&series, wide.reach.min(series.reach), target);
         self.follow(&series, &wide, DoubleDouble::difference(self.time, before));
@@ -87,7 +87,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Time and attitude carried towards a target, as far as the series reach.
-    fn carry(&mut self, series: &Series, reach: f64, target: f64) {
+    fn carry(&mut self, series: &Series<f64, 10>, reach: f64, target: f64) {
         let rest = target - self.time;
         let step = rest.clamp(-reach, reach);
         let next = self.time + step;
@@ -97,15 +97,20 @@ impl<'a> Walk<'a> {
         } else {
             next
         };
-        self.here = series.after(next - self.time);
+        self.here = series.carried(next - self.time);
         self.time = next;
     }
 
     /// Ω and z carried in 106 bits, and beside them what a walk in doubles would be off by: what came of its rounding before, by the linear
     /// equations of a motion nearby, and the rounding of this stretch.
-    fn follow(&mut self, series: &Series, wide: &WideSeries, h: DoubleDouble) {
+    fn follow(
+        &mut self,
+        series: &Series<f64, 10>,
+        wide: &Series<DoubleDouble, 6>,
+        h: DoubleDouble,
+    ) {
         let grown = series.nearby(self.top.constants.c.value(), &self.off, h.value());
-        let (rounded, _) = series.after(h.value());
+        let rounded = series.after(h.value());
         self.wide = wide.after(h);
         self.off = core::array::from_fn(|i| {
             grown[i] + (DoubleDouble::from(rounded[i]) - self.wide[i]).value()

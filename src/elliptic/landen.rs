@@ -200,7 +200,8 @@ impl Mean {
     }
 
     /// The mean and the product as series in 1 − x.
-    fn next_to_one(c: DoubleDouble) -> Self {
+    #[inline(always)]
+    pub(super) fn next_to_one(c: DoubleDouble) -> Self {
         let x = c.high();
         let square = x * x;
         let series = |first: DoubleDouble, rest: f64| {
@@ -212,6 +213,20 @@ impl Mean {
             product: series(c.scaled(0.5), square * (5.0 / 64.0 + x * (5.0 / 128.0))),
         }
     }
+}
+
+/// K = π/2 (1 + m/4 + 9m²/64 + 25m³/256 + …) for m below [`SMALL`]: no quotient to wait for.
+#[inline(always)]
+pub(super) fn quarter_next_to_zero(m: DoubleDouble) -> DoubleDouble {
+    let x = m.high();
+    let more = DoubleDouble::new(
+        0.25 * x,
+        0.25 * m.low() + x * x * (9.0 / 64.0 + x * (25.0 / 256.0)),
+    );
+    let more = RIGHT_ANGLE.quick_product(more);
+    let (high, low) = quick::ordered_sum(RIGHT_ANGLE.high(), more.high());
+    let (high, low) = quick::ordered_sum(high, low + (RIGHT_ANGLE.low() + more.low()));
+    DoubleDouble::new(high, low)
 }
 
 /// The nome q, from l = (1 − √k′)/(2 (1 + √k′)) = m/(16 a1 a2) with the means of [`Mean`].

@@ -1,7 +1,7 @@
 //! The prepared modulus: quarter period to 101 bits and more, nome, and what takes quarter periods off an argument; and as an exact top
 //! prepares it before its first state, from m and mc in all their digits.
 
-use super::landen::{Landen, Mean, Nome};
+use super::landen::{Landen, Mean, Nome, SMALL, quarter_next_to_zero};
 use super::parameter::Parameter;
 use super::theta::Series;
 use crate::precise::quick::{self, EXACT_COUNT};
@@ -79,9 +79,14 @@ impl Modulus {
         let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
         let complementary_modulus = mc.value().sqrt();
         if m.value() <= mc.value() {
-            let mean = Mean::new(mc, m);
+            let (mean, quarter) = if m.high() < SMALL {
+                (Mean::next_to_one(m), quarter_next_to_zero(m))
+            } else {
+                let mean = Mean::new(mc, m);
+                let quarter = DoubleDouble::quick_quotient(RIGHT_ANGLE, mean.value);
+                (mean, quarter)
+            };
             let q = Nome::new(m.value(), mean.product.value()).value();
-            let quarter = DoubleDouble::quick_quotient(RIGHT_ANGLE, mean.value);
             let series = Series::circular(q, complementary_modulus);
             Self::assemble(parameter, Side::Circular, quarter, mean.value, series)
         } else {

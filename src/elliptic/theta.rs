@@ -84,13 +84,15 @@ fn thetas(p: impl Fn(usize, usize) -> f64) -> [[f64; 4]; 4] {
     [theta1, theta2, theta3, theta4]
 }
 
-/// The same for a small nome, from p(1, 0), p(1, 1) and p(2, 0), p(2, 1): what is left out has q³ and less.
-fn few_thetas([[p10, p11], [p20, p21]]: [[f64; 2]; 2]) -> [[f64; 4]; 4] {
+/// The same beyond m = 1/2 for a small nome, from its root: what is left out has q³ and less.
+fn few_thetas(half: f64) -> [[f64; 4]; 4] {
+    let (q, q2) = (half * half, half * half * (half * half));
+    let (z, z2) = (-0.25 * half, -0.25 * half * q);
     [
-        [1.0 - 3.0 * p20, 4.0 * p21, 0.0, 0.0],
-        [1.0 + p20, -4.0 * p21, 0.0, 0.0],
-        [1.0 + 2.0 * p10, -4.0 * p11, 0.0, 0.0],
-        [1.0 - 2.0 * p10, 4.0 * p11, 0.0, 0.0],
+        [1.0 - 3.0 * q2, 4.0 * z2, 0.0, 0.0],
+        [1.0 + q2, -4.0 * z2, 0.0, 0.0],
+        [1.0 + 2.0 * q, -4.0 * z, 0.0, 0.0],
+        [1.0 - 2.0 * q, 4.0 * z, 0.0, 0.0],
     ]
 }
 
@@ -101,13 +103,19 @@ fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 
 }
 
 impl Series {
+    #[inline(always)]
     pub(super) fn circular(q: f64, complementary_modulus: f64) -> Self {
-        let thetas = if q < SMALL {
-            few_thetas([[q, q], [q * q, q * q]])
+        // Below it what has q² is 3·10⁻¹⁸ at most.
+        let even = if 16.0 * q < SMALL {
+            Corrections {
+                denominator: [1.0 - 2.0 * q, 4.0 * q, 0.0, 0.0],
+                sn: [4.0 * q, 0.0, 0.0, 0.0],
+                cn: [-4.0 * q, 0.0, 0.0, 0.0],
+                dn: [-8.0 * q, 0.0, 0.0, 0.0],
+            }
         } else {
-            circular_thetas(q)
+            circular_corrections(circular_thetas(q))
         };
-        let even = circular_corrections(thetas);
         Self {
             even,
             odd: even,
@@ -117,9 +125,8 @@ impl Series {
     }
 
     pub(super) fn hyperbolic(half: f64, complementary_modulus: f64, rate: f64) -> Self {
-        let q = half * half;
-        let thetas = if q < SMALL {
-            few_thetas([[q, -0.25 * half], [q * q, -0.25 * half * q]])
+        let thetas = if half * half < SMALL {
+            few_thetas(half)
         } else {
             hyperbolic_thetas(half)
         };

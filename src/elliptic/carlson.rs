@@ -7,7 +7,7 @@
 
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::precise::quick::polynomial;
-use crate::precise::{DoubleDouble as Dd, Extended, Number, Words};
+use crate::precise::{DoubleDouble as Dd, Extended, Number};
 
 /// Spread of the arguments below which their series to [`ORDER`] are right to 2·10⁻²².
 /// A double needs less; principal values, in which two such integrals nearly cancel, need it.
@@ -157,9 +157,10 @@ pub(super) fn elementary<N: Number<Narrow = Dd>>(x: N, y: N) -> N {
     }
     let root = gap.magnitude().square_root();
     let arc = if gap.leading() > 0.0 {
-        Dd::angle(side.quotient(root).narrow(), Dd::from(1.0))
+        N::angle(side, root)
     } else {
-        side.add_alike(root).quotient(y.square_root()).logarithm()
+        let square = side.add_alike(root).square();
+        square.quotient(y).logarithm().scaled(0.5)
     };
     N::from_narrow(arc).quotient(root)
 }

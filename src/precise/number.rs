@@ -36,6 +36,8 @@ pub(crate) trait Number:
     fn logarithm(self) -> Self::Narrow;
     /// The cube root to the digits of a double.
     fn rough_cube_root(self) -> Self;
+    /// The angle of the point (cosine, sine) in the first quadrant.
+    fn angle(cosine: Self, sine: Self) -> Self::Narrow;
 
     /// a b, exactly, of doubles far from the ends.
     #[inline]
@@ -97,8 +99,6 @@ pub(crate) trait Words: Number<Narrow = Self> {
     fn hypotenuse_with_one(self) -> Self;
     /// The nearest double.
     fn value(self) -> f64;
-    /// The angle of the point (cosine, sine) in the first quadrant.
-    fn angle(cosine: Self, sine: Self) -> Self;
 }
 
 impl Number for DoubleDouble {
@@ -166,6 +166,10 @@ impl Number for DoubleDouble {
         Self::from(self.high().cbrt())
     }
 
+    fn angle(cosine: Self, sine: Self) -> Self {
+        angle(cosine, sine)
+    }
+
     #[inline]
     fn add_alike(self, other: Self) -> Self {
         self.add_alike(other)
@@ -206,10 +210,6 @@ impl Words for DoubleDouble {
     #[inline]
     fn value(self) -> f64 {
         self.value()
-    }
-
-    fn angle(cosine: Self, sine: Self) -> Self {
-        angle(cosine, sine)
     }
 }
 
@@ -288,6 +288,10 @@ impl Number for Extended {
         root
     }
 
+    fn angle(cosine: Self, sine: Self) -> DoubleDouble {
+        angle(cosine.quotient(sine).narrow(), DoubleDouble::from(1.0))
+    }
+
     fn from_extended(number: Extended) -> Self {
         number
     }
@@ -351,6 +355,11 @@ impl Number for f64 {
     fn rough_cube_root(self) -> f64 {
         self.cbrt()
     }
+
+    #[inline]
+    fn angle(cosine: Self, sine: Self) -> Self {
+        sine.atan2(cosine)
+    }
 }
 
 impl Words for f64 {
@@ -381,10 +390,5 @@ impl Words for f64 {
     #[inline]
     fn value(self) -> f64 {
         self
-    }
-
-    #[inline]
-    fn angle(cosine: Self, sine: Self) -> Self {
-        sine.atan2(cosine)
     }
 }

@@ -145,7 +145,7 @@ pub(super) fn first<N: Number>(mut x: [N; 3]) -> N {
 /// R_C(x, y) for x ≥ 0, y ≠ 0; the principal value for y < 0.
 ///
 /// An arctangent for x < y, a logarithm for x > y, and their common series next to x = y, where either would lose digits.
-pub(super) fn elementary<N: Number<Narrow = Dd>>(x: N, y: N) -> N {
+pub(super) fn elementary<N: Number>(x: N, y: N) -> N {
     if y.leading() < 0.0 {
         let (whole, y) = (x - y, -y);
         let root = x.quotient(whole).square_root();
@@ -153,7 +153,7 @@ pub(super) fn elementary<N: Number<Narrow = Dd>>(x: N, y: N) -> N {
     }
     let (gap, side) = (y - x, x.square_root());
     if !gap.magnitude().exceeds(x.times(FLAT)) {
-        return N::from_narrow(flat(gap.quotient(x).narrow())).quotient(side);
+        return N::from(flat(gap.quotient(x).narrow())).quotient(side);
     }
     let root = gap.magnitude().square_root();
     let arc = if gap.leading() > 0.0 {
@@ -162,7 +162,7 @@ pub(super) fn elementary<N: Number<Narrow = Dd>>(x: N, y: N) -> N {
         let square = side.add_alike(root).square();
         square.quotient(y).logarithm().scaled(0.5)
     };
-    N::from_narrow(arc).quotient(root)
+    N::from(arc).quotient(root)
 }
 
 /// Arguments that the duplications of R_D or R_J have brought together: R_F goes on from there.
@@ -180,7 +180,7 @@ impl<N: Number> Alike<N> {
 }
 
 /// R_J, at most one of the first three zero; the principal value for p < 0. And what R_F goes on from.
-pub(super) fn third<N: Number<Narrow = Dd>>(mut x: [N; 3], p: N) -> (N, Alike<N>) {
+pub(super) fn third<N: Number>(mut x: [N; 3], p: N) -> (N, Alike<N>) {
     for (i, j) in [(0, 1), (1, 2), (0, 1)] {
         if x[i].exceeds(x[j]) {
             x.swap(i, j);
@@ -221,7 +221,7 @@ fn flat(e: Dd) -> Dd {
 }
 
 /// R_J by duplication, p > 0.
-fn duplicated<N: Number<Narrow = Dd>>(mut x: [N; 3], mut p: N) -> (N, Alike<N>) {
+fn duplicated<N: Number>(mut x: [N; 3], mut p: N) -> (N, Alike<N>) {
     let fifth = N::from_double(1.0).quotient(N::from_double(5.0));
     let mean =
         |[x, y, z]: [N; 3], p: N| x.add_alike(y).add_alike(z).add_alike(p.times(2.0)) * fifth;
@@ -245,7 +245,7 @@ fn duplicated<N: Number<Narrow = Dd>>(mut x: [N; 3], mut p: N) -> (N, Alike<N>) 
         // e is the product of (r − a)/(r + a) over the three. Where it is near −1, 1 + e is both products summed, and nothing cancels.
         let e = (beyond * inverse.square()).narrow();
         let arc = if e.high().abs() <= FLAT {
-            N::from_narrow(flat(e))
+            N::from(flat(e))
         } else {
             elementary(N::from_double(1.0), r.times(2.0) * p * inverse)
         };

@@ -392,9 +392,9 @@ struct Place<N> {
     mc: N,
 }
 
-impl<N: Number<Narrow = Dd>> Place<N> {
+impl<N: Number> Place<N> {
     fn new(numbers: [Dd; 4]) -> Result<Self> {
-        let [s, c, m, mc] = numbers.map(N::from_narrow);
+        let [s, c, m, mc] = numbers.map(N::from);
         let (s2, c2) = (s.square(), c.square());
         let delta2 = c2 + mc * s2;
         if delta2.leading() < 0.0 {
@@ -418,7 +418,7 @@ impl<N: Number<Narrow = Dd>> Place<N> {
             Kind::First => self.first(),
             Kind::Second => self.second(),
             Kind::Third(Characteristic { n, nc }) => {
-                let [n, nc] = [n, nc].map(N::from_narrow);
+                let [n, nc] = [n, nc].map(N::from);
                 let p = self.c2 + nc * self.s2;
                 if p.is_zero() {
                     return Err(Error::Condition {

@@ -6,32 +6,30 @@
 use core::ops::{Add, Div, Mul};
 
 use super::parameter::Parameter;
-use crate::precise::{
-    DoubleDouble, Number, RIGHT_ANGLE, Words, logarithm, power_of_two_below, quick,
-};
+use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, logarithm, power_of_two_below, quick};
 
 /// The moduli on the way down.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Landen<N: Number> {
     /// 1 + k′ₙ for n = 0, 1, 2.
-    pub(super) sums: [N::Narrow; 3],
+    pub(super) sums: [DoubleDouble; 3],
     /// k₁ and k₂; k₃² fits a double, since it enters as a correction of at most 2·10⁻¹⁰.
-    pub(super) moduli: [N::Narrow; 2],
+    pub(super) moduli: [DoubleDouble; 2],
     pub(super) last: f64,
     /// The arithmetic-geometric mean of 1 and k′: π/(2K).
-    pub(crate) mean: N::Narrow,
+    pub(crate) mean: DoubleDouble,
     /// The nome divided by k².
-    pub(super) nome_over_square: N::Narrow,
+    pub(super) nome_over_square: DoubleDouble,
     pub(super) parameter: N,
     /// The nome q = exp(−πK′/K); zero where it underflows.
-    pub(crate) nome: N::Narrow,
+    pub(crate) nome: DoubleDouble,
 }
 
 impl<N: Number> Landen<N> {
     /// For the parameter m = k² ≤ 1/2 and the complementary modulus k′, both to all the digits of their kind.
     #[inline(always)]
-    pub(crate) fn new(parameter: N, complement: N::Narrow) -> Self {
-        let one = N::Narrow::from_double(1.0);
+    pub(crate) fn new(parameter: N, complement: DoubleDouble) -> Self {
+        let one = DoubleDouble::from(1.0);
         let square = parameter.narrow();
         let sum0 = one.add_alike(complement);
         let inverse0 = one.quotient(sum0);
@@ -46,7 +44,7 @@ impl<N: Number> Landen<N> {
         let k3 = (k2.leading() / sum2.leading()).powi(2);
         let last = k3 * k3;
         // (1 + k′₃)(1 + k′₄)/4 with k₄ = k₃²/4; the next term is 10⁻³⁰.
-        let rest = N::Narrow::from_double(-0.25 * last * (1.0 + 0.3125 * last));
+        let rest = DoubleDouble::from(-0.25 * last * (1.0 + 0.3125 * last));
         let mean = (sum0 * sum1 * sum2).scaled(0.125);
         let mean = mean.add_alike(mean * rest);
         // l = (1 − √k′)/(2(1 + √k′)); q = l + 2l⁵ + 15l⁹ + 150l¹³ + 1707l¹⁷ + …
@@ -58,7 +56,7 @@ impl<N: Number> Landen<N> {
         let tail = x * x * (15.0 + x * (150.0 + x * (1707.0 + x * 20_910.0)));
         let series = one
             .add_alike(l4.scaled(2.0))
-            .add_alike(N::Narrow::from_double(tail));
+            .add_alike(DoubleDouble::from(tail));
         let nome_over_square = l_over_square * series;
         Self {
             sums: [sum0, sum1, sum2],
@@ -79,7 +77,7 @@ impl<N: Number> Landen<N> {
 
     /// The quarter period K = π/(2 mean).
     pub(crate) fn quarter(&self) -> DoubleDouble {
-        N::Narrow::from_two(RIGHT_ANGLE).quotient(self.mean).two()
+        RIGHT_ANGLE.quotient(self.mean)
     }
 
     /// The quarter period of the complementary modulus, K′ = (K/π) ln(1/q), also where q itself underflows; infinite for k = 0.
@@ -87,20 +85,20 @@ impl<N: Number> Landen<N> {
         if self.parameter.is_zero() {
             return DoubleDouble::from(f64::INFINITY);
         }
-        let nome = self.parameter * N::from_narrow(self.nome_over_square);
+        let nome = self.parameter * N::from(self.nome_over_square);
         let logarithm = -nome.logarithm();
-        logarithm.quotient(self.mean.scaled(2.0)).two()
+        logarithm.quotient(self.mean.scaled(2.0))
     }
 
     /// sin z from sn u and dn u, z = πu/(2K).
     #[inline(always)]
-    pub(crate) fn sine(&self, sn: N::Narrow, dn: N::Narrow) -> N::Narrow {
+    pub(crate) fn sine(&self, sn: DoubleDouble, dn: DoubleDouble) -> DoubleDouble {
         self.descend(sn, dn, 1.0)
     }
 
     /// sinh x from −i sn(iy) = sc(y, k′) and dn(iy) = dc(y, k′), x = πy/(2K).
     #[inline(always)]
-    pub(crate) fn hyperbolic_sine(&self, sc: N::Narrow, dc: N::Narrow) -> N::Narrow {
+    pub(crate) fn hyperbolic_sine(&self, sc: DoubleDouble, dc: DoubleDouble) -> DoubleDouble {
         self.descend(sc, dc, -1.0)
     }
 
@@ -119,8 +117,8 @@ impl<N: Number> Landen<N> {
     }
 
     #[inline(always)]
-    fn descend(&self, start: N::Narrow, delta: N::Narrow, sign: f64) -> N::Narrow {
-        let one = N::Narrow::from_double(1.0);
+    fn descend(&self, start: DoubleDouble, delta: DoubleDouble, sign: f64) -> DoubleDouble {
+        let one = DoubleDouble::from(1.0);
         let (mut s, mut d) = (start, delta);
         for (sum, modulus) in self.sums.iter().zip(&self.moduli) {
             s = (s * *sum).quotient(one.add_alike(d));
@@ -134,12 +132,12 @@ impl<N: Number> Landen<N> {
         let b = sign * (self.scaled_square(s, a));
         let correction =
             -0.25 * (a - b) + a * (-a / 16.0 - b / 16.0) + b * b / 8.0 - a * (a - b) / 64.0;
-        s.add_alike(s * N::Narrow::from_double(correction))
+        s.add_alike(s * DoubleDouble::from(correction))
     }
 
     /// a s², where s² alone may overflow.
     #[inline(always)]
-    fn scaled_square(&self, s: N::Narrow, a: f64) -> f64 {
+    fn scaled_square(&self, s: DoubleDouble, a: f64) -> f64 {
         let root = a.sqrt() * s.leading();
         root * root
     }

@@ -5,7 +5,7 @@ use super::landen::{Landen, Mean, Nome, SMALL, quarter_next_to_zero};
 use super::parameter::Parameter;
 use super::theta::Series;
 use crate::precise::quick::{self, EXACT_COUNT};
-use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, Words};
+use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
 
 /// On which side of m = 1/2 the parameter lies, and so which nome is the small one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -114,7 +114,7 @@ impl Modulus {
         complementary_modulus: f64,
         landen: &Landen<N>,
     ) -> Self {
-        let mean = landen.mean.two();
+        let mean = landen.mean;
         let (quarter, series) = match side {
             Side::Circular => (
                 landen.quarter(),
@@ -232,7 +232,7 @@ impl<N: Number> Descent<N> {
             (Side::Circular, m, mc)
         };
         let landen = Landen::new(lesser, greater.narrow().square_root());
-        let parameter = Parameter::from_both(m.narrow().two(), mc.narrow().two());
+        let parameter = Parameter::from_both(m.narrow(), mc.narrow());
         let complementary_modulus = mc.root_of_quotient(N::from_double(1.0));
         Self {
             m,
@@ -283,13 +283,10 @@ impl<N: Number> Descent<N> {
                     ]
                 };
                 let sinh = self.landen.nearest_sine(s, d, -1.0);
-                N::from_narrow(N::from_double(sinh + sinh.hypot(1.0)).logarithm())
+                N::from(N::from_double(sinh + sinh.hypot(1.0)).logarithm())
             }
         };
-        let rest = angle
-            .quotient(N::from_narrow(self.landen.mean))
-            .narrow()
-            .two();
+        let rest = angle.quotient(N::from(self.landen.mean)).narrow();
         if from_end {
             self.modulus.quarter_period_dd() - rest
         } else {

@@ -5,9 +5,7 @@ use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::turning::{Elevation, Turning, Which};
 use crate::error::{Error, Result};
-use crate::precise::{
-    DoubleDouble, Extended, Number, Words, exponent_of, power_of_two_below, shifted,
-};
+use crate::precise::{DoubleDouble, Extended, Number, exponent_of, power_of_two_below, shifted};
 
 /// What kind of motion a free top makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -378,17 +376,17 @@ fn constants<N: Number>(
         dn_whole: steady,
     });
     let rate = lambda.signed(sense);
-    let slope = rate * N::from_narrow(N::Narrow::from_two(turning.slope));
+    let slope = rate * N::from(turning.slope);
     Constants {
         axes,
         course: Course {
             modulus: descent.modulus,
             start: if l[1].leading() < 0.0 { -start } else { start },
-            rate: rate.narrow().two(),
+            rate: rate.narrow(),
         },
         amplitudes,
         aspect,
         turning,
-        turning_rate: (base - slope).narrow().two(),
+        turning_rate: (base - slope).narrow(),
     }
 }

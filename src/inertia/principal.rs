@@ -8,7 +8,7 @@
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 use crate::error::{Error, Result, finite};
-use crate::precise::{DoubleDouble, Extended, Number, Words};
+use crate::precise::{DoubleDouble, Extended, Number};
 
 /// Principal moments, ascending, and principal axes (2.4).
 ///

@@ -1,9 +1,36 @@
 //! The Euler–Poisson equations by their own power series, and the way back to the surface of the constants (8.2).
 
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
 use nalgebra::{Matrix4, Quaternion, SMatrix, SVector};
 
 use super::constants::{Constants, Phase, WidePhase};
-use crate::precise::{DoubleDouble, Number};
+use crate::precise::DoubleDouble;
+
+/// One double or two.
+pub(super) trait Numeral:
+    Copy
+    + From<f64>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    fn size(self) -> f64;
+}
+
+impl Numeral for f64 {
+    fn size(self) -> f64 {
+        self.abs()
+    }
+}
+
+impl Numeral for DoubleDouble {
+    fn size(self) -> f64 {
+        self.high().abs()
+    }
+}
 
 /// A state and its attitude quaternion (w, x, y, z).
 pub(super) type Carried = (Phase, [f64; 4]);
@@ -33,17 +60,13 @@ impl Series<DoubleDouble, 6> {
     }
 }
 
-impl<N: Number, const K: usize> Series<N, K> {
+impl<N: Numeral, const K: usize> Series<N, K> {
     /// As many terms, of which the last are to be this part of the first.
     fn about(c: N, start: [N; K], order: usize, part: f64) -> Self {
         let terms = grown(c, start, order, |terms, n, m| {
             product(&terms[m], &terms[n - m])
         });
-        let size = |n: usize| {
-            terms[n]
-                .iter()
-                .fold(0.0_f64, |m, x| m.max(x.leading().abs()))
-        };
+        let size = |n: usize| terms[n].iter().fold(0.0_f64, |m, x| m.max(x.size()));
         let reach = [order - 1, order]
             .map(|n| (part * size(0) / size(n)).powf(1.0 / n as f64))
             .into_iter()
@@ -75,7 +98,7 @@ impl<N: Number, const K: usize> Series<N, K> {
 
 // ANCHOR: series
 /// The terms of a series up to this order, the nth of all products being Σ `product`(…, n, m) over m.
-fn grown<N: Number, const K: usize>(
+fn grown<N: Numeral, const K: usize>(
     c: N,
     start: [N; K],
     order: usize,
@@ -91,12 +114,12 @@ fn grown<N: Number, const K: usize>(
         }
         next[1] = next[1] + c * terms[n][5];
         next[2] = -(c * terms[n][4]);
-        let place = N::from_double((n + 1) as f64);
+        let place = N::from((n + 1) as f64);
         // Ω₁, Ω₂ and the quaternion change at half of this.
         terms.push(core::array::from_fn(|i| {
-            let whole = next[i].quotient(place);
+            let whole = next[i] / place;
             if !(2..6).contains(&i) {
-                whole.times(0.5)
+                whole * N::from(0.5)
             } else {
                 whole
             }
@@ -106,9 +129,9 @@ fn grown<N: Number, const K: usize>(
 }
 
 /// What products make of the rates: ΩΩ₃, z ∧ Ω and qΩ, of one state and Ω of another.
-fn product<N: Number, const K: usize>(one: &[N; K], other: &[N; K]) -> [N; K] {
+fn product<N: Numeral, const K: usize>(one: &[N; K], other: &[N; K]) -> [N; K] {
     let [p, q, r] = [other[0], other[1], other[2]];
-    let mut all = [N::from_double(0.0); K];
+    let mut all = [N::from(0.0); K];
     (all[0], all[1]) = (one[1] * r, -(one[0] * r));
     for i in 0..3 {
         let (next, last) = ((i + 1) % 3, (i + 2) % 3);
@@ -125,8 +148,8 @@ fn product<N: Number, const K: usize>(one: &[N; K], other: &[N; K]) -> [N; K] {
 }
 // ANCHOR_END: series
 
-fn sum<N: Number, const K: usize>(terms: &[[N; K]], h: N) -> [N; K] {
-    let zero = [N::from_double(0.0); K];
+fn sum<N: Numeral, const K: usize>(terms: &[[N; K]], h: N) -> [N; K] {
+    let zero = [N::from(0.0); K];
     terms.iter().rev().fold(zero, |sum, term| {
         core::array::from_fn(|i| h * sum[i] + term[i])
     })

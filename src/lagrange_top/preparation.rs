@@ -10,8 +10,7 @@ use crate::elliptic::turning::{Elevation, Turning, Which};
 use crate::error::{Error, Result, positive, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{
-    DoubleDouble, Extended, Number, Words, exponent_of, power_of_two_below, shifted,
-    sum_of_products,
+    DoubleDouble, Extended, Number, exponent_of, power_of_two_below, shifted, sum_of_products,
 };
 
 /// Beyond this, in rad/s, sums of rates overflow.
@@ -73,7 +72,7 @@ pub(super) fn moderate(body: Body, omega: BodyVector, attitude: &Attitude) -> bo
 }
 
 /// The constants, everything in units of time in which rates are moderate.
-pub(super) fn prepare<N: Number<Narrow = DoubleDouble>>(
+pub(super) fn prepare<N: Number>(
     Body {
         transverse,
         axial,
@@ -310,7 +309,7 @@ struct Top<N> {
     rise: N,
 }
 
-impl<N: Number<Narrow = DoubleDouble>> Top<N> {
+impl<N: Number> Top<N> {
     /// What is decided from the roots, the drifts at them, and the attitude as seen and Ω at time 0.
     fn prepared(
         &self,
@@ -398,7 +397,7 @@ impl<N: Number<Narrow = DoubleDouble>> Top<N> {
             course: Course {
                 modulus: descent.modulus,
                 start: self.start(d, &descent),
-                rate: lambda.narrow().two(),
+                rate: lambda.narrow(),
             },
             reach: -1.0,
             parameters,

@@ -6,7 +6,7 @@
 //! quadratic whose discriminant is a sum of squares: about the present tilt if they are h₁ and h₂, about the upright
 //! position if they are h₂ and h₃. The distances from ±1 come from f(±1) = −((L_vert ∓ L₃)/I₁)².
 
-use crate::precise::{Number, Words};
+use crate::precise::Number;
 
 /// What kind of motion the axis makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

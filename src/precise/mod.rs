@@ -22,4 +22,4 @@ pub use double_double::DoubleDouble;
 pub(crate) use double_double::power_of_two_below;
 pub(crate) use extended::{Extended, exponent_of, shifted, sum_of_products};
 pub(crate) use logarithm::logarithm;
-pub(crate) use number::{Number, Words};
+pub(crate) use number::Number;

@@ -1,6 +1,4 @@
-//! What formulas ask of a number, so that they are written once: for one double, for two, for two with an exponent.
-//!
-//! Two words keep a phase over 10⁹ periods. One is five times as fast and good for the first few radians.
+//! What formulas ask of a number, so that they are written once: for two doubles, and for two with an exponent.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -14,18 +12,15 @@ pub(crate) trait Number:
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
+    + From<DoubleDouble>
 {
-    /// The same without the exponent.
-    type Narrow: Words;
-
     /// Of a finite double.
     fn from_double(value: f64) -> Self;
     /// a − b, exactly where a double cannot.
     fn difference(a: f64, b: f64) -> Self;
-    fn from_narrow(number: Self::Narrow) -> Self;
     fn from_extended(number: Extended) -> Self;
-    /// What fits into the range of doubles; infinite or zero beyond it.
-    fn narrow(self) -> Self::Narrow;
+    /// The same without the exponent: infinite or zero beyond the range of doubles.
+    fn narrow(self) -> DoubleDouble;
     /// The leading digits: zero if and only if the number is.
     fn leading(self) -> f64;
     fn square_root(self) -> Self;
@@ -33,11 +28,11 @@ pub(crate) trait Number:
     fn root_of_quotient(self, divisor: Self) -> f64;
     fn exceeds(self, other: Self) -> bool;
     /// The natural logarithm of a positive number.
-    fn logarithm(self) -> Self::Narrow;
+    fn logarithm(self) -> DoubleDouble;
     /// The cube root to the digits of a double.
     fn rough_cube_root(self) -> Self;
     /// The angle of the point (cosine, sine) in the first quadrant.
-    fn angle(cosine: Self, sine: Self) -> Self::Narrow;
+    fn angle(cosine: Self, sine: Self) -> DoubleDouble;
 
     /// a b, exactly, of doubles far from the ends.
     #[inline]
@@ -90,20 +85,7 @@ pub(crate) trait Number:
     }
 }
 
-/// A number of one double or of two.
-pub(crate) trait Words: Number<Narrow = Self> {
-    fn from_two(value: DoubleDouble) -> Self;
-    fn two(self) -> DoubleDouble;
-    fn scaled(self, power_of_two: f64) -> Self;
-    /// √(1 + x²).
-    fn hypotenuse_with_one(self) -> Self;
-    /// The nearest double.
-    fn value(self) -> f64;
-}
-
 impl Number for DoubleDouble {
-    type Narrow = Self;
-
     #[inline]
     fn from_double(value: f64) -> Self {
         Self::from(value)
@@ -118,11 +100,6 @@ impl Number for DoubleDouble {
     fn product(a: f64, b: f64) -> Self {
         let (high, low) = quick::exact_product(a, b);
         Self::new(high, low)
-    }
-
-    #[inline]
-    fn from_narrow(number: Self) -> Self {
-        number
     }
 
     fn from_extended(number: Extended) -> Self {
@@ -186,36 +163,7 @@ impl Number for DoubleDouble {
     }
 }
 
-impl Words for DoubleDouble {
-    #[inline]
-    fn from_two(value: DoubleDouble) -> Self {
-        value
-    }
-
-    #[inline]
-    fn two(self) -> DoubleDouble {
-        self
-    }
-
-    #[inline]
-    fn scaled(self, power_of_two: f64) -> Self {
-        self.scaled(power_of_two)
-    }
-
-    #[inline]
-    fn hypotenuse_with_one(self) -> Self {
-        self.hypotenuse_with_one()
-    }
-
-    #[inline]
-    fn value(self) -> f64 {
-        self.value()
-    }
-}
-
 impl Number for Extended {
-    type Narrow = DoubleDouble;
-
     fn from_double(value: f64) -> Self {
         Self::from_double(value)
     }
@@ -245,10 +193,6 @@ impl Number for Extended {
             ),
             exponent: leading.exponent,
         }
-    }
-
-    fn from_narrow(number: DoubleDouble) -> Self {
-        Self::from(number)
     }
 
     fn narrow(self) -> DoubleDouble {
@@ -294,101 +238,5 @@ impl Number for Extended {
 
     fn from_extended(number: Extended) -> Self {
         number
-    }
-}
-
-impl Number for f64 {
-    type Narrow = Self;
-
-    #[inline]
-    fn from_double(value: f64) -> Self {
-        value
-    }
-
-    #[inline]
-    fn difference(a: f64, b: f64) -> Self {
-        a - b
-    }
-
-    #[inline]
-    fn from_narrow(number: f64) -> Self {
-        number
-    }
-
-    fn from_extended(number: Extended) -> Self {
-        number.value()
-    }
-
-    #[inline]
-    fn narrow(self) -> f64 {
-        self
-    }
-
-    #[inline]
-    fn leading(self) -> f64 {
-        self
-    }
-
-    #[inline]
-    fn square_root(self) -> Self {
-        self.sqrt()
-    }
-
-    #[inline]
-    fn root_of_quotient(self, divisor: Self) -> f64 {
-        if self == 0.0 {
-            0.0
-        } else {
-            (self / divisor).sqrt()
-        }
-    }
-
-    #[inline]
-    fn exceeds(self, other: Self) -> bool {
-        self > other
-    }
-
-    fn logarithm(self) -> f64 {
-        self.ln()
-    }
-
-    fn rough_cube_root(self) -> f64 {
-        self.cbrt()
-    }
-
-    #[inline]
-    fn angle(cosine: Self, sine: Self) -> Self {
-        sine.atan2(cosine)
-    }
-}
-
-impl Words for f64 {
-    #[inline]
-    fn from_two(value: DoubleDouble) -> Self {
-        value.value()
-    }
-
-    #[inline]
-    fn two(self) -> DoubleDouble {
-        DoubleDouble::from(self)
-    }
-
-    #[inline]
-    fn scaled(self, power_of_two: f64) -> Self {
-        self * power_of_two
-    }
-
-    #[inline]
-    fn hypotenuse_with_one(self) -> Self {
-        if self.abs() > 1e20 {
-            self.abs()
-        } else {
-            (1.0 + self * self).sqrt()
-        }
-    }
-
-    #[inline]
-    fn value(self) -> f64 {
-        self
     }
 }

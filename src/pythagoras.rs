@@ -13,7 +13,7 @@
 //! ```
 
 use crate::error::{Error, Result, finite, positive, within};
-use crate::precise::{DoubleDouble, power_of_two_below};
+use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// Which way round the corners A, R, B run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,30 +6,32 @@
 use core::ops::{Add, Div, Mul};
 
 use super::parameter::Parameter;
-use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, logarithm, power_of_two_below, quick};
+use crate::precise::{
+    DoubleDouble as Dd, Number, RIGHT_ANGLE, logarithm, power_of_two_below, quick,
+};
 
 /// The moduli on the way down.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Landen<N: Number> {
     /// 1 + k′ₙ for n = 0, 1, 2.
-    pub(super) sums: [DoubleDouble; 3],
+    pub(super) sums: [Dd; 3],
     /// k₁ and k₂; k₃² fits a double, since it enters as a correction of at most 2·10⁻¹⁰.
-    pub(super) moduli: [DoubleDouble; 2],
+    pub(super) moduli: [Dd; 2],
     pub(super) last: f64,
     /// The arithmetic-geometric mean of 1 and k′: π/(2K).
-    pub(crate) mean: DoubleDouble,
+    pub(crate) mean: Dd,
     /// The nome divided by k².
-    pub(super) nome_over_square: DoubleDouble,
+    pub(super) nome_over_square: Dd,
     pub(super) parameter: N,
     /// The nome q = exp(−πK′/K); zero where it underflows.
-    pub(crate) nome: DoubleDouble,
+    pub(crate) nome: Dd,
 }
 
 impl<N: Number> Landen<N> {
     /// For the parameter m = k² ≤ 1/2 and the complementary modulus k′, both to all the digits of their kind.
     #[inline(always)]
-    pub(crate) fn new(parameter: N, complement: DoubleDouble) -> Self {
-        let one = DoubleDouble::from(1.0);
+    pub(crate) fn new(parameter: N, complement: Dd) -> Self {
+        let one = Dd::from(1.0);
         let square = parameter.narrow();
         let sum0 = one.add_alike(complement);
         let inverse0 = one.quotient(sum0);
@@ -44,7 +46,7 @@ impl<N: Number> Landen<N> {
         let k3 = (k2.leading() / sum2.leading()).powi(2);
         let last = k3 * k3;
         // (1 + k′₃)(1 + k′₄)/4 with k₄ = k₃²/4; the next term is 10⁻³⁰.
-        let rest = DoubleDouble::from(-0.25 * last * (1.0 + 0.3125 * last));
+        let rest = Dd::from(-0.25 * last * (1.0 + 0.3125 * last));
         let mean = (sum0 * sum1 * sum2).scaled(0.125);
         let mean = mean.add_alike(mean * rest);
         // l = (1 − √k′)/(2(1 + √k′)); q = l + 2l⁵ + 15l⁹ + 150l¹³ + 1707l¹⁷ + …
@@ -54,9 +56,7 @@ impl<N: Number> Landen<N> {
         let l4 = l2 * l2;
         let x = l4.leading();
         let tail = x * x * (15.0 + x * (150.0 + x * (1707.0 + x * 20_910.0)));
-        let series = one
-            .add_alike(l4.scaled(2.0))
-            .add_alike(DoubleDouble::from(tail));
+        let series = one.add_alike(l4.scaled(2.0)).add_alike(Dd::from(tail));
         let nome_over_square = l_over_square * series;
         Self {
             sums: [sum0, sum1, sum2],
@@ -76,14 +76,14 @@ impl<N: Number> Landen<N> {
     }
 
     /// The quarter period K = π/(2 mean).
-    pub(crate) fn quarter(&self) -> DoubleDouble {
+    pub(crate) fn quarter(&self) -> Dd {
         RIGHT_ANGLE.quotient(self.mean)
     }
 
     /// The quarter period of the complementary modulus, K′ = (K/π) ln(1/q), also where q itself underflows; infinite for k = 0.
-    pub(crate) fn complementary_quarter(&self) -> DoubleDouble {
+    pub(crate) fn complementary_quarter(&self) -> Dd {
         if self.parameter.is_zero() {
-            return DoubleDouble::from(f64::INFINITY);
+            return Dd::from(f64::INFINITY);
         }
         let nome = self.parameter * N::from(self.nome_over_square);
         let logarithm = -nome.logarithm();
@@ -92,13 +92,13 @@ impl<N: Number> Landen<N> {
 
     /// sin z from sn u and dn u, z = πu/(2K).
     #[inline(always)]
-    pub(crate) fn sine(&self, sn: DoubleDouble, dn: DoubleDouble) -> DoubleDouble {
+    pub(crate) fn sine(&self, sn: Dd, dn: Dd) -> Dd {
         self.descend(sn, dn, 1.0)
     }
 
     /// sinh x from −i sn(iy) = sc(y, k′) and dn(iy) = dc(y, k′), x = πy/(2K).
     #[inline(always)]
-    pub(crate) fn hyperbolic_sine(&self, sc: DoubleDouble, dc: DoubleDouble) -> DoubleDouble {
+    pub(crate) fn hyperbolic_sine(&self, sc: Dd, dc: Dd) -> Dd {
         self.descend(sc, dc, -1.0)
     }
 
@@ -117,8 +117,8 @@ impl<N: Number> Landen<N> {
     }
 
     #[inline(always)]
-    fn descend(&self, start: DoubleDouble, delta: DoubleDouble, sign: f64) -> DoubleDouble {
-        let one = DoubleDouble::from(1.0);
+    fn descend(&self, start: Dd, delta: Dd, sign: f64) -> Dd {
+        let one = Dd::from(1.0);
         let (mut s, mut d) = (start, delta);
         for (sum, modulus) in self.sums.iter().zip(&self.moduli) {
             s = (s * *sum).quotient(one.add_alike(d));
@@ -132,12 +132,12 @@ impl<N: Number> Landen<N> {
         let b = sign * (self.scaled_square(s, a));
         let correction =
             -0.25 * (a - b) + a * (-a / 16.0 - b / 16.0) + b * b / 8.0 - a * (a - b) / 64.0;
-        s.add_alike(s * DoubleDouble::from(correction))
+        s.add_alike(s * Dd::from(correction))
     }
 
     /// a s², where s² alone may overflow.
     #[inline(always)]
-    fn scaled_square(&self, s: DoubleDouble, a: f64) -> f64 {
+    fn scaled_square(&self, s: Dd, a: f64) -> f64 {
         let root = a.sqrt() * s.leading();
         root * root
     }
@@ -150,15 +150,15 @@ pub(super) const SMALL: f64 = 1e-8;
 
 /// The arithmetic-geometric mean of 1 and √x for x in 1/2…1.
 pub(super) struct Mean {
-    pub(super) value: DoubleDouble,
+    pub(super) value: Dd,
     /// First mean times second mean, from which the nome follows.
-    pub(super) product: DoubleDouble,
+    pub(super) product: Dd,
 }
 
 impl Mean {
     /// Two rounds, and the third from its series. Pairs (number, error) are carried without being made canonical:
     /// that shortens the chain of operations, each of which waits for the one before.
-    pub(super) fn new(x: DoubleDouble, complement: DoubleDouble) -> Self {
+    pub(super) fn new(x: Dd, complement: Dd) -> Self {
         if complement.high() < SMALL {
             return Self::next_to_one(complement);
         }
@@ -174,7 +174,7 @@ impl Mean {
         // agm(a2, b2) = S/2 (1 − d²/4 − 5 d⁴/64 − 11 d⁶/256 − …), where the first term needs both words.
         let (sum, rest) = quick::ordered_sum(a2, b2);
         let sum_low = rest + (a2_low + b2_low);
-        let gap = DoubleDouble::sum(a2 - b2, a2_low - b2_low);
+        let gap = Dd::sum(a2 - b2, a2_low - b2_low);
         let (gap2, error) = quick::exact_product(gap.high(), gap.high());
         let gap2_low = error + 2.0 * gap.high() * gap.low();
         let eight = 8.0 * sum;
@@ -187,24 +187,21 @@ impl Mean {
         let (high, low) = quick::ordered_sum(0.5 * sum, -less);
         let low = low + (0.5 * sum_low - less_low - tail);
         let (high, low) = quick::ordered_sum(high, low);
-        let product = DoubleDouble::quick_product(
-            DoubleDouble::new(a1, a1_low),
-            DoubleDouble::new(a2, a2_low),
-        );
+        let product = Dd::quick_product(Dd::new(a1, a1_low), Dd::new(a2, a2_low));
         Self {
-            value: DoubleDouble::new(high, low),
+            value: Dd::new(high, low),
             product,
         }
     }
 
     /// The mean and the product as series in 1 − x.
     #[inline(always)]
-    pub(super) fn next_to_one(c: DoubleDouble) -> Self {
+    pub(super) fn next_to_one(c: Dd) -> Self {
         let x = c.high();
         let square = x * x;
-        let series = |first: DoubleDouble, rest: f64| {
+        let series = |first: Dd, rest: f64| {
             let (high, low) = quick::ordered_sum(1.0, -first.high());
-            DoubleDouble::new(high, low - (first.low() + rest))
+            Dd::new(high, low - (first.low() + rest))
         };
         Self {
             value: series(c.scaled(0.25), square * (5.0 / 64.0 + x * (11.0 / 256.0))),
@@ -215,16 +212,16 @@ impl Mean {
 
 /// K = π/2 (1 + m/4 + 9m²/64 + 25m³/256 + …) for m below [`SMALL`]: no quotient to wait for.
 #[inline(always)]
-pub(super) fn quarter_next_to_zero(m: DoubleDouble) -> DoubleDouble {
+pub(super) fn quarter_next_to_zero(m: Dd) -> Dd {
     let x = m.high();
-    let more = DoubleDouble::new(
+    let more = Dd::new(
         0.25 * x,
         0.25 * m.low() + x * x * (9.0 / 64.0 + x * (25.0 / 256.0)),
     );
     let more = RIGHT_ANGLE.quick_product(more);
     let (high, low) = quick::ordered_sum(RIGHT_ANGLE.high(), more.high());
     let (high, low) = quick::ordered_sum(high, low + (RIGHT_ANGLE.low() + more.low()));
-    DoubleDouble::new(high, low)
+    Dd::new(high, low)
 }
 
 /// The nome q, from l = (1 − √k′)/(2 (1 + √k′)) = m/(16 a1 a2) with the means of [`Mean`].
@@ -251,12 +248,12 @@ impl Nome {
     }
 
     /// ln(1/q) to 101 bits and more, for q > 0.
-    pub(super) fn logarithm(&self, lesser: DoubleDouble, product: DoubleDouble) -> DoubleDouble {
+    pub(super) fn logarithm(&self, lesser: Dd, product: Dd) -> Dd {
         // ln(q/l) = 2 y + 13 y² + (368/3) y³ + …, y = l⁴ ≤ 3.6e-6.
         // The quotient is formed with a power of two taken off: mc may be as small as a double can be.
         let unit = power_of_two_below(lesser.high());
         let exponent = 1023 - (unit.to_bits() >> 52) as i32;
-        let ratio = DoubleDouble::quick_quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
+        let ratio = Dd::quick_quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
         let logarithm = logarithm(ratio, exponent);
         if self.l4 < 1e-34 {
             return logarithm;
@@ -275,7 +272,7 @@ impl Nome {
             y * (368.0 / 3.0 + y * (2701.0 / 2.0 + y * (80912.0 / 5.0 + y * (613_720.0 / 3.0))));
         let low = 2.0 * y_low + (error + 13.0 * y2_low + rest * y2);
         let (high, carry) = quick::ordered_sum(2.0 * y, square);
-        let correction = DoubleDouble::new(high, carry + low);
+        let correction = Dd::new(high, carry + low);
         logarithm - correction
     }
 }
@@ -299,21 +296,21 @@ impl Triple {
     fn sum<const N: usize>(mut terms: [f64; N]) -> Self {
         for _ in 0..4 {
             for i in (1..N).rev() {
-                let pair = DoubleDouble::sum(terms[i - 1], terms[i]);
+                let pair = Dd::sum(terms[i - 1], terms[i]);
                 terms[i - 1] = pair.high();
                 terms[i] = pair.low();
             }
         }
-        let last = DoubleDouble::sum(terms[1], terms[2] + terms[3]);
+        let last = Dd::sum(terms[1], terms[2] + terms[3]);
         Self([terms[0], last.high(), last.low()])
     }
 
-    fn pair(value: DoubleDouble) -> Self {
+    fn pair(value: Dd) -> Self {
         Self([value.high(), value.low(), 0.0])
     }
 
-    fn leading(self) -> DoubleDouble {
-        DoubleDouble::sum(self.0[0], self.0[1])
+    fn leading(self) -> Dd {
+        Dd::sum(self.0[0], self.0[1])
     }
 
     fn scaled(self, factor: f64) -> Self {
@@ -343,12 +340,8 @@ impl Mul for Triple {
 
     fn mul(self, other: Self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.0, other.0);
-        let (ad, ae, bd) = (
-            DoubleDouble::product(a, d),
-            DoubleDouble::product(a, e),
-            DoubleDouble::product(b, d),
-        );
-        let be = DoubleDouble::product(b, e);
+        let (ad, ae, bd) = (Dd::product(a, d), Dd::product(a, e), Dd::product(b, d));
+        let be = Dd::product(b, e);
         let small = a * f + c * d + (b * f + c * e);
         Self::sum([
             ad.high(),
@@ -407,8 +400,8 @@ fn quarter_period(parameter: Parameter) -> Triple {
 }
 
 /// `u − count K`, where the prepared K leaves too few bits.
-pub(super) fn remainder(parameter: Parameter, u: DoubleDouble, count: f64) -> DoubleDouble {
+pub(super) fn remainder(parameter: Parameter, u: Dd, count: f64) -> Dd {
     let Triple([first, second, third]) = quarter_period(parameter);
-    let rest = u - DoubleDouble::product(count, first);
-    rest - DoubleDouble::product(count, second) - DoubleDouble::from(count * third)
+    let rest = u - Dd::product(count, first);
+    rest - Dd::product(count, second) - Dd::from(count * third)
 }

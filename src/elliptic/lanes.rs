@@ -14,10 +14,10 @@ use super::modulus::{Modulus, Side};
 use super::theta::Corrections;
 use super::turning::Theta;
 use crate::error::{Result, same_length, too_long};
-use crate::precise::DoubleDouble;
 use crate::precise::quick::{
     self, EXACT_COUNT, ROUNDER, in_quadrant, polynomial, reduced, select, sine_cosine,
 };
+use crate::precise::{DoubleDouble, Number};
 
 /// So many states are formed side by side.
 pub(crate) const LANES: usize = 8;

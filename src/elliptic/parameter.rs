@@ -1,7 +1,7 @@
 //! The parameter m together with its complement 1 − m.
 
 use crate::error::{Error, Result, finite, within};
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number};
 
 /// The parameter m = k² and its complement mc = 1 − m, neither formed from the other by a subtraction that cancels.
 ///

@@ -4,7 +4,7 @@
 use super::landen::Landen;
 use super::modulus::{Descent, Side};
 use crate::precise::quick::select;
-use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
+use crate::precise::{DoubleDouble as Dd, Number, RIGHT_ANGLE};
 
 /// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
 #[derive(Debug, Clone, Copy)]
@@ -27,21 +27,21 @@ pub(crate) enum Which {
 #[derive(Debug, Clone, Copy)]
 struct Exponentials {
     /// ρ = q e^{2w}.
-    rho: DoubleDouble,
+    rho: Dd,
     /// ε = e^{−2w}.
-    epsilon: DoubleDouble,
+    epsilon: Dd,
     /// sinh x, e^x and e^{−x} of the smaller argument x, w or πξ/2K. One of ρ and ε is e^{−2x}, and 1 less it 2 sinh x · e^{−x}.
-    sinh: DoubleDouble,
-    growth: DoubleDouble,
-    decay: DoubleDouble,
+    sinh: Dd,
+    growth: Dd,
+    decay: Dd,
 }
 
 impl Exponentials {
     /// From sinh x and the nome q.
     #[inline(always)]
-    fn new(which: Which, sinh: DoubleDouble, q: DoubleDouble) -> Self {
+    fn new(which: Which, sinh: Dd, q: Dd) -> Self {
         let growth = sinh.add_alike(sinh.hypotenuse_with_one());
-        let decay = DoubleDouble::from(1.0).quotient(growth);
+        let decay = Dd::from(1.0).quotient(growth);
         let lesser = decay * decay;
         // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
         let other = q * growth * growth;
@@ -81,7 +81,7 @@ impl<N: Number> Elevation<N> {
     #[inline]
     fn exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials {
         let sinh = if self.run.is_zero() {
-            DoubleDouble::from(1e150)
+            Dd::from(1e150)
         } else {
             self.hyperbolic_sine(landen, m)
         };
@@ -90,14 +90,14 @@ impl<N: Number> Elevation<N> {
 
     /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
     #[inline(always)]
-    fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> DoubleDouble {
+    fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> Dd {
         // sc² and dc² = 1 + m sc².
         let sc2 = self.rise.quotient(self.run);
-        let dc2 = DoubleDouble::from(1.0).add_alike((m * sc2).narrow());
+        let dc2 = Dd::from(1.0).add_alike((m * sc2).narrow());
         let sc = sc2.square_root().narrow();
         // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
         let sc = if sc.leading() > 1e150 {
-            DoubleDouble::from(1e150)
+            Dd::from(1e150)
         } else {
             sc
         };
@@ -106,8 +106,8 @@ impl<N: Number> Elevation<N> {
 
     /// Sine and cosine of v = πη/2K′, for mc < 1/2.
     #[inline(always)]
-    fn angle(&self, landen: &Landen<N>, mc: N) -> (DoubleDouble, DoubleDouble) {
-        let one = DoubleDouble::from(1.0);
+    fn angle(&self, landen: &Landen<N>, mc: N) -> (Dd, Dd) {
+        let one = Dd::from(1.0);
         let sn2 = self.rise.quotient(self.slope).narrow();
         let dn2 = one - mc.narrow() * sn2;
         let lesser = landen.sine(sn2.square_root(), dn2.square_root());
@@ -192,9 +192,9 @@ impl Theta {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Turning {
     /// By how much it falls with each quarter period beyond what the polynomials show, radians.
-    pub(crate) lag: DoubleDouble,
+    pub(crate) lag: Dd,
     /// Its derivative by u at u = K.
-    pub(crate) slope: DoubleDouble,
+    pub(crate) slope: Dd,
     pub(crate) theta: Theta,
 }
 
@@ -263,7 +263,7 @@ impl Turning {
             let (sine, cosine) = elevation.angle(landen, descent.mc);
             return Self::dual(landen, [sine, cosine], [-cosine, sine]);
         }
-        let one = DoubleDouble::from(1.0);
+        let one = Dd::from(1.0);
         let q = landen.nome;
         let Exponentials {
             rho,
@@ -304,7 +304,7 @@ impl Turning {
         let denominator = sum_upward(plus3, plus, [1.0; 3]);
         let slope = -(landen.mean * numerator).quotient(denominator);
         let with_signs =
-            |[x0, x1, x2]: [DoubleDouble; 3], x3: f64| [x0.value(), -x1.value(), x2.value(), -x3];
+            |[x0, x1, x2]: [Dd; 3], x3: f64| [x0.value(), -x1.value(), x2.value(), -x3];
         let (a, b) = (with_signs(plus, plus3), with_signs(minus, minus3));
         let real = [
             a[0] + 3.0 * a[1] + 5.0 * a[2] + 7.0 * a[3],
@@ -324,7 +324,7 @@ impl Turning {
             2.0 * (k + 1) as f64 * next[k] - (2 * k + 1) as f64 * imaginary[k]
         });
         Self {
-            lag: DoubleDouble::from(0.0),
+            lag: Dd::from(0.0),
             slope,
             theta: Theta {
                 even: [real, imaginary],
@@ -334,13 +334,9 @@ impl Turning {
     }
 
     /// From the sine and cosine of the lag, and those of v in ϑ₂(ix − v).
-    fn dual<N: Number>(
-        landen: &Landen<N>,
-        lag: [DoubleDouble; 2],
-        [s, c]: [DoubleDouble; 2],
-    ) -> Self {
+    fn dual<N: Number>(landen: &Landen<N>, lag: [Dd; 2], [s, c]: [Dd; 2]) -> Self {
         Self {
-            lag: DoubleDouble::angle(lag[0], lag[1]),
+            lag: Dd::angle(lag[0], lag[1]),
             slope: dual_slope(landen, s, c),
             theta: Theta::dual(landen.nome.value(), s.value(), c.value()),
         }
@@ -348,23 +344,19 @@ impl Turning {
 }
 
 /// A small first term and weighted ones that grow, added from the smallest to the greatest.
-fn sum_upward(least: f64, terms: [DoubleDouble; 3], weights: [f64; 3]) -> DoubleDouble {
-    (0..3).rev().fold(DoubleDouble::from(least), |sum, k| {
+fn sum_upward(least: f64, terms: [Dd; 3], weights: [f64; 3]) -> Dd {
+    (0..3).rev().fold(Dd::from(least), |sum, k| {
         let term = if weights[k] == 1.0 {
             terms[k]
         } else {
-            terms[k] * DoubleDouble::from(weights[k])
+            terms[k] * Dd::from(weights[k])
         };
         sum.add_alike(term)
     })
 }
 
 /// d arg ϑ₄(z + iw)/du at u = K: −(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
-fn fourth_slope<N: Number>(
-    landen: &Landen<N>,
-    rho: DoubleDouble,
-    epsilon: DoubleDouble,
-) -> DoubleDouble {
+fn fourth_slope<N: Number>(landen: &Landen<N>, rho: Dd, epsilon: Dd) -> Dd {
     let q = landen.nome;
     let q2 = q * q;
     let (up1, down1) = (rho, q * epsilon);
@@ -386,16 +378,12 @@ fn fourth_slope<N: Number>(
         up3.add_alike(down3),
     ];
     let half = sum_upward(4.0 * (up4 - down4), minus, [1.0, 2.0, 3.0]);
-    let denominator = sum_upward(up4 + down4, plus, [1.0; 3]).add_alike(DoubleDouble::from(1.0));
+    let denominator = sum_upward(up4 + down4, plus, [1.0; 3]).add_alike(Dd::from(1.0));
     -(landen.mean * half.scaled(2.0)).quotient(denominator)
 }
 
 /// d arg ϑ₂(ix − v)/du at u = K: (π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).
-fn dual_slope<N: Number>(
-    landen: &Landen<N>,
-    sine: DoubleDouble,
-    cosine: DoubleDouble,
-) -> DoubleDouble {
+fn dual_slope<N: Number>(landen: &Landen<N>, sine: Dd, cosine: Dd) -> Dd {
     let q = landen.nome;
     let q2 = q * q;
     let q4 = q2 * q2;
@@ -408,12 +396,12 @@ fn dual_slope<N: Number>(
     let (x9, x16) = (x3 * x3 * x3, x4 * x4 * (x4 * x4));
     let (s6, c6) = (s2v * c4v + c2v * s4v, c2v * c4v - s2v * s4v);
     let (s8, c8) = (2.0 * s4v * c4v, c4v * c4v - s4v * s4v);
-    let numerator = DoubleDouble::from(12.0 * x9 * s6 + 16.0 * x16 * s8)
+    let numerator = Dd::from(12.0 * x9 * s6 + 16.0 * x16 * s8)
         .add_alike((q4 * s4).scaled(8.0))
         .add_alike((q * s2).scaled(4.0));
-    let denominator = DoubleDouble::from(2.0 * (x9 * c6 + x16 * c8))
+    let denominator = Dd::from(2.0 * (x9 * c6 + x16 * c8))
         .add_alike((q4 * c4).scaled(2.0))
         .add_alike((q * c2).scaled(2.0))
-        .add_alike(DoubleDouble::from(1.0));
+        .add_alike(Dd::from(1.0));
     (landen.mean * numerator).quotient(denominator)
 }

@@ -6,7 +6,7 @@
 
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::BodyVector;
-use crate::precise::{DoubleDouble, exponent_of, power_of_two_below, shifted};
+use crate::precise::{DoubleDouble, Number, exponent_of, power_of_two_below, shifted};
 
 /// About which axis the polhode goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,7 +5,9 @@ use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::turning::{Elevation, Turning, Which};
 use crate::error::{Error, Result};
-use crate::precise::{DoubleDouble, Extended, Number, exponent_of, power_of_two_below, shifted};
+use crate::precise::{
+    DoubleDouble, Extended, Number, exponent_of, power, power_of_two_below, shifted,
+};
 
 /// What kind of motion a free top makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -181,7 +183,7 @@ pub(super) fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start
 fn exact_difference(minuend: [f64; 4], subtrahend: [f64; 4]) -> Extended {
     let (third, exponent) = expansion(minuend);
     let (first, other) = expansion(subtrahend);
-    let shift = Extended::power_of_two(other - exponent);
+    let shift = power(other - exponent);
     let mut terms = [0.0; 32];
     for k in 0..16 {
         terms[k] = third[k];

@@ -7,7 +7,7 @@ use super::poinsot::{Poinsot, Sector};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
-use crate::precise::{DoubleDouble, power_of_two_below};
+use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// The linear motion next to the rotation about x₂ (6.7).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector};
-use crate::precise::{DoubleDouble, power_of_two_below};
+use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// On which side of the sphere the moments lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

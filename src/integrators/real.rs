@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number};
 
 /// A number: `f32`, `f64` or [`DoubleDouble`].
 ///
@@ -222,7 +222,7 @@ impl Functions for DoubleDouble {
     }
 
     fn square_root(self) -> Self {
-        self.square_root()
+        Number::square_root(self)
     }
 
     fn turn(self) -> (Self, Self) {

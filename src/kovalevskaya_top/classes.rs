@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::constants::{Constants, Root};
 use crate::error::{Result, finite, not_negative, positive};
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number};
 
 /// How the five roots e₁ … e₅ lie. All but [`General`](Self::General) and [`EulerSymmetric`](Self::EulerSymmetric) are Appelrot's
 /// classes of *particularly remarkable* motions: a double root, where s₁ or s₂ may rest, or come to rest in infinite time, and the

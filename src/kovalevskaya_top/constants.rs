@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number};
 
 type Wide = DoubleDouble;
 

@@ -5,7 +5,7 @@ use super::periods::Curve;
 use super::separation::{Separation, Variables};
 use super::solution::{Moving, Quotients, Reconstruction, Torus};
 use super::taylor::{Carried, Series, project};
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number};
 
 /// Why a motion is integrated and not solved by separation.
 #[derive(Debug, Clone, Copy, PartialEq)]

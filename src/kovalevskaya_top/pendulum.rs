@@ -9,7 +9,7 @@ use super::constants::{Constants, WidePhase};
 use super::taylor::Carried;
 use crate::error::Result;
 use crate::lagrange_top::{Exact, LagrangeTop};
-use crate::precise::{DoubleDouble, Extended};
+use crate::precise::{DoubleDouble, Extended, Number};
 
 /// A motion about an axis that stays.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,6 +4,7 @@ use nalgebra::Complex;
 
 use super::constants::{Constants, Root};
 use super::separation::{Place, Separation};
+use crate::precise::Number as _;
 
 type Number = Complex<f64>;
 

@@ -6,7 +6,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::Complex;
 
 use super::constants::{Constants, Root, WidePhase};
-use crate::precise::{DoubleDouble, power_of_two_below};
+use crate::precise::{DoubleDouble, Number as _, power_of_two_below};
 
 type Number = Complex<f64>;
 

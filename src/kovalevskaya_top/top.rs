@@ -16,7 +16,7 @@ use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, finite_vector};
-use crate::precise::{DoubleDouble, power_of_two_below};
+use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// How the motion is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,7 +6,7 @@ use super::constants::{Phase, WidePhase};
 use super::taylor::{Carried, Series, shortest};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
 use crate::error::{Error, Result};
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number};
 
 /// Units of time that are walked at most.
 const LONGEST_WALK: f64 = 4096.0;

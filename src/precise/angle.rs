@@ -1,6 +1,6 @@
 //! The angle of a point in twice the precision.
 
-use super::DoubleDouble;
+use super::{DoubleDouble, Number, logarithm::THIRD};
 
 /// π/2 to 106 bits.
 pub(crate) const RIGHT_ANGLE: DoubleDouble =
@@ -38,13 +38,12 @@ pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
     // The nearest sixteenth of the tangent, in sixteenths.
     let index = ((across.high() / along.high() * 16.0 + 0.5) as usize).min(16);
     let [high, low] = ARCTANGENTS[index];
-    let slope = DoubleDouble::from(index as f64 / 16.0);
-    let r = (across - along * slope) / along.add_alike(across * slope);
+    let slope = index as f64 / 16.0;
+    let r = (across - along.times(slope)).quick_quotient(along.add_alike(across.times(slope)));
     let square = r * r;
     let y = square.value();
     let tail = y * y * (0.2 - y * (1.0 / 7.0 - y * (1.0 / 9.0 - y * (1.0 / 11.0 - y / 13.0))));
-    let series = (DoubleDouble::from(1.0) - square / DoubleDouble::from(3.0))
-        .add_alike(DoubleDouble::from(tail));
+    let series = (DoubleDouble::from(1.0) - square * THIRD).add_alike(DoubleDouble::from(tail));
     let small = r * series + DoubleDouble::sum(high, low);
     if steep { RIGHT_ANGLE - small } else { small }
 }

@@ -8,7 +8,7 @@
 use core::f64::consts::TAU;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::quick;
+use super::{Number, quick};
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +50,7 @@ impl DoubleDouble {
 
     /// The sum of two doubles of which the first is not the smaller in size, exactly (Dekker).
     #[inline]
-    fn ordered_sum(a: f64, b: f64) -> Self {
+    pub(super) fn ordered_sum(a: f64, b: f64) -> Self {
         let (high, low) = quick::ordered_sum(a, b);
         Self { high, low }
     }
@@ -74,11 +74,6 @@ impl DoubleDouble {
         Self { high, low }
     }
 
-    /// The difference of two doubles, exactly.
-    pub(crate) fn difference(a: f64, b: f64) -> Self {
-        Self::sum(a, -b)
-    }
-
     /// The product of two doubles, exactly unless its tail underflows.
     #[inline]
     pub(crate) fn product(a: f64, b: f64) -> Self {
@@ -99,38 +94,12 @@ impl DoubleDouble {
         self.high + self.low
     }
 
-    /// The sum of two terms that do not cancel, in half the steps.
-    #[inline]
-    pub(crate) fn add_alike(self, other: Self) -> Self {
-        let leading = Self::sum(self.high, other.high);
-        Self::ordered_sum(leading.high, leading.low + (self.low + other.low))
-    }
-
-    /// Multiplied by a double.
-    #[inline]
-    pub(crate) fn times(self, factor: f64) -> Self {
-        let leading = Self::product(self.high, factor);
-        Self::ordered_sum(leading.high, leading.low + self.low * factor)
-    }
-
     /// Multiplied by a power of two, exactly.
     pub(crate) fn scaled(self, power_of_two: f64) -> Self {
         Self {
             high: self.high * power_of_two,
             low: self.low * power_of_two,
         }
-    }
-
-    /// Square root of a number that is not negative.
-    #[inline]
-    pub(crate) fn square_root(self) -> Self {
-        if self.high == 0.0 {
-            return Self::from(0.0);
-        }
-        let root = self.high.sqrt();
-        let square = Self::product(root, root);
-        let rest = ((self.high - square.high) - square.low) + self.low;
-        Self::ordered_sum(root, rest / (2.0 * root))
     }
 
     /// √(1 + x²), also where x² would overflow.
@@ -236,7 +205,7 @@ pub(crate) fn power_of_two_below(size: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::DoubleDouble;
+    use super::{DoubleDouble, Number};
 
     #[test]
     fn a_third_has_106_digits_of_ones_and_zeros() {

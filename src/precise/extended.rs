@@ -3,7 +3,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{DoubleDouble, power_of_two_below};
+use super::{DoubleDouble, Number, power_of_two_below};
 
 /// `digits · 2^exponent`: squares of tilts down to 1e-300 stay numbers.
 #[derive(Debug, Clone, Copy)]
@@ -11,9 +11,6 @@ pub(crate) struct Extended {
     pub(crate) digits: DoubleDouble,
     pub(crate) exponent: i32,
 }
-
-const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
-const ONE_BITS: u64 = 0x3ff0_0000_0000_0000;
 
 /// The sum of products of two doubles, to 106 bits whatever cancels; zero only if it is zero.
 pub(crate) fn sum_of_products(products: &[[f64; 2]]) -> Extended {
@@ -59,29 +56,6 @@ fn exact_sum(a: Extended, b: Extended) -> [Extended; 2] {
 }
 
 impl Extended {
-    fn is_zero(self) -> bool {
-        self.digits.high() == 0.0
-    }
-
-    /// A double.
-    pub(crate) fn from_double(value: f64) -> Self {
-        if value == 0.0 {
-            return Self::zero();
-        }
-        if value.abs() < f64::MIN_POSITIVE {
-            // A subnormal: its own leading digit counts.
-            let mut number = Self::from_double(value * power(1000));
-            number.exponent -= 1000;
-            return number;
-        }
-        let bits = value.to_bits();
-        let digits = f64::from_bits((bits & !EXPONENT_BITS) | ONE_BITS);
-        Self {
-            digits: DoubleDouble::from(digits),
-            exponent: exponent_of(f64::from_bits(bits & EXPONENT_BITS)),
-        }
-    }
-
     /// Its two words as numbers of their own, the lower first.
     fn words(self) -> [Self; 2] {
         [self.digits.low(), self.digits.high()].map(|word| {
@@ -103,11 +77,6 @@ impl Extended {
             digits: DoubleDouble::from(0.0),
             exponent: i32::MIN / 8,
         }
-    }
-
-    /// 2^exponent as a double; zero or the greatest power where that has no room.
-    pub(crate) fn power_of_two(exponent: i32) -> f64 {
-        power(exponent)
     }
 
     /// The nearest double.
@@ -179,10 +148,15 @@ impl Neg for Extended {
 }
 
 impl From<DoubleDouble> for Extended {
-    /// Of a number that is normal or zero.
     fn from(number: DoubleDouble) -> Self {
         if number.high() == 0.0 {
             return Self::zero();
+        }
+        if number.high().abs() < f64::MIN_POSITIVE {
+            // A subnormal: its own leading digit counts.
+            let mut normal = Self::from(number.scaled(power(1000)));
+            normal.exponent -= 1000;
+            return normal;
         }
         let unit = power_of_two_below(number.high().abs());
         Self {
@@ -199,7 +173,7 @@ pub(crate) fn exponent_of(power_of_two: f64) -> i32 {
 }
 
 /// 2^exponent; zero below the smallest normal number, where nothing that is added to 1 counts.
-fn power(exponent: i32) -> f64 {
+pub(crate) fn power(exponent: i32) -> f64 {
     if exponent < -1022 {
         0.0
     } else {

@@ -4,7 +4,8 @@ use super::{DoubleDouble, power_of_two_below, quick};
 
 const LN_2: DoubleDouble = DoubleDouble::new(core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
 
-const THIRD: DoubleDouble = DoubleDouble::new(0.333_333_333_333_333_3, 1.850_371_707_708_594e-17);
+pub(super) const THIRD: DoubleDouble =
+    DoubleDouble::new(0.333_333_333_333_333_3, 1.850_371_707_708_594e-17);
 
 /// ln(j/32) for j = 32…64.
 const LOGARITHMS: [DoubleDouble; 33] = [

@@ -2,7 +2,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`number`] | what formulas ask of a number, so that they are written once: one double, two, two with an exponent |
+//! | [`number`] | what formulas ask of a number, so that they are written once: two words, and two with an exponent |
 //! | [`double_double`] | an unevaluated sum of two doubles |
 //! | [`extended`] | the same with a wide exponent: no product is too large or too small; exact sums of products |
 //! | [`quick`] | the pieces that have no branch |
@@ -20,6 +20,6 @@ pub(crate) mod quick;
 pub(crate) use angle::{RIGHT_ANGLE, angle};
 pub use double_double::DoubleDouble;
 pub(crate) use double_double::power_of_two_below;
-pub(crate) use extended::{Extended, exponent_of, shifted, sum_of_products};
+pub(crate) use extended::{Extended, exponent_of, power, shifted, sum_of_products};
 pub(crate) use logarithm::logarithm;
 pub(crate) use number::Number;

@@ -15,7 +15,11 @@ pub(crate) trait Number:
     + From<DoubleDouble>
 {
     /// Of a finite double.
-    fn from_double(value: f64) -> Self;
+    #[inline]
+    fn from_double(value: f64) -> Self {
+        Self::from(DoubleDouble::from(value))
+    }
+
     /// a − b, exactly where a double cannot.
     fn difference(a: f64, b: f64) -> Self;
     fn from_extended(number: Extended) -> Self;
@@ -87,13 +91,8 @@ pub(crate) trait Number:
 
 impl Number for DoubleDouble {
     #[inline]
-    fn from_double(value: f64) -> Self {
-        Self::from(value)
-    }
-
-    #[inline]
     fn difference(a: f64, b: f64) -> Self {
-        Self::difference(a, b)
+        Self::sum(a, -b)
     }
 
     #[inline]
@@ -118,7 +117,13 @@ impl Number for DoubleDouble {
 
     #[inline]
     fn square_root(self) -> Self {
-        self.square_root()
+        if self.high() == 0.0 {
+            return Self::from(0.0);
+        }
+        let root = self.high().sqrt();
+        let square = DoubleDouble::product(root, root);
+        let rest = ((self.high() - square.high()) - square.low()) + self.low();
+        Self::ordered_sum(root, rest / (2.0 * root))
     }
 
     #[inline]
@@ -149,12 +154,14 @@ impl Number for DoubleDouble {
 
     #[inline]
     fn add_alike(self, other: Self) -> Self {
-        self.add_alike(other)
+        let leading = Self::sum(self.high(), other.high());
+        Self::ordered_sum(leading.high(), leading.low() + (self.low() + other.low()))
     }
 
     #[inline]
     fn times(self, factor: f64) -> Self {
-        self.times(factor)
+        let leading = DoubleDouble::product(self.high(), factor);
+        Self::ordered_sum(leading.high(), leading.low() + self.low() * factor)
     }
 
     #[inline]
@@ -164,10 +171,6 @@ impl Number for DoubleDouble {
 }
 
 impl Number for Extended {
-    fn from_double(value: f64) -> Self {
-        Self::from_double(value)
-    }
-
     fn leading(self) -> f64 {
         self.digits.high()
     }

@@ -1,7 +1,7 @@
 //! Pieces without a branch, for one number as for several side by side: two words of a size far from the ends of the doubles, angles
 //! less their right angles, sine and cosine, their hyperbolic sisters, the arctangent, powers of two.
 
-use super::DoubleDouble;
+use super::{DoubleDouble, Number};
 
 /// Upper 26 bits and the rest, for numbers below 10³⁰⁰ (Veltkamp).
 #[inline(always)]

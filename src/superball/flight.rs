@@ -2,7 +2,7 @@
 
 use super::{BounceRotation, Motion, Restitution, Surface, bounce_with, gripping_bounce};
 use crate::error::{Error, Result, finite, not_negative, positive, within};
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number};
 use crate::rolling::{Coulomb, Course, Load, Moment};
 
 /// A ball in the air, or just after a bounce.

@@ -24,7 +24,7 @@ use num_rational::Ratio;
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Num};
 
 use crate::error::{Result, finite, not_negative, positive, within};
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number};
 
 /// What a bounce leaves and takes: both in the same unit of speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

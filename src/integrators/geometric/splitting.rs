@@ -6,7 +6,7 @@ use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
 use crate::integrators::Cost;
 use crate::integrators::real::{Real, Sums, dot, product};
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number};
 
 /// Order of a splitting; `as u32` it is the number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -114,7 +114,7 @@ impl<T: Real> Integrator<T> for FreeSplitting {
         // Without the turn about L.
         run.q = Sums::new([1.0, 0.0, 0.0, 0.0].map(T::from_double));
         let exact = l.map(T::two_words);
-        let size = dot(exact, exact).square_root();
+        let size = Number::square_root(dot(exact, exact));
         let halved = step.two_words() * DoubleDouble::from(0.5);
         let parts = Free {
             q,

@@ -9,7 +9,7 @@ use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
 use crate::kovalevskaya_top::KovalevskayaTop;
 use crate::lagrange_top::{Exact, LagrangeTop};
-use crate::precise::{Extended, sum_of_products};
+use crate::precise::{Extended, Number, sum_of_products};
 use crate::scene::Budget;
 
 /// A motion in closed form.

@@ -27,9 +27,8 @@
 //!
 //! What is prepared has bounds: 4096 terms of a theta function, 4096 units of time of a walk.
 //!
-//! Attitude ([`AttitudeSeries`]), over the same starts: at time 10 half below 1.7e-15 rad, 95 per cent below 4.5e-15, the worst 1.6e-14; at time 50 half below 7.1e-15, the worst 7e-14: in proportion to time, for the frequencies are rounded.
-//! 0.06 ms to prepare in the median, 0.11 ms at most in 95 per cent, after 0.15 ms for the top itself; then
-//! 2 µs a state, 3 µs, 5 µs.
+//! Attitude ([`KovalevskayaTop::at`]), over the same starts: at time 10 half below 1.7e-15 rad, 95 per cent below 4.5e-15, the worst 1.6e-14; at time 50 half below 7.1e-15, the worst 7e-14: in proportion to time, for the frequencies are rounded.
+//! 0.05 ms to prepare in the median, after 0.09 ms for the top itself; then 1.6 µs a state.
 //!
 //! z exactly along axis 3 at the start (`upright`), against a table of 30 digits for 39 starts up to time 60: half below 6e-15, the worst 2.3e-13 for Ω and z and 1.2e-13 rad, both with |Ω| near 4.
 //!
@@ -52,7 +51,7 @@ mod top;
 mod upright;
 mod walk;
 
-pub use attitude::{AttitudeMethod, AttitudeSeries};
+pub use attitude::AttitudeMethod;
 pub use classes::{Diagram, Kind};
 pub use exact::Reason;
 pub use top::{Integrals, KovalevskayaTop, Method, State, ellipsoid};

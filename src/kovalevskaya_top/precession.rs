@@ -148,16 +148,6 @@ impl Precession {
         (mean, off / weights)
     }
 
-    /// G₊G₋.
-    fn product(&self, v: [f64; 2]) -> Number {
-        let z = v.map(unit);
-        self.products
-            .iter()
-            .flatten()
-            .map(|factor| factor.value(z))
-            .product()
-    }
-
     /// The state and how it stands, from the exact Ω and z: z upright, and the third axis at its azimuth.
     pub fn carried(&self, constants: &Constants, exact: &Exact, t: f64) -> Carried {
         let state = exact.state(constants, t);
@@ -177,33 +167,6 @@ impl Precession {
         };
         let Quaternion { coords } = about_third(angle) * upright;
         (state, [coords.w, coords.x, coords.y, coords.z])
-    }
-
-    /// The mean rate of the third axis: α less what arg G₊G₋ gains.
-    pub fn mean(&self) -> f64 {
-        let turns = [0, 1].map(|axis| self.winding(axis));
-        0.5 * (self.rates[0] + self.rates[1])
-            - TAU * (turns[0] * self.advance[0] + turns[1] * self.advance[1])
-    }
-
-    /// How often G₊G₋ goes round 0 as one of v₁, v₂ gains 1: in steps fine enough that none is more than a radian.
-    fn winding(&self, axis: usize) -> f64 {
-        let mut count = 64;
-        loop {
-            let at = |k: usize| {
-                let mut v = [0.0; 2];
-                v[axis] = k as f64 / count as f64;
-                self.product(v)
-            };
-            let steps: Vec<f64> = (0..count)
-                .map(|k| (at(k + 1) * at(k).conj()).arg())
-                .collect();
-            let longest = steps.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-            if longest < 1.0 || count >= 1 << 14 {
-                return (steps.iter().sum::<f64>() / TAU).round();
-            }
-            count *= 2;
-        }
     }
 }
 

@@ -176,39 +176,21 @@ pub(super) fn project(constants: &Constants, state: &Phase) -> Phase {
         z1 * z1 + z2 * z2 + z3 * z3 - 1.0,
         re * re + im * im - k * k,
     );
-    let gradients = SMatrix::<f64, 4, 6>::from_row_slice(&[
-        4.0 * p,
-        4.0 * q,
-        2.0 * r,
-        2.0 * c,
-        0.0,
-        0.0,
-        2.0 * z1,
-        2.0 * z2,
-        z3,
-        2.0 * p,
-        2.0 * q,
-        r,
-        0.0,
-        0.0,
-        0.0,
-        2.0 * z1,
-        2.0 * z2,
-        2.0 * z3,
-        4.0 * (re * p + im * q),
-        4.0 * (im * p - re * q),
-        0.0,
-        -2.0 * c * re,
-        -2.0 * c * im,
-        0.0,
+    let [by_p, by_q] = [re * p + im * q, im * p - re * q].map(|x| 4.0 * x);
+    let [by_z1, by_z2] = [re, im].map(|x| -2.0 * c * x);
+    let gradients = SMatrix::<f64, 6, 4>::from([
+        [4.0 * p, 4.0 * q, 2.0 * r, 2.0 * c, 0.0, 0.0],
+        [2.0 * z1, 2.0 * z2, z3, 2.0 * p, 2.0 * q, r],
+        [0.0, 0.0, 0.0, 2.0 * z1, 2.0 * z2, 2.0 * z3],
+        [by_p, by_q, 0.0, by_z1, by_z2, 0.0],
     ]);
     // A slope below GENTLE is followed the less the gentler it is: there the condition says little about the state.
     let square: Matrix4<f64> =
-        gradients * gradients.transpose() + Matrix4::identity() * (GENTLE * GENTLE);
+        gradients.transpose() * gradients + Matrix4::identity() * (GENTLE * GENTLE);
     let Some(factors) = square.cholesky() else {
         return *state;
     };
-    let change = gradients.transpose() * factors.solve(&missing);
+    let change = gradients * factors.solve(&missing);
     core::array::from_fn(|i| state[i] - change[i])
 }
 // ANCHOR_END: projection

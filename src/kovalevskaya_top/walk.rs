@@ -37,28 +37,27 @@ impl<'a> Walk<'a> {
     }
 
     pub fn to(&mut self, t: f64) -> Result<State> {
-        if let Motion::Free(free) = &self.top.motion {
-            return self.top.free(free, t);
-        }
+        let top = self.top;
         if t == 0.0 {
-            return Ok(self.top.placed(&self.top.start));
+            return Ok(top.placed(&top.start));
         }
-        if let Motion::Upright(upright) = &self.top.motion {
-            let time = self.top.inward_time(t, LONGEST)?;
-            return Ok(self.top.placed(&upright.carried(&self.top.constants, time)));
-        }
-        if let Motion::Pendulum(pendulum) = &self.top.motion {
-            let time = self.top.inward_time(t, LONGEST)?;
-            return Ok(self.top.placed(&pendulum.carried(time)?));
-        }
-        if let Some(series) = self.top.attitude_series() {
-            return series.at(t);
-        }
-        let target = self.top.inward_time(t, LONGEST_WALK)?;
-        while self.time != target {
-            self.stretch(target)?;
-        }
-        Ok(self.top.placed(&self.here))
+        let far = || top.inward_time(t, LONGEST);
+        let carried = match &top.motion {
+            Motion::Free(free) => return top.free(free, t),
+            Motion::Upright(upright) => upright.carried(&top.constants, far()?),
+            Motion::Pendulum(pendulum) => pendulum.carried(far()?)?,
+            Motion::Separated(exact) if let Some(found) = top.precession(exact) => {
+                found.carried(&top.constants, exact, far()?)
+            }
+            Motion::Separated(_) | Motion::Stepped(_) => {
+                let target = top.inward_time(t, LONGEST_WALK)?;
+                while self.time != target {
+                    self.stretch(target)?;
+                }
+                self.here
+            }
+        };
+        Ok(top.placed(&carried))
     }
 
     fn stretch(&mut self, target: f64) -> Result<()> {

@@ -24,8 +24,8 @@ pub(crate) enum Side {
 ///
 /// Cost on one core of a server, beside GSL's `gsl_sf_elljac_e` in the same run (`cargo bench -p lab --bench
 /// elliptic`): `new` 80–280 ns; then 27–37 ns for sn, cn, dn of one argument (0.27–0.33 of GSL's time), 37–66 ns with the
-/// amplitude, 8–18 ns in a batch (0.10–0.14). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 115–214 ns (1.5–1.9). For tiny
-/// m GSL has little to do, 41 ns; there the four are 0.54, 0.78, 0.18 and 2.3 of it.
+/// amplitude, 8–18 ns in a batch (0.10–0.14). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 111–212 ns (1.5–1.9). For tiny
+/// m GSL has little to do, 41 ns; there the four are 0.54, 0.79, 0.18 and 1.8 of it.
 ///
 /// Source: Digital Library of Mathematical Functions, 20.2, 22.2 and 19.8; the range reduction is our own.
 ///
@@ -79,16 +79,18 @@ impl Modulus {
         let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
         let complementary_modulus = mc.value().sqrt();
         if m.value() <= mc.value() {
-            let (mean, quarter) = if m.high() < SMALL {
-                (Mean::next_to_one(m), quarter_next_to_zero(m))
+            let (quarter, rate, q) = if m.high() < SMALL {
+                // q = m/16 (1 + m/2 + …).
+                let q = m.high() * (1.0 / 16.0 + m.high() / 32.0);
+                (quarter_next_to_zero(m), Mean::next_to_one(m).value, q)
             } else {
                 let mean = Mean::new(mc, m);
                 let quarter = DoubleDouble::quick_quotient(RIGHT_ANGLE, mean.value);
-                (mean, quarter)
+                let nome = Nome::new(m.value(), mean.product.value());
+                (quarter, mean.value, nome.value())
             };
-            let q = Nome::new(m.value(), mean.product.value()).value();
             let series = Series::circular(q, complementary_modulus);
-            Self::assemble(parameter, Side::Circular, quarter, mean.value, series)
+            Self::assemble(parameter, Side::Circular, quarter, rate, series)
         } else {
             let mean = Mean::new(m, mc);
             let nome = Nome::new(mc.value(), mean.product.value());

@@ -346,12 +346,7 @@ impl Turning {
 /// A small first term and weighted ones that grow, added from the smallest to the greatest.
 fn sum_upward(least: f64, terms: [Dd; 3], weights: [f64; 3]) -> Dd {
     (0..3).rev().fold(Dd::from(least), |sum, k| {
-        let term = if weights[k] == 1.0 {
-            terms[k]
-        } else {
-            terms[k] * Dd::from(weights[k])
-        };
-        sum.add_alike(term)
+        sum.add_alike(terms[k].times(weights[k]))
     })
 }
 

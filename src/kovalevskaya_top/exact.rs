@@ -81,23 +81,22 @@ impl Exact {
             Reconstruction::prepare(constants, &separation.roots, separation.differences());
         let places = separation.places(&variables, constants.l1);
         let phases = separation.phases(places.each_ref());
-        let mut best = (
-            f64::INFINITY,
-            [0.0; 2],
-            system.quotients(factors, wronskians, 0, torus.split()),
-        );
+        let every: [Quotients; 8] = core::array::from_fn(|choice| {
+            system.quotients(factors, wronskians, choice, torus.split())
+        });
+        let mut best = (f64::INFINITY, [0.0; 2], &every[0]);
         for signs in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
             let origin = sum(phases, signs);
             let functions = torus.parts(origin);
-            for choice in 0..8 {
-                let quotients = system.quotients(factors, wronskians, choice, torus.split());
-                let miss = distance(&of(&quotients, constants, &functions), &whole.0);
+            for quotients in &every {
+                let miss = distance(&of(quotients, constants, &functions), &whole.0);
                 if miss < best.0 {
                     best = (miss, origin, quotients);
                 }
             }
         }
         let (_, origin, quotients) = best;
+        let quotients = quotients.clone();
         Some(Self {
             separation,
             curve,

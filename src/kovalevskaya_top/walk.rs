@@ -60,33 +60,13 @@ impl<'a> Walk<'a> {
         Ok(top.placed(&carried))
     }
 
+    /// Towards a target as far as the series reach. Ω and z are carried in 106 bits, and beside them what a walk in doubles would be off by: what came of its rounding before, by the
+    /// linear equations of a motion nearby, and the rounding of this stretch.
     fn stretch(&mut self, target: f64) -> Result<()> {
-        let constants = &self.top.constants;
-        let series = Series::<f64, 10>::of(constants.c.value(), &self.here);
-        let wide = Series::<DoubleDouble, 6>::of(constants.c, &self.wide);
-        let before = self.time;
-        self.carry(&series, wide.reach.min(series.reach), target);
-        self.follow(&series, &wide, DoubleDouble::difference(self.time, before));
-        if !self.off.iter().all(|x| x.abs() < LOST) {
-            return Err(Error::Integration {
-                reason: "rounding has been amplified 10^17 times by then, more than 106 bits allow",
-                time: self.time / self.top.unit,
-            });
-        }
-        let state = self.wide.map(DoubleDouble::value);
-        let (_, [w, i, j, k]) = self.here;
-        let carried = Quaternion::new(w, i, j, k);
-        let carried = carried / carried.norm();
-        let [.., z1, z2, z3] = state;
-        // Where the body's z stands in space now it must stand upright.
-        let vertical = carried * Quaternion::new(0.0, z1, z2, z3) * carried.conjugate();
-        let upright = shortest([vertical.i, vertical.j, vertical.k]) * carried;
-        self.here = (state, [upright.w, upright.i, upright.j, upright.k]);
-        Ok(())
-    }
-
-    /// Time and attitude carried towards a target, as far as the series reach.
-    fn carry(&mut self, series: &Series<f64, 10>, reach: f64, target: f64) {
+        let c = self.top.constants.c;
+        let series = Series::<f64, 10>::of(c.value(), &self.here);
+        let wide = Series::<DoubleDouble, 6>::of(c, &self.wide);
+        let reach = wide.reach.min(series.reach);
         let rest = target - self.time;
         let step = rest.clamp(-reach, reach);
         let next = self.time + step;
@@ -96,23 +76,27 @@ impl<'a> Walk<'a> {
         } else {
             next
         };
-        self.here = series.carried(next - self.time);
-        self.time = next;
-    }
-
-    /// Ω and z carried in 106 bits, and beside them what a walk in doubles would be off by: what came of its rounding before, by the linear
-    /// equations of a motion nearby, and the rounding of this stretch.
-    fn follow(
-        &mut self,
-        series: &Series<f64, 10>,
-        wide: &Series<DoubleDouble, 6>,
-        h: DoubleDouble,
-    ) {
-        let grown = series.nearby(self.top.constants.c.value(), &self.off, h.value());
-        let rounded = series.after(h.value());
-        self.wide = wide.after(h);
-        self.off = core::array::from_fn(|i| {
-            grown[i] + (DoubleDouble::from(rounded[i]) - self.wide[i]).value()
+        let h = DoubleDouble::difference(next, self.time);
+        let (rounded, [w, i, j, k]) = series.carried(h.value());
+        let grown = series.nearby(c.value(), &self.off, h.value());
+        (self.time, self.wide) = (next, wide.after(h));
+        self.off = core::array::from_fn(|n| {
+            grown[n] + (DoubleDouble::from(rounded[n]) - self.wide[n]).value()
         });
+        if !self.off.iter().all(|x| x.abs() < LOST) {
+            return Err(Error::Integration {
+                reason: "rounding has been amplified 10^17 times by then, more than 106 bits allow",
+                time: self.time / self.top.unit,
+            });
+        }
+        let state = self.wide.map(DoubleDouble::value);
+        let carried = Quaternion::new(w, i, j, k);
+        let carried = carried / carried.norm();
+        let [.., z1, z2, z3] = state;
+        // Where the body's z stands in space now it must stand upright.
+        let vertical = carried * Quaternion::new(0.0, z1, z2, z3) * carried.conjugate();
+        let upright = shortest([vertical.i, vertical.j, vertical.k]) * carried;
+        self.here = (state, [upright.w, upright.i, upright.j, upright.k]);
+        Ok(())
     }
 }

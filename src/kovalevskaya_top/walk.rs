@@ -38,12 +38,10 @@ impl<'a> Walk<'a> {
 
     pub fn to(&mut self, t: f64) -> Result<State> {
         let top = self.top;
-        if t == 0.0 {
-            return Ok(top.placed(&top.start));
-        }
         let far = || top.inward_time(t, LONGEST);
         let carried = match &top.motion {
             Motion::Free(free) => return top.free(free, t),
+            _ if t == 0.0 => top.start,
             Motion::Upright(upright) => upright.carried(&top.constants, far()?),
             Motion::Pendulum(pendulum) => pendulum.carried(far()?)?,
             Motion::Separated(exact) if let Some(found) = top.precession(exact) => {

@@ -107,6 +107,13 @@ fn weaker_and_weaker_gravity() {
     let free = free.expect("a top");
     assert_eq!(free.attitude_method(), AttitudeMethod::FreeTop);
     assert!(free.at(1e12).is_ok());
+    // A lever along axis 2 that comes to nothing over I₃: no axes are turned for it, at time 0 neither.
+    let (omega, lever) = (vector([1.0, 0.5, 0.3]), vector([0.0, 5e-324, 0.0]));
+    let moments = MOMENTS.map(|i| 1e10 * i);
+    let gone = KovalevskayaTop::with_up(moments, lever, omega, vector([0.6, 0.0, 0.8]));
+    let gone = gone.expect("a top");
+    assert_eq!(gone.attitude_method(), AttitudeMethod::FreeTop);
+    assert_eq!(gone.at(0.0).expect("the start").omega, omega);
 }
 
 #[test]

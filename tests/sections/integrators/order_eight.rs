@@ -14,13 +14,20 @@ fn comet(_: f64, y: &[f64; 4]) -> [f64; 4] {
 
 const PERIHELION: [f64; 4] = [0.5, 0.0, 0.0, 1.732_050_807_568_877_2];
 
-/// Where the comet is: Kepler's equation, by Newton's method.
-fn kepler(t: f64) -> [f64; 2] {
+/// Where the comet is and how it moves: Kepler's equation, by Newton's method.
+fn comet_at(t: f64) -> [f64; 4] {
     let mut anomaly = t;
     for _ in 0..50 {
         anomaly -= (anomaly - 0.5 * anomaly.sin() - t) / (1.0 - 0.5 * anomaly.cos());
     }
-    [anomaly.cos() - 0.5, 0.75_f64.sqrt() * anomaly.sin()]
+    let ([sine, cosine], minor) = ([anomaly.sin(), anomaly.cos()], 0.75_f64.sqrt());
+    let rate = 1.0 / (1.0 - 0.5 * cosine);
+    [
+        cosine - 0.5,
+        minor * sine,
+        -rate * sine,
+        rate * minor * cosine,
+    ]
 }
 
 /// A pendulum: its quarter period from 90 degrees is K(1/2).
@@ -31,47 +38,57 @@ fn pendulum(_: f64, y: &[f64; 2]) -> [f64; 2] {
 const QUARTER: f64 = 1.854_074_677_301_371_9;
 const START: [f64; 2] = [FRAC_PI_2, 0.0];
 
-/// Greatest error and evaluations of both methods at the samples.
-fn beside(times: &[f64], tolerance: f64) -> [(f64, u64); 2] {
-    let effort = Effort::Tolerance(tolerance);
-    let scales = [1.0; 4];
-    let own = order_eight(&comet, Kept::Nothing, &PERIHELION, &scales, times, effort).unwrap();
-    let crate_run = solve(
-        &comet,
-        0.0,
-        &PERIHELION,
-        &scales,
-        times,
-        Method::Dop853,
-        effort,
-    )
-    .unwrap();
-    [own, crate_run].map(|run| {
+/// Greatest error and evaluations of both methods at the samples, from this time after perihelion on.
+fn beside(begun: f64, times: &[f64], tolerance: f64) -> [(f64, u64); 2] {
+    let (effort, scales) = (Effort::Tolerance(tolerance), [1.0; 4]);
+    let start = comet_at(begun);
+    let own = order_eight(&comet, Kept::Nothing, &start, &scales, times, effort).unwrap();
+    let crates = solve(&comet, 0.0, &start, &scales, times, Method::Dop853, effort).unwrap();
+    [own, crates].map(|run| {
         let off = times.iter().zip(&run.states).map(|(&t, y)| {
-            let [x, z] = kepler(t);
+            let [x, z, ..] = comet_at(begun + t);
             (y[0] - x).hypot(y[1] - z)
         });
         (off.fold(0.0, f64::max), run.cost.evaluations)
     })
 }
 
+/// From a single start either method may be lucky, most of all where few digits are asked for: what counts is the median of a hundred.
 #[test]
 fn error_and_evaluations_are_no_more_than_those_of_dop853() {
-    for samples in [1, 10, 100, 3000] {
+    for (samples, starts) in [(1, 100), (10, 100), (3000, 1)] {
         let end = 5.0 * TAU;
         let times: Vec<f64> = (1..=samples)
             .map(|n| end * f64::from(n) / f64::from(samples))
             .collect();
         for digits in [4, 6, 8, 10, 12, 13] {
-            let [own, crates] = beside(&times, 10.0_f64.powi(-digits));
-            let told = format!("{samples} samples, 1e-{digits}: {own:?} {crates:?}");
-            // Observed 0.88 … 1.06; where three digits are right, 2.2: the first steps differ.
-            let most = if digits == 4 { 2.5 } else { 1.1 };
-            assert!(own.0 <= most * crates.0, "{told}");
-            // Observed 0.02 … 0.91.
-            assert!(own.1 < crates.1, "{told}");
+            let ratios = (0..starts).map(|n| {
+                let begun = TAU * f64::from(n) / f64::from(starts);
+                let [own, crates] = beside(begun, &times, 10.0_f64.powi(-digits));
+                [own.0 / crates.0, own.1 as f64 / crates.1 as f64]
+            });
+            let [error, evaluations] = medians(ratios.collect());
+            // Observed: 0.98 … 1.003, of the single start up to 1.06. Where four digits are asked for 2.1 to 2.3: a step that is off by 10⁵ is tried
+            // again at a third of its length at least, as in DOP853, by the crate at a fifth; and a third is just short enough to pass.
+            let most = match (digits, starts) {
+                (4, _) => 2.5,
+                (_, 1) => 1.1,
+                _ => 1.01,
+            };
+            let told = format!("{samples} samples, 1e-{digits}: {error} {evaluations}");
+            // Observed 0.02 … 0.87.
+            assert!(error <= most && evaluations < 0.95, "{told}");
         }
     }
+}
+
+/// Of each of the two, the one half way among all.
+fn medians(all: Vec<[f64; 2]>) -> [f64; 2] {
+    [0, 1].map(|k| {
+        let mut sorted: Vec<f64> = all.iter().map(|pair| pair[k]).collect();
+        sorted.sort_by(f64::total_cmp);
+        sorted[sorted.len() / 2]
+    })
 }
 
 fn located<const N: usize>(

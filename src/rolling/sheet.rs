@@ -120,6 +120,16 @@ impl Sheet {
         })
     }
 
+    /// Another: its speeds a little greater and less in turn, its edge a little nearer.
+    pub(crate) fn moved(&self, by: f64) -> Self {
+        let mut moved = self.clone();
+        for (place, point) in moved.speeds.points.iter_mut().enumerate() {
+            point.1 *= if place % 2 == 0 { 1.0 + by } else { 1.0 - by };
+        }
+        moved.margin *= 1.0 - 0.8 * by;
+        moved
+    }
+
     /// How fast it goes.
     pub(crate) fn speeds(&self) -> &SheetSpeeds {
         &self.speeds

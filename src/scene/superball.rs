@@ -255,20 +255,13 @@ const ROUNDING: f64 = 1e-15;
 impl Superball {
     /// Balls bounce by bounce, what they have cost, and by how much they may be off, in the greatest lengths and speeds of the motion.
     ///
-    /// A twin that differs by [`MOVED`] tells what becomes of rounding, after as many bounces: at a bounce speeds jump, a moment earlier or later.
+    /// Twins that differ by [`MOVED`] tell what becomes of rounding, after as many bounces: at a bounce speeds jump, a moment earlier or later. In one
+    /// of the two what the changes do may cancel.
     fn followed(&self, flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, Cost, f64)> {
         let (order, times) = request.forward()?;
         let ordered = flight.followed(&times)?;
-        let mut twin = *self;
-        let start = &mut twin.start;
-        start.climb *= 1.0 + MOVED;
-        start.height *= 1.0 - 0.7 * MOVED;
-        start.motion.velocity *= 1.0 + 0.8 * MOVED;
-        start.motion.rim_speed *= 1.0 - 0.9 * MOVED;
-        twin.gravity = self.gravity.map(|g| g * (1.0 - 0.6 * MOVED));
         let counted = times.iter().zip(&ordered);
         let counted: Vec<_> = counted.map(|(&t, ball)| (t, Some(ball.bounces))).collect();
-        let twins = twin.flight()?.sampled(&counted)?;
         let all = ordered.iter().chain([&self.start]).map(numbers);
         let greatest = all.fold([f64::MIN_POSITIVE; 5], |most, ball| {
             core::array::from_fn(|n| greater(most[n], ball[n].abs()))
@@ -276,9 +269,21 @@ impl Superball {
         let [x, height, speeds @ ..] = greatest;
         let speed = speeds.into_iter().fold(0.0, f64::max);
         let sizes = [x.max(height), x.max(height), speed, speed, speed];
-        let pairs = ordered.iter().zip(&twins);
-        let off = pairs.map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes));
-        let growth = off.fold(0.0, greater) / MOVED;
+        let mut off = 0.0;
+        for sense in [1.0, -1.0] {
+            let mut twin = *self;
+            let start = &mut twin.start;
+            start.climb *= 1.0 + MOVED;
+            start.height *= 1.0 - 0.7 * MOVED;
+            start.motion.velocity *= 1.0 + 0.8 * sense * MOVED;
+            start.motion.rim_speed *= 1.0 - 0.9 * MOVED;
+            twin.gravity = self.gravity.map(|g| g * (1.0 - 0.6 * MOVED));
+            let twins = twin.flight()?.sampled(&counted)?;
+            let pairs = ordered.iter().zip(&twins);
+            off = pairs
+                .map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes))
+                .fold(off, greater);
+        }
         // Of a ball on the floor all bounces are in a sum.
         let bounced = |lies: bool| {
             let balls = ordered.iter().filter(|ball| lies || ball.height > 0.0);
@@ -289,7 +294,7 @@ impl Superball {
             evaluations: 0,
             steps: bounced(true),
         };
-        let error = ROUNDING * (1.0 + bounced(false) as f64 + growth);
+        let error = ROUNDING * (1.0 + bounced(false) as f64 + off / MOVED);
         let mut balls = vec![self.start; ordered.len()];
         for (place, ball) in order.into_iter().zip(ordered) {
             balls[place] = ball;

@@ -5,7 +5,7 @@
 
 use crate::error::{Error, Result, finite, not_negative, within};
 
-pub use super::shape::path::{Draw, FourPhases, Pace, RoundTrip, Turnover};
+pub use super::shape::path::{Draw, FourPhases, Pace, Turnover};
 pub use crate::falling_strip::{AddedMass, Drag, Lift, RotationalDamping};
 pub use crate::impacts::Impact;
 pub use crate::rolling::Sheet;
@@ -86,8 +86,6 @@ effects! {
     Turnover, "turnover";
     /// A swivel's cycle.
     FourPhases, "four_phases";
-    /// Another, without corners.
-    RoundTrip, "round_trip";
     /// Hands that are drawn in.
     Draw, "draw";
     /// Loss of spin at every turn of a yo-yo.

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::error::{Error, Result, not_negative, positive, within};
 use crate::phenomena::{Bend, Waist};
 
 /// How a stroke of a muscle is spread over its time: from 0 to 1, at rest at both ends.
@@ -78,7 +78,9 @@ pub struct FourPhases {
 }
 
 impl FourPhases {
-    fn at(&self, since: f64) -> Twist {
+    /// The shape at a time. The remainder by the duration is exact, however far that is.
+    pub(super) fn at(&self, t: f64) -> Twist {
+        let since = t.rem_euclid(self.duration);
         let phase = 4.0 * (since / self.duration);
         let [part, rate, _] = self.pace.at(phase.fract());
         let rate = rate * self.twist * 4.0 / self.duration;
@@ -93,100 +95,32 @@ impl FourPhases {
     }
 }
 
-/// A swivel goes once round an ellipse of its shape plane, over and over again: A = mean + swing cos s, ψ = twist sin s.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RoundTrip {
-    /// Mean upper moment, kg m².
-    pub mean: f64,
-    /// By how much it goes up and down, kg m².
-    pub swing: f64,
-    /// Largest twist, radians.
-    pub twist: f64,
-    /// Duration, s.
-    pub duration: f64,
-    /// How s = 0…2π is spread over it.
-    pub pace: Pace,
-}
-
-impl RoundTrip {
-    fn at(&self, since: f64) -> Twist {
-        let [part, rate, _] = self.pace.at(since / self.duration);
-        let (sin, cos) = (TAU * part).sin_cos();
-        Twist {
-            upper: self.mean + self.swing * cos,
-            angle: self.twist * sin,
-            rate: self.twist * cos * TAU * rate / self.duration,
-        }
-    }
-}
-
 /// Rounds that a run with steps may pass through.
 const MOST_ROUNDS: f64 = 1e5;
 
-/// A path of shapes of a swivel, over and over again.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Round {
-    FourPhases(FourPhases),
-    RoundTrip(RoundTrip),
-}
-
-impl Round {
-    pub fn checked(self) -> Result<Self> {
-        positive("the duration of a cycle", self.duration())?;
-        match &self {
-            Self::FourPhases(path) => {
-                let waist = Waist {
-                    upper_arms_out: path.arms_out,
-                    upper_arms_in: path.arms_in,
-                    lower: 0.0,
-                };
-                waist.swivel_angle(path.twist)?;
-            }
-            Self::RoundTrip(path) => {
-                finite("the twist", path.twist)?;
-                finite("the swing of the upper moment", path.swing)?;
-                positive("the least upper moment", path.mean - path.swing.abs())?;
-            }
-        }
+impl FourPhases {
+    pub(super) fn checked(self) -> Result<Self> {
+        positive("the duration of a cycle", self.duration)?;
+        let waist = Waist {
+            upper_arms_out: self.arms_out,
+            upper_arms_in: self.arms_in,
+            lower: 0.0,
+        };
+        waist.swivel_angle(self.twist)?;
         Ok(self)
     }
 
-    /// Of one round, s.
-    pub const fn duration(&self) -> f64 {
-        match self {
-            Self::FourPhases(path) => path.duration,
-            Self::RoundTrip(path) => path.duration,
-        }
-    }
-
-    /// Parts of a round, of equal duration, between which it is not smooth.
-    pub const fn parts(&self) -> u8 {
-        match self {
-            Self::FourPhases(_) => 4,
-            Self::RoundTrip(_) => 1,
-        }
-    }
-
-    /// Duration of a part, s.
-    pub fn part(&self) -> f64 {
-        self.duration() / f64::from(self.parts())
-    }
-
-    /// The shape at a time. The remainder by the duration is exact, however far that is.
-    pub fn at(&self, t: f64) -> Twist {
-        let since = t.rem_euclid(self.duration());
-        match self {
-            Self::FourPhases(path) => path.at(since),
-            Self::RoundTrip(path) => path.at(since),
-        }
+    /// Duration of a phase, s.
+    pub(super) fn part(&self) -> f64 {
+        self.duration / 4.0
     }
 
     /// Nothing, if a run with steps can pass through all the rounds up to these times.
     ///
     /// # Errors
     /// [`Error::Condition`] if they are too many.
-    pub fn passed_through(&self, times: &[f64]) -> Result<()> {
-        let rounds = times.iter().copied().fold(0.0, f64::max) / self.duration();
+    pub(super) fn passed_through(&self, times: &[f64]) -> Result<()> {
+        let rounds = times.iter().copied().fold(0.0, f64::max) / self.duration;
         if rounds <= MOST_ROUNDS {
             return Ok(());
         }
@@ -197,7 +131,7 @@ impl Round {
     }
 
     /// The next corner after a time, s.
-    pub fn corner_after(&self, t: f64) -> f64 {
+    pub(super) fn corner_after(&self, t: f64) -> f64 {
         let corner = |number: f64| number * self.part();
         let number = (t / self.part()).floor() + 1.0;
         if corner(number) > t {
@@ -208,19 +142,9 @@ impl Round {
     }
 
     /// The least upper moment, kg m², and the fastest twist, rad/s.
-    pub fn extremes(&self) -> (f64, f64) {
-        let greatest =
-            |way: f64, pace: Pace, duration: f64| (way * pace.greatest_rate() / duration).abs();
-        match self {
-            Self::FourPhases(path) => (
-                path.arms_out.min(path.arms_in),
-                greatest(4.0 * path.twist, path.pace, path.duration),
-            ),
-            Self::RoundTrip(path) => (
-                path.mean - path.swing.abs(),
-                greatest(TAU * path.twist, path.pace, path.duration),
-            ),
-        }
+    pub(super) fn extremes(&self) -> (f64, f64) {
+        let twist = 4.0 * self.twist * self.pace.greatest_rate() / self.duration;
+        (self.arms_out.min(self.arms_in), twist.abs())
     }
 }
 

@@ -1,6 +1,6 @@
 //! The swivel on ice (tutorial 1.1, picture b).
 
-use super::path::{Round, Twist};
+use super::path::{FourPhases, Twist};
 use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::phenomena;
@@ -17,7 +17,7 @@ pub struct Swivel {
     lower: f64,
     upper: f64,
     angular_momentum: f64,
-    path: Option<Round>,
+    path: Option<FourPhases>,
     bearing_friction: Option<f64>,
 }
 
@@ -59,8 +59,7 @@ impl Swivel {
         })
     }
 
-    /// The same with an effect: a path of shapes, [`FourPhases`](crate::scene::effects::FourPhases) or
-    /// [`RoundTrip`](crate::scene::effects::RoundTrip); [`BearingFriction`](crate::scene::effects::BearingFriction).
+    /// The same with an effect: a path of shapes, [`FourPhases`], or [`BearingFriction`](crate::scene::effects::BearingFriction).
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other; what is wrong with a path.
@@ -76,13 +75,9 @@ impl Swivel {
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
-            Effect::FourPhases(path) => self.path = Some(Round::FourPhases(path).checked()?),
-            Effect::RoundTrip(path) => self.path = Some(Round::RoundTrip(path).checked()?),
+            Effect::FourPhases(path) => self.path = Some(path.checked()?),
             Effect::BearingFriction(friction) => self.bearing_friction = Some(friction.value()),
-            other => {
-                let takes = "four_phases, round_trip, bearing_friction";
-                return Err(other.refused("a swivel", takes));
-            }
+            other => return Err(other.refused("a swivel", "four_phases, bearing_friction")),
         }
         Ok(self)
     }
@@ -140,9 +135,9 @@ impl Swivel {
     }
 
     /// The angle at a time: whole rounds, whole parts of the last one, and one integral.
-    fn turned(&self, path: &Round, parts: &[f64], t: f64) -> Result<f64> {
-        let (since, part) = (t.rem_euclid(path.duration()), path.part());
-        let rounds = ((t - since) / path.duration()).round();
+    fn turned(&self, path: &FourPhases, parts: &[f64], t: f64) -> Result<f64> {
+        let (since, part) = (t.rem_euclid(path.duration), path.part());
+        let rounds = ((t - since) / path.duration).round();
         let passed = ((since / part) as usize).min(parts.len() - 2);
         let rate = |t: f64| self.lower_rate(self.angular_momentum, &path.at(t));
         let rest = integral(rate, passed as f64 * part, since, 0.0)?;
@@ -150,10 +145,10 @@ impl Swivel {
     }
 
     /// What the lower part turns in the parts of a round, one after the other.
-    fn parts(&self, path: &Round) -> Result<Vec<f64>> {
+    fn parts(&self, path: &FourPhases) -> Result<Vec<f64>> {
         let rate = |t: f64| self.lower_rate(self.angular_momentum, &path.at(t));
         let mut parts = vec![0.0];
-        for n in 0..path.parts() {
+        for n in 0..4_u8 {
             let [from, to] = [n, n + 1].map(|n| f64::from(n) * path.part());
             parts.push(parts[usize::from(n)] + integral(rate, from, to, 0.0)?);
         }

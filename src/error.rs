@@ -149,15 +149,20 @@ pub enum Error {
         /// Estimate of the accuracy reached.
         reached: f64,
     },
-    /// A run has spent the evaluations that it was given.
+    /// A run has spent the evaluations that it was given, or would need many times as many.
     #[error(
-        "after {most} evaluations of its equations the motion has come to t = {time:?} s; a looser accuracy, an earlier end, fewer effects or another solver would need fewer"
+        "after {spent} of {most} evaluations of its equations the motion has come to t = {time:?} s, at which pace a run takes {} of them; a looser accuracy, an earlier end, fewer effects or another solver would need fewer",
+        Number(whole.round())
     )]
     Budget {
+        /// How many it has spent.
+        spent: u64,
         /// How many it was given.
         most: u64,
         /// How far it came, s.
         time: f64,
+        /// How many a run to the end takes at the pace so far.
+        whole: f64,
     },
     /// One of many is refused.
     #[error("number {place} of the list, counted from 0: {reason}")]
@@ -185,7 +190,8 @@ pub enum Error {
         asked: f64,
         /// Error estimate of the best run.
         reached: f64,
-        /// By what factor a small change of the start has grown, as measured.
+        /// By what factor a small change of the start has grown, as measured; or, where that would take too long, the radians that a change of its rates
+        /// grows by at least.
         growth: f64,
     },
     /// An effect that has no meaning for a kind of scene.

@@ -67,12 +67,19 @@ impl PartialEq for Progress {
     }
 }
 
-/// The evaluations of one run, counted.
+/// The evaluations of an answer, counted over all of its runs.
 pub(crate) struct Budget {
     spent: Cell<u64>,
     most: u64,
+    /// Of the run that goes on: what had been spent when it began, and when it ends, s.
+    run: Cell<(u64, f64)>,
+    /// At the last look what the run had spent, and the time, s, that it had come to.
+    seen: Cell<(u64, f64)>,
     progress: Option<Progress>,
 }
+
+/// No look before twice as many evaluations: they are a moment's work.
+const A_MOMENT: u64 = 500_000;
 
 impl Budget {
     /// Nothing done yet of a run up to this time, which may do so much.
@@ -84,17 +91,16 @@ impl Budget {
         Self {
             spent: Cell::new(0),
             most,
+            run: Cell::new((0, until)),
+            seen: Cell::new((A_MOMENT, 0.0)),
             progress: progress.cloned(),
         }
     }
 
-    /// Nobody asks what it costs.
-    pub fn unlimited() -> Self {
-        Self {
-            spent: Cell::new(0),
-            most: u64::MAX,
-            progress: None,
-        }
+    /// A run up to this time begins.
+    pub fn begin(&self, until: f64) {
+        self.run.set((self.spent.get(), until));
+        self.seen.set((A_MOMENT, 0.0));
     }
 
     /// So many evaluations more have brought the motion to this time.
@@ -114,6 +120,10 @@ impl Budget {
 
     /// The motion has come to this time.
     ///
+    /// Whenever the run has doubled its evaluations, it is asked what the whole will take at this pace. It ends if that is as far beyond the budget
+    /// as the budget is beyond what was spent: a hundredfold after a hundredth of it. The pace must be so steady that neither friction nor bounces that
+    /// pile up, both of which show long before, could bring the run to its end within the budget.
+    ///
     /// # Errors
     /// As for [`spend`](Self::spend).
     #[inline]
@@ -123,10 +133,28 @@ impl Budget {
             numbers.evaluations.store(evaluations, Ordering::Relaxed);
             numbers.time.store(time.to_bits(), Ordering::Relaxed);
         }
-        if evaluations <= self.most {
+        let (begun, until) = self.run.get();
+        let (spent, (before, then)) = (evaluations - begun, self.seen.get());
+        if evaluations <= self.most && spent < 2 * before {
             return Ok(());
         }
-        let most = self.most;
-        Err(Error::Budget { most, time })
+        self.seen.set((spent, time));
+        let [now, most, earlier] = [spent, self.most, before].map(|count| count as f64);
+        let whole = now * (until / time);
+        let uneven = (time * earlier - then * now).abs() * most;
+        let steady = uneven <= STEADY * earlier * (time * earlier).abs();
+        if evaluations <= self.most && !(steady && whole * now > most * most) {
+            return Ok(());
+        }
+        Err(Error::Budget {
+            spent: evaluations,
+            most: self.most,
+            time,
+            whole,
+        })
     }
 }
+
+/// By which part of what is spent of the budget the pace may change between two looks. Exponential decay and rates that fall in proportion to the
+/// time change it by one and by half of their own part: they would end after twice the budget or more.
+const STEADY: f64 = 0.25;

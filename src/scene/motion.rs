@@ -32,24 +32,10 @@ impl Request {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn of_times(&self, times: &[f64]) -> Self {
-        let Self {
-            accuracy,
-            effort,
-            choice,
-            most,
-            progress,
-            methods,
-            ..
-        } = self;
         Self {
             times: times.to_vec(),
             furthest: furthest(times),
-            accuracy: *accuracy,
-            effort: *effort,
-            choice: *choice,
-            most: *most,
-            progress: progress.clone(),
-            methods: *methods,
+            ..self.clone()
         }
     }
 
@@ -207,6 +193,11 @@ impl Request {
     /// What a run of it may cost, and who watches.
     pub(crate) fn budget(&self) -> Budget {
         Budget::new(self.most, self.furthest, self.progress.as_ref())
+    }
+
+    /// A hundredth of that, which nobody watches.
+    pub(crate) fn moment(&self) -> Budget {
+        Budget::new(self.most / 100, self.furthest, None)
     }
 
     /// The time furthest from the start, s.

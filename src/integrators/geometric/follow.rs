@@ -2,7 +2,7 @@
 
 use super::{Integrator, Phase};
 use crate::error::{Error, Result, finite, positive};
-use crate::integrators::{Cost, Solution};
+use crate::integrators::{Cost, Solution, both_ways};
 
 /// Phases at `times` (s, either side of 0, in any order) of the motion that starts with `start` at time 0: between two samples steps of one length,
 /// not above `step`. At each of the times, and every 65,536 steps, `watch` is told the time and the cost so far.
@@ -32,15 +32,10 @@ pub fn follow(
     }
     let step = positive("the step", step)?;
     let mut cost = Cost::default();
-    let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
-    let first_after = order.partition_point(|&i| times[i] < 0.0);
-    let (before, after) = order.split_at_mut(first_after);
-    before.reverse();
     let mut states = vec![*start; times.len()];
-    for places in [before, after] {
+    for places in both_ways(times) {
         let (mut phase, mut time) = (*start, 0.0);
-        for &place in places.iter() {
+        for place in places {
             let leg = times[place] - time;
             let count = (leg.abs() / step).ceil();
             if count > MOST_STEPS {

@@ -12,7 +12,7 @@ mod leg;
 mod tableau;
 mod walk;
 
-use super::{Cost, Effort, Event, Passage, Solution, Stop, System};
+use super::{Cost, Effort, Event, Passage, Solution, Stop, System, both_ways};
 use crate::error::{Result, finite, positive};
 use event::Watch;
 use walk::{MOST_STEPS, Pace, Taken, Walk, too_many};
@@ -91,13 +91,9 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
     times: &[f64],
     effort: Effort,
 ) -> Result<Solution<[f64; N]>> {
-    let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
-    let (before, after) = order.split_at(order.partition_point(|&i| times[i] < 0.0));
-    let before: Vec<usize> = before.iter().rev().copied().collect();
     let mut states = vec![*start; times.len()];
     let mut cost = Cost::default();
-    for places in [before.as_slice(), after] {
+    for places in both_ways(times) {
         let ordered: Vec<f64> = places.iter().map(|&i| times[i]).collect();
         let Some(&end) = ordered.last() else { continue };
         let leg = Leg {
@@ -110,7 +106,7 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
         };
         let passage = leg.follow(None, effort)?;
         cost += passage.cost;
-        for (&place, state) in places.iter().zip(passage.states) {
+        for (place, state) in places.into_iter().zip(passage.states) {
             states[place] = state;
         }
     }

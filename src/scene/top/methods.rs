@@ -35,6 +35,7 @@ pub(super) fn steps(
     Ok(move |leg: &AnyLeg<'_>, effort: Effort| {
         let (Effort::Step(step) | Effort::Tolerance(step)) = effort;
         let (mut now, y) = leg.start;
+        budget.begin(leg.end);
         let mut phase = Phase {
             l: [y[0], y[1], y[2]],
             q: [y[3], y[4], y[5], y[6]],

@@ -171,7 +171,7 @@ impl Top {
         let every = times.len().div_ceil(OF_THE_TIMES).max(1);
         let others = times.iter().copied().step_by(every);
         let some: Vec<f64> = others.chain([request.furthest()]).collect();
-        let budget = Budget::unlimited();
+        let budget = Budget::new(u64::MAX, 0.0, None);
         let mut here = Vec::with_capacity(some.len());
         closed.each(&some, &budget, |_, attitude, omega| {
             here.push((attitude, omega))

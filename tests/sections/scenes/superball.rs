@@ -130,6 +130,15 @@ fn ten_million_bounces_at_once() {
     refused!(ball().simulate(&Request::at([-1.0]).unwrap()), OutOfRange);
 }
 
+#[test]
+fn general_methods_come_with_the_request() {
+    let general = Choice::Use(Solver::General(Method::Dop853));
+    let refused = ball().simulate(&times().by(general));
+    let told = refused.unwrap_err().to_string();
+    let named = |solver: &str| told.contains(solver);
+    assert!(named("dop853") && named("dormand-prince-8"), "{told}");
+}
+
 /// By steps the time of each bounce is rounded, and what that does grows with the square of their number.
 #[test]
 fn what_is_told_of_many_bounces_by_steps() {

@@ -233,6 +233,45 @@ fn a_top_that_balances_on_its_tip_owns_up_to_its_doubt() {
     assert!(growth > 1e6, "{growth:e}");
 }
 
+/// A hand's breadth, mistaken for ten times the way to the moon: hundreds of millions of radians.
+#[test]
+fn what_no_budget_would_do_for_is_refused_after_a_part_of_it() {
+    let far = Top::new(body([0.01, 0.015, 0.02], [0.0, 0.0, 4e9]), start()).unwrap();
+    let far = far.with(Gravity::new(G).unwrap()).unwrap();
+    let simulated = |time: f64, accuracy: f64| {
+        let request = Request::at([time]).unwrap().to_accuracy(accuracy).unwrap();
+        far.simulate(&request)
+    };
+    // Whatever is done, rounding adds up to more.
+    let refused = simulated(300.0, 1e-10);
+    let Err(Error::Amplified { reached, .. }) = refused else {
+        panic!("{refused:?}");
+    };
+    assert!(reached > 1e-7, "{reached:e}");
+    let refused = simulated(1e5, 1e-3);
+    let Err(Error::Budget {
+        spent, most, whole, ..
+    }) = refused
+    else {
+        panic!("{refused:?}");
+    };
+    assert!(most == Request::MOST_EVALUATIONS && whole > 100.0 * most as f64);
+    assert!(spent < most / 20, "{spent}");
+}
+
+/// A hundred thousand radians, and then almost none for the rest of a million seconds: the pace slackens, and nothing is refused.
+#[test]
+fn friction_ends_what_begins_fast() {
+    let spin = BodyVector::new(1e3, 700.0, 1e4);
+    let fast = Start::with_omega(spin, Attitude::identity());
+    let top = Top::new(Body::new([0.01, 0.015, 0.02]).unwrap(), fast).unwrap();
+    let top = top.with(PivotFriction::new(1e-3).unwrap()).unwrap();
+    let request = Request::at([1e6]).unwrap().to_accuracy(1e-3).unwrap();
+    let motion = top.simulate(&request).unwrap();
+    assert!(motion.cost.evaluations > 3_000_000);
+    assert!(motion.rows[0].1.omega.norm() < 1e-3);
+}
+
 /// The default top of section 7: about its tip, kg m², with C 4 cm above.
 fn default_top() -> Body {
     let center = BodyVector::new(0.0, 0.0, 0.04);

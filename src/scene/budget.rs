@@ -147,7 +147,7 @@ impl Budget {
             return Ok(());
         }
         Err(Error::Budget {
-            spent: evaluations,
+            spent: evaluations.min(self.most),
             most: self.most,
             time,
             whole,

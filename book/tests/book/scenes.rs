@@ -371,7 +371,8 @@ fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
                 error.to_string()
             }
         };
-        assert!(told.contains(&format!("after {FEW} evaluations")), "{told}");
+        let after = format!("after {FEW} of {FEW} evaluations");
+        assert!(told.contains(&after), "{told}");
         let time = told
             .split("t = ")
             .nth(1)

@@ -182,7 +182,9 @@ impl Flow<5> for Falling {
     fn scales(&self) -> [f64; 5] {
         // The error of a cat that balances is judged by its distance from balance.
         let near = self.cat.first()[2].abs().clamp(1e-8, 1.0);
-        [0.1, 0.1, near, near, 0.1]
+        let (length, rate) = (self.cat.cat.gyration, size(self.pace));
+        let speed = length * rate;
+        [length, speed, near, near * rate, speed * speed]
     }
 
     fn pace(&self) -> f64 {

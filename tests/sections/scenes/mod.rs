@@ -10,4 +10,5 @@ mod spool;
 mod strip;
 mod superball;
 mod top;
+mod units;
 mod yo_yo;

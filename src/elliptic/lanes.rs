@@ -162,13 +162,9 @@ impl<const W: usize> Places<W> {
         if u.high().abs() <= modulus.reduction.limit {
             return self.put(i, modulus, [u.high(), u.low()]);
         }
-        let quarter = modulus.quarter;
-        let count = (u.high() / quarter.high()).round_ties_even();
-        let rest = u - quarter * DoubleDouble::from(count);
-        let again = (rest.high() / quarter.high()).round_ties_even();
-        let rest = rest - quarter * DoubleDouble::from(again);
-        self.bits[i] = (count + again) as i64 as u64;
-        self.put_rest(i, modulus, count + again, [rest.high(), rest.low()]);
+        let (quarters, rest) = modulus.reduce(u);
+        self.bits[i] = quarters as i64 as u64;
+        self.put_rest(i, modulus, quarters, [rest.high(), rest.low()]);
     }
 
     #[inline(always)]

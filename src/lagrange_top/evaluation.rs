@@ -323,15 +323,13 @@ impl Constants {
         self.factors[0] = Complex::new(above.sqrt() / alpha.norm(), 0.0);
         self.factors[1] = Complex::new(below.sqrt() / beta.norm(), 0.0);
         let (_, [alpha, beta, alpha_rate, beta_rate]) = self.pair(0.0, self.course.start)?;
-        let size = alpha.norm_sqr() + beta.norm_sqr();
         let i = Complex::new(0.0, 1.0);
-        // z₁ + iz₂ = 2i ᾱβ and Ω₁ + iΩ₂ = 2 (ᾱβ′ − βᾱ′).
-        let vertical = i * alpha.conj() * beta * (2.0 / size);
-        let turning = (alpha.conj() * beta_rate - beta * alpha_rate.conj()) * (2.0 / size);
+        // Halves of z₁ + iz₂ = 2i ᾱβ and of Ω₁ + iΩ₂ = 2 (ᾱβ′ − βᾱ′).
+        let vertical = i * alpha.conj() * beta;
+        let turning = alpha.conj() * beta_rate - beta * alpha_rate.conj();
         let (a, b) = (Complex::new(q.w, q.k), Complex::new(q.i, q.j));
         let wanted_vertical = i * a.conj() * b * 2.0;
         let wanted = Complex::new(omega.x(), omega.y());
-        let time = 1.0 / self.course.rate.high();
         // Both pairs in their own size, so that the smallest kick has a direction.
         let unit = |x: Complex, y: Complex| {
             let size = x.re.abs().max(x.im.abs()).max(y.re.abs()).max(y.im.abs());
@@ -341,8 +339,8 @@ impl Constants {
                 (x, y)
             }
         };
-        let (vertical, turning) = unit(vertical, turning * time);
-        let (wanted_vertical, wanted) = unit(wanted_vertical, wanted * time);
+        let (vertical, turning) = unit(vertical, turning);
+        let (wanted_vertical, wanted) = unit(wanted_vertical, wanted);
         let relative = wanted_vertical * vertical.conj() + wanted * turning.conj();
         let relative = if relative.norm() > 0.0 {
             relative / relative.norm()

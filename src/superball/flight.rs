@@ -471,11 +471,7 @@ impl Flight {
         let [normal, tangential] = self.restitution();
         let (kappa, flight) = (self.kappa, took * (1.0 - normal));
         let slip = first.motion.contact_speed(Surface::Floor);
-        let swing = if flight > 0.0 {
-            kappa / (1.0 + kappa) * slip * flight / (1.0 + normal * tangential)
-        } else {
-            0.0
-        };
+        let swing = kappa / (1.0 + kappa) * slip * flight / (1.0 + normal * tangential);
         let landed = first.position + took * self.common(&first.motion) + swing;
         // As many as could be followed: until they cannot be told apart from the end.
         let told = ((SAME * took / flight).ln() / normal.ln()).max(0.0).ceil();

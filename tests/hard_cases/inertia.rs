@@ -8,7 +8,7 @@ use spinning_bodies::inertia::{
     mesh_mass_properties, principal_axes_of, shapes,
 };
 use spinning_bodies::{Error, Result};
-use support::{Uniform, observed, refused, vector};
+use support::{Uniform, cross, observed, refused, vector};
 
 use support::decimal::{decimal, hexadecimal};
 use support::double_double::{Dd, eigenvalues, inertia_error, mesh_truth};
@@ -369,7 +369,8 @@ fn meshes_that_are_no_bodies() -> Result<()> {
     let Error::NoVolume { volume, hint } = refuse(&vertices, &inside_out) else {
         panic!("inside out must be told")
     };
-    assert!(volume < 0.0 && hint.contains("inside out"));
+    let body = mesh_mass_properties(&vertices, &triangles, 1.0)?;
+    assert!((volume / body.mass() + 1.0).abs() < 4.0 * EPS && hint.contains("inside out"));
     let mut wrong = triangles.clone();
     wrong[3][1] = 12;
     assert!(matches!(
@@ -402,6 +403,35 @@ fn meshes_that_are_no_bodies() -> Result<()> {
             .map(|(i, j)| [0, 1, 2].map(|k| scale * (o[k] + i * a[k] + j * b[k])))
             .collect();
         let refused = refuse(&flat, &[[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]);
+        assert!(matches!(refused, Error::NoVolume { hint, .. } if hint.contains("plane")));
+    }
+    // Slabs whose volume is above, or below, what rounding can make of a flat one.
+    let (cube, triangles) = (
+        PlatonicSolid::Cube.vertices(1.0)?,
+        PlatonicSolid::Cube.triangles(),
+    );
+    for _ in 0..200 {
+        let [a, b] = [0; 2].map(|_| [0; 3].map(|_| 1e-3 * uniform.signed()));
+        let across = cross(a, b);
+        let slab = |height: f64| -> Vec<[f64; 3]> {
+            let corner = |&[x, y, z]: &[f64; 3]| {
+                [0, 1, 2].map(|k| x * a[k] + y * b[k] + z * height * across[k])
+            };
+            cube.iter().map(corner).collect()
+        };
+        let flat = slab(0.0);
+        let products = triangles.iter().map(|corners| {
+            let from_apex =
+                |n: u32| [0, 1, 2].map(|k| flat[n as usize][k] - flat[triangles[0][0] as usize][k]);
+            corners
+                .map(|n| Vector3::from(from_apex(n)).norm())
+                .iter()
+                .product::<f64>()
+        });
+        let height =
+            8.0 * EPS * products.sum::<f64>() / (6.0 * Vector3::from(across).norm_squared());
+        assert!(mesh_mass_properties(&slab(1.4 * height), &triangles, 1.0).is_ok());
+        let refused = refuse(&slab(0.6 * height), &triangles);
         assert!(matches!(refused, Error::NoVolume { hint, .. } if hint.contains("plane")));
     }
     // A plate a billion times thinner than wide is a body, along the axes or across.

@@ -1,5 +1,7 @@
 //! The ten sums over the triangles, and the edge check that rides along.
 
+use nalgebra::Vector3;
+
 /// Triangles gathered in registers before they are added to the next level.
 const BLOCK: usize = 128;
 /// Blocks gathered before they are added to the total.
@@ -219,9 +221,9 @@ fn edge(from: u32, to: u32) -> u64 {
     hash.wrapping_mul(sign)
 }
 
-/// Bound on what rounding can make of six times the volume: 8 eps times the sum of |products| in the determinants.
+/// Bound on what rounding can make of six times the volume: 8 eps times the sum of |p| |q| |r|, whatever way the mesh is turned.
 ///
-/// Three roundings a product, one for each difference of coordinates, make 6 eps; the sums add little.
+/// The products of a determinant come to at most 2/√3 of it. Three roundings each, one for each difference of coordinates, make 6 eps.
 pub(super) fn largest_rounding_of_volume(
     vertices: &[[f64; 3]],
     triangles: &[[u32; 3]],
@@ -230,11 +232,9 @@ pub(super) fn largest_rounding_of_volume(
 ) -> f64 {
     let mut bound = 0.0;
     for corners in triangles {
-        let [p, q, r] =
-            corners.map(|index| scale.relative(vertices[index as usize], apex).map(f64::abs));
-        bound += p[0] * (q[1] * r[2] + q[2] * r[1])
-            + p[1] * (q[2] * r[0] + q[0] * r[2])
-            + p[2] * (q[0] * r[1] + q[1] * r[0]);
+        let [p, q, r] = corners
+            .map(|index| Vector3::from(scale.relative(vertices[index as usize], apex)).norm());
+        bound += p * q * r;
     }
     8.0 * f64::EPSILON * bound
 }

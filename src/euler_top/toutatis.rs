@@ -47,8 +47,8 @@ pub fn top() -> Result<EulerTop> {
 /// let moments = [1.0, 3.09, 3.22]; // Hudson and Ostro 1995
 /// let asteroid = mode(moments, 1.69770)?;
 /// let turns = asteroid.mean_precession_rate() * asteroid.period() / core::f64::consts::TAU;
-/// assert!((turns - 5.41 / 7.35).abs() < 2e-6);
-/// assert!(mode(moments, 0.99).is_err() && mode([1.0; 3], 1.0).is_err());
+/// assert!((turns - 5.41 / 7.35).abs() < 2e-6 && (asteroid.energy() - 0.5).abs() < 1e-15);
+/// assert!(mode(moments, 0.99).is_err() && mode([1.0; 3], 1.0).is_err() && mode([2.0, 1.0, 3.0], 1.2).is_err());
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn mode(moments: [f64; 3], ratio: f64) -> Result<EulerTop> {

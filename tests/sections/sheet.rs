@@ -53,6 +53,14 @@ fn s4_5_numbers_of_a_quick_pull() {
         observed!((stop - 0.014_086).abs(), 1e-7..=5e-7, "{stop}");
         stops.push(stop);
     }
+    // Pulled a second later it is held until then, and begins to slip once.
+    let later = SheetSpeeds::through([(0.0, 0.0), (1.0, 0.0), (1.02, 3.0)]).unwrap();
+    let events = withdrawn(0.4, &later, 0.15, [0.3, 0.2]).events;
+    let begins: Vec<f64> = (events.iter())
+        .filter(|event| event.what == Happening::SlippingBegins)
+        .map(|event| event.time)
+        .collect();
+    assert_eq!(begins, [1.0]);
     // It does not depend on κ.
     assert!(
         stops.iter().all(|stop| (stop - stops[0]).abs() < 1e-16),
@@ -182,6 +190,40 @@ fn s4_5_what_resistance_and_ice_do_to_it() {
     assert_eq!((stop.moment.velocity, stop.what), (0.0, Happening::Rest));
     let off = (stop.moment.position - (0.005_634 + 0.182_107_f64.powi(2) / (2e-3 * G))).abs();
     observed!(off, 1e-6..=2e-5);
+}
+
+/// Top-spin takes a ball that the sheet has left behind after it and onto it again; one that only touches the edge stays on.
+#[test]
+fn s4_5_top_spin_brings_it_back() {
+    let speeds = SheetSpeeds::through([(0.0, 2.0)]).unwrap();
+    let start = Moment {
+        slip: -21.0,
+        ..Moment::moving(1.0, 20.0)
+    };
+    let course = |margin, [on_it, beside]: [f64; 2]| {
+        let sheet = Sheet::new(friction(on_it), speeds.clone(), margin).unwrap();
+        let effects = (Some(friction(beside)), None, Some(&sheet));
+        Course::new(0.4, Load::weight(10.0), effects, start, 1.6).unwrap()
+    };
+    // Half a metre at 1 m/s on ice; then 1 + 2t from there is 2t, the edge's way, after a second.
+    let back = course(0.5, [0.0, 0.2]);
+    let mounts = back.first(Happening::MountsSheet).unwrap();
+    close!(mounts.time, 1.5, 3e-16);
+    assert_eq!((mounts.moment.position, mounts.moment.velocity), (2.5, 3.0));
+    // The scene of it, which finds the slip itself.
+    let ball = RoundBody::new(0.17, 0.03, 0.4).unwrap();
+    let sheet = Sheet::new(friction(0.0), speeds.clone(), 0.5).unwrap();
+    let scene = Roller::new(ball, 10.0, 1.0, 20.0).unwrap();
+    let scene = scene.with(friction(0.2)).unwrap().with(sheet).unwrap();
+    let motion = scene.simulate(&Request::at([0.4, 1.6]).unwrap()).unwrap();
+    assert_eq!(motion.cost.steps, 1 + back.events.len() as u64);
+    for (t, state) in motion.rows {
+        assert_eq!(state.moment, back.at(t));
+    }
+    // 0.25 − t + t²: at the edge it is as fast as the sheet.
+    let touches = course(0.25, [0.2, 0.3]);
+    let end = touches.at(1.0);
+    assert_eq!((end.position, end.velocity), (2.0, 3.0));
 }
 
 #[test]

@@ -82,6 +82,7 @@ fn tilt_of_exactly_nothing_or_a_half_turn() -> Result<()> {
 #[test]
 fn at_rest_it_falls_unless_upright_or_hanging() -> Result<()> {
     let tilted = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0)?;
+    let turned = Attitude::from_quaternion(0.5, 0.0, 0.2, 0.9)?;
     for omega in [ZERO, [-0.0; 3]] {
         assert_eq!(
             lagrange(1.0, omega, upright())?.0,
@@ -95,8 +96,16 @@ fn at_rest_it_falls_unless_upright_or_hanging() -> Result<()> {
             assert!(later.omega.norm() > 0.1);
         }
         // Weightless and at rest, it stays as it is.
-        let (kind, [first, later]) = lagrange(0.0, omega, tilted)?;
-        assert_eq!((kind, first), (Nutation::Spinning, later));
+        for attitude in [tilted, level(), turned] {
+            let (kind, [first, later]) = lagrange(0.0, omega, attitude)?;
+            assert_eq!((kind, first), (Nutation::Spinning, later));
+            let roots = LagrangeTop::new(1.0, 0.5, 0.0, vector(omega), attitude)?.roots();
+            assert!(
+                [roots.h1, roots.h2]
+                    .iter()
+                    .all(|h| (h - first.height).abs() < 3e-16)
+            );
+        }
     }
     Ok(())
 }
@@ -199,6 +208,13 @@ fn special_motions_name_what_they_refuse() {
     assert!(apsides(0.2, 0.1).is_err() && apsides(1.0, 3.0).is_err());
     for (a, b) in [(0.0, 1.0), (1.0, 0.5), (1.5, 1.7)] {
         assert!(pendulum_between(a, b, 1.0).is_err());
+    }
+    for (inner, outer) in [(1.0, 0.5), (1.5, 1.7)] {
+        let refused = pendulum_between(inner, outer, 1.0);
+        let most = std::f64::consts::PI - inner;
+        assert!(
+            matches!(refused, Err(Error::OutOfRange { least, greatest, .. }) if [least, greatest] == [inner, most])
+        );
     }
     assert_eq!(sleeping_threshold(1.0, 0.5, 0.0), Ok(0.0));
     assert_eq!(pure_precession(1.0, 0.0, 0.0, 0.0), Ok(PurePrecession::Any));

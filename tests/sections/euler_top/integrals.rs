@@ -5,7 +5,7 @@ use spinning_bodies::Error;
 use spinning_bodies::elliptic::{Modulus, Parameter};
 use spinning_bodies::euler_top::{EulerTop, Regime};
 use spinning_bodies::frame::{Attitude, BodyVector};
-use support::{Uniform, observed, refused, within};
+use support::{Uniform, close, observed, refused, within};
 
 const BODIES: [[f64; 3]; 5] = [
     [1.0, 2.0, 3.0],
@@ -140,7 +140,9 @@ fn s6_6_the_ends_and_what_lies_beyond() {
         from([1.0, 1.0, 1.5], 2.5, 1.0).unwrap().regime(),
         Regime::Symmetric
     );
-    assert_eq!(from([1.0; 3], 2.0, 1.0).unwrap().regime(), Regime::Sphere);
+    let sphere = from([4.0; 3], 24.0, 3.0).unwrap();
+    assert_eq!(sphere.regime(), Regime::Sphere);
+    close!(at(&sphere, 1.0).omega.norm(), 1.5f64.sqrt(), 3e-16);
     assert_eq!(from(body, 0.0, 0.0).unwrap().regime(), Regime::AtRest);
     for (i, square, energy) in [
         (body, 2f64.next_down(), 1.0),

@@ -7,7 +7,7 @@ use spinning_bodies::euler_top::stability::{
 use spinning_bodies::euler_top::{EulerTop, Regime};
 use spinning_bodies::inertia::PrincipalMoments;
 use support::free_top::Flight;
-use support::{Uniform, observed, ration, rational, relative, vector, within};
+use support::{Uniform, observed, ration, rational, refused, relative, vector, within};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
@@ -186,6 +186,17 @@ fn s6_3_flip_time_over_sixteen_decades() {
         }
     }
     assert_eq!(tilted(MOMENTS, [0.0, 1.0, 0.0]).period(), f64::INFINITY);
+    // Moments whose differences are not 1; and a round body has no middle axis to flip about.
+    let other = [0.7, 1.9, 2.2];
+    for start in [[0.0, 1.3, 1e-9], [1e-9, 1.3, 0.0]] {
+        let claimed = flip_time_asymptote(&moments(other), vector(start)).unwrap();
+        let flip = tilted(other, start).period() / 2.0;
+        observed!(relative(claimed, flip), 0.0..=1e-15);
+    }
+    for round in [[1.0, 1.0, 1.5], [1.0, 1.5, 1.5]] {
+        let asked = flip_time_asymptote(&moments(round), vector([0.1, 1.0, 0.1]));
+        refused!(asked, Condition);
+    }
 }
 
 /// λ as the tutorial prints it.

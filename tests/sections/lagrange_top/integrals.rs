@@ -238,6 +238,9 @@ fn s7_2_the_same_as_from_the_start() {
     // L₃ = 3/2, L_vert = ½, E' = 13/24: loops.
     let swirl = LagrangeTop::from_integrals(1.0, 0.5, 1.0, 1.5, 0.5, 13.0 / 24.0 + 2.25).unwrap();
     assert_eq!(swirl.kind(), Nutation::Loops);
+    // Cusps at h₂ = ⅔, which is no double: the terms balance all the same.
+    let third = LagrangeTop::above_upright(1.0, 0.5, 3.0, 3.0, 2.0, -1.0).unwrap();
+    assert_eq!(third.kind(), Nutation::Cusps);
     // At h = ½ under Mgl = 1 the rate 2 needs L₃ = 3/2; L_vert = 9/4 and E' = 2 follow.
     let steady = LagrangeTop::from_integrals(1.0, 0.5, 1.0, 1.5, 2.25, 2.0 + 2.25);
     assert_eq!(steady.unwrap().kind(), Nutation::PurePrecession);

@@ -59,6 +59,10 @@ fn s7_2_waves_or_swirls() {
         let (theta, l3) = (3.1 * numbers.next() + 0.02, 4.0 * numbers.signed());
         let [h1, h2, _] = roots(&released(theta, l3));
         assert!(theta.cos() - h1 > 1e-6 && (theta.cos() - h2).abs() < 1e-15);
+        // And from anywhere on its way.
+        let top = spun(theta, numbers.signed(), 2.0 * numbers.signed(), l3);
+        let [negative, _, positive] = signs(&top);
+        assert_eq!(is(&top, Nutation::Loops), negative > 0 && positive > 0);
     }
 }
 

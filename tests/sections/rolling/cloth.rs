@@ -103,6 +103,33 @@ fn s4_3_resistance_brings_it_to_rest() {
     }
 }
 
+/// Resistance holds against pull and moment together, and what slides without turning does not turn at all.
+#[test]
+fn s4_3_resistance_holds_what_pulls_and_twists() {
+    let end = |push, twist, mu, speed| {
+        let effects = (
+            Some(Coulomb::new(mu).unwrap()),
+            Some(RollingResistance::new(0.03).unwrap()),
+            None,
+        );
+        let load = Load {
+            push,
+            twist,
+            reaction: 1.0,
+        };
+        let start = Moment::moving(speed, 0.0);
+        let course = Course::new(0.4, load, effects, start, 5.0).unwrap();
+        (course.at(5.0).velocity, course.at(5.0).rim_speed)
+    };
+    assert_eq!(end(0.03, -0.01, 0.5, 0.0), (0.0, 0.0));
+    let (rolls, rim) = end(0.03, 0.01, 0.5, 0.0);
+    close!(rolls, 5.0 * (0.03 + 0.01 - 0.03) / 1.4, 1e-14);
+    assert_eq!(rim, rolls);
+    let (slides, rim) = end(0.0, 0.0137, 0.01, 1.0);
+    close!(slides, 0.95, 1e-15);
+    assert_eq!(rim, 0.0);
+}
+
 /// Largest distance between the two ways at any of the times, those of the events among them, in units of the largest speed.
 fn apart(start: Moment, (mu, arm): (f64, f64), kappa: f64, solver: Solver) -> (f64, usize) {
     let law = Coulomb::new(mu).unwrap();

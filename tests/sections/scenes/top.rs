@@ -170,6 +170,11 @@ fn what_is_absent_cannot_change_a_bit() {
 
 #[test]
 fn refusals_name_what_is_wrong() {
+    for far in [[1e200, 0.0, 0.0], [0.0, 1e200, 0.0], [0.0, 0.0, -1e200]] {
+        let held = Body::new([1.0; 3]).unwrap();
+        let held = held.with_center_of_mass(1e200, BodyVector::from_components(far.into()));
+        refused!(held, NotFinite, "mass times centre of mass");
+    }
     let (asymmetric, start) = (body([0.01, 0.02, 0.025], [0.01, 0.0, 0.1]), start());
     let heavy = Top::new(asymmetric, start)
         .unwrap()

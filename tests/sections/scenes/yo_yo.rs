@@ -72,6 +72,41 @@ fn every_effect_changes_the_motion() {
     }
 }
 
+/// Newton's law for the centre of mass: the string pulls with m(g − dV/dt), down and up, in the air too.
+#[test]
+fn the_string_pulls_as_the_fall_says() {
+    let h = 1e-4;
+    for toy in [toy(), thick()] {
+        let plain = Play::new(toy, 1.0).unwrap().with(gravity()).unwrap();
+        let in_air = plain.with(AirDrag::new(1e-7).unwrap()).unwrap();
+        let mut seen = [0, 0];
+        for scene in [plain, in_air] {
+            for t in (1..40).map(|k| 0.1 * f64::from(k)) {
+                let request = Request::at([t - h, t, t + h]).unwrap();
+                let motion = scene
+                    .simulate(&request.to_accuracy(1e-12).unwrap())
+                    .unwrap();
+                let [before, now, after] = [0, 1, 2].map(|k| motion.rows[k].1);
+                let way = [Phase::Down, Phase::Up]
+                    .iter()
+                    .position(|phase| *phase == now.phase);
+                let Some(way) = way.filter(|_| [before.phase, after.phase] == [now.phase; 2])
+                else {
+                    continue;
+                };
+                seen[way] += 1;
+                let pull = 0.055 * (9.81 - (after.velocity - before.velocity) / (2.0 * h));
+                assert!(
+                    (now.tension - pull).abs() < 1e-6 * pull,
+                    "{t}: {} {pull}",
+                    now.tension
+                );
+            }
+        }
+        assert!(seen[0] > 5 && seen[1] > 5, "{seen:?}");
+    }
+}
+
 #[test]
 fn an_effect_of_size_zero_is_no_effect() {
     let plain = Play::new(thick(), 0.0).unwrap().with(gravity()).unwrap();

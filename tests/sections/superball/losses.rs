@@ -9,7 +9,7 @@ use spinning_bodies::superball::{
     Flight, InFlight, Motion, Restitution, Surface, bounce, bounce_with, gripping_bounce,
     return_threshold,
 };
-use support::{any, close, observed, refused};
+use support::{any, close, near, observed, refused};
 
 /// A contact on springs of frequency `omega`, tuned, with gravity: V and RΩ as the ball leaves, and how long it took.
 fn stiff(omega: f64, kappa: f64, before: Motion<f64>) -> ([f64; 2], f64) {
@@ -181,6 +181,15 @@ fn s4_6_flights_two_ways() {
         }
     }
     observed!(worst, 4e-16..=5e-14, "{worst:e}");
+    // At the doubles next to the bounces themselves.
+    let ball = Flight::new(0.4, sky, (WEIGHT, None, None), thrown(0.0, 3.0, 1.0, 2.0)).unwrap();
+    for k in 1..1000_u64 {
+        let there = ball.exact(k as f64 * (6.0 / 9.81)).unwrap();
+        // Up again from this one, or still down to it.
+        let counted = if there.climb > 0.0 { k } else { k - 1 };
+        assert_eq!(there.bounces, counted);
+        near!(there.height, 0.0, 1e-15 * k as f64);
+    }
 }
 
 /// A ball under the open sky.
@@ -232,11 +241,31 @@ fn s4_6_bounces_that_pile_up() {
     let grip = Coulomb::new(0.05).unwrap();
     let ball = flight((Some(dull), Some(grip)), thrown(0.1, 0.0, 3.0, 0.0));
     let done = ball.last_contact().unwrap().unwrap();
-    let [slides, rolls] = ball.followed(&[done + 0.01, done + 9.0]).unwrap()[..] else {
+    let [ends, slides, rolls] = ball.followed(&[done, done + 0.01, done + 9.0]).unwrap()[..] else {
         unreachable!()
     };
-    assert!(slides.motion.contact_speed(Surface::Floor) > 1.0);
+    let slip = slides.motion.contact_speed(Surface::Floor);
+    assert!(slip > 1.0);
     close!(rolls.motion.velocity, 15.0 / 7.0, 1e-14);
+    // μg takes 0.01 μg from V, and 1.4/0.4 times as much from the slip; then it rolls for the rest of the nine seconds.
+    let brake = 0.05 * 9.81;
+    close!(
+        ends.motion.velocity - slides.motion.velocity,
+        0.01 * brake,
+        1e-12
+    );
+    let way = 0.01 * ends.motion.velocity - 0.5 * 0.01 * 0.01 * brake;
+    close!(slides.position - ends.position, way, 1e-12);
+    let sliding = slip / (3.5 * brake);
+    let way = 8.99 * 15.0 / 7.0 + 0.5 * brake * sliding * sliding;
+    close!(rolls.position - slides.position, way, 1e-13);
+    // Up to the end of the bounces it moved on as a ball between them does.
+    let before = ball.followed(&[done - 1e-7]).unwrap()[0];
+    near!(
+        ends.position - before.position,
+        1e-7 * ends.motion.velocity,
+        1e-12
+    );
 }
 
 /// The sums over the pile against the bounces one by one, and where there are too many of these.
@@ -289,6 +318,14 @@ fn s4_6_after_the_last_bounce() {
 
 #[test]
 fn s4_6_a_ball_that_lies_on_the_floor() {
+    // What just reaches the ceiling does not strike it.
+    let touches = Flight::new(
+        0.4,
+        1.0,
+        (Some(8.0), None, None),
+        thrown(0.0, 4.0, 1.0, 0.0),
+    );
+    assert_eq!(touches.unwrap().exact(0.75).unwrap().bounces, 0);
     let effects = (WEIGHT, None, None);
     let lies = |v, w| Flight::new(0.4, 1.0, effects, thrown(0.0, 0.0, v, w)).unwrap();
     let rolls = lies(0.5, 0.5).exact(3.0).unwrap();

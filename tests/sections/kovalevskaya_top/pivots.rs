@@ -118,7 +118,7 @@ fn s8_1_the_centre_anywhere_on_the_plane() -> Result {
         let expected = turn(a.omega.components().into());
         observed!(
             (expected - b.omega).norm(),
-            5e-16..=2e-14,
+            1e-16..=5e-15,
             "{t}: {a:?} {b:?}"
         );
     }

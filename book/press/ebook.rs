@@ -81,12 +81,13 @@ pub fn epub(root: &Path, drawings: &[Drawing], file: &Path) -> Result<()> {
     let mut typesetter = Typesetter::new(drawings, &ledger, Medium::Ebook);
     let book = binding::typeset(settings, root, &mut typesetter)?;
     let (processed, _) = book.preprocess_book(&Nothing).map_err(wrong)?;
-    let mut chapters = Vec::new();
-    for item in processed.iter() {
-        if let BookItem::Chapter(chapter) = item {
-            chapters.push(chapter);
-        }
-    }
+    let chapters: Vec<_> = processed
+        .iter()
+        .filter_map(|item| match item {
+            BookItem::Chapter(chapter) => Some(chapter),
+            _ => None,
+        })
+        .collect();
     let contents = contents(&processed.items);
     let bytes = packed(drawings, &chapters, &contents, &typesetter.into_pieces())
         .map_err(|error| Error::Failed(format!("the EPUB: {error}")))?;

@@ -51,6 +51,9 @@ impl<'a, const N: usize> Track<'a, N> {
     }
 }
 
+/// Into so many parts a step is cut, to see whether something dips within it.
+const PARTS: u32 = 8;
+
 impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
     fn solout<I>(
         &mut self,
@@ -58,7 +61,7 @@ impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
         before: f64,
         state: &[f64; N],
         state_before: &[f64; N],
-        _interpolator: &mut I,
+        between: &mut I,
         _solution: &mut Finished<f64, [f64; N]>,
     ) -> ControlFlag<f64, [f64; N]>
     where
@@ -84,7 +87,15 @@ impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
             && stepped
         {
             let here = crossing.value(now, state);
-            self.fallen = self.armed && here <= 0.0;
+            // The first place at which it has fallen: it may have dipped, as a ball passes over the edge of a sheet and back.
+            let mut parts = (1..PARTS).take_while(|_| self.armed);
+            let dip = parts.find_map(|n| {
+                let phase = before + (now - before) * f64::from(n) / f64::from(PARTS);
+                let state = between.interpolate(phase).ok()?;
+                (crossing.value(phase, &state) <= 0.0).then_some((phase, state))
+            });
+            self.last = dip.unwrap_or(self.last);
+            self.fallen = dip.is_some() || self.armed && here <= 0.0;
             self.armed |= here > 0.0;
         }
         if stepped {

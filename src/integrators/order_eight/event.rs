@@ -33,12 +33,12 @@ impl<'a, const N: usize> Watch<'a, N> {
         }
     }
 
-    /// A part of the step just taken at which the quantity is no longer positive, if there is one: its end, or where it dips in between.
+    /// The way of the step just taken, and a part of it at which the quantity is no longer positive for the first time, if there is one: the end, or a place before it.
     pub fn falls<S: System<N> + ?Sized>(
         &mut self,
         walk: &mut Walk<'_, N, S>,
         taken: &Taken<N>,
-    ) -> Option<f64> {
+    ) -> Option<(Between<N>, f64)> {
         let before = self.value;
         let now = self.event.value(walk.time.values[0], &walk.state.values);
         self.value = now;
@@ -46,33 +46,22 @@ impl<'a, const N: usize> Watch<'a, N> {
             self.armed = now > 0.0;
             return None;
         }
-        if now <= 0.0 {
-            return Some(1.0);
-        }
-        if before <= 0.0 {
-            return None;
-        }
-        // The slopes at both ends, from the rates: a dip falls first and rises again.
-        let h = PROBE * taken.length;
-        let ahead = |time: f64, state: &[f64; N], rate: &[f64; N], h: f64| {
-            let moved = core::array::from_fn(|n| state[n] + h * rate[n]);
-            self.event.value(time + h, &moved)
+        let value = |between: &Between<N>, part: f64| {
+            let time = taken.time + part * taken.length;
+            self.event.value(time, &between.at(part))
         };
-        let falling = (before - ahead(taken.time, &taken.state, &taken.rate, h)) / PROBE;
-        let end = walk.time.values[0];
-        let rising = (now - ahead(end, &walk.state.values, &walk.rate, -h)) / PROBE;
-        // Parabolas from both ends cannot reach zero.
-        if falling <= 0.0 || rising <= 0.0 || falling < before && rising < now {
-            return None;
+        if now > 0.0 {
+            // The cubic through both ends costs nothing; where nothing on it comes down to half the lower end, nothing dips.
+            let (cubic, low) = (walk.cubic(taken), 0.5 * before.min(now));
+            if LOOKS.iter().all(|&part| value(&cubic, part) > low) {
+                return None;
+            }
         }
         let between = walk.between(taken);
-        (1..DIPS)
-            .map(|n| f64::from(n) / f64::from(DIPS))
-            .find(|&part| {
-                self.event
-                    .value(taken.time + part * taken.length, &between.at(part))
-                    <= 0.0
-            })
+        let mut inner = (1..PLACES).map(|n| f64::from(n) / f64::from(PLACES));
+        let dips = inner.find(|&part| value(&between, part) <= 0.0);
+        let part = dips.or((now <= 0.0).then_some(1.0))?;
+        Some((between, part))
     }
 
     /// When and with which state the quantity is zero, between the beginning of a step and this part of it.
@@ -80,11 +69,11 @@ impl<'a, const N: usize> Watch<'a, N> {
         &self,
         walk: &mut Walk<'_, N, S>,
         taken: &Taken<N>,
-        until: f64,
+        (between, until): (Between<N>, f64),
     ) -> (f64, [f64; N]) {
-        let between = walk.between(taken);
         let time = |part: f64| taken.time + part * taken.length;
-        let mut part = self.on_the_polynomial(&between, taken, until);
+        let reach = [until - 1.0 / f64::from(PLACES), until];
+        let mut part = self.on_the_polynomial(&between, taken, reach);
         let mut state = walk.short(taken, part * taken.length);
         for _ in 0..NEWTON {
             let here = self.event.value(time(part), &state);
@@ -94,7 +83,7 @@ impl<'a, const N: usize> Watch<'a, N> {
             let h = -PROBE * taken.length;
             let moved = core::array::from_fn(|n| state[n] + h * rate[n]);
             let slope = (here - self.event.value(time(part) + h, &moved)) / PROBE;
-            let next = (part - here / slope).clamp(0.0, 1.0);
+            let next = (part - here / slope).clamp(reach[0], until);
             let gain = (next - part).abs() * taken.length.abs();
             let falls = slope < 0.0;
             if here == 0.0 || !falls || gain <= f64::EPSILON * time(part).abs() {
@@ -110,12 +99,16 @@ impl<'a, const N: usize> Watch<'a, N> {
     }
 
     /// By secants within an enclosure, the value at an end that stays twice halved (the Illinois rule), and halving where that is slow.
-    fn on_the_polynomial(&self, between: &Between<N>, taken: &Taken<N>, until: f64) -> f64 {
+    fn on_the_polynomial(
+        &self,
+        between: &Between<N>,
+        taken: &Taken<N>,
+        [mut low, mut high]: [f64; 2],
+    ) -> f64 {
         let value = |part: f64| {
             let time = taken.time + part * taken.length;
             self.event.value(time, &between.at(part))
         };
-        let (mut low, mut high) = (0.0, until);
         let (mut above, mut below) = (value(low), value(high));
         let mut last = 0;
         for round in 0..MOST_ROUNDS {
@@ -143,7 +136,10 @@ impl<'a, const N: usize> Watch<'a, N> {
     }
 }
 
-/// Places at which a step that may have dipped is looked at.
-const DIPS: u32 = 16;
+/// Places at which every step is looked at: a parabola that is below zero somewhere between is below half of its lower end at one of them, if it is below
+/// zero at any of those at which a step that may have dipped is looked at.
+const LOOKS: [f64; 4] = [0.0625, 0.25, 0.75, 0.9375];
+/// Parts of such a step.
+const PLACES: u32 = 16;
 /// Newton's method doubles the digits: after a correction this small, as a part of a step, nothing is left to correct.
 const SMALL: f64 = 1e-9;

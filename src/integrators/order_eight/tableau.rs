@@ -12,7 +12,7 @@ pub(in crate::integrators) struct Step<const N: usize> {
     used: [[f64; N]; 8],
 }
 
-/// The way from one end of a step to the other: a polynomial of order 7 (Hairer, Nørsett, Wanner, II.6).
+/// The way from one end of a step to the other: a polynomial of order 7, or a cubic (Hairer, Nørsett, Wanner, II.6).
 pub(super) struct Between<const N: usize>([[f64; N]; 8]);
 
 impl<const N: usize> Between<N> {
@@ -34,11 +34,19 @@ impl<const N: usize> Between<N> {
         let k15 = rate(C15, mean(A15, [k1, k6, k7, k8, k11, k12, k13, &k14]));
         let k16 = rate(C16, mean(A16, [k1, k6, k7, k8, k9, k13, &k14, &k15]));
         let all = [k1, k6, k7, k8, k9, k10, k11, k12, k13, &k14, &k15, &k16];
-        let change = step.change;
-        let bend: [f64; N] = core::array::from_fn(|n| h * k1[n] - change[n]);
-        let last = core::array::from_fn(|n| change[n] - h * k13[n] - bend[n]);
-        let [d4, d5, d6, d7] = D.map(|row| mean(row, all).map(|x| h * x));
-        Self([*y, change, bend, last, d4, d5, d6, d7])
+        let mut between = Self::cubic(y, &step.change, [k1, k13], h);
+        for (n, row) in D.into_iter().enumerate() {
+            between.0[4 + n] = mean(row, all).map(|x| h * x);
+        }
+        between
+    }
+
+    /// The cubic with the states and rates of both ends.
+    pub fn cubic(y: &[f64; N], change: &[f64; N], [before, after]: [&[f64; N]; 2], h: f64) -> Self {
+        let bend: [f64; N] = core::array::from_fn(|n| h * before[n] - change[n]);
+        let last = core::array::from_fn(|n| change[n] - h * after[n] - bend[n]);
+        let none = [0.0; N];
+        Self([*y, *change, bend, last, none, none, none, none])
     }
 
     /// The state after a part of the step, 0…1.

@@ -159,6 +159,11 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         )
     }
 
+    pub(super) fn cubic(&self, taken: &Taken<N>) -> Between<N> {
+        let rates = [&taken.rate, &self.rate];
+        Between::cubic(&taken.state, &taken.step.change, rates, taken.length)
+    }
+
     pub(super) fn restored(&self, state: [f64; N]) -> [f64; N] {
         let excess = self.leg.kept.excess(&state);
         core::array::from_fn(|n| state[n] + excess[n])
@@ -194,7 +199,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
 const FIRST: f64 = 4.0;
 /// Those of DOP853.
 const SAFETY: f64 = 0.9;
-const LEAST_GROWTH: f64 = 1.0 / 3.0;
+const LEAST_GROWTH: f64 = 0.2;
 const MOST_GROWTH: f64 = 6.0;
 const STAGES: u64 = 12;
 

@@ -68,13 +68,8 @@ fn error_and_evaluations_are_no_more_than_those_of_dop853() {
                 [own.0 / crates.0, own.1 as f64 / crates.1 as f64]
             });
             let [error, evaluations] = medians(ratios.collect());
-            // Observed: 0.98 … 1.003, of the single start up to 1.06. Where four digits are asked for 2.1 to 2.3: a step that is off by 10⁵ is tried
-            // again at a third of its length at least, as in DOP853, by the crate at a fifth; and a third is just short enough to pass.
-            let most = match (digits, starts) {
-                (4, _) => 2.5,
-                (_, 1) => 1.1,
-                _ => 1.01,
-            };
+            // Observed: 0.81 … 1.003, of the single start up to 1.06.
+            let most = if starts == 1 { 1.1 } else { 1.01 };
             let told = format!("{samples} samples, 1e-{digits}: {error} {evaluations}");
             // Observed 0.02 … 0.87.
             assert!(error <= most && evaluations < 0.95, "{told}");
@@ -163,5 +158,45 @@ fn a_dip_within_a_step_is_seen() {
     // t - t²/2 = 0.499.
     let first = 1.0 - 0.002_f64.sqrt();
     assert_eq!((run.stopped, run.states.len()), (Stop::AtTheEvent, 1));
-    assert!((run.time - first).abs() < 1e-14, "{:e}", run.time - first);
+    // Observed over 2,000 ledges: 2.1e-15 of height, which the stone passes slowly.
+    let height = 0.002_f64.sqrt() * (run.time - first).abs();
+    assert!(height < 3e-15, "{height:e}");
+}
+
+/// The lesser of two quantities: at the start it is the one that rises, at the end one that has fallen as well, and the other dips before. The first is found.
+#[test]
+fn the_first_of_several_falls_is_found() {
+    let even = |_: f64, _: &[f64; 1]| [1.0];
+    let dips = |y: f64| (y - 0.4) * (y - 0.9);
+    let rises = |y: f64| 0.01 + y;
+    let falls = |y: f64| 1.9 - y;
+    let leg = Leg {
+        system: &even,
+        kept: Kept::Nothing,
+        start: (0.0, &[0.0]),
+        scales: &[1.0],
+        times: &[],
+        end: 2.0,
+    };
+    let hidden = |_: f64, y: &[f64; 1]| dips(y[0]).min(rises(y[0]));
+    let fallen = |_: f64, y: &[f64; 1]| hidden(0.0, y).min(falls(y[0]));
+    for event in [&hidden as &dyn Event<1>, &fallen] {
+        for step in [2.0, 1.0] {
+            let run = leg.follow(Some(event), Effort::Step(step)).unwrap();
+            assert_eq!(run.stopped, Stop::AtTheEvent);
+            assert!((run.time - 0.4).abs() < 1e-15, "{step}: {}", run.time);
+        }
+        let crates = until(
+            &even,
+            0.0,
+            &[0.0],
+            &[1.0],
+            &[],
+            2.0,
+            event,
+            Method::Rk4,
+            Effort::Step(1.0),
+        );
+        assert!((crates.unwrap().time - 0.4).abs() < 1e-15);
+    }
 }

@@ -425,7 +425,7 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 ///
 /// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart, as those of every phase of few steps
 /// do. Their distance is the error of the looser one; the better one, which is returned, is taken to be off by a fifth of that. Where a fifth is more
-/// than the accuracy, a further run or two take their place. What is told is more: all of the distance, or what the steps may add up to, as long as it
+/// than the accuracy, a further run or two take their place. What is told is more: all of the distance, and what the steps may add up to, as long as it
 /// is below the accuracy. A flow may depend on the tolerance of its run, which `flow` makes for it.
 ///
 /// Runs that begin with the same rounded numbers agree on what becomes of the rounding. A flow that states the [`doubt`](Flow::doubt) about its
@@ -529,12 +529,11 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
                 growth,
             });
         }
-        // The runs vouch for the accuracy. Below it all of their distance is told, or what the steps may add up to if that is more: both runs may have
-        // been lucky.
+        // The runs vouch for the accuracy. Below it all of their distance is told, and what the steps may add up to: both runs may have been lucky.
         let mut whole = told(&worse, &worse, 1.0);
         if let Effort::Tolerance(tolerance) = efforts.better {
             let steps = better.cost.steps as f64 * of_a_step(&flow, tolerance, seen);
-            whole = greater(whole, steps);
+            whole += steps;
         }
         error = greater(error, whole.min(accuracy));
         let mut samples = better.samples;

@@ -305,13 +305,13 @@ impl Start {
         }
     }
 
-    /// Another start, as near as rounding can tell.
-    pub(super) fn beside(&self, moments: [f64; 3]) -> Result<Self> {
+    /// Another start, as near as rounding can tell, that turns a little faster or slower.
+    pub(super) fn beside(&self, moments: [f64; 3], sense: f64) -> Result<Self> {
         let [a, b, c, d, e, f, g] = DOUBT;
         let omega = self.omega(moments)?;
         let q = self.attitude.quaternion();
         let attitude = Attitude::from_quaternion(q.w + d, q.i + e, q.j + f, q.k + g)?;
-        let moved = omega + BodyVector::new(a, b, c) * omega.norm();
+        let moved = omega + BodyVector::new(a, b, c) * (sense * omega.norm());
         Ok(Self::with_omega(moved, attitude))
     }
 

@@ -35,7 +35,7 @@ use ledger::Conserved;
 const ORDER_EIGHT: Solver = Solver::Geometric(Geometric::DormandPrince8);
 
 /// At so many of the times asked for a closed form is compared with that from a start beside.
-const OF_THE_TIMES: usize = 8;
+const OF_THE_TIMES: usize = 64;
 
 impl Top {
     /// The plan: the closed form wherever there is one, otherwise order 8; or what was asked for by name.
@@ -162,10 +162,6 @@ impl Top {
         if closed.is_exact() && self.body.own.is_none() {
             return Ok(0.0);
         }
-        let start = self.start.beside(self.body.moments)?;
-        let Some(beside) = ClosedForm::find(&self.body, self.g(), &start)? else {
-            return Ok(0.0);
-        };
         let fastest = self.start.omega(self.body.moments)?.norm();
         let times = request.times();
         let every = times.len().div_ceil(OF_THE_TIMES).max(1);
@@ -176,14 +172,22 @@ impl Top {
         closed.each(&some, &budget, |_, attitude, omega| {
             here.push((attitude, omega))
         })?;
-        let (mut most, mut here) = (0.0_f64, here.into_iter());
-        beside.each(&some, &budget, |_, other, moved| {
-            if let Some((attitude, omega)) = here.next() {
-                let unit = fastest.max(omega.norm()).max(f64::MIN_POSITIVE);
-                let faster = (omega - moved).norm() / unit;
-                most = greater(greater(most, attitude.angle_to(&other)), faster);
-            }
-        })?;
+        let mut most = 0.0_f64;
+        // In one of them what the changes do may cancel.
+        for sense in [1.0, -1.0] {
+            let start = self.start.beside(self.body.moments, sense)?;
+            let Some(beside) = ClosedForm::find(&self.body, self.g(), &start)? else {
+                continue;
+            };
+            let mut here = here.iter();
+            beside.each(&some, &budget, |_, other, moved| {
+                if let Some(&(attitude, omega)) = here.next() {
+                    let unit = fastest.max(omega.norm()).max(f64::MIN_POSITIVE);
+                    let faster = (omega - moved).norm() / unit;
+                    most = greater(greater(most, attitude.angle_to(&other)), faster);
+                }
+            })?;
+        }
         Ok(most)
     }
 

@@ -1,10 +1,10 @@
 //! Tutorial 4.10: strips of paper tumble rather than flutter beyond a certain aspect ratio.
 
+use super::*;
 use rayon::prelude::*;
 use spinning_bodies::falling_strip::{
     Coefficients, Fall, LongRun, MEASURED_FROUDE, Regime, Sheet, Start, transition,
 };
-use support::{observed, refused};
 
 fn long_run(ratio: f64, coefficients: Coefficients) -> LongRun {
     let fall = Fall::new(ratio, coefficients).unwrap();

@@ -1,12 +1,10 @@
 //! Section 9: Pythagoras by rotation. The independent method is the pressure, integrated point by point.
 
-use num_rational::Ratio;
+use super::*;
 use proptest::prelude::*;
-use spinning_bodies::frame::SpaceVector;
 use spinning_bodies::pythagoras::{
     GasBox, Orientation, opposite_side, polygon_torques, reversal_angle, tetrahedron_areas,
 };
-use support::{near, observed, refused, relative};
 
 fn box_345() -> GasBox {
     GasBox::new([0.0, 0.0], [4.0, 0.0], [4.0, 3.0]).unwrap()

@@ -1,11 +1,10 @@
 //! Tutorial 4.9: how does a yo-yo work?
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
-
-use spinning_bodies::integrators::{Effort, Kept, Leg, order_eight};
+use super::*;
+use spinning_bodies::Result;
+use spinning_bodies::integrators::{Leg, order_eight};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
-use spinning_bodies::{Error, Result};
-use support::observed;
+use std::f64::consts::FRAC_PI_4;
 
 const G: f64 = 9.81;
 

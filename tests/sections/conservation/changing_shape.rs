@@ -1,9 +1,7 @@
 //! 3.5: a body that changes its shape turns without angular momentum.
 
-use spinning_bodies::conservation::{Law, Ledger};
-use spinning_bodies::phenomena::Waist;
+use super::*;
 use support::double_double::Dd;
-use support::{observed, relative};
 
 // claim: C3.5-3, C1.1-3
 #[test]

@@ -1,11 +1,7 @@
 //! 3.3, 3.4: energy with heat; why equal and opposite is not enough.
 
-use num_rational::Ratio;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::conservation::{Law, Ledger, Particle, Particles};
-use support::{observed, relative};
-
-use super::common::{Flight, V};
 
 // claim: C3.3-1
 #[test]

@@ -1,8 +1,8 @@
 //! The ledger of conserved quantities: what it measures, and what it refuses.
 
-use spinning_bodies::conservation::{Entry, Law, Ledger};
+use super::*;
+use spinning_bodies::conservation::Entry;
 use spinning_bodies::frame::SpaceVector as V;
-use support::{close, refused};
 
 #[test]
 fn ledger_takes_no_nan_for_an_answer() {

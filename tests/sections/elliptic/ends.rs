@@ -1,8 +1,7 @@
 //! The ends m = 0 and m = 1, and no jump on the way.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::elliptic::{Jacobi, Modulus, Parameter, complete_first};
-use std::f64::consts::FRAC_PI_2;
 
 #[test]
 fn the_circular_end_is_sine_and_cosine() -> Result<()> {

@@ -1,16 +1,9 @@
 //! The integrals: against the table, their inverses, their infinities.
 
-use std::collections::BTreeMap;
-
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::elliptic::{
-    Characteristic, Jacobi, Modulus, Parameter, complete_b, complete_d, complete_first,
-    complete_first_excess, complete_second, complete_third, incomplete_first, incomplete_second,
-    incomplete_third, inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn, rc, rd, rf, rg, rj,
-};
-use support::decimal::{hexadecimal, relative_error};
-
-use super::common::parameter;
+use spinning_bodies::elliptic::complete_first_excess;
+use std::collections::BTreeMap;
 
 /// `n:0x…` or `nc:0x…`.
 fn characteristic(text: &str) -> Result<Characteristic> {

@@ -1,11 +1,8 @@
 //! Jacobi functions: against the table, in batches, over successive floats.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::elliptic::{Jacobi, Modulus, Parameter};
-use std::f64::consts::FRAC_PI_2;
-use support::decimal::{hexadecimal, relative_error, units};
-
-use super::common::parameter;
+use support::decimal::units;
 
 struct Row {
     line: &'static str,

@@ -1,13 +1,10 @@
 //! Bad input is refused; no finite input gives not-a-number.
 
+use super::*;
 use proptest::prelude::*;
-use spinning_bodies::elliptic::{
-    Characteristic, Jacobi, Modulus, Parameter, complete_b, complete_d, complete_first,
-    complete_second, complete_third, incomplete_first, incomplete_second, incomplete_third,
-    inverse_cn, inverse_cn_sn, inverse_dn, inverse_sn, rc, rd, rf, rg, rj, sn_cn_dn,
-};
-use spinning_bodies::{Error, Result};
-use support::{any, refused};
+use spinning_bodies::Result;
+use spinning_bodies::elliptic::sn_cn_dn;
+use support::any;
 
 #[test]
 fn bad_input_is_refused_by_name_and_number() -> Result<()> {

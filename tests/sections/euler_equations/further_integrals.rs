@@ -1,10 +1,7 @@
 //! 5.3: the tops with a further integral, exactly and along the motion.
 
-use spinning_bodies::euler_equations::{Integrability, TopState};
-use spinning_bodies::frame::BodyVector;
-use support::{R, observed, rational, relative};
-
-use super::common::{START, heavy};
+use super::*;
+use spinning_bodies::euler_equations::Integrability;
 
 /// a + b·dt with exact fractions: carries a derivative through any polynomial.
 #[derive(Clone, Copy)]

@@ -1,13 +1,7 @@
 //! 5.1: the flow on the momentum sphere.
 
-use spinning_bodies::euler_equations::{
-    Nature, equilibria, fastest_flow, flow, separatrix_slope, streamline,
-};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::PrincipalMoments;
-use support::{observed, relative};
-
-use super::common::moments;
+use super::*;
+use spinning_bodies::euler_equations::{Nature, fastest_flow, separatrix_slope};
 
 #[test]
 fn s5_1_the_flow_on_the_momentum_sphere() {

@@ -1,13 +1,6 @@
 //! What is refused.
 
-use nalgebra::Complex;
-use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, SpringBody, rate_in_any_axes};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::ideal_fluid::TruncatedFluid;
-use spinning_bodies::inertia::InertiaMatrix;
-use support::refused;
-
-use super::common::{OMEGA, PLATE, START, fluid, heavy, moments};
+use super::*;
 
 #[test]
 fn s5_what_is_refused() {

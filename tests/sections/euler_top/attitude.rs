@@ -1,18 +1,9 @@
 //! The attitude: rebuilt from the polhode (6.2), after one period (6.6), and by theta functions (6.8).
 
-use super::common::{
-    at, difference, euler, example, kept_axis, mean, norm, omega, random_start, tilted,
-};
+use super::*;
 use nalgebra::Quaternion;
-use spinning_bodies::elliptic::{
-    Characteristic, Modulus, Parameter, complete_first, complete_third, incomplete_first,
-};
-use spinning_bodies::euler_top::EulerTop;
-use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use support::free_top::Flight;
-use support::inertia::gauss;
-use support::{Uniform, observed, relative, vector, within, wrapped};
+use spinning_bodies::elliptic::{Characteristic, complete_third, incomplete_first};
+use support::wrapped;
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 

@@ -1,8 +1,7 @@
 //! Many states at once (6.6, 6.8): those of one call at a time to the last bit, in whatever order and however many. That they are right, the
 //! table of 32 digits says in `tests/hard_cases/free_top.rs`.
 
-use spinning_bodies::euler_top::{EulerTop, Regime, State};
-use support::{Uniform, refused, vector};
+use super::*;
 
 /// One body of each kind, and one whose axes are numbered the other way round.
 fn tops() -> Vec<EulerTop> {

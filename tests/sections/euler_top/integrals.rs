@@ -1,11 +1,6 @@
 //! 6.6: tops from L² and E, and the separatrix reached exactly.
 
-use super::common::at;
-use spinning_bodies::Error;
-use spinning_bodies::elliptic::{Modulus, Parameter};
-use spinning_bodies::euler_top::{EulerTop, Regime};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use support::{Uniform, close, observed, refused, within};
+use super::*;
 
 const BODIES: [[f64; 3]; 5] = [
     [1.0, 2.0, 3.0],

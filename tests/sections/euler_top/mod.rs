@@ -12,3 +12,11 @@ mod regimes;
 mod solution;
 mod stability;
 mod symmetric;
+
+use super::*;
+use common::*;
+use spinning_bodies::elliptic::{Modulus, Parameter, complete_first};
+use spinning_bodies::euler_top::{EulerTop, Poinsot, Regime, State, SymmetricTop};
+use support::free_top::Flight;
+use support::inertia::gauss;
+use support::{exact, ration, vector, within};

@@ -1,10 +1,7 @@
 //! Paragraph 6.3: the polhodes, and what they tell about the racket. Times and rates: `stability.rs`.
 
-use super::common::{at, euler, integrals, omega, random_tops, rational_starts, thrown, tilted};
-use spinning_bodies::euler_top::{Poinsot, Regime, Sector};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{MassProperties, shapes};
-use support::{R, Uniform, observed, rational, relative, vector, within};
+use super::*;
+use spinning_bodies::euler_top::Sector;
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 

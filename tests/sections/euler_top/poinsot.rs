@@ -1,14 +1,8 @@
 //! Paragraphs 6.1 and 6.2: what stays, and Poinsot's ellipsoid rolling on its plane.
 
-use super::common::{
-    at, derivative, difference, distance, euler, fastest, in_space, integrals, norm, omega,
-    omega_in_space, random_tops, rational_moments, step, thrown, tilted,
-};
+use super::*;
 use spinning_bodies::Result;
 use spinning_bodies::conservation::{Particle, Particles};
-use spinning_bodies::euler_top::{EulerTop, Poinsot, Regime};
-use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use support::{R, Uniform, exact, observed, ration, rational, relative, vector};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 

@@ -1,11 +1,8 @@
 //! The exact motion at its borders: regimes, scales, axes in any order, next to the separatrix, times both ways and far away,
 //! and what is refused.
 
-use super::common::{at, distance, norm, thrown, tilted};
-use spinning_bodies::Error;
-use spinning_bodies::euler_top::{EulerTop, Regime};
-use spinning_bodies::frame::Attitude;
-use support::{ORDERS, Uniform, observed, refused, vector, within};
+use super::*;
+use support::ORDERS;
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 

@@ -1,16 +1,7 @@
 //! Paragraphs 6.4 and 6.6: the sphere, and the generic top in Jacobi's functions.
 
-use super::common::{
-    at, derivative, difference, distance, euler, example, integrals, kept_axis, norm, omega,
-    random_start, rational_starts, step, thrown, tilted,
-};
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::elliptic::{Modulus, Parameter, complete_first};
-use spinning_bodies::euler_top::{EulerTop, Regime, SymmetricTop};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use support::free_top::Flight;
-use support::inertia::gauss;
-use support::{R, Uniform, close, exact, observed, rational, relative, vector, within};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 

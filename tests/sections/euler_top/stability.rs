@@ -1,13 +1,9 @@
 //! Paragraphs 6.3 and 6.7: which rotations last, how long the racket waits, and the factor that λ lacks.
 
-use super::common::{at, distance, norm, omega, rational_moments, thrown, tilted};
+use super::*;
 use spinning_bodies::euler_top::stability::{
     flip_time_asymptote, lambda, lyapunov, oscillations, saddle,
 };
-use spinning_bodies::euler_top::{EulerTop, Regime};
-use spinning_bodies::inertia::PrincipalMoments;
-use support::free_top::Flight;
-use support::{Uniform, observed, ration, rational, refused, relative, vector, within};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 

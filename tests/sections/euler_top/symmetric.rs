@@ -1,11 +1,9 @@
 //! Paragraph 6.5: the symmetric free top and the Earth. The independent method is Euler's equations and the attitude,
 //! integrated together.
 
-use approx::assert_relative_eq;
+use super::*;
 use proptest::prelude::*;
-use spinning_bodies::euler_top::{Shape, SymmetricTop, earth};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use support::{near, observed, refused, relative, runge_kutta};
+use spinning_bodies::euler_top::{Shape, earth};
 
 const OMEGA0: BodyVector = BodyVector::new(0.3, 0.4, 2.0);
 

@@ -1,9 +1,7 @@
 //! What the files of 4.2 share.
 
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::impacts::{Meteorite, Planet, Strike, strike};
-use spinning_bodies::inertia::shapes;
-use support::{R, cross, rational};
+use super::*;
+use spinning_bodies::impacts::Strike;
 
 pub type V = BodyVector;
 

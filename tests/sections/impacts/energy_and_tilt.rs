@@ -1,10 +1,8 @@
 //! Energy lost, tilt, Uranus, and picture c.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::impacts::{Meteorite, Planet, URANUS, grazing_mass_ratio, strike};
-use support::{observed, relative};
-
-use super::common::{M, MOMENT, SMALL, V, close, example, lopsided, v, x};
+use spinning_bodies::impacts::URANUS;
 
 // claim: C4.2-6
 #[test]

@@ -1,10 +1,6 @@
 //! The exact solution, its balances, and a capture by springs.
 
-use spinning_bodies::impacts::{Meteorite, Planet, strike};
-use spinning_bodies::inertia::{InertiaMatrix, MassProperties};
-use support::{R, observed, rational, relative};
-
-use super::common::{M, MOMENT, Q3, SMALL, V, balances, close, defects, example, lopsided, v, x};
+use super::*;
 
 fn rational_example() -> (Q3, Q3) {
     let zero = rational(0, 1);

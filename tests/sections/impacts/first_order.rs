@@ -1,9 +1,6 @@
 //! The formula to first order, its frame and its error.
 
-use spinning_bodies::impacts::{Meteorite, Planet, strike};
-use support::{near, observed, rational, relative};
-
-use super::common::{M, MOMENT, SMALL, V, balances, close, example, lopsided, v, x};
+use super::*;
 
 // claim: C4.2-4
 #[test]

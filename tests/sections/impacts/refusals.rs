@@ -1,11 +1,8 @@
 //! What is refused, and that nothing panics.
 
+use super::*;
 use proptest::prelude::*;
-use spinning_bodies::impacts::{Meteorite, Planet, grazing_mass_ratio, strike};
-use spinning_bodies::inertia::InertiaMatrix;
-use support::{any, refused};
-
-use super::common::{V, defects, lopsided, v};
+use support::any;
 
 #[test]
 fn what_is_refused() {

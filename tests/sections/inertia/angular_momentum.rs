@@ -1,17 +1,7 @@
 //! 2.2: the velocity field of a rigid body and its angular momentum.
 
-use approx::assert_relative_eq;
-use nalgebra::{Matrix3, Vector3};
-use num_rational::Ratio;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{InertiaMatrix, PrincipalMoments};
-use support::inertia::particles;
-use support::{R, Uniform, close, cross, dot, exact, observed, rational, relative, vector};
-
-use super::common::{
-    EPS, OMEGA, POSITIONS, U, add, direct_sums, four_masses, motion_about_origin, swarms,
-};
 
 fn assert_close(computed: BodyVector, exact: [R; 3]) {
     let exact = exact.map(|x| *x.numer() as f64 / *x.denom() as f64);

@@ -1,13 +1,7 @@
 //! 2.6: box, cylinder, equilateral lamina.
 
-use approx::assert_relative_eq;
-use nalgebra::Matrix3;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::inertia::{PlatonicSolid, mesh_mass_properties, shapes};
-use support::inertia::{assert_inertia, circle, cubature, gauss, particles, unit_gauss};
-use support::{Uniform, close, exact, observed, rational, vector};
-
-use super::common::EPS;
 
 #[test]
 fn s2_6_box() -> Result<()> {

@@ -1,11 +1,7 @@
 //! What the files of Section 2 share.
 
-use num_rational::Ratio;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{InertiaMatrix, MassProperties, RigidMotion};
-use support::inertia::particles;
-use support::{R, Uniform, cross, dot, rational, vector};
 
 pub const EPS: f64 = f64::EPSILON;
 

@@ -1,11 +1,7 @@
 //! 2.3: kinetic energy in three parts.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::InertiaMatrix;
-use support::{Uniform, close, exact, rational};
-
-use super::common::{EPS, direct_sums, four_masses, motion_about_origin};
 
 #[test]
 fn s2_3_energy_splits_in_three() -> Result<()> {

@@ -1,13 +1,8 @@
 //! 2.8: the theorem of parallel axes.
 
-use nalgebra::{Matrix3, Vector3};
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{InertiaMatrix, MassProperties, principal_axes_of, shapes};
-use support::inertia::assert_inertia;
-use support::{close, rational, vector};
-
-use super::common::{EPS, MASSES, POSITIONS, four_masses};
+use spinning_bodies::inertia::principal_axes_of;
 
 #[test]
 fn s2_8_parallel_axes() -> Result<()> {

@@ -1,12 +1,9 @@
 //! 2.7: Routh's rule, where it holds and where it fails.
 
-use nalgebra::{Matrix3, Vector3};
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::inertia::{InertiaMatrix, routh, shapes};
-use support::inertia::{assert_inertia, circle, cubature, fixed, gauss, unit_gauss};
-use support::{R, close, exact, rational, refused, vector};
-
-use super::common::EPS;
+use spinning_bodies::inertia::routh;
+use support::inertia::fixed;
 
 #[test]
 fn s2_7_matrix_of_inertia() -> Result<()> {

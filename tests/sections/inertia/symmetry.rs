@@ -1,15 +1,7 @@
 //! 2.6: what an axis of symmetry does; the cube quiz and the Platonic solids.
 
-use nalgebra::{Matrix3, Vector3};
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::{
-    InertiaMatrix, MassProperties, PlatonicSolid, mesh_mass_properties, shapes,
-};
-use support::inertia::{assert_inertia, cubature, gauss, particles};
-use support::{Uniform, close, exact, observed, rational, relative, vector};
-
-use super::common::EPS;
 
 /// A symmetric matrix with random entries, made an inertia matrix by its second moments: S = A Aᵀ.
 fn random_inertia(uniform: &mut Uniform) -> Result<InertiaMatrix> {

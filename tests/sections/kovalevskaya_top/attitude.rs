@@ -1,10 +1,7 @@
 //! The attitude that goes with her solution.
 
-use spinning_bodies::frame::{Attitude, SpaceVector};
-use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
-use support::{observed, vector};
-
 use super::common::Result;
+use super::*;
 
 #[test]
 fn the_attitude_carries_up_and_moves_with_omega() -> Result {

@@ -1,12 +1,9 @@
 //! 8.2: her constant, along motions and in exact fractions.
 
-use spinning_bodies::euler_equations::Integrability;
+use super::common::Result;
+use super::*;
 use spinning_bodies::euler_top::EulerTop;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::kovalevskaya_top::{Kind, KovalevskayaTop, Method};
-use support::{close, near, observed, power_series, rational, relative, vector};
-
-use super::common::{EPS, MOMENTS, REGISTER, Result, points, rates, register, times};
+use spinning_bodies::kovalevskaya_top::Kind;
 
 // claim: C8.2-1, C8.2-2, C8.2-3
 #[test]

@@ -1,10 +1,8 @@
 //! 8.1: the equations with gravity, and what stays.
 
-use approx::assert_relative_eq;
-use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
-
-use super::common::{Result, points, rates};
-use support::{R, dot, exact, rational, vector};
+use super::common::Result;
+use super::*;
+use support::{dot, exact};
 
 // claim: C8.1-1
 #[test]

@@ -1,12 +1,8 @@
 //! 8.1: bodies that are her top, and where to hold them.
 
-use spinning_bodies::Error;
-use spinning_bodies::euler_equations::Integrability;
-use spinning_bodies::inertia::{PrincipalMoments, shapes};
-use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, ellipsoid};
-use support::{close, observed, rational, relative, vector};
-
-use super::common::{EPS, MOMENTS, Result, points, register};
+use super::common::Result;
+use super::*;
+use spinning_bodies::kovalevskaya_top::ellipsoid;
 
 // claim: C8.1-4, C8.1-5
 #[test]

@@ -1,10 +1,8 @@
 //! 7.1 and the first half of 7.2: what the top is, its axes, and what is conserved.
 
-use super::common::{AXIAL, UP, at, axis, azimuth, cubic, roots, tilted, unit_vector};
+use super::*;
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability, TopState};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, State};
-use support::{R, Uniform, cross, dot, observed, ration, rational, within, wrapped};
+use support::dot;
 
 /// I₁ and I₃, and Mgl.
 struct Body {

@@ -1,8 +1,6 @@
 //! What the files of Section 7 share. The unit top has I₁ = Mgl = 1.
 
-use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State};
-use support::{R, Uniform, rational, wrapped};
+use super::*;
 
 /// The axial moment of the unit top: with it L₃ = Ω₃/2.
 pub const AXIAL: f64 = 0.5;

@@ -1,10 +1,7 @@
 //! 7.2, 7.5, 7.6: tops from what they keep, L₃, L_vert and E, and the separatrix reached exactly.
 
-use super::common::{UP, at};
-use spinning_bodies::Error;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State, pendulum_from_integrals};
-use support::{Uniform, observed, refused, within, wrapped};
+use super::*;
+use spinning_bodies::lagrange_top::pendulum_from_integrals;
 
 /// Bodies of many sizes, L₃ below the threshold of each, gravity either way.
 const SLOW: [[f64; 4]; 6] = [

@@ -11,3 +11,8 @@ mod release;
 mod sleeping;
 mod special;
 mod traces;
+
+use super::*;
+use common::*;
+use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State, pendulum_between};
+use support::{ration, within, wrapped};

@@ -1,15 +1,9 @@
 //! The second half of 7.2: nutation by elliptic functions, its period, the azimuth, and the erratum of its integral.
 
-use super::common::{
-    AXIAL, at, axis, azimuth, cubic, cusp, f, gained_azimuth, periodic_mean, roots, spun, swirl,
-    tilted, turning, wave,
-};
+use super::*;
 use spinning_bodies::elliptic::{
     Characteristic, Modulus, Parameter, complete_first, complete_third,
 };
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::LagrangeTop;
-use support::{Uniform, observed, ration, rational, within, wrapped};
 
 const EXAMPLES: [fn() -> LagrangeTop; 3] = [cusp, wave, swirl];
 

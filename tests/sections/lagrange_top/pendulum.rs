@@ -1,9 +1,6 @@
 //! 7.6: without L₃ Lagrange's top is the spherical pendulum.
 
-use super::common::{AXIAL, at, axis, cubic, gained_azimuth, roots, spun};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, pendulum_between};
-use support::{Uniform, cross, observed, ration, rational, runge_kutta, within};
+use super::*;
 
 /// A point on the unit sphere under gravity 1, e'' = −ẑ + (h − |e'|²)e: no top in it.
 fn swinging([x, y, z]: [f64; 3], [u, v, w]: [f64; 3], t: f64, steps: u32) -> [f64; 3] {

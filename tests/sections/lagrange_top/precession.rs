@@ -1,10 +1,8 @@
 //! 7.3: pure precession, slow and fast, and when there is any.
 
-use super::common::{AXIAL, at, axis, cubic, gained_azimuth, is, roots, spun, tilted, unit_vector};
+use super::*;
 use spinning_bodies::euler_top::SymmetricTop;
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, least_axial_angular_momentum};
-use support::{R, Uniform, observed, ration, rational, runge_kutta, within};
+use spinning_bodies::lagrange_top::least_axial_angular_momentum;
 
 /// Both roots of I₁h w² − L₃w + Mgl = 0 for the unit top, slow and fast, without cancellation; L₃ > 0.
 fn rates(h: f64, l3: f64) -> [f64; 2] {

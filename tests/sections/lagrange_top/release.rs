@@ -1,9 +1,6 @@
 //! 7.4: released from a tilt, the top dips, draws something close to a cycloid, and settles.
 
-use super::common::{AXIAL, at, gained_azimuth, released, roots, tilted};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
-use support::{observed, runge_kutta, within};
+use super::*;
 
 const TILT: f64 = std::f64::consts::FRAC_PI_3;
 

@@ -1,9 +1,6 @@
 //! 7.5: the sleeping top, its threshold with equality, and how it wakes and goes to sleep.
 
-use super::common::{AXIAL, at, cubic, is, roots, tilted};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
-use support::{Uniform, cross, observed, ration, rational, runge_kutta, within};
+use super::*;
 
 /// Upright with L₃ and a kick across the axis.
 fn kicked(l3: f64, kick: f64) -> LagrangeTop {

@@ -1,11 +1,9 @@
 //! The functions for the special motions of 7.3 to 7.6, held against exact numbers, the motion itself and their own hard cases.
 
-use super::common::{AXIAL, roots, spun};
+use super::*;
 use spinning_bodies::lagrange_top::{
-    Nutation, PurePrecession, apsides, dip, fast_spin, pendulum_between, pure_precession,
-    sleeping_threshold, tilt_after_kick,
+    PurePrecession, apsides, dip, fast_spin, pure_precession, sleeping_threshold, tilt_after_kick,
 };
-use support::{Uniform, observed, within};
 
 /// Slow and fast, where there are two.
 fn two(transverse: f64, weight: f64, l3: f64, h: f64) -> [f64; 2] {

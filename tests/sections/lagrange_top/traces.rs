@@ -1,11 +1,6 @@
 //! The pictures k, l, m and n: what the axis writes on the sphere, and where φ' changes its sign (7.2, 7.3, 7.4).
 
-use super::common::{
-    AXIAL, at, axis, is, periodic_mean, precession, released, roots, spun, swirl, turning, wave,
-};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
-use support::{observed, within};
+use super::*;
 
 /// Signs of φ' at 400 moments of one nutation: how many are negative, zero up to rounding, positive.
 fn signs(top: &LagrangeTop) -> [u32; 3] {

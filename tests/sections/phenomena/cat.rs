@@ -1,18 +1,10 @@
 //! The falling cat.
 
-use std::f64::consts::{FRAC_PI_3, PI, TAU};
-
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
-use spinning_bodies::phenomena::{
-    Bend, Cat, EqualHalves, Half, Hub, ShapePlane, Step, turn_along, turn_within,
-};
-use spinning_bodies::scene::effects::{Pace, Turnover};
-use spinning_bodies::scene::{Request, Scene, shape};
-use support::inertia::integral;
-use support::{close, observed, relative};
+use spinning_bodies::phenomena::{Bend, Cat, EqualHalves, Half};
+use spinning_bodies::scene::effects::Turnover;
+use std::f64::consts::FRAC_PI_3;
 
 /// Two cylinders: I/J = 4.
 fn equal_half(ratio: f64, to_joint: f64) -> Half {

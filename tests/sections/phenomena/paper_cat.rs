@@ -1,12 +1,9 @@
 //! The cat of paper, which the air turns.
 
-use std::f64::consts::PI;
-
+use super::*;
 use spinning_bodies::Result;
 use spinning_bodies::phenomena::PaperCat;
-use spinning_bodies::scene::effects::{Air, Gravity};
-use spinning_bodies::scene::{Request, Scene, shape};
-use support::{observed, relative};
+use spinning_bodies::scene::effects::Air;
 
 // claim: C1.1-9, C1.1-13
 #[test]

@@ -1,12 +1,8 @@
 //! Sliding: on ice nobody gets anywhere, with a little friction anybody does.
 
-use std::f64::consts::TAU;
-
-use spinning_bodies::integrators::{Effort, Kept, order_eight};
+use super::*;
 use spinning_bodies::phenomena::{Crawler, PARTS, Part, Strokes, Wriggler, feet};
-use spinning_bodies::scene::effects::{Coulomb, Gravity};
-use spinning_bodies::scene::{Request, Scene, shape};
-use support::{near, observed};
+use spinning_bodies::scene::effects::Coulomb;
 
 // claim: C1.1-1
 #[test]

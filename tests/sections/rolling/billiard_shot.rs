@@ -1,12 +1,9 @@
 //! Paragraph 4.3: the billiard shot. The pulse of the cue is integrated step by step, under Coulomb friction.
 
-use lab::general::DifferentialEquations;
+use super::*;
 use proptest::prelude::*;
 use spinning_bodies::Result;
-use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::{Coulomb, Course, Happening, Load, Moment, Regime, RoundBody};
-use spinning_bodies::scene::{Choice, Request, Roller, Scene, Solver};
-use support::{close, near, observed, refused, relative};
+use spinning_bodies::rolling::Regime;
 
 const MASS: f64 = 0.17;
 const RADIUS: f64 = 0.028_575;

@@ -1,9 +1,6 @@
 //! One bounce: the balances, the two solutions, the matrices.
 
-use spinning_bodies::superball::{Motion, Surface, bounce, bounce_matrix};
-
-use super::common::{determinant, kappas, moving, thrown, times};
-use support::{R, rational};
+use super::*;
 
 /// −2κu/(1+κ): what friction gives, per mass.
 fn rubbed(before: Motion<R>, surface: Surface, kappa: R) -> R {

@@ -1,7 +1,6 @@
 //! What the files of 4.6 share.
 
-use spinning_bodies::superball::{Motion, UnderTable};
-use support::{R, rational};
+use super::*;
 
 pub const BALL: f64 = 2.0 / 5.0;
 

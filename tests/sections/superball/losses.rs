@@ -1,15 +1,11 @@
 //! Paragraph 4.6, continued: stiff contacts, restitution along the surface, slipping, bounces that pile up, and flights in closed form.
 
-use super::common::moving;
-use num_rational::Ratio;
+use super::*;
 use proptest::prelude::*;
-use spinning_bodies::integrators::{Effort, Kept, Leg, Stop};
+use spinning_bodies::integrators::{Leg, Stop};
 use spinning_bodies::rolling::Coulomb;
-use spinning_bodies::superball::{
-    Flight, InFlight, Motion, Restitution, Surface, bounce, bounce_with, gripping_bounce,
-    return_threshold,
-};
-use support::{any, close, near, observed, refused};
+use spinning_bodies::superball::{Restitution, bounce_with, gripping_bounce, return_threshold};
+use support::any;
 
 /// A contact on springs of frequency `omega`, tuned, with gravity: V and RΩ as the ball leaves, and how long it took.
 fn stiff(omega: f64, kappa: f64, before: Motion<f64>) -> ([f64; 2], f64) {

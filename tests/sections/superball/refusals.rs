@@ -1,12 +1,7 @@
 //! What is refused, and that nothing panics.
 
+use super::*;
 use proptest::prelude::*;
-use spinning_bodies::superball::{
-    BounceRotation, Surface, UnderTable, bounce, checked_bounce, reach, spring_bounce,
-};
-
-use super::common::moving;
-use support::{rational, refused};
 
 #[test]
 fn superball_refuses_what_is_no_ball() {

@@ -1,10 +1,7 @@
 //! The contact as springs.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::superball::{Motion, Surface, bounce, spring_bounce};
-use support::{near, observed, runge_kutta};
-
-use super::common::{BALL, moving};
 
 /// One contact with springs k_n and k_t, integrated by RK4: heights, velocities, stretch; k_n = M = R = 1.
 fn contact_by_integration(

@@ -1,11 +1,6 @@
 //! Bounce after bounce: the rotation, the way back out, no period.
 
-use spinning_bodies::superball::{
-    BounceRotation, Surface, UnderTable, bounce_matrix, checked_bounce, reach,
-};
-use support::{R, near, observed, rational, relative};
-
-use super::common::{BALL, determinant, kappas, moving, thrown, times};
+use super::*;
 
 // claim: C4.6-7, C4.6-13
 #[test]

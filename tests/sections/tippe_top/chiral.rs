@@ -1,15 +1,8 @@
 //! The chiral tippe top: turned over one way only, its mirror image the other way, its symmetric relatives alike both ways.
 
-use nalgebra::Matrix3;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::MassProperties;
-use spinning_bodies::scene::contact::{TableTop, passage};
-use spinning_bodies::scene::effects::{Gravity, Regularised};
-use spinning_bodies::tippe_top::{ConvexBody, Start, beads, bodies, chirality_index, quasi_steady};
-use support::{observed, relative};
-
-use super::common::{G, degrees, last, most, on_a_table, regularised, run};
+use spinning_bodies::tippe_top::{beads, chirality_index};
 
 const SPIN: f64 = 132.9;
 

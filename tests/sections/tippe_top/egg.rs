@@ -1,13 +1,7 @@
 //! The boiled egg, and other bodies that raise their centre.
 
+use super::*;
 use core::f64::consts::{FRAC_PI_2, TAU};
-
-use spinning_bodies::scene::contact::passage;
-use spinning_bodies::scene::effects::{Regularised, Viscous};
-use spinning_bodies::tippe_top::{Start, bodies};
-use support::observed;
-
-use super::common::{G, degrees, last, on_a_table, run};
 
 #[test]
 fn s4_7_a_spun_egg_stands_up() {

@@ -1,12 +1,6 @@
 //! Trajectories against 25 digits, by other equations, another method and another arithmetic (`tests/reference/tippe_top.py`).
 
-use nalgebra::Vector3;
-use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use spinning_bodies::scene::contact::{State, TableTop};
-use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
-use spinning_bodies::scene::{Request, Scene};
-use spinning_bodies::tippe_top::{ConvexBody, Start, bodies};
-use support::observed;
+use super::*;
 
 const G: f64 = 9.81;
 

@@ -1,16 +1,8 @@
 //! The axisymmetric tippe top: closed forms and the full motion.
 
-use core::f64::consts::PI;
-
-use nalgebra::{Matrix3, Vector3};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::scene::contact::{State, TableTop, passage};
-use spinning_bodies::scene::effects::{NoSlip, Resistance, Viscous};
-use spinning_bodies::tippe_top::{ConvexBody, Inversion, Start, Surface, TippeTop, bodies};
-use support::{observed, relative};
-
-use super::common::{G, degrees, last, most, on_a_table, run};
+use super::*;
+use spinning_bodies::scene::effects::Resistance;
+use spinning_bodies::tippe_top::Inversion;
 
 const MR2: f64 = 0.02 * 0.02 * 0.02;
 

@@ -36,4 +36,7 @@ use spinning_bodies::inertia::{InertiaMatrix, MassProperties, PrincipalMoments, 
 use spinning_bodies::integrators::{Effort, Kept};
 use spinning_bodies::scene::{Request, Scene};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use support::{R, Uniform, close, cross, near, observed, rational, refused, relative, runge_kutta};
+use support::{
+    R, Uniform, close, cross, dot, exact, greatest, near, observed, ration, rational, refused,
+    relative, runge_kutta, vector, within, wrapped,
+};

@@ -19,4 +19,3 @@ use spinning_bodies::elliptic::{Modulus, Parameter, complete_first};
 use spinning_bodies::euler_top::{EulerTop, Poinsot, Regime, State, SymmetricTop};
 use support::free_top::Flight;
 use support::inertia::gauss;
-use support::{exact, ration, vector, within};

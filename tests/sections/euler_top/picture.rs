@@ -18,10 +18,8 @@ fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
         assert_eq!(l2 - twice_energy * i1, about_smallest(o2, o3));
         assert_eq!(twice_energy * i3 - l2, about_largest(o1, o2));
         assert!(i2 > i1 && i3 > i2 && i1 > zero);
-        assert!(
-            twice_energy * i1 < l2 && l2 < twice_energy * i3,
-            "off the axes"
-        );
+        // Off the axes.
+        assert!(twice_energy * i1 < l2 && l2 < twice_energy * i3);
         // Indefinite across x₂.
         let about_middle = |o1: R, o3: R| i3 * (i3 - i2) * o3 * o3 - i1 * (i2 - i1) * o1 * o1;
         assert_eq!(l2 - twice_energy * i2, about_middle(o1, o3));
@@ -116,10 +114,8 @@ fn s6_3_four_eyes() {
             for k in 0..steps {
                 let ((a0, b0, c), (a1, b1, _)) = (place(k), place(k + 1));
                 angle += (a0 * b1 - b0 * a1).atan2(a0 * a1 + b0 * b1);
-                assert!(
-                    turning != axis || c.signum() == o[axis].signum(),
-                    "it changed sides"
-                );
+                // It keeps to its side.
+                assert!(turning != axis || c.signum() == o[axis].signum());
             }
             let turns = angle / std::f64::consts::TAU;
             if turning == axis {
@@ -145,10 +141,8 @@ fn s6_3_four_eyes() {
     let close = (0..1000)
         .filter(|k| omega(&top, top.period() * f64::from(*k) / 1000.0)[1].abs() > 0.99)
         .count();
-    assert!(
-        close > 550,
-        "{close} of 1000 equal times within 8 degrees of the middle axis"
-    );
+    // So many of a thousand equal times within 8 degrees of the middle axis.
+    assert!(close > 550, "{close}");
     assert!(near.pace(std::f64::consts::FRAC_PI_2) < 0.02 * near.pace(0.0));
 }
 

@@ -65,19 +65,13 @@ fn s6_6_sectors() {
         moments.sort_by(f64::total_cmp);
         let omega0: [f64; 3] = [0; 3].map(|_| numbers.signed());
         let mut flight = Flight::from_omega(moments, omega0);
-        let l = flight.angular_momentum();
-        let (twice_energy, l2) = (flight.twice_energy().value(), l.dot(&l));
+        let l = vector([0, 1, 2].map(|k| moments[k] * omega0[k]));
+        let (twice_energy, l2) = (l.dot(&vector(omega0)), l.dot(&l));
         assert!(moments[0] < l2 / twice_energy && l2 / twice_energy < moments[2]);
         let above = l2 > twice_energy * moments[1];
         let regime = tilted(moments, omega0).regime();
-        assert_eq!(
-            regime,
-            if above {
-                Regime::AroundLargest
-            } else {
-                Regime::AroundSmallest
-            }
-        );
+        let sides = [Regime::AroundSmallest, Regime::AroundLargest];
+        assert_eq!(regime, sides[usize::from(above)]);
         // By the integrator: the one keeps its sign for a period, the two others change theirs.
         let period = tilted(moments, omega0).period();
         let mut changed = [false; 3];
@@ -97,10 +91,8 @@ fn s6_6_sectors() {
         [rational(2, 1), rational(0, 1), rational(0, 1)],
     );
     assert_eq!(l2, energy);
-    assert_eq!(
-        thrown([1.5, 3.0, 4.0], [1.0, 0.5, 2.0]).regime(),
-        Regime::Separatrix
-    );
+    let between = thrown([1.5, 3.0, 4.0], [1.0, 0.5, 2.0]);
+    assert_eq!(between.regime(), Regime::Separatrix);
 }
 
 // claim: C6.6-2, C6.6-3, C6.6-4, C6.6-5
@@ -150,11 +142,8 @@ fn s6_6_from_the_integrals_to_the_modulus() {
         // The complement, and when it is positive.
         assert_eq!(one - k2, (i3 - i1) * d2 / ((i3 - i2) * d1));
         assert!(k2 > rational(0, 1));
-        assert_eq!(
-            k2 < one,
-            d2 > rational(0, 1),
-            "the condition: the sector of Ω₃"
-        );
+        // The condition: the sector of Ω₃.
+        assert_eq!(k2 < one, d2 > rational(0, 1));
         let exchanged = (i3 - i2) * d1 / ((i1 - i2) * d3);
         assert_eq!(exchanged, one / k2, "the other sector has the inverse");
         // The motion itself obeys the quartic.
@@ -308,20 +297,9 @@ fn s6_6_other_sector() {
     ];
     observed!(distance(at(&top, 1.0).omega, expected), 0.0..=4.5e-16); // observed none
     // 2E = 7, L² = 13: exchange 1 and 3 in every formula, and no sign.
-    observed!(
-        distance(
-            vector(displayed_exchanged(MOMENTS, 7.0, 13.0, 1.0)),
-            expected,
-        ),
-        0.0..=4.5e-16
-    ); // observed none
-    observed!(
-        distance(
-            vector(displayed_exchanged(MOMENTS, 7.0, 13.0, 5.0)),
-            omega(&top, 5.0),
-        ),
-        1e-16..=2e-15
-    ); // observed 3.8e-16
+    let shown = |t: f64| vector(displayed_exchanged(MOMENTS, 7.0, 13.0, t));
+    observed!(distance(shown(1.0), expected), 0.0..=4.5e-16); // observed none
+    observed!(distance(shown(5.0), omega(&top, 5.0)), 1e-16..=2e-15); // observed 3.8e-16
     let off = relative(top.period(), 7.470_389_337_573_354_766_3);
     observed!(off, 0.0..=4.5e-16);
     // The modulus is 3/4, exactly.

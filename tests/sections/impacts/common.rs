@@ -28,11 +28,7 @@ pub fn example() -> Strike {
 
 pub fn close(actual: V, expected: [f64; 3], tolerance: f64) {
     let difference = actual - V::new(expected[0], expected[1], expected[2]);
-    assert!(
-        difference.norm() <= tolerance,
-        "{actual:?} against {expected:?}: {:e}",
-        difference.norm()
-    );
+    assert!(difference.norm() <= tolerance, "{actual:?} {expected:?}");
 }
 
 pub fn add(a: Q3, b: Q3, factor: R) -> Q3 {

@@ -16,4 +16,3 @@ use super::*;
 use common::*;
 use spinning_bodies::inertia::{PlatonicSolid, RigidMotion, mesh_mass_properties};
 use support::inertia::{assert_inertia, circle, cubature, gauss, particles, unit_gauss};
-use support::{dot, exact, vector};

@@ -15,4 +15,4 @@ use super::*;
 use common::*;
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability, TopState};
 use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method};
-use support::{power_series, vector};
+use support::power_series;

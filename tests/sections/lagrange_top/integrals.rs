@@ -28,10 +28,8 @@ fn s7_5_the_waking_top_of_every_body_down_to_underflow() {
         let vertical = if weight < 0.0 { -l3 } else { l3 };
         let top = LagrangeTop::above_upright(i1, i3, weight, l3, vertical, 0.0).unwrap();
         assert_eq!(top.kind(), Nutation::Waking, "{body:?}");
-        assert_eq!(
-            (top.period(), top.precession_per_nutation()),
-            (f64::INFINITY, None)
-        );
+        assert_eq!(top.period(), f64::INFINITY);
+        assert_eq!(top.precession_per_nutation(), None);
         let size = weight.abs();
         let y0 = 2.0 - 0.5 * (l3 / i1) * (l3 / size);
         let rate = (0.5 * size * y0 / i1).sqrt();
@@ -119,10 +117,8 @@ fn s7_5_the_way_to_the_separatrix() {
         let lowest = (quadratic - e + root) / (4.0 * g);
         let roots = top.roots();
         observed!((roots.one_less[0] / lowest - 1.0).abs(), 0.0..=1e-15);
-        assert_eq!(
-            roots.one_less[1], 0.0,
-            "it passes through the upright position"
-        );
+        // It passes through the upright position.
+        assert_eq!(roots.one_less[1], 0.0);
         // To one unit in the last place; 5e-324/1.5 is one unit itself.
         within(
             (roots.third_less_one - e / (g * lowest)).abs(),
@@ -203,10 +199,8 @@ fn s7_2_any_integrals_are_kept() {
             } else {
                 (state.one_less, state.one_more)
             };
-            assert!(
-                less >= roots.one_less[1] * (1.0 - 1e-14)
-                    && more >= roots.one_more[0] * (1.0 - 1e-14)
-            );
+            assert!(less >= roots.one_less[1] * (1.0 - 1e-14));
+            assert!(more >= roots.one_more[0] * (1.0 - 1e-14));
         }
     }
     assert!(moved > 2000 && refused > 200, "{moved} {refused}");
@@ -279,10 +273,7 @@ fn s7_2_integrals_that_no_motion_has() {
         pendulum_from_integrals(0.0, -9.81f64.next_up(), 9.81),
         pendulum_from_integrals(1.0, -9.81, 9.81),
     ] {
-        assert!(
-            matches!(refused, Err(Error::Condition { .. })),
-            "{refused:?}"
-        );
+        refused!(refused, Condition);
     }
     for bad in [f64::NAN, f64::INFINITY] {
         for k in 0..6 {
@@ -336,9 +327,7 @@ fn s7_6_the_pendulum_from_its_integrals() {
     // A cone of 60° under gravity 1: L_vert² = sin⁴θ/cos θ = 9/8, E = ¾ − ½.
     let (vertical, energy) = (1.125f64.sqrt(), 0.25);
     for (beside, moves) in [(energy + 1e-12, true), (energy - 1e-12, false)] {
-        assert_eq!(
-            pendulum_from_integrals(vertical, beside, 1.0).is_ok(),
-            moves
-        );
+        let pendulum = pendulum_from_integrals(vertical, beside, 1.0);
+        assert_eq!(pendulum.is_ok(), moves);
     }
 }

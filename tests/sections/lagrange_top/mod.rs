@@ -15,4 +15,3 @@ mod traces;
 use super::*;
 use common::*;
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State, pendulum_between};
-use support::{ration, within, wrapped};

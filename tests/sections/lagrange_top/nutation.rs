@@ -204,10 +204,8 @@ fn s7_2_a_duality() {
         let [energy, l3, vertical, h] = [0; 4].map(|_| ration(&mut numbers));
         let [i1, weight] = [ration(&mut numbers), ration(&mut numbers)].map(|x| x * x);
         let raised = energy + (l3 * l3 - vertical * vertical) / (rational(2, 1) * i1);
-        assert_eq!(
-            cubic([i1, weight], energy, l3, vertical, h),
-            cubic([i1, weight], raised, vertical, l3, h)
-        );
+        let dual = cubic([i1, weight], raised, vertical, l3, h);
+        assert_eq!(cubic([i1, weight], energy, l3, vertical, h), dual);
     }
     // Cusp and wave are such a pair: the same height at every time, another azimuth.
     let (cusp, wave) = (cusp(), wave());

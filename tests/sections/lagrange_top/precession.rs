@@ -91,10 +91,8 @@ fn s7_3_quadratic_for_the_rate() {
         assert_eq!(value(h), rational(0, 1));
         let difference = |d: i128| value(h + rational(d, 1)) - value(h - rational(d, 1));
         let slope = (rational(8, 1) * difference(1) - difference(2)) / rational(12, 1);
-        assert_eq!(
-            slope,
-            -two * i1 * sine2 * (i1 * h * w * w - l3 * w + weight)
-        );
+        let quadratic = i1 * h * w * w - l3 * w + weight;
+        assert_eq!(slope, -two * i1 * sine2 * quadratic);
     }
     // L₃ = 3, θ = 60°: 3 ∓ √7. Both keep the tilt.
     let expected = [0.3542486889354094094983842, 5.645751311064590590501616];
@@ -156,11 +154,7 @@ fn s7_3_when_there_is_pure_precession() {
         });
         bands.fold(f64::INFINITY, f64::min)
     };
-    assert!(
-        narrowest(0.99 * least) > 0.01,
-        "{}",
-        narrowest(0.99 * least)
-    );
+    assert!(narrowest(0.99 * least) > 0.01);
     observed!(narrowest(1.01 * least), 7e-6..=1e-4);
     for w in rates(0.5, 1.01 * least) {
         let [h1, h2, _] = roots(&spun(theta, 0.0, w, 1.01 * least));

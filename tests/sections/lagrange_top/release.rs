@@ -96,10 +96,7 @@ fn s7_4_mean_precession_and_nutation() {
     // Both tend to 1 as L₃⁻²: the differences times L₃² settle.
     let kinds = [0, 1].map(|k| [off[0][k], off[1][k], off[2][k]]);
     for [a, b, c] in kinds {
-        assert!(
-            a.abs() < 2.0 && b.abs() < 2.0 && c.abs() < 2.0,
-            "{a} {b} {c}"
-        );
+        assert!([a, b, c].iter().all(|x| x.abs() < 2.0), "{a} {b} {c}");
         assert!((c - b).abs() < 0.3 * (b - a).abs(), "{a} {b} {c}");
     }
 }

@@ -43,11 +43,7 @@ fn s7_5_criterion() {
     ] {
         let l3 = AXIAL * omega3;
         let top = kicked(l3, 0.0);
-        assert!(
-            is(&top, Nutation::Sleeping { stable }),
-            "{omega3}: {:?}",
-            top.kind()
-        );
+        assert_eq!(top.kind(), Nutation::Sleeping { stable }, "{omega3}");
         assert_eq!(omega3 * omega3 > threshold * threshold, stable);
         // The text's criterion: the sign of f = (1 − h)²(2(1 + h) − L₃²) just below h = 1.
         let below: f64 = f64::EPSILON / 4.0;
@@ -114,10 +110,7 @@ fn s7_5_at_equality_it_is_stable() {
         let omega = BodyVector::new(0.0, 0.0, omega3);
         let top = LagrangeTop::new(transverse, axial, weight, omega, tilted(0.0)).unwrap();
         let stable = is(&top, Nutation::Sleeping { stable: true });
-        assert_eq!(
-            (stable, stable == displayed, stable == sharp),
-            (true, false, true)
-        );
+        assert_eq!([stable, sharp, displayed], [true, true, false]);
     }
     // The tilt tends to zero with the kick, like its root: a hundredth of the kick, a tenth of the tilt.
     for kick in [1e-6, 1e-8, 1e-10] {

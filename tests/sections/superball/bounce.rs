@@ -38,10 +38,8 @@ fn s4_6_balances_and_reversed_contact_speed() {
                 // Per mass: V' − V = F, κ(RΩ' − RΩ) = ∓F; the ceiling has the other sign, R → −R.
                 let impulse = rubbed(before, surface, kappa);
                 assert_eq!(after.velocity - before.velocity, impulse);
-                assert_eq!(
-                    kappa * (after.rim_speed - before.rim_speed),
-                    -sign * impulse
-                );
+                let spun = kappa * (after.rim_speed - before.rim_speed);
+                assert_eq!(spun, -sign * impulse);
                 assert_eq!(after.energy(kappa), before.energy(kappa));
                 assert_eq!(after.contact_speed(surface), -before.contact_speed(surface));
             }

@@ -133,20 +133,8 @@ fn s4_6_it_comes_back_out() {
         (low, high) = (low.min(x), high.max(x));
     }
     assert!(low > least && high < greatest, "{low} {high}");
-    observed!(
-        low - least,
-        1e-11..=5e-10,
-        "{} {}",
-        low - least,
-        greatest - high
-    );
-    observed!(
-        greatest - high,
-        8e-12..=3e-10,
-        "{} {}",
-        low - least,
-        greatest - high
-    );
+    observed!(low - least, 1e-11..=5e-10);
+    observed!(greatest - high, 8e-12..=3e-10);
     // κ → 0: it passes straight through, and nothing holds it.
     let light = UnderTable::new(start, 1e-12).positions().nth(99).unwrap();
     observed!(relative(light, 100.0), 2e-9..=7e-8);

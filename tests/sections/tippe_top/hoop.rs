@@ -56,10 +56,8 @@ fn s4_7_slip_at_the_contact_and_torque_of_friction() {
             -f * offset * theta.sin(),
         );
         assert!((torque - expected).norm() < 1e-15 * f * r);
-        assert!(
-            torque.z().abs() < 0.12 * torque.x().abs(),
-            "mostly horizontal"
-        );
+        // Mostly horizontal.
+        assert!(torque.z().abs() < 0.12 * torque.x().abs());
         // d(L·e)/dt = N·e = −R f sin θ, exactly; and the normal force has no moment about K's axis through C.
         let e = SpaceVector::new(theta.sin(), 0.0, theta.cos());
         observed!((torque.dot(&e) + r * f * theta.sin()).abs(), 0.0..=1e-16);

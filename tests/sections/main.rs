@@ -37,6 +37,6 @@ use spinning_bodies::integrators::{Effort, Kept};
 use spinning_bodies::scene::{Request, Scene};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use support::{
-    R, Uniform, close, cross, dot, exact, greatest, near, observed, ration, rational, refused,
-    relative, runge_kutta, vector, within, wrapped,
+    ONE, R, TWO, Uniform, ZERO, close, cross, dot, exact, greatest, near, observed, ration,
+    rational, refused, relative, runge_kutta, vector, whole, within, wrapped,
 };

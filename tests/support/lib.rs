@@ -16,7 +16,7 @@ mod rationals;
 pub mod table;
 
 pub use random::{Uniform, any, ration};
-pub use rationals::{R, exact, rational};
+pub use rationals::{ONE, R, TWO, ZERO, exact, rational, whole};
 
 use core::f64::consts::TAU;
 use core::fmt::Arguments;

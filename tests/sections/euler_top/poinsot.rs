@@ -189,7 +189,7 @@ fn s6_2_the_plane_touches() -> Result<()> {
         let i = rational_moments(&mut numbers);
         let o = [0; 3].map(|_| ration(&mut numbers));
         let (twice_energy, _) = integrals(i, o);
-        let theta = |x: [R; 3]| (0..3).fold(rational(0, 1), |sum, k| sum + i[k] * x[k] * x[k]);
+        let theta = |x: [R; 3]| (0..3).fold(ZERO, |sum, k| sum + i[k] * x[k] * x[k]);
         let h = rational(1, 7);
         for k in 0..3 {
             let shifted = |s: R| {
@@ -199,11 +199,10 @@ fn s6_2_the_plane_touches() -> Result<()> {
             };
             // A quadratic: its central difference is its derivative, whatever the step.
             let slope = (shifted(h) - shifted(-h)) / (h + h);
-            assert_eq!(slope, rational(2, 1) * i[k] * o[k]);
+            assert_eq!(slope, TWO * i[k] * o[k]);
         }
         let l = [0, 1, 2].map(|k| i[k] * o[k]);
-        let support_squared =
-            (0..3).fold(rational(0, 1), |sum, k| sum + l[k] * l[k] / i[k]) * twice_energy;
+        let support_squared = (0..3).fold(ZERO, |sum, k| sum + l[k] * l[k] / i[k]) * twice_energy;
         assert_eq!(support_squared, twice_energy * twice_energy);
         // Every other point of Θ lies below the plane.
         let moments = i.map(exact);

@@ -248,7 +248,7 @@ fn s6_7_growth_rate() {
         let twice = (i2 - i3) * o / i1 * ((i1 - i2) * o / i3);
         let printed = (i1 - i2) * (i2 - i3) / (i3 * i1);
         assert_eq!(twice, printed * o * o);
-        assert_eq!(twice == printed, o * o == rational(1, 1));
+        assert_eq!(twice == printed, o * o == ONE);
     }
 }
 
@@ -291,9 +291,9 @@ fn s6_7_same_rate_as_the_separatrix() {
         let of_sech = (i3 - i2) * (l2 - e * i1) / (i1 * i2 * i3);
         let printed = (i1 - i2) * (i2 - i3) / (i3 * i1);
         assert_eq!(of_sech, printed * o * o);
-        assert_eq!(of_sech == printed, o * o == rational(1, 1));
+        assert_eq!(of_sech == printed, o * o == ONE);
     }
-    let q = |n: i128| rational(n, 1);
+    let q = |n: i128| whole(n);
     assert_eq!((q(3) - q(2)) * (q(16) - q(8)) / q(6), rational(4, 3));
     let rate = saddle(&moments(MOMENTS), 2.0).unwrap().rate;
     observed!(relative(rate, 2.0 / 3f64.sqrt()), 0.0..=4.5e-16);

@@ -17,9 +17,9 @@ fn assert_close(computed: BodyVector, exact: [R; 3]) {
 fn s2_2_velocity_field() {
     // claim: C2.2-1
     let motion = motion_about_origin();
-    let p = [5, -7, 11].map(|x| Ratio::from_integer(x as i128));
+    let p = [5, -7, 11].map(|x| whole(x as i128));
     let elsewhere = motion.seen_from(vector([5.0, -7.0, 11.0]));
-    let (u, omega) = (U.map(Ratio::from_integer), OMEGA.map(Ratio::from_integer));
+    let (u, omega) = (U.map(whole), OMEGA.map(whole));
     // Small integers are exact in f64, so these are equalities.
     assert_close(elsewhere.velocity, add(u, cross(omega, p)));
     assert_eq!(elsewhere.omega, motion.omega);
@@ -28,7 +28,7 @@ fn s2_2_velocity_field() {
         assert_eq!(motion.velocity_at(point), elsewhere.velocity_at(point));
         assert_close(
             motion.velocity_at(point),
-            add(u, cross(omega, x.map(Ratio::from_integer))),
+            add(u, cross(omega, x.map(whole))),
         );
     }
 }
@@ -47,7 +47,7 @@ fn s2_2_angular_momentum_splits() -> Result<()> {
         epsilon = EPS
     );
     let split = motion_about_origin().angular_momentum(&body)?;
-    let integers = |v: [i128; 3]| v.map(Ratio::from_integer);
+    let integers = |v: [i128; 3]| v.map(whole);
     assert_close(split.of_motion, integers([32, -8, -16]));
     assert_close(split.of_rotation, integers([26, 8, -23]));
     assert_close(split.of_motion + split.of_rotation, integers([58, 0, -39]));
@@ -61,8 +61,8 @@ fn s2_2_cross_term_drops() -> Result<()> {
     let body = four_masses()?;
     let center = [rational(1, 2), rational(3, 5), rational(7, 10)];
     let inertia = [
-        [rational(9, 2), rational(-1, 1), rational(-1, 2)],
-        [rational(-1, 1), rational(23, 5), rational(1, 5)],
+        [rational(9, 2), whole(-1), rational(-1, 2)],
+        [whole(-1), rational(23, 5), rational(1, 5)],
         [rational(-1, 2), rational(1, 5), rational(49, 10)],
     ];
     for (i, row) in inertia.iter().enumerate() {
@@ -71,7 +71,7 @@ fn s2_2_cross_term_drops() -> Result<()> {
             assert!((computed - exact(*entry)).abs() <= 2.0 * EPS * 4.9);
         }
     }
-    let omega = OMEGA.map(Ratio::from_integer);
+    let omega = OMEGA.map(whole);
     let i_omega = inertia.map(|row| dot(row, omega));
     assert_eq!(direct_sums(center).0, i_omega, "L = I_C Ω in rationals");
     let motion = motion_about_origin().seen_from(body.center());

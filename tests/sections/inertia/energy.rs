@@ -13,7 +13,7 @@ fn s2_3_energy_splits_in_three() -> Result<()> {
     close!(split.of_rotation, 41.5, 2.0 * EPS);
     let whole = split.of_motion + split.cross + split.of_rotation;
     close!(whole, 183.5, 2.0 * EPS);
-    assert_eq!(direct_sums([rational(0, 1); 3]).1, rational(367, 2));
+    assert_eq!(direct_sums([ZERO; 3]).1, rational(367, 2));
     // About the centre the cross term is gone and the sum is the same.
     let centered = motion_about_origin()
         .seen_from(body.center())

@@ -12,8 +12,8 @@ fn s2_8_parallel_axes() -> Result<()> {
     let expected = Matrix3::new(13.0, -4.0, -4.0, -4.0, 12.0, -4.0, -4.0, -4.0, 11.0);
     assert!((shifted.matrix() - expected).amax() <= 4.0 * EPS * 13.0);
     // In rationals: the diagonal entry 9/2 + 10(36 + 49)/100 = 13.
-    assert_eq!(rational(9, 2) + rational(10 * 85, 100), rational(13, 1));
-    assert_eq!(rational(-1, 2) - rational(10 * 35, 100), rational(-4, 1));
+    assert_eq!(rational(9, 2) + rational(10 * 85, 100), whole(13));
+    assert_eq!(rational(-1, 2) - rational(10 * 35, 100), whole(-4));
     // Only from the centre: shifting on from the origin as if it were the centre gives another matrix.
     let point = vector([1.0, 1.0, 1.0]);
     let right = body.about(point)?.matrix();

@@ -54,7 +54,7 @@ fn s2_7_routh_rule_three() -> Result<()> {
     use routh::Form::{Cuboid, Rectangle, Rod};
     let cases = [
         (Rectangle, [2.0, 3.0], rational(13, 3)),
-        (Rectangle, [3.0, 0.0], rational(3, 1)),
+        (Rectangle, [3.0, 0.0], whole(3)),
         (Cuboid, [3.0, 5.0], rational(34, 3)),
         (Rod, [2.0, 0.0], rational(4, 3)),
     ];
@@ -134,11 +134,10 @@ fn s2_7_shells() -> Result<()> {
     assert!(routh::moment(1.0, routh::Form::Hollow, [1.0, 1.0]).is_err());
     // Exact rationals along s → 1, where 1−s⁵ over 1−s³ as printed cancels; s = 1 − 2⁻ᵏ is a number.
     for k in 1..=25 {
-        let s = R::from_integer(1) - rational(1, 1 << k);
-        let one = R::from_integer(1);
+        let s = whole(1) - rational(1, 1 << k);
         // The common factor is left out so that i128 holds the powers.
         let expected =
-            rational(2, 5) * (one + s + s * s + s * s * s + s * s * s * s) / (one + s + s * s);
+            rational(2, 5) * (ONE + s + s * s + s * s * s + s * s * s * s) / (ONE + s + s * s);
         close!(shell(exact(s))?, exact(expected), 3.0 * EPS);
     }
     // As printed, at one part in 10⁸: half of the digits are gone.

@@ -8,24 +8,17 @@ use spinning_bodies::kovalevskaya_top::Kind;
 // claim: C8.2-1, C8.2-2, C8.2-3
 #[test]
 fn s8_2_her_equations_in_real_and_complex_form() {
-    let zero = rational(0, 1);
     for [c, o1, o2, o3, z1, z2, z3, ..] in points() {
-        let two = rational(2, 1);
-        let [change, up] = rates(
-            [two, two, rational(1, 1)],
-            [c, zero, zero],
-            [o1, o2, o3],
-            [z1, z2, z3],
-        );
-        assert_eq!(two * change[0], o2 * o3);
-        assert_eq!(two * change[1], -o3 * o1 + c * z3);
+        let [change, up] = rates([TWO, TWO, ONE], [c, ZERO, ZERO], [o1, o2, o3], [z1, z2, z3]);
+        assert_eq!(TWO * change[0], o2 * o3);
+        assert_eq!(TWO * change[1], -o3 * o1 + c * z3);
         assert_eq!(change[2], -c * z2);
         let turned = [z2 * o3 - z3 * o2, z3 * o1 - z1 * o3, z1 * o2 - z2 * o1];
         assert_eq!(up, turned);
         // −i(x + iy) = y − ix.
         let (w, z) = ([o1, o2], [z1, z2]);
         let inner = [w[0] * o3 - c * z3, w[1] * o3];
-        assert_eq!([two * change[0], two * change[1]], [inner[1], -inner[0]]);
+        assert_eq!([TWO * change[0], TWO * change[1]], [inner[1], -inner[0]]);
         let inner = [z[0] * o3 - z3 * w[0], z[1] * o3 - z3 * w[1]];
         assert_eq!([up[0], up[1]], [inner[1], -inner[0]]);
     }
@@ -35,25 +28,17 @@ fn s8_2_her_equations_in_real_and_complex_form() {
 #[test]
 fn s8_2_the_constant_turns_and_does_not_grow() {
     for [c1, c2, o1, o2, o3, z1, z2, z3, scale, ..] in points() {
-        let i3 = scale * scale + rational(1, 1);
-        let moments = [rational(2, 1) * i3, rational(2, 1) * i3, i3];
-        let [change, up] = rates(
-            moments,
-            [c1, c2, rational(0, 1)],
-            [o1, o2, o3],
-            [z1, z2, z3],
-        );
+        let i3 = scale * scale + ONE;
+        let moments = [TWO * i3, TWO * i3, i3];
+        let [change, up] = rates(moments, [c1, c2, ZERO], [o1, o2, o3], [z1, z2, z3]);
         let (w, z, c) = ([o1, o2], [z1, z2], [c1 / i3, c2 / i3]);
         // K = w² − cζ and dK/dt = 2w dw/dt − c dζ/dt.
         let (ww, cz) = (times(w, w), times(c, z));
         let k = [ww[0] - cz[0], ww[1] - cz[1]];
         let (wd, cd) = (times(w, [change[0], change[1]]), times(c, [up[0], up[1]]));
-        let rate = [
-            rational(2, 1) * wd[0] - cd[0],
-            rational(2, 1) * wd[1] - cd[1],
-        ];
+        let rate = [TWO * wd[0] - cd[0], TWO * wd[1] - cd[1]];
         assert_eq!(rate, [k[1] * o3, -k[0] * o3], "dK/dt = −iΩ₃K");
-        assert_eq!(k[0] * rate[0] + k[1] * rate[1], rational(0, 1), "d|K|²/dt");
+        assert_eq!(k[0] * rate[0] + k[1] * rate[1], ZERO, "d|K|²/dt");
     }
 }
 

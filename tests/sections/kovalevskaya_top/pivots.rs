@@ -25,14 +25,14 @@ fn s8_1_ellipsoids_that_are_her_top() -> Result {
     // The family c = √3 b, d² = (b² − a²)/5, exactly: the squares are rational.
     for [a, b, ..] in points() {
         let (a2, b2) = (a * a, a * a + b * b);
-        let (c2, d2) = (rational(3, 1) * b2, (b2 - a2) / rational(5, 1));
-        let i1 = (b2 + c2) / rational(5, 1);
-        let i2 = (a2 + c2) / rational(5, 1) + d2;
-        let i3 = (a2 + b2) / rational(5, 1) + d2;
-        assert_eq!([i1, i2], [rational(2, 1) * i3; 2]);
+        let (c2, d2) = (whole(3) * b2, (b2 - a2) / whole(5));
+        let i1 = (b2 + c2) / whole(5);
+        let i2 = (a2 + c2) / whole(5) + d2;
+        let i3 = (a2 + b2) / whole(5) + d2;
+        assert_eq!([i1, i2], [TWO * i3; 2]);
         // a = b: pivot at C. Inside the body where d < a, that is b² < 6a².
-        assert_eq!(d2 == rational(0, 1), b2 == a2);
-        assert_eq!(d2 < a2, b2 < rational(6, 1) * a2);
+        assert_eq!(d2 == ZERO, b2 == a2);
+        assert_eq!(d2 < a2, b2 < whole(6) * a2);
     }
     // And a member that is given to the constructor.
     let found = moments([0.5, 1.0, 3_f64.sqrt()], 0.15_f64.sqrt())?;
@@ -91,7 +91,7 @@ fn s8_1_which_pivots_a_body_allows() {
         assert_eq!(about_center.is_ok(), square <= 0.5 * axial);
     }
     // At the limit a lamina at right angles to the first axis: 2 = 3/2 + 1/2.
-    assert_eq!(rational(2, 1), rational(3, 2) + rational(1, 2));
+    assert_eq!(TWO, rational(3, 2) + rational(1, 2));
 }
 
 // claim: C8.1-7

@@ -127,13 +127,8 @@ fn s7_5_threshold_and_kick() {
     for l3 in [0.0, 0.3, 1.9, 2.0 - 1e-9, 2.0, 2.0 + 1e-9, 2.5, 30.0] {
         for kick in [1e-12, 1e-6, 0.01, 1.0, 7.0] {
             let tilt = tilt_after_kick(1.0, 1.0, l3, kick).unwrap();
-            let top = spinning_bodies::lagrange_top::LagrangeTop::new(
-                1.0,
-                AXIAL,
-                1.0,
-                spinning_bodies::frame::BodyVector::new(kick, 0.0, l3 / AXIAL),
-                spinning_bodies::frame::Attitude::identity(),
-            );
+            let omega = BodyVector::new(kick, 0.0, l3 / AXIAL);
+            let top = LagrangeTop::new(1.0, AXIAL, 1.0, omega, Attitude::identity());
             let lower = top.unwrap().roots();
             let expected = 2.0 * lower.one_less[0].sqrt().atan2(lower.one_more[0].sqrt());
             observed!((tilt / expected - 1.0).abs(), 0.0..=5e-16);

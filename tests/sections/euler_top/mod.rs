@@ -1,5 +1,5 @@
 //! Section 6 of the tutorial: Euler's top. The truths it is held against: the register's closed forms and numbers to twenty
-//! digits, exact rationals for identities, quadrature, and an integrator of its own in pairs of doubles (`support/free_top.rs`).
+//! digits, exact rationals for identities, quadrature, and power series of its own in pairs of doubles (`support/power_series.rs`).
 
 mod attitude;
 mod batch;

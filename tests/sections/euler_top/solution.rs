@@ -86,7 +86,7 @@ fn s6_6_sectors() {
     }
     assert!(seen[0] > 15 && seen[1] > 15, "{seen:?}");
     // The condition: on the axes the bounds are reached, and on the separatrix neither sign is in danger.
-    let (energy, l2) = integrals([1, 2, 3].map(|i| whole(i)), [TWO, ZERO, ZERO]);
+    let (energy, l2) = integrals([1, 2, 3].map(whole), [TWO, ZERO, ZERO]);
     assert_eq!(l2, energy);
     let between = thrown([1.5, 3.0, 4.0], [1.0, 0.5, 2.0]);
     assert_eq!(between.regime(), Regime::Separatrix);
